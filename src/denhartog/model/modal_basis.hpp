@@ -1,0 +1,49 @@
+/// @file
+/// @brief The modal basis of a system: natural frequency ratios, mode shapes, damping ratios, (13)-(19).
+///
+/// Nothing of it depends on r: \f$ R_i = r/r_{n,i} \f$ and \f$ \psi_i = \phi_i/r \f$ at every r, so that one eigen-solve serves a
+/// whole map.
+#pragma once
+
+#include <vector>
+
+#include "denhartog/model/scene.hpp"
+
+namespace denhartog {
+
+/// @brief Natural frequency ratios and mode shapes normalised with the mass matrix in units of m_1.
+template <class T>
+struct ModalBasis {
+    std::vector<T> r_n;  ///< natural frequency ratios omega_i sqrt(m_1 / k_1), ascending, N values
+    Matrix<T> phi;       ///< mode shapes, mass by mode, phi^T M phi = 1, N x N
+    std::vector<T> zeta; ///< modal damping ratios, N values
+};
+
+/// @brief Solves the eigenproblem (15) once. Natural frequencies of a chain come with high relative accuracy, each of them.
+/// @param s  the system; checked by `check`
+/// @return   the basis
+/// @throws   InputError where M is not positive definite, K is singular, or C has no modal damping ratios below 1
+template <class T>
+[[nodiscard]] ModalBasis<T> modal_basis(const System<T>& s);
+
+/// @brief Number of eigen-solves since the program started; tests gate on it.
+/// @return the count, over all number types
+[[nodiscard]] long eigen_solves();
+
+/// @brief Non-dimensional mass, damping and stiffness matrices (7), (8), (19) at a frequency ratio.
+template <class T>
+struct NonDimensionalMatrices {
+    Matrix<T> M; ///< r^2 times the mass matrix in units of m_1
+    Matrix<T> C; ///< non-dimensional damping matrix, Eq. (19), or r times the damping matrix given
+    Matrix<T> K; ///< stiffness matrix in units of k_1
+};
+
+/// @brief Matrices of (6) at a frequency ratio.
+/// @param s      the system
+/// @param basis  its modal basis; used where damping is given by ratios
+/// @param r      frequency ratio, Eq. (10), positive
+/// @return       M, C, K
+template <class T>
+[[nodiscard]] NonDimensionalMatrices<T> non_dimensional_matrices(const System<T>& s, const ModalBasis<T>& basis, const T& r);
+
+} // namespace denhartog

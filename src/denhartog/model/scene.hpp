@@ -1,0 +1,66 @@
+/// @file
+/// @brief A scene: the system, the place of contact and load, friction, and the point asked for, (1)-(11), (73).
+///
+/// A scene is non-dimensional. Dimensional input is divided by \f$ k_1 \f$, \f$ m_1 \f$ and P when it is read.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace denhartog {
+
+/// @brief A square matrix over the number type.
+template <class T>
+using Matrix = Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic>;
+
+/// @brief A mass, counted from 0; input and prose count from 1.
+struct Mass {
+    std::size_t index = 0;               ///< position in arrays over the masses
+    bool operator==(const Mass&) const = default; ///< same mass
+};
+
+/// @brief A vibrating mode, counted from 0 in the order of ascending natural frequency.
+struct Mode {
+    std::size_t index = 0;               ///< position in arrays over the modes
+    bool operator==(const Mode&) const = default; ///< same mode
+};
+
+/// @brief The system: a chain by ratios, or symmetric matrices of any topology.
+///
+/// Exactly one of `stiffness_ratios` and `stiffness_matrix` is filled, exactly one of `mass_ratios` and `mass_matrix`, and
+/// exactly one of `damping_ratios` and `damping_matrix`.
+template <class T>
+struct System {
+    std::vector<T> mass_ratios;      ///< gamma_i = m_i / m_1, Eq. (9), N values
+    std::vector<T> stiffness_ratios; ///< kappa_i = k_i / k_1, Eq. (73), N values
+    Matrix<T> mass_matrix;           ///< M in units of m_1, N x N
+    Matrix<T> stiffness_matrix;      ///< K in units of k_1, N x N
+    std::vector<T> damping_ratios;   ///< zeta_i by ascending natural frequency, Eq. (18), N values
+    Matrix<T> damping_matrix;        ///< C in units of sqrt(k_1 m_1), N x N, with K M^-1 C = C M^-1 K
+    Mass contact;                    ///< the mass in contact, j
+    Mass load;                       ///< the loaded mass, l
+};
+
+/// @brief A system with friction and the point (r, beta) asked for.
+template <class T>
+struct Scene {
+    System<T> system;      ///< masses, springs, damping, contact, load
+    T mu = T(1);           ///< static over kinetic friction, Eq. (3), at least 1
+    std::optional<T> r;    ///< frequency ratio, Eq. (10)
+    std::optional<T> beta; ///< friction ratio, Eq. (11)
+};
+
+/// @brief Number of masses N. @param s a system @return N
+template <class T>
+[[nodiscard]] std::size_t number_of_masses(const System<T>& s) {
+    return s.mass_matrix.size() > 0 ? static_cast<std::size_t>(s.mass_matrix.rows()) : s.mass_ratios.size();
+}
+
+/// @brief Checks every rule of a scene; throws InputError naming quantity, rule and value of the first that is broken.
+/// @param scene  the scene
+template <class T>
+void check(const Scene<T>& scene);
+
+} // namespace denhartog
