@@ -1,0 +1,106 @@
+/// @file
+/// @brief The symbolic scalar: a GiNaC expression that refuses to be compared or rounded.
+///
+/// The formula templates of `src/denhartog` are instantiated with it. A kernel that branches on a value or holds a
+/// floating-point literal does not compile for this type, so that what is proved here is the whole of what runs there.
+///
+/// The operators count themselves. With a `Mutation` in force the k-th operation is replaced by a wrong one; that is how the
+/// derivation makes a mutated twin of a formula without a second copy of it.
+#pragma once
+
+#include <concepts>
+#include <ginac/ginac.h>
+#include <string>
+
+#include "denhartog/number.hpp"
+
+namespace denhartog::derivation {
+
+class Symbolic;
+
+/// @brief Replaces one operation while it lives: the `position`-th that the symbolic scalar carries out, counted from 0.
+///
+/// Sum and difference are exchanged, product and quotient, sine and cosine, hyperbolic sine and cosine, the arguments of atan2;
+/// an exponential gets the opposite sign, a root and a unary minus are left out, an integer grows by one.
+class Mutation {
+  public:
+    /// @param position  which operation to replace; negative: none, count only
+    explicit Mutation(long position);
+    ~Mutation();
+    Mutation(const Mutation&) = delete;
+    Mutation& operator=(const Mutation&) = delete;
+    /// @return the operations counted since construction
+    [[nodiscard]] long operations() const;
+    /// @return what was replaced, e.g. `+ -> -`; empty where the position was not reached
+    [[nodiscard]] const std::string& replaced() const;
+    /// @brief Counts an operation. @param what description of the replacement @return whether to replace this one
+    static bool here(const char* what);
+
+  private:
+    long position_;
+    long count_ = 0;
+    std::string replaced_;
+};
+
+/// @brief A symbolic number: built from integers and GiNaC expressions, without comparison, without rounding.
+class Symbolic {
+  public:
+    /// @brief Zero.
+    Symbolic() = default;
+    /// @brief An integer. @param n the integer
+    Symbolic(int n);
+    /// @brief An expression. @param e the expression
+    explicit Symbolic(const GiNaC::ex& e) : value_(e) {}
+    /// @brief No floating-point number enters a proof.
+    template <std::floating_point F>
+    Symbolic(F) = delete;
+    /// @brief No truth value is a number.
+    Symbolic(bool) = delete;
+
+    /// @return the GiNaC expression
+    [[nodiscard]] const GiNaC::ex& expression() const { return value_; }
+
+    friend Symbolic operator+(const Symbolic& a, const Symbolic& b);
+    friend Symbolic operator-(const Symbolic& a, const Symbolic& b);
+    friend Symbolic operator*(const Symbolic& a, const Symbolic& b);
+    friend Symbolic operator/(const Symbolic& a, const Symbolic& b);
+    friend Symbolic operator-(const Symbolic& a);
+    friend bool operator==(const Symbolic&, const Symbolic&) = delete;
+    friend bool operator!=(const Symbolic&, const Symbolic&) = delete;
+    friend bool operator<(const Symbolic&, const Symbolic&) = delete;
+    friend bool operator>(const Symbolic&, const Symbolic&) = delete;
+    friend bool operator<=(const Symbolic&, const Symbolic&) = delete;
+    friend bool operator>=(const Symbolic&, const Symbolic&) = delete;
+
+  private:
+    GiNaC::ex value_ = 0;
+};
+
+/// @name Elementary functions of the symbolic scalar, found by argument-dependent lookup
+/// @{
+Symbolic sqrt(const Symbolic& x);
+Symbolic exp(const Symbolic& x);
+Symbolic sin(const Symbolic& x);
+Symbolic cos(const Symbolic& x);
+Symbolic sinh(const Symbolic& x);
+Symbolic cosh(const Symbolic& x);
+Symbolic atan2(const Symbolic& y, const Symbolic& x);
+Symbolic sin_pi(const Symbolic& x);
+Symbolic cos_pi(const Symbolic& x);
+Symbolic exp_minus_one(const Symbolic& x);
+Symbolic sinhc_minus_one(const Symbolic& x);
+Symbolic one_minus_sinc(const Symbolic& x);
+/// @}
+
+} // namespace denhartog::derivation
+
+namespace denhartog {
+
+/// @brief pi as a symbol.
+template <>
+struct PiOf<derivation::Symbolic> {
+    /// @return GiNaC's Pi
+    static derivation::Symbolic value() { return derivation::Symbolic(GiNaC::Pi); }
+};
+
+} // namespace denhartog
