@@ -53,6 +53,8 @@ Terms linear_terms(const ex& argument) {
 /// monomial occurs in angles and exponents, the second replaces.
 class Generators {
   public:
+    explicit Generators(Point inside) : inside_(std::move(inside)) {}
+
     ex replace(const ex& e) {
         collect(e);
         return rewrite(e);
@@ -78,6 +80,8 @@ class Generators {
         symbol cosine, sine;
     };
 
+    Point inside_;                                                       // a point of the domain; tells signs of radicands
+    GiNaC::exmap meaning_;                                               // generator -> what it stands for
     std::map<ex, numeric, GiNaC::ex_is_less> angle_unit_, exponent_unit_; // monomial -> common denominator
     std::map<ex, std::pair<ex, ex>, GiNaC::ex_is_less> angles_;           // monomial -> cosine, sine of the unit angle
     std::map<ex, ex, GiNaC::ex_is_less> exponentials_, arcs_;             // monomial -> generator; atan2 -> angle symbol
@@ -102,27 +106,56 @@ class Generators {
     ex new_generator(const std::string& name, const ex& stands_for) {
         const symbol g(name + std::to_string(names.size() + 1));
         std::ostringstream text;
-        text << g << " = " << stands_for;
+        text << g << " = " << stands_for.subs(meaning_);
         names.push_back(text.str());
+        meaning_[g] = stands_for.subs(meaning_);
         return g;
     }
 
-    /// The positive root of a polynomial, one generator for each polynomial.
+    /// Whether a polynomial in generators is negative inside the domain.
+    bool is_negative(const ex& polynomial) const {
+        const numeric value = evaluate(polynomial.subs(meaning_), inside_);
+        return value.real().is_negative();
+    }
+
+    /// The positive root of a polynomial: squares of positive symbols come out, the rest is one generator.
     ex root(const ex& polynomial) {
-        const ex a = reduce(polynomial.expand());
-        if (GiNaC::is_a<numeric>(a)) return GiNaC::sqrt(a);
+        ex a = reduce(polynomial.expand());
+        ex outside = 1;
+        std::map<ex, bool, GiNaC::ex_is_less> seen;
+        collect_symbols(a, seen);
+        for (const auto& [symbol, positive] : seen)
+            while (positive && a.ldegree(symbol) >= 2) {
+                outside *= symbol;
+                a = (a / (symbol * symbol)).expand();
+            }
+        if (!a.is_zero()) {
+            const numeric content = a.integer_content();
+            const numeric whole = GiNaC::isqrt(content.numer()) / GiNaC::isqrt(content.denom());
+            if (whole * whole == content) {
+                outside *= whole;
+                a = (a / content).expand();
+            }
+        }
+        if (GiNaC::is_a<numeric>(a)) return outside * GiNaC::sqrt(a);
         for (const auto& [generator, square] : relations_)
-            if ((square - a).expand().is_zero()) return generator;
+            if ((square - a).expand().is_zero()) return outside * generator;
         const ex y = new_generator("y", GiNaC::sqrt(a));
         relations_.emplace_back(GiNaC::ex_to<symbol>(y), a);
-        return y;
+        return outside * y;
+    }
+
+    static void collect_symbols(const ex& e, std::map<ex, bool, GiNaC::ex_is_less>& seen) {
+        if (GiNaC::is_a<symbol>(e)) seen.emplace(e, e.info(GiNaC::info_flags::positive));
+        for (const ex& part : e) collect_symbols(part, seen);
     }
 
     ex root_of_fraction(const ex& radicand) {
         const ex fraction = radicand.normal();
         const ex denominator = fraction.denom();
         note_denominator(denominator);
-        return root(fraction.numer()) / root(denominator);
+        const int sign = is_negative(denominator) ? -1 : 1;
+        return root(sign * fraction.numer()) / root(sign * denominator);
     }
 
     /// Cosine and sine of the unit angle of a monomial.
@@ -236,6 +269,8 @@ std::uint64_t next_random(std::uint64_t& state) {
     return z ^ (z >> 31);
 }
 
+bool is_real_value(const numeric& n) { return abs(n.imag()) <= abs(n.real()) * numeric("1e-50"); }
+
 std::string text(const numeric& n) {
     std::ostringstream out;
     out << n;
@@ -244,8 +279,8 @@ std::string text(const numeric& n) {
 
 } // namespace
 
-ex remainder(const ex& e) {
-    Generators generators;
+ex remainder(const ex& e, const std::vector<Range>& domain) {
+    Generators generators(sample_points(domain, 1).front());
     return generators.reduced_numerator(generators.replace(e));
 }
 
@@ -255,10 +290,7 @@ numeric evaluate(const ex& e, const Point& point) {
     for (const auto& [symbol, value] : point) values[symbol] = value;
     const ex value = e.subs(values).evalf();
     if (!GiNaC::is_a<numeric>(value)) throw std::domain_error("a symbol without a value");
-    const numeric number = GiNaC::ex_to<numeric>(value);
-    if (!number.is_real() && abs(number.imag()) > abs(number.real()) * numeric("1e-50"))
-        throw std::domain_error("no real value at a point of the domain");
-    return number.real();
+    return GiNaC::ex_to<numeric>(value);
 }
 
 std::vector<Point> sample_points(const std::vector<Range>& domain, int count) {
@@ -279,7 +311,7 @@ Decision decide_equal(const ex& left, const ex& right, const std::vector<Range>&
     Decision decision;
     bool zero = false;
     try {
-        Generators generators;
+        Generators generators(sample_points(domain, 1).front());
         zero = generators.reduced_numerator(generators.replace(left - right)).is_zero();
         decision.denominators = generators.denominators;
         decision.generators = generators.names;
@@ -287,11 +319,12 @@ Decision decide_equal(const ex& left, const ex& right, const std::vector<Range>&
         decision.reason = e.what();
     }
     int evaluated = 0;
-    for (const Point& point : sample_points(domain, 12)) {
+    for (const Point& point : sample_points(domain, 24)) {
         numeric l, r;
         try {
-            l = evaluate(left, point);
             r = evaluate(right, point);
+            if (!is_real_value(r)) throw std::domain_error("no real value at a point of the domain");
+            l = evaluate(left, point);
         } catch (const std::exception& e) {
             decision.reason = e.what();
             continue;

@@ -11,9 +11,11 @@
 /// The result is brought over one denominator and its numerator reduced by the relations. Remainder zero proves that the
 /// expression is zero wherever the denominators are not, and these are reported with the proof. A remainder that is not zero
 /// proves nothing: the expression is then evaluated with 50 digits at points of the declared domain, and a value that is
-/// clearly not zero refutes it, with that point as witness. What is neither is unknown.
+/// clearly not zero refutes it, with that point as witness. What is neither is unknown. Points where the second expression has
+/// no real value lie outside the domain and are passed over.
 ///
-/// Signs of roots are the one thing that the relations do not carry. A proof therefore also asks that the expression be zero
+/// Signs of roots are the one thing that the relations do not carry: the root of a fraction is taken as the quotient of two
+/// roots, numerator and denominator made positive at a point of the domain. A proof therefore also asks that the expression be zero
 /// with 50 digits at the sample points; a remainder of zero with a value that is not zero is an error of the base, and throws.
 #pragma once
 
@@ -63,15 +65,16 @@ struct Decision {
 [[nodiscard]] Decision decide_equal(const GiNaC::ex& left, const GiNaC::ex& right, const std::vector<Range>& domain);
 
 /// @brief The remainder of an expression after reduction by the relations; zero for an identity.
-/// @param e  an expression
-/// @return   the reduced numerator, in generators
-[[nodiscard]] GiNaC::ex remainder(const GiNaC::ex& e);
+/// @param e       an expression
+/// @param domain  the symbols that occur, with their ranges
+/// @return        the reduced numerator, in generators
+[[nodiscard]] GiNaC::ex remainder(const GiNaC::ex& e, const std::vector<Range>& domain);
 
 /// @brief The value of an expression at a point.
 /// @param e      an expression
 /// @param point  values of all its symbols
-/// @return       the value with 50 digits or more
-/// @throws       std::domain_error where the expression has no real value there
+/// @return       the value with 50 digits or more; complex where a root has a negative argument
+/// @throws       std::domain_error where a symbol has no value
 [[nodiscard]] GiNaC::numeric evaluate(const GiNaC::ex& e, const Point& point);
 
 /// @brief Sample points of a domain, the same ones on every run.

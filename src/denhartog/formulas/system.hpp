@@ -19,7 +19,7 @@ namespace denhartog::paper {
 template <class T>
 [[nodiscard]] std::vector<T> chain_stiffness_matrix(std::span<const T> k) {
     const std::size_t N = k.size();
-    std::vector<T> K(N * N, T(0));
+    std::vector<T> K(N * N); // entries start at zero
     for (std::size_t i = 0; i + 1 < N; ++i) {
         K[i * N + i] = k[i] + k[i + 1];
         K[i * N + i + 1] = -k[i + 1];
@@ -145,11 +145,11 @@ template <class T>
 [[nodiscard]] std::vector<T> damping_matrix(std::span<const T> M, std::span<const T> Psi, std::span<const T> Omega,
                                             std::span<const T> zeta) {
     const std::size_t N = Omega.size();
-    std::vector<T> M_Psi(N * N, T(0));
+    std::vector<T> M_Psi(N * N); // entries start at zero
     for (std::size_t k = 0; k < N; ++k)
         for (std::size_t n = 0; n < N; ++n)
             for (std::size_t i = 0; i < N; ++i) M_Psi[k * N + i] = M_Psi[k * N + i] + M[k * N + n] * Psi[n * N + i];
-    std::vector<T> C(N * N, T(0));
+    std::vector<T> C(N * N); // entries start at zero
     for (std::size_t k = 0; k < N; ++k)
         for (std::size_t n = 0; n < N; ++n)
             for (std::size_t i = 0; i < N; ++i)

@@ -1,0 +1,63 @@
+// (A.7), (A.9): the modal velocity, and the rates of d and q.
+#include "denhartog/formulas/as_printed.hpp"
+#include "derived.hpp"
+#include "symbols.hpp"
+
+namespace denhartog::derivation {
+
+using GiNaC::ex;
+
+namespace {
+
+ex rate(const ex& e) { return e.diff(GiNaC::ex_to<GiNaC::symbol>(symbols().tau)); }
+
+const Register registered([] {
+    const Symbols& s = symbols();
+    const std::vector<std::string> domain{"R_i > 0", "0 <= zeta_i < 1", "0 <= tau <= pi"};
+    const auto derived = [] { return std::vector<ex>{in_phi_j(rate(derived_displacement()))}; };
+    return std::vector<Claim>{
+        {.id = "A.7/printed",
+         .equations = {"A.7"},
+         .role = Role::printed,
+         .title = "Modal velocity as printed, with - d' eta_0",
+         .assumptions = domain,
+         .kernel =
+             [&s] {
+                 return Values{as_printed::modal_velocity_from_start(Symbolic(s.tau), symbolic_mode(), symbolic_start(),
+                                                                     Symbolic(s.beta), Symbolic(s.phi_j))};
+             },
+         .derived = derived,
+         .departure = Departure::misprint,
+         .correction = "\\eta_i' = d_i'\\eta_{i0} + R_iq_i'\\eta_{i0}' - \\psi_{ji}R_i^2d_i'\\beta - \\psi_{li}R_i^2v_{di}"
+                       "[(\\sin\\tau+d_i')\\cos\\phi_j + (\\cos\\tau-R_iq_i')\\sin\\phi_j]"},
+        {.id = "A.7/velocity",
+         .equations = {"A.7"},
+         .role = Role::shipped,
+         .title = "Modal velocity from the initial values, with + d' eta_0",
+         .assumptions = domain,
+         .kernel =
+             [&s] {
+                 return Values{paper::modal_velocity_from_start(Symbolic(s.tau), symbolic_mode(), symbolic_start(),
+                                                                Symbolic(s.beta), Symbolic(s.phi_j))};
+             },
+         .derived = derived},
+        {.id = "A.9/rates",
+         .equations = {"A.9"},
+         .title = "Rates of d and q",
+         .assumptions = domain,
+         .kernel =
+             [&s] {
+                 const Symbolic R(s.R), zeta(s.zeta), tau(s.tau);
+                 return Values{paper::d_prime(tau, R, zeta), R * paper::q_prime(tau, R, zeta)};
+             },
+         .derived =
+             [&s] {
+                 const ex velocity = rate(derived_displacement());
+                 return std::vector<ex>{velocity.diff(GiNaC::ex_to<GiNaC::symbol>(s.eta_0)),
+                                        velocity.diff(GiNaC::ex_to<GiNaC::symbol>(s.eta_prime_0))};
+             }},
+    };
+});
+
+} // namespace
+} // namespace denhartog::derivation

@@ -1,0 +1,120 @@
+// (A.12)-(A.14), (26)-(29): the phase, and the two damping functions.
+#include "denhartog/formulas/as_printed.hpp"
+#include "derived.hpp"
+#include "symbols.hpp"
+
+namespace denhartog::derivation {
+
+using GiNaC::ex;
+using GiNaC::lst;
+
+std::pair<ex, ex> derived_phase() {
+    const Symbols& s = symbols();
+    const auto [displacement, velocity] = derived_final_conditions();
+    const ex solution = GiNaC::lsolve(lst{displacement.expand() == 0, velocity.expand() == 0}, lst{s.v_cos, s.v_sin});
+    return {s.v_cos.subs(solution), s.v_sin.subs(solution)};
+}
+
+namespace {
+
+/// What friction alone adds to v cos(phi_j) or v sin(phi_j), over psi_ji beta / psi_li.
+ex friction_part(const ex& v_times) {
+    const Symbols& s = symbols();
+    return v_times.subs(lst{s.eta_0 == 0, s.eta_prime_0 == 0}) * s.psi_li / (s.psi_ji * s.beta);
+}
+
+} // namespace
+
+ex derived_first_damping_function() { return -friction_part(derived_phase().second); }
+
+ex derived_second_damping_function() { return friction_part(derived_phase().first); }
+
+namespace {
+
+const Register registered([] {
+    const Symbols& s = symbols();
+    const std::vector<std::string> domain{"R_i > 0", "0 <= zeta_i < 1", "psi_li not zero",
+                                          "zeta_i > 0 or 1/R_i not an odd integer"};
+    const std::vector<std::string> mode_domain{"R_i > 0", "0 <= zeta_i < 1", "zeta_i > 0 or 1/R_i not an odd integer"};
+    const auto system = [&s] {
+        return PhaseSystem<Symbolic>{Symbolic(s.PA), Symbolic(s.PB), Symbolic(s.PC), Symbolic(s.PP), Symbolic(s.PQ), Symbolic(s.PR)};
+    };
+    const auto solved = [&s] {
+        const ex solution = GiNaC::lsolve(
+            lst{s.PA * s.v_cos + s.PB * s.v_sin + s.PC == 0, s.PP * s.v_cos + s.PQ * s.v_sin + s.PR == 0}, lst{s.v_cos, s.v_sin});
+        return std::vector<ex>{s.v_cos.subs(solution), s.v_sin.subs(solution)};
+    };
+    return std::vector<Claim>{
+        {.id = "A.12/printed",
+         .equations = {"A.12"},
+         .role = Role::printed,
+         .title = "The cosine with the natural frequency where the text at hand shows it",
+         .assumptions = {"AQ - BP not zero"},
+         .kernel = [system, &s] { return Values{as_printed::v_cosine_from_system(system(), Symbolic(1 / s.R))}; },
+         .derived = [solved] { return std::vector<ex>{solved().front()}; },
+         .departure = Departure::scan,
+         .correction = "v_{di}\\cos\\phi_j = \\frac{\\mathcal{BR}-\\mathcal{CQ}}{\\mathcal{AQ}-\\mathcal{BP}}, \\quad "
+                       "v_{di}\\sin\\phi_j = \\frac{\\mathcal{CP}-\\mathcal{AR}}{\\mathcal{AQ}-\\mathcal{BP}}"},
+        {.id = "A.12/solution",
+         .equations = {"A.12"},
+         .role = Role::shipped,
+         .title = "Solution of the two conditions for v cos(phi_j) and v sin(phi_j)",
+         .assumptions = {"AQ - BP not zero"},
+         .kernel =
+             [system] { return Values{paper::v_cosine_from_system(system()), paper::v_sine_from_system(system())}; },
+         .derived = solved},
+        {.id = "28/first-damping-function",
+         .equations = {"28"},
+         .title = "First damping function from the conditions at tau = pi",
+         .assumptions = mode_domain,
+         .kernel = [&s] { return Values{paper::first_damping_function(Symbolic(s.R), Symbolic(s.zeta))}; },
+         .derived = [] { return std::vector<ex>{derived_first_damping_function()}; }},
+        {.id = "29/second-damping-function",
+         .equations = {"29"},
+         .title = "Second damping function from the conditions at tau = pi",
+         .assumptions = mode_domain,
+         .kernel = [&s] { return Values{paper::second_damping_function(Symbolic(s.R), Symbolic(s.zeta))}; },
+         .derived = [] { return std::vector<ex>{derived_second_damping_function()}; }},
+        {.id = "28/undamped",
+         .equations = {"28", "29"},
+         .role = Role::step,
+         .title = "Without damping u is sin(pi/R) / (R (1 + cos(pi/R))) and g is zero",
+         .assumptions = {"R_i > 0", "zeta_i = 0", "1/R_i not an odd integer"},
+         .kernel =
+             [&s] {
+                 const Symbolic R(s.R);
+                 return Values{paper::first_damping_function(R, Symbolic(0)), paper::second_damping_function(R, Symbolic(0))};
+             },
+         .derived =
+             [&s] {
+                 return std::vector<ex>{GiNaC::sin(GiNaC::Pi / s.R) / (s.R * (1 + GiNaC::cos(GiNaC::Pi / s.R))), 0};
+             },
+         .special_case = true},
+        {.id = "A.13/cosine",
+         .equations = {"26", "A.13"},
+         .title = "v cos(phi_j) from the initial displacement: the initial velocity cancels",
+         .assumptions = domain,
+         .kernel =
+             [&s] {
+                 return Values{paper::v_cosine(symbolic_mode(), symbolic_start(),
+                                               paper::second_damping_function(Symbolic(s.R), Symbolic(s.zeta)),
+                                               Symbolic(s.beta))};
+             },
+         .derived = [] { return std::vector<ex>{derived_phase().first}; },
+         .departure = Departure::convention},
+        {.id = "A.14/sine",
+         .equations = {"27", "A.14"},
+         .title = "v sin(phi_j) from the initial velocity: the initial displacement cancels",
+         .assumptions = domain,
+         .kernel =
+             [&s] {
+                 return Values{paper::v_sine(symbolic_mode(), symbolic_start(),
+                                             paper::first_damping_function(Symbolic(s.R), Symbolic(s.zeta)), Symbolic(s.beta))};
+             },
+         .derived = [] { return std::vector<ex>{derived_phase().second}; },
+         .departure = Departure::convention},
+    };
+});
+
+} // namespace
+} // namespace denhartog::derivation

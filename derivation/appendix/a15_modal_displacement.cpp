@@ -1,0 +1,74 @@
+// (A.15), (40): the modal displacement over the half-period of the steady state.
+#include "denhartog/formulas/as_printed.hpp"
+#include "derived.hpp"
+#include "symbols.hpp"
+
+namespace denhartog::derivation {
+
+using GiNaC::ex;
+using GiNaC::lst;
+
+ex derived_modal_displacement() {
+    // (A.13) and (A.14), proved, put into the displacement; u and g stay symbols
+    const Symbols& s = symbols();
+    const ex v_cos = (s.eta_0 + s.psi_ji * s.R * s.R * s.g * s.beta) / (s.psi_li * s.R * s.R);
+    const ex v_sin = -(s.eta_prime_0 + s.psi_ji * s.R * s.R * s.u * s.beta) / (s.psi_li * s.R * s.R);
+    return derived_displacement_by_v().subs(lst{s.v_cos == v_cos, s.v_sin == v_sin});
+}
+
+namespace {
+
+const Register registered([] {
+    const Symbols& s = symbols();
+    const std::vector<std::string> domain{"R_i > 0", "0 <= zeta_i < 1", "0 <= tau <= pi"};
+    const auto derived = [] { return std::vector<ex>{derived_modal_displacement()}; };
+    return std::vector<Claim>{
+        {.id = "A.15/printed",
+         .equations = {"40", "A.15"},
+         .role = Role::printed,
+         .title = "Modal displacement as printed, with sine and cosine exchanged in the bracket",
+         .assumptions = domain,
+         .kernel =
+             [&s] {
+                 return Values{as_printed::modal_displacement(Symbolic(s.tau), symbolic_mode(), symbolic_start(), Symbolic(s.u),
+                                                              Symbolic(s.g), Symbolic(s.beta))};
+             },
+         .derived = derived,
+         .departure = Departure::misprint,
+         .correction =
+             "\\eta_i = (\\eta_{i0}+\\psi_{ji}R_i^2g_i\\beta)\\cos\\tau + (\\eta_{i0}'+\\psi_{ji}R_i^2u_{di}\\beta)\\sin\\tau + "
+             "\\beta\\psi_{ji}R_i^2\\{1-(1+g_i)d_i(\\tau)-u_{di}R_iq_i(\\tau)\\}"},
+        {.id = "A.15/displacement",
+         .equations = {"40", "A.15"},
+         .role = Role::shipped,
+         .title = "Modal displacement over the half-period, with the bracket d of (A.8)",
+         .assumptions = domain,
+         .kernel =
+             [&s] {
+                 return Values{paper::modal_displacement(Symbolic(s.tau), symbolic_mode(), symbolic_start(), Symbolic(s.u),
+                                                         Symbolic(s.g), Symbolic(s.beta))};
+             },
+         .derived = derived},
+        {.id = "40/rate",
+         .equations = {"40"},
+         .role = Role::shipped,
+         .title = "Rate of the braces of (40)",
+         .assumptions = domain,
+         .kernel =
+             [&s] {
+                 return Values{paper::friction_motion_prime(Symbolic(s.tau), Symbolic(s.R), Symbolic(s.zeta), Symbolic(s.u),
+                                                            Symbolic(s.g))};
+             },
+         .derived =
+             [&s] {
+                 const ex friction_alone =
+                     derived_modal_displacement().subs(lst{s.eta_0 == -s.psi_ji * s.R * s.R * s.g * s.beta,
+                                                           s.eta_prime_0 == -s.psi_ji * s.R * s.R * s.u * s.beta});
+                 return std::vector<ex>{friction_alone.diff(GiNaC::ex_to<GiNaC::symbol>(s.tau)) /
+                                        (s.beta * s.psi_ji * s.R * s.R)};
+             }},
+    };
+});
+
+} // namespace
+} // namespace denhartog::derivation

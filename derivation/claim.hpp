@@ -1,0 +1,108 @@
+/// @file
+/// @brief A claim: what an equation says, what the derivation makes of it, and the grounds for a verdict.
+///
+/// The kernel of a claim is a formula template instantiated with symbols, or an equation as printed. The derived side never
+/// contains the kernel that it checks. Claims register themselves.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "symbolic.hpp"
+#include "zero_test.hpp"
+
+namespace denhartog::derivation {
+
+/// @brief One line of a derivation, as text and as LaTeX.
+struct Step {
+    std::string text;  ///< what is done
+    std::string latex; ///< what comes out; may be empty
+};
+
+/// @brief What a claim speaks of.
+enum class Role {
+    both,    ///< the equation as printed, which is also what is shipped
+    printed, ///< the equation as printed, where something else is shipped
+    shipped, ///< what is shipped, where it is not the equation as printed
+    step     ///< a statement that the derivation needs, or an observation in the paper's text
+};
+
+/// @brief How a printed equation departs from what holds.
+enum class Departure {
+    none,       ///< it does not
+    scan,       ///< a slip of the text at hand
+    misprint,   ///< the paper's own other equations contradict it
+    substance,  ///< a claim or a bound that does not hold
+    convention  ///< holds with a reading that the paper leaves unsaid
+};
+
+/// @brief The outcome of a claim that is decided by other means than the zero test alone.
+struct Outcome {
+    Verdict verdict = Verdict::unknown;                           ///< the verdict
+    std::vector<std::pair<std::string, std::string>> witness;     ///< names and values
+    std::vector<Step> steps;                                      ///< the argument, or what was searched
+};
+
+/// @brief Values of a kernel, component by component.
+using Values = std::vector<Symbolic>;
+
+/// @brief A claim.
+struct Claim {
+    std::string id;                       ///< unique name, e.g. `A.7/velocity`
+    std::vector<std::string> equations;   ///< equations it decides, e.g. `A.7`
+    Role role = Role::both;               ///< what it speaks of
+    std::string title;                    ///< one sentence
+    std::vector<std::string> assumptions; ///< under which it holds
+    std::function<Values()> kernel;       ///< the formula under test
+    std::function<std::vector<GiNaC::ex>()> derived; ///< what the derivation made, component by component
+    std::function<Outcome()> check;       ///< in place of kernel and derived
+    Departure departure = Departure::none; ///< for Role::printed and Role::both
+    std::string correction;               ///< LaTeX of what holds instead, for a printed form that does not
+    bool approximation = false;           ///< proved means: the order of the error is proved
+    bool special_case = false;            ///< the kernel at special values, where some of its operations do not matter
+    std::vector<Step> steps = {};         ///< how the derived side was made
+};
+
+/// @brief All claims, in the order of their equations.
+/// @return the registered claims
+[[nodiscard]] const std::vector<Claim>& claims();
+
+/// @brief Registers claims when constructed at namespace scope.
+struct Register {
+    /// @param made  makes the claims; called once, before the first use of `claims`
+    explicit Register(std::function<std::vector<Claim>()> made);
+};
+
+/// @brief What became of a claim.
+struct Result {
+    Verdict verdict = Verdict::unknown;                       ///< the worst over its components
+    Decision decision;                                        ///< of the component that decided
+    std::vector<std::pair<std::string, std::string>> witness; ///< names and values of the refuting point
+    std::vector<Step> steps;                                  ///< derivation, kernel and outcome
+    double milliseconds = 0;                                  ///< time taken
+};
+
+/// @brief Decides a claim.
+/// @param claim  the claim
+/// @return       the result
+[[nodiscard]] Result decide(const Claim& claim);
+
+/// @brief What became of the mutated twins of a claim.
+struct MutantCount {
+    long refuted = 0;                  ///< not equal, with a witness
+    long without_value = 0;            ///< the mutant is not an expression at all (division by zero)
+    long unknown = 0;                  ///< neither proved nor refuted
+    long proved = 0;                   ///< wrongly proved: must be 0
+    std::vector<std::string> holes;    ///< which were proved or unknown
+};
+
+/// @brief Runs every mutated twin of a claim through the zero test.
+///
+/// A twin has one operation of the kernel replaced. Where the claim is a special case, in which operations of the kernel meet
+/// a zero and do not matter, its twins have the derived side altered instead: one added, the sign changed, doubled.
+/// @param claim  a claim whose kernel is proved
+/// @return       the counts
+[[nodiscard]] MutantCount mutate(const Claim& claim);
+
+} // namespace denhartog::derivation

@@ -1,0 +1,122 @@
+// Section 2.3, (30)-(39): amplitude and phase of the mass in contact.
+//
+// The modal relations (26) and (27), proved in the Appendix, are multiplied by the mode shapes and summed, for one, two and three
+// modes. The response and damping functions of the modes stay symbols.
+#include "claim.hpp"
+#include "denhartog/formulas/contact.hpp"
+#include "denhartog/formulas/superposition.hpp"
+#include "modal_sums.hpp"
+#include "symbols.hpp"
+
+namespace denhartog::derivation {
+
+using GiNaC::ex;
+
+namespace {
+
+Complex<Symbolic> V_j() { return {Symbolic(symbols().V_jr), Symbolic(symbols().V_ji)}; }
+
+/// The amplitude from cos^2 + sin^2 = 1: the larger root of (X + beta G)^2 + (beta U)^2 = |V|^2.
+ex derived_amplitude() {
+    const Symbols& s = symbols();
+    const GiNaC::symbol X("X");
+    const ex equation = (GiNaC::pow(X + s.beta * s.G_j, 2) + GiNaC::pow(s.beta * s.U_j, 2) - s.V_jr * s.V_jr - s.V_ji * s.V_ji).expand();
+    const ex a = equation.coeff(X, 2), b = equation.coeff(X, 1), c = equation.coeff(X, 0);
+    return (-b + GiNaC::sqrt((b * b - 4 * a * c).expand())) / (2 * a);
+}
+
+const Register registered([] {
+    const Symbols& s = symbols();
+    const ex angle = GiNaC::atan2(s.V_ji, s.V_jr);
+    const std::vector<std::string> sliding{"sliding regime, beta |U_dj| <= |V_dj|", "V_dj not zero"};
+    std::vector<Claim> list;
+    for (int N = 1; N <= 3; ++N) {
+        const std::string of_N = "/N=" + std::to_string(N);
+        const std::vector<std::string> modes{"N = " + std::to_string(N) + " modes"};
+        list.push_back({.id = "33/response-function" + of_N,
+                        .equations = {"33"},
+                        .title = "V_dk is the complex amplitude of the harmonic part of the displacement",
+                        .assumptions = modes,
+                        .kernel =
+                            [N, &s] {
+                                const SymbolicModes m = symbolic_modes(N);
+                                const Complex<Symbolic> V = paper::complex_response_of_mass<Symbolic>(m.psi_k, m.psi_l, m.R, m.v);
+                                return Values{times_cosine(V, Symbolic(s.tau) + Symbolic(s.phi_j))};
+                            },
+                        .derived =
+                            [N, &s] {
+                                ex sum = 0;
+                                for (const ModalStart& mode : derived_starts(N, GiNaC::cos(s.phi_j), GiNaC::sin(s.phi_j)))
+                                    sum += mode.psi_k * (mode.harmonic_cosine * GiNaC::cos(s.tau) + mode.harmonic_sine * GiNaC::sin(s.tau));
+                                return std::vector<ex>{sum};
+                            }});
+        list.push_back({.id = "31/contact" + of_N,
+                        .equations = {"30", "31", "32", "34", "35"},
+                        .title = "The relations of the modes, multiplied by psi_ji and summed, give those of the mass in contact",
+                        .assumptions = modes,
+                        .kernel =
+                            [N, &s] {
+                                const SymbolicModes m = symbolic_modes(N);
+                                const auto [X, rate] = derived_start_of_mass(N, Row::contact, GiNaC::cos(s.phi_j), GiNaC::sin(s.phi_j));
+                                const Symbolic G = paper::damping_function_of_mass<Symbolic>(m.psi_j, m.psi_j, m.R, m.g);
+                                const Symbolic U = paper::damping_function_of_mass<Symbolic>(m.psi_j, m.psi_j, m.R, m.u);
+                                return Values{paper::V_cosine(Symbolic(X), G, Symbolic(s.beta)),
+                                              paper::V_sine(U, Symbolic(s.beta)) - Symbolic(rate)};
+                            },
+                        .derived =
+                            [N, &s] {
+                                const auto [re, im] = derived_response(N, Row::contact);
+                                const ex c = GiNaC::cos(s.phi_j), sine = GiNaC::sin(s.phi_j);
+                                return std::vector<ex>{re * c - im * sine, re * sine + im * c};
+                            },
+                        .departure = Departure::convention});
+    }
+    list.push_back({.id = "36/cosine",
+                    .equations = {"36"},
+                    .title = "Cosine of the phase with the argument of V_dj",
+                    .assumptions = sliding,
+                    .kernel =
+                        [&s] {
+                            const ex X = s.V_jr * GiNaC::cos(s.phi_j) - s.V_ji * GiNaC::sin(s.phi_j) - s.beta * s.G_j;
+                            return Values{paper::cosine_of_phase_sum(V_j(), Symbolic(X), Symbolic(s.G_j), Symbolic(s.beta))};
+                        },
+                    .derived = [&s, angle] { return std::vector<ex>{GiNaC::cos(s.phi_j + angle)}; }});
+    list.push_back({.id = "37/sine",
+                    .equations = {"37"},
+                    .title = "Sine of the phase with the argument of V_dj",
+                    .assumptions = sliding,
+                    .kernel =
+                        [&s] {
+                            const ex U = -(s.V_jr * GiNaC::sin(s.phi_j) + s.V_ji * GiNaC::cos(s.phi_j)) / s.beta;
+                            return Values{paper::sine_of_phase_sum(V_j(), Symbolic(U), Symbolic(s.beta))};
+                        },
+                    .derived = [&s, angle] { return std::vector<ex>{GiNaC::sin(s.phi_j + angle)}; }});
+    list.push_back({.id = "38/amplitude",
+                    .equations = {"38"},
+                    .title = "Amplitude of the mass in contact: the root for which X_j + beta G_j is not negative, as (54)a demands",
+                    .assumptions = sliding,
+                    .kernel =
+                        [&s] {
+                            return Values{paper::displacement_transmissibility_of_contact(V_j(), Symbolic(s.U_j), Symbolic(s.G_j),
+                                                                                         Symbolic(s.beta))};
+                        },
+                    .derived = [] { return std::vector<ex>{derived_amplitude()}; }});
+    list.push_back({.id = "39/phase",
+                    .equations = {"39"},
+                    .title = "The phase has the cosine (36) and the sine (37)",
+                    .assumptions = sliding,
+                    .kernel =
+                        [&s, angle] {
+                            const ex phi = paper::phase_of_contact(V_j(), Symbolic(s.U_j), Symbolic(s.beta)).expression();
+                            return Values{Symbolic(GiNaC::cos(phi + angle)), Symbolic(GiNaC::sin(phi + angle))};
+                        },
+                    .derived =
+                        [&s] {
+                            const ex modulus = GiNaC::sqrt(s.V_jr * s.V_jr + s.V_ji * s.V_ji);
+                            return std::vector<ex>{(derived_amplitude() + s.beta * s.G_j) / modulus, -s.beta * s.U_j / modulus};
+                        }});
+    return list;
+});
+
+} // namespace
+} // namespace denhartog::derivation
