@@ -178,6 +178,13 @@ class Generators {
     std::pair<ex, ex> angle(const ex& argument) {
         ex c = 1, s = 0;
         for (const auto& [monomial, coefficient] : linear_terms(argument)) {
+            if (monomial.is_equal(GiNaC::Pi)) { // a fixed angle: the quarter turns are exact
+                const ex c1 = GiNaC::cos(coefficient * GiNaC::Pi), s1 = GiNaC::sin(coefficient * GiNaC::Pi);
+                const ex next = c * c1 - s * s1;
+                s = s * c1 + c * s1;
+                c = next;
+                continue;
+            }
             const auto [c1, s1] = unit_angle(monomial);
             const int n = coefficient.mul(angle_unit_.at(monomial)).to_int();
             for (int k = 0; k < std::abs(n); ++k) {

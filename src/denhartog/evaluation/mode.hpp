@@ -67,8 +67,8 @@ template <class T>
     const T s = sin_pi(T(w / (2 * R)));
     const T c = cos_pi(T(w / (2 * R)));
     const T E = exp(-delta);
-    const T one_minus_E = -exp_minus_one(T(-delta));
-    const T denominator = one_minus_E * one_minus_E + 4 * E * c * c;
+    const T E_minus_one = exp_minus_one(T(-delta));
+    const T denominator = E_minus_one * E_minus_one + 4 * E * c * c;
     return {complex_response(R, zeta), 4 * E * s * c / (R * w * denominator),
             2 * E * delta * (sinhc_minus_one(delta) + one_minus_sinc(theta)) / denominator};
 }

@@ -1,0 +1,62 @@
+// The forms that callers get, each equal to the paper's formula as a function of its symbols.
+#include "denhartog/evaluation/mode.hpp"
+
+#include "claim.hpp"
+#include "symbols.hpp"
+
+namespace denhartog::derivation {
+
+using GiNaC::ex;
+
+namespace {
+
+const Register registered([] {
+    const Symbols& s = symbols();
+    const std::vector<std::string> domain{"R_i > 0", "0 <= zeta_i < 1"};
+    const auto paper_functions = [&s] {
+        const Symbolic R(s.R), zeta(s.zeta);
+        const Complex<Symbolic> v = paper::complex_response(R, zeta);
+        return std::vector<ex>{v.re.expression(), v.im.expression(), paper::first_damping_function(R, zeta).expression(),
+                               paper::second_damping_function(R, zeta).expression()};
+    };
+    const auto values = [](const evaluation::ModeFunctions<Symbolic>& f) { return Values{f.v.re, f.v.im, f.u, f.g}; };
+    return std::vector<Claim>{
+        {.id = "evaluation/half-angle",
+         .equations = {"28", "29", "23"},
+         .role = Role::shipped,
+         .title = "Mode functions in decaying exponentials and half angles",
+         .assumptions = domain,
+         .kernel =
+             [&s, values] { return values(evaluation::mode_functions_half_angle(Symbolic(s.R), Symbolic(s.zeta))); },
+         .derived = paper_functions},
+        {.id = "evaluation/small-argument",
+         .equations = {"28", "29", "23"},
+         .role = Role::shipped,
+         .title = "Mode functions with the numerator of (29) as a sum of positive terms",
+         .assumptions = domain,
+         .kernel =
+             [&s, values] { return values(evaluation::mode_functions_small_argument(Symbolic(s.R), Symbolic(s.zeta))); },
+         .derived = paper_functions},
+        {.id = "evaluation/friction-motion",
+         .equations = {"40", "A.8", "A.9"},
+         .role = Role::shipped,
+         .title = "The braces of (40) with two derivatives from one exponential, sine and cosine",
+         .assumptions = {"R_i > 0", "0 <= zeta_i < 1", "0 <= tau <= pi"},
+         .kernel =
+             [&s] {
+                 const evaluation::FrictionMotion<Symbolic> f = evaluation::friction_motion(
+                     Symbolic(s.tau), Symbolic(s.R), Symbolic(s.zeta), Symbolic(s.u), Symbolic(s.g));
+                 return Values{f.value, f.prime, f.double_prime};
+             },
+         .derived =
+             [&s] {
+                 const ex value =
+                     paper::friction_motion(Symbolic(s.tau), Symbolic(s.R), Symbolic(s.zeta), Symbolic(s.u), Symbolic(s.g)).expression();
+                 const GiNaC::symbol& tau = GiNaC::ex_to<GiNaC::symbol>(s.tau);
+                 return std::vector<ex>{value, value.diff(tau), value.diff(tau, 2)};
+             }},
+    };
+});
+
+} // namespace
+} // namespace denhartog::derivation

@@ -1,0 +1,176 @@
+// Section 2.5, (47)-(53): amplitude and phase of the masses not in contact.
+#include "claim.hpp"
+#include "denhartog/formulas/as_printed.hpp"
+#include "denhartog/formulas/other_masses.hpp"
+#include "modal_sums.hpp"
+#include "symbols.hpp"
+
+namespace denhartog::derivation {
+
+using GiNaC::ex;
+
+namespace {
+
+Complex<Symbolic> V_j() { return {Symbolic(symbols().V_jr), Symbolic(symbols().V_ji)}; }
+Complex<Symbolic> V_k() { return {Symbolic(symbols().V_kr), Symbolic(symbols().V_ki)}; }
+
+/// x_k0 and x'_k0 of the steady state.
+std::pair<ex, ex> derived_start() {
+    const Symbols& s = symbols();
+    const ex root = GiNaC::sqrt(s.V_jr * s.V_jr + s.V_ji * s.V_ji - s.beta * s.beta * s.U_j * s.U_j);
+    const auto [c, sine] = derived_phase_of_contact(s.V_jr, s.V_ji, root, -s.beta * s.U_j);
+    return {s.V_kr * c - s.V_ki * sine - s.beta * s.G_k, -(s.V_kr * sine + s.V_ki * c) - s.beta * s.U_k};
+}
+
+Symbolic square(const Symbolic& x) { return Symbolic(x.expression() * x.expression()); }
+
+const Register registered([] {
+    const Symbols& s = symbols();
+    const std::vector<std::string> sliding{"sliding regime, beta |U_dj| <= |V_dj|", "V_dj not zero"};
+    return std::vector<Claim>{
+        {.id = "47/phase",
+         .equations = {"47"},
+         .title = "A displacement that is largest, or smallest, at tau_k,max lags the force by phi_k",
+         .kernel =
+             [&s] {
+                 const ex at = s.tau + s.phi_j; // the force is cos(at); the displacement is X cos(at - phi_k)
+                 const Symbolic phi_j(s.phi_j), tau_k_max(s.t);
+                 return Values{Symbolic(GiNaC::cos(at - paper::phase_of_mass(phi_j, tau_k_max, 0).expression())),
+                               Symbolic(GiNaC::cos(at - paper::phase_of_mass(phi_j, tau_k_max, 1).expression()))};
+             },
+         .derived = [&s] { return std::vector<ex>{GiNaC::cos(s.tau - s.t), -GiNaC::cos(s.tau - s.t)}; },
+         .special_case = true},
+        {.id = "48/first-order",
+         .equations = {"48", "49"},
+         .title = "The monoharmonic motion equals the motion without friction, and the motion itself at tau = 0: the error is of "
+                  "first order in beta",
+         .assumptions = sliding,
+         .kernel =
+             [&s] {
+                 const Symbolic x(s.x_k0), rate(s.x_prime_k0);
+                 return Values{paper::monoharmonic_displacement(Symbolic(s.tau), x, rate),
+                               paper::monoharmonic_displacement(Symbolic(0), x, rate)};
+             },
+         .derived =
+             [&s] {
+                 // the motion with eta_0, eta'_0 of one mode; psi is 1 so that x_k0 = eta_0
+                 const ex motion = derived_displacement_of_mass(1, Row::mass, {{s.x_k0, s.x_prime_k0}})
+                                       .subs(symbolic_modes(1).psi_k[0].expression() == 1);
+                 if (motion.diff(GiNaC::ex_to<GiNaC::symbol>(s.beta)).subs(s.beta == 0).normal().is_zero())
+                     throw std::logic_error("the error of (48) has no term of first order");
+                 return std::vector<ex>{motion.subs(s.beta == 0), motion.subs(s.tau == 0)};
+             },
+         .approximation = true,
+         .special_case = true},
+        {.id = "49/real-part",
+         .equations = {"49"},
+         .role = Role::step,
+         .title = "With real initial values the real part of (x_k0 - i x'_k0) exp(i tau) is (48)",
+         .kernel =
+             [&s] {
+                 return Values{paper::monoharmonic_displacement(Symbolic(s.tau), Symbolic(s.x_k0), Symbolic(s.x_prime_k0))};
+             },
+         .derived =
+             [&s] {
+                 const ex product =
+                     ((s.x_k0 - GiNaC::I * s.x_prime_k0) * (GiNaC::cos(s.tau) + GiNaC::I * GiNaC::sin(s.tau))).expand();
+                 return std::vector<ex>{product.real_part()};
+             }},
+        {.id = "50/printed",
+         .equations = {"50"},
+         .role = Role::printed,
+         .title = "Factor of the cosine with the ratio of moduli before the first term only",
+         .assumptions = sliding,
+         .kernel =
+             [&s] {
+                 return Values{as_printed::monoharmonic_cosine(V_k(), V_j(), Symbolic(s.U_j), Symbolic(s.G_k), Symbolic(s.beta))};
+             },
+         .derived = [] { return std::vector<ex>{derived_start().first}; },
+         .departure = Departure::misprint,
+         .correction = "\\overline{X}_{k_C} = \\frac{|V_{dk}|}{|V_{dj}|}\\left[\\sqrt{|V_{dj}|^2-(\\beta U_{dj})^2}\\cos\\Delta + "
+                       "\\beta U_{dj}\\sin\\Delta\\right] - \\beta G_k,\\quad \\Delta=\\angle V_{dk}-\\angle V_{dj}"},
+        {.id = "50/cosine",
+         .equations = {"50"},
+         .role = Role::shipped,
+         .title = "Factor of the cosine is the displacement at tau = 0",
+         .assumptions = sliding,
+         .kernel =
+             [&s] {
+                 return Values{paper::monoharmonic_cosine(V_k(), V_j(), Symbolic(s.U_j), Symbolic(s.G_k), Symbolic(s.beta))};
+             },
+         .derived = [] { return std::vector<ex>{derived_start().first}; }},
+        {.id = "51/sine",
+         .equations = {"51"},
+         .title = "Factor of the sine is the velocity at tau = 0",
+         .assumptions = sliding,
+         .kernel =
+             [&s] {
+                 return Values{paper::monoharmonic_sine(V_k(), V_j(), Symbolic(s.U_j), Symbolic(s.U_k), Symbolic(s.beta))};
+             },
+         .derived = [] { return std::vector<ex>{derived_start().second}; }},
+        {.id = "52/printed",
+         .equations = {"52"},
+         .role = Role::printed,
+         .title = "Square of the monoharmonic amplitude with + U_dk sin(Delta)",
+         .assumptions = sliding,
+         .kernel =
+             [&s] {
+                 return Values{square(as_printed::displacement_transmissibility(V_k(), V_j(), Symbolic(s.U_j), Symbolic(s.U_k),
+                                                                                Symbolic(s.G_k), Symbolic(s.beta)))};
+             },
+         .derived =
+             [] {
+                 const auto [x, rate] = derived_start();
+                 return std::vector<ex>{x * x + rate * rate};
+             },
+         .departure = Departure::misprint,
+         .correction = "\\overline{X}_k \\cong \\Big\\{|V_{dk}|^2 + \\beta^2(G_k^2+U_{dk}^2) - 2\\beta\\tfrac{|V_{dk}|}{|V_{dj}|}"
+                       "\\Big[\\sqrt{|V_{dj}|^2-(\\beta U_{dj})^2}(G_k\\cos\\Delta - U_{dk}\\sin\\Delta) + \\beta "
+                       "U_{dj}(G_k\\sin\\Delta + U_{dk}\\cos\\Delta)\\Big]\\Big\\}^{1/2}"},
+        {.id = "52/amplitude",
+         .equations = {"52"},
+         .role = Role::shipped,
+         .title = "Square of the amplitude of the monoharmonic motion, with - U_dk sin(Delta)",
+         .assumptions = sliding,
+         .kernel =
+             [&s] {
+                 return Values{square(paper::displacement_transmissibility(V_k(), V_j(), Symbolic(s.U_j), Symbolic(s.U_k),
+                                                                           Symbolic(s.G_k), Symbolic(s.beta)))};
+             },
+         .derived =
+             [] {
+                 const auto [x, rate] = derived_start();
+                 return std::vector<ex>{x * x + rate * rate};
+             }},
+        {.id = "52/contact",
+         .equations = {"52", "38"},
+         .role = Role::step,
+         .title = "For k = j the square of (52) is the square of (38)",
+         .assumptions = sliding,
+         .kernel =
+             [&s] {
+                 return Values{square(paper::displacement_transmissibility(V_j(), V_j(), Symbolic(s.U_j), Symbolic(s.U_j),
+                                                                           Symbolic(s.G_j), Symbolic(s.beta)))};
+             },
+         .derived =
+             [&s] {
+                 const ex root = GiNaC::sqrt(s.V_jr * s.V_jr + s.V_ji * s.V_ji - s.beta * s.beta * s.U_j * s.U_j);
+                 return std::vector<ex>{GiNaC::pow(root - s.beta * s.G_j, 2)};
+             },
+         .special_case = true},
+        {.id = "53/phase",
+         .equations = {"53"},
+         .title = "The angle with cosine X_kC / X_k and sine X_kS / X_k is the instant of the monoharmonic maximum",
+         .assumptions = {"X_kC and X_kS not both zero"},
+         .kernel =
+             [&s] {
+                 const ex phi_kj = paper::phase_behind_contact(Symbolic(s.x_k0), Symbolic(s.x_prime_k0)).expression();
+                 const ex X = GiNaC::sqrt(s.x_k0 * s.x_k0 + s.x_prime_k0 * s.x_prime_k0);
+                 return Values{Symbolic(X * GiNaC::cos(s.tau - phi_kj))};
+             },
+         .derived = [&s] { return std::vector<ex>{s.x_k0 * GiNaC::cos(s.tau) + s.x_prime_k0 * GiNaC::sin(s.tau)}; }},
+    };
+});
+
+} // namespace
+} // namespace denhartog::derivation
