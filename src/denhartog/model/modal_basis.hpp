@@ -12,6 +12,8 @@
 namespace denhartog {
 
 /// @brief Natural frequency ratios and mode shapes normalised with the mass matrix in units of m_1.
+///
+/// The sign of a mode shape: positive is the first component that has more than three eighths of the size of the largest.
 template <class T>
 struct ModalBasis {
     std::vector<T> r_n;  ///< natural frequency ratios omega_i sqrt(m_1 / k_1), ascending, N values
@@ -19,15 +21,22 @@ struct ModalBasis {
     std::vector<T> zeta; ///< modal damping ratios, N values
 };
 
-/// @brief Solves the eigenproblem (15) once. Natural frequencies of a chain come with high relative accuracy, each of them.
-/// @param s  the system; checked by `check`
+/// @brief Solves the eigenproblem (15) once; not at all where N = 1.
+///
+/// A chain given by ratios is solved through a bidiagonal matrix: each natural frequency comes with an error of about N eps of
+/// itself, however stiff its springs. Other systems are solved through a symmetric matrix: errors of the squared frequencies
+/// are about N eps of the highest one.
+/// @eq{14,15}
+/// @param s  the system
 /// @return   the basis
-/// @throws   InputError where M is not positive definite, K is singular, or C has no modal damping ratios below 1
+/// @throws   InputError where `check` throws, K is singular to working precision, or C has no modal damping ratios in [0, 1);
+///           PrecisionError where the iteration does not converge, a mode is beyond the range of the number type, or two natural
+///           frequencies are too near to tell whether C couples their modes
 template <class T>
 [[nodiscard]] ModalBasis<T> modal_basis(const System<T>& s);
 
-/// @brief Number of eigen-solves since the program started; tests gate on it.
-/// @return the count, over all number types
+/// @brief Number of eigenproblems (15) solved since the program started; tests gate on it.
+/// @return the count, over all number types and threads
 [[nodiscard]] long eigen_solves();
 
 /// @brief Non-dimensional mass, damping and stiffness matrices (7), (8), (19) at a frequency ratio.
@@ -39,10 +48,12 @@ struct NonDimensionalMatrices {
 };
 
 /// @brief Matrices of (6) at a frequency ratio.
+/// @eq{7,8,19}
 /// @param s      the system
 /// @param basis  its modal basis; used where damping is given by ratios
 /// @param r      frequency ratio, Eq. (10), positive
 /// @return       M, C, K
+/// @throws       InputError where r is not positive and finite
 template <class T>
 [[nodiscard]] NonDimensionalMatrices<T> non_dimensional_matrices(const System<T>& s, const ModalBasis<T>& basis, const T& r);
 

@@ -17,20 +17,20 @@ using Matrix = Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic>;
 
 /// @brief A mass, counted from 0; input and prose count from 1.
 struct Mass {
-    std::size_t index = 0;               ///< position in arrays over the masses
+    std::size_t index = 0;                        ///< position in arrays over the masses
     bool operator==(const Mass&) const = default; ///< same mass
 };
 
 /// @brief A vibrating mode, counted from 0 in the order of ascending natural frequency.
 struct Mode {
-    std::size_t index = 0;               ///< position in arrays over the modes
+    std::size_t index = 0;                        ///< position in arrays over the modes
     bool operator==(const Mode&) const = default; ///< same mode
 };
 
 /// @brief The system: a chain by ratios, or symmetric matrices of any topology.
 ///
 /// Exactly one of `stiffness_ratios` and `stiffness_matrix` is filled, exactly one of `mass_ratios` and `mass_matrix`, and
-/// exactly one of `damping_ratios` and `damping_matrix`.
+/// exactly one of `damping_ratios` and `damping_matrix`. Matrices are symmetric to the last bit: one rule in every precision.
 template <class T>
 struct System {
     std::vector<T> mass_ratios;      ///< gamma_i = m_i / m_1, Eq. (9), N values
@@ -58,8 +58,15 @@ template <class T>
     return s.mass_matrix.size() > 0 ? static_cast<std::size_t>(s.mass_matrix.rows()) : s.mass_ratios.size();
 }
 
+/// @brief Checks every rule of a system; throws InputError naming quantity, rule and value of the first that is broken.
+/// @param system  the system
+/// @throws        InputError
+template <class T>
+void check(const System<T>& system);
+
 /// @brief Checks every rule of a scene; throws InputError naming quantity, rule and value of the first that is broken.
 /// @param scene  the scene
+/// @throws       InputError
 template <class T>
 void check(const Scene<T>& scene);
 

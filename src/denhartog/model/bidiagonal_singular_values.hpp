@@ -1,0 +1,32 @@
+/// @file
+/// @brief Singular values and right singular vectors of a bidiagonal matrix, every value with high relative accuracy.
+#pragma once
+
+#include <vector>
+
+#include "denhartog/model/scene.hpp"
+
+namespace denhartog {
+
+/// @brief Singular values, ascending, with their right singular vectors as columns.
+template <class T>
+struct SingularValues {
+    std::vector<T> sigma; ///< singular values, ascending, N values
+    Matrix<T> V;          ///< right singular vectors, orthonormal, N x N; column i belongs to sigma[i]
+    long sweeps = 0;      ///< QR sweeps that it took
+};
+
+/// @brief Singular values of the upper bidiagonal matrix with diagonal d and superdiagonal e.
+///
+/// Implicit-zero-shift QR iteration, J. Demmel and W. Kahan, "Accurate singular values of bidiagonal matrices", SIAM J. Sci.
+/// Stat. Comput. 11 (1990) 873-912. The entries of a bidiagonal matrix determine each of its singular values to the relative
+/// accuracy that they have themselves, however far apart the values lie. A sweep without shift keeps that accuracy; a sweep
+/// with a shift costs a factor of largest over smallest value of its block and is used only where that factor is at most 4 N.
+/// @param d  diagonal, N >= 1 values, finite and not zero
+/// @param e  superdiagonal, N - 1 values, finite
+/// @return   values and vectors
+/// @throws   PrecisionError where the iteration does not converge
+template <class T>
+[[nodiscard]] SingularValues<T> bidiagonal_singular_values(std::vector<T> d, std::vector<T> e);
+
+} // namespace denhartog

@@ -1,0 +1,198 @@
+/// @file
+/// @brief The modal basis of a chain and of a general system.
+#include "denhartog/model/modal_basis.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <atomic>
+#include <cmath>
+#include <limits>
+#include <span>
+
+#include "denhartog/errors.hpp"
+#include "denhartog/formulas/system.hpp"
+#include "denhartog/model/bidiagonal_singular_values.hpp"
+#include "denhartog/model/cholesky.hpp"
+#include "denhartog/model/modal_damping.hpp"
+#include "denhartog/model/number_text.hpp"
+#include "denhartog/multiprecision.hpp"
+
+namespace denhartog {
+namespace {
+
+using std::abs;
+using std::sqrt;
+
+std::atomic<long> eigen_solve_count{0};
+
+template <class T>
+using RowMajor = Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+/// A row-major array of the formulas as a matrix.
+template <class T>
+Matrix<T> to_matrix(const std::vector<T>& entries, std::size_t N) {
+    return Eigen::Map<const RowMajor<T>>(entries.data(), static_cast<Eigen::Index>(N), static_cast<Eigen::Index>(N));
+}
+
+/// A matrix as a row-major array of the formulas.
+template <class T>
+std::vector<T> to_array(const Matrix<T>& A) {
+    std::vector<T> entries(static_cast<std::size_t>(A.size()));
+    Eigen::Map<RowMajor<T>>(entries.data(), A.rows(), A.cols()) = A;
+    return entries;
+}
+
+/// The mass ratios where the masses are coupled by nothing but springs; empty else.
+template <class T>
+std::vector<T> lumped_masses(const System<T>& s) {
+    if (s.mass_matrix.size() == 0) return s.mass_ratios;
+    const std::size_t N = number_of_masses(s);
+    std::vector<T> gamma(N);
+    for (std::size_t i = 0; i < N; ++i) {
+        gamma[i] = s.mass_matrix(i, i);
+        for (std::size_t k = 0; k < N; ++k)
+            if (k != i && s.mass_matrix(i, k) != 0) return {};
+    }
+    return gamma;
+}
+
+template <class T>
+Matrix<T> stiffness_matrix(const System<T>& s) {
+    if (s.stiffness_matrix.size() > 0) return s.stiffness_matrix;
+    return to_matrix(paper::chain_stiffness_matrix(std::span<const T>(s.stiffness_ratios)), s.stiffness_ratios.size());
+}
+
+/// The lower triangular factor of the mass matrix.
+template <class T>
+Matrix<T> mass_factor(const System<T>& s, const std::vector<T>& gamma) {
+    if (gamma.empty()) return cholesky(s.mass_matrix).L;
+    Matrix<T> L = Matrix<T>::Zero(static_cast<Eigen::Index>(gamma.size()), static_cast<Eigen::Index>(gamma.size()));
+    for (std::size_t i = 0; i < gamma.size(); ++i) L(i, i) = sqrt(gamma[i]);
+    return L;
+}
+
+/// The stiffness matrix of a chain is a product F^T F with F bidiagonal, one row a spring: its elongation times the root of its
+/// stiffness, on displacements times the roots of the masses. No entry of F is a difference, so that the singular values of
+/// F, the natural frequency ratios, come with high relative accuracy. Rows and columns are reversed to make F upper bidiagonal.
+template <class T>
+ModalBasis<T> chain_basis(const std::vector<T>& gamma, const std::vector<T>& kappa) {
+    const std::size_t N = gamma.size();
+    std::vector<T> d(N);
+    std::vector<T> e(N - 1);
+    for (std::size_t i = 0; i < N; ++i) {
+        d[N - 1 - i] = sqrt(T(kappa[i] / gamma[i]));
+        if (i > 0) e[N - 1 - i] = -sqrt(T(kappa[i] / gamma[i - 1]));
+    }
+    SingularValues<T> solved = bidiagonal_singular_values(std::move(d), std::move(e));
+    ++eigen_solve_count;
+    ModalBasis<T> basis{std::move(solved.sigma), Matrix<T>(solved.V.rows(), solved.V.cols()), {}};
+    for (std::size_t k = 0; k < N; ++k) basis.phi.row(k) = solved.V.row(N - 1 - k) / T(sqrt(gamma[k]));
+    return basis;
+}
+
+/// Eigenvectors of L^-1 K L^-T, M = L L^T. Errors of the eigenvalues are relative to the largest one.
+template <class T>
+ModalBasis<T> general_basis(const Matrix<T>& L, const Matrix<T>& K) {
+    const Eigen::Index N = K.rows();
+    const auto lower = L.template triangularView<Eigen::Lower>();
+    const Matrix<T> half = lower.solve(K);
+    const Matrix<T> A = lower.solve(Matrix<T>(half.transpose()));
+    const Eigen::SelfAdjointEigenSolver<Matrix<T>> solved(A);
+    ++eigen_solve_count;
+    if (solved.info() != Eigen::Success) throw PrecisionError("the natural frequencies of the system did not converge");
+    const T lowest = solved.eigenvalues()(0);
+    const T highest = solved.eigenvalues()(N - 1);
+    if (!(lowest > std::numeric_limits<T>::epsilon() * static_cast<int>(N) * highest))
+        throw InputError("stiffness_matrix", "must be positive definite",
+                         "singular to working precision: squared natural frequency ratio 1 comes out as " +
+                             number_to_text(lowest));
+    ModalBasis<T> basis{std::vector<T>(static_cast<std::size_t>(N)), Matrix<T>(N, N), {}};
+    for (Eigen::Index i = 0; i < N; ++i) basis.r_n[static_cast<std::size_t>(i)] = sqrt(T(solved.eigenvalues()(i)));
+    basis.phi = L.transpose().template triangularView<Eigen::Upper>().solve(solved.eigenvectors());
+    return basis;
+}
+
+/// Signs: positive is the first component that has more than three eighths of the size of the largest.
+template <class T>
+void fix_signs(Matrix<T>& phi) {
+    for (Eigen::Index i = 0; i < phi.cols(); ++i) {
+        const T size = T(3) / 8 * phi.col(i).cwiseAbs().maxCoeff();
+        Eigen::Index k = 0;
+        while (k + 1 < phi.rows() && abs(phi(k, i)) <= size) ++k;
+        if (phi(k, i) < 0) phi.col(i) = -phi.col(i);
+    }
+}
+
+template <class T>
+void require_finite(const ModalBasis<T>& basis) {
+    using std::isfinite;
+    for (std::size_t i = 0; i < basis.r_n.size(); ++i) {
+        bool all = isfinite(basis.r_n[i]) && basis.r_n[i] > 0 && isfinite(basis.zeta[i]);
+        for (Eigen::Index k = 0; k < basis.phi.rows(); ++k) all = all && isfinite(basis.phi(k, static_cast<Eigen::Index>(i)));
+        if (!all) throw PrecisionError("mode " + std::to_string(i + 1) + " is beyond the range of the number type");
+    }
+}
+
+} // namespace
+
+template <class T>
+ModalBasis<T> modal_basis(const System<T>& s) {
+    check(s);
+    const std::size_t N = number_of_masses(s);
+    const std::vector<T> gamma = lumped_masses(s);
+    const bool is_chain = !gamma.empty() && !s.stiffness_ratios.empty();
+    ModalBasis<T> basis;
+    if (N == 1) {
+        const T m = gamma[0];
+        const T k = is_chain ? s.stiffness_ratios[0] : s.stiffness_matrix(0, 0);
+        basis = {{sqrt(T(k / m))}, Matrix<T>::Constant(1, 1, T(1 / sqrt(m))), {}};
+    } else {
+        basis = is_chain ? chain_basis(gamma, s.stiffness_ratios) : general_basis(mass_factor(s, gamma), stiffness_matrix(s));
+    }
+    if (s.damping_matrix.size() > 0)
+        set_modal_damping(mass_factor(s, gamma), stiffness_matrix(s), s.damping_matrix, basis);
+    else
+        basis.zeta = s.damping_ratios;
+    fix_signs(basis.phi);
+    require_finite(basis);
+    return basis;
+}
+
+long eigen_solves() { return eigen_solve_count; }
+
+template <class T>
+NonDimensionalMatrices<T> non_dimensional_matrices(const System<T>& s, const ModalBasis<T>& basis, const T& r) {
+    using std::isfinite;
+    if (!isfinite(r) || !(r > 0)) throw InputError("r", "must be positive and finite", number_to_text(r));
+    const std::size_t N = number_of_masses(s);
+    const auto n = static_cast<Eigen::Index>(N);
+    NonDimensionalMatrices<T> result{Matrix<T>::Zero(n, n), Matrix<T>::Zero(n, n), stiffness_matrix(s)};
+    if (s.mass_matrix.size() > 0)
+        result.M = s.mass_matrix.unaryExpr([&](const T& m) { return paper::non_dimensional_mass_by_ratios(m, r); });
+    else
+        for (std::size_t i = 0; i < N; ++i) result.M(i, i) = paper::non_dimensional_mass_by_ratios(s.mass_ratios[i], r);
+    if (s.damping_matrix.size() > 0) {
+        result.C = r * s.damping_matrix;
+        return result;
+    }
+    std::vector<T> Omega(N);
+    for (std::size_t i = 0; i < N; ++i) Omega[i] = basis.r_n[i] / r;
+    const Matrix<T> C = to_matrix(paper::damping_matrix(std::span<const T>(to_array(result.M)),
+                                                        std::span<const T>(to_array(Matrix<T>(basis.phi / r))),
+                                                        std::span<const T>(Omega), std::span<const T>(basis.zeta)),
+                                  N);
+    result.C = (C + C.transpose()) / T(2);
+    return result;
+}
+
+template ModalBasis<double> modal_basis(const System<double>&);
+template ModalBasis<long double> modal_basis(const System<long double>&);
+template ModalBasis<Real50> modal_basis(const System<Real50>&);
+template ModalBasis<Real100> modal_basis(const System<Real100>&);
+template NonDimensionalMatrices<double> non_dimensional_matrices(const System<double>&, const ModalBasis<double>&, const double&);
+template NonDimensionalMatrices<long double> non_dimensional_matrices(const System<long double>&, const ModalBasis<long double>&,
+                                                                      const long double&);
+template NonDimensionalMatrices<Real50> non_dimensional_matrices(const System<Real50>&, const ModalBasis<Real50>&, const Real50&);
+template NonDimensionalMatrices<Real100> non_dimensional_matrices(const System<Real100>&, const ModalBasis<Real100>&,
+                                                                  const Real100&);
+
+} // namespace denhartog

@@ -1,0 +1,107 @@
+/// @file
+/// @brief Modal damping ratios from a damping matrix.
+#include "denhartog/model/modal_damping.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "denhartog/errors.hpp"
+#include "denhartog/model/number_text.hpp"
+#include "denhartog/multiprecision.hpp"
+
+namespace denhartog {
+namespace {
+
+template <class T>
+std::string short_text(const T& x) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.3g", static_cast<double>(x));
+    return text;
+}
+
+/// L^-1 X L^-T.
+template <class T>
+Matrix<T> divide_out(const Matrix<T>& L, const Matrix<T>& X) {
+    const Matrix<T> half = L.template triangularView<Eigen::Lower>().solve(X);
+    return L.template triangularView<Eigen::Lower>().solve(Matrix<T>(half.transpose()));
+}
+
+template <class T>
+void check_condition(const Matrix<T>& A, const Matrix<T>& B, const T& tolerance) {
+    const Matrix<T> AB = A * B;
+    const T sizes = A.norm() * B.norm();
+    const T distance = Matrix<T>(AB - AB.transpose()).norm();
+    if (distance <= tolerance * sizes) return;
+    throw InputError(
+        "damping_matrix",
+        "must satisfy K M^-1 C = C M^-1 K; the paper excludes damping that couples the modes (Section 2.1). The relative "
+        "distance from it may be " +
+            short_text(tolerance),
+        short_text(T(distance / sizes)));
+}
+
+/// Turns the mode shapes of every group of coinciding natural frequencies to those that diagonalise C.
+template <class T>
+void turn_coinciding_modes(const Matrix<T>& C, const T& tolerance, ModalBasis<T>& basis) {
+    const std::size_t N = basis.r_n.size();
+    const T near = tolerance * basis.r_n[N - 1];
+    for (std::size_t first = 0, last = 0; first < N; first = last + 1) {
+        last = first;
+        while (last + 1 < N && basis.r_n[last + 1] - basis.r_n[last] <= near) ++last;
+        if (last == first) continue;
+        const auto columns = basis.phi.middleCols(first, last - first + 1);
+        const Matrix<T> within = columns.transpose() * C * columns;
+        const Eigen::SelfAdjointEigenSolver<Matrix<T>> solved(Matrix<T>((within + within.transpose()) / T(2)));
+        const Matrix<T> turned = columns * solved.eigenvectors();
+        basis.phi.middleCols(first, last - first + 1) = turned;
+    }
+}
+
+template <class T>
+void check_ratio(const T& zeta, std::size_t i) {
+    const std::string rule = "must give mode " + std::to_string(i + 1) + " a damping ratio ";
+    if (zeta < 0) throw InputError("damping_matrix", rule + "that is not negative", number_to_text(zeta));
+    if (!(zeta < 1))
+        throw InputError("damping_matrix", rule + "below 1 (critical and overdamped modes are not supported yet)",
+                         number_to_text(zeta));
+}
+
+} // namespace
+
+template <class T>
+void set_modal_damping(const Matrix<T>& L, const Matrix<T>& K, const Matrix<T>& C, ModalBasis<T>& basis) {
+    using std::abs;
+    using std::sqrt;
+    const std::size_t N = basis.r_n.size();
+    const T eps = std::numeric_limits<T>::epsilon();
+    const T tolerance = 8 * static_cast<int>(N) * eps;
+    if (N > 1) {
+        check_condition(divide_out(L, K), divide_out(L, C), tolerance);
+        turn_coinciding_modes(C, tolerance, basis);
+    }
+    const Matrix<T> D = basis.phi.transpose() * C * basis.phi;
+    const T size = D.cwiseAbs().maxCoeff();
+    for (std::size_t i = 0; i < N; ++i)
+        for (std::size_t k = 0; k < i; ++k)
+            if (abs(D(i, k)) > sqrt(eps) * size)
+                throw PrecisionError(
+                    "damping_matrix: natural frequencies " + std::to_string(k + 1) + " and " + std::to_string(i + 1) +
+                    " are too near to each other to tell whether it couples their modes; more digits are needed");
+    basis.zeta.assign(N, T(0));
+    for (std::size_t i = 0; i < N; ++i) {
+        const bool nothing = abs(D(i, i)) <= tolerance * size;
+        basis.zeta[i] = nothing && D(i, i) < 0 ? T(0) : T(D(i, i) / (2 * basis.r_n[i]));
+        check_ratio(basis.zeta[i], i);
+    }
+}
+
+template void set_modal_damping(const Matrix<double>&, const Matrix<double>&, const Matrix<double>&, ModalBasis<double>&);
+template void set_modal_damping(const Matrix<long double>&, const Matrix<long double>&, const Matrix<long double>&,
+                                ModalBasis<long double>&);
+template void set_modal_damping(const Matrix<Real50>&, const Matrix<Real50>&, const Matrix<Real50>&, ModalBasis<Real50>&);
+template void set_modal_damping(const Matrix<Real100>&, const Matrix<Real100>&, const Matrix<Real100>&, ModalBasis<Real100>&);
+
+} // namespace denhartog

@@ -1,0 +1,26 @@
+/// @file
+/// @brief Modal damping ratios of a system whose damping is given as a matrix, (18).
+#pragma once
+
+#include "denhartog/model/modal_basis.hpp"
+
+namespace denhartog {
+
+/// @brief Modal damping ratios from the damping matrix, \f$ 2\zeta_i r_{n,i} = \phi_i^T C \phi_i \f$.
+///
+/// There are such ratios where \f$ K M^{-1} C = C M^{-1} K \f$. With A and B the stiffness and damping matrices that have the
+/// square root of M divided out on both sides the condition is A B = B A. The distance from it is measured as \f$ \|AB - BA\|_F
+/// / (\|A\|_F \|B\|_F) \f$ (0 to sqrt 2) and must not exceed 8 N eps of the number type: what rounding explains. In a higher
+/// precision matrices therefore have to meet the condition to more digits; decimal fractions are then given as text. Where
+/// natural frequencies coincide the mode shapes are turned to those that diagonalise C as well.
+/// @eq{18}
+/// @param L      lower triangular factor of the mass matrix in units of m_1, M = L L^T
+/// @param K      stiffness matrix in units of k_1
+/// @param C      damping matrix in units of sqrt(k_1 m_1)
+/// @param basis  natural frequency ratios and mode shapes; gets the damping ratios
+/// @throws InputError where C breaks the condition, with the distance, or gives a ratio that is negative or not below 1;
+///         PrecisionError where two natural frequencies are too near to tell whether C couples their modes
+template <class T>
+void set_modal_damping(const Matrix<T>& L, const Matrix<T>& K, const Matrix<T>& C, ModalBasis<T>& basis);
+
+} // namespace denhartog

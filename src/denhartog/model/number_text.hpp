@@ -1,0 +1,37 @@
+/// @file
+/// @brief Numbers as decimal text, in both directions and in every number type.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace denhartog {
+
+/// @brief A number as text from which the same number can be read again.
+/// @param x  the number
+/// @return   decimal text: the shortest such text for `double` and `long double`; `inf`, `-inf` or `nan` where it is no number
+template <class T>
+[[nodiscard]] std::string number_to_text(const T& x);
+
+/// @brief Why a text gives no number.
+enum class NumberFault {
+    none,      ///< it gives one
+    no_number, ///< not written as a JSON number: digits, point, exponent, minus sign
+    too_large, ///< beyond the largest number of the type
+    too_small, ///< not zero, but nearer to zero than the smallest number of the type
+    too_long   ///< more than 5000 characters, or an exponent beyond 5000
+};
+
+/// @brief A fault in words, as the rule that the text breaks.
+/// @param fault  the fault
+/// @return       the rule, e.g. `must be written as a number`
+[[nodiscard]] std::string number_rule(NumberFault fault);
+
+/// @brief A number from its decimal text, rounded once and to nearest: `0.1` is one tenth to all the digits of the type.
+/// @param text   the text, written as JSON writes a number
+/// @param value  the number; untouched where there is a fault
+/// @return       the fault, or `none`
+template <class T>
+[[nodiscard]] NumberFault number_from_text(std::string_view text, T& value);
+
+} // namespace denhartog

@@ -1,0 +1,306 @@
+#include "denhartog/model/modal_basis.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <cmath>
+#include <random>
+
+#include "denhartog/errors.hpp"
+#include "denhartog/multiprecision.hpp"
+#include "tests/catch.hpp"
+
+using namespace denhartog;
+
+namespace {
+
+constexpr double eps = std::numeric_limits<double>::epsilon();
+
+template <class T>
+System<T> chain(const std::vector<double>& gamma, const std::vector<double>& kappa, double zeta = 0) {
+    System<T> s;
+    s.mass_ratios.assign(gamma.begin(), gamma.end());
+    s.stiffness_ratios.assign(kappa.begin(), kappa.end());
+    s.damping_ratios.assign(gamma.size(), T(zeta));
+    return s;
+}
+
+std::vector<double> equal(std::size_t N) { return std::vector<double>(N, 1.0); }
+
+/// The stiffness matrix (1), entry by entry.
+template <class T>
+Matrix<T> chain_matrix(const std::vector<T>& kappa) {
+    const auto N = static_cast<Eigen::Index>(kappa.size());
+    Matrix<T> K = Matrix<T>::Zero(N, N);
+    for (Eigen::Index i = 0; i < N; ++i) {
+        K(i, i) += kappa[static_cast<std::size_t>(i)];
+        if (i == 0) continue;
+        K(i - 1, i - 1) += kappa[static_cast<std::size_t>(i)];
+        K(i, i - 1) -= kappa[static_cast<std::size_t>(i)];
+        K(i - 1, i) -= kappa[static_cast<std::size_t>(i)];
+    }
+    return K;
+}
+
+template <class T>
+Matrix<T> mass_matrix(const System<T>& s) {
+    if (s.mass_matrix.size() > 0) return s.mass_matrix;
+    Matrix<T> M =
+        Matrix<T>::Zero(static_cast<Eigen::Index>(s.mass_ratios.size()), static_cast<Eigen::Index>(s.mass_ratios.size()));
+    for (std::size_t i = 0; i < s.mass_ratios.size(); ++i) M(i, i) = s.mass_ratios[i];
+    return M;
+}
+
+template <class T>
+Matrix<T> stiffness_matrix(const System<T>& s) {
+    return s.stiffness_matrix.size() > 0 ? s.stiffness_matrix : chain_matrix(s.stiffness_ratios);
+}
+
+/// Number of natural frequency ratios below x: negative pivots of K - x^2 M in 100 digits, Sylvester's law of inertia.
+std::size_t frequencies_below(const System<double>& s, const Real100& x) {
+    std::size_t negative = 0;
+    Real100 pivot = 1;
+    const std::size_t N = s.mass_ratios.size();
+    for (std::size_t i = 0; i < N; ++i) {
+        const Real100 own = s.stiffness_ratios[i];
+        const Real100 next = i + 1 < N ? s.stiffness_ratios[i + 1] : 0;
+        Real100 entry = own + next - x * x * Real100(s.mass_ratios[i]);
+        if (i > 0) entry -= own * own / pivot;
+        pivot = entry;
+        if (pivot < 0) ++negative;
+    }
+    return negative;
+}
+
+/// Largest relative error of natural frequency ratios in units of N eps, against 100 digits.
+double worst_error(const System<double>& s, const std::vector<double>& r_n) {
+    const std::vector<Real100> exact = modal_basis(chain<Real100>(s.mass_ratios, s.stiffness_ratios)).r_n;
+    double worst = 0;
+    for (std::size_t i = 0; i < r_n.size(); ++i)
+        worst = std::max(worst, std::abs(static_cast<double>(Real100(r_n[i]) / exact[i] - 1)));
+    return worst / (static_cast<double>(r_n.size()) * eps);
+}
+
+/// Natural frequency ratios by an eigensolver for dense symmetric matrices.
+std::vector<double> dense_frequencies(const System<double>& s) {
+    Matrix<double> A = chain_matrix(s.stiffness_ratios);
+    for (Eigen::Index i = 0; i < A.rows(); ++i)
+        for (Eigen::Index k = 0; k < A.cols(); ++k) A(i, k) /= std::sqrt(s.mass_ratios[i] * s.mass_ratios[k]);
+    const Eigen::SelfAdjointEigenSolver<Matrix<double>> solved(A);
+    std::vector<double> r_n;
+    for (Eigen::Index i = 0; i < A.rows(); ++i) r_n.push_back(std::sqrt(std::max(0.0, solved.eigenvalues()(i))));
+    return r_n;
+}
+
+/// A chain with one entry that is far from the others.
+struct StiffChain {
+    std::vector<double> gamma;
+    std::vector<double> kappa;
+};
+
+std::vector<StiffChain> stiff_chains() {
+    return {{{1, 1}, {1, 1e8}},
+            {{1, 1, 1}, {1, 1e8, 1}},
+            {{1, 2.5, 0.75}, {1, 0.625, 1e8}},
+            {{1, 1, 1, 1, 1}, {1, 1, 1e12, 1, 1}},
+            {{1, 0.5, 3, 2, 1}, {1, 1e12, 1e12, 0.25, 2}},
+            {{1, 1, 1, 1, 1}, {1, 1e-8, 1, 1e-12, 1}},
+            {{1, 1e8, 1, 1, 1}, {1, 1, 1, 1, 1}},
+            {{1, 1e-8, 1, 1e8, 1}, {1, 1e8, 1, 1e-8, 1e12}}};
+}
+
+template <class T>
+void require_basis(const System<T>& s, const ModalBasis<T>& basis) {
+    const Matrix<T> M = mass_matrix(s);
+    const Matrix<T> K = stiffness_matrix(s);
+    const int N = static_cast<int>(basis.r_n.size());
+    const T unit = std::numeric_limits<T>::epsilon() * N;
+    Matrix<T> modal_mass = basis.phi.transpose() * M * basis.phi;
+    for (int i = 0; i < N; ++i) modal_mass(i, i) -= T(1);
+    REQUIRE(modal_mass.cwiseAbs().maxCoeff() <= 16 * unit);
+    for (int i = 0; i < N; ++i) {
+        const T square = basis.r_n[static_cast<std::size_t>(i)] * basis.r_n[static_cast<std::size_t>(i)];
+        const Matrix<T> residual = K * basis.phi.col(i) - square * (M * basis.phi.col(i));
+        const T size = (K.cwiseAbs() * basis.phi.col(i).cwiseAbs()).maxCoeff();
+        REQUIRE(residual.cwiseAbs().maxCoeff() <= 32 * unit * size);
+        if (i > 0) REQUIRE(basis.r_n[static_cast<std::size_t>(i)] >= basis.r_n[static_cast<std::size_t>(i - 1)]);
+    }
+}
+
+} // namespace
+
+TEST_CASE("natural frequency ratios of a chain of equal masses and springs are known in closed form", "[model][eq:1][eq:15]") {
+    for (const std::size_t N : {2u, 3u, 5u, 10u, 60u, 1000u}) {
+        const ModalBasis<double> basis = modal_basis(chain<double>(equal(N), equal(N)));
+        for (std::size_t i = 0; i < N; ++i) {
+            const long double angle =
+                pi<long double>() * static_cast<long double>(2 * i + 1) / static_cast<long double>(2 * (2 * N + 1));
+            const auto exact = 2 * std::sin(angle);
+            INFO("N " << N << ", mode " << i + 1 << ": " << tests::hexadecimal(basis.r_n[i]));
+            REQUIRE(std::abs(basis.r_n[i] / exact - 1) <= 2 * static_cast<double>(N) * eps);
+        }
+    }
+}
+
+TEST_CASE("a stiff spring does not cost the low natural frequencies their digits", "[model][eq:15]") {
+    for (const StiffChain& stiff : stiff_chains()) {
+        const System<double> s = chain<double>(stiff.gamma, stiff.kappa);
+        const std::vector<double> r_n = modal_basis(s).r_n;
+        INFO("N " << r_n.size() << ", r_n,1 " << tests::hexadecimal(r_n[0]));
+        CHECK(worst_error(s, r_n) <= 2);
+        CHECK(worst_error(s, dense_frequencies(s)) > 1e4);
+    }
+    for (const System<double>& light : {chain<double>({1, 1, 1, 1, 1e-8}, equal(5)), chain<double>({1, 1e-8, 1, 1, 1}, equal(5))})
+        CHECK(worst_error(light, modal_basis(light).r_n) <= 2);
+}
+
+TEST_CASE("counting pivots brackets every natural frequency of a stiff chain", "[model][eq:15]") {
+    for (const StiffChain& stiff : stiff_chains()) {
+        const System<double> s = chain<double>(stiff.gamma, stiff.kappa);
+        const std::vector<double> r_n = modal_basis(s).r_n;
+        const Real100 margin = 2 * static_cast<double>(r_n.size()) * eps;
+        for (std::size_t i = 0; i < r_n.size(); ++i) {
+            INFO("mode " << i + 1 << ": " << tests::hexadecimal(r_n[i]));
+            REQUIRE(frequencies_below(s, Real100(r_n[i]) * (1 - margin)) == i);
+            REQUIRE(frequencies_below(s, Real100(r_n[i]) * (1 + margin)) == i + 1);
+        }
+    }
+}
+
+TEST_CASE("mode shapes are orthonormal and solve the eigenproblem in every number type", "[model][eq:14][eq:15][eq:17]") {
+    const auto with = [](auto number) {
+        using T = decltype(number);
+        const System<T> s = chain<T>({1, 2.5, 0.75, 0.125}, {1, 0.625, 1.875, 4});
+        require_basis(s, modal_basis(s));
+        System<T> general = s;
+        general.stiffness_ratios.clear();
+        general.stiffness_matrix = chain_matrix(s.stiffness_ratios);
+        require_basis(general, modal_basis(general));
+        general.mass_ratios.clear();
+        general.mass_matrix = mass_matrix(s);
+        general.mass_matrix(0, 1) = general.mass_matrix(1, 0) = T(1) / 2;
+        require_basis(general, modal_basis(general));
+    };
+    with(0.0);
+    with(0.0L);
+    with(Real50());
+    with(Real100());
+}
+
+TEST_CASE("one mass needs no eigen-solve, a system of more needs one", "[model]") {
+    const long before = eigen_solves();
+    System<double> s = chain<double>({1}, {1}, 0.125);
+    const ModalBasis<double> basis = modal_basis(s);
+    REQUIRE(basis.r_n[0] == 1);
+    REQUIRE(basis.phi(0, 0) == 1);
+    REQUIRE(basis.zeta[0] == 0.125);
+    s.mass_ratios.clear();
+    s.mass_matrix = Matrix<double>::Constant(1, 1, 4);
+    s.stiffness_ratios.clear();
+    s.stiffness_matrix = Matrix<double>::Constant(1, 1, 9);
+    s.damping_ratios.clear();
+    s.damping_matrix = Matrix<double>::Constant(1, 1, 3);
+    const ModalBasis<double> by_matrices = modal_basis(s);
+    REQUIRE(by_matrices.r_n[0] == 1.5);
+    REQUIRE(by_matrices.phi(0, 0) == 0.5);
+    REQUIRE(by_matrices.zeta[0] == 0.25);
+    REQUIRE(eigen_solves() == before);
+    (void)modal_basis(chain<double>({1, 1}, {1, 1}));
+    REQUIRE(eigen_solves() == before + 1);
+}
+
+TEST_CASE("the mode shapes of a thousand masses are those of the closed form", "[model][eq:14]") {
+    const std::size_t N = 1000;
+    const ModalBasis<double> basis = modal_basis(chain<double>(equal(N), equal(N)));
+    for (const std::size_t i : {0u, 1u, 500u, 998u, 999u}) {
+        const double angle = pi<double>() * static_cast<double>(2 * i + 1) / static_cast<double>(2 * N + 1);
+        const double factor = 2 / std::sqrt(static_cast<double>(2 * N + 1));
+        double worst = 0;
+        for (std::size_t k = 0; k < N; ++k) {
+            const double exact = factor * std::sin(angle * static_cast<double>(k + 1));
+            worst = std::max(worst, std::min(std::abs(basis.phi(k, i) - exact), std::abs(basis.phi(k, i) + exact)));
+        }
+        INFO("mode " << i + 1);
+        REQUIRE(worst < 1e-9);
+        const double norm = basis.phi.col(static_cast<Eigen::Index>(i)).norm();
+        REQUIRE(std::abs(norm - 1) <= static_cast<double>(N) * eps);
+    }
+}
+
+TEST_CASE("a chain given as matrices has the modes of the chain given by ratios", "[model]") {
+    const System<double> s = chain<double>({1, 2.5, 0.75, 1.5}, {1, 0.625, 1.875, 0.5}, 0.0625);
+    const ModalBasis<double> expected = modal_basis(s);
+    System<double> matrices = s;
+    matrices.stiffness_ratios.clear();
+    matrices.stiffness_matrix = chain_matrix(s.stiffness_ratios);
+    const bool masses_too = GENERATE(false, true);
+    if (masses_too) {
+        matrices.mass_ratios.clear();
+        matrices.mass_matrix = mass_matrix(s);
+    }
+    const ModalBasis<double> found = modal_basis(matrices);
+    for (std::size_t i = 0; i < 4; ++i) REQUIRE(std::abs(found.r_n[i] / expected.r_n[i] - 1) < 64 * eps);
+    REQUIRE((found.phi - expected.phi).cwiseAbs().maxCoeff() < 64 * eps);
+}
+
+TEST_CASE("a diagonal mass matrix on a stiff chain keeps the chain's accuracy", "[model]") {
+    System<double> s = chain<double>({1, 1e8, 1, 1, 1}, {1, 1, 1e12, 1, 1});
+    const std::vector<double> expected = modal_basis(s).r_n;
+    s.mass_matrix = mass_matrix(s);
+    s.mass_ratios.clear();
+    REQUIRE(modal_basis(s).r_n == expected);
+}
+
+TEST_CASE("a ring has the natural frequencies of the circulant matrix", "[model][topology]") {
+    const std::size_t N = 8;
+    System<double> s = chain<double>(equal(N), equal(N));
+    s.stiffness_ratios.clear();
+    s.stiffness_matrix = Matrix<double>::Zero(8, 8);
+    for (Eigen::Index i = 0; i < 8; ++i) {
+        s.stiffness_matrix(i, i) = 2.5;
+        s.stiffness_matrix(i, (i + 1) % 8) = s.stiffness_matrix((i + 1) % 8, i) = -1;
+    }
+    const ModalBasis<double> basis = modal_basis(s);
+    const double orders[] = {0, 1, 1, 2, 2, 3, 3, 4};
+    for (std::size_t i = 0; i < N; ++i)
+        REQUIRE(std::abs(basis.r_n[i] - std::sqrt(2.5 - 2 * std::cos(pi<double>() * orders[i] / 4))) < 16 * eps);
+    require_basis(s, basis);
+}
+
+TEST_CASE("the sign of a mode shape does not depend on the number type or the way the system is given", "[model]") {
+    std::mt19937_64 random(5);
+    for (int trial = 0; trial < 20; ++trial) {
+        std::vector<double> gamma{1};
+        std::vector<double> kappa{1};
+        for (std::size_t i = 0; i < 1 + random() % 6; ++i) {
+            gamma.push_back(static_cast<double>(1 + random() % 64) / 16);
+            kappa.push_back(static_cast<double>(1 + random() % 64) / 16);
+        }
+        const ModalBasis<double> basis = modal_basis(chain<double>(gamma, kappa));
+        const ModalBasis<Real50> fifty = modal_basis(chain<Real50>(gamma, kappa));
+        System<double> s = chain<double>(gamma, kappa);
+        s.stiffness_matrix = chain_matrix(s.stiffness_ratios);
+        s.stiffness_ratios.clear();
+        const ModalBasis<double> general = modal_basis(s);
+        REQUIRE((basis.phi - fifty.phi.cast<double>()).cwiseAbs().maxCoeff() < 1e-11);
+        REQUIRE((basis.phi - general.phi).cwiseAbs().maxCoeff() < 1e-11);
+    }
+}
+
+TEST_CASE("a stiffness matrix that is singular to working precision is refused", "[model][bad-input]") {
+    System<double> s = chain<double>({1, 1, 1}, {1, 1, 1});
+    s.stiffness_ratios.clear();
+    s.stiffness_matrix = Matrix<double>{{1, -1, 0}, {-1, 2, -1}, {0, -1, 1}};
+    try {
+        (void)modal_basis(s);
+        FAIL("no error");
+    } catch (const InputError& fault) {
+        REQUIRE(fault.quantity == "stiffness_matrix");
+        REQUIRE(fault.value.find("singular") != fault.value.npos);
+    }
+    s.stiffness_matrix = Matrix<double>{{1 + 1e15, -1e15, 0}, {-1e15, 1e15 + 1, -1}, {0, -1, 1}};
+    REQUIRE_THROWS_AS(modal_basis(s), InputError);
+}
+
+TEST_CASE("modes beyond the range of the number type are an error and not infinite", "[model][bad-input]") {
+    REQUIRE_THROWS_AS(modal_basis(chain<double>({1, 1e-300}, {1, 1e300})), PrecisionError);
+    REQUIRE_NOTHROW(modal_basis(chain<Real50>({1, 1e-300}, {1, 1e300})));
+}

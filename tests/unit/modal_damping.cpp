@@ -1,0 +1,155 @@
+#include <cmath>
+
+#include "denhartog/errors.hpp"
+#include "denhartog/model/modal_basis.hpp"
+#include "denhartog/multiprecision.hpp"
+#include "tests/catch.hpp"
+
+using namespace denhartog;
+
+namespace {
+
+constexpr double eps = std::numeric_limits<double>::epsilon();
+
+/// Two masses and two springs, all equal, with a damping matrix.
+template <class T>
+System<T> pair_with(const Matrix<T>& C) {
+    System<T> s;
+    s.mass_ratios = {T(1), T(1)};
+    s.stiffness_ratios = {T(1), T(1)};
+    s.damping_matrix = C;
+    return s;
+}
+
+InputError refusal(const System<double>& s) {
+    try {
+        (void)modal_basis(s);
+    } catch (const InputError& fault) {
+        return fault;
+    }
+    FAIL("no error");
+    return InputError("", "", "");
+}
+
+} // namespace
+
+TEST_CASE("damping that is a combination of mass and stiffness has the known damping ratios", "[model][eq:18]") {
+    const auto with = [](auto number) {
+        using T = decltype(number);
+        System<T> s;
+        s.mass_ratios = {T(1), T(5) / 2, T(3) / 4};
+        s.stiffness_ratios = {T(1), T(5) / 8, T(15) / 8};
+        const T a = T(1) / 8;
+        const T b = T(1) / 16;
+        s.damping_matrix = Matrix<T>::Zero(3, 3);
+        const T masses[] = {T(1), T(5) / 2, T(3) / 4};
+        const T springs[] = {T(1), T(5) / 8, T(15) / 8, T(0)};
+        for (int i = 0; i < 3; ++i) {
+            s.damping_matrix(i, i) = a * masses[i] + b * (springs[i] + springs[i + 1]);
+            if (i > 0) s.damping_matrix(i, i - 1) = s.damping_matrix(i - 1, i) = -b * springs[i];
+        }
+        const ModalBasis<T> basis = modal_basis(s);
+        using std::abs;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const T expected = (a / basis.r_n[i] + b * basis.r_n[i]) / 2;
+            REQUIRE(abs(T(basis.zeta[i] - expected)) < 64 * std::numeric_limits<T>::epsilon());
+        }
+    };
+    with(0.0);
+    with(0.0L);
+    with(Real50());
+    with(Real100());
+}
+
+TEST_CASE("damping that couples the modes is refused with its distance from the condition", "[model][bad-input][eq:18]") {
+    // One dashpot between mass 1 and the ground. A = [2 -1; -1 1], C = [c 0; 0 0]: AC - CA = c [0 1; -1 0], of size c sqrt 2
+    // beside sqrt 7 times c.
+    const InputError fault = refusal(pair_with<double>(Matrix<double>{{0.1, 0}, {0, 0}}));
+    REQUIRE(fault.quantity == "damping_matrix");
+    REQUIRE(fault.rule.find("K M^-1 C = C M^-1 K") != fault.rule.npos);
+    REQUIRE(fault.rule.find("paper excludes") != fault.rule.npos);
+    REQUIRE(std::abs(std::stod(fault.value) - std::sqrt(2.0 / 7.0)) < 1e-3);
+}
+
+TEST_CASE("a departure far below the damping itself is still refused", "[model][bad-input][eq:18]") {
+    Matrix<double> C{{0.2, -0.1}, {-0.1, 0.1}};
+    REQUIRE_NOTHROW(modal_basis(pair_with(C)));
+    C(0, 0) += 1e-12;
+    const InputError fault = refusal(pair_with(C));
+    REQUIRE(std::stod(fault.value) < 1e-11);
+    REQUIRE(std::stod(fault.value) > 1e-13);
+}
+
+TEST_CASE("decimal fractions satisfy the condition in fifty digits where they were not rounded to doubles", "[model][eq:18]") {
+    const Real50 tenth = Real50(1) / 10;
+    REQUIRE_NOTHROW(modal_basis(pair_with<Real50>(Matrix<Real50>{{3 * tenth, -tenth}, {-tenth, 2 * tenth}})));
+    REQUIRE_THROWS_AS(modal_basis(pair_with<Real50>(Matrix<Real50>{{Real50(0.3), Real50(-0.1)}, {Real50(-0.1), Real50(0.2)}})),
+                      InputError);
+    REQUIRE_NOTHROW(modal_basis(pair_with<double>(Matrix<double>{{0.3, -0.1}, {-0.1, 0.2}})));
+}
+
+TEST_CASE("coinciding natural frequencies get the mode shapes that diagonalise the damping", "[model][topology][eq:18]") {
+    // A ring of six equal masses on equal ground springs: modes 2 and 3, 4 and 5 are cosine and sine of one order each.
+    const std::size_t N = 6;
+    System<double> s;
+    s.mass_ratios.assign(N, 1.0);
+    s.stiffness_matrix = Matrix<double>::Zero(6, 6);
+    for (Eigen::Index i = 0; i < 6; ++i) {
+        s.stiffness_matrix(i, i) = 2.5;
+        s.stiffness_matrix(i, (i + 1) % 6) = s.stiffness_matrix((i + 1) % 6, i) = -1;
+    }
+    const double zeta[] = {0.0625, 0.125, 0.5, 0.25, 0.03125, 0.75};
+    s.damping_matrix = Matrix<double>::Zero(6, 6);
+    for (int mode = 0; mode < 6; ++mode) {
+        const int order = (mode + 1) / 2;
+        const bool sine = mode > 0 && mode < 5 && mode % 2 == 0;
+        Matrix<double> shape(6, 1);
+        for (int k = 0; k < 6; ++k) {
+            const double angle = pi<double>() * order * k / 3 + 0.3;
+            shape(k, 0) = mode == 0 || mode == 5 ? std::cos(pi<double>() * order * k / 3)
+                          : sine                 ? std::sin(angle)
+                                                 : std::cos(angle);
+        }
+        shape /= shape.norm();
+        const double r_n = std::sqrt(2.5 - 2 * std::cos(pi<double>() * order / 3));
+        s.damping_matrix += 2 * zeta[mode] * r_n * shape * shape.transpose();
+    }
+    s.damping_matrix = Matrix<double>((s.damping_matrix + s.damping_matrix.transpose()) / 2);
+    const ModalBasis<double> basis = modal_basis(s);
+    const double expected[] = {0.0625, 0.125, 0.5, 0.03125, 0.25, 0.75};
+    for (std::size_t i = 0; i < N; ++i) REQUIRE(std::abs(basis.zeta[i] - expected[i]) < 64 * eps);
+    const Matrix<double> D = basis.phi.transpose() * s.damping_matrix * basis.phi;
+    const Matrix<double> A = basis.phi.transpose() * s.stiffness_matrix * basis.phi;
+    for (Eigen::Index i = 0; i < 6; ++i)
+        for (Eigen::Index k = 0; k < i; ++k) {
+            REQUIRE(std::abs(D(i, k)) < 64 * eps);
+            REQUIRE(std::abs(A(i, k)) < 64 * eps);
+        }
+}
+
+TEST_CASE("where the precision cannot tell whether near modes are coupled the error asks for more digits", "[model][bad-input]") {
+    System<double> s;
+    s.mass_ratios = {1, 1};
+    s.stiffness_matrix = Matrix<double>{{1, 0}, {0, 1 + 0x1p-40}};
+    s.damping_matrix = Matrix<double>{{0.125, 0x1p-11}, {0x1p-11, 0.125}};
+    REQUIRE_THROWS_AS(modal_basis(s), PrecisionError);
+    System<Real50> fifty;
+    fifty.mass_ratios = {Real50(1), Real50(1)};
+    fifty.stiffness_matrix = s.stiffness_matrix.cast<Real50>();
+    fifty.damping_matrix = s.damping_matrix.cast<Real50>();
+    REQUIRE_THROWS_AS(modal_basis(fifty), InputError);
+}
+
+TEST_CASE("damping ratios from a matrix must be in their range, by the name of the mode", "[model][bad-input][eq:18]") {
+    const InputError overdamped = refusal(pair_with<double>(Matrix<double>{{2, 0}, {0, 2}}));
+    REQUIRE(overdamped.quantity == "damping_matrix");
+    REQUIRE(overdamped.rule.find("mode 1") != overdamped.rule.npos);
+    REQUIRE(overdamped.rule.find("not supported yet") != overdamped.rule.npos);
+    const InputError negative = refusal(pair_with<double>(Matrix<double>{{-0.5, 0}, {0, -0.5}}));
+    REQUIRE(negative.rule.find("not negative") != negative.rule.npos);
+}
+
+TEST_CASE("a damping matrix of zeros is a system without damping", "[model][eq:18]") {
+    const ModalBasis<double> basis = modal_basis(pair_with<double>(Matrix<double>::Zero(2, 2)));
+    REQUIRE(basis.zeta == std::vector<double>{0, 0});
+}

@@ -1,0 +1,262 @@
+#include "denhartog/model/scene_json.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "denhartog/multiprecision.hpp"
+#include "tests/catch.hpp"
+
+using namespace denhartog;
+using nlohmann::json;
+
+namespace {
+
+json good() {
+    return json::parse(
+        R"({"mass_ratios": [1, 2.5, 0.75], "stiffness_ratios": [1, 0.625, 1.875], "damping_ratios": [0.03, 0.06, 0.09],
+                           "contact": 2, "load": 1, "mu": 1.375, "r": 1.125, "beta": 0.15625})");
+}
+
+json dimensional() {
+    return json::parse(R"({"masses": [4, 10, 3], "stiffnesses": [16, 10, 30], "damping_ratios": 0.25, "contact": 3, "load": 1,
+                           "force": 8, "friction": 2, "frequency": 3})");
+}
+
+/// The error after one change to a scene.
+InputError after(const std::function<void(json&)>& change, json scene = good()) {
+    change(scene);
+    const std::string text = scene.dump();
+    INFO(text);
+    try {
+        (void)read_scene<double>(text);
+    } catch (const InputError& fault) {
+        return fault;
+    }
+    FAIL("no error");
+    return InputError("", "", "");
+}
+
+bool says(const InputError& fault, const std::string& quantity, const std::string& rule, const std::string& value,
+          const std::string& place) {
+    INFO(fault.what());
+    CHECK(fault.quantity == quantity);
+    CHECK(fault.rule.find(rule) != std::string::npos);
+    CHECK(fault.value == value);
+    CHECK(fault.place == place);
+    return fault.quantity == quantity && fault.rule.find(rule) != std::string::npos && fault.value == value &&
+           fault.place == place;
+}
+
+template <class T>
+void require_same(const Scene<T>& a, const Scene<T>& b) {
+    REQUIRE(a.system.mass_ratios == b.system.mass_ratios);
+    REQUIRE(a.system.stiffness_ratios == b.system.stiffness_ratios);
+    REQUIRE(a.system.damping_ratios == b.system.damping_ratios);
+    REQUIRE(a.system.mass_matrix == b.system.mass_matrix);
+    REQUIRE(a.system.stiffness_matrix == b.system.stiffness_matrix);
+    REQUIRE(a.system.damping_matrix == b.system.damping_matrix);
+    REQUIRE(a.system.contact == b.system.contact);
+    REQUIRE(a.system.load == b.system.load);
+    REQUIRE(a.mu == b.mu);
+    REQUIRE(a.r == b.r);
+    REQUIRE(a.beta == b.beta);
+}
+
+} // namespace
+
+TEST_CASE("a scene by ratios is read, masses counted from 1", "[scene][json]") {
+    const Scene<double> scene = read_scene<double>(good().dump());
+    REQUIRE(scene.system.mass_ratios == std::vector<double>{1, 2.5, 0.75});
+    REQUIRE(scene.system.stiffness_ratios == std::vector<double>{1, 0.625, 1.875});
+    REQUIRE(scene.system.damping_ratios == std::vector<double>{0.03, 0.06, 0.09});
+    REQUIRE(scene.system.contact == Mass{1});
+    REQUIRE(scene.system.load == Mass{0});
+    REQUIRE(scene.mu == 1.375);
+    REQUIRE(scene.r == 1.125);
+    REQUIRE(scene.beta == 0.15625);
+}
+
+TEST_CASE("mu, r and beta may be left out, one damping ratio serves all modes", "[scene][json]") {
+    const Scene<double> scene = read_scene<double>(
+        R"({"mass_ratios": [1, 2], "stiffness_ratios": [1, 1], "damping_ratios": "0.125", "contact": 2.0, "load": 1})");
+    REQUIRE(scene.system.damping_ratios == std::vector<double>{0.125, 0.125});
+    REQUIRE(scene.mu == 1);
+    REQUIRE_FALSE(scene.r);
+    REQUIRE_FALSE(scene.beta);
+}
+
+TEST_CASE("a number as text has all digits of the number type, a JSON number is the double", "[scene][json]") {
+    json text = good();
+    text["r"] = "0.1";
+    text["beta"] = 0.1;
+    const Scene<Real50> scene = read_scene<Real50>(text.dump());
+    REQUIRE(*scene.r == Real50(1) / 10);
+    REQUIRE(*scene.beta == Real50(0.1));
+}
+
+TEST_CASE("a dimensional scene is divided by its first mass, its first spring and its load",
+          "[scene][json][eq:9][eq:10][eq:11][eq:73]") {
+    const Scene<double> scene = read_scene<double>(dimensional().dump());
+    REQUIRE(scene.system.mass_ratios == std::vector<double>{1, 2.5, 0.75});
+    REQUIRE(scene.system.stiffness_ratios == std::vector<double>{1, 0.625, 1.875});
+    REQUIRE(scene.system.damping_ratios == std::vector<double>{0.25, 0.25, 0.25});
+    REQUIRE(scene.r == 1.5);
+    REQUIRE(scene.beta == 0.25);
+    json by_matrix = dimensional();
+    by_matrix.erase("damping_ratios");
+    by_matrix["damping_matrix"] = {{4, 0, 0}, {0, 10, 0}, {0, 0, 3}};
+    REQUIRE(read_scene<double>(by_matrix.dump()).system.damping_matrix ==
+            Matrix<double>{{0.5, 0, 0}, {0, 1.25, 0}, {0, 0, 0.375}});
+}
+
+TEST_CASE("matrices take the place of ratios", "[scene][json]") {
+    const Scene<double> scene =
+        read_scene<double>(R"({"mass_matrix": [[1, 0.25], [0.25, 2]], "stiffness_matrix": [[2, -1], [-1, "1.5"]],
+        "damping_matrix": [[0.2, -0.1], [-0.1, 0.15]], "contact": 1, "load": 2})");
+    REQUIRE(scene.system.mass_matrix == Matrix<double>{{1, 0.25}, {0.25, 2}});
+    REQUIRE(scene.system.stiffness_matrix == Matrix<double>{{2, -1}, {-1, 1.5}});
+    REQUIRE(scene.system.damping_matrix == Matrix<double>{{0.2, -0.1}, {-0.1, 0.15}});
+}
+
+TEST_CASE("a scene that is written is read again to the last bit", "[scene][json]") {
+    const auto with = [](auto number) {
+        using T = decltype(number);
+        using std::sqrt;
+        Scene<T> scene;
+        scene.system.mass_ratios = {T(1), sqrt(T(2))};
+        scene.system.stiffness_ratios = {T(1), T(1) / 3};
+        scene.system.damping_ratios = {T(1) / 10, T(0)};
+        scene.system.contact.index = 1;
+        scene.mu = T(4) / 3;
+        scene.r = sqrt(T(3));
+        require_same(read_scene<T>(write_scene(scene).dump()), scene);
+        scene.beta = T(1) / 7;
+        scene.system.mass_ratios.clear();
+        scene.system.stiffness_ratios.clear();
+        scene.system.damping_ratios.clear();
+        scene.system.mass_matrix = Matrix<T>{{T(1), T(1) / 3}, {T(1) / 3, T(2)}};
+        scene.system.stiffness_matrix = Matrix<T>{{T(2), -sqrt(T(2))}, {-sqrt(T(2)), T(2)}};
+        scene.system.damping_matrix = scene.system.mass_matrix / T(10);
+        require_same(read_scene<T>(write_scene(scene).dump()), scene);
+    };
+    with(0.0);
+    with(0.0L);
+    with(Real50());
+    with(Real100());
+    REQUIRE(json::parse(write_scene(read_scene<double>(good().dump())).dump()) == good());
+    REQUIRE_THROWS_AS(write_scene(Scene<double>{}), InputError);
+}
+
+TEST_CASE("a key that is missing is named", "[scene][json][bad-input]") {
+    for (const char* key : {"mass_ratios", "stiffness_ratios", "damping_ratios", "contact", "load"})
+        REQUIRE(says(after([&](json& s) { s.erase(key); }), key, "must be given", "", ""));
+    for (const char* key : {"masses", "stiffnesses", "force", "friction"})
+        REQUIRE(says(after([&](json& s) { s.erase(key); }, dimensional()), key, "must be given", "", ""));
+}
+
+TEST_CASE("keys that exclude each other are both named", "[scene][json][bad-input]") {
+    REQUIRE(says(after([](json& s) { s["masses"] = {1}; }), "mass_ratios", "together with masses", "", "/mass_ratios"));
+    REQUIRE(says(after([](json& s) { s["r"] = 1; }, dimensional()), "r", "together with masses", "", "/r"));
+    REQUIRE(says(after([](json& s) { s["beta"] = 1; }, dimensional()), "beta", "together with masses", "", "/beta"));
+    REQUIRE(
+        says(after([](json& s) { s["mass_matrix"] = {{1}}; }), "mass_matrix", "together with mass_ratios", "", "/mass_matrix"));
+    REQUIRE(says(after([](json& s) { s["damping_matrix"] = {{1}}; }), "damping_matrix", "together with damping_ratios", "",
+                 "/damping_matrix"));
+}
+
+TEST_CASE("a key that a scene does not have is refused", "[scene][json][bad-input]") {
+    REQUIRE(says(after([](json& s) { s["mas_ratios"] = {1}; }), "mas_ratios", "is no key of a scene", "", "/mas_ratios"));
+    REQUIRE(says(after([](json& s) { s["a/b"] = 1; }), "a/b", "is no key of a scene", "", "/a~1b"));
+}
+
+TEST_CASE("a value of the wrong type is refused at its place", "[scene][json][bad-input]") {
+    REQUIRE(says(after([](json& s) { s["mass_ratios"][1] = "abc"; }), "mass_ratios", "written as a number", "\"abc\"",
+                 "/mass_ratios/1"));
+    REQUIRE(says(after([](json& s) { s["mass_ratios"][1] = "inf"; }), "mass_ratios", "written as a number", "\"inf\"",
+                 "/mass_ratios/1"));
+    REQUIRE(says(after([](json& s) { s["r"] = "1e999"; }), "r", "beyond the largest number", "\"1e999\"", "/r"));
+    REQUIRE(says(after([](json& s) { s["r"] = "1e-999"; }), "r", "not below the smallest number", "\"1e-999\"", "/r"));
+    REQUIRE(says(after([](json& s) { s["r"] = nullptr; }), "r", "must be a number", "null", "/r"));
+    REQUIRE(says(after([](json& s) { s["mu"] = true; }), "mu", "must be a number", "true", "/mu"));
+    REQUIRE(says(after([](json& s) { s["mass_ratios"] = 1; }), "mass_ratios", "array of numbers", "1", "/mass_ratios"));
+    REQUIRE(says(after([](json& s) { s["mass_ratios"] = json::array(); }), "mass_ratios", "at least one", "[]", "/mass_ratios"));
+    REQUIRE(says(after([](json& s) { s["damping_ratios"] = json::array(); }), "damping_ratios", "at least one", "[]",
+                 "/damping_ratios"));
+    REQUIRE(says(after([](json& s) { s["damping_ratios"] = json::object(); }), "damping_ratios", "or one number", "{}",
+                 "/damping_ratios"));
+    for (const json& index : {json(1.5), json("2"), json(0), json(-1), json(1e300), json::array({1})})
+        REQUIRE(says(after([&](json& s) { s["contact"] = index; }), "contact", "whole number", index.dump(), "/contact"));
+    REQUIRE(says(after([](json& s) { s = {1, 2}; }), "scene", "must be a JSON object", "[1,2]", ""));
+}
+
+TEST_CASE("a matrix is an array of rows of equal length", "[scene][json][bad-input]") {
+    const auto with_matrix = [](const json& matrix) {
+        return after([&](json& s) {
+            s.erase("stiffness_ratios");
+            s["stiffness_matrix"] = matrix;
+        });
+    };
+    REQUIRE(says(with_matrix({{1, 2}, {3}}), "stiffness_matrix", "row 2 must have 2 values", "1", "/stiffness_matrix/1"));
+    REQUIRE(says(with_matrix(5), "stiffness_matrix", "array of rows", "5", "/stiffness_matrix"));
+    REQUIRE(says(with_matrix(json::array({1, 2})), "stiffness_matrix", "array of rows", "1", "/stiffness_matrix/0"));
+    REQUIRE(says(with_matrix(json::array()), "stiffness_matrix", "at least one row", "[]", "/stiffness_matrix"));
+    REQUIRE(says(with_matrix({{1, "x"}, {0, 1}}), "stiffness_matrix", "written as a number", "\"x\"", "/stiffness_matrix/0/1"));
+    REQUIRE(says(with_matrix({{1, 0}, {0, 1}}), "stiffness_matrix", "3 rows and columns", "2 by 2", "/stiffness_matrix"));
+    REQUIRE(says(with_matrix({{2, -1, 0}, {-1, 2, -1}, {0.5, -1, 2}}), "stiffness_matrix", "symmetric", "0.5",
+                 "/stiffness_matrix/2/0"));
+    REQUIRE(after([](json& s) {
+                s.erase("stiffness_ratios");
+                s["stiffness_matrix"] = {{1, -1, 0}, {-1, 2, -1}, {0, -1, 1}};
+            }).value.find("singular") == 0);
+}
+
+TEST_CASE("every rule of a scene gives the place in the JSON", "[scene][json][bad-input]") {
+    REQUIRE(says(after([](json& s) { s["mass_ratios"][1] = -2; }), "mass_ratios", "positive", "-2", "/mass_ratios/1"));
+    REQUIRE(
+        says(after([](json& s) { s["stiffness_ratios"][2] = 0; }), "stiffness_ratios", "positive", "0", "/stiffness_ratios/2"));
+    REQUIRE(says(after([](json& s) { s["stiffness_ratios"] = {1}; }), "stiffness_ratios", "as many", "1", "/stiffness_ratios"));
+    REQUIRE(says(after([](json& s) { s["damping_ratios"][2] = 1.5; }), "damping_ratios", "mode 3 must be below 1", "1.5",
+                 "/damping_ratios/2"));
+    REQUIRE(says(after([](json& s) { s["damping_ratios"] = 1; }), "damping_ratios", "mode 1 must be below 1", "1",
+                 "/damping_ratios"));
+    REQUIRE(
+        says(after([](json& s) { s["damping_ratios"] = -0.5; }), "damping_ratios", "not be negative", "-0.5", "/damping_ratios"));
+    REQUIRE(says(after([](json& s) { s["contact"] = 4; }), "contact", "from 1 to 3", "4", "/contact"));
+    REQUIRE(says(after([](json& s) { s["load"] = 9; }), "load", "from 1 to 3", "9", "/load"));
+    REQUIRE(says(after([](json& s) { s["mu"] = 0.5; }), "mu", "at least 1", "0.5", "/mu"));
+    REQUIRE(says(after([](json& s) { s["beta"] = -0.25; }), "beta", "negative", "-0.25", "/beta"));
+    REQUIRE(says(after([](json& s) { s["r"] = 0; }), "r", "positive", "0", "/r"));
+}
+
+TEST_CASE("a dimensional scene breaks rules under its own names", "[scene][json][bad-input]") {
+    const auto change = [](auto edit) { return after(edit, dimensional()); };
+    REQUIRE(says(change([](json& s) { s["masses"][0] = 0; }), "masses", "positive", "0", "/masses/0"));
+    REQUIRE(says(change([](json& s) { s["stiffnesses"][2] = -30; }), "stiffnesses", "positive", "-30", "/stiffnesses/2"));
+    REQUIRE(says(change([](json& s) { s["stiffnesses"].erase(0); }), "stiffnesses", "as many", "2", "/stiffnesses"));
+    REQUIRE(says(change([](json& s) { s["force"] = 0; }), "force", "positive", "0", "/force"));
+    REQUIRE(says(change([](json& s) { s["friction"] = -1; }), "friction", "negative", "-1", "/friction"));
+    REQUIRE(says(change([](json& s) { s["frequency"] = 0; }), "frequency", "positive", "0", "/frequency"));
+    REQUIRE(says(change([](json& s) {
+                     s["masses"] = {1e-300, 1e300, 1};
+                 }),
+                 "masses", "of mass 2 must be finite", "inf", "/masses/1"));
+}
+
+TEST_CASE("the schema has the keys that the reader accepts", "[scene][json][docs]") {
+    const char* root = std::getenv("DENHARTOG_SOURCE_DIR");
+    REQUIRE(root != nullptr);
+    std::ifstream file(std::string(root) + "/docs/scene.schema.json");
+    REQUIRE(file.good());
+    const json schema = json::parse(file);
+    std::set<std::string> documented;
+    for (const auto& entry : schema.at("properties").items()) {
+        documented.insert(entry.key());
+        REQUIRE(entry.value().contains("description"));
+    }
+    REQUIRE(documented == std::set<std::string>(scene_keys().begin(), scene_keys().end()));
+}
