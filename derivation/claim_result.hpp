@@ -1,0 +1,29 @@
+/// @file
+/// @brief What the run found out about one claim, in words and numbers; the ledger is joined from these.
+///
+/// Plain text on purpose: the ledger is joined and tested without GiNaC.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace denhartog::derivation {
+
+/// @brief One claim after the run.
+struct ClaimResult {
+    std::string id;                                    ///< unique, e.g. `A.7/velocity`
+    std::vector<std::string> equations;                ///< equations it concerns, as the ledger writes them: `46`, `A.7`
+    std::string role = "step";                         ///< both, printed, shipped, step or observation, as in `Role`
+    std::string verdict = "unknown";                   ///< one of the ledger's words for a verdict
+    std::string what;                                  ///< the claim in a sentence
+    std::vector<std::string> assumptions;              ///< where it is claimed, divisions included
+    std::string departure = "none";                    ///< of a printed form: none, scan, misprint, substance, convention
+    std::string correction_latex;                      ///< of a printed form that does not hold: what holds instead
+    nlohmann::json witness = nlohmann::json::object(); ///< the point that refutes it, or the cases that were searched
+    std::optional<double> loss;                        ///< worst relative error for who codes the printed form; dimensionless
+    std::string consequence;                           ///< the loss in words, with the scene it was found on
+};
+
+} // namespace denhartog::derivation

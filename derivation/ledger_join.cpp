@@ -1,0 +1,262 @@
+#include "derivation/ledger_join.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+namespace denhartog::derivation {
+
+using ledger::Json;
+
+namespace {
+
+// From the best to the worst.
+const std::vector<std::string> verdicts = {"not_applicable", "definition", "proved", "approximation",
+                                           "pending",        "unknown",    "refuted"};
+const std::vector<std::string> departures = {"none", "scan", "convention", "misprint", "substance"};
+const std::set<std::string> roles = {"both", "printed", "shipped", "step", "observation"};
+
+std::size_t rank(const std::vector<std::string>& words, const std::string& word) {
+    return std::find(words.begin(), words.end(), word) - words.begin();
+}
+
+std::string worse(const std::vector<std::string>& words, const std::string& a, const std::string& b) {
+    return rank(words, a) < rank(words, b) ? b : a;
+}
+
+bool has(const std::vector<std::string>& list, const std::string& item) {
+    return std::find(list.begin(), list.end(), item) != list.end();
+}
+
+/// Everything the parts say of one equation.
+struct Gathered {
+    std::vector<const ClaimResult*> printed; ///< claims on the printed form
+    std::vector<const ClaimResult*> shipped; ///< claims on what is shipped
+    bool function = false;                   ///< whether a formula is shipped
+    int paper_functions = 0;                 ///< how many formulas are in the paper's own form
+    bool definition = false;                 ///< definition or assumption
+    bool later = false;                      ///< Sections 3 and 4
+};
+
+using Faults = std::vector<std::string>;
+
+/// Whether a claim speaks of neither the printed nor the shipped form.
+bool aside(const ClaimResult& claim) { return claim.role == "step" || claim.role == "observation"; }
+
+void check_claims(const std::vector<ClaimResult>& claims, Faults& faults) {
+    std::set<std::string> ids;
+    for (const ClaimResult& claim : claims) {
+        const std::string name = "claim " + claim.id;
+        if (!ids.insert(claim.id).second) faults.push_back(name + " is there twice");
+        if (claim.equations.empty()) faults.push_back(name + " speaks of no equation");
+        for (const std::string& equation : claim.equations)
+            if (!has(ledger::equation_numbers(), equation))
+                faults.push_back(name + " speaks of equation " + equation + ", which is not in the paper");
+        if (!has(verdicts, claim.verdict)) faults.push_back(name + " has the verdict " + claim.verdict + ", which is no verdict");
+        if (!has(departures, claim.departure))
+            faults.push_back(name + " has the departure " + claim.departure + ", which is none");
+        if (!roles.contains(claim.role)) faults.push_back(name + " has the role " + claim.role + ", which is no role");
+        if (claim.verdict == "unknown" && !(aside(claim) && !claim.witness.empty())) faults.push_back(name + " is unknown");
+        if (claim.loss && !std::isfinite(*claim.loss)) faults.push_back(name + " has a loss that is not finite");
+    }
+}
+
+Json claim_entry(const ClaimResult& claim) {
+    Json entry = {{"id", claim.id},
+                  {"role", claim.role},
+                  {"verdict", claim.verdict},
+                  {"what", claim.what},
+                  {"assumptions", claim.assumptions}};
+    if (!claim.witness.empty()) entry["witness"] = claim.witness;
+    if (claim.loss && std::isfinite(*claim.loss)) entry["loss"] = *claim.loss;
+    return entry;
+}
+
+/// Worst verdict among claims; empty where there is none.
+std::string worst(const std::vector<const ClaimResult*>& claims) {
+    std::string found;
+    for (const ClaimResult* claim : claims) found = found.empty() ? claim->verdict : worse(verdicts, found, claim->verdict);
+    return found;
+}
+
+std::string printed_verdict(const Gathered& all) {
+    if (!all.printed.empty()) return worst(all.printed);
+    if (all.definition && (!all.later || all.function)) return "definition";
+    return all.later ? "pending" : "unknown";
+}
+
+std::string shipped_verdict(const Gathered& all, const std::string& printed) {
+    if (!all.shipped.empty()) return worst(all.shipped);
+    if (!all.function) return all.later ? "pending" : "not_applicable";
+    if (all.definition && printed != "refuted") return "definition";
+    return all.later ? "pending" : "unknown";
+}
+
+/// Departure, correction, witness, loss and consequence of the printed form.
+void judge_printed(Json& entry, const Gathered& all, const std::string& name, Faults& faults) {
+    std::string departure = entry.at("departure");
+    const bool refuted = entry.at("printed") == "refuted";
+    std::string refuted_as = "none";
+    for (const ClaimResult* claim : all.printed) {
+        departure = worse(departures, departure, claim->departure);
+        if (claim->verdict == "refuted") refuted_as = worse(departures, refuted_as, claim->departure);
+        if (!claim->correction_latex.empty() && (claim->verdict == "refuted" || !refuted))
+            entry["correction"] = claim->correction_latex;
+        if (entry.at("witness").empty() && claim->verdict == entry.at("printed")) entry["witness"] = claim->witness;
+        if (claim->loss && std::isfinite(*claim->loss))
+            entry["loss"] = entry.at("loss").is_null() ? *claim->loss : std::max(entry.at("loss").get<double>(), *claim->loss);
+        if (!claim->consequence.empty())
+            entry["consequence"] =
+                (entry.at("consequence") == "" ? "" : entry.at("consequence").get<std::string>() + "; ") + claim->consequence;
+    }
+    entry["departure"] = departure;
+    if (!refuted) {
+        const std::string printed = entry.at("printed");
+        if (entry.at("loss").is_null() && printed != "pending" && printed != "unknown") entry["loss"] = 0.0;
+        return;
+    }
+    if (refuted_as == "none") faults.push_back("the printed form of " + name + " is refuted, but its departure is not said");
+    if (entry.at("correction") == "") faults.push_back("the printed form of " + name + " is refuted without a correction");
+    if (entry.at("shipped") != "proved" && entry.at("shipped") != "approximation")
+        faults.push_back("the printed form of " + name + " is refuted and no correction is proved");
+}
+
+void judge_verdicts(const Json& entry, const Gathered& all, const std::string& name, Faults& faults) {
+    const std::string printed = entry.at("printed");
+    const std::string shipped = entry.at("shipped");
+    if (printed == "unknown") faults.push_back(name + (all.printed.empty() ? " has no verdict" : " is unknown as printed"));
+    if (shipped == "unknown")
+        faults.push_back(name + (all.shipped.empty() ? " has a formula and no claim on it" : " is unknown as shipped"));
+    if (shipped == "refuted") faults.push_back(name + " is refuted as shipped");
+    if (!all.later && (printed == "pending" || shipped == "pending")) faults.push_back(name + " must not be pending");
+}
+
+void add_functions(Json& entry, const std::vector<FunctionEntry>& functions, Gathered& all) {
+    entry["as_printed"] = Json::array();
+    Json users = Json::array();
+    for (const FunctionEntry& function : functions) {
+        if (function.equation != entry.at("equation")) continue;
+        Json found = {{"name", function.name}, {"file", function.file}, {"line", function.line}};
+        if (function.name.find("::paper::") != std::string::npos)
+            entry["functions"].insert(entry["functions"].begin() + all.paper_functions++, std::move(found));
+        else if (is_formula(function))
+            entry["functions"].push_back(std::move(found));
+        else
+            (is_as_printed(function) ? entry["as_printed"] : users).push_back(std::move(found));
+    }
+    all.function = !entry.at("functions").empty();
+    for (Json& user : users) entry["functions"].push_back(std::move(user));
+}
+
+void add_tests(Json& entry, const LedgerParts& parts, const Gathered& all, const std::string& name, Faults& faults) {
+    entry["tests_failed"] = Json::array();
+    std::map<std::string, bool> passed; // a test that ran twice passed only if it did so both times
+    for (const TestRun& run : parts.results.runs)
+        if (has(run.equations, entry.at("equation"))) {
+            const auto [place, fresh] = passed.try_emplace(run.name, run.passed);
+            if (!fresh) place->second = place->second && run.passed;
+        }
+    for (const auto& [test, good] : passed) entry[good ? "tests" : "tests_failed"].push_back(test);
+    if (parts.results.found && all.function && !all.later && entry.at("tests").empty())
+        faults.push_back(name + " has a formula and no test that ran and passed");
+}
+
+void check_tests(const LedgerParts& parts, Faults& faults) {
+    if (!parts.results.found) return;
+    for (const TestRun& run : parts.results.runs)
+        if (!run.passed) faults.push_back("test '" + run.name + "' failed");
+    for (const DeclaredTest& test : parts.declared) {
+        const bool ran = std::any_of(parts.results.runs.begin(), parts.results.runs.end(), [&](const TestRun& run) {
+            return run.name == test.name || run.name.starts_with(test.name + " - "); // the latter: a test over types
+        });
+        std::string tags;
+        for (const std::string& equation : test.equations) {
+            tags += (tags.empty() ? "eq:" : ", eq:") + equation;
+            if (!has(ledger::equation_numbers(), equation))
+                faults.push_back("test '" + test.name + "' is tagged eq:" + equation + ", which is not in the paper");
+        }
+        if (!ran) faults.push_back("test '" + test.name + "' tagged " + tags + " did not run");
+    }
+}
+
+Json summary_of(const Json& entries, const LedgerParts& parts) {
+    Json summary = {{"equations", entries.size()}};
+    for (const char* key : {"printed", "shipped"}) {
+        summary[key] = Json::object();
+        for (const std::string& verdict : verdicts) summary[key][verdict] = 0;
+    }
+    summary["departure"] = Json::object();
+    for (const std::string& departure : departures) summary["departure"][departure] = 0;
+    for (const char* key : {"refuted", "pending", "refuted_without_loss", "refuted_steps"}) summary[key] = Json::array();
+    int with_function = 0, with_test = 0;
+    for (const Json& entry : entries) {
+        for (const char* key : {"printed", "shipped", "departure"}) {
+            Json& count = summary[key][entry.at(key).get<std::string>()];
+            count = (count.is_null() ? 0 : count.get<int>()) + 1;
+        }
+        if (entry.at("printed") == "refuted") summary["refuted"].push_back(entry.at("equation"));
+        if (entry.at("printed") == "pending") summary["pending"].push_back(entry.at("equation"));
+        if (entry.at("printed") == "refuted" && entry.at("loss").is_null())
+            summary["refuted_without_loss"].push_back(entry.at("equation"));
+        with_function += !entry.at("functions").empty();
+        with_test += !entry.at("tests").empty();
+    }
+    std::map<std::string, int> claims;
+    for (const ClaimResult& claim : parts.claims) {
+        ++claims[claim.verdict];
+        if (aside(claim) && claim.verdict == "refuted") summary["refuted_steps"].push_back(claim.id);
+    }
+    summary["claims"] = claims;
+    summary["with_function"] = with_function;
+    summary["with_test"] = parts.results.found ? Json(with_test) : Json();
+    return summary;
+}
+
+} // namespace
+
+JoinedLedger join_ledger(const LedgerParts& parts) {
+    JoinedLedger joined;
+    Faults& faults = joined.faults;
+    check_claims(parts.claims, faults);
+    for (const FunctionEntry& function : parts.functions)
+        if (!has(ledger::equation_numbers(), function.equation))
+            faults.push_back(function.name + " (" + function.file + ":" + std::to_string(function.line) + ") is tagged eq{" +
+                             function.equation + "}, which is not in the paper");
+    check_tests(parts, faults);
+    joined.entries = Json::array();
+    std::set<std::string> present;
+    for (const Json& row : parts.rows) {
+        Json entry = ledger::entry_without_run(row);
+        const std::string number = entry.at("equation");
+        const std::string name = "equation " + number;
+        Gathered all;
+        all.definition = entry.at("kind") == "definition" || entry.at("kind") == "assumption";
+        all.later =
+            entry.at("section").get<std::string>().starts_with('3') || entry.at("section").get<std::string>().starts_with('4');
+        add_functions(entry, parts.functions, all);
+        for (const ClaimResult& claim : parts.claims) {
+            if (!has(claim.equations, number)) continue;
+            entry["claims"].push_back(claim_entry(claim));
+            if (claim.role == "printed" || claim.role == "both") all.printed.push_back(&claim);
+            if (claim.role == "shipped" || claim.role == "both") all.shipped.push_back(&claim);
+        }
+        entry["printed"] = printed_verdict(all);
+        entry["shipped"] = shipped_verdict(all, entry.at("printed"));
+        judge_verdicts(entry, all, name, faults);
+        judge_printed(entry, all, name, faults);
+        if (!all.later && !all.function && entry.at("no_function") == "")
+            faults.push_back(name + " has neither a formula nor a reason why not");
+        if (all.function && entry.at("no_function") != "") faults.push_back(name + " has a formula and a reason why it has none");
+        add_tests(entry, parts, all, name, faults);
+        present.insert(number);
+        joined.entries.push_back(std::move(entry));
+    }
+    for (const std::string& number : ledger::equation_numbers())
+        if (!present.contains(number)) faults.push_back("equation " + number + " has no row");
+    ledger::fill_used_by(joined.entries);
+    joined.summary = summary_of(joined.entries, parts);
+    return joined;
+}
+
+} // namespace denhartog::derivation

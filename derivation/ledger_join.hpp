@@ -1,0 +1,47 @@
+/// @file
+/// @brief The ledger: hand-written rows, functions, tests and claims brought together, and what is missing among them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "denhartog/program/ledger_entry.hpp"
+#include "derivation/claim_result.hpp"
+#include "derivation/source_index.hpp"
+#include "derivation/test_index.hpp"
+
+namespace denhartog::derivation {
+
+/// @brief What the ledger is made of.
+struct LedgerParts {
+    ledger::Json rows;                    ///< `docs/ledger/equations.json`, without faults
+    std::vector<FunctionEntry> functions; ///< from `functions_of_sources`
+    std::vector<DeclaredTest> declared;   ///< from `tests_of_sources`
+    TestResults results;                  ///< from `read_test_results`; where none was found, tests are not judged
+    std::vector<ClaimResult> claims;      ///< from the run
+};
+
+/// @brief The ledger.
+struct JoinedLedger {
+    ledger::Json entries;            ///< an object an equation, in the paper's order; what `ledger.json` holds
+    ledger::Json summary;            ///< counts and lists over the entries
+    std::vector<std::string> faults; ///< why the run has to fail, a sentence each; empty where it need not
+};
+
+/// @brief Brings the parts together.
+///
+/// As printed: the worst verdict of the claims on the printed form. Without a claim a definition or an assumption is a
+/// `definition`; rows of Sections 3 and 4 are `pending`; anything else is `unknown`, a fault. As shipped: the worst verdict of
+/// the claims on the formula, `definition` for a definition with one, `not_applicable` where none is shipped. Functions are
+/// listed with the paper's form first, then the evaluation forms, then what makes use of the equation elsewhere in the library.
+///
+/// Faults: an equation without a verdict or with an unknown one; pending in Section 2 or the Appendix; a formula there without a
+/// claim or without a test that ran and passed; neither a formula nor a reason why not, or both; a refuted printed form
+/// without its kind of departure, without a correction or without a shipped form that is proved; a refuted shipped form; a loss
+/// that is not finite; a tagged test that did not run or failed; a claim, a function or a test that speaks of no equation.
+/// A step or an observation decides no equation: refuted, it is listed in the summary; unknown, it must say what was searched.
+/// @param parts  what the run found
+/// @return       entries, summary and faults
+[[nodiscard]] JoinedLedger join_ledger(const LedgerParts& parts);
+
+} // namespace denhartog::derivation
