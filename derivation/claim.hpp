@@ -25,7 +25,8 @@ enum class Role {
     both,    ///< the equation as printed, which is also what is shipped
     printed, ///< the equation as printed, where something else is shipped
     shipped, ///< what is shipped, where it is not the equation as printed
-    step     ///< a statement that the derivation needs, or an observation in the paper's text
+    step,    ///< a statement that the derivation needs
+    observation ///< what the paper's text says it has observed; may turn out either way
 };
 
 /// @brief How a printed equation departs from what holds.
@@ -49,16 +50,16 @@ using Values = std::vector<Symbolic>;
 
 /// @brief A claim.
 struct Claim {
-    std::string id;                       ///< unique name, e.g. `A.7/velocity`
-    std::vector<std::string> equations;   ///< equations it decides, e.g. `A.7`
+    std::string id = {};                       ///< unique name, e.g. `A.7/velocity`
+    std::vector<std::string> equations = {};   ///< equations it decides, e.g. `A.7`
     Role role = Role::both;               ///< what it speaks of
-    std::string title;                    ///< one sentence
-    std::vector<std::string> assumptions; ///< under which it holds
-    std::function<Values()> kernel;       ///< the formula under test
-    std::function<std::vector<GiNaC::ex>()> derived; ///< what the derivation made, component by component
-    std::function<Outcome()> check;       ///< in place of kernel and derived
+    std::string title = {};                    ///< one sentence
+    std::vector<std::string> assumptions = {}; ///< under which it holds
+    std::function<Values()> kernel = {};       ///< the formula under test
+    std::function<std::vector<GiNaC::ex>()> derived = {}; ///< what the derivation made, component by component
+    std::function<Outcome()> check = {};       ///< in place of kernel and derived
     Departure departure = Departure::none; ///< for Role::printed and Role::both
-    std::string correction;               ///< LaTeX of what holds instead, for a printed form that does not
+    std::string correction = {};               ///< LaTeX of what holds instead, for a printed form that does not
     bool approximation = false;           ///< proved means: the order of the error is proved
     bool special_case = false;            ///< the kernel at special values, where some of its operations do not matter
     std::vector<Step> steps = {};         ///< how the derived side was made

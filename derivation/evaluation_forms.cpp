@@ -37,6 +37,13 @@ const Register registered([] {
          .kernel =
              [&s, values] { return values(evaluation::mode_functions_small_argument(Symbolic(s.R), Symbolic(s.zeta))); },
          .derived = paper_functions},
+        {.id = "evaluation/one-minus-w",
+         .equations = {"28", "29"},
+         .role = Role::shipped,
+         .title = "1 - sqrt(1 - zeta^2) without cancellation, as the half angle takes it",
+         .assumptions = {"0 <= zeta_i < 1"},
+         .kernel = [&s] { return Values{evaluation::one_minus_w<Symbolic>(Symbolic(s.zeta))}; },
+         .derived = [&s] { return std::vector<ex>{1 - s.w}; }},
         {.id = "evaluation/friction-motion",
          .equations = {"40", "A.8", "A.9"},
          .role = Role::shipped,

@@ -66,9 +66,68 @@ const Motion& motion() {
     return m;
 }
 
+ex damping_constant() {
+    static const ex c = new_symbol("c", "c", GiNaC::numeric(1, 5), 2);
+    return c;
+}
+
+/// One row of (6) and the non-dimensional time, through the shipped functions.
+Values non_dimensional_residual() {
+    const Symbols& s = symbols();
+    const Motion& m = motion();
+    const Symbolic omega(s.omega), k_1(s.k_1);
+    const Symbolic displacement = paper::non_dimensional_displacement(Symbolic(s.x), k_1, Symbolic(s.P));
+    return {paper::non_dimensional_mass(Symbolic(s.m_i), omega, k_1) * Symbolic(m.inertia) +
+                paper::non_dimensional_damping(Symbolic(damping_constant()), omega, k_1) * Symbolic(m.damping) +
+                paper::stiffness_ratio(Symbolic(s.k_i), k_1) * displacement +
+                paper::friction_ratio(Symbolic(s.F), Symbolic(s.P)) * Symbolic(m.sgn) - Symbolic(m.load),
+            paper::non_dimensional_time(omega, Symbolic(s.t))};
+}
+
+/// One row of (4), divided by P. d/dt = omega d/dtau; the rates in tau belong to the non-dimensional displacement.
+std::vector<ex> residual_of_4_over_P() {
+    const Symbols& s = symbols();
+    const Motion& m = motion();
+    const ex unit = s.P / s.k_1;
+    const ex x_double_dot = unit * s.omega * s.omega * m.inertia, x_dot = unit * s.omega * m.damping;
+    const ex residual = s.m_i * x_double_dot + damping_constant() * x_dot + s.k_i * s.x + s.F * m.sgn - s.P * m.load;
+    return {residual / s.P, s.omega * s.t};
+}
+
+/// (20) for every mode of a symbolic system; eta, eta', eta'' are the symbols u, g, Re v. Contact on the first mass, load on the last.
+Values modal_equations(int N) {
+    const SymbolicSystem& s = symbolic_system(N);
+    const SymbolicModes m = symbolic_modes(N);
+    Values values;
+    for (int i = 0; i < N; ++i) {
+        const ModeInScene<Symbolic> mode{Symbolic(1) / Symbolic(s.Omega[i]), Symbolic(s.zeta[i]), Symbolic(s.Psi(0, i)),
+                                         Symbolic(s.Psi(N - 1, i))};
+        values.push_back(paper::modal_equation_residual(m.u[i], m.g[i], m.v[i].re, Symbolic(symbols().tau), mode,
+                                                        Symbolic(symbols().beta), Symbolic(symbols().phi_j)));
+    }
+    return values;
+}
+
+/// The transposed modal matrix times what (12) leaves over for x = Psi eta.
+std::vector<ex> derived_modal_equations(int N) {
+    const SymbolicSystem& s = symbolic_system(N);
+    const SymbolicModes m = symbolic_modes(N);
+    matrix eta(N, 1), velocity(N, 1), second(N, 1), load(N, 1);
+    for (int i = 0; i < N; ++i) {
+        eta(i, 0) = m.u[i].expression();
+        velocity(i, 0) = m.g[i].expression();
+        second(i, 0) = m.v[i].re.expression();
+    }
+    load(0, 0) = symbols().beta;
+    load(N - 1, 0) = load(N - 1, 0) + GiNaC::cos(symbols().tau + symbols().phi_j);
+    const matrix residual =
+        s.M.mul(s.Psi).mul(second).add(s.C.mul(s.Psi).mul(velocity)).add(s.K.mul(s.Psi).mul(eta)).sub(load);
+    return expressions(s.Psi.transpose().mul(residual));
+}
+
 const Register registered([] {
     const Symbols& s = symbols();
-    static const ex c = new_symbol("c", "c", GiNaC::numeric(1, 5), 2), sgn_x = new_symbol("sgn_x", "\\mathrm{sgn}\\,x_j", -1, 1);
+    static const ex sgn_x = new_symbol("sgn_x", "\\mathrm{sgn}\\,x_j", -1, 1);
     std::vector<Claim> list{
         {.id = "1/chain",
          .equations = {"1"},
@@ -128,32 +187,26 @@ const Register registered([] {
          .derived = [&s] { return std::vector<ex>{s.k_1 * s.x / s.P}; },
          .departure = Departure::scan,
          .correction = "\\tau = \\omega t, \\qquad \\bar{\\mathbf{x}} = \\frac{k_1}{P}\\mathbf{x}"},
-        {.id = "6/non-dimensional",
-         .equations = {"4", "5", "6", "7", "11"},
+        {.id = "4/dimensional",
+         .equations = {"4", "5"},
          .role = Role::shipped,
-         .title = "The equation of motion (4), divided by P, in tau and the displacement over P / k_1",
+         .title = "The equation of motion (4), divided by P, in tau and the displacement over P / k_1, is (6)",
          .assumptions = {"omega, k_1, P > 0"},
-         .kernel =
-             [&s] {
-                 const Motion& m = motion();
-                 const Symbolic omega(s.omega), k_1(s.k_1);
-                 const Symbolic displacement = paper::non_dimensional_displacement(Symbolic(s.x), k_1, Symbolic(s.P));
-                 return Values{paper::non_dimensional_mass(Symbolic(s.m_i), omega, k_1) * Symbolic(m.inertia) +
-                                   paper::non_dimensional_damping(Symbolic(c), omega, k_1) * Symbolic(m.damping) +
-                                   paper::stiffness_ratio(Symbolic(s.k_i), k_1) * displacement +
-                                   paper::friction_ratio(Symbolic(s.F), Symbolic(s.P)) * Symbolic(m.sgn) - Symbolic(m.load),
-                               paper::non_dimensional_time(omega, Symbolic(s.t))};
-             },
-         .derived =
-             [&s] {
-                 // d/dt = omega d/dtau; the rates in tau belong to the non-dimensional displacement
-                 const Motion& m = motion();
-                 const ex unit = s.P / s.k_1;
-                 const ex x_double_dot = unit * s.omega * s.omega * m.inertia, x_dot = unit * s.omega * m.damping;
-                 const ex residual =
-                     s.m_i * x_double_dot + c * x_dot + s.k_i * s.x + s.F * m.sgn - s.P * m.load;
-                 return std::vector<ex>{residual / s.P, s.omega * s.t};
-             }},
+         .kernel = non_dimensional_residual,
+         .derived = residual_of_4_over_P},
+        {.id = "6/non-dimensional",
+         .equations = {"6", "7", "11"},
+         .title = "The non-dimensional equation with the matrices (7) and the friction ratio (11)",
+         .assumptions = {"omega, k_1, P > 0"},
+         .kernel = non_dimensional_residual,
+         .derived = residual_of_4_over_P},
+        {.id = "12/half-period",
+         .equations = {"12"},
+         .title = "Where the contact moves from its maximum to its minimum, sgn is -1 and friction acts with + beta on the right",
+         .assumptions = {"x_j' < 0 for 0 < tau < pi"},
+         .kernel = [&s] { return Values{paper::friction_force(Symbolic(s.beta), Symbolic(-1))}; },
+         .derived = [&s] { return std::vector<ex>{s.beta}; },
+         .special_case = true},
         {.id = "8/mass-by-ratios",
          .equations = {"8", "9", "10"},
          .title = "Mass ratio and frequency ratio give the non-dimensional mass",
@@ -257,44 +310,20 @@ const Register registered([] {
                                 return values;
                             },
                         .special_case = true});
-        list.push_back({.id = "20/modal-equation" + of_N,
-                        .equations = {"12", "16", "20"},
+        list.push_back({.id = "16/modal-coordinates" + of_N,
+                        .equations = {"16"},
                         .role = Role::shipped,
-                        .title = "Multiplying (12) by the transposed modal matrix gives (20) for every mode",
+                        .title = "Multiplying (12) by the transposed modal matrix uncouples it, with row j for friction and row l for the load",
                         .assumptions = system,
-                        .kernel =
-                            [N] {
-                                const SymbolicSystem& s = symbolic_system(N);
-                                const SymbolicModes m = symbolic_modes(N);
-                                Values values;
-                                for (int i = 0; i < N; ++i) {
-                                    const ModeInScene<Symbolic> mode{Symbolic(1) / Symbolic(s.Omega[i]), Symbolic(s.zeta[i]),
-                                                                     Symbolic(s.Psi(0, i)), Symbolic(s.Psi(N - 1, i))};
-                                    values.push_back(paper::modal_equation_residual(
-                                        m.u[i], m.g[i], m.v[i].re, Symbolic(symbols().tau), mode, Symbolic(symbols().beta),
-                                        Symbolic(symbols().phi_j)));
-                                }
-                                return values;
-                            },
-                        .derived =
-                            [N] {
-                                // contact on the first mass, load on the last; eta, eta', eta'' are the symbols u, g, Re v
-                                const SymbolicSystem& s = symbolic_system(N);
-                                const SymbolicModes m = symbolic_modes(N);
-                                matrix eta(N, 1), rate(N, 1), second(N, 1), load(N, 1);
-                                for (int i = 0; i < N; ++i) {
-                                    eta(i, 0) = m.u[i].expression();
-                                    rate(i, 0) = m.g[i].expression();
-                                    second(i, 0) = m.v[i].re.expression();
-                                }
-                                load(0, 0) = symbols().beta;
-                                load(N - 1, 0) = load(N - 1, 0) + GiNaC::cos(symbols().tau + symbols().phi_j);
-                                const matrix residual = s.M.mul(s.Psi).mul(second)
-                                                            .add(s.C.mul(s.Psi).mul(rate))
-                                                            .add(s.K.mul(s.Psi).mul(eta))
-                                                            .sub(load);
-                                return expressions(s.Psi.transpose().mul(residual));
-                            }});
+                        .kernel = [N] { return modal_equations(N); },
+                        .derived = [N] { return derived_modal_equations(N); },
+                        .special_case = true});
+        list.push_back({.id = "20/modal-equation" + of_N,
+                        .equations = {"20"},
+                        .title = "Every row of the uncoupled equations is (20)",
+                        .assumptions = system,
+                        .kernel = [N] { return modal_equations(N); },
+                        .derived = [N] { return derived_modal_equations(N); }});
         list.push_back({.id = "65/sum-of-squares" + of_N,
                         .equations = {"65"},
                         .title = "The squares of the mode shapes at a mass add up to 1 / (gamma r^2)",

@@ -63,15 +63,24 @@ ex derived_s_d_at_zero() {
     return rate(numerator).subs(s.tau == 0);
 }
 
+const auto shipped_integrand = [](auto&&... arguments) { return paper::s_d_integrand(arguments...); };
+const auto printed_integrand = [](auto&&... arguments) { return as_printed::s_d_integrand(arguments...); };
+
+/// The expression of (57) for N modes, from the template given.
 template <class Integrand>
-Values margin(int N, const Integrand& s_d_integrand) {
-    const Symbols& s = symbols();
+std::vector<Symbolic> integrands(int N, const Integrand& s_d_integrand) {
     const SymbolicModes m = symbolic_modes(N);
     std::vector<Symbolic> values;
-    for (int i = 0; i < N; ++i) values.push_back(s_d_integrand(Symbolic(s.tau), m.R[i], m.zeta[i], m.u[i], m.g[i]));
+    for (int i = 0; i < N; ++i) values.push_back(s_d_integrand(Symbolic(symbols().tau), m.R[i], m.zeta[i], m.u[i], m.g[i]));
+    return values;
+}
+
+Values margin(int N) {
+    const SymbolicModes m = symbolic_modes(N);
     return {paper::sliding_margin(Symbolic(derived_amplitude(N)),
                                   paper::damping_function_of_mass<Symbolic>(m.psi_j, m.psi_j, m.R, m.g),
-                                  paper::sum_over_contact<Symbolic>(m.psi_j, values), Symbolic(s.beta))};
+                                  paper::sum_over_contact<Symbolic>(m.psi_j, integrands(N, shipped_integrand)),
+                                  Symbolic(symbols().beta))};
 }
 
 Complex<Symbolic> V_j() { return {Symbolic(symbols().V_jr), Symbolic(symbols().V_ji)}; }
@@ -101,7 +110,7 @@ const Register registered([] {
          .role = Role::printed,
          .title = "The expression under the maximum as printed, for a system with one mode",
          .assumptions = domain,
-         .kernel = [kernel_arguments] { return kernel_arguments([](auto&&... a) { return as_printed::s_d_integrand(a...); }); },
+         .kernel = [kernel_arguments] { return kernel_arguments(printed_integrand); },
          .derived = s_d,
          .departure = Departure::misprint,
          .correction = "s_{di} = \\sup_{0<\\tau<\\pi}\\frac{1}{\\sin\\tau}\\left\\{(1+g_i)R_iq_i(\\tau) - "
@@ -111,7 +120,7 @@ const Register registered([] {
          .role = Role::shipped,
          .title = "The expression under the maximum, for a system with one mode",
          .assumptions = domain,
-         .kernel = [kernel_arguments] { return kernel_arguments([](auto&&... a) { return paper::s_d_integrand(a...); }); },
+         .kernel = [kernel_arguments] { return kernel_arguments(shipped_integrand); },
          .derived = s_d},
         {.id = "70/printed",
          .equations = {"70"},
@@ -256,12 +265,29 @@ const Register registered([] {
         const std::string of_N = "/N=" + std::to_string(N);
         std::vector<std::string> modes = domain;
         modes.push_back("N = " + std::to_string(N) + " modes");
-        list.push_back({.id = "54/velocity" + of_N,
-                        .equations = {"54", "55", "56"},
+        list.push_back({.id = "56/sum" + of_N,
+                        .equations = {"56"},
                         .role = Role::shipped,
+                        .title = "What X_j + beta G_j has to exceed at one tau is beta times the sum over the modes at that tau",
+                        .assumptions = modes,
+                        .kernel =
+                            [N] {
+                                const SymbolicModes m = symbolic_modes(N);
+                                return Values{paper::sum_over_contact<Symbolic>(m.psi_j, integrands(N, shipped_integrand))};
+                            },
+                        .derived =
+                            [N, &s] {
+                                const SymbolicModes m = symbolic_modes(N);
+                                ex G = 0;
+                                for (int i = 0; i < N; ++i)
+                                    G += GiNaC::pow(m.psi_j[i].expression() * m.R[i].expression(), 2) * m.g[i].expression();
+                                return std::vector<ex>{(derived_amplitude(N) + s.beta * G - derived_margin(N)) / s.beta};
+                            }});
+        list.push_back({.id = "54/velocity" + of_N,
+                        .equations = {"54", "55"},
                         .title = "-x_j' / sin(tau) is X_j + beta G_j - beta S with the sum over the modes at the same tau",
                         .assumptions = modes,
-                        .kernel = [N] { return margin(N, [](auto&&... a) { return paper::s_d_integrand(a...); }); },
+                        .kernel = [N] { return margin(N); },
                         .derived = [N] { return std::vector<ex>{derived_margin(N)}; }});
         list.push_back({.id = "66/load" + of_N,
                         .equations = {"64", "66"},

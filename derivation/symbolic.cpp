@@ -68,6 +68,7 @@ Symbolic atan2(const Symbolic& y, const Symbolic& x) {
 Symbolic sin_pi(const Symbolic& x) { return sin(Symbolic(GiNaC::Pi * x.expression())); }
 Symbolic cos_pi(const Symbolic& x) { return cos(Symbolic(GiNaC::Pi * x.expression())); }
 Symbolic exp_minus_one(const Symbolic& x) { return exp(x) - 1; }
+Symbolic one_minus_w(const Symbolic& zeta) { return 1 - sqrt(1 - zeta * zeta); }
 Symbolic sinhc_minus_one(const Symbolic& x) { return sinh(x) / x - 1; }
 Symbolic one_minus_sinc(const Symbolic& x) { return 1 - sin(x) / x; }
 

@@ -88,6 +88,7 @@ Symbolic atan2(const Symbolic& y, const Symbolic& x);
 Symbolic sin_pi(const Symbolic& x);
 Symbolic cos_pi(const Symbolic& x);
 Symbolic exp_minus_one(const Symbolic& x);
+Symbolic one_minus_w(const Symbolic& zeta);
 Symbolic sinhc_minus_one(const Symbolic& x);
 Symbolic one_minus_sinc(const Symbolic& x);
 /// @}

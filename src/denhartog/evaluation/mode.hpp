@@ -3,7 +3,8 @@
 ///
 /// With \f$ E = e^{-\delta} \f$, \f$ c = \cos(\theta/2) \f$, \f$ s = \sin(\theta/2) \f$ the denominator of (28) and (29) is
 /// \f$ 2E(\cosh\delta+\cos\theta) = (1-E)^2 + 4Ec^2 \f$, a sum of two positive terms: nothing cancels near the poles, and
-/// nothing overflows at small R. The numerator of (29) cancels at large R; there a second form is taken. Every form is
+/// nothing overflows at small R. The half angle is \f$ \pi/(2R) \f$ less \f$ \pi(1-w)/(2R) \f$, so that a small damping ratio is
+/// not rounded away. The numerator of (29) cancels at large R; there a second form is taken. Every form is
 /// branch-free and proved equal to the paper's in `derivation/evaluation_forms.cpp`; only the selection compares numbers.
 #pragma once
 
@@ -33,6 +34,31 @@ template <class T>
     return {a / D, -b / D};
 }
 
+/// @brief What both forms of (28) and (29) are made of.
+template <class T>
+struct HalfAngle {
+    T w;     ///< sqrt(1 - zeta^2)
+    T delta; ///< pi zeta / R
+    T E;     ///< exp(-delta)
+    T s;     ///< sin(theta / 2)
+    T c;     ///< cos(theta / 2)
+};
+
+/// @brief Half angle and decay over the half-period.
+/// \f[ \frac{\theta}{2} = \frac{\pi}{2R} - \frac{\pi(1-w)}{2R}, \qquad \delta = \frac{\pi\zeta}{R} \f]
+/// @eq{28,29}  @derivation{evaluation_forms}  @domain{R > 0, 0 <= zeta < 1}
+/// @param R     modal frequency ratio, Eq. (22)
+/// @param zeta  modal damping ratio
+/// @return      w, delta, exp(-delta), sine and cosine of the half angle
+template <class T>
+[[nodiscard]] HalfAngle<T> half_angle(const T& R, const T& zeta) {
+    const T x = 1 / (2 * R);
+    const T y = one_minus_w(zeta) / (2 * R);
+    const T delta = pi<T>() * zeta / R;
+    return {sqrt(T((1 - zeta) * (1 + zeta))), delta, exp(T(-delta)), sin_pi(x) * cos_pi(y) - cos_pi(x) * sin_pi(y),
+            cos_pi(x) * cos_pi(y) + sin_pi(x) * sin_pi(y)};
+}
+
 /// @brief (28) and (29) in decaying exponentials and half angles.
 /// \f[ u = \frac{4Esc}{R\,w\,[(1-E)^2+4Ec^2]}, \qquad g = \frac{(1-E)(1+E) - 4E\frac{\zeta}{w}sc}{(1-E)^2+4Ec^2} \f]
 /// @eq{28,29}  @derivation{evaluation_forms}  @domain{R > 0, 0 <= zeta < 1; keeps its digits for R below 2}
@@ -41,15 +67,11 @@ template <class T>
 /// @return      v, u, g
 template <class T>
 [[nodiscard]] ModeFunctions<T> mode_functions_half_angle(const T& R, const T& zeta) {
-    const T w = sqrt(T((1 - zeta) * (1 + zeta)));
-    const T delta = pi<T>() * zeta / R;
-    const T s = sin_pi(T(w / (2 * R)));
-    const T c = cos_pi(T(w / (2 * R)));
-    const T E = exp(-delta);
-    const T one_minus_E = -exp_minus_one(T(-delta));
-    const T denominator = one_minus_E * one_minus_E + 4 * E * c * c;
-    return {complex_response(R, zeta), 4 * E * s * c / (R * w * denominator),
-            (one_minus_E * (1 + E) - 4 * E * zeta / w * s * c) / denominator};
+    const HalfAngle<T> h = half_angle(R, zeta);
+    const T E_minus_one = exp_minus_one(T(-h.delta));
+    const T denominator = E_minus_one * E_minus_one + 4 * h.E * h.c * h.c;
+    return {complex_response(R, zeta), 4 * h.E * h.s * h.c / (R * h.w * denominator),
+            -(E_minus_one * (1 + h.E) + 4 * h.E * zeta / h.w * h.s * h.c) / denominator};
 }
 
 /// @brief (28) and (29) where both arguments are small: the numerator of (29) as a sum of two positive terms.
@@ -61,16 +83,12 @@ template <class T>
 /// @return      v, u, g
 template <class T>
 [[nodiscard]] ModeFunctions<T> mode_functions_small_argument(const T& R, const T& zeta) {
-    const T w = sqrt(T((1 - zeta) * (1 + zeta)));
-    const T delta = pi<T>() * zeta / R;
-    const T theta = pi<T>() * w / R;
-    const T s = sin_pi(T(w / (2 * R)));
-    const T c = cos_pi(T(w / (2 * R)));
-    const T E = exp(-delta);
-    const T E_minus_one = exp_minus_one(T(-delta));
-    const T denominator = E_minus_one * E_minus_one + 4 * E * c * c;
-    return {complex_response(R, zeta), 4 * E * s * c / (R * w * denominator),
-            2 * E * delta * (sinhc_minus_one(delta) + one_minus_sinc(theta)) / denominator};
+    const HalfAngle<T> h = half_angle(R, zeta);
+    const T theta = pi<T>() * h.w / R;
+    const T E_minus_one = exp_minus_one(T(-h.delta));
+    const T denominator = E_minus_one * E_minus_one + 4 * h.E * h.c * h.c;
+    return {complex_response(R, zeta), 4 * h.E * h.s * h.c / (R * h.w * denominator),
+            2 * h.E * h.delta * (sinhc_minus_one(h.delta) + one_minus_sinc(theta)) / denominator};
 }
 
 /// @brief \f$ v_{di} \f$, \f$ u_{di} \f$ and \f$ g_i \f$: the form that keeps its digits at this R.

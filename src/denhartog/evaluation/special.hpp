@@ -30,6 +30,12 @@ template <class T>
     return boost::math::expm1(x);
 }
 
+/// @brief \f$ 1 - \sqrt{1-\zeta^2} = \zeta^2/(1+\sqrt{1-\zeta^2}) \f$. @param zeta a number in [0, 1) @return the difference
+template <class T>
+[[nodiscard]] T one_minus_w(const T& zeta) {
+    return zeta * zeta / (1 + sqrt(T((1 - zeta) * (1 + zeta))));
+}
+
 /// @brief Sum of \f$ \sum_{k\ge1} s^{k}/(2k+1)! \f$ with \f$ s = \pm x^2 \f$, for |s| at most 1.
 /// @param s  signed square of the argument
 /// @return   the sum

@@ -1,0 +1,19 @@
+/// @file
+/// @brief Closed form against second witness on the paper's scenes and on seeded ones.
+#pragma once
+
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <string>
+
+namespace denhartog::derivation {
+
+/// @brief Compares the two routes in double and in 50 digits.
+///
+/// The error of a scene is the largest of: displacement at 65 instants, initial displacement and velocity and amplitude of every
+/// mass, each over the amplitude of that mass, and the phase of the mass in contact in radians.
+/// @param progress  called with a line of text before each group
+/// @return  an array, an object a group: group, scenes, worst in double with its scene, worst in 50 digits with its scene, faults
+[[nodiscard]] nlohmann::json agreement_with_second_witness(const std::function<void(const std::string&)>& progress);
+
+} // namespace denhartog::derivation

@@ -1,0 +1,256 @@
+#include "losses.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <sstream>
+
+#include "denhartog/formulas/as_printed.hpp"
+#include "denhartog/formulas/other_masses.hpp"
+#include "denhartog/formulas/superposition.hpp"
+#include "sliding_scenes.hpp"
+
+namespace denhartog::derivation {
+
+namespace {
+
+constexpr int instants = 64;
+
+double instant(int n) { return pi<double>() * n / instants; }
+
+/// The largest amplitude of any mass: what errors of displacements are measured by, so that a mass at rest does not count.
+double largest_amplitude(const SlidingScene& s) {
+    double largest = 0;
+    for (const MassResponse<double>& mass : s.state.masses) largest = std::max(largest, mass.amplitude);
+    return largest;
+}
+
+/// Largest error of the displacement of any mass with (46)'s sum as printed, over the largest amplitude.
+double displacement_error(const SlidingScene& s) {
+    const ModeSums<double>& m = s.sums;
+    const std::span<const double> psi_j = mode_shapes_at(m, m.contact);
+    double worst = 0;
+    for (std::size_t k = 0; k < m.V.size(); ++k) {
+        const std::span<const double> psi_k = mode_shapes_at(m, Mass{k});
+        for (int n = 0; n <= instants; ++n) {
+            const double printed = as_printed::friction_motion_of_mass<double>(instant(n), psi_k, psi_j, m.R, m.zeta, m.u, m.g);
+            const double correct = paper::friction_motion_of_mass<double>(instant(n), psi_k, psi_j, m.R, m.zeta, m.u, m.g);
+            worst = std::max(worst, s.state.beta * std::abs(printed - correct));
+        }
+    }
+    return worst / largest_amplitude(s);
+}
+
+/// Largest error of a quantity of a mode over the half-period, over its largest value.
+double modal_error(const SlidingScene& s, const std::function<std::pair<double, double>(const ModeInScene<double>&,
+                                                                                        const InitialValues<double>&, std::size_t,
+                                                                                        double)>& printed_and_correct) {
+    double worst = 0;
+    for (std::size_t i = 0; i < s.sums.R.size(); ++i) {
+        double error = 0, size = 0;
+        for (int n = 0; n <= instants; ++n) {
+            const auto [printed, correct] = printed_and_correct(mode_of(s, i), start_of_mode(s, i), i, instant(n));
+            error = std::max(error, std::abs(printed - correct));
+            size = std::max(size, std::abs(correct));
+        }
+        if (size > 0) worst = std::max(worst, error / size);
+    }
+    return worst;
+}
+
+/// Largest value over the masses of a relative error.
+double over_masses(const SlidingScene& s, const std::function<double(std::size_t k)>& error) {
+    double worst = 0;
+    for (std::size_t k = 0; k < s.sums.V.size(); ++k) {
+        const double e = error(k);
+        if (std::isnan(e)) return e;
+        worst = std::max(worst, e);
+    }
+    return worst;
+}
+
+double monoharmonic_error(const SlidingScene& s, const std::function<double(std::size_t k)>& printed) {
+    return over_masses(s, [&](std::size_t k) {
+        return std::abs(printed(k) - s.state.masses[k].amplitude_monoharmonic) / largest_amplitude(s);
+    });
+}
+
+/// Relative error of a boundary, with a sum S of one's own in (69).
+double boundary_error(const SlidingScene& s, double S, double correct) {
+    const ModeSums<double>& m = s.sums;
+    const std::size_t j = m.contact.index;
+    const double demand = std::max(S, paper::static_friction_demand(m.H_j, s.mu, m.sum_of_squares));
+    return std::abs(paper::friction_ratio_limit(m.V[j], m.U[j], demand) - correct) / correct;
+}
+
+/// Whether every mode of the scene meets (63) on its own at a friction ratio.
+bool every_mode_meets_63(const SlidingScene& s, double beta) {
+    SlidingScene at = s;
+    const ModeSums<double>& m = s.sums;
+    const std::size_t j = m.contact.index;
+    at.state.beta = beta;
+    at.state.phi_j = paper::phase_of_contact(m.V[j], m.U[j], beta);
+    for (std::size_t i = 0; i < m.R.size(); ++i) {
+        const ModeInScene<double> mode = mode_of(at, i);
+        const double load = paper::modal_contact_load_by_functions(mode, start_of_mode(at, i).eta_0, m.u[i], m.g[i], beta);
+        if (std::abs(load) <= mode.psi_ji * s.mu * beta) return false;
+    }
+    return true;
+}
+
+/// Relative error of the boundary (67) where (63) is asked of every mode: the first friction ratio, in steps of 1/256 of (67), at
+/// which a mode fails.
+double mode_by_mode_error(const SlidingScene& s) {
+    const std::size_t j = s.sums.contact.index;
+    const double limit = paper::friction_ratio_limit(s.sums.V[j], s.sums.U[j],
+                                                     paper::static_friction_demand(s.sums.H_j, s.mu, s.sums.sum_of_squares));
+    for (int n = 1; n < 256; ++n)
+        if (!every_mode_meets_63(s, limit * n / 256)) return 1 - n / 256.0;
+    return 0;
+}
+
+/// Relative error of the boundary by (58) and "(67) or (68)" with (68) as printed: where (68) begins below (58), (58) alone is left.
+double error_with_68(const SlidingScene& s) {
+    const ModeSums<double>& m = s.sums;
+    const std::size_t j = m.contact.index;
+    const double by_58 = paper::friction_ratio_limit(m.V[j], m.U[j], s.boundary.S_exact);
+    const double by_68 = paper::friction_ratio_limit(m.V[j], m.U[j], m.H_j - s.mu * m.sum_of_squares);
+    return by_68 < by_58 ? by_58 / s.boundary.exact - 1 : 0;
+}
+
+struct Measure {
+    std::string quantity;
+    std::function<double(const SlidingScene&)> error;
+};
+
+const std::map<std::string, Measure>& measures() {
+    static const Measure displacement{"displacement of a mass, relative to the largest amplitude", displacement_error};
+    static const Measure modal_displacement{
+        "modal displacement, relative to its largest value", [](const SlidingScene& s) {
+            return modal_error(s, [&s](const ModeInScene<double>& m, const InitialValues<double>& start, std::size_t i, double tau) {
+                return std::pair(as_printed::modal_displacement(tau, m, start, s.sums.u[i], s.sums.g[i], s.state.beta),
+                                 paper::modal_displacement(tau, m, start, s.sums.u[i], s.sums.g[i], s.state.beta));
+            });
+        }};
+    static const Measure sum_of_maxima{"friction ratio at the boundary (69) with (56), relative", [](const SlidingScene& s) {
+                                           return (s.boundary.exact - s.boundary.paper) / s.boundary.exact;
+                                       }};
+    static const Measure mode_by_mode{"friction ratio at the boundary (67) where the condition is asked of every mode, relative",
+                                      mode_by_mode_error};
+    static const std::map<std::string, Measure> all{
+        {"40", modal_displacement},
+        {"A.15", modal_displacement},
+        {"41", displacement},
+        {"46", displacement},
+        {"A.7", {"modal velocity, relative to its largest value",
+                 [](const SlidingScene& s) {
+                     return modal_error(s, [&s](const ModeInScene<double>& m, const InitialValues<double>& start, std::size_t,
+                                                double tau) {
+                         return std::pair(as_printed::modal_velocity_from_start(tau, m, start, s.state.beta, s.state.phi_j),
+                                          paper::modal_velocity_from_start(tau, m, start, s.state.beta, s.state.phi_j));
+                     });
+                 }}},
+        {"44", {"initial displacement of a mass, relative to the largest amplitude",
+                [](const SlidingScene& s) {
+                    return over_masses(s, [&s](std::size_t k) {
+                        const std::size_t j = s.sums.contact.index;
+                        const double printed = as_printed::initial_displacement(s.sums.V[k], s.sums.V[j], s.sums.U[j], s.sums.G[k],
+                                                                                s.state.beta);
+                        return std::abs(printed - s.state.masses[k].x0) / largest_amplitude(s);
+                    });
+                }}},
+        {"45", {"initial velocity of a mass, relative to the largest amplitude",
+                [](const SlidingScene& s) {
+                    return over_masses(s, [&s](std::size_t k) {
+                        const std::size_t j = s.sums.contact.index;
+                        const double printed =
+                            as_printed::initial_velocity(s.sums.V[k], s.sums.V[j], s.sums.U[j], s.sums.U[k], s.state.beta);
+                        return std::abs(printed - s.state.masses[k].v0) / largest_amplitude(s);
+                    });
+                }}},
+        {"50", {"monoharmonic amplitude of a mass from (50) and (51), relative to the largest amplitude",
+                [](const SlidingScene& s) {
+                    return monoharmonic_error(s, [&s](std::size_t k) {
+                        const std::size_t j = s.sums.contact.index;
+                        return std::hypot(as_printed::monoharmonic_cosine(s.sums.V[k], s.sums.V[j], s.sums.U[j], s.sums.G[k],
+                                                                          s.state.beta),
+                                          s.state.masses[k].v0);
+                    });
+                }}},
+        {"52", {"monoharmonic amplitude of a mass, relative to the largest amplitude",
+                [](const SlidingScene& s) {
+                    return monoharmonic_error(s, [&s](std::size_t k) {
+                        const std::size_t j = s.sums.contact.index;
+                        return as_printed::displacement_transmissibility(s.sums.V[k], s.sums.V[j], s.sums.U[j], s.sums.U[k],
+                                                                         s.sums.G[k], s.state.beta);
+                    });
+                }}},
+        {"56", sum_of_maxima},
+        {"69", sum_of_maxima},
+        {"59", mode_by_mode},
+        {"63", mode_by_mode},
+        {"68", {"friction ratio at the end of the sliding regime by (58) and \"(67) or (68)\", relative", error_with_68}},
+        {"57", {"friction ratio at the boundary (69), relative; the printed maximum is taken over 999 instants, as it has none",
+                [](const SlidingScene& s) {
+                    double S = 0;
+                    for (std::size_t i = 0; i < s.sums.R.size(); ++i) {
+                        double largest = -INFINITY;
+                        for (int n = 1; n < 1000; ++n)
+                            largest = std::max(largest, as_printed::s_d_integrand(pi<double>() * n / 1000, s.sums.R[i],
+                                                                                  s.sums.zeta[i], s.sums.u[i], s.sums.g[i]));
+                        S += std::pow(mode_of(s, i).psi_ji, 2) * largest;
+                    }
+                    return boundary_error(s, S, s.boundary.exact);
+                }}},
+        {"70", {"friction ratio at the boundary (67), mu = 1, with S_dj from (70) at tau = 1e-6 in place of (72), relative",
+                [](const SlidingScene& s) {
+                    double S = 0;
+                    for (std::size_t i = 0; i < s.sums.R.size(); ++i)
+                        S += std::pow(mode_of(s, i).psi_ji, 2) *
+                             as_printed::s_d_expansion(1e-6, s.sums.R[i], s.sums.zeta[i], s.sums.u[i], s.sums.g[i]);
+                    const std::size_t j = s.sums.contact.index;
+                    const double correct = paper::friction_ratio_limit(
+                        s.sums.V[j], s.sums.U[j], paper::static_friction_demand(s.sums.H_j, 1.0, s.sums.sum_of_squares));
+                    return std::abs(paper::friction_ratio_limit(s.sums.V[j], s.sums.U[j], S) - correct) / correct;
+                }}},
+    };
+    return all;
+}
+
+} // namespace
+
+std::optional<Loss> loss_of(const std::string& equation) {
+    const auto found = measures().find(equation);
+    if (found == measures().end()) return std::nullopt;
+    Loss loss;
+    loss.quantity = found->second.quantity;
+    for (const SlidingScene& scene : sliding_scenes()) {
+        ++loss.scenes;
+        const double error = found->second.error(scene);
+        if (!std::isfinite(error)) {
+            ++loss.without_value;
+            continue;
+        }
+        double& worst = scene.of_the_paper ? loss.on_paper : loss.on_others;
+        if (error > worst) {
+            worst = error;
+            (scene.of_the_paper ? loss.paper_scene : loss.other_scene) = scene.name;
+        }
+    }
+    return loss;
+}
+
+std::string sentence(const Loss& loss) {
+    std::ostringstream text;
+    text.precision(3);
+    text << loss.quantity << ": worst error " << loss.on_paper << " over the paper's scenes";
+    if (!loss.paper_scene.empty()) text << " (" << loss.paper_scene << ")";
+    text << ", " << loss.on_others << " over asymmetric ones";
+    if (!loss.other_scene.empty()) text << " (" << loss.other_scene << ")";
+    text << ", " << loss.scenes << " scenes";
+    if (loss.without_value > 0) text << "; no real value in " << loss.without_value << " of them";
+    return text.str();
+}
+
+} // namespace denhartog::derivation

@@ -1,0 +1,116 @@
+// The derivation program: `run` decides every claim and writes what it found, `join` brings in the results of the tests, `status`
+// puts the counts into README.
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <sstream>
+#include <unistd.h>
+
+#include "agreement.hpp"
+#include "derivation/ledger_join.hpp"
+#include "derivation/ledger_rows.hpp"
+#include "report.hpp"
+#include "run.hpp"
+
+using namespace denhartog::derivation;
+using nlohmann::json;
+namespace fs = std::filesystem;
+
+namespace {
+
+void write(const fs::path& file, const std::string& content) {
+    const fs::path part = file.string() + ".part";
+    {
+        std::ofstream out(part, std::ios::binary);
+        out << content << std::flush;
+        if (!out) throw std::runtime_error("cannot write " + file.string());
+    }
+    fs::rename(part, file);
+}
+
+std::string read(const fs::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    std::ostringstream content;
+    content << in.rdbuf();
+    if (!in) throw std::runtime_error("cannot read " + file.string());
+    return content.str();
+}
+
+/// Joins the ledger from what a run left in a folder, writes it with the report, prints the summary.
+ReportParts join(const fs::path& folder, const fs::path& source, const fs::path& results) {
+    const json found = json::parse(read(folder / "run.json"));
+    LedgerParts parts;
+    parts.rows = read_rows(source / "docs/ledger/equations.json");
+    parts.functions = functions_of_sources(source / "src");
+    parts.declared = tests_of_sources(source / "tests");
+    parts.results = read_test_results(results);
+    parts.claims = claims_from_json(found.at("claims"));
+    const JoinedLedger ledger = join_ledger(parts);
+    ReportParts report{ledger.entries, ledger.summary, found.at("mutants"), found.at("agreement"), found.at("faults")};
+    for (const std::string& fault : faults_of_rows(parts.rows)) report.faults.push_back(fault);
+    for (const std::string& fault : ledger.faults) report.faults.push_back(fault);
+    write(folder / "ledger.json", ledger.entries.dump(1) + "\n");
+    write(folder / "report.md", report_markdown(report));
+    write(folder / "status.md", status_markdown(report));
+    std::cout << summary_text(report) << "The report is in " << (folder / "report.md").string() << "\n";
+    return report;
+}
+
+void run(const fs::path& folder, bool progress_lines) {
+    const auto progress = [progress_lines](const std::string& line) {
+        if (progress_lines) std::cerr << "\r\033[K" << line << std::flush;
+    };
+    fs::create_directories(folder);
+    Run found = run_claims(progress);
+    const json agreement = agreement_with_second_witness(progress);
+    if (progress_lines) std::cerr << "\r\033[K";
+    for (const json& group : agreement)
+        if (!group.at("agrees").get<bool>())
+            found.faults.push_back("closed form and second witness disagree on " + group.at("group").get<std::string>());
+    write(folder / "derivation.json", found.record.dump(1) + "\n");
+    write(folder / "run.json", json{{"claims", to_json(found.claims)},
+                                    {"mutants", found.mutants},
+                                    {"agreement", agreement},
+                                    {"faults", found.faults}}
+                                       .dump(1) +
+                                   "\n");
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    CLI::App app{"Derives the paper's equations from its equation of motion and checks the shipped formulas against them"};
+    app.require_subcommand(1);
+    std::string folder, source = DENHARTOG_SOURCE, results, readme;
+    bool check = false;
+    CLI::App* run_command = app.add_subcommand("run", "decide every claim, try its mutated twins, compare with the second witness");
+    CLI::App* join_command = app.add_subcommand("join", "join the ledger again, with the results of the tests");
+    CLI::App* status_command = app.add_subcommand("status", "put the counts of the last run into README");
+    for (CLI::App* command : {run_command, join_command, status_command})
+        command->add_option("--output", folder, "folder of the run")->required();
+    for (CLI::App* command : {run_command, join_command}) {
+        command->add_option("--source", source, "the source tree")->capture_default_str();
+        command->add_option("--test-results", results, "folder with the XML results of the tests");
+    }
+    status_command->add_option("--readme", readme, "the file with the marks of the status")->required();
+    status_command->add_flag("--check", check, "say whether it is up to date, and change nothing");
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& e) {
+        return app.exit(e) == 0 ? 0 : 2;
+    }
+    try {
+        if (*status_command) {
+            const std::string text = read(readme), now = with_status(text, read(fs::path(folder) / "status.md"));
+            if (!check) write(readme, now);
+            else if (now != text) std::cerr << readme << " does not show what the last run found\n";
+            return check && now != text ? 1 : 0;
+        }
+        if (*run_command) run(folder, ::isatty(STDERR_FILENO) != 0);
+        return join(folder, source, results).faults.empty() ? 0 : 1;
+    } catch (const std::exception& e) {
+        std::cerr << "derivation: " << e.what() << "\n";
+        return 1;
+    }
+}

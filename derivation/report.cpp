@@ -1,0 +1,164 @@
+#include "report.hpp"
+
+#include <cmath>
+#include <iomanip>
+#include <sstream>
+#include <stdexcept>
+
+namespace denhartog::derivation {
+
+using nlohmann::json;
+
+namespace {
+
+std::string scientific(double x) {
+    std::ostringstream out;
+    out << std::setprecision(2) << std::scientific << x;
+    return out.str();
+}
+
+/// Whole digits on which two routes agree.
+int digits(double error) { return error > 0 ? static_cast<int>(std::floor(-std::log10(error))) : 99; }
+
+std::string counts(const json& counted) {
+    std::string text;
+    for (const auto& [word, number] : counted.items())
+        if (number != 0) text += (text.empty() ? "" : ", ") + std::to_string(number.get<long>()) + " " + word;
+    return text;
+}
+
+std::string loss_text(const json& entry) {
+    return entry.at("loss").is_null() ? "no loss to measure" : "loss " + scientific(entry.at("loss"));
+}
+
+std::string mutants_text(const json& m) {
+    std::ostringstream text;
+    text << m.at("refuted") << " of " << m.at("refuted").get<long>() + m.at("without_value").get<long>() + m.at("unknown").get<long>() + m.at("proved").get<long>()
+         << " mutated twins of " << m.at("claims") << " claims refuted, " << m.at("without_value") << " without a value (division by zero), "
+         << m.at("unknown") << " unknown, " << m.at("proved") << " wrongly proved";
+    return text.str();
+}
+
+/// A claim's witness in one line.
+std::string witness_text(const json& witness) {
+    std::string text;
+    for (const auto& [name, value] : witness.items())
+        text += (text.empty() ? "" : ", ") + name + " = " + (value.is_string() ? value.get<std::string>() : value.dump());
+    return text;
+}
+
+/// Observations of the paper's text, gathered from the equations they belong to.
+std::vector<json> observations(const json& entries) {
+    std::vector<json> found;
+    for (const json& entry : entries)
+        for (const json& claim : entry.at("claims")) {
+            const std::string id = claim.at("id");
+            if (!id.ends_with("/text")) continue;
+            bool known = false;
+            for (const json& other : found) known = known || other.at("id") == id;
+            if (!known) found.push_back(claim);
+        }
+    return found;
+}
+
+} // namespace
+
+std::string summary_text(const ReportParts& p) {
+    std::ostringstream out;
+    out << "Ledger: " << p.summary.at("equations") << " numbered equations\n"
+        << "  as printed: " << counts(p.summary.at("printed")) << "\n"
+        << "  as shipped: " << counts(p.summary.at("shipped")) << "\n"
+        << "  departures: " << counts(p.summary.at("departure")) << "\n"
+        << "  claims:     " << counts(p.summary.at("claims")) << "\n"
+        << "  mutants:    " << mutants_text(p.mutants) << "\n\nRefuted as printed:\n";
+    for (const json& entry : p.entries)
+        if (entry.at("printed") == "refuted")
+            out << "  (" << entry.at("equation").get<std::string>() << ") " << entry.at("departure").get<std::string>() << ", "
+                << loss_text(entry) << "; shipped form " << entry.at("shipped").get<std::string>()
+                << "\n      holds: " << entry.at("correction").get<std::string>() << "\n";
+    out << "\nObservations of the text:\n";
+    for (const json& claim : observations(p.entries))
+        out << "  " << claim.at("verdict").get<std::string>() << ": " << claim.at("what").get<std::string>() << "\n";
+    out << "\nClosed form against second witness, largest relative difference:\n";
+    for (const json& group : p.agreement)
+        out << "  " << std::left << std::setw(34) << group.at("group").get<std::string>() << std::right << std::setw(5)
+            << group.at("scenes").get<long>() << " scenes   double " << scientific(group.at("double").at("worst")) << "   50 digits "
+            << scientific(group.at("50 digits").at("worst")) << (group.at("agrees") ? "" : "   RED") << "\n";
+    out << "\n";
+    for (const json& fault : p.faults) out << "RED: " << fault.get<std::string>() << "\n";
+    out << (p.faults.empty() ? "All green.\n" : std::to_string(p.faults.size()) + " red.\n");
+    return out.str();
+}
+
+std::string report_markdown(const ReportParts& p) {
+    std::ostringstream out;
+    out << "# What the derivation found\n\nWritten by `./verify paper`.\n\n"
+        << "| | |\n|---|---|\n| numbered equations | " << p.summary.at("equations") << " |\n| as printed | "
+        << counts(p.summary.at("printed")) << " |\n| as shipped | " << counts(p.summary.at("shipped")) << " |\n| departures | "
+        << counts(p.summary.at("departure")) << " |\n| claims | " << counts(p.summary.at("claims")) << " |\n| mutated twins | "
+        << mutants_text(p.mutants) << " |\n\n";
+    if (!p.faults.empty()) {
+        out << "## Red\n\n";
+        for (const json& fault : p.faults) out << "- " << fault.get<std::string>() << "\n";
+        out << "\n";
+    }
+    out << "## Refuted as printed\n\n";
+    for (const json& entry : p.entries) {
+        if (entry.at("printed") != "refuted") continue;
+        out << "### (" << entry.at("equation").get<std::string>() << "), Section " << entry.at("section").get<std::string>() << ": "
+            << entry.at("departure").get<std::string>() << "\n\nPrinted:\n\n$$" << entry.at("statement").get<std::string>()
+            << "$$\n\nHolds (" << entry.at("shipped").get<std::string>() << "):\n\n$$" << entry.at("correction").get<std::string>()
+            << "$$\n\nWitness: " << witness_text(entry.at("witness")) << "\n\n";
+        const std::string consequence = entry.value("consequence", "");
+        out << "Coded as printed: " << (consequence.empty() ? "no loss to measure" : consequence) << ".\n\n";
+    }
+    out << "## Observations of the text\n\n";
+    for (const json& claim : observations(p.entries))
+        out << "- **" << claim.at("verdict").get<std::string>() << "**: " << claim.at("what").get<std::string>() << ". "
+            << witness_text(claim.value("witness", json::object())) << "\n";
+    out << "\n## Closed form against second witness\n\nLargest difference of displacements, initial values, amplitudes (relative) and "
+           "phase (radians).\n\n| system | scenes | double | 50 digits | worst scene in double |\n|---|---|---|---|---|\n";
+    for (const json& group : p.agreement)
+        out << "| " << group.at("group").get<std::string>() << " | " << group.at("scenes") << " | "
+            << scientific(group.at("double").at("worst")) << " | " << scientific(group.at("50 digits").at("worst")) << " | "
+            << group.at("double").at("scene").get<std::string>() << " |\n";
+    out << "\n## All equations\n\n| equation | section | kind | printed | shipped | departure | claims |\n|---|---|---|---|---|---|---|\n";
+    for (const json& entry : p.entries)
+        out << "| (" << entry.at("equation").get<std::string>() << ") | " << entry.at("section").get<std::string>() << " | "
+            << entry.at("kind").get<std::string>() << " | " << entry.at("printed").get<std::string>() << " | "
+            << entry.at("shipped").get<std::string>() << " | " << entry.at("departure").get<std::string>() << " | "
+            << entry.at("claims").size() << " |\n";
+    return out.str();
+}
+
+std::string status_markdown(const ReportParts& p) {
+    std::ostringstream out;
+    out << "| | |\n|---|---|\n| numbered equations | " << p.summary.at("equations") << " |\n| as printed | "
+        << counts(p.summary.at("printed")) << " |\n| as shipped | " << counts(p.summary.at("shipped")) << " |\n| departures | "
+        << counts(p.summary.at("departure")) << " |\n| mutated twins | " << mutants_text(p.mutants) << " |\n| refuted as printed | ";
+    bool first = true;
+    for (const json& equation : p.summary.at("refuted")) {
+        out << (first ? "" : ", ") << "(" << equation.get<std::string>() << ")";
+        first = false;
+    }
+    long scenes = 0;
+    double in_double = 0, in_50 = 0;
+    for (const json& group : p.agreement) {
+        scenes += group.at("scenes").get<long>();
+        in_double = std::max(in_double, group.at("double").at("worst").get<double>());
+        in_50 = std::max(in_50, group.at("50 digits").at("worst").get<double>());
+    }
+    out << " |\n| closed form against second witness | " << scenes << " of the paper's scenes: " << digits(in_double)
+        << " digits in double, " << digits(in_50) << " in 50 digits |\n";
+    return out.str();
+}
+
+std::string with_status(const std::string& text, const std::string& status) {
+    const std::string begin = "<!-- status -->\n", end = "<!-- /status -->";
+    const std::size_t from = text.find(begin), to = text.find(end);
+    if (from == std::string::npos || to == std::string::npos || to < from)
+        throw std::invalid_argument("the marks of the status are missing");
+    return text.substr(0, from + begin.size()) + status + text.substr(to);
+}
+
+} // namespace denhartog::derivation

@@ -1,0 +1,35 @@
+/// @file
+/// @brief What a run says to a reader: the summary on the terminal, the report, and the status that README carries.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+namespace denhartog::derivation {
+
+/// @brief Everything a report is written from.
+struct ReportParts {
+    nlohmann::json entries;   ///< the ledger, an object an equation
+    nlohmann::json summary;   ///< its counts
+    nlohmann::json mutants;   ///< counts of the mutated twins
+    nlohmann::json agreement; ///< closed form against second witness
+    nlohmann::json faults;    ///< sentences; empty where all is green
+};
+
+/// @brief The summary for a terminal. @param parts the parts @return lines of text
+[[nodiscard]] std::string summary_text(const ReportParts& parts);
+
+/// @brief The report, Markdown with formulas between dollar signs. @param parts the parts @return the text
+[[nodiscard]] std::string report_markdown(const ReportParts& parts);
+
+/// @brief The status for README: counts and digits, nothing that changes from run to run. @param parts the parts @return lines
+[[nodiscard]] std::string status_markdown(const ReportParts& parts);
+
+/// @brief Puts a status between the two marks `<!-- status -->` and `<!-- /status -->` of a text.
+/// @param text    the text
+/// @param status  the status
+/// @return        the text with the status
+/// @throws        std::invalid_argument where the marks are missing
+[[nodiscard]] std::string with_status(const std::string& text, const std::string& status);
+
+} // namespace denhartog::derivation

@@ -1,0 +1,51 @@
+#include "sliding_scenes.hpp"
+
+#include "denhartog/errors.hpp"
+#include "denhartog/formulas/modal_coordinate.hpp"
+#include "denhartog/model/modal_basis.hpp"
+
+namespace denhartog::derivation {
+
+namespace {
+
+/// Adds the scene at a friction ratio, or at a fraction of the boundary; passes over what does not slide.
+void add(std::vector<SlidingScene>& list, const std::string& name, bool of_the_paper, const Scene<double>& scene,
+         double fraction) {
+    try {
+        ModalBasis<double> basis = modal_basis(scene.system);
+        ModeSums<double> sums = mode_sums(basis, scene.system.contact, scene.system.load, *scene.r);
+        Boundary<double> limit = boundary(sums, scene.mu);
+        const double beta = scene.beta ? *scene.beta : friction_ratio_at(fraction, limit.exact);
+        if (!(beta > 0 && beta < limit.exact)) return;
+        SteadyState<double> state = steady_state(sums, limit, beta);
+        list.push_back({name, of_the_paper, scene.mu, std::move(basis), std::move(sums), std::move(limit), std::move(state)});
+    } catch (const DomainError&) { // a pole of (23), (28) or (29) without damping
+    }
+}
+
+} // namespace
+
+const std::vector<SlidingScene>& sliding_scenes() {
+    static const std::vector<SlidingScene> scenes = [] {
+        std::vector<SlidingScene> list;
+        for (const NamedScene<double>& named : paper_scenes<double>()) add(list, named.name, true, named.scene, 0);
+        for (const RandomScene<double>& random : random_scenes<double>(seed_of_scenes))
+            add(list, random.name, false, random.scene, random.fraction_of_limit);
+        return list;
+    }();
+    return scenes;
+}
+
+ModeInScene<double> mode_of(const SlidingScene& scene, std::size_t i) {
+    const ModeSums<double>& s = scene.sums;
+    return {s.R[i], s.zeta[i], mode_shapes_at(s, s.contact)[i], mode_shapes_at(s, s.load)[i]};
+}
+
+InitialValues<double> start_of_mode(const SlidingScene& scene, std::size_t i) {
+    const ModeInScene<double> m = mode_of(scene, i);
+    const double beta = scene.state.beta;
+    return {m.psi_li * m.R * m.R * times_cosine(scene.sums.v[i], scene.state.phi_j) - m.psi_ji * m.R * m.R * scene.sums.g[i] * beta,
+            -m.psi_li * m.R * m.R * times_sine(scene.sums.v[i], scene.state.phi_j) - m.psi_ji * m.R * m.R * scene.sums.u[i] * beta};
+}
+
+} // namespace denhartog::derivation
