@@ -2,7 +2,6 @@
 /// @brief The modal basis of a chain and of a general system.
 #include "denhartog/model/modal_basis.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <atomic>
 #include <cmath>
 #include <limits>
@@ -14,6 +13,7 @@
 #include "denhartog/model/cholesky.hpp"
 #include "denhartog/model/modal_damping.hpp"
 #include "denhartog/model/number_text.hpp"
+#include "denhartog/model/symmetric_eigenproblem.hpp"
 #include "denhartog/multiprecision.hpp"
 
 namespace denhartog {
@@ -93,21 +93,17 @@ ModalBasis<T> chain_basis(const std::vector<T>& gamma, const std::vector<T>& kap
 template <class T>
 ModalBasis<T> general_basis(const Matrix<T>& L, const Matrix<T>& K) {
     const Eigen::Index N = K.rows();
-    const auto lower = L.template triangularView<Eigen::Lower>();
-    const Matrix<T> half = lower.solve(K);
-    const Matrix<T> A = lower.solve(Matrix<T>(half.transpose()));
-    const Eigen::SelfAdjointEigenSolver<Matrix<T>> solved(A);
+    const SymmetricEigenproblem<T> solved = symmetric_eigenproblem(divide_out(L, K));
     ++eigen_solve_count;
-    if (solved.info() != Eigen::Success) throw PrecisionError("the natural frequencies of the system did not converge");
-    const T lowest = solved.eigenvalues()(0);
-    const T highest = solved.eigenvalues()(N - 1);
+    const T lowest = solved.values.front();
+    const T highest = solved.values.back();
     if (!(lowest > std::numeric_limits<T>::epsilon() * static_cast<int>(N) * highest))
         throw InputError("stiffness_matrix", "must be positive definite",
                          "singular to working precision: squared natural frequency ratio 1 comes out as " +
                              number_to_text(lowest));
     ModalBasis<T> basis{std::vector<T>(static_cast<std::size_t>(N)), Matrix<T>(N, N), {}};
-    for (Eigen::Index i = 0; i < N; ++i) basis.r_n[static_cast<std::size_t>(i)] = sqrt(T(solved.eigenvalues()(i)));
-    basis.phi = L.transpose().template triangularView<Eigen::Upper>().solve(solved.eigenvectors());
+    for (std::size_t i = 0; i < basis.r_n.size(); ++i) basis.r_n[i] = sqrt(solved.values[i]);
+    basis.phi = L.transpose().template triangularView<Eigen::Upper>().solve(solved.vectors);
     return basis;
 }
 

@@ -2,7 +2,6 @@
 /// @brief Modal damping ratios from a damping matrix.
 #include "denhartog/model/modal_damping.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -10,6 +9,7 @@
 
 #include "denhartog/errors.hpp"
 #include "denhartog/model/number_text.hpp"
+#include "denhartog/model/symmetric_eigenproblem.hpp"
 #include "denhartog/multiprecision.hpp"
 
 namespace denhartog {
@@ -20,13 +20,6 @@ std::string short_text(const T& x) {
     char text[32];
     std::snprintf(text, sizeof text, "%.3g", static_cast<double>(x));
     return text;
-}
-
-/// L^-1 X L^-T.
-template <class T>
-Matrix<T> divide_out(const Matrix<T>& L, const Matrix<T>& X) {
-    const Matrix<T> half = L.template triangularView<Eigen::Lower>().solve(X);
-    return L.template triangularView<Eigen::Lower>().solve(Matrix<T>(half.transpose()));
 }
 
 template <class T>
@@ -54,8 +47,8 @@ void turn_coinciding_modes(const Matrix<T>& C, const T& tolerance, ModalBasis<T>
         if (last == first) continue;
         const auto columns = basis.phi.middleCols(first, last - first + 1);
         const Matrix<T> within = columns.transpose() * C * columns;
-        const Eigen::SelfAdjointEigenSolver<Matrix<T>> solved(Matrix<T>((within + within.transpose()) / T(2)));
-        const Matrix<T> turned = columns * solved.eigenvectors();
+        const SymmetricEigenproblem<T> solved = symmetric_eigenproblem(Matrix<T>((within + within.transpose()) / T(2)));
+        const Matrix<T> turned = columns * solved.vectors;
         basis.phi.middleCols(first, last - first + 1) = turned;
     }
 }

@@ -1,0 +1,22 @@
+/// @file
+/// @brief Answers as JSON objects, the keys in the order of the documentation.
+#pragma once
+
+#include "denhartog/program/number_json.hpp"
+#include "denhartog/response/answer.hpp"
+
+namespace denhartog::program {
+
+/// @brief An answer to `response`: regime, boundary, method and, in the sliding regime, every mass.
+/// @param answer  the answer, with beta
+/// @param write   how numbers are written
+/// @return        the object; fields that mean nothing in the regime are absent
+[[nodiscard]] Json response_json(const Answer& answer, const NumberWriter& write);
+
+/// @brief An answer to `boundary`: the friction ratios that bound the regimes, and the condition that binds.
+/// @param answer  the answer, without beta
+/// @param write   how numbers are written
+/// @return        the object
+[[nodiscard]] Json boundary_json(const Answer& answer, const NumberWriter& write);
+
+} // namespace denhartog::program

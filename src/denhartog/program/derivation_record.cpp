@@ -1,0 +1,93 @@
+#include "denhartog/program/derivation_record.hpp"
+
+#include <filesystem>
+
+#include "denhartog/errors.hpp"
+#include "denhartog/program/ledger.hpp"
+
+namespace denhartog::ledger {
+
+namespace {
+
+void check_record(const Json& record, const std::string& file) {
+    for (const Json& claim : record) {
+        const auto fail = [&](const std::string& key) {
+            throw InputError("the derivation's claim " + (claim.contains("claim") ? claim.at("claim").dump() : "without name"),
+                             "must have the key", key, file);
+        };
+        for (const char* key : {"claim", "equation", "title", "verdict"})
+            if (!claim.contains(key) || !claim.at(key).is_string()) fail(key);
+        for (const char* key : {"assumptions", "steps"})
+            if (!claim.contains(key) || !claim.at(key).is_array()) fail(key);
+        for (const Json& step : claim.at("steps"))
+            if (!step.is_object() || !step.contains("text") || !step.contains("latex")) fail("steps with text and latex");
+    }
+}
+
+/// Text with the characters that LaTeX reads as commands made plain.
+std::string plain_in_latex(const std::string& text) {
+    std::string plain;
+    for (const char c : text) {
+        if (c == '\\')
+            plain += "\\textbackslash{}";
+        else if (c == '^')
+            plain += "\\textasciicircum{}";
+        else if (c == '~')
+            plain += "\\textasciitilde{}";
+        else if (std::string("{}_&%$#").find(c) != std::string::npos)
+            plain += std::string("\\") + c;
+        else
+            plain += c;
+    }
+    return plain;
+}
+
+} // namespace
+
+Json read_derivation(const std::string& option, const std::string& environment, const std::string& built) {
+    const std::string file = !option.empty() ? option : !environment.empty() ? environment : built;
+    if (option.empty() && environment.empty() && !std::filesystem::exists(built))
+        throw InputError("the derivation's record", "must be there: ./verify paper writes it", "", built);
+    const Json record = read_array(file, "the derivation's record");
+    check_record(record, file);
+    return record;
+}
+
+std::string derivation_as_text(const Json& claims, const std::string& equation) {
+    if (claims.empty()) return "The derivation has no step on equation (" + equation + ").\n";
+    std::string text;
+    for (const Json& claim : claims) {
+        text += (text.empty() ? "(" : "\n(") + claim.at("equation").get<std::string>() + ")  " +
+                claim.at("title").get<std::string>() + "\n    claim " + claim.at("claim").get<std::string>() + ": " +
+                claim.at("verdict").get<std::string>() + "\n";
+        for (const Json& assumption : claim.at("assumptions")) text += "    where " + assumption.get<std::string>() + "\n";
+        int count = 0;
+        for (const Json& step : claim.at("steps")) {
+            text += "  " + std::to_string(++count) + ". " + step.at("text").get<std::string>() + "\n";
+            if (step.at("latex") != "") text += "       " + step.at("latex").get<std::string>() + "\n";
+        }
+    }
+    return text;
+}
+
+std::string derivation_as_latex(const Json& claims) {
+    std::string text;
+    for (const Json& claim : claims) {
+        text += "\\paragraph{Eq.~(" + claim.at("equation").get<std::string>() +
+                "): " + plain_in_latex(claim.at("title").get<std::string>()) + "} " +
+                plain_in_latex(claim.at("verdict").get<std::string>()) + ".\n";
+        for (const Json& assumption : claim.at("assumptions"))
+            text += "Where " + plain_in_latex(assumption.get<std::string>()) + ".\n";
+        if (!claim.at("steps").empty()) {
+            text += "\\begin{enumerate}\n";
+            for (const Json& step : claim.at("steps")) {
+                text += "\\item " + plain_in_latex(step.at("text").get<std::string>()) + "\n";
+                if (step.at("latex") != "") text += "\\[ " + step.at("latex").get<std::string>() + " \\]\n";
+            }
+            text += "\\end{enumerate}\n";
+        }
+    }
+    return text;
+}
+
+} // namespace denhartog::ledger

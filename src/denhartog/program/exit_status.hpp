@@ -1,0 +1,23 @@
+/// @file
+/// @brief The exit status of the program, and how faults get there.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace denhartog::program {
+
+/// @brief What went wrong so far.
+struct ExitStatus {
+    bool bad_input = false;      ///< a scene, an option or a file: status 2
+    bool digits_missing = false; ///< an answer not to the digits asked for: status 3
+
+    /// @return the status, 0 where nothing went wrong
+    [[nodiscard]] int value() const { return bad_input ? 2 : digits_missing ? 3 : 0; }
+};
+
+/// @brief Prints a fault as one line on standard error.
+/// @param fault  what was wrong
+void report(const std::string& fault);
+
+} // namespace denhartog::program

@@ -1,0 +1,27 @@
+/// @file
+/// @brief Reading input and writing output whole, or not at all.
+#pragma once
+
+#include <string>
+
+namespace denhartog::program {
+
+/// @brief The text of a file or of standard input.
+/// @param path  a path; empty or `-` for standard input
+/// @return      the whole text
+/// @throws      InputError where it cannot be read
+[[nodiscard]] std::string read_input(const std::string& path);
+
+/// @brief Writes to standard output and makes sure that it arrived.
+/// @param text  what to write
+/// @throws      InputError where it cannot be written
+void write_standard_output(const std::string& text);
+
+/// @brief Writes a file: into a temporary file beside it, which takes its place when it is complete. What is no regular file is
+/// written directly.
+/// @param path  the file
+/// @param text  its content
+/// @throws      InputError where it cannot be written; an earlier file is then left as it was
+void write_file(const std::string& path, const std::string& text);
+
+} // namespace denhartog::program

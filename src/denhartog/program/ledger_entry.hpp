@@ -1,0 +1,84 @@
+/// @file
+/// @brief The form of the equation ledger: the numbers of the equations and the keys of an entry.
+///
+/// The derivation writes entries of this form and the program shows them. The hand-written half is `docs/ledger/equations.json`.
+#pragma once
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace denhartog::ledger {
+
+/// @brief JSON that keeps the order of its keys.
+using Json = nlohmann::ordered_json;
+
+/// @brief The numbered equations in the paper's order. @return "1" to "88", then "A.1" to "A.15"
+[[nodiscard]] inline const std::vector<std::string>& equation_numbers() {
+    static const std::vector<std::string> numbers = [] {
+        std::vector<std::string> all;
+        for (int n = 1; n <= 88; ++n) all.push_back(std::to_string(n));
+        for (int n = 1; n <= 15; ++n) all.push_back("A." + std::to_string(n));
+        return all;
+    }();
+    return numbers;
+}
+
+/// @brief The number of an equation as the ledger writes it.
+/// @param text  as people write it: `46`, `(46)`, `eq:46`, `A.7`, `a.7`; `54a`, `(54)a` and the like mean (54)
+/// @return      the number, or nothing where the paper has no such equation
+[[nodiscard]] inline std::optional<std::string> equation_number(std::string text) {
+    if (text.starts_with("eq:")) text.erase(0, 3);
+    if (text.starts_with('(')) {
+        const std::size_t close = text.find(')');
+        if (close == std::string::npos) return std::nullopt;
+        const std::string rest = text.substr(close + 1);
+        if (!rest.empty() && rest != "a" && rest != "b") return std::nullopt;
+        text = text.substr(1, close - 1) + rest;
+    }
+    if (text == "54a" || text == "54b") text = "54";
+    if (text.starts_with("a.")) text.front() = 'A';
+    const std::vector<std::string>& all = equation_numbers();
+    if (std::find(all.begin(), all.end(), text) == all.end()) return std::nullopt;
+    return text;
+}
+
+/// @brief An entry of the ledger before anything is computed: verdicts unknown, nothing found.
+///
+/// A slip of the scan is a fact about the text, not something a computation finds; it is the one departure that a row states.
+/// @param row  a row of `equations.json`
+/// @return     the entry with every key that the ledger has
+[[nodiscard]] inline Json entry_without_run(const Json& row) {
+    Json entry;
+    for (const char* key : {"equation", "section", "kind", "statement"}) entry[key] = row.at(key);
+    entry["printed"] = "unknown";
+    entry["departure"] = row.contains("read_as") ? "scan" : "none";
+    entry["correction"] = row.value("read_as", "");
+    entry["shipped"] = "unknown";
+    entry["witness"] = Json::object();
+    entry["loss"] = nullptr;
+    for (const char* key : {"functions", "claims", "tests", "figures"}) entry[key] = Json::array();
+    entry["rests_on"] = row.at("rests_on");
+    entry["used_by"] = Json::array();
+    entry["printed_note"] = row.value("printed_note", "");
+    entry["consequence"] = "";
+    entry["no_function"] = row.value("no_function", "");
+    return entry;
+}
+
+/// @brief Where each equation is used: `rests_on` turned round.
+/// @param entries  an array of entries; their `used_by` is filled
+inline void fill_used_by(Json& entries) {
+    for (Json& entry : entries) {
+        entry["used_by"] = Json::array();
+        for (const Json& other : entries) {
+            const Json& grounds = other.at("rests_on");
+            if (std::find(grounds.begin(), grounds.end(), entry.at("equation")) != grounds.end())
+                entry["used_by"].push_back(other.at("equation"));
+        }
+    }
+}
+
+} // namespace denhartog::ledger

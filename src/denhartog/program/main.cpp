@@ -1,0 +1,59 @@
+/// @file
+/// @brief The command-line program: one subcommand a file.
+#include <CLI/CLI.hpp>
+#include <iostream>
+
+#include "denhartog/errors.hpp"
+#include "denhartog/program/boundary_command.hpp"
+#include "denhartog/program/derive_command.hpp"
+#include "denhartog/program/equations_command.hpp"
+#include "denhartog/program/files.hpp"
+#include "denhartog/program/functions_command.hpp"
+#include "denhartog/program/motion_command.hpp"
+#include "denhartog/program/response_command.hpp"
+
+namespace {
+
+using denhartog::program::ExitStatus;
+using denhartog::program::report;
+
+int run(int argc, char** argv, ExitStatus& status) {
+    CLI::App app{"Steady forced vibration of damped mass-spring systems with a Coulomb contact", "denhartog"};
+    app.set_version_flag("--version", "denhartog " DENHARTOG_VERSION, "Print the version and exit");
+    app.require_subcommand(1);
+    app.footer("Exit status: 0 answered; 2 bad input or usage; 3 could not compute to the digits asked for.\n"
+               "`denhartog SUBCOMMAND --help` explains a subcommand.");
+    denhartog::program::add_response_command(app, status);
+    denhartog::program::add_motion_command(app, status);
+    denhartog::program::add_boundary_command(app, status);
+    denhartog::program::add_functions_command(app, status);
+    denhartog::program::add_equations_command(app);
+    denhartog::program::add_derive_command(app);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::Success& help_or_version) {
+        app.exit(help_or_version);
+    } catch (const CLI::ParseError& e) {
+        status.bad_input = true;
+        const bool unknown = app.get_subcommands().empty() && !app.remaining().empty();
+        report(unknown ? "there is no subcommand '" + app.remaining().front() + "'" : std::string(e.what()));
+    }
+    denhartog::program::write_standard_output("");
+    return status.value();
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    ExitStatus status;
+    try {
+        return run(argc, argv, status);
+    } catch (const denhartog::InputError& e) {
+        status.bad_input = true;
+        report(e.what());
+    } catch (const std::exception& e) {
+        status.digits_missing = true;
+        report(e.what());
+    }
+    return status.value();
+}

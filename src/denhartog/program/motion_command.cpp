@@ -1,0 +1,89 @@
+#include "denhartog/program/motion_command.hpp"
+
+#include <memory>
+
+#include "denhartog/model/number_text.hpp"
+#include "denhartog/program/files.hpp"
+#include "denhartog/response/steady_state.hpp"
+
+namespace denhartog::program {
+namespace {
+
+constexpr long most_samples = 10'000'000;
+
+struct Options {
+    std::string scene;
+    std::string output;
+    long samples = 400;
+};
+
+std::string cell(double x) { return "," + number_to_text(x == 0 ? 0.0 : x); }
+
+std::string as_csv(const ModeSums<double>& sums, const SteadyState<double>& state, long samples) {
+    std::string csv = "tau";
+    for (const char* letter : {"x", "v"})
+        for (std::size_t k = 1; k <= state.masses.size(); ++k) csv += std::string(",") + letter + "_" + std::to_string(k);
+    csv += "\n";
+    for (long n = 0; n < samples; ++n) {
+        const double tau = 2 * pi<double>() * static_cast<double>(n) / static_cast<double>(samples);
+        const Motion<double> at = motion(sums, state, tau);
+        csv += number_to_text(tau);
+        for (const double x : at.x) csv += cell(x);
+        for (const double v : at.x_prime) csv += cell(v);
+        csv += "\n";
+    }
+    return csv;
+}
+
+std::string sampled(const SceneText& part, long samples) {
+    const Scene<double> scene = scene_source(part).in_double();
+    if (!scene.r) throw InputError("r", "must be given", "nothing", "/r");
+    if (!scene.beta) throw InputError("beta", "must be given", "nothing", "/beta");
+    try {
+        const ModeSums<double> sums = mode_sums(modal_basis(scene.system), scene.system.contact, scene.system.load, *scene.r);
+        const Boundary<double> limits = boundary(sums, scene.mu);
+        if (!(*scene.beta < limits.exact))
+            throw InputError(
+                "beta", "must be below beta_lim = " + number_to_text(limits.exact) + ", Eq. (69), for the motion to be known",
+                number_to_text(*scene.beta), "/beta");
+        return as_csv(sums, steady_state(sums, limits, *scene.beta), samples);
+    } catch (const DomainError& e) {
+        throw at_a_pole(e);
+    }
+}
+
+void answer(const Options& options) {
+    if (options.samples < 1 || options.samples > most_samples)
+        throw InputError("samples", "must be from 1 to " + std::to_string(most_samples), std::to_string(options.samples));
+    const std::string text = read_input(options.scene);
+    const std::vector<SceneText> parts = split_scenes(text);
+    if (parts.size() > 1) throw InputError("the input", "must be one scene", std::to_string(parts.size()) + " scenes");
+    const std::string csv = sampled(parts.front(), options.samples);
+    if (options.output.empty())
+        write_standard_output(csv);
+    else
+        write_file(options.output, csv);
+}
+
+} // namespace
+
+void add_motion_command(CLI::App& app, ExitStatus& status) {
+    CLI::App* command = app.add_subcommand("motion", "Displacement and velocity of every mass over one period, as CSV");
+    const auto options = std::make_shared<Options>();
+    command->add_option("SCENE", options->scene, "file with one scene as JSON; standard input where it is - or missing");
+    command->add_option("--samples", options->samples, "instants in a period")->capture_default_str();
+    command->add_option("--output", options->output, "file to write; it appears when it is complete");
+    command->footer(
+        "Columns: tau from 0 to below 2 pi, 0 at the maximum of the mass in contact; x_1..x_N in units of P / k_1; v_1..v_N,\n"
+        "the derivatives with respect to tau. Only where the contact slides throughout.");
+    command->callback([options, &status] {
+        try {
+            answer(*options);
+        } catch (const PrecisionError& e) {
+            status.digits_missing = true;
+            report(e.what());
+        }
+    });
+}
+
+} // namespace denhartog::program

@@ -1,0 +1,35 @@
+/// @file
+/// @brief Numbers as the answers print them.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+
+#include "denhartog/multiprecision.hpp"
+
+namespace denhartog::program {
+
+/// @brief JSON that keeps the order of its keys.
+using Json = nlohmann::ordered_json;
+
+/// @brief Writes numbers: JSON numbers up to 15 digits, text with the digits asked for above.
+struct NumberWriter {
+    std::optional<int> digits; ///< significant digits asked for
+
+    /// @param x  a finite number
+    /// @return   the number as JSON; never a negative zero
+    /// @throws   PrecisionError where it is not finite, or no double holds it
+    [[nodiscard]] Json operator()(double x) const;
+    /// @copydoc operator()(double) const
+    [[nodiscard]] Json operator()(const Real50& x) const;
+    /// @copydoc operator()(double) const
+    [[nodiscard]] Json operator()(const Real100& x) const;
+};
+
+/// @brief A number for a table.
+/// @param x  a JSON number, or text
+/// @return   text of at most 12 significant digits for a number; the text as it is
+[[nodiscard]] std::string in_table(const Json& x);
+
+} // namespace denhartog::program

@@ -1,0 +1,150 @@
+#include "denhartog/response/boundary.hpp"
+
+#include <algorithm>
+#include <boost/math/special_functions/fpclassify.hpp>
+
+#include "denhartog/errors.hpp"
+#include "denhartog/formulas/boundary.hpp"
+#include "denhartog/formulas/superposition.hpp"
+#include "denhartog/model/number_text.hpp"
+#include "denhartog/multiprecision.hpp"
+#include "denhartog/response/friction_motion.hpp"
+#include "denhartog/response/maximum.hpp"
+
+namespace denhartog {
+namespace {
+
+// The expression of (57) of one mode, with its limits. At pi the velocity N(tau) of the braces and its harmonic part vanishes.
+template <class T>
+T s_d(const ModeSums<T>& s, std::size_t i, const T& tau) {
+    if (!(tau > 0)) return paper::s_d_at_zero(s.R[i], s.zeta[i], s.u[i], s.g[i]);
+    if (!(tau < pi<T>()))
+        return -s.R[i] * s.R[i] * evaluation::friction_motion(pi<T>(), s.R[i], s.zeta[i], s.u[i], s.g[i]).double_prime;
+    return paper::s_d_integrand(tau, s.R[i], s.zeta[i], s.u[i], s.g[i]);
+}
+
+// Some modes, with their weights, as a function of tau to be maximised: F = N / sin, where N = sum weight R^2 (y' + u cos).
+//
+// W = N' sin - N cos has the sign of F', and W' = (N'' + N) sin. In Z = N'' + N the cosine drops out, and the equation of free
+// motion of y leaves Z = -sum weight (2 zeta R y'' + (1 - R^2) y'), whose rate is at most sum weight |c| (1 / R^2 + 1).
+template <class T>
+struct Demand {
+    const ModeSums<T>& s;
+    FrictionMotions<T>& y;
+    std::size_t first;
+    const std::vector<T>& weights;
+
+    Sample<T> operator()(const T& tau) const {
+        const FrictionMotionsAt<T>& now = y.at(tau);
+        const T C = cos(tau), S = sin(tau);
+        T N(0), N_prime(0), Z(0);
+        for (std::size_t n = 0; n < weights.size(); ++n) {
+            const T& R = s.R[first + n];
+            const T& u = s.u[first + n];
+            N += weights[n] * R * R * (now.y[n].prime + u * C);
+            N_prime += weights[n] * R * R * (now.y[n].double_prime - u * S);
+            Z -= weights[n] * (2 * s.zeta[first + n] * R * now.y[n].double_prime + (1 - R) * (1 + R) * now.y[n].prime);
+        }
+        if (tau > 0 && tau < pi<T>()) return {N / S, N_prime * S - N * C, Z};
+        T limit(0);
+        for (std::size_t n = 0; n < weights.size(); ++n) limit += weights[n] * s_d(s, first + n, tau);
+        return {limit, T(0), Z};
+    }
+
+    T rate(const T& a) const {
+        const FrictionMotionsAt<T>& now = y.at(a);
+        T bound(0);
+        for (std::size_t n = 0; n < weights.size(); ++n) {
+            const T& R = s.R[first + n];
+            bound += weights[n] * now.size[n] * (1 / (R * R) + 1);
+        }
+        return bound;
+    }
+};
+
+// F sin solves y'' + y = Z, so that between two samples it exceeds the sine through them by at most
+// z_bound (cos(tau - m) / cos(h / 2) - 1); over the sine this is at most z_bound tan(h / 2) next to an end of the half-period.
+template <class T>
+T rise_of_demand(const T& a, const T& b, const T& z_bound) {
+    const T half = (b - a) / 2;
+    if (!(a > 0) || !(b < pi<T>())) return z_bound * sin(half) / cos(half);
+    const T quarter = sin(T(half / 2));
+    return z_bound * 2 * quarter * quarter / cos(half) / std::min(T(sin(a)), T(sin(b)));
+}
+
+template <class T>
+T instant_of_largest(const ModeSums<T>& s, std::size_t first, const std::vector<T>& weights) {
+    FrictionMotions<T> y(s, first, first + weights.size());
+    const Demand<T> demand{s, y, first, weights};
+    Curve<T> curve;
+    curve.sample = [&](const T& tau) { return demand(tau); };
+    curve.rate = [&](const T& a, const T&) { return demand.rate(a); };
+    curve.rise = [](const T& a, const T& b, const T& z_bound) { return rise_of_demand(a, b, z_bound); };
+    return global_maximum(curve, T(0), pi<T>()).instant;
+}
+
+template <class T>
+void check_mu(const T& mu) {
+    if (mu >= 1 && boost::math::isfinite(mu)) return;
+    throw InputError("mu", "must be at least 1, and finite", number_to_text(mu));
+}
+
+} // namespace
+
+template <class T>
+T sliding_demand(const ModeSums<T>& s, const T& tau) {
+    std::vector<T> values;
+    for (std::size_t i = 0; i < s.R.size(); ++i) values.push_back(s_d(s, i, tau));
+    return paper::sum_over_contact(mode_shapes_at(s, s.contact), std::span<const T>(values));
+}
+
+template <class T>
+Boundary<T> boundary_at(const ModeSums<T>& s, const T& mu, const T& instant, const std::vector<T>& instants) {
+    check_mu(mu);
+    std::vector<T> maxima;
+    for (std::size_t i = 0; i < s.R.size(); ++i) maxima.push_back(s_d(s, i, instants[i]));
+    const std::size_t j = s.contact.index;
+    const T held = paper::static_friction_demand(s.H_j, mu, s.sum_of_squares);
+    const Complex<T> V_dj = contact_is_unmoved(s) ? Complex<T>{T(0), T(0)} : s.V[j];
+    Boundary<T> b{};
+    b.S_exact = sliding_demand(s, instant);
+    b.S_paper = paper::sum_over_contact(mode_shapes_at(s, s.contact), std::span<const T>(maxima));
+    b.instant = instant;
+    b.instants = instants;
+    b.exact = paper::friction_ratio_limit(V_dj, s.U[j], std::max(b.S_exact, held));
+    b.paper = paper::friction_ratio_limit(V_dj, s.U[j], std::max(b.S_paper, held));
+    b.approximate = paper::friction_ratio_limit(V_dj, s.U[j], held);
+    if (!stuck_system_resonates(s)) b.sticking = modulus(V_dj) / modulus(s.Y_jj) / mu;
+    if (instant == 0)
+        b.binding = mu > 1 ? BindingCondition::static_friction : BindingCondition::both;
+    else
+        b.binding = b.S_exact > held ? BindingCondition::velocity : BindingCondition::static_friction;
+    return b;
+}
+
+template <class T>
+Boundary<T> boundary(const ModeSums<T>& s, const T& mu) {
+    check_mu(mu);
+    std::vector<T> squares, instants;
+    for (const T& psi_ji : mode_shapes_at(s, s.contact)) squares.push_back(psi_ji * psi_ji);
+    const T instant = instant_of_largest(s, 0, squares);
+    for (std::size_t i = 0; i < s.R.size(); ++i)
+        instants.push_back(s.R.size() == 1 ? instant : instant_of_largest(s, i, std::vector<T>{T(1)}));
+    return boundary_at(s, mu, instant, instants);
+}
+
+template double sliding_demand(const ModeSums<double>&, const double&);
+template long double sliding_demand(const ModeSums<long double>&, const long double&);
+template Real50 sliding_demand(const ModeSums<Real50>&, const Real50&);
+template Real100 sliding_demand(const ModeSums<Real100>&, const Real100&);
+template Boundary<double> boundary_at(const ModeSums<double>&, const double&, const double&, const std::vector<double>&);
+template Boundary<long double> boundary_at(const ModeSums<long double>&, const long double&, const long double&,
+                                           const std::vector<long double>&);
+template Boundary<Real50> boundary_at(const ModeSums<Real50>&, const Real50&, const Real50&, const std::vector<Real50>&);
+template Boundary<Real100> boundary_at(const ModeSums<Real100>&, const Real100&, const Real100&, const std::vector<Real100>&);
+template Boundary<double> boundary(const ModeSums<double>&, const double&);
+template Boundary<long double> boundary(const ModeSums<long double>&, const long double&);
+template Boundary<Real50> boundary(const ModeSums<Real50>&, const Real50&);
+template Boundary<Real100> boundary(const ModeSums<Real100>&, const Real100&);
+
+} // namespace denhartog

@@ -1,0 +1,72 @@
+/// @file
+/// @brief What the modes contribute at one frequency ratio, and their sums for every mass: (22), (23), (28), (29), (33)-(35),
+/// (64), (65).
+///
+/// None of it depends on the friction ratio: one evaluation serves every beta at that r.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "denhartog/formulas/complex.hpp"
+#include "denhartog/model/modal_basis.hpp"
+
+namespace denhartog {
+
+/// @brief Modes and sums over modes at one frequency ratio.
+template <class T>
+struct ModeSums {
+    T r;                       ///< frequency ratio, Eq. (10)
+    Mass contact;              ///< the mass in contact, j
+    Mass load;                 ///< the loaded mass, l
+    std::vector<T> R;          ///< modal frequency ratios, Eq. (22), N values
+    std::vector<T> zeta;       ///< modal damping ratios, Eq. (18), N values
+    std::vector<T> psi;        ///< mode shapes normalised by (17), mass by mode, row-major, N x N
+    std::vector<Complex<T>> v; ///< complex response functions of the modes, Eq. (23)
+    std::vector<T> u;          ///< first damping functions of the modes, Eq. (28)
+    std::vector<T> g;          ///< second damping functions of the modes, Eq. (29)
+    std::vector<Complex<T>> V; ///< complex response functions of the masses, Eq. (33)
+    std::vector<T> U;          ///< first damping functions of the masses, Eq. (34)
+    std::vector<T> G;          ///< second damping functions of the masses, Eq. (35)
+    Complex<T> Y_jj;           ///< (33) with the load on the contact: its response to a unit force there, without friction
+    T H_j;                     ///< Eq. (64)
+    T sum_of_squares;          ///< sum of psi_ji^2, Eq. (65); 1 / (gamma_j r^2) where the mass matrix is diagonal
+};
+
+/// @brief Evaluates the modes at a frequency ratio and sums them.
+/// @eq{22,23,28,29,33,34,35,64,65}
+/// @param basis    modal basis of the system, N modes
+/// @param contact  the mass in contact, j
+/// @param load     the loaded mass, l
+/// @param r        frequency ratio, Eq. (10); positive
+/// @return         modes and sums
+/// @throws         InputError where r, j or l breaks its rule; DomainError where an undamped mode is at a pole of (23), (28)
+template <class T>
+[[nodiscard]] ModeSums<T> mode_sums(const ModalBasis<T>& basis, Mass contact, Mass load, const T& r);
+
+/// @brief A row of the modal matrix.
+/// @param sums  modes at a frequency ratio
+/// @param k     a mass
+/// @return      psi_k1 .. psi_kN
+template <class T>
+[[nodiscard]] std::span<const T> mode_shapes_at(const ModeSums<T>& sums, Mass k) {
+    return {sums.psi.data() + k.index * sums.R.size(), sums.R.size()};
+}
+
+/// @brief Whether the load leaves the contact unmoved without friction: \f$ |V_{dj}| \f$ is below the rounding of its own terms.
+/// @param sums  modes at a frequency ratio
+/// @return      true where V_dj has no digit
+template <class T>
+[[nodiscard]] bool contact_is_unmoved(const ModeSums<T>& sums);
+
+/// @brief Whether the system resonates without damping while the contact is held: Y_jj is below the rounding of its own terms.
+/// @param sums  modes at a frequency ratio
+/// @return      true where Y_jj has no digit
+template <class T>
+[[nodiscard]] bool stuck_system_resonates(const ModeSums<T>& sums);
+
+/// @brief Number of modes evaluated since the program started; tests gate on it.
+/// @return the count, over all number types
+[[nodiscard]] long mode_evaluations();
+
+} // namespace denhartog

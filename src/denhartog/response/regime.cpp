@@ -1,0 +1,96 @@
+#include "denhartog/response/regime.hpp"
+
+#include <boost/math/special_functions/fpclassify.hpp>
+#include <sstream>
+
+#include "denhartog/errors.hpp"
+#include "denhartog/model/number_text.hpp"
+#include "denhartog/multiprecision.hpp"
+
+namespace denhartog {
+namespace {
+
+template <class T>
+std::string text(const T& x) {
+    std::ostringstream out;
+    out.precision(12);
+    out << x;
+    return out.str();
+}
+
+std::string explanation(BindingCondition binding) {
+    switch (binding) {
+    case BindingCondition::velocity: return "the contact would turn back within the half-period, (54)a";
+    case BindingCondition::static_friction: return "static friction would hold the contact at the end of the half-period, (54)b";
+    case BindingCondition::both: return "the contact would come to rest at the end of the half-period, (54)a and (54)b";
+    }
+    return {};
+}
+
+template <class T>
+std::string why_not_sliding(const Boundary<T>& b, const T& beta) {
+    return "the closed form does not hold: beta = " + text(beta) + " is not below beta_lim = " + text(b.exact) +
+           ", Eq. (69), where " + explanation(b.binding);
+}
+
+template <class T>
+bool equal_within(const T& a, const T& b, const T& error) {
+    return a - b < error && b - a < error;
+}
+
+} // namespace
+
+std::string name(Regime regime) {
+    switch (regime) {
+    case Regime::continuous: return "continuous";
+    case Regime::stick_slip: return "stick_slip";
+    case Regime::permanent_sticking: return "permanent_sticking";
+    }
+    return {};
+}
+
+template <class T>
+void check_friction_ratio(const T& beta) {
+    if (!(beta >= 0) || !boost::math::isfinite(beta))
+        throw InputError("beta", "must be zero or positive, and finite", number_to_text(beta));
+}
+
+template <class T>
+RegimeAtPoint regime_at(const Boundary<T>& b, const T& beta, const BoundaryError<T>& error) {
+    check_friction_ratio(beta);
+    const bool can_rest = b.sticking && beta >= *b.sticking;
+    RegimeAtPoint point;
+    if (beta < b.exact) {
+        point.regime = Regime::continuous;
+        point.reason =
+            "beta = " + text(beta) + " is below beta_lim = " + text(b.exact) + ", Eq. (69): the contact slides throughout";
+        if (can_rest) {
+            point.other.push_back(Regime::permanent_sticking);
+            point.reason += "; it can also rest for ever, because beta is not below " + text(*b.sticking);
+        }
+    } else if (can_rest) {
+        point.regime = Regime::permanent_sticking;
+        point.reason = why_not_sliding(b, beta) + "; from beta = " + text(*b.sticking) +
+                       " on static friction outweighs all that the load brings to the contact, which never moves";
+    } else {
+        point.regime = Regime::stick_slip;
+        point.reason = why_not_sliding(b, beta) + "; " +
+                       (b.sticking ? "only from beta = " + text(*b.sticking) + " on the contact never moves"
+                                   : std::string("no friction can hold the contact, because the system resonates with it held"));
+    }
+    point.on_boundary = equal_within(beta, b.exact, error.exact) ||
+                        (b.sticking && beta >= b.exact && equal_within(beta, *b.sticking, error.sticking));
+    if (point.on_boundary) point.reason += "; beta lies on a boundary to the accuracy computed";
+    return point;
+}
+
+template void check_friction_ratio(const double&);
+template void check_friction_ratio(const long double&);
+template void check_friction_ratio(const Real50&);
+template void check_friction_ratio(const Real100&);
+template RegimeAtPoint regime_at(const Boundary<double>&, const double&, const BoundaryError<double>&);
+template RegimeAtPoint regime_at(const Boundary<long double>&, const long double&, const BoundaryError<long double>&);
+template RegimeAtPoint regime_at(const Boundary<Real50>&, const Real50&, const BoundaryError<Real50>&);
+template RegimeAtPoint regime_at(const Boundary<Real100>&, const Real100&, const BoundaryError<Real100>&);
+
+} // namespace denhartog

@@ -1,0 +1,71 @@
+#include "denhartog/response/scene_source.hpp"
+
+namespace denhartog {
+namespace {
+
+template <class Convert>
+SceneSource source_of(const Convert& convert) {
+    return {[convert] { return convert(double()); }, [convert] { return convert(static_cast<long double>(0)); },
+            [convert] { return convert(Real50()); }, [convert] { return convert(Real100()); }};
+}
+
+template <class T>
+Matrix<T> converted(const Matrix<double>& A) {
+    return A.unaryExpr([](double x) { return T(x); });
+}
+
+template <class T>
+std::vector<T> converted(const std::vector<double>& x) {
+    return std::vector<T>(x.begin(), x.end());
+}
+
+} // namespace
+
+template <class T>
+Scene<T> converted(const Scene<double>& scene) {
+    const System<double>& s = scene.system;
+    Scene<T> out;
+    out.system = {converted<T>(s.mass_ratios),
+                  converted<T>(s.stiffness_ratios),
+                  converted<T>(s.mass_matrix),
+                  converted<T>(s.stiffness_matrix),
+                  converted<T>(s.damping_ratios),
+                  converted<T>(s.damping_matrix),
+                  s.contact,
+                  s.load};
+    out.mu = T(scene.mu);
+    if (scene.r) out.r = T(*scene.r);
+    if (scene.beta) out.beta = T(*scene.beta);
+    return out;
+}
+
+SceneSource scene_source(const SceneText& part) {
+    return source_of([text = std::string(part.text), line = part.line, alone = part.alone]<class T>(T) {
+        SceneOrError<T> read = read_scene<T>(SceneText{text, line, alone});
+        if (read.error) throw *read.error;
+        return *read.scene;
+    });
+}
+
+SceneSource scene_source(const Scene<double>& scene) {
+    return source_of([scene]<class T>(T) { return converted<T>(scene); });
+}
+
+SceneSource without_friction_ratio(const SceneSource& source) {
+    const auto without = [](const auto& read) {
+        return [read] {
+            auto scene = read();
+            scene.beta.reset();
+            return scene;
+        };
+    };
+    return {without(source.in_double), without(source.in_long_double), without(source.in_50_digits),
+            without(source.in_100_digits)};
+}
+
+template Scene<double> converted(const Scene<double>&);
+template Scene<long double> converted(const Scene<double>&);
+template Scene<Real50> converted(const Scene<double>&);
+template Scene<Real100> converted(const Scene<double>&);
+
+} // namespace denhartog

@@ -1,0 +1,41 @@
+/// @file
+/// @brief A scene that can be had in every number type.
+#pragma once
+
+#include <functional>
+
+#include "denhartog/model/scene_json.hpp"
+#include "denhartog/multiprecision.hpp"
+
+namespace denhartog {
+
+/// @brief A scene in every number type: one tenth written as text is one tenth to all the digits of each.
+struct SceneSource {
+    std::function<Scene<double>()> in_double;           ///< the scene in double
+    std::function<Scene<long double>()> in_long_double; ///< the scene in long double
+    std::function<Scene<Real50>()> in_50_digits;        ///< the scene in 50 digits
+    std::function<Scene<Real100>()> in_100_digits;      ///< the scene in 100 digits
+};
+
+/// @brief A scene from its JSON text.
+/// @param part  the text of one scene; copied
+/// @return      the source; each of its functions throws InputError where the text is no scene
+[[nodiscard]] SceneSource scene_source(const SceneText& part);
+
+/// @brief A scene from numbers in double: the same binary fractions in every number type.
+/// @param scene  the scene
+/// @return       the source
+[[nodiscard]] SceneSource scene_source(const Scene<double>& scene);
+
+/// @brief A scene in another number type: the same binary fractions.
+/// @param scene  a scene in double
+/// @return       the scene in T
+template <class T>
+[[nodiscard]] Scene<T> converted(const Scene<double>& scene);
+
+/// @brief The same scene with the friction ratio left out: its boundary is asked for, not its regime.
+/// @param source  a scene
+/// @return        the source
+[[nodiscard]] SceneSource without_friction_ratio(const SceneSource& source);
+
+} // namespace denhartog

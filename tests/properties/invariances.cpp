@@ -1,0 +1,136 @@
+// What may be changed in a scene without changing its response, over seeded random systems.
+#include <cmath>
+
+#include "denhartog/model/sample_scenes.hpp"
+#include "tests/catch.hpp"
+#include "tests/unit/response_fixtures.hpp"
+
+using namespace denhartog;
+using namespace denhartog::tests;
+
+namespace {
+
+constexpr std::uint64_t seed = 117085;
+
+/// Random scenes without equal or nearly equal natural frequencies, by their matrices, with beta inside the boundary.
+std::vector<RandomScene<double>> scenes_by_matrices() {
+    std::vector<RandomScene<double>> all;
+    int n = 0;
+    for (RandomScene<double> random : random_scenes<double>(seed)) {
+        if (++n % 4 != 0) continue;
+        System<double>& s = random.scene.system;
+        const Eigen::Index N = static_cast<Eigen::Index>(number_of_masses(s));
+        const NonDimensionalMatrices<double> m = matrices_of(random.scene);
+        if (s.mass_matrix.size() == 0) s.mass_matrix = Eigen::Map<Eigen::VectorXd>(s.mass_ratios.data(), N).asDiagonal();
+        s.mass_ratios.clear();
+        s.stiffness_ratios.clear();
+        s.stiffness_matrix = m.K;
+        random.scene.beta = friction_ratio_at(random.fraction_of_limit, boundary(sums_of(random.scene), random.scene.mu).exact);
+        all.push_back(random);
+    }
+    return all;
+}
+
+void check_same(const Response<double>& a, const Response<double>& b, const std::vector<std::size_t>& place, double scale,
+                const std::string& name) {
+    INFO(name);
+    CHECK(a.boundary.exact == Approx(b.boundary.exact).epsilon(1e-8));
+    CHECK(a.boundary.paper == Approx(b.boundary.paper).epsilon(1e-8));
+    REQUIRE((a.steady_state && b.steady_state));
+    for (std::size_t k = 0; k < place.size(); ++k) {
+        const MassResponse<double>&p = a.steady_state->masses[k], q = b.steady_state->masses[place[k]];
+        INFO("mass " << k + 1 << ": " << hexadecimal(p.amplitude) << " and " << hexadecimal(q.amplitude));
+        CHECK(p.amplitude == Approx(scale * q.amplitude).epsilon(1e-8));
+        CHECK(std::abs(p.x0 - scale * q.x0) < 1e-8 * p.amplitude);
+        CHECK(std::abs(std::remainder(p.phase_monoharmonic - q.phase_monoharmonic, 2 * pi<double>())) < 1e-6);
+    }
+}
+
+std::vector<std::size_t> in_order(std::size_t N) {
+    std::vector<std::size_t> place(N);
+    for (std::size_t k = 0; k < N; ++k) place[k] = k;
+    return place;
+}
+
+} // namespace
+
+TEST_CASE("masses can be numbered in any order", "[eq:1][eq:6]") {
+    for (const RandomScene<double>& random : scenes_by_matrices()) {
+        const std::size_t N = number_of_masses(random.scene.system);
+        std::vector<std::size_t> place; // in reverse order
+        for (std::size_t k = 0; k < N; ++k) place.push_back(N - 1 - k);
+        Scene<double> other = random.scene;
+        System<double>& s = other.system;
+        s.mass_matrix = random.scene.system.mass_matrix.reverse().eval();
+        s.stiffness_matrix = random.scene.system.stiffness_matrix.reverse().eval();
+        if (s.damping_matrix.size() > 0) s.damping_matrix = random.scene.system.damping_matrix.reverse().eval();
+        s.contact = Mass{place[s.contact.index]};
+        s.load = Mass{place[s.load.index]};
+        check_same(response(random.scene), response(other), place, 1, random.name);
+    }
+}
+
+TEST_CASE("masses four times heavier at half the frequency move the same", "[eq:7][eq:10]") {
+    for (const RandomScene<double>& random : scenes_by_matrices()) {
+        Scene<double> other = random.scene;
+        other.system.mass_matrix *= 4;
+        if (other.system.damping_matrix.size() > 0) other.system.damping_matrix *= 2;
+        *other.r /= 2;
+        check_same(response(random.scene), response(other), in_order(number_of_masses(other.system)), 1, random.name);
+    }
+}
+
+TEST_CASE("springs four times stiffer at twice the frequency move a quarter", "[eq:5][eq:7]") {
+    for (const RandomScene<double>& random : scenes_by_matrices()) {
+        Scene<double> other = random.scene;
+        other.system.stiffness_matrix *= 4;
+        if (other.system.damping_matrix.size() > 0) other.system.damping_matrix *= 2;
+        *other.r *= 2;
+        check_same(response(random.scene), response(other), in_order(number_of_masses(other.system)), 4, random.name);
+    }
+}
+
+TEST_CASE("a mass that hangs on the ground alone changes nothing", "[eq:33][eq:34][eq:35]") {
+    for (const RandomScene<double>& random : scenes_by_matrices()) {
+        if (random.scene.system.damping_matrix.size() > 0) continue;
+        const Eigen::Index N = static_cast<Eigen::Index>(number_of_masses(random.scene.system));
+        const ModalBasis<double> basis = modal_basis(random.scene.system);
+        Scene<double> other = random.scene;
+        System<double>& s = other.system;
+        s.mass_matrix.conservativeResizeLike(Eigen::MatrixXd::Zero(N + 1, N + 1));
+        s.stiffness_matrix.conservativeResizeLike(Eigen::MatrixXd::Zero(N + 1, N + 1));
+        s.mass_matrix(N, N) = 1;
+        s.stiffness_matrix(N, N) = 4 * basis.r_n.back() * basis.r_n.back(); // its mode comes last
+        s.damping_ratios.push_back(0.125);
+        const Response<double> with = response(other);
+        check_same(response(random.scene), with, in_order(static_cast<std::size_t>(N)), 1, random.name);
+        CHECK(with.steady_state->masses.back().amplitude < 1e-12);
+    }
+}
+
+TEST_CASE("what the load puts in is what friction and damping take out", "[eq:3][eq:6][energy]") {
+    for (RandomScene<double> random : random_scenes<double>(seed)) {
+        if (number_of_masses(random.scene.system) > 6) break;
+        const ModeSums<double> s = sums_of(random.scene);
+        const Boundary<double> b = boundary(s, random.scene.mu);
+        random.scene.beta = friction_ratio_at(random.fraction_of_limit, b.exact);
+        const SteadyState<double> state = steady_state(s, b, *random.scene.beta);
+        const Eigen::MatrixXd C = matrices_of(random.scene).C;
+        // Gauss's rule with 3 points in each of many equal steps of the half-period.
+        const int steps = 400;
+        double input = 0, viscous = 0;
+        for (int n = 0; n < steps; ++n)
+            for (int p = -1; p <= 1; ++p) {
+                const double h = pi<double>() / steps;
+                const double tau = h * (n + 0.5 + p * 0.5 * std::sqrt(0.6));
+                const double weight = h * (p == 0 ? 8 : 5) / 18;
+                const Motion<double> now = motion(s, state, tau);
+                const Eigen::Map<const Eigen::VectorXd> v(now.x_prime.data(), C.rows());
+                input += weight * std::cos(tau + state.phi_j) * now.x_prime[s.load.index];
+                viscous += weight * v.dot(C * v);
+            }
+        const double friction = 2 * *random.scene.beta * state.X_j;
+        INFO(random.name << ": " << hexadecimal(input) << " and " << hexadecimal(viscous) << " + " << hexadecimal(friction));
+        CHECK(std::abs(input - viscous - friction) < 1e-8 * (std::abs(input) + viscous + friction));
+    }
+}

@@ -1,0 +1,165 @@
+#include <cmath>
+
+#include "tests/catch.hpp"
+#include "tests/unit/program_runs.hpp"
+
+using namespace denhartog::tests;
+using nlohmann::json;
+
+namespace {
+
+const std::string scene = R"({"mass_ratios": [1, 2.5, 0.75], "stiffness_ratios": [1, 0.625, 1.875],
+  "damping_ratios": [0.03, 0.06, 0.09], "contact": 2, "load": 1, "mu": 1.375, "r": 1.125, "beta": 0.15625})";
+
+std::string with_beta(const std::string& beta) {
+    return R"({"mass_ratios": [1, 2.5, 0.75], "stiffness_ratios": [1, 0.625, 1.875], "damping_ratios": [0.03, 0.06, 0.09], )"
+           R"("contact": 2, "load": 1, "mu": 1.375, "r": 1.125, "beta": )" +
+           beta + "}";
+}
+
+std::vector<std::string> keys_of(const nlohmann::ordered_json& object) {
+    std::vector<std::string> keys;
+    for (const auto& item : object.items()) keys.push_back(item.key());
+    return keys;
+}
+
+} // namespace
+
+TEST_CASE("the answer in the sliding regime has the keys of the interface", "[program]") {
+    const Run run = run_program("response - --json", scene);
+    REQUIRE(run.status == 0);
+    CHECK(run.error.empty());
+    const auto a = nlohmann::ordered_json::parse(run.output);
+    CHECK(keys_of(a) ==
+          std::vector<std::string>{"regime", "r", "beta", "beta_lim", "method", "contact", "masses", "stops_per_period"});
+    CHECK(keys_of(a["beta_lim"]) == std::vector<std::string>{"exact", "paper", "approximate", "sticking"});
+    CHECK(keys_of(a["method"]) == std::vector<std::string>{"model", "precision", "why"});
+    CHECK(keys_of(a["contact"]) == std::vector<std::string>{"mass", "amplitude", "phase"});
+    REQUIRE(a["masses"].size() == 3);
+    CHECK(keys_of(a["masses"][0]) == std::vector<std::string>{"mass", "x0", "v0", "amplitude", "phase", "amplitude_monoharmonic",
+                                                              "phase_monoharmonic", "error_bound"});
+    CHECK(a["regime"] == "continuous");
+    CHECK(a["method"]["model"] == "closed form");
+    CHECK(a["stops_per_period"] == 0);
+    CHECK(a["contact"]["mass"] == 2);
+    CHECK(a["contact"]["amplitude"] == a["masses"][1]["amplitude"]);
+    CHECK(run.output.find("-0.0") == std::string::npos);
+    CHECK(run.output.find("null") == std::string::npos);
+}
+
+TEST_CASE("outside the sliding regime the closed-form fields are absent and a reason is there", "[program]") {
+    for (const auto& [beta, regime] : {std::pair<std::string, std::string>{"0.75", "stick_slip"}, {"4", "permanent_sticking"}}) {
+        const Run run = run_program("response --json", with_beta(beta));
+        REQUIRE(run.status == 0);
+        const json a = json::parse(run.output);
+        CHECK(a["regime"] == regime);
+        CHECK(a["reason"].get<std::string>().size() > 40);
+        CHECK_FALSE(a.contains("masses"));
+        CHECK_FALSE(a.contains("stops_per_period"));
+        CHECK(a["contact"].size() == 1);
+        CHECK(a["beta_lim"]["exact"] > 0);
+    }
+}
+
+TEST_CASE("above 15 digits numbers are text with these digits", "[program]") {
+    const Run run = run_program("response --json --digits 40", with_beta("\"0.1\""));
+    REQUIRE(run.status == 0);
+    const json a = json::parse(run.output);
+    CHECK(a["beta"] == "1.000000000000000000000000000000000000000e-01");
+    CHECK(a["method"]["precision"] == "50 digits");
+    const std::string amplitude = a["contact"]["amplitude"];
+    CHECK(std::count_if(amplitude.begin(), amplitude.begin() + static_cast<long>(amplitude.find('e')), ::isdigit) == 40);
+    const json b = json::parse(run_program("response --json", with_beta("0.1")).output);
+    CHECK(std::stod(amplitude) == Approx(b["contact"]["amplitude"].get<double>()).epsilon(1e-14));
+    const json c = json::parse(run_program("response --json --digits 12", with_beta("0.1")).output);
+    CHECK(c["contact"]["amplitude"].is_number());
+}
+
+TEST_CASE("a table has the same numbers", "[program]") {
+    const Run run = run_program("response", scene);
+    REQUIRE(run.status == 0);
+    const json a = json::parse(run_program("response --json", scene).output);
+    char amplitude[40];
+    std::snprintf(amplitude, sizeof amplitude, "%.12g", a["masses"][2]["amplitude"].get<double>());
+    CHECK(run.output.find(amplitude) != std::string::npos);
+    CHECK(run.output.find("regime: continuous") == 0);
+}
+
+TEST_CASE("in JSON Lines a bad scene has its error in its place and the others are answered", "[program]") {
+    const Run run =
+        run_program("response --json", with_beta("0.125") + "\n" + with_beta("-1") + "\n\n" + with_beta("0.25") + "\n");
+    CHECK(run.status == 2);
+    const std::vector<std::string> lines = lines_of(run.output);
+    REQUIRE(lines.size() == 3);
+    CHECK(json::parse(lines[0])["beta"] == 0.125);
+    const json error = json::parse(lines[1])["error"];
+    CHECK(error["quantity"] == "beta");
+    CHECK(error["value"] == "-1");
+    CHECK(error["rule"].get<std::string>().size() > 5);
+    CHECK(error["place"].get<std::string>().find("/beta") != std::string::npos);
+    CHECK(json::parse(lines[2])["beta"] == 0.25);
+    CHECK(lines_of(run.error).size() == 1);
+}
+
+TEST_CASE("digits that cannot be reached give status 3 and no number", "[program]") {
+    // Next to a pole of an undamped mode the boundary loses a dozen digits and more, so that even 100 have not 95.
+    const std::string pole = R"({"mass_ratios": [1], "stiffness_ratios": [1], "damping_ratios": 0, )"
+                             R"("contact": 1, "load": 1, "r": 0.3333333333333333, "beta": 0.125})";
+    const Run run = run_program("response --json --digits 95", pole);
+    CHECK(run.status == 3);
+    CHECK(run.output.empty());
+    CHECK(lines_of(run.error).size() == 1);
+    CHECK(run.error.find("95 digits asked for are not reached") != std::string::npos);
+    CHECK(run_program("response --json --digits 60", pole).status == 0);
+}
+
+TEST_CASE("the boundary needs no friction ratio", "[program][eq:69]") {
+    const std::string without =
+        R"({"mass_ratios": [1], "stiffness_ratios": [1], "damping_ratios": 0, "contact": 1, "load": 1, "r": 3})";
+    const Run run = run_program("boundary --json", without);
+    REQUIRE(run.status == 0);
+    const json a = json::parse(run.output);
+    CHECK(a["beta_lim"]["exact"] == Approx(0.5625).epsilon(1e-14));
+    CHECK(a["beta_lim"]["sticking"] == 1);
+    CHECK(a["binding_condition"] == "54a and 54b");
+    CHECK(run_program("boundary", without).output.find("0.5625") != std::string::npos);
+    const Run response = run_program("response --json", without);
+    CHECK(response.status == 2);
+    CHECK(response.error.find("beta must be given") != std::string::npos);
+}
+
+TEST_CASE("the functions have the keys of the interface and the values of the response", "[program]") {
+    const Run run = run_program("functions --json", scene);
+    REQUIRE(run.status == 0);
+    const auto a = nlohmann::ordered_json::parse(run.output);
+    CHECK(keys_of(a) == std::vector<std::string>{"modes", "masses", "H_j", "S_j"});
+    CHECK(keys_of(a["modes"][0]) == std::vector<std::string>{"mode", "natural_frequency_ratio", "R", "zeta", "v", "u", "g"});
+    CHECK(keys_of(a["masses"][0]) == std::vector<std::string>{"mass", "V", "U", "G"});
+    CHECK(keys_of(a["S_j"]) == std::vector<std::string>{"exact", "paper"});
+    const auto& contact = a["masses"][1];
+    const double V_re = contact["V"][0], V_im = contact["V"][1], U = contact["U"], G = contact["G"], beta = 0.15625;
+    const double X_j = -beta * G + std::sqrt(V_re * V_re + V_im * V_im - beta * beta * U * U);
+    const json b = json::parse(run_program("response --json", scene).output);
+    CHECK(b["contact"]["amplitude"].get<double>() == Approx(X_j).epsilon(1e-13));
+    CHECK(run_program("functions", scene).status == 0);
+}
+
+TEST_CASE("the motion is a table of one period that mirrors itself", "[program]") {
+    const Run run = run_program("motion --samples 8", scene);
+    REQUIRE(run.status == 0);
+    const std::vector<std::string> lines = lines_of(run.output);
+    REQUIRE(lines.size() == 9);
+    CHECK(lines[0] == "tau,x_1,x_2,x_3,v_1,v_2,v_3");
+    const std::vector<double> first = numbers_of(lines[1]), opposite = numbers_of(lines[5]), third = numbers_of(lines[3]);
+    REQUIRE(first.size() == 7);
+    CHECK(first[0] == 0);
+    CHECK(third[0] == 1.5707963267948966);
+    for (std::size_t n = 1; n < 7; ++n) CHECK(first[n] == Approx(-opposite[n]).margin(1e-14));
+    const json a = json::parse(run_program("response --json", scene).output);
+    CHECK(first[2] == Approx(a["contact"]["amplitude"].get<double>()).epsilon(1e-14));
+    CHECK(first[4] == Approx(a["masses"][0]["v0"].get<double>()).epsilon(1e-12));
+    CHECK(run_program("motion", with_beta("0.75")).status == 2);
+    CHECK(run_program("motion", with_beta("0.75")).output.empty());
+    CHECK(run_program("motion --samples 0", scene).status == 2);
+    CHECK(run_program("motion", with_beta("0.125") + "\n" + with_beta("0.25")).status == 2);
+}

@@ -1,0 +1,77 @@
+/// @file
+/// @brief Runs of the built program, which the environment names.
+#pragma once
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace denhartog::tests {
+
+/// @brief What a run left.
+struct Run {
+    int status;         ///< exit status
+    std::string output; ///< standard output
+    std::string error;  ///< standard error
+};
+
+/// @brief A directory of this test process, gone at its end.
+inline const std::filesystem::path& scratch() {
+    struct Directory {
+        std::filesystem::path path = std::filesystem::temp_directory_path() / ("denhartog-tests-" + std::to_string(::getpid()));
+        Directory() { std::filesystem::create_directories(path); }
+        ~Directory() { std::filesystem::remove_all(path); }
+    };
+    static const Directory directory;
+    return directory.path;
+}
+
+inline std::string content_of(const std::filesystem::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+inline std::filesystem::path file_with(const std::string& name, const std::string& text) {
+    std::ofstream(scratch() / name, std::ios::binary) << text;
+    return scratch() / name;
+}
+
+/// @brief Runs the program.
+/// @param arguments  as a shell takes them; they may redirect
+/// @param input      standard input
+/// @return           status, standard output and standard error
+inline Run run_program(const std::string& arguments, const std::string& input = "") {
+    const char* program = std::getenv("DENHARTOG_PROGRAM");
+    if (program == nullptr) throw std::runtime_error("DENHARTOG_PROGRAM must name the program: run the tests by ctest");
+    const auto in = file_with("input", input), out = scratch() / "output", err = scratch() / "error";
+    std::filesystem::remove(out);
+    const std::string command = "{ '" + std::string(program) + "' " + arguments + "; } <'" + in.string() + "' >'" + out.string() +
+                                "' 2>'" + err.string() + "'";
+    const int status = std::system(command.c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), content_of(out), content_of(err)};
+}
+
+inline std::vector<std::string> lines_of(const std::string& text) {
+    std::vector<std::string> lines;
+    std::istringstream in(text);
+    for (std::string line; std::getline(in, line);) lines.push_back(line);
+    return lines;
+}
+
+inline std::vector<double> numbers_of(const std::string& csv) {
+    std::vector<double> numbers;
+    std::istringstream in(csv);
+    for (std::string cell; std::getline(in, cell, ',');) numbers.push_back(std::stod(cell));
+    return numbers;
+}
+
+} // namespace denhartog::tests

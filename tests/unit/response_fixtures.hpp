@@ -1,0 +1,74 @@
+/// @file
+/// @brief Scenes, and routes to their response that know nothing of modes or closed forms.
+#pragma once
+
+#include <Eigen/Dense>
+#include <complex>
+#include <vector>
+
+#include "denhartog/response/response.hpp"
+
+namespace denhartog::tests {
+
+/// @brief A chain by ratios with contact and load counted from 1.
+template <class T = double>
+Scene<T> chain(const std::vector<double>& gamma, const std::vector<double>& kappa, const std::vector<double>& zeta, std::size_t j,
+               std::size_t l, double mu, double r) {
+    Scene<T> scene;
+    scene.system.mass_ratios.assign(gamma.begin(), gamma.end());
+    scene.system.stiffness_ratios.assign(kappa.begin(), kappa.end());
+    scene.system.damping_ratios.assign(zeta.begin(), zeta.end());
+    scene.system.contact = Mass{j - 1};
+    scene.system.load = Mass{l - 1};
+    scene.mu = T(mu);
+    scene.r = T(r);
+    return scene;
+}
+
+/// @brief One mass, load and contact on it.
+inline Scene<double> oscillator(double zeta, double r, double mu = 1) { return chain({1}, {1}, {zeta}, 1, 1, mu, r); }
+
+/// @brief Three unequal masses, springs and damping ratios, the contact on the second, the load on the first.
+template <class T = double>
+Scene<T> three_masses(double r = 1.125) {
+    return chain<T>({1, 2.5, 0.75}, {1, 0.625, 1.875}, {0.03125, 0.0625, 0.09375}, 2, 1, 1.375, r);
+}
+
+/// @brief Modes of a scene at its frequency ratio.
+template <class T>
+ModeSums<T> sums_of(const Scene<T>& scene) {
+    return mode_sums(modal_basis(scene.system), scene.system.contact, scene.system.load, *scene.r);
+}
+
+/// @brief Matrices of (6) of a scene.
+template <class T>
+NonDimensionalMatrices<T> matrices_of(const Scene<T>& scene) {
+    return non_dimensional_matrices(scene.system, modal_basis(scene.system), *scene.r);
+}
+
+/// @brief Complex displacements of all masses under harmonic unit load of n times the frequency on one mass: a dense solve.
+inline Eigen::VectorXcd harmonic_response(const NonDimensionalMatrices<double>& m, std::size_t load, int n = 1) {
+    const std::complex<double> i(0, 1);
+    const Eigen::MatrixXcd D = m.K.cast<std::complex<double>>() - double(n) * n * m.M + i * double(n) * m.C;
+    return D.partialPivLu().solve(Eigen::VectorXcd::Unit(D.rows(), static_cast<Eigen::Index>(load)));
+}
+
+/// @brief Rows of the modal matrix and what goes with them, as the formulas take them.
+template <class T>
+struct Rows {
+    std::span<const T> R, zeta, u, g;
+    std::span<const Complex<T>> v;
+    explicit Rows(const ModeSums<T>& s) : R(s.R), zeta(s.zeta), u(s.u), g(s.g), v(s.v) {}
+};
+
+/// @brief Largest absolute displacement of a mass on a grid over the half-period.
+inline double largest_sample(const ModeSums<double>& s, const SteadyState<double>& state, std::size_t k, int samples) {
+    double largest = 0;
+    for (int n = 0; n <= samples; ++n) {
+        const double tau = std::min(pi<double>(), pi<double>() * n / samples);
+        largest = std::max(largest, std::abs(motion(s, state, tau).x[k]));
+    }
+    return largest;
+}
+
+} // namespace denhartog::tests
