@@ -1,6 +1,8 @@
 #include "report.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <iomanip>
 #include <sstream>
 #include <stdexcept>
@@ -153,12 +155,27 @@ std::string status_markdown(const ReportParts& p) {
     return out.str();
 }
 
-std::string with_status(const std::string& text, const std::string& status) {
-    const std::string begin = "<!-- status -->\n", end = "<!-- /status -->";
+std::string with_block(const std::string& text, const std::string& name, const std::string& content) {
+    const std::string begin = "<!-- " + name + " -->\n", end = "<!-- /" + name + " -->";
     const std::size_t from = text.find(begin), to = text.find(end);
     if (from == std::string::npos || to == std::string::npos || to < from)
-        throw std::invalid_argument("the marks of the status are missing");
-    return text.substr(0, from + begin.size()) + status + text.substr(to);
+        throw std::invalid_argument("the marks of the block " + name + " are missing");
+    return text.substr(0, from + begin.size()) + content + text.substr(to);
+}
+
+bool same_but_for_rounding(const std::string& a, const std::string& b) {
+    std::istringstream left(a), right(b);
+    std::string x, y;
+    while (left >> x) {
+        if (!(right >> y)) return false;
+        if (x == y) continue;
+        char *x_end = nullptr, *y_end = nullptr;
+        const double p = std::strtod(x.c_str(), &x_end), q = std::strtod(y.c_str(), &y_end);
+        if (*x_end != '\0' || *y_end != '\0') return false;
+        const bool tiny = std::abs(p) < 1e-12 && std::abs(q) < 1e-12;
+        if (!tiny && std::abs(p - q) > 1e-9 * std::max(std::abs(p), std::abs(q))) return false;
+    }
+    return !(right >> y);
 }
 
 } // namespace denhartog::derivation

@@ -25,11 +25,19 @@ struct ReportParts {
 /// @brief The status for README: counts and digits, nothing that changes from run to run. @param parts the parts @return lines
 [[nodiscard]] std::string status_markdown(const ReportParts& parts);
 
-/// @brief Puts a status between the two marks `<!-- status -->` and `<!-- /status -->` of a text.
-/// @param text    the text
-/// @param status  the status
-/// @return        the text with the status
-/// @throws        std::invalid_argument where the marks are missing
-[[nodiscard]] std::string with_status(const std::string& text, const std::string& status);
+/// @brief Puts content between the two marks `<!-- NAME -->` and `<!-- /NAME -->` of a text.
+/// @param text     the text
+/// @param name     the name of the marks
+/// @param content  what goes between them
+/// @return         the text with the content
+/// @throws         std::invalid_argument where the marks are missing
+[[nodiscard]] std::string with_block(const std::string& text, const std::string& name, const std::string& content);
+
+/// @brief Whether two texts are the same but for the rounding of their numbers: words alike, numbers alike to 9 digits or both
+/// below 1e-12 in size, as error bounds are.
+/// @param a  a text
+/// @param b  another
+/// @return   true where they are
+[[nodiscard]] bool same_but_for_rounding(const std::string& a, const std::string& b);
 
 } // namespace denhartog::derivation

@@ -193,86 +193,87 @@ TEST_CASE("what rests on an equation is what it is used by", "[ledger]") {
 
 TEST_CASE("each thing that is missing or wrong makes a fault", "[ledger]") {
     LedgerParts parts = complete_parts();
-    std::string told;
+    const auto expect = [&parts](const std::string& told) {
+        const JoinedLedger joined = join_ledger(parts);
+        for (const std::string& fault : joined.faults) UNSCOPED_INFO(fault);
+        CHECK(tells(joined.faults, told));
+    };
     SECTION("no claim") {
         std::erase_if(parts.claims, [](const ClaimResult& made) { return made.id == "12/claim"; });
-        told = "equation 12 has no verdict";
+        expect("equation 12 has no verdict");
     }
     SECTION("no claim on what is shipped") {
         claim_of(parts, "46/claim").role = "printed";
-        told = "equation 46 has a formula and no claim on it";
+        expect("equation 46 has a formula and no claim on it");
     }
-    SECTION("an unknown verdict") { claim_of(parts, "46/claim").verdict = "unknown", told = "equation 46 is unknown as printed"; }
+    SECTION("an unknown verdict") { claim_of(parts, "46/claim").verdict = "unknown", expect("equation 46 is unknown as printed"); }
     SECTION("an unknown step without a search") {
         parts.claims.push_back(claim("46/step", "46", "step", "unknown"));
-        told = "claim 46/step is unknown";
+        expect("claim 46/step is unknown");
     }
-    SECTION("a word that is no verdict") { claim_of(parts, "46/claim").verdict = "true", told = "which is no verdict"; }
-    SECTION("a word that is no departure") { claim_of(parts, "46/claim").departure = "typo", told = "which is none"; }
-    SECTION("a word that is no role") { claim_of(parts, "46/claim").role = "chorus", told = "which is no role"; }
-    SECTION("pending in Section 2") { claim_of(parts, "46/claim").verdict = "pending", told = "46 must not be pending"; }
-    SECTION("refuted as shipped") { claim_of(parts, "46/claim").verdict = "refuted", told = "46 is refuted as shipped"; }
+    SECTION("a word that is no verdict") { claim_of(parts, "46/claim").verdict = "true", expect("which is no verdict"); }
+    SECTION("a word that is no departure") { claim_of(parts, "46/claim").departure = "typo", expect("which is none"); }
+    SECTION("a word that is no role") { claim_of(parts, "46/claim").role = "chorus", expect("which is no role"); }
+    SECTION("pending in Section 2") { claim_of(parts, "46/claim").verdict = "pending", expect("46 must not be pending"); }
+    SECTION("refuted as shipped") { claim_of(parts, "46/claim").verdict = "refuted", expect("46 is refuted as shipped"); }
     SECTION("refuted without a correction") {
         correct_46(parts), claim_of(parts, "46/claim").correction_latex = "";
-        told = "the printed form of equation 46 is refuted without a correction";
+        expect("the printed form of equation 46 is refuted without a correction");
     }
     SECTION("refuted without a kind of departure") {
         correct_46(parts), claim_of(parts, "46/claim").departure = "none";
-        told = "is refuted, but its departure is not said";
+        expect("is refuted, but its departure is not said");
     }
     SECTION("refuted and the correction refuted") {
         correct_46(parts), claim_of(parts, "46/shipped").verdict = "refuted";
-        told = "the printed form of equation 46 is refuted and no correction is proved";
+        expect("the printed form of equation 46 is refuted and no correction is proved");
     }
     SECTION("a definition refuted, what is shipped unclaimed") {
         parts.claims.push_back(claim("64/claim", "64", "printed", "refuted"));
-        told = "equation 64 has a formula and no claim on it";
+        expect("equation 64 has a formula and no claim on it");
     }
     SECTION("a loss that is no number") {
         correct_46(parts), claim_of(parts, "46/claim").loss = std::numeric_limits<double>::quiet_NaN();
-        told = "claim 46/claim has a loss that is not finite";
+        expect("claim 46/claim has a loss that is not finite");
     }
-    SECTION("a claim twice") { parts.claims.push_back(parts.claims.front()), told = "is there twice"; }
-    SECTION("a claim on nothing") { claim_of(parts, "46/claim").equations = {}, told = "speaks of no equation"; }
+    SECTION("a claim twice") { parts.claims.push_back(parts.claims.front()), expect("is there twice"); }
+    SECTION("a claim on nothing") { claim_of(parts, "46/claim").equations = {}, expect("speaks of no equation"); }
     SECTION("a claim on no equation of the paper") {
         parts.claims.push_back(claim("89/claim", "89", "both", "proved"));
-        told = "claim 89/claim speaks of equation 89";
+        expect("claim 89/claim speaks of equation 89");
     }
     SECTION("no formula and no reason") {
         std::erase_if(parts.functions, [](const auto& function) { return function.equation == "46"; });
-        told = "equation 46 has neither a formula nor a reason why not";
+        expect("equation 46 has neither a formula nor a reason why not");
     }
     SECTION("the printed form alone is no formula") {
         for (auto& function : parts.functions)
             if (function.equation == "46") function.name = "denhartog::as_printed::f";
-        told = "equation 46 has neither a formula nor a reason why not";
+        expect("equation 46 has neither a formula nor a reason why not");
     }
     SECTION("a formula and a reason against it") {
         parts.functions.push_back({"15", "denhartog::evaluation::f", "src/f.hpp", 7});
-        told = "equation 15 has a formula and a reason why it has none";
+        expect("equation 15 has a formula and a reason why it has none");
     }
     SECTION("a function of no equation") {
         parts.functions.push_back({"89", "denhartog::f", "src/f.hpp", 7});
-        told = "denhartog::f (src/f.hpp:7) is tagged eq{89}";
+        expect("denhartog::f (src/f.hpp:7) is tagged eq{89}");
     }
     SECTION("no test") {
         std::erase_if(parts.results.runs, [](const auto& run) { return run.name == "test of 46"; });
         std::erase_if(parts.declared, [](const auto& test) { return test.name == "test of 46"; });
-        told = "equation 46 has a formula and no test that ran and passed";
+        expect("equation 46 has a formula and no test that ran and passed");
     }
     SECTION("a test that did not run") {
         parts.declared.push_back({"left out", {"29"}, "f.cpp", 1});
-        told = "test 'left out' tagged eq:29 did not run";
+        expect("test 'left out' tagged eq:29 did not run");
     }
-    SECTION("a test that failed") { parts.results.runs.front().passed = false, told = "test 'test of 1' failed"; }
+    SECTION("a test that failed") { parts.results.runs.front().passed = false, expect("test 'test of 1' failed"); }
     SECTION("a test of no equation") {
         parts.declared.push_back({"test of 1", {"1", "89"}, "f.cpp", 1});
-        told = "test 'test of 1' is tagged eq:89, which is not in the paper";
+        expect("test 'test of 1' is tagged eq:89, which is not in the paper");
     }
-    SECTION("a row missing") { parts.rows.erase(45), told = "equation 46 has no row"; }
-    const JoinedLedger joined = join_ledger(parts);
-    for (const std::string& fault : joined.faults) UNSCOPED_INFO(fault);
-    CHECK(tells(joined.faults, told));
+    SECTION("a row missing") { parts.rows.erase(45), expect("equation 46 has no row"); }
 }
 
 TEST_CASE("a test over types ran if one of its types did", "[ledger]") {

@@ -61,30 +61,31 @@ TEST_CASE("an equation of Section 2 or the Appendix has a formula or a reason wh
 TEST_CASE("a row that breaks a rule is told by name", "[ledger]") {
     const Json good = tests::project_rows();
     Json rows = good;
-    std::string told;
-    SECTION("a row is missing") { rows.erase(45), told = "row 46 must be equation 46, but is 47"; }
-    SECTION("the last row is missing") { rows.erase(102), told = "equation A.15 has no row"; }
-    SECTION("a row is there twice") { rows.push_back(good[102]), told = "row 104 must be equation none"; }
-    SECTION("two rows are exchanged") { std::swap(rows[3], rows[4]), told = "row 4 must be equation 4, but is 5"; }
-    SECTION("an unknown kind") { rows[45]["kind"] = "theorem", told = "equation 46: unknown kind"; }
-    SECTION("an unknown section") { rows[45]["section"] = "2.9", told = "equation 46: unknown section"; }
-    SECTION("an unknown key") { rows[45]["verdict"] = "proved", told = "unknown key verdict"; }
-    SECTION("a missing key") { rows[45].erase("statement"), told = "has no statement"; }
-    SECTION("a text that is empty") { rows[45]["statement"] = "", told = "statement must be a text that is not empty"; }
-    SECTION("a number for a text") { rows[45]["kind"] = 3, told = "kind must be a text"; }
-    SECTION("grounds that are no array") { rows[45]["rests_on"] = "41", told = "rests_on must be an array"; }
-    SECTION("a row that is no object") { rows[45] = 46, told = "row 46 must be an object"; }
-    SECTION("a ground that is not there") { rows[45]["rests_on"] = {"89"}, told = "46 rests on 89, which has no row"; }
-    SECTION("a ground twice") { rows[45]["rests_on"] = {"41", "41"}, told = "46 rests on 41 twice"; }
-    SECTION("a later result") { rows[45]["rests_on"] = {"58"}, told = "46 rests on 58, which comes later"; }
-    SECTION("itself") { rows[45]["rests_on"] = {"46"}, told = "46 rests on itself"; }
-    SECTION("a circle through the Appendix") { rows[88]["rests_on"] = {"40"}, told = "rests on itself by way of"; }
-    SECTION("a brace too few") { rows[45]["statement"] = "\\frac{1}{2", told = "46: statement: has a { too many"; }
-    SECTION("a reading without a note") { rows[45]["read_as"] = "x", told = "printed_note and read_as belong together"; }
-    SECTION("a reading that changes nothing") { rows[1]["read_as"] = rows[1]["statement"], told = "2: read_as says the same"; }
-    const std::vector<std::string> faults = faults_of_rows(rows);
-    for (const std::string& fault : faults) UNSCOPED_INFO(fault);
-    CHECK(tells(faults, told));
+    const auto expect = [&rows](const std::string& told) {
+        const std::vector<std::string> faults = faults_of_rows(rows);
+        for (const std::string& fault : faults) UNSCOPED_INFO(fault);
+        CHECK(tells(faults, told));
+    };
+    SECTION("a row is missing") { rows.erase(45), expect("row 46 must be equation 46, but is 47"); }
+    SECTION("the last row is missing") { rows.erase(102), expect("equation A.15 has no row"); }
+    SECTION("a row is there twice") { rows.push_back(good[102]), expect("row 104 must be equation none"); }
+    SECTION("two rows are exchanged") { std::swap(rows[3], rows[4]), expect("row 4 must be equation 4, but is 5"); }
+    SECTION("an unknown kind") { rows[45]["kind"] = "theorem", expect("equation 46: unknown kind"); }
+    SECTION("an unknown section") { rows[45]["section"] = "2.9", expect("equation 46: unknown section"); }
+    SECTION("an unknown key") { rows[45]["verdict"] = "proved", expect("unknown key verdict"); }
+    SECTION("a missing key") { rows[45].erase("statement"), expect("has no statement"); }
+    SECTION("a text that is empty") { rows[45]["statement"] = "", expect("statement must be a text that is not empty"); }
+    SECTION("a number for a text") { rows[45]["kind"] = 3, expect("kind must be a text"); }
+    SECTION("grounds that are no array") { rows[45]["rests_on"] = "41", expect("rests_on must be an array"); }
+    SECTION("a row that is no object") { rows[45] = 46, expect("row 46 must be an object"); }
+    SECTION("a ground that is not there") { rows[45]["rests_on"] = {"89"}, expect("46 rests on 89, which has no row"); }
+    SECTION("a ground twice") { rows[45]["rests_on"] = {"41", "41"}, expect("46 rests on 41 twice"); }
+    SECTION("a later result") { rows[45]["rests_on"] = {"58"}, expect("46 rests on 58, which comes later"); }
+    SECTION("itself") { rows[45]["rests_on"] = {"46"}, expect("46 rests on itself"); }
+    SECTION("a circle through the Appendix") { rows[88]["rests_on"] = {"40"}, expect("rests on itself by way of"); }
+    SECTION("a brace too few") { rows[45]["statement"] = "\\frac{1}{2", expect("46: statement: has a { too many"); }
+    SECTION("a reading without a note") { rows[45]["read_as"] = "x", expect("printed_note and read_as belong together"); }
+    SECTION("a reading that changes nothing") { rows[1]["read_as"] = rows[1]["statement"], expect("2: read_as says the same"); }
 }
 
 TEST_CASE("rows that are no array are told", "[ledger]") { CHECK(tells(faults_of_rows(Json::object()), "must be an array")); }
