@@ -22,6 +22,23 @@ std::string text(const GiNaC::numeric& n) {
     return out.str();
 }
 
+/// The grounds of a proof in a sentence: generators and divisions.
+std::string grounds_of(const Decision& decision) {
+    std::ostringstream out;
+    out << "The difference reduces to zero";
+    const char* separator = " with ";
+    for (const std::string& name : decision.generators) {
+        out << separator << name;
+        separator = "; ";
+    }
+    separator = ", where none of these is zero: ";
+    for (const GiNaC::ex& d : decision.denominators) {
+        out << separator << d;
+        separator = "; ";
+    }
+    return out.str();
+}
+
 Decision decide_component(const Symbolic& kernel, const GiNaC::ex& derived) {
     return decide_equal(kernel.expression(), derived, domain_of({kernel.expression(), derived}));
 }
@@ -69,15 +86,7 @@ Result decide(const Claim& claim) {
             result.steps.push_back({"Under test" + which, latex(kernel[i].expression())});
             if (i == 0 || decision.verdict != Verdict::proved) result.decision = decision;
             if (decision.verdict == Verdict::proved) {
-                std::string text = "The difference reduces to zero with the generators ";
-                for (const std::string& name : decision.generators) text += name + "; ";
-                text += "and nothing is divided by but ";
-                for (const GiNaC::ex& d : decision.denominators) {
-                    std::ostringstream out;
-                    out << d;
-                    text += out.str() + "; ";
-                }
-                result.steps.push_back({text, ""});
+                result.steps.push_back({grounds_of(decision), ""});
                 continue;
             }
             if (result.verdict == Verdict::refuted) continue;

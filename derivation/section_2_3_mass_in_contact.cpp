@@ -100,7 +100,10 @@ const Register registered([] {
                             return Values{paper::displacement_transmissibility_of_contact(V_j(), Symbolic(s.U_j), Symbolic(s.G_j),
                                                                                          Symbolic(s.beta))};
                         },
-                    .derived = [] { return std::vector<ex>{derived_amplitude()}; }});
+                    .derived = [] { return std::vector<ex>{derived_amplitude()}; },
+                    .steps = {{"The squares of (36) and (37) add up to one",
+                               "(\\overline{X}_j+\\beta G_j)^2+(\\beta U_{dj})^2=|V_{dj}|^2"},
+                              step("A quadratic equation; its larger root is", "\\overline{X}_j", derived_amplitude())}});
     list.push_back({.id = "39/phase",
                     .equations = {"39"},
                     .title = "The phase has the cosine (36) and the sine (37)",

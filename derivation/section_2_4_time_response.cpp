@@ -191,7 +191,11 @@ const Register registered([] {
                         [&s] {
                             return Values{paper::initial_displacement(V_k(), V_j(), Symbolic(s.U_j), Symbolic(s.G_k), Symbolic(s.beta))};
                         },
-                    .derived = [] { return std::vector<ex>{derived_initial_state()[0]}; }});
+                    .derived = [] { return std::vector<ex>{derived_initial_state()[0]}; },
+                    .steps = {{"The phase follows from the mass in contact, (36)-(38)",
+                               "\\mathrm{Re}\\{V_{dj}e^{i\\phi_j}\\}=\\sqrt{|V_{dj}|^2-(\\beta U_{dj})^2},\\qquad "
+                               "\\mathrm{Im}\\{V_{dj}e^{i\\phi_j}\\}=-\\beta U_{dj}"},
+                              step("and goes into (42)", "\\bar{x}_{k0}", derived_initial_state()[0])}});
     list.push_back({.id = "45/printed",
                     .equations = {"45"},
                     .role = Role::printed,
@@ -215,7 +219,8 @@ const Register registered([] {
                         [&s] {
                             return Values{paper::initial_velocity(V_k(), V_j(), Symbolic(s.U_j), Symbolic(s.U_k), Symbolic(s.beta))};
                         },
-                    .derived = [] { return std::vector<ex>{derived_initial_state()[1]}; }});
+                    .derived = [] { return std::vector<ex>{derived_initial_state()[1]}; },
+                    .steps = {step("The same phase goes into (43)", "\\bar{x}_{k0}'", derived_initial_state()[1])}});
     list.push_back({.id = "44/evaluation",
                     .equations = {"44", "45"},
                     .role = Role::shipped,

@@ -121,7 +121,11 @@ const Register registered([] {
          .title = "The expression under the maximum, for a system with one mode",
          .assumptions = domain,
          .kernel = [kernel_arguments] { return kernel_arguments(shipped_integrand); },
-         .derived = s_d},
+         .derived = s_d,
+         .steps = {{"With one mode the velocity of the contact is that of the mode, started with no velocity; it is divided by -sin(tau) and "
+                    "solved for what friction adds",
+                    "-\\frac{\\bar{x}_j'}{\\sin\\tau} = \\overline{X}_j + \\beta G_j - \\beta\\psi_{ji}^2s_i(\\tau)"},
+                   step("which is", "s_i(\\tau)", derived_s_d())}},
         {.id = "70/printed",
          .equations = {"70"},
          .role = Role::printed,
@@ -154,7 +158,9 @@ const Register registered([] {
          .kernel =
              [&s] { return Values{paper::s_d_at_zero(Symbolic(s.R), Symbolic(s.zeta), Symbolic(s.u), Symbolic(s.g))}; },
          .derived = s_d_0,
-         .approximation = true},
+         .approximation = true,
+         .steps = {{"Numerator and sin(tau) both vanish at tau = 0; the limit is the quotient of their rates", ""},
+                   step("The rate of the numerator at tau = 0", "\\lim_{\\tau\\to0}s_i", derived_s_d_at_zero())}},
         {.id = "60/phase-of-mode",
          .equations = {"60"},
          .title = "Cosine and sine of the phase with the argument of v_di",

@@ -131,9 +131,22 @@ SymbolicModes symbolic_modes(int N) {
 }
 
 std::string latex(const ex& e) {
+    static const GiNaC::possymbol w("w", "w");
+    const Symbols& s = symbols();
+    GiNaC::exmap roots{{s.w, w}, {1 / s.w, 1 / ex(w)}};
+    for (const Symbolic& zeta : symbolic_modes(3).zeta) {
+        const ex root = GiNaC::sqrt(1 - zeta.expression() * zeta.expression());
+        std::ostringstream name;
+        name << zeta.expression();
+        const GiNaC::possymbol w_i("w" + name.str().substr(4), "w_" + name.str().substr(4));
+        roots[root] = w_i;
+        roots[1 / root] = 1 / ex(w_i);
+    }
     std::ostringstream out;
-    out << GiNaC::latex << e;
+    out << GiNaC::latex << e.subs(roots);
     return out.str();
 }
+
+Step step(const std::string& text, const std::string& left, const ex& right) { return {text, left + " = " + latex(right)}; }
 
 } // namespace denhartog::derivation

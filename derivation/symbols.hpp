@@ -5,6 +5,7 @@
 #include <ginac/ginac.h>
 #include <vector>
 
+#include "claim.hpp"
 #include "denhartog/formulas/modal_coordinate.hpp"
 #include "symbolic.hpp"
 #include "zero_test.hpp"
@@ -45,7 +46,14 @@ struct SymbolicModes {
 /// @brief Symbols of N modes. @param N  1, 2 or 3 @return the symbols
 [[nodiscard]] SymbolicModes symbolic_modes(int N);
 
-/// @brief LaTeX of an expression. @param e the expression @return LaTeX
+/// @brief LaTeX of an expression, with w for \f$ \sqrt{1-\zeta_i^2} \f$. @param e the expression @return LaTeX
 [[nodiscard]] std::string latex(const GiNaC::ex& e);
+
+/// @brief A line of a derivation: what is done, and a formula that comes out.
+/// @param text   what is done
+/// @param left   LaTeX of the left side
+/// @param right  the right side, as GiNaC made it
+/// @return       the line
+[[nodiscard]] Step step(const std::string& text, const std::string& left, const GiNaC::ex& right);
 
 } // namespace denhartog::derivation

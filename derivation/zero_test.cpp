@@ -68,6 +68,9 @@ class Generators {
         return numerator;
     }
 
+    /// Keeps what one side of a comparison divides by; it may cancel in the difference.
+    void note_divisions(const ex& rational) { note_denominator(rational.normal().denom()); }
+
     std::vector<ex> denominators;
     std::vector<std::string> names;
 
@@ -263,7 +266,7 @@ class Generators {
         if (GiNaC::is_a<numeric>(d)) return;
         if (reduce(d).is_zero()) throw std::domain_error("a denominator that is zero everywhere");
         for (const ex& known : denominators)
-            if (known.is_equal(d)) return;
+            if ((known - d).expand().is_zero() || (known + d).expand().is_zero()) return;
         denominators.push_back(d);
     }
 };
@@ -320,6 +323,8 @@ Decision decide_equal(const ex& left, const ex& right, const std::vector<Range>&
     try {
         Generators generators(sample_points(domain, 1).front());
         zero = generators.reduced_numerator(generators.replace(left - right)).is_zero();
+        generators.note_divisions(generators.replace(left));
+        generators.note_divisions(generators.replace(right));
         decision.denominators = generators.denominators;
         decision.generators = generators.names;
     } catch (const std::exception& e) {

@@ -28,7 +28,9 @@ std::pair<ex, ex> derived_rates() {
     const ex from_sine = residual.coeff(GiNaC::sin(nu * s.tau)) / nu;
     const ex decay = GiNaC::lsolve(from_sine.normal() == 0, sigma);
     const ex from_cosine = residual.coeff(GiNaC::cos(nu * s.tau)).subs(sigma == decay).expand().subs(nu * nu == nu_squared);
-    return {decay, GiNaC::sqrt(GiNaC::lsolve(from_cosine == 0, nu_squared))};
+    // nu^2 R^2 has no R any more; R is positive
+    const ex without_R = (GiNaC::lsolve(from_cosine == 0, nu_squared) * s.R * s.R).normal().expand();
+    return {decay, GiNaC::sqrt(without_R) / s.R};
 }
 
 /// Factors of cos(tau) and sin(tau) in the answer to the load C cos(tau) + S sin(tau).
@@ -60,6 +62,31 @@ ex derived_general_solution() {
     return GiNaC::exp(decay * s.tau) * (s.A * GiNaC::cos(frequency * s.tau) + s.B * GiNaC::sin(frequency * s.tau)) +
            static_part + a * GiNaC::cos(s.tau) + b * GiNaC::sin(s.tau);
 }
+
+namespace {
+
+std::vector<Step> steps_of_general_solution() {
+    const Symbols& s = symbols();
+    const auto [decay, frequency] = derived_rates();
+    const auto [a, b] = derived_harmonic(s.psi_li * s.c_phi, -s.psi_li * s.s_phi);
+    return {{"The equation of the modal coordinate, (20)",
+             "\\eta_i'' + \\frac{2\\zeta_i}{R_i}\\eta_i' + \\frac{1}{R_i^2}\\eta_i = \\psi_{ji}\\beta + \\psi_{li}\\cos(\\tau+\\phi_j)"},
+            step("Without the right side, e^(sigma tau) cos(nu tau) and e^(sigma tau) sin(nu tau) solve it; the coefficient of the sine gives",
+                 "\\sigma", decay),
+            step("and the coefficient of the cosine", "\\nu", frequency),
+            {"A constant c solves it with the friction alone on the right", "c = \\psi_{ji}R_i^2\\beta"},
+            step("a cos(tau) + b sin(tau) solves it with the load alone; comparing coefficients of the cosine", "a", a),
+            step("and of the sine", "b", b)};
+}
+
+std::vector<Step> steps_of_complex_response() {
+    const auto [re, im] = derived_complex_response();
+    return {{"The answer to the load cos(tau) is R^2 Re{v exp(i tau)}", "R_i^2(\\mathrm{Re}v_{di}\\cos\\tau - \\mathrm{Im}v_{di}\\sin\\tau)"},
+            step("Its cosine has the factor R^2 times", "\\mathrm{Re}v_{di}", re),
+            step("its sine the factor -R^2 times", "\\mathrm{Im}v_{di}", im)};
+}
+
+} // namespace
 
 ex in_phi_j(const ex& e) {
     const Symbols& s = symbols();
@@ -96,7 +123,8 @@ const Register registered([] {
                                                        Symbolic(s.beta), Symbolic(s.phi_j))};
              },
          .derived = [] { return std::vector<ex>{in_phi_j(derived_general_solution())}; },
-         .departure = Departure::convention},
+         .departure = Departure::convention,
+         .steps = steps_of_general_solution()},
         {.id = "23/complex-response",
          .equations = {"23"},
          .title = "Complex response function of a mode from the harmonic part of the general solution",
@@ -110,7 +138,8 @@ const Register registered([] {
              [] {
                  const auto [re, im] = derived_complex_response();
                  return std::vector<ex>{re, im};
-             }},
+             },
+         .steps = steps_of_complex_response()},
     };
 });
 

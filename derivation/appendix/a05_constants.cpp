@@ -36,7 +36,11 @@ const Register registered([] {
                  const auto [A, B] = derived_constants();
                  return std::vector<ex>{in_phi_j(A), in_phi_j(B)};
              },
-         .departure = Departure::convention},
+         .departure = Departure::convention,
+         .steps = {{"The general solution and its rate at tau = 0 are set to the initial values (24)",
+                    "\\eta_i(0)=\\eta_{i0},\\qquad \\eta_i'(0)=\\eta_{i0}'"},
+                   step("Two linear equations; the first gives", "A_i", derived_constants().first),
+                   step("and the second", "B_i", derived_constants().second)}},
         {.id = "A.3/initial-conditions",
          .equations = {"24", "A.3"},
          .role = Role::step,

@@ -38,7 +38,8 @@ const Register registered([] {
                                                                     Symbolic(s.beta), Symbolic(s.phi_j))};
              },
          .derived = [] { return std::vector<ex>{in_phi_j(derived_displacement())}; },
-         .departure = Departure::convention},
+         .departure = Departure::convention,
+         .steps = {{"The constants are put into the general solution and the terms ordered by the initial values, friction and load", ""}}},
         {.id = "A.8/free-motion",
          .equations = {"A.8"},
          .title = "d is the answer to a unit displacement, R q the answer to a unit velocity",
@@ -53,7 +54,11 @@ const Register registered([] {
                  const ex eta = derived_displacement();
                  return std::vector<ex>{eta.diff(GiNaC::ex_to<GiNaC::symbol>(s.eta_0)),
                                         eta.diff(GiNaC::ex_to<GiNaC::symbol>(s.eta_prime_0))};
-             }},
+             },
+         .steps = {step("The factor of the initial displacement in the derived displacement", "d_i",
+                        derived_displacement().diff(GiNaC::ex_to<GiNaC::symbol>(s.eta_0))),
+                   step("The factor of the initial velocity", "R_iq_i",
+                        derived_displacement().diff(GiNaC::ex_to<GiNaC::symbol>(s.eta_prime_0)))}},
     };
 });
 

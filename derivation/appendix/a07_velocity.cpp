@@ -40,7 +40,9 @@ const Register registered([] {
                  return Values{paper::modal_velocity_from_start(Symbolic(s.tau), symbolic_mode(), symbolic_start(),
                                                                 Symbolic(s.beta), Symbolic(s.phi_j))};
              },
-         .derived = derived},
+         .derived = derived,
+         .steps = {{"The displacement (A.6) is differentiated with respect to tau; d' multiplies + eta_0, as d does there",
+                    "\\frac{\\mathrm{d}}{\\mathrm{d}\\tau}(d_i\\eta_{i0}) = d_i'\\eta_{i0}"}}},
         {.id = "A.9/rates",
          .equations = {"A.9"},
          .title = "Rates of d and q",

@@ -34,7 +34,10 @@ const Register registered([] {
              [] {
                  const auto [displacement, velocity] = derived_final_conditions();
                  return std::vector<ex>{displacement, velocity};
-             }},
+             },
+         .steps = {{"Symmetry: half a period later the motion is its mirror image", "\\eta_i(\\pi)+\\eta_{i0}=0,\\qquad \\eta_i'(\\pi)+\\eta_{i0}'=0"},
+                   {"cos(phi_j) and sin(phi_j) are written through the real and imaginary part of v exp(i phi_j), in which both conditions are linear",
+                    "[v_{di}\\cos\\phi_j] = \\mathrm{Re}\\{v_{di}e^{i\\phi_j}\\},\\qquad [v_{di}\\sin\\phi_j] = \\mathrm{Im}\\{v_{di}e^{i\\phi_j}\\}"}}},
         {.id = "A.11/coefficients",
          .equations = {"A.11"},
          .title = "The six coefficients, v_di taken out of the first four",

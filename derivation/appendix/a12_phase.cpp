@@ -68,13 +68,17 @@ const Register registered([] {
          .title = "First damping function from the conditions at tau = pi",
          .assumptions = mode_domain,
          .kernel = [&s] { return Values{paper::first_damping_function(Symbolic(s.R), Symbolic(s.zeta))}; },
-         .derived = [] { return std::vector<ex>{derived_first_damping_function()}; }},
+         .derived = [] { return std::vector<ex>{derived_first_damping_function()}; },
+         .steps = {{"The two conditions at tau = pi are solved for v cos(phi_j) and v sin(phi_j) by elimination", ""},
+                   step("The part of -v sin(phi_j) that friction makes, over psi_ji beta / psi_li", "u_{di}", derived_first_damping_function())}},
         {.id = "29/second-damping-function",
          .equations = {"29"},
          .title = "Second damping function from the conditions at tau = pi",
          .assumptions = mode_domain,
          .kernel = [&s] { return Values{paper::second_damping_function(Symbolic(s.R), Symbolic(s.zeta))}; },
-         .derived = [] { return std::vector<ex>{derived_second_damping_function()}; }},
+         .derived = [] { return std::vector<ex>{derived_second_damping_function()}; },
+         .steps = {{"The two conditions at tau = pi are solved for v cos(phi_j) and v sin(phi_j) by elimination", ""},
+                   step("The part of v cos(phi_j) that friction makes, over psi_ji beta / psi_li", "g_i", derived_second_damping_function())}},
         {.id = "28/undamped",
          .equations = {"28", "29"},
          .role = Role::step,
@@ -101,7 +105,9 @@ const Register registered([] {
                                                Symbolic(s.beta))};
              },
          .derived = [] { return std::vector<ex>{derived_phase().first}; },
-         .departure = Departure::convention},
+         .departure = Departure::convention,
+         .steps = {step("The solution of the two conditions", "[v_{di}\\cos\\phi_j]", derived_phase().first),
+                   {"The initial velocity drops out, and friction has the factor g_i of (29)", ""}}},
         {.id = "A.14/sine",
          .equations = {"27", "A.14"},
          .title = "v sin(phi_j) from the initial velocity: the initial displacement cancels",
@@ -112,7 +118,9 @@ const Register registered([] {
                                              paper::first_damping_function(Symbolic(s.R), Symbolic(s.zeta)), Symbolic(s.beta))};
              },
          .derived = [] { return std::vector<ex>{derived_phase().second}; },
-         .departure = Departure::convention},
+         .departure = Departure::convention,
+         .steps = {step("The solution of the two conditions", "[v_{di}\\sin\\phi_j]", derived_phase().second),
+                   {"The initial displacement drops out, and friction has the factor -u_di of (28)", ""}}},
     };
 });
 

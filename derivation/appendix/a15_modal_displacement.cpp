@@ -48,7 +48,12 @@ const Register registered([] {
                  return Values{paper::modal_displacement(Symbolic(s.tau), symbolic_mode(), symbolic_start(), Symbolic(s.u),
                                                          Symbolic(s.g), Symbolic(s.beta))};
              },
-         .derived = derived},
+         .derived = derived,
+         .steps = {{"(A.13) and (A.14) are put into the displacement (A.6)",
+                    "[v_{di}\\cos\\phi_j] = \\frac{\\eta_{i0}+\\psi_{ji}R_i^2g_i\\beta}{\\psi_{li}R_i^2},\\qquad "
+                    "[v_{di}\\sin\\phi_j] = -\\frac{\\eta_{i0}'+\\psi_{ji}R_i^2u_{di}\\beta}{\\psi_{li}R_i^2}"},
+                   {"The initial values lose their free motions d and q; friction keeps 1 - (1 + g) d - u R q",
+                    "d_i\\eta_{i0} - d_i(\\eta_{i0}+\\psi_{ji}R_i^2g_i\\beta) = -d_i\\psi_{ji}R_i^2g_i\\beta"}}},
         {.id = "40/rate",
          .equations = {"40"},
          .role = Role::shipped,

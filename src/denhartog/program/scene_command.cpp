@@ -17,6 +17,12 @@ std::string as_json(const InputError& e) {
            "\n";
 }
 
+/// A fault of a scene's key that was found after reading has its place there too.
+InputError with_place(const InputError& e) {
+    const bool is_key = std::ranges::find(scene_keys(), e.quantity) != scene_keys().end();
+    return e.place.empty() && is_key ? InputError(e.quantity, e.rule, e.value, "/" + e.quantity) : e;
+}
+
 std::string in_place(const SceneText& part, const InputError& e) {
     const bool has_line = e.place.find("line ") != std::string::npos;
     return std::string(e.what()) + (part.alone || has_line ? "" : " (line " + std::to_string(part.line) + ")");
@@ -43,7 +49,8 @@ void answer_scenes(const SceneOptions& options, const std::function<std::string(
         std::string output;
         try {
             output = answer(part);
-        } catch (const InputError& e) {
+        } catch (const InputError& fault) {
+            const InputError e = with_place(fault);
             status.bad_input = true;
             report(in_place(part, e));
             if (options.json && !part.alone) output = as_json(e);
