@@ -64,7 +64,6 @@ const Register registered([] {
          .special_case = true},
         {.id = "49/real-part",
          .equations = {"49"},
-         .role = Role::step,
          .title = "With real initial values the real part of (x_k0 - i x'_k0) exp(i tau) is (48)",
          .kernel =
              [&s] {
@@ -75,7 +74,8 @@ const Register registered([] {
                  const ex product =
                      ((s.x_k0 - GiNaC::I * s.x_prime_k0) * (GiNaC::cos(s.tau) + GiNaC::I * GiNaC::sin(s.tau))).expand();
                  return std::vector<ex>{product.real_part()};
-             }},
+             },
+         .departure = Departure::convention},
         {.id = "50/printed",
          .equations = {"50"},
          .role = Role::printed,

@@ -49,7 +49,7 @@ namespace paper {
 
 /// @brief What the equation of motion of a modal coordinate leaves over; zero for a motion.
 /// \f[ \eta_i'' + \frac{2\zeta_i}{R_i}\eta_i' + \frac{1}{R_i^2}\eta_i - \psi_{ji}\beta - \psi_{li}\cos(\tau+\phi_j) \f]
-/// @eq{20,A.1}  @derivation{s22_modal_superposition}  @domain{0 <= tau <= pi}
+/// @eq{20,A.1}  @derivation{appendix/a02_general_solution}  @domain{0 <= tau <= pi}
 /// @param eta               modal displacement
 /// @param eta_prime         its first derivative in tau
 /// @param eta_double_prime  its second derivative in tau
@@ -190,7 +190,7 @@ template <class T>
 }
 
 /// @brief Solution of (A.10) for the cosine, \f$ (\mathcal{BR}-\mathcal{CQ})/(\mathcal{AQ}-\mathcal{BP}) \f$.
-/// @eq{A.12}  @derivation{appendix/a12_cramer}  @domain{AQ - BP not zero}
+/// @eq{A.12}  @derivation{appendix/a12_phase}  @domain{AQ - BP not zero}
 /// @param p  coefficients, Eq. (A.11)
 /// @return   v_di cos(phi_j)
 template <class T>
@@ -199,7 +199,7 @@ template <class T>
 }
 
 /// @brief Solution of (A.10) for the sine, \f$ (\mathcal{CP}-\mathcal{AR})/(\mathcal{AQ}-\mathcal{BP}) \f$.
-/// @eq{A.12}  @derivation{appendix/a12_cramer}  @domain{AQ - BP not zero}
+/// @eq{A.12}  @derivation{appendix/a12_phase}  @domain{AQ - BP not zero}
 /// @param p  coefficients, Eq. (A.11)
 /// @return   v_di sin(phi_j)
 template <class T>
@@ -210,7 +210,7 @@ template <class T>
 /// @brief \f$ v_{di}\cos\phi_j = (\eta_{i0}+\psi_{ji}R_i^2 g_i\beta)/(\psi_{li}R_i^2) \f$.
 ///
 /// With the reading of `complex.hpp` and divided by \f$ |v_{di}| \f$ this is the first line of (60).
-/// @eq{26,60,A.13}  @derivation{appendix/a13_phase}  @domain{psi_li not zero, R > 0, 0 <= zeta < 1}
+/// @eq{26,60,A.13}  @derivation{appendix/a12_phase}  @domain{psi_li not zero, R > 0, 0 <= zeta < 1}
 /// @param m      the mode
 /// @param start  initial values, Eq. (24)
 /// @param g      second damping function of the mode, Eq. (29); dimensionless
@@ -224,7 +224,7 @@ template <class T>
 /// @brief \f$ v_{di}\sin\phi_j = -(\eta_{i0}'+\psi_{ji}R_i^2 u_{di}\beta)/(\psi_{li}R_i^2) \f$.
 ///
 /// With the reading of `complex.hpp` and divided by \f$ |v_{di}| \f$ this is the second line of (60).
-/// @eq{27,60,A.14}  @derivation{appendix/a13_phase}  @domain{psi_li not zero, R > 0, 0 <= zeta < 1}
+/// @eq{27,60,A.14}  @derivation{appendix/a12_phase}  @domain{psi_li not zero, R > 0, 0 <= zeta < 1}
 /// @param m      the mode
 /// @param start  initial values, Eq. (24)
 /// @param u      first damping function of the mode, Eq. (28); dimensionless
@@ -238,7 +238,7 @@ template <class T>
 /// @brief \f$ \cos\phi_j \f$ from the initial values of one mode.
 /// \f[ \cos\phi_j = \frac{\eta_{i0}+\psi_{ji}R_i^2 g_i\beta}{\psi_{li}R_i^2}(1-R_i^2)
 ///     + \frac{\eta_{i0}'+\psi_{ji}R_i^2 u_{di}\beta}{\psi_{li}R_i^2}(2\zeta_i R_i) \f]
-/// @eq{62}  @derivation{s26_domain_of_validity}  @domain{psi_li not zero, R > 0, 0 <= zeta < 1}
+/// @eq{62}  @derivation{section_2_6_domain_of_validity}  @domain{psi_li not zero, R > 0, 0 <= zeta < 1}
 /// @param m      the mode
 /// @param start  initial values, Eq. (24)
 /// @param u      first damping function of the mode, Eq. (28); dimensionless

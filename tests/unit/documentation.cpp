@@ -1,0 +1,38 @@
+// What the doc comments point at is there.
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "tests/catch.hpp"
+
+namespace {
+
+std::string text_of(const std::filesystem::path& file) {
+    std::ifstream in(file);
+    std::ostringstream text;
+    text << in.rdbuf();
+    return text.str();
+}
+
+} // namespace
+
+TEST_CASE("every derivation that a doc comment names is a file", "[documentation]") {
+    const char* source = std::getenv("DENHARTOG_SOURCE_DIR");
+    REQUIRE(source != nullptr);
+    const std::filesystem::path root(source);
+    const std::string tag = "@derivation{";
+    int found = 0;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(root / "src")) {
+        if (entry.path().extension() != ".hpp") continue;
+        const std::string text = text_of(entry.path());
+        for (std::size_t at = text.find(tag); at != std::string::npos; at = text.find(tag, at + 1)) {
+            const std::size_t from = at + tag.size();
+            const std::string name = text.substr(from, text.find('}', from) - from);
+            INFO(entry.path().string() << ": " << name);
+            CHECK(std::filesystem::exists(root / "derivation" / (name + ".cpp")));
+            ++found;
+        }
+    }
+    CHECK(found > 50);
+}
