@@ -69,4 +69,16 @@ std::pair<ex, ex> derived_phase_of_contact(const ex& re, const ex& im, const ex&
     return {ex(cosine).subs(solution), ex(sine).subs(solution)};
 }
 
+std::pair<ex, ex> derived_steady_phase(const ex& re, const ex& im, const ex& U) {
+    const ex beta = symbols().beta;
+    const ex root = GiNaC::sqrt(re * re + im * im - beta * beta * U * U);
+    return derived_phase_of_contact(re, im, root, -beta * U);
+}
+
+std::pair<ex, ex> derived_initial_state() {
+    const Symbols& s = symbols();
+    const auto [c, sine] = derived_steady_phase(s.V_jr, s.V_ji, s.U_j);
+    return {s.V_kr * c - s.V_ki * sine - s.beta * s.G_k, -(s.V_kr * sine + s.V_ki * c) - s.beta * s.U_k};
+}
+
 } // namespace denhartog::derivation

@@ -38,4 +38,13 @@ struct ModalStart {
 [[nodiscard]] std::pair<GiNaC::ex, GiNaC::ex> derived_phase_of_contact(const GiNaC::ex& re, const GiNaC::ex& im, const GiNaC::ex& c,
                                                                        const GiNaC::ex& s);
 
+/// @brief cos(phi_j) and sin(phi_j) of the steady state: Re{V exp(i phi)} is the root of (38), Im{V exp(i phi)} is -beta U.
+/// @param re, im  V_dj @param U U_dj
+/// @return        the cosine and the sine
+[[nodiscard]] std::pair<GiNaC::ex, GiNaC::ex> derived_steady_phase(const GiNaC::ex& re, const GiNaC::ex& im, const GiNaC::ex& U);
+
+/// @brief Displacement and velocity of a mass at tau = 0 in the steady state, from Re and -Im of V_dk exp(i phi_j).
+/// @return  x_k0 and x'_k0 in the symbols V_kr, V_ki, V_jr, V_ji, U_j, U_k, G_k
+[[nodiscard]] std::pair<GiNaC::ex, GiNaC::ex> derived_initial_state();
+
 } // namespace denhartog::derivation

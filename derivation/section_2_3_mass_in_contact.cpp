@@ -14,8 +14,6 @@ using GiNaC::ex;
 
 namespace {
 
-Complex<Symbolic> V_j() { return {Symbolic(symbols().V_jr), Symbolic(symbols().V_ji)}; }
-
 /// The amplitude from cos^2 + sin^2 = 1: the larger root of (X + beta G)^2 + (beta U)^2 = |V|^2.
 ex derived_amplitude() {
     const Symbols& s = symbols();
@@ -78,7 +76,7 @@ const Register registered([] {
                     .kernel =
                         [&s] {
                             const ex X = s.V_jr * GiNaC::cos(s.phi_j) - s.V_ji * GiNaC::sin(s.phi_j) - s.beta * s.G_j;
-                            return Values{paper::cosine_of_phase_sum(V_j(), Symbolic(X), Symbolic(s.G_j), Symbolic(s.beta))};
+                            return Values{paper::cosine_of_phase_sum(symbolic_V_j(), Symbolic(X), Symbolic(s.G_j), Symbolic(s.beta))};
                         },
                     .derived = [&s, angle] { return std::vector<ex>{GiNaC::cos(s.phi_j + angle)}; }});
     list.push_back({.id = "37/sine",
@@ -88,7 +86,7 @@ const Register registered([] {
                     .kernel =
                         [&s] {
                             const ex U = -(s.V_jr * GiNaC::sin(s.phi_j) + s.V_ji * GiNaC::cos(s.phi_j)) / s.beta;
-                            return Values{paper::sine_of_phase_sum(V_j(), Symbolic(U), Symbolic(s.beta))};
+                            return Values{paper::sine_of_phase_sum(symbolic_V_j(), Symbolic(U), Symbolic(s.beta))};
                         },
                     .derived = [&s, angle] { return std::vector<ex>{GiNaC::sin(s.phi_j + angle)}; }});
     list.push_back({.id = "38/amplitude",
@@ -97,7 +95,7 @@ const Register registered([] {
                     .assumptions = sliding,
                     .kernel =
                         [&s] {
-                            return Values{paper::displacement_transmissibility_of_contact(V_j(), Symbolic(s.U_j), Symbolic(s.G_j),
+                            return Values{paper::displacement_transmissibility_of_contact(symbolic_V_j(), Symbolic(s.U_j), Symbolic(s.G_j),
                                                                                          Symbolic(s.beta))};
                         },
                     .derived = [] { return std::vector<ex>{derived_amplitude()}; },
@@ -110,7 +108,7 @@ const Register registered([] {
                     .assumptions = sliding,
                     .kernel =
                         [&s, angle] {
-                            const ex phi = paper::phase_of_contact(V_j(), Symbolic(s.U_j), Symbolic(s.beta)).expression();
+                            const ex phi = paper::phase_of_contact(symbolic_V_j(), Symbolic(s.U_j), Symbolic(s.beta)).expression();
                             return Values{Symbolic(GiNaC::cos(phi + angle)), Symbolic(GiNaC::sin(phi + angle))};
                         },
                     .derived =

@@ -12,28 +12,11 @@ using GiNaC::ex;
 
 namespace {
 
-Complex<Symbolic> V_j() { return {Symbolic(symbols().V_jr), Symbolic(symbols().V_ji)}; }
-Complex<Symbolic> V_k() { return {Symbolic(symbols().V_kr), Symbolic(symbols().V_ki)}; }
-
-/// cos(phi_j) and sin(phi_j) of the steady state: Re{V exp(i phi)} is the root of (38), Im{V exp(i phi)} is -beta U.
-std::pair<ex, ex> steady_phase(const ex& re, const ex& im, const ex& U) {
-    const ex beta = symbols().beta;
-    const ex root = GiNaC::sqrt(re * re + im * im - beta * beta * U * U);
-    return derived_phase_of_contact(re, im, root, -beta * U);
-}
-
-/// Displacement and velocity of a mass at tau = 0, from Re and -Im of V_dk exp(i phi_j).
-std::vector<ex> derived_initial_state() {
-    const Symbols& s = symbols();
-    const auto [c, sine] = steady_phase(s.V_jr, s.V_ji, s.U_j);
-    return {s.V_kr * c - s.V_ki * sine - s.beta * s.G_k, -(s.V_kr * sine + s.V_ki * c) - s.beta * s.U_k};
-}
-
 /// Displacement of a mass in the steady state: the harmonic parts of its modes add up to V_dk, (33), the rest is summed here.
 ex derived_steady_displacement(int N) {
     const Symbols& s = symbols();
     const SymbolicModes m = symbolic_modes(N);
-    const auto [c, sine] = steady_phase(s.V_jr, s.V_ji, s.U_j);
+    const auto [c, sine] = derived_steady_phase(s.V_jr, s.V_ji, s.U_j);
     std::vector<std::pair<ex, ex>> friction_alone;
     for (const ModalStart& start : derived_starts(N, c, sine))
         friction_alone.emplace_back(start.eta_0 - start.harmonic_cosine, start.eta_prime_0 - start.harmonic_sine);
@@ -47,7 +30,7 @@ Values steady_displacement(int N, const FrictionMotionOfMass& friction_motion_of
     const Symbols& s = symbols();
     const SymbolicModes m = symbolic_modes(N);
     const Symbolic F_k = friction_motion_of_mass(Symbolic(s.tau), m.psi_k, m.psi_j, m.R, m.zeta, m.u, m.g);
-    return {paper::steady_displacement(Symbolic(s.tau), V_k(), V_j(), Symbolic(s.U_j), Symbolic(s.beta), F_k)};
+    return {paper::steady_displacement(Symbolic(s.tau), symbolic_V_k(), symbolic_V_j(), Symbolic(s.U_j), Symbolic(s.beta), F_k)};
 }
 
 /// One mode throughout: with a single mode every function of the masses is that of the mode.
@@ -55,7 +38,7 @@ ex derived_steady_displacement_of_one_mode() {
     const SymbolicModes m = symbolic_modes(1);
     const auto [re, im] = derived_response(1, Row::contact);
     const ex U = GiNaC::pow(m.psi_j[0].expression() * m.R[0].expression(), 2) * m.u[0].expression();
-    const auto [c, sine] = steady_phase(re, im, U);
+    const auto [c, sine] = derived_steady_phase(re, im, U);
     const ModalStart start = derived_starts(1, c, sine).front();
     return derived_displacement_of_mass(1, Row::mass, {{start.eta_0, start.eta_prime_0}});
 }
@@ -174,10 +157,10 @@ const Register registered([] {
                     .assumptions = sliding,
                     .kernel =
                         [&s] {
-                            return Values{as_printed::initial_displacement(V_k(), V_j(), Symbolic(s.U_j), Symbolic(s.G_k),
+                            return Values{as_printed::initial_displacement(symbolic_V_k(), symbolic_V_j(), Symbolic(s.U_j), Symbolic(s.G_k),
                                                                            Symbolic(s.beta))};
                         },
-                    .derived = [] { return std::vector<ex>{derived_initial_state()[0]}; },
+                    .derived = [] { return std::vector<ex>{derived_initial_state().first}; },
                     .departure = Departure::convention,
                     .correction = "\\bar{x}_{k0} = -\\beta G_k + \\frac{|V_{dk}|}{|V_{dj}|}\\left[\\sqrt{|V_{dj}|^2-(\\beta "
                                   "U_{dj})^2}\\cos\\Delta + \\beta U_{dj}\\sin\\Delta\\right],\\quad \\Delta=\\angle "
@@ -189,13 +172,13 @@ const Register registered([] {
                     .assumptions = sliding,
                     .kernel =
                         [&s] {
-                            return Values{paper::initial_displacement(V_k(), V_j(), Symbolic(s.U_j), Symbolic(s.G_k), Symbolic(s.beta))};
+                            return Values{paper::initial_displacement(symbolic_V_k(), symbolic_V_j(), Symbolic(s.U_j), Symbolic(s.G_k), Symbolic(s.beta))};
                         },
-                    .derived = [] { return std::vector<ex>{derived_initial_state()[0]}; },
+                    .derived = [] { return std::vector<ex>{derived_initial_state().first}; },
                     .steps = {{"The phase follows from the mass in contact, (36)-(38)",
                                "\\mathrm{Re}\\{V_{dj}e^{i\\phi_j}\\}=\\sqrt{|V_{dj}|^2-(\\beta U_{dj})^2},\\qquad "
                                "\\mathrm{Im}\\{V_{dj}e^{i\\phi_j}\\}=-\\beta U_{dj}"},
-                              step("and goes into (42)", "\\bar{x}_{k0}", derived_initial_state()[0])}});
+                              step("and goes into (42)", "\\bar{x}_{k0}", derived_initial_state().first)}});
     list.push_back({.id = "45/printed",
                     .equations = {"45"},
                     .role = Role::printed,
@@ -203,9 +186,9 @@ const Register registered([] {
                     .assumptions = sliding,
                     .kernel =
                         [&s] {
-                            return Values{as_printed::initial_velocity(V_k(), V_j(), Symbolic(s.U_j), Symbolic(s.U_k), Symbolic(s.beta))};
+                            return Values{as_printed::initial_velocity(symbolic_V_k(), symbolic_V_j(), Symbolic(s.U_j), Symbolic(s.U_k), Symbolic(s.beta))};
                         },
-                    .derived = [] { return std::vector<ex>{derived_initial_state()[1]}; },
+                    .derived = [] { return std::vector<ex>{derived_initial_state().second}; },
                     .departure = Departure::convention,
                     .correction = "\\bar{x}_{k0}' = -\\beta U_{dk} + \\frac{|V_{dk}|}{|V_{dj}|}\\left[\\beta U_{dj}\\cos\\Delta - "
                                   "\\sqrt{|V_{dj}|^2-(\\beta U_{dj})^2}\\sin\\Delta\\right],\\quad \\Delta=\\angle "
@@ -217,10 +200,10 @@ const Register registered([] {
                     .assumptions = sliding,
                     .kernel =
                         [&s] {
-                            return Values{paper::initial_velocity(V_k(), V_j(), Symbolic(s.U_j), Symbolic(s.U_k), Symbolic(s.beta))};
+                            return Values{paper::initial_velocity(symbolic_V_k(), symbolic_V_j(), Symbolic(s.U_j), Symbolic(s.U_k), Symbolic(s.beta))};
                         },
-                    .derived = [] { return std::vector<ex>{derived_initial_state()[1]}; },
-                    .steps = {step("The same phase goes into (43)", "\\bar{x}_{k0}'", derived_initial_state()[1])}});
+                    .derived = [] { return std::vector<ex>{derived_initial_state().second}; },
+                    .steps = {step("The same phase goes into (43)", "\\bar{x}_{k0}'", derived_initial_state().second)}});
     list.push_back({.id = "44/evaluation",
                     .equations = {"44", "45"},
                     .role = Role::shipped,
@@ -229,10 +212,14 @@ const Register registered([] {
                     .kernel =
                         [&s] {
                             const evaluation::InitialState<Symbolic> start = evaluation::initial_state(
-                                V_k(), V_j(), Symbolic(s.U_j), Symbolic(s.U_k), Symbolic(s.G_k), Symbolic(s.beta));
+                                symbolic_V_k(), symbolic_V_j(), Symbolic(s.U_j), Symbolic(s.U_k), Symbolic(s.G_k), Symbolic(s.beta));
                             return Values{start.x_k0, start.x_prime_k0};
                         },
-                    .derived = [] { return derived_initial_state(); }});
+                    .derived =
+                        [] {
+                            const auto [x_k0, x_prime_k0] = derived_initial_state();
+                            return std::vector<ex>{x_k0, x_prime_k0};
+                        }});
     return list;
 });
 

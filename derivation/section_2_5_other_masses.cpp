@@ -11,17 +11,6 @@ using GiNaC::ex;
 
 namespace {
 
-Complex<Symbolic> V_j() { return {Symbolic(symbols().V_jr), Symbolic(symbols().V_ji)}; }
-Complex<Symbolic> V_k() { return {Symbolic(symbols().V_kr), Symbolic(symbols().V_ki)}; }
-
-/// x_k0 and x'_k0 of the steady state.
-std::pair<ex, ex> derived_start() {
-    const Symbols& s = symbols();
-    const ex root = GiNaC::sqrt(s.V_jr * s.V_jr + s.V_ji * s.V_ji - s.beta * s.beta * s.U_j * s.U_j);
-    const auto [c, sine] = derived_phase_of_contact(s.V_jr, s.V_ji, root, -s.beta * s.U_j);
-    return {s.V_kr * c - s.V_ki * sine - s.beta * s.G_k, -(s.V_kr * sine + s.V_ki * c) - s.beta * s.U_k};
-}
-
 Symbolic square(const Symbolic& x) { return Symbolic(x.expression() * x.expression()); }
 
 const Register registered([] {
@@ -83,9 +72,9 @@ const Register registered([] {
          .assumptions = sliding,
          .kernel =
              [&s] {
-                 return Values{as_printed::monoharmonic_cosine(V_k(), V_j(), Symbolic(s.U_j), Symbolic(s.G_k), Symbolic(s.beta))};
+                 return Values{as_printed::monoharmonic_cosine(symbolic_V_k(), symbolic_V_j(), Symbolic(s.U_j), Symbolic(s.G_k), Symbolic(s.beta))};
              },
-         .derived = [] { return std::vector<ex>{derived_start().first}; },
+         .derived = [] { return std::vector<ex>{derived_initial_state().first}; },
          .departure = Departure::misprint,
          .correction = "\\overline{X}_{k_C} = \\frac{|V_{dk}|}{|V_{dj}|}\\left[\\sqrt{|V_{dj}|^2-(\\beta U_{dj})^2}\\cos\\Delta + "
                        "\\beta U_{dj}\\sin\\Delta\\right] - \\beta G_k,\\quad \\Delta=\\angle V_{dk}-\\angle V_{dj}"},
@@ -96,18 +85,18 @@ const Register registered([] {
          .assumptions = sliding,
          .kernel =
              [&s] {
-                 return Values{paper::monoharmonic_cosine(V_k(), V_j(), Symbolic(s.U_j), Symbolic(s.G_k), Symbolic(s.beta))};
+                 return Values{paper::monoharmonic_cosine(symbolic_V_k(), symbolic_V_j(), Symbolic(s.U_j), Symbolic(s.G_k), Symbolic(s.beta))};
              },
-         .derived = [] { return std::vector<ex>{derived_start().first}; }},
+         .derived = [] { return std::vector<ex>{derived_initial_state().first}; }},
         {.id = "51/sine",
          .equations = {"51"},
          .title = "Factor of the sine is the velocity at tau = 0",
          .assumptions = sliding,
          .kernel =
              [&s] {
-                 return Values{paper::monoharmonic_sine(V_k(), V_j(), Symbolic(s.U_j), Symbolic(s.U_k), Symbolic(s.beta))};
+                 return Values{paper::monoharmonic_sine(symbolic_V_k(), symbolic_V_j(), Symbolic(s.U_j), Symbolic(s.U_k), Symbolic(s.beta))};
              },
-         .derived = [] { return std::vector<ex>{derived_start().second}; }},
+         .derived = [] { return std::vector<ex>{derived_initial_state().second}; }},
         {.id = "52/printed",
          .equations = {"52"},
          .role = Role::printed,
@@ -115,12 +104,12 @@ const Register registered([] {
          .assumptions = sliding,
          .kernel =
              [&s] {
-                 return Values{square(as_printed::displacement_transmissibility(V_k(), V_j(), Symbolic(s.U_j), Symbolic(s.U_k),
+                 return Values{square(as_printed::displacement_transmissibility(symbolic_V_k(), symbolic_V_j(), Symbolic(s.U_j), Symbolic(s.U_k),
                                                                                 Symbolic(s.G_k), Symbolic(s.beta)))};
              },
          .derived =
              [] {
-                 const auto [x, rate] = derived_start();
+                 const auto [x, rate] = derived_initial_state();
                  return std::vector<ex>{x * x + rate * rate};
              },
          .departure = Departure::misprint,
@@ -134,12 +123,12 @@ const Register registered([] {
          .assumptions = sliding,
          .kernel =
              [&s] {
-                 return Values{square(paper::displacement_transmissibility(V_k(), V_j(), Symbolic(s.U_j), Symbolic(s.U_k),
+                 return Values{square(paper::displacement_transmissibility(symbolic_V_k(), symbolic_V_j(), Symbolic(s.U_j), Symbolic(s.U_k),
                                                                            Symbolic(s.G_k), Symbolic(s.beta)))};
              },
          .derived =
              [] {
-                 const auto [x, rate] = derived_start();
+                 const auto [x, rate] = derived_initial_state();
                  return std::vector<ex>{x * x + rate * rate};
              }},
         {.id = "52/contact",
@@ -149,7 +138,7 @@ const Register registered([] {
          .assumptions = sliding,
          .kernel =
              [&s] {
-                 return Values{square(paper::displacement_transmissibility(V_j(), V_j(), Symbolic(s.U_j), Symbolic(s.U_j),
+                 return Values{square(paper::displacement_transmissibility(symbolic_V_j(), symbolic_V_j(), Symbolic(s.U_j), Symbolic(s.U_j),
                                                                            Symbolic(s.G_j), Symbolic(s.beta)))};
              },
          .derived =

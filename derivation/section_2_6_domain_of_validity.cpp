@@ -83,13 +83,11 @@ Values margin(int N) {
                                   Symbolic(symbols().beta))};
 }
 
-Complex<Symbolic> V_j() { return {Symbolic(symbols().V_jr), Symbolic(symbols().V_ji)}; }
-
 /// The amount by which the root of (38) exceeds beta S at beta = friction_ratio_limit(S).
 Symbolic excess_at_limit(const Symbolic& S) {
     const Symbolic U(symbols().U_j);
-    const Symbolic limit = paper::friction_ratio_limit(V_j(), U, S);
-    return Symbolic(paper::contact_root(V_j(), U, limit).expression() - limit.expression() * S.expression());
+    const Symbolic limit = paper::friction_ratio_limit(symbolic_V_j(), U, S);
+    return Symbolic(paper::contact_root(symbolic_V_j(), U, limit).expression() - limit.expression() * S.expression());
 }
 
 const Register registered([] {

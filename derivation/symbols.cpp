@@ -104,6 +104,10 @@ ModeInScene<Symbolic> symbolic_mode() {
 
 InitialValues<Symbolic> symbolic_start() { return {Symbolic(symbols().eta_0), Symbolic(symbols().eta_prime_0)}; }
 
+Complex<Symbolic> symbolic_V_j() { return {Symbolic(symbols().V_jr), Symbolic(symbols().V_ji)}; }
+
+Complex<Symbolic> symbolic_V_k() { return {Symbolic(symbols().V_kr), Symbolic(symbols().V_ki)}; }
+
 SymbolicModes symbolic_modes(int N) {
     static const SymbolicModes all = [] {
         SymbolicModes m;

@@ -37,6 +37,12 @@ struct Symbols {
 /// @brief The initial values of the kernels. @return eta_0, eta'_0
 [[nodiscard]] InitialValues<Symbolic> symbolic_start();
 
+/// @brief Complex response function of the mass in contact, as symbols. @return V_dj
+[[nodiscard]] Complex<Symbolic> symbolic_V_j();
+
+/// @brief Complex response function of the mass k, as symbols. @return V_dk
+[[nodiscard]] Complex<Symbolic> symbolic_V_k();
+
 /// @brief Symbols of N modes where sums over modes matter.
 struct SymbolicModes {
     std::vector<Symbolic> R, zeta, psi_k, psi_j, psi_l, u, g; ///< one value a mode
