@@ -55,8 +55,9 @@ template <class T>
     const T x = 1 / (2 * R);
     const T y = one_minus_w(zeta) / (2 * R);
     const T delta = pi<T>() * zeta / R;
-    return {sqrt(T((1 - zeta) * (1 + zeta))), delta, exp(T(-delta)), sin_pi(x) * cos_pi(y) - cos_pi(x) * sin_pi(y),
-            cos_pi(x) * cos_pi(y) + sin_pi(x) * sin_pi(y)};
+    const T s_x = sin_pi(x), c_x = cos_pi(x);
+    const T s_y = sin_pi(y), c_y = cos_pi(y);
+    return {sqrt(T((1 - zeta) * (1 + zeta))), delta, exp(T(-delta)), s_x * c_y - c_x * s_y, c_x * c_y + s_x * s_y};
 }
 
 /// @brief (28) and (29) in decaying exponentials and half angles.
