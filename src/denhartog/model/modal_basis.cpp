@@ -2,27 +2,21 @@
 /// @brief The modal basis of a chain and of a general system.
 #include "denhartog/model/modal_basis.hpp"
 
-#include <atomic>
 #include <cmath>
-#include <limits>
 #include <span>
 
 #include "denhartog/errors.hpp"
 #include "denhartog/formulas/system.hpp"
-#include "denhartog/model/bidiagonal_singular_values.hpp"
 #include "denhartog/model/cholesky.hpp"
 #include "denhartog/model/modal_damping.hpp"
+#include "denhartog/model/natural_modes.hpp"
 #include "denhartog/model/number_text.hpp"
-#include "denhartog/model/symmetric_eigenproblem.hpp"
 #include "denhartog/multiprecision.hpp"
 
 namespace denhartog {
 namespace {
 
-using std::abs;
 using std::sqrt;
-
-std::atomic<long> eigen_solve_count{0};
 
 template <class T>
 using RowMajor = Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
@@ -70,54 +64,6 @@ Matrix<T> mass_factor(const System<T>& s, const std::vector<T>& gamma) {
     return L;
 }
 
-/// The stiffness matrix of a chain is a product F^T F with F bidiagonal, one row a spring: its elongation times the root of its
-/// stiffness, on displacements times the roots of the masses. No entry of F is a difference, so that the singular values of
-/// F, the natural frequency ratios, come with high relative accuracy. Rows and columns are reversed to make F upper bidiagonal.
-template <class T>
-ModalBasis<T> chain_basis(const std::vector<T>& gamma, const std::vector<T>& kappa) {
-    const std::size_t N = gamma.size();
-    std::vector<T> d(N);
-    std::vector<T> e(N - 1);
-    for (std::size_t i = 0; i < N; ++i) {
-        d[N - 1 - i] = sqrt(T(kappa[i] / gamma[i]));
-        if (i > 0) e[N - 1 - i] = -sqrt(T(kappa[i] / gamma[i - 1]));
-    }
-    SingularValues<T> solved = bidiagonal_singular_values(std::move(d), std::move(e));
-    ++eigen_solve_count;
-    ModalBasis<T> basis{std::move(solved.sigma), Matrix<T>(solved.V.rows(), solved.V.cols()), {}};
-    for (std::size_t k = 0; k < N; ++k) basis.phi.row(k) = solved.V.row(N - 1 - k) / T(sqrt(gamma[k]));
-    return basis;
-}
-
-/// Eigenvectors of L^-1 K L^-T, M = L L^T. Errors of the eigenvalues are relative to the largest one.
-template <class T>
-ModalBasis<T> general_basis(const Matrix<T>& L, const Matrix<T>& K) {
-    const Eigen::Index N = K.rows();
-    const SymmetricEigenproblem<T> solved = symmetric_eigenproblem(divide_out(L, K));
-    ++eigen_solve_count;
-    const T lowest = solved.values.front();
-    const T highest = solved.values.back();
-    if (!(lowest > std::numeric_limits<T>::epsilon() * static_cast<int>(N) * highest))
-        throw InputError("stiffness_matrix", "must be positive definite",
-                         "singular to working precision: squared natural frequency ratio 1 comes out as " +
-                             number_to_text(lowest));
-    ModalBasis<T> basis{std::vector<T>(static_cast<std::size_t>(N)), Matrix<T>(N, N), {}};
-    for (std::size_t i = 0; i < basis.r_n.size(); ++i) basis.r_n[i] = sqrt(solved.values[i]);
-    basis.phi = L.transpose().template triangularView<Eigen::Upper>().solve(solved.vectors);
-    return basis;
-}
-
-/// Signs: positive is the first component that has more than three eighths of the size of the largest.
-template <class T>
-void fix_signs(Matrix<T>& phi) {
-    for (Eigen::Index i = 0; i < phi.cols(); ++i) {
-        const T size = T(3) / 8 * phi.col(i).cwiseAbs().maxCoeff();
-        Eigen::Index k = 0;
-        while (k + 1 < phi.rows() && abs(phi(k, i)) <= size) ++k;
-        if (phi(k, i) < 0) phi.col(i) = -phi.col(i);
-    }
-}
-
 template <class T>
 void require_finite(const ModalBasis<T>& basis) {
     using std::isfinite;
@@ -142,7 +88,10 @@ ModalBasis<T> modal_basis(const System<T>& s) {
         const T k = is_chain ? s.stiffness_ratios[0] : s.stiffness_matrix(0, 0);
         basis = {{sqrt(T(k / m))}, Matrix<T>::Constant(1, 1, T(1 / sqrt(m))), {}};
     } else {
-        basis = is_chain ? chain_basis(gamma, s.stiffness_ratios) : general_basis(mass_factor(s, gamma), stiffness_matrix(s));
+        NaturalModes<T> modes =
+            is_chain ? chain_modes(gamma, s.stiffness_ratios) : general_modes(mass_factor(s, gamma), stiffness_matrix(s));
+        count_eigen_solve();
+        basis = {std::move(modes.r_n), std::move(modes.phi), {}};
     }
     if (s.damping_matrix.size() > 0)
         set_modal_damping(mass_factor(s, gamma), stiffness_matrix(s), s.damping_matrix, basis);
@@ -152,8 +101,6 @@ ModalBasis<T> modal_basis(const System<T>& s) {
     require_finite(basis);
     return basis;
 }
-
-long eigen_solves() { return eigen_solve_count; }
 
 template <class T>
 NonDimensionalMatrices<T> non_dimensional_matrices(const System<T>& s, const ModalBasis<T>& basis, const T& r) {

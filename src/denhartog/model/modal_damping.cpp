@@ -36,23 +36,6 @@ void check_condition(const Matrix<T>& A, const Matrix<T>& B, const T& tolerance)
         short_text(T(distance / sizes)));
 }
 
-/// Turns the mode shapes of every group of coinciding natural frequencies to those that diagonalise C.
-template <class T>
-void turn_coinciding_modes(const Matrix<T>& C, const T& tolerance, ModalBasis<T>& basis) {
-    const std::size_t N = basis.r_n.size();
-    const T near = tolerance * basis.r_n[N - 1];
-    for (std::size_t first = 0, last = 0; first < N; first = last + 1) {
-        last = first;
-        while (last + 1 < N && basis.r_n[last + 1] - basis.r_n[last] <= near) ++last;
-        if (last == first) continue;
-        const auto columns = basis.phi.middleCols(first, last - first + 1);
-        const Matrix<T> within = columns.transpose() * C * columns;
-        const SymmetricEigenproblem<T> solved = symmetric_eigenproblem(Matrix<T>((within + within.transpose()) / T(2)));
-        const Matrix<T> turned = columns * solved.vectors;
-        basis.phi.middleCols(first, last - first + 1) = turned;
-    }
-}
-
 template <class T>
 void check_ratio(const T& zeta, std::size_t i) {
     const std::string rule = "must give mode " + std::to_string(i + 1) + " a damping ratio ";
@@ -65,6 +48,23 @@ void check_ratio(const T& zeta, std::size_t i) {
 } // namespace
 
 template <class T>
+void turn_coinciding_modes(const Matrix<T>& C, const T& tolerance, const std::vector<T>& r_n, Matrix<T>& phi) {
+    const std::size_t N = r_n.size();
+    const T near = tolerance * r_n[N - 1];
+    for (std::size_t first = 0, last = 0; first < N; first = last + 1) {
+        last = first;
+        while (last + 1 < N && r_n[last + 1] - r_n[last] <= near) ++last;
+        if (last == first) continue;
+        const auto at = static_cast<Eigen::Index>(first);
+        const auto count = static_cast<Eigen::Index>(last - first + 1);
+        const Matrix<T> columns = phi.middleCols(at, count);
+        const Matrix<T> within = columns.transpose() * C * columns;
+        const SymmetricEigenproblem<T> solved = symmetric_eigenproblem(Matrix<T>((within + within.transpose()) / T(2)));
+        phi.middleCols(at, count) = columns * solved.vectors;
+    }
+}
+
+template <class T>
 void set_modal_damping(const Matrix<T>& L, const Matrix<T>& K, const Matrix<T>& C, ModalBasis<T>& basis) {
     using std::abs;
     using std::sqrt;
@@ -73,7 +73,7 @@ void set_modal_damping(const Matrix<T>& L, const Matrix<T>& K, const Matrix<T>& 
     const T tolerance = 8 * static_cast<int>(N) * eps;
     if (N > 1) {
         check_condition(divide_out(L, K), divide_out(L, C), tolerance);
-        turn_coinciding_modes(C, tolerance, basis);
+        turn_coinciding_modes(C, tolerance, basis.r_n, basis.phi);
     }
     const Matrix<T> D = basis.phi.transpose() * C * basis.phi;
     const T size = D.cwiseAbs().maxCoeff();
@@ -91,6 +91,11 @@ void set_modal_damping(const Matrix<T>& L, const Matrix<T>& K, const Matrix<T>& 
     }
 }
 
+template void turn_coinciding_modes(const Matrix<double>&, const double&, const std::vector<double>&, Matrix<double>&);
+template void turn_coinciding_modes(const Matrix<long double>&, const long double&, const std::vector<long double>&,
+                                    Matrix<long double>&);
+template void turn_coinciding_modes(const Matrix<Real50>&, const Real50&, const std::vector<Real50>&, Matrix<Real50>&);
+template void turn_coinciding_modes(const Matrix<Real100>&, const Real100&, const std::vector<Real100>&, Matrix<Real100>&);
 template void set_modal_damping(const Matrix<double>&, const Matrix<double>&, const Matrix<double>&, ModalBasis<double>&);
 template void set_modal_damping(const Matrix<long double>&, const Matrix<long double>&, const Matrix<long double>&,
                                 ModalBasis<long double>&);

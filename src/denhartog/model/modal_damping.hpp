@@ -23,4 +23,13 @@ namespace denhartog {
 template <class T>
 void set_modal_damping(const Matrix<T>& L, const Matrix<T>& K, const Matrix<T>& C, ModalBasis<T>& basis);
 
+/// @brief Turns the mode shapes of every group of coinciding natural frequencies to those that diagonalise C within the group.
+/// @param C          damping matrix in units of sqrt(k_1 m_1)
+/// @param tolerance  differences of neighbouring frequencies up to this times the highest one count as none
+/// @param r_n        natural frequency ratios, ascending, at least one
+/// @param phi        mode shapes, mass by mode; turned
+/// @throws           PrecisionError where an eigenproblem is not solved
+template <class T>
+void turn_coinciding_modes(const Matrix<T>& C, const T& tolerance, const std::vector<T>& r_n, Matrix<T>& phi);
+
 } // namespace denhartog

@@ -8,6 +8,7 @@
 #include <concepts>
 #include <limits>
 
+#include "denhartog/bounded.hpp"
 #include "denhartog/multiprecision.hpp"
 
 namespace denhartog {
@@ -84,6 +85,8 @@ std::string number_to_text(const T& x) {
         return x.str(std::numeric_limits<T>::max_digits10);
     }
 }
+
+std::string number_to_text(const Bounded& x) { return number_to_text(x.x); }
 
 std::string number_rule(NumberFault fault) {
     switch (fault) {

@@ -13,6 +13,13 @@ namespace denhartog {
 template <class T>
 [[nodiscard]] std::string number_to_text(const T& x);
 
+struct Bounded;
+
+/// @brief The value of a number with its error as text.
+/// @param x  the number
+/// @return   decimal text of its value
+[[nodiscard]] std::string number_to_text(const Bounded& x);
+
 /// @brief Why a text gives no number.
 enum class NumberFault {
     none,      ///< it gives one

@@ -1,0 +1,115 @@
+/// @file
+/// @brief Modes of a chain through a bidiagonal matrix, of any other system through a symmetric one.
+#include "denhartog/model/natural_modes.hpp"
+
+#include <atomic>
+#include <cmath>
+#include <limits>
+
+#include "denhartog/errors.hpp"
+#include "denhartog/model/bidiagonal_singular_values.hpp"
+#include "denhartog/model/modal_basis.hpp"
+#include "denhartog/model/number_text.hpp"
+#include "denhartog/model/symmetric_eigenproblem.hpp"
+#include "denhartog/multiprecision.hpp"
+
+namespace denhartog {
+namespace {
+
+using std::abs;
+using std::sqrt;
+
+std::atomic<long> eigen_solve_count{0};
+
+template <class T>
+NaturalModes<T> modes_of(SingularValues<T> solved, const std::vector<T>& gamma) {
+    NaturalModes<T> modes{std::move(solved.sigma), std::move(solved.V)};
+    for (std::size_t k = 0; k < gamma.size(); ++k) modes.phi.row(static_cast<Eigen::Index>(k)) /= T(sqrt(gamma[k]));
+    return modes;
+}
+
+/// The last mass free: F is square and lower bidiagonal. Rows and columns are reversed to make it upper bidiagonal.
+template <class T>
+NaturalModes<T> free_chain(const std::vector<T>& gamma, const std::vector<T>& kappa) {
+    const std::size_t N = gamma.size();
+    std::vector<T> d(N);
+    std::vector<T> e(N - 1);
+    for (std::size_t i = 0; i < N; ++i) {
+        d[N - 1 - i] = sqrt(T(kappa[i] / gamma[i]));
+        if (i > 0) e[N - 1 - i] = -sqrt(T(kappa[i] / gamma[i - 1]));
+    }
+    SingularValues<T> solved = bidiagonal_singular_values(std::move(d), std::move(e));
+    solved.V = solved.V.colwise().reverse().eval();
+    return modes_of(std::move(solved), gamma);
+}
+
+/// A spring to the ground at both ends: F has a row more than columns. Rotations of neighbouring rows, from the first on, make it
+/// square and upper bidiagonal; every entry of the result is a root of a sum of squares or a product.
+template <class T>
+NaturalModes<T> fixed_chain(const std::vector<T>& gamma, const std::vector<T>& kappa) {
+    const std::size_t N = gamma.size();
+    std::vector<T> d(N);
+    std::vector<T> e(N - 1);
+    T left = sqrt(T(kappa[0] / gamma[0]));
+    for (std::size_t i = 0; i < N; ++i) {
+        const T below = -sqrt(T(kappa[i + 1] / gamma[i]));
+        d[i] = sqrt(T(left * left + below * below));
+        if (i + 1 == N) break;
+        const T next = sqrt(T(kappa[i + 1] / gamma[i + 1]));
+        e[i] = below / d[i] * next;
+        left = left / d[i] * next;
+    }
+    return modes_of(bidiagonal_singular_values(std::move(d), std::move(e)), gamma);
+}
+
+} // namespace
+
+template <class T>
+NaturalModes<T> chain_modes(const std::vector<T>& gamma, const std::vector<T>& kappa) {
+    return kappa.size() == gamma.size() ? free_chain(gamma, kappa) : fixed_chain(gamma, kappa);
+}
+
+template <class T>
+NaturalModes<T> general_modes(const Matrix<T>& L, const Matrix<T>& K) {
+    const Eigen::Index N = K.rows();
+    const SymmetricEigenproblem<T> solved = symmetric_eigenproblem(divide_out(L, K));
+    const T lowest = solved.values.front();
+    const T highest = solved.values.back();
+    if (!(lowest > std::numeric_limits<T>::epsilon() * static_cast<int>(N) * highest))
+        throw InputError("stiffness_matrix", "must be positive definite",
+                         "singular to working precision: squared natural frequency ratio 1 comes out as " +
+                             number_to_text(lowest));
+    NaturalModes<T> modes{std::vector<T>(static_cast<std::size_t>(N)), Matrix<T>(N, N)};
+    for (std::size_t i = 0; i < modes.r_n.size(); ++i) modes.r_n[i] = sqrt(solved.values[i]);
+    modes.phi = L.transpose().template triangularView<Eigen::Upper>().solve(solved.vectors);
+    return modes;
+}
+
+template <class T>
+void fix_signs(Matrix<T>& phi) {
+    for (Eigen::Index i = 0; i < phi.cols(); ++i) {
+        const T size = T(3) / 8 * phi.col(i).cwiseAbs().maxCoeff();
+        Eigen::Index k = 0;
+        while (k + 1 < phi.rows() && abs(phi(k, i)) <= size) ++k;
+        if (phi(k, i) < 0) phi.col(i) = -phi.col(i);
+    }
+}
+
+void count_eigen_solve() { ++eigen_solve_count; }
+
+long eigen_solves() { return eigen_solve_count; }
+
+template NaturalModes<double> chain_modes(const std::vector<double>&, const std::vector<double>&);
+template NaturalModes<long double> chain_modes(const std::vector<long double>&, const std::vector<long double>&);
+template NaturalModes<Real50> chain_modes(const std::vector<Real50>&, const std::vector<Real50>&);
+template NaturalModes<Real100> chain_modes(const std::vector<Real100>&, const std::vector<Real100>&);
+template NaturalModes<double> general_modes(const Matrix<double>&, const Matrix<double>&);
+template NaturalModes<long double> general_modes(const Matrix<long double>&, const Matrix<long double>&);
+template NaturalModes<Real50> general_modes(const Matrix<Real50>&, const Matrix<Real50>&);
+template NaturalModes<Real100> general_modes(const Matrix<Real100>&, const Matrix<Real100>&);
+template void fix_signs(Matrix<double>&);
+template void fix_signs(Matrix<long double>&);
+template void fix_signs(Matrix<Real50>&);
+template void fix_signs(Matrix<Real100>&);
+
+} // namespace denhartog

@@ -1,0 +1,48 @@
+/// @file
+/// @brief Natural frequency ratios and mode shapes of the undamped system, (13)-(17), of a chain and of any other system.
+#pragma once
+
+#include <vector>
+
+#include "denhartog/model/scene.hpp"
+
+namespace denhartog {
+
+/// @brief Natural frequency ratios and mode shapes normalised with the mass matrix in units of m_1.
+template <class T>
+struct NaturalModes {
+    std::vector<T> r_n; ///< natural frequency ratios, ascending
+    Matrix<T> phi;      ///< mode shapes, mass by mode, phi^T M phi = 1
+};
+
+/// @brief Modes of a chain: each natural frequency comes with an error of about N eps of itself, however stiff its springs.
+///
+/// The stiffness matrix of a chain is a product F^T F with F bidiagonal, one row a spring: its elongation times the root of its
+/// stiffness, on displacements times the roots of the masses. No entry of F is a difference, so that its singular values, the
+/// natural frequency ratios, come with high relative accuracy.
+/// @eq{14,15}
+/// @param gamma  masses, N values
+/// @param kappa  springs: N values where the last mass is free, N + 1 where the last spring joins it to the ground
+/// @return       the modes
+/// @throws       PrecisionError where the iteration does not converge
+template <class T>
+[[nodiscard]] NaturalModes<T> chain_modes(const std::vector<T>& gamma, const std::vector<T>& kappa);
+
+/// @brief Modes of any system: errors of the squared frequencies are about N eps of the highest one.
+/// @eq{14,15}
+/// @param L  lower triangular factor of the mass matrix, M = L L^T
+/// @param K  stiffness matrix
+/// @return   the modes
+/// @throws   InputError where K is singular to working precision; PrecisionError where the iteration does not converge
+template <class T>
+[[nodiscard]] NaturalModes<T> general_modes(const Matrix<T>& L, const Matrix<T>& K);
+
+/// @brief Signs of mode shapes: positive is the first component that has more than three eighths of the size of the largest.
+/// @param phi  mode shapes, mass by mode
+template <class T>
+void fix_signs(Matrix<T>& phi);
+
+/// @brief Counts an eigenproblem (15) for `eigen_solves`.
+void count_eigen_solve();
+
+} // namespace denhartog

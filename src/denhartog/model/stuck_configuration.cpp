@@ -1,0 +1,151 @@
+/// @file
+/// @brief The stuck configuration of a chain, which falls into two chains, and of any other system.
+#include "denhartog/model/stuck_configuration.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "denhartog/errors.hpp"
+#include "denhartog/model/cholesky.hpp"
+#include "denhartog/model/modal_damping.hpp"
+#include "denhartog/model/natural_modes.hpp"
+#include "denhartog/multiprecision.hpp"
+
+namespace denhartog {
+namespace {
+
+using std::abs;
+using std::sqrt;
+
+std::vector<Eigen::Index> indices_of(const std::vector<Mass>& masses) {
+    std::vector<Eigen::Index> indices;
+    for (const Mass& k : masses) indices.push_back(static_cast<Eigen::Index>(k.index));
+    return indices;
+}
+
+template <class T>
+std::vector<T> entries(const Matrix<T>& A, Eigen::Index row, const std::vector<Eigen::Index>& columns) {
+    std::vector<T> values;
+    for (const Eigen::Index k : columns) values.push_back(A(row, k));
+    return values;
+}
+
+/// The masses before the contact, with a spring to the ground and one to the contact; those after it, with one to the contact. No
+/// mode moves masses of both.
+template <class T>
+NaturalModes<T> modes_of_two_chains(const System<T>& s) {
+    const auto j = static_cast<std::ptrdiff_t>(s.contact.index);
+    const std::vector<T>&gamma = s.mass_ratios, &kappa = s.stiffness_ratios;
+    const auto n = static_cast<Eigen::Index>(gamma.size()) - 1;
+    NaturalModes<T> before{{}, Matrix<T>(0, 0)}, after{{}, Matrix<T>(0, 0)};
+    if (j > 0)
+        before =
+            chain_modes(std::vector<T>(gamma.begin(), gamma.begin() + j), std::vector<T>(kappa.begin(), kappa.begin() + j + 1));
+    if (j < n)
+        after =
+            chain_modes(std::vector<T>(gamma.begin() + j + 1, gamma.end()), std::vector<T>(kappa.begin() + j + 1, kappa.end()));
+    NaturalModes<T> both{std::vector<T>(static_cast<std::size_t>(n)), Matrix<T>::Zero(n, n)};
+    std::size_t b = 0, a = 0;
+    for (std::size_t i = 0; i < both.r_n.size(); ++i) {
+        const auto column = static_cast<Eigen::Index>(i);
+        const bool take_before = a == after.r_n.size() || (b < before.r_n.size() && before.r_n[b] <= after.r_n[a]);
+        if (take_before) {
+            both.r_n[i] = before.r_n[b];
+            both.phi.col(column).head(j) = before.phi.col(static_cast<Eigen::Index>(b++));
+        } else {
+            both.r_n[i] = after.r_n[a];
+            both.phi.col(column).tail(n - j) = after.phi.col(static_cast<Eigen::Index>(a++));
+        }
+    }
+    return both;
+}
+
+template <class T>
+NaturalModes<T> stuck_modes(const System<T>& s, const StuckConfiguration<T>& stuck) {
+    if (stuck.masses.size() == 1)
+        return {{sqrt(T(stuck.K(0, 0) / stuck.M(0, 0)))}, Matrix<T>::Constant(1, 1, T(1 / sqrt(stuck.M(0, 0))))};
+    count_eigen_solve();
+    if (!s.stiffness_ratios.empty() && !s.mass_ratios.empty()) return modes_of_two_chains(s);
+    return general_modes(cholesky(stuck.M).L, stuck.K);
+}
+
+/// (K^-1)_jj as a sum of squares over the modes.
+template <class T>
+T compliance(const ModalBasis<T>& basis, Eigen::Index j) {
+    T sum(0);
+    for (std::size_t i = 0; i < basis.r_n.size(); ++i) {
+        const T part = basis.phi(j, static_cast<Eigen::Index>(i)) / basis.r_n[i];
+        sum += part * part;
+    }
+    return sum;
+}
+
+/// Whether the modes couple, and how much; an entry below the rounding of the largest is compared with that rounding.
+template <class T>
+void set_coupling(StuckConfiguration<T>& stuck, const T& tolerance) {
+    const Matrix<T>& D = stuck.damping;
+    const T rounding = tolerance * D.cwiseAbs().maxCoeff();
+    stuck.modes_diagonalise_damping = true;
+    for (Eigen::Index i = 0; i < D.rows(); ++i)
+        for (Eigen::Index k = 0; k < i; ++k) {
+            if (D(i, k) == 0) continue;
+            const T product = std::max(T(D(i, i) * D(k, k)), T(rounding * rounding));
+            stuck.coupling = std::max(stuck.coupling, T(abs(D(i, k)) / sqrt(product)));
+            stuck.modes_diagonalise_damping = stuck.modes_diagonalise_damping && abs(D(i, k)) <= rounding;
+        }
+}
+
+template <class T>
+void require_finite(const StuckConfiguration<T>& stuck) {
+    using std::isfinite;
+    for (std::size_t i = 0; i < stuck.r_n.size(); ++i) {
+        bool all = isfinite(stuck.r_n[i]) && stuck.r_n[i] > 0;
+        for (const T& entry : stuck.phi.col(static_cast<Eigen::Index>(i))) all = all && isfinite(entry);
+        if (!all) throw PrecisionError("stuck mode " + std::to_string(i + 1) + " is beyond the range of the number type");
+    }
+}
+
+} // namespace
+
+template <class T>
+StuckConfiguration<T> stuck_configuration(const System<T>& s, const ModalBasis<T>& basis) {
+    check(s);
+    const std::size_t N = number_of_masses(s);
+    const NonDimensionalMatrices<T> all = non_dimensional_matrices(s, basis, T(1));
+    const auto j = static_cast<Eigen::Index>(s.contact.index);
+    StuckConfiguration<T> stuck{};
+    for (std::size_t k = 0; k < N; ++k)
+        if (Mass{k} != s.contact) stuck.masses.push_back(Mass{k});
+    const std::vector<Eigen::Index> others = indices_of(stuck.masses);
+    stuck.M = all.M(others, others);
+    stuck.C = all.C(others, others);
+    stuck.K = all.K(others, others);
+    stuck.m_j = entries(all.M, j, others);
+    stuck.c_j = entries(all.C, j, others);
+    stuck.k_j = entries(all.K, j, others);
+    stuck.k_jj = all.K(j, j);
+    stuck.k_contact = N == 1 ? stuck.k_jj : T(1 / compliance(basis, j));
+    stuck.coupling = T(0);
+    stuck.modes_diagonalise_damping = true;
+    if (N == 1) return stuck;
+    NaturalModes<T> modes = stuck_modes(s, stuck);
+    const T tolerance = 8 * static_cast<int>(N) * std::numeric_limits<T>::epsilon();
+    turn_coinciding_modes(stuck.C, tolerance, modes.r_n, modes.phi);
+    fix_signs(modes.phi);
+    stuck.r_n = std::move(modes.r_n);
+    stuck.phi = std::move(modes.phi);
+    require_finite(stuck);
+    const Matrix<T> D = stuck.phi.transpose() * stuck.C * stuck.phi;
+    stuck.damping = (D + D.transpose()) / T(2);
+    set_coupling(stuck, tolerance);
+    return stuck;
+}
+
+template StuckConfiguration<double> stuck_configuration(const System<double>&, const ModalBasis<double>&);
+template StuckConfiguration<long double> stuck_configuration(const System<long double>&, const ModalBasis<long double>&);
+template StuckConfiguration<Real50> stuck_configuration(const System<Real50>&, const ModalBasis<Real50>&);
+template StuckConfiguration<Real100> stuck_configuration(const System<Real100>&, const ModalBasis<Real100>&);
+
+} // namespace denhartog

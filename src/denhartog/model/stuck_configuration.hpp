@@ -1,0 +1,43 @@
+/// @file
+/// @brief The stuck configuration: the masses that keep oscillating while the contact is held, Section 4.3.
+///
+/// Nothing of it depends on r. The blocks are those of the full matrices with row and column j taken out: on a chain the masses
+/// on both sides of the contact, which the damping (19) couples across it.
+#pragma once
+
+#include <vector>
+
+#include "denhartog/model/modal_basis.hpp"
+
+namespace denhartog {
+
+/// @brief Modes of the system with the contact held, and what of its motion loads the contact.
+///
+/// Units: masses m_1, stiffnesses k_1, damping sqrt(k_1 m_1). The arrays over masses are in the order of `masses`.
+template <class T>
+struct StuckConfiguration {
+    std::vector<Mass> masses;         ///< all masses but the one in contact, ascending, N - 1
+    Matrix<T> M;                      ///< their block of the mass matrix, (N - 1) x (N - 1)
+    Matrix<T> C;                      ///< their block of the full damping matrix (19)
+    Matrix<T> K;                      ///< their block of the stiffness matrix
+    std::vector<T> m_j;               ///< row j of the mass matrix over these masses; zero where masses are lumped
+    std::vector<T> c_j;               ///< row j of the damping matrix over these masses
+    std::vector<T> k_j;               ///< row j of the stiffness matrix over these masses
+    T k_jj;                           ///< diagonal entry of the stiffness matrix at the contact
+    T k_contact;                      ///< static stiffness of the contact with the others free to follow: 1 / (K^-1)_jj
+    std::vector<T> r_n;               ///< natural frequency ratios of the stuck configuration, ascending, N - 1
+    Matrix<T> phi;                    ///< mode shapes, mass by mode, phi^T M phi = 1
+    Matrix<T> damping;                ///< phi^T C phi; its diagonal is 2 zeta*_i r_n,i
+    T coupling;                       ///< largest off-diagonal |D_ik| / sqrt(D_ii D_kk) of `damping`; zero for fewer than two
+    bool modes_diagonalise_damping{}; ///< whether `coupling` is explained by rounding: zeta*_i then describe the motion
+};
+
+/// @brief The stuck configuration of a system; one more eigenproblem (15), none where N is 1 or 2.
+/// @param s      the system
+/// @param basis  its modal basis
+/// @return       the stuck configuration; no masses where N = 1
+/// @throws       InputError where `check` throws; PrecisionError where the eigenproblem is not solved
+template <class T>
+[[nodiscard]] StuckConfiguration<T> stuck_configuration(const System<T>& s, const ModalBasis<T>& basis);
+
+} // namespace denhartog

@@ -1,0 +1,61 @@
+/// @file
+/// @brief Invariant points of the displacement transmissibilities: frequency ratios at which friction does not matter, (87).
+#pragma once
+
+#include <vector>
+
+#include "denhartog/model/modal_basis.hpp"
+
+namespace denhartog {
+
+/// @brief Why the amplitude of a mass does not depend on the friction ratio.
+enum class InvariantPointKind {
+    two_effects_cancel,      ///< (87): what friction does to the mass directly and by way of the contact's phase cancel
+    friction_leaves_it_alone ///< U_k = 0: a factor that (87) divides out
+};
+
+/// @brief An invariant point of a mass.
+template <class T>
+struct InvariantPoint {
+    T r;                     ///< frequency ratio, Eq. (10)
+    T amplitude;             ///< |V_k| there: the monoharmonic amplitude (52) at every friction ratio, without damping
+    InvariantPointKind kind; ///< which factor vanishes
+};
+
+/// @brief A stretch of frequency ratios in which rounding hides whether there is an invariant point.
+template <class T>
+struct UndecidedStretch {
+    T from; ///< its lower end
+    T to;   ///< its upper end
+};
+
+/// @brief The invariant points of a mass within a range of frequency ratios.
+template <class T>
+struct InvariantPointsOfMass {
+    Mass mass;                                  ///< the mass, k
+    std::vector<InvariantPoint<T>> points;      ///< ascending
+    std::vector<UndecidedStretch<T>> undecided; ///< ascending; empty unless poles or points nearly coincide
+};
+
+/// @brief All invariant points of every mass, damping left out.
+///
+/// Over 1/r the functions V of (33) and U of (34) are sums of monotone terms between their poles \f$ r = r_{n,i}/n \f$, n odd.
+/// Between two poles the stretch is halved until bounds of \f$ V_jU_k - 2V_kU_j \f$, made from its terms at the ends of the part,
+/// exclude a zero, or bounds of its rate make it monotone, so that its signs at the ends tell whether there is one; next to a
+/// pole the function is multiplied by what vanishes there. No point is missed, and none is found twice, but for what `undecided`
+/// lists. The bounds are computed without directed rounding: sums are taken to be off by 16 N units in the last place of their
+/// terms. Points of the mass in contact are those with U_j = 0. A mass that the friction force does not reach, and a contact
+/// that the load does not reach, have none.
+/// @eq{87}
+/// @param basis    modal basis; its damping ratios are not used
+/// @param contact  the mass in contact, j
+/// @param load     the loaded mass, l
+/// @param r_a      least frequency ratio, positive
+/// @param r_b      largest frequency ratio, above r_a
+/// @return         the points of every mass, N
+/// @throws         InputError where the range, j or l breaks its rule, or there are more than 100000 poles above r_a
+template <class T>
+[[nodiscard]] std::vector<InvariantPointsOfMass<T>> invariant_points(const ModalBasis<T>& basis, Mass contact, Mass load,
+                                                                     const T& r_a, const T& r_b);
+
+} // namespace denhartog

@@ -1,0 +1,98 @@
+/// @file
+/// @brief The response while the contact is held, the boundary of permanent sticking, and where the contact may rest, (88).
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "denhartog/formulas/complex.hpp"
+#include "denhartog/model/stuck_configuration.hpp"
+
+namespace denhartog {
+
+/// @brief Harmonic motion of a mass while the contact is held at zero.
+template <class T>
+struct StuckMass {
+    Complex<T> X;           ///< complex amplitude, x_k = Re{X exp(i tau)} with the force cos tau, in units of P / k_1
+    T amplitude;            ///< its modulus
+    std::optional<T> phase; ///< lag behind the force, radians, in (-pi, pi]; none where the mass does not move
+};
+
+/// @brief The response while the contact is held at zero.
+template <class T>
+struct StuckResponse {
+    T r;                              ///< frequency ratio, Eq. (10)
+    Mass contact;                     ///< the mass in contact, j
+    Mass load;                        ///< the loaded mass, l
+    std::vector<StuckMass<T>> masses; ///< every mass, N; the contact's amplitude is zero
+    Complex<T> contact_load;          ///< complex amplitude of all that acts on the contact but friction, in units of P
+    Complex<T> elastic_load;          ///< the same without the damping forces of the moving masses
+};
+
+/// @brief The response while the contact is held at zero; the contact at x_j moves every mass and its load by a constant.
+///
+/// Where the stuck modes diagonalise their damping, (88)'s modal superposition; else a linear system over all of them.
+/// @eq{88}
+/// @param stuck    the stuck configuration of the system
+/// @param contact  the mass in contact, j
+/// @param load     the loaded mass, l
+/// @param r        frequency ratio, Eq. (10); positive
+/// @return         the response
+/// @throws         InputError where r, j or l breaks its rule; DomainError where the load excites the resonance of an undamped
+///                 stuck mode
+template <class T>
+[[nodiscard]] StuckResponse<T> stuck_response(const StuckConfiguration<T>& stuck, Mass contact, Mass load, const T& r);
+
+/// @brief The masses of a chain that move by (88) while the contact is held: those on the load's side of it.
+template <class T>
+struct StuckChain {
+    std::vector<Mass> masses; ///< ascending, without the contact; none where the load acts on it
+    std::vector<T> r_n;       ///< natural frequency ratios, ascending
+    std::vector<T> zeta;      ///< damping ratios read from the diagonal by (18), whether or not the modes are uncoupled
+    Matrix<T> phi;            ///< mode shapes, mass by mode, phi^T M phi = 1
+    std::optional<T> kappa;   ///< stiffness ratio of the spring to the contact; none where the load acts on the contact
+};
+
+/// @brief Modes of the masses that move by (88); one more eigenproblem (15) for two masses or more.
+/// @eq{88}
+/// @param s      the system
+/// @param stuck  its stuck configuration
+/// @return       the modes; none where the system is not given as a chain
+template <class T>
+[[nodiscard]] std::optional<StuckChain<T>> stuck_chain(const System<T>& s, const StuckConfiguration<T>& stuck);
+
+/// @brief The friction ratio from which the contact can stay at rest for ever, as it is and as (88) has it.
+template <class T>
+struct StickingBoundary {
+    T exact;                ///< with all forces on the contact; equal to `Boundary::sticking`
+    T without_damping_load; ///< the damping forces of the moving masses on the contact left out, all else exact
+    std::optional<T> paper; ///< by (88); none for a system that is no chain
+};
+
+/// @brief The boundary of permanent sticking.
+/// @eq{88}
+/// @param response  the response with the contact held
+/// @param chain     the masses that move by (88), where there are such
+/// @param mu        static over kinetic friction, Eq. (3); at least 1
+/// @return          the boundary
+/// @throws          InputError where mu is below 1 or not finite; DomainError where the load excites the resonance of an undamped
+///                  stuck mode
+template <class T>
+[[nodiscard]] StickingBoundary<T> sticking_boundary(const StuckResponse<T>& response, const std::optional<StuckChain<T>>& chain,
+                                                    const T& mu);
+
+/// @brief How far from zero the contact may rest for ever: \f$ |\bar{x}_j| \le (\mu\beta - |\text{load}|)/k \f$.
+///
+/// At rest in x_j the contact bears the static load k x_j besides, with the other masses free to follow it.
+/// @eq{74,88}
+/// @param stuck     the stuck configuration
+/// @param response  its response
+/// @param mu        static over kinetic friction, Eq. (3); at least 1
+/// @param beta      friction ratio, Eq. (11); not negative
+/// @return          half the length of the interval of rest, in units of P / k_1; none where no rest lasts
+/// @throws          InputError where mu or beta breaks its rule
+template <class T>
+[[nodiscard]] std::optional<T> rest_interval(const StuckConfiguration<T>& stuck, const StuckResponse<T>& response, const T& mu,
+                                             const T& beta);
+
+} // namespace denhartog

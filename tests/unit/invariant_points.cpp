@@ -1,0 +1,197 @@
+#include "denhartog/response/invariant_points.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "denhartog/errors.hpp"
+#include "denhartog/formulas/boundary.hpp"
+#include "denhartog/formulas/other_masses.hpp"
+#include "denhartog/formulas/stuck.hpp"
+#include "denhartog/model/sample_scenes.hpp"
+#include "denhartog/multiprecision.hpp"
+#include "tests/catch.hpp"
+#include "tests/unit/program_runs.hpp"
+#include "tests/unit/response_fixtures.hpp"
+
+using namespace denhartog;
+using namespace denhartog::tests;
+
+namespace {
+
+Scene<double> undamped(Scene<double> scene) {
+    std::fill(scene.system.damping_ratios.begin(), scene.system.damping_ratios.end(), 0.0);
+    return scene;
+}
+
+Scene<double> two_masses(std::size_t j, std::size_t l) { return chain({1, 1}, {1, 1}, {0, 0}, j, l, 1, 1); }
+
+template <class T>
+std::vector<InvariantPointsOfMass<T>> points_of(const Scene<T>& scene, const T& r_a, const T& r_b) {
+    return invariant_points(modal_basis(scene.system), scene.system.contact, scene.system.load, r_a, r_b);
+}
+
+ModeSums<double> sums_at(Scene<double> scene, double r) {
+    scene.r = r;
+    return sums_of(scene);
+}
+
+double monoharmonic(const ModeSums<double>& s, std::size_t k, double beta) {
+    const std::size_t j = s.contact.index;
+    return paper::displacement_transmissibility(s.V[k], s.V[j], s.U[j], s.U[k], s.G[k], beta);
+}
+
+/// Stretches of a grid in which two curves of different friction cross: both amplitudes by the closed form, the friction ratios
+/// 1/8 and 1/4 of (67) at the lower end of the stretch.
+std::vector<std::pair<double, double>> crossings(const Scene<double>& scene, std::size_t k, double r_a, double r_b, int steps) {
+    std::vector<std::pair<double, double>> found;
+    for (int n = 0; n < steps; ++n) {
+        const double low = r_a + (r_b - r_a) * (n + 0.3) / steps, high = r_a + (r_b - r_a) * (n + 1.3) / steps;
+        const ModeSums<double> at_low = sums_at(scene, low), at_high = sums_at(scene, high);
+        const std::size_t j = scene.system.contact.index;
+        if (at_low.V[j].re * at_high.V[j].re < 0) continue; // a pole, or an unmoved contact: nothing slides there
+        const double held = paper::static_friction_demand(at_low.H_j, 1.0, at_low.sum_of_squares);
+        const double beta = paper::friction_ratio_limit(at_low.V[j], at_low.U[j], held) / 8;
+        const auto difference = [&](const ModeSums<double>& s) {
+            return monoharmonic(s, k, 2 * beta) - monoharmonic(s, k, beta);
+        };
+        if (difference(at_low) * difference(at_high) < 0) found.emplace_back(low, high);
+    }
+    return found;
+}
+
+} // namespace
+
+TEST_CASE("a single undamped mass has its invariant points at r = 1/2, 1/4, 1/6 and so on, the ends of the range included",
+          "[eq:87][invariant]") {
+    const Scene<double> scene = oscillator(0, 1);
+    const auto found = points_of(scene, 0.125, 0.5);
+    REQUIRE(found.size() == 1);
+    REQUIRE(found[0].points.size() == 4);
+    for (std::size_t n = 0; n < 4; ++n) {
+        const double r = 1.0 / (8 - 2 * static_cast<double>(n));
+        CHECK(found[0].points[n].r == Approx(r).epsilon(1e-14));
+        CHECK(found[0].points[n].amplitude == Approx(1 / (1 - r * r)).epsilon(1e-13));
+        CHECK(found[0].points[n].kind == InvariantPointKind::friction_leaves_it_alone);
+    }
+}
+
+TEST_CASE("at an invariant point the monoharmonic amplitude is the same at every friction ratio", "[eq:87][eq:52][invariant]") {
+    double worst = 0;
+    int points = 0;
+    for (const Scene<double>& scene : {two_masses(2, 1), two_masses(1, 2), two_masses(1, 1), undamped(three_masses())})
+        for (const InvariantPointsOfMass<double>& mass : points_of(scene, 0.15, 2.5)) {
+            CHECK(mass.undecided.empty());
+            for (const InvariantPoint<double>& point : mass.points) {
+                const ModeSums<double> s = sums_at(scene, point.r);
+                const std::size_t j = s.contact.index, k = mass.mass.index;
+                const double beta = boundary(s, 1.0).exact;
+                for (const double fraction : {0.125, 0.5, 0.875}) {
+                    const double amplitude =
+                        k == j ? paper::displacement_transmissibility_of_contact(s.V[j], s.U[j], s.G[j], fraction * beta)
+                               : monoharmonic(s, k, fraction * beta);
+                    worst = std::max(worst, std::abs(amplitude / point.amplitude - 1));
+                }
+                ++points;
+                CAPTURE(k, point.r);
+                if (point.kind == InvariantPointKind::friction_leaves_it_alone)
+                    CHECK(std::abs(s.U[k]) < 1e-9 * (1 + std::abs(s.V[k].re)));
+                else
+                    CHECK(std::abs(paper::invariant_point_function(s.V[k].re, s.V[j].re, s.U[k], s.U[j])) < 1e-9);
+            }
+        }
+    CHECK(points > 60);
+    CHECK(worst < 1e-10);
+}
+
+TEST_CASE("curves of different friction cross at the invariant points and nowhere else", "[eq:87][eq:52][invariant]") {
+    for (const Scene<double>& scene : {two_masses(2, 1), two_masses(1, 2), undamped(three_masses())}) {
+        const auto found = points_of(scene, 0.2, 2.5);
+        for (const InvariantPointsOfMass<double>& mass : found) {
+            if (mass.mass == scene.system.contact) continue;
+            const auto crossed = crossings(scene, mass.mass.index, 0.2, 2.5, 20000);
+            CAPTURE(mass.mass.index, scene.system.contact.index);
+            REQUIRE(crossed.size() == mass.points.size());
+            for (std::size_t n = 0; n < crossed.size(); ++n) {
+                CHECK(mass.points[n].r >= crossed[n].first);
+                CHECK(mass.points[n].r <= crossed[n].second);
+            }
+        }
+    }
+}
+
+TEST_CASE("no stretch stays undecided, and 50 digits find the same points", "[eq:87][invariant]") {
+    int points = 0;
+    for (const RandomScene<double>& scene : random_scenes<double>(31)) {
+        if (number_of_masses(scene.scene.system) > 4) continue;
+        for (const InvariantPointsOfMass<double>& mass : points_of(scene.scene, 0.25, 3.0)) {
+            CAPTURE(scene.name, mass.mass.index);
+            CHECK(mass.undecided.empty());
+            points += static_cast<int>(mass.points.size());
+        }
+    }
+    CHECK(points > 2000);
+    const auto in_double = points_of(three_masses<double>(), 0.3, 2.5);
+    const auto in_50 = points_of(three_masses<Real50>(), Real50(3) / 10, Real50(5) / 2);
+    for (std::size_t k = 0; k < 3; ++k) {
+        REQUIRE(in_double[k].points.size() == in_50[k].points.size());
+        for (std::size_t n = 0; n < in_double[k].points.size(); ++n)
+            CHECK(in_double[k].points[n].r == Approx(static_cast<double>(in_50[k].points[n].r)).epsilon(1e-13));
+    }
+}
+
+TEST_CASE("damping ratios do not matter for invariant points", "[eq:87][invariant]") {
+    const auto with = points_of(three_masses(), 0.5, 2.0), without = points_of(undamped(three_masses()), 0.5, 2.0);
+    for (std::size_t k = 0; k < 3; ++k) {
+        REQUIRE(with[k].points.size() == without[k].points.size());
+        for (std::size_t n = 0; n < with[k].points.size(); ++n) CHECK(with[k].points[n].r == without[k].points[n].r);
+    }
+}
+
+TEST_CASE("a mass that friction does not reach has no invariant points", "[eq:87][invariant]") {
+    Scene<double> scene = two_masses(2, 2);
+    scene.system.stiffness_ratios.clear();
+    scene.system.stiffness_matrix = Matrix<double>{{2, 0}, {0, 1}};
+    const auto found = points_of(scene, 0.2, 2.5);
+    CHECK(found[0].points.empty());
+    CHECK(found[1].points.size() == 2); // r = 1/2, 1/4
+}
+
+TEST_CASE("the program lists the invariant points of every mass", "[eq:87][invariant][program]") {
+    const std::string scene =
+        R"({"mass_ratios": [1, 1], "stiffness_ratios": [1, 1], "damping_ratios": 0.01, "contact": 2, "load": 1,
+                                 "r": 0.8})";
+    const auto found = points_of(two_masses(2, 1), 0.5, 2.5);
+    for (const std::string& digits : {std::string(), std::string(" --digits 12")}) {
+        const Run run = run_program("boundary --json --invariant-points 0.5:2.5" + digits, scene);
+        REQUIRE(run.status == 0);
+        const nlohmann::json masses = nlohmann::json::parse(run.output).at("invariant_points");
+        REQUIRE(masses.size() == 2);
+        for (std::size_t k = 0; k < 2; ++k) {
+            CHECK(masses[k]["mass"] == k + 1);
+            CHECK_FALSE(masses[k].contains("undecided"));
+            REQUIRE(masses[k]["points"].size() == found[k].points.size());
+            for (std::size_t n = 0; n < found[k].points.size(); ++n) {
+                CHECK(masses[k]["points"][n]["r"].get<double>() == Approx(found[k].points[n].r).epsilon(1e-12));
+                CHECK(masses[k]["points"][n]["amplitude"].get<double>() == Approx(found[k].points[n].amplitude).epsilon(1e-10));
+                const bool by_87 = found[k].points[n].kind == InvariantPointKind::two_effects_cancel;
+                CHECK(masses[k]["points"][n]["kind"] == (by_87 ? "87" : "U_k = 0"));
+            }
+        }
+    }
+    CHECK(run_program("boundary --invariant-points 0.5:2.5", scene).output.find("invariant at r") != std::string::npos);
+    for (const char* bad : {"0.5", "0.5:", "2:1", "0:1", "1e-9:1", "a:b"}) {
+        const Run run = run_program(std::string("boundary --json --invariant-points ") + bad, scene);
+        CAPTURE(bad, run.error);
+        CHECK(run.status == 2);
+        CHECK(run.output.empty());
+        CHECK_FALSE(run.error.empty());
+    }
+    CHECK(run_program("boundary --digits 60 --invariant-points 0.5:1", scene).status == 2);
+}
+
+TEST_CASE("a range of frequency ratios that breaks a rule is named", "[eq:87][invariant]") {
+    CHECK_THROWS_AS(points_of(two_masses(2, 1), 0.0, 1.0), InputError);
+    CHECK_THROWS_AS(points_of(two_masses(2, 1), 1.0, 1.0), InputError);
+    CHECK_THROWS_AS(points_of(two_masses(2, 1), 1.0, std::nan("")), InputError);
+    CHECK_THROWS_AS(points_of(two_masses(3, 1), 0.5, 1.0), InputError);
+}
