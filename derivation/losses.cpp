@@ -9,6 +9,7 @@
 #include "denhartog/formulas/as_printed.hpp"
 #include "denhartog/formulas/other_masses.hpp"
 #include "denhartog/formulas/superposition.hpp"
+#include "denhartog/response/stuck_response.hpp"
 #include "sliding_scenes.hpp"
 
 namespace denhartog::derivation {
@@ -119,9 +120,18 @@ double error_with_68(const SlidingScene& s) {
     return by_68 < by_58 ? by_58 / s.boundary.exact - 1 : 0;
 }
 
+/// Relative error of the boundary of permanent sticking by (88); none where the system is no chain.
+std::optional<double> error_with_88(const SlidingScene& s) {
+    const StuckConfiguration<double> stuck = stuck_configuration(s.system, s.basis);
+    const StuckResponse<double> response = stuck_response(stuck, s.system.contact, s.system.load, s.sums.r);
+    const StickingBoundary<double> b = sticking_boundary(response, stuck_chain(s.system, stuck), s.mu);
+    if (!b.paper) return std::nullopt;
+    return std::abs(*b.paper / b.exact - 1);
+}
+
 struct Measure {
     std::string quantity;
-    std::function<double(const SlidingScene&)> error;
+    std::function<std::optional<double>(const SlidingScene&)> error; ///< none where the equation does not speak of the scene
 };
 
 const std::map<std::string, Measure>& measures() {
@@ -190,6 +200,7 @@ const std::map<std::string, Measure>& measures() {
         {"69", sum_of_maxima},
         {"59", mode_by_mode},
         {"63", mode_by_mode},
+        {"88", {"friction ratio from which the contact rests for ever, chains at their frequency ratio, relative", error_with_88}},
         {"68", {"friction ratio at the end of the sliding regime by (58) and \"(67) or (68)\", relative", error_with_68}},
         {"57", {"friction ratio at the boundary (69), relative; the printed maximum is taken over 999 instants, as it has none",
                 [](const SlidingScene& s) {
@@ -226,15 +237,16 @@ std::optional<Loss> loss_of(const std::string& equation) {
     Loss loss;
     loss.quantity = found->second.quantity;
     for (const SlidingScene& scene : sliding_scenes()) {
+        const std::optional<double> error = found->second.error(scene);
+        if (!error) continue;
         ++loss.scenes;
-        const double error = found->second.error(scene);
-        if (!std::isfinite(error)) {
+        if (!std::isfinite(*error)) {
             ++loss.without_value;
             continue;
         }
         double& worst = scene.of_the_paper ? loss.on_paper : loss.on_others;
-        if (error > worst) {
-            worst = error;
+        if (*error > worst) {
+            worst = *error;
             (scene.of_the_paper ? loss.paper_scene : loss.other_scene) = scene.name;
         }
     }

@@ -1,9 +1,6 @@
 // Section 2.6 and 2.5: bounds, "only if"s and observations of the text. Proved where possible; else searched by a fixed seed, with the
 // counterexample or the number of cases tried.
 #include <cmath>
-#include <iomanip>
-#include <limits>
-#include <sstream>
 
 #include "claim.hpp"
 #include "denhartog/evaluation/mode.hpp"
@@ -11,6 +8,7 @@
 #include "denhartog/formulas/contact.hpp"
 #include "sliding_scenes.hpp"
 #include "symbols.hpp"
+#include "witness.hpp"
 
 namespace denhartog::derivation {
 
@@ -18,21 +16,8 @@ using GiNaC::ex;
 
 namespace {
 
-std::string text(double x) {
-    std::ostringstream out;
-    out << std::setprecision(std::numeric_limits<double>::max_digits10) << x;
-    return out.str();
-}
-
-using Witness = std::vector<std::pair<std::string, std::string>>;
-
 Witness place(const SlidingScene& s) {
     return {{"scene", s.name}, {"N", std::to_string(s.sums.R.size())}, {"r", text(s.sums.r)}, {"beta", text(s.state.beta)}, {"mu", text(s.mu)}};
-}
-
-Witness with(Witness w, std::initializer_list<std::pair<std::string, std::string>> more) {
-    w.insert(w.end(), more.begin(), more.end());
-    return w;
 }
 
 /// Looks for the scene with the largest excess; refuted with that scene where the excess is above the threshold.

@@ -18,7 +18,7 @@ void add(std::vector<SlidingScene>& list, const std::string& name, bool of_the_p
         const double beta = scene.beta ? *scene.beta : friction_ratio_at(fraction, limit.exact);
         if (!(beta > 0 && beta < limit.exact)) return;
         SteadyState<double> state = steady_state(sums, limit, beta);
-        list.push_back({name, of_the_paper, scene.mu, std::move(basis), std::move(sums), std::move(limit), std::move(state)});
+        list.push_back({name, of_the_paper, scene.mu, scene.system, std::move(basis), std::move(sums), std::move(limit), std::move(state)});
     } catch (const DomainError&) { // a pole of (23), (28) or (29) without damping
     }
 }

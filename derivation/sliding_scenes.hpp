@@ -16,6 +16,7 @@ struct SlidingScene {
     std::string name;            ///< its name
     bool of_the_paper;           ///< whether it is one of the paper's own
     double mu;                   ///< static over kinetic friction
+    System<double> system;       ///< the system
     ModalBasis<double> basis;    ///< modal basis of the system
     ModeSums<double> sums;       ///< modes at r
     Boundary<double> boundary;   ///< boundary at r
