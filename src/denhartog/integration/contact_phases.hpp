@@ -1,0 +1,286 @@
+/// @file
+/// @brief The two kinds of phases of one system at one excitation, and the events that end them.
+///
+/// A phase is a stretch of linear motion in modal coordinates: those of the system while the contact slides, those of the stuck
+/// configuration while it sticks. Sliding ends where the velocity of the contact is zero, sticking where the load on the
+/// contact leaves what static friction can hold, (74), (75).
+#pragma once
+
+#include <algorithm>
+#include <boost/math/special_functions/fpclassify.hpp>
+#include <utility>
+
+#include "denhartog/errors.hpp"
+#include "denhartog/integration/exact_motion.hpp"
+#include "denhartog/integration/first_crossing.hpp"
+#include "denhartog/integration/linear_motion.hpp"
+#include "denhartog/model/number_text.hpp"
+
+namespace denhartog {
+
+/// @brief Checks frequency and friction. @param e the excitation @throws InputError
+template <class T>
+void check(const Excitation<T>& e) {
+    using boost::math::isfinite;
+    if (!(e.r > 0) || !isfinite(e.r)) throw InputError("r", "must be positive and finite", number_to_text(e.r));
+    if (!(e.beta >= 0) || !isfinite(e.beta))
+        throw InputError("beta", "must be zero or positive, and finite", number_to_text(e.beta));
+    if (!(e.mu >= 1) || !isfinite(e.mu)) throw InputError("mu", "must be at least 1, and finite", number_to_text(e.mu));
+}
+
+/// @brief How a phase ends.
+template <class T>
+struct Event {
+    T t;        ///< time from the start of the phase
+    int next;   ///< direction of the next phase
+    int order;  ///< order of the zero of its guard function
+    T load;     ///< load on the contact
+    bool found; ///< false where the end of the stretch came first
+};
+
+/// @brief The phases of one system at one excitation, one at a time.
+template <class T>
+struct ContactPhases {
+    const ContactSystem<T>* system;     ///< the system
+    Excitation<T> e;                    ///< frequency and friction
+    std::size_t N;                      ///< number of masses
+    LinearMotion<T> sliding, sticking;  ///< the two kinds of motion
+    std::vector<T> w;                   ///< M^-1 e_j / r^2: accelerations that a unit force on the contact makes
+    T inertia;                          ///< 1 / w_j
+    std::vector<T> k_j, c_j, m_j;       ///< what the stuck modes bring to the contact: stiffness, damping, inertia
+    T direct;                           ///< part of the force that acts on the contact itself, 0 or 1
+    T step;                             ///< a step that the search for events took
+    std::vector<T> x, v;                ///< the state at the start of the phase
+    int touching = 0;                   ///< events so tangential that rounding decided them
+
+    static constexpr int most_tangencies = 64; ///< in one phase; more are a load that lies on the limit to rounding
+
+    /// @param s  the system @param excitation frequency and friction
+    ContactPhases(const ContactSystem<T>& s, const Excitation<T>& excitation) : system(&s), N(s.basis.r_n.size()) {
+        sliding.resize(N);
+        sticking.resize(N - 1);
+        w.resize(N);
+        for (std::vector<T>* each : {&k_j, &c_j, &m_j}) each->resize(N - 1);
+        set(excitation);
+    }
+
+    void set(const Excitation<T>& excitation) {
+        check(excitation);
+        e = excitation;
+        const ModalBasis<T>& basis = system->basis;
+        const T r2 = e.r * e.r;
+        for (std::size_t i = 0; i < N; ++i) {
+            set_mode(sliding, i, basis.r_n[i], T(basis.zeta[i] * basis.r_n[i]));
+            sliding.F[i] = basis.phi(system->load.index, i) / r2;
+        }
+        sliding.prepare();
+        for (std::size_t k = 0; k < N; ++k) {
+            w[k] = T(0);
+            for (std::size_t i = 0; i < N; ++i) w[k] += basis.phi(k, i) * basis.phi(system->contact.index, i);
+            w[k] /= r2;
+        }
+        inertia = 1 / w[system->contact.index];
+        direct = system->load == system->contact ? T(1) : T(0);
+        set_sticking(r2);
+        step = T(1);
+    }
+
+    void set_mode(LinearMotion<T>& m, std::size_t i, const T& r_n, const T& half_damping) {
+        m.omega_0[i] = r_n / e.r;
+        m.gap[i] = (e.r - r_n) / e.r * (1 + m.omega_0[i]);
+        m.decay[i] = half_damping / e.r;
+    }
+
+    void set_sticking(const T& r2) {
+        const StuckConfiguration<T>& s = system->stuck;
+        bool closed_form = s.modes_diagonalise_damping;
+        for (std::size_t i = 0; i + 1 < N; ++i) {
+            set_mode(sticking, i, s.r_n[i], T(s.damping(i, i) / 2));
+            closed_form = closed_form && sticking.decay[i] < sticking.omega_0[i];
+            k_j[i] = c_j[i] = m_j[i] = sticking.F[i] = T(0);
+            for (std::size_t n = 0; n + 1 < N; ++n) {
+                k_j[i] += s.phi(n, i) * s.k_j[n];
+                c_j[i] += s.phi(n, i) * s.c_j[n] * e.r;
+                m_j[i] += s.phi(n, i) * s.m_j[n] * r2;
+                if (s.masses[n] == system->load) sticking.F[i] = s.phi(n, i) / r2;
+            }
+        }
+        if (!closed_form) sticking.D = s.damping / e.r;
+        sticking.prepare();
+    }
+
+    // The state (x, v) at the start of a phase, taken into the coordinates of its motion.
+    void start_phase(int direction, const T& tau) {
+        if (direction == 0) {
+            const StuckConfiguration<T>& s = system->stuck;
+            const std::size_t j = system->contact.index;
+            for (std::size_t i = 0; i + 1 < N; ++i) {
+                T q(0), p(0);
+                for (std::size_t k = 0; k + 1 < N; ++k) {
+                    T momentum(0);
+                    for (std::size_t n = 0; n + 1 < N; ++n) momentum += s.phi(n, i) * s.M(n, k);
+                    q += momentum * x[s.masses[k].index];
+                    p += momentum * v[s.masses[k].index];
+                }
+                sticking.q[0][i] = q;
+                sticking.q[1][i] = p;
+                sticking.G[i] = -k_j[i] * x[j] / (e.r * e.r);
+            }
+            sticking.start(tau);
+            return;
+        }
+        const ModalBasis<T>& basis = system->basis;
+        for (std::size_t i = 0; i < N; ++i) {
+            T q(0), p(0);
+            for (std::size_t k = 0; k < N; ++k) {
+                q += system->momentum(i, k) * x[k];
+                p += system->momentum(i, k) * v[k];
+            }
+            sliding.q[0][i] = q;
+            sliding.q[1][i] = p;
+            sliding.G[i] = -direction * e.beta * basis.phi(system->contact.index, i) / (e.r * e.r);
+        }
+        sliding.start(tau);
+    }
+
+    // Displacement, velocity or acceleration of every mass at the instant last evaluated, order 0 to 2.
+    void masses_of(int direction, int order, std::vector<T>& out) const {
+        out.resize(N);
+        if (direction != 0) {
+            for (std::size_t k = 0; k < N; ++k) {
+                out[k] = T(0);
+                for (std::size_t i = 0; i < N; ++i) out[k] += system->basis.phi(k, i) * sliding.q[order][i];
+            }
+            return;
+        }
+        const StuckConfiguration<T>& s = system->stuck;
+        out[system->contact.index] = order == 0 ? x[system->contact.index] : T(0);
+        for (std::size_t n = 0; n + 1 < N; ++n) {
+            T& each = out[s.masses[n].index];
+            each = T(0);
+            for (std::size_t i = 0; i + 1 < N; ++i) each += s.phi(n, i) * sticking.q[order][i];
+        }
+    }
+
+    // Velocity of the contact in the direction of the phase.
+    Jet<T> velocity(int direction, const T& t) {
+        using std::abs;
+        sliding.differentiate_at(t);
+        Jet<T> jet{{T(0), T(0), T(0), T(0)}, T(0), T(0), T(0)};
+        for (std::size_t i = 0; i < N; ++i) {
+            const T phi = direction * system->basis.phi(system->contact.index, i);
+            for (int m = 0; m < 4; ++m) jet.f[m] += phi * sliding.q[m + 1][i];
+            jet.bound += abs(phi) * sliding.energy_norm(4, i);
+            jet.growth += abs(phi * sliding.F[i]);
+            jet.noise += abs(phi * sliding.q[1][i]);
+        }
+        jet.noise *= std::numeric_limits<T>::epsilon();
+        return jet;
+    }
+
+    // What the contact carries while it sticks: everything but friction, and three derivatives.
+    Jet<T> load(const T& t) {
+        using std::abs;
+        sticking.differentiate_at(t);
+        const T &c = sticking.cos_tau(), &s = sticking.sin_tau();
+        const T& x_j = x[system->contact.index];
+        const T k_jj = system->stuck.k_jj;
+        Jet<T> jet{{direct * c - k_jj * x_j, -direct * s, -direct * c, direct * s}, direct, T(0), abs(k_jj * x_j) + direct};
+        T force(0), stiffness(0), damping(0), inertial(0), fastest(0);
+        for (std::size_t i = 0; i + 1 < N; ++i) {
+            for (int m = 0; m < 4; ++m)
+                jet.f[m] -= k_j[i] * sticking.q[m][i] + c_j[i] * sticking.q[m + 1][i] + m_j[i] * sticking.q[m + 2][i];
+            jet.noise += abs(k_j[i] * sticking.q[0][i]) + abs(c_j[i] * sticking.q[1][i]) + abs(m_j[i] * sticking.q[2][i]);
+            force += sticking.F[i] * sticking.F[i];
+            const T k = k_j[i] / sticking.omega_0[i];
+            stiffness += k * k;
+            damping += c_j[i] * c_j[i];
+            inertial += m_j[i] * m_j[i];
+            fastest = std::max(fastest, T(sticking.omega_0[i] + 2 * sticking.decay[i]));
+        }
+        if (N > 1) {
+            if (sticking.coupled()) fastest += sticking.D.cwiseAbs().rowwise().sum().maxCoeff();
+            const T weight = sqrt(stiffness) + sqrt(damping) + fastest * sqrt(inertial);
+            jet.bound += weight * sticking.energy_norm(4) + sqrt(T(inertial * force));
+            jet.growth = weight * sqrt(force);
+        }
+        jet.noise *= std::numeric_limits<T>::epsilon();
+        return jet;
+    }
+
+    Event<T> end_of_sliding(int direction, const T& length, int order) {
+        auto at = [&](const T& t) { return velocity(direction, t); };
+        const std::optional<Crossing<T>> zero = first_crossing(at, T(0), length, order, step);
+        if (!zero) return {length, direction, 0, T(0), false};
+        const Jet<T> jet = velocity(direction, zero->t);
+        touching += zero->touches;
+        const T along = e.beta + inertia * jet.f[1]; // load on the contact along the motion
+        if (zero->touches && e.mu == 1 && jet.f[2] > 0 && order == 0)
+            return {zero->t, direction, 2, T(direction * e.beta), true}; // it touches zero and goes on
+        if (along < -e.mu * e.beta) return {zero->t, -direction, 1, T(direction * along), true};
+        if (along > e.mu * e.beta) return {zero->t, direction, 1, T(direction * along), true};
+        return {zero->t, 0, 0, T(direction * along), true};
+    }
+
+    // One mass: the load on the contact is cos tau - k_jj x_j, whose passage out of the cone is an arc cosine.
+    Event<T> end_of_sticking_alone(const T& tau, const T& length) {
+        using std::acos;
+        using std::ceil;
+        const T holds = e.mu * e.beta;
+        const T force = system->stuck.k_jj * x[0];
+        Event<T> event{length, 0, 0, T(0), false};
+        for (const int side : {1, -1}) {
+            const T y = force + side * holds;
+            if (!(y > -1 && y < 1)) continue;
+            const T passage = -side * acos(y);
+            const T t = std::max(T(0), T(passage + 2 * pi<T>() * ceil(T((tau - passage) / (2 * pi<T>()))) - tau));
+            if (t < event.t) event = {t, side, e.mu == 1 ? 2 : 1, T(side * holds), true};
+        }
+        return event;
+    }
+
+    Event<T> end_of_sticking(const T& length) {
+        const T holds = e.mu * e.beta;
+        Event<T> event{length, 0, 0, T(0), false};
+        for (const int side : {1, -1}) {
+            auto at = [&](const T& t) {
+                Jet<T> jet = load(t);
+                for (T& f : jet.f) f = -side * f;
+                jet.f[0] += holds;
+                return jet;
+            };
+            T from(0);
+            int order = 0;
+            for (int tangencies = 0; from < event.t;) {
+                const std::optional<Crossing<T>> zero = first_crossing(at, from, event.t, order, step);
+                if (!zero) break;
+                const Jet<T> jet = at(zero->t);
+                touching += zero->touches;
+                const bool turns_back = zero->touches && jet.f[2] > 0 && zero->t > from;
+                const bool recedes = zero->touches && jet.f[1] > 0;
+                if ((turns_back || recedes) && ++tangencies < most_tangencies) {
+                    from = zero->t; // the load reaches what friction holds and draws back: the contact stays
+                    order = turns_back ? 2 : 1;
+                    continue;
+                }
+                event = {zero->t, side, e.mu == 1 ? 2 : 1, T(side * holds), true};
+                break;
+            }
+        }
+        return event;
+    }
+
+    // Direction of the first phase of a stretch.
+    std::pair<int, int> first_direction(const T& tau) {
+        const T& v_j = v[system->contact.index];
+        if (v_j != 0) return {v_j > 0 ? 1 : -1, 0};
+        start_phase(0, tau);
+        const Jet<T> Q = load(T(0));
+        const T holds = e.mu * e.beta;
+        for (const int side : {1, -1})
+            if (side * Q.f[0] > holds) return {side, 1};
+        return {0, 0};
+    }
+};
+
+} // namespace denhartog

@@ -1,0 +1,135 @@
+/// @file
+/// @brief The first zero of a smooth function after a start, with none missed: steps are taken only where bounds allow.
+///
+/// At an instant the function comes with three derivatives and a bound of the fourth ahead. Over a step h the Taylor polynomial
+/// is bounded from below by its Bernstein coefficients on [0, h]. Where they exceed the remainder there is no zero in the step;
+/// where the polynomial of the derivative stays negative by more than its remainder there is one at most, and the sign at the
+/// end tells. Else the step is halved. Zeros are lost to rounding of the function alone.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <optional>
+
+namespace denhartog {
+
+/// @brief A function at an instant with what bounds it ahead.
+template <class T>
+struct Jet {
+    std::array<T, 4> f; ///< the function and three derivatives
+    T bound;            ///< |f''''| is at most bound + growth h over [t, t + h]
+    T growth;           ///< see `bound`
+    T noise;            ///< rounding error of f
+};
+
+/// @brief A zero.
+template <class T>
+struct Crossing {
+    T t;          ///< where it is
+    bool touches; ///< the function reaches zero there to rounding, but no step is short enough to see it cross
+};
+
+/// @brief Whether f > 0 on (0, h], where its first `order` derivatives, f included, are zero at the start of the step.
+/// @param jet    the function at the start
+/// @param order  order of the zero at the start, 0 to 2
+/// @param h      length of the step
+/// @return       true where the bounds prove it
+template <class T>
+[[nodiscard]] bool stays_positive(const Jet<T>& jet, int order, const T& h) {
+    const std::array<T, 4>& f = jet.f;
+    const T remainder = jet.bound + jet.growth * h;
+    if (order == 2) return std::min(T(f[2] / 2), T(f[2] / 2 + f[3] * h / 6)) > remainder * h * h / 24;
+    if (order == 1) {
+        const T b1 = f[1] + f[2] * h / 4;
+        const T b2 = f[1] + f[2] * h / 2 + f[3] * h * h / 6;
+        return std::min({f[1], b1, b2}) > remainder * h * h * h / 24;
+    }
+    const T b1 = f[0] + f[1] * h / 3;
+    const T b2 = b1 + f[1] * h / 3 + f[2] * h * h / 6;
+    const T b3 = f[0] + h * (f[1] + h * (f[2] / 2 + f[3] * h / 6));
+    return std::min({f[0], b1, b2, b3}) > remainder * h * h * h * h / 24;
+}
+
+/// @brief Whether f' < 0 on [0, h].
+/// @param jet  the function at the start
+/// @param h    length of the step
+/// @return     true where the bounds prove it
+template <class T>
+[[nodiscard]] bool falls(const Jet<T>& jet, const T& h) {
+    const std::array<T, 4>& f = jet.f;
+    const T b1 = f[1] + f[2] * h / 2;
+    const T b2 = f[1] + f[2] * h + f[3] * h * h / 2;
+    return std::max({f[1], b1, b2}) < -(jet.bound + jet.growth * h) * h * h * h / 6;
+}
+
+/// @brief The zero in [a, b] of a function that falls from f(a) >= 0 to f(b) <= 0, by Halley's steps kept in the bracket.
+/// @param at     jet at an instant
+/// @param a      left end
+/// @param b      right end
+/// @param jet_b  jet at the right end
+/// @return       the zero, to rounding
+template <class T, class Function>
+[[nodiscard]] T falling_zero(Function& at, T a, T b, const Jet<T>& jet_a, const Jet<T>& jet_b) {
+    using std::abs;
+    const T tiny = 4 * std::numeric_limits<T>::epsilon();
+    const bool from_a = jet_a.f[0] < -jet_b.f[0];
+    T t = from_a ? a : b;
+    std::array<T, 4> f = from_a ? jet_a.f : jet_b.f;
+    T step_before = b - a;
+    for (int n = 0; n < 200; ++n) {
+        const T halley = 2 * f[1] * f[1] - f[0] * f[2];
+        const T newton_next = halley > 0 ? T(t - 2 * f[0] * f[1] / halley) : T(t - f[0] / f[1]);
+        const bool inside = f[1] < 0 && newton_next > a && newton_next < b && 2 * abs(newton_next - t) < step_before;
+        const T next = inside || newton_next == t ? newton_next : T(a + (b - a) / 2);
+        const T step = abs(next - t);
+        if (step <= tiny * std::max(b, step) || next == a || next == b) return std::clamp(next, a, b);
+        step_before = inside ? step : T(b - a);
+        // Halley's error is of the third order in the step: no evaluation is needed to see that nothing is left.
+        if (inside && n > 0 && step * step * step <= tiny * b * (b - a) * (b - a)) return next;
+        t = next;
+        f = at(t).f;
+        (f[0] > 0 ? a : b) = t;
+    }
+    return t;
+}
+
+/// @brief First zero of a function that is positive after the start.
+/// @param at     jet at an instant
+/// @param t      the start
+/// @param t_end  where the search ends
+/// @param order  order of the zero at the start: 0 where f > 0 there, 1 where f' > 0, 2 where f'' > 0
+/// @param step   first step tried; left as the last one taken
+/// @return       the zero; none up to the end
+template <class T, class Function>
+[[nodiscard]] std::optional<Crossing<T>> first_crossing(Function& at, T t, const T& t_end, int order, T& step) {
+    const T shortest = 4 * std::numeric_limits<T>::epsilon();
+    Jet<T> jet = at(t);
+    while (t < t_end) {
+        if (order == 0 && jet.f[0] <= 0) return Crossing<T>{t, true};
+        T h = std::min(step, T(t_end - t));
+        for (;;) {
+            const T next = t + h < t_end ? T(t + h) : t_end;
+            if (stays_positive(jet, order, h)) {
+                t = next;
+                step = 2 * h;
+                order = 0;
+                if (t < t_end) jet = at(t);
+                break;
+            }
+            if (order == 0 && falls(jet, h)) {
+                const Jet<T> ahead = at(next);
+                if (ahead.f[0] <= 0) return Crossing<T>{falling_zero(at, t, next, jet, ahead), false};
+                t = next;
+                jet = ahead;
+                break;
+            }
+            h = h * 3 / 4;
+            if (h <= shortest * std::max(T(1), t_end) && (order > 0 || jet.f[0] <= 8 * jet.noise || t + h == t))
+                return Crossing<T>{t, true};
+        }
+    }
+    return std::nullopt;
+}
+
+} // namespace denhartog

@@ -1,0 +1,184 @@
+#include "denhartog/integration/exact_motion.hpp"
+
+#include <cmath>
+
+#include "denhartog/errors.hpp"
+#include "denhartog/integration/half_period.hpp"
+#include "denhartog/number.hpp"
+#include "tests/catch.hpp"
+
+namespace {
+
+using namespace denhartog;
+
+System<double> one_mass(double zeta) {
+    System<double> s;
+    s.mass_ratios = {1};
+    s.stiffness_ratios = {1};
+    s.damping_ratios = {zeta};
+    return s;
+}
+
+System<double> three_masses() {
+    System<double> s;
+    s.mass_ratios = {1, 2.5, 0.75};
+    s.stiffness_ratios = {1, 0.625, 1.875};
+    s.damping_ratios = {0.03, 0.06, 0.09};
+    s.contact = {1};
+    s.load = {0};
+    return s;
+}
+
+// Work done on the masses over a motion: load, damping and friction, by Simpson's rule on each phase; and the gain of energy.
+struct Energy {
+    double work;
+    double gain;
+    double size;
+};
+
+Energy energy_of(ExactSolver<double>& solver, const ExactMotion<double>& run, const NonDimensionalMatrices<double>& m, Mass contact,
+                 Mass load, double beta) {
+    const ExactMotion<double> motion = run;
+    const auto state = [](const State<double>& s) {
+        return std::pair{Vector<double>(Eigen::Map<const Vector<double>>(s.x.data(), static_cast<Eigen::Index>(s.x.size()))),
+                         Vector<double>(Eigen::Map<const Vector<double>>(s.x_prime.data(), static_cast<Eigen::Index>(s.x.size())))};
+    };
+    const auto stored = [&](const State<double>& s) {
+        const auto [x, v] = state(s);
+        return 0.5 * v.dot(m.M * v) + 0.5 * x.dot(m.K * x);
+    };
+    Energy e{0, 0, 0};
+    for (std::size_t n = 0; n < motion.phases.size(); ++n) {
+        const Phase<double>& p = motion.phases[n];
+        const int steps = 2000;
+        for (int i = 0; i <= steps; ++i) {
+            const double tau = p.start + (p.end - p.start) * i / steps;
+            const auto [x, v] = state(solver.state_at(n, tau));
+            const double power = std::cos(tau) * v(static_cast<Eigen::Index>(load.index)) - v.dot(m.C * v) -
+                                 p.direction * beta * v(static_cast<Eigen::Index>(contact.index));
+            const double weight = (i == 0 || i == steps) ? 1 : i % 2 == 1 ? 4 : 2;
+            e.work += weight * power * (p.end - p.start) / (3 * steps);
+        }
+    }
+    e.gain = stored(motion.end) - stored(solver.state_at(0, motion.phases.front().start));
+    e.size = stored(motion.end) + std::abs(e.work);
+    return e;
+}
+
+} // namespace
+
+TEST_CASE("a mass pulled from rest by more than static friction slides, sticks and slides on", "[unit][exact-solver]") {
+    const ContactSystem<double> system = contact_system(one_mass(0.01));
+    ExactSolver<double> solver(system, {0.1, 0.2, 1.0});
+    const ExactMotion<double>& motion = solver.run(at_rest<double>(1), 0.0, 2 * pi<double>());
+    REQUIRE(motion.status == MotionStatus::complete);
+    CHECK(motion.phases.front().direction == 1);
+    CHECK(motion.phases.front().start == 0);
+    CHECK(motion.phases.back().end == 2 * pi<double>());
+    int stops = 0;
+    for (std::size_t n = 0; n < motion.phases.size(); ++n) {
+        CHECK(motion.phases[n].end > motion.phases[n].start);
+        if (n > 0) CHECK(motion.phases[n].start == motion.phases[n - 1].end);
+        stops += motion.phases[n].direction == 0;
+    }
+    CHECK(stops >= 4);
+}
+
+TEST_CASE("a mass that static friction holds stays where it is", "[unit][exact-solver][eq:74]") {
+    const ContactSystem<double> system = contact_system(one_mass(0.05));
+    ExactSolver<double> solver(system, {1.0, 0.55, 2.0});
+    const ExactMotion<double>& motion = solver.run(at_rest<double>(1), 0.0, 20 * pi<double>());
+    REQUIRE(motion.phases.size() == 1);
+    CHECK(motion.phases[0].direction == 0);
+    CHECK(motion.end.x[0] == 0);
+}
+
+TEST_CASE("over any motion the gain of energy is the work of load, damping and friction", "[unit][exact-solver][eq:6]") {
+    struct Point {
+        System<double> system;
+        Excitation<double> e;
+    };
+    std::vector<Point> points = {{one_mass(0.01), {0.1, 0.2, 1.0}},
+                                 {one_mass(0.0), {1.0, 0.9, 1.0}}, // resonance without damping
+                                 {one_mass(0.3), {0.4, 0.3, 2.5}},
+                                 {three_masses(), {1.125, 0.15625, 1.375}},
+                                 {three_masses(), {0.3, 0.4, 1.0}}};
+    System<double> at_contact = three_masses();
+    at_contact.load = at_contact.contact;
+    points.push_back({at_contact, {0.2, 0.3, 1.5}});
+    System<double> inertially_coupled = three_masses();
+    inertially_coupled.mass_ratios.clear();
+    inertially_coupled.mass_matrix = Matrix<double>{{1, 0.25, 0}, {0.25, 2, 0.5}, {0, 0.5, 1.5}};
+    inertially_coupled.stiffness_ratios.clear();
+    inertially_coupled.stiffness_matrix = Matrix<double>{{2, -1, 0}, {-1, 3, -1}, {0, -1, 2}};
+    points.push_back({inertially_coupled, {0.3, 0.25, 1.25}});
+    for (const Point& p : points) {
+        const ContactSystem<double> system = contact_system(p.system);
+        ExactSolver<double> solver(system, p.e);
+        const ExactMotion<double>& motion =
+            solver.run(at_rest<double>(system.basis.r_n.size()), 0.0, 4 * pi<double>());
+        const NonDimensionalMatrices<double> m = non_dimensional_matrices(p.system, system.basis, p.e.r);
+        const Energy e = energy_of(solver, motion, m, p.system.contact, p.system.load, p.e.beta);
+        INFO("N = " << system.basis.r_n.size() << ", r = " << p.e.r << ", phases " << motion.phases.size() << ", coupling "
+                    << system.stuck.coupling);
+        CHECK(motion.phases.size() >= 2);
+        CHECK(std::abs(e.work - e.gain) <= 1e-9 * e.size);
+    }
+}
+
+TEST_CASE("while it sticks the contact carries no more than static friction, and just that when it leaves",
+          "[unit][exact-solver][eq:74][eq:75]") {
+    const System<double> s = three_masses();
+    const ContactSystem<double> system = contact_system(s);
+    const double beta = 0.2, mu = 1.25, r = 0.15;
+    ExactSolver<double> solver(system, {r, beta, mu});
+    const ExactMotion<double> motion = solver.run(at_rest<double>(3), 0.0, 12 * pi<double>());
+    const NonDimensionalMatrices<double> m = non_dimensional_matrices(s, system.basis, r);
+    int departures = 0;
+    for (std::size_t n = 0; n + 1 < motion.phases.size(); ++n) {
+        const Phase<double>& p = motion.phases[n];
+        if (p.direction != 0) continue;
+        const auto load = [&](double tau) {
+            const State<double> z = solver.state_at(n, tau);
+            double sum = s.load == s.contact ? std::cos(tau) : 0;
+            for (Eigen::Index k = 0; k < 3; ++k)
+                sum -= m.C(1, k) * z.x_prime[static_cast<std::size_t>(k)] + m.K(1, k) * z.x[static_cast<std::size_t>(k)];
+            return sum;
+        };
+        for (int i = 0; i <= 100; ++i) CHECK(std::abs(load(p.start + (p.end - p.start) * i / 100)) <= mu * beta + 1e-13);
+        CHECK(std::abs(std::abs(load(p.end)) - mu * beta) <= 1e-13);
+        CHECK(motion.phases[n + 1].direction * load(p.end) > 0);
+        ++departures;
+    }
+    CHECK(departures >= 3);
+}
+
+TEST_CASE("the largest displacements are those of a dense sample", "[unit][exact-solver]") {
+    const ContactSystem<double> system = contact_system(three_masses());
+    ExactSolver<double> solver(system, {0.3, 0.4, 1.25});
+    const ExactMotion<double> motion = solver.run(at_rest<double>(3), 0.0, 4 * pi<double>());
+    const std::vector<Extremum<double>> largest = solver.largest_displacements();
+    std::vector<double> sampled(3, 0);
+    for (std::size_t n = 0; n < motion.phases.size(); ++n) {
+        const Phase<double>& p = motion.phases[n];
+        for (int i = 0; i <= 4000; ++i) {
+            const State<double> z = solver.state_at(n, p.start + (p.end - p.start) * i / 4000);
+            for (std::size_t k = 0; k < 3; ++k) sampled[k] = std::max(sampled[k], std::abs(z.x[k]));
+        }
+    }
+    for (std::size_t k = 0; k < 3; ++k) {
+        CHECK(std::abs(largest[k].x) >= sampled[k] * (1 - 1e-14));
+        CHECK(std::abs(largest[k].x) <= sampled[k] * (1 + 1e-5));
+    }
+}
+
+TEST_CASE("the exact solver names the quantity, the rule and the value of bad input", "[unit][exact-solver][bad-input]") {
+    const ContactSystem<double> system = contact_system(one_mass(0.01));
+    using Solver = ExactSolver<double>;
+    CHECK_THROWS_WITH(Solver(system, {0.0, 0.2, 1.0}), Catch::Contains("r must be positive"));
+    CHECK_THROWS_WITH(Solver(system, {1.0, -0.2, 1.0}), Catch::Contains("beta must be zero or positive"));
+    CHECK_THROWS_WITH(Solver(system, {1.0, 0.2, 0.5}), Catch::Contains("mu must be at least 1"));
+    CHECK_THROWS_AS(Solver(system, {std::nan(""), 0.2, 1.0}), InputError);
+    Solver solver(system, {1.0, 0.2, 1.0});
+    CHECK_THROWS_AS(solver.run(at_rest<double>(2), 0.0, 1.0), InputError);
+}

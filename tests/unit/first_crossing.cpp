@@ -1,0 +1,124 @@
+#include "denhartog/integration/first_crossing.hpp"
+
+#include <cmath>
+#include <random>
+
+#include "denhartog/multiprecision.hpp"
+#include "denhartog/number.hpp"
+#include "tests/catch.hpp"
+
+namespace {
+
+using namespace denhartog;
+
+// offset + sum of a cos(w t + p), with a bound of the fourth derivative that holds everywhere.
+template <class T>
+struct Waves {
+    T offset;
+    std::vector<std::array<T, 3>> waves; // a, w, p
+    int evaluations = 0;
+
+    Jet<T> operator()(const T& t) {
+        using std::abs;
+        ++evaluations;
+        Jet<T> jet{{offset, T(0), T(0), T(0)}, T(0), T(0), std::numeric_limits<T>::epsilon() * abs(offset)};
+        for (const auto& [a, w, p] : waves) {
+            const T c = a * cos(T(w * t + p)), s = a * sin(T(w * t + p));
+            jet.f[0] += c;
+            jet.f[1] -= w * s;
+            jet.f[2] -= w * w * c;
+            jet.f[3] += w * w * w * s;
+            jet.bound += abs(a) * w * w * w * w;
+            jet.noise += std::numeric_limits<T>::epsilon() * abs(c);
+        }
+        return jet;
+    }
+};
+
+template <class T>
+std::optional<Crossing<T>> first(Waves<T>& f, const T& from, const T& to, int order = 0) {
+    T step(1);
+    return first_crossing(f, from, to, order, step);
+}
+
+} // namespace
+
+TEST_CASE("the first zero of a cosine is found to rounding", "[unit][exact-solver][events]") {
+    Waves<double> f{0, {{1, 3, 0}}};
+    const auto zero = first(f, 0.0, 10.0);
+    REQUIRE(zero);
+    CHECK(std::abs(zero->t - pi<double>() / 6) <= 2e-16);
+    CHECK_FALSE(zero->touches);
+    CHECK(f.evaluations <= 12);
+
+    Waves<Real50> g{Real50(0), {{Real50(1), Real50(3), Real50(0)}}};
+    const auto in_50 = first(g, Real50(0), Real50(10));
+    REQUIRE(in_50);
+    CHECK(abs(in_50->t - pi<Real50>() / 6) < Real50("1e-50"));
+}
+
+TEST_CASE("a zero at the start is not found again", "[unit][exact-solver][events]") {
+    Waves<double> sine{0, {{1, 1, -pi<double>() / 2}}};
+    const auto after_simple = first(sine, 0.0, 10.0, 1);
+    REQUIRE(after_simple);
+    CHECK(std::abs(after_simple->t - pi<double>()) <= 1e-15);
+
+    Waves<double> versine{1, {{-1, 1, 0}}}; // 1 - cos t: second order at 0, touches again at 2 pi
+    const auto after_double = first(versine, 0.0, 6.0, 2);
+    CHECK_FALSE(after_double);
+}
+
+TEST_CASE("two zeros however close together are not stepped over", "[unit][exact-solver][events]") {
+    // 1 + depth below its minimum: zeros at pi -+ sqrt(2 depth).
+    for (const double depth : {1e-3, 1e-6, 1e-9, 1e-12}) {
+        Waves<double> f{1 - depth, {{1, 1, 0}}};
+        const auto zero = first(f, 0.0, 6.0);
+        REQUIRE(zero);
+        const double expected = std::acos(depth - 1);
+        INFO("depth " << depth << ", found " << zero->t << ", expected " << expected);
+        CHECK(std::abs(zero->t - expected) <= 4e-16 / std::sqrt(2 * depth) + 4e-16);
+    }
+}
+
+TEST_CASE("a near miss is passed by", "[unit][exact-solver][events]") {
+    for (const double height : {1e-3, 1e-6, 1e-9, 1e-12, 1e-14}) {
+        Waves<double> f{1 + height, {{1, 1, 0}}};
+        INFO("height " << height);
+        CHECK_FALSE(first(f, 0.0, 6.0));
+        CHECK(f.evaluations <= 200);
+    }
+}
+
+TEST_CASE("a tangency within rounding is reported as one, at its place", "[unit][exact-solver][events]") {
+    Waves<double> f{1, {{1, 1, 0}}};
+    const auto zero = first(f, 0.0, 6.0);
+    REQUIRE(zero);
+    CHECK(zero->touches);
+    CHECK(std::abs(zero->t - pi<double>()) <= 1e-7); // the square root of rounding
+}
+
+TEST_CASE("no crossing of a seeded sum of waves is missed that a sample of 100 000 instants shows", "[unit][exact-solver][events]") {
+    std::mt19937_64 random(3);
+    const auto draw = [&](double a, double b) { return a + (b - a) * static_cast<double>(random() >> 11) * 0x1p-53; };
+    int found = 0;
+    for (int n = 0; n < 40; ++n) {
+        Waves<double> f{draw(0.2, 1.5), {}};
+        for (int m = 0; m < 4; ++m) f.waves.push_back({draw(-0.6, 0.6), draw(0.2, 15), draw(0, 6.28)});
+        if (f(0).f[0] <= 0) continue;
+        const double end = 20;
+        double sampled = end;
+        for (int i = 1; i <= 100000 && sampled == end; ++i)
+            if (f(end * i / 100000).f[0] < 0) sampled = end * i / 100000;
+        const auto zero = first(f, 0.0, end);
+        INFO("sum of waves " << n);
+        if (!zero) {
+            CHECK(sampled == end);
+            continue;
+        }
+        ++found;
+        CHECK(zero->t <= sampled);
+        CHECK(std::abs(f(zero->t).f[0]) <= 1e-13);
+        CHECK(f(zero->t / 2).f[0] > 0);
+    }
+    CHECK(found >= 15);
+}
