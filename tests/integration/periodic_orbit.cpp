@@ -1,0 +1,210 @@
+// The steady motion by shooting: against the closed form, against 50 digits, against long propagation, and by what it must obey.
+#include "denhartog/integration/periodic_orbit.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include "denhartog/errors.hpp"
+#include "denhartog/response/stuck_response.hpp"
+#include "tests/integration/orbit_scenes.hpp"
+#include "tests/unit/response_fixtures.hpp"
+
+using namespace denhartog;
+using namespace denhartog::tests;
+
+namespace {
+
+double angle_between(double a, double b) { return std::abs(std::remainder(a - b, 2 * pi<double>())); }
+
+} // namespace
+
+TEST_CASE("an oscillator driven at a tenth of its frequency stops four times a period, whatever the start",
+          "[eq:2][eq:74][exact-solver][shooting]") {
+    const Prepared<double> p = prepared_oscillator(0.01, 0.1, 0.2);
+    const PeriodicOrbit<double> orbit = orbit_of(p);
+    REQUIRE(orbit.status == OrbitStatus::periodic);
+    CHECK(orbit.symmetric);
+    CHECK(orbit.periods == 1);
+    CHECK(orbit.stable);
+    CHECK(orbit.newton_steps <= 5);
+    CHECK(orbit.periods_propagated <= 5);
+    REQUIRE(orbit.stops.size() == 4);
+    for (std::size_t n = 0; n < 4; ++n) {
+        // It breaks away where the load reaches the friction; it came to rest where the load was below.
+        const Stop<double>& s = orbit.stops[n];
+        INFO(n << " " << hexadecimal(s.start) << " " << hexadecimal(s.end));
+        CHECK(std::abs(std::abs(std::cos(s.end) - s.x) - 0.2) < 1e-14);
+        CHECK(std::abs(std::cos(s.start) - s.x) < 0.2);
+        const Stop<double>& mirrored = orbit.stops[(n + 2) % 4];
+        CHECK(std::abs(s.x + mirrored.x) < 1e-14);
+        CHECK(angle_between(s.start + pi<double>(), mirrored.start) < 1e-13);
+    }
+    CHECK(orbit.contact.amplitude == std::abs(orbit.stops[0].x));
+    for (const double x : {-3.0, 0.5, 40.0}) {
+        const PeriodicOrbit<double> other = orbit_from(p, {{x}, {-x}});
+        REQUIRE(other.status == OrbitStatus::periodic);
+        CHECK(distance(other.start, orbit.start) < 1e-13);
+    }
+}
+
+TEST_CASE("a stop across the maximum of the force is one stop", "[exact-solver][shooting]") {
+    // Slow forcing with little inertia of its own: the contact rests about the extrema of the force.
+    const PeriodicOrbit<double> orbit = orbit_of(prepared_oscillator(0.75, 0.0625, 0.25));
+    REQUIRE(orbit.status == OrbitStatus::periodic);
+    REQUIRE(orbit.stops.size() == 2);
+    for (const Stop<double>& s : orbit.stops) {
+        CHECK(s.start >= 0);
+        CHECK(s.start < 2 * pi<double>());
+        CHECK(s.end > s.start);
+    }
+    CHECK(std::abs(orbit.stops[1].end - orbit.stops[0].end - pi<double>()) < 1e-13);
+    CHECK(std::abs(orbit.stops[1].x + orbit.stops[0].x) < 1e-15);
+}
+
+TEST_CASE("in the sliding regime the orbit is the closed form", "[eq:38][eq:39][eq:46][exact-solver][shooting]") {
+    int scenes = 0;
+    double worst = 0;
+    std::string where;
+    const auto compare = [&](const std::string& name, Scene<double> scene) {
+        scene.mu = 1;
+        const Response<double> closed = response(scene);
+        if (!closed.steady_state || closed.regime->on_boundary) return;
+        const ContactSystem<double> system = contact_system(scene.system);
+        const PeriodicOrbit<double> orbit = orbit_of<double>({name, system, {*scene.r, *scene.beta, 1}});
+        if (orbit.status != OrbitStatus::periodic && orbit.reason.find("not certainly stable") != std::string::npos) return;
+        INFO(name << ": " << orbit.reason);
+        REQUIRE(orbit.status == OrbitStatus::periodic);
+        CHECK(orbit.stops.empty());
+        CHECK(orbit.symmetric);
+        ++scenes;
+        double largest = 0;
+        for (const MassMotion<double>& m : orbit.masses) largest = std::max(largest, m.amplitude);
+        for (std::size_t k = 0; k < orbit.masses.size(); ++k) {
+            const MassResponse<double>& expected = closed.steady_state->masses[k];
+            const double error = std::abs(orbit.masses[k].amplitude - expected.amplitude) / largest;
+            if (error > worst) {
+                worst = error;
+                where = name + " " + hexadecimal(orbit.masses[k].amplitude) + " " + hexadecimal(expected.amplitude);
+            }
+            if (expected.amplitude > 0.01 * largest) CHECK(angle_between(orbit.masses[k].phase, expected.phase) < 2e-7);
+        }
+        CHECK(angle_between(orbit.contact.phase, closed.steady_state->phi_j) < 1e-11);
+    };
+    int n = 0;
+    for (const NamedScene<double>& named : paper_scenes<double>())
+        if (n++ % 25 == 0 || number_of_masses(named.scene.system) > 2) compare(named.name, named.scene);
+    for (const RandomScene<double>& random : random_scenes<double>(20250331)) {
+        if (number_of_masses(random.scene.system) > 6) break;
+        Scene<double> scene = random.scene;
+        scene.mu = 1;
+        scene.beta = friction_ratio_at(random.fraction_of_limit, response(scene).boundary.exact);
+        compare(random.name, scene);
+    }
+    INFO(where);
+    CHECK(scenes > 200);
+    CHECK(worst < 1e-12);
+}
+
+TEST_CASE("in stick-slip double agrees with 50 digits, within the bound it gives, and the bound is no excuse",
+          "[eq:2][eq:3][eq:74][exact-solver][shooting]") {
+    int compared = 0;
+    double worst = 0, tightest = 0, product = 0;
+    std::string where, tightest_where;
+    for (const double mu : {1.0, 0.0}) {
+        for (const Twin& twin : between_the_boundaries(mu == 1 ? 7 : 8, 3, mu)) {
+            OrbitSearch<double> search;
+            search.most_periods = 100;
+            const PeriodicOrbit<double> orbit = orbit_of(twin.in_double, search);
+            if (orbit.status != OrbitStatus::periodic || orbit.periods > 1 || !orbit.symmetric) continue;
+            const PeriodicOrbit<Real50> exact = widened(orbit, twin.in_50_digits);
+            INFO(twin.in_double.name << ": " << exact.reason);
+            REQUIRE(exact.status == OrbitStatus::periodic);
+            CHECK(exact.error_bound < 1e-42);
+            REQUIRE(exact.stops.size() == orbit.stops.size());
+            ++compared;
+            double error = 0, largest = 0;
+            for (std::size_t k = 0; k < orbit.masses.size(); ++k) {
+                largest = std::max(largest, orbit.masses[k].amplitude);
+                error = std::max(error, std::abs(static_cast<double>(exact.masses[k].amplitude - orbit.masses[k].amplitude)));
+                error = std::max(error, std::abs(static_cast<double>(exact.start.x[k] - orbit.start.x[k])));
+            }
+            for (std::size_t n = 0; n < orbit.stops.size(); ++n) {
+                CHECK(std::abs(static_cast<double>(exact.stops[n].start - orbit.stops[n].start)) < 1e-9);
+                CHECK(std::abs(static_cast<double>(exact.stops[n].end - orbit.stops[n].end)) < 1e-9);
+                error = std::max(error, std::abs(static_cast<double>(exact.stops[n].x - orbit.stops[n].x)));
+            }
+            const double size = std::max(largest, 1e-3);
+            if (error / size > worst) {
+                worst = error / size;
+                where = twin.in_double.name;
+            }
+            if (error / orbit.error_bound > tightest) {
+                tightest = error / orbit.error_bound;
+                tightest_where = twin.in_double.name;
+            }
+            CHECK(orbit.error_bound < 1e-8 * size);
+            product += std::log10(std::max(error, 1e-17) / orbit.error_bound);
+        }
+    }
+    INFO(where << " " << hexadecimal(worst) << "; " << tightest_where << " " << hexadecimal(tightest));
+    CHECK(compared > 100);
+    CHECK(worst < 1e-12);
+    CHECK(tightest <= 1);
+    CHECK(product / compared > -4);
+}
+
+TEST_CASE("where the stuck modes are coupled by damping, shooting ends where long propagation does",
+          "[eq:74][exact-solver][shooting]") {
+    const Prepared<double> p = prepared_three_masses(0.6875, 0.25);
+    REQUIRE_FALSE(p.system.stuck.modes_diagonalise_damping);
+    const PeriodicOrbit<double> orbit = orbit_of(p);
+    REQUIRE(orbit.status == OrbitStatus::periodic);
+    CHECK(orbit.stops.size() >= 2);
+    CHECK(orbit.stable);
+    CHECK(distance(propagated(p, at_rest<double>(3), 1200), orbit.start) < 1e-12);
+    const PeriodicOrbit<Real50> exact = widened(orbit, prepared_three_masses<Real50>(0.6875, 0.25));
+    REQUIRE(exact.status == OrbitStatus::periodic);
+    for (std::size_t k = 0; k < 3; ++k)
+        CHECK(std::abs(static_cast<double>(exact.masses[k].amplitude - orbit.masses[k].amplitude)) <= orbit.error_bound);
+}
+
+TEST_CASE("a contact that comes to rest for ever stays within the interval of rest", "[eq:74][eq:88][exact-solver][shooting]") {
+    const double r = 0.75, beta = 4;
+    const Prepared<double> p = prepared_three_masses(r, beta);
+    const StuckResponse<double> stuck = stuck_response(p.system.stuck, Mass{1}, Mass{0}, r);
+    const double reach = rest_interval(p.system.stuck, stuck, 1.0, beta).value();
+    const PeriodicOrbit<double> from_rest = orbit_of(p);
+    REQUIRE(from_rest.status == OrbitStatus::permanently_stuck);
+    CHECK(from_rest.contact.amplitude == 0);
+    CHECK(from_rest.stable);
+    CHECK(from_rest.multipliers.size() == 4);
+    CHECK(from_rest.residual < 1e-14);
+    for (const std::size_t k : {0, 2}) {
+        CHECK(std::abs(from_rest.masses[k].amplitude - stuck.masses[k].amplitude) < 1e-14);
+        CHECK(angle_between(from_rest.masses[k].phase, stuck.masses[k].phase.value_or(0)) < 1e-13);
+    }
+    for (const double x : {-30.0, 12.0, 50.0}) {
+        const State<double> start{{0, x, 0}, {0, 0, 0}};
+        const PeriodicOrbit<double> orbit = orbit_from(p, start);
+        INFO(x << " " << orbit.reason);
+        REQUIRE(orbit.status == OrbitStatus::permanently_stuck);
+        REQUIRE(orbit.stops.size() == 1);
+        CHECK(std::abs(orbit.stops[0].x) <= reach);
+        const State<double> later = propagated(p, start, 1200);
+        CHECK(distance(later, orbit.start) < 1e-11);
+    }
+}
+
+TEST_CASE("one oscillator, two motions: it rests from rest and slides from far out", "[eq:3][eq:74][exact-solver][shooting]") {
+    const Prepared<double> p = prepared_oscillator(0.05, 1, 0.55, 2);
+    const PeriodicOrbit<double> rests = orbit_of(p);
+    CHECK(rests.status == OrbitStatus::permanently_stuck);
+    CHECK(rests.contact.amplitude == 0);
+    const PeriodicOrbit<double> slides = orbit_from(p, {{5}, {0}});
+    REQUIRE(slides.status == OrbitStatus::periodic);
+    CHECK(slides.stops.empty());
+    CHECK(slides.stable);
+    Scene<double> scene = oscillator(0.05, 1, 2);
+    scene.beta = 0.55;
+    CHECK(std::abs(slides.contact.amplitude - response(scene).steady_state.value().X_j) < 1e-13);
+}

@@ -1,0 +1,293 @@
+// Motions that the paper's assumption of symmetry leaves out, stability, hard cases, and what a search that fails says.
+#include <Eigen/Eigenvalues>
+#include <cmath>
+#include <limits>
+
+#include "denhartog/errors.hpp"
+#include "denhartog/integration/floquet.hpp"
+#include "denhartog/integration/periodic_orbit.hpp"
+#include "tests/integration/orbit_scenes.hpp"
+
+using namespace denhartog;
+using namespace denhartog::tests;
+
+namespace {
+
+bool all_finite(const PeriodicOrbit<double>& o) {
+    double sum = o.residual + o.error_bound + o.contact.amplitude + o.contact.phase;
+    for (const MassMotion<double>& m : o.masses) sum += m.amplitude + m.phase;
+    for (const Stop<double>& s : o.stops) sum += s.start + s.end + s.x;
+    for (const std::complex<double>& m : o.multipliers) sum += std::abs(m);
+    for (std::size_t k = 0; k < o.start.x.size(); ++k) sum += o.start.x[k] + o.start.x_prime[k];
+    return std::isfinite(sum);
+}
+
+/// Eigenvalues of the map over a period from central differences in 50 digits.
+std::vector<std::complex<double>> multipliers_by_differences(const Prepared<Real50>& p, const PeriodicOrbit<Real50>& orbit) {
+    ExactSolver<Real50> solver(p.system, p.excitation);
+    const std::size_t N = orbit.start.x.size();
+    const Real50 end = 2 * pi<Real50>() * orbit.periods, h("1e-20");
+    Matrix<double> J(2 * N, 2 * N);
+    for (std::size_t c = 0; c < 2 * N; ++c) {
+        State<Real50> ends[2];
+        for (const int side : {0, 1}) {
+            State<Real50> z = orbit.start;
+            (c < N ? z.x[c] : z.x_prime[c - N]) += side == 0 ? Real50(-h) : h;
+            ends[side] = solver.run(z, Real50(0), end).end;
+        }
+        for (std::size_t k = 0; k < N; ++k) {
+            J(k, c) = static_cast<double>(Real50((ends[1].x[k] - ends[0].x[k]) / (2 * h)));
+            J(N + k, c) = static_cast<double>(Real50((ends[1].x_prime[k] - ends[0].x_prime[k]) / (2 * h)));
+        }
+    }
+    return multipliers_of(J);
+}
+
+/// What a search must find and propagation must confirm: an orbit of a period and no shorter one.
+void check_kind(const Prepared<double>& p, int periods, bool symmetric, std::size_t stops) {
+    const PeriodicOrbit<double> orbit = orbit_of(p);
+    INFO(orbit.reason);
+    REQUIRE(orbit.status == OrbitStatus::periodic);
+    CHECK(orbit.periods == periods);
+    CHECK(orbit.symmetric == symmetric);
+    CHECK(orbit.stops.size() == stops);
+    CHECK(orbit.stable);
+    CHECK(orbit.error_bound < 1e-11);
+    // The motion from rest, by propagation alone, is on the orbit after a long time, and comes back to itself no earlier.
+    const State<double> late = propagated(p, at_rest<double>(orbit.start.x.size()), 2 * 840);
+    double nearest = 1;
+    for (int n = 0; n < periods; ++n) nearest = std::min(nearest, distance(propagated(p, late, 2 * n), orbit.start));
+    CHECK(nearest < 1e-9);
+    for (int h = 1; h <= 2 * periods; ++h) {
+        INFO(h << " half-periods");
+        const double back = distance(propagated(p, late, h), late);
+        if (h % (symmetric ? periods : 2 * periods) == 0)
+            CHECK(back < 1e-9);
+        else
+            CHECK(back > 1e-3);
+    }
+}
+
+} // namespace
+
+TEST_CASE("static friction above kinetic brings asymmetric and subharmonic motions from rest", "[eq:3][exact-solver][shooting]") {
+    check_kind(prepared_oscillator(0.03125, 0.5, 0.1875, 2), 1, false, 1);
+    check_kind(prepared_oscillator(0.015625, 0.65625, 0.25, 3), 3, true, 2);
+    check_kind(prepared_oscillator(0.015625, 0.46875, 0.21875, 1.5), 2, false, 3);
+    check_kind(prepared_oscillator(0, 0.28125, 0.125, 3), 5, true, 16);
+}
+
+TEST_CASE("where motions are not unique the orbit is the one that propagation from rest ends in",
+          "[eq:3][exact-solver][shooting]") {
+    int compared = 0;
+    for (const Twin& twin : between_the_boundaries(21, 2, 0)) {
+        const Prepared<double>& p = twin.in_double;
+        const PeriodicOrbit<double> orbit = orbit_of(p);
+        if (orbit.status != OrbitStatus::periodic || std::abs(orbit.multipliers.front()) > 0.98) continue;
+        INFO(p.name << " " << orbit.periods << " " << orbit.symmetric);
+        ++compared;
+        State<double> late = propagated(p, at_rest<double>(orbit.start.x.size()), 2 * 840);
+        double nearest = distance(late, orbit.start);
+        for (int n = 1; n < orbit.periods; ++n) {
+            late = propagated(p, late, 2);
+            nearest = std::min(nearest, distance(late, orbit.start));
+        }
+        CHECK(nearest < 1e-6);
+    }
+    CHECK(compared > 30);
+}
+
+TEST_CASE("a contact whose load reaches the friction exactly is on the boundary of rest", "[eq:74][exact-solver][shooting]") {
+    const PeriodicOrbit<double> on = orbit_of(prepared_oscillator(0.0625, 0.5, 1));
+    CHECK(on.status == OrbitStatus::permanently_stuck);
+    CHECK(on.reason.find("boundary") != std::string::npos);
+    const PeriodicOrbit<double> below = orbit_of(prepared_oscillator(0.0625, 0.5, 1 - 0x1p-20));
+    REQUIRE(below.status == OrbitStatus::periodic);
+    CHECK(below.stops.size() == 2);
+    CHECK(below.contact.amplitude > 0);
+    const PeriodicOrbit<double> above = orbit_of(prepared_oscillator(0.0625, 0.5, 1 + 0x1p-20));
+    CHECK(above.status == OrbitStatus::permanently_stuck);
+    CHECK(above.reason.find("boundary") == std::string::npos);
+}
+
+TEST_CASE("Floquet multipliers are those of differences in 50 digits", "[exact-solver][shooting]") {
+    const auto compare = [](const Prepared<double>& p, const Prepared<Real50>& wide) {
+        const PeriodicOrbit<double> orbit = orbit_of(p);
+        REQUIRE(orbit.status == OrbitStatus::periodic);
+        REQUIRE(orbit.periods == 1);
+        PeriodicOrbit<Real50> exact;
+        if (orbit.symmetric) {
+            exact = widened(orbit, wide);
+        } else { // the period map has the orbit as a fixed point, but Newton's search looks for symmetric ones first
+            State<Real50> start;
+            start.x.assign(orbit.start.x.begin(), orbit.start.x.end());
+            start.x_prime.assign(orbit.start.x_prime.begin(), orbit.start.x_prime.end());
+            exact = orbit_from(wide, start);
+        }
+        INFO(exact.reason);
+        REQUIRE(exact.status == OrbitStatus::periodic);
+        REQUIRE(exact.symmetric == orbit.symmetric);
+        const std::vector<std::complex<double>> expected = multipliers_by_differences(wide, exact);
+        REQUIRE(expected.size() == orbit.multipliers.size());
+        for (std::size_t n = 0; n < expected.size(); ++n) {
+            INFO(n << " " << expected[n] << " " << orbit.multipliers[n]);
+            // Zeros are of higher multiplicity where the contact sticks: their rounding is a root of that of the rest.
+            const double tolerance = std::abs(expected[n]) > 1e-3 ? 1e-10 : 1e-5;
+            CHECK(std::abs(expected[n] - orbit.multipliers[n]) < tolerance);
+        }
+        CHECK(orbit.stable);
+    };
+    compare(prepared_oscillator(0.01, 0.125, 0.1875), prepared_oscillator<Real50>(0.01, 0.125, 0.1875));
+    compare(prepared_oscillator(0.03125, 0.5, 0.1875, 2), prepared_oscillator<Real50>(0.03125, 0.5, 0.1875, 2));
+    compare(prepared_three_masses(1.125, 0.0625), prepared_three_masses<Real50>(1.125, 0.0625));
+    compare(prepared_three_masses(0.6875, 0.25), prepared_three_masses<Real50>(0.6875, 0.25));
+    compare(prepared_three_masses(0.6875, 0.1875, 1.25), prepared_three_masses<Real50>(0.6875, 0.1875, 1.25));
+}
+
+TEST_CASE("a matrix is seen to contract only where all its eigenvalues are inside the unit circle by more than its error",
+          "[shooting]") {
+    Matrix<double> A(2, 2);
+    A << 0.5, 100, 0, 0.5; // far from normal
+    CHECK(contracts(A, 1e-9));
+    CHECK_FALSE(contracts(A, 0.01)); // in the corner it makes an eigenvalue of 1.5
+    A << 1, 0, 0, 0.5;
+    CHECK_FALSE(contracts(A, 0));
+    A << 1 - 1e-9, 0, 0, 0;
+    CHECK(contracts(A, 1e-12));
+    CHECK_FALSE(contracts(A, 1e-8));
+    A << 0, 1, 0, 0; // a double zero
+    CHECK(contracts(A, 1e-12));
+    CHECK(multipliers_of(A).size() == 2);
+    A(0, 0) = std::numeric_limits<double>::quiet_NaN();
+    CHECK_FALSE(contracts(A, 0));
+    CHECK(multipliers_of(A).empty());
+}
+
+TEST_CASE("an orbit that is not stable is found where it is asked for, and not given as what the start leads to",
+          "[exact-solver][shooting]") {
+    const Prepared<double> p = prepared_oscillator(0.03125, 0.5, 0.1875, 2);
+    OrbitSearch<double> any;
+    any.follow_start = false;
+    const PeriodicOrbit<double> symmetric = orbit_of(p, any);
+    REQUIRE(symmetric.status == OrbitStatus::periodic);
+    CHECK(symmetric.symmetric);
+    CHECK_FALSE(symmetric.stable);
+    CHECK(std::abs(symmetric.multipliers.front()) > 1);
+    CHECK(orbit_of(p).stable);
+}
+
+TEST_CASE("fifty masses, slow forcing, no damping: hard cases end in an orbit", "[exact-solver][shooting]") {
+    const std::vector<double> ones(50, 1.0), zeta(50, 0.03125);
+    const Prepared<double> chain = prepared_chain(ones, ones, zeta, 2, 1, 0.0625, 0.25);
+    OrbitSearch<double> search;
+    const PeriodicOrbit<double> long_chain = orbit_of(chain, search);
+    INFO(long_chain.reason);
+    REQUIRE(long_chain.status == OrbitStatus::periodic);
+    CHECK(long_chain.stable);
+    CHECK(all_finite(long_chain));
+    CHECK(long_chain.residual < 1e-12);
+
+    const Prepared<double> slow = prepared_oscillator(0.01, 0.02, 0.2);
+    const PeriodicOrbit<double> many_stops = orbit_of(slow);
+    REQUIRE(many_stops.status == OrbitStatus::periodic);
+    CHECK(many_stops.stops.size() >= 6);
+    CHECK(distance(propagated(slow, at_rest<double>(1), 100), many_stops.start) < 1e-10);
+
+    for (const double r : {0.0625, 0.4375, 0.8125, 1.5}) {
+        const Prepared<double> undamped = prepared_oscillator(0, r, 0.25);
+        const PeriodicOrbit<double> orbit = orbit_of(undamped);
+        INFO(r << " " << orbit.reason);
+        REQUIRE(orbit.status == OrbitStatus::periodic);
+        CHECK(orbit.stable); // friction alone makes it so
+        CHECK(orbit.residual < 1e-13);
+    }
+}
+
+TEST_CASE("a motion that tends to no orbit is no answer", "[exact-solver][shooting]") {
+    OrbitSearch<double> search;
+    search.most_periods = 400;
+    const PeriodicOrbit<double> resonance = orbit_of(prepared_oscillator(0, 1, 0.5), search);
+    CHECK(resonance.status == OrbitStatus::not_converged);
+    CHECK(resonance.reason.find("grows") != std::string::npos);
+    // The contact is at a node of the second mode, which nothing else damps.
+    System<double> s;
+    s.mass_ratios = {1, 1, 1};
+    s.stiffness_matrix.resize(3, 3);
+    s.stiffness_matrix << 2, -1, 0, -1, 2, -1, 0, -1, 2;
+    s.damping_ratios = {0.03125, 0, 0.03125};
+    s.contact = Mass{1};
+    const PeriodicOrbit<double> node = orbit_of<double>({"", contact_system(s), {0.3125, 0.0625, 1}});
+    CHECK(node.status == OrbitStatus::not_converged);
+    CHECK(node.reason.find("not certainly stable") != std::string::npos);
+    s.load = Mass{1}; // does not reach that mode: the motion from rest tends to an orbit that attracts nothing else
+    const PeriodicOrbit<double> reached = orbit_of<double>({"", contact_system(s), {0.3125, 0.0625, 1}});
+    CHECK(reached.status == OrbitStatus::periodic);
+    CHECK_FALSE(reached.stable);
+    const Prepared<double> irregular = prepared_oscillator(0.015625, 0.40625, 0.125, 2.5);
+    const PeriodicOrbit<double> chaotic = orbit_of(irregular, search);
+    CHECK(chaotic.status == OrbitStatus::not_converged);
+    CHECK(chaotic.reason.find("no periodic motion within 400 periods") != std::string::npos);
+    CHECK(chaotic.masses.empty());
+    CHECK(chaotic.periods_propagated >= 400);
+}
+
+TEST_CASE("less is done where less is asked for", "[shooting][counter]") {
+    const Prepared<double> p = prepared_three_masses(0.6875, 0.25);
+    const PeriodicOrbit<double> all = orbit_of(p);
+    OrbitSearch<double> search;
+    search.tolerance = 1e-4;
+    search.contact_only = true;
+    search.with_stability = false;
+    const PeriodicOrbit<double> less = orbit_of(p, search);
+    REQUIRE(less.status == OrbitStatus::periodic);
+    CHECK(less.masses.empty());
+    CHECK(less.multipliers.empty());
+    CHECK(less.newton_steps < all.newton_steps);
+    CHECK(less.periods_propagated < all.periods_propagated);
+    CHECK(std::abs(less.contact.amplitude - all.contact.amplitude) <= less.error_bound);
+    CHECK(less.error_bound < 0.01 * all.contact.amplitude);
+}
+
+TEST_CASE("every number of an answer is finite, for every kind of scene", "[exact-solver][shooting]") {
+    int periodic = 0, stuck = 0, open = 0;
+    for (const std::uint64_t seed : {11, 12})
+        for (const Twin& twin : between_the_boundaries(seed, 2, 0)) {
+            Prepared<double> p = twin.in_double;
+            for (const double factor : {0.25, 1.0, 3.0}) {
+                p.excitation.beta = factor * twin.in_double.excitation.beta;
+                OrbitSearch<double> search;
+                search.most_periods = 60;
+                const PeriodicOrbit<double> orbit = orbit_of(p, search);
+                INFO(p.name << " " << factor << " " << orbit.reason);
+                (orbit.status == OrbitStatus::periodic        ? periodic
+                 : orbit.status == OrbitStatus::not_converged ? open
+                                                              : stuck) += 1;
+                CHECK(all_finite(orbit));
+                if (orbit.status == OrbitStatus::not_converged) CHECK_FALSE(orbit.reason.empty());
+                if (orbit.status == OrbitStatus::periodic) CHECK(orbit.residual < 1e-11);
+            }
+        }
+    CHECK(periodic > 150);
+    CHECK(stuck > 30);
+    CHECK(open < periodic);
+}
+
+TEST_CASE("a start or a search that breaks a rule is refused", "[shooting][input]") {
+    const Prepared<double> p = prepared_oscillator(0.01, 0.5, 0.25);
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    CHECK_THROWS_AS(orbit_from(p, {{nan}, {0}}), InputError);
+    CHECK_THROWS_AS(orbit_from(p, {{0}, {nan}}), InputError);
+    CHECK_THROWS_AS(orbit_from(p, {{0, 0}, {0}}), InputError);
+    OrbitSearch<double> search;
+    search.periods_before = -1;
+    CHECK_THROWS_AS(orbit_of(p, search), InputError);
+    search = {};
+    search.most_periods = 0;
+    CHECK_THROWS_AS(orbit_of(p, search), InputError);
+    search = {};
+    search.most_subharmonic = 0;
+    CHECK_THROWS_AS(orbit_of(p, search), InputError);
+    search = {};
+    search.tolerance = -1;
+    CHECK_THROWS_AS(orbit_of(p, search), InputError);
+}
