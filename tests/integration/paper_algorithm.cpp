@@ -1,0 +1,187 @@
+// The paper's algorithm against the closed form: its four systems, its curves, at its settings and tighter.
+#include "denhartog/integration/paper_algorithm.hpp"
+
+#include <array>
+#include <cmath>
+
+#include "denhartog/errors.hpp"
+#include "denhartog/integration/exact_cycles.hpp"
+#include "denhartog/model/sample_scenes.hpp"
+#include "tests/catch.hpp"
+#include "tests/unit/response_fixtures.hpp"
+
+using namespace denhartog;
+using namespace denhartog::tests;
+
+namespace {
+
+constexpr std::array<double, 4> tolerances = {1e-6, 1e-8, 1e-10, 1e-12};
+
+// Largest error of amplitudes and phases of all masses.
+double error_of(const PaperMotion& motion, const SteadyState<double>& truth) {
+    REQUIRE(motion.status == IntegrationStatus::complete);
+    double error = 0;
+    for (std::size_t k = 0; k < truth.masses.size(); ++k) {
+        const MassResponse<double>& m = truth.masses[k];
+        REQUIRE(motion.masses[k].phase);
+        error = std::max(error, std::abs(motion.masses[k].amplitude - m.amplitude));
+        error = std::max(error, m.amplitude * std::abs(wrapped(*motion.masses[k].phase - m.phase)));
+    }
+    return error;
+}
+
+Scene<double> five_masses(std::size_t j, double zeta) {
+    const std::vector<double> ones(5, 1);
+    Scene<double> scene = chain(ones, ones, std::vector<double>(5, zeta), j, 1, 1, 0.9);
+    scene.beta = 0.2;
+    return scene;
+}
+
+// The steady motion at a maximum of the force.
+State<double> steady_start(const Scene<double>& scene, const SteadyState<double>& state) {
+    const Motion<double> at = motion(sums_of(scene), state, -state.phi_j);
+    return {at.x, at.x_prime};
+}
+
+} // namespace
+
+TEST_CASE("on the paper's systems of five masses the error falls with the tolerance", "[eq:6][eq:75][paper-algorithm]") {
+    for (const std::size_t j : {1u, 3u})
+        for (const double zeta : {0.01, 0.1}) {
+            const Scene<double> scene = five_masses(j, zeta);
+            const SteadyState<double> truth = *response(scene).steady_state;
+            double before = 0;
+            for (const double tolerance : tolerances) {
+                PaperSettings settings;
+                settings.absolute_tolerance = tolerance;
+                settings.cycles = zeta < 0.05 ? 1200 : 200; // until the transient is below every tolerance
+                const double error = error_of(paper_algorithm(scene, settings), truth);
+                INFO("j = " << j << ", zeta = " << zeta << ", tolerance " << tolerance << ", error " << error);
+                CHECK(error <= 10 * tolerance);
+                if (before > 0) CHECK(error <= before / 50);
+                before = error;
+            }
+        }
+}
+
+TEST_CASE("at the paper's settings the Figures 4 and 5 come out to the transient that 200 cycles leave",
+          "[eq:6][paper-algorithm]") {
+    // The slowest mode decays by exp(-zeta r_n1 / r) a radian, r_n1 = 2 sin(pi / 22).
+    for (const std::size_t j : {1u, 3u})
+        for (const double zeta : {0.01, 0.1}) {
+            const Scene<double> scene = five_masses(j, zeta);
+            const PaperMotion motion = paper_algorithm(scene);
+            const PaperMotion exact = exact_cycles(scene, {});
+            const double left = std::exp(-zeta * 2 * std::sin(pi<double>() / 22) / 0.9 * 2 * pi<double>() * 199);
+            const double error = error_of(motion, *response(scene).steady_state);
+            INFO("j = " << j << ", zeta = " << zeta << ", error " << error << ", transient " << left);
+            CHECK(error <= left + 1e-5);
+            for (std::size_t k = 0; k < 5; ++k) {
+                CHECK(std::abs(motion.masses[k].amplitude - exact.masses[k].amplitude) <= 1e-5);
+                CHECK(std::abs(wrapped(*motion.masses[k].phase - *exact.masses[k].phase)) <= 2e-5);
+            }
+            CHECK(motion.stops.empty());
+            CHECK_FALSE(motion.rests);
+        }
+}
+
+TEST_CASE("on the curves of Figures 6, 8 and 9 amplitude and phase keep the tolerance", "[eq:6][eq:74][paper-algorithm]") {
+    // From the steady motion itself, so that no transient is left however small the damping: what is seen is the integration.
+    int points = 0;
+    for (const double tolerance : {1e-6, 1e-9}) {
+        double worst = 0;
+        std::string where;
+        for (const NamedScene<double>& named : paper_scenes<double>()) {
+            const Scene<double>& scene = named.scene;
+            if (number_of_masses(scene.system) > 2) continue;
+            const Response<double> truth = response(scene);
+            if (!truth.steady_state || *scene.beta > 0.999 * truth.boundary.exact) continue;
+            PaperSettings settings;
+            settings.cycles = 10;
+            settings.absolute_tolerance = tolerance;
+            settings.start = steady_start(scene, *truth.steady_state);
+            const PaperMotion motion = paper_algorithm(scene, settings);
+            double size = 1;
+            for (const MassResponse<double>& m : truth.steady_state->masses) size = std::max(size, m.amplitude);
+            const double error = error_of(motion, *truth.steady_state) / size;
+            ++points;
+            if (error > worst) {
+                worst = error;
+                where = named.name;
+            }
+        }
+        INFO("tolerance " << tolerance << ", worst error " << worst << " at " << where);
+        CHECK(worst <= 30 * tolerance);
+    }
+    CHECK(points >= 800);
+}
+
+TEST_CASE("amplitudes and phases from rest are those of the closed form where damping is large", "[eq:6][paper-algorithm]") {
+    struct Point {
+        Scene<double> scene;
+        double beta;
+    };
+    std::vector<Point> points;
+    for (const double r : {0.3, 0.75, 1.0, 1.25, 2.0}) points.push_back({oscillator(0.1, r), 0.1});
+    for (const double r : {0.5, 1.0, 1.5}) points.push_back({chain({1, 1}, {1, 1}, {0.16, 0.06}, 2, 1, 1, r), 0.1});
+    int compared = 0;
+    for (Point& p : points) {
+        p.scene.beta = p.beta;
+        const Response<double> truth = response(p.scene);
+        if (!truth.steady_state) continue;
+        ++compared;
+        const PaperMotion motion = paper_algorithm(p.scene);
+        INFO("r = " << *p.scene.r << ", N = " << motion.masses.size());
+        CHECK(error_of(motion, *truth.steady_state) <= 2e-5);
+    }
+    CHECK(compared >= 6);
+}
+
+TEST_CASE("the relative tolerance is the absolute one unless it is given", "[paper-algorithm]") {
+    const Scene<double> scene = five_masses(3, 0.1);
+    PaperSettings same, loose;
+    same.relative_tolerance = 1e-6;
+    loose.relative_tolerance = 1e-3; // Matlab's own
+    const PaperMotion a = paper_algorithm(scene), b = paper_algorithm(scene, same), c = paper_algorithm(scene, loose);
+    CHECK(a.steps == b.steps);
+    CHECK(a.end.x == b.end.x);
+    CHECK(c.steps < a.steps);
+    const SteadyState<double> truth = *response(scene).steady_state;
+    CHECK(error_of(c, truth) > 10 * error_of(a, truth));
+}
+
+TEST_CASE("the same system by ratios and by matrices has the same motion", "[eq:73][paper-algorithm]") {
+    const Scene<double> by_ratios = five_masses(3, 0.1);
+    const ContactProblem by_matrices = contact_problem(by_ratios);
+    const PaperMotion a = paper_algorithm(by_ratios), b = paper_algorithm(by_matrices);
+    CHECK(a.end.x == b.end.x);
+    CHECK(a.steps == b.steps);
+}
+
+TEST_CASE("the paper's algorithm names the setting, the rule and the value of bad input", "[bad-input][paper-algorithm]") {
+    const Scene<double> scene = five_masses(1, 0.1);
+    const auto with = [&scene](auto change) {
+        PaperSettings settings;
+        change(settings);
+        return paper_algorithm(scene, settings);
+    };
+    CHECK_THROWS_WITH(with([](PaperSettings& s) { s.cycles = 0; }), Catch::Contains("cycles must be from 1"));
+    CHECK_THROWS_WITH(with([](PaperSettings& s) { s.absolute_tolerance = 0; }),
+                      Catch::Contains("absolute_tolerance must be positive and below 1, but is 0"));
+    CHECK_THROWS_WITH(with([](PaperSettings& s) { s.absolute_tolerance = std::nan(""); }), Catch::Contains("absolute_tolerance"));
+    CHECK_THROWS_WITH(with([](PaperSettings& s) { s.relative_tolerance = -1e-3; }), Catch::Contains("but is -0.001"));
+    CHECK_THROWS_WITH(with([](PaperSettings& s) { s.tau_0 = INFINITY; }), Catch::Contains("tau_0"));
+    CHECK_THROWS_WITH(with([](PaperSettings& s) { s.samples = -1; }), Catch::Contains("samples must be from 0"));
+    CHECK_THROWS_WITH(with([](PaperSettings& s) { s.start = at_rest<double>(4); }), Catch::Contains("start must have 5"));
+    CHECK_THROWS_WITH(with([](PaperSettings& s) {
+                          s.start = at_rest<double>(5);
+                          s.start->x[2] = NAN;
+                      }),
+                      Catch::Contains("start must be finite"));
+    Scene<double> without = scene;
+    without.beta.reset();
+    CHECK_THROWS_WITH(paper_algorithm(without), Catch::Contains("beta must be given"));
+    without = scene;
+    without.r = -1;
+    CHECK_THROWS_AS(paper_algorithm(without), InputError);
+}

@@ -1,0 +1,252 @@
+// The paper's algorithm where the contact stops: event times, permanent sticking, grazing, and that it cannot stall.
+#include <Eigen/Dense>
+#include <boost/numeric/odeint.hpp>
+#include <cmath>
+#include <complex>
+
+#include "denhartog/integration/exact_cycles.hpp"
+#include "denhartog/integration/half_period.hpp"
+#include "tests/catch.hpp"
+#include "tests/unit/response_fixtures.hpp"
+
+using namespace denhartog;
+using namespace denhartog::tests;
+
+namespace {
+
+Scene<double> with_beta(Scene<double> scene, double beta) {
+    scene.beta = beta;
+    return scene;
+}
+
+PaperSettings settings_with(double tolerance, int cycles = 200) {
+    PaperSettings settings;
+    settings.absolute_tolerance = tolerance;
+    settings.cycles = cycles;
+    return settings;
+}
+
+// Largest difference of two motions: amplitudes, final states, places of stops; and of the instants of stops.
+struct Difference {
+    double x = 0, tau = 0;
+};
+
+Difference difference_of(const PaperMotion& a, const PaperMotion& b) {
+    REQUIRE(a.status == IntegrationStatus::complete);
+    REQUIRE(b.status == IntegrationStatus::complete);
+    REQUIRE(a.stops.size() == b.stops.size());
+    CHECK(a.rests == b.rests);
+    CHECK(a.phases == b.phases);
+    Difference d;
+    for (std::size_t k = 0; k < a.masses.size(); ++k) {
+        d.x = std::max(d.x, std::abs(a.masses[k].amplitude - b.masses[k].amplitude));
+        d.x = std::max(d.x, std::abs(a.end.x[k] - b.end.x[k]));
+        CHECK(a.masses[k].phase.has_value() == b.masses[k].phase.has_value());
+    }
+    for (std::size_t n = 0; n < a.stops.size(); ++n) {
+        d.x = std::max(d.x, std::abs(a.stops[n].x - b.stops[n].x));
+        d.tau = std::max({d.tau, std::abs(a.stops[n].start - b.stops[n].start), std::abs(a.stops[n].end - b.stops[n].end)});
+    }
+    return d;
+}
+
+// The recipe as one codes it first: a change of sign of x_j' between two steps, or a zero at one of them, ends a sliding phase.
+long naive_phases(double r, double beta, double zeta, double end, long most, long& of_no_length) {
+    namespace odeint = boost::numeric::odeint;
+    using Y = std::array<double, 2>;
+    double direction = 1;
+    const auto f = [&](const Y& y, Y& y_prime, double tau) {
+        y_prime = {y[1], (std::cos(tau) - y[0] - 2 * zeta * r * y[1] - direction * beta) / (r * r)};
+    };
+    auto stepper = odeint::make_dense_output(1e-6, 1e-6, odeint::runge_kutta_dopri5<Y>());
+    Y y{0, 0};
+    long phases = 0;
+    double tau = 0;
+    for (of_no_length = 0; tau < end && phases < most; ++phases) {
+        const double start = tau;
+        if (std::abs(std::cos(tau) - y[0]) <= beta) { // sticks until the load on it exceeds friction
+            while (tau < end && std::abs(std::cos(tau) - y[0]) <= beta) tau += 1e-4;
+        } else {
+            direction = std::cos(tau) > y[0] ? 1 : -1;
+            stepper.initialize(y, tau, 0.01);
+            do {
+                stepper.do_step(f);
+            } while (stepper.current_time() < end && stepper.previous_state()[1] * stepper.current_state()[1] > 0);
+            double a = stepper.previous_time(), b = stepper.current_time();
+            if (stepper.previous_state()[1] == 0)
+                b = a;
+            else
+                for (int n = 0; n < 60; ++n) {
+                    const double middle = (a + b) / 2;
+                    stepper.calc_state(middle, y);
+                    (y[1] * stepper.previous_state()[1] > 0 ? a : b) = middle;
+                }
+            stepper.calc_state(b, y);
+            y[1] = 0;
+            tau = b;
+        }
+        of_no_length += tau == start;
+    }
+    return phases;
+}
+
+} // namespace
+
+TEST_CASE("a naive recipe makes phases of no length where the paper's algorithm makes none", "[eq:74][paper-algorithm]") {
+    long of_no_length = 0;
+    const long naive = naive_phases(0.1, 0.2, 0.01, 400 * pi<double>(), 20000, of_no_length);
+    CHECK(naive == 20000);        // it was stopped
+    CHECK(of_no_length >= 19000); // at the end of the first stop
+    const PaperMotion motion = paper_algorithm(with_beta(oscillator(0.01, 0.1), 0.2));
+    CHECK(motion.status == IntegrationStatus::complete);
+    CHECK(motion.phases <= 8 * 200 + 10); // four stops and four slides a period
+    CHECK(motion.stops.size() == 4);
+}
+
+TEST_CASE("stops of one mass agree with the exponential of its matrix from one to the next", "[eq:74][eq:75][paper-algorithm]") {
+    const Scene<double> scene = with_beta(oscillator(0.01, 0.1), 0.2);
+    const PaperMotion motion = paper_algorithm(scene, settings_with(1e-12, 60));
+    REQUIRE(motion.stops.size() == 4);
+    const NonDimensionalMatrices<double> m = matrices_of(scene);
+    for (std::size_t n = 0; n < 4; ++n) {
+        const Stop<double>& from = motion.stops[n];
+        Stop<double> to = motion.stops[(n + 1) % 4];
+        if (n == 3) to.start += 2 * pi<double>();
+        const double load = std::cos(from.end) - from.x;
+        CHECK(std::abs(std::abs(load) - 0.2) <= 1e-12); // it leaves where the load is static friction
+        CHECK(std::abs(std::cos(to.start) - to.x) <= 0.2);
+        // augmented_system has friction upwards
+        const HalfPeriodProblem<double> p{m.M, m.C, m.K, {0}, {0}, load > 0 ? -0.2 : 0.2};
+        Vector<double> z(5);
+        z << from.x, 0, std::cos(from.end), std::sin(from.end), 1;
+        z = matrix_exponential(Matrix<double>(augmented_system(p) * (to.start - from.end))) * z;
+        INFO("stop " << n << ": x " << z(0) << " and " << to.x << ", x' " << z(1));
+        CHECK(std::abs(z(0) - to.x) <= 1e-11);
+        CHECK(std::abs(z(1)) <= 1e-10);
+    }
+}
+
+TEST_CASE("with stops the error falls with the tolerance", "[eq:74][eq:75][paper-algorithm]") {
+    Scene<double> inertial = three_masses(0.3);
+    inertial.system.mass_ratios.clear();
+    inertial.system.mass_matrix = Matrix<double>{{1, 0.25, 0}, {0.25, 2, 0.5}, {0, 0.5, 1.5}};
+    inertial.system.stiffness_ratios.clear();
+    inertial.system.stiffness_matrix = Matrix<double>{{2, -1, 0}, {-1, 3, -1}, {0, -1, 2}};
+    inertial.mu = 1;
+    Scene<double> on_contact = three_masses(0.2);
+    on_contact.system.load = on_contact.system.contact;
+    struct Point {
+        const char* name;
+        Scene<double> scene;
+    };
+    for (const Point& p : {Point{"one mass, r = 0.1", with_beta(oscillator(0.01, 0.1), 0.2)},
+                           {"one mass, r = 0.02", with_beta(oscillator(0.01, 0.02), 0.2)},
+                           {"two masses", with_beta(chain({1, 1}, {1, 1}, {0.02, 0.03}, 2, 1, 1, 0.1), 0.3)},
+                           {"three masses, mu > 1", with_beta(three_masses(0.15), 0.3)},
+                           {"three masses, load on the contact", with_beta(on_contact, 0.3)},
+                           {"three masses coupled by inertia", with_beta(inertial, 0.3)}}) {
+        const PaperMotion exact = exact_cycles(p.scene, settings_with(1e-6, 10));
+        CHECK(exact.stops.size() >= 2);
+        for (const double tolerance : {1e-6, 1e-8, 1e-10, 1e-12}) {
+            const Difference d = difference_of(paper_algorithm(p.scene, settings_with(tolerance, 10)), exact);
+            INFO(p.name << ", tolerance " << tolerance << ": x " << d.x << ", tau " << d.tau);
+            CHECK(d.x <= 10 * tolerance);
+            CHECK(d.tau <= 30 * tolerance);
+        }
+    }
+}
+
+TEST_CASE("over the last period the work of the force is what dampers and friction take", "[eq:6][paper-algorithm]") {
+    const Scene<double> scene = with_beta(three_masses(0.15), 0.25);
+    PaperSettings settings = settings_with(1e-10, 100);
+    settings.samples = 20000;
+    const PaperMotion motion = paper_algorithm(scene, settings);
+    REQUIRE(motion.stops.size() >= 2);
+    REQUIRE(motion.samples.size() == 20000);
+    const NonDimensionalMatrices<double> m = matrices_of(scene);
+    double force = 0, dampers = 0, friction = 0;
+    for (std::size_t n = 0; n < 20000; ++n) {
+        const State<double>& s = motion.samples[n];
+        const Eigen::Map<const Eigen::VectorXd> v(s.x_prime.data(), 3);
+        force += std::cos(motion.sample_times[n]) * v(0);
+        dampers += v.dot(m.C * v);
+        friction += *scene.beta * std::abs(v(1));
+    }
+    INFO("force " << force << ", dampers " << dampers << ", friction " << friction);
+    CHECK(friction >= 0.05 * force);
+    CHECK(std::abs(force - dampers - friction) <= 1e-7 * force); // the sum over samples has errors of second order at the events
+}
+
+TEST_CASE("a contact that never moves stays to the last bit, and the others move as a dense solve has it",
+          "[eq:74][paper-algorithm]") {
+    const Scene<double> one = with_beta(oscillator(0.05, 0.7), 1.25);
+    const PaperMotion still = paper_algorithm(one);
+    CHECK(still.rests);
+    CHECK(still.phases == 1);
+    CHECK(still.end.x[0] == 0);
+    CHECK(still.masses[0].amplitude == 0);
+    CHECK_FALSE(still.masses[0].phase);
+    const Scene<double> three = with_beta(three_masses(1.0), 5);
+    const PaperMotion motion = paper_algorithm(three, settings_with(1e-10));
+    CHECK(motion.rests);
+    CHECK(motion.phases == 1);
+    CHECK(motion.masses[1].amplitude == 0);
+    const NonDimensionalMatrices<double> m = matrices_of(three);
+    Eigen::Matrix2cd D;
+    for (int a = 0; a < 2; ++a)
+        for (int b = 0; b < 2; ++b) D(a, b) = {m.K(2 * a, 2 * b) - m.M(2 * a, 2 * b), m.C(2 * a, 2 * b)};
+    const Eigen::Vector2cd X = D.partialPivLu().solve(Eigen::Vector2cd(1, 0));
+    CHECK(std::abs(motion.masses[0].amplitude - std::abs(X(0))) <= 1e-9);
+    CHECK(std::abs(motion.masses[2].amplitude - std::abs(X(1))) <= 1e-9);
+    // held away from zero it stays as well
+    PaperSettings settings = settings_with(1e-6, 20);
+    settings.start = State<double>{{0, 0.1, 0}, {0, 0, 0}};
+    CHECK(paper_algorithm(three, settings).end.x[1] == 0.1);
+}
+
+TEST_CASE("with mu = 2 the start decides between rest and sliding", "[eq:74][paper-algorithm]") {
+    const Scene<double> scene = with_beta(oscillator(0.05, 1, 2), 0.55);
+    const PaperMotion rest = paper_algorithm(scene);
+    CHECK(rest.rests);
+    CHECK(rest.end.x[0] == 0);
+    PaperSettings settings;
+    settings.start = State<double>{{5}, {0}};
+    const PaperMotion slides = paper_algorithm(scene, settings);
+    CHECK(slides.status == IntegrationStatus::complete);
+    CHECK(slides.stops.empty());
+    const SteadyState<double> truth = *response(scene).steady_state;
+    CHECK(std::abs(slides.masses[0].amplitude - truth.X_j) <= 2e-5);
+    REQUIRE(slides.masses[0].phase);
+    CHECK(std::abs(*slides.masses[0].phase - truth.phi_j) <= 2e-5);
+}
+
+TEST_CASE("grazing is decided and passed: at the boundary of sliding and where the load just reaches static friction",
+          "[eq:74][paper-algorithm]") {
+    for (const double r : {0.3, 0.7, 1.5}) {
+        const Scene<double> at = with_beta(oscillator(0.05, r), 0);
+        const double beta_lim = response(at).boundary.exact;
+        for (const double factor : {1 - 1e-9, 1.0, 1 + 1e-9}) {
+            const PaperMotion motion = paper_algorithm(with_beta(at, beta_lim * factor));
+            INFO("r = " << r << ", beta over its limit " << factor << ", phases " << motion.phases);
+            REQUIRE(motion.status == IntegrationStatus::complete);
+            CHECK(motion.phases <= 200 * 8);
+            const SteadyState<double> below = *response(with_beta(at, beta_lim * (1 - 1e-9))).steady_state;
+            CHECK(std::abs(motion.masses[0].amplitude - below.X_j) <= 5e-6);
+        }
+        // The load is cos tau: with mu beta = 1 it reaches static friction at every extremum and does not exceed it.
+        for (const double mu : {1.0, 2.0}) {
+            const PaperMotion motion = paper_algorithm(with_beta(oscillator(0.05, r, mu), 1 / mu));
+            CHECK(motion.status == IntegrationStatus::complete);
+            CHECK(motion.rests);
+            CHECK(motion.masses[0].amplitude == 0);
+        }
+    }
+}
+
+TEST_CASE("without friction the contact never sticks and the motion is harmonic", "[eq:6][paper-algorithm]") {
+    const Scene<double> scene = with_beta(three_masses(), 0);
+    const PaperMotion motion = paper_algorithm(scene);
+    const Eigen::VectorXcd X = harmonic_response(matrices_of(scene), 0);
+    CHECK(motion.stops.empty());
+    for (int k = 0; k < 3; ++k) CHECK(std::abs(motion.masses[static_cast<std::size_t>(k)].amplitude - std::abs(X(k))) <= 1e-5);
+}
