@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <boost/math/special_functions/fpclassify.hpp>
 
+#include "denhartog/bounded.hpp"
 #include "denhartog/errors.hpp"
 #include "denhartog/formulas/boundary.hpp"
 #include "denhartog/formulas/superposition.hpp"
@@ -142,6 +143,7 @@ template Boundary<long double> boundary_at(const ModeSums<long double>&, const l
                                            const std::vector<long double>&);
 template Boundary<Real50> boundary_at(const ModeSums<Real50>&, const Real50&, const Real50&, const std::vector<Real50>&);
 template Boundary<Real100> boundary_at(const ModeSums<Real100>&, const Real100&, const Real100&, const std::vector<Real100>&);
+template Boundary<Bounded> boundary_at(const ModeSums<Bounded>&, const Bounded&, const Bounded&, const std::vector<Bounded>&);
 template Boundary<double> boundary(const ModeSums<double>&, const double&);
 template Boundary<long double> boundary(const ModeSums<long double>&, const long double&);
 template Boundary<Real50> boundary(const ModeSums<Real50>&, const Real50&);

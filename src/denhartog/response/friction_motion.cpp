@@ -1,5 +1,6 @@
 #include "denhartog/response/friction_motion.hpp"
 
+#include "denhartog/bounded.hpp"
 #include "denhartog/multiprecision.hpp"
 
 namespace denhartog {
@@ -51,6 +52,7 @@ template class FrictionMotions<long double>;
 template class FrictionMotions<Real50>;
 template class FrictionMotions<Real100>;
 template std::vector<evaluation::FrictionMotion<double>> friction_motions(const ModeSums<double>&, const double&);
+template std::vector<evaluation::FrictionMotion<Bounded>> friction_motions(const ModeSums<Bounded>&, const Bounded&);
 template std::vector<evaluation::FrictionMotion<long double>> friction_motions(const ModeSums<long double>&, const long double&);
 template std::vector<evaluation::FrictionMotion<Real50>> friction_motions(const ModeSums<Real50>&, const Real50&);
 template std::vector<evaluation::FrictionMotion<Real100>> friction_motions(const ModeSums<Real100>&, const Real100&);

@@ -3,8 +3,8 @@
 #include <atomic>
 #include <boost/math/special_functions/fpclassify.hpp>
 
+#include "denhartog/bounded.hpp"
 #include "denhartog/errors.hpp"
-#include "denhartog/evaluation/mode.hpp"
 #include "denhartog/formulas/superposition.hpp"
 #include "denhartog/model/number_text.hpp"
 #include "denhartog/multiprecision.hpp"
@@ -49,7 +49,25 @@ bool without_a_digit(const ModeSums<T>& s, const Complex<T>& sum, Mass force) {
 } // namespace
 
 template <class T>
+evaluation::ModeFunctions<T> mode_functions_at(const ModalBasis<T>& basis, std::size_t i, const T& r) {
+    const T R = r / basis.r_n[i];
+    const evaluation::ModeFunctions<T> f = evaluation::mode_functions(R, basis.zeta[i]);
+    check_pole(f, i, R);
+    ++evaluations;
+    return f;
+}
+
+template <class T>
 ModeSums<T> mode_sums(const ModalBasis<T>& basis, Mass contact, Mass load, const T& r) {
+    check_arguments(basis, contact, load, r);
+    std::vector<evaluation::ModeFunctions<T>> functions;
+    for (std::size_t i = 0; i < basis.r_n.size(); ++i) functions.push_back(mode_functions_at(basis, i, r));
+    return mode_sums(basis, contact, load, r, functions);
+}
+
+template <class T>
+ModeSums<T> mode_sums(const ModalBasis<T>& basis, Mass contact, Mass load, const T& r,
+                      const std::vector<evaluation::ModeFunctions<T>>& functions) {
     check_arguments(basis, contact, load, r);
     const std::size_t N = basis.r_n.size();
     ModeSums<T> s;
@@ -62,13 +80,10 @@ ModeSums<T> mode_sums(const ModalBasis<T>& basis, Mass contact, Mass load, const
         for (std::size_t i = 0; i < N; ++i) s.psi.push_back(basis.phi(k, i) / r);
     for (std::size_t i = 0; i < N; ++i) {
         s.R.push_back(r / basis.r_n[i]);
-        const evaluation::ModeFunctions<T> f = evaluation::mode_functions(s.R[i], s.zeta[i]);
-        check_pole(f, i, s.R[i]);
-        s.v.push_back(f.v);
-        s.u.push_back(f.u);
-        s.g.push_back(f.g);
+        s.v.push_back(functions[i].v);
+        s.u.push_back(functions[i].u);
+        s.g.push_back(functions[i].g);
     }
-    evaluations += static_cast<long>(N);
     const auto psi_j = mode_shapes_at(s, contact);
     const auto psi_l = mode_shapes_at(s, load);
     const std::span<const T> R(s.R), zeta(s.zeta), u(s.u), g(s.g);
@@ -102,13 +117,18 @@ template ModeSums<double> mode_sums(const ModalBasis<double>&, Mass, Mass, const
 template ModeSums<long double> mode_sums(const ModalBasis<long double>&, Mass, Mass, const long double&);
 template ModeSums<Real50> mode_sums(const ModalBasis<Real50>&, Mass, Mass, const Real50&);
 template ModeSums<Real100> mode_sums(const ModalBasis<Real100>&, Mass, Mass, const Real100&);
+template ModeSums<Bounded> mode_sums(const ModalBasis<Bounded>&, Mass, Mass, const Bounded&,
+                                     const std::vector<evaluation::ModeFunctions<Bounded>>&);
+template evaluation::ModeFunctions<Bounded> mode_functions_at(const ModalBasis<Bounded>&, std::size_t, const Bounded&);
 template bool contact_is_unmoved(const ModeSums<double>&);
 template bool contact_is_unmoved(const ModeSums<long double>&);
 template bool contact_is_unmoved(const ModeSums<Real50>&);
 template bool contact_is_unmoved(const ModeSums<Real100>&);
+template bool contact_is_unmoved(const ModeSums<Bounded>&);
 template bool stuck_system_resonates(const ModeSums<double>&);
 template bool stuck_system_resonates(const ModeSums<long double>&);
 template bool stuck_system_resonates(const ModeSums<Real50>&);
 template bool stuck_system_resonates(const ModeSums<Real100>&);
+template bool stuck_system_resonates(const ModeSums<Bounded>&);
 
 } // namespace denhartog

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "denhartog/formulas/complex.hpp"
+#include "denhartog/evaluation/mode.hpp"
 #include "denhartog/model/modal_basis.hpp"
 
 namespace denhartog {
@@ -43,6 +43,27 @@ struct ModeSums {
 /// @throws         InputError where r, j or l breaks its rule; DomainError where an undamped mode is at a pole of (23), (28)
 template <class T>
 [[nodiscard]] ModeSums<T> mode_sums(const ModalBasis<T>& basis, Mass contact, Mass load, const T& r);
+
+/// @brief The same sums of modes that were evaluated before.
+/// @param basis      modal basis of the system, N modes
+/// @param contact    the mass in contact, j
+/// @param load       the loaded mass, l
+/// @param r          frequency ratio, Eq. (10); positive
+/// @param functions  (23), (28), (29) of every mode at r, N values
+/// @return           modes and sums
+/// @throws           as above
+template <class T>
+[[nodiscard]] ModeSums<T> mode_sums(const ModalBasis<T>& basis, Mass contact, Mass load, const T& r,
+                                    const std::vector<evaluation::ModeFunctions<T>>& functions);
+
+/// @brief (23), (28), (29) of one mode; counted.
+/// @param basis  modal basis of the system
+/// @param i      the mode
+/// @param r      frequency ratio, Eq. (10); positive
+/// @return       the functions
+/// @throws       DomainError where an undamped mode is at a pole of (23), (28)
+template <class T>
+[[nodiscard]] evaluation::ModeFunctions<T> mode_functions_at(const ModalBasis<T>& basis, std::size_t i, const T& r);
 
 /// @brief A row of the modal matrix.
 /// @param sums  modes at a frequency ratio

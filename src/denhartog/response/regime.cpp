@@ -1,6 +1,7 @@
 #include "denhartog/response/regime.hpp"
 
 #include <boost/math/special_functions/fpclassify.hpp>
+#include <limits>
 #include <sstream>
 
 #include "denhartog/errors.hpp"
@@ -56,30 +57,46 @@ void check_friction_ratio(const T& beta) {
 }
 
 template <class T>
+Regime regime_of(const Boundary<T>& b, const T& beta) {
+    if (beta < b.exact) return Regime::continuous;
+    return b.sticking && beta >= *b.sticking ? Regime::permanent_sticking : Regime::stick_slip;
+}
+
+template <class T>
+bool on_boundary(const Boundary<T>& b, const T& beta, const BoundaryError<T>& error) {
+    return equal_within(beta, b.exact, error.exact) ||
+           (b.sticking && beta >= b.exact && equal_within(beta, *b.sticking, error.sticking));
+}
+
+template <class T>
+BoundaryError<T> rounding_of(const Boundary<T>& b) {
+    const T few = 16 * std::numeric_limits<T>::epsilon();
+    return {few * b.exact, b.sticking ? T(few * *b.sticking) : T(0)};
+}
+
+template <class T>
 RegimeAtPoint regime_at(const Boundary<T>& b, const T& beta, const BoundaryError<T>& error) {
     check_friction_ratio(beta);
     const bool can_rest = b.sticking && beta >= *b.sticking;
     RegimeAtPoint point;
-    if (beta < b.exact) {
-        point.regime = Regime::continuous;
+    point.regime = regime_of(b, beta);
+    if (point.regime == Regime::continuous) {
         point.reason =
-            "beta = " + text(beta) + " is below beta_lim = " + text(b.exact) + ", Eq. (69): the contact slides throughout";
+            "beta = " + text(beta) + " is below beta_lim = " + text(b.exact) + ", Eq. (69): the contact " +
+            (can_rest ? "can slide" : "slides") + " throughout";
         if (can_rest) {
             point.other.push_back(Regime::permanent_sticking);
             point.reason += "; it can also rest for ever, because beta is not below " + text(*b.sticking);
         }
     } else if (can_rest) {
-        point.regime = Regime::permanent_sticking;
         point.reason = why_not_sliding(b, beta) + "; from beta = " + text(*b.sticking) +
                        " on static friction outweighs all that the load brings to the contact, which never moves";
     } else {
-        point.regime = Regime::stick_slip;
         point.reason = why_not_sliding(b, beta) + "; " +
                        (b.sticking ? "only from beta = " + text(*b.sticking) + " on the contact never moves"
                                    : std::string("no friction can hold the contact, because the system resonates with it held"));
     }
-    point.on_boundary = equal_within(beta, b.exact, error.exact) ||
-                        (b.sticking && beta >= b.exact && equal_within(beta, *b.sticking, error.sticking));
+    point.on_boundary = on_boundary(b, beta, error);
     if (point.on_boundary) point.reason += "; beta lies on a boundary to the accuracy computed";
     return point;
 }
@@ -88,6 +105,18 @@ template void check_friction_ratio(const double&);
 template void check_friction_ratio(const long double&);
 template void check_friction_ratio(const Real50&);
 template void check_friction_ratio(const Real100&);
+template Regime regime_of(const Boundary<double>&, const double&);
+template Regime regime_of(const Boundary<long double>&, const long double&);
+template Regime regime_of(const Boundary<Real50>&, const Real50&);
+template Regime regime_of(const Boundary<Real100>&, const Real100&);
+template bool on_boundary(const Boundary<double>&, const double&, const BoundaryError<double>&);
+template bool on_boundary(const Boundary<long double>&, const long double&, const BoundaryError<long double>&);
+template bool on_boundary(const Boundary<Real50>&, const Real50&, const BoundaryError<Real50>&);
+template bool on_boundary(const Boundary<Real100>&, const Real100&, const BoundaryError<Real100>&);
+template BoundaryError<double> rounding_of(const Boundary<double>&);
+template BoundaryError<long double> rounding_of(const Boundary<long double>&);
+template BoundaryError<Real50> rounding_of(const Boundary<Real50>&);
+template BoundaryError<Real100> rounding_of(const Boundary<Real100>&);
 template RegimeAtPoint regime_at(const Boundary<double>&, const double&, const BoundaryError<double>&);
 template RegimeAtPoint regime_at(const Boundary<long double>&, const long double&, const BoundaryError<long double>&);
 template RegimeAtPoint regime_at(const Boundary<Real50>&, const Real50&, const BoundaryError<Real50>&);

@@ -34,6 +34,28 @@ struct BoundaryError {
     T sticking; ///< absolute error of `Boundary::sticking`
 };
 
+/// @brief The regime at a friction ratio and nothing else: what a map asks for at every point.
+/// @eq{54,69}
+/// @param boundary  the boundary at the frequency ratio
+/// @param beta      friction ratio, Eq. (11); zero or positive
+/// @return          the regime
+template <class T>
+[[nodiscard]] Regime regime_of(const Boundary<T>& boundary, const T& beta);
+
+/// @brief Whether a friction ratio is a boundary between two regimes, to the accuracy of the boundary.
+/// @param boundary  the boundary at the frequency ratio
+/// @param beta      friction ratio, Eq. (11); zero or positive
+/// @param error     accuracy of the boundary
+/// @return          true where the regime could be the neighbour
+template <class T>
+[[nodiscard]] bool on_boundary(const Boundary<T>& boundary, const T& beta, const BoundaryError<T>& error);
+
+/// @brief What rounding alone does to a boundary, where nothing better was measured.
+/// @param boundary  the boundary
+/// @return          16 units in the last place
+template <class T>
+[[nodiscard]] BoundaryError<T> rounding_of(const Boundary<T>& boundary);
+
 /// @brief The regime at a friction ratio: sliding below (69), permanent sticking from `sticking` on, stick-slip between.
 ///
 /// With mu > 1 the sliding regime can reach beyond `sticking`: the contact then slides if it is moving, and rests if it rests.

@@ -1,7 +1,5 @@
 #include "denhartog/response/response.hpp"
 
-#include <limits>
-
 #include "denhartog/errors.hpp"
 #include "denhartog/multiprecision.hpp"
 
@@ -12,13 +10,6 @@ template <class T>
 ModeSums<T> sums_of(const Scene<T>& scene) {
     if (!scene.r) throw InputError("r", "must be given", "");
     return mode_sums(modal_basis(scene.system), scene.system.contact, scene.system.load, *scene.r);
-}
-
-// What rounding alone does to the boundary, where nothing better was measured.
-template <class T>
-BoundaryError<T> rounding_of(const Boundary<T>& b) {
-    const T few = 16 * std::numeric_limits<T>::epsilon();
-    return {few * b.exact, b.sticking ? T(few * *b.sticking) : T(0)};
 }
 
 } // namespace

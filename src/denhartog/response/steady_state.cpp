@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "denhartog/bounded.hpp"
 #include "denhartog/errors.hpp"
 #include "denhartog/formulas/motion.hpp"
 #include "denhartog/formulas/other_masses.hpp"
@@ -193,6 +194,7 @@ template SteadyState<long double> steady_state_at(const ModeSums<long double>&, 
                                                   const std::vector<long double>&);
 template SteadyState<Real50> steady_state_at(const ModeSums<Real50>&, const Real50&, const std::vector<Real50>&);
 template SteadyState<Real100> steady_state_at(const ModeSums<Real100>&, const Real100&, const std::vector<Real100>&);
+template SteadyState<Bounded> steady_state_at(const ModeSums<Bounded>&, const Bounded&, const std::vector<Bounded>&);
 template Motion<double> motion(const ModeSums<double>&, const SteadyState<double>&, const double&);
 template Motion<long double> motion(const ModeSums<long double>&, const SteadyState<long double>&, const long double&);
 template Motion<Real50> motion(const ModeSums<Real50>&, const SteadyState<Real50>&, const Real50&);

@@ -1,0 +1,134 @@
+#include "denhartog/response/regime_map.hpp"
+
+#include "denhartog/errors.hpp"
+#include "denhartog/response/solve.hpp"
+#include "tests/catch.hpp"
+#include "tests/unit/response_fixtures.hpp"
+
+using namespace denhartog;
+using namespace denhartog::tests;
+
+namespace {
+
+const std::atomic<bool> never{false};
+
+std::vector<double> values(double from, double to, int count) {
+    std::vector<double> all;
+    for (int n = 0; n < count; ++n) all.push_back(from + (to - from) * n / (count - 1));
+    return all;
+}
+
+Scene<double> two_masses(double mu) { return chain({1, 1}, {1, 1}, {0.03125, 0.0625}, 2, 1, mu, 1); }
+
+MapRequest request(int columns, int rows) {
+    return {values(0.25, 2.25, columns), values(0, 1.125, rows), {Mass{1}, Mass{0}}, MapStart::rest, 1};
+}
+
+bool equal(const MapPoint& a, const MapPoint& b) {
+    return a.status == b.status && a.regime == b.regime && a.stops == b.stops && a.periods == b.periods;
+}
+
+} // namespace
+
+TEST_CASE("every point of a map is what solve answers there", "[map]") {
+    for (const double mu : {1.0, 1.5}) {
+        Scene<double> scene = two_masses(mu);
+        const MapRequest grid = request(7, 7);
+        const RegimeMap map = regime_map(scene, grid, never);
+        REQUIRE(map.complete);
+        int met[3] = {0, 0, 0};
+        for (std::size_t point = 0; point < map.points.size(); ++point) {
+            scene.r = grid.r[point / grid.beta.size()];
+            scene.beta = grid.beta[point % grid.beta.size()];
+            INFO("mu = " << mu << ", r = " << hexadecimal(*scene.r) << ", beta = " << hexadecimal(*scene.beta));
+            const Solution s = solve(scene_source(scene), {Asked::amplitude, std::nullopt, false});
+            REQUIRE(map.points[point].status == PointStatus::answered);
+            CHECK(map.points[point].regime == s.regime.regime);
+            ++met[static_cast<int>(s.regime.regime)];
+            std::visit(
+                [&](const auto& n) {
+                    CHECK(map.points[point].stops == static_cast<int>(n.stops.size()));
+                    for (const std::size_t k : {0, 1})
+                        CHECK(map.amplitudes[2 * point + k] ==
+                              Approx(static_cast<double>(n.masses[1 - k].amplitude)).epsilon(1e-6).margin(1e-15));
+                },
+                s.numbers);
+        }
+        CHECK(met[0] > 3);
+        CHECK(met[1] > 3);
+        CHECK(met[2] > 3);
+    }
+}
+
+TEST_CASE("a map is the same to the last bit for any number of threads", "[map]") {
+    MapRequest grid = request(9, 12);
+    const RegimeMap one = regime_map(two_masses(1), grid, never);
+    for (const unsigned threads : {2U, 5U}) {
+        grid.threads = threads;
+        const RegimeMap many = regime_map(two_masses(1), grid, never);
+        CHECK(std::ranges::equal(one.points, many.points, equal));
+        CHECK(one.amplitudes == many.amplitudes);
+    }
+}
+
+TEST_CASE("a map costs one evaluation of the modes a column and one eigenproblem each for sliding and sticking", "[map]") {
+    const long modes = mode_evaluations(), solves = eigen_solves();
+    (void)regime_map(two_masses(1), request(5, 40), never);
+    CHECK(mode_evaluations() - modes == 5 * 2);
+    CHECK(eigen_solves() - solves == 1);
+}
+
+TEST_CASE("a map that is stopped is not complete", "[map]") {
+    const std::atomic<bool> stop{true};
+    CHECK_FALSE(regime_map(two_masses(1), request(5, 5), stop).complete);
+}
+
+TEST_CASE("from the sliding motion on the map shows the other branch where there are two", "[map]") {
+    MapRequest grid{{1}, values(0, 0.75, 7), {Mass{0}}, MapStart::rest, 1};
+    const Scene<double> scene = oscillator(0.05, 1, 2);
+    const RegimeMap rest = regime_map(scene, grid, never);
+    grid.start = MapStart::sliding;
+    const RegimeMap sliding = regime_map(scene, grid, never);
+    // Sticking is possible from 1/2 on, sliding up to 0.677.
+    CHECK(rest.points[5].regime == Regime::permanent_sticking);
+    CHECK(rest.amplitudes[5] == 0);
+    CHECK(sliding.points[5].regime == Regime::continuous);
+    CHECK(sliding.amplitudes[5] > 1);
+    CHECK(sliding.points[1].regime == rest.points[1].regime);
+}
+
+TEST_CASE("a column at a pole has no numbers and says why", "[map][domain]") {
+    const MapRequest grid{{0.75, 1}, {0.125, 0.25}, {Mass{0}}, MapStart::rest, 1};
+    const RegimeMap map = regime_map(oscillator(0, 1), grid, never);
+    CHECK(map.points[0].status == PointStatus::answered);
+    CHECK(map.points[2].status == PointStatus::at_a_pole);
+    CHECK(std::isnan(map.amplitudes[2]));
+    CHECK(boundary_curves(oscillator(0, 1), {0.75, 1})[1].status == PointStatus::at_a_pole);
+}
+
+TEST_CASE("boundary curves are the boundaries", "[map][eq:69]") {
+    const std::vector<double> r = values(0.25, 2.25, 5);
+    const std::vector<BoundaryPoint> curves = boundary_curves(two_masses(1.5), r);
+    for (std::size_t n = 0; n < r.size(); ++n) {
+        Scene<double> scene = two_masses(1.5);
+        scene.r = r[n];
+        const Boundary<double> b = boundary(sums_of(scene), 1.5);
+        CHECK(curves[n].exact == b.exact);
+        CHECK(curves[n].paper == b.paper);
+        CHECK(curves[n].approximate == b.approximate);
+        CHECK(curves[n].sticking == b.sticking);
+    }
+}
+
+TEST_CASE("a grid that breaks a rule is refused", "[map]") {
+    const auto with = [](std::vector<double> r, std::vector<double> beta, std::vector<Mass> masses, unsigned threads) {
+        return regime_map(two_masses(1), {r, beta, masses, MapStart::rest, threads}, never);
+    };
+    CHECK_THROWS_AS(with({0}, {0.5}, {Mass{0}}, 1), InputError);
+    CHECK_THROWS_AS(with({}, {0.5}, {Mass{0}}, 1), InputError);
+    CHECK_THROWS_AS(with({1}, {-0.5}, {Mass{0}}, 1), InputError);
+    CHECK_THROWS_AS(with({1}, {}, {Mass{0}}, 1), InputError);
+    CHECK_THROWS_AS(with({1}, {0.5}, {}, 1), InputError);
+    CHECK_THROWS_AS(with({1}, {0.5}, {Mass{2}}, 1), InputError);
+    CHECK_THROWS_AS(with({1}, {0.5}, {Mass{0}}, 0), InputError);
+}

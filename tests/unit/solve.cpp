@@ -1,0 +1,216 @@
+#include "denhartog/response/solve.hpp"
+
+#include "denhartog/errors.hpp"
+#include "denhartog/integration/periodic_orbit.hpp"
+#include "tests/catch.hpp"
+#include "tests/unit/response_fixtures.hpp"
+
+using namespace denhartog;
+using namespace denhartog::tests;
+
+namespace {
+
+Scene<double> with_beta(Scene<double> scene, double beta) {
+    scene.beta = beta;
+    return scene;
+}
+
+Solution asking(const Scene<double>& scene, Asked asked, std::optional<int> digits = std::nullopt) {
+    return solve(scene_source(scene), {asked, digits, false});
+}
+
+const Solved<double>& in_double(const Solution& s) { return std::get<Solved<double>>(s.numbers); }
+
+Scene<double> two_masses(double r, double beta, double mu = 1) {
+    return with_beta(chain({1, 1}, {1, 1}, {0.03125, 0.0625}, 2, 1, mu, r), beta);
+}
+
+// The work of an answer: never more for fewer digits.
+long total(const Work& w) { return w.eigen_solves + w.mode_evaluations + w.phases_propagated; }
+
+} // namespace
+
+TEST_CASE("in the sliding regime the answer is the closed form's, whatever is asked", "[eq:38][eq:39][solve]") {
+    const Scene<double> scene =
+        with_beta(chain({1, 2.5, 0.75}, {1, 0.625, 1.875}, {0.03125, 0.0625, 0.09375}, 2, 1, 1, 1.125), 0.125);
+    const Response<double> exact = response(scene);
+    for (const Asked asked : {Asked::amplitude, Asked::phase, Asked::motion}) {
+        const Solution s = asking(scene, asked, 6);
+        CHECK(s.regime.regime == Regime::continuous);
+        CHECK(s.unique);
+        for (std::size_t k = 0; k < 3; ++k) {
+            const SolvedMass<double>& m = in_double(s).masses[k];
+            CHECK(m.error_bound <= 1e-6 * m.amplitude);
+            CHECK(std::abs(m.amplitude - exact.steady_state->masses[k].amplitude) <= m.error_bound);
+            CHECK(std::abs(wrapped(*m.phase - exact.steady_state->masses[k].phase)) <= m.phase_error);
+        }
+        CHECK(in_double(s).masses[0].sliding.has_value() == (asked == Asked::motion));
+    }
+}
+
+TEST_CASE("fewer digits never cost more work, and few cost less than many", "[solve]") {
+    std::vector<double> ones(40, 1), zeta;
+    for (int i = 0; i < 40; ++i) zeta.push_back(0.125 + i / 64.0);
+    for (const Scene<double>& scene : {with_beta(chain(ones, ones, zeta, 5, 1, 1, 0.02), 0x1p-15),
+                                       with_beta(oscillator(0.0625, 1.5), 0.25), with_beta(oscillator(0.0625, 0.25), 0.5)}) {
+        std::vector<Work> works;
+        for (const int digits : {2, 4, 6, 12}) works.push_back(asking(scene, Asked::amplitude, digits).work);
+        for (std::size_t n = 1; n < works.size(); ++n) {
+            INFO("N = " << number_of_masses(scene.system) << ", step " << n);
+            CHECK(works[n - 1].eigen_solves <= works[n].eigen_solves);
+            CHECK(works[n - 1].mode_evaluations <= works[n].mode_evaluations);
+            CHECK(works[n - 1].phases_propagated <= works[n].phases_propagated);
+        }
+    }
+    const Scene<double> long_chain = with_beta(chain(ones, ones, zeta, 5, 1, 1, 0.02), 0x1p-15);
+    CHECK(asking(long_chain, Asked::amplitude, 2).work.mode_evaluations < 40);
+    CHECK(asking(long_chain, Asked::amplitude, 6).work.mode_evaluations == 40);
+    CHECK(asking(long_chain, Asked::amplitude, 12).work.mode_evaluations > 40);
+    CHECK(asking(long_chain, Asked::amplitude, 6).work.eigen_solves == 1);
+    const Scene<double> slides = with_beta(oscillator(0.0625, 1.5), 0.25), stops = with_beta(oscillator(0.0625, 0.25), 0.5);
+    CHECK(total(asking(slides, Asked::amplitude, 6).work) == 1);
+    CHECK(total(asking(slides, Asked::amplitude, 20).work) > 1);
+    CHECK(asking(stops, Asked::amplitude, 6).work.phases_propagated < asking(stops, Asked::amplitude, 20).work.phases_propagated);
+    CHECK(asking(stops, Asked::regime, 6).work.phases_propagated == 0);
+}
+
+TEST_CASE("between the boundaries the exact solver answers, to 30 digits as well as to 6", "[solve][eq:74][eq:75]") {
+    const Scene<double> scene = two_masses(0.5, 0.5);
+    const Solution low = asking(scene, Asked::motion, 6), high = asking(scene, Asked::motion, 30);
+    REQUIRE(low.regime.regime == Regime::stick_slip);
+    CHECK(low.method.model == "exact solver");
+    CHECK(low.method.precision == "double");
+    CHECK(high.method.precision == "50 digits");
+    REQUIRE(low.stability);
+    CHECK(low.stability->stable);
+    const Solved<double>& a = in_double(low);
+    const Solved<Real50>& b = std::get<Solved<Real50>>(high.numbers);
+    REQUIRE(a.stops.size() == b.stops.size());
+    CHECK_FALSE(a.stops.empty());
+    for (std::size_t n = 0; n < a.stops.size(); ++n) {
+        CHECK(std::abs(a.stops[n].start - static_cast<double>(b.stops[n].start)) < 1e-10);
+        CHECK(std::abs(a.stops[n].end - static_cast<double>(b.stops[n].end)) < 1e-10);
+        CHECK(a.stops[n].end > a.stops[n].start);
+    }
+    for (std::size_t k = 0; k < 2; ++k) {
+        CHECK(abs(Real50(Real50(a.masses[k].amplitude) - b.masses[k].amplitude)) <= Real50(a.masses[k].error_bound));
+        CHECK(abs(wrapped(Real50(Real50(*a.masses[k].phase) - *b.masses[k].phase))) <= Real50(a.masses[k].phase_error));
+        CHECK(b.masses[k].error_bound < Real50("1e-30"));
+    }
+    CHECK_THROWS_AS(asking(scene, Asked::motion, 60), PrecisionError);
+}
+
+TEST_CASE("a contact that rests gives the stuck response and the interval of rest", "[solve][eq:88]") {
+    const Scene<double> scene = two_masses(0.75, 3);
+    const Solution s = asking(scene, Asked::motion);
+    REQUIRE(s.regime.regime == Regime::permanent_sticking);
+    const Solved<double>& a = in_double(s);
+    // The first mass between two springs of 1, its damping the diagonal entry of (19).
+    const NonDimensionalMatrices<double> m = matrices_of(scene);
+    const std::complex<double> X = 1.0 / std::complex<double>(m.K(0, 0) - m.M(0, 0), m.C(0, 0));
+    CHECK(a.masses[0].amplitude == Approx(std::abs(X)).epsilon(1e-13));
+    CHECK(*a.masses[0].phase == Approx(-std::arg(X)).epsilon(1e-13));
+    CHECK(a.masses[1].amplitude == 0);
+    CHECK_FALSE(a.masses[1].phase);
+    // At the end of the interval static friction carries the load and the contact's springs in series, 1 over 2.
+    const double load = std::abs((m.K(1, 0) + std::complex<double>(0, m.C(1, 0))) * X);
+    REQUIRE(a.rest_interval);
+    CHECK(a.rest_interval->to == Approx((3 - load) * 2).epsilon(1e-12));
+    CHECK(a.rest_interval->from == -a.rest_interval->to);
+    CHECK(s.work.phases_propagated == 0);
+    const Solution more = asking(scene, Asked::amplitude, 20);
+    CHECK(more.method.precision == "50 digits");
+    CHECK(static_cast<double>(std::get<Solved<Real50>>(more.numbers).masses[0].amplitude) == Approx(std::abs(X)).epsilon(1e-13));
+}
+
+TEST_CASE("with mu above 1 the answer is that of the start from rest and is not called unique", "[solve]") {
+    const Scene<double> scene = with_beta(oscillator(0.05, 1, 2), 0.55);
+    const Solution s = asking(scene, Asked::motion);
+    CHECK(s.regime.regime == Regime::permanent_sticking);
+    CHECK(std::ranges::find(s.regime.other, Regime::continuous) != s.regime.other.end());
+    CHECK_FALSE(s.unique);
+    CHECK(in_double(s).rest_interval->rests_at == 0);
+    CHECK(asking(scene, Asked::regime).regime.regime == Regime::permanent_sticking);
+    // Below the boundary of sticking the start from rest slides into the closed form.
+    const Scene<double> below = with_beta(oscillator(0.05, 1, 2), 0.25);
+    const Solution t = asking(below, Asked::motion);
+    CHECK(t.regime.regime == Regime::continuous);
+    CHECK(t.method.model == "closed form");
+    CHECK(t.work.phases_propagated > 0);
+    REQUIRE(t.stability);
+    CHECK(t.stability->stable);
+    CHECK(in_double(t).masses[0].amplitude == Approx(response(below).steady_state->X_j).epsilon(1e-14));
+}
+
+TEST_CASE("all motions: rest from rest and sliding from a displacement of five", "[solve]") {
+    const Scene<double> scene = with_beta(oscillator(0.05, 1, 2), 0.55);
+    const Solution s = solve(scene_source(scene), {Asked::motion, std::nullopt, true});
+    REQUIRE(s.motions.size() >= 2);
+    CHECK(s.motions[0].regime == Regime::permanent_sticking);
+    CHECK(s.motions[0].from.x[0] == 0);
+    const auto slides = std::ranges::find(s.motions, Regime::continuous, &OtherMotion::regime);
+    REQUIRE(slides != s.motions.end());
+    CHECK(slides->stability.stable);
+    CHECK(slides->from.x[0] == Approx(5).epsilon(1e-12));
+    CHECK(slides->from.x_prime[0] == 0);
+    CHECK(slides->masses[0].amplitude == Approx(response(scene).steady_state->X_j).epsilon(1e-12));
+    // Every start that is named leads where it is said to lead.
+    const ContactSystem<double> system = contact_system(scene.system);
+    ExactSolver<double> solver(system, {*scene.r, *scene.beta, scene.mu});
+    for (const OtherMotion& motion : s.motions) {
+        const PeriodicOrbit<double> orbit = periodic_orbit(solver, motion.from);
+        CHECK((orbit.status == OrbitStatus::permanently_stuck) == (motion.regime == Regime::permanent_sticking));
+    }
+}
+
+TEST_CASE("all motions: a subharmonic one, its mirror image and the unstable symmetric one beside them", "[solve][eq:25]") {
+    const Scene<double> scene = with_beta(chain({1, 1}, {1, 1}, {0.03125, 0.03125}, 2, 1, 1.5, 1.125), 0.859375);
+    const Solution s = solve(scene_source(scene), {Asked::motion, std::nullopt, true});
+    CHECK(s.periods == 2);
+    CHECK_FALSE(s.symmetric);
+    const auto count = [&](int periods, bool symmetric, bool stable) {
+        return std::ranges::count_if(s.motions, [&](const OtherMotion& m) {
+            return m.periods == periods && m.symmetric == symmetric && m.stability.stable == stable;
+        });
+    };
+    CHECK(count(2, false, true) == 2);
+    CHECK(count(1, true, false) == 1);
+    // A motion and its mirror image share their amplitudes; the paper's symmetric motion has others.
+    std::vector<double> amplitudes;
+    for (const OtherMotion& m : s.motions)
+        if (m.periods == 2) amplitudes.push_back(m.masses[0].amplitude);
+    REQUIRE(amplitudes.size() == 2);
+    CHECK(amplitudes[0] == Approx(amplitudes[1]).epsilon(1e-10));
+    for (const OtherMotion& m : s.motions) {
+        if (m.periods != 1) continue;
+        CHECK(m.stability.multipliers.front() > 1);
+        CHECK(std::abs(m.masses[0].amplitude - amplitudes[0]) > 0.01);
+    }
+}
+
+TEST_CASE("all motions of a scene whose motion is unique are one", "[solve]") {
+    const Solution s = solve(scene_source(two_masses(0.5, 0.5)), {Asked::motion, std::nullopt, true});
+    REQUIRE(s.motions.size() == 1);
+    CHECK(s.motions[0].masses[1].amplitude == Approx(in_double(s).masses[1].amplitude).epsilon(1e-12));
+}
+
+TEST_CASE("where the paper's condition and the exact one disagree both regimes are shown", "[solve][eq:56][eq:69]") {
+    Scene<double> scene = chain({1, 1, 1, 1, 1}, {1, 1, 1, 1, 1}, {0.01, 0.01, 0.01, 0.01, 0.01}, 3, 1, 1, 0.9);
+    const Boundary<double> b = boundary(sums_of(scene), 1.0);
+    REQUIRE(b.paper < b.exact);
+    scene.beta = (b.paper + b.exact) / 2;
+    const Solution s = asking(scene, Asked::regime);
+    CHECK(s.regime.regime == Regime::continuous);
+    REQUIRE(s.regime_by_56);
+    CHECK(*s.regime_by_56 == Regime::stick_slip);
+    scene.beta = b.paper / 2;
+    CHECK_FALSE(asking(scene, Asked::regime).regime_by_56);
+}
+
+TEST_CASE("a pole of the closed form leaves the exact solver, or an error", "[solve][domain]") {
+    // Without damping and friction below pi / 4 the motion at resonance grows without end.
+    CHECK_THROWS_AS(asking(with_beta(oscillator(0, 1), 0.125), Asked::motion), DomainError);
+    CHECK_THROWS_AS(asking(with_beta(oscillator(0.1, 1), -1), Asked::motion), InputError);
+    CHECK_THROWS_AS(asking(oscillator(0.1, 1), Asked::motion), InputError);
+    CHECK_THROWS_AS(asking(with_beta(oscillator(0.1, 1), 0.5), Asked::motion, 0), InputError);
+}
