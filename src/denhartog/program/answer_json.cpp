@@ -3,15 +3,6 @@
 namespace denhartog::program {
 namespace {
 
-template <class T>
-Json limits(const Boundary<T>& b, const NumberWriter& write) {
-    Json all{{"exact", write(b.exact)}, {"paper", write(b.paper)}, {"approximate", write(b.approximate)}};
-    if (b.sticking) all["sticking"] = write(*b.sticking);
-    return all;
-}
-
-Json method(const Method& m) { return {{"model", m.model}, {"precision", m.precision}, {"why", m.why}}; }
-
 // A mass that does not move has no phase.
 template <class T>
 bool moves(const MassResponse<T>& m) {
@@ -49,6 +40,8 @@ std::string name(BindingCondition binding) {
 
 } // namespace
 
+Json method_json(const Method& m) { return {{"model", m.model}, {"precision", m.precision}, {"why", m.why}}; }
+
 Json response_json(const Answer& answer, const NumberWriter& write) {
     return std::visit(
         [&](const auto& r) {
@@ -59,8 +52,8 @@ Json response_json(const Answer& answer, const NumberWriter& write) {
             if (point.regime != Regime::continuous || !point.other.empty() || point.on_boundary) all["reason"] = point.reason;
             all["r"] = write(r.r);
             all["beta"] = write(*r.beta);
-            all["beta_lim"] = limits(r.boundary, write);
-            all["method"] = method(answer.method);
+            all["beta_lim"] = limits_json(r.boundary, write);
+            all["method"] = method_json(answer.method);
             all["contact"] = contact(r, write);
             if (!r.steady_state) return all;
             all["masses"] = Json::array();
@@ -77,9 +70,9 @@ Json boundary_json(const Answer& answer, const NumberWriter& write) {
         [&](const auto& r) {
             Json all{{"r", write(r.r)},
                      {"mu", write(r.mu)},
-                     {"beta_lim", limits(r.boundary, write)},
+                     {"beta_lim", limits_json(r.boundary, write)},
                      {"binding_condition", name(r.boundary.binding)},
-                     {"method", method(answer.method)}};
+                     {"method", method_json(answer.method)}};
             if (!r.boundary.sticking)
                 all["reason"] =
                     "beta_lim.sticking is absent: the system resonates with the contact held, so that no friction holds it";

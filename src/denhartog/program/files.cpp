@@ -33,6 +33,19 @@ void write(std::ostream& out, const std::string& text, const std::string& name) 
     if (!out) throw InputError(name, "cannot be written (" + last_fault() + ")", "");
 }
 
+// Where a file is written before it takes its place; what is no regular file is written directly.
+struct Target {
+    std::string path;
+    bool direct;
+};
+
+Target target_of(const std::string& path) {
+    std::error_code fault;
+    const fs::file_status status = fs::status(path, fault);
+    const bool direct = fs::exists(status) && !fs::is_regular_file(status);
+    return {direct ? path : path + ".part" + std::to_string(::getpid()), direct};
+}
+
 } // namespace
 
 void report(const std::string& fault) {
@@ -54,11 +67,18 @@ std::string read_input(const std::string& path) {
 
 void write_standard_output(const std::string& text) { write(std::cout, text, "standard output"); }
 
+void check_writable(const std::string& path) {
+    const Target target = target_of(path);
+    std::error_code fault;
+    errno = 0;
+    const bool opened = std::ofstream(target.path, std::ios::binary | std::ios::app).is_open();
+    if (!opened) throw InputError(path, "cannot be written (" + last_fault() + ")", "");
+    if (!target.direct) fs::remove(target.path, fault);
+}
+
 void write_file(const std::string& path, const std::string& text) {
     std::error_code fault;
-    const fs::file_status status = fs::status(path, fault);
-    const bool direct = fs::exists(status) && !fs::is_regular_file(status);
-    const std::string target = direct ? path : path + ".part" + std::to_string(::getpid());
+    const auto [target, direct] = target_of(path);
     errno = 0;
     std::ofstream out(target, std::ios::binary | std::ios::trunc);
     if (!out) throw InputError(path, "cannot be written (" + last_fault() + ")", "");

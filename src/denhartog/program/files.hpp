@@ -24,4 +24,9 @@ void write_standard_output(const std::string& text);
 /// @throws      InputError where it cannot be written; an earlier file is then left as it was
 void write_file(const std::string& path, const std::string& text);
 
+/// @brief Makes sure that a file can be written, before a long computation; an earlier file is left as it is.
+/// @param path  the file
+/// @throws      InputError where it cannot be written
+void check_writable(const std::string& path);
+
 } // namespace denhartog::program

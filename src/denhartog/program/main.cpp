@@ -9,8 +9,11 @@
 #include "denhartog/program/equations_command.hpp"
 #include "denhartog/program/files.hpp"
 #include "denhartog/program/functions_command.hpp"
+#include "denhartog/program/integrate_command.hpp"
+#include "denhartog/program/map_command.hpp"
 #include "denhartog/program/motion_command.hpp"
 #include "denhartog/program/response_command.hpp"
+#include "denhartog/program/solve_command.hpp"
 
 namespace {
 
@@ -23,9 +26,12 @@ int run(int argc, char** argv, ExitStatus& status) {
     app.require_subcommand(1);
     app.footer("Exit status: 0 answered; 2 bad input or usage; 3 could not compute to the digits asked for.\n"
                "`denhartog SUBCOMMAND --help` explains a subcommand.");
+    denhartog::program::add_solve_command(app, status);
     denhartog::program::add_response_command(app, status);
     denhartog::program::add_motion_command(app, status);
     denhartog::program::add_boundary_command(app, status);
+    denhartog::program::add_map_command(app, status);
+    denhartog::program::add_integrate_command(app, status);
     denhartog::program::add_functions_command(app, status);
     denhartog::program::add_equations_command(app);
     denhartog::program::add_derive_command(app);

@@ -1,0 +1,87 @@
+#include "denhartog/program/map_file.hpp"
+
+#include <cmath>
+
+#include "denhartog/model/number_text.hpp"
+#include "denhartog/program/npy.hpp"
+
+namespace denhartog::program {
+namespace {
+
+bool has_numbers(PointStatus status) { return status == PointStatus::answered || status == PointStatus::on_boundary; }
+
+std::string cell(double x) { return std::isnan(x) ? "nan" : number_to_text(x == 0 ? 0.0 : x); }
+
+std::string cell(std::int32_t n, bool known) { return known ? std::to_string(n) : "nan"; }
+
+double number(double x, bool known) { return known ? x : std::nan(""); }
+
+} // namespace
+
+std::string map_csv(const MapRequest& request, const RegimeMap& map) {
+    std::string csv = "r,beta,regime,stops_per_period,periods";
+    for (const Mass k : request.masses) csv += ",amplitude_" + std::to_string(k.index + 1);
+    csv += ",status\n";
+    const std::size_t masses = request.masses.size();
+    for (std::size_t m = 0, point = 0; m < request.r.size(); ++m) {
+        const std::string r = cell(request.r[m]);
+        for (std::size_t n = 0; n < request.beta.size(); ++n, ++point) {
+            const MapPoint& p = map.points[point];
+            const bool known = has_numbers(p.status);
+            csv += r + "," + cell(request.beta[n]) + "," + (known ? denhartog::name(p.regime) : "") + "," + cell(p.stops, known) +
+                   "," + cell(p.periods, known);
+            for (std::size_t k = 0; k < masses; ++k) csv += "," + cell(map.amplitudes[point * masses + k]);
+            csv += "," + denhartog::name(p.status) + "\n";
+        }
+    }
+    return csv;
+}
+
+std::string map_npy(const MapRequest& request, const RegimeMap& map) {
+    std::vector<NpyField> fields{{"r", "f8"}, {"beta", "f8"}, {"regime", "i1"}, {"stops_per_period", "i4"}, {"periods", "i4"}};
+    for (const Mass k : request.masses) fields.push_back({"amplitude_" + std::to_string(k.index + 1), "f8"});
+    fields.push_back({"status", "i1"});
+    std::string bytes = npy_header(fields, {request.r.size(), request.beta.size()});
+    const std::size_t masses = request.masses.size();
+    for (std::size_t point = 0; point < map.points.size(); ++point) {
+        const MapPoint& p = map.points[point];
+        const bool known = has_numbers(p.status);
+        append(bytes, request.r[point / request.beta.size()]);
+        append(bytes, request.beta[point % request.beta.size()]);
+        append(bytes, static_cast<std::int8_t>(known ? static_cast<int>(p.regime) : -1));
+        append(bytes, known ? p.stops : std::int32_t(-1));
+        append(bytes, known ? p.periods : std::int32_t(-1));
+        for (std::size_t k = 0; k < masses; ++k) append(bytes, map.amplitudes[point * masses + k]);
+        append(bytes, static_cast<std::int8_t>(p.status));
+    }
+    return bytes;
+}
+
+std::string curves_csv(const std::vector<double>& r, const std::vector<BoundaryPoint>& curves) {
+    std::string csv = "r,exact,paper,approximate,sticking,status\n";
+    for (std::size_t n = 0; n < r.size(); ++n) {
+        const BoundaryPoint& b = curves[n];
+        const bool known = has_numbers(b.status);
+        csv += cell(r[n]);
+        for (const double limit : {b.exact, b.paper, b.approximate, b.sticking.value_or(std::nan(""))})
+            csv += "," + cell(number(limit, known));
+        csv += "," + denhartog::name(b.status) + "\n";
+    }
+    return csv;
+}
+
+std::string curves_npy(const std::vector<double>& r, const std::vector<BoundaryPoint>& curves) {
+    std::string bytes = npy_header(
+        {{"r", "f8"}, {"exact", "f8"}, {"paper", "f8"}, {"approximate", "f8"}, {"sticking", "f8"}, {"status", "i1"}}, {r.size()});
+    for (std::size_t n = 0; n < r.size(); ++n) {
+        const BoundaryPoint& b = curves[n];
+        const bool known = has_numbers(b.status);
+        append(bytes, r[n]);
+        for (const double limit : {b.exact, b.paper, b.approximate, b.sticking.value_or(std::nan(""))})
+            append(bytes, number(limit, known));
+        append(bytes, static_cast<std::int8_t>(b.status));
+    }
+    return bytes;
+}
+
+} // namespace denhartog::program

@@ -1,0 +1,143 @@
+#include <cmath>
+#include <numbers>
+
+#include "tests/catch.hpp"
+#include "tests/unit/program_runs.hpp"
+
+using namespace denhartog::tests;
+using nlohmann::json;
+
+namespace {
+
+std::string two_masses(const std::string& r, const std::string& beta, const std::string& mu = "1") {
+    return R"({"mass_ratios": [1, 1], "stiffness_ratios": [1, 1], "damping_ratios": [0.03125, 0.0625], )"
+           R"("contact": 2, "load": 1, "mu": )" +
+           mu + R"(, "r": )" + r + R"(, "beta": )" + beta + "}";
+}
+
+} // namespace
+
+TEST_CASE("solve answers with the object of response in the sliding regime", "[program][solve]") {
+    const std::string scene = two_masses("1.25", "0.0625");
+    const Run run = run_program("solve --json", scene);
+    REQUIRE(run.status == 0);
+    const json a = json::parse(run.output), b = json::parse(run_program("response --json", scene).output);
+    for (const auto& [key, value] : b.items()) {
+        INFO(key);
+        CHECK(a.contains(key));
+    }
+    for (const auto& [key, value] : b["masses"][0].items()) {
+        INFO(key);
+        REQUIRE(a["masses"][0].contains(key));
+        if (key != "error_bound") CHECK(a["masses"][0][key].get<double>() == Approx(value.get<double>()).epsilon(1e-12));
+    }
+    CHECK(a["regime"] == "continuous");
+    CHECK(a["stops_per_period"] == 0);
+    CHECK(a["unique"] == true);
+    CHECK(a["counters"]["phases_propagated"] == 0);
+}
+
+TEST_CASE("solve lists the stops where the contact sticks and slips", "[program][solve]") {
+    const json a = json::parse(run_program("solve --json", two_masses("0.5", "0.5")).output);
+    CHECK(a["regime"] == "stick_slip");
+    CHECK(a["method"]["model"] == "exact solver");
+    REQUIRE(a["stops"].size() == a["stops_per_period"]);
+    REQUIRE_FALSE(a["stops"].empty());
+    for (const json& stop : a["stops"]) {
+        CHECK(stop["start"].get<double>() >= 0);
+        CHECK(stop["start"].get<double>() < 2 * std::numbers::pi);
+        CHECK(stop["end"].get<double>() > stop["start"].get<double>());
+    }
+    CHECK_FALSE(a["masses"][0].contains("x0"));
+    CHECK(a["masses"][1]["amplitude"].get<double>() > 0);
+    CHECK(a["contact"]["amplitude"] == a["masses"][1]["amplitude"]);
+    CHECK(a["stable"] == true);
+    CHECK(a["multipliers"].size() == 4);
+    CHECK(a["counters"]["phases_propagated"].get<int>() > 0);
+}
+
+TEST_CASE("solve gives the interval of rest where the contact never moves", "[program][solve]") {
+    const json a = json::parse(run_program("solve --json", two_masses("0.75", "3")).output);
+    CHECK(a["regime"] == "permanent_sticking");
+    CHECK(a["contact"]["amplitude"] == 0);
+    CHECK_FALSE(a["contact"].contains("phase"));
+    CHECK(a["rest_interval"]["to"].get<double>() > 0);
+    CHECK_FALSE(a.contains("stops"));
+}
+
+TEST_CASE("what is asked decides what is answered", "[program][solve]") {
+    const std::string scene = two_masses("0.5", "0.5");
+    const json regime = json::parse(run_program("solve --json --ask regime", scene).output);
+    CHECK_FALSE(regime.contains("masses"));
+    CHECK(regime["beta_lim"].contains("exact"));
+    CHECK(regime["beta_lim"].contains("sticking_by_88"));
+    const json amplitude = json::parse(run_program("solve --json --ask amplitude --digits 3", scene).output);
+    CHECK(amplitude["masses"][0].contains("amplitude"));
+    CHECK_FALSE(amplitude.contains("stable"));
+    const json digits = json::parse(run_program("solve --json --digits 20", scene).output);
+    CHECK(digits["masses"][0]["amplitude"].is_string());
+    CHECK(run_program("solve --ask colour", scene).status == 2);
+}
+
+TEST_CASE("the motion that is sampled has the amplitudes and stops that are answered", "[program][solve]") {
+    for (const std::string& scene : {two_masses("1.25", "0.0625"), two_masses("0.5", "0.5"), two_masses("0.75", "3")}) {
+        const json a = json::parse(run_program("solve --json", scene).output);
+        const Run run = run_program("solve --samples 2000", scene);
+        REQUIRE(run.status == 0);
+        const std::vector<std::string> lines = lines_of(run.output);
+        REQUIRE(lines.size() == 2001);
+        CHECK(lines[0] == "tau,x_1,x_2,v_1,v_2");
+        double largest[2] = {0, 0};
+        int at_rest = 0;
+        for (std::size_t n = 1; n < lines.size(); ++n) {
+            const std::vector<double> row = numbers_of(lines[n]);
+            for (std::size_t k = 0; k < 2; ++k) largest[k] = std::max(largest[k], std::abs(row[k + 1]));
+            at_rest += row[4] == 0;
+        }
+        for (std::size_t k = 0; k < 2; ++k)
+            CHECK(largest[k] == Approx(a["masses"][k]["amplitude"].get<double>()).epsilon(1e-4).margin(1e-12));
+        double resting = a["regime"] == "permanent_sticking" ? 2 * std::numbers::pi : 0;
+        if (a.contains("stops"))
+            for (const json& stop : a["stops"]) resting += stop["end"].get<double>() - stop["start"].get<double>();
+        CHECK(at_rest / 2000.0 == Approx(resting / (2 * std::numbers::pi)).margin(0.003));
+    }
+    CHECK(run_program("solve --samples 10 --ask phase", two_masses("0.5", "0.5")).status == 2);
+    CHECK(run_program("solve --samples -1", two_masses("0.5", "0.5")).status == 2);
+}
+
+TEST_CASE("all motions stand in the answer with the start that leads to each", "[program][solve]") {
+    const std::string scene = R"({"mass_ratios": [1], "stiffness_ratios": [1], "damping_ratios": 0.05, "contact": 1, "load": 1,
+                                  "mu": 2, "r": 1, "beta": 0.55})";
+    const json a = json::parse(run_program("solve --json --all", scene).output);
+    CHECK(a["unique"] == false);
+    REQUIRE(a["motions"].size() >= 2);
+    CHECK(a["motions"][0]["regime"] == "permanent_sticking");
+    CHECK(a["motions"][1]["regime"] == "continuous");
+    CHECK(a["motions"][1]["from"]["x"][0].get<double>() == Approx(5));
+    const Run table = run_program("solve --all", scene);
+    CHECK(table.status == 0);
+    CHECK(table.output.find("motion: continuous") != std::string::npos);
+}
+
+TEST_CASE("what solve cannot answer gives status 3 and no number", "[program][solve]") {
+    const Run run = run_program("solve --json --digits 60", two_masses("0.5", "0.5"));
+    CHECK(run.status == 3);
+    CHECK(run.output.empty());
+    CHECK(lines_of(run.error).size() == 1);
+    CHECK(run_program("solve --json",
+                      R"({"mass_ratios": [1], "stiffness_ratios": [1], "damping_ratios": 0.1, "contact": 1, "load": 1, "r": 1})")
+              .status == 2);
+    CHECK(run_program("solve --digits 0", two_masses("0.5", "0.5")).status == 2);
+}
+
+TEST_CASE("a motion that does not settle gives status 3 and says what was seen", "[program][solve]") {
+    const std::string scene = R"({"mass_ratios": [1, 1], "stiffness_ratios": [1, 1], "damping_ratios": [0.03125, 0.03125],
+                                  "contact": 2, "load": 1, "mu": 1.5, "r": 1.15625, "beta": 1.03125})";
+    const Run run = run_program("solve --json", scene);
+    CHECK(run.status == 3);
+    CHECK(run.output.empty());
+    CHECK(run.error.find("no steady motion was found") != std::string::npos);
+    const Run map = run_program("map --r 1.15625:1.15625:1 --beta 1.03125:1.03125:1", scene);
+    CHECK(map.status == 0);
+    CHECK(lines_of(map.output)[1] == "1.15625,1.03125,,nan,nan,nan,not_converged");
+}
