@@ -88,12 +88,17 @@ std::string output_of(const std::string& command) {
     return output;
 }
 
-/// README with what the last run found and what the program answers to the example.
+/// What the program answers to a command line that README shows, between the fences of a code block.
+std::string shown(const fs::path& program, const std::string& arguments, const fs::path& source, const std::string& scene) {
+    const std::string answer = output_of("'" + program.string() + "' " + arguments + " '" + (source / scene).string() + "'");
+    return "```\n$ build/verify/bin/denhartog " + arguments + " " + scene + "\n" + answer + "```\n";
+}
+
+/// README with what the last run found and what the program answers to the examples.
 std::string refreshed(const std::string& text, const fs::path& folder, const fs::path& program, const fs::path& source) {
-    const std::string shown = "$ build/verify/bin/denhartog response docs/example.json\n";
-    const std::string answer =
-        output_of("'" + program.string() + "' response '" + (source / "docs/example.json").string() + "'");
-    return with_block(with_block(text, "status", read(folder / "status.md")), "example", "```\n" + shown + answer + "```\n");
+    const std::string with_status = with_block(text, "status", read(folder / "status.md"));
+    const std::string with_example = with_block(with_status, "example", shown(program, "response", source, "docs/example.json"));
+    return with_block(with_example, "stick-slip", shown(program, "solve", source, "docs/example_stick_slip.json"));
 }
 
 } // namespace

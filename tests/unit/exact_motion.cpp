@@ -36,13 +36,13 @@ struct Energy {
     double size;
 };
 
-Energy energy_of(ExactSolver<double>& solver, const ExactMotion<double>& run, const NonDimensionalMatrices<double>& m, Mass contact,
-                 Mass load, double beta) {
+Energy energy_of(ExactSolver<double>& solver, const ExactMotion<double>& run, const NonDimensionalMatrices<double>& m,
+                 Mass contact, Mass load, double beta) {
     const ExactMotion<double> motion = run;
-    const auto state = [](const State<double>& s) {
-        return std::pair{Vector<double>(Eigen::Map<const Vector<double>>(s.x.data(), static_cast<Eigen::Index>(s.x.size()))),
-                         Vector<double>(Eigen::Map<const Vector<double>>(s.x_prime.data(), static_cast<Eigen::Index>(s.x.size())))};
+    const auto column = [](const std::vector<double>& a) {
+        return Vector<double>(Eigen::Map<const Vector<double>>(a.data(), static_cast<Eigen::Index>(a.size())));
     };
+    const auto state = [&](const State<double>& s) { return std::pair{column(s.x), column(s.x_prime)}; };
     const auto stored = [&](const State<double>& s) {
         const auto [x, v] = state(s);
         return 0.5 * v.dot(m.M * v) + 0.5 * x.dot(m.K * x);

@@ -97,7 +97,7 @@ TEST_CASE("a tangency within rounding is reported as one, at its place", "[unit]
     CHECK(std::abs(zero->t - pi<double>()) <= 1e-7); // the square root of rounding
 }
 
-TEST_CASE("no crossing of a seeded sum of waves is missed that a sample of 100 000 instants shows", "[unit][exact-solver][events]") {
+TEST_CASE("no crossing of a seeded sum of waves is missed that 100 000 instants show", "[unit][exact-solver][events]") {
     std::mt19937_64 random(3);
     const auto draw = [&](double a, double b) { return a + (b - a) * static_cast<double>(random() >> 11) * 0x1p-53; };
     int found = 0;

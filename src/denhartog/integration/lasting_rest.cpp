@@ -52,6 +52,16 @@ State<T> LastingRest<T>::steady_state(const T& x_j) const {
 }
 
 template <class T>
+T LastingRest<T>::reach() const {
+    if (!response_) return T(-1);
+    const StuckConfiguration<T>& s = system_->stuck;
+    const T holds = e_.mu * e_.beta, amplitude = modulus(response_->contact_load);
+    const T rounding = 64 * static_cast<int>(s.masses.size() + 1) * std::numeric_limits<T>::epsilon() * (holds + amplitude) *
+                       std::max(T(1), T(s.k_jj / s.k_contact));
+    return (holds - amplitude - rounding) / s.k_contact;
+}
+
+template <class T>
 MassMotion<T> LastingRest<T>::motion(std::size_t k, const T& x_j) const {
     using std::abs;
     if (k == system_->contact.index) return {abs(x_j), x_j < 0 ? pi<T>() : T(0)};

@@ -35,6 +35,9 @@ public:
     /// @brief Whether there is a steady motion with the contact held. @return false where the load excites an undamped resonance
     [[nodiscard]] bool exists() const { return response_.has_value(); }
 
+    /// @brief How far from zero the contact can rest for ever. @return the distance; negative where it cannot, not even at zero
+    [[nodiscard]] T reach() const;
+
     /// @brief The steady motion with the contact held. @param x_j where it is held @return the state at tau = 0
     [[nodiscard]] State<T> steady_state(const T& x_j) const;
 

@@ -1,5 +1,6 @@
 /// @file
-/// @brief One linear stretch of motion in modal coordinates: \f$ q_i'' + \sum_m D_{im} q_m' + \omega_i^2 q_i = F_i\cos\tau + G_i \f$.
+/// @brief One linear stretch of motion in modal coordinates:
+/// \f$ q_i'' + \sum_m D_{im} q_m' + \omega_i^2 q_i = F_i\cos\tau + G_i \f$.
 ///
 /// Where D is diagonal each coordinate has its closed form. Where it is not, which happens only while the contact sticks, the
 /// Taylor series of the coordinates is summed to rounding from nodes that are one over the largest rate apart.
@@ -31,8 +32,8 @@ struct LinearMotion {
 
     /// @brief Sets the number of coordinates. @param n their number
     void resize(std::size_t n) {
-        for (std::vector<T>* v : {&omega_0, &gap, &decay, &F, &G, &frequency_, &at_rest_, &free_q_, &free_p_, &forced_cos_, &forced_sin_})
-            v->resize(n);
+        for (std::vector<T>* v : {&omega_0, &gap, &decay, &F, &G, &frequency_, &at_rest_}) v->resize(n);
+        for (std::vector<T>* v : {&free_q_, &free_p_, &forced_cos_, &forced_sin_}) v->resize(n);
         resonant_.resize(n);
         for (std::vector<T>& v : q) v.resize(n);
     }
@@ -165,8 +166,9 @@ struct LinearMotion {
     }
 
     // Near resonance the harmonic and the free part are large and cancel. Their sum, the response from rest, does not: with
-    // lambda = -decay + i frequency it is Re e^{i tau_0} (E_1 - E_2) / (2 i frequency), E_1 = (e^{it} - e^{lambda t}) / (i - lambda)
-    // = e^{lambda t} (e^{(i - lambda) t} - 1) / (i - lambda), E_2 the same with the conjugate of lambda.
+    // lambda = -decay + i frequency it is Re e^{i tau_0} (E_1 - E_2) / (2 i frequency), where
+    // E_1 = (e^{it} - e^{lambda t}) / (i - lambda) = e^{lambda t} (e^{(i - lambda) t} - 1) / (i - lambda), and E_2 is the same
+    // with the conjugate of lambda.
     void add_resonant_force(std::size_t i, const T& t, const T& C, const T& S) {
         using std::expm1;
         const T& a = decay[i];

@@ -34,7 +34,9 @@ template <class T>
     return d;
 }
 
-/// @brief Whether a matrix was factored without a pivot that is rounding of the others. @param factors its factors @return true if so
+/// @brief Whether a matrix was factored without a pivot that is rounding of the others.
+/// @param factors  its factors
+/// @return         true if so
 template <class T>
 [[nodiscard]] bool is_regular(const Eigen::PartialPivLU<Matrix<T>>& factors) {
     const auto pivots = factors.matrixLU().diagonal().cwiseAbs();
@@ -80,6 +82,11 @@ public:
         return true;
     }
 
+    /// @brief Whether the contact did not rest at all. @return true where it did not
+    [[nodiscard]] bool slides_throughout() const {
+        return std::ranges::none_of(motion_->phases, [](const Phase<T>& p) { return p.direction == 0 && p.end > p.start; });
+    }
+
     /// @brief Jacobian of the map. @return 2N x 2N
     [[nodiscard]] Matrix<T> jacobian() const { return h_ % 2 != 0 ? Matrix<T>(-motion_->jacobian) : motion_->jacobian; }
 
@@ -112,7 +119,9 @@ public:
     /// @brief The norm of a state. @param z the state @return its norm
     [[nodiscard]] T norm(const State<T>& z) const { return norm(denhartog::difference(z, at_rest<T>(z.x.size()))); }
 
-    /// @brief The same for every deviation within bounds. @param dz bounds of displacements, then velocities @return bound of the norm
+    /// @brief The same for every deviation within bounds.
+    /// @param dz  bounds of displacements, then velocities
+    /// @return    bound of the norm
     [[nodiscard]] T norm_of_bound(const Column<T>& dz) const {
         const ContactSystem<T>& s = solver_->system();
         const Matrix<T> sizes = s.momentum.cwiseAbs();
@@ -144,8 +153,8 @@ public:
 
     /// @brief What rounding makes of the map's image: a bound of each modal coordinate's error that is kept until the next call.
     ///
-    /// Every phase adds some units in the last place of what the coordinate is summed from. A natural frequency that is N units off
-    /// turns the mode by that part of its phase angle, which is the larger the more of its periods fit in the stretch.
+    /// Every phase adds some units in the last place of what the coordinate is summed from. A natural frequency that is N units
+    /// off turns the mode by that part of its phase angle, which is the larger the more of its periods fit in the stretch.
     void measure_rounding() {
         using std::abs;
         const ContactSystem<T>& s = solver_->system();

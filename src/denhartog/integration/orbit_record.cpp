@@ -107,28 +107,33 @@ Matrix<double> jacobian_of_others(const OrbitMap<T>& map) {
 }
 
 template <class T>
-std::optional<T> error_bound_of(const OrbitMap<T>& map) {
+T displacement_of_energy(const OrbitMap<T>& map) {
     const ContactSystem<T>& s = map.solver().system();
-    const T& r = map.solver().excitation().r;
-    const Eigen::Index N = map.N;
+    T largest(0); // squared
+    for (Eigen::Index k = 0; k < map.N; ++k) {
+        T reach(0);
+        for (Eigen::Index i = 0; i < map.N; ++i) {
+            const T each = s.basis.phi(k, i) * map.solver().excitation().r / s.basis.r_n[static_cast<std::size_t>(i)];
+            reach += each * each;
+        }
+        largest = std::max(largest, reach);
+    }
+    return sqrt(largest);
+}
+
+template <class T>
+std::optional<T> error_bound_of(const OrbitMap<T>& map) {
     const Eigen::PartialPivLU<Matrix<T>> factors(map.newton_matrix());
     if (!is_regular(factors)) return std::nullopt;
     const Column<T> rounding = map.rounding();
     const Column<T> at_start = factors.inverse().cwiseAbs() * (map.difference().cwiseAbs() + rounding);
     T energy = map.norm_of_bound(at_start);
     if (map.solver().excitation().mu > 1) energy *= std::max(T(1), T(map.energy_jacobian().norm()));
-    T largest(0);
-    for (Eigen::Index k = 0; k < N; ++k) {
-        T reach(0); // squared displacement of the mass that a unit of the energy norm can make
-        for (Eigen::Index i = 0; i < N; ++i) {
-            const T each = s.basis.phi(k, i) * r / s.basis.r_n[static_cast<std::size_t>(i)];
-            reach += each * each;
-        }
-        largest = std::max(largest, T(sqrt(reach) * energy + rounding(k)));
-    }
-    return largest;
+    return T(displacement_of_energy(map) * energy + rounding.head(map.N).maxCoeff());
 }
 
+template double displacement_of_energy(const OrbitMap<double>&);
+template Real50 displacement_of_energy(const OrbitMap<Real50>&);
 template std::vector<Stop<double>> stops_of(const OrbitMap<double>&);
 template std::vector<Stop<Real50>> stops_of(const OrbitMap<Real50>&);
 template MassMotion<double> contact_motion(const OrbitMap<double>&);

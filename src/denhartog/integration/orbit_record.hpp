@@ -46,6 +46,12 @@ template <class T>
 template <class T>
 [[nodiscard]] Matrix<double> jacobian_of_others(const OrbitMap<T>& map);
 
+/// @brief The largest displacement of any mass that a unit of the map's energy norm can make.
+/// @param map  the map
+/// @return     the displacement, units of P / k_1
+template <class T>
+[[nodiscard]] T displacement_of_energy(const OrbitMap<T>& map);
+
 /// @brief Bound of the error of the displacements over an orbit.
 ///
 /// The distance of the start from the fixed point is bounded by \f$ |(1 - DP)^{-1}| \f$ times the difference of the two ends and

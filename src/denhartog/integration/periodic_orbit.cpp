@@ -23,6 +23,7 @@ namespace {
 constexpr int least_approach =
     16; // maps that a motion is followed to see that it approaches an orbit, and how much nearer it comes
 constexpr int most_approach = 512;           // maps after which slow approach is enough
+constexpr int half_periods_to_rest = 400;    // after which a rest whose place is known to 1e-3 is an answer
 constexpr int half_periods_to_arrive = 4000; // at rest, or at an orbit that attracts nothing
 
 template <class T>
@@ -84,24 +85,25 @@ private:
                 if (recent_.size() == kept) recent_.erase(recent_.begin());
                 recent_.push_back(z);
             }
-            if (no_expansion_ ? settle(z) : find_orbit(z)) return;
+            if (no_expansion_ ? settle(z, done) : find_orbit(z)) return;
             if (done >= (neutral_ ? std::min(most, half_periods_to_arrive) : most)) return give_up(done, false);
             next = std::min(most, done + 2 * std::max(1, done / (no_expansion_ ? 2 : 8)));
         }
     }
 
     // No two motions move apart, so that an orbit that attracts its neighbours attracts all: any way to it will do.
-    bool settle(const State<T>& z) {
+    bool settle(const State<T>& z, int done) {
         if (neutral_) {
             const bool arrived = candidate_.h > 0 && map_.norm(difference(z, candidate_.z)) <= 64 * candidate_.rounding;
             return arrived && map_again(candidate_) && answer(candidate_.z, candidate_.h);
         }
+        if (done > 0 && only_rest_is_steady()) return tends_to_rest(z, done);
         if (best_step_ < 0 || (last_step_ >= 0 && last_step_ < best_step_)) best_ = z;
         if (held_ && rest_->exists()) best_ = rest_->steady_state(z.x[j_]); // ahead of the motion: what the others tend to
         const bool found = shooting_.fixed_point(best_, 1, true);
         best_step_ = shooting_.residual();
         if (!found) return false;
-        if (damped_ || attracts(map_)) return answer(best_, 1);
+        if (damped_ || !search_.follow_start || attracts(map_)) return answer(best_, 1);
         (void)take(best_, 1);
         neutral_ = true;
         return false;
@@ -196,14 +198,41 @@ private:
         using Verdict = typename LastingRest<T>::Verdict;
         const Verdict verdict = rest_->verdict(z);
         if (verdict == Verdict::open) return false;
-        const T x_j = done % 2 != 0 ? T(-z.x[j_]) : z.x[j_];
+        return rest_at(done % 2 != 0 ? T(-z.x[j_]) : z.x[j_], done, T(0),
+                       verdict == Verdict::lasts
+                           ? "the contact came to rest and stays there: the load on it never reaches mu beta again"
+                           : "the contact came to rest and the load on it reaches mu beta to rounding: it is "
+                             "on the boundary of permanent sticking");
+    }
+
+    // With mu = 1 and every mode damped all steady velocities are the same: those of rest, where the contact can rest for ever.
+    bool only_rest_is_steady() {
+        if (!damped_ || map_.slides_throughout()) return false;
+        if (!rest_) rest_.emplace(map_.solver().system(), map_.solver().excitation());
+        return rest_->reach() > 0;
+    }
+
+    // No two motions move apart, so that the motion stays as near to any steady rest as it is.
+    bool tends_to_rest(const State<T>& z, int done) {
+        const T reach = rest_->reach();
+        const T x_j = std::clamp(z.x[j_], T(-reach), reach);
+        const State<T> rest = rest_->steady_state(x_j);
+        const T apart = displacement_of_energy(map_) * map_.norm(difference(z, rest));
+        T largest(0);
+        for (std::size_t k = 0; k < rest.x.size(); ++k) largest = std::max(largest, rest_->motion(k, x_j).amplitude);
+        const bool near = apart <= largest / (done < half_periods_to_rest ? 1'000'000'000 : 1000);
+        if (!near && done < 2 * search_.most_periods) return false;
+        return rest_at(done % 2 != 0 ? T(-x_j) : x_j, done, apart,
+                       "rest is steady, and with mu = 1 and damping the steady velocities are unique: the contact comes to rest, "
+                       "or slips by less and less; the error bound says how well it is known where");
+    }
+
+    // The answer that the contact rests at x_j, no mass more than `apart` from where it is then.
+    bool rest_at(const T& x_j, int done, const T& apart, const char* reason) {
         const State<T> steady = rest_->steady_state(x_j);
         if (!map_.apply(steady, 2, true) || !map_.held()) return false;
         orbit_.status = OrbitStatus::permanently_stuck;
-        orbit_.reason = verdict == Verdict::lasts
-                            ? "the contact came to rest and stays there: the load on it never reaches mu beta again"
-                            : "the contact came to rest and the load on it reaches mu beta to rounding: it is "
-                              "on the boundary of permanent sticking";
+        orbit_.reason = reason;
         orbit_.start = steady;
         orbit_.symmetric = x_j == 0;
         orbit_.stops = {{T(0), T(2 * pi<T>()), x_j}};
@@ -216,7 +245,7 @@ private:
         if (search_.contact_only) orbit_.masses.clear();
         map_.measure_rounding();
         orbit_.residual = largest > 0 ? T(map_.difference().cwiseAbs().maxCoeff() / largest) : T(0);
-        orbit_.error_bound = (done + 1) * map_.rounding().maxCoeff() + map_.difference().cwiseAbs().maxCoeff();
+        orbit_.error_bound = apart + (done + 1) * map_.rounding().maxCoeff() + map_.difference().cwiseAbs().maxCoeff();
         if (search_.with_stability) {
             const Matrix<double> others = jacobian_of_others(map_);
             orbit_.multipliers = multipliers_of(others);
@@ -230,19 +259,21 @@ private:
         using boost::math::isfinite;
         const std::optional<T> bound = error_bound_of(map_);
         if (!bound) return false;
+        const MassMotion<T> contact = contact_motion(map_);
+        if (!map_.slides_throughout() && !(*bound < contact.amplitude)) return false; // no sure slip
+        T largest = contact.amplitude;
+        for (const T& x : z.x) largest = std::max(largest, T(x < 0 ? -x : x));
+        std::vector<MassMotion<T>> masses;
+        if (!search_.contact_only) masses = motions_of(map_);
+        for (const MassMotion<T>& mass : masses) largest = std::max(largest, mass.amplitude);
+        if (!isfinite(largest) || !(100 * *bound < largest)) return false; // at a resonance without damping: no digits
         orbit_.start = z;
         orbit_.symmetric = h % 2 != 0;
         orbit_.periods = orbit_.symmetric ? h : h / 2;
         orbit_.stops = stops_of(map_);
-        orbit_.contact = contact_motion(map_);
+        orbit_.contact = contact;
+        orbit_.masses = std::move(masses);
         orbit_.touching = map_.motion().touching;
-        T largest = orbit_.contact.amplitude;
-        for (const T& x : z.x) largest = std::max(largest, T(x < 0 ? -x : x));
-        if (!search_.contact_only) {
-            orbit_.masses = motions_of(map_);
-            for (const MassMotion<T>& mass : orbit_.masses) largest = std::max(largest, mass.amplitude);
-        }
-        if (!isfinite(largest) || !(100 * *bound < largest)) return false; // at a resonance without damping: no digits
         orbit_.residual = largest > 0 ? T(map_.difference().cwiseAbs().maxCoeff() / largest) : T(0);
         orbit_.error_bound = *bound;
         if (search_.with_stability) {
