@@ -1,0 +1,232 @@
+#include "tests/speed_accuracy/stick_slip_survey.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "denhartog/errors.hpp"
+#include "denhartog/integration/paper_algorithm.hpp"
+#include "denhartog/integration/periodic_orbit.hpp"
+#include "denhartog/model/sample_scenes.hpp"
+#include "denhartog/multiprecision.hpp"
+#include "denhartog/response/response.hpp"
+#include "denhartog/response/scene_source.hpp"
+
+namespace denhartog::tests {
+namespace {
+
+const double period = 2 * pi<double>();
+constexpr int periods_to_settle = 500;
+
+PeriodicOrbit<double> orbit_of(ExactSolver<double>& solver) {
+    OrbitSearch<double> search;
+    search.most_periods = periods_to_settle;
+    search.with_stability = false;
+    return periodic_orbit(solver, at_rest<double>(solver.system().basis.r_n.size()), search);
+}
+
+bool sticks_and_slips(const Scene<double>& scene) {
+    const ContactSystem<double> system = contact_system(scene.system);
+    ExactSolver<double> solver(system, {*scene.r, *scene.beta, scene.mu});
+    const PeriodicOrbit<double> orbit = orbit_of(solver);
+    return orbit.status == OrbitStatus::periodic && !orbit.stops.empty() && orbit.touching == 0;
+}
+
+/// The stops that end in the last period of a motion, as the paper's algorithm lists them.
+std::vector<Stop<double>> stops_in_last_period(const ExactMotion<double>& motion, double start, double end) {
+    std::vector<Stop<double>> stops;
+    double since = -1;
+    for (const Phase<double>& p : motion.phases) {
+        if (p.direction != 0 || !(p.end > p.start)) continue;
+        if (!(since >= 0)) since = p.start;
+        const bool goes_on = &p != &motion.phases.back() && (&p)[1].direction == 0;
+        if (goes_on) continue;
+        const double shift = since < start ? period : 0;
+        if (p.end > start && p.end < end) stops.push_back({since - start + shift, p.end - start + shift, 0});
+        since = -1;
+    }
+    std::ranges::sort(stops, {}, &Stop<double>::start);
+    return stops;
+}
+
+/// Whether the contact rests from an instant to the end of a motion.
+bool rests_from(const ExactMotion<double>& motion, double start) {
+    return std::ranges::all_of(motion.phases,
+                               [&](const Phase<double>& p) { return p.direction == 0 || p.end <= std::max(start, p.start); });
+}
+
+double apart(double a, double b) { return std::abs(std::remainder(a - b, period)); }
+
+void compare_stops(const std::vector<Stop<double>>& a, const std::vector<Stop<double>>& b, const std::string& name,
+                   StickSlipSurvey& survey) {
+    if (a.size() != b.size()) {
+        survey.differently.push_back(name + ": " + std::to_string(a.size()) + " stops against " + std::to_string(b.size()));
+        return;
+    }
+    survey.stops += static_cast<int>(a.size());
+    survey.most_stops = std::max(survey.most_stops, static_cast<int>(a.size()));
+    for (std::size_t n = 0; n < a.size(); ++n)
+        survey.event.note(std::max(apart(a[n].start, b[n].start), apart(a[n].end, b[n].end)), name);
+}
+
+void compare_states(const State<double>& a, const State<double>& b, const std::string& name, StickSlipSurvey& survey) {
+    double size = 0, difference = 0;
+    for (std::size_t k = 0; k < a.x.size(); ++k) {
+        size = std::max({size, std::abs(b.x[k]), std::abs(b.x_prime[k])});
+        difference = std::max({difference, std::abs(a.x[k] - b.x[k]), std::abs(a.x_prime[k] - b.x_prime[k])});
+    }
+    survey.state.note(difference / size, name);
+}
+
+void compare_amplitudes(double a, double b, const std::string& name, StickSlipSurvey& survey) {
+    survey.amplitude.note(std::abs(a - b) / b, name);
+    survey.mixed.note(std::abs(a - b) / (1 + b), name);
+}
+
+template <class F>
+void each_with_solver(const std::vector<StickSlipScene>& scenes, const F& f) {
+    for (const StickSlipScene& named : scenes) {
+        const Scene<double>& scene = named.scene;
+        const ContactSystem<double> system = contact_system(scene.system);
+        ExactSolver<double> solver(system, {*scene.r, *scene.beta, scene.mu});
+        f(named, solver);
+    }
+}
+
+} // namespace
+
+std::vector<StickSlipScene> stick_slip_scenes(int scenes, std::uint64_t seed) {
+    std::vector<StickSlipScene> found;
+    std::mt19937_64 random(seed);
+    while (static_cast<int>(found.size()) < scenes) {
+        std::size_t of_this_size = 0, N = 0;
+        for (const RandomScene<double>& named : random_scenes<double>(random())) {
+            Scene<double> scene = named.scene;
+            if (number_of_masses(scene.system) > 6 || static_cast<int>(found.size()) == scenes) break;
+            if (number_of_masses(scene.system) != N) {
+                N = number_of_masses(scene.system);
+                of_this_size = 0;
+            }
+            if (of_this_size == 12) continue; // of 40 of this size: leaves room for the others
+            if (random() >> 63) scene.mu = 1;
+            const double part = static_cast<double>(1 + (random() >> 58)) / 66;
+            try {
+                const Boundary<double> limits = response(scene).boundary;
+                const double upper = limits.sticking.value_or(2 * limits.exact);
+                if (!(upper > limits.exact)) continue;
+                scene.beta = friction_ratio_at(1, limits.exact + part * (upper - limits.exact));
+            } catch (const DomainError&) {
+                continue;
+            }
+            if (!sticks_and_slips(scene)) continue;
+            ++of_this_size;
+            found.push_back({named.name + " mu=" + digits(scene.mu, "%.17g") + " beta=" + digits(*scene.beta, "%a"), scene});
+        }
+    }
+    return found;
+}
+
+StickSlipSurvey from_rest(const std::vector<StickSlipScene>& scenes, int periods, double tolerance) {
+    StickSlipSurvey survey;
+    PaperSettings settings;
+    settings.cycles = periods;
+    settings.absolute_tolerance = tolerance;
+    each_with_solver(scenes, [&](const StickSlipScene& named, ExactSolver<double>& solver) {
+        const PaperMotion paper = paper_algorithm(named.scene, settings);
+        if (paper.status != IntegrationStatus::complete) {
+            survey.differently.push_back(named.name + ": " + paper.reason);
+            return;
+        }
+        const double end = periods * period, start = end - period;
+        const ExactMotion<double>& motion = solver.run(at_rest<double>(paper.masses.size()), 0, end);
+        if (rests_from(motion, start) != paper.rests)
+            survey.differently.push_back(named.name + ": one rests all through the last period");
+        else if (!paper.rests)
+            compare_stops(stops_in_last_period(motion, start, end), paper.stops, named.name, survey);
+        compare_states(paper.end, motion.end, named.name, survey);
+        const State<double> before = solver.run(at_rest<double>(paper.masses.size()), 0, start).end;
+        (void)solver.run(before, 0, period);
+        const std::vector<Extremum<double>> largest = solver.largest_displacements();
+        for (std::size_t k = 0; k < largest.size(); ++k)
+            compare_amplitudes(paper.masses[k].amplitude, std::abs(largest[k].x), named.name, survey);
+    });
+    return survey;
+}
+
+StickSlipSurvey on_orbits(const std::vector<StickSlipScene>& scenes, double tolerance) {
+    StickSlipSurvey survey;
+    PaperSettings settings;
+    settings.absolute_tolerance = tolerance;
+    each_with_solver(scenes, [&](const StickSlipScene& named, ExactSolver<double>& solver) {
+        const PeriodicOrbit<double> orbit = orbit_of(solver);
+        settings.start = orbit.start;
+        settings.cycles = 2 * orbit.periods;
+        const PaperMotion paper = paper_algorithm(named.scene, settings);
+        if (orbit.status != OrbitStatus::periodic || paper.status != IntegrationStatus::complete) {
+            survey.differently.push_back(named.name + ": " + orbit.reason + paper.reason);
+            return;
+        }
+        compare_states(paper.end, orbit.start, named.name, survey);
+        if (orbit.periods > 1) return; // the paper's algorithm looks at one period of the force alone
+        compare_stops(orbit.stops, paper.stops, named.name, survey);
+        for (std::size_t k = 0; k < orbit.masses.size(); ++k)
+            compare_amplitudes(paper.masses[k].amplitude, orbit.masses[k].amplitude, named.name, survey);
+    });
+    return survey;
+}
+
+StickSlipSurvey against_50_digits(const std::vector<StickSlipScene>& scenes) {
+    StickSlipSurvey survey;
+    each_with_solver(scenes, [&](const StickSlipScene& named, ExactSolver<double>& solver) {
+        const PeriodicOrbit<double> orbit = orbit_of(solver);
+        const Scene<Real50> wide = converted<Real50>(named.scene);
+        const ContactSystem<Real50> system = contact_system(wide.system);
+        ExactSolver<Real50> wide_solver(system, {*wide.r, *wide.beta, wide.mu});
+        State<Real50> start;
+        for (const double x : orbit.start.x) start.x.emplace_back(x);
+        for (const double x : orbit.start.x_prime) start.x_prime.emplace_back(x);
+        OrbitSearch<Real50> search;
+        search.periods_before = orbit.periods; // it stays on the orbit, whatever its period
+        search.with_stability = false;
+        const PeriodicOrbit<Real50> exact = periodic_orbit(wide_solver, start, search);
+        if (orbit.status != OrbitStatus::periodic || exact.status != OrbitStatus::periodic) {
+            survey.differently.push_back(named.name + ": " + orbit.reason + exact.reason);
+            return;
+        }
+        std::vector<Stop<double>> stops;
+        for (const Stop<Real50>& s : exact.stops) stops.push_back({static_cast<double>(s.start), static_cast<double>(s.end), 0});
+        compare_stops(orbit.stops, stops, named.name, survey);
+        State<double> rounded;
+        for (const Real50& x : exact.start.x) rounded.x.push_back(static_cast<double>(x));
+        for (const Real50& x : exact.start.x_prime) rounded.x_prime.push_back(static_cast<double>(x));
+        compare_states(orbit.start, rounded, named.name, survey);
+        for (std::size_t k = 0; k < orbit.masses.size(); ++k) {
+            const Real50& X = exact.masses[k].amplitude;
+            const Real50 error = abs(Real50(Real50(orbit.masses[k].amplitude) - X));
+            survey.amplitude.note(static_cast<double>(Real50(error / X)), named.name);
+            survey.mixed.note(static_cast<double>(Real50(error / (1 + X))), named.name);
+            survey.over_bound.note(static_cast<double>(Real50(error / Real50(orbit.error_bound))), named.name);
+        }
+    });
+    return survey;
+}
+
+std::vector<std::string> stick_slip_head() {
+    return {"what",          "amplitudes",  "relative error", "over 1 + X", "stops",
+            "most a period", "their times", "state",          "over bound", "differently"};
+}
+
+std::vector<std::string> row_of(const std::string& what, const StickSlipSurvey& s) {
+    return {what,
+            std::to_string(s.amplitude.count),
+            digits(s.amplitude.error, "%.1e"),
+            digits(s.mixed.error, "%.1e"),
+            std::to_string(s.stops),
+            std::to_string(s.most_stops),
+            digits(s.event.error, "%.1e"),
+            digits(s.state.error, "%.1e"),
+            s.over_bound.count > 0 ? digits(s.over_bound.error) : "",
+            std::to_string(s.differently.size())};
+}
+
+} // namespace denhartog::tests

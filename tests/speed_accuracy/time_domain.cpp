@@ -1,0 +1,146 @@
+// The full surveys of the time domain: each prints its tables in Markdown, writes them to a file, and fails where a gate does.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+
+#include "tests/speed_accuracy/cycles_survey.hpp"
+#include "tests/speed_accuracy/regime_survey.hpp"
+#include "tests/speed_accuracy/speed.hpp"
+#include "tests/speed_accuracy/stick_slip_survey.hpp"
+#include "tests/speed_accuracy/systems.hpp"
+#include "tests/speed_accuracy/tolerance_survey.hpp"
+
+using namespace denhartog::tests;
+
+namespace {
+
+/// Tables of a survey, and whether its gates hold.
+struct Outcome {
+    std::vector<Table> tables;
+    bool good = true;
+};
+
+Outcome regimes(int points) {
+    const RegimeSurvey survey = survey_regimes(points, 10, 1000, 7);
+    return {{table_of(survey)}, survey.unexplained.empty()};
+}
+
+Outcome cycles() {
+    std::vector<double> r;
+    for (int n = 10; n <= 250; ++n) r.push_back(n / 100.0);
+    std::vector<CyclesSurvey> all;
+    int unanswered = 0;
+    for (const double beta : {0.05, 0.2, 0.5})
+        for (const double zeta : {0.001, 0.01, 0.1})
+            for (const NamedSystem<double>& s : paper_systems(zeta)) {
+                all.push_back(survey_cycles(s.name, s.system, zeta, beta, r, 200));
+                unanswered += all.back().unanswered;
+            }
+    return {{table_of(all, 200)}, unanswered == 0};
+}
+
+Outcome tolerance() {
+    Table rest{"Paper's algorithm, 200 cycles from rest, against the closed form: largest error of an amplitude, relative",
+               {"system", "amplitudes"},
+               {},
+               "What is left at tight tolerances are transients that 200 cycles do not damp away."};
+    Table closed = rest, phase = rest;
+    closed.title = "The same, started on the closed form";
+    closed.note = "";
+    phase.title = "The same, started on the closed form: largest error of a phase, radians";
+    phase.note = "";
+    for (const Tolerance& t : tolerances())
+        for (Table* each : {&rest, &closed, &phase}) each->head.push_back(name(t));
+    Outcome outcome;
+    for (const auto& [group, scenes] : paper_scene_groups()) {
+        for (Table* each : {&rest, &closed, &phase}) each->rows.push_back({group, ""});
+        for (const Tolerance& t : tolerances()) {
+            const ToleranceErrors errors = tolerance_errors(scenes, t, 200, true);
+            rest.rows.back().push_back(digits(errors.from_rest.error, "%.1e"));
+            closed.rows.back().push_back(digits(errors.on_closed.error, "%.1e"));
+            phase.rows.back().push_back(digits(errors.phase.error, "%.1e"));
+            for (Table* each : {&rest, &closed, &phase}) each->rows.back()[1] = std::to_string(errors.on_closed.count);
+            outcome.good = outcome.good && errors.failed == 0 && errors.on_closed.count > 0;
+            if (t.relative <= 1e-12) outcome.good = outcome.good && errors.on_closed.error <= 1e-8;
+        }
+    }
+    outcome.tables = {rest, closed, phase};
+    return outcome;
+}
+
+Outcome stick_slip(int scenes) {
+    const std::vector<StickSlipScene> sample = stick_slip_scenes(scenes, 24);
+    Table table{"Stick-slip: the exact solver against the paper's algorithm, " + std::to_string(scenes) + " scenes",
+                stick_slip_head(),
+                {},
+                ""};
+    bool good = true;
+    const auto add = [&](const std::string& what, const StickSlipSurvey& survey) {
+        table.rows.push_back(row_of(what, survey));
+        good = good && survey.differently.empty();
+        for (const std::string& line : survey.differently) table.note += "\nDifferently, " + what + ": " + line;
+    };
+    for (const double tolerance : {1e-6, 1e-8, 1e-10, 1e-12}) {
+        const std::string at = ", tolerance " + digits(tolerance, "%.0e");
+        const StickSlipSurvey rest = from_rest(sample, 10, tolerance), orbits = on_orbits(sample, tolerance);
+        if (tolerance > 1e-12) {
+            table.rows.push_back(row_of("ten periods from rest" + at, rest));
+            table.rows.push_back(row_of("on the orbits" + at, orbits));
+        } else {
+            add("ten periods from rest" + at, rest);
+            add("on the orbits" + at, orbits);
+        }
+    }
+    const StickSlipSurvey wide = against_50_digits(sample);
+    add("orbits, double against 50 digits", wide);
+    return {{table}, good && wide.over_bound.error <= 1};
+}
+
+/// Prints and writes the tables.
+bool publish(const std::string& name, const Outcome& outcome, const std::string& directory) {
+    std::string text;
+    for (const Table& table : outcome.tables) text += markdown(table);
+    std::fputs(text.c_str(), stdout);
+    if (!outcome.good) std::puts("A gate failed.");
+    if (directory.empty()) return outcome.good;
+    std::filesystem::create_directories(directory);
+    std::ofstream file(std::filesystem::path(directory) / (name + ".md"));
+    file << text;
+    file.close();
+    if (!file) std::fprintf(stderr, "%s/%s.md cannot be written\n", directory.c_str(), name.c_str());
+    return outcome.good && file;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    CLI::App app{"Surveys of the time domain: accuracy and speed of its two solvers", "speed-accuracy"};
+    app.require_subcommand(1);
+    std::string directory;
+    int points = 10000, scenes = 200, repeats = 9;
+    bool good = true;
+    const auto add = [&](const char* name, const char* what, const std::function<Outcome()>& run) {
+        CLI::App* sub = app.add_subcommand(name, what);
+        sub->add_option("--output", directory, "Directory for the tables");
+        sub->callback([&good, &directory, name, run] { good = publish(name, run(), directory) && good; });
+        return sub;
+    };
+    add("regimes", "Regime by boundary formulas and by the exact solver", [&] { return regimes(points); })
+        ->add_option("--points", points, "How many points")
+        ->check(CLI::PositiveNumber);
+    add("cycles", "Where 200 cycles from rest are not the steady state", [] { return cycles(); });
+    add("tolerance", "Paper's algorithm against the closed form: error against tolerance", [] { return tolerance(); });
+    add("stick-slip", "Exact solver against the paper's algorithm and against 50 digits", [&] { return stick_slip(scenes); })
+        ->add_option("--scenes", scenes, "How many scenes")
+        ->check(CLI::PositiveNumber);
+    add("speed", "Time and digits against the paper's algorithm",
+        [&] {
+            return Outcome{{exact_solver_speed(repeats), usual_questions_speed(repeats)}, true};
+        })
+        ->add_option("--repeats", repeats, "Runs of which the median is taken")
+        ->check(CLI::PositiveNumber);
+    CLI11_PARSE(app, argc, argv);
+    return good ? 0 : 1;
+}
