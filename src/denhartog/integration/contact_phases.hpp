@@ -7,25 +7,21 @@
 #pragma once
 
 #include <algorithm>
-#include <boost/math/special_functions/fpclassify.hpp>
 #include <utility>
 
-#include "denhartog/errors.hpp"
 #include "denhartog/integration/exact_motion.hpp"
 #include "denhartog/integration/first_crossing.hpp"
 #include "denhartog/integration/linear_motion.hpp"
-#include "denhartog/model/number_text.hpp"
+#include "denhartog/model/point_rules.hpp"
 
 namespace denhartog {
 
 /// @brief Checks frequency and friction. @param e the excitation @throws InputError
 template <class T>
 void check(const Excitation<T>& e) {
-    using boost::math::isfinite;
-    if (!(e.r > 0) || !isfinite(e.r)) throw InputError("r", "must be positive and finite", number_to_text(e.r));
-    if (!(e.beta >= 0) || !isfinite(e.beta))
-        throw InputError("beta", "must be zero or positive, and finite", number_to_text(e.beta));
-    if (!(e.mu >= 1) || !isfinite(e.mu)) throw InputError("mu", "must be at least 1, and finite", number_to_text(e.mu));
+    check_frequency_ratio(e.r);
+    check_friction_ratio(e.beta);
+    check_static_friction(e.mu);
 }
 
 /// @brief How a phase ends.

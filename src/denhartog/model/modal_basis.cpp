@@ -10,7 +10,7 @@
 #include "denhartog/model/cholesky.hpp"
 #include "denhartog/model/modal_damping.hpp"
 #include "denhartog/model/natural_modes.hpp"
-#include "denhartog/model/number_text.hpp"
+#include "denhartog/model/point_rules.hpp"
 #include "denhartog/multiprecision.hpp"
 
 namespace denhartog {
@@ -104,8 +104,7 @@ ModalBasis<T> modal_basis(const System<T>& s) {
 
 template <class T>
 NonDimensionalMatrices<T> non_dimensional_matrices(const System<T>& s, const ModalBasis<T>& basis, const T& r) {
-    using std::isfinite;
-    if (!isfinite(r) || !(r > 0)) throw InputError("r", "must be positive and finite", number_to_text(r));
+    check_frequency_ratio(r);
     const std::size_t N = number_of_masses(s);
     const auto n = static_cast<Eigen::Index>(N);
     NonDimensionalMatrices<T> result{Matrix<T>::Zero(n, n), Matrix<T>::Zero(n, n), stiffness_matrix(s)};

@@ -1,13 +1,12 @@
 #include "denhartog/response/boundary.hpp"
 
 #include <algorithm>
-#include <boost/math/special_functions/fpclassify.hpp>
 
 #include "denhartog/bounded.hpp"
 #include "denhartog/errors.hpp"
 #include "denhartog/formulas/boundary.hpp"
 #include "denhartog/formulas/superposition.hpp"
-#include "denhartog/model/number_text.hpp"
+#include "denhartog/model/point_rules.hpp"
 #include "denhartog/multiprecision.hpp"
 #include "denhartog/response/friction_motion.hpp"
 #include "denhartog/response/maximum.hpp"
@@ -84,12 +83,6 @@ T instant_of_largest(const ModeSums<T>& s, std::size_t first, const std::vector<
     return global_maximum(curve, T(0), pi<T>()).instant;
 }
 
-template <class T>
-void check_mu(const T& mu) {
-    if (mu >= 1 && boost::math::isfinite(mu)) return;
-    throw InputError("mu", "must be at least 1, and finite", number_to_text(mu));
-}
-
 } // namespace
 
 template <class T>
@@ -101,7 +94,7 @@ T sliding_demand(const ModeSums<T>& s, const T& tau) {
 
 template <class T>
 Boundary<T> boundary_at(const ModeSums<T>& s, const T& mu, const T& instant, const std::vector<T>& instants) {
-    check_mu(mu);
+    check_static_friction(mu);
     std::vector<T> maxima;
     for (std::size_t i = 0; i < s.R.size(); ++i) maxima.push_back(s_d(s, i, instants[i]));
     const std::size_t j = s.contact.index;
@@ -125,7 +118,7 @@ Boundary<T> boundary_at(const ModeSums<T>& s, const T& mu, const T& instant, con
 
 template <class T>
 Boundary<T> boundary(const ModeSums<T>& s, const T& mu) {
-    check_mu(mu);
+    check_static_friction(mu);
     std::vector<T> squares, instants;
     for (const T& psi_ji : mode_shapes_at(s, s.contact)) squares.push_back(psi_ji * psi_ji);
     const T instant = instant_of_largest(s, 0, squares);

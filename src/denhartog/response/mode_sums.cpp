@@ -6,7 +6,7 @@
 #include "denhartog/bounded.hpp"
 #include "denhartog/errors.hpp"
 #include "denhartog/formulas/superposition.hpp"
-#include "denhartog/model/number_text.hpp"
+#include "denhartog/model/point_rules.hpp"
 #include "denhartog/multiprecision.hpp"
 
 namespace denhartog {
@@ -17,7 +17,7 @@ std::atomic<long> evaluations{0};
 template <class T>
 void check_arguments(const ModalBasis<T>& basis, Mass contact, Mass load, const T& r) {
     const std::size_t N = basis.r_n.size();
-    if (!(r > 0) || !boost::math::isfinite(r)) throw InputError("r", "must be positive and finite", number_to_text(r));
+    check_frequency_ratio(r);
     const std::string rule = "must be a mass from 1 to " + std::to_string(N);
     if (contact.index >= N) throw InputError("contact", rule, std::to_string(contact.index + 1));
     if (load.index >= N) throw InputError("load", rule, std::to_string(load.index + 1));

@@ -1,11 +1,10 @@
 #include "denhartog/response/regime.hpp"
 
-#include <boost/math/special_functions/fpclassify.hpp>
 #include <limits>
 #include <sstream>
 
 #include "denhartog/errors.hpp"
-#include "denhartog/model/number_text.hpp"
+#include "denhartog/model/point_rules.hpp"
 #include "denhartog/multiprecision.hpp"
 
 namespace denhartog {
@@ -48,12 +47,6 @@ std::string name(Regime regime) {
     case Regime::permanent_sticking: return "permanent_sticking";
     }
     return {};
-}
-
-template <class T>
-void check_friction_ratio(const T& beta) {
-    if (!(beta >= 0) || !boost::math::isfinite(beta))
-        throw InputError("beta", "must be zero or positive, and finite", number_to_text(beta));
 }
 
 template <class T>
@@ -101,10 +94,6 @@ RegimeAtPoint regime_at(const Boundary<T>& b, const T& beta, const BoundaryError
     return point;
 }
 
-template void check_friction_ratio(const double&);
-template void check_friction_ratio(const long double&);
-template void check_friction_ratio(const Real50&);
-template void check_friction_ratio(const Real100&);
 template Regime regime_of(const Boundary<double>&, const double&);
 template Regime regime_of(const Boundary<long double>&, const long double&);
 template Regime regime_of(const Boundary<Real50>&, const Real50&);

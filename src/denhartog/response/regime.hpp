@@ -67,8 +67,4 @@ template <class T>
 template <class T>
 [[nodiscard]] RegimeAtPoint regime_at(const Boundary<T>& boundary, const T& beta, const BoundaryError<T>& error);
 
-/// @brief Checks a friction ratio. @param beta friction ratio, Eq. (11) @throws InputError where it is negative or not finite
-template <class T>
-void check_friction_ratio(const T& beta);
-
 } // namespace denhartog

@@ -7,7 +7,7 @@
 #include <thread>
 
 #include "denhartog/errors.hpp"
-#include "denhartog/model/number_text.hpp"
+#include "denhartog/model/point_rules.hpp"
 #include "denhartog/response/map_column.hpp"
 
 namespace denhartog {
@@ -17,8 +17,7 @@ constexpr std::size_t most_points = std::size_t(1) << 28;
 
 void check_frequencies(const std::vector<double>& r) {
     if (r.empty()) throw InputError("r", "must have at least one value", "none");
-    for (const double each : r)
-        if (!(each > 0) || !std::isfinite(each)) throw InputError("r", "must be positive and finite", number_to_text(each));
+    for (const double each : r) check_frequency_ratio(each);
 }
 
 void check_request(const MapRequest& request, std::size_t N) {

@@ -6,11 +6,10 @@
 #include "denhartog/errors.hpp"
 #include "denhartog/formulas/motion.hpp"
 #include "denhartog/formulas/other_masses.hpp"
-#include "denhartog/model/number_text.hpp"
+#include "denhartog/model/point_rules.hpp"
 #include "denhartog/multiprecision.hpp"
 #include "denhartog/response/friction_motion.hpp"
 #include "denhartog/response/maximum.hpp"
-#include "denhartog/response/regime.hpp"
 
 namespace denhartog {
 namespace {

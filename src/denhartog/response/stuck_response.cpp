@@ -8,9 +8,8 @@
 #include "denhartog/errors.hpp"
 #include "denhartog/formulas/stuck.hpp"
 #include "denhartog/model/natural_modes.hpp"
-#include "denhartog/model/number_text.hpp"
+#include "denhartog/model/point_rules.hpp"
 #include "denhartog/multiprecision.hpp"
-#include "denhartog/response/regime.hpp"
 
 namespace denhartog {
 namespace {
@@ -29,15 +28,9 @@ T rounding(std::size_t modes) {
 }
 
 template <class T>
-void check_mu(const T& mu) {
-    if (mu >= 1 && boost::math::isfinite(mu)) return;
-    throw InputError("mu", "must be at least 1, and finite", number_to_text(mu));
-}
-
-template <class T>
 void check_arguments(const StuckConfiguration<T>& stuck, Mass contact, Mass load, const T& r) {
     const std::size_t N = stuck.masses.size() + 1;
-    if (!(r > 0) || !boost::math::isfinite(r)) throw InputError("r", "must be positive and finite", number_to_text(r));
+    check_frequency_ratio(r);
     if (load.index >= N) throw InputError("load", "must be one of the masses", std::to_string(load.index + 1));
     if (contact.index >= N) throw InputError("contact", "must be one of the masses", std::to_string(contact.index + 1));
     for (const Mass& k : stuck.masses)
@@ -177,7 +170,7 @@ std::optional<StuckChain<T>> stuck_chain(const System<T>& s, const StuckConfigur
 
 template <class T>
 StickingBoundary<T> sticking_boundary(const StuckResponse<T>& response, const std::optional<StuckChain<T>>& chain, const T& mu) {
-    check_mu(mu);
+    check_static_friction(mu);
     StickingBoundary<T> b{paper::sticking_limit(response.contact_load, mu), paper::sticking_limit(response.elastic_load, mu),
                           std::nullopt};
     if (!chain) return b;
@@ -190,7 +183,7 @@ StickingBoundary<T> sticking_boundary(const StuckResponse<T>& response, const st
 
 template <class T>
 std::optional<T> rest_interval(const StuckConfiguration<T>& stuck, const StuckResponse<T>& response, const T& mu, const T& beta) {
-    check_mu(mu);
+    check_static_friction(mu);
     check_friction_ratio(beta);
     const T margin = paper::sticking_margin(T(modulus(response.contact_load)), mu, beta);
     if (margin < 0) return std::nullopt;
