@@ -43,7 +43,11 @@ struct ContactPhases {
     LinearMotion<T> sliding, sticking;  ///< the two kinds of motion
     std::vector<T> w;                   ///< M^-1 e_j / r^2: accelerations that a unit force on the contact makes
     T inertia;                          ///< 1 / w_j
+    Matrix<T> stuck_momentum;           ///< phi^T M of the stuck configuration: its modal coordinates of a state
     std::vector<T> k_j, c_j, m_j;       ///< what the stuck modes bring to the contact: stiffness, damping, inertia
+    T load_per_energy;                  ///< bound of a derivative of the load on the contact over the energy norm of that order
+    T load_rest;                        ///< what the inertia of the others adds to that bound
+    T load_growth;                      ///< how fast the bound grows
     T direct;                           ///< part of the force that acts on the contact itself, 0 or 1
     T step;                             ///< a step that the search for events took
     std::vector<T> x, v;                ///< the state at the start of the phase
@@ -57,6 +61,7 @@ struct ContactPhases {
         sticking.resize(N - 1);
         w.resize(N);
         for (std::vector<T>* each : {&k_j, &c_j, &m_j}) each->resize(N - 1);
+        stuck_momentum = s.stuck.phi.transpose() * s.stuck.M;
         set(excitation);
     }
 
@@ -103,6 +108,23 @@ struct ContactPhases {
         }
         if (!closed_form) sticking.D = s.damping / e.r;
         sticking.prepare();
+        bound_load();
+    }
+
+    void bound_load() {
+        T force(0), stiffness(0), damping(0), inertial(0), fastest(0);
+        for (std::size_t i = 0; i + 1 < N; ++i) {
+            const T k = k_j[i] / sticking.omega_0[i];
+            force += sticking.F[i] * sticking.F[i];
+            stiffness += k * k;
+            damping += c_j[i] * c_j[i];
+            inertial += m_j[i] * m_j[i];
+            fastest = std::max(fastest, T(sticking.omega_0[i] + 2 * sticking.decay[i]));
+        }
+        if (sticking.coupled()) fastest += sticking.D.cwiseAbs().rowwise().sum().maxCoeff();
+        load_per_energy = sqrt(stiffness) + sqrt(damping) + fastest * sqrt(inertial);
+        load_rest = sqrt(T(inertial * force));
+        load_growth = load_per_energy * sqrt(force);
     }
 
     // The state (x, v) at the start of a phase, taken into the coordinates of its motion.
@@ -113,10 +135,8 @@ struct ContactPhases {
             for (std::size_t i = 0; i + 1 < N; ++i) {
                 T q(0), p(0);
                 for (std::size_t k = 0; k + 1 < N; ++k) {
-                    T momentum(0);
-                    for (std::size_t n = 0; n + 1 < N; ++n) momentum += s.phi(n, i) * s.M(n, k);
-                    q += momentum * x[s.masses[k].index];
-                    p += momentum * v[s.masses[k].index];
+                    q += stuck_momentum(i, k) * x[s.masses[k].index];
+                    p += stuck_momentum(i, k) * v[s.masses[k].index];
                 }
                 sticking.q[0][i] = q;
                 sticking.q[1][i] = p;
@@ -182,23 +202,14 @@ struct ContactPhases {
         const T& x_j = x[system->contact.index];
         const T k_jj = system->stuck.k_jj;
         Jet<T> jet{{direct * c - k_jj * x_j, -direct * s, -direct * c, direct * s}, direct, T(0), abs(k_jj * x_j) + direct};
-        T force(0), stiffness(0), damping(0), inertial(0), fastest(0);
         for (std::size_t i = 0; i + 1 < N; ++i) {
             for (int m = 0; m < 4; ++m)
                 jet.f[m] -= k_j[i] * sticking.q[m][i] + c_j[i] * sticking.q[m + 1][i] + m_j[i] * sticking.q[m + 2][i];
             jet.noise += abs(k_j[i] * sticking.q[0][i]) + abs(c_j[i] * sticking.q[1][i]) + abs(m_j[i] * sticking.q[2][i]);
-            force += sticking.F[i] * sticking.F[i];
-            const T k = k_j[i] / sticking.omega_0[i];
-            stiffness += k * k;
-            damping += c_j[i] * c_j[i];
-            inertial += m_j[i] * m_j[i];
-            fastest = std::max(fastest, T(sticking.omega_0[i] + 2 * sticking.decay[i]));
         }
         if (N > 1) {
-            if (sticking.coupled()) fastest += sticking.D.cwiseAbs().rowwise().sum().maxCoeff();
-            const T weight = sqrt(stiffness) + sqrt(damping) + fastest * sqrt(inertial);
-            jet.bound += weight * sticking.energy_norm(4) + sqrt(T(inertial * force));
-            jet.growth = weight * sqrt(force);
+            jet.bound += load_per_energy * sticking.energy_norm(4) + load_rest;
+            jet.growth = load_growth;
         }
         jet.noise *= std::numeric_limits<T>::epsilon();
         return jet;

@@ -77,9 +77,8 @@ struct Deviations {
             others_x.row(n) = dx.row(s.masses[n].index);
             others_v.row(n) = dv.row(s.masses[n].index);
         }
-        const Matrix<T> momentum = s.phi.transpose() * s.M;
-        dq = momentum * others_x;
-        dp = momentum * others_v;
+        dq = phases.stuck_momentum * others_x;
+        dp = phases.stuck_momentum * others_v;
         Matrix<T> at_rest(N - 1, 2 * N); // where the stuck modes would rest for the shifted contact
         for (std::size_t i = 0; i + 1 < N; ++i) at_rest.row(i) = -phases.k_j[i] / (s.r_n[i] * s.r_n[i]) * dx.row(j);
         dq -= at_rest;

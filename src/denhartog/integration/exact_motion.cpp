@@ -36,6 +36,7 @@ ContactSystem<T> contact_system(const System<T>& s) {
     }
     return out;
 }
+
 /// @brief What the solver computes with.
 template <class T>
 struct ExactSolver<T>::Work : ContactPhases<T> {
