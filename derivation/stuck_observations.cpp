@@ -194,8 +194,9 @@ std::vector<InvariantPoint<double>> points_of_first_mass() {
 Outcome all_by_87() {
     Outcome outcome;
     const StuckSystem s = equal_chain(2, 2, 1, 0);
+    const std::vector<InvariantPoint<double>> points = points_of_first_mass();
     long others = 0;
-    for (const InvariantPoint<double>& point : points_of_first_mass()) {
+    for (const InvariantPoint<double>& point : points) {
         const ModeSums<double> m = sums_of(s, {0, 0}, point.r);
         const double limit = boundary(m, 1.0).exact;
         double spread = 0;
@@ -214,7 +215,7 @@ Outcome all_by_87() {
                            {"U_k", text(m.U[0])}};
     }
     if (others > 0) outcome.verdict = Verdict::refuted;
-    outcome.witness.emplace_back("points", std::to_string(points_of_first_mass().size()));
+    outcome.witness.emplace_back("points", std::to_string(points.size()));
     outcome.witness.emplace_back("of them not by (87)", std::to_string(others));
     return outcome;
 }
