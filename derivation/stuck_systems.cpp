@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "denhartog/errors.hpp"
+#include "denhartog/model/paper_systems.hpp"
 
 namespace denhartog::derivation {
 namespace {
@@ -17,16 +18,10 @@ StuckSystem prepared(const std::string& name, bool of_the_paper, const System<do
 } // namespace
 
 StuckSystem equal_chain(std::size_t N, std::size_t j, std::size_t l, double zeta) {
-    System<double> s;
-    s.mass_ratios.assign(N, 1);
-    s.stiffness_ratios.assign(N, 1);
-    s.damping_ratios.assign(N, zeta);
-    s.contact = Mass{j - 1};
-    s.load = Mass{l - 1};
     std::string name =
         std::to_string(N) + "DOF j=" + std::to_string(j) + " l=" + std::to_string(l) + " zeta=" + std::to_string(zeta);
     name.erase(name.find_last_not_of('0') + 1);
-    return prepared(name, false, s);
+    return prepared(name, false, denhartog::equal_chain<double>(N, j, l, std::vector<double>(N, zeta)));
 }
 
 const std::vector<StuckSystem>& stuck_systems() {

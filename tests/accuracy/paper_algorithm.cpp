@@ -5,7 +5,7 @@
 #include "denhartog/number.hpp"
 #include "tests/catch.hpp"
 #include "tests/speed_accuracy/cycles_survey.hpp"
-#include "tests/speed_accuracy/systems.hpp"
+#include "denhartog/model/paper_systems.hpp"
 #include "tests/speed_accuracy/tolerance_survey.hpp"
 
 using namespace denhartog;

@@ -11,7 +11,7 @@
 #include "denhartog/response/response.hpp"
 #include "denhartog/response/solve.hpp"
 #include "tests/catch.hpp"
-#include "tests/speed_accuracy/systems.hpp"
+#include "denhartog/model/paper_systems.hpp"
 
 using namespace denhartog;
 using namespace denhartog::tests;

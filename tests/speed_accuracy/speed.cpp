@@ -12,7 +12,7 @@
 #include "denhartog/response/regime_map.hpp"
 #include "denhartog/response/scene_source.hpp"
 #include "denhartog/response/solve.hpp"
-#include "tests/speed_accuracy/systems.hpp"
+#include "denhartog/model/paper_systems.hpp"
 
 namespace denhartog::tests {
 namespace {

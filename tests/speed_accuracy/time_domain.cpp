@@ -9,7 +9,7 @@
 #include "tests/speed_accuracy/regime_survey.hpp"
 #include "tests/speed_accuracy/speed.hpp"
 #include "tests/speed_accuracy/stick_slip_survey.hpp"
-#include "tests/speed_accuracy/systems.hpp"
+#include "denhartog/model/paper_systems.hpp"
 #include "tests/speed_accuracy/tolerance_survey.hpp"
 
 using namespace denhartog::tests;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "denhartog/model/paper_systems.hpp"
 #include "denhartog/multiprecision.hpp"
 
 namespace denhartog {
@@ -43,17 +44,6 @@ std::string decimal(int numerator, int denominator) {
     text.erase(text.find_last_not_of('0') + 1);
     if (text.back() == '.') text.pop_back();
     return text;
-}
-
-template <class T>
-System<T> equal_chain(std::size_t N, std::size_t j, std::size_t l, const std::vector<T>& zeta) {
-    System<T> s;
-    s.mass_ratios.assign(N, T(1));
-    s.stiffness_ratios.assign(N, T(1));
-    s.damping_ratios = zeta;
-    s.contact = Mass{j - 1};
-    s.load = Mass{l - 1};
-    return s;
 }
 
 /// A point of the figures in hundredths of r and of beta.
@@ -197,18 +187,16 @@ std::vector<NamedScene<T>> paper_scenes() {
     }();
     for (int thousandths : {1, 10, 100}) {
         const T zeta = fraction<T>(thousandths, 1000);
-        add_points(scenes, "SDOF zeta=" + decimal(thousandths, 1000), equal_chain<T>(1, 1, 1, {zeta}), grid);
+        add_points(scenes, "SDOF zeta=" + decimal(thousandths, 1000), single_mass(zeta), grid);
     }
     for (int thousandths : {1, 10, 100}) {
         const T z = fraction<T>(thousandths, 1000);
-        const T first = (sqrt(T(5)) - 1) / 2, second = (sqrt(T(5)) + 1) / 2; // r_n of two equal masses and springs
-        add_points(scenes, "2DOF j=2 l=1 zeta_i=" + decimal(thousandths, 1000) + "/r_n,i",
-                   equal_chain<T>(2, 2, 1, {T(z / first), T(z / second)}), grid);
+        add_points(scenes, "2DOF j=2 l=1 zeta_i=" + decimal(thousandths, 1000) + "/r_n,i", two_masses(z), grid);
     }
     for (int j : {1, 3})
         for (int hundredths : {1, 10})
             add_points(scenes, "5DOF j=" + std::to_string(j) + " l=1 zeta=" + decimal(hundredths, 100),
-                       equal_chain<T>(5, static_cast<std::size_t>(j), 1, std::vector<T>(5, fraction<T>(hundredths, 100))),
+                       five_masses(static_cast<std::size_t>(j), fraction<T>(hundredths, 100)),
                        {{90, 20}});
     return scenes;
 }

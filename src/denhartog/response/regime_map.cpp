@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <exception>
 #include <mutex>
-#include <thread>
 
 #include "denhartog/errors.hpp"
 #include "denhartog/model/point_rules.hpp"
+#include "denhartog/parallel.hpp"
 #include "denhartog/response/map_column.hpp"
 
 namespace denhartog {
@@ -57,32 +56,18 @@ RegimeMap regime_map(const Scene<double>& scene, const MapRequest& request, cons
     RegimeMap map;
     map.points.resize(request.r.size() * rows);
     map.amplitudes.assign(map.points.size() * masses, std::nan(""));
-    std::atomic<std::size_t> next{0};
-    std::atomic<bool> failed{false};
     std::mutex mutex;
     std::size_t columns_done = 0;
-    std::exception_ptr fault;
-    const auto work = [&] {
-        try {
-            for (std::size_t m = next++; m < request.r.size() && !stop && !failed; m = next++) {
-                compute_column(shared, request.r[m], stop, std::span(map.points).subspan(m * rows, rows),
-                               std::span(map.amplitudes).subspan(m * rows * masses, rows * masses));
-                if (stop) return;
-                const std::lock_guard<std::mutex> lock(mutex);
-                ++columns_done;
-                if (done) done(columns_done);
-            }
-        } catch (...) {
-            const std::lock_guard<std::mutex> lock(mutex);
-            if (!fault) fault = std::current_exception();
-            failed = true;
-        }
-    };
-    std::vector<std::thread> others;
-    for (unsigned n = 1; n < std::min<std::size_t>(request.threads, request.r.size()); ++n) others.emplace_back(work);
-    work();
-    for (std::thread& other : others) other.join();
-    if (fault) std::rethrow_exception(fault);
+    parallel_for(request.r.size(), request.threads, [&](std::size_t m) {
+        if (stop) return false;
+        compute_column(shared, request.r[m], stop, std::span(map.points).subspan(m * rows, rows),
+                       std::span(map.amplitudes).subspan(m * rows * masses, rows * masses));
+        if (stop) return false;
+        const std::lock_guard<std::mutex> lock(mutex);
+        ++columns_done;
+        if (done) done(columns_done);
+        return true;
+    });
     map.complete = columns_done == request.r.size();
     return map;
 }

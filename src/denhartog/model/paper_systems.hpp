@@ -1,14 +1,15 @@
 /// @file
-/// @brief The paper's systems, as the surveys use them.
+/// @brief The paper's systems: chains of equal masses and springs, Figs. 4 to 12.
 #pragma once
 
 #include <cmath>
+#include <cstddef>
 #include <string>
 #include <vector>
 
 #include "denhartog/model/scene.hpp"
 
-namespace denhartog::tests {
+namespace denhartog {
 
 /// @brief A system with its name.
 template <class T>
@@ -70,4 +71,4 @@ template <class T>
             {"5DOF j=3 l=1", five_masses<T>(3, zeta)}};
 }
 
-} // namespace denhartog::tests
+} // namespace denhartog
