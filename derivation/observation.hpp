@@ -1,0 +1,42 @@
+/// @file
+/// @brief Statements of the text as claims: measured, proved or refuted.
+///
+/// A verdict that is unknown says: searched, and no counterexample met; the witness has the largest departure and the number of
+/// cases.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "claim.hpp"
+#include "witness.hpp"
+
+namespace denhartog::derivation {
+
+/// @brief A claim with Role::observation.
+/// @param id           unique name
+/// @param equations    the equations it speaks of
+/// @param title        one sentence, with what a vague word is taken to mean
+/// @param assumptions  the range
+/// @param check        decides it
+/// @return             the claim
+[[nodiscard]] Claim observation(std::string id, std::vector<std::string> equations, std::string title,
+                                std::vector<std::string> assumptions, std::function<Outcome()> check);
+
+/// @brief A number in a sentence. @param x a number @return three digits
+[[nodiscard]] std::string rounded(double x);
+
+/// @brief The largest of many numbers, and where it was met.
+struct Worst {
+    double error = -1; ///< the largest
+    Witness place;     ///< where
+    /// @brief Takes a place if its error is larger. @param e its error @param where the place
+    void take(double e, const std::function<Witness()>& where) {
+        if (!(e > error)) return;
+        error = e;
+        place = where();
+    }
+};
+
+} // namespace denhartog::derivation
