@@ -1,6 +1,7 @@
 #include "observed_systems.hpp"
 
 #include <algorithm>
+#include <boost/math/tools/minima.hpp>
 #include <cmath>
 
 #include "denhartog/formulas/boundary.hpp"
@@ -77,19 +78,9 @@ std::optional<Peak> peak_near(const ObservedSystem& s, std::size_t k, std::size_
     for (std::size_t n = 1; n + 1 < r.size(); ++n)
         if (x[n] >= x[n - 1] && x[n] >= x[n + 1] && (!best || x[n] > x[*best])) best = n;
     if (!best) return std::nullopt;
-    double a = r[*best - 1], b = r[*best + 1];
-    const double golden = (std::sqrt(5.0) - 1) / 2;
-    double c = b - golden * (b - a), d = a + golden * (b - a), X_c = X(c), X_d = X(d);
-    while (b - a > 1e-9 * r_n[i]) {
-        if (X_c > X_d) {
-            b = d, d = c, X_d = X_c;
-            c = b - golden * (b - a), X_c = X(c);
-        } else {
-            a = c, c = d, X_c = X_d;
-            d = a + golden * (b - a), X_d = X(d);
-        }
-    }
-    const double at = (a + b) / 2;
+    const int bits = 30; // near a maximum no more of its place is to be had: half the digits of a double, and a few
+    const auto minus_X = [&](double r_at) { return -X(r_at); };
+    const double at = boost::math::tools::brent_find_minima(minus_X, r[*best - 1], r[*best + 1], bits).first;
     const ModeSums<double> m = sums_at(s, at);
     if (!(beta < boundary(m, 1.0).exact)) return std::nullopt;
     return Peak{at, monoharmonic_amplitude(m, k, beta)};

@@ -47,7 +47,7 @@ struct Peak {
     double X; ///< its height
 };
 
-/// @brief The local maximum of (52) next to a natural frequency ratio, by a scan and a golden section.
+/// @brief The local maximum of (52) next to a natural frequency ratio, by a scan and Brent's method.
 ///
 /// Looked for within three tenths of the resonance, but no farther than nearly half the way to the next one.
 /// @param s     a system

@@ -2,24 +2,17 @@
 #include <algorithm>
 #include <cmath>
 
-#include "claim.hpp"
 #include "denhartog/formulas/other_masses.hpp"
 #include "denhartog/formulas/stuck.hpp"
 #include "denhartog/response/invariant_points.hpp"
 #include "denhartog/response/steady_state.hpp"
+#include "observation.hpp"
+#include "observed_systems.hpp"
 #include "stuck_systems.hpp"
-#include "witness.hpp"
 
 namespace denhartog::derivation {
 
 namespace {
-
-/// A number in a sentence.
-std::string rounded(double x) {
-    char buffer[32];
-    std::snprintf(buffer, sizeof buffer, "%.3g", x);
-    return buffer;
-}
 
 Witness place(const StuckSystem& s, double r) { return {{"system", s.name}, {"r", text(r)}}; }
 
@@ -132,12 +125,6 @@ Outcome high_frequency() {
     return outcome;
 }
 
-/// The monoharmonic amplitude (52) of a mass at a fraction of the boundary.
-double monoharmonic(const ModeSums<double>& m, std::size_t k, double beta) {
-    const std::size_t j = m.contact.index;
-    return paper::displacement_transmissibility(m.V[k], m.V[j], m.U[j], m.U[k], m.G[k], beta);
-}
-
 ModeSums<double> sums_of(const StuckSystem& s, const std::vector<double>& zeta, double r) {
     ModalBasis<double> basis = s.basis;
     basis.zeta = zeta;
@@ -171,7 +158,7 @@ Outcome damped_invariant_point() {
     Outcome outcome;
     double spread = 0;
     for (const double fraction : {0.125, 0.25, 0.5, 0.75, 0.96875})
-        spread = std::max(spread, std::abs(monoharmonic(m, 0, fraction * limit) / modulus(m.V[0]) - 1));
+        spread = std::max(spread, std::abs(monoharmonic_amplitude(m, 0, fraction * limit) / modulus(m.V[0]) - 1));
     outcome.witness = {{"system", "2DOF j=2 l=1"},
                        {"mass", "1"},
                        {"r", text(r)},
@@ -201,7 +188,7 @@ Outcome all_by_87() {
         const double limit = boundary(m, 1.0).exact;
         double spread = 0;
         for (const double fraction : {0.25, 0.5, 0.75})
-            spread = std::max(spread, std::abs(monoharmonic(m, 0, fraction * limit) / point.amplitude - 1));
+            spread = std::max(spread, std::abs(monoharmonic_amplitude(m, 0, fraction * limit) / point.amplitude - 1));
         outcome.steps.push_back(
             {"r = " + rounded(point.r) + ", amplitude " + rounded(point.amplitude) + ", spread over beta " + rounded(spread) +
                  (point.kind == InvariantPointKind::two_effects_cancel ? ", by (87)" : ", U_k = 0, not by (87)"),

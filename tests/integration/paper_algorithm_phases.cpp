@@ -12,11 +12,6 @@ using namespace denhartog::tests;
 
 namespace {
 
-Scene<double> with_beta(Scene<double> scene, double beta) {
-    scene.beta = beta;
-    return scene;
-}
-
 PaperSettings settings_with(double tolerance, int cycles) {
     PaperSettings settings;
     settings.absolute_tolerance = tolerance;

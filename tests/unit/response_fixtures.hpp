@@ -6,6 +6,7 @@
 #include <complex>
 #include <vector>
 
+#include "denhartog/model/stuck_configuration.hpp"
 #include "denhartog/response/response.hpp"
 
 namespace denhartog::tests {
@@ -32,6 +33,18 @@ inline Scene<double> oscillator(double zeta, double r, double mu = 1) { return c
 template <class T = double>
 Scene<T> three_masses(double r = 1.125) {
     return chain<T>({1, 2.5, 0.75}, {1, 0.625, 1.875}, {0.03125, 0.0625, 0.09375}, 2, 1, 1.375, r);
+}
+
+/// @brief A scene at a friction ratio.
+inline Scene<double> with_beta(Scene<double> scene, double beta) {
+    scene.beta = beta;
+    return scene;
+}
+
+/// @brief The stuck configuration of a system.
+template <class T>
+StuckConfiguration<T> stuck_of(const System<T>& s) {
+    return stuck_configuration(s, modal_basis(s));
 }
 
 /// @brief Modes of a scene at its frequency ratio.

@@ -10,11 +10,6 @@ using namespace denhartog::tests;
 
 namespace {
 
-Scene<double> with_beta(Scene<double> scene, double beta) {
-    scene.beta = beta;
-    return scene;
-}
-
 Solution asking(const Scene<double>& scene, Asked asked, std::optional<int> digits = std::nullopt) {
     return solve(scene_source(scene), {asked, digits, false});
 }

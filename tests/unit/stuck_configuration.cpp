@@ -14,11 +14,6 @@ using namespace denhartog::tests;
 
 namespace {
 
-template <class T>
-StuckConfiguration<T> stuck_of(const System<T>& s) {
-    return stuck_configuration(s, modal_basis(s));
-}
-
 System<double> equal_chain(std::size_t N, std::size_t j, double zeta) {
     const std::vector<double> ones(N, 1.0);
     return chain(ones, ones, std::vector<double>(N, zeta), j, 1, 1, 1).system;

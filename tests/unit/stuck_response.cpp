@@ -18,11 +18,6 @@ using namespace denhartog::tests;
 namespace {
 
 template <class T>
-StuckConfiguration<T> stuck_of(const System<T>& s) {
-    return stuck_configuration(s, modal_basis(s));
-}
-
-template <class T>
 StuckResponse<T> response_of(const Scene<T>& scene) {
     return stuck_response(stuck_of(scene.system), scene.system.contact, scene.system.load, *scene.r);
 }
