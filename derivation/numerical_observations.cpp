@@ -5,7 +5,7 @@
 
 #include "denhartog/integration/paper_algorithm.hpp"
 #include "denhartog/integration/periodic_orbit.hpp"
-#include "denhartog/response/regime.hpp"
+#include "denhartog/response/regime_seen.hpp"
 #include "observed_systems.hpp"
 
 namespace denhartog::derivation {
@@ -139,11 +139,6 @@ Outcome most_converge_early() {
     return outcome;
 }
 
-Regime regime_of(const PaperMotion& motion) {
-    if (motion.rests) return Regime::permanent_sticking;
-    return motion.stops.empty() ? Regime::continuous : Regime::stick_slip;
-}
-
 /// The regime of the steady motion from rest by the exact solver.
 std::string steady_regime(const ComparedPoint& p) {
     for (const ObservedSystem& s : systems_of_the_paper()) {
@@ -162,7 +157,7 @@ Outcome regimes_agree() {
     Outcome outcome;
     long tried = 0, differ = 0;
     for (const ComparedPoint& p : compared_points()) {
-        const Regime predicted = denhartog::regime_of(p.boundary, p.beta), numerical = regime_of(p.numerical);
+        const Regime predicted = denhartog::regime_of(p.boundary, p.beta), numerical = regime_seen(p.numerical);
         ++tried;
         if (predicted == numerical) continue;
         ++differ;

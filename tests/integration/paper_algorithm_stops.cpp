@@ -6,6 +6,8 @@
 
 #include "denhartog/integration/exact_cycles.hpp"
 #include "denhartog/integration/half_period.hpp"
+#include "denhartog/model/paper_systems.hpp"
+#include "denhartog/response/regime_seen.hpp"
 #include "tests/catch.hpp"
 #include "tests/unit/response_fixtures.hpp"
 
@@ -238,10 +240,25 @@ TEST_CASE("grazing is decided and passed: at the boundary of sliding and where t
     }
 }
 
+TEST_CASE("a stop that has not ended by the final time is no sliding", "[eq:74][paper-algorithm]") {
+    Scene<double> scene;
+    scene.system = two_masses(0.001);
+    scene.r = 2.8;
+    scene.beta = 0.2;
+    const PaperMotion motion = paper_algorithm(scene);
+    REQUIRE(motion.status == IntegrationStatus::complete);
+    CHECK(motion.stops.empty());
+    CHECK_FALSE(motion.rests);
+    CHECK_FALSE(motion.slides);
+    CHECK_FALSE(motion.masses[1].phase);
+    CHECK(regime_seen(motion) == Regime::stick_slip);
+}
+
 TEST_CASE("without friction the contact never sticks and the motion is harmonic", "[eq:6][paper-algorithm]") {
     const Scene<double> scene = with_beta(three_masses(), 0);
     const PaperMotion motion = paper_algorithm(scene);
     const Eigen::VectorXcd X = harmonic_response(matrices_of(scene), 0);
     CHECK(motion.stops.empty());
+    CHECK(regime_seen(motion) == Regime::continuous);
     for (int k = 0; k < 3; ++k) CHECK(std::abs(motion.masses[static_cast<std::size_t>(k)].amplitude - std::abs(X(k))) <= 1e-5);
 }

@@ -66,6 +66,7 @@ void LastPeriod::write(PaperMotion& motion) const {
     motion.stops = stops_;
     std::ranges::sort(motion.stops, {}, &Stop<double>::start);
     motion.rests = rests_;
+    motion.slides = slides_throughout_;
     for (const DisplacementRange& range : ranges_) {
         motion.masses.push_back({range.amplitude, std::nullopt});
         if (slides_throughout_ && range.largest > range.smallest) motion.masses.back().phase = wrapped(range.instant);

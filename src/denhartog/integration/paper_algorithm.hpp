@@ -65,6 +65,7 @@ struct PaperMotion {
     /// before it is given one period later, so that starts are not negative where a stop is shorter than a period.
     std::vector<Stop<double>> stops;
     bool rests = false;                 ///< the contact rests all through the last period; `stops` then has that rest alone
+    bool slides = false;                ///< it rests at no time of the last period, nor in a stop that has not ended by its end
     State<double> end;                  ///< the state at the final time
     std::vector<ContactPeriod> history; ///< of every period, where asked for
     std::vector<double> sample_times;   ///< instants asked for, from the start of the last period

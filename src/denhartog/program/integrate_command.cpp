@@ -9,7 +9,7 @@
 #include "denhartog/program/files.hpp"
 #include "denhartog/program/number_json.hpp"
 #include "denhartog/program/table.hpp"
-#include "denhartog/response/regime.hpp"
+#include "denhartog/response/regime_seen.hpp"
 #include "denhartog/response/scene_source.hpp"
 
 namespace denhartog::program {
@@ -30,10 +30,6 @@ std::string name(IntegrationStatus status) {
     case IntegrationStatus::overflow: return "overflow";
     }
     return {};
-}
-
-Regime regime_seen(const PaperMotion& m) {
-    return m.rests ? Regime::permanent_sticking : m.stops.empty() ? Regime::continuous : Regime::stick_slip;
 }
 
 Json mass_json(std::size_t k, const PaperMassMotion& m) {
