@@ -1,5 +1,6 @@
 // The forms that callers get, each equal to the paper's formula as a function of its symbols.
 #include "denhartog/evaluation/mode.hpp"
+#include "denhartog/evaluation/resonance.hpp"
 
 #include "claim.hpp"
 #include "symbols.hpp"
@@ -26,16 +27,14 @@ const Register registered([] {
          .role = Role::shipped,
          .title = "Mode functions in decaying exponentials and half angles",
          .assumptions = domain,
-         .kernel =
-             [&s, values] { return values(evaluation::mode_functions_half_angle(Symbolic(s.R), Symbolic(s.zeta))); },
+         .kernel = [&s, values] { return values(evaluation::mode_functions_half_angle(Symbolic(s.R), Symbolic(s.zeta))); },
          .derived = paper_functions},
         {.id = "evaluation/small-argument",
          .equations = {"28", "29", "23"},
          .role = Role::shipped,
          .title = "Mode functions with the numerator of (29) as a sum of positive terms",
          .assumptions = domain,
-         .kernel =
-             [&s, values] { return values(evaluation::mode_functions_small_argument(Symbolic(s.R), Symbolic(s.zeta))); },
+         .kernel = [&s, values] { return values(evaluation::mode_functions_small_argument(Symbolic(s.R), Symbolic(s.zeta))); },
          .derived = paper_functions},
         {.id = "evaluation/one-minus-w",
          .equations = {"28", "29"},
@@ -58,9 +57,62 @@ const Register registered([] {
          .derived =
              [&s] {
                  const ex value =
-                     paper::friction_motion(Symbolic(s.tau), Symbolic(s.R), Symbolic(s.zeta), Symbolic(s.u), Symbolic(s.g)).expression();
+                     paper::friction_motion(Symbolic(s.tau), Symbolic(s.R), Symbolic(s.zeta), Symbolic(s.u), Symbolic(s.g))
+                         .expression();
                  const GiNaC::symbol& tau = GiNaC::ex_to<GiNaC::symbol>(s.tau);
                  return std::vector<ex>{value, value.diff(tau), value.diff(tau, 2)};
+             }},
+        {.id = "evaluation/second-function-at-resonance",
+         .equations = {"79", "80"},
+         .role = Role::shipped,
+         .title = "(79) and (80) as hyperbolic cotangents of half the argument",
+         .assumptions = {"zeta_i > 0"},
+         .kernel =
+             [&s] {
+                 return Values{evaluation::second_damping_function_at_resonance(Symbolic(s.zeta)),
+                               evaluation::second_damping_function_at_resonance(Symbolic(s.psi_ki), Symbolic(s.psi_ji),
+                                                                                Symbolic(s.zeta))};
+             },
+         .derived =
+             [&s] {
+                 return std::vector<ex>{paper::second_damping_function_at_resonance(Symbolic(s.zeta)).expression(),
+                                        paper::second_damping_function_at_resonance(Symbolic(s.psi_ki), Symbolic(s.psi_ji),
+                                                                                    Symbolic(s.zeta))
+                                            .expression()};
+             }},
+        {.id = "evaluation/peak",
+         .equations = {"83", "84"},
+         .role = Role::shipped,
+         .title = "The resonant peak as a cotangent times the distance from (85)",
+         .assumptions = {"zeta_i > 0"},
+         .kernel =
+             [&s] {
+                 return Values{evaluation::resonant_peak(Symbolic(s.psi_ki), Symbolic(s.psi_li), Symbolic(s.psi_ji),
+                                                         Symbolic(s.zeta), Symbolic(s.beta)),
+                               evaluation::resonant_peak_of_single_mass(Symbolic(s.zeta), Symbolic(s.beta))};
+             },
+         .derived =
+             [&s] {
+                 return std::vector<ex>{paper::resonant_peak(Symbolic(s.psi_ki), Symbolic(s.psi_li), Symbolic(s.psi_ji),
+                                                             Symbolic(s.zeta), Symbolic(s.beta))
+                                            .expression(),
+                                        paper::resonant_peak_of_single_mass(Symbolic(s.zeta), Symbolic(s.beta)).expression()};
+             }},
+        {.id = "evaluation/limit-at-resonance",
+         .equations = {"85"},
+         .role = Role::shipped,
+         .title = "(85) with sinh(x) / x, which has a value at zeta = 0",
+         .assumptions = {"zeta_i > 0", "psi_ji not zero"},
+         .kernel =
+             [&s] {
+                 return Values{evaluation::friction_ratio_limit_at_resonance(Symbolic(s.psi_li), Symbolic(s.psi_ji),
+                                                                             Symbolic(s.zeta))};
+             },
+         .derived =
+             [&s] {
+                 const Symbolic psi_li(s.psi_li), psi_ji(s.psi_ji);
+                 return std::vector<ex>{
+                     paper::friction_ratio_limit_at_resonance(psi_li, psi_ji, Symbolic(s.zeta)).expression()};
              }},
     };
 });

@@ -12,8 +12,7 @@ using ledger::Json;
 namespace {
 
 // From the best to the worst.
-const std::vector<std::string> verdicts = {"not_applicable", "definition", "proved", "approximation",
-                                           "pending",        "unknown",    "refuted"};
+const std::vector<std::string> verdicts = {"not_applicable", "definition", "proved", "approximation", "unknown", "refuted"};
 const std::vector<std::string> departures = {"none", "scan", "convention", "misprint", "substance"};
 const std::set<std::string> roles = {"both", "printed", "shipped", "step", "observation"};
 
@@ -36,7 +35,6 @@ struct Gathered {
     bool function = false;                   ///< whether a formula is shipped
     int paper_functions = 0;                 ///< how many formulas are in the paper's own form
     bool definition = false;                 ///< definition or assumption
-    bool later = false;                      ///< Sections 3 and 4
 };
 
 using Faults = std::vector<std::string>;
@@ -53,11 +51,16 @@ void check_claims(const std::vector<ClaimResult>& claims, Faults& faults) {
         for (const std::string& equation : claim.equations)
             if (!has(ledger::equation_numbers(), equation))
                 faults.push_back(name + " speaks of equation " + equation + ", which is not in the paper");
-        if (!has(verdicts, claim.verdict)) faults.push_back(name + " has the verdict " + claim.verdict + ", which is no verdict");
+        if (claim.verdict == "measured") {
+            if (claim.role != "observation" || claim.witness.empty())
+                faults.push_back(name + " is measured and no observation that says what was searched");
+        } else if (!has(verdicts, claim.verdict)) {
+            faults.push_back(name + " has the verdict " + claim.verdict + ", which is no verdict");
+        }
         if (!has(departures, claim.departure))
             faults.push_back(name + " has the departure " + claim.departure + ", which is none");
         if (!roles.contains(claim.role)) faults.push_back(name + " has the role " + claim.role + ", which is no role");
-        if (claim.verdict == "unknown" && !(aside(claim) && !claim.witness.empty())) faults.push_back(name + " is unknown");
+        if (claim.verdict == "unknown") faults.push_back(name + " is unknown");
         if (claim.loss && !std::isfinite(*claim.loss)) faults.push_back(name + " has a loss that is not finite");
     }
 }
@@ -82,15 +85,13 @@ std::string worst(const std::vector<const ClaimResult*>& claims) {
 
 std::string printed_verdict(const Gathered& all) {
     if (!all.printed.empty()) return worst(all.printed);
-    if (all.definition && (!all.later || all.function)) return "definition";
-    return all.later ? "pending" : "unknown";
+    return all.definition ? "definition" : "unknown";
 }
 
 std::string shipped_verdict(const Gathered& all, const std::string& printed) {
     if (!all.shipped.empty()) return worst(all.shipped);
-    if (!all.function) return all.later ? "pending" : "not_applicable";
-    if (all.definition && printed != "refuted") return "definition";
-    return all.later ? "pending" : "unknown";
+    if (!all.function) return "not_applicable";
+    return all.definition && printed != "refuted" ? "definition" : "unknown";
 }
 
 /// Departure, correction, witness, loss and consequence of the printed form.
@@ -113,7 +114,7 @@ void judge_printed(Json& entry, const Gathered& all, const std::string& name, Fa
     entry["departure"] = departure;
     if (!refuted) {
         const std::string printed = entry.at("printed");
-        if (entry.at("loss").is_null() && printed != "pending" && printed != "unknown") entry["loss"] = 0.0;
+        if (entry.at("loss").is_null() && printed != "unknown") entry["loss"] = 0.0;
         return;
     }
     if (refuted_as == "none") faults.push_back("the printed form of " + name + " is refuted, but its departure is not said");
@@ -129,7 +130,6 @@ void judge_verdicts(const Json& entry, const Gathered& all, const std::string& n
     if (shipped == "unknown")
         faults.push_back(name + (all.shipped.empty() ? " has a formula and no claim on it" : " is unknown as shipped"));
     if (shipped == "refuted") faults.push_back(name + " is refuted as shipped");
-    if (!all.later && (printed == "pending" || shipped == "pending")) faults.push_back(name + " must not be pending");
 }
 
 void add_functions(Json& entry, const std::vector<FunctionEntry>& functions, Gathered& all) {
@@ -158,7 +158,7 @@ void add_tests(Json& entry, const LedgerParts& parts, const Gathered& all, const
             if (!fresh) place->second = place->second && run.passed;
         }
     for (const auto& [test, good] : passed) entry[good ? "tests" : "tests_failed"].push_back(test);
-    if (parts.results.found && all.function && !all.later && entry.at("tests").empty())
+    if (parts.results.found && all.function && entry.at("tests").empty())
         faults.push_back(name + " has a formula and no test that ran and passed");
 }
 
@@ -188,7 +188,7 @@ Json summary_of(const Json& entries, const LedgerParts& parts) {
     }
     summary["departure"] = Json::object();
     for (const std::string& departure : departures) summary["departure"][departure] = 0;
-    for (const char* key : {"refuted", "pending", "refuted_without_loss", "refuted_steps"}) summary[key] = Json::array();
+    for (const char* key : {"refuted", "refuted_without_loss", "refuted_steps"}) summary[key] = Json::array();
     int with_function = 0, with_test = 0;
     for (const Json& entry : entries) {
         for (const char* key : {"printed", "shipped", "departure"}) {
@@ -196,18 +196,18 @@ Json summary_of(const Json& entries, const LedgerParts& parts) {
             count = (count.is_null() ? 0 : count.get<int>()) + 1;
         }
         if (entry.at("printed") == "refuted") summary["refuted"].push_back(entry.at("equation"));
-        if (entry.at("printed") == "pending") summary["pending"].push_back(entry.at("equation"));
         if (entry.at("printed") == "refuted" && entry.at("loss").is_null())
             summary["refuted_without_loss"].push_back(entry.at("equation"));
         with_function += !entry.at("functions").empty();
         with_test += !entry.at("tests").empty();
     }
-    std::map<std::string, int> claims;
+    std::map<std::string, int> claims, observations;
     for (const ClaimResult& claim : parts.claims) {
-        ++claims[claim.verdict];
+        ++(claim.id.ends_with("/text") ? observations : claims)[claim.verdict];
         if (aside(claim) && claim.verdict == "refuted") summary["refuted_steps"].push_back(claim.id);
     }
     summary["claims"] = claims;
+    summary["observations"] = observations;
     summary["with_function"] = with_function;
     summary["with_test"] = parts.results.found ? Json(with_test) : Json();
     return summary;
@@ -232,8 +232,6 @@ JoinedLedger join_ledger(const LedgerParts& parts) {
         const std::string name = "equation " + number;
         Gathered all;
         all.definition = entry.at("kind") == "definition" || entry.at("kind") == "assumption";
-        all.later =
-            entry.at("section").get<std::string>().starts_with('3') || entry.at("section").get<std::string>().starts_with('4');
         add_functions(entry, parts.functions, all);
         for (const ClaimResult& claim : parts.claims) {
             if (!has(claim.equations, number)) continue;
@@ -245,7 +243,7 @@ JoinedLedger join_ledger(const LedgerParts& parts) {
         entry["shipped"] = shipped_verdict(all, entry.at("printed"));
         judge_verdicts(entry, all, name, faults);
         judge_printed(entry, all, name, faults);
-        if (!all.later && !all.function && entry.at("no_function") == "")
+        if (!all.function && entry.at("no_function") == "")
             faults.push_back(name + " has neither a formula nor a reason why not");
         if (all.function && entry.at("no_function") != "") faults.push_back(name + " has a formula and a reason why it has none");
         add_tests(entry, parts, all, name, faults);

@@ -10,6 +10,7 @@
 #include "denhartog/formulas/other_masses.hpp"
 #include "denhartog/formulas/superposition.hpp"
 #include "denhartog/response/stuck_response.hpp"
+#include "resonance_losses.hpp"
 #include "sliding_scenes.hpp"
 
 namespace denhartog::derivation {
@@ -196,6 +197,9 @@ const std::map<std::string, Measure>& measures() {
                                                                          s.sums.G[k], s.state.beta);
                     });
                 }}},
+        {"81", {"amplitude of a mass at a resonance, relative to the largest", error_with_81}},
+        {"82", {"amplitude of a mass at a resonance, relative to the largest", error_with_82}},
+        {"86", {"friction ratio at the boundary for r -> infinity, relative", error_with_86}},
         {"56", sum_of_maxima},
         {"69", sum_of_maxima},
         {"59", mode_by_mode},

@@ -1,8 +1,8 @@
 /// @file
 /// @brief Statements of the text as claims: measured, proved or refuted.
 ///
-/// A verdict that is unknown says: searched, and no counterexample met, which a report calls measured; the witness has the largest
-/// departure and the number of cases.
+/// A verdict that is unknown says: searched, and no counterexample met, which a report calls measured; the witness has the
+/// largest departure and the number of cases.
 #pragma once
 
 #include <functional>

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
 #include <iomanip>
 #include <sstream>
@@ -35,31 +36,43 @@ std::string loss_text(const json& entry) {
 
 std::string mutants_text(const json& m) {
     std::ostringstream text;
-    text << m.at("refuted") << " of " << m.at("refuted").get<long>() + m.at("without_value").get<long>() + m.at("unknown").get<long>() + m.at("proved").get<long>()
-         << " mutated twins of " << m.at("claims") << " claims refuted, " << m.at("without_value") << " without a value (division by zero), "
-         << m.at("unknown") << " unknown, " << m.at("proved") << " wrongly proved";
+    text << m.at("refuted") << " of "
+         << m.at("refuted").get<long>() + m.at("without_value").get<long>() + m.at("unknown").get<long>() +
+                m.at("proved").get<long>()
+         << " mutated twins of " << m.at("claims") << " claims refuted, " << m.at("without_value")
+         << " without a value (division by zero), " << m.at("unknown") << " unknown, " << m.at("proved") << " wrongly proved";
     return text.str();
+}
+
+/// A value of a witness; a double written in 17 digits, in as few as give it back.
+std::string value_text(const json& value) {
+    if (!value.is_string()) return value.dump();
+    const std::string text = value;
+    if (text.find('.') == std::string::npos) return text;
+    char* end = nullptr;
+    const double x = std::strtod(text.c_str(), &end);
+    char in_17_digits[40];
+    std::snprintf(in_17_digits, sizeof in_17_digits, "%.17g", x);
+    return in_17_digits == text ? json(x).dump() : text;
 }
 
 /// A claim's witness in one line.
 std::string witness_text(const json& witness) {
     std::string text;
-    for (const auto& [name, value] : witness.items())
-        text += (text.empty() ? "" : ", ") + name + " = " + (value.is_string() ? value.get<std::string>() : value.dump());
+    for (const auto& [name, value] : witness.items()) text += (text.empty() ? "" : ", ") + name + " = " + value_text(value);
     return text;
 }
 
-/// Observations of the paper's text, gathered from the equations they belong to.
+/// Observations of the paper's text, gathered from the equations they belong to; the refuted ones first.
 std::vector<json> observations(const json& entries) {
     std::vector<json> found;
     for (const json& entry : entries)
         for (const json& claim : entry.at("claims")) {
-            const std::string id = claim.at("id");
-            if (!id.ends_with("/text")) continue;
-            bool known = false;
-            for (const json& other : found) known = known || other.at("id") == id;
+            if (!claim.at("id").get<std::string>().ends_with("/text")) continue;
+            const bool known = std::ranges::any_of(found, [&](const json& other) { return other.at("id") == claim.at("id"); });
             if (!known) found.push_back(claim);
         }
+    std::stable_partition(found.begin(), found.end(), [](const json& claim) { return claim.at("verdict") == "refuted"; });
     return found;
 }
 
@@ -72,6 +85,7 @@ std::string summary_text(const ReportParts& p) {
         << "  as shipped: " << counts(p.summary.at("shipped")) << "\n"
         << "  departures: " << counts(p.summary.at("departure")) << "\n"
         << "  claims:     " << counts(p.summary.at("claims")) << "\n"
+        << "  the text:   " << counts(p.summary.at("observations")) << "\n"
         << "  mutants:    " << mutants_text(p.mutants) << "\n\nRefuted as printed:\n";
     for (const json& entry : p.entries)
         if (entry.at("printed") == "refuted")
@@ -84,8 +98,8 @@ std::string summary_text(const ReportParts& p) {
     out << "\nClosed form against second witness, largest relative difference:\n";
     for (const json& group : p.agreement)
         out << "  " << std::left << std::setw(34) << group.at("group").get<std::string>() << std::right << std::setw(5)
-            << group.at("scenes").get<long>() << " scenes   double " << scientific(group.at("double").at("worst")) << "   50 digits "
-            << scientific(group.at("50 digits").at("worst")) << (group.at("agrees") ? "" : "   RED") << "\n";
+            << group.at("scenes").get<long>() << " scenes   double " << scientific(group.at("double").at("worst"))
+            << "   50 digits " << scientific(group.at("50 digits").at("worst")) << (group.at("agrees") ? "" : "   RED") << "\n";
     out << "\n";
     for (const json& fault : p.faults) out << "RED: " << fault.get<std::string>() << "\n";
     out << (p.faults.empty() ? "All green.\n" : std::to_string(p.faults.size()) + " red.\n");
@@ -97,7 +111,8 @@ std::string report_markdown(const ReportParts& p) {
     out << "# What the derivation found\n\nWritten by `./verify paper`.\n\n"
         << "| | |\n|---|---|\n| numbered equations | " << p.summary.at("equations") << " |\n| as printed | "
         << counts(p.summary.at("printed")) << " |\n| as shipped | " << counts(p.summary.at("shipped")) << " |\n| departures | "
-        << counts(p.summary.at("departure")) << " |\n| claims | " << counts(p.summary.at("claims")) << " |\n| mutated twins | "
+        << counts(p.summary.at("departure")) << " |\n| claims | " << counts(p.summary.at("claims"))
+        << " |\n| observations of the text | " << counts(p.summary.at("observations")) << " |\n| mutated twins | "
         << mutants_text(p.mutants) << " |\n\n";
     if (!p.faults.empty()) {
         out << "## Red\n\n";
@@ -107,10 +122,10 @@ std::string report_markdown(const ReportParts& p) {
     out << "## Refuted as printed\n\n";
     for (const json& entry : p.entries) {
         if (entry.at("printed") != "refuted") continue;
-        out << "### (" << entry.at("equation").get<std::string>() << "), Section " << entry.at("section").get<std::string>() << ": "
-            << entry.at("departure").get<std::string>() << "\n\nPrinted:\n\n$$" << entry.at("statement").get<std::string>()
-            << "$$\n\nHolds (" << entry.at("shipped").get<std::string>() << "):\n\n$$" << entry.at("correction").get<std::string>()
-            << "$$\n\nWitness: " << witness_text(entry.at("witness")) << "\n\n";
+        out << "### (" << entry.at("equation").get<std::string>() << "), Section " << entry.at("section").get<std::string>()
+            << ": " << entry.at("departure").get<std::string>() << "\n\nPrinted:\n\n$$"
+            << entry.at("statement").get<std::string>() << "$$\n\nHolds (" << entry.at("shipped").get<std::string>() << "):\n\n$$"
+            << entry.at("correction").get<std::string>() << "$$\n\nWitness: " << witness_text(entry.at("witness")) << "\n\n";
         const std::string consequence = entry.value("consequence", "");
         out << "Coded as printed: " << (consequence.empty() ? "no loss to measure" : consequence) << ".\n\n";
     }
@@ -118,13 +133,15 @@ std::string report_markdown(const ReportParts& p) {
     for (const json& claim : observations(p.entries))
         out << "- **" << claim.at("verdict").get<std::string>() << "**: " << claim.at("what").get<std::string>() << ". "
             << witness_text(claim.value("witness", json::object())) << "\n";
-    out << "\n## Closed form against second witness\n\nLargest difference of displacements, initial values, amplitudes (relative) and "
+    out << "\n## Closed form against second witness\n\nLargest difference of displacements, initial values, amplitudes "
+           "(relative) and "
            "phase (radians).\n\n| system | scenes | double | 50 digits | worst scene in double |\n|---|---|---|---|---|\n";
     for (const json& group : p.agreement)
         out << "| " << group.at("group").get<std::string>() << " | " << group.at("scenes") << " | "
             << scientific(group.at("double").at("worst")) << " | " << scientific(group.at("50 digits").at("worst")) << " | "
             << group.at("double").at("scene").get<std::string>() << " |\n";
-    out << "\n## All equations\n\n| equation | section | kind | printed | shipped | departure | claims |\n|---|---|---|---|---|---|---|\n";
+    out << "\n## All equations\n\n| equation | section | kind | printed | shipped | departure | claims "
+           "|\n|---|---|---|---|---|---|---|\n";
     for (const json& entry : p.entries)
         out << "| (" << entry.at("equation").get<std::string>() << ") | " << entry.at("section").get<std::string>() << " | "
             << entry.at("kind").get<std::string>() << " | " << entry.at("printed").get<std::string>() << " | "
@@ -137,7 +154,8 @@ std::string status_markdown(const ReportParts& p) {
     std::ostringstream out;
     out << "| | |\n|---|---|\n| numbered equations | " << p.summary.at("equations") << " |\n| as printed | "
         << counts(p.summary.at("printed")) << " |\n| as shipped | " << counts(p.summary.at("shipped")) << " |\n| departures | "
-        << counts(p.summary.at("departure")) << " |\n| mutated twins | " << mutants_text(p.mutants) << " |\n| refuted as printed | ";
+        << counts(p.summary.at("departure")) << " |\n| observations of the text | " << counts(p.summary.at("observations"))
+        << " |\n| mutated twins | " << mutants_text(p.mutants) << " |\n| refuted as printed | ";
     bool first = true;
     for (const json& equation : p.summary.at("refuted")) {
         out << (first ? "" : ", ") << "(" << equation.get<std::string>() << ")";

@@ -35,14 +35,20 @@ json as_object(const std::vector<std::pair<std::string, std::string>>& values) {
     return object;
 }
 
+/// The verdict in a word. What the text has observed and a search has not refuted is `measured`; its witness has the worst case.
+std::string verdict_of(const Claim& claim, const Result& result) {
+    if (result.verdict == Verdict::proved && claim.approximation) return "approximation";
+    const bool searched = claim.role == Role::observation && result.verdict == Verdict::unknown && !result.witness.empty();
+    return searched ? "measured" : to_string(result.verdict);
+}
+
 /// A claim that the ledger sees: where it speaks of several refuted equations, each has a loss of its own.
 std::vector<ClaimResult> results_of(const Claim& claim, const Result& result) {
     ClaimResult entry;
     entry.id = claim.id;
     entry.equations = claim.equations;
     entry.role = word(claim.role);
-    entry.verdict = to_string(result.verdict);
-    if (result.verdict == Verdict::proved && claim.approximation) entry.verdict = "approximation";
+    entry.verdict = verdict_of(claim, result);
     entry.what = claim.title;
     entry.assumptions = claim.assumptions;
     entry.departure = word(claim.departure);
@@ -67,14 +73,15 @@ std::vector<ClaimResult> results_of(const Claim& claim, const Result& result) {
 json record_of(const Claim& claim, const Result& result) {
     json steps = json::array();
     for (const Step& step : result.steps) steps.push_back({{"text", step.text}, {"latex", step.latex}});
-    for (const auto& [name, value] : result.witness) steps.push_back({{"text", "Witness: " + name + " = " + value}, {"latex", ""}});
+    for (const auto& [name, value] : result.witness)
+        steps.push_back({{"text", "Witness: " + name + " = " + value}, {"latex", ""}});
     return {{"claim", claim.id},
             {"equation", claim.equations.front()},
             {"equations", claim.equations},
             {"title", claim.title},
             {"assumptions", claim.assumptions},
             {"steps", steps},
-            {"verdict", claim.approximation && result.verdict == Verdict::proved ? "approximation" : to_string(result.verdict)},
+            {"verdict", verdict_of(claim, result)},
             {"milliseconds", result.milliseconds}};
 }
 

@@ -1,8 +1,8 @@
 /// @file
 /// @brief Equations exactly as the text at hand prints them, where the derivation refutes them.
 ///
-/// For the derivation, the tests and the conformance kit only; nothing that answers a question includes this file. Each
-/// function bears the name and the parameters of its correct counterpart.
+/// For the derivation, the tests, the figures and the conformance kit only; nothing that answers a question includes this file.
+/// Each function bears the name and the parameters of its correct counterpart.
 #pragma once
 
 #include <cstddef>
@@ -10,6 +10,7 @@
 
 #include "denhartog/formulas/boundary.hpp"
 #include "denhartog/formulas/motion.hpp"
+#include "denhartog/formulas/resonance.hpp"
 #include "denhartog/formulas/system.hpp"
 
 namespace denhartog::as_printed {
@@ -157,6 +158,32 @@ template <class T>
 [[nodiscard]] T s_d_expansion(const T& tau, const T& R, const T& zeta, const T& u, const T& g) {
     const T a = 1 - zeta * tau / R;
     return ((1 + g) * a * tau - u * R * R * (1 - a * a)) / tau;
+}
+
+/// @brief (81): the product of the first damping functions with another sign, without \f$ 2\beta\psi_{ki}/\psi_{ji} \f$. @eq{81}
+/// @param V_k_abs  amplitude of the complex response function of the mass @param U_k its first damping function
+/// @param U_j      first damping function of the mass in contact @param G_k second damping function of the mass
+/// @param beta     friction ratio
+/// @return         the amplitude at resonance as printed
+template <class T>
+[[nodiscard]] T transmissibility_at_resonance(const T& V_k_abs, const T& U_k, const T& U_j, const T& G_k, const T& beta) {
+    return sqrt(T(V_k_abs * V_k_abs + beta * beta * (G_k * G_k + U_k * U_k) -
+                  beta * (2 * V_k_abs * paper::magnitude(G_k) - paper::magnitude(U_j) * paper::magnitude(U_k))));
+}
+
+/// @brief (82) with the complex \f$ V_{dk} \f$ in place of its modulus. @eq{82}
+/// @param V_k   complex response function of the mass @param G_k second damping function of the mass @param beta friction ratio
+/// @return      the amplitude at resonance as printed
+template <class T>
+[[nodiscard]] T transmissibility_at_resonance_without_U(const Complex<T>& V_k, const T& G_k, const T& beta) {
+    return modulus(Complex<T>{V_k.re - beta * paper::magnitude(G_k), V_k.im});
+}
+
+/// @brief (86) for j = l with \f$ \mu \f$ in place of its square. @eq{86} @param mu ratio of static to kinetic friction
+/// @return  the friction ratio as printed
+template <class T>
+[[nodiscard]] T friction_ratio_limit_at_high_frequency(const T& mu) {
+    return 2 / sqrt(T(4 * mu + pi<T>() * pi<T>()));
 }
 
 /// @brief (A.7): the sign of the first term. @eq{A.7}

@@ -1,0 +1,25 @@
+#include "limit_twins.hpp"
+
+#include "symbols.hpp"
+
+namespace denhartog::derivation {
+
+using GiNaC::ex;
+
+Verdict decide_term_and_twins(const ex& e, const ex& x, const LeadingTerm& expected) {
+    const Verdict verdict = decide_leading_term(e, x, expected);
+    if (verdict != Verdict::proved) return verdict;
+    const auto& [c, n] = expected;
+    for (const LeadingTerm& twin : {LeadingTerm{2 * c, n}, LeadingTerm{-c, n}, LeadingTerm{c, n + 1}, LeadingTerm{c, n - 1}})
+        if (decide_leading_term(e, x, twin) != Verdict::refuted) return Verdict::unknown;
+    return Verdict::proved;
+}
+
+Verdict decide_zero_and_twin(const ex& e) {
+    const std::vector<Range> domain = domain_of({e});
+    const Verdict verdict = decide_equal(e, 0, domain).verdict;
+    if (verdict != Verdict::proved) return verdict;
+    return decide_equal(e + 1, 0, domain).verdict == Verdict::refuted ? Verdict::proved : Verdict::unknown;
+}
+
+} // namespace denhartog::derivation

@@ -1,0 +1,181 @@
+// Section 4.1: what the text says of the boundary at resonance, (85).
+#include <cmath>
+
+#include "denhartog/formulas/mode.hpp"
+#include "denhartog/formulas/resonance.hpp"
+#include "limits.hpp"
+#include "observed_systems.hpp"
+#include "symbols.hpp"
+
+namespace denhartog::derivation {
+
+using GiNaC::ex;
+using GiNaC::numeric;
+using GiNaC::Pi;
+using GiNaC::pow;
+
+namespace {
+
+/// What a path is made of: the small quantity, and how far beside the resonance, of either sign.
+struct Path {
+    ex x, t;
+};
+
+const Path& path() {
+    static const Path p{new_symbol("x_85", "x", numeric(1, 1000), numeric(1, 100)), new_symbol("t_85", "t", -4, 4)};
+    return p;
+}
+
+std::string digits(const numeric& n) { return text(n.to_double()); }
+
+void add_limit(Outcome& outcome, const ex& e, const LeadingTerm& expected, const std::string& what, const std::string& latex) {
+    add_statement(outcome, decide_leading_term(e, path().x, expected), what, latex);
+}
+
+ex limit_at_resonance(const ex& psi_li, const ex& psi_ji, const ex& zeta) {
+    return paper::friction_ratio_limit_at_resonance(Symbolic(psi_li), Symbolic(psi_ji), Symbolic(zeta)).expression();
+}
+
+/// (85) for zeta -> 0, squared because of its modulus.
+Verdict quarter_of_pi() {
+    const ex x = path().x, l = symbols().psi_li, j = symbols().psi_ji;
+    return decide_leading_term(pow(limit_at_resonance(l, j, x), 2), x, {pow(Pi * l / (4 * j), 2), 0});
+}
+
+Outcome value_without_damping() {
+    Outcome outcome;
+    const Verdict limit = quarter_of_pi();
+    outcome.steps.push_back({"(85) for zeta_i -> 0, " + to_string(limit),
+                             "\\beta_{n,i}\\to\\frac{\\pi}{4}\\left|\\frac{\\psi_{li}}{\\psi_{ji}}\\right|"});
+    const numeric small("1/1000000");
+    const numeric value = evaluate(limit_at_resonance(1, 1, path().x), {{path().x, small}});
+    if (limit == Verdict::proved && abs(value - 1) > numeric(1, 10)) outcome.verdict = Verdict::refuted;
+    outcome.witness = {{"psi_li / psi_ji", "1"}, {"zeta_i", digits(small)}, {"(85)", digits(value)}, {"value in the text", "1"}};
+    return outcome;
+}
+
+/// (67) with mu = 1 of a single mass along R = 1 + t x, zeta = x: the same limit on every path.
+Outcome same_limit_on_every_path() {
+    const ex x = path().x, t = path().t;
+    Outcome outcome;
+    const ex limit = Pi * Pi / 16;
+    add_limit(outcome, squared_limit_of_single_mass(1 + t * x, x), {limit, 0}, "(67) squared, R = 1 + t zeta, zeta = x",
+              "\\beta^2\\to\\frac{\\pi^2}{16}");
+    add_limit(outcome, squared_limit_of_single_mass(1 + x, 0), {limit, 0}, "The same, zeta = 0 and R = 1 + x",
+              "\\beta^2\\to\\frac{\\pi^2}{16}");
+    add_limit(outcome, squared_limit_of_single_mass(1 + x, x * x), {limit, 0}, "The same, R = 1 + x, zeta = x^2",
+              "\\beta^2\\to\\frac{\\pi^2}{16}");
+    add_limit(outcome, squared_limit_of_single_mass(1 + x * x, x), {limit, 0}, "The same, R = 1 + x^2, zeta = x",
+              "\\beta^2\\to\\frac{\\pi^2}{16}");
+    return outcome;
+}
+
+/// Fall of (85) and of the boundary itself, per unit of the value without damping.
+struct Fall {
+    double approximate, exact;
+};
+
+Fall fall(double zeta) {
+    const double without = pi<double>() / 4;
+    const double u = paper::first_damping_function(1.0, zeta), g = paper::second_damping_function(1.0, zeta);
+    const double demand = paper::s_d_at_zero(1.0, zeta, u, g);
+    const double limit = 1 / (2 * zeta) / std::sqrt(u * u + demand * demand);
+    return {1 - paper::friction_ratio_limit_at_resonance(1.0, 1.0, zeta) / without, 1 - limit / without};
+}
+
+/// (85) falls with zeta: its rate is that of tanh(y)/y, y = pi zeta / 2.
+Verdict falls() {
+    const ex z = symbols().zeta;
+    const ex derived = (Pi * z - GiNaC::sinh(Pi * z)) / (4 * z * z * pow(GiNaC::cosh(Pi * z / 2), 2));
+    return decide_equal(limit_at_resonance(1, 1, z).diff(GiNaC::ex_to<GiNaC::symbol>(z)), derived, domain_of({z})).verdict;
+}
+
+Outcome nearly_constant() {
+    Outcome outcome;
+    add_statement(outcome, falls(), "(85) falls with zeta_i, because sinh(pi zeta_i) > pi zeta_i",
+                  "\\frac{d\\beta_{n,i}}{d\\zeta_i}=\\left|\\frac{\\psi_{li}}{\\psi_{ji}}\\right|\\frac{\\pi\\zeta_i-"
+                  "\\sinh\\pi\\zeta_i}{4\\zeta_i^2\\cosh^2(\\pi\\zeta_i/2)}");
+    add_statement(outcome, fall(0.01).approximate < 0.01 ? Verdict::proved : Verdict::refuted,
+                  "The largest fall up to zeta_i = 0.01 is there", "");
+    outcome.witness = {{"fall of (85) at zeta_i = 0.01", text(fall(0.01).approximate)},
+                       {"fall of (67), single mass, at zeta = 0.01", text(fall(0.01).exact)}};
+    return outcome;
+}
+
+/// The damping ratio at which (85) has fallen by 1 percent.
+double fallen_by_one_percent() {
+    double low = 0.01, high = 0.5;
+    for (int n = 0; n < 50; ++n) {
+        const double middle = (low + high) / 2;
+        (fall(middle).approximate < 0.01 ? low : high) = middle;
+    }
+    return low;
+}
+
+Outcome falls_significantly() {
+    Outcome outcome;
+    const Fall at = fall(0.1);
+    const Verdict monotone = falls();
+    outcome.steps.push_back(
+        {"(85) falls with zeta_i, " + to_string(monotone) + ": its largest fall for zeta_i <= 0.1 is at 0.1", ""});
+    outcome.steps.push_back(
+        {"(85) leaves out 1 / (gamma_j r^2) of (67), which is of first order in zeta_i: (67) itself falls further", ""});
+    outcome.witness = {{"zeta_i", "0.1"},
+                       {"fall of (85)", text(at.approximate)},
+                       {"fall of (67), single mass", text(at.exact)},
+                       {"(85) has fallen by 1 percent at zeta_i", text(fallen_by_one_percent())}};
+    if (monotone == Verdict::proved) outcome.verdict = at.approximate > 0.01 ? Verdict::proved : Verdict::refuted;
+    return outcome;
+}
+
+/// The value without damping, (85) for zeta -> 0, against the boundary at the natural frequency ratio of lightly damped systems.
+Outcome estimate_of_the_boundary() {
+    Outcome outcome;
+    Worst worst;
+    for (const double zeta : {1e-6, 0.001, 0.01}) {
+        Worst here;
+        for (const ObservedSystem& s : systems_of_the_paper(zeta))
+            for (std::size_t i = 0; i < s.basis.r_n.size(); ++i) {
+                const double without = pi<double>() / 4 * ratio_of_shapes(s, i), limit = limit_at(s, i);
+                here.take(std::abs(without / limit - 1), [&] {
+                    return Witness{{"system", s.name},
+                                   {"mode", std::to_string(i + 1)},
+                                   {"r", text(s.basis.r_n[i])},
+                                   {"(85) for zeta_i -> 0", text(without)},
+                                   {"boundary", text(limit)}};
+                });
+            }
+        outcome.steps.push_back({"zeta = " + rounded(zeta) + ": largest relative error " + rounded(here.error) + ", " +
+                                     here.place[0].second + ", mode " + here.place[1].second,
+                                 ""});
+        worst.take(here.error, [&] { return here.place; });
+    }
+    if (worst.error > 0.05) outcome.verdict = Verdict::refuted;
+    outcome.witness = with(worst.place, {{"relative error", text(worst.error)}});
+    return outcome;
+}
+
+const Register registered([] {
+    const std::vector<std::string> range{"0 < zeta_i < 1"};
+    return std::vector<Claim>{
+        observation("85/without-damping/text", {"85"},
+                    "Observation in the text: (85) agrees with |psi_li / psi_ji| for zeta_i = 0", range, value_without_damping),
+        observation("85/any-path", {"85", "67"},
+                    "The boundary of a single mass tends to pi / 4 on every path of zeta -> 0 and r -> 1",
+                    {"N = 1", "mu = 1", "(67)"}, same_limit_on_every_path),
+        observation("85/nearly-constant/text", {"85"},
+                    "Observation in the text: (85) hardly changes for zeta_i <= 0.01; here: by less than 1 percent",
+                    {"0 < zeta_i <= 0.01"}, nearly_constant),
+        observation(
+            "85/falls-beyond/text", {"85"},
+            "Observation in the text: (85) falls significantly for larger damping ratios; here: by more than 1 percent up to 0.1",
+            {"0.01 < zeta_i <= 0.1"}, falls_significantly),
+        observation("85/estimate/text", {"85"},
+                    "Observation in the text: the value of (85) without damping estimates well where stick-slip begins at "
+                    "resonance; here: to 5 percent, zeta_i <= 0.01",
+                    {}, estimate_of_the_boundary),
+    };
+});
+
+} // namespace
+} // namespace denhartog::derivation
