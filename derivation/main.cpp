@@ -1,5 +1,5 @@
 // The derivation program: `run` decides every claim and writes what it found, `join` brings in the results of the tests, `status`
-// puts the counts and the example's answer into README.
+// puts the counts, the examples' answers and the figures' numbers into README.md and paper-figures/README.md.
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <filesystem>
@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include "agreement.hpp"
+#include "derivation/ledger_figures.hpp"
 #include "derivation/ledger_join.hpp"
 #include "derivation/ledger_rows.hpp"
 #include "report.hpp"
@@ -19,6 +20,8 @@ using nlohmann::json;
 namespace fs = std::filesystem;
 
 namespace {
+
+const std::string pictures = "build/verify/figures"; // from the source tree, where `./verify figures` draws them
 
 void write(const fs::path& file, const std::string& content) {
     const fs::path part = file.string() + ".part";
@@ -39,7 +42,7 @@ std::string read(const fs::path& file) {
 }
 
 /// Joins the ledger from what a run left in a folder, writes it with the report, prints the summary.
-ReportParts join(const fs::path& folder, const fs::path& source, const fs::path& results) {
+ReportParts join(const fs::path& folder, const fs::path& source, const fs::path& results, const fs::path& figures) {
     const json found = json::parse(read(folder / "run.json"));
     LedgerParts parts;
     parts.rows = read_rows(source / "docs/ledger/equations.json");
@@ -51,7 +54,8 @@ ReportParts join(const fs::path& folder, const fs::path& source, const fs::path&
     ReportParts report{ledger.entries, ledger.summary, found.at("mutants"), found.at("agreement"), found.at("faults")};
     for (const std::string& fault : faults_of_rows(parts.rows)) report.faults.push_back(fault);
     for (const std::string& fault : ledger.faults) report.faults.push_back(fault);
-    write(folder / "ledger.json", ledger.entries.dump(1) + "\n");
+    for (const std::string& fault : add_figures(report.entries, figure_records(figures))) report.faults.push_back(fault);
+    write(folder / "ledger.json", report.entries.dump(1) + "\n");
     write(folder / "report.md", report_markdown(report));
     write(folder / "status.md", status_markdown(report));
     std::cout << summary_text(report) << "The report is in " << (folder / "report.md").string() << "\n";
@@ -94,11 +98,25 @@ std::string shown(const fs::path& program, const std::string& arguments, const f
     return "```\n$ build/verify/bin/denhartog " + arguments + " " + scene + "\n" + answer + "```\n";
 }
 
-/// README with what the last run found and what the program answers to the examples.
-std::string refreshed(const std::string& text, const fs::path& folder, const fs::path& program, const fs::path& source) {
+/// README with what the last run found, what the program answers to the examples, and what the figures show.
+std::string refreshed(const std::string& text, const fs::path& folder, const fs::path& program, const fs::path& source,
+                      const std::vector<json>& figures) {
     const std::string with_status = with_block(text, "status", read(folder / "status.md"));
     const std::string with_example = with_block(with_status, "example", shown(program, "response", source, "docs/example.json"));
-    return with_block(with_example, "stick-slip", shown(program, "solve", source, "docs/example_stick_slip.json"));
+    const std::string with_stops =
+        with_block(with_example, "stick-slip", shown(program, "solve", source, "docs/example_stick_slip.json"));
+    return with_block(with_stops, "figures", figures_table(figures, pictures));
+}
+
+/// Writes a file anew, or says whether it is up to date.
+bool refresh(const fs::path& file, const std::string& before, const std::string& now, bool check) {
+    if (!check) {
+        write(file, now);
+    } else if (!same_but_for_rounding(now, before)) {
+        std::cerr << file.string() << " does not show what the last run found; derivation status without --check mends it\n";
+        return false;
+    }
+    return true;
 }
 
 } // namespace
@@ -106,13 +124,17 @@ std::string refreshed(const std::string& text, const fs::path& folder, const fs:
 int main(int argc, char** argv) {
     CLI::App app{"Derives the paper's equations from its equation of motion and checks the shipped formulas against them"};
     app.require_subcommand(1);
-    std::string folder, source = DENHARTOG_SOURCE, results, readme, program;
+    std::string folder, source = DENHARTOG_SOURCE, results, readme, program, figures;
     bool check = false;
-    CLI::App* run_command = app.add_subcommand("run", "decide every claim, try its mutated twins, compare with the second witness");
+    CLI::App* run_command =
+        app.add_subcommand("run", "decide every claim, try its mutated twins, compare with the second witness");
     CLI::App* join_command = app.add_subcommand("join", "join the ledger again, with the results of the tests");
-    CLI::App* status_command = app.add_subcommand("status", "put the counts of the last run and the answer to the example into README");
-    for (CLI::App* command : {run_command, join_command, status_command})
+    CLI::App* status_command = app.add_subcommand(
+        "status", "put the counts of the last run, the answers to the examples and the figures' numbers into both READMEs");
+    for (CLI::App* command : {run_command, join_command, status_command}) {
         command->add_option("--output", folder, "folder of the run")->required();
+        command->add_option("--figures", figures, "folder with the records of the figures");
+    }
     for (CLI::App* command : {run_command, join_command}) {
         command->add_option("--source", source, "the source tree")->capture_default_str();
         command->add_option("--test-results", results, "folder with the XML results of the tests");
@@ -127,17 +149,15 @@ int main(int argc, char** argv) {
     }
     try {
         if (*status_command) {
-            const std::string text = read(readme), now = refreshed(text, folder, program, source);
-            if (!check) {
-                write(readme, now);
-            } else if (!same_but_for_rounding(now, text)) {
-                std::cerr << readme << " does not show what the last run found; derivation status without --check mends it\n";
-                return 1;
-            }
-            return 0;
+            const std::vector<json> records = figure_records(figures);
+            const fs::path of_figures = fs::path(source) / "paper-figures/README.md";
+            const std::string text = read(readme), text_of_figures = read(of_figures);
+            const bool fresh = refresh(readme, text, refreshed(text, folder, program, source, records), check);
+            const std::string now = with_block(text_of_figures, "figures", figures_markdown(records, "../" + pictures));
+            return refresh(of_figures, text_of_figures, now, check) && fresh ? 0 : 1;
         }
         if (*run_command) run(folder, ::isatty(STDERR_FILENO) != 0);
-        return join(folder, source, results).faults.empty() ? 0 : 1;
+        return join(folder, source, results, figures).faults.empty() ? 0 : 1;
     } catch (const std::exception& e) {
         std::cerr << "derivation: " << e.what() << "\n";
         return 1;

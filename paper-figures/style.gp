@@ -10,7 +10,6 @@ if (format eq 'svg') {
 set output folder.'/'.name.'.'.format
 data = folder.'/'.name.'.dat'
 set encoding utf8
-set datafile missing 'NaN'
 set linetype 1 lc rgb '#0072B2' lw 1.8 pt 6 ps 0.8
 set linetype 2 lc rgb '#D55E00' lw 1.8 pt 4 ps 0.8
 set linetype 3 lc rgb '#009E73' lw 1.8 pt 8 ps 0.8

@@ -30,7 +30,8 @@ void write_whole(const fs::path& file, const std::string& content) {
 json to_json(const Record& record) {
     json agreements = json::array(), statements = json::array();
     for (const Agreement& a : record.agreements)
-        agreements.push_back({{"what", a.what}, {"points", a.points}, {"median", a.median}, {"worst", a.worst}, {"where", a.where}});
+        agreements.push_back(
+            {{"what", a.what}, {"points", a.points}, {"median", a.median}, {"worst", a.worst}, {"where", a.where}});
     for (const Statement& s : record.statements)
         statements.push_back({{"text", s.text}, {"found", s.found}, {"borne_out", s.borne_out}});
     return {{"title", record.title},       {"equations", record.equations}, {"given", record.given},    {"chosen", record.chosen},
@@ -50,14 +51,16 @@ void Figure::add(const Table& table) {
     data_ += "\n";
     for (const std::vector<double>& row : table.rows) {
         if (row.size() != table.columns.size()) throw std::invalid_argument("a row of " + table.name + " has the wrong length");
-        for (std::size_t n = 0; n < row.size(); ++n) data_ += (n == 0 ? "" : " ") + (std::isnan(row[n]) ? "NaN" : text(row[n], "%.10g"));
+        for (std::size_t n = 0; n < row.size(); ++n)
+            data_ += (n == 0 ? "" : " ") + (std::isnan(row[n]) ? "NaN" : text(row[n], "%.10g"));
         data_ += "\n";
     }
     data_ += "\n\n";
 }
 
 void Figure::progress(std::size_t done, std::size_t all) const {
-    if (::isatty(STDERR_FILENO) != 0) std::fprintf(stderr, "\r\033[K%s %zu/%zu%s", name_.c_str(), done, all, done == all ? "\r\033[K" : "");
+    if (::isatty(STDERR_FILENO) != 0)
+        std::fprintf(stderr, "\r\033[K%s %zu/%zu%s", name_.c_str(), done, all, done == all ? "\r\033[K" : "");
 }
 
 void Figure::write(const Record& record, double seconds) const {

@@ -81,7 +81,8 @@ private:
 /// @brief Equally spaced numbers. @param a first @param b last @param n how many, at least 2 @return the numbers
 [[nodiscard]] std::vector<double> spaced(double a, double b, std::size_t n);
 
-/// @brief Numbers spaced equally in their logarithms. @param a first @param b last @param n how many, at least 2 @return the numbers
+/// @brief Numbers spaced equally in their logarithms. @param a first @param b last @param n how many, at least 2
+/// @return the numbers
 [[nodiscard]] std::vector<double> spaced_in_octaves(double a, double b, std::size_t n);
 
 /// @brief Sums up differences.
