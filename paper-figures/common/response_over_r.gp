@@ -1,0 +1,71 @@
+# Figs. 6, 8 and 9: a damping ratio a column, amplitude above and phase below. A script sets before it loads this:
+# betas, last_r, X and phase (labels), column_X and column_phase (of the lines while the contact slides), least_phase,
+# largest_phase, step_phase, sliding(z) (how many of the friction ratios slide anywhere), stuck (1 with the stuck
+# configuration), name_points (of the invariant points, empty without).
+width = 1240; height = 840
+load 'style.gp'
+zetas = '0.001 0.01 0.1'
+degrees = 180 / pi
+line(z, b) = sprintf('zeta=%s beta=%s;', word(zetas, z), b)
+marks(z, b) = sprintf('markers zeta=%s beta=%s;', word(zetas, z), b)
+edge(z) = sprintf('boundary zeta=%s;', word(zetas, z))
+held(z) = sprintf('stuck zeta=%s;', word(zetas, z))
+dotted = 'with lines lt 7 lw 2.2 dt (2, 3)'
+star = 'with points lt 7 pt 3 ps 1.3'
+stuck_X = stuck ? ', data index held(c) using 1:2 '.dotted : ''
+stuck_phase = stuck ? ', data index held(c) using 1:($3 * degrees) '.dotted : ''
+stuck_key = stuck ? ', NaN '.dotted." title 'stuck configuration'" : ''
+points_X = name_points eq '' ? '' : ", data index 'invariant points;' using 1:2 ".star
+points_key = name_points eq '' ? '' : ', NaN '.star.' title name_points'
+set multiplot
+set xrange [0:last_r]
+set xtics 0.5
+left(c) = 0.065 + 0.315 * (c - 1)
+do for [c = 1:3] {
+    set lmargin at screen left(c)
+    set rmargin at screen left(c) + 0.285
+    set tmargin at screen 0.95
+    set bmargin at screen 0.48
+    set logscale y
+    set yrange [0.02:1000]
+    set ytics format (c == 1 ? '10^{%T}' : '')
+    set xtics format ''
+    set xlabel
+    set ylabel (c == 1 ? 'transmissibility '.X : '') offset 1, 0
+    set title sprintf('(%s)  ζ = %s', word('a b c', c), word(zetas, c)) offset 0, -0.6
+    plot data index edge(c) using 1:2 with lines lw 5 lc rgb '#BBBBBB', \
+         data index line(c, '0') using 1:column_X with lines lt 7 lw 1, \
+         for [b = 1:sliding(c)] data index line(c, word(betas, b)) using 1:column_X with lines lt b, \
+         for [b = 1:5] data index line(c, word(betas, b)) using 1:3 with lines lt b lw 1 dt (9, 5), \
+         for [b = 1:5] data index marks(c, word(betas, b)) using 1:2 with points lt b @stuck_X @points_X
+    unset logscale y
+    set tmargin at screen 0.445
+    set bmargin at screen 0.18
+    set yrange [least_phase:largest_phase]
+    set ytics step_phase format (c == 1 ? '%g' : '')
+    set xtics format '%g'
+    set xlabel 'frequency ratio r'
+    set ylabel (c == 1 ? 'phase '.phase.' in degrees' : '') offset 1, 0
+    set title sprintf('(%s)', word('d e f', c)) offset 0, -0.6
+    plot data index edge(c) using 1:($3 * degrees) with lines lw 5 lc rgb '#BBBBBB', \
+         data index line(c, '0') using 1:(column(column_phase) * degrees) with lines lt 7 lw 1, \
+         for [b = 1:sliding(c)] data index line(c, word(betas, b)) using 1:(column(column_phase) * degrees) with lines lt b, \
+         for [b = 1:sliding(c)] data index marks(c, word(betas, b)) using 1:($3 * degrees) with points lt b @stuck_phase
+    set ytics autofreq
+}
+# the keys, below the panels
+set lmargin at screen 0
+set rmargin at screen 1
+set tmargin at screen 0.1
+set bmargin at screen 0.005
+unset title; unset xlabel; unset ylabel; unset border; unset tics; unset grid
+set yrange [0:1]
+set key at screen 0.5, 0.085 center top horizontal samplen 3 width 1 Left reverse
+plot NaN with lines lt 7 lw 1 title 'β = 0', \
+     for [b = 1:5] NaN with linespoints lt b title sprintf('β = %s', word(betas, b))
+set key at screen 0.5, 0.058 width -5
+plot NaN with lines lt 7 title 'closed form', \
+     NaN with lines lt 7 lw 1 dt (9, 5) title 'exact solver, stick-slip', \
+     NaN with points lt 7 pt 6 title 'numerical', \
+     NaN with lines lw 5 lc rgb '#BBBBBB' title 'boundary of continuous motion' @stuck_key @points_key
+unset multiplot

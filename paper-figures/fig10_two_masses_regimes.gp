@@ -1,0 +1,36 @@
+width = 1200; height = 600
+load 'style.gp'
+set dashtype 2 (10,4)
+set dashtype 3 (3,2.5)
+array zeta[3] = ['0.001', '0.01', '0.1']
+set multiplot layout 1,2 margins 0.065, 0.985, 0.125, 0.93 spacing 0.075
+set xlabel 'r'
+set ylabel 'β' offset 1
+set key at graph 0.995, 0.985 right top reverse Left samplen 3
+set title '(a)' offset 0, -0.4
+set xrange [0:3]
+set yrange [0:3]
+set xtics 0.5
+set ytics 0.5
+set label 'permanent sticking' at 0.5, 1.6 center
+set label 'stick-slip' at 0.21, 0.34 center
+set label 'continuous' at 1.5, 0.3 center
+plot for [n=1:3] data index 'zeta='.zeta[n].';' using 1:2 with lines lt n dt n lw 2.4 title 'ζ = '.zeta[n].', (69)', \
+     for [n=1:3] data index 'zeta='.zeta[n].';' using 1:5 with lines lt n dt n lw 1.2 title 'ζ = '.zeta[n].', (88)', \
+     keyentry with points lt 7 pt 6 ps 0.75 lw 1.2 title 'numerical', \
+     for [n=1:3] data index 'numerical zeta='.zeta[n].';' using 1:2 with points lt n pt 6 ps 0.75 lw 1.2, \
+     for [n=1:3] data index 'numerical zeta='.zeta[n].';' using 1:3 with points lt n pt 6 ps 0.75 lw 1.2
+unset label
+unset key
+set title '(b) both axes logarithmic'
+set logscale xy
+set xrange [0.05:30]
+set yrange [1e-4:500]
+set xtics ('0.05' 0.05, '0.1' 0.1, '0.5' 0.5, '1' 1, '2' 2, '5' 5, '10' 10, '30' 30)
+set ytics 10 format '10^{%T}'
+set label 'permanent sticking' at 0.22, 8 center
+set label 'stick-slip' at 0.1, 0.08 center
+set label 'continuous' at 1, 0.01 center
+plot for [n=1:3] data index 'wide zeta='.zeta[n].';' using 1:2 with lines lt n dt n lw 2.4, \
+     for [n=1:3] data index 'wide zeta='.zeta[n].';' using 1:5 with lines lt n dt n lw 1.2
+unset multiplot
