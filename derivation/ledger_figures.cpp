@@ -19,6 +19,20 @@ std::string digits(double x) {
     return buffer;
 }
 
+/// Text in a cell of a table, where a bar would end the cell.
+std::string cell(const json& value) {
+    std::string text;
+    for (const char c : value.get<std::string>()) text += c == '|' ? std::string("\\|") : std::string(1, c);
+    return text;
+}
+
+/// The largest of a figure's differences of a kind; empty where nothing was compared.
+std::string largest(const json& record, const char* kind) {
+    const json& agreements = record.at("agreements");
+    if (agreements.empty()) return {};
+    return digits(std::ranges::max(agreements, {}, [kind](const json& a) { return a.at(kind).get<double>(); }).at(kind));
+}
+
 std::string link(const json& record, const std::string& pictures) {
     const std::string name = record.at("name");
     return "[" + name + "](" + pictures + "/" + name + ".svg)";
@@ -77,15 +91,17 @@ std::vector<std::string> add_figures(json& entries, const std::vector<json>& rec
 }
 
 std::string figures_table(const std::vector<json>& records, const std::string& pictures) {
-    std::string text = "| figure | shows | markers off the lines, median and worst | statements borne out |\n|---|---|---|---|\n";
+    std::string paper =
+        "| figure | shows | markers off the lines: largest median | worst | statements borne out |\n|---|---|---|---|---|\n";
+    std::string beyond = "| beyond the paper | shows | statements that hold |\n|---|---|---|\n";
     for (const json& record : records) {
-        std::string off;
-        for (const json& a : record.at("agreements"))
-            off += (off.empty() ? "" : "; ") + digits(a.at("median")) + " , " + digits(a.at("worst"));
-        text += "| " + link(record, pictures) + " | " + record.at("title").get<std::string>() + " | " + off + " | " +
-                borne_out(record) + " |\n";
+        const std::string begin = "| " + link(record, pictures) + " | " + cell(record.at("title")) + " | ";
+        if (of_the_paper(record))
+            paper += begin + largest(record, "median") + " | " + largest(record, "worst") + " | " + borne_out(record) + " |\n";
+        else
+            beyond += begin + borne_out(record) + " |\n";
     }
-    return text;
+    return paper + "\n" + beyond;
 }
 
 std::string figures_markdown(const std::vector<json>& records, const std::string& pictures) {
@@ -98,15 +114,17 @@ std::string figures_markdown(const std::vector<json>& records, const std::string
         if (!record.at("agreements").empty()) {
             text += "| markers against lines | points | median | worst | where |\n|---|---|---|---|---|\n";
             for (const json& a : record.at("agreements"))
-                text += "| " + a.at("what").get<std::string>() + " | " + std::to_string(a.at("points").get<int>()) + " | " +
+                text += "| " + cell(a.at("what")) + " | " + std::to_string(a.at("points").get<int>()) + " | " +
                         digits(a.at("median")) + " | " + digits(a.at("worst")) + " | " + a.at("where").get<std::string>() +
                         " |\n";
             text += "\n";
         }
         if (!record.at("statements").empty()) {
-            text += "| the text says | the data say | borne out |\n|---|---|---|\n";
+            text += of_the_paper(record) ? "| the text says | the data say | borne out |\n"
+                                         : "| statement | the data say | holds |\n";
+            text += "|---|---|---|\n";
             for (const json& s : record.at("statements"))
-                text += "| " + s.at("text").get<std::string>() + " | " + s.at("found").get<std::string>() + " | " +
+                text += "| " + cell(s.at("text")) + " | " + cell(s.at("found")) + " | " +
                         (s.at("borne_out").get<bool>() ? "yes" : "no") + " |\n";
             text += "\n";
         }

@@ -61,5 +61,13 @@ TEST_CASE("a statement that is not borne out is shown as such", "[ledger][figure
     const std::vector<json> records{record("fig06_curves", {"38"})};
     CHECK_THAT(figures_markdown(records, "pictures"), Catch::Contains("| falls | rises by 3 | no |"));
     const std::string table = figures_table(records, "pictures");
-    CHECK_THAT(table, Catch::Contains("[fig06_curves](pictures/fig06_curves.svg)") && Catch::Contains("| 1 of 2 |"));
+    CHECK_THAT(table,
+               Catch::Contains("[fig06_curves](pictures/fig06_curves.svg)") && Catch::Contains("| 1e-07 | 0.25 | 1 of 2 |"));
+    CHECK_THAT(figures_markdown({record("limits", {"38"})}, "pictures"), Catch::Contains("| statement | the data say | holds |"));
+}
+
+TEST_CASE("a bar within a text does not end a cell of a table", "[ledger][figures]") {
+    json with_bars = record("fig06_curves", {"38"});
+    with_bars["statements"][0]["text"] = "|v| falls";
+    CHECK_THAT(figures_markdown({with_bars}, "pictures"), Catch::Contains("| \\|v\\| falls | rises by 3 | no |"));
 }
