@@ -107,12 +107,14 @@ TEST_CASE("the card of an equation has all that the ledger knows of it", "[ledge
     entry["functions"] = {{{"name", "denhartog::paper::f"}, {"file", "src/f.hpp"}, {"line", 7}}};
     entry["claims"] = {{{"id", "46/printed"}, {"verdict", "refuted"}, {"what", "as printed"}}};
     entry["tests"] = {"a test"};
+    entry["figures"] = {"fig04_time_response"};
     const std::string text = ledger::card(entry);
     for (const std::string part :
          {"  as printed  refuted, departure: misprint\n", "  correction  x=2\n", "  as shipped  proved\n",
           "  witness     {\"R\":\"0.5\"}\n", "  loss        worst relative error 0.25 for who codes the printed form\n",
           "  rests on    (41), (44)\n", "  used by     (47)\n", "  function    denhartog::paper::f  src/f.hpp:7\n",
-          "  claim       46/printed  refuted  as printed\n", "  test        a test\n"}) {
+          "  claim       46/printed  refuted  as printed\n", "  test        a test\n",
+          "  figure      fig04_time_response\n"}) {
         INFO(part);
         CHECK(holds(text, part));
     }

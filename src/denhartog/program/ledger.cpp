@@ -160,6 +160,7 @@ std::string card(const Json& entry) {
     for (const Json& claim : entry.at("claims"))
         text += line("claim", claim.value("id", "") + "  " + claim.value("verdict", "") + "  " + claim.value("what", ""));
     for (const Json& test : entry.at("tests")) text += line("test", test.get<std::string>());
+    for (const Json& figure : entry.value("figures", Json::array())) text += line("figure", figure.get<std::string>());
     return text;
 }
 
