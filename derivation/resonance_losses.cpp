@@ -29,6 +29,7 @@ std::optional<double> error_at_resonances(const SlidingScene& s, const std::func
         const double psi_ji = mode_shapes_at(m, m.contact)[i], psi_li = mode_shapes_at(m, m.load)[i];
         if (!(beta < boundary(m, s.mu).exact)) continue;
         if (!(beta < evaluation::friction_ratio_limit_at_resonance(psi_li, psi_ji, zeta))) continue;
+        const SteadyState<double> state = steady_state_at(m, beta, std::vector<double>(m.V.size(), 0.0));
         double largest = 0, largest_error = 0;
         for (std::size_t k = 0; k < m.V.size(); ++k) {
             const double psi_ki = mode_shapes_at(m, Mass{k})[i];
@@ -39,7 +40,7 @@ std::optional<double> error_at_resonances(const SlidingScene& s, const std::func
                                  psi_ki,
                                  psi_ji,
                                  beta};
-            largest = std::max(largest, paper::transmissibility_at_resonance_without_U(modulus(at.V_k), at.G_k, beta));
+            largest = std::max(largest, state.masses[k].amplitude_monoharmonic);
             const double e = error(at);
             if (!std::isnan(e)) largest_error = std::max(largest_error, e);
         }

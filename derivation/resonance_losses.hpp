@@ -9,7 +9,7 @@
 
 namespace denhartog::derivation {
 
-/// @brief Largest error of (81) as printed at the resonances of a scene's system, over the largest amplitude there.
+/// @brief Largest error of (81) as printed at the resonances of a scene's system, over the largest amplitude (52) there.
 ///
 /// V and G are the resonant terms (77) and (80), the friction ratio is the scene's. Passed over: resonances without damping,
 /// those where the contact does not slide, and masses for which (81) has no real value with the correct signs.

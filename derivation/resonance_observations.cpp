@@ -15,14 +15,13 @@ using GiNaC::pow;
 
 namespace {
 
-/// What a path is made of: the small quantity, a speed, and how far beside the resonance, of either sign.
+/// What a path is made of: the small quantity and a speed.
 struct Path {
-    ex x, c, t;
+    ex x, c;
 };
 
 const Path& path() {
-    static const Path p{new_symbol("x_res", "x", numeric(1, 1000), numeric(1, 100)), new_symbol("c_res", "c", numeric(1, 4), 4),
-                        new_symbol("t_res", "t", -4, 4)};
+    static const Path p{new_symbol("x_res", "x", numeric(1, 1000), numeric(1, 100)), new_symbol("c_res", "c", numeric(1, 4), 4)};
     return p;
 }
 
@@ -120,33 +119,6 @@ Outcome finite_with_damping() {
     return outcome;
 }
 
-/// To leading order in the damping ratio the peak of a single mass lies at R = 1 and is linear in beta.
-Outcome linear_to_leading_order() {
-    const ex x = path().x, t = path().t, beta = symbols().beta;
-    Outcome outcome;
-    const ex R = 1 + t * x, one_plus = 1 + t * t;
-    add_limit(outcome, squared_response(R, x), {1 / (4 * one_plus), -2}, "R = 1 + t zeta, zeta = x -> 0",
-              "|v|^2\\sim\\frac{1}{4(1+t^2)x^2}");
-    add_limit(outcome, first_function(R, x), {2 * t / (Pi * one_plus), -1}, "The first damping function",
-              "u\\sim\\frac{2t}{\\pi(1+t^2)x}");
-    add_limit(outcome, second_function(R, x), {2 / (Pi * one_plus), -1}, "The second damping function",
-              "g\\sim\\frac{2}{\\pi(1+t^2)x}");
-    const ex b = 4 * beta / Pi, q = GiNaC::sqrt(1 + t * t * (1 - b * b));
-    const ex X = (q - b) / (2 * one_plus);
-    add_statement(outcome,
-                  decide_equal(GiNaC::sqrt((one_plus - b * b * t * t)) / (2 * one_plus) - 2 * beta / (Pi * one_plus), X,
-                               domain_of({t, beta}))
-                      .verdict,
-                  "(38) times zeta in the limit, b = 4 beta / pi",
-                  "\\zeta\\overline{X}\\to\\frac{q-b}{2(1+t^2)},\\quad q=\\sqrt{1+t^2(1-b^2)}");
-    const ex derivative = X.diff(GiNaC::ex_to<GiNaC::symbol>(t));
-    add_statement(outcome,
-                  decide_equal(derivative, -t * pow(q - b, 2) / (2 * q * one_plus * one_plus), domain_of({t, beta})).verdict,
-                  "Its rate over t has the sign of -t: the one maximum is at t = 0", "-\\frac{t\\,(q-b)^2}{2q(1+t^2)^2}");
-    outcome.steps.push_back({"The maximum", "\\zeta\\overline{X}\\to\\frac12-\\frac{2\\beta}{\\pi}"});
-    return outcome;
-}
-
 /// The size of the slope of (84) over beta, its first and second rate over zeta.
 Outcome slope_over_damping() {
     const ex z = symbols().zeta;
@@ -202,9 +174,6 @@ const Register registered([] {
         observation("38/friction-reduces/text", {"38", "83"},
                     "Observation in the text: friction lowers the amplitude of the contact without a stop", {"sliding regime"},
                     friction_reduces_the_contact),
-        observation("83/linear-in-the-limit", {"83", "84"},
-                    "For small damping the peak of a single mass is at r = 1 and linear in beta, to leading order in zeta",
-                    {"N = 1", "zeta -> 0 along r = 1 + t zeta", "beta < pi / 4"}, linear_to_leading_order),
         observation("84/slope/text", {"83", "84"},
                     "Observation in the text: the slope of (83) over beta falls with zeta_i, and ever more slowly", range,
                     slope_over_damping),

@@ -11,8 +11,6 @@ using GiNaC::ex;
 
 namespace {
 
-Symbolic square(const Symbolic& x) { return Symbolic(x.expression() * x.expression()); }
-
 const Register registered([] {
     const Symbols& s = symbols();
     const std::vector<std::string> sliding{"sliding regime, beta |U_dj| <= |V_dj|", "V_dj not zero"};

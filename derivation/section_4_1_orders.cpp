@@ -67,20 +67,6 @@ Outcome paths_of_first_function() {
     return outcome;
 }
 
-/// The boundary (67) of a single mass along three paths: the one limit that all have in common.
-Outcome paths_of_boundary() {
-    const ex zeta = symbols().zeta, c = slope(), e = distance();
-    const LeadingTerm limit{Pi * Pi / 16, 0};
-    Outcome outcome;
-    add_statement(outcome, decide_term_and_twins(squared_limit_of_single_mass(1, zeta), zeta, limit), "r = 1, then zeta -> 0",
-                  "\\beta_{\\lim} \\to \\frac{\\pi}{4}");
-    add_statement(outcome, decide_term_and_twins(squared_limit_of_single_mass(1 + e, 0), e, limit), "zeta = 0, then r -> 1",
-                  "\\beta_{\\lim} \\to \\frac{\\pi}{4}");
-    add_statement(outcome, decide_term_and_twins(squared_limit_of_single_mass(1 + c * zeta, zeta), zeta, limit), "r = 1 + c zeta",
-                  "\\beta_{\\lim} \\to \\frac{\\pi}{4}");
-    return outcome;
-}
-
 /// What the other modes add at R_i = 1, with damping ratios that fall in proportion: symbols without small quantity.
 struct OtherModes {
     ex p_k, q_k, h_k, w_k, p_j, q_j, w_j; ///< Re V_k, Im V_k / zeta, G_k / zeta, U_k and the same of the contact
@@ -106,6 +92,35 @@ const PositiveShapes& positive_shapes() {
         return PositiveShapes{size("a_k", "|\\psi_{ki}|"), size("a_j", "|\\psi_{ji}|"), size("a_l", "|\\psi_{li}|")};
     }();
     return psi;
+}
+
+/// The boundary (67) in polar coordinates about R_i = 1, zeta_i = 0: one limit for all directions.
+Outcome paths_of_boundary() {
+    const ex rho = distance(), a = new_symbol("a_path", "a", numeric(1, 10), 3);
+    const ex R = 1 + rho * GiNaC::cos(a), zeta = rho * GiNaC::sin(a);
+    const Complex<Symbolic> v = paper::complex_response(Symbolic(R), Symbolic(zeta));
+    const ex u = first_function(R, zeta), g = second_function(R, zeta);
+    const auto& [a_k, a_j, a_l] = positive_shapes();
+    const OtherModes& m = other_modes();
+    const ex V_r = a_j * a_l * R * R * v.re.expression() + m.p_j, V_i = a_j * a_l * R * R * v.im.expression() + m.q_j;
+    const ex U = a_j * a_j * R * R * u + m.w_j, demand = a_j * a_j * (g + 2 * zeta * R * u) + m.h_k;
+    Outcome outcome;
+    add_statement(
+        outcome,
+        decide_term_and_twins((V_r * V_r + V_i * V_i) / (U * U + demand * demand), rho, {GiNaC::pow(Pi * a_l / (4 * a_j), 2), 0}),
+        "R_i = 1 + rho cos(a), zeta_i = rho sin(a), 0 <= a <= pi, rho -> 0; the other modes and static friction add p + i q "
+        "to V_dj, w to U_dj and h to the demand",
+        "\\beta_{\\lim} \\to \\frac{\\pi}{4}\\left|\\frac{\\psi_{li}}{\\psi_{ji}}\\right|");
+    const ex denominator = GiNaC::cosh(Pi * zeta / R) + GiNaC::cos(Pi * GiNaC::sqrt(1 - zeta * zeta) / R);
+    add_statement(
+        outcome, decide_term_and_twins(denominator, rho, {Pi * Pi / 2, 2}),
+        "The denominator of u_di and g_i is of second order in rho with a factor that no angle makes zero, and so is that of "
+        "|v_di|^2: numerator and denominator of (67), times rho^2, are analytic in rho and a, the limit is uniform in a, "
+        "and a path may turn as it likes",
+        "\\cosh\\delta+\\cos\\theta \\sim \\frac{\\pi^2}{2}\\rho^2");
+    add_statement(outcome, decide_term_and_twins(squared_response(R, zeta), rho, {numeric(1, 4), -2}), "That of the response",
+                  "|v_{di}|^2 \\sim \\frac{1}{4\\rho^2}");
+    return outcome;
 }
 
 /// |V_dk|^2 over the square of (77), less one.
@@ -216,7 +231,9 @@ Outcome place_of_peak() {
         outcome, decide_zero_and_twin(difference - GiNaC::pow(1 - b * b, 2)),
         "f' > 0 says that the slope of the radicand exceeds 2 b times the root; the squares differ by a positive number",
         "(1-b^2+2b^2y)^2 - 4b^2[(1-b^2)y+b^2y^2] = (1-b^2)^2");
-    outcome.steps.push_back({"f grows up to y = 1: the peak lies at r = 1 but for a shift of higher order than zeta", ""});
+    add_statement(outcome, decide_zero_and_twin(radicand.subs(y == 1) - 1),
+                  "f grows up to y = 1: the peak lies at r = 1 but for a shift of higher order than zeta; the root is 1 there",
+                  "\\zeta\\overline{X} \\to \\frac{1}{2}-\\frac{2\\beta}{\\pi}");
     return outcome;
 }
 
@@ -274,10 +291,10 @@ const Register registered([] {
               order_of_peak_of_mass),
         order("84/order", {"84"}, "(84) is below (38) at r = 1 by a term of first order, relative error of second order",
               {"r = 1, then zeta -> 0", "beta below (85)"}, order_of_peak_of_single_mass),
-        order("84/place", {"84"}, "To leading order the peak of a single mass lies at r = 1", {"zeta -> 0", "beta below (85)"},
-              place_of_peak),
-        order("85/paths", {"85"}, "The boundary (67) of a single mass tends to pi/4 along every path r = 1 + c zeta", {"mu = 1"},
-              paths_of_boundary),
+        order("84/place", {"83", "84"}, "To leading order the peak of a single mass lies at r = 1 and is linear in beta",
+              {"zeta -> 0", "beta below (85)"}, place_of_peak),
+        order("85/paths", {"67", "85"}, "The boundary (67) has one limit along every path R_i -> 1, zeta_i -> 0",
+              {"psi_ji, psi_li not zero", "no other R_m is 1/n, n odd"}, paths_of_boundary),
         order("85/order", {"85"}, "(85) lies above (67) by a relative error of first order", fall, order_of_boundary),
     };
 });

@@ -68,8 +68,6 @@ ex derived_square_at_resonance(const Shapes& psi) {
            square.coeff(root, 2) * (V_j * V_j - s.beta * s.beta * s.U_j * s.U_j);
 }
 
-Symbolic square(const Symbolic& x) { return Symbolic(x.expression() * x.expression()); }
-
 Symbolic amplitude_of_term(const Shapes& psi) {
     return Symbolic(GiNaC::sqrt(GiNaC::pow(derived_term_of_response(psi.k, psi.l).second, 2).expand()));
 }

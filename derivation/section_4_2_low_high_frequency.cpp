@@ -51,18 +51,32 @@ ex derived_squared_limit(int N) {
     return V * V / (U * U + S * S);
 }
 
-Symbolic square(const Symbolic& x) { return Symbolic(x.expression() * x.expression()); }
+/// (57)'s expression of a mode at its u and g.
+ex s_of_mode(const ex& R, const ex& zeta) {
+    return paper::s_d_integrand(Symbolic(symbols().tau), Symbolic(R), Symbolic(zeta), Symbolic(first_function(R, zeta)),
+                                Symbolic(second_function(R, zeta)))
+        .expression();
+}
+
+/// The velocity vanishes at both ends of the half-period, so that the quotient (57) has values there.
+void add_ends_of_half_period(Outcome& outcome) {
+    const ex tau = symbols().tau;
+    const ex numerator = s_of_mode(symbols().R, symbols().zeta) * GiNaC::sin(tau);
+    add_statement(outcome, decide_zero_and_twin(numerator.subs(tau == 0)), "The numerator of (57) is zero at tau = 0", "");
+    add_statement(outcome, decide_zero_and_twin(numerator.subs(tau == Pi)), "and at tau = pi", "");
+}
 
 /// (57) for R -> infinity, and that it falls from 1 to -1 over the half-period: static friction binds, (69) is (67).
 Outcome velocity_at_high_frequency() {
-    const ex x = small(), zeta = symbols().zeta, tau = symbols().tau, R = 1 / x;
+    const ex x = small(), zeta = symbols().zeta, tau = symbols().tau;
     const GiNaC::symbol& t = GiNaC::ex_to<GiNaC::symbol>(tau);
-    const ex s_d = paper::s_d_integrand(Symbolic(tau), Symbolic(R), Symbolic(zeta), Symbolic(first_function(R, zeta)),
-                                        Symbolic(second_function(R, zeta)))
-                       .expression();
     const ex numerator = tau - Pi / 2 * (1 - GiNaC::cos(tau));
     Outcome outcome;
-    add_statement(outcome, decide_term_and_twins(s_d, x, {numerator / GiNaC::sin(tau), 0}), "(57) for R_i = 1/x, x -> 0",
+    add_ends_of_half_period(outcome);
+    outcome.steps.push_back(
+        {"The quotient is analytic in tau from 0 to pi and in x = 1/R_i next to 0: its limit is uniform", ""});
+    add_statement(outcome, decide_term_and_twins(s_of_mode(1 / x, zeta), x, {numerator / GiNaC::sin(tau), 0}),
+                  "(57) for R_i = 1/x, x -> 0",
                   "s_i(\\tau) \\to f(\\tau) = \\frac{\\tau-\\frac{\\pi}{2}(1-\\cos\\tau)}{\\sin\\tau}");
     const ex slope = GiNaC::sin(tau) - tau * GiNaC::cos(tau) - Pi / 2 * (1 - GiNaC::cos(tau));
     const ex from_rates = numerator.diff(t) * GiNaC::sin(tau) - numerator * GiNaC::cos(tau);
@@ -168,6 +182,54 @@ Outcome damped_at_low_frequency() {
     return outcome;
 }
 
+/// With damping the largest sum over the modes tends to what (67) asks for mu = 1: for r -> 0 (69) is (67).
+Outcome velocity_at_low_frequency() {
+    const ex tau = symbols().tau, R = symbols().R, zeta = symbols().zeta, w = symbols().w, angle = w * tau / R;
+    const GiNaC::symbol& t = GiNaC::ex_to<GiNaC::symbol>(tau);
+    const Symbolic at(tau), of_R(R), of_zeta(zeta);
+    const ex R_q = R * paper::q(at, of_R, of_zeta).expression(), R_q_prime = R * paper::q_prime(at, of_R, of_zeta).expression();
+    const ex u = first_function(R, zeta), g = second_function(R, zeta), s = s_of_mode(R, zeta);
+    Outcome outcome;
+    add_claim(outcome, "69/low-frequency/damped", "R u and g - 1 are of the order of E = exp(-pi zeta / R)");
+    add_statement(outcome,
+                  decide_zero_and_twin(s * GiNaC::sin(tau) - (2 + g - 1) * R_q + u * R * R * (R_q_prime - GiNaC::cos(tau))),
+                  "(57) with 1 + g = 2 + O(E)", "s_i\\sin\\tau = 2R_iq_i+(g_i-1)R_iq_i-u_{di}R_i^2(R_iq_i'-\\cos\\tau)");
+    const ex rate =
+        -GiNaC::exp(-zeta * tau / R) * (2 * zeta * GiNaC::cos(angle) + (1 - 2 * zeta * zeta) / w * GiNaC::sin(angle)) / R;
+    add_statement(
+        outcome, decide_zero_and_twin(R_q_prime.diff(t) - rate),
+        "R q is at most tau exp(-zeta tau / R); R q' is 1 at tau = 0 and its rate at most (2 zeta + 1/w) / R: up to pi/2 "
+        "the terms with g - 1 and u are of the order of E",
+        "R_iq_i'' = -\\frac{e^{-\\zeta_i\\tau/R_i}}{R_i}\\left(2\\zeta_i\\cos\\frac{w\\tau}{R_i}+"
+        "\\frac{1-2\\zeta_i^2}{w}\\sin\\frac{w\\tau}{R_i}\\right)");
+    const ex quotient = tau / GiNaC::sin(tau), slope = 1 / tau - GiNaC::cos(tau) / GiNaC::sin(tau);
+    add_statement(outcome, decide_zero_and_twin(quotient.diff(t) / quotient - slope), "The slope of log(tau / sin(tau))",
+                  "\\frac{1}{\\tau}-\\cot\\tau");
+    add_statement(outcome, decide_zero_and_twin(slope.diff(t) - 1 / GiNaC::pow(GiNaC::sin(tau), 2) + 1 / (tau * tau)),
+                  "grows, as its rate is positive", "\\frac{1}{\\sin^2\\tau}-\\frac{1}{\\tau^2}");
+    add_statement(
+        outcome, decide_zero_and_twin(slope.subs(tau == Pi / 2) - 2 / Pi),
+        "up to 2/pi at pi/2: for R at most pi zeta / 2 the first term is at most 2 there, its value for tau -> 0",
+        "\\frac{2R_iq_i}{\\sin\\tau} \\le 2\\exp\\left[\\left(\\frac{2}{\\pi}-\\frac{\\zeta_i}{R_i}\\right)\\tau\\right]");
+    add_ends_of_half_period(outcome);
+    outcome.steps.push_back({"From pi/2 on the numerator has a slope of the order of sqrt(E), and sin(tau) is at least "
+                             "2 (pi - tau) / pi: s is of that order there",
+                             ""});
+    outcome.steps.push_back(
+        {"The largest sum over the modes is the sum of 2 psi_ji^2 but for terms of the order of the E_i, what (67) asks "
+         "for mu = 1",
+         "S_{dj} = 2\\sum_i\\psi_{ji}^2+O(E) \\le (1+\\mu)\\sum_i\\psi_{ji}^2+O(E)"});
+    for (const ObservedSystem& of : systems_of_the_paper(0.1)) {
+        std::string line = of.name + ": S_dj over the sum of squares at r = 0.1, 0.05, 0.02:";
+        for (const double r : {0.1, 0.05, 0.02}) {
+            const ModeSums<double> m = sums_at(of, r);
+            line += " " + rounded(boundary(m, 1.0).S_exact / m.sum_of_squares);
+        }
+        outcome.steps.push_back({line, ""});
+    }
+    return outcome;
+}
+
 /// (67) for r -> 0 without damping: of second order, too, but over r^2 it has no limit.
 Outcome undamped_at_low_frequency() {
     const ex r = symbols().r;
@@ -219,6 +281,13 @@ const Register registered([] {
          .title = "For r -> 0 with damping (67) falls like the formula for low frequency ratios, gamma_j r^2 |V_dj| / (1 + mu)",
          .assumptions = {"zeta_i > 0"},
          .check = damped_at_low_frequency},
+        {.id = "69/low-frequency/velocity",
+         .equations = {"69", "57"},
+         .role = Role::step,
+         .title =
+             "For r -> 0 with damping the condition on the velocity is never stricter than (67), but for exp(-pi zeta_i / R_i)",
+         .assumptions = {"zeta_i > 0", "mu >= 1"},
+         .check = velocity_at_low_frequency},
         {.id = "69/low-frequency/undamped",
          .equations = {"69", "67"},
          .role = Role::step,

@@ -93,6 +93,10 @@ Symbolic sinhc_minus_one(const Symbolic& x);
 Symbolic one_minus_sinc(const Symbolic& x);
 /// @}
 
+/// @brief Square of what a kernel returns, where a claim is on the square; no operation of the kernel, so that no twin alters it.
+/// @param x a symbolic number @return its square
+[[nodiscard]] inline Symbolic square(const Symbolic& x) { return Symbolic(x.expression() * x.expression()); }
+
 } // namespace denhartog::derivation
 
 namespace denhartog {

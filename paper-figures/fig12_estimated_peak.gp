@@ -9,11 +9,11 @@ set xtics 0.2
 set title '(a) peak over that without friction' offset 0, -0.4
 set ylabel '2ζ X̄' offset 1
 set yrange [0:1]
-set key at graph 0.98, 0.99 right top reverse Left samplen 3
+set key at graph 0.98, 0.99 right top reverse Left samplen 2
 plot for [n=1:3] data index 'estimated zeta='.zeta[n].';' using 1:2 with lines lc rgb '#999999' lw 1.4 \
          title n == 1 ? '(83)' : '', \
      for [n=1:3] data index 'actual zeta='.zeta[n].';' using 1:3 with lines lt n dt dashes[n] \
-         title 'peak of (52), ζ = '.zeta[n], \
+         title 'peak, ζ = '.zeta[n], \
      for [n=1:3] data index 'actual zeta='.zeta[n].';' using 1:2 every 4 with points lt n pt 6 ps 0.7 lw 1.2, \
      keyentry with points lt 7 pt 6 ps 0.7 lw 1.2 title '(52) at r = 1'
 set title '(b) estimate (83)'

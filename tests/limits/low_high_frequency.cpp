@@ -58,6 +58,24 @@ TEST_CASE("with the load elsewhere the boundary falls to zero at a rate that dep
     }
 }
 
+TEST_CASE("with the load elsewhere and damping the boundary falls with the factor that the derivation has",
+          "[eq:69][eq:86][limit]") {
+    const Real50 mu(1.375), r = ldexp(Real50(1), 20);
+    for (const std::size_t j : {2, 3, 4}) {
+        INFO("j = " << j);
+        const System<Real50> system = four_masses(j, {Real50(1) / 8, Real50(1) / 4, Real50(1) / 16, Real50(3) / 8});
+        const ModalBasis<Real50> basis = modal_basis(system);
+        Real50 coupling(0), squares(0);
+        for (Eigen::Index i = 0; i < 4; ++i) {
+            const std::size_t mode = static_cast<std::size_t>(i);
+            const Real50 phi_ji = basis.phi(static_cast<Eigen::Index>(j - 1), i), phi_li = basis.phi(0, i);
+            coupling += phi_ji * phi_li * basis.zeta[mode] * basis.r_n[mode], squares += phi_ji * phi_ji;
+        }
+        const Real50 limit = 4 * abs(coupling) / (sqrt(Real50(4 * mu * mu + pi<Real50>() * pi<Real50>())) * squares * r);
+        CHECK(static_cast<double>(approximate_limit(system, r, mu) / limit) == Approx(1).epsilon(1e-4));
+    }
+}
+
 TEST_CASE("with damping the boundary of a single mass tends to r^2 / (1 + mu) for r -> 0", "[eq:69][limit]") {
     for (const double mu : {1.0, 1.375, 3.0})
         for (const double zeta : {0.05, 0.1, 0.5}) {

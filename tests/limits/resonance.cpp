@@ -50,8 +50,7 @@ double ratio_of_errors(const std::function<Real50(const Real50& zeta)>& error, i
 
 } // namespace
 
-TEST_CASE("response and damping functions depend on the path to resonance, the boundary of a single mass does not",
-          "[eq:28][eq:76][eq:79][eq:85][limit]") {
+TEST_CASE("response and damping functions depend on the slope of the path to resonance", "[eq:28][eq:76][eq:79][limit]") {
     const Real100 zeta = ldexp(Real100(1), -40), one_pi = 1 / pi<Real100>();
     for (const double slope : {-3.0, -1.0, -0.25, 0.0, 0.5, 2.0}) {
         const Real100 c(slope), y = 1 / (1 + c * c), R = 1 + c * zeta;
@@ -61,13 +60,41 @@ TEST_CASE("response and damping functions depend on the path to resonance, the b
         CHECK(static_cast<double>(abs(Real100(zeta * f.g - 2 * one_pi * y))) < 1e-10);
         CHECK(static_cast<double>(abs(Real100(zeta * f.u - 2 * one_pi * c * y))) < 1e-10);
     }
-    const auto boundary_at = [](double damping, double r) { return boundary(sums_of(oscillator(damping, r)), 1.0).exact; };
-    for (const double slope : {-3.0, -1.0, -0.25, 0.0, 0.5, 2.0}) {
-        const double damping = 0x1p-20;
-        CHECK(boundary_at(damping, 1 + slope * damping) == Approx(pi<double>() / 4).epsilon(1e-5));
-    }
-    for (const double distance : {-0x1p-20, 0x1p-20})
-        CHECK(boundary_at(0, 1 + distance) == Approx(pi<double>() / 4).epsilon(1e-5));
+}
+
+TEST_CASE("along zeta = c |R - 1|^p one formula for each function holds, whichever of zeta and |R - 1| is the larger",
+          "[eq:28][eq:76][eq:79][limit]") {
+    const Real100 one_pi = 1 / pi<Real100>(), distance = ldexp(Real100(1), -80);
+    for (const double p : {0.5, 1.0, 2.0, 3.0})
+        for (const double c : {0.25, 1.0, 3.0})
+            for (const int side : {-1, 1}) {
+                const Real100 zeta = c * pow(distance, Real100(p)), squares = zeta * zeta + distance * distance;
+                const evaluation::ModeFunctions<Real100> f = evaluation::mode_functions(Real100(1 + side * distance), zeta);
+                const auto error = [](const Real100& value, const Real100& limit) {
+                    return static_cast<double>(abs(Real100(value / limit - 1)));
+                };
+                INFO("p = " << p << ", c = " << c << ", side " << side);
+                CHECK(error(Real100(4 * squares * squared_modulus(f.v)), Real100(1)) < 1e-20);
+                CHECK(error(Real100(squares * f.g), Real100(2 * one_pi * zeta)) < 1e-20);
+                CHECK(error(Real100(squares * f.u), Real100(one_pi * (2 * side * distance + zeta * zeta))) < 1e-20);
+            }
+}
+
+TEST_CASE("(67) tends to the value of (85) without damping along every path zeta = c |R - 1|^p", "[eq:67][eq:85][limit]") {
+    const Real50 distance = ldexp(Real50(1), -60), mu(1.375);
+    for (const std::size_t i : {0, 1, 2})
+        for (const double p : {0.5, 1.0, 2.0, 3.0})
+            for (const double c : {0.0, 0.25, 3.0})
+                for (const int side : {-1, 1}) {
+                    const System<Real50> system = three_masses_with(Real50(c * pow(distance, Real50(p))), 2, 1);
+                    const ModalBasis<Real50> basis = modal_basis(system);
+                    const Real50 r = basis.r_n[i] * (1 + side * distance);
+                    const AtResonance a{mode_sums(basis, system.contact, system.load, r), i};
+                    const Real50 limit = evaluation::friction_ratio_limit_at_resonance(a.psi_l(), a.psi_j(), Real50(0));
+                    INFO("mode " << i + 1 << ", p = " << p << ", c = " << c << ", side " << side);
+                    const Boundary<Real50> b = boundary_at(a.sums, mu, Real50(0), std::vector<Real50>(3, Real50(0)));
+                    CHECK(static_cast<double>(b.approximate / limit) == Approx(1).epsilon(1e-5));
+                }
 }
 
 TEST_CASE("amplitude, second damping function and peak at resonance have relative errors of second order",
