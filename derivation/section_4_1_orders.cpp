@@ -94,10 +94,10 @@ const PositiveShapes& positive_shapes() {
     return psi;
 }
 
-/// The boundary (67) in polar coordinates about R_i = 1, zeta_i = 0: one limit for all directions.
+/// The boundary (67) along every straight path to R_i = 1, zeta_i = 0; t is the tangent of half the path's angle.
 Outcome paths_of_boundary() {
-    const ex rho = distance(), a = new_symbol("a_path", "a", numeric(1, 10), 3);
-    const ex R = 1 + rho * GiNaC::cos(a), zeta = rho * GiNaC::sin(a);
+    const ex rho = distance(), t = new_symbol("t_path", "t", numeric(1, 10), 10), all = GiNaC::pow(1 + t * t, 2);
+    const ex R = 1 + rho * (1 - t * t), zeta = 2 * t * rho;
     const Complex<Symbolic> v = paper::complex_response(Symbolic(R), Symbolic(zeta));
     const ex u = first_function(R, zeta), g = second_function(R, zeta);
     const auto& [a_k, a_j, a_l] = positive_shapes();
@@ -108,18 +108,18 @@ Outcome paths_of_boundary() {
     add_statement(
         outcome,
         decide_term_and_twins((V_r * V_r + V_i * V_i) / (U * U + demand * demand), rho, {GiNaC::pow(Pi * a_l / (4 * a_j), 2), 0}),
-        "R_i = 1 + rho cos(a), zeta_i = rho sin(a), 0 <= a <= pi, rho -> 0; the other modes and static friction add p + i q "
-        "to V_dj, w to U_dj and h to the demand",
+        "R_i = 1 + rho (1 - t^2), zeta_i = 2 rho t, t the tangent of half the angle; the other modes and static friction add "
+        "p + i q to V_dj, w to U_dj and h to the demand",
         "\\beta_{\\lim} \\to \\frac{\\pi}{4}\\left|\\frac{\\psi_{li}}{\\psi_{ji}}\\right|");
     const ex denominator = GiNaC::cosh(Pi * zeta / R) + GiNaC::cos(Pi * GiNaC::sqrt(1 - zeta * zeta) / R);
+    add_statement(outcome, decide_term_and_twins(denominator, rho, {Pi * Pi / 2 * all, 2}),
+                  "The denominator of u_di and g_i is of second order in every direction",
+                  "\\cosh\\delta+\\cos\\theta \\sim \\frac{\\pi^2}{2}(1+t^2)^2\\rho^2");
     add_statement(
-        outcome, decide_term_and_twins(denominator, rho, {Pi * Pi / 2, 2}),
-        "The denominator of u_di and g_i is of second order in rho with a factor that no angle makes zero, and so is that of "
-        "|v_di|^2: numerator and denominator of (67), times rho^2, are analytic in rho and a, the limit is uniform in a, "
+        outcome, decide_term_and_twins(1 / squared_response(R, zeta), rho, {4 * all, 2}),
+        "and so is that of the response: (67) is analytic in distance and angle, its limit the same for all angles alike, "
         "and a path may turn as it likes",
-        "\\cosh\\delta+\\cos\\theta \\sim \\frac{\\pi^2}{2}\\rho^2");
-    add_statement(outcome, decide_term_and_twins(squared_response(R, zeta), rho, {numeric(1, 4), -2}), "That of the response",
-                  "|v_{di}|^2 \\sim \\frac{1}{4\\rho^2}");
+        "|v_{di}|^{-2} \\sim 4(1+t^2)^2\\rho^2");
     return outcome;
 }
 
