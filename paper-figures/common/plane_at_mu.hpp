@@ -144,9 +144,9 @@ inline void add_limits(Figure& figure, const PlaneAtMu& p) {
     const std::string& of = planes.front().of;
     return {agreement(of + ": end of sliding, started on the closed form, relative to (69)", sliding),
             agreement(of + ": end of sliding, from rest, relative to " +
-                          (planes.front().loaded_contact() ? "the lower of (69) and (88)" : "(69)"),
+                          (planes.front().loaded_contact() ? "the lower of (69) and permanent sticking" : "(69)"),
                       rest),
-            agreement(of + ": end of slipping, started on the stuck motion, relative to (88)", held)};
+            agreement(of + ": end of slipping, started on the stuck motion, relative to the begin of permanent sticking", held)};
 }
 
 } // namespace denhartog::figures
