@@ -118,7 +118,8 @@ Agreement agreement(const std::string& what, const std::vector<std::pair<double,
     for (const auto& [difference, where] : differences) {
         if (std::isnan(difference)) throw std::invalid_argument("a difference is no number: " + what + ", " + where);
         sizes.push_back(std::abs(difference));
-        if (sizes.back() > a.worst) a = {what, a.points, 0, sizes.back(), where};
+        // of two that are alike but for rounding, as in the halves of a symmetric motion, the first is named
+        if (sizes.back() > a.worst * (1 + 1e-6)) a = {what, a.points, 0, sizes.back(), where};
     }
     std::nth_element(sizes.begin(), sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2), sizes.end());
     a.median = sizes[sizes.size() / 2];
