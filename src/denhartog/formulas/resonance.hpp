@@ -11,7 +11,9 @@
 
 namespace denhartog::paper {
 
-/// @brief \f$ |x| = \sqrt{x^2} \f$, free of branches. @param x a real number @return its size
+/// @brief \f$ |x| = \sqrt{x^2} \f$, free of branches; in double for sizes from 1e-154 to 1e154, and zero.
+/// @param x  a real number
+/// @return   its size
 template <class T>
 [[nodiscard]] T magnitude(const T& x) {
     return sqrt(T(x * x));
