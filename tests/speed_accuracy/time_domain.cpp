@@ -5,13 +5,14 @@
 #include <fstream>
 #include <functional>
 
+#include "denhartog/model/paper_systems.hpp"
 #include "tests/speed_accuracy/cycles_survey.hpp"
 #include "tests/speed_accuracy/regime_survey.hpp"
 #include "tests/speed_accuracy/speed.hpp"
 #include "tests/speed_accuracy/stick_slip_survey.hpp"
-#include "denhartog/model/paper_systems.hpp"
 #include "tests/speed_accuracy/tolerance_survey.hpp"
 
+using namespace denhartog;
 using namespace denhartog::tests;
 
 namespace {
