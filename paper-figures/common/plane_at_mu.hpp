@@ -4,7 +4,6 @@
 #pragma once
 
 #include "denhartog/formulas/high_frequency.hpp"
-#include "denhartog/response/map_column.hpp"
 #include "regimes.hpp"
 #include "sweep.hpp"
 
@@ -37,13 +36,6 @@ struct PlaneAtMu {
     /// @brief Whether the load acts on the contact. @return true where it does
     [[nodiscard]] bool loaded_contact() const { return system.contact.index == system.load.index; }
 };
-
-/// @brief The closed form at a friction ratio, or next to the boundary where there is none.
-/// @param sums modes at the frequency ratio @param mu static over kinetic friction @param beta friction ratio @return the state
-[[nodiscard]] inline State<double> on_closed_form(const ModeSums<double>& sums, double mu, double beta) {
-    const Boundary<double> limits = boundary(sums, mu);
-    return at_maximum_of_force(sums, steady_state(sums, limits, std::min(beta, 0.9999 * limits.exact)));
-}
 
 /// @brief The motion by the paper's algorithm.
 /// @param p the plane @param r frequency ratio @param beta friction ratio @param settings of the algorithm @return the motion

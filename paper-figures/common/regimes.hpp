@@ -116,16 +116,21 @@ struct SeenBoundaries {
 /// @brief Settings of the algorithm at a friction ratio, given what (r, beta) is.
 using SettingsAt = std::function<PaperSettings(double r, double beta)>;
 
-/// @brief Settings that start the paper's algorithm on the closed form, at the boundary where the friction ratio is beyond it.
+/// @brief The closed form at a friction ratio, or next to the boundary where there is none.
+/// @param sums modes at the frequency ratio @param mu static over kinetic friction @param beta friction ratio @return the state
+[[nodiscard]] inline State<double> on_closed_form(const ModeSums<double>& sums, double mu, double beta) {
+    const Boundary<double> limits = boundary(sums, mu);
+    return at_maximum_of_force(sums, steady_state(sums, limits, std::min(beta, 0.9999 * limits.exact)));
+}
+
+/// @brief Settings that start the paper's algorithm on the closed form.
 /// @param s   a system
 /// @param mu  static over kinetic friction
 /// @return    the settings
 [[nodiscard]] inline SettingsAt from_sliding(const WithModes& s, double mu) {
     return [&s, mu](double r, double beta) {
-        const ModeSums<double> sums = s.at(r);
-        const Boundary<double> limits = boundary(sums, mu);
         PaperSettings settings;
-        settings.start = at_maximum_of_force(sums, steady_state(sums, limits, std::min(beta, 0.9999 * limits.exact)));
+        settings.start = on_closed_form(s.at(r), mu, beta);
         return settings;
     };
 }

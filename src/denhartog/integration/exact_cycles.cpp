@@ -54,7 +54,7 @@ PaperMotion exact_cycles(const Scene<double>& scene, const PaperSettings& settin
     const std::vector<Extremum<double>> largest = solver.largest_displacements();
     for (std::size_t k = 0; k < N; ++k) {
         motion.masses[k].amplitude = std::abs(largest[k].x);
-        if (period_seen.slides_throughout() && largest[k].x != 0)
+        if (motion.slides && largest[k].x != 0)
             motion.masses[k].phase = wrapped(largest[k].instant + (largest[k].x < 0 ? pi<double>() : 0));
     }
     motion.end = run.end;

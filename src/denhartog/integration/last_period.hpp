@@ -55,9 +55,6 @@ public:
     /// @param last  whether it was ended by the final time
     void take_rest(double from, double to, double x, bool last);
 
-    /// @brief Whether the contact has not rested yet. @return true where no rest was taken into account
-    [[nodiscard]] bool slides_throughout() const { return slides_throughout_; }
-
     /// @brief Writes what was gathered. @param motion gets masses, stops and samples
     void write(PaperMotion& motion) const;
 
