@@ -4,6 +4,7 @@
 #pragma once
 
 #include "denhartog/formulas/high_frequency.hpp"
+#include "denhartog/model/paper_systems.hpp"
 #include "regimes.hpp"
 #include "sweep.hpp"
 

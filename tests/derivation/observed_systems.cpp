@@ -32,7 +32,7 @@ TEST_CASE("no amplitude of a dense scan is above the peak that was found", "[eq:
             if (0.375 < boundary(m, 1.0).exact) largest = std::fmax(largest, monoharmonic_amplitude(m, 1, 0.375));
         }
         CHECK(largest <= peak->X * (1 + 1e-12));
-        CHECK(largest == Approx(peak->X).epsilon(1e-3));
+        CHECK(largest == Approx(peak->X).epsilon(1e-3)); // next to the peak the scan can be half of its step off
     }
 }
 
