@@ -14,28 +14,88 @@ namespace {
 const Register registered([] {
     const Symbols& s = symbols();
     const std::vector<std::string> domain{"R_i > 0", "0 <= zeta_i < 1"};
-    const auto paper_functions = [&s] {
-        const Symbolic R(s.R), zeta(s.zeta);
-        const Complex<Symbolic> v = paper::complex_response(R, zeta);
-        return std::vector<ex>{v.re.expression(), v.im.expression(), paper::first_damping_function(R, zeta).expression(),
-                               paper::second_damping_function(R, zeta).expression()};
+    const auto response = [&s] {
+        const Complex<Symbolic> v = paper::complex_response(Symbolic(s.R), Symbolic(s.zeta));
+        return std::vector<ex>{v.re.expression(), v.im.expression()};
     };
-    const auto values = [](const evaluation::ModeFunctions<Symbolic>& f) { return Values{f.v.re, f.v.im, f.u, f.g}; };
+    const auto damping = [&s] {
+        return std::vector<ex>{paper::first_damping_function(Symbolic(s.R), Symbolic(s.zeta)).expression(),
+                               paper::second_damping_function(Symbolic(s.R), Symbolic(s.zeta)).expression()};
+    };
+    const auto parts = [](const Complex<Symbolic>& v) { return Values{v.re, v.im}; };
+    const auto values = [](const evaluation::DampingFunctions<Symbolic>& f) { return Values{f.u, f.g}; };
+    const Symbolic R(s.R), zeta(s.zeta), scale(new_symbol("scale", "\\lambda", GiNaC::numeric(2), GiNaC::numeric(64)));
     return std::vector<Claim>{
+        {.id = "evaluation/response-off-resonance",
+         .equations = {"23"},
+         .role = Role::shipped,
+         .title = "The response function divided by its real part, with any scale",
+         .assumptions = {"R_i > 0", "0 <= zeta_i < 1", "R_i not 1"},
+         .kernel = [=] { return parts(evaluation::complex_response_off_resonance(R, zeta, scale)); },
+         .derived = response},
+        {.id = "evaluation/response-near-resonance",
+         .equations = {"23"},
+         .role = Role::shipped,
+         .title = "The response function divided by its imaginary part",
+         .assumptions = {"R_i > 0", "0 < zeta_i < 1"},
+         .kernel = [=] { return parts(evaluation::complex_response_near_resonance(R, zeta)); },
+         .derived = response},
+        {.id = "evaluation/response-high-frequency",
+         .equations = {"23"},
+         .role = Role::shipped,
+         .title = "The response function in 1 / R",
+         .assumptions = domain,
+         .kernel = [=] { return parts(evaluation::complex_response_high_frequency(R, zeta)); },
+         .derived = response},
         {.id = "evaluation/half-angle",
-         .equations = {"28", "29", "23"},
+         .equations = {"28", "29"},
          .role = Role::shipped,
-         .title = "Mode functions in decaying exponentials and half angles",
+         .title = "Damping functions in decaying exponentials and half angles",
          .assumptions = domain,
-         .kernel = [&s, values] { return values(evaluation::mode_functions_half_angle(Symbolic(s.R), Symbolic(s.zeta))); },
-         .derived = paper_functions},
+         .kernel = [=] { return values(evaluation::damping_functions_half_angle(R, zeta, evaluation::half_angle(R, zeta))); },
+         .derived = damping},
+        {.id = "evaluation/half-angle-of-heavy-damping",
+         .equations = {"28", "29"},
+         .role = Role::shipped,
+         .title = "The same with the half angle as a product",
+         .assumptions = domain,
+         .kernel =
+             [=] {
+                 return values(
+                     evaluation::damping_functions_half_angle(R, zeta, evaluation::half_angle_of_heavy_damping(R, zeta)));
+             },
+         .derived = damping},
+        {.id = "evaluation/slight-damping",
+         .equations = {"28", "29"},
+         .role = Role::shipped,
+         .title = "Damping functions with delta taken out of the numerator of (29), with any scale",
+         .assumptions = {"R_i > 0", "0 < zeta_i < 1"},
+         .kernel =
+             [=] {
+                 return values(evaluation::damping_functions_slight_damping(R, zeta, evaluation::half_angle(R, zeta), scale));
+             },
+         .derived = damping},
         {.id = "evaluation/small-argument",
-         .equations = {"28", "29", "23"},
+         .equations = {"28", "29"},
          .role = Role::shipped,
-         .title = "Mode functions with the numerator of (29) as a sum of positive terms",
-         .assumptions = domain,
-         .kernel = [&s, values] { return values(evaluation::mode_functions_small_argument(Symbolic(s.R), Symbolic(s.zeta))); },
-         .derived = paper_functions},
+         .title = "Damping functions with the difference in (29) as one function, with any scale",
+         .assumptions = {"R_i > 0", "0 < zeta_i < 1"},
+         .kernel =
+             [=] {
+                 return values(evaluation::damping_functions_small_argument(R, zeta, evaluation::half_angle(R, zeta), scale));
+             },
+         .derived = damping},
+        {.id = "evaluation/at-resonance",
+         .equations = {"28", "29"},
+         .role = Role::shipped,
+         .title = "Damping functions at R = 1 with the powers of zeta taken out",
+         .assumptions = {"R_i = 1", "0 < zeta_i < 1"},
+         .kernel = [=] { return values(evaluation::damping_functions_at_resonance(zeta)); },
+         .derived =
+             [&s] {
+                 return std::vector<ex>{paper::first_damping_function(Symbolic(1), Symbolic(s.zeta)).expression(),
+                                        paper::second_damping_function(Symbolic(1), Symbolic(s.zeta)).expression()};
+             }},
         {.id = "evaluation/one-minus-w",
          .equations = {"28", "29"},
          .role = Role::shipped,
@@ -50,8 +110,8 @@ const Register registered([] {
          .assumptions = {"R_i > 0", "0 <= zeta_i < 1", "0 <= tau <= pi"},
          .kernel =
              [&s] {
-                 const evaluation::FrictionMotion<Symbolic> f = evaluation::friction_motion(
-                     Symbolic(s.tau), Symbolic(s.R), Symbolic(s.zeta), Symbolic(s.u), Symbolic(s.g));
+                 const evaluation::FrictionMotion<Symbolic> f =
+                     evaluation::friction_motion(Symbolic(s.tau), Symbolic(s.R), Symbolic(s.zeta), Symbolic(s.u), Symbolic(s.g));
                  return Values{f.value, f.prime, f.double_prime};
              },
          .derived =
@@ -69,16 +129,16 @@ const Register registered([] {
          .assumptions = {"zeta_i > 0"},
          .kernel =
              [&s] {
-                 return Values{evaluation::second_damping_function_at_resonance(Symbolic(s.zeta)),
-                               evaluation::second_damping_function_at_resonance(Symbolic(s.psi_ki), Symbolic(s.psi_ji),
-                                                                                Symbolic(s.zeta))};
+                 return Values{
+                     evaluation::second_damping_function_at_resonance(Symbolic(s.zeta)),
+                     evaluation::second_damping_function_at_resonance(Symbolic(s.psi_ki), Symbolic(s.psi_ji), Symbolic(s.zeta))};
              },
          .derived =
              [&s] {
-                 return std::vector<ex>{paper::second_damping_function_at_resonance(Symbolic(s.zeta)).expression(),
-                                        paper::second_damping_function_at_resonance(Symbolic(s.psi_ki), Symbolic(s.psi_ji),
-                                                                                    Symbolic(s.zeta))
-                                            .expression()};
+                 return std::vector<ex>{
+                     paper::second_damping_function_at_resonance(Symbolic(s.zeta)).expression(),
+                     paper::second_damping_function_at_resonance(Symbolic(s.psi_ki), Symbolic(s.psi_ji), Symbolic(s.zeta))
+                         .expression()};
              }},
         {.id = "evaluation/peak",
          .equations = {"83", "84"},
@@ -105,14 +165,13 @@ const Register registered([] {
          .assumptions = {"zeta_i > 0", "psi_ji not zero"},
          .kernel =
              [&s] {
-                 return Values{evaluation::friction_ratio_limit_at_resonance(Symbolic(s.psi_li), Symbolic(s.psi_ji),
-                                                                             Symbolic(s.zeta))};
+                 return Values{
+                     evaluation::friction_ratio_limit_at_resonance(Symbolic(s.psi_li), Symbolic(s.psi_ji), Symbolic(s.zeta))};
              },
          .derived =
              [&s] {
                  const Symbolic psi_li(s.psi_li), psi_ji(s.psi_ji);
-                 return std::vector<ex>{
-                     paper::friction_ratio_limit_at_resonance(psi_li, psi_ji, Symbolic(s.zeta)).expression()};
+                 return std::vector<ex>{paper::friction_ratio_limit_at_resonance(psi_li, psi_ji, Symbolic(s.zeta)).expression()};
              }},
     };
 });

@@ -70,6 +70,15 @@ Symbolic cos_pi(const Symbolic& x) { return cos(Symbolic(GiNaC::Pi * x.expressio
 Symbolic exp_minus_one(const Symbolic& x) { return exp(x) - 1; }
 Symbolic one_minus_w(const Symbolic& zeta) { return 1 - sqrt(1 - zeta * zeta); }
 Symbolic sinhc_minus_one(const Symbolic& x) { return sinh(x) / x - 1; }
-Symbolic one_minus_sinc(const Symbolic& x) { return 1 - sin(x) / x; }
+Symbolic one_minus_exp_over(const Symbolic& x) { return (1 - exp(-x)) / x; }
+Symbolic sinc_pi(const Symbolic& y) { return sin_pi(y) / (pi<Symbolic>() * y); }
+Symbolic sinhc_less_sinc_over_square(const Symbolic& q, const Symbolic& zeta) {
+    const Symbolic delta = q * zeta, theta = q * sqrt(1 - zeta * zeta);
+    return (sinh(delta) / delta - sin(theta) / theta) / (q * q);
+}
+SineCosine<Symbolic> sine_cosine_of_half_period(const Symbolic& R, const Symbolic& y) {
+    const Symbolic angle = pi<Symbolic>() * (1 / (2 * R) - y);
+    return {sin(angle), cos(angle)};
+}
 
 } // namespace denhartog::derivation

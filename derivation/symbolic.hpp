@@ -13,6 +13,7 @@
 #include <string>
 
 #include "denhartog/number.hpp"
+#include "denhartog/reduced_angle.hpp"
 
 namespace denhartog::derivation {
 
@@ -90,7 +91,10 @@ Symbolic cos_pi(const Symbolic& x);
 Symbolic exp_minus_one(const Symbolic& x);
 Symbolic one_minus_w(const Symbolic& zeta);
 Symbolic sinhc_minus_one(const Symbolic& x);
-Symbolic one_minus_sinc(const Symbolic& x);
+Symbolic one_minus_exp_over(const Symbolic& x);
+Symbolic sinc_pi(const Symbolic& y);
+Symbolic sinhc_less_sinc_over_square(const Symbolic& q, const Symbolic& zeta);
+SineCosine<Symbolic> sine_cosine_of_half_period(const Symbolic& R, const Symbolic& y);
 /// @}
 
 /// @brief Square of what a kernel returns, where a claim is on the square; no operation of the kernel, so that no twin alters it.

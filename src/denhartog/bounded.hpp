@@ -14,6 +14,7 @@
 #include <limits>
 
 #include "denhartog/number.hpp"
+#include "denhartog/reduced_angle.hpp"
 
 namespace denhartog {
 
@@ -99,6 +100,15 @@ inline Bounded& Bounded::operator/=(const Bounded& b) { return *this = *this / b
 [[nodiscard]] inline Bounded cos_pi(const Bounded& a) { return rounded(boost::math::cos_pi(a.x), std::min(2.0, 4 * a.e)); }
 /// @brief \f$ e^x - 1 \f$. @param a a number @return exp(a) - 1
 [[nodiscard]] inline Bounded exp_minus_one(const Bounded& a) { return rounded(std::expm1(a.x), std::exp(a.x) * std::expm1(a.e)); }
+/// @brief Sine and cosine of \f$ \pi\,[1/(2R) - y] \f$. @param R a positive number @param y a number
+/// @return both, with what the errors of R and y make of them
+[[nodiscard]] inline SineCosine<Bounded> sine_cosine_of_half_period(const Bounded& R, const Bounded& y) {
+    const SineCosine<double> f = sine_cosine_of_half_period(R.x, y.x);
+    const double unit = std::numeric_limits<double>::epsilon();
+    const double by_R = R.e > 0 ? (R.e < R.x ? 2 * R.e / (R.x * (R.x - R.e)) : 2) : 0; // 2 is more than pi / 2
+    const double error = std::min(2.0, by_R + 4 * y.e + 8 * unit * std::abs(y.x));     // y is rounded once more there
+    return {rounded(f.s, error + 2 * unit * std::abs(f.s)), rounded(f.c, error + 2 * unit * std::abs(f.c))};
+}
 
 /// @brief pi as a number with its error.
 template <>

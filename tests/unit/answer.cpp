@@ -81,8 +81,8 @@ TEST_CASE("a number written as text is read anew in every precision", "[accuracy
 }
 
 TEST_CASE("where double has not the digits more precision is taken and said so", "[accuracy]") {
-    // Next to the pole at R = 1/3 the first damping function changes by itself within a few units in the last place of r.
-    Scene<double> scene = oscillator(0, std::nextafter(std::nextafter(1.0 / 3, 1.0), 1.0));
+    // The double next to 1/3 is in double not told from the pole at R = 1/3 of a mode without damping; in 50 digits it is.
+    Scene<double> scene = oscillator(0, 1.0 / 3);
     scene.beta = 0.125;
     const Answer found = answer(scene_source(scene));
     CHECK(found.method.precision != "double");

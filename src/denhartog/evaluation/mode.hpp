@@ -3,10 +3,14 @@
 ///
 /// With \f$ E = e^{-\delta} \f$, \f$ c = \cos(\theta/2) \f$, \f$ s = \sin(\theta/2) \f$ the denominator of (28) and (29) is
 /// \f$ 2E(\cosh\delta+\cos\theta) = (1-E)^2 + 4Ec^2 \f$, a sum of two positive terms: nothing cancels near the poles, and
-/// nothing overflows at small R. The half angle is \f$ \pi/(2R) \f$ less \f$ \pi(1-w)/(2R) \f$, so that a small damping ratio is
-/// not rounded away. The numerator of (29) cancels at large R; there a second form is taken. Every form is
-/// branch-free and proved equal to the paper's in `derivation/evaluation_forms.cpp`; only the selection compares numbers.
+/// nothing overflows at small R. The half angle is \f$ \pi/(2R) \f$, reduced exactly, less \f$ \pi(1-w)/(2R) \f$, so that
+/// neither a rounded quotient nor a rounded w is magnified near the poles. The numerator of (29) cancels at large R; there a
+/// second form is taken. Products that could leave the range of the number type on the way to a result within it are taken in
+/// another order, or with a factor `scale`, a power of two that every form is free of. Every form is branch-free and proved equal
+/// to the paper's in `derivation/evaluation_forms.cpp`; only the selection compares numbers.
 #pragma once
+
+#include <limits>
 
 #include "denhartog/evaluation/special.hpp"
 #include "denhartog/formulas/mode.hpp"
@@ -21,85 +25,217 @@ struct ModeFunctions {
     T g;          ///< second damping function, Eq. (29)
 };
 
-/// @brief \f$ v_{di} \f$ with \f$ 1-R^2 \f$ as \f$ (1-R)(1+R) \f$, exact to rounding near resonance.
-/// @eq{23}  @derivation{evaluation_forms}  @domain{R > 0, 0 <= zeta < 1}
+/// @brief Both damping functions of a mode: (28), (29).
+template <class T>
+struct DampingFunctions {
+    T u; ///< first damping function, Eq. (28)
+    T g; ///< second damping function, Eq. (29)
+};
+
+/// @brief \f$ v_{di} \f$ with \f$ a = (1-R)(1+R) \f$, exact to rounding near resonance, and \f$ b = 2\zeta R \f$: a is larger.
+/// \f[ \mathrm{Re}\{v\} = \frac{1}{a + b\,(b/a)}, \qquad \mathrm{Im}\{v\} = -\frac{b}{a}\,\mathrm{Re}\{v\} \f]
+/// @eq{23}  @derivation{evaluation_forms}  @domain{0 < R < 2, 0 <= zeta < 1, R not 1; keeps its digits for |a| >= b}
+/// @param R      modal frequency ratio, Eq. (22)
+/// @param zeta   modal damping ratio
+/// @param scale  a power of two by which a subnormal zeta is lifted
+/// @return       v_di
+template <class T>
+[[nodiscard]] Complex<T> complex_response_off_resonance(const T& R, const T& zeta, const T& scale) {
+    const T a = (1 - R) * (1 + R);
+    const T b = 2 * zeta * R;
+    const T re = 1 / (a + b * (b / a));
+    return {re, -(scale * zeta * (2 * R) / a * re / scale)};
+}
+
+/// @brief \f$ v_{di} \f$ with a and b as off resonance, where b is larger.
+/// \f[ \mathrm{Im}\{v\} = -\frac{1}{b + a\,(a/b)}, \qquad \mathrm{Re}\{v\} = -\frac{a}{b}\,\mathrm{Im}\{v\} \f]
+/// @eq{23}  @derivation{evaluation_forms}  @domain{0 < R < 2, 0 < zeta < 1; keeps its digits for |a| <= b}
 /// @param R     modal frequency ratio, Eq. (22)
 /// @param zeta  modal damping ratio
 /// @return      v_di
 template <class T>
-[[nodiscard]] Complex<T> complex_response(const T& R, const T& zeta) {
+[[nodiscard]] Complex<T> complex_response_near_resonance(const T& R, const T& zeta) {
     const T a = (1 - R) * (1 + R);
     const T b = 2 * zeta * R;
-    const T D = a * a + b * b;
-    return {a / D, -b / D};
+    const T quotient = a / b;
+    const T sum = b + a * quotient;
+    return {quotient / sum, -1 / sum};
 }
 
-/// @brief What both forms of (28) and (29) are made of.
+/// @brief \f$ v_{di} \f$ in \f$ p = 1/R \f$: no square of R overflows.
+/// \f[ v_{di} = \frac{A - iB}{R^2\,(A^2+B^2)}, \qquad A = p^2-1,\quad B = 2\zeta p \f]
+/// @eq{23}  @derivation{evaluation_forms}  @domain{R > 0, 0 <= zeta < 1; keeps its digits for R of 2 and more}
+/// @param R     modal frequency ratio, Eq. (22)
+/// @param zeta  modal damping ratio
+/// @return      v_di
+template <class T>
+[[nodiscard]] Complex<T> complex_response_high_frequency(const T& R, const T& zeta) {
+    const T p = 1 / R;
+    const T A = p * p - 1;
+    const T B = 2 * zeta * p;
+    const T D = A * A + B * B;
+    return {A / D / R / R, -(2 * zeta / D / R / R / R)};
+}
+
+/// @brief \f$ v_{di} \f$: the form that keeps its digits at this place.
+/// @eq{23}  @derivation{evaluation_forms}  @domain{R > 0, 0 <= zeta < 1}
+/// @param R     modal frequency ratio, Eq. (22)
+/// @param zeta  modal damping ratio
+/// @return      v_di; not a number at its pole R = 1, zeta = 0
+template <class T>
+[[nodiscard]] Complex<T> complex_response(const T& R, const T& zeta) {
+    if (R >= 2) return complex_response_high_frequency(R, zeta);
+    const T a = (1 - R) * (1 + R);
+    const T b = 2 * zeta * R;
+    if ((a < 0 ? T(-a) : a) < b || (R == 1 && zeta > 0)) return complex_response_near_resonance(R, zeta);
+    return complex_response_off_resonance(R, zeta, T(1 / T(std::numeric_limits<T>::epsilon())));
+}
+
+/// @brief What the forms of (28) and (29) are made of.
 template <class T>
 struct HalfAngle {
     T w;     ///< sqrt(1 - zeta^2)
     T delta; ///< pi zeta / R
-    T E;     ///< exp(-delta)
     T s;     ///< sin(theta / 2)
     T c;     ///< cos(theta / 2)
 };
 
-/// @brief Half angle and decay over the half-period.
+/// @brief Half angle as a difference, and the exponent of the decay over the half-period.
 /// \f[ \frac{\theta}{2} = \frac{\pi}{2R} - \frac{\pi(1-w)}{2R}, \qquad \delta = \frac{\pi\zeta}{R} \f]
-/// @eq{28,29}  @derivation{evaluation_forms}  @domain{R > 0, 0 <= zeta < 1}
+/// @eq{28,29}  @derivation{evaluation_forms}  @domain{R > 0, 0 <= zeta < 1; keeps its digits for zeta below 1/2}
 /// @param R     modal frequency ratio, Eq. (22)
 /// @param zeta  modal damping ratio
-/// @return      w, delta, exp(-delta), sine and cosine of the half angle
+/// @return      w, delta, sine and cosine of the half angle
 template <class T>
 [[nodiscard]] HalfAngle<T> half_angle(const T& R, const T& zeta) {
-    const T x = 1 / (2 * R);
-    const T y = one_minus_w(zeta) / (2 * R);
+    const SineCosine<T> half = sine_cosine_of_half_period(R, T(one_minus_w(zeta) / (2 * R)));
     const T delta = pi<T>() * zeta / R;
-    const T s_x = sin_pi(x), c_x = cos_pi(x);
-    const T s_y = sin_pi(y), c_y = cos_pi(y);
-    return {sqrt(T((1 - zeta) * (1 + zeta))), delta, exp(T(-delta)), s_x * c_y - c_x * s_y, c_x * c_y + s_x * s_y};
+    return {sqrt(T((1 - zeta) * (1 + zeta))), delta, half.s, half.c};
+}
+
+/// @brief Half angle as a product, which keeps its digits where w is small, and the exponent of the decay.
+/// @eq{28,29}  @derivation{evaluation_forms}  @domain{R > 0, 0 <= zeta < 1; keeps its digits for zeta of 1/2 and more}
+/// @param R     modal frequency ratio, Eq. (22)
+/// @param zeta  modal damping ratio
+/// @return      w, delta, sine and cosine of the half angle
+template <class T>
+[[nodiscard]] HalfAngle<T> half_angle_of_heavy_damping(const T& R, const T& zeta) {
+    const T w = sqrt(T((1 - zeta) * (1 + zeta)));
+    const T x = w / (2 * R);
+    const T delta = pi<T>() * zeta / R;
+    return {w, delta, sin_pi(x), cos_pi(x)};
 }
 
 /// @brief (28) and (29) in decaying exponentials and half angles.
 /// \f[ u = \frac{4Esc}{R\,w\,[(1-E)^2+4Ec^2]}, \qquad g = \frac{(1-E)(1+E) - 4E\frac{\zeta}{w}sc}{(1-E)^2+4Ec^2} \f]
-/// @eq{28,29}  @derivation{evaluation_forms}  @domain{R > 0, 0 <= zeta < 1; keeps its digits for R below 2}
+/// @eq{28,29}  @derivation{evaluation_forms}  @domain{R > 0, 0 <= zeta < 1; keeps its digits for R below 5/4}
 /// @param R     modal frequency ratio, Eq. (22)
 /// @param zeta  modal damping ratio
-/// @return      v, u, g
+/// @param h     half angle and exponent
+/// @return      u, g
 template <class T>
-[[nodiscard]] ModeFunctions<T> mode_functions_half_angle(const T& R, const T& zeta) {
-    const HalfAngle<T> h = half_angle(R, zeta);
+[[nodiscard]] DampingFunctions<T> damping_functions_half_angle(const T& R, const T& zeta, const HalfAngle<T>& h) {
+    const T root_E = exp(T(-h.delta / 2));
+    const T E = root_E * root_E;
     const T E_minus_one = exp_minus_one(T(-h.delta));
-    const T denominator = E_minus_one * E_minus_one + 4 * h.E * h.c * h.c;
-    return {complex_response(R, zeta), 4 * h.E * h.s * h.c / (R * h.w * denominator),
-            -(E_minus_one * (1 + h.E) + 4 * h.E * zeta / h.w * h.s * h.c) / denominator};
+    const T denominator = E_minus_one * E_minus_one + 4 * E * h.c * h.c;
+    return {root_E * h.s * h.c / denominator * (4 / h.w) / R * root_E,
+            -(E_minus_one * (1 + E) + 4 * E * (zeta / h.w) * h.s * h.c) / denominator};
 }
 
-/// @brief (28) and (29) where both arguments are small: the numerator of (29) as a sum of two positive terms.
-/// \f[ g = \frac{2E\delta\left[\left(\frac{\sinh\delta}{\delta}-1\right)+\left(1-\frac{\sin\theta}{\theta}\right)\right]}
-///              {(1-E)^2+4Ec^2} \f]
-/// @eq{28,29}  @derivation{evaluation_forms}  @domain{R > 0, 0 <= zeta < 1; keeps its digits for R of 2 and more}
+/// @brief (28) and (29) with \f$ \delta \f$ taken out of the numerator of (29), where a subnormal zeta would lose its digits.
+/// \f[ g = \frac{\delta}{(1-E)^2+4Ec^2}\left[(1+E)\frac{1-E}{\delta} - \frac{4ERsc}{\pi w}\right] \f]
+/// @eq{28,29}  @derivation{evaluation_forms}  @domain{R > 0, 0 <= zeta < 1; keeps its digits for R below 5/4}
+/// @param R      modal frequency ratio, Eq. (22)
+/// @param zeta   modal damping ratio
+/// @param h      half angle and exponent
+/// @param scale  a power of two by which a subnormal zeta is lifted
+/// @return       u, g
+template <class T>
+[[nodiscard]] DampingFunctions<T> damping_functions_slight_damping(const T& R, const T& zeta, const HalfAngle<T>& h,
+                                                                   const T& scale) {
+    const T root_E = exp(T(-h.delta / 2));
+    const T E = root_E * root_E;
+    const T quotient = one_minus_exp_over(h.delta);
+    const T one_minus_E = quotient * h.delta;
+    const T denominator = one_minus_E * one_minus_E + 4 * E * h.c * h.c;
+    const T bracket = (1 + E) * quotient - 4 * E * R * h.s * h.c / (pi<T>() * h.w);
+    return {root_E * h.s * h.c / denominator * (4 / h.w) / R * root_E,
+            bracket / denominator * (scale * zeta) * (pi<T>() / R) / scale};
+}
+
+/// @brief (28) and (29) where both arguments are small: the numerator of (29) as a series with positive leading term.
+/// \f[ u = \frac{sc}{R\,w\,(\sinh^2\frac{\delta}{2}+c^2)}, \qquad
+///     g = \frac{\delta\left[\frac{\sinh\delta}{\delta}-\frac{\sin\theta}{\theta}\right]}{2\,(\sinh^2\frac{\delta}{2}+c^2)} \f]
+/// @eq{28,29}  @derivation{evaluation_forms}  @domain{R > 0, 0 <= zeta < 1; keeps its digits for R of 5/4 and more}
+/// @param R      modal frequency ratio, Eq. (22)
+/// @param zeta   modal damping ratio
+/// @param h      half angle and exponent
+/// @param scale  a power of two by which a subnormal zeta is lifted
+/// @return       u, g
+template <class T>
+[[nodiscard]] DampingFunctions<T> damping_functions_small_argument(const T& R, const T& zeta, const HalfAngle<T>& h,
+                                                                   const T& scale) {
+    const T q = pi<T>() / R;
+    const T sinh_half = sinh(T(h.delta / 2));
+    const T denominator = sinh_half * sinh_half + h.c * h.c;
+    const T bracket = sinhc_less_sinc_over_square(q, zeta) * q * q;
+    return {h.s * h.c / denominator / h.w / R, bracket / denominator * (scale * zeta) * q / (2 * scale)};
+}
+
+/// @brief (28) and (29) at R = 1, with every power of zeta that the printed form loses taken out.
+///
+/// With \f$ y = \zeta^2/[2(1+w)] \f$, \f$ t = \sin(\pi y)/\zeta^2 \f$, \f$ s = \cos\pi y \f$, \f$ e = (1-E)/\zeta \f$
+/// \f[ u = \frac{4Ets}{w\,(e^2+4E\zeta^2t^2)}, \qquad g = \frac{(1+E)\,e - 4E\frac{\zeta^2}{w}ts}{\zeta\,(e^2+4E\zeta^2t^2)} \f]
+/// @eq{28,29}  @derivation{evaluation_forms}  @domain{R = 1, 0 < zeta < 1; keeps its digits for zeta below 1/2}
+/// @param zeta  modal damping ratio
+/// @return      u, g
+template <class T>
+[[nodiscard]] DampingFunctions<T> damping_functions_at_resonance(const T& zeta) {
+    const T w = sqrt(T((1 - zeta) * (1 + zeta)));
+    const T E = exp(T(-pi<T>() * zeta));
+    const T y = one_minus_w(zeta) / 2;
+    const T t = pi<T>() * sinc_pi(y) / (2 * (1 + w));
+    const T s = cos_pi(y);
+    const T e = pi<T>() * one_minus_exp_over(T(pi<T>() * zeta));
+    const T denominator = e * e + 4 * E * (zeta * t) * (zeta * t);
+    return {4 * E * t * s / (w * denominator), ((1 + E) * e - 4 * E * (zeta / w) * zeta * t * s) / denominator / zeta};
+}
+
+/// @brief Whether R is 1/n, n odd, to the last place: what a mode without damping has there is not told from its pole.
+/// @param R  modal frequency ratio, Eq. (22)
+/// @return   whether 1/(2R), rounded, is half an odd number
+template <class T>
+[[nodiscard]] bool at_undamped_pole(const T& R) {
+    return cos_pi(T(1 / (2 * R))) == 0;
+}
+
+/// @brief \f$ u_{di} \f$ and \f$ g_i \f$: the form that keeps its digits at this place.
+/// @eq{28,29}  @derivation{evaluation_forms}  @domain{R > 0, 0 <= zeta < 1}
 /// @param R     modal frequency ratio, Eq. (22)
 /// @param zeta  modal damping ratio
-/// @return      v, u, g
+/// @return      u, g; not finite at the poles at zeta = 0, R = 1/n, n odd
 template <class T>
-[[nodiscard]] ModeFunctions<T> mode_functions_small_argument(const T& R, const T& zeta) {
-    const HalfAngle<T> h = half_angle(R, zeta);
-    const T theta = pi<T>() * h.w / R;
-    const T E_minus_one = exp_minus_one(T(-h.delta));
-    const T denominator = E_minus_one * E_minus_one + 4 * h.E * h.c * h.c;
-    return {complex_response(R, zeta), 4 * h.E * h.s * h.c / (R * h.w * denominator),
-            2 * h.E * h.delta * (sinhc_minus_one(h.delta) + one_minus_sinc(theta)) / denominator};
+[[nodiscard]] DampingFunctions<T> damping_functions(const T& R, const T& zeta) {
+    const T scale = 1 / T(std::numeric_limits<T>::epsilon());
+    const bool heavy = 2 * zeta >= 1;
+    if (zeta == 0 && at_undamped_pole(R)) return {T(1 / zeta), T(zeta / zeta)};
+    if (R == 1 && !heavy) return damping_functions_at_resonance(zeta);
+    const HalfAngle<T> h = heavy ? half_angle_of_heavy_damping(R, zeta) : half_angle(R, zeta);
+    if (4 * R >= 5) return damping_functions_small_argument(R, zeta, h, scale);
+    if (zeta < scale * (std::numeric_limits<T>::min)()) return damping_functions_slight_damping(R, zeta, h, scale);
+    return damping_functions_half_angle(R, zeta, h);
 }
 
-/// @brief \f$ v_{di} \f$, \f$ u_{di} \f$ and \f$ g_i \f$: the form that keeps its digits at this R.
+/// @brief \f$ v_{di} \f$, \f$ u_{di} \f$ and \f$ g_i \f$: the form that keeps its digits at this place.
 /// @eq{23,28,29}  @derivation{evaluation_forms}  @domain{R > 0, 0 <= zeta < 1}
 /// @param R     modal frequency ratio, Eq. (22)
 /// @param zeta  modal damping ratio
 /// @return      v, u, g; not finite at the poles that (23), (28), (29) have at zeta = 0
 template <class T>
 [[nodiscard]] ModeFunctions<T> mode_functions(const T& R, const T& zeta) {
-    return R < 2 ? mode_functions_half_angle(R, zeta) : mode_functions_small_argument(R, zeta);
+    const DampingFunctions<T> f = damping_functions(R, zeta);
+    return {complex_response(R, zeta), f.u, f.g};
 }
 
 /// @brief The braces of (40) and their first two derivatives in \f$ \tau \f$.

@@ -9,6 +9,7 @@
 #include <boost/math/special_functions/sin_pi.hpp>
 
 #include "denhartog/number.hpp"
+#include "denhartog/reduced_angle.hpp"
 
 namespace denhartog::evaluation {
 
@@ -58,11 +59,43 @@ template <class T>
     return sinh(x) / x - 1;
 }
 
-/// @brief \f$ 1 - \sin(x)/x \f$. @param x a number, not zero beyond |x| = 1 @return the difference, never negative
+/// @brief \f$ (1-e^{-x})/x \f$, which is 1 at 0. @param x a number, not negative @return the quotient
 template <class T>
-[[nodiscard]] T one_minus_sinc(const T& x) {
-    if (x * x <= 1) return -odd_series_without_leading_term(T(-x * x));
-    return 1 - sin(x) / x;
+[[nodiscard]] T one_minus_exp_over(const T& x) {
+    if (x == 0) return T(1);
+    return -exp_minus_one(T(-x)) / x;
+}
+
+/// @brief \f$ \sin(\pi y)/(\pi y) \f$, which is 1 at 0. @param y a number @return the quotient
+template <class T>
+[[nodiscard]] T sinc_pi(const T& y) {
+    if (y == 0) return T(1);
+    return sin_pi(y) / (pi<T>() * y);
+}
+
+/// @brief \f$ \frac{1}{q^2}\left[\frac{\sinh q\zeta}{q\zeta} - \frac{\sin qw}{qw}\right] \f$ without its cancellation.
+///
+/// The bracket is \f$ \sum_k [\zeta^{2k}-(-w^2)^k]\,q^{2k}/(2k+1)! \f$. As \f$ \zeta^2+w^2=1 \f$ its coefficients follow from
+/// \f$ c_{k+1} = (2\zeta^2-1)c_k + \zeta^2w^2c_{k-1} \f$ with \f$ c_0=0, c_1=1 \f$: neither w nor a difference is formed, and the
+/// value is 1/6 at q = 0.
+/// @param q     a number, not much beyond pi
+/// @param zeta  a number in [0, 1)
+/// @return      the quotient
+template <class T>
+[[nodiscard]] T sinhc_less_sinc_over_square(const T& q, const T& zeta) {
+    const T square = q * q;
+    const T once = (2 * zeta * zeta - 1) * square;
+    const T twice = zeta * zeta * ((1 - zeta) * (1 + zeta)) * square * square;
+    T before(0), term = T(1) / 6, sum = term;
+    for (int k = 1, still = 0;; ++k) {
+        const T next_term = (once * term + twice * before / (2 * k * (2 * k + 1))) / ((2 * k + 2) * (2 * k + 3));
+        before = term;
+        term = next_term;
+        const T next = sum + term;
+        still = next == sum ? still + 1 : 0;
+        if (still == 2) return sum; // one coefficient can be zero, not two in a row
+        sum = next;
+    }
 }
 
 } // namespace denhartog::evaluation
