@@ -1,4 +1,5 @@
-// The full surveys of the time domain: each prints its tables in Markdown, writes them to a file, and fails where a gate does.
+// The full surveys of the mode functions and the time domain: each prints its tables in Markdown, writes them to a file, and
+// fails where a gate does.
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <filesystem>
@@ -7,6 +8,7 @@
 
 #include "denhartog/model/paper_systems.hpp"
 #include "tests/speed_accuracy/cycles_survey.hpp"
+#include "tests/speed_accuracy/mode_functions_survey.hpp"
 #include "tests/speed_accuracy/regime_survey.hpp"
 #include "tests/speed_accuracy/speed.hpp"
 #include "tests/speed_accuracy/stick_slip_survey.hpp"
@@ -35,7 +37,7 @@ Outcome cycles() {
     int unanswered = 0;
     for (const double beta : {0.05, 0.2, 0.5})
         for (const double zeta : {0.001, 0.01, 0.1})
-            for (const NamedSystem<double>& s : paper_systems(zeta)) {
+            for (const denhartog::NamedSystem<double>& s : denhartog::paper_systems(zeta)) {
                 all.push_back(survey_cycles(s.name, s.system, zeta, beta, r, 200));
                 unanswered += all.back().unanswered;
             }
@@ -99,6 +101,19 @@ Outcome stick_slip(int scenes) {
     return {{table}, good && wide.over_bound.error <= 1};
 }
 
+Outcome mode_functions(int points) {
+    Outcome outcome;
+    for (const auto& [precision, count] :
+         {std::pair{Precision::in_double, points}, std::pair{Precision::in_long_double, points / 4},
+          std::pair{Precision::in_50_digits, points / 50}}) {
+        const std::vector<ZoneErrors> zones = survey_mode_functions(precision, count);
+        outcome.tables.push_back(table_of(precision, zones));
+        outcome.good = outcome.good && worst_of(zones, &FunctionErrors::by_both).error <= most_allowed(precision) &&
+                       worst_of(zones, &FunctionErrors::light).error <= most_allowed_with_exact_R(precision);
+    }
+    return outcome;
+}
+
 /// Prints and writes the tables.
 bool publish(const std::string& name, const Outcome& outcome, const std::string& directory) {
     std::string text;
@@ -117,10 +132,10 @@ bool publish(const std::string& name, const Outcome& outcome, const std::string&
 } // namespace
 
 int main(int argc, char** argv) {
-    CLI::App app{"Surveys of the time domain: accuracy and speed of its two solvers", "speed-accuracy"};
+    CLI::App app{"Surveys of accuracy and speed: the mode functions, and both solvers of the time domain", "speed-accuracy"};
     app.require_subcommand(1);
     std::string directory;
-    int points = 10000, scenes = 200, repeats = 9;
+    int points = 10000, scenes = 200, repeats = 9, mode_points = 1000000;
     bool good = true;
     const auto add = [&](const char* name, const char* what, const std::function<Outcome()>& run) {
         CLI::App* sub = app.add_subcommand(name, what);
@@ -135,6 +150,9 @@ int main(int argc, char** argv) {
     add("tolerance", "Paper's algorithm against the closed form: error against tolerance", [] { return tolerance(); });
     add("stick-slip", "Exact solver against the paper's algorithm and against 50 digits", [&] { return stick_slip(scenes); })
         ->add_option("--scenes", scenes, "How many scenes")
+        ->check(CLI::PositiveNumber);
+    add("mode-functions", "v, u and g against up to 1100 digits, zone by zone", [&] { return mode_functions(mode_points); })
+        ->add_option("--points", mode_points, "How many points in double; a quarter in long double, a fiftieth in 50 digits")
         ->check(CLI::PositiveNumber);
     add("speed", "Time and digits against the paper's algorithm",
         [&] {
