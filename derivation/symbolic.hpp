@@ -92,6 +92,7 @@ Symbolic exp_minus_one(const Symbolic& x);
 Symbolic one_minus_w(const Symbolic& zeta);
 Symbolic sinhc_minus_one(const Symbolic& x);
 Symbolic one_minus_exp_over(const Symbolic& x);
+Symbolic sinc(const Symbolic& x);
 Symbolic sinc_pi(const Symbolic& y);
 Symbolic sinhc_less_sinc_over_square(const Symbolic& q, const Symbolic& zeta);
 SineCosine<Symbolic> sine_cosine_of_half_period(const Symbolic& R, const Symbolic& y);

@@ -9,6 +9,7 @@
 #include "denhartog/model/paper_systems.hpp"
 #include "tests/speed_accuracy/cycles_survey.hpp"
 #include "tests/speed_accuracy/mode_functions_survey.hpp"
+#include "tests/speed_accuracy/motion_survey.hpp"
 #include "tests/speed_accuracy/regime_survey.hpp"
 #include "tests/speed_accuracy/speed.hpp"
 #include "tests/speed_accuracy/stick_slip_survey.hpp"
@@ -110,6 +111,10 @@ Outcome mode_functions(int points) {
         outcome.tables.push_back(table_of(precision, zones));
         outcome.good = outcome.good && worst_of(zones, &FunctionErrors::by_both).error <= most_allowed(precision) &&
                        worst_of(zones, &FunctionErrors::light).error <= most_allowed_with_exact_R(precision);
+        const std::vector<FunctionInZone> motion = survey_motion(precision, count), peak = survey_resonance(precision, count);
+        outcome.tables.push_back(table_of("Free motion and the expression of (57) in " + name(precision), motion));
+        outcome.tables.push_back(table_of("Resonance in " + name(precision), peak));
+        outcome.good = outcome.good && within_bounds(precision, motion) && within_bounds(precision, peak);
     }
     return outcome;
 }
@@ -151,7 +156,8 @@ int main(int argc, char** argv) {
     add("stick-slip", "Exact solver against the paper's algorithm and against 50 digits", [&] { return stick_slip(scenes); })
         ->add_option("--scenes", scenes, "How many scenes")
         ->check(CLI::PositiveNumber);
-    add("mode-functions", "v, u and g against up to 1100 digits, zone by zone", [&] { return mode_functions(mode_points); })
+    add("mode-functions", "v, u, g, d, q, their rates, (57), (79), (83)-(85) against up to 1100 digits, zone by zone",
+        [&] { return mode_functions(mode_points); })
         ->add_option("--points", mode_points, "How many points in double; a quarter in long double, a fiftieth in 50 digits")
         ->check(CLI::PositiveNumber);
     add("speed", "Time and digits against the paper's algorithm",

@@ -66,6 +66,13 @@ template <class T>
     return -exp_minus_one(T(-x)) / x;
 }
 
+/// @brief \f$ \sin(x)/x \f$, which is 1 at 0. @param x a number @return the quotient
+template <class T>
+[[nodiscard]] T sinc(const T& x) {
+    if (x == 0) return T(1);
+    return sin(x) / x;
+}
+
 /// @brief \f$ \sin(\pi y)/(\pi y) \f$, which is 1 at 0. @param y a number @return the quotient
 template <class T>
 [[nodiscard]] T sinc_pi(const T& y) {

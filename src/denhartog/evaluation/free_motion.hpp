@@ -1,0 +1,213 @@
+/// @file
+/// @brief What callers get for (A.8), (A.9) and the expression under the maximum in (57): forms that keep their digits.
+///
+/// The expression of (57) is a quotient whose numerator and denominator both vanish at the ends of the half-period. Up to the
+/// middle its numerator is taken from the start, where \f$ R_iq_i' - \cos\tau \f$ is a sum of three small terms; beyond the middle
+/// from the end, backwards in time, where friction and damping change their sign: with \f$ \sigma = \pi - \tau \f$ it is minus
+/// the same expression at \f$ \sigma \f$ with \f$ -\zeta_i \f$ and \f$ -g_i \f$. Where the decay over the half-period is large,
+/// \f$ 1 - g_i \f$ and \f$ u_{di} \f$ are both of the size of that decay, which is taken out.
+#pragma once
+
+#include "denhartog/evaluation/mode.hpp"
+
+namespace denhartog::evaluation {
+
+/// @brief Free motion of a mode and its rates: (A.8), (A.9).
+template <class T>
+struct FreeMotionWithRates {
+    T d;       ///< from unit displacement, Eq. (A.8)
+    T q;       ///< from unit velocity over R, Eq. (A.8)
+    T d_prime; ///< rate of d, Eq. (A.9)
+    T q_prime; ///< rate of q, Eq. (A.9)
+};
+
+/// @brief (A.8) and (A.9) from one exponential, one sine and one cosine, \f$ 1-\zeta^2 \f$ as a product.
+///
+/// The decay is the square of a root, between whose factors 1/R stands: neither leaves the range of the number type before the
+/// rates do.
+/// @eq{A.8,A.9}  @derivation{evaluation_of_motion}  @domain{tau >= 0, R > 0, 0 <= zeta < 1}
+/// @param tau   non-dimensional time, Eq. (5); radians
+/// @param R     modal frequency ratio, Eq. (22)
+/// @param zeta  modal damping ratio
+/// @return      d, q and their rates
+template <class T>
+[[nodiscard]] FreeMotionWithRates<T> free_motion_with_rates(const T& tau, const T& R, const T& zeta) {
+    const T w = sqrt(T((1 - zeta) * (1 + zeta)));
+    const T x = tau / R;
+    const T root = exp(T(-zeta * x / 2));
+    const T C = cos(T(w * x));
+    const T S = sinc(T(w * x)) * x;
+    return {root * (C + zeta * S) * root, root * S * root, -(root * (S / R) * root), root * ((C - zeta * S) / R) * root};
+}
+
+/// @brief \f$ u_{di}R_i^2 \f$ where neither R^2 nor u may be formed.
+/// \f[ u_{di}R_i^2 = \frac{\pi}{2}\,\frac{\sin y}{y}\,\frac{c}{\sinh^2\frac{\delta}{2}+c^2}, \qquad y = \frac{\pi w}{2R_i} \f]
+/// @eq{28}  @derivation{evaluation_of_motion}  @domain{R > 0, 0 <= zeta < 1; keeps its digits for R of 5/4 and more}
+/// @param R     modal frequency ratio, Eq. (22)
+/// @param zeta  modal damping ratio
+/// @param h     half angle and exponent
+/// @return      u R^2
+template <class T>
+[[nodiscard]] T first_damping_function_by_R_squared(const T& R, const T& zeta, const HalfAngle<T>& h) {
+    const T sinh_half = sinh(T(h.delta / 2));
+    const T w = sqrt(T((1 - zeta) * (1 + zeta)));
+    return pi<T>() / 2 * sinc_pi(T(w / (2 * R))) * (h.c / (sinh_half * sinh_half + h.c * h.c));
+}
+
+/// @brief What the expression in (57) is made of at an instant, without the cancellations at \f$ \tau \to 0 \f$.
+template <class T>
+struct HarmonicDifference {
+    T value; ///< R q' - cos(tau)
+    T Rq;    ///< R q
+};
+
+/// @brief \f$ \cos b - \cos\tau \f$ with \f$ b = w\tau/R_i \f$, where \f$ b - \tau = \tau\,[(1-R_i)-(1-w)]/R_i \f$.
+/// @eq{57}  @derivation{evaluation_of_motion}  @domain{tau >= 0, R > 0, |zeta| < 1}
+/// @param tau   non-dimensional time, Eq. (5); radians
+/// @param R     modal frequency ratio, Eq. (22)
+/// @param zeta  modal damping ratio
+/// @return      the difference, as a product of two sines
+template <class T>
+[[nodiscard]] T difference_of_cosines(const T& tau, const T& R, const T& zeta) {
+    const T w = sqrt(T((1 - zeta) * (1 + zeta)));
+    const T half_sum = (w / R + 1) * tau / 2, half_difference = ((1 - R) - one_minus_w(zeta)) / R * tau / 2;
+    return -2 * sin(half_sum) * sin(half_difference);
+}
+
+/// @brief \f$ R_iq_i'(\tau) - \cos\tau \f$ and \f$ R_iq_i(\tau) \f$, \f$ b = w\tau/R_i \f$, \f$ a = \zeta_i\tau/R_i \f$.
+/// \f[ (e^{-a}-1)\cos b + [\cos b - \cos\tau] - e^{-a}\zeta_i\frac{\sin b}{w}, \qquad e^{-a}\tau\,\frac{\sin b}{b} \f]
+/// @eq{57}  @derivation{evaluation_of_motion}  @domain{tau > 0, R > 0, |zeta| < 1}
+/// @param tau   non-dimensional time, Eq. (5); radians
+/// @param R     modal frequency ratio, Eq. (22)
+/// @param zeta  modal damping ratio, or minus it for the motion backwards in time
+/// @return      the difference with R q
+template <class T>
+[[nodiscard]] HarmonicDifference<T> harmonic_difference(const T& tau, const T& R, const T& zeta) {
+    const T w = sqrt(T((1 - zeta) * (1 + zeta)));
+    const T x = tau / R;
+    const T b = w * x;
+    const T Rq = exp(T(-zeta * x)) * sinc(b) * tau;
+    return {exp_minus_one(T(-zeta * x)) * cos(b) + difference_of_cosines(tau, R, zeta) - zeta * (Rq / R), Rq};
+}
+
+/// @brief The expression in (57) from the start of the half-period.
+/// @eq{57}  @derivation{evaluation_of_motion}  @domain{0 < tau < pi, R > 0, 0 <= zeta < 1; keeps its digits for tau up to pi/2}
+/// @param tau  non-dimensional time, Eq. (5); radians
+/// @param R    modal frequency ratio, Eq. (22)
+/// @param zeta modal damping ratio
+/// @param u_R2 first damping function of the mode, Eq. (28), times R^2
+/// @param g    second damping function of the mode, Eq. (29)
+/// @return     the expression under the maximum
+template <class T>
+[[nodiscard]] T s_d_integrand_from_start(const T& tau, const T& R, const T& zeta, const T& u_R2, const T& g) {
+    const HarmonicDifference<T> f = harmonic_difference(tau, R, zeta);
+    return ((1 + g) * f.Rq - u_R2 * f.value) / sin(tau);
+}
+
+/// @brief The expression in (57) from the end of the half-period, backwards in time.
+/// @eq{57}  @derivation{evaluation_of_motion}
+/// @domain{0 < sigma < pi, R > 0, 0 <= zeta < 1; keeps its digits for sigma up to pi/2, delta up to 1}
+/// @param sigma  time to the end of the half-period, pi - tau; radians
+/// @param R      modal frequency ratio, Eq. (22)
+/// @param zeta   modal damping ratio
+/// @param u_R2   first damping function of the mode, Eq. (28), times R^2
+/// @param g      second damping function of the mode, Eq. (29)
+/// @return       the expression under the maximum
+template <class T>
+[[nodiscard]] T s_d_integrand_from_end(const T& sigma, const T& R, const T& zeta, const T& u_R2, const T& g) {
+    return -s_d_integrand_from_start(sigma, R, T(-zeta), u_R2, T(-g));
+}
+
+/// @brief \f$ (1-g_i)/E \f$ and \f$ u_{di}R_i^2/E \f$ with \f$ E = e^{-\delta} \f$, the decay over the half-period.
+template <class T>
+struct DecayTakenOut {
+    T one_minus_g; ///< (1 - g) / E
+    T u_R2;        ///< u R^2 / E
+};
+
+/// @brief What is left of \f$ 1-g_i \f$ and \f$ u_{di}R_i^2 \f$ when the decay is taken out.
+/// \f[ \frac{1-g}{E} = \frac{2\,[2c^2-(1-E)+2\frac{\zeta}{w}sc]}{(1-E)^2+4Ec^2}, \qquad
+///     \frac{uR^2}{E} = \frac{4Rsc}{w\,[(1-E)^2+4Ec^2]} \f]
+/// @eq{28,29}  @derivation{evaluation_of_motion}  @domain{R > 0, 0 <= zeta < 1; keeps its digits for delta of 1 and more}
+/// @param R     modal frequency ratio, Eq. (22)
+/// @param zeta  modal damping ratio
+/// @param h     half angle and exponent
+/// @return      both quotients
+template <class T>
+[[nodiscard]] DecayTakenOut<T> decay_taken_out(const T& R, const T& zeta, const HalfAngle<T>& h) {
+    const T E_minus_one = exp_minus_one(T(-h.delta));
+    const T E = 1 + E_minus_one;
+    const T denominator = E_minus_one * E_minus_one + 4 * E * h.c * h.c;
+    return {2 * (2 * h.c * h.c + E_minus_one + 2 * (zeta / h.w) * h.s * h.c) / denominator,
+            4 * R * h.s * h.c / (h.w * denominator)};
+}
+
+/// @brief The expression in (57) from the end of the half-period, the decay taken out.
+///
+/// With \f$ b = w\sigma/R_i \f$, \f$ a = \zeta_i\sigma/R_i \f$ and the quotients of `decay_taken_out`
+/// \f[ -\frac{e^{-\zeta_i(\pi-\sigma)/R_i}}{\sin\sigma}\left\{\frac{1-g}{E}R_i\frac{\sin b}{w}
+///     - \frac{uR^2}{E}\left[\cos b + \zeta_i\frac{\sin b}{w} - e^{-a}\cos\sigma\right]\right\} \f]
+/// @eq{57}  @derivation{evaluation_of_motion}
+/// @domain{0 < sigma < pi, R > 0, 0 <= zeta < 1; keeps its digits for sigma up to pi/2, delta of 1 and more}
+/// @param sigma  time to the end of the half-period, pi - tau; radians
+/// @param R      modal frequency ratio, Eq. (22)
+/// @param zeta   modal damping ratio
+/// @param f      quotients by the decay
+/// @return       the expression under the maximum
+template <class T>
+[[nodiscard]] T s_d_integrand_after_decay(const T& sigma, const T& R, const T& zeta, const DecayTakenOut<T>& f) {
+    const T w = sqrt(T((1 - zeta) * (1 + zeta)));
+    const T x = sigma / R;
+    const T RS = sinc(T(w * x)) * sigma;
+    const T difference = zeta * (RS / R) + difference_of_cosines(sigma, R, zeta) - exp_minus_one(T(-zeta * x)) * cos(sigma);
+    const T root = exp(T(-zeta * ((pi<T>() - sigma) / R) / 2));
+    return -(root * ((f.one_minus_g * RS - f.u_R2 * difference) / sin(sigma)) * root);
+}
+
+/// @brief The expression in (57) at the end of the half-period, \f$ -(1-g_i-2\zeta_iR_iu_{di}) \f$.
+/// @eq{57,71}  @derivation{evaluation_of_motion}  @domain{R > 0, 0 <= zeta < 1}
+/// @param R     modal frequency ratio, Eq. (22)
+/// @param zeta  modal damping ratio
+/// @param u     first damping function of the mode, Eq. (28)
+/// @param g     second damping function of the mode, Eq. (29)
+/// @return      the limit
+template <class T>
+[[nodiscard]] T s_d_at_pi(const T& R, const T& zeta, const T& u, const T& g) {
+    return -paper::s_d_at_zero(R, T(-zeta), u, T(-g));
+}
+
+/// @brief The same limit, the decay over the half-period taken out.
+/// @eq{57,71}  @derivation{evaluation_of_motion}  @domain{R > 0, 0 <= zeta < 1; keeps its digits for delta of 1 and more}
+/// @param R     modal frequency ratio, Eq. (22)
+/// @param zeta  modal damping ratio
+/// @param f     quotients by the decay
+/// @return      the limit
+template <class T>
+[[nodiscard]] T s_d_at_pi_after_decay(const T& R, const T& zeta, const DecayTakenOut<T>& f) {
+    return -exp(T(-pi<T>() * zeta / R)) * (f.one_minus_g - 2 * zeta * (f.u_R2 / R));
+}
+
+/// @brief The expression under the maximum in (57), its limits at both ends included: the form that keeps its digits.
+/// @eq{57,71}  @derivation{evaluation_of_motion}  @domain{0 <= tau <= pi, R > 0, 0 <= zeta < 1}
+/// @param tau   non-dimensional time, Eq. (5); radians
+/// @param R     modal frequency ratio, Eq. (22)
+/// @param zeta  modal damping ratio
+/// @param f     damping functions of the mode, Eqs. (28), (29)
+/// @return      the expression; not finite at the poles at zeta = 0, R = 1/n, n odd
+template <class T>
+[[nodiscard]] T s_d_integrand(const T& tau, const T& R, const T& zeta, const DampingFunctions<T>& f) {
+    const bool heavy = 2 * zeta >= 1, large = 4 * R >= 5, late = 2 * tau > pi<T>();
+    const T sigma = pi<T>() - tau, delta = pi<T>() * zeta / R;
+    if (!(tau > 0)) return paper::s_d_at_zero(R, zeta, f.u, f.g);
+    if (late && delta >= 1 && !large) {
+        const DecayTakenOut<T> out = decay_taken_out(R, zeta, heavy ? half_angle_of_heavy_damping(R, zeta) : half_angle(R, zeta));
+        return sigma > 0 ? s_d_integrand_after_decay(sigma, R, zeta, out) : s_d_at_pi_after_decay(R, zeta, out);
+    }
+    if (!(sigma > 0)) return s_d_at_pi(R, zeta, f.u, f.g);
+    const T u_R2 =
+        large ? first_damping_function_by_R_squared(R, zeta, heavy ? half_angle_of_heavy_damping(R, zeta) : half_angle(R, zeta))
+              : T(f.u * R * R);
+    return late ? s_d_integrand_from_end(sigma, R, zeta, u_R2, f.g) : s_d_integrand_from_start(tau, R, zeta, u_R2, f.g);
+}
+
+} // namespace denhartog::evaluation

@@ -1,0 +1,189 @@
+/// @file
+/// @brief Places (R, zeta) at which the functions of a mode are surveyed: seeded ones, zone by zone, and the hard ones.
+#pragma once
+
+#include <boost/math/special_functions/fpclassify.hpp>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "denhartog/multiprecision.hpp"
+#include "denhartog/reduced_angle.hpp"
+
+namespace denhartog::tests {
+
+/// @name Numbers in more digits than the printed forms use up
+/// @{
+using Real300 = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<300>, boost::multiprecision::et_off>;
+using Real600 = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<600>, boost::multiprecision::et_off>;
+using Real1100 = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<1100>, boost::multiprecision::et_off>;
+/// @}
+
+/// A number in hexadecimal, exact.
+template <class T>
+std::string hexadecimal(T x) {
+    if (x == 0) return "0";
+    int exponent = 0;
+    x = frexp(x, &exponent);
+    std::string text = "0x0.";
+    while (x != 0) {
+        x *= 16;
+        const int digit = static_cast<int>(x);
+        text += "0123456789abcdef"[digit];
+        x -= digit;
+    }
+    return text + "p" + std::to_string(exponent);
+}
+
+/// Seeded numbers, the same on every machine.
+template <class T>
+class Source {
+public:
+    double uniform(double low, double high) { return low + (high - low) * static_cast<double>(bits_() >> 11) * 0x1p-53; }
+    int whole(int low, int high) { return low + static_cast<int>(bits_() % static_cast<std::uint64_t>(high - low + 1)); }
+    /// A number with all its digits in [1, 2).
+    T mantissa() {
+        T x(0);
+        for (int k = 0; k < std::numeric_limits<T>::digits; k += 32) x = (x + T(static_cast<double>(bits_() >> 32))) / T(0x1p32);
+        return 1 + x;
+    }
+    /// Log-uniform between powers of ten.
+    T spread(double low, double high) {
+        const double exponent = uniform(low, high) / std::log10(2.0);
+        return ldexp(mantissa(), static_cast<int>(std::floor(exponent)));
+    }
+    /// 1 with a deviation of random size down to the last place, or none.
+    T near_one() {
+        const int digits = std::numeric_limits<T>::digits;
+        const int place = whole(1, digits + 2);
+        const T deviation = place > digits ? T(0) : ldexp(mantissa(), -place - 1);
+        return whole(0, 1) ? T(1 + deviation) : T(1 - deviation);
+    }
+
+private:
+    std::mt19937_64 bits_{20220117};
+};
+
+template <class T>
+struct Place {
+    T R, zeta;
+};
+
+template <class T>
+T below_one(const T& zeta) {
+    const T last = 1 - std::numeric_limits<T>::epsilon() / 2;
+    return zeta < last ? zeta : last;
+}
+
+inline const std::vector<std::string>& mode_zones() {
+    static const std::vector<std::string> names{"R 0.05 to 20, zeta 1e-4 to 1",
+                                                "R 1e-300 to 1e300, zeta 1e-320 to 1",
+                                                "R near 1/n, n odd",
+                                                "R near 1, zeta of the distance",
+                                                "zeta subnormal",
+                                                "zeta near 1",
+                                                "zeta = 0",
+                                                "R small, zeta of the size of R",
+                                                "R 2 to 1e300",
+                                                "R near sqrt(1 - zeta^2) / n",
+                                                "hard points"};
+    return names;
+}
+
+template <class T>
+Place<T> place_in(std::size_t zone, Source<T>& s) {
+    const int digits = std::numeric_limits<T>::digits;
+    const auto near_odd = [&s] { return T(s.near_one() / (2 * static_cast<int>(std::exp(s.uniform(0, 5))) - 1)); };
+    const auto subnormal = [&s] { return T(static_cast<double>(ldexp(s.mantissa(), s.whole(-1074, -1023)))); };
+    switch (zone) {
+    case 0: return {s.spread(-1.3, 1.3), below_one(s.spread(-4, 0))};
+    case 1: return {s.spread(-300, 300), below_one(s.spread(-320, 0))};
+    case 2: return {near_odd(), s.spread(-30, -0.4)};
+    case 3: return {s.near_one(), ldexp(s.mantissa(), -s.whole(2, digits + 20))};
+    case 4: return {s.whole(0, 1) ? near_odd() : s.spread(s.whole(0, 1) ? -300 : -2, s.whole(0, 1) ? 300 : 2), subnormal()};
+    case 5: return {s.spread(-3, 3), below_one(T(1 - ldexp(s.mantissa(), -s.whole(2, digits + 1))))};
+    case 6: return {s.whole(0, 1) ? near_odd() : s.spread(s.whole(0, 1) ? -300 : -2, s.whole(0, 1) ? 300 : 2), T(0)};
+    case 7: {
+        const T R = s.spread(-300, -1.5);
+        return {R, below_one(T(R * s.spread(-3, 2.5)))};
+    }
+    case 8: return {s.spread(0.3, 300), below_one(s.spread(-20, 0))};
+    default: {
+        const T zeta = below_one(s.spread(-8, 0));
+        return {T(sqrt(T((1 - zeta) * (1 + zeta))) * s.near_one() / s.whole(1, 40)), zeta};
+    }
+    }
+}
+
+template <class T>
+std::vector<Place<T>> hard_places() {
+    const T eps = std::numeric_limits<T>::epsilon();
+    std::vector<T> R{T(1),       1 + eps,  1 - eps / 2, 1 + 2 * eps, T(2),       2 - eps, T(5) / 4, T(5) / 4 * (1 - eps),
+                     T(3) / 2,   T(4),     T(1e-300),   T(1e300),    T(1e77),    T(2e77), T(1e100), T(1.3e154),
+                     T(1.4e154), T(1e160), T(1e-16),    T(3e-17),    T(1) / 1024};
+    for (const int n : {2, 3, 4, 5, 6, 7, 9, 99, 1001, 2147483647})
+        for (const int k : {-2, -1, 0, 1, 2}) R.push_back(T(1) / n * (1 + k * eps));
+    std::vector<T> zeta{T(0),
+                        T(0x1p-1074),
+                        T(3 * 0x1p-1074),
+                        T(1e-320),
+                        T(0x1p-1022),
+                        T(0x1p-1022 - 0x1p-1074),
+                        T(0x1p-970),
+                        T(1e-200),
+                        T(1e-162),
+                        T(1e-154),
+                        T(1e-100),
+                        T(1e-30),
+                        eps,
+                        T(1e-9),
+                        T(1e-6),
+                        T(1e-3),
+                        T(1) / 8,
+                        T(1) / 2,
+                        (1 - eps) / 2,
+                        T(0.70710678118654752440),
+                        T(7) / 8,
+                        1 - 4 * eps,
+                        1 - eps / 2};
+    std::vector<Place<T>> places;
+    for (const T& r : R)
+        for (const T& z : zeta) places.push_back({r, z});
+    return places;
+}
+
+/// Whether exp(-pi zeta / R) is below the range of every number type.
+template <class T>
+bool decays_out_of_range(const Place<T>& p) {
+    return p.zeta > 0 && std::max(-330.0, std::log10(static_cast<double>(p.zeta))) - std::log10(static_cast<double>(p.R)) > 8.68;
+}
+
+/// Digits in which the printed damping functions have those of T and more: they lose those of the angle 1/R; near a pole the square
+/// of the distance from it, or of zeta where R is 1/n exactly; at large R what the two terms of (29) cancel, but nothing below the
+/// range of the type.
+template <class T>
+double digits_needed(const Place<T>& p) {
+    const double R = std::log10(static_cast<double>(p.R)),
+                 eps = std::log10(static_cast<double>(std::numeric_limits<T>::epsilon()));
+    const double zeta = p.zeta > 0 ? std::max(-330.0, std::log10(static_cast<double>(p.zeta))) : eps;
+    const double near_pole = remainder_of_one(p.R) == 0 ? 2 * std::max(-zeta, -eps) : -2 * eps;
+    const double far = std::min(2 * R, 20 - std::numeric_limits<T>::min_exponent10 - R);
+    return 25 - eps + (R < 0.5 ? near_pole : far) + std::max(0.0, -R);
+}
+
+/// Error in units of eps of the true value, or of the least value that counts.
+template <class T>
+double error_of(const T& value, const Real100& truth, const Real100& least) {
+    if (boost::math::isnan(value)) return std::numeric_limits<double>::infinity();
+    if (Real100(value) == truth) return 0;
+    const Real100 largest((std::numeric_limits<T>::max)()), size(abs(truth));
+    if (size > largest) return value == (truth > 0 ? 1 : -1) * std::numeric_limits<T>::infinity() ? 0 : 1e300;
+    if (!boost::math::isfinite(value)) return std::numeric_limits<double>::infinity();
+    const Real100 unit = Real100(std::numeric_limits<T>::epsilon()) * (size > least ? size : least);
+    return static_cast<double>(Real100(abs(Real100(Real100(value) - truth)) / unit));
+}
+
+} // namespace denhartog::tests

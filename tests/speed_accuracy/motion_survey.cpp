@@ -1,0 +1,226 @@
+#include "tests/speed_accuracy/motion_survey.hpp"
+
+#include <array>
+
+#include "denhartog/evaluation/free_motion.hpp"
+#include "denhartog/evaluation/resonance.hpp"
+#include "tests/speed_accuracy/mode_places.hpp"
+
+namespace denhartog::tests {
+namespace {
+
+const std::array<std::string, 5> motions{"d", "q", "d'", "q'", "expression of (57)"};
+const std::array<std::string, 4> resonances{"(79)", "(83)", "(84)", "(85)"};
+
+template <class T>
+struct Instant {
+    Place<T> place;
+    T tau;
+};
+
+/// The paper's formulas in the digits of Wide.
+template <class Wide>
+std::array<Wide, 5> printed_motion(const Wide& tau, const Wide& R, const Wide& zeta, const Wide& u, const Wide& g) {
+    return {paper::d(tau, R, zeta), paper::q(tau, R, zeta), paper::d_prime(tau, R, zeta), paper::q_prime(tau, R, zeta),
+            paper::s_d_integrand(tau, R, zeta, u, g)};
+}
+
+template <class T>
+std::array<T, 5> shipped_motion(const T& tau, const T& R, const T& zeta) {
+    const evaluation::FreeMotionWithRates<T> f = evaluation::free_motion_with_rates(tau, R, zeta);
+    return {f.d, f.q, f.d_prime, f.q_prime, evaluation::s_d_integrand(tau, R, zeta, evaluation::damping_functions(R, zeta))};
+}
+
+template <class Wide, class T>
+std::array<Real100, 5> motion_in(const Instant<T>& p) {
+    const Wide tau(p.tau), R(p.place.R), zeta(p.place.zeta);
+    std::array<Wide, 5> f;
+    if (decays_out_of_range(p.place)) {
+        if (std::log10(static_cast<double>(p.tau)) + std::log10(static_cast<double>(p.place.zeta)) -
+                std::log10(static_cast<double>(p.place.R)) >
+            8)
+            return {};
+        f = printed_motion<Wide>(tau, R, zeta, Wide(0), Wide(1));
+    } else {
+        f = printed_motion<Wide>(tau, R, zeta, paper::first_damping_function(R, zeta), paper::second_damping_function(R, zeta));
+    }
+    std::array<Real100, 5> truth;
+    for (std::size_t i = 0; i < f.size(); ++i) truth[i] = static_cast<Real100>(f[i]);
+    return truth;
+}
+
+/// What the printed forms lose at an instant is lost at the place, and at the ends of the half-period, where a quotient of two small
+/// numbers is taken.
+template <class T>
+std::array<Real100, 5> truth_of(const Instant<T>& p) {
+    const double end = static_cast<double>(std::min(p.tau, T(abs(T(pi<T>() - p.tau))) + std::numeric_limits<T>::epsilon()));
+    const double needed = digits_needed(p.place) - 2 * std::log10(end);
+    if (needed < 100) return motion_in<Real100>(p);
+    if (needed < 300) return motion_in<Real300>(p);
+    if (needed < 600) return motion_in<Real600>(p);
+    return motion_in<Real1100>(p);
+}
+
+/// Condition numbers, 1 at least, with respect to any argument of a function.
+template <std::size_t n, std::size_t m, class Function>
+std::array<double, n> conditions(const std::array<Real100, m>& arguments, const Function& function) {
+    const Real100 h = ldexp(Real100(1), -210);
+    const std::array<Real100, n> f = function(arguments);
+    std::array<double, n> found;
+    found.fill(1);
+    for (std::size_t k = 0; k < m; ++k) {
+        std::array<Real100, m> other = arguments;
+        other[k] *= 1 - h;
+        const std::array<Real100, n> there = function(other);
+        for (std::size_t i = 0; i < n; ++i)
+            if (f[i] != 0)
+                found[i] = std::max(found[i], static_cast<double>(Real100(abs(Real100((there[i] - f[i]) / (h * f[i]))))));
+    }
+    return found;
+}
+
+/// Notes the errors of n functions at one point; a condition number can only lessen an error, so that it is worked out only
+/// for errors that may be the worst.
+template <std::size_t n, class T, class Conditions>
+void note(FunctionInZone* errors, const std::array<T, n>& printed, const std::array<T, n>& shipped,
+          const std::array<Real100, n>& truth, const std::string& at, const Conditions& conditions_here) {
+    const Real100 least((std::numeric_limits<T>::min)());
+    std::array<double, n> condition{};
+    for (std::size_t i = 0; i < n; ++i) {
+        ++errors[i].points;
+        const double by_shipped = error_of(shipped[i], truth[i], least), by_printed = error_of(printed[i], truth[i], least);
+        if (by_shipped <= errors[i].shipped.error && by_printed <= errors[i].printed.error) continue;
+        if (condition[0] == 0) condition = conditions_here();
+        errors[i].shipped.note(by_shipped / condition[i], at);
+        errors[i].printed.note(by_printed / condition[i], at);
+    }
+}
+
+template <class T>
+void note(FunctionInZone* errors, const Instant<T>& p) {
+    const Place<T>& m = p.place;
+    if (m.zeta == 0 && evaluation::at_undamped_pole(m.R)) return;
+    // Where a unit in the last place of R is a turn of the free motion, no digit of it is known.
+    if (p.tau * std::numeric_limits<T>::epsilon() > m.R) return;
+    const std::array<T, 5> shipped = shipped_motion(p.tau, m.R, m.zeta),
+                           printed = printed_motion(p.tau, m.R, m.zeta, paper::first_damping_function(m.R, m.zeta),
+                                                    paper::second_damping_function(m.R, m.zeta));
+    note(errors, printed, shipped, truth_of(p), hexadecimal(p.tau) + ", " + hexadecimal(m.R) + ", " + hexadecimal(m.zeta),
+         [&p, &m] {
+             return conditions<5>(std::array<Real100, 3>{Real100(p.tau), Real100(m.R), Real100(m.zeta)},
+                                  [](const std::array<Real100, 3>& a) { return shipped_motion(a[0], a[1], a[2]); });
+         });
+}
+
+/// The largest number in the half-period.
+template <class T>
+T end_of_half_period() {
+    return Real1100(pi<T>()) > pi<Real1100>() ? T(pi<T>() * (1 - std::numeric_limits<T>::epsilon() / 2)) : pi<T>();
+}
+
+template <class T>
+T instant(Source<T>& source) {
+    const T near_end = T(source.spread(-18, 0));
+    switch (source.whole(0, 3)) {
+    case 0: return near_end;
+    case 1: return std::min(T(pi<T>() - near_end), end_of_half_period<T>());
+    default: return source.spread(-1, 0) * T(source.uniform(0, 3.14)) / 2;
+    }
+}
+
+template <class T>
+std::vector<FunctionInZone> motion(int points) {
+    std::vector<FunctionInZone> all;
+    const std::vector<std::string>& zones = mode_zones();
+    for (const std::string& zone : zones)
+        for (const std::string& function : motions) all.push_back({zone, function, 0, {}, {}});
+    Source<T> source;
+    const std::size_t seeded = zones.size() - 1;
+    for (std::size_t zone = 0; zone < seeded; ++zone)
+        for (int n = 0; n < points / static_cast<int>(seeded); ++n) {
+            const Place<T> place = place_in(zone, source);
+            note(&all[zone * motions.size()], Instant<T>{place, instant(source)});
+        }
+    const std::array<T, 4> instants{T(1) / 1024, pi<T>() / 2, T(3), end_of_half_period<T>()};
+    std::size_t next = 0;
+    for (const Place<T>& place : hard_places<T>())
+        note(&all[seeded * motions.size()], Instant<T>{place, instants[next++ % instants.size()]});
+    return all;
+}
+
+/// Mode shapes, damping ratio, friction ratio.
+template <class T>
+std::array<T, 4> shipped_at_resonance(const T& psi_k, const T& psi_j, const T& zeta, const T& beta) {
+    return {evaluation::second_damping_function_at_resonance(zeta), evaluation::resonant_peak(psi_k, T(1), psi_j, zeta, beta),
+            evaluation::resonant_peak_of_single_mass(zeta, beta),
+            evaluation::friction_ratio_limit_at_resonance(psi_k, psi_j, zeta)};
+}
+
+template <class T>
+std::array<T, 4> printed_at_resonance(const T& psi_k, const T& psi_j, const T& zeta, const T& beta) {
+    return {paper::second_damping_function_at_resonance(zeta), paper::resonant_peak(psi_k, T(1), psi_j, zeta, beta),
+            paper::resonant_peak_of_single_mass(zeta, beta), paper::friction_ratio_limit_at_resonance(psi_k, psi_j, zeta)};
+}
+
+template <class T>
+std::vector<FunctionInZone> resonance(int points) {
+    std::vector<FunctionInZone> all;
+    for (const std::string& function : resonances) all.push_back({"zeta subnormal to 1", function, 0, {}, {}});
+    Source<T> source;
+    for (int n = 0; n < points; ++n) {
+        const T zeta = below_one(source.spread(n % 2 == 0 ? -308 : -12, 0));
+        const T psi_k = source.spread(-2, 1), psi_j = source.whole(0, 1) ? psi_k : source.spread(-2, 1);
+        const T limit = evaluation::friction_ratio_limit_at_resonance(T(1), T(1), zeta);
+        const T beta = source.whole(0, 1) ? T(limit * source.near_one()) : source.spread(-6, 1);
+        const std::array<Real100, 4> wide{Real100(psi_k), Real100(psi_j), Real100(zeta), Real100(beta)};
+        const auto truth = printed_at_resonance<Real1100>(Real1100(psi_k), Real1100(psi_j), Real1100(zeta), Real1100(beta));
+        std::array<Real100, 4> rounded;
+        for (std::size_t i = 0; i < 4; ++i) rounded[i] = static_cast<Real100>(truth[i]);
+        note(all.data(), printed_at_resonance(psi_k, psi_j, zeta, beta), shipped_at_resonance(psi_k, psi_j, zeta, beta), rounded,
+             hexadecimal(zeta) + ", " + hexadecimal(beta), [&wide] {
+                 return conditions<4>(
+                     wide, [](const std::array<Real100, 4>& a) { return shipped_at_resonance(a[0], a[1], a[2], a[3]); });
+             });
+    }
+    return all;
+}
+
+} // namespace
+
+std::vector<FunctionInZone> survey_motion(Precision precision, int points) {
+    if (precision == Precision::in_double) return motion<double>(points);
+    if (precision == Precision::in_long_double) return motion<long double>(points);
+    return motion<Real50>(points);
+}
+
+std::vector<FunctionInZone> survey_resonance(Precision precision, int points) {
+    if (precision == Precision::in_double) return resonance<double>(points);
+    if (precision == Precision::in_long_double) return resonance<long double>(points);
+    return resonance<Real50>(points);
+}
+
+bool within_bounds(Precision p, const std::vector<FunctionInZone>& all) {
+    for (const FunctionInZone& f : all)
+        if (!(f.shipped.error <= most_allowed_of_motion(p, f.function == motions.back()))) return false;
+    return true;
+}
+
+Worst worst_of(const std::vector<FunctionInZone>& all, Worst FunctionInZone::*which) {
+    Worst worst;
+    for (const FunctionInZone& f : all) worst.note((f.*which).error, f.function + ", " + f.zone + ": " + (f.*which).where);
+    return worst;
+}
+
+Table table_of(const std::string& title, const std::vector<FunctionInZone>& all) {
+    Table table{title + ": worst error in units of eps over the condition number",
+                {"zone", "points", "function", "printed", "shipped", "at, in hexadecimal"},
+                {},
+                "The condition number is 1 or, where larger, the relative change for one of an argument. Below the least normal "
+                "number the unit is eps times that number."};
+    for (const FunctionInZone& f : all)
+        table.rows.push_back({f.zone, std::to_string(f.points), f.function, digits(f.printed.error),
+                              digits(f.shipped.error, "%.2f"), f.shipped.where});
+    return table;
+}
+
+} // namespace denhartog::tests
