@@ -1,0 +1,47 @@
+/// @file
+/// @brief What a method of the chart is asked and what it says: the sizes of the motion at points of a scene.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "denhartog/model/scene.hpp"
+
+namespace denhartog::tests {
+
+/// @brief A point of a scene.
+struct ChartPoint {
+    double r;    ///< frequency ratio
+    double beta; ///< friction ratio, mu = 1
+};
+
+/// @brief A scene of the chart: a system and the points asked for. The answer is the amplitude of the mass in contact, X_j:
+/// the largest |x_j| of the steady motion over y_0.
+struct ChartScene {
+    std::string name;               ///< e.g. `SDOF, sliding`
+    System<double> system;          ///< the system
+    std::vector<ChartPoint> points; ///< the points
+};
+
+/// @brief How a method ended at a point.
+enum class Ending { answered, did_not_finish, stalled, not_a_number, outside_domain };
+
+/// @brief What a method says at a point.
+struct PeerAnswer {
+    Ending ending = Ending::answered; ///< how it ended
+    double amplitude = 0;             ///< X_j, where it answered
+    bool sticks = false;              ///< it saw the contact at rest for part of the period or always
+    long evaluations = 0;             ///< its own unit of work: right-hand sides, iterations, modes
+};
+
+/// @brief A method at one setting, e.g. harmonic balance with 11 harmonics.
+struct Peer {
+    std::string method;  ///< e.g. `harmonic balance, augmented Lagrangian`
+    std::string setting; ///< e.g. `11 harmonics`
+    double asked = 0;    ///< tolerance asked for, 0 where the setting is not a tolerance
+    /// Prepares for a system, once: what it returns answers one point.
+    std::function<std::function<PeerAnswer(const ChartPoint&)>(const System<double>&)> prepare;
+};
+
+} // namespace denhartog::tests
