@@ -2,6 +2,8 @@
 /// @brief What a method of the chart is asked and what it says: the sizes of the motion at points of a scene.
 #pragma once
 
+#include <array>
+#include <cmath>
 #include <functional>
 #include <string>
 #include <vector>
@@ -33,14 +35,29 @@ struct PeerAnswer {
     double amplitude = 0;             ///< X_j, where it answered
     bool sticks = false;              ///< it saw the contact at rest for part of the period or always
     long evaluations = 0;             ///< its own unit of work: right-hand sides, iterations, modes
+    std::array<double, 3> beyond{};   ///< what a wider number has beyond `amplitude`, largest part first
 };
+
+/// @brief Gives an answer its amplitude, all digits of a wider number kept.
+/// @param answer     gets it
+/// @param amplitude  X_j
+template <class T>
+void set_amplitude(PeerAnswer& answer, T amplitude) {
+    answer.amplitude = static_cast<double>(amplitude);
+    double part = answer.amplitude;
+    for (double& next : answer.beyond) {
+        amplitude -= T(part);
+        next = part = static_cast<double>(amplitude);
+    }
+    if (!std::isfinite(answer.amplitude)) answer.ending = Ending::not_a_number;
+}
 
 /// @brief A method at one setting, e.g. harmonic balance with 11 harmonics.
 struct Peer {
     std::string method;  ///< e.g. `harmonic balance, augmented Lagrangian`
     std::string setting; ///< e.g. `11 harmonics`
     double asked = 0;    ///< tolerance asked for, 0 where the setting is not a tolerance
-    /// Prepares for a system, once: what it returns answers one point.
+    /// Prepares for a system, once: what it returns answers one point. Empty where the method is not there: `setting` says why.
     std::function<std::function<PeerAnswer(const ChartPoint&)>(const System<double>&)> prepare;
 };
 

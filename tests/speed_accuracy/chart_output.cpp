@@ -1,0 +1,177 @@
+#include "tests/speed_accuracy/chart_output.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <map>
+
+#include "denhartog/errors.hpp"
+#include "denhartog/response/solve.hpp"
+
+namespace denhartog::tests {
+namespace {
+
+const std::vector<int>& digits_of_front() {
+    static const std::vector<int> all{2, 4, 8, 12, 15, 30};
+    return all;
+}
+
+std::string quoted(const std::string& text) {
+    std::string copy = "\"";
+    for (const char c : text) copy += c == '"' ? "\"\"" : std::string(1, c);
+    return copy + "\"";
+}
+
+std::string exact(double x) { return digits(x, "%.17g"); }
+
+std::string run_cells(const ChartRun& run) {
+    return std::to_string(run.seed) + "," + quoted(run.version) + "," + quoted(run.compiler) + "," + quoted(run.processor);
+}
+
+std::vector<std::string> scenes_of(const std::vector<ChartRow>& rows) {
+    std::vector<std::string> names;
+    for (const ChartRow& row : rows)
+        if (std::ranges::find(names, row.scene) == names.end()) names.push_back(row.scene);
+    return names;
+}
+
+std::string cell_of(const ChartRow* row, bool with_setup) {
+    if (!row) return "nobody";
+    return row->method + ", " + row->setting + ": " + digits(row->time + (with_setup ? row->setup : 0), "%.3g") + " us";
+}
+
+bool is_solve(const ChartRow& row) { return row.method == "solve"; }
+
+} // namespace
+
+std::string processor_name() {
+    std::ifstream file("/proc/cpuinfo");
+    for (std::string line; std::getline(file, line);)
+        if (line.starts_with("model name") && line.find(": ") != std::string::npos) return line.substr(line.find(": ") + 2);
+    return "not known";
+}
+
+std::string csv(const std::vector<ChartRow>& rows, const ChartRun& run) {
+    std::string text = "scene,method,setting,asked,present,points,right";
+    for (const std::string& name : failure_names()) text += "," + name;
+    text += ",worst error,median error,digits at the worst,digits at the median,setup microseconds,point microseconds,"
+            "slowest point microseconds,evaluations,repeats,seed,version,compiler,processor\n";
+    for (const ChartRow& row : rows) {
+        text += quoted(row.scene) + "," + quoted(row.method) + "," + quoted(row.setting) + "," + digits(row.asked) + "," +
+                (row.present ? "yes" : "no") + "," + std::to_string(row.points) + "," + std::to_string(row.right);
+        for (const int count : row.failures) text += "," + std::to_string(count);
+        text += "," + digits(row.worst, "%.4e") + "," + digits(row.median, "%.4e") + "," +
+                digits(digits_left(row.worst), "%.2f") + "," + digits(digits_left(row.median), "%.2f") + "," +
+                digits(row.setup, "%.4g") + "," + digits(row.time, "%.4g") + "," + digits(row.longest, "%.4g") + "," +
+                std::to_string(row.evaluations) + "," + std::to_string(row.repeats) + "," + run_cells(run) + "\n";
+    }
+    return text;
+}
+
+std::string csv(const std::vector<ChartGround>& grounds, const ChartRun& run) {
+    std::string text = "scene,r,beta,regime,X_j,condition,bare microseconds,seed,version,compiler,processor\n";
+    for (const ChartGround& ground : grounds)
+        for (std::size_t n = 0; n < ground.truth.size(); ++n)
+            text += quoted(ground.scene.name) + "," + exact(ground.scene.points[n].r) + "," + exact(ground.scene.points[n].beta) +
+                    "," + name(ground.truth[n].regime) + "," + exact(ground.truth[n].answer.amplitude) + "," +
+                    digits(ground.truth[n].condition) + "," + digits(ground.bare) + "," + run_cells(run) + "\n";
+    return text;
+}
+
+std::string picture_data(const std::vector<ChartRow>& rows, const std::vector<ChartGround>& grounds) {
+    std::vector<std::string> methods;
+    for (const ChartRow& row : rows)
+        if (std::ranges::find(methods, row.method) == methods.end()) methods.push_back(row.method);
+    std::string text;
+    for (std::size_t m = 0; m < methods.size(); ++m) text += "# name " + std::to_string(m + 1) + " " + methods[m] + "\n";
+    for (std::size_t s = 0; s < grounds.size(); ++s) {
+        const std::string scene = " scene=" + std::to_string(s + 1) + ";";
+        text += "# title " + std::to_string(s + 1) + " " + grounds[s].scene.name + "\n# limits" + scene + "\n" +
+                digits(digits_left(grounds[s].condition_worst * 0x1p-52)) + " " + digits(grounds[s].bare) + "\n\n\n";
+        for (std::size_t m = 0; m < methods.size(); ++m) {
+            // A point outside every picture: a method that is not there has no other.
+            text += "#" + scene + " method=" + std::to_string(m + 1) + ";\n-99 -99 1e-9 1e-9 1e-99 1 1 1 1 1 1\n\n";
+            for (const ChartRow& row : rows) {
+                if (row.scene != grounds[s].scene.name || row.method != methods[m] || !row.present) continue;
+                const bool moves = row.right > 0 && row.worst > 0;
+                text += digits(moves ? digits_left(row.worst) : NAN, "%.3f") + " " +
+                        digits(moves ? digits_left(row.median) : NAN, "%.3f") + " " + digits(row.time, "%.5g") + " " +
+                        digits(row.setup, "%.5g") + " " + digits(row.asked) + " " +
+                        digits(static_cast<double>(row.right) / row.points, "%.3f");
+                for (const int count : row.failures) text += " " + std::to_string(count);
+                text += "\n";
+            }
+            text += "\n\n";
+        }
+    }
+    return text;
+}
+
+Table front_table(const std::vector<ChartRow>& rows, bool with_setup) {
+    Table table{with_setup ? "The front: a single question, setup included"
+                           : "The front: one more question to a system already set up",
+                {"scene", "digits", "`solve` asked for them", "fastest of all others", "`solve` over that"},
+                {},
+                "Right at every point, with the digits at the worst of them."};
+    for (const std::string& scene : scenes_of(rows))
+        for (const int wanted : digits_of_front()) {
+            const ChartRow* other = fastest(rows, scene, wanted, with_setup, [](const ChartRow& row) { return !is_solve(row); });
+            const ChartRow* ours = fastest(rows, scene, wanted, with_setup, [&](const ChartRow& row) {
+                return is_solve(row) && row.setting == std::to_string(wanted) + " digits";
+            });
+            std::string ratio = ours ? "nobody else" : "-";
+            if (ours && other) {
+                const auto cost = [&](const ChartRow& row) { return row.time + (with_setup ? row.setup : 0); };
+                ratio = digits(cost(*ours) / cost(*other)) + (cost(*ours) > cost(*other) ? ", slower" : "");
+            }
+            table.rows.push_back({scene, std::to_string(wanted),
+                                  ours ? digits(ours->time + (with_setup ? ours->setup : 0)) + " us" : "not reached",
+                                  cell_of(other, with_setup), ratio});
+        }
+    return table;
+}
+
+Table failure_table(const std::vector<ChartRow>& rows) {
+    Table table{"Failures by name", {"scene", "method", "setting", "right", "failed"}, {}, ""};
+    for (const ChartRow& row : rows) {
+        if (row.present && row.right == row.points) continue;
+        std::string failed = row.present ? "" : "skipped";
+        for (std::size_t k = 0; k < row.failures.size(); ++k)
+            if (row.failures[k] > 0)
+                failed += (failed.empty() ? "" : ", ") + failure_names()[k] + " " + std::to_string(row.failures[k]);
+        table.rows.push_back(
+            {row.scene, row.method, row.setting, std::to_string(row.right) + " of " + std::to_string(row.points), failed});
+    }
+    return table;
+}
+
+Table solve_work_table(const std::vector<ChartGround>& grounds) {
+    Table table{
+        "Work of `solve`", {"scene", "digits", "eigenproblems", "modes", "phases", "models"}, {}, "Sums over the points."};
+    for (const ChartGround& ground : grounds)
+        for (const int wanted : digits_of_front()) {
+            Work sum;
+            std::map<std::string, int> models;
+            for (const ChartPoint& point : ground.scene.points) {
+                Scene<double> scene;
+                scene.system = ground.scene.system;
+                scene.r = point.r;
+                scene.beta = point.beta;
+                try {
+                    const Solution s = solve(scene_source(scene), {Asked::amplitude, wanted, false});
+                    sum.eigen_solves += s.work.eigen_solves;
+                    sum.mode_evaluations += s.work.mode_evaluations;
+                    sum.phases_propagated += s.work.phases_propagated;
+                    ++models[s.method.model + " in " + s.method.precision];
+                } catch (const PrecisionError&) {
+                    ++models["not reached"];
+                }
+            }
+            std::string used;
+            for (const auto& [model, count] : models) used += (used.empty() ? "" : "; ") + std::to_string(count) + " " + model;
+            table.rows.push_back({ground.scene.name, std::to_string(wanted), std::to_string(sum.eigen_solves),
+                                  std::to_string(sum.mode_evaluations), std::to_string(sum.phases_propagated), used});
+        }
+    return table;
+}
+
+} // namespace denhartog::tests

@@ -1,0 +1,7 @@
+#include "tests/speed_accuracy/peers/cvode.hpp"
+
+namespace denhartog::tests {
+
+std::vector<Peer> cvode_peers() { return {{"SUNDIALS CVODE", "not installed: libsundials-dev", 0, {}}}; }
+
+} // namespace denhartog::tests

@@ -1,0 +1,7 @@
+#include "tests/speed_accuracy/peers/siconos.hpp"
+
+namespace denhartog::tests {
+
+std::vector<Peer> siconos_peers() { return {{"Siconos, Moreau-Jean", "not installed: libsiconos-kernel-dev", 0, {}}}; }
+
+} // namespace denhartog::tests
