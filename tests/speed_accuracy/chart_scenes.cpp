@@ -37,7 +37,7 @@ ChartScene sliding(const std::string& name, const System<double>& system, double
 
 std::vector<ChartScene> chart_scenes(std::uint64_t seed, int points) {
     Draw draw(seed);
-    std::vector<ChartScene> scenes{sliding("SDOF, sliding", single_mass(0.01), 0.3, 2.5, points, draw)};
+    std::vector<ChartScene> scenes{sliding("SDOF, sliding", single_mass(0.1), 0.3, 2.5, points, draw)};
     ChartScene stick_slip{"SDOF, stick-slip", single_mass(0.01), {}};
     const double limit = beta_lim(stick_slip.system, 0.1);
     for (int n = 0; n < points; ++n) stick_slip.points.push_back({0.1, draw.between(limit + 0.01, 0.95)});
@@ -45,7 +45,7 @@ std::vector<ChartScene> chart_scenes(std::uint64_t seed, int points) {
     ChartScene sweep{"2DOF, all regimes", two_masses(0.01), {}};
     for (int n = 0; n < 2 * points; ++n) sweep.points.push_back({0.1 + 2.4 * (n + 0.5) / (2 * points), 0.3});
     scenes.push_back(sweep);
-    scenes.push_back(sliding("5DOF, j = 3, l = 1", five_masses<double>(3, 0.01), 0.3, 1.9, points, draw));
+    scenes.push_back(sliding("5DOF, j = 3, l = 1", five_masses<double>(3, 0.1), 0.3, 1.9, points, draw));
     const System<double> long_chain = equal_chain<double>(50, 10, 1, std::vector<double>(50, 0.05));
     scenes.push_back(sliding("N = 50", long_chain, 0.3, 1.9, std::max(1, points / 2), draw));
     return scenes;

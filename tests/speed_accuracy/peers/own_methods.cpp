@@ -44,6 +44,7 @@ Peer paper_algorithm_peer(double tolerance, bool as_needed) {
                 return [=, decay = slowest_decay(system)](const ChartPoint& point) {
                     PaperSettings settings;
                     settings.absolute_tolerance = tolerance;
+                    settings.most_steps = 300'000;
                     if (as_needed) settings.cycles = cycles_needed(decay, point.r, tolerance);
                     const PaperMotion motion = paper_algorithm(scene_of(system, point), settings);
                     PeerAnswer answer;
