@@ -43,7 +43,7 @@ std::vector<ChartScene> chart_scenes(std::uint64_t seed, int points) {
     for (int n = 0; n < points; ++n) stick_slip.points.push_back({0.1, draw.between(limit + 0.01, 0.95)});
     scenes.push_back(stick_slip);
     ChartScene sweep{"2DOF, all regimes", two_masses(0.01), {}};
-    for (int n = 0; n < 2 * points; ++n) sweep.points.push_back({0.1 + 2.4 * (n + 0.5) / (2 * points), 0.3});
+    for (int n = 0; n < 2 * points; ++n) sweep.points.push_back({0.1 + 2.9 * (n + 0.5) / (2 * points), 0.3});
     scenes.push_back(sweep);
     scenes.push_back(sliding("5DOF, j = 3, l = 1", five_masses<double>(3, 0.1), 0.3, 1.9, points, draw));
     const System<double> long_chain = equal_chain<double>(50, 10, 1, std::vector<double>(50, 0.05));
