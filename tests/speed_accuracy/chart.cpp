@@ -8,7 +8,10 @@
 #include "tests/speed_accuracy/chart_output.hpp"
 #include "tests/speed_accuracy/chart_scenes.hpp"
 #include "tests/speed_accuracy/peers/cvode.hpp"
+#include "tests/speed_accuracy/peers/harmonic_balance.hpp"
+#include "tests/speed_accuracy/peers/monoharmonic.hpp"
 #include "tests/speed_accuracy/peers/own_methods.hpp"
+#include "tests/speed_accuracy/peers/plain_integrators.hpp"
 #include "tests/speed_accuracy/peers/siconos.hpp"
 
 using namespace denhartog::tests;
@@ -17,7 +20,9 @@ namespace {
 
 std::vector<Peer> all_peers() {
     std::vector<Peer> all;
-    for (const auto& some : {own_peers(), cvode_peers(), siconos_peers()}) all.insert(all.end(), some.begin(), some.end());
+    for (const auto& some :
+         {own_peers(), monoharmonic_peers(), harmonic_balance_peers(), plain_integrator_peers(), cvode_peers(), siconos_peers()})
+        all.insert(all.end(), some.begin(), some.end());
     return all;
 }
 

@@ -47,7 +47,7 @@ std::vector<ChartScene> chart_scenes(std::uint64_t seed, int points) {
     scenes.push_back(sweep);
     scenes.push_back(sliding("5DOF, j = 3, l = 1", five_masses<double>(3, 0.1), 0.3, 1.9, points, draw));
     const System<double> long_chain = equal_chain<double>(50, 10, 1, std::vector<double>(50, 0.05));
-    scenes.push_back(sliding("N = 50", long_chain, 0.3, 1.9, std::max(1, points / 2), draw));
+    scenes.push_back(sliding("N = 50", long_chain, 0.3, 1.9, std::max(1, points / 4), draw));
     return scenes;
 }
 
