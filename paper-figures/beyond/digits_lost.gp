@@ -1,5 +1,5 @@
-# Colours are those of viridis, light for few digits; orange where a form gives no number, grey where the function is below the range
-# of double. The axes of R - 1 and of zeta near 1 go by the decades of the distance.
+# Colours are those of viridis, light for few digits; orange where a form gives no number, grey where the function is below
+# the range of double. The axes of R - 1 and of zeta near 1 go by the decades of the distance.
 width = 1240; height = 1400
 load '../style.gp'
 set palette maxcolors 18 defined (0 '#BBBBBB', 1 '#FFFFEE', 2 '#FDE725', 3 '#D8E219', 4 '#B0DD2F', 5 '#89D548', 6 '#65CB5E', \
@@ -51,7 +51,8 @@ unset title; unset xlabel; unset ylabel; unset border; unset xtics; unset ytics
 set xrange [0:1]
 set yrange [0:1]
 set colorbox horizontal user origin screen 0.15, 0.055 size screen 0.75, 0.02
-set cbtics ('too small' -0.5, '1' 1, '3' 3, '5' 5, '7' 7, '9' 9, '11' 11, '13' 13, '15' 15, 'no number' 16.5) scale 0.3 offset 0, 0.4
+set cbtics ('too small' -0.5, '1' 1, '3' 3, '5' 5, '7' 7, '9' 9, '11' 11, '13' 13, '15' 15, 'no number' 16.5) \
+    scale 0.3 offset 0, 0.4
 set cblabel 'decimal digits lost in double; power of ten of the condition number, in R or in ζ' offset 0, 0.6
 plot NaN with points palette
 unset multiplot
