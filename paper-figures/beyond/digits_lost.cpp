@@ -1,4 +1,4 @@
-// (23), (28), (29) over (R, zeta): decimal digits that double loses in the paper's forms and in those that callers get, against 50
+// (23), (28), (29) over (R, zeta): decimal digits that double loses in the forms of the paper and in those shipped, against 50
 // digits, beside the condition number.
 #include <algorithm>
 #include <array>

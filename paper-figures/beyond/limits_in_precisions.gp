@@ -22,7 +22,7 @@ do for [row = 1:2] {
         if (place == 1) { set ylabel 'decimal digits' offset 1.2; set format y '%g' } else { set ylabel; set format y '' }
         if (row == 2) { set xlabel 'x' offset 0, 0.4 }
         plot for [t = 1:3] data index name.' '.word(types, t).';' using (log10($1)):(column(3 + row)) with lines lt t lw 2.4, \
-             for [t = 1:3] '' index name.' '.word(types, t).';' using (log10($1)):(column(1 + row)) with lines lt t lw 1.6 dt (5,4)
+         for [t = 1:3] '' index name.' '.word(types, t).';' using (log10($1)):(column(1 + row)) with lines lt t lw 1.6 dt (5,4)
     }
 }
 # the key, below the panels
