@@ -49,10 +49,15 @@ void Figure::add(const Table& table) {
     data_ += "# " + table.name + ";\n#";
     for (const std::string& column : table.columns) data_ += " " + column;
     data_ += "\n";
-    for (const std::vector<double>& row : table.rows) {
+    if (!table.words.empty() && table.words.size() != table.rows.size())
+        throw std::invalid_argument("a row of " + table.name + " has no words");
+    for (std::size_t at = 0; at < table.rows.size(); ++at) {
+        const std::vector<double>& row = table.rows[at];
         if (row.size() != table.columns.size()) throw std::invalid_argument("a row of " + table.name + " has the wrong length");
         for (std::size_t n = 0; n < row.size(); ++n)
             data_ += (n == 0 ? "" : " ") + (std::isnan(row[n]) ? "NaN" : text(row[n], "%.10g"));
+        if (!table.words.empty())
+            for (const std::string& words : table.words[at]) data_ += " \"" + words + "\"";
         data_ += "\n";
     }
     data_ += "\n\n";

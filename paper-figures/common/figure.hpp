@@ -42,6 +42,7 @@ struct Table {
     std::string name;                       ///< how the plot script asks for it: `index "name;"`. Unique in its file
     std::vector<std::string> columns;       ///< names of the columns
     std::vector<std::vector<double>> rows;  ///< numbers, as many as there are columns in each
+    std::vector<std::vector<std::string>> words{}; ///< texts of the rows, after the numbers in quotes; none, or those of each row
 };
 
 /// @brief Where a figure puts its data, and says how far it is.
