@@ -139,6 +139,27 @@ Outcome low_frequency() {
     return outcome;
 }
 
+/// At R = x = 1/n the angle is n half-turns less epsilon, which falls to zero.
+Outcome low_frequency_in_proportion() {
+    const ex x = small(), c = factor(), zeta = c * x, w = GiNaC::sqrt(1 - zeta * zeta), theta = Pi * w / x,
+             epsilon = Pi * c * c * x / (1 + w);
+    Outcome outcome;
+    add_statement(outcome, decide_zero_and_twin(theta + epsilon - Pi / x), "What the angle lacks to n half-turns",
+                  "\\theta = n\\pi - \\epsilon, \\quad \\epsilon = \\frac{\\pi c^2x}{1+w}");
+    for (const bool odd : {false, true}) {
+        const int sign = odd ? -1 : 1;
+        const auto at_harmonics = [&](const ex& e) {
+            return e.subs(
+                GiNaC::lst{GiNaC::cos(theta) == sign * GiNaC::cos(epsilon), GiNaC::sin(theta) == -sign * GiNaC::sin(epsilon)});
+        };
+        const auto [squared_v, u, g] = functions_at(x, zeta);
+        add_path(outcome, odd ? "zeta = c R, R = 1/n, n odd" : "zeta = c R, R = 1/n, n even",
+                 {squared_v, at_harmonics(u), at_harmonics(g)}, limits::at_low_frequency_in_proportion(odd, Symbolic(c)));
+    }
+    outcome.steps.push_back({"tanh and coth differ: along zeta = c R neither u nor g has a limit", ""});
+    return outcome;
+}
+
 Claim limit(std::string id, std::string title, std::vector<std::string> assumptions, std::function<Outcome()> check) {
     return {.id = std::move(id),
             .equations = {"23", "28", "29"},
@@ -158,6 +179,8 @@ const Register registered([] {
               to_harmonics),
         limit("limits/R-to-infinity", "The functions of a mode for R -> infinity", {"0 < zeta_i < 1 fixed"}, high_frequency),
         limit("limits/R-to-0", "The functions of a mode for R -> 0", {"0 < zeta_i < 1 fixed"}, low_frequency),
+        limit("limits/R-to-0-in-proportion", "Along zeta = c R -> 0 the damping functions of a mode have no limit",
+              {"c > 0", "R_i = 1/n"}, low_frequency_in_proportion),
         limit("limits/zeta-to-1", "The functions of a mode for zeta -> 1", {"R_i fixed"}, critical_damping),
     };
 });

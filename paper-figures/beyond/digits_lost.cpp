@@ -28,9 +28,9 @@ double shown(const Place& p, double value) {
 }
 
 void add(Figure& figure, const Map& map) {
-    for (std::size_t n = 0; n < functions; ++n) {
+    for (std::size_t n = 0; n < 3; ++n) {
         const auto table = [&](const std::string& what, const auto& value) {
-            Table t{map.name + " " + symbols[n] + " " + what, {}, {}};
+            Table t{map.name + " " + names_of_functions[n] + " " + what, {}, {}};
             for (const double R : map.R) t.columns.push_back(text(R, "%.17g"));
             for (std::size_t b = 0; b < map.zeta.size(); ++b) {
                 std::vector<double> row;
@@ -53,9 +53,9 @@ double check(const std::vector<Map>& maps) {
     double fewest = INFINITY;
     for (const Map& map : maps)
         for (std::size_t n = 0; n < map.points.size(); n += 23) {
-            const Values<Real50> reference = shipped(Real50(map.R_of(n)), Real50(map.zeta_of(n)));
-            const Values<Real100> truth = printed(Real100(map.R_of(n)), Real100(map.zeta_of(n)));
-            for (std::size_t f = 0; f < functions; ++f) {
+            const Three<Complex<Real50>> reference = shipped_functions(Real50(map.R_of(n)), Real50(map.zeta_of(n)));
+            const Three<Complex<Real100>> truth = printed_functions(Real100(map.R_of(n)), Real100(map.zeta_of(n)));
+            for (std::size_t f = 0; f < 3; ++f) {
                 const Complex<Real100> r{Real100(reference[f].re), Real100(reference[f].im)};
                 const Real100 off = difference(r, truth[f]);
                 if (off > 0) fewest = std::min(fewest, -static_cast<double>(log10(off)));
@@ -133,14 +133,14 @@ std::string less_than(double digits) {
 }
 
 void describe(Record& record, std::size_t f, const Count& c) {
-    const std::string& symbol = symbols[f];
-    record.statements.push_back({numbers[f] +
+    const std::string& symbol = names_of_functions[f];
+    record.statements.push_back({numbers_of_functions[f] +
                                      " as printed loses more than 8 digits, or gives no number, only where its condition "
                                      "number is 100 or more",
                                  "it does so at " + of(c.many, c.good) + " with a condition number below 100", c.many == 0});
-    record.statements.push_back(
-        {"The shipped form of " + numbers[f] + " loses less than a digit beyond what its condition number costs, everywhere",
-         less_than(c.beyond.value) + " beyond the condition number", c.beyond.value < 1});
+    record.statements.push_back({"The shipped form of " + numbers_of_functions[f] +
+                                     " loses less than a digit beyond what its condition number costs, everywhere",
+                                 less_than(c.beyond.value) + " beyond the condition number", c.beyond.value < 1});
     std::string words = symbol + " as printed, condition number below 100: ";
     words += std::isinf(c.printed_worst.value) ? "no number" : less_than(c.printed_worst.value) + " lost";
     words += ", as at " + c.printed_worst.where + ". It gives no number at " + of(c.none, c.points);
@@ -165,7 +165,7 @@ void describe(Record& record, std::size_t f, const Count& c) {
 /// Condition numbers of u at the resonance, by R and by zeta. @return a sentence
 std::string at_resonance() {
     const double zeta = std::ldexp(1.0, -20);
-    const Place p = places(1, zeta)[0];
+    const Place p = places(1, zeta)[1];
     return "u at R = 1, zeta = 2^-20: condition number " + text(p.by_R, "%.2g") + " in R (2 / zeta^2 is " +
            text(2 / (zeta * zeta), "%.2g") + "), " + (p.by_zeta < 1e-6 ? "below 1e-6" : text(p.by_zeta, "%.2g")) +
            " in zeta; as printed it loses " + text(p.printed, "%.0f") + " digits, as shipped " + less_than(p.shipped) + ".";
@@ -190,7 +190,7 @@ Record make(Figure& figure) {
         "condition number: relative change of the function over that of R or of zeta, the larger of the two, by differences in "
         "50 digits",
         "points of both maps are counted together"};
-    for (std::size_t f = 0; f < functions; ++f) describe(record, f, count(maps, f));
+    for (std::size_t f = 0; f < 3; ++f) describe(record, f, count(maps, f));
     const double common = check(maps);
     record.remarks.push_back(at_resonance());
     record.remarks.push_back("The reference and the paper's forms in 100 digits have " +

@@ -1,12 +1,10 @@
 // (28), (29) on their way to the ends of the domain: decimal digits that the paper's forms and those that callers get keep in
 // double, long double and 50 digits, against the paper's forms in 200 digits.
 #include <algorithm>
-#include <array>
 #include <functional>
 
-#include "denhartog/evaluation/mode.hpp"
-#include "denhartog/multiprecision.hpp"
 #include "figure.hpp"
+#include "kept_digits.hpp"
 
 using namespace denhartog;
 using namespace denhartog::figures;
@@ -56,31 +54,10 @@ std::vector<Path> paths() {
              }}};
 }
 
-/// u and g.
+/// The functions drawn: u and g, which come after v.
+constexpr std::array<std::size_t, 2> drawn{1, 2};
 template <class T>
 using Two = std::array<T, 2>;
-const Two<std::string> symbols{"u", "g"};
-
-template <class T>
-Two<T> printed(const T& R, const T& zeta) {
-    return {paper::first_damping_function(R, zeta), paper::second_damping_function(R, zeta)};
-}
-
-template <class T>
-Two<T> shipped(const T& R, const T& zeta) {
-    const evaluation::ModeFunctions<T> f = evaluation::mode_functions(R, zeta);
-    return {f.u, f.g};
-}
-
-/// Decimal digits of a value, at most those of its type; none where it is no number.
-template <class T>
-double digits(const T& value, const Real200& truth) {
-    using std::isfinite;
-    const double most = -std::log10(static_cast<double>(std::numeric_limits<T>::epsilon() / 2));
-    if (!isfinite(value)) return 0;
-    const Real200 off = abs(Real200(Real200(value) / truth - 1));
-    return off == 0 ? most : std::min(most, std::max(0.0, -static_cast<double>(log10(off))));
-}
 
 /// What is left along a path in a number type.
 struct Kept {
@@ -97,13 +74,14 @@ Kept follow(Figure& figure, const Path& path, const std::string& type) {
         const Point p = path.at(Real200(pow(Real200(10), Real200(exponent))));
         const T R = static_cast<T>(p.R), zeta = static_cast<T>(p.zeta);
         if (!(zeta < 1)) break;
-        const Two<Real200> truth = printed(Real200(R), Real200(zeta));
-        const Two<T> theirs = printed(R, zeta), ours = shipped(R, zeta);
+        const Three<Complex<Real200>> truth = printed_functions(Real200(R), Real200(zeta));
+        const Three<Complex<T>> theirs = printed_functions(R, zeta), ours = shipped_functions(R, zeta);
         std::vector<double> row{std::pow(10, exponent), 0, 0, 0, 0};
         for (std::size_t n = 0; n < 2; ++n) {
-            const bool in_range = abs(truth[n]) >= Real200((std::numeric_limits<T>::min)());
-            row[1 + n] = in_range ? digits(theirs[n], truth[n]) : std::nan("");
-            row[3 + n] = in_range ? digits(ours[n], truth[n]) : std::nan("");
+            const std::size_t f = drawn[n];
+            const bool in_range = abs(truth[f].re) >= Real200((std::numeric_limits<T>::min)());
+            row[1 + n] = in_range ? digits_kept(theirs[f], truth[f]) : std::nan("");
+            row[3 + n] = in_range ? digits_kept(ours[f], truth[f]) : std::nan("");
             if (!in_range) continue;
             kept.printed[n] = std::min(kept.printed[n], row[1 + n]);
             kept.shipped[n] = std::min(kept.shipped[n], row[3 + n]);
@@ -139,12 +117,12 @@ Record make(Figure& figure) {
         figure.progress(n + 1, all.size());
         std::string words = all[n].words + ", fewest digits in double, long double, 50 digits:";
         for (std::size_t f = 0; f < 2; ++f) {
-            words += (f == 0 ? " " : "; ") + symbols[f] + " printed " + fewest(kept, &Kept::printed, f) + ", shipped " +
-                     fewest(kept, &Kept::shipped, f);
+            words += (f == 0 ? " " : "; ") + names_of_functions[drawn[f]] + " printed " + fewest(kept, &Kept::printed, f) +
+                     ", shipped " + fewest(kept, &Kept::shipped, f);
             for (const Kept& each : kept)
                 if (each.shipped[f] < each.printed[f] - 1) {
                     never_worse = false;
-                    const std::string here = symbols[f] + " for " + all[n].words;
+                    const std::string here = names_of_functions[drawn[f]] + " for " + all[n].words;
                     if (worse.find(here) == std::string::npos) worse += (worse.empty() ? "fewer of " : ", ") + here;
                 }
         }

@@ -17,8 +17,6 @@ constexpr std::size_t types = 4;
 const std::array<std::string, types> names_of_types{"float", "double", "long double", "50 digits"};
 constexpr double step = 2.5; ///< decades
 
-const std::array<std::string, 3> numbers{"(23)", "(28)", "(29)"};
-
 /// What is known of a path.
 struct Row {
     std::array<KeptAlongPath, types> kept;
@@ -108,7 +106,7 @@ void describe(Record& record, const std::vector<LimitPath>& paths, const std::ve
             all = all && lost == 0;
             words += (t == 0 ? "" : ", ") + std::to_string(lost) + " in " + names_of_types[t];
         }
-        record.statements.push_back({numbers[f] + " as printed keeps half of its digits or more on every path",
+        record.statements.push_back({numbers_of_functions[f] + " as printed keeps half of its digits or more on every path",
                                      "it does not on " + words + ", of " + std::to_string(rows.size()) + " paths", all});
     }
     for (std::size_t n = 0; n < rows.size(); ++n) {

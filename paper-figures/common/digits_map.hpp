@@ -2,39 +2,13 @@
 /// @brief What becomes of (23), (28), (29) at a point of the (R, zeta) plane, and the points of the maps.
 #pragma once
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-
-#include "denhartog/evaluation/mode.hpp"
-#include "denhartog/multiprecision.hpp"
 #include "figure.hpp"
+#include "kept_digits.hpp"
 
 namespace denhartog::figures {
 
-constexpr std::size_t functions = 3;
-inline const std::array<std::string, functions> symbols{"u", "g", "v"};
-inline const std::array<std::string, functions> numbers{"(28)", "(29)", "(23)"};
 constexpr double many = 8;       ///< digits lost that are many
 constexpr double moderate = 100; ///< condition numbers below it are good ones
-
-/// @brief u, g and v, the first two with no imaginary part.
-template <class T>
-using Values = std::array<Complex<T>, functions>;
-
-/// @brief The functions in the forms that callers get.
-template <class T>
-[[nodiscard]] inline Values<T> shipped(const T& R, const T& zeta) {
-    const evaluation::ModeFunctions<T> f = evaluation::mode_functions(R, zeta);
-    return {Complex<T>{f.u, T(0)}, Complex<T>{f.g, T(0)}, f.v};
-}
-
-/// @brief The functions as the paper writes them.
-template <class T>
-[[nodiscard]] inline Values<T> printed(const T& R, const T& zeta) {
-    return {Complex<T>{paper::first_damping_function(R, zeta), T(0)}, Complex<T>{paper::second_damping_function(R, zeta), T(0)},
-            paper::complex_response(R, zeta)};
-}
 
 /// @brief |a - b| / |b|.
 template <class T>
@@ -61,16 +35,17 @@ struct Place {
 }
 
 /// @brief Of all functions at a point.
-using Places = std::array<Place, functions>;
+using Places = Three<Place>;
 
 /// @brief Both forms and the condition numbers at a point.
 [[nodiscard]] inline Places places(double R, double zeta) {
     const Real50 h = ldexp(Real50(1), -70), R50 = R, zeta50 = zeta;
-    const Values<Real50> truth = shipped(R50, zeta50), beside = shipped(Real50(R50 * (1 + h)), zeta50),
-                         above = shipped(R50, Real50(zeta50 * (1 + h)));
-    const Values<double> ours = shipped(R, zeta), theirs = printed(R, zeta);
+    const Three<Complex<Real50>> truth = shipped_functions(R50, zeta50),
+                                 beside = shipped_functions(Real50(R50 * (1 + h)), zeta50),
+                                 above = shipped_functions(R50, Real50(zeta50 * (1 + h)));
+    const Three<Complex<double>> ours = shipped_functions(R, zeta), theirs = printed_functions(R, zeta);
     Places result;
-    for (std::size_t n = 0; n < functions; ++n)
+    for (std::size_t n = 0; n < truth.size(); ++n)
         result[n] = {static_cast<double>(Real50(difference(beside[n], truth[n]) / h)),
                      static_cast<double>(Real50(difference(above[n], truth[n]) / h)),
                      modulus(truth[n]) < std::numeric_limits<double>::min(), digits_lost(theirs[n], truth[n]),

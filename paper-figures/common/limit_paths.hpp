@@ -3,33 +3,20 @@
 /// digits that the paper's forms and those that callers get keep on the way.
 #pragma once
 
-#include <array>
-#include <cmath>
 #include <functional>
-#include <limits>
 #include <string>
 #include <vector>
 
-#include "denhartog/evaluation/mode.hpp"
 #include "denhartog/formulas/mode_limits.hpp"
-#include "denhartog/multiprecision.hpp"
+#include "kept_digits.hpp"
 
 namespace denhartog::figures {
-
-/// @brief 400 digits: along zeta = x, |R - 1| = x = 1e-100 the paper's forms lose 200.
-using Real400 = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<400>, boost::multiprecision::et_off>;
 
 /// @brief R and zeta.
 struct PathPoint {
     Real400 R;    ///< modal frequency ratio
     Real400 zeta; ///< modal damping ratio
 };
-
-/// @brief v, u, g.
-template <class T>
-using Three = std::array<T, 3>;
-/// @brief Names of the functions.
-inline const Three<std::string> names_of_functions{"v", "u", "g"};
 
 /// @brief A path to an end of the domain: x falls to zero.
 struct LimitPath {
@@ -140,35 +127,6 @@ namespace limit_paths {
                      },
                      -8});
     return paths;
-}
-
-/// @brief The functions as the paper writes them. @return v, u, g
-template <class T>
-[[nodiscard]] Three<Complex<T>> printed_functions(const T& R, const T& zeta) {
-    return {paper::complex_response(R, zeta), Complex<T>{paper::first_damping_function(R, zeta), T(0)},
-            Complex<T>{paper::second_damping_function(R, zeta), T(0)}};
-}
-
-/// @brief The functions in the forms that callers get. @return v, u, g
-template <class T>
-[[nodiscard]] Three<Complex<T>> shipped_functions(const T& R, const T& zeta) {
-    const evaluation::ModeFunctions<T> f = evaluation::mode_functions(R, zeta);
-    return {f.v, Complex<T>{f.u, T(0)}, Complex<T>{f.g, T(0)}};
-}
-
-/// @brief The decimal digits of a number type: of its unit roundoff.
-template <class T>
-[[nodiscard]] double digits_of_type() {
-    return -std::log10(static_cast<double>(std::numeric_limits<T>::epsilon() / 2));
-}
-
-/// @brief Decimal digits of a value, at most those of its type; none where it is no number.
-template <class T>
-[[nodiscard]] double digits_kept(const Complex<T>& value, const Complex<Real400>& truth) {
-    using std::isfinite;
-    if (!isfinite(value.re) || !isfinite(value.im)) return 0;
-    const Real400 off = modulus(Complex<Real400>{Real400(value.re) - truth.re, Real400(value.im) - truth.im}) / modulus(truth);
-    return off == 0 ? digits_of_type<T>() : std::min(digits_of_type<T>(), std::max(0.0, -static_cast<double>(log10(off))));
 }
 
 /// @brief Fewest digits along a path.

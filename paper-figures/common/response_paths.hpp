@@ -3,20 +3,16 @@
 /// plain sums over modes, in the paper's forms and in those that callers get.
 #pragma once
 
-#include <array>
-#include <cmath>
 #include <functional>
-#include <limits>
 #include <string>
 #include <vector>
 
-#include "denhartog/evaluation/mode.hpp"
 #include "denhartog/formulas/contact.hpp"
 #include "denhartog/formulas/response_limits.hpp"
 #include "denhartog/formulas/superposition.hpp"
-#include "denhartog/multiprecision.hpp"
 #include "denhartog/response/answer.hpp"
 #include "denhartog/response/solve.hpp"
+#include "kept_digits.hpp"
 
 namespace denhartog::figures {
 
@@ -262,16 +258,6 @@ struct SolvedAmplitude {
 [[nodiscard]] inline Scene<double> chain_of(int k, std::size_t j, double r, double beta) {
     const std::vector<double> ones(static_cast<std::size_t>(k), 1);
     return response_paths::chain(ones, ones, j == 0 ? ones.size() : j, 1, 0x1p-4, r, beta);
-}
-
-/// @brief Decimal digits of a value, at most those of its type; none where it is no number.
-template <class T>
-[[nodiscard]] double digits_kept(const T& value, const Real100& truth) {
-    using std::isfinite;
-    const double most = -std::log10(static_cast<double>(std::numeric_limits<T>::epsilon() / 2));
-    if (!isfinite(value)) return 0;
-    const Real100 off = abs(Real100((Real100(value) - truth) / truth));
-    return off == 0 ? most : std::min(most, std::max(0.0, -static_cast<double>(log10(off))));
 }
 
 } // namespace denhartog::figures

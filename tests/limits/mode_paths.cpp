@@ -82,6 +82,28 @@ TEST_CASE("on every path v, u and g tend to their leading terms, and to no other
     }
 }
 
+TEST_CASE("for R -> 0 in proportion to zeta the damping functions have one limit at even harmonics and another at odd ones",
+          "[eq:28][eq:29][limit]") {
+    const Real400 c = Real400(3) / 8;
+    for (const bool odd : {false, true}) {
+        const limits::ModeTerms<Real400> right = limits::at_low_frequency_in_proportion(odd, c),
+                                         wrong = limits::at_low_frequency_in_proportion(!odd, c);
+        const Real400 n = ldexp(Real400(1), 60) + (odd ? 1 : 0), R = 1 / n;
+        const Three<Complex<Real400>> f = printed_functions(R, Real400(c * R));
+        const auto off = [](const Real400& value, const limits::Term<Real400>& term) {
+            return static_cast<double>(Real400(abs(Real400(value / term.coefficient - 1))));
+        };
+        INFO((odd ? "odd" : "even"));
+        CHECK(off(f[1].re, right.u) < 1e-15);
+        CHECK(off(f[2].re, right.g) < 1e-15);
+        CHECK(off(f[1].re, wrong.u) > 0.1);
+        CHECK(off(f[2].re, wrong.g) > 0.1);
+        const evaluation::DampingFunctions<Real400> shipped = evaluation::damping_functions(R, Real400(c * R));
+        CHECK(off(shipped.u, right.u) < 1e-15);
+        CHECK(off(shipped.g, right.g) < 1e-15);
+    }
+}
+
 TEST_CASE("in float the shipped forms keep their digits on every path, the printed ones none at the resonance",
           "[eq:23][eq:28][eq:29][limit][form]") {
     const std::vector<LimitPath> paths = limit_paths_of_modes();

@@ -128,6 +128,23 @@ template <class T>
     return {{1 / (square * square), 0}, {q / (R * denominator), 0}, {(sinh(q) - q) / denominator, 0}};
 }
 
+/// @brief \f$ \zeta = cR \to 0 \f$ through \f$ R = x = 1/n \f$: one limit for even n and another for odd n.
+///
+/// Hence u and g have none along this path.
+/// \f[ n \text{ even:}\quad u \to -\frac{\pi c^2}{2(\cosh\pi c+1)}, \quad g \to \tanh\frac{\pi c}{2}; \qquad
+///     n \text{ odd:}\quad u \to \frac{\pi c^2}{2(\cosh\pi c-1)}, \quad g \to \coth\frac{\pi c}{2} \f]
+/// @eq{23,28,29}  @derivation{mode_limits}  @domain{n -> infinity, all even or all odd; c > 0}
+/// @param odd  whether n is odd
+/// @param c    zeta over R
+/// @return     leading terms
+template <class T>
+[[nodiscard]] ModeTerms<T> at_low_frequency_in_proportion(bool odd, const T& c) {
+    const T pi_c = pi<T>() * c;
+    const int sign = odd ? -1 : 1;
+    const T denominator = cosh(pi_c) + sign;
+    return {{T(1), 0}, {-sign * pi_c * c / (2 * denominator), 0}, {sinh(pi_c) / denominator, 0}};
+}
+
 /// @brief How (28) vanishes for \f$ R \to 0 \f$ at a fixed damping ratio: faster than every power of R.
 /// \f[ u \sim \frac{2e^{-\delta}\sin\theta}{R\,w}, \qquad \theta = \pi w/R,\quad \delta = \pi\zeta/R \f]
 /// @eq{28}  @derivation{mode_limits}  @domain{R -> 0, 0 < zeta < 1}
