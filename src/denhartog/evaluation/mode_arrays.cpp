@@ -1,0 +1,211 @@
+#include "denhartog/evaluation/mode_arrays.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <sstream>
+
+#include "denhartog/errors.hpp"
+#include "denhartog/evaluation/vector_functions.hpp"
+
+namespace denhartog::evaluation {
+namespace {
+
+constexpr std::size_t block = 512;
+
+std::atomic<long> evaluated{0};
+
+/// What does not depend on R.
+struct ModeConstants {
+    double zeta;
+    double two_zeta;
+    double w;
+    double one_minus_w;
+    double two_pi_zeta;
+    double two_pi_w;
+    double inverse_w;
+};
+
+struct Pointers {
+    const double* R;
+    double* v_re;
+    double* v_im;
+    double* u;
+    double* g;
+};
+
+/// How much of a block the vectors cannot answer.
+struct Left {
+    std::int64_t outside; ///< R outside their range
+    std::int64_t poles;   ///< results that are not finite
+};
+
+/// A block. `strongly_damped` takes the half angle as a product, else as a difference, so that a small zeta is not rounded away;
+/// `small_arguments` says whether there is an R of 2 and more, where (29) has its second form.
+template <bool strongly_damped, bool small_arguments>
+[[gnu::always_inline]] inline Left compute(const ModeConstants& m, const Pointers& p, std::size_t n) {
+    std::int64_t outside = 0, poles = 0;
+#pragma GCC ivdep
+    for (std::size_t i = 0; i < n; ++i) {
+        const double R = p.R[i];
+        const double a = (1 - R) * (1 + R);
+        const double b = m.two_zeta * R;
+        const double D = 1 / (a * a + b * b);
+        const double x = 0.5 / R;
+        double turn = strongly_damped ? m.w * x : x;
+        turn -= nearest_whole(turn);
+        double late = 0;
+        if constexpr (!strongly_damped) {
+            const double y = m.one_minus_w * x;
+            double difference = turn - y;
+            difference -= nearest_whole(difference);
+            turn = y > most_late() ? difference : turn;
+            late = y > most_late() ? 0 : y;
+        }
+        const HalfAngleProducts h = half_angle_products(turn, late);
+        const double delta = m.two_pi_zeta * x;
+        const Exponential e = exponential_of_negative(-delta);
+        const double four_E = 4 * e.E;
+        const double inverse = 1 / (e.E_minus_one * e.E_minus_one + four_E * h.cosine_square);
+        const double ratio = four_E * h.sine_cosine * m.inverse_w;
+        const double u = 2 * x * ratio * inverse;
+        double g = -(e.E_minus_one * (1 + e.E) + m.zeta * ratio) * inverse;
+        if constexpr (small_arguments) {
+            const double theta = m.two_pi_w * x;
+            const double positive = odd_series(delta * delta) - odd_series(-theta * theta);
+            const double other = 0.5 * four_E * delta * positive * inverse;
+            g = R < 2 ? g : other;
+        }
+        p.v_re[i] = a * D;
+        p.v_im[i] = -b * D;
+        p.u[i] = u;
+        p.g[i] = g;
+        const double zero_if_finite = D * 0 + u * 0 + g * 0;
+        poles += zero_if_finite == 0 ? 0 : 1;
+        outside += (R >= least_vector_ratio() ? 0 : 1) + (R <= largest_vector_ratio() ? 0 : 1);
+    }
+    return {outside, poles};
+}
+
+[[gnu::always_inline]] inline std::int64_t number_of_large(const double* R, std::size_t n) {
+    std::int64_t large = 0;
+    for (std::size_t i = 0; i < n; ++i) large += R[i] >= 2 ? 1 : 0;
+    return large;
+}
+
+[[gnu::always_inline]] inline Left compute_any(const ModeConstants& m, const Pointers& p, std::size_t n) {
+    const bool large = number_of_large(p.R, n) > 0;
+    if (m.zeta > 0.5) return large ? compute<true, true>(m, p, n) : compute<true, false>(m, p, n);
+    return large ? compute<false, true>(m, p, n) : compute<false, false>(m, p, n);
+}
+
+using Compute = Left (*)(const ModeConstants&, const Pointers&, std::size_t);
+
+Left compute_baseline(const ModeConstants& m, const Pointers& p, std::size_t n) { return compute_any(m, p, n); }
+
+#if defined(__x86_64__)
+[[gnu::target("avx2")]] Left compute_avx2(const ModeConstants& m, const Pointers& p, std::size_t n) {
+    return compute_any(m, p, n);
+}
+
+[[gnu::target("avx512f,avx512dq,avx512vl,prefer-vector-width=512")]] Left compute_avx512(const ModeConstants& m,
+                                                                                         const Pointers& p, std::size_t n) {
+    return compute_any(m, p, n);
+}
+#endif
+
+Compute compute_with(Vectors vectors) {
+#if defined(__x86_64__)
+    if (vectors == Vectors::avx512) return compute_avx512;
+    if (vectors == Vectors::avx2) return compute_avx2;
+#endif
+    return vectors == Vectors::baseline ? compute_baseline : nullptr;
+}
+
+std::string text(double x) {
+    std::ostringstream out;
+    out.precision(17);
+    out << x;
+    return out.str();
+}
+
+void check_arguments(std::span<const double> R, double zeta, const ModeArrays& out, Vectors vectors) {
+    if (!(zeta >= 0 && zeta < 1)) throw InputError("zeta", "must be at least 0 and below 1", text(zeta));
+    for (const std::size_t size : {out.v_re.size(), out.v_im.size(), out.u.size(), out.g.size(), out.at_pole.size()})
+        if (size != R.size())
+            throw InputError("an array of results", "must have the length of R, " + std::to_string(R.size()),
+                             std::to_string(size));
+    if (std::ranges::find(supported_vectors(), vectors) == supported_vectors().end())
+        throw InputError("vectors", "must be of a width that the processor has", name(vectors));
+}
+
+void write_zeros(const ModeArrays& out, std::size_t i) {
+    out.v_re[i] = out.v_im[i] = out.u[i] = out.g[i] = 0;
+    out.at_pole[i] = 1;
+}
+
+bool finite(const ModeArrays& out, std::size_t i) {
+    return std::isfinite(out.v_re[i]) && std::isfinite(out.v_im[i]) && std::isfinite(out.u[i]) && std::isfinite(out.g[i]);
+}
+
+} // namespace
+
+std::string name(Vectors vectors) {
+    switch (vectors) {
+    case Vectors::baseline: return "baseline";
+    case Vectors::avx2: return "avx2";
+    case Vectors::avx512: return "avx512";
+    }
+    return {};
+}
+
+const std::vector<Vectors>& supported_vectors() {
+    static const std::vector<Vectors> found = [] {
+        std::vector<Vectors> widths{Vectors::baseline};
+#if defined(__x86_64__)
+        if (__builtin_cpu_supports("avx2")) widths.push_back(Vectors::avx2);
+        if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl"))
+            widths.push_back(Vectors::avx512);
+#endif
+        return widths;
+    }();
+    return found;
+}
+
+std::size_t mode_functions(std::span<const double> R, double zeta, const ModeArrays& out, Vectors vectors) {
+    check_arguments(R, zeta, out, vectors);
+    evaluated += static_cast<long>(R.size());
+    const double w = std::sqrt((1 - zeta) * (1 + zeta));
+    const ModeConstants m{zeta, 2 * zeta, w, one_minus_w(zeta), 2 * pi<double>() * zeta, 2 * pi<double>() * w, 1 / w};
+    const Compute compute_block = compute_with(vectors);
+    std::size_t scalar = 0;
+    for (std::size_t start = 0; start < R.size(); start += block) {
+        const std::size_t n = std::min(block, R.size() - start);
+        const Pointers p{R.data() + start, out.v_re.data() + start, out.v_im.data() + start, out.u.data() + start,
+                         out.g.data() + start};
+        const Left left = compute_block(m, p, n);
+        if (left.outside == 0 && left.poles == 0) continue;
+        for (std::size_t i = start; i < start + n; ++i) {
+            const bool outside = !(R[i] >= least_vector_ratio() && R[i] <= largest_vector_ratio());
+            if (outside || !finite(out, i)) {
+                if (!(R[i] > 0) || !std::isfinite(R[i])) throw InputError("R", "must be positive and finite", text(R[i]));
+                const ModeFunctions<double> f = mode_functions(R[i], zeta);
+                out.v_re[i] = f.v.re;
+                out.v_im[i] = f.v.im;
+                out.u[i] = f.u;
+                out.g[i] = f.g;
+                ++scalar;
+            }
+            if (!finite(out, i)) write_zeros(out, i);
+        }
+    }
+    return scalar;
+}
+
+std::size_t mode_functions(std::span<const double> R, double zeta, const ModeArrays& out) {
+    return mode_functions(R, zeta, out, supported_vectors().back());
+}
+
+long array_mode_evaluations() { return evaluated; }
+
+} // namespace denhartog::evaluation

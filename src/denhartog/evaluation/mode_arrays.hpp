@@ -1,0 +1,68 @@
+/// @file
+/// @brief (23), (28), (29) of one mode over an array of frequency ratios, as separate arrays that vectors can be read from.
+///
+/// The forms are those of `mode.hpp` with what does not depend on R hoisted, the half angle reduced to half a turn (only
+/// \f$ sc \f$ and \f$ c^2 \f$ enter, which a half turn leaves alone) and one reciprocal for (28) and (29) together. Frequency
+/// ratios outside the range of the vectors are left to the scalar forms. A processor with wider vectors gives the same digits.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "denhartog/evaluation/mode.hpp"
+
+namespace denhartog::evaluation {
+
+/// @brief Where the functions of a mode are written: arrays of one length.
+struct ModeArrays {
+    std::span<double> v_re;          ///< real part of (23)
+    std::span<double> v_im;          ///< imaginary part of (23)
+    std::span<double> u;             ///< first damping function, Eq. (28)
+    std::span<double> g;             ///< second damping function, Eq. (29)
+    std::span<std::uint8_t> at_pole; ///< 1 where one of them is not finite, and all four are 0; elsewhere left as it was
+};
+
+/// @brief Width of the vectors.
+enum class Vectors : std::uint8_t {
+    baseline, ///< what the build is for, 128 bits on x86-64
+    avx2,     ///< 256 bits
+    avx512    ///< 512 bits
+};
+
+/// @brief Name of a width. @param vectors the width @return e.g. `avx2`
+[[nodiscard]] std::string name(Vectors vectors);
+
+/// @brief The widths that this processor has. @return in ascending order; `baseline` is always there
+[[nodiscard]] const std::vector<Vectors>& supported_vectors();
+
+/// @brief Frequency ratios from here on go through the vectors. @return the least of them
+[[nodiscard]] constexpr double least_vector_ratio() { return 0x1p-40; }
+
+/// @brief Frequency ratios up to here go through the vectors. @return the largest of them
+[[nodiscard]] constexpr double largest_vector_ratio() { return 0x1p200; }
+
+/// @brief \f$ v_{di} \f$, \f$ u_{di} \f$ and \f$ g_i \f$ of one mode over an array of R.
+/// @eq{23,28,29}  @derivation{evaluation_forms}  @domain{R > 0, 0 <= zeta < 1}
+/// @param R        modal frequency ratios, Eq. (22)
+/// @param zeta     modal damping ratio
+/// @param out      arrays as long as R
+/// @param vectors  width of the vectors, one that this processor has
+/// @return         how many R were left to the scalar forms
+/// @throws         InputError where zeta is outside [0, 1), an R is not positive and finite, an array has another length than R, or
+///                 the processor has no vectors of that width
+std::size_t mode_functions(std::span<const double> R, double zeta, const ModeArrays& out, Vectors vectors);
+
+/// @brief The same with the widest vectors of this processor.
+/// @param R     modal frequency ratios, Eq. (22)
+/// @param zeta  modal damping ratio
+/// @param out   arrays as long as R
+/// @return      how many R were left to the scalar forms
+std::size_t mode_functions(std::span<const double> R, double zeta, const ModeArrays& out);
+
+/// @brief Number of modes evaluated over arrays since the program started, one a frequency ratio; tests gate on it.
+/// @return the count, over all threads
+[[nodiscard]] long array_mode_evaluations();
+
+} // namespace denhartog::evaluation

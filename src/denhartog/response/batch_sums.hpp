@@ -1,0 +1,39 @@
+/// @file
+/// @brief The sums over modes at the mass in contact over an array of frequency ratios: (33)-(35), (64), (65), as arrays.
+///
+/// Each mode is evaluated once a frequency ratio. With \f$ \psi_i=\phi_i/r \f$ and \f$ R_i=r/r_{n,i} \f$ the weights
+/// \f$ \psi_{ki}\psi_{li}R_i^2 \f$ of (33)-(35) are \f$ \phi_{ki}\phi_{li}/r_{n,i}^2 \f$: nothing of them depends on r. Memory is that of
+/// the results and a few blocks.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "denhartog/model/modal_basis.hpp"
+
+namespace denhartog {
+
+/// @brief Sums over modes at the mass in contact, an entry a frequency ratio.
+struct ContactSums {
+    std::vector<double> V_re;           ///< real part of V_dj, Eq. (33)
+    std::vector<double> V_im;           ///< imaginary part of V_dj, Eq. (33)
+    std::vector<double> U;              ///< first damping function, Eq. (34)
+    std::vector<double> G;              ///< second damping function, Eq. (35)
+    std::vector<double> H;              ///< Eq. (64)
+    std::vector<double> sum_of_squares; ///< Eq. (65)
+    std::vector<std::uint8_t> at_pole;  ///< 1 where a mode without damping resonates: the other entries mean nothing and are 0
+};
+
+/// @brief Evaluates the modes over an array of frequency ratios and sums them.
+/// @eq{22,23,28,29,33,34,35,64,65}
+/// @param basis    modal basis of the system, N modes
+/// @param contact  the mass in contact, j
+/// @param load     the loaded mass, l
+/// @param r        frequency ratios, Eq. (10); positive
+/// @param threads  threads, at least 1; the result does not depend on it
+/// @return         the sums
+/// @throws         InputError where an r, j, l or the number of threads breaks its rule; PrecisionError where a sum is beyond the range of a double
+[[nodiscard]] ContactSums contact_sums(const ModalBasis<double>& basis, Mass contact, Mass load, const std::vector<double>& r,
+                                       unsigned threads);
+
+} // namespace denhartog
