@@ -1,5 +1,5 @@
-// The full surveys of the mode functions and the time domain: each prints its tables in Markdown, writes them to a file, and
-// fails where a gate does.
+// The full surveys of the mode functions, the time domain and batches: each prints its tables in Markdown, writes them to a
+// file, and fails where a gate does.
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <filesystem>
@@ -7,6 +7,7 @@
 #include <functional>
 
 #include "denhartog/model/paper_systems.hpp"
+#include "tests/speed_accuracy/batch_speed.hpp"
 #include "tests/speed_accuracy/cycles_survey.hpp"
 #include "tests/speed_accuracy/mode_functions_survey.hpp"
 #include "tests/speed_accuracy/motion_survey.hpp"
@@ -137,7 +138,8 @@ bool publish(const std::string& name, const Outcome& outcome, const std::string&
 } // namespace
 
 int main(int argc, char** argv) {
-    CLI::App app{"Surveys of accuracy and speed: the mode functions, and both solvers of the time domain", "speed-accuracy"};
+    CLI::App app{"Surveys of accuracy and speed: the mode functions, both solvers of the time domain, and batches",
+                 "speed-accuracy"};
     app.require_subcommand(1);
     std::string directory;
     int points = 10000, scenes = 200, repeats = 9, mode_points = 1000000;
@@ -163,6 +165,12 @@ int main(int argc, char** argv) {
     add("speed", "Time and digits against the paper's algorithm",
         [&] {
             return Outcome{{exact_solver_speed(repeats), usual_questions_speed(repeats)}, true};
+        })
+        ->add_option("--repeats", repeats, "Runs of which the median is taken")
+        ->check(CLI::PositiveNumber);
+    add("batch", "Time of batches beside the bare functions, and errors of those",
+        [&] {
+            return Outcome{{batch_speed(repeats), vector_function_errors()}, true};
         })
         ->add_option("--repeats", repeats, "Runs of which the median is taken")
         ->check(CLI::PositiveNumber);

@@ -1,9 +1,9 @@
 /// @file
 /// @brief Exponential, sine and cosine on a short range, without branch, table or call: what a compiler turns into vectors.
 ///
-/// They are Taylor polynomials of fixed degree after an exact reduction, and use the four operations of IEEE 754 alone: the digits
-/// do not depend on how many numbers the processor takes at once. The vector functions of glibc were measured and not taken:
-/// `tests/speed_accuracy/batch_speed.cpp` shows their errors beside these.
+/// They are Taylor polynomials of fixed degree after a reduction of the argument, and use the four operations of IEEE 754 alone:
+/// the digits do not depend on how many numbers the processor takes at once. The vector functions of glibc were measured and not
+/// taken: `tests/speed_accuracy/batch_speed.cpp` shows their errors beside these.
 #pragma once
 
 #include <bit>
@@ -11,7 +11,7 @@
 
 namespace denhartog::evaluation {
 
-/// @brief 1 / n!, correctly rounded for n up to 22, within an ulp beyond. @param n a number up to 25 @return the inverse
+/// @brief 1 / n!, rounded from a quotient in long double. @param n a number up to 25 @return the inverse
 [[nodiscard]] constexpr double inverse_factorial(int n) {
     long double factorial = 1;
     for (int k = 2; k <= n; ++k) factorial *= k;

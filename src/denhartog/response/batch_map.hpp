@@ -3,9 +3,9 @@
 ///
 /// A frequency ratio costs its modes once, \f$ |V_{dj}| \f$ and two limits; a friction ratio then costs a square root:
 /// \f[ \overline{X}_j = \sqrt{(|V_{dj}|-\beta|U_{dj}|)(|V_{dj}|+\beta|U_{dj}|)} - \beta G_j, \f]
-/// (38) with the difference of squares as a product, which does not cancel near \f$ \beta|U_{dj}|=|V_{dj}| \f$. The regime comes from
-/// the boundaries that the caller gives, e.g. those of `boundary_curves`; where the contact does not slide throughout there is no
-/// amplitude.
+/// (38) with the difference of squares as a product, which does not cancel near \f$ \beta|U_{dj}|=|V_{dj}| \f$. The regime comes
+/// from the boundaries that the caller gives, e.g. those of `boundary_curves`; where the contact does not slide throughout there is
+/// no amplitude.
 #pragma once
 
 #include <cstdint>

@@ -39,7 +39,8 @@ std::vector<ModeWeights> weights(const ModalBasis<double>& basis, Mass contact, 
     return all;
 }
 
-void add(const ModeWeights& m, const Block& of, ContactSums& s, std::size_t start, std::size_t n) {
+[[gnu::always_inline]] inline void add_any(const ModeWeights& m, const Block& of, ContactSums& s, std::size_t start,
+                                           std::size_t n) {
     double* V_re = s.V_re.data() + start;
     double* V_im = s.V_im.data() + start;
     double* U = s.U.data() + start;
@@ -53,6 +54,19 @@ void add(const ModeWeights& m, const Block& of, ContactSums& s, std::size_t star
         G[i] += m.contact * of.g[i];
         H[i] += m.square * (of.g[i] + m.two_zeta * of.R[i] * of.u[i]);
     }
+}
+
+#if defined(__x86_64__)
+[[gnu::target("avx2")]] void add_avx2(const ModeWeights& m, const Block& of, ContactSums& s, std::size_t start, std::size_t n) {
+    add_any(m, of, s, start, n);
+}
+#endif
+
+void add(const ModeWeights& m, const Block& of, ContactSums& s, std::size_t start, std::size_t n) {
+#if defined(__x86_64__)
+    if (evaluation::supported_vectors().back() != evaluation::Vectors::baseline) return add_avx2(m, of, s, start, n);
+#endif
+    add_any(m, of, s, start, n);
 }
 
 void compute(const std::vector<ModeWeights>& modes, const std::vector<double>& r, ContactSums& s, std::size_t start) {

@@ -2,8 +2,8 @@
 /// @brief The sums over modes at the mass in contact over an array of frequency ratios: (33)-(35), (64), (65), as arrays.
 ///
 /// Each mode is evaluated once a frequency ratio. With \f$ \psi_i=\phi_i/r \f$ and \f$ R_i=r/r_{n,i} \f$ the weights
-/// \f$ \psi_{ki}\psi_{li}R_i^2 \f$ of (33)-(35) are \f$ \phi_{ki}\phi_{li}/r_{n,i}^2 \f$: nothing of them depends on r. Memory is that of
-/// the results and a few blocks.
+/// \f$ \psi_{ki}\psi_{li}R_i^2 \f$ of (33)-(35) are \f$ \phi_{ki}\phi_{li}/r_{n,i}^2 \f$: nothing of them depends on r. Memory is
+/// that of the results and a few blocks.
 #pragma once
 
 #include <cstdint>
@@ -32,7 +32,8 @@ struct ContactSums {
 /// @param r        frequency ratios, Eq. (10); positive
 /// @param threads  threads, at least 1; the result does not depend on it
 /// @return         the sums
-/// @throws         InputError where an r, j, l or the number of threads breaks its rule; PrecisionError where a sum is beyond the range of a double
+/// @throws         InputError where an r, j, l or the number of threads breaks its rule; PrecisionError where a sum is beyond the
+///                 range of a double
 [[nodiscard]] ContactSums contact_sums(const ModalBasis<double>& basis, Mass contact, Mass load, const std::vector<double>& r,
                                        unsigned threads);
 

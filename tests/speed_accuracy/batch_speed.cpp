@@ -1,0 +1,152 @@
+#include "tests/speed_accuracy/batch_speed.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <ctime>
+#include <functional>
+#include <random>
+#include <thread>
+
+#include "denhartog/evaluation/mode_arrays.hpp"
+#include "denhartog/evaluation/vector_functions.hpp"
+#include "denhartog/model/paper_systems.hpp"
+#include "denhartog/number.hpp"
+#include "denhartog/response/batch_map.hpp"
+#include "tests/speed_accuracy/bare_functions.hpp"
+
+namespace denhartog::tests {
+namespace {
+
+/// Nanoseconds now: of the processor where one thread works, so that other programs do not count; else of the clock on the wall.
+double now(unsigned threads) {
+    if (threads == 1) return 1e9 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+    return std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+/// Nanoseconds an item: the median of several stretches of a twentieth of a second.
+double time_of(std::size_t items, int repeats, const std::function<void()>& run, unsigned threads = 1) {
+    std::vector<double> times;
+    for (int n = 0; n < repeats; ++n) {
+        const double start = now(threads);
+        double passed = 0;
+        int runs = 0;
+        for (; passed < 5e7; passed = now(threads) - start, ++runs) run();
+        times.push_back(passed / runs / static_cast<double>(items));
+    }
+    std::ranges::sort(times);
+    return times[times.size() / 2];
+}
+
+std::vector<double> grid(double from, double to, std::size_t n) {
+    std::vector<double> x(n);
+    for (std::size_t i = 0; i < n; ++i) x[i] = from + (to - from) * static_cast<double>(i) / static_cast<double>(n - 1);
+    return x;
+}
+
+struct Rates {
+    Table& table;
+    int repeats;
+
+    void add(const std::string& what, double time, const std::string& limit, double bare) {
+        table.rows.push_back({what, digits(time), limit, digits(bare), digits(time / bare)});
+    }
+};
+
+double ulps(double found, long double exact) {
+    int exponent = 0;
+    (void)std::frexp(static_cast<double>(exact), &exponent);
+    return static_cast<double>(std::abs(found - exact) / std::ldexp(1.0L, exponent - 53));
+}
+
+} // namespace
+
+Table batch_speed(int repeats) {
+    const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
+    Table table{
+        "Batches beside their limit",
+        {"what", "ns", "limit", "ns of the limit", "ratio"},
+        {},
+        "Processor time on one thread, time by the clock on several; medians of " + std::to_string(repeats) +
+            " runs. The limit is what the " +
+            "compiler's vector maths library takes for one exp, one sin and one cos, or for one square root. Widest vectors: " +
+            evaluation::name(evaluation::supported_vectors().back()) + "."};
+    Rates rates{table, repeats};
+    constexpr std::size_t n = 1024;
+    std::vector<double> a(n), b(n), c(n), d(n);
+    std::vector<std::uint8_t> marks(n);
+    const std::vector<double> x = grid(-3, 3, n);
+    const double bare = time_of(n, repeats, [&] { bare_functions(x, a, b, c); });
+    for (const auto& [name, from, to] : {std::tuple("below 2", 0.05, 1.99), std::tuple("of 2 and more", 2.0, 50.0)}) {
+        const std::vector<double> R = grid(from, to, n);
+        for (const evaluation::Vectors vectors : evaluation::supported_vectors()) {
+            const double time = time_of(n, repeats, [&] { evaluation::mode_functions(R, 0.01, {a, b, c, d, marks}, vectors); });
+            rates.add(std::string("v, u, g, R ") + name + ", an (r, mode), " + evaluation::name(vectors), time, "exp, sin, cos",
+                      bare);
+        }
+        const double scalar = time_of(n, repeats, [&] {
+            for (std::size_t i = 0; i < n; ++i) a[i] = evaluation::mode_functions(R[i], 0.01).u;
+        });
+        rates.add(std::string("v, u, g, R ") + name + ", an (r, mode), scalar forms", scalar, "exp, sin, cos", bare);
+    }
+    const System<double> five = five_masses<double>(3, 0.01);
+    const ModalBasis<double> basis = modal_basis(five);
+    const std::vector<double> r = grid(0.1, 2.5, 20000);
+    std::vector<unsigned> threads{1};
+    if (cores > 1) threads.push_back(cores);
+    for (const unsigned each : threads) {
+        const double time = time_of(
+            5 * r.size(), repeats, [&] { (void)contact_sums(basis, five.contact, five.load, r, each); }, each);
+        rates.add("V, U, G, H of five masses, an (r, mode), threads: " + std::to_string(each), time, "exp, sin, cos", bare);
+    }
+    const ContactSums sums = contact_sums(basis, five.contact, five.load, r, 1);
+    std::vector<double> squares(r.size(), 0.5), roots(r.size());
+    const double root = time_of(squares.size(), repeats, [&] { bare_roots(squares, roots); });
+    rates.add("boundary (67), an r", time_of(r.size(), repeats, [&] { (void)approximate_limits(sums, 1); }), "square root", root);
+    const std::vector<double> few = grid(0.1, 2.5, 2000), beta = grid(0, 0.5, 500);
+    const ContactSums at_few = contact_sums(basis, five.contact, five.load, few, 1);
+    const std::vector<BoundaryPoint> limits(few.size(), BoundaryPoint{PointStatus::answered, 0.25, 0.25, 0.25, 1.0});
+    ContactMap map;
+    for (const unsigned each : threads) {
+        const double time = time_of(
+            few.size() * beta.size(), repeats, [&] { contact_map(at_few, limits, beta, each, map); }, each);
+        rates.add("X_j and regime, an (r, beta), threads: " + std::to_string(each), time, "square root", root);
+    }
+    return table;
+}
+
+Table vector_function_errors() {
+    constexpr std::size_t n = 1 << 20;
+    std::mt19937_64 random(5);
+    std::uniform_real_distribution<double> angle(-3.125, 3.125), turn(-0.25, 0.25);
+    std::vector<double> x(n), exps(n), sines(n), cosines(n);
+    for (double& each : x) each = angle(random);
+    bare_functions(x, exps, sines, cosines);
+    double of_exp = 0, of_sin = 0, of_cos = 0, own_exp = 0, own_difference = 0, own_product = 0, own_square = 0;
+    const long double half_circle = pi<long double>();
+    for (std::size_t i = 0; i < n; ++i) {
+        const long double y = std::abs(x[i]);
+        of_exp = std::max(of_exp, ulps(exps[i], std::exp(-y)));
+        of_sin = std::max(of_sin, ulps(sines[i], std::sin(static_cast<long double>(x[i]))));
+        of_cos = std::max(of_cos, ulps(cosines[i], std::cos(static_cast<long double>(x[i]))));
+        const evaluation::Exponential e = evaluation::exponential_of_negative(-std::abs(x[i]));
+        own_exp = std::max(own_exp, ulps(e.E, std::exp(-y)));
+        own_difference = std::max(own_difference, ulps(e.E_minus_one, std::expm1(-y)));
+        const double z = turn(random);
+        const evaluation::HalfAngleProducts h = evaluation::half_angle_products(z, 0);
+        const long double s = std::sin(half_circle * z), c = std::cos(half_circle * z);
+        own_product = std::max(own_product, ulps(h.sine_cosine, s * c));
+        own_square = std::max(own_square, ulps(h.cosine_square, c * c));
+    }
+    return {"Errors of vector functions, units in the last place, " + std::to_string(n) + " seeded arguments",
+            {"function", "compiler's vector library", "evaluation/vector_functions.hpp"},
+            {{"exp(-y)", digits(of_exp), digits(own_exp)},
+             {"exp(-y) - 1", "", digits(own_difference)},
+             {"sin(x)", digits(of_sin), ""},
+             {"cos(x)", digits(of_cos), ""},
+             {"sin(pi z) cos(pi z)", "", digits(own_product)},
+             {"cos(pi z)^2", "", digits(own_square)}},
+            "x from -3.125 to 3.125, y from 0 to 3.125, z from -1/4 to 1/4."};
+}
+
+} // namespace denhartog::tests

@@ -1,0 +1,18 @@
+/// @file
+/// @brief Time of batches beside the bare functions they cannot do without, in one run.
+#pragma once
+
+#include "tests/speed_accuracy/table.hpp"
+
+namespace denhartog::tests {
+
+/// @brief Nanoseconds an (r, mode), an r and an (r, beta) for modes, sums and maps over arrays, each with its limit.
+/// @param repeats  runs of which the median is taken
+/// @return         the rates, the limits and the ratios
+[[nodiscard]] Table batch_speed(int repeats);
+
+/// @brief Errors of the vector maths library and of the functions used instead, in units in the last place.
+/// @return  the worst over seeded arguments, against long double
+[[nodiscard]] Table vector_function_errors();
+
+} // namespace denhartog::tests
