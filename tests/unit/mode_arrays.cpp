@@ -96,7 +96,7 @@ TEST_CASE("over arrays a mode has the digits of the scalar forms, against 100 di
     }
     INFO("worst over arrays " << worst_array << " eps at " << where << "; worst of the scalar forms " << worst_scalar << " eps");
     CHECK(compared > 4 * 10000);
-    CHECK(worst_array <= 4);
+    CHECK(worst_array <= 3);
 }
 
 TEST_CASE("vectors of any width give the same digits", "[eq:23][eq:28][eq:29]") {
