@@ -3,7 +3,7 @@
 #include <cmath>
 #include <optional>
 
-#include "denhartog/evaluation/mode.hpp"
+#include "denhartog/evaluation/mode_arrays.hpp"
 #include "denhartog/multiprecision.hpp"
 #include "tests/speed_accuracy/mode_places.hpp"
 
@@ -69,10 +69,10 @@ Four truth_of(const Place<T>& p) {
     return truth_in<Real1100>(p);
 }
 
-template <class T>
-void note(ZoneErrors& errors, const Place<T>& p) {
+template <class T, class Forms>
+void note(ZoneErrors& errors, const Place<T>& p, const Forms& forms) {
     ++errors.points;
-    const evaluation::ModeFunctions<T> f = evaluation::mode_functions(p.R, p.zeta);
+    const evaluation::ModeFunctions<T> f = forms(p.R, p.zeta);
     if (p.zeta == 0 && evaluation::at_undamped_pole(p.R)) {
         ++errors.poles;
         errors.finite_at_poles += boost::math::isfinite(f.u) ? 1 : 0;
@@ -99,18 +99,36 @@ void note(ZoneErrors& errors, const Place<T>& p) {
     }
 }
 
-template <class T>
-std::vector<ZoneErrors> survey(int points) {
+template <class T, class Forms>
+std::vector<ZoneErrors> survey(int points, const Forms& forms) {
     std::vector<ZoneErrors> zones;
     Source<T> source;
     const std::size_t count = mode_zones().size() - 1;
     for (std::size_t zone = 0; zone < count; ++zone) {
         zones.push_back({mode_zones()[zone], 0, 0, 0, {}});
-        for (int n = 0; n < points / static_cast<int>(count); ++n) note(zones.back(), place_in(zone, source));
+        for (int n = 0; n < points / static_cast<int>(count); ++n) note(zones.back(), place_in(zone, source), forms);
     }
     zones.push_back({mode_zones().back(), 0, 0, 0, {}});
-    for (const Place<T>& p : hard_places<T>()) note(zones.back(), p);
+    for (const Place<T>& p : hard_places<T>()) note(zones.back(), p, forms);
     return zones;
+}
+
+template <class T>
+std::vector<ZoneErrors> survey_scalar_forms(int points) {
+    return survey<T>(points, [](const T& R, const T& zeta) { return evaluation::mode_functions(R, zeta); });
+}
+
+/// One mode at one ratio as an array has it. Where it marks a pole the scalar forms must have none either: what they have, else 0.
+evaluation::ModeFunctions<double> array_of_one(double R, double zeta) {
+    double v_re = 0, v_im = 0, u = 0, g = 0;
+    std::uint8_t at_pole = 0;
+    (void)evaluation::mode_functions(
+        std::span(&R, 1), zeta,
+        {std::span(&v_re, 1), std::span(&v_im, 1), std::span(&u, 1), std::span(&g, 1), std::span(&at_pole, 1)});
+    const evaluation::ModeFunctions<double> scalar = evaluation::mode_functions(R, zeta);
+    const bool finite = std::isfinite(scalar.v.re + scalar.v.im) && std::isfinite(scalar.u + scalar.g);
+    if (at_pole != 0 && !finite) return scalar;
+    return {{v_re, v_im}, u, g};
 }
 
 } // namespace
@@ -120,10 +138,12 @@ std::string name(Precision p) {
 }
 
 std::vector<ZoneErrors> survey_mode_functions(Precision precision, int points) {
-    if (precision == Precision::in_double) return survey<double>(points);
-    if (precision == Precision::in_long_double) return survey<long double>(points);
-    return survey<Real50>(points);
+    if (precision == Precision::in_double) return survey_scalar_forms<double>(points);
+    if (precision == Precision::in_long_double) return survey_scalar_forms<long double>(points);
+    return survey_scalar_forms<Real50>(points);
 }
+
+std::vector<ZoneErrors> survey_array_mode_functions(int points) { return survey<double>(points, array_of_one); }
 
 Worst worst_of(const std::vector<ZoneErrors>& zones, Worst FunctionErrors::*which) {
     Worst worst;
@@ -132,10 +152,10 @@ Worst worst_of(const std::vector<ZoneErrors>& zones, Worst FunctionErrors::*whic
     return worst;
 }
 
-Table table_of(Precision precision, const std::vector<ZoneErrors>& zones) {
+Table table_of(const std::string& what, const std::vector<ZoneErrors>& zones) {
     const std::array<std::string, 4> functions{"Re v", "Im v", "u", "g"};
     Table table{
-        "Mode functions in " + name(precision) + ": worst error in units of eps over the condition number",
+        "Mode functions " + what + ": worst error in units of eps over the condition number",
         {"zone", "points", "function", "printed, R and zeta", "shipped, R and zeta", "at R, zeta",
          "shipped, zeta alone, zeta up to 2^-10", "at R, zeta"},
         {},

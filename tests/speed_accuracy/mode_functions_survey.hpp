@@ -46,6 +46,11 @@ struct ZoneErrors {
 /// @return           one entry a zone, the hard points last
 [[nodiscard]] std::vector<ZoneErrors> survey_mode_functions(Precision precision, int points);
 
+/// @brief The same in double with the arrays of `evaluation/mode_arrays.hpp` in place of the scalar forms, at the same points.
+/// @param points  how many seeded points, over all zones
+/// @return        one entry a zone, the hard points last
+[[nodiscard]] std::vector<ZoneErrors> survey_array_mode_functions(int points);
+
 /// @brief What the shipped forms are held to; the multiprecision library's own sine and exponential are good to a few units only.
 /// @param p  the number type
 /// @return   units of eps over the condition number
@@ -62,7 +67,7 @@ struct ZoneErrors {
 /// @return       the error, and where
 [[nodiscard]] Worst worst_of(const std::vector<ZoneErrors>& zones, Worst FunctionErrors::*which);
 
-/// @brief The survey as a table. @param precision number type @param zones the zones @return the table
-[[nodiscard]] Table table_of(Precision precision, const std::vector<ZoneErrors>& zones);
+/// @brief The survey as a table. @param what what was surveyed @param zones the zones @return the table
+[[nodiscard]] Table table_of(const std::string& what, const std::vector<ZoneErrors>& zones);
 
 } // namespace denhartog::tests

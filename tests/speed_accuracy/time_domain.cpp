@@ -109,7 +109,7 @@ Outcome mode_functions(int points) {
          {std::pair{Precision::in_double, points}, std::pair{Precision::in_long_double, points / 4},
           std::pair{Precision::in_50_digits, points / 50}}) {
         const std::vector<ZoneErrors> zones = survey_mode_functions(precision, count);
-        outcome.tables.push_back(table_of(precision, zones));
+        outcome.tables.push_back(table_of("in " + name(precision), zones));
         outcome.good = outcome.good && worst_of(zones, &FunctionErrors::by_both).error <= most_allowed(precision) &&
                        worst_of(zones, &FunctionErrors::light).error <= most_allowed_with_exact_R(precision);
         const std::vector<FunctionInZone> motion = survey_motion(precision, count), peak = survey_resonance(precision, count);
@@ -117,6 +117,10 @@ Outcome mode_functions(int points) {
         outcome.tables.push_back(table_of("Resonance in " + name(precision), peak));
         outcome.good = outcome.good && within_bounds(precision, motion) && within_bounds(precision, peak);
     }
+    const std::vector<ZoneErrors> zones = survey_array_mode_functions(points);
+    outcome.tables.push_back(table_of("in double over arrays", zones));
+    outcome.good = outcome.good && worst_of(zones, &FunctionErrors::by_both).error <= most_allowed(Precision::in_double) &&
+                   worst_of(zones, &FunctionErrors::light).error <= most_allowed_with_exact_R(Precision::in_double);
     return outcome;
 }
 

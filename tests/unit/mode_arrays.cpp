@@ -34,7 +34,7 @@ const std::vector<double>& damping_ratios() {
 
 /// Seeded over 2^-45 to 2^45, most of them near 1, with the edges: poles and their neighbours, R = 2, ends of the vectors' range.
 std::vector<double> frequency_ratios(std::size_t n, std::uint64_t seed) {
-    std::vector<double> R{1e-300, 1e-20, 0x1p-41, 0x1p-40, 4e-4, 0x1p-10, 0.5, 0.25, 1.75, 2, std::nextafter(2, 0),
+    std::vector<double> R{1e-300, 1e-20, 0x1p-27, 0x1p-26, 4e-4, 0x1p-10, 0.5, 0.25, 1.25, std::nextafter(1.25, 0),
                           1e5,    1e20,  1e70};
     for (int k = 1; k < 60; k += 2)
         for (const double pole : {1.0 / k, std::nextafter(1.0 / k, 0), std::nextafter(1.0 / k, 2)}) R.push_back(pole);
@@ -134,11 +134,14 @@ TEST_CASE("over arrays only poles are marked, and nothing that is no number come
 }
 
 TEST_CASE("frequency ratios beyond the vectors' range are left to the scalar forms, and counted", "[counter]") {
-    const std::vector<double> R{0x1p-41, 0x1p-40, 1, 0x1p200, 0x1p201};
-    const long before = evaluation::array_mode_evaluations();
+    const std::vector<double> R{0x1p-27, 0x1p-26, 1, 0x1p200, 0x1p201};
+    const long before = evaluation::array_mode_evaluations(), left = evaluation::array_modes_left_to_scalar_forms();
     const Functions f(R, 0.125, evaluation::supported_vectors().back());
     CHECK(f.scalar == 2);
+    CHECK(evaluation::array_modes_left_to_scalar_forms() - left == 2);
     CHECK(evaluation::array_mode_evaluations() - before == 5);
+    CHECK(Functions(R, 0x1p-501, evaluation::supported_vectors().back()).scalar == 5);
+    CHECK(Functions(R, 0x1p-500, evaluation::supported_vectors().back()).scalar == 2);
     CHECK(f.g[4] == evaluation::mode_functions(0x1p201, 0.125).g);
 }
 

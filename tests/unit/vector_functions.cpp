@@ -3,6 +3,7 @@
 #include <cmath>
 #include <random>
 
+#include "denhartog/evaluation/special.hpp"
 #include "denhartog/number.hpp"
 #include "tests/catch.hpp"
 
@@ -27,6 +28,13 @@ double worst_in_eps(double from, double to, std::string& where, Found found, Exa
     return worst;
 }
 
+double value(const evaluation::Exponential<double>& e) { return e.head * e.tail; }
+
+/// Products of the half angle at pi z, for z up to 1/2.
+evaluation::HalfAngleProducts<double> products_at(double z, double late) {
+    return evaluation::half_angle_products(0.5 / z, z, 1, 2 * late * (0.5 / z));
+}
+
 } // namespace
 
 TEST_CASE("exponentials, sines and cosines for vectors keep their digits", "[accuracy]") {
@@ -41,7 +49,7 @@ TEST_CASE("exponentials, sines and cosines for vectors keep their digits", "[acc
     for (const double least : {-0x1p-30, -0.5, -2.0, -700.0}) {
         INFO("from " << least);
         check(worst_in_eps(
-                  least, least / 1024, where, [](double x) { return exponential_of_negative(x).E; },
+                  least, least / 1024, where, [](double x) { return value(exponential_of_negative(x)); },
                   [](long double x) { return std::exp(x); }),
               1);
         check(worst_in_eps(
@@ -49,45 +57,64 @@ TEST_CASE("exponentials, sines and cosines for vectors keep their digits", "[acc
                   [](long double x) { return std::expm1(x); }),
               1);
     }
-    // pi, its product and the sine are rounded by 0.18, 0.5 and 0.5 eps, which a square doubles, and by 0.5 eps itself.
-    for (const double largest : {0x1p-30, 0x1p-4, 0.25}) {
-        INFO("up to " << largest);
+    // R of a power of two, so that the angle is known without rounding. pi, its products and the sine are rounded by 0.18, 1 and
+    // 0.5 eps, which a square doubles, and by 0.5 eps itself.
+    for (const double R : {0.015625, 0.25, 1.0, 4.0, 1024.0}) {
+        INFO("R = " << R);
+        const auto at = [R](double w) { return half_angle_products(R, 0.5 / R, w, 0); };
+        const auto angle = [R, half_circle](long double w) { return half_circle * w / (2 * R); };
+        // next to the zeros of the sine and of the cosine, and between
+        const double whole = R < 0.5 ? std::floor(0.75 / (2 * R)) * 2 * R : 0;
+        for (const double size : {0x1p-30, 0x1p-4, 0.25}) {
+            const double width = std::min(1.0, 2 * R) * size;
+            check(worst_in_eps(
+                      whole + width / 1024, whole + width, where, [&](double w) { return at(w).sine_cosine; },
+                      [&](long double w) { return std::sin(angle(w - whole)) * std::cos(angle(w - whole)); }),
+                  3);
+            if (R > 1 || whole + R - width < 0x1p-26) continue;
+            check(worst_in_eps(
+                      whole + R - width, whole + R - width / 1024, where, [&](double w) { return at(w).cosine_square; },
+                      [&](long double w) { return std::pow(std::sin(angle(R - (w - whole))), 2); }),
+                  4);
+        }
+    }
+    for (const double zeta : {0.0, 0x1p-30, 0.125, 0.5, 0.75, 1 - 0x1p-53}) {
+        INFO("zeta = " << zeta);
+        const evaluation::BracketSeries series = evaluation::bracket_series(zeta);
         check(worst_in_eps(
-                  largest / 1024, largest, where, [](double z) { return half_angle_products(z, 0).sine_cosine; },
-                  [&](long double z) { return std::sin(half_circle * z) * std::cos(half_circle * z); }),
-              2);
-        check(worst_in_eps(
-                  0.5 - largest, 0.5 - largest / 1024, where, [](double z) { return half_angle_products(z, 0).cosine_square; },
-                  [&](long double z) { return std::pow(std::sin(half_circle * (0.5L - z)), 2); }),
+                  1e-9, 2.51, where, [&](double q) { return evaluation::bracket_over_square(series, q * q); },
+                  [&](long double q) { return evaluation::sinhc_less_sinc_over_square<long double>(q, zeta); }),
               3);
     }
-    check(worst_in_eps(
-              -2.5, 2.5, where, [](double s) { return evaluation::odd_series(s); },
-              [](long double s) {
-                  long double sum = 0, term = 1;
-                  for (int k = 1; k < 20; ++k) {
-                      term *= s / (2 * k * (2 * k + 1));
-                      sum += term;
-                  }
-                  return sum;
-              }),
-          2);
 }
 
-TEST_CASE("an exponential underflows gradually and ends at zero", "[accuracy]") {
+TEST_CASE("an exponential underflows gradually and ends at zero, its head does not", "[accuracy]") {
     using evaluation::exponential_of_negative;
     for (const double x : {-708.5, -720.0, -740.0, -744.0})
-        CHECK(std::abs(exponential_of_negative(x).E - std::exp(x)) <= 0x1p-1074);
+        CHECK(std::abs(value(exponential_of_negative(x)) - std::exp(x)) <= 0x1p-1074);
     for (const double x : {-746.0, -1e4, -1e300}) {
-        CHECK(exponential_of_negative(x).E == 0);
-        CHECK(exponential_of_negative(x).E_minus_one == -1);
+        const evaluation::Exponential<double> e = exponential_of_negative(x);
+        CHECK(value(e) == 0);
+        CHECK(e.head > std::numeric_limits<double>::min());
+        CHECK(e.tail > std::numeric_limits<double>::min());
+        CHECK(e.E_minus_one == -1);
     }
-    CHECK(exponential_of_negative(0).E == 1);
+    CHECK(value(exponential_of_negative(0)) == 1);
     CHECK(exponential_of_negative(0).E_minus_one == 0);
 }
 
 TEST_CASE("a lateness below the rounding of half a turn is not lost at the zero of the cosine", "[eq:28]") {
-    const evaluation::HalfAngleProducts h = evaluation::half_angle_products(0.5, 0x1p-60);
+    const evaluation::HalfAngleProducts<double> h = products_at(0.5, 0x1p-60);
     CHECK(h.sine_cosine == Approx(pi<double>() * 0x1p-60).epsilon(1e-15));
     CHECK(h.cosine_square == Approx(pi<double>() * pi<double>() * 0x1p-120).epsilon(1e-15));
+}
+
+TEST_CASE("an angle that is late by many turns is reduced anew", "[eq:28]") {
+    for (const double R : {0.001, 0.0101, 0.03, 0.4}) {
+        const double late = 0.125;
+        const long double angle = pi<long double>() * (1 - static_cast<long double>(late)) / (2 * static_cast<long double>(R));
+        const evaluation::HalfAngleProducts<double> h = evaluation::half_angle_products(R, 0.5 / R, 1, late);
+        CHECK(h.sine_cosine == Approx(static_cast<double>(std::sin(angle) * std::cos(angle))).margin(1e-13));
+        CHECK(h.cosine_square == Approx(static_cast<double>(std::cos(angle) * std::cos(angle))).margin(1e-13));
+    }
 }

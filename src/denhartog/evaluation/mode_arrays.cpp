@@ -14,17 +14,23 @@ namespace {
 constexpr std::size_t block = 512;
 
 std::atomic<long> evaluated{0};
+std::atomic<long> scalar_evaluations{0};
 
 /// What does not depend on R.
 struct ModeConstants {
-    double zeta;
-    double two_zeta;
-    double w;
-    double one_minus_w;
-    double two_pi_zeta;
-    double two_pi_w;
-    double inverse_w;
+    ArrayMode<double> mode;
+    double w;             ///< the half angle is pi (w - late) / (2 R)
+    double late;          ///< see w
+    double pole_distance; ///< how far 1 / (2 R) is from a whole number at a pole; out of reach where there is damping
+    BracketSeries series;
 };
+
+/// The half angle as a difference where zeta is below 1/2, so that a small zeta is not rounded away, else as a product.
+ModeConstants constants_of(double zeta) {
+    const bool heavy = zeta >= 0.5;
+    return {array_mode(zeta), heavy ? std::sqrt((1 - zeta) * (1 + zeta)) : 1.0, heavy ? 0.0 : one_minus_w(zeta),
+            zeta > 0 ? 2.0 : 0.5, bracket_series(zeta)};
+}
 
 struct Pointers {
     const double* R;
@@ -40,48 +46,33 @@ struct Left {
     std::int64_t poles;   ///< results that are not finite
 };
 
-/// A block. `strongly_damped` takes the half angle as a product, else as a difference, so that a small zeta is not rounded away;
-/// `small_arguments` says whether there is an R of 2 and more, where (29) has its second form.
-template <bool strongly_damped, bool small_arguments>
+/// A block; `large_ratios` says whether there is an R of 5/4 and more, where (29) has its second form.
+template <bool large_ratios>
 [[gnu::always_inline]] inline Left compute(const ModeConstants& m, const Pointers& p, std::size_t n) {
     std::int64_t outside = 0, poles = 0;
 #pragma GCC ivdep
     for (std::size_t i = 0; i < n; ++i) {
         const double R = p.R[i];
-        const double a = (1 - R) * (1 + R);
-        const double b = m.two_zeta * R;
-        const double D = 1 / (a * a + b * b);
         const double x = 0.5 / R;
-        double turn = strongly_damped ? m.w * x : x;
-        turn -= nearest_whole(turn);
-        double late = 0;
-        if constexpr (!strongly_damped) {
-            const double y = m.one_minus_w * x;
-            double difference = turn - y;
-            difference -= nearest_whole(difference);
-            turn = y > most_late() ? difference : turn;
-            late = y > most_late() ? 0 : y;
+        const double delta = m.mode.two_pi_zeta * x;
+        const Complex<double> v = array_response(R, m.mode);
+        const HalfAngleProducts<double> h = half_angle_products(R, x, m.w, m.late);
+        const Exponential<double> e = exponential_of_negative(-delta);
+        const double inverse = inverse_denominator(e, h);
+        const double u = array_first_damping_function(x, m.mode, e, h, inverse);
+        double g = array_second_damping_function(m.mode, e, h, inverse);
+        if constexpr (large_ratios) {
+            const double q = 2 * pi<double>() * x, square = q * q;
+            const double series = bracket_over_square(m.series, square);
+            const double of_large = array_second_damping_function_of_large_ratio(delta, square, series, e, inverse);
+            g = R < 1.25 ? g : of_large;
         }
-        const HalfAngleProducts h = half_angle_products(turn, late);
-        const double delta = m.two_pi_zeta * x;
-        const Exponential e = exponential_of_negative(-delta);
-        const double four_E = 4 * e.E;
-        const double inverse = 1 / (e.E_minus_one * e.E_minus_one + four_E * h.cosine_square);
-        const double ratio = four_E * h.sine_cosine * m.inverse_w;
-        const double u = 2 * x * ratio * inverse;
-        double g = -(e.E_minus_one * (1 + e.E) + m.zeta * ratio) * inverse;
-        if constexpr (small_arguments) {
-            const double theta = m.two_pi_w * x;
-            const double positive = odd_series(delta * delta) - odd_series(-theta * theta);
-            const double other = 0.5 * four_E * delta * positive * inverse;
-            g = R < 2 ? g : other;
-        }
-        p.v_re[i] = a * D;
-        p.v_im[i] = -b * D;
+        p.v_re[i] = v.re;
+        p.v_im[i] = v.im;
         p.u[i] = u;
         p.g[i] = g;
-        const double zero_if_finite = D * 0 + u * 0 + g * 0;
-        poles += zero_if_finite == 0 ? 0 : 1;
+        const double zero_if_finite = v.re * 0 + v.im * 0 + u * 0 + g * 0;
+        poles += (zero_if_finite == 0 ? 0 : 1) + (__builtin_fabs(x - nearest_whole(x)) == m.pole_distance ? 1 : 0);
         outside += (R >= least_vector_ratio() ? 0 : 1) + (R <= largest_vector_ratio() ? 0 : 1);
     }
     return {outside, poles};
@@ -89,14 +80,12 @@ template <bool strongly_damped, bool small_arguments>
 
 [[gnu::always_inline]] inline std::int64_t number_of_large(const double* R, std::size_t n) {
     std::int64_t large = 0;
-    for (std::size_t i = 0; i < n; ++i) large += R[i] >= 2 ? 1 : 0;
+    for (std::size_t i = 0; i < n; ++i) large += R[i] >= 1.25 ? 1 : 0;
     return large;
 }
 
 [[gnu::always_inline]] inline Left compute_any(const ModeConstants& m, const Pointers& p, std::size_t n) {
-    const bool large = number_of_large(p.R, n) > 0;
-    if (m.zeta > 0.5) return large ? compute<true, true>(m, p, n) : compute<true, false>(m, p, n);
-    return large ? compute<false, true>(m, p, n) : compute<false, false>(m, p, n);
+    return number_of_large(p.R, n) > 0 ? compute<true>(m, p, n) : compute<false>(m, p, n);
 }
 
 using Compute = Left (*)(const ModeConstants&, const Pointers&, std::size_t);
@@ -175,8 +164,8 @@ const std::vector<Vectors>& supported_vectors() {
 std::size_t mode_functions(std::span<const double> R, double zeta, const ModeArrays& out, Vectors vectors) {
     check_arguments(R, zeta, out, vectors);
     evaluated += static_cast<long>(R.size());
-    const double w = std::sqrt((1 - zeta) * (1 + zeta));
-    const ModeConstants m{zeta, 2 * zeta, w, one_minus_w(zeta), 2 * pi<double>() * zeta, 2 * pi<double>() * w, 1 / w};
+    const ModeConstants m = constants_of(zeta);
+    const bool without_vectors = zeta > 0 && zeta < least_vector_damping();
     const Compute compute_block = compute_with(vectors);
     std::size_t scalar = 0;
     for (std::size_t start = 0; start < R.size(); start += block) {
@@ -184,10 +173,10 @@ std::size_t mode_functions(std::span<const double> R, double zeta, const ModeArr
         const Pointers p{R.data() + start, out.v_re.data() + start, out.v_im.data() + start, out.u.data() + start,
                          out.g.data() + start};
         const Left left = compute_block(m, p, n);
-        if (left.outside == 0 && left.poles == 0) continue;
+        if (left.outside == 0 && left.poles == 0 && !without_vectors) continue;
         for (std::size_t i = start; i < start + n; ++i) {
-            const bool outside = !(R[i] >= least_vector_ratio() && R[i] <= largest_vector_ratio());
-            if (outside || !finite(out, i)) {
+            const bool outside = without_vectors || !(R[i] >= least_vector_ratio() && R[i] <= largest_vector_ratio());
+            if (outside || !finite(out, i) || (zeta == 0 && at_undamped_pole(R[i]))) {
                 if (!(R[i] > 0) || !std::isfinite(R[i])) throw InputError("R", "must be positive and finite", text(R[i]));
                 const ModeFunctions<double> f = mode_functions(R[i], zeta);
                 out.v_re[i] = f.v.re;
@@ -199,6 +188,7 @@ std::size_t mode_functions(std::span<const double> R, double zeta, const ModeArr
             if (!finite(out, i)) write_zeros(out, i);
         }
     }
+    scalar_evaluations += static_cast<long>(scalar);
     return scalar;
 }
 
@@ -207,5 +197,7 @@ std::size_t mode_functions(std::span<const double> R, double zeta, const ModeArr
 }
 
 long array_mode_evaluations() { return evaluated; }
+
+long array_modes_left_to_scalar_forms() { return scalar_evaluations; }
 
 } // namespace denhartog::evaluation

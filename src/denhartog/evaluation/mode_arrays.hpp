@@ -1,9 +1,9 @@
 /// @file
 /// @brief (23), (28), (29) of one mode over an array of frequency ratios, as separate arrays that vectors can be read from.
 ///
-/// The forms are those of `mode.hpp` with what does not depend on R hoisted, the half angle reduced to half a turn (only
-/// \f$ sc \f$ and \f$ c^2 \f$ enter, which a half turn leaves alone) and one reciprocal for (28) and (29) together. Frequency
-/// ratios outside the range of the vectors are left to the scalar forms. A processor with wider vectors gives the same digits.
+/// The forms are those of `batch_forms.hpp`, one reduction of 1/R without rounding as in `mode.hpp`. What the vectors cannot answer
+/// (ratios and damping ratios outside their range, results that are not finite) is left to the scalar forms and counted. A
+/// processor with wider vectors gives the same digits.
 #pragma once
 
 #include <cstdint>
@@ -38,13 +38,16 @@ enum class Vectors : std::uint8_t {
 [[nodiscard]] const std::vector<Vectors>& supported_vectors();
 
 /// @brief Frequency ratios from here on go through the vectors. @return the least of them
-[[nodiscard]] constexpr double least_vector_ratio() { return 0x1p-40; }
+[[nodiscard]] constexpr double least_vector_ratio() { return 0x1p-26; }
 
 /// @brief Frequency ratios up to here go through the vectors. @return the largest of them
 [[nodiscard]] constexpr double largest_vector_ratio() { return 0x1p200; }
 
+/// @brief Damping ratios from here on go through the vectors, and 0. @return the least of them
+[[nodiscard]] constexpr double least_vector_damping() { return 0x1p-500; }
+
 /// @brief \f$ v_{di} \f$, \f$ u_{di} \f$ and \f$ g_i \f$ of one mode over an array of R.
-/// @eq{23,28,29}  @derivation{evaluation_forms}  @domain{R > 0, 0 <= zeta < 1}
+/// @eq{23,28,29}  @derivation{batch_forms}  @domain{R > 0, 0 <= zeta < 1}
 /// @param R        modal frequency ratios, Eq. (22)
 /// @param zeta     modal damping ratio
 /// @param out      arrays as long as R
@@ -64,5 +67,9 @@ std::size_t mode_functions(std::span<const double> R, double zeta, const ModeArr
 /// @brief Number of modes evaluated over arrays since the program started, one a frequency ratio; tests gate on it.
 /// @return the count, over all threads
 [[nodiscard]] long array_mode_evaluations();
+
+/// @brief How many of them were left to the scalar forms; tests gate on it.
+/// @return the count, over all threads
+[[nodiscard]] long array_modes_left_to_scalar_forms();
 
 } // namespace denhartog::evaluation

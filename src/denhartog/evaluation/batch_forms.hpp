@@ -1,0 +1,188 @@
+/// @file
+/// @brief (23), (28), (29) as the arrays of `mode_arrays.hpp` compute them: what does not depend on R is hoisted, nothing branches.
+///
+/// The forms are those of `mode.hpp` in the exponential, in \f$ sc \f$ and \f$ c^2 \f$ (sine and cosine of the half angle, of which
+/// a half turn alters neither) and with one reciprocal for (28) and (29) together. As there, each is proved equal to the paper's, in
+/// `derivation/batch_forms.cpp`, by instantiating these very templates with symbols.
+#pragma once
+
+#include "denhartog/evaluation/mode.hpp"
+
+namespace denhartog::evaluation {
+
+/// @brief What of a mode does not depend on R.
+template <class T>
+struct ArrayMode {
+    T zeta;        ///< modal damping ratio
+    T two_zeta;    ///< 2 zeta
+    T two_pi_zeta; ///< 2 pi zeta
+    T inverse_w;   ///< 1 / sqrt(1 - zeta^2)
+};
+
+/// @brief \f$ e^{-\delta} \f$ as a product, neither factor of which leaves the normal numbers, and without its leading term.
+template <class T>
+struct Exponential {
+    T head;        ///< first factor
+    T tail;        ///< second factor
+    T E_minus_one; ///< exp(-delta) - 1, without cancellation near 0
+};
+
+/// @brief Products of the sine and cosine of a half angle.
+template <class T>
+struct HalfAngleProducts {
+    T sine_cosine;   ///< sin cos
+    T cosine_square; ///< cos^2
+};
+
+/// @brief What of a mode does not depend on R. @param zeta modal damping ratio @return the four numbers
+template <class T>
+[[nodiscard]] ArrayMode<T> array_mode(const T& zeta) {
+    return {zeta, 2 * zeta, 2 * pi<T>() * zeta, 1 / sqrt(T((1 - zeta) * (1 + zeta)))};
+}
+
+/// @brief \f$ v_{di} \f$ with \f$ a = (1-R)(1+R) \f$, \f$ b = 2\zeta R \f$ and one reciprocal: \f$ (a - ib)/(a^2+b^2) \f$.
+/// @eq{23}  @derivation{batch_forms}  @domain{R > 0, 0 <= zeta < 1; R up to 2^200 and no zeta from 0 to 2^-500, for their squares}
+/// @param R  modal frequency ratio, Eq. (22)
+/// @param m  the mode
+/// @return   v_di
+template <class T>
+[[nodiscard, gnu::always_inline]] inline Complex<T> array_response(const T& R, const ArrayMode<T>& m) {
+    const T a = (1 - R) * (1 + R);
+    const T b = m.two_zeta * R;
+    const T D = 1 / (a * a + b * b);
+    return {a * D, -(b * D)};
+}
+
+/// @brief The denominator of (28) and (29) inverted: \f$ 1/[(1-E)^2+4Ec^2] \f$.
+/// @eq{28,29}  @derivation{batch_forms}  @domain{R > 0, 0 <= zeta < 1}
+/// @param e  exponential of -delta
+/// @param h  products of the half angle
+/// @return   the inverse; dimensionless
+template <class T>
+[[nodiscard, gnu::always_inline]] inline T inverse_denominator(const Exponential<T>& e, const HalfAngleProducts<T>& h) {
+    return 1 / (e.E_minus_one * e.E_minus_one + 4 * (e.head * e.tail) * h.cosine_square);
+}
+
+/// @brief \f$ u_{di} = 4Esc\,/\,(R\,w\,[(1-E)^2+4Ec^2]) \f$, with the small factor of E last.
+/// @eq{28}  @derivation{batch_forms}  @domain{R > 0, 0 <= zeta < 1}
+/// @param x        1 / (2 R)
+/// @param m        the mode
+/// @param e        exponential of -delta
+/// @param h        products of the half angle
+/// @param inverse  of the denominator
+/// @return         u_di
+template <class T>
+[[nodiscard, gnu::always_inline]] inline T array_first_damping_function(const T& x, const ArrayMode<T>& m,
+                                                                        const Exponential<T>& e, const HalfAngleProducts<T>& h,
+                                                                        const T& inverse) {
+    return 8 * x * (e.head * (h.sine_cosine * m.inverse_w)) * inverse * e.tail;
+}
+
+/// @brief \f$ g_i = [(1-E)(1+E) - 4E\frac{\zeta}{w}sc]\,/\,[(1-E)^2+4Ec^2] \f$.
+/// @eq{29}  @derivation{batch_forms}  @domain{R > 0, 0 <= zeta < 1; keeps its digits for R below 5/4}
+/// @param m        the mode
+/// @param e        exponential of -delta
+/// @param h        products of the half angle
+/// @param inverse  of the denominator
+/// @return         g_i
+template <class T>
+[[nodiscard, gnu::always_inline]] inline T array_second_damping_function(const ArrayMode<T>& m, const Exponential<T>& e,
+                                                                         const HalfAngleProducts<T>& h, const T& inverse) {
+    const T E = e.head * e.tail;
+    return -(e.E_minus_one * (1 + E) + m.zeta * (4 * E * (h.sine_cosine * m.inverse_w))) * inverse;
+}
+
+/// @brief \f$ g_i = 2E\delta\left[\frac{\sinh\delta}{\delta}-\frac{\sin\theta}{\theta}\right]/[(1-E)^2+4Ec^2] \f$, the bracket as
+/// one series in \f$ q = \pi/R \f$, whose coefficients are the mode's.
+/// @eq{29}  @derivation{batch_forms}  @domain{R > 0, 0 < zeta < 1; keeps its digits for R of 5/4 and more}
+/// @param delta    pi zeta / R
+/// @param square   q^2
+/// @param series   the bracket over q^2
+/// @param e        exponential of -delta
+/// @param inverse  of the denominator
+/// @return         g_i
+template <class T>
+[[nodiscard, gnu::always_inline]] inline T array_second_damping_function_of_large_ratio(const T& delta, const T& square,
+                                                                                        const T& series, const Exponential<T>& e,
+                                                                                        const T& inverse) {
+    return 2 * (e.head * e.tail) * (square * series) * inverse * delta;
+}
+
+/// @brief What of a mode's part in the sums over modes does not depend on r: \f$ \psi_{ki}\psi_{li}R_i^2=\phi_{ki}\phi_{li}/r_{n,i}^2 \f$.
+template <class T>
+struct ArrayWeights {
+    T load;     ///< phi_j phi_l / r_n^2, of (33)
+    T contact;  ///< phi_j^2 / r_n^2, of (34), (35)
+    T square;   ///< phi_j^2: over r^2 that of (64), (65)
+    T two_zeta; ///< 2 zeta
+};
+
+/// @brief The weights of a mode in the sums at the mass in contact.
+/// @eq{33,34,35,64,65}  @derivation{batch_forms}
+/// @param phi_j  mode shape at the mass in contact, without the factor 1/r of (17)
+/// @param phi_l  mode shape at the loaded mass
+/// @param r_n    natural frequency ratio
+/// @param zeta   modal damping ratio
+/// @return       the weights
+template <class T>
+[[nodiscard]] ArrayWeights<T> array_weights(const T& phi_j, const T& phi_l, const T& r_n, const T& zeta) {
+    const T psi_j = phi_j / r_n, psi_l = phi_l / r_n;
+    return {psi_j * psi_l, psi_j * psi_j, phi_j * phi_j, 2 * zeta};
+}
+
+/// @brief A mode's term of (64), times r^2.
+/// @eq{64}  @derivation{batch_forms}
+/// @param m  weights of the mode
+/// @param R  modal frequency ratio, Eq. (22)
+/// @param u  first damping function, Eq. (28)
+/// @param g  second damping function, Eq. (29)
+/// @return   phi_j^2 (g + 2 zeta R u)
+template <class T>
+[[nodiscard, gnu::always_inline]] inline T term_of_H(const ArrayWeights<T>& m, const T& R, const T& u, const T& g) {
+    return m.square * (g + m.two_zeta * R * u);
+}
+
+/// @brief What decides where (57) is largest: \f$ R\,[\,u\,(4\zeta^2-1+R^2) - \frac{2\zeta}{R}(1-g)\,] \f$.
+///
+/// With N the velocity in (57), (57) is N / sin, and its derivative has the sign of W = N' sin - N cos, which is zero at both ends
+/// and of which the derivative is Z sin, Z = N'' + N. Z is a damped sine with zeros \f$ \pi R/w \f$ apart. The expression is
+/// \f$ R\,Z(\pi) \f$, and \f$ R\,Z(0) \f$ is its opposite less \f$ 4\zeta \f$. Where it is positive and 2 R > w, Z therefore goes
+/// from negative to positive once in the half-period: W is nowhere positive, and (57) is largest for tau -> 0.
+/// @eq{57,71}  @derivation{batch_forms}  @domain{R > 0, 0 <= zeta < 1}
+/// @param two_zeta  2 zeta
+/// @param R         modal frequency ratio, Eq. (22)
+/// @param u         first damping function, Eq. (28)
+/// @param g         second damping function, Eq. (29)
+/// @return          the expression
+template <class T>
+[[nodiscard, gnu::always_inline]] inline T excess_at_the_end(const T& two_zeta, const T& R, const T& u, const T& g) {
+    return R * u * (two_zeta * two_zeta - (1 - R) * (1 + R)) - two_zeta * (1 - g);
+}
+
+/// @brief Square of the root in (38): \f$ (|V_{dj}|-\beta U_{dj})(|V_{dj}|+\beta U_{dj}) \f$, without cancellation at its zero.
+/// @eq{36,38}  @derivation{batch_forms}
+/// @param V     modulus of V_dj, Eq. (33)
+/// @param U     U_dj, Eq. (34)
+/// @param beta  friction ratio, Eq. (11)
+/// @return      the square
+template <class T>
+[[nodiscard, gnu::always_inline]] inline T square_of_contact_root(const T& V, const T& U, const T& beta) {
+    const T lag = beta * U;
+    return (V - lag) * (V + lag);
+}
+
+/// @brief Tangent of half the angle by which friction delays the mass in contact: \f$ \beta U_{dj}/(|V_{dj}|+\sqrt{\cdot}) \f$.
+///
+/// The phase (39) is \f$ \varphi_j = -2\arctan t - \arg V_{dj} \f$.
+/// @eq{37,39}  @derivation{batch_forms}
+/// @param V     modulus of V_dj, Eq. (33)
+/// @param U     U_dj, Eq. (34)
+/// @param root  the root in (38)
+/// @param beta  friction ratio, Eq. (11)
+/// @return      the tangent, in [-1, 1]
+template <class T>
+[[nodiscard, gnu::always_inline]] inline T tangent_of_half_delay(const T& V, const T& U, const T& root, const T& beta) {
+    return beta * U / (V + root);
+}
+
+} // namespace denhartog::evaluation
