@@ -14,6 +14,7 @@
 #include "denhartog/number.hpp"
 #include "denhartog/response/batch_map.hpp"
 #include "tests/speed_accuracy/bare_functions.hpp"
+#include "tests/speed_accuracy/own_functions.hpp"
 
 namespace denhartog::tests {
 namespace {
@@ -24,18 +25,17 @@ double now(unsigned threads) {
     return std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-/// Nanoseconds an item: the median of several stretches of a twentieth of a second.
+/// Nanoseconds an item: the least of several stretches of a fiftieth of a second, so that what else the machine does counts least.
 double time_of(std::size_t items, int repeats, const std::function<void()>& run, unsigned threads = 1) {
     std::vector<double> times;
     for (int n = 0; n < repeats; ++n) {
         const double start = now(threads);
         double passed = 0;
         int runs = 0;
-        for (; passed < 5e7; passed = now(threads) - start, ++runs) run();
+        for (; passed < 2e7; passed = now(threads) - start, ++runs) run();
         times.push_back(passed / runs / static_cast<double>(items));
     }
-    std::ranges::sort(times);
-    return times[times.size() / 2];
+    return *std::ranges::min_element(times);
 }
 
 std::vector<double> grid(double from, double to, std::size_t n) {
@@ -64,53 +64,77 @@ double ulps(double found, long double exact) {
 Table batch_speed(int repeats) {
     const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
     Table table{
-        "Batches beside their limit",
+        "Batches beside their limits",
         {"what", "ns", "limit", "ns of the limit", "ratio"},
         {},
-        "Processor time on one thread, time by the clock on several; medians of " + std::to_string(repeats) +
-            " runs. The limit is what the " +
-            "compiler's vector maths library takes for one exp, one sin and one cos, or for one square root. Widest vectors: " +
+        "Least of " + std::to_string(repeats) +
+            " runs: processor time on one thread, time by the clock on several. Limits: the compiler's vector maths library, or "
+            "the functions of evaluation/vector_functions.hpp by themselves, for one exp, one sine and one cosine; one square "
+            "root. Widest vectors: " +
             evaluation::name(evaluation::supported_vectors().back()) + "."};
     Rates rates{table, repeats};
     constexpr std::size_t n = 1024;
     std::vector<double> a(n), b(n), c(n), d(n);
     std::vector<std::uint8_t> marks(n);
-    const std::vector<double> x = grid(-3, 3, n);
-    const double bare = time_of(n, repeats, [&] { bare_functions(x, a, b, c); });
-    for (const auto& [name, from, to] : {std::tuple("below 2", 0.05, 1.99), std::tuple("of 2 and more", 2.0, 50.0)}) {
+    const std::vector<double> x = grid(-3, 2.9, n);
+    const double library = time_of(n, repeats, [&] { bare_functions(x, a, b, c); });
+    const double own = time_of(n, repeats, [&] { own_functions(x, a, b, c); });
+    const std::string of_library = "exp, sin, cos of the compiler's library", of_own = "own exp, sin cos, cos^2";
+    rates.add("exp, sin cos, cos^2 of vector_functions.hpp, an argument", own, of_library, library);
+    for (const auto& [name, from, to] :
+         {std::tuple("below 5/4", 0.05, 1.24), std::tuple("0.05 to 2.5", 0.05, 2.5), std::tuple("of 5/4 and more", 1.25, 50.0)}) {
         const std::vector<double> R = grid(from, to, n);
         for (const evaluation::Vectors vectors : evaluation::supported_vectors()) {
             const double time = time_of(n, repeats, [&] { evaluation::mode_functions(R, 0.01, {a, b, c, d, marks}, vectors); });
-            rates.add(std::string("v, u, g, R ") + name + ", an (r, mode), " + evaluation::name(vectors), time, "exp, sin, cos",
-                      bare);
+            rates.add(std::string("v, u, g, R ") + name + ", an (r, mode), " + evaluation::name(vectors), time, of_own, own);
+            if (vectors == evaluation::supported_vectors().back())
+                rates.add(std::string("v, u, g, R ") + name + ", an (r, mode), " + evaluation::name(vectors), time, of_library,
+                          library);
         }
         const double scalar = time_of(n, repeats, [&] {
             for (std::size_t i = 0; i < n; ++i) a[i] = evaluation::mode_functions(R[i], 0.01).u;
         });
-        rates.add(std::string("v, u, g, R ") + name + ", an (r, mode), scalar forms", scalar, "exp, sin, cos", bare);
+        rates.add(std::string("v, u, g, R ") + name + ", an (r, mode), scalar forms", scalar, of_library, library);
     }
     const System<double> five = five_masses<double>(3, 0.01);
     const ModalBasis<double> basis = modal_basis(five);
-    const std::vector<double> r = grid(0.1, 2.5, 20000);
+    const std::vector<double> r = grid(1, 2.5, 20000);
     std::vector<unsigned> threads{1};
     if (cores > 1) threads.push_back(cores);
+    const auto on = [](unsigned each) { return ", threads: " + std::to_string(each); };
     for (const unsigned each : threads) {
         const double time = time_of(
             5 * r.size(), repeats, [&] { (void)contact_sums(basis, five.contact, five.load, r, each); }, each);
-        rates.add("V, U, G, H of five masses, an (r, mode), threads: " + std::to_string(each), time, "exp, sin, cos", bare);
+        rates.add("modes and all sums of five masses, an (r, mode)" + on(each), time, of_own, own / each);
     }
     const ContactSums sums = contact_sums(basis, five.contact, five.load, r, 1);
     std::vector<double> squares(r.size(), 0.5), roots(r.size());
     const double root = time_of(squares.size(), repeats, [&] { bare_roots(squares, roots); });
     rates.add("boundary (67), an r", time_of(r.size(), repeats, [&] { (void)approximate_limits(sums, 1); }), "square root", root);
-    const std::vector<double> few = grid(0.1, 2.5, 2000), beta = grid(0, 0.5, 500);
+    const auto limits_at = [&](const ContactSums& of, const std::vector<double>& where) {
+        return contact_limits(basis, five.contact, five.load, 1, where, of, 1);
+    };
+    const long left = limits_left_to_search();
+    rates.add("beta_lim (69) and sticking where the arrays tell them, an r",
+              time_of(r.size(), repeats, [&] { (void)limits_at(sums, r); }), "square root", root);
+    table.note += "\nOf these, left to a search: " + std::to_string(limits_left_to_search() - left) + ".";
+    const std::vector<double> low = grid(0.3, 0.9, 100);
+    const ContactSums at_low = contact_sums(basis, five.contact, five.load, low, 1);
+    rates.add("beta_lim (69) and sticking where they are searched, an r",
+              time_of(low.size(), repeats, [&] { (void)limits_at(at_low, low); }), "square root", root);
+    const std::vector<double> few = grid(1, 2.5, 500), beta = grid(0, 0.5, 500);
     const ContactSums at_few = contact_sums(basis, five.contact, five.load, few, 1);
-    const std::vector<BoundaryPoint> limits(few.size(), BoundaryPoint{PointStatus::answered, 0.25, 0.25, 0.25, 1.0});
+    const ContactLimits limits{std::vector<double>(few.size(), 0.25), std::vector<double>(few.size(), 1.0),
+                               std::vector<LimitSource>(few.size(), LimitSource::search)};
     ContactMap map;
+    std::vector<double> phases;
     for (const unsigned each : threads) {
         const double time = time_of(
             few.size() * beta.size(), repeats, [&] { contact_map(at_few, limits, beta, each, map); }, each);
-        rates.add("X_j and regime, an (r, beta), threads: " + std::to_string(each), time, "square root", root);
+        rates.add("X_j and regime, an (r, beta)" + on(each), time, "square root", root / each);
+        const double phase = time_of(
+            few.size() * beta.size(), repeats, [&] { contact_phases(at_few, map, beta, each, phases); }, each);
+        rates.add("phi_j, an (r, beta)" + on(each), phase, "square root", root / each);
     }
     return table;
 }

@@ -7,6 +7,7 @@
 #include <functional>
 
 #include "denhartog/model/paper_systems.hpp"
+#include "tests/speed_accuracy/batch_cost.hpp"
 #include "tests/speed_accuracy/batch_speed.hpp"
 #include "tests/speed_accuracy/cycles_survey.hpp"
 #include "tests/speed_accuracy/mode_functions_survey.hpp"
@@ -124,6 +125,16 @@ Outcome mode_functions(int points) {
     return outcome;
 }
 
+/// Writes a file.
+bool write_text(const std::string& directory, const std::string& name, const std::string& text) {
+    std::filesystem::create_directories(directory);
+    std::ofstream file(std::filesystem::path(directory) / name);
+    file << text;
+    file.close();
+    if (!file) std::fprintf(stderr, "%s/%s cannot be written\n", directory.c_str(), name.c_str());
+    return bool(file);
+}
+
 /// Prints and writes the tables.
 bool publish(const std::string& name, const Outcome& outcome, const std::string& directory) {
     std::string text;
@@ -131,12 +142,7 @@ bool publish(const std::string& name, const Outcome& outcome, const std::string&
     std::fputs(text.c_str(), stdout);
     if (!outcome.good) std::puts("A gate failed.");
     if (directory.empty()) return outcome.good;
-    std::filesystem::create_directories(directory);
-    std::ofstream file(std::filesystem::path(directory) / (name + ".md"));
-    file << text;
-    file.close();
-    if (!file) std::fprintf(stderr, "%s/%s.md cannot be written\n", directory.c_str(), name.c_str());
-    return outcome.good && file;
+    return write_text(directory, name + ".md", text) && outcome.good;
 }
 
 } // namespace
@@ -172,9 +178,12 @@ int main(int argc, char** argv) {
         })
         ->add_option("--repeats", repeats, "Runs of which the median is taken")
         ->check(CLI::PositiveNumber);
-    add("batch", "Time of batches beside the bare functions, and errors of those",
+    add("batch", "Time of batches beside the bare functions, errors of those, and cost against the size of the task",
         [&] {
-            return Outcome{{batch_speed(repeats), vector_function_errors()}, true};
+            const std::vector<BatchCost> costs = batch_costs(repeats);
+            bool written = true;
+            if (!directory.empty()) written = write_text(directory, "batch_cost.csv", batch_cost_csv(costs, repeats));
+            return Outcome{{batch_speed(repeats), vector_function_errors(), table_of(costs)}, written};
         })
         ->add_option("--repeats", repeats, "Runs of which the median is taken")
         ->check(CLI::PositiveNumber);

@@ -159,6 +159,21 @@ template <class T>
     return R * u * (two_zeta * two_zeta - (1 - R) * (1 + R)) - two_zeta * (1 - g);
 }
 
+/// @brief How certain it is that (57) of a mode is largest for tau -> 0: `excess_at_the_end` less a billionth of its terms, or
+/// what R has above w / 2 where that is less.
+/// @eq{57,71}  @domain{R > 0, 0 <= zeta < 1}
+/// @param R     modal frequency ratio, Eq. (22)
+/// @param zeta  modal damping ratio
+/// @param u     first damping function, Eq. (28)
+/// @param g     second damping function, Eq. (29)
+/// @return      positive where it is certain
+[[nodiscard, gnu::always_inline]] inline double certainty_of_start(double R, double zeta, double u, double g) {
+    const double terms = (u < 0 ? -u : u) * (1 + R) * (1 + R) * R + 2 * zeta * (1 + (g < 0 ? -g : g));
+    const double excess = excess_at_the_end(2 * zeta, R, u, g) - 1e-9 * terms;
+    const double room = 4 * R * R - (1 - zeta) * (1 + zeta) * (1 + 1e-9);
+    return excess < room ? excess : room;
+}
+
 /// @brief Square of the root in (38): \f$ (|V_{dj}|-\beta U_{dj})(|V_{dj}|+\beta U_{dj}) \f$, without cancellation at its zero.
 /// @eq{36,38}  @derivation{batch_forms}
 /// @param V     modulus of V_dj, Eq. (33)

@@ -165,7 +165,7 @@ std::size_t mode_functions(std::span<const double> R, double zeta, const ModeArr
     check_arguments(R, zeta, out, vectors);
     evaluated += static_cast<long>(R.size());
     const ModeConstants m = constants_of(zeta);
-    const bool without_vectors = zeta > 0 && zeta < least_vector_damping();
+    const bool without_vectors = zeta >= 1 || (zeta > 0 && zeta < least_vector_damping());
     const Compute compute_block = compute_with(vectors);
     std::size_t scalar = 0;
     for (std::size_t start = 0; start < R.size(); start += block) {

@@ -23,15 +23,22 @@ std::string map_csv(const MapRequest& request, const RegimeMap& map) {
     for (const Mass k : request.masses) csv += ",amplitude_" + std::to_string(k.index + 1);
     csv += ",status\n";
     const std::size_t masses = request.masses.size();
+    std::vector<std::string> beta, regimes, statuses;
+    for (const double each : request.beta) beta.push_back("," + cell(each) + ",");
+    for (const Regime each : {Regime::continuous, Regime::stick_slip, Regime::permanent_sticking})
+        regimes.push_back(denhartog::name(each) + ",");
+    for (int n = 0; n <= static_cast<int>(PointStatus::failed); ++n)
+        statuses.push_back("," + denhartog::name(static_cast<PointStatus>(n)) + "\n");
+    const std::string none = ",";
     for (std::size_t m = 0, point = 0; m < request.r.size(); ++m) {
         const std::string r = cell(request.r[m]);
         for (std::size_t n = 0; n < request.beta.size(); ++n, ++point) {
             const MapPoint& p = map.points[point];
             const bool known = has_numbers(p.status);
-            csv += r + "," + cell(request.beta[n]) + "," + (known ? denhartog::name(p.regime) : "") + "," + cell(p.stops, known) +
-                   "," + cell(p.periods, known);
-            for (std::size_t k = 0; k < masses; ++k) csv += "," + cell(map.amplitudes[point * masses + k]);
-            csv += "," + denhartog::name(p.status) + "\n";
+            csv.append(r).append(beta[n]).append(known ? regimes[static_cast<std::size_t>(p.regime)] : none);
+            csv.append(cell(p.stops, known)).append(none).append(cell(p.periods, known));
+            for (std::size_t k = 0; k < masses; ++k) csv.append(none).append(cell(map.amplitudes[point * masses + k]));
+            csv.append(statuses[static_cast<std::size_t>(p.status)]);
         }
     }
     return csv;

@@ -1,11 +1,10 @@
 /// @file
-/// @brief X_j and the boundary (67) over arrays of r and beta, with everything of beta taken out of the sums.
+/// @brief Amplitude, phase and regime of the mass in contact over a grid of (r, beta), with everything of beta taken out of the sums.
 ///
 /// A frequency ratio costs its modes once, \f$ |V_{dj}| \f$ and two limits; a friction ratio then costs a square root:
-/// \f[ \overline{X}_j = \sqrt{(|V_{dj}|-\beta|U_{dj}|)(|V_{dj}|+\beta|U_{dj}|)} - \beta G_j, \f]
-/// (38) with the difference of squares as a product, which does not cancel near \f$ \beta|U_{dj}|=|V_{dj}| \f$. The regime comes
-/// from the boundaries that the caller gives, e.g. those of `boundary_curves`; where the contact does not slide throughout there is
-/// no amplitude.
+/// \f[ \overline{X}_j = \sqrt{(|V_{dj}|-\beta U_{dj})(|V_{dj}|+\beta U_{dj})} - \beta G_j, \f]
+/// (38) with the difference of squares as a product, which does not cancel near \f$ \beta|U_{dj}|=|V_{dj}| \f$. Where the contact
+/// does not slide throughout there is no amplitude and no phase.
 #pragma once
 
 #include <cstdint>
@@ -13,18 +12,11 @@
 #include <span>
 #include <vector>
 
+#include "denhartog/formulas/complex.hpp"
+#include "denhartog/response/batch_limits.hpp"
 #include "denhartog/response/batch_sums.hpp"
-#include "denhartog/response/regime_map.hpp"
 
 namespace denhartog {
-
-/// @brief The boundary (67), with (72), over an array of frequency ratios: an upper bound of beta_lim.
-/// @eq{67,72}
-/// @param sums  sums over modes at the mass in contact
-/// @param mu    static over kinetic friction, Eq. (3); at least 1
-/// @return      the friction ratio, an entry a frequency ratio; 0 at poles
-/// @throws      InputError where mu breaks its rule
-[[nodiscard]] std::vector<double> approximate_limits(const ContactSums& sums, double mu);
 
 /// @brief What a point of a batch is.
 enum class BatchPoint : std::uint8_t {
@@ -48,25 +40,52 @@ struct ContactMap {
 /// @return        X_j in units of P / k_1; none where the contact does not slide throughout
 [[nodiscard]] std::optional<double> amplitude_at(const ContactMap& map, std::size_t column, std::size_t row);
 
-/// @brief Amplitudes of the mass in contact over a grid of (r, beta).
+/// @brief Amplitudes of the mass in contact over a grid of (r, beta), from nothing but the system.
 /// @eq{38,69}
-/// @param sums    sums over modes at the mass in contact, an entry a frequency ratio
-/// @param limits  the boundaries, an entry a frequency ratio
-/// @param beta    friction ratios, Eq. (11); zero or positive
-/// @param threads threads, at least 1; the result does not depend on it
-/// @return        the map
-/// @throws        InputError where a beta or the number of threads breaks its rule, or `limits` has another length than the sums
-[[nodiscard]] ContactMap contact_map(const ContactSums& sums, std::span<const BoundaryPoint> limits,
-                                     const std::vector<double>& beta, unsigned threads);
+/// @param basis    modal basis of the system
+/// @param contact  the mass in contact, j
+/// @param load     the loaded mass, l
+/// @param mu       static over kinetic friction, Eq. (3); at least 1
+/// @param r        frequency ratios, Eq. (10); positive
+/// @param beta     friction ratios, Eq. (11); zero or positive
+/// @param threads  threads, at least 1; the result does not depend on it
+/// @return         the map, its regimes those of `regime_boundary` at every point
+/// @throws         InputError where an argument breaks its rule; PrecisionError where a sum is beyond the range of a double
+[[nodiscard]] ContactMap contact_map(const ModalBasis<double>& basis, Mass contact, Mass load, double mu,
+                                     const std::vector<double>& r, const std::vector<double>& beta, unsigned threads);
 
-/// @brief The same in a map that is there already: its memory serves again.
-/// @param sums    sums over modes at the mass in contact, an entry a frequency ratio
-/// @param limits  the boundaries, an entry a frequency ratio
-/// @param beta    friction ratios, Eq. (11); zero or positive
-/// @param threads threads, at least 1
-/// @param map     written over
-/// @throws        as above
-void contact_map(const ContactSums& sums, std::span<const BoundaryPoint> limits, const std::vector<double>& beta,
-                 unsigned threads, ContactMap& map);
+/// @brief The same from sums and limits that are there already, in a map that is there already: its memory serves again.
+/// @eq{38,69}
+/// @param sums     sums over modes at the mass in contact, an entry a frequency ratio
+/// @param limits   the limits, an entry a frequency ratio; points within `limit_margin()` of one by arrays need `settle_limits`
+/// @param beta     friction ratios, Eq. (11); zero or positive
+/// @param threads  threads, at least 1; the result does not depend on it
+/// @param map      written over
+/// @throws         InputError where a beta or the number of threads breaks its rule, or `limits` has another length than the sums
+void contact_map(const ContactSums& sums, const ContactLimits& limits, const std::vector<double>& beta, unsigned threads,
+                 ContactMap& map);
+
+/// @brief Phases of the mass in contact over the grid of a map.
+/// @eq{39}
+/// @param sums     sums over modes at the mass in contact
+/// @param map      regimes over the grid
+/// @param beta     friction ratios of the map
+/// @param threads  threads, at least 1; the result does not depend on it
+/// @param phi_j    lag behind the force, Eq. (39), radians in [-pi, pi], point after point as in the map; 0 stands for none where
+///                 `points` is not `continuous`
+/// @throws         InputError where the number of threads breaks its rule, or the map has another size
+void contact_phases(const ContactSums& sums, const ContactMap& map, const std::vector<double>& beta, unsigned threads,
+                    std::vector<double>& phi_j);
+
+/// @brief (38) as printed over an array of friction ratios: every number is that of
+/// `paper::displacement_transmissibility_of_contact`.
+/// @eq{38}
+/// @param V_dj  complex response function of the mass in contact, Eq. (33)
+/// @param U_dj  first damping function, Eq. (34)
+/// @param G_j   second damping function, Eq. (35)
+/// @param beta  friction ratios, Eq. (11)
+/// @param X_j   where the amplitudes go; as long as beta
+void amplitudes_of_contact(const Complex<double>& V_dj, double U_dj, double G_j, std::span<const double> beta,
+                           std::span<double> X_j);
 
 } // namespace denhartog

@@ -21,7 +21,14 @@ struct ContactSums {
     std::vector<double> G;              ///< second damping function, Eq. (35)
     std::vector<double> H;              ///< Eq. (64)
     std::vector<double> sum_of_squares; ///< Eq. (65)
-    std::vector<std::uint8_t> at_pole;  ///< 1 where a mode without damping resonates: the other entries mean nothing and are 0
+    std::vector<double> Y_re;           ///< real part of Y_jj, the response of the contact to a unit force there
+    std::vector<double> Y_im;           ///< imaginary part of Y_jj
+    std::vector<double> size_of_V;      ///< sum of the sizes of the terms of V_dj, real and imaginary parts added
+    std::vector<double> size_of_Y;      ///< of Y_jj
+    std::vector<double> size_of_U;      ///< of U_dj, each term 1 larger than (28)
+    std::vector<double> size_of_H;      ///< of H_j, each term 1 larger than in (64)
+    std::vector<double> certainty; ///< least of the modes' `evaluation::certainty_of_start`: positive where (57) is largest at 0
+    std::vector<std::uint8_t> at_pole; ///< 1 where a mode without damping resonates: the other entries mean nothing and are 0
 };
 
 /// @brief Evaluates the modes over an array of frequency ratios and sums them.

@@ -1,9 +1,11 @@
 #include "denhartog/response/boundary.hpp"
 
 #include <algorithm>
+#include <atomic>
 
 #include "denhartog/bounded.hpp"
 #include "denhartog/errors.hpp"
+#include "denhartog/evaluation/batch_forms.hpp"
 #include "denhartog/formulas/boundary.hpp"
 #include "denhartog/formulas/superposition.hpp"
 #include "denhartog/model/point_rules.hpp"
@@ -13,6 +15,8 @@
 
 namespace denhartog {
 namespace {
+
+std::atomic<long> searches{0};
 
 // The expression of (57) of one mode, with its limits. At pi the velocity N(tau) of the braces and its harmonic part vanishes.
 template <class T>
@@ -74,6 +78,7 @@ T rise_of_demand(const T& a, const T& b, const T& z_bound) {
 
 template <class T>
 T instant_of_largest(const ModeSums<T>& s, std::size_t first, const std::vector<T>& weights) {
+    ++searches;
     FrictionMotions<T> y(s, first, first + weights.size());
     const Demand<T> demand{s, y, first, weights};
     Curve<T> curve;
@@ -81,6 +86,25 @@ T instant_of_largest(const ModeSums<T>& s, std::size_t first, const std::vector<
     curve.rate = [&](const T& a, const T&) { return demand.rate(a); };
     curve.rise = [](const T& a, const T& b, const T& z_bound) { return rise_of_demand(a, b, z_bound); };
     return global_maximum(curve, T(0), pi<T>()).instant;
+}
+
+template <class T>
+T static_demand(const ModeSums<T>& s, const T& mu) {
+    return paper::static_friction_demand(s.H_j, mu, s.sum_of_squares);
+}
+
+template <class T>
+Complex<T> response_that_counts(const ModeSums<T>& s) {
+    return contact_is_unmoved(s) ? Complex<T>{T(0), T(0)} : s.V[s.contact.index];
+}
+
+template <class T>
+RegimeBoundary<T> regime_boundary_at(const ModeSums<T>& s, const T& mu, const T& S_exact) {
+    const Complex<T> V_dj = response_that_counts(s);
+    RegimeBoundary<T> b{};
+    b.exact = paper::friction_ratio_limit(V_dj, s.U[s.contact.index], std::max(S_exact, static_demand(s, mu)));
+    if (!stuck_system_resonates(s)) b.sticking = modulus(V_dj) / modulus(s.Y_jj) / mu;
+    return b;
 }
 
 } // namespace
@@ -98,17 +122,16 @@ Boundary<T> boundary_at(const ModeSums<T>& s, const T& mu, const T& instant, con
     std::vector<T> maxima;
     for (std::size_t i = 0; i < s.R.size(); ++i) maxima.push_back(s_d(s, i, instants[i]));
     const std::size_t j = s.contact.index;
-    const T held = paper::static_friction_demand(s.H_j, mu, s.sum_of_squares);
-    const Complex<T> V_dj = contact_is_unmoved(s) ? Complex<T>{T(0), T(0)} : s.V[j];
+    const T held = static_demand(s, mu);
+    const Complex<T> V_dj = response_that_counts(s);
     Boundary<T> b{};
     b.S_exact = sliding_demand(s, instant);
+    static_cast<RegimeBoundary<T>&>(b) = regime_boundary_at(s, mu, b.S_exact);
     b.S_paper = paper::sum_over_contact(mode_shapes_at(s, s.contact), std::span<const T>(maxima));
     b.instant = instant;
     b.instants = instants;
-    b.exact = paper::friction_ratio_limit(V_dj, s.U[j], std::max(b.S_exact, held));
     b.paper = paper::friction_ratio_limit(V_dj, s.U[j], std::max(b.S_paper, held));
     b.approximate = paper::friction_ratio_limit(V_dj, s.U[j], held);
-    if (!stuck_system_resonates(s)) b.sticking = modulus(V_dj) / modulus(s.Y_jj) / mu;
     if (instant == 0)
         b.binding = mu > 1 ? BindingCondition::static_friction : BindingCondition::both;
     else
@@ -117,11 +140,31 @@ Boundary<T> boundary_at(const ModeSums<T>& s, const T& mu, const T& instant, con
 }
 
 template <class T>
+T instant_of_largest_demand(const ModeSums<T>& s) {
+    std::vector<T> squares;
+    for (const T& psi_ji : mode_shapes_at(s, s.contact)) squares.push_back(psi_ji * psi_ji);
+    return instant_of_largest(s, 0, squares);
+}
+
+bool largest_at_start(const ModeSums<double>& s) {
+    for (std::size_t i = 0; i < s.R.size(); ++i)
+        if (!(evaluation::certainty_of_start(s.R[i], s.zeta[i], s.u[i], s.g[i]) > 0)) return false;
+    return true;
+}
+
+RegimeBoundary<double> regime_boundary(const ModeSums<double>& s, double mu) {
+    check_static_friction(mu);
+    const double instant = largest_at_start(s) ? 0 : instant_of_largest_demand(s);
+    return regime_boundary_at(s, mu, sliding_demand(s, instant));
+}
+
+long demand_searches() { return searches; }
+
+template <class T>
 Boundary<T> boundary(const ModeSums<T>& s, const T& mu) {
     check_static_friction(mu);
-    std::vector<T> squares, instants;
-    for (const T& psi_ji : mode_shapes_at(s, s.contact)) squares.push_back(psi_ji * psi_ji);
-    const T instant = instant_of_largest(s, 0, squares);
+    const T instant = instant_of_largest_demand(s);
+    std::vector<T> instants;
     for (std::size_t i = 0; i < s.R.size(); ++i)
         instants.push_back(s.R.size() == 1 ? instant : instant_of_largest(s, i, std::vector<T>{T(1)}));
     return boundary_at(s, mu, instant, instants);
@@ -131,6 +174,10 @@ template double sliding_demand(const ModeSums<double>&, const double&);
 template long double sliding_demand(const ModeSums<long double>&, const long double&);
 template Real50 sliding_demand(const ModeSums<Real50>&, const Real50&);
 template Real100 sliding_demand(const ModeSums<Real100>&, const Real100&);
+template double instant_of_largest_demand(const ModeSums<double>&);
+template long double instant_of_largest_demand(const ModeSums<long double>&);
+template Real50 instant_of_largest_demand(const ModeSums<Real50>&);
+template Real100 instant_of_largest_demand(const ModeSums<Real100>&);
 template Boundary<double> boundary_at(const ModeSums<double>&, const double&, const double&, const std::vector<double>&);
 template Boundary<long double> boundary_at(const ModeSums<long double>&, const long double&, const long double&,
                                            const std::vector<long double>&);

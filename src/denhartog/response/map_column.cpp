@@ -6,6 +6,7 @@
 
 #include "denhartog/errors.hpp"
 #include "denhartog/multiprecision.hpp"
+#include "denhartog/response/batch_map.hpp"
 #include "denhartog/response/stuck_response.hpp"
 
 namespace denhartog {
@@ -15,7 +16,7 @@ class Column {
 public:
     Column(const MapSystem& map_, double r_, std::span<MapPoint> points_, std::span<double> amplitudes_)
         : map(map_), r(r_), points(points_), amplitudes(amplitudes_),
-          sums(mode_sums(map.system.basis, map.system.contact, map.system.load, r)), limits(boundary(sums, map.mu)),
+          sums(mode_sums(map.system.basis, map.system.contact, map.system.load, r)), limits(regime_boundary(sums, map.mu)),
           rounding(rounding_of(limits)),
           contact_alone(std::ranges::all_of(map.masses, [&](Mass k) { return k == map.system.contact; })) {}
 
@@ -35,7 +36,42 @@ public:
             points[n].status = PointStatus::on_boundary;
     }
 
+    // As many points from n on as the closed form or the rest answer without a motion to follow; the contact's amplitude alone.
+    std::size_t answer_together(std::size_t n) {
+        const std::size_t first = n;
+        if (!contact_alone || map.masses.size() != 1 || (map.mu > 1 && map.start == MapStart::rest)) return 0;
+        for (; n < points.size() && map.beta[n] < limits.exact; ++n) {
+            const double X_j = amplitude_over_array(n);
+            if (!std::isfinite(X_j)) break;
+            amplitudes[n] = X_j;
+            put(n, Regime::continuous);
+            sliding = n;
+        }
+        for (; n < points.size() && map.mu == 1 && rests(map.beta[n]); ++n) {
+            amplitudes[n] = 0;
+            put(n, Regime::permanent_sticking);
+        }
+        if (n > first) last.reset();
+        return n - first;
+    }
+
 private:
+    bool rests(double beta) const { return !(beta < limits.exact) && limits.sticking && beta >= *limits.sticking; }
+
+    void put(std::size_t n, Regime regime) {
+        const bool near = on_boundary(limits, map.beta[n], rounding);
+        points[n] = {near ? PointStatus::on_boundary : PointStatus::answered, regime, 0, 1};
+    }
+
+    double amplitude_over_array(std::size_t n) {
+        const std::size_t j = sums.contact.index;
+        if (X.empty()) {
+            X.resize(map.beta.size());
+            amplitudes_of_contact(sums.V[j], sums.U[j], sums.G[j], map.beta, X);
+        }
+        return X[n];
+    }
+
     void write(std::size_t n, std::size_t place, double amplitude) {
         if (!std::isfinite(amplitude)) throw PrecisionError("the amplitude is beyond the range of a double");
         amplitudes[n * map.masses.size() + place] = amplitude;
@@ -97,9 +133,10 @@ private:
     std::span<MapPoint> points;
     std::span<double> amplitudes;
     ModeSums<double> sums;
-    Boundary<double> limits;
+    RegimeBoundary<double> limits;
     BoundaryError<double> rounding;
     bool contact_alone;
+    std::vector<double> X;                     // (38) at every friction ratio, found when it is first needed
     std::optional<std::size_t> sliding;        // the last point where the closed form answered
     std::optional<State<double>> last;         // the last periodic orbit
     std::optional<StuckResponse<double>> held; // found when it is first needed
@@ -132,6 +169,10 @@ void compute_column(const MapSystem& map, double r, const std::atomic<bool>& sto
     for (std::size_t n = 0; n < points.size() && !stop; ++n) {
         if (!column) {
             without_numbers(n, fault);
+            continue;
+        }
+        if (const std::size_t together = column->answer_together(n); together > 0) {
+            n += together - 1;
             continue;
         }
         try {

@@ -50,19 +50,19 @@ std::string name(Regime regime) {
 }
 
 template <class T>
-Regime regime_of(const Boundary<T>& b, const T& beta) {
+Regime regime_of(const RegimeBoundary<T>& b, const T& beta) {
     if (beta < b.exact) return Regime::continuous;
     return b.sticking && beta >= *b.sticking ? Regime::permanent_sticking : Regime::stick_slip;
 }
 
 template <class T>
-bool on_boundary(const Boundary<T>& b, const T& beta, const BoundaryError<T>& error) {
+bool on_boundary(const RegimeBoundary<T>& b, const T& beta, const BoundaryError<T>& error) {
     return equal_within(beta, b.exact, error.exact) ||
            (b.sticking && beta >= b.exact && equal_within(beta, *b.sticking, error.sticking));
 }
 
 template <class T>
-BoundaryError<T> rounding_of(const Boundary<T>& b) {
+BoundaryError<T> rounding_of(const RegimeBoundary<T>& b) {
     const T few = 16 * std::numeric_limits<T>::epsilon();
     return {few * b.exact, b.sticking ? T(few * *b.sticking) : T(0)};
 }
@@ -94,18 +94,18 @@ RegimeAtPoint regime_at(const Boundary<T>& b, const T& beta, const BoundaryError
     return point;
 }
 
-template Regime regime_of(const Boundary<double>&, const double&);
-template Regime regime_of(const Boundary<long double>&, const long double&);
-template Regime regime_of(const Boundary<Real50>&, const Real50&);
-template Regime regime_of(const Boundary<Real100>&, const Real100&);
-template bool on_boundary(const Boundary<double>&, const double&, const BoundaryError<double>&);
-template bool on_boundary(const Boundary<long double>&, const long double&, const BoundaryError<long double>&);
-template bool on_boundary(const Boundary<Real50>&, const Real50&, const BoundaryError<Real50>&);
-template bool on_boundary(const Boundary<Real100>&, const Real100&, const BoundaryError<Real100>&);
-template BoundaryError<double> rounding_of(const Boundary<double>&);
-template BoundaryError<long double> rounding_of(const Boundary<long double>&);
-template BoundaryError<Real50> rounding_of(const Boundary<Real50>&);
-template BoundaryError<Real100> rounding_of(const Boundary<Real100>&);
+template Regime regime_of(const RegimeBoundary<double>&, const double&);
+template Regime regime_of(const RegimeBoundary<long double>&, const long double&);
+template Regime regime_of(const RegimeBoundary<Real50>&, const Real50&);
+template Regime regime_of(const RegimeBoundary<Real100>&, const Real100&);
+template bool on_boundary(const RegimeBoundary<double>&, const double&, const BoundaryError<double>&);
+template bool on_boundary(const RegimeBoundary<long double>&, const long double&, const BoundaryError<long double>&);
+template bool on_boundary(const RegimeBoundary<Real50>&, const Real50&, const BoundaryError<Real50>&);
+template bool on_boundary(const RegimeBoundary<Real100>&, const Real100&, const BoundaryError<Real100>&);
+template BoundaryError<double> rounding_of(const RegimeBoundary<double>&);
+template BoundaryError<long double> rounding_of(const RegimeBoundary<long double>&);
+template BoundaryError<Real50> rounding_of(const RegimeBoundary<Real50>&);
+template BoundaryError<Real100> rounding_of(const RegimeBoundary<Real100>&);
 template RegimeAtPoint regime_at(const Boundary<double>&, const double&, const BoundaryError<double>&);
 template RegimeAtPoint regime_at(const Boundary<long double>&, const long double&, const BoundaryError<long double>&);
 template RegimeAtPoint regime_at(const Boundary<Real50>&, const Real50&, const BoundaryError<Real50>&);

@@ -40,7 +40,7 @@ struct BoundaryError {
 /// @param beta      friction ratio, Eq. (11); zero or positive
 /// @return          the regime
 template <class T>
-[[nodiscard]] Regime regime_of(const Boundary<T>& boundary, const T& beta);
+[[nodiscard]] Regime regime_of(const RegimeBoundary<T>& boundary, const T& beta);
 
 /// @brief Whether a friction ratio is a boundary between two regimes, to the accuracy of the boundary.
 /// @param boundary  the boundary at the frequency ratio
@@ -48,13 +48,13 @@ template <class T>
 /// @param error     accuracy of the boundary
 /// @return          true where the regime could be the neighbour
 template <class T>
-[[nodiscard]] bool on_boundary(const Boundary<T>& boundary, const T& beta, const BoundaryError<T>& error);
+[[nodiscard]] bool on_boundary(const RegimeBoundary<T>& boundary, const T& beta, const BoundaryError<T>& error);
 
 /// @brief What rounding alone does to a boundary, where nothing better was measured.
 /// @param boundary  the boundary
 /// @return          16 units in the last place
 template <class T>
-[[nodiscard]] BoundaryError<T> rounding_of(const Boundary<T>& boundary);
+[[nodiscard]] BoundaryError<T> rounding_of(const RegimeBoundary<T>& boundary);
 
 /// @brief The regime at a friction ratio: sliding below (69), permanent sticking from `sticking` on, stick-slip between.
 ///

@@ -61,7 +61,7 @@ Kinematics<T> kinematics(const ModeSums<T>& s, std::size_t k, const MassResponse
 }
 
 template <class T>
-void check_sliding(const Boundary<T>& boundary, const T& beta) {
+void check_sliding(const RegimeBoundary<T>& boundary, const T& beta) {
     check_friction_ratio(beta);
     if (beta < boundary.exact) return;
     throw DomainError("the contact does not slide throughout: beta = " + number_to_text(beta) +
@@ -137,7 +137,7 @@ T wrapped(const T& angle) {
 }
 
 template <class T>
-SteadyState<T> steady_state(const ModeSums<T>& s, const Boundary<T>& boundary, const T& beta) {
+SteadyState<T> steady_state(const ModeSums<T>& s, const RegimeBoundary<T>& boundary, const T& beta) {
     check_sliding(boundary, beta);
     SteadyState<T> state = start(s, beta);
     FrictionMotions<T> y(s, 0, s.R.size());
@@ -184,10 +184,10 @@ template double wrapped(const double&);
 template long double wrapped(const long double&);
 template Real50 wrapped(const Real50&);
 template Real100 wrapped(const Real100&);
-template SteadyState<double> steady_state(const ModeSums<double>&, const Boundary<double>&, const double&);
-template SteadyState<long double> steady_state(const ModeSums<long double>&, const Boundary<long double>&, const long double&);
-template SteadyState<Real50> steady_state(const ModeSums<Real50>&, const Boundary<Real50>&, const Real50&);
-template SteadyState<Real100> steady_state(const ModeSums<Real100>&, const Boundary<Real100>&, const Real100&);
+template SteadyState<double> steady_state(const ModeSums<double>&, const RegimeBoundary<double>&, const double&);
+template SteadyState<long double> steady_state(const ModeSums<long double>&, const RegimeBoundary<long double>&, const long double&);
+template SteadyState<Real50> steady_state(const ModeSums<Real50>&, const RegimeBoundary<Real50>&, const Real50&);
+template SteadyState<Real100> steady_state(const ModeSums<Real100>&, const RegimeBoundary<Real100>&, const Real100&);
 template SteadyState<double> steady_state_at(const ModeSums<double>&, const double&, const std::vector<double>&);
 template SteadyState<long double> steady_state_at(const ModeSums<long double>&, const long double&,
                                                   const std::vector<long double>&);

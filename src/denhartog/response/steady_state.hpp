@@ -46,7 +46,7 @@ struct Motion {
 /// @return          the steady state
 /// @throws          InputError where beta is negative or not finite; DomainError at and beyond the boundary (69)
 template <class T>
-[[nodiscard]] SteadyState<T> steady_state(const ModeSums<T>& sums, const Boundary<T>& boundary, const T& beta);
+[[nodiscard]] SteadyState<T> steady_state(const ModeSums<T>& sums, const RegimeBoundary<T>& boundary, const T& beta);
 
 /// @brief The same steady state in another number type, with the instants of the maxima known: what a check costs.
 /// @param sums      modes at a frequency ratio

@@ -1,0 +1,45 @@
+/// @file
+/// @brief What a batch costs against the number of modes and against the size of its grid.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "tests/speed_accuracy/table.hpp"
+
+namespace denhartog::tests {
+
+/// @brief One batch and its time.
+struct BatchCost {
+    std::string series;                 ///< what was varied
+    std::size_t modes;                  ///< number of modes
+    std::size_t ratios;                 ///< number of frequency ratios
+    std::size_t rows;                   ///< number of friction ratios, 0 where there are none
+    unsigned threads;                   ///< threads
+    double nanoseconds;                 ///< least time of the repeats
+    long evaluations;                   ///< modes evaluated over arrays
+    [[nodiscard]] double items() const; ///< modes times frequency ratios, or points of the grid
+};
+
+/// @brief Batches after the eigen-solve: N from 1 to 2000 at 2000 frequency ratios, then grids of 100 to 10^6 frequency ratios and
+/// of 10^4 to 10^7 points (r, beta) for five masses.
+/// @param repeats  runs of which the least is taken
+/// @return         the costs, series after series
+[[nodiscard]] std::vector<BatchCost> batch_costs(int repeats);
+
+/// @brief Exponent of a power law through the costs of a series, by least squares over the batches of at least ten thousand items.
+/// @param costs   the costs
+/// @param series  which
+/// @return        the exponent: 1 where the cost is linear
+[[nodiscard]] double fitted_exponent(const std::vector<BatchCost>& costs, const std::string& series);
+
+/// @brief The costs as a table, a line a batch, with the fitted exponents below. @param costs the costs @return the table
+[[nodiscard]] Table table_of(const std::vector<BatchCost>& costs);
+
+/// @brief The costs as CSV with what is needed to repeat them: compiler, processor, widest vectors.
+/// @param costs    the costs
+/// @param repeats  runs of which the least was taken
+/// @return         the text
+[[nodiscard]] std::string batch_cost_csv(const std::vector<BatchCost>& costs, int repeats);
+
+} // namespace denhartog::tests
