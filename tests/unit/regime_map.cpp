@@ -1,6 +1,10 @@
 #include "denhartog/response/regime_map.hpp"
 
+#include <random>
+
 #include "denhartog/errors.hpp"
+#include "denhartog/formulas/contact.hpp"
+#include "denhartog/response/batch_map.hpp"
 #include "denhartog/response/solve.hpp"
 #include "tests/catch.hpp"
 #include "tests/unit/response_fixtures.hpp"
@@ -131,4 +135,56 @@ TEST_CASE("a grid that breaks a rule is refused", "[map]") {
     CHECK_THROWS_AS(with({1}, {0.5}, {}, 1), InputError);
     CHECK_THROWS_AS(with({1}, {0.5}, {Mass{2}}, 1), InputError);
     CHECK_THROWS_AS(with({1}, {0.5}, {Mass{0}}, 0), InputError);
+}
+
+TEST_CASE("stretches that a column answers together have the numbers and the regimes of the boundary at every point",
+          "[eq:38][eq:69][map]") {
+    std::mt19937_64 random(38);
+    std::uniform_real_distribution<double> unit(0, 1);
+    long points = 0, near = 0, regimes[3] = {};
+    for (int n = 0; n < 40; ++n) {
+        const double zeta = n % 4 == 0 ? 0.001 : std::exp2(-8 * unit(random) - 1);
+        Scene<double> scene = n % 2 == 0 ? chain({1, 1 + unit(random)}, {1, 1 + unit(random)}, {zeta, zeta}, 2, 1, 1, 1)
+                                         : chain({1}, {1}, {zeta}, 1, 1, 1, 1);
+        const ModalBasis<double> basis = modal_basis(scene.system);
+        MapRequest grid{{}, {}, {scene.system.contact}, MapStart::rest, 2};
+        std::vector<Boundary<double>> boundaries;
+        for (int m = 0; m < 8; ++m) {
+            grid.r.push_back(0.4 + 2.2 * unit(random));
+            boundaries.push_back(boundary(mode_sums(basis, scene.system.contact, scene.system.load, grid.r.back()), 1.0));
+            for (const double factor : {0.5, 1 - 0x1p-36, 1 - 0x1p-50, 1 - 0x1p-53, 1.0, 1 + 0x1p-52, 1 + 0x1p-50, 1 + 0x1p-36})
+                grid.beta.push_back(boundaries.back().exact * factor);
+        }
+        grid.beta.insert(grid.beta.end(), {0, 0.125, 0.75, std::nextafter(1, 0), 1, 1.5});
+        std::ranges::sort(grid.beta);
+        const RegimeMap map = regime_map(scene, grid, never);
+        const ContactMap batch = contact_map(basis, scene.system.contact, scene.system.load, 1, grid.r, grid.beta, 2);
+        for (std::size_t m = 0; m < grid.r.size(); ++m)
+            for (std::size_t k = 0; k < grid.beta.size(); ++k) {
+                const std::size_t point = m * grid.beta.size() + k;
+                const double beta = grid.beta[k];
+                INFO("r = " << hexadecimal(grid.r[m]) << ", beta = " << hexadecimal(beta) << ", zeta = " << hexadecimal(zeta));
+                const Regime expected = regime_of(boundaries[m], beta);
+                CHECK(static_cast<int>(batch.points[point]) == static_cast<int>(expected));
+                const bool at_boundary = on_boundary(boundaries[m], beta, rounding_of(boundaries[m]));
+                near += at_boundary;
+                REQUIRE(
+                    (map.points[point].status == PointStatus::answered || map.points[point].status == PointStatus::on_boundary));
+                CHECK((map.points[point].status == PointStatus::on_boundary) == at_boundary);
+                if (!at_boundary) CHECK(map.points[point].regime == expected);
+                if (expected == Regime::continuous) {
+                    CHECK(map.points[point].regime == expected);
+                    const ModeSums<double> sums = mode_sums(basis, scene.system.contact, scene.system.load, grid.r[m]);
+                    const std::size_t j = sums.contact.index;
+                    CHECK(map.amplitudes[point] ==
+                          paper::displacement_transmissibility_of_contact(sums.V[j], sums.U[j], sums.G[j], beta));
+                    CHECK(batch.X_j[point] == Approx(map.amplitudes[point]).epsilon(1e-7));
+                }
+                ++regimes[static_cast<int>(expected)];
+                ++points;
+            }
+    }
+    INFO(points << " points, " << near << " on a boundary; " << regimes[0] << ", " << regimes[1] << ", " << regimes[2]);
+    CHECK(near > 1000);
+    for (const long each : regimes) CHECK(each > 1000);
 }

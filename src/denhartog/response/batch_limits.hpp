@@ -53,6 +53,19 @@ struct ContactLimits {
 [[nodiscard]] ContactLimits contact_limits(const ModalBasis<double>& basis, Mass contact, Mass load, double mu,
                                            const std::vector<double>& r, const ContactSums& sums, unsigned threads);
 
+/// @brief The same in limits that are there already: their memory serves again.
+/// @param basis    modal basis of the system
+/// @param contact  the mass in contact, j
+/// @param load     the loaded mass, l
+/// @param mu       static over kinetic friction, Eq. (3); at least 1
+/// @param r        frequency ratios
+/// @param sums     sums over modes there, from `contact_sums`
+/// @param threads  threads, at least 1
+/// @param limits   written over
+/// @throws         as above
+void contact_limits(const ModalBasis<double>& basis, Mass contact, Mass load, double mu, const std::vector<double>& r,
+                    const ContactSums& sums, unsigned threads, ContactLimits& limits);
+
 /// @brief Replaces the limits that a friction ratio is within `limit_margin()` of by those of `regime_boundary`.
 /// @param basis    modal basis of the system
 /// @param contact  the mass in contact, j

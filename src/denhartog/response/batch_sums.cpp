@@ -93,9 +93,39 @@ std::vector<std::vector<double>*> all_of(ContactSums& s) {
             &s.Y_re, &s.Y_im, &s.size_of_V, &s.size_of_Y, &s.size_of_U, &s.size_of_H};
 }
 
+/// The factors 1 / r^2, and what is beyond the range of a double.
+void finish(const std::vector<double>& r, double sum_of_squares, ContactSums& s, std::size_t start, std::size_t n) {
+    const double* ratio = r.data() + start;
+    double *H = s.H.data() + start, *size_of_H = s.size_of_H.data() + start, *squares = s.sum_of_squares.data() + start;
+    const double *V_re = s.V_re.data() + start, *V_im = s.V_im.data() + start, *Y_re = s.Y_re.data() + start,
+                 *Y_im = s.Y_im.data() + start, *U = s.U.data() + start, *G = s.G.data() + start;
+    const double *size_of_V = s.size_of_V.data() + start, *size_of_Y = s.size_of_Y.data() + start,
+                 *size_of_U = s.size_of_U.data() + start;
+    std::array<double, block> zero_if_finite;
+#pragma GCC ivdep
+    for (std::size_t i = 0; i < n; ++i) {
+        H[i] = H[i] / ratio[i] / ratio[i];
+        size_of_H[i] = size_of_H[i] / ratio[i] / ratio[i];
+        squares[i] = sum_of_squares / ratio[i] / ratio[i];
+        zero_if_finite[i] = V_re[i] * 0 + V_im[i] * 0 + Y_re[i] * 0 + Y_im[i] * 0 + U[i] * 0 + G[i] * 0 + H[i] * 0 +
+                            squares[i] * 0 + size_of_V[i] * 0 + size_of_Y[i] * 0 + size_of_U[i] * 0 + size_of_H[i] * 0;
+    }
+    for (std::size_t i = 0; i < n; ++i) {
+        if (zero_if_finite[i] != 0)
+            throw PrecisionError("at r = " + number_to_text(ratio[i]) + " a sum over the modes is beyond the range of a double");
+        if (s.at_pole[start + i] == 0) continue;
+        for (std::vector<double>* each : all_of(s)) (*each)[start + i] = 0;
+        s.certainty[start + i] = 0;
+    }
+}
+
 void compute(const std::vector<WeightedMode>& modes, const std::vector<double>& r, ContactSums& s, std::size_t start) {
     const std::size_t n = std::min(block, r.size() - start);
     Block of;
+    const auto at = static_cast<std::ptrdiff_t>(start);
+    for (std::vector<double>* each : all_of(s)) std::fill_n(each->begin() + at, n, 0.0);
+    std::fill_n(s.certainty.begin() + at, n, std::numeric_limits<double>::max());
+    std::fill_n(s.at_pole.begin() + at, n, std::uint8_t(0));
     double sum_of_squares = 0;
     for (const WeightedMode& m : modes) {
         for (std::size_t i = 0; i < n; ++i) of.R[i] = r[start + i] / m.r_n;
@@ -106,42 +136,34 @@ void compute(const std::vector<WeightedMode>& modes, const std::vector<double>& 
         add(m, of, s, start, n);
         sum_of_squares += m.weights.square;
     }
-    for (std::size_t i = start; i < start + n; ++i) {
-        s.H[i] = s.H[i] / r[i] / r[i];
-        s.size_of_H[i] = s.size_of_H[i] / r[i] / r[i];
-        s.sum_of_squares[i] = sum_of_squares / r[i] / r[i];
-        double all = 0;
-        for (const std::vector<double>* each :
-             {&s.V_re, &s.V_im, &s.U, &s.G, &s.H, &s.sum_of_squares, &s.size_of_V, &s.size_of_Y, &s.size_of_U, &s.size_of_H})
-            all += (*each)[i];
-        if (!std::isfinite(all))
-            throw PrecisionError("at r = " + number_to_text(r[i]) + " a sum over the modes is beyond the range of a double");
-        if (s.at_pole[i] == 0) continue;
-        for (std::vector<double>* each : all_of(s)) (*each)[i] = 0;
-        s.certainty[i] = 0;
-    }
+    finish(r, sum_of_squares, s, start, n);
 }
 
 } // namespace
 
 ContactSums contact_sums(const ModalBasis<double>& basis, Mass contact, Mass load, const std::vector<double>& r,
                          unsigned threads) {
+    ContactSums sums;
+    contact_sums(basis, contact, load, r, threads, sums);
+    return sums;
+}
+
+void contact_sums(const ModalBasis<double>& basis, Mass contact, Mass load, const std::vector<double>& r, unsigned threads,
+                  ContactSums& s) {
     const std::size_t N = basis.r_n.size(), points = r.size();
     const std::string rule = "must be a mass from 1 to " + std::to_string(N);
     if (contact.index >= N) throw InputError("contact", rule, std::to_string(contact.index + 1));
     if (load.index >= N) throw InputError("load", rule, std::to_string(load.index + 1));
     if (threads < 1) throw InputError("threads", "must be at least 1", std::to_string(threads));
     for (const double each : r) check_frequency_ratio(each);
-    ContactSums s;
-    for (std::vector<double>* each : all_of(s)) each->assign(points, 0);
-    s.certainty.assign(points, std::numeric_limits<double>::max());
-    s.at_pole.assign(points, 0);
+    for (std::vector<double>* each : all_of(s)) each->resize(points);
+    s.certainty.resize(points);
+    s.at_pole.resize(points);
     const std::vector<WeightedMode> modes = modes_of(basis, contact, load);
     parallel_for((points + block - 1) / block, threads, [&](std::size_t b) {
         compute(modes, r, s, b * block);
         return true;
     });
-    return s;
 }
 
 } // namespace denhartog

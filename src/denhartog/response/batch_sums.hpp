@@ -44,4 +44,15 @@ struct ContactSums {
 [[nodiscard]] ContactSums contact_sums(const ModalBasis<double>& basis, Mass contact, Mass load, const std::vector<double>& r,
                                        unsigned threads);
 
+/// @brief The same in sums that are there already: their memory serves again.
+/// @param basis    modal basis of the system, N modes
+/// @param contact  the mass in contact, j
+/// @param load     the loaded mass, l
+/// @param r        frequency ratios, Eq. (10); positive
+/// @param threads  threads, at least 1
+/// @param sums     written over
+/// @throws         as above
+void contact_sums(const ModalBasis<double>& basis, Mass contact, Mass load, const std::vector<double>& r, unsigned threads,
+                  ContactSums& sums);
+
 } // namespace denhartog
