@@ -21,13 +21,13 @@ struct BatchCost {
     [[nodiscard]] double items() const; ///< modes times frequency ratios, or points of the grid
 };
 
-/// @brief Batches after the eigen-solve: N from 1 to 2000 at 2000 frequency ratios, then grids of 100 to 10^6 frequency ratios and
-/// of 10^4 to 10^7 points (r, beta) for five masses.
+/// @brief Batches after the eigen-solve: N from 1 to 2000 at 2000 frequency ratios, then grids of 100 to 10^6 frequency ratios
+/// and of 10^4 to 10^7 points (r, beta) for five masses.
 /// @param repeats  runs of which the least is taken
 /// @return         the costs, series after series
 [[nodiscard]] std::vector<BatchCost> batch_costs(int repeats);
 
-/// @brief Exponent of a power law through the costs of a series, by least squares over the batches of at least ten thousand items.
+/// @brief Exponent of a power law through the costs of a series, by least squares over batches of 10^4 items and more.
 /// @param costs   the costs
 /// @param series  which
 /// @return        the exponent: 1 where the cost is linear

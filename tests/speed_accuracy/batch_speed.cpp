@@ -26,7 +26,7 @@ double now(unsigned threads) {
     return std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-/// Nanoseconds an item, the least of many: on one thread of stretches of a fiftieth of a second, on several of single runs, so that
+/// Nanoseconds an item, the least of many: on one thread of stretches of a fiftieth of a second, on several of single runs:
 /// what else the machine does counts least.
 double time_of(std::size_t items, int repeats, const std::function<void()>& run, unsigned threads = 1) {
     double least = std::numeric_limits<double>::infinity();

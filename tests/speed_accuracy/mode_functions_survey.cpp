@@ -118,7 +118,7 @@ std::vector<ZoneErrors> survey_scalar_forms(int points) {
     return survey<T>(points, [](const T& R, const T& zeta) { return evaluation::mode_functions(R, zeta); });
 }
 
-/// One mode at one ratio as an array has it. Where it marks a pole the scalar forms must have none either: what they have, else 0.
+/// One mode at one ratio as an array has it. Where it marks a pole the scalar forms must have none either: what they have.
 evaluation::ModeFunctions<double> array_of_one(double R, double zeta) {
     double v_re = 0, v_im = 0, u = 0, g = 0;
     std::uint8_t at_pole = 0;

@@ -1,9 +1,9 @@
 /// @file
-/// @brief (23), (28), (29) as the arrays of `mode_arrays.hpp` compute them: what does not depend on R is hoisted, nothing branches.
+/// @brief (23), (28), (29) as the arrays of `mode_arrays.hpp` compute them: no branch, nothing twice.
 ///
-/// The forms are those of `mode.hpp` in the exponential, in \f$ sc \f$ and \f$ c^2 \f$ (sine and cosine of the half angle, of which
-/// a half turn alters neither) and with one reciprocal for (28) and (29) together. As there, each is proved equal to the paper's, in
-/// `derivation/batch_forms.cpp`, by instantiating these very templates with symbols.
+/// The forms are those of `mode.hpp` in the exponential, in \f$ sc \f$ and \f$ c^2 \f$ (sine and cosine of the half angle; a
+/// half turn alters neither) and with one reciprocal for (28) and (29) together. As there, each is proved equal to the paper's,
+/// in `derivation/batch_forms.cpp`, by instantiating these very templates with symbols.
 #pragma once
 
 #include "denhartog/evaluation/mode.hpp"
@@ -41,7 +41,7 @@ template <class T>
 }
 
 /// @brief \f$ v_{di} \f$ with \f$ a = (1-R)(1+R) \f$, \f$ b = 2\zeta R \f$ and one reciprocal: \f$ (a - ib)/(a^2+b^2) \f$.
-/// @eq{23}  @derivation{batch_forms}  @domain{R > 0, 0 <= zeta < 1; R up to 2^200 and no zeta from 0 to 2^-500, for their squares}
+/// @eq{23}  @derivation{batch_forms}  @domain{0 < R <= 2^200; zeta = 0 or 2^-500 <= zeta < 1}
 /// @param R  modal frequency ratio, Eq. (22)
 /// @param m  the mode
 /// @return   v_di
@@ -108,7 +108,8 @@ template <class T>
     return 2 * (e.head * e.tail) * (square * series) * inverse * delta;
 }
 
-/// @brief What of a mode's part in the sums over modes does not depend on r: \f$ \psi_{ki}\psi_{li}R_i^2=\phi_{ki}\phi_{li}/r_{n,i}^2 \f$.
+/// @brief What of a mode's part in the sums over modes does not depend on r:
+/// \f$ \psi_{ki}\psi_{li}R_i^2=\phi_{ki}\phi_{li}/r_{n,i}^2 \f$.
 template <class T>
 struct ArrayWeights {
     T load;     ///< phi_j phi_l / r_n^2, of (33)
@@ -144,8 +145,8 @@ template <class T>
 
 /// @brief What decides where (57) is largest: \f$ R\,[\,u\,(4\zeta^2-1+R^2) - \frac{2\zeta}{R}(1-g)\,] \f$.
 ///
-/// With N the velocity in (57), (57) is N / sin, and its derivative has the sign of W = N' sin - N cos, which is zero at both ends
-/// and of which the derivative is Z sin, Z = N'' + N. Z is a damped sine with zeros \f$ \pi R/w \f$ apart. The expression is
+/// With N the velocity in (57), (57) is N / sin, and its derivative has the sign of W = N' sin - N cos, which is zero at both
+/// ends and of which the derivative is Z sin, Z = N'' + N. Z is a damped sine with zeros \f$ \pi R/w \f$ apart. The expression is
 /// \f$ R\,Z(\pi) \f$, and \f$ R\,Z(0) \f$ is its opposite less \f$ 4\zeta \f$. Where it is positive and 2 R > w, Z therefore goes
 /// from negative to positive once in the half-period: W is nowhere positive, and (57) is largest for tau -> 0.
 /// @eq{57,71}  @derivation{batch_forms}  @domain{R > 0, 0 <= zeta < 1}

@@ -1,8 +1,8 @@
 /// @file
 /// @brief (23), (28), (29) of one mode over an array of frequency ratios, as separate arrays that vectors can be read from.
 ///
-/// The forms are those of `batch_forms.hpp`, one reduction of 1/R without rounding as in `mode.hpp`. What the vectors cannot answer
-/// (ratios and damping ratios outside their range, results that are not finite) is left to the scalar forms and counted. A
+/// The forms are those of `batch_forms.hpp`, one reduction of 1/R without rounding as in `mode.hpp`. What the vectors do not
+/// answer (ratios and damping ratios outside their range, results that are not finite) is left to the scalar forms and counted. A
 /// processor with wider vectors gives the same digits.
 #pragma once
 

@@ -68,7 +68,7 @@ namespace denhartog::evaluation {
 /// @brief \f$ \sin\alpha\cos\alpha \f$ and \f$ \cos^2\alpha \f$ of \f$ \alpha = \pi\,(w-\lambda)/(2R) \f$, reduced exactly.
 ///
 /// R is split into two numbers of half the digits, so that \f$ w-2nR \f$ is found without rounding for the whole n next to
-/// \f$ w/(2R) \f$. Beyond an eighth of a turn sine and cosine change places; \f$ R-|w-2nR| \f$ has no rounding error there either,
+/// \f$ w/(2R) \f$. Beyond an eighth of a turn sine and cosine change places; \f$ R-|w-2nR| \f$ is exact there too,
 /// and \f$ \lambda \f$ is taken off last: the cosine keeps its digits next to its zeros however small it is.
 /// @param R     a number from 2^-27 to 2^200
 /// @param x     1 / (2 R), rounded
@@ -101,7 +101,8 @@ namespace denhartog::evaluation {
     return {__builtin_copysign(1.0, rest) * sine * cosine, kept * kept};
 }
 
-/// @brief Coefficients of \f$ \frac{1}{q^2}\left[\frac{\sinh q\zeta}{q\zeta}-\frac{\sin qw}{qw}\right] \f$ as a polynomial in q^2.
+/// @brief Coefficients of \f$ \frac{1}{q^2}\left[\frac{\sinh q\zeta}{q\zeta}-\frac{\sin qw}{qw}\right] \f$ as a polynomial
+/// in q^2.
 struct BracketSeries {
     std::array<double, 12> c; ///< from the constant on
 };

@@ -1,5 +1,5 @@
 /// @file
-/// @brief Amplitude, phase and regime of the mass in contact over a grid of (r, beta), with everything of beta taken out of the sums.
+/// @brief Amplitude, phase and regime of the mass in contact over a grid of (r, beta): no sum is taken twice.
 ///
 /// A frequency ratio costs its modes once, \f$ |V_{dj}| \f$ and two limits; a friction ratio then costs a square root:
 /// \f[ \overline{X}_j = \sqrt{(|V_{dj}|-\beta U_{dj})(|V_{dj}|+\beta U_{dj})} - \beta G_j, \f]

@@ -74,9 +74,8 @@ RegimeAtPoint regime_at(const Boundary<T>& b, const T& beta, const BoundaryError
     RegimeAtPoint point;
     point.regime = regime_of(b, beta);
     if (point.regime == Regime::continuous) {
-        point.reason =
-            "beta = " + text(beta) + " is below beta_lim = " + text(b.exact) + ", Eq. (69): the contact " +
-            (can_rest ? "can slide" : "slides") + " throughout";
+        point.reason = "beta = " + text(beta) + " is below beta_lim = " + text(b.exact) + ", Eq. (69): the contact " +
+                       (can_rest ? "can slide" : "slides") + " throughout";
         if (can_rest) {
             point.other.push_back(Regime::permanent_sticking);
             point.reason += "; it can also rest for ever, because beta is not below " + text(*b.sticking);

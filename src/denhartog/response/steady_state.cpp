@@ -185,7 +185,8 @@ template long double wrapped(const long double&);
 template Real50 wrapped(const Real50&);
 template Real100 wrapped(const Real100&);
 template SteadyState<double> steady_state(const ModeSums<double>&, const RegimeBoundary<double>&, const double&);
-template SteadyState<long double> steady_state(const ModeSums<long double>&, const RegimeBoundary<long double>&, const long double&);
+template SteadyState<long double> steady_state(const ModeSums<long double>&, const RegimeBoundary<long double>&,
+                                               const long double&);
 template SteadyState<Real50> steady_state(const ModeSums<Real50>&, const RegimeBoundary<Real50>&, const Real50&);
 template SteadyState<Real100> steady_state(const ModeSums<Real100>&, const RegimeBoundary<Real100>&, const Real100&);
 template SteadyState<double> steady_state_at(const ModeSums<double>&, const double&, const std::vector<double>&);
