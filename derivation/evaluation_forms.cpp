@@ -1,4 +1,5 @@
 // The forms that callers get, each equal to the paper's formula as a function of its symbols.
+#include "denhartog/evaluation/contact.hpp"
 #include "denhartog/evaluation/mode.hpp"
 #include "denhartog/evaluation/resonance.hpp"
 
@@ -24,6 +25,11 @@ const Register registered([] {
     };
     const auto parts = [](const Complex<Symbolic>& v) { return Values{v.re, v.im}; };
     const auto values = [](const evaluation::DampingFunctions<Symbolic>& f) { return Values{f.u, f.g}; };
+    const std::vector<std::string> sliding{"sliding regime, beta |U_dj| <= |V_dj|", "V_dj not zero"};
+    const Symbolic U_j(s.U_j), beta(s.beta);
+    const auto any = [](const char* name, const char* latex) { return Symbolic(new_symbol(name, latex, -1, 1)); };
+    const evaluation::RootParts<Symbolic> as_rounded{any("b", "b"),     any("re_2", "a_1"), any("im_2", "a_2"),
+                                                     any("b_2", "a_3"), any("d", "a_4"),    any("all", "a_5")};
     const Symbolic R(s.R), zeta(s.zeta), scale(new_symbol("scale", "\\lambda", GiNaC::numeric(2), GiNaC::numeric(64)));
     return std::vector<Claim>{
         {.id = "evaluation/response-off-resonance",
@@ -121,6 +127,43 @@ const Register registered([] {
                          .expression();
                  const GiNaC::symbol& tau = GiNaC::ex_to<GiNaC::symbol>(s.tau);
                  return std::vector<ex>{value, value.diff(tau), value.diff(tau, 2)};
+             }},
+        {.id = "evaluation/square-of-root",
+         .equations = {"36", "38"},
+         .role = Role::shipped,
+         .title = "The square of the root of (38) from products and sums with any rounding, what each took given back",
+         .assumptions = sliding,
+         .kernel = [=] { return Values{evaluation::square_of_root(symbolic_V_j(), U_j, beta, as_rounded)}; },
+         .derived = [&s] { return std::vector<ex>{s.V_jr * s.V_jr + s.V_ji * s.V_ji - s.beta * s.beta * s.U_j * s.U_j}; }},
+        {.id = "evaluation/amplitude-of-contact",
+         .equations = {"38"},
+         .role = Role::shipped,
+         .title = "(38) from the root whose square that is",
+         .assumptions = sliding,
+         .kernel =
+             [=, &s] {
+                 return Values{evaluation::displacement_transmissibility_of_contact(symbolic_V_j(), U_j, Symbolic(s.G_j), beta)};
+             },
+         .derived =
+             [=, &s] {
+                 const Symbolic X = paper::displacement_transmissibility_of_contact(symbolic_V_j(), U_j, Symbolic(s.G_j), beta);
+                 return std::vector<ex>{X.expression()};
+             }},
+        {.id = "evaluation/phase-of-contact",
+         .equations = {"39"},
+         .role = Role::shipped,
+         .title = "The phase with the root in place of the cosine: sine and cosine of its sum with the argument of V_dj",
+         .assumptions = sliding,
+         .kernel =
+             [=, &s] {
+                 const ex phi = evaluation::phase_of_contact(symbolic_V_j(), U_j, beta).expression();
+                 const ex angle = GiNaC::atan2(s.V_ji, s.V_jr);
+                 return Values{Symbolic(GiNaC::cos(phi + angle)), Symbolic(GiNaC::sin(phi + angle))};
+             },
+         .derived =
+             [&s] {
+                 const ex modulus = GiNaC::sqrt(s.V_jr * s.V_jr + s.V_ji * s.V_ji), sine = s.beta * s.U_j / modulus;
+                 return std::vector<ex>{GiNaC::sqrt(1 - sine * sine), -sine};
              }},
         {.id = "evaluation/second-function-at-resonance",
          .equations = {"79", "80"},

@@ -77,6 +77,11 @@ Symbolic sinhc_less_sinc_over_square(const Symbolic& q, const Symbolic& zeta) {
     const Symbolic delta = q * zeta, theta = q * sqrt(1 - zeta * zeta);
     return (sinh(delta) / delta - sin(theta) / theta) / (q * q);
 }
+Symbolic product_error(const Symbolic& x, const Symbolic& y, const Symbolic& xy) { return x * y - xy; }
+Symbolic sum_error(const Symbolic& x, const Symbolic& y, const Symbolic& sum) { return x + y - sum; }
+Symbolic contact_root(const Complex<Symbolic>& V_dj, const Symbolic& U_dj, const Symbolic& beta) {
+    return sqrt(squared_modulus(V_dj) - beta * U_dj * (beta * U_dj));
+}
 SineCosine<Symbolic> sine_cosine_of_half_period(const Symbolic& R, const Symbolic& y) {
     const Symbolic angle = pi<Symbolic>() * (1 / (2 * R) - y);
     return {sin(angle), cos(angle)};

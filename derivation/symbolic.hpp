@@ -12,6 +12,7 @@
 #include <ginac/ginac.h>
 #include <string>
 
+#include "denhartog/formulas/complex.hpp"
 #include "denhartog/number.hpp"
 #include "denhartog/reduced_angle.hpp"
 
@@ -95,6 +96,9 @@ Symbolic one_minus_exp_over(const Symbolic& x);
 Symbolic sinc(const Symbolic& x);
 Symbolic sinc_pi(const Symbolic& y);
 Symbolic sinhc_less_sinc_over_square(const Symbolic& q, const Symbolic& zeta);
+Symbolic product_error(const Symbolic& x, const Symbolic& y, const Symbolic& xy);
+Symbolic sum_error(const Symbolic& x, const Symbolic& y, const Symbolic& sum);
+Symbolic contact_root(const Complex<Symbolic>& V_dj, const Symbolic& U_dj, const Symbolic& beta);
 SineCosine<Symbolic> sine_cosine_of_half_period(const Symbolic& R, const Symbolic& y);
 /// @}
 

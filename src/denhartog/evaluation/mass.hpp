@@ -2,7 +2,7 @@
 /// @brief What callers get for (44), (45): no angle is formed, and a node (a mass with no response function) is no exception.
 #pragma once
 
-#include "denhartog/formulas/contact.hpp"
+#include "denhartog/evaluation/contact.hpp"
 
 namespace denhartog::evaluation {
 
@@ -25,7 +25,7 @@ struct InitialState {
 template <class T>
 [[nodiscard]] InitialState<T> initial_state(const Complex<T>& V_dk, const Complex<T>& V_dj, const T& U_dj, const T& U_dk,
                                             const T& G_k, const T& beta) {
-    const T root = paper::contact_root(V_dj, U_dj, beta);
+    const T root = contact_root(V_dj, U_dj, beta);
     const T square = squared_modulus(V_dj);
     const T cosine = (V_dk.re * V_dj.re + V_dk.im * V_dj.im) / square;
     const T sine = (V_dk.im * V_dj.re - V_dk.re * V_dj.im) / square;

@@ -5,8 +5,8 @@
 #include <limits>
 #include <numeric>
 
+#include "denhartog/evaluation/contact.hpp"
 #include "denhartog/evaluation/mode.hpp"
-#include "denhartog/formulas/contact.hpp"
 
 namespace denhartog {
 namespace {
@@ -136,8 +136,8 @@ private:
         const Complex<Bounded> V_j = response_to(j, l);
         FewModesSolution all{{}, slides_below(V_j, U_j), modes_evaluated, 0};
         if (!(beta.x + beta.e < all.slides_below)) return std::nullopt;
-        const Bounded X_j = paper::displacement_transmissibility_of_contact(V_j, U_j, G_j, beta);
-        const Bounded phi_j = paper::phase_of_contact(V_j, U_j, beta);
+        const Bounded X_j = evaluation::displacement_transmissibility_of_contact(V_j, U_j, G_j, beta);
+        const Bounded phi_j = evaluation::phase_of_contact(V_j, U_j, beta);
         for (std::size_t k = 0; k < N(); ++k) {
             if (k == j) {
                 if (!add(all, X_j, phi_j, 0, 0)) return std::nullopt;

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "denhartog/errors.hpp"
+#include "denhartog/evaluation/contact.hpp"
 #include "denhartog/multiprecision.hpp"
 #include "denhartog/response/batch_map.hpp"
 #include "denhartog/response/stuck_response.hpp"
@@ -81,7 +82,7 @@ private:
         const double beta = map.beta[n];
         const std::size_t j = sums.contact.index;
         if (contact_alone) {
-            const double X_j = paper::displacement_transmissibility_of_contact(sums.V[j], sums.U[j], sums.G[j], beta);
+            const double X_j = evaluation::displacement_transmissibility_of_contact(sums.V[j], sums.U[j], sums.G[j], beta);
             for (std::size_t m = 0; m < map.masses.size(); ++m) write(n, m, X_j);
         } else {
             const SteadyState<double> state = steady_state(sums, limits, beta);

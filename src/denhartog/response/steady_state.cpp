@@ -1,9 +1,11 @@
 #include "denhartog/response/steady_state.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "denhartog/bounded.hpp"
 #include "denhartog/errors.hpp"
+#include "denhartog/evaluation/contact.hpp"
 #include "denhartog/formulas/motion.hpp"
 #include "denhartog/formulas/other_masses.hpp"
 #include "denhartog/model/point_rules.hpp"
@@ -68,29 +70,14 @@ void check_sliding(const RegimeBoundary<T>& boundary, const T& beta) {
                       " is not below beta_lim = " + number_to_text(boundary.exact) + ", Eq. (69)");
 }
 
-// Everything but amplitude, instant and phase of the masses not in contact.
+// An instant that rounding may have put a little outside the half-period, in it.
 template <class T>
-SteadyState<T> start(const ModeSums<T>& s, const T& beta) {
-    const std::size_t j = s.contact.index;
-    SteadyState<T> state;
-    state.beta = beta;
-    state.X_j = paper::displacement_transmissibility_of_contact(s.V[j], s.U[j], s.G[j], beta);
-    if (!(state.X_j >= 0)) throw DomainError("beta lies beyond the sliding regime: the amplitude (38) is not a positive number");
-    state.phi_j = wrapped(paper::phase_of_contact(s.V[j], s.U[j], beta));
-    for (std::size_t k = 0; k < s.V.size(); ++k) {
-        MassResponse<T> m{};
-        if (k == j) {
-            m = {state.X_j, T(0), state.X_j, T(0), state.phi_j, state.X_j, state.phi_j, T(0)};
-        } else {
-            const evaluation::InitialState<T> at_0 = evaluation::initial_state(s.V[k], s.V[j], s.U[j], s.U[k], s.G[k], beta);
-            m.x0 = at_0.x_k0;
-            m.v0 = at_0.x_prime_k0;
-            m.amplitude_monoharmonic = modulus(Complex<T>{m.x0, m.v0});
-            m.phase_monoharmonic = wrapped(T(state.phi_j + paper::phase_behind_contact(m.x0, m.v0)));
-        }
-        state.masses.push_back(m);
-    }
-    return state;
+T in_half_period(const T& tau) {
+    return std::clamp(tau, T(0), pi<T>());
+}
+Bounded in_half_period(const Bounded& tau) {
+    const double inside = std::clamp(tau.x, 0.0, pi<double>());
+    return {inside, tau.e + std::abs(tau.x - inside)};
 }
 
 template <class T>
@@ -137,9 +124,33 @@ T wrapped(const T& angle) {
 }
 
 template <class T>
+SteadyState<T> steady_state_without_maxima(const ModeSums<T>& s, const T& beta) {
+    const std::size_t j = s.contact.index;
+    SteadyState<T> state;
+    state.beta = beta;
+    state.X_j = evaluation::displacement_transmissibility_of_contact(s.V[j], s.U[j], s.G[j], beta);
+    if (!(state.X_j >= 0)) throw DomainError("beta lies beyond the sliding regime: the amplitude (38) is not a positive number");
+    state.phi_j = wrapped(evaluation::phase_of_contact(s.V[j], s.U[j], beta));
+    for (std::size_t k = 0; k < s.V.size(); ++k) {
+        MassResponse<T> m{};
+        if (k == j) {
+            m = {state.X_j, T(0), state.X_j, T(0), state.phi_j, state.X_j, state.phi_j, T(0)};
+        } else {
+            const evaluation::InitialState<T> at_0 = evaluation::initial_state(s.V[k], s.V[j], s.U[j], s.U[k], s.G[k], beta);
+            m.x0 = at_0.x_k0;
+            m.v0 = at_0.x_prime_k0;
+            m.amplitude_monoharmonic = modulus(Complex<T>{m.x0, m.v0});
+            m.phase_monoharmonic = wrapped(T(state.phi_j + paper::phase_behind_contact(m.x0, m.v0)));
+        }
+        state.masses.push_back(m);
+    }
+    return state;
+}
+
+template <class T>
 SteadyState<T> steady_state(const ModeSums<T>& s, const RegimeBoundary<T>& boundary, const T& beta) {
     check_sliding(boundary, beta);
-    SteadyState<T> state = start(s, beta);
+    SteadyState<T> state = steady_state_without_maxima(s, beta);
     FrictionMotions<T> y(s, 0, s.R.size());
     for (std::size_t k = 0; k < state.masses.size(); ++k)
         if (k != s.contact.index) find_maximum(s, y, state, k);
@@ -148,7 +159,7 @@ SteadyState<T> steady_state(const ModeSums<T>& s, const RegimeBoundary<T>& bound
 
 template <class T>
 SteadyState<T> steady_state_at(const ModeSums<T>& s, const T& beta, const std::vector<T>& instants) {
-    SteadyState<T> state = start(s, beta);
+    SteadyState<T> state = steady_state_without_maxima(s, beta);
     for (std::size_t k = 0; k < state.masses.size(); ++k) {
         if (k == s.contact.index) continue;
         MassResponse<T>& m = state.masses[k];
@@ -168,14 +179,22 @@ SteadyState<T> steady_state_at(const ModeSums<T>& s, const T& beta, const std::v
 template <class T>
 Motion<T> motion(const ModeSums<T>& s, const SteadyState<T>& state, const T& tau) {
     const T halves = floor(T(tau / pi<T>()));
-    const T in_half_period = std::clamp(T(tau - halves * pi<T>()), T(0), pi<T>());
+    const T instant = in_half_period(T(tau - halves * pi<T>()));
     const bool mirrored = halves - 2 * floor(T(halves / 2)) != 0;
-    const std::vector<evaluation::FrictionMotion<T>> y = friction_motions(s, in_half_period);
+    const std::vector<evaluation::FrictionMotion<T>> y = friction_motions(s, instant);
     Motion<T> all;
+    const T C = cos(instant), S = sin(instant);
     for (std::size_t k = 0; k < state.masses.size(); ++k) {
-        const Kinematics<T> at = kinematics(s, k, state.masses[k], state.beta, friction_weights(s, k), y, in_half_period);
-        all.x.push_back(mirrored ? T(-at.x) : at.x);
-        all.x_prime.push_back(mirrored ? T(-at.x_prime) : at.x_prime);
+        const T A = times_cosine(s.V[k], state.phi_j), B = -times_sine(s.V[k], state.phi_j);
+        const std::vector<T> weights = friction_weights(s, k);
+        T F_k(0), F_prime(0);
+        for (std::size_t i = 0; i < y.size(); ++i) {
+            F_k += weights[i] * y[i].value;
+            F_prime += weights[i] * y[i].prime;
+        }
+        const T x = A * C + B * S + state.beta * F_k, x_prime = B * C - A * S + state.beta * F_prime;
+        all.x.push_back(mirrored ? T(-x) : x);
+        all.x_prime.push_back(mirrored ? T(-x_prime) : x_prime);
     }
     return all;
 }
@@ -195,6 +214,10 @@ template SteadyState<long double> steady_state_at(const ModeSums<long double>&, 
 template SteadyState<Real50> steady_state_at(const ModeSums<Real50>&, const Real50&, const std::vector<Real50>&);
 template SteadyState<Real100> steady_state_at(const ModeSums<Real100>&, const Real100&, const std::vector<Real100>&);
 template SteadyState<Bounded> steady_state_at(const ModeSums<Bounded>&, const Bounded&, const std::vector<Bounded>&);
+template SteadyState<Bounded> steady_state_without_maxima(const ModeSums<Bounded>&, const Bounded&);
+template SteadyState<Real50> steady_state_without_maxima(const ModeSums<Real50>&, const Real50&);
+template SteadyState<Real100> steady_state_without_maxima(const ModeSums<Real100>&, const Real100&);
+template Motion<Bounded> motion(const ModeSums<Bounded>&, const SteadyState<Bounded>&, const Bounded&);
 template Motion<double> motion(const ModeSums<double>&, const SteadyState<double>&, const double&);
 template Motion<long double> motion(const ModeSums<long double>&, const SteadyState<long double>&, const long double&);
 template Motion<Real50> motion(const ModeSums<Real50>&, const SteadyState<Real50>&, const Real50&);

@@ -48,6 +48,15 @@ struct Motion {
 template <class T>
 [[nodiscard]] SteadyState<T> steady_state(const ModeSums<T>& sums, const RegimeBoundary<T>& boundary, const T& beta);
 
+/// @brief What the steady state needs no search for: amplitude and phase of the mass in contact, initial values of every mass.
+/// @eq{38,39,44,45,52,53}
+/// @param sums  modes at a frequency ratio
+/// @param beta  friction ratio, Eq. (11), in the sliding regime
+/// @return      the steady state; instant, amplitude and phase of the masses not in contact are zero
+/// @throws      DomainError where the amplitude (38) is not a positive number
+template <class T>
+[[nodiscard]] SteadyState<T> steady_state_without_maxima(const ModeSums<T>& sums, const T& beta);
+
 /// @brief The same steady state in another number type, with the instants of the maxima known: what a check costs.
 /// @param sums      modes at a frequency ratio
 /// @param beta      friction ratio, Eq. (11), in the sliding regime
@@ -57,8 +66,9 @@ template <class T>
 template <class T>
 [[nodiscard]] SteadyState<T> steady_state_at(const ModeSums<T>& sums, const T& beta, const std::vector<T>& instants);
 
-/// @brief Motion of all masses, (41) over the half-period and antisymmetric beyond.
-/// @eq{41}
+/// @brief Motion of all masses, (41) over the half-period and antisymmetric beyond, its harmonic part by (42), (43) from V_dk and
+/// phi_j: what the initial values have of friction is not added only to be subtracted.
+/// @eq{41,42,43}
 /// @param sums   modes at a frequency ratio
 /// @param state  the steady state there
 /// @param tau    any non-dimensional time; zero at a maximum of x_j

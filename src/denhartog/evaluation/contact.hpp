@@ -1,0 +1,103 @@
+/// @file
+/// @brief What callers get for (38), (39): the root and the phase without the cancellation near the end of their domain.
+///
+/// Where \f$ \beta|U_{dj}| \f$ comes near \f$ |V_{dj}| \f$ the squares under the root cancel, and what their roundings took is all
+/// that is left. Here every product comes with what its rounding took, and is summed with it: the root is as exact as V, U and
+/// beta are. In number types without a fused multiply-add the products stand as they are.
+#pragma once
+
+#include <cmath>
+#include <concepts>
+
+#include "denhartog/formulas/contact.hpp"
+
+namespace denhartog::evaluation {
+
+/// @brief What the rounding of a product took: \f$ xy - \mathrm{fl}(xy) \f$. @param x a number @param y a number
+/// @param xy  their product as rounded
+/// @return    the rest, exact in binary floating-point types with a fused multiply-add; 0 in others
+template <class T>
+[[nodiscard]] T product_error(const T& x, const T& y, const T& xy) {
+    if constexpr (std::floating_point<T>)
+        return std::fma(x, y, -xy);
+    else
+        return T(0);
+}
+
+/// @brief What the rounding of a sum took. @param x a number @param y a number @param sum their sum as rounded
+/// @return the rest, exact in binary floating-point types; 0 in others
+template <class T>
+[[nodiscard]] T sum_error(const T& x, const T& y, const T& sum) {
+    if constexpr (std::floating_point<T>) {
+        const T of_y = sum - x;
+        return (x - (sum - of_y)) + (y - of_y);
+    } else {
+        return T(0);
+    }
+}
+
+/// @brief What the root is made of, each number as it was rounded.
+template <class T>
+struct RootParts {
+    T b;            ///< beta U
+    T re_2;         ///< square of the real part of V
+    T im_2;         ///< square of its imaginary part
+    T b_2;          ///< square of b
+    T re_2_less_b_2; ///< their difference
+    T all;          ///< that and im_2
+};
+
+/// @brief The square of the root from its parts, whatever their roundings: what each took is given back.
+/// @eq{36,38}  @derivation{evaluation_forms}  @domain{sliding regime, Eq. (69): |V_dj| >= beta |U_dj|}
+/// @param V_dj  complex response function of the mass in contact, Eq. (33)
+/// @param U_dj  first damping function of the mass in contact, Eq. (34)
+/// @param beta  friction ratio, Eq. (11)
+/// @param p     the parts as rounded
+/// @return      |V|^2 - (beta U)^2
+template <class T>
+[[nodiscard]] T square_of_root(const Complex<T>& V_dj, const T& U_dj, const T& beta, const RootParts<T>& p) {
+    const T b_rest = product_error(beta, U_dj, p.b);
+    const T squares = product_error(V_dj.re, V_dj.re, p.re_2) + product_error(V_dj.im, V_dj.im, p.im_2) -
+                      product_error(p.b, p.b, p.b_2);
+    const T sums = sum_error(p.re_2, T(-p.b_2), p.re_2_less_b_2) + sum_error(p.re_2_less_b_2, p.im_2, p.all);
+    return p.all + (squares + sums - b_rest * (2 * p.b + b_rest));
+}
+
+/// @brief \f$ \sqrt{|V_{dj}|^2-(\beta U_{dj})^2} \f$ with the roundings of the products made good.
+/// @eq{36,38}  @derivation{evaluation_forms}  @domain{sliding regime, Eq. (69): |V_dj| >= beta |U_dj|}
+/// @param V_dj  complex response function of the mass in contact, Eq. (33)
+/// @param U_dj  first damping function of the mass in contact, Eq. (34)
+/// @param beta  friction ratio, Eq. (11)
+/// @return      the root for V, U and beta as they are; not a number beyond the domain
+template <class T>
+[[nodiscard]] T contact_root(const Complex<T>& V_dj, const T& U_dj, const T& beta) {
+    const T b = beta * U_dj;
+    const T re_2 = V_dj.re * V_dj.re, im_2 = V_dj.im * V_dj.im, b_2 = b * b;
+    const T difference = re_2 - b_2;
+    return sqrt(square_of_root(V_dj, U_dj, beta, RootParts<T>{b, re_2, im_2, b_2, difference, T(difference + im_2)}));
+}
+
+/// @brief (38) with the root above. @eq{38}  @derivation{evaluation_forms}  @domain{sliding regime, Eq. (69)}
+/// @param V_dj  complex response function of the mass in contact, Eq. (33)
+/// @param U_dj  first damping function of the mass in contact, Eq. (34)
+/// @param G_j   second damping function of the mass in contact, Eq. (35)
+/// @param beta  friction ratio, Eq. (11)
+/// @return      X_j, in units of P / k_1
+template <class T>
+[[nodiscard]] T displacement_transmissibility_of_contact(const Complex<T>& V_dj, const T& U_dj, const T& G_j, const T& beta) {
+    return contact_root(V_dj, U_dj, beta) - beta * G_j;
+}
+
+/// @brief (39) with the root above in place of the sine's cosine, which cancels where the sine comes near 1.
+/// \f[ \phi_j = \mathrm{atan2}\left(-\beta U_{dj},\ \sqrt{|V_{dj}|^2-(\beta U_{dj})^2}\right) - \angle V_{dj} \f]
+/// @eq{39}  @derivation{evaluation_forms}  @domain{sliding regime, Eq. (69)}
+/// @param V_dj  complex response function of the mass in contact, Eq. (33)
+/// @param U_dj  first damping function of the mass in contact, Eq. (34)
+/// @param beta  friction ratio, Eq. (11)
+/// @return      phi_j, radians
+template <class T>
+[[nodiscard]] T phase_of_contact(const Complex<T>& V_dj, const T& U_dj, const T& beta) {
+    return atan2(T(-(beta * U_dj)), contact_root(V_dj, U_dj, beta)) - argument(V_dj);
+}
+
+} // namespace denhartog::evaluation
