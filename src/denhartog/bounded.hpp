@@ -1,6 +1,7 @@
 /// @file
 /// @brief A double with a bound of its error: rounding errors and errors of the input, followed through every operation.
 ///
+/// What the rounding of a sum, product, quotient or root took is computed, not estimated.
 /// The formulas are templates on their number type; on this one they give the error of what they give on double, without a
 /// second computation in more digits. Errors are taken as if independent and of the worst sign, so that the bound is never too
 /// small for the operations carried out and often some times too large. Comparisons compare the values alone.
@@ -38,24 +39,50 @@ struct Bounded {
     Bounded& operator/=(const Bounded& b); ///< divides
 };
 
-/// @brief A result rounded once, or by a library function to within a unit in the last place.
-/// @param x  the result
-/// @param e  what the errors of the operands make of it
-/// @return   the number with both
-[[nodiscard]] inline Bounded rounded(double x, double e) {
+/// @brief A result with a bound. Where the bound is no number, as of zero times something unbounded, or the result is none, there
+/// is no bound: it is infinite.
+/// @param x         the result
+/// @param e         what the errors of the operands make of it
+/// @param rounding  how far its own rounding may have moved it
+/// @return          the number with both
+[[nodiscard]] inline Bounded with_bound(double x, double e, double rounding) {
     constexpr double unit = std::numeric_limits<double>::epsilon();
-    return {x, e * (1 + 8 * unit) + unit * std::abs(x) + std::numeric_limits<double>::min()};
+    const double bound = (e + rounding) * (1 + 8 * unit) + std::numeric_limits<double>::min();
+    return {x, bound >= 0 && std::isfinite(x) ? bound : std::numeric_limits<double>::infinity()};
 }
 
+/// @brief The result of a library function. @param x the result @param e what the errors of the operands make of it
+/// @param units  how many units in the last place the function is trusted with
+/// @return       the number with both
+[[nodiscard]] inline Bounded rounded(double x, double e, double units) {
+    return with_bound(x, e, units * std::numeric_limits<double>::epsilon() * std::abs(x));
+}
+
+/// @brief What the rounding of a sum took. @param a a number @param b a number @param sum their sum as rounded @return its size
+[[nodiscard]] inline double rounding_of_sum(double a, double b, double sum) {
+    const double of_b = sum - a;
+    return std::abs((a - (sum - of_b)) + (b - of_b));
+}
+
+/// @brief Units in the last place that the library's exponential, sine, cosine and arc tangent are trusted with.
+constexpr double library_units = 0.6;
+/// @brief The same for hyperbolic functions and those of pi times x, which are made of others.
+constexpr double composed_units = 2;
+
 [[nodiscard]] inline Bounded operator-(const Bounded& a) { return {-a.x, a.e}; }
-[[nodiscard]] inline Bounded operator+(const Bounded& a, const Bounded& b) { return rounded(a.x + b.x, a.e + b.e); }
-[[nodiscard]] inline Bounded operator-(const Bounded& a, const Bounded& b) { return rounded(a.x - b.x, a.e + b.e); }
+[[nodiscard]] inline Bounded operator+(const Bounded& a, const Bounded& b) {
+    const double sum = a.x + b.x;
+    return with_bound(sum, a.e + b.e, rounding_of_sum(a.x, b.x, sum));
+}
+[[nodiscard]] inline Bounded operator-(const Bounded& a, const Bounded& b) { return a + -b; }
 [[nodiscard]] inline Bounded operator*(const Bounded& a, const Bounded& b) {
-    return rounded(a.x * b.x, std::abs(a.x) * b.e + std::abs(b.x) * a.e + a.e * b.e);
+    const double product = a.x * b.x;
+    return with_bound(product, std::abs(a.x) * b.e + std::abs(b.x) * a.e + a.e * b.e, std::abs(std::fma(a.x, b.x, -product)));
 }
 [[nodiscard]] inline Bounded operator/(const Bounded& a, const Bounded& b) {
     const double q = a.x / b.x, least = std::abs(b.x) - b.e;
-    return rounded(q, least > 0 ? (a.e + std::abs(q) * b.e) / least : std::numeric_limits<double>::infinity());
+    return with_bound(q, least > 0 ? (a.e + std::abs(q) * b.e) / least : std::numeric_limits<double>::infinity(),
+                      std::abs(std::fma(-q, b.x, a.x) / b.x));
 }
 inline Bounded& Bounded::operator+=(const Bounded& b) { return *this = *this + b; }
 inline Bounded& Bounded::operator-=(const Bounded& b) { return *this = *this - b; }
@@ -68,26 +95,39 @@ inline Bounded& Bounded::operator/=(const Bounded& b) { return *this = *this / b
 [[nodiscard]] inline bool operator==(const Bounded& a, const Bounded& b) { return a.x == b.x; }
 [[nodiscard]] inline bool operator!=(const Bounded& a, const Bounded& b) { return a.x != b.x; }
 
-/// @brief Square root. @param a a number @return its root; of a number that may be zero, with an error as large as the root
+/// @brief Square root. @param a a number @return its root; of one that may be zero, or negative by its error, an error as large
 [[nodiscard]] inline Bounded sqrt(const Bounded& a) {
+    if (a.x < 0 && a.x + a.e >= 0) return with_bound(0, std::sqrt(a.x + a.e), 0);
     const double root = std::sqrt(a.x);
-    return rounded(root, a.x > 4 * a.e ? a.e / (root + std::sqrt(a.x - a.e)) : std::sqrt(std::max(0.0, a.x) + a.e));
+    return with_bound(root, a.x > 4 * a.e ? a.e / (root + std::sqrt(a.x - a.e)) : std::sqrt(a.x + a.e),
+                      root > 0 ? std::abs(std::fma(-root, root, a.x)) / root : 0);
 }
 /// @brief Exponential. @param a a number @return exp(a)
-[[nodiscard]] inline Bounded exp(const Bounded& a) { return rounded(std::exp(a.x), std::exp(a.x) * std::expm1(a.e)); }
+[[nodiscard]] inline Bounded exp(const Bounded& a) {
+    return rounded(std::exp(a.x), std::exp(a.x) * std::expm1(a.e), library_units);
+}
 /// @brief Sine. @param a radians @return sin(a)
-[[nodiscard]] inline Bounded sin(const Bounded& a) { return rounded(std::sin(a.x), std::min(2.0, a.e)); }
+[[nodiscard]] inline Bounded sin(const Bounded& a) {
+    return rounded(std::sin(a.x), std::min(2.0, a.e > 0 ? a.e * (std::abs(std::cos(a.x)) + a.e) : 0), library_units);
+}
 /// @brief Cosine. @param a radians @return cos(a)
-[[nodiscard]] inline Bounded cos(const Bounded& a) { return rounded(std::cos(a.x), std::min(2.0, a.e)); }
+[[nodiscard]] inline Bounded cos(const Bounded& a) {
+    return rounded(std::cos(a.x), std::min(2.0, a.e > 0 ? a.e * (std::abs(std::sin(a.x)) + a.e) : 0), library_units);
+}
 /// @brief Hyperbolic cosine. @param a a number @return cosh(a)
-[[nodiscard]] inline Bounded cosh(const Bounded& a) { return rounded(std::cosh(a.x), std::sinh(std::abs(a.x) + a.e) * a.e); }
+[[nodiscard]] inline Bounded cosh(const Bounded& a) {
+    return rounded(std::cosh(a.x), std::sinh(std::abs(a.x) + a.e) * a.e, composed_units);
+}
 /// @brief Hyperbolic sine. @param a a number @return sinh(a)
-[[nodiscard]] inline Bounded sinh(const Bounded& a) { return rounded(std::sinh(a.x), std::cosh(std::abs(a.x) + a.e) * a.e); }
+[[nodiscard]] inline Bounded sinh(const Bounded& a) {
+    return rounded(std::sinh(a.x), std::cosh(std::abs(a.x) + a.e) * a.e, composed_units);
+}
 /// @brief Angle of the point (x, y). @param y ordinate @param x abscissa @return radians in (-pi, pi]
 [[nodiscard]] inline Bounded atan2(const Bounded& y, const Bounded& x) {
-    const double distance = std::hypot(x.x, y.x), error = std::hypot(x.e, y.e);
-    const double angle = std::atan2(y.x, x.x);
-    return rounded(angle, error < distance ? std::asin(error / distance) : 2 * std::numbers::pi);
+    const double size = std::max(std::abs(x.x), std::abs(y.x)), X = std::abs(x.x) / size, Y = std::abs(y.x) / size;
+    const double across = X * (y.e / size) + Y * (x.e / size), along = X * X + Y * Y - X * (x.e / size) - Y * (y.e / size);
+    return rounded(std::atan2(y.x, x.x), along > 0 ? std::atan(across / along) * (1 + 1e-15) : 2 * std::numbers::pi,
+                   library_units);
 }
 /// @brief Largest whole number not above the value. @param a a number @return an exact whole number
 [[nodiscard]] inline Bounded floor(const Bounded& a) { return {std::floor(a.x)}; }
@@ -95,11 +135,17 @@ inline Bounded& Bounded::operator/=(const Bounded& b) { return *this = *this / b
 [[nodiscard]] inline Bounded abs(const Bounded& a) { return a.x < 0 ? -a : a; }
 
 /// @brief \f$ \sin(\pi x) \f$. @param a a number @return sin(pi a)
-[[nodiscard]] inline Bounded sin_pi(const Bounded& a) { return rounded(boost::math::sin_pi(a.x), std::min(2.0, 4 * a.e)); }
+[[nodiscard]] inline Bounded sin_pi(const Bounded& a) {
+    return rounded(boost::math::sin_pi(a.x), std::min(2.0, 4 * a.e), composed_units);
+}
 /// @brief \f$ \cos(\pi x) \f$. @param a a number @return cos(pi a)
-[[nodiscard]] inline Bounded cos_pi(const Bounded& a) { return rounded(boost::math::cos_pi(a.x), std::min(2.0, 4 * a.e)); }
+[[nodiscard]] inline Bounded cos_pi(const Bounded& a) {
+    return rounded(boost::math::cos_pi(a.x), std::min(2.0, 4 * a.e), composed_units);
+}
 /// @brief \f$ e^x - 1 \f$. @param a a number @return exp(a) - 1
-[[nodiscard]] inline Bounded exp_minus_one(const Bounded& a) { return rounded(std::expm1(a.x), std::exp(a.x) * std::expm1(a.e)); }
+[[nodiscard]] inline Bounded exp_minus_one(const Bounded& a) {
+    return rounded(std::expm1(a.x), std::exp(a.x) * std::expm1(a.e), composed_units);
+}
 /// @brief Sine and cosine of \f$ \pi\,[1/(2R) - y] \f$. @param R a positive number @param y a number
 /// @return both, with what the errors of R and y make of them
 [[nodiscard]] inline SineCosine<Bounded> sine_cosine_of_half_period(const Bounded& R, const Bounded& y) {
@@ -107,14 +153,14 @@ inline Bounded& Bounded::operator/=(const Bounded& b) { return *this = *this / b
     const double unit = std::numeric_limits<double>::epsilon();
     const double by_R = R.e > 0 ? (R.e < R.x ? 2 * R.e / (R.x * (R.x - R.e)) : 2) : 0; // 2 is more than pi / 2
     const double error = std::min(2.0, by_R + 4 * y.e + 8 * unit * std::abs(y.x));     // y is rounded once more there
-    return {rounded(f.s, error + 2 * unit * std::abs(f.s)), rounded(f.c, error + 2 * unit * std::abs(f.c))};
+    return {rounded(f.s, error, 2.5), rounded(f.c, error, 2.5)};
 }
 
 /// @brief pi as a number with its error.
 template <>
 struct PiOf<Bounded> {
-    /// @return pi to half a unit in its last place
-    static Bounded value() { return {std::numbers::pi, std::numeric_limits<double>::epsilon()}; }
+    /// @return pi, and what its double lacks
+    static Bounded value() { return {std::numbers::pi, 1.2247e-16}; }
 };
 
 } // namespace denhartog

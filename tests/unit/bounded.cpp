@@ -69,6 +69,17 @@ TEST_CASE("a quotient by what may be zero and an angle of what may be the origin
     CHECK(sqrt(Bounded(0.0, 1e-8)).e >= 1e-4);
 }
 
+TEST_CASE("where nothing bounds an error the bound is infinite, never not a number", "[accuracy]") {
+    const double infinite = std::numeric_limits<double>::infinity();
+    const Bounded open = Bounded(1) / Bounded(0.0, 1.0), wide(1.0, infinite);
+    for (const Bounded& b :
+         {Bounded(Bounded(0) * wide), Bounded(wide - wide), Bounded(wide * Bounded(0)), Bounded(wide / wide),
+          Bounded(open * Bounded(0)), sqrt(Bounded(-1.0)), exp(Bounded(-1e4, infinite)), Bounded(Bounded(0) / 0)})
+        CHECK(b.e == infinite);
+    CHECK(sqrt(Bounded(-1e-20, 1e-16)).e > 0.99e-8); // negative by its error
+    CHECK(sqrt(Bounded(-1e-20, 1e-16)).x == 0);
+}
+
 TEST_CASE("the functions of a mode on bounded numbers hold their bounds", "[eq:23][eq:28][eq:29][accuracy]") {
     Source source;
     for (int n = 0; n < 300; ++n) {

@@ -1,5 +1,6 @@
 #include "denhartog/response/bounded_response.hpp"
 
+#include "denhartog/errors.hpp"
 #include "denhartog/model/sample_scenes.hpp"
 #include "denhartog/response/scene_source.hpp"
 #include "tests/catch.hpp"
@@ -67,4 +68,20 @@ TEST_CASE("the bounds widen where the modes lie close together", "[accuracy]") {
         return largest;
     };
     CHECK(error(near_modes) > 4 * error(far_modes));
+}
+
+TEST_CASE("next to the pole of a mode without damping there is no bound, and solve takes more digits", "[domain][accuracy]") {
+    for (const double r : {1.0 / 3, 1.0 / 3 * (1 + 0x1p-50), 1 + 0x1p-52}) {
+        Scene<double> scene = oscillator(0, r);
+        scene.beta = 0.001;
+        BoundedModes modes(scene, modal_basis(scene.system));
+        double relative = std::numeric_limits<double>::infinity();
+        try {
+            relative = bounded_response(scene, modes).relative;
+        } catch (const DomainError&) {
+        } catch (const PrecisionError&) {
+        }
+        INFO("r = " << hexadecimal(r));
+        CHECK(relative > 0.01);
+    }
 }

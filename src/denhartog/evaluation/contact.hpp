@@ -1,7 +1,7 @@
 /// @file
 /// @brief What callers get for (38), (39): the root and the phase without the cancellation near the end of their domain.
 ///
-/// Where \f$ \beta|U_{dj}| \f$ comes near \f$ |V_{dj}| \f$ the squares under the root cancel, and what their roundings took is all
+/// Where \f$ \beta|U_{dj}| \f$ comes near \f$ |V_{dj}| \f$ the squares under the root cancel: what their roundings took is all
 /// that is left. Here every product comes with what its rounding took, and is summed with it: the root is as exact as V, U and
 /// beta are. In number types without a fused multiply-add the products stand as they are.
 #pragma once

@@ -1,6 +1,7 @@
 #include "denhartog/response/answer.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <limits>
 
 #include "denhartog/errors.hpp"
@@ -8,6 +9,8 @@
 
 namespace denhartog {
 namespace {
+
+std::atomic<long> steps{0};
 
 constexpr int most_digits_in_double = 15;
 constexpr int most_digits_in_50 = 45;
@@ -158,6 +161,7 @@ Answer answer(const SceneSource& source, std::optional<int> digits) {
             if (stays) throw;
             before = std::string("in double: ") + e.what() + "; ";
         }
+        count_precision_step();
     }
     if (wanted <= most_digits_in_50) {
         try {
@@ -170,9 +174,14 @@ Answer answer(const SceneSource& source, std::optional<int> digits) {
         } catch (const PrecisionError& e) {
             before += std::string("in 50 digits: ") + e.what() + "; ";
         }
+        count_precision_step();
     }
     const Measured<Real100> m = in_100_digits(source);
     return answered(m, "100 digits", before + "measured in 50 digits and scaled: " + verdict(m, wanted, aim), reached(m, wanted));
 }
+
+long precision_steps() { return steps; }
+
+void count_precision_step() { ++steps; }
 
 } // namespace denhartog

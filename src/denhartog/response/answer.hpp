@@ -50,4 +50,11 @@ constexpr int digits_by_default = 6;
 /// @throws        InputError for a bad scene or bad digits; DomainError at a pole of a mode without damping
 [[nodiscard]] Answer answer(const SceneSource& scene, std::optional<int> digits = std::nullopt);
 
+/// @brief How often a computation did not have the digits and the next precision was taken, since the program started.
+/// @return the count over `answer`, `quantities` and `solve`; tests gate on it
+[[nodiscard]] long precision_steps();
+
+/// @brief Counts such a step.
+void count_precision_step();
+
 } // namespace denhartog

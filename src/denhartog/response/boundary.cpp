@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 
 #include "denhartog/bounded.hpp"
 #include "denhartog/errors.hpp"
@@ -88,6 +89,23 @@ T instant_of_largest(const ModeSums<T>& s, std::size_t first, const std::vector<
     return global_maximum(curve, T(0), pi<T>()).instant;
 }
 
+// Zero in place of a number without a digit; of one with a bound, with what it may be.
+template <class T>
+T zero_for(const T&) {
+    return T(0);
+}
+Bounded zero_for(const Bounded& x) { return {0, std::abs(x.x) + x.e}; }
+
+// V_dj without a digit: by the size of its terms or, where there is one, by its bound.
+template <class T>
+bool unmoved(const ModeSums<T>& s) {
+    return contact_is_unmoved(s);
+}
+bool unmoved(const ModeSums<Bounded>& s) {
+    const Bounded size = modulus(s.V[s.contact.index]);
+    return !(size.x > size.e);
+}
+
 template <class T>
 T static_demand(const ModeSums<T>& s, const T& mu) {
     return paper::static_friction_demand(s.H_j, mu, s.sum_of_squares);
@@ -95,7 +113,8 @@ T static_demand(const ModeSums<T>& s, const T& mu) {
 
 template <class T>
 Complex<T> response_that_counts(const ModeSums<T>& s) {
-    return contact_is_unmoved(s) ? Complex<T>{T(0), T(0)} : s.V[s.contact.index];
+    const Complex<T>& V_dj = s.V[s.contact.index];
+    return unmoved(s) ? Complex<T>{zero_for(V_dj.re), zero_for(V_dj.im)} : V_dj;
 }
 
 template <class T>
@@ -174,6 +193,7 @@ template double sliding_demand(const ModeSums<double>&, const double&);
 template long double sliding_demand(const ModeSums<long double>&, const long double&);
 template Real50 sliding_demand(const ModeSums<Real50>&, const Real50&);
 template Real100 sliding_demand(const ModeSums<Real100>&, const Real100&);
+template Bounded sliding_demand(const ModeSums<Bounded>&, const Bounded&);
 template double instant_of_largest_demand(const ModeSums<double>&);
 template long double instant_of_largest_demand(const ModeSums<long double>&);
 template Real50 instant_of_largest_demand(const ModeSums<Real50>&);

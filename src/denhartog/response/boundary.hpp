@@ -92,4 +92,12 @@ template <class T>
 template <class T>
 [[nodiscard]] T sliding_demand(const ModeSums<T>& sums, const T& tau);
 
+/// @brief Where the sum over the modes of (57)'s expression is largest, guaranteed by `global_maximum`.
+/// @eq{56,57}
+/// @param sums  modes at a frequency ratio
+/// @return      non-dimensional time in [0, pi]; 0 stands for the limit
+/// @throws      PrecisionError where the maximum is not settled
+template <class T>
+[[nodiscard]] T instant_of_largest_demand(const ModeSums<T>& sums);
+
 } // namespace denhartog

@@ -5,7 +5,8 @@
 ///  1. the closed form in double with error bounds known beforehand, on the modes that matter where amplitudes or phases alone
 ///     are asked for: the others by their static displacement, motions but that of the contact by their first harmonic, all of it
 ///     with bounds of what is left out;
-///  2. the closed form in double on all modes with error bounds known beforehand;
+///  2. the closed form in double on all modes with error bounds known beforehand, first with the modes of double, then with those
+///     of long double; V and U of a chain without damping without a sum over modes where that is sharper;
 ///  3. the closed form in double, 50 and 100 digits with measured errors, see `answer`;
 ///  4. for a contact that rests the stuck response, in double with the bound that its residual gives, else measured;
 ///  5. the exact solver's periodic orbit, in double, then in 50 digits.

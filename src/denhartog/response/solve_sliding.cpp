@@ -7,8 +7,10 @@
 namespace denhartog {
 namespace {
 
-constexpr int most_digits_bounded = 13;  // beyond, bounds known beforehand are too wide
-constexpr int most_digits_few_modes = 8; // beyond, harmonics and static modes are too coarse
+constexpr int most_digits_bounded = 13;         // beyond, bounds known beforehand are too wide
+constexpr int most_digits_bounded_sharply = 14; // the same with the modes of long double
+constexpr int most_digits_few_modes = 8;        // beyond, harmonics and static modes are too coarse
+constexpr std::size_t most_masses_sharp = 40;   // beyond, the eigen-solve in long double costs more than it may save
 
 template <class T>
 void write_closed_form(const SolveTask& task, const Response<T>& response, Solution& s) {
@@ -26,17 +28,16 @@ void write_closed_form(const SolveTask& task, const Response<T>& response, Solut
     s.relative_error = task.found.relative_error;
 }
 
-bool take_bounded(SolveTask& task) {
+bool take_bounded(SolveTask& task, BoundedModes& modes, const std::string& before) {
     try {
-        if (!task.modes) return false;
         const bool with_motion = task.question.asked != Asked::regime || task.scene.mu > 1;
-        const BoundedResponse bounded = bounded_response(task.scene, *task.modes, with_motion);
+        const BoundedResponse bounded = bounded_response(task.scene, modes, with_motion);
         if (!(bounded.relative <= task.tolerance) || bounded.response.regime->on_boundary) return false;
         task.phase_error = bounded.phase_error;
         const bool slides = bounded.response.steady_state.has_value();
         task.found = {bounded.response,
                       {slides ? "closed form" : "boundary of the sliding regime", "double",
-                       "the error bound known beforehand leaves the " + task.aim},
+                       before + "the error bound known beforehand leaves the " + task.aim},
                       true,
                       bounded.relative};
         return true;
@@ -74,7 +75,15 @@ bool answer_by_few_modes(SolveTask& task, Solution& s) {
 }
 
 void find_boundary(SolveTask& task) {
-    if (task.wanted <= most_digits_bounded && take_bounded(task)) return;
+    if (task.modes && task.wanted <= most_digits_bounded) {
+        if (take_bounded(task, *task.modes, "")) return;
+        count_precision_step();
+    }
+    if (task.modes && task.wanted <= most_digits_bounded_sharply && task.basis.r_n.size() <= most_masses_sharp) {
+        BoundedModes sharp(sharp_basis(task.scene.system, Inputs::rounded), as_input(*task.scene.r));
+        if (take_bounded(task, sharp, "with the modes of long double; ")) return;
+        count_precision_step();
+    }
     try {
         task.found = answer(task.source, task.question.digits);
     } catch (const DomainError& e) {
