@@ -1,5 +1,5 @@
-// The full surveys of the mode functions, the time domain and batches: each prints its tables in Markdown, writes them to a
-// file, and fails where a gate does.
+// The full surveys of the mode functions, the bounds, the time domain and batches: each prints its tables in Markdown, writes
+// them to a file, and fails where a gate does.
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <filesystem>
@@ -9,6 +9,7 @@
 #include "denhartog/model/paper_systems.hpp"
 #include "tests/speed_accuracy/batch_cost.hpp"
 #include "tests/speed_accuracy/batch_speed.hpp"
+#include "tests/speed_accuracy/bounds_survey.hpp"
 #include "tests/speed_accuracy/cycles_survey.hpp"
 #include "tests/speed_accuracy/mode_functions_survey.hpp"
 #include "tests/speed_accuracy/motion_survey.hpp"
@@ -82,6 +83,8 @@ Outcome stick_slip(int scenes) {
                 stick_slip_head(),
                 {},
                 ""};
+    long bounded_scenes = 1000000;
+    std::uint64_t seed = 1;
     bool good = true;
     const auto add = [&](const std::string& what, const StickSlipSurvey& survey) {
         table.rows.push_back(row_of(what, survey));
@@ -135,6 +138,11 @@ bool write_text(const std::string& directory, const std::string& name, const std
     return bool(file);
 }
 
+Outcome bounds(long scenes, std::uint64_t seed) {
+    const BoundsSurvey survey = survey_bounds(scenes, seed);
+    return {tables_of(survey), survey.violations() == 0 && survey.largest_median() < 30};
+}
+
 /// Prints and writes the tables.
 bool publish(const std::string& name, const Outcome& outcome, const std::string& directory) {
     std::string text;
@@ -148,7 +156,7 @@ bool publish(const std::string& name, const Outcome& outcome, const std::string&
 } // namespace
 
 int main(int argc, char** argv) {
-    CLI::App app{"Surveys of accuracy and speed: the mode functions, both solvers of the time domain, and batches",
+    CLI::App app{"Surveys of accuracy and speed: the mode functions, bounds, both solvers of the time domain, and batches",
                  "speed-accuracy"};
     app.require_subcommand(1);
     std::string directory;
@@ -172,6 +180,10 @@ int main(int argc, char** argv) {
         [&] { return mode_functions(mode_points); })
         ->add_option("--points", mode_points, "How many points in double; a quarter in long double, a fiftieth in 50 digits")
         ->check(CLI::PositiveNumber);
+    CLI::App* of_bounds =
+        add("bounds", "Bounds of rounding errors in double against 50 digits", [&] { return bounds(bounded_scenes, seed); });
+    of_bounds->add_option("--scenes", bounded_scenes, "How many scenes")->check(CLI::PositiveNumber);
+    of_bounds->add_option("--seed", seed, "Seed of the scenes");
     add("speed", "Time and digits against the paper's algorithm",
         [&] {
             return Outcome{{exact_solver_speed(repeats), usual_questions_speed(repeats)}, true};
