@@ -83,8 +83,6 @@ Outcome stick_slip(int scenes) {
                 stick_slip_head(),
                 {},
                 ""};
-    long bounded_scenes = 1000000;
-    std::uint64_t seed = 1;
     bool good = true;
     const auto add = [&](const std::string& what, const StickSlipSurvey& survey) {
         table.rows.push_back(row_of(what, survey));
@@ -161,6 +159,8 @@ int main(int argc, char** argv) {
     app.require_subcommand(1);
     std::string directory;
     int points = 10000, scenes = 200, repeats = 9, mode_points = 1000000;
+    long bounded_scenes = 1000000;
+    std::uint64_t seed = 1;
     bool good = true;
     const auto add = [&](const char* name, const char* what, const std::function<Outcome()>& run) {
         CLI::App* sub = app.add_subcommand(name, what);
