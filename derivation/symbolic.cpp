@@ -82,6 +82,22 @@ Symbolic sum_error(const Symbolic& x, const Symbolic& y, const Symbolic& sum) { 
 Symbolic contact_root(const Complex<Symbolic>& V_dj, const Symbolic& U_dj, const Symbolic& beta) {
     return sqrt(squared_modulus(V_dj) - beta * U_dj * (beta * U_dj));
 }
+Symbolic overdamped_w(const Symbolic& zeta) { return sqrt(zeta * zeta - 1); }
+Symbolic slow_rate(const Symbolic& zeta) { return zeta - overdamped_w(zeta); }
+Symbolic overdamped_sinc(const Symbolic& zeta, const Symbolic& x) {
+    const Symbolic angle = overdamped_w(zeta) * x;
+    return angle.expression().is_zero() ? Symbolic(1) : sinh(angle) / angle; // entire: at zeta = 1 its series is 1
+}
+Symbolic overdamped_cosine(const Symbolic& zeta, const Symbolic& x) { return cosh(overdamped_w(zeta) * x); }
+Symbolic overdamped_difference(const Symbolic& zeta, const Symbolic& x) {
+    const Symbolic w = overdamped_w(zeta);
+    return (1 - exp(-(2 * w * x))) / (2 * w);
+}
+Symbolic sinhc_less_sinhc_over_square(const Symbolic& q, const Symbolic& zeta) {
+    const Symbolic delta = q * zeta, theta = q * overdamped_w(zeta);
+    return (sinh(delta) / delta - sinh(theta) / theta) / (q * q);
+}
+Symbolic product_over(const Symbolic& p, const Symbolic& K, const Symbolic& R) { return p * K / R; }
 SineCosine<Symbolic> sine_cosine_of_half_period(const Symbolic& R, const Symbolic& y) {
     const Symbolic angle = pi<Symbolic>() * (1 / (2 * R) - y);
     return {sin(angle), cos(angle)};

@@ -99,6 +99,13 @@ Symbolic sinhc_less_sinc_over_square(const Symbolic& q, const Symbolic& zeta);
 Symbolic product_error(const Symbolic& x, const Symbolic& y, const Symbolic& xy);
 Symbolic sum_error(const Symbolic& x, const Symbolic& y, const Symbolic& sum);
 Symbolic contact_root(const Complex<Symbolic>& V_dj, const Symbolic& U_dj, const Symbolic& beta);
+Symbolic overdamped_w(const Symbolic& zeta);
+Symbolic slow_rate(const Symbolic& zeta);
+Symbolic overdamped_sinc(const Symbolic& zeta, const Symbolic& x);
+Symbolic overdamped_cosine(const Symbolic& zeta, const Symbolic& x);
+Symbolic overdamped_difference(const Symbolic& zeta, const Symbolic& x);
+Symbolic sinhc_less_sinhc_over_square(const Symbolic& q, const Symbolic& zeta);
+Symbolic product_over(const Symbolic& p, const Symbolic& K, const Symbolic& R);
 SineCosine<Symbolic> sine_cosine_of_half_period(const Symbolic& R, const Symbolic& y);
 /// @}
 

@@ -7,34 +7,21 @@
 /// neither a rounded quotient nor a rounded w is magnified near the poles. The numerator of (29) cancels at large R; there a
 /// second form is taken. Products that could leave the range of the number type on the way to a result within it are taken in
 /// another order, or with a factor `scale`, a power of two that every form is free of. Every form is branch-free and proved equal
-/// to the paper's in `derivation/evaluation_forms.cpp`; only the selection compares numbers.
+/// to the paper's in `derivation/evaluation_forms.cpp`; only the selection compares numbers. From \f$ \zeta = 1 \f$ on, which the
+/// paper leaves out, the selection goes to the forms of `overdamped.hpp`.
 #pragma once
 
 #include <limits>
 
+#include "denhartog/evaluation/overdamped.hpp"
 #include "denhartog/evaluation/special.hpp"
 #include "denhartog/formulas/mode.hpp"
 
 namespace denhartog::evaluation {
 
-/// @brief What one mode contributes at one frequency ratio: (23), (28), (29).
-template <class T>
-struct ModeFunctions {
-    Complex<T> v; ///< complex response function, Eq. (23)
-    T u;          ///< first damping function, Eq. (28)
-    T g;          ///< second damping function, Eq. (29)
-};
-
-/// @brief Both damping functions of a mode: (28), (29).
-template <class T>
-struct DampingFunctions {
-    T u; ///< first damping function, Eq. (28)
-    T g; ///< second damping function, Eq. (29)
-};
-
 /// @brief \f$ v_{di} \f$ with \f$ a = (1-R)(1+R) \f$, exact to rounding near resonance, and \f$ b = 2\zeta R \f$: a is larger.
 /// \f[ \mathrm{Re}\{v\} = \frac{1}{a + b\,(b/a)}, \qquad \mathrm{Im}\{v\} = -\frac{b}{a}\,\mathrm{Re}\{v\} \f]
-/// @eq{23}  @derivation{evaluation_forms}  @domain{0 < R < 2, 0 <= zeta < 1, R not 1; keeps its digits for |a| >= b}
+/// @eq{23}  @derivation{evaluation_forms}  @domain{0 < R < 2, zeta >= 0, R not 1; keeps its digits for |a| >= b}
 /// @param R      modal frequency ratio, Eq. (22)
 /// @param zeta   modal damping ratio
 /// @param scale  a power of two by which a subnormal zeta is lifted
@@ -49,7 +36,7 @@ template <class T>
 
 /// @brief \f$ v_{di} \f$ with a and b as off resonance, where b is larger.
 /// \f[ \mathrm{Im}\{v\} = -\frac{1}{b + a\,(a/b)}, \qquad \mathrm{Re}\{v\} = -\frac{a}{b}\,\mathrm{Im}\{v\} \f]
-/// @eq{23}  @derivation{evaluation_forms}  @domain{0 < R < 2, 0 < zeta < 1; keeps its digits for |a| <= b}
+/// @eq{23}  @derivation{evaluation_forms}  @domain{0 < R < 2, zeta > 0; keeps its digits for |a| <= b}
 /// @param R     modal frequency ratio, Eq. (22)
 /// @param zeta  modal damping ratio
 /// @return      v_di
@@ -78,17 +65,17 @@ template <class T>
 }
 
 /// @brief \f$ v_{di} \f$: the form that keeps its digits at this place.
-/// @eq{23}  @derivation{evaluation_forms}  @domain{R > 0, 0 <= zeta < 1}
+/// @eq{23}  @derivation{evaluation_forms}  @domain{R > 0, zeta >= 0}
 /// @param R     modal frequency ratio, Eq. (22)
 /// @param zeta  modal damping ratio
 /// @return      v_di; not a number at its pole R = 1, zeta = 0
 template <class T>
 [[nodiscard]] Complex<T> complex_response(const T& R, const T& zeta) {
-    if (R >= 2) return complex_response_high_frequency(R, zeta);
+    if (R >= 2) return zeta >= 1 ? overdamped_response(R, zeta) : complex_response_high_frequency(R, zeta);
     const T a = (1 - R) * (1 + R);
     const T b = 2 * zeta * R;
     if ((a < 0 ? T(-a) : a) < b || (R == 1 && zeta > 0)) return complex_response_near_resonance(R, zeta);
-    return complex_response_off_resonance(R, zeta, T(1 / T(std::numeric_limits<T>::epsilon())));
+    return complex_response_off_resonance(R, zeta, zeta >= 1 ? T(1) : T(1 / T(std::numeric_limits<T>::epsilon())));
 }
 
 /// @brief What the forms of (28) and (29) are made of.
@@ -211,12 +198,13 @@ template <class T>
 }
 
 /// @brief \f$ u_{di} \f$ and \f$ g_i \f$: the form that keeps its digits at this place.
-/// @eq{28,29}  @derivation{evaluation_forms}  @domain{R > 0, 0 <= zeta < 1}
+/// @eq{28,29}  @derivation{evaluation_forms}  @domain{R > 0, zeta >= 0}
 /// @param R     modal frequency ratio, Eq. (22)
 /// @param zeta  modal damping ratio
 /// @return      u, g; not finite at the poles at zeta = 0, R = 1/n, n odd
 template <class T>
 [[nodiscard]] DampingFunctions<T> damping_functions(const T& R, const T& zeta) {
+    if (zeta >= 1) return overdamped_functions(R, zeta);
     const T scale = 1 / T(std::numeric_limits<T>::epsilon());
     const bool heavy = 2 * zeta >= 1;
     if (zeta == 0 && at_undamped_pole(R)) return {T(1 / zeta), T(zeta / zeta)};
@@ -228,7 +216,7 @@ template <class T>
 }
 
 /// @brief \f$ v_{di} \f$, \f$ u_{di} \f$ and \f$ g_i \f$: the form that keeps its digits at this place.
-/// @eq{23,28,29}  @derivation{evaluation_forms}  @domain{R > 0, 0 <= zeta < 1}
+/// @eq{23,28,29}  @derivation{evaluation_forms}  @domain{R > 0, zeta >= 0}
 /// @param R     modal frequency ratio, Eq. (22)
 /// @param zeta  modal damping ratio
 /// @return      v, u, g; not finite at the poles that (23), (28), (29) have at zeta = 0
@@ -238,16 +226,32 @@ template <class T>
     return {complex_response(R, zeta), f.u, f.g};
 }
 
-/// @brief The braces of (40) and their first two derivatives in \f$ \tau \f$.
+/// @brief Free motions from one exponential, one sine and one cosine.
+/// @eq{A.8,A.9}  @derivation{evaluation_forms}  @domain{tau >= 0, R > 0, 0 <= zeta < 1}
+/// @param tau   non-dimensional time, Eq. (5); radians
+/// @param R     modal frequency ratio, Eq. (22)
+/// @param zeta  modal damping ratio
+/// @return      the free motions
 template <class T>
-struct FrictionMotion {
-    T value;        ///< 1 - (1 + g) d - u R q
-    T prime;        ///< first derivative in tau
-    T double_prime; ///< second derivative in tau
-};
+[[nodiscard]] FreeMotion<T> oscillating_free_motion(const T& tau, const T& R, const T& zeta) {
+    const T w = sqrt(T((1 - zeta) * (1 + zeta)));
+    const T e = exp(T(-zeta * tau / R));
+    return free_motion_of(zeta, T(e * cos(T(w * tau / R))), T(e * sin(T(w * tau / R)) / w));
+}
 
-/// @brief The braces of (40) with their derivatives from one exponential, one sine and one cosine.
-/// @eq{40,A.8,A.9}  @derivation{evaluation_forms}  @domain{0 <= tau <= pi, R > 0, 0 <= zeta < 1}
+/// @brief Free motions (A.8) of a mode: the form that keeps its digits at this place.
+/// @eq{A.8,A.9}  @derivation{evaluation_forms}  @domain{tau >= 0, R > 0, zeta >= 0}
+/// @param tau   non-dimensional time, Eq. (5); radians
+/// @param R     modal frequency ratio, Eq. (22)
+/// @param zeta  modal damping ratio
+/// @return      the free motions
+template <class T>
+[[nodiscard]] FreeMotion<T> free_motion(const T& tau, const T& R, const T& zeta) {
+    return zeta >= 1 ? overdamped_free_motion(T(tau / R), zeta) : oscillating_free_motion(tau, R, zeta);
+}
+
+/// @brief The braces of (40) with their first two derivatives.
+/// @eq{40,A.8,A.9}  @derivation{evaluation_forms}  @domain{0 <= tau <= pi, R > 0, zeta >= 0}
 /// @param tau   non-dimensional time, Eq. (5); radians
 /// @param R     modal frequency ratio, Eq. (22)
 /// @param zeta  modal damping ratio
@@ -256,14 +260,20 @@ struct FrictionMotion {
 /// @return      value and derivatives; dimensionless
 template <class T>
 [[nodiscard]] FrictionMotion<T> friction_motion(const T& tau, const T& R, const T& zeta, const T& u, const T& g) {
-    const T w = sqrt(T((1 - zeta) * (1 + zeta)));
-    const T e = exp(T(-zeta * tau / R));
-    const T C = e * cos(T(w * tau / R));
-    const T S = e * sin(T(w * tau / R)) / w;
-    const T d = C + zeta * S;
-    const T Rq_prime = C - zeta * S;
-    const T Rq_double_prime = -(2 * zeta * Rq_prime + S) / R;
-    return {1 - (1 + g) * d - u * R * S, (1 + g) * S / R - u * Rq_prime, (1 + g) * Rq_prime / (R * R) - u * Rq_double_prime};
+    return friction_motion_of(free_motion(tau, R, zeta), R, u, g);
+}
+
+/// @brief The expression under the maximum in (57), from the rate of the braces of (40).
+/// \f[ \frac{R_i^2}{\sin\tau}\left\{\frac{d}{d\tau}\left[1-(1+g_i)d_i-u_{di}R_iq_i\right] + u_{di}\cos\tau\right\} \f]
+/// @eq{57}  @derivation{evaluation_forms}  @domain{0 < tau < pi, R > 0, zeta >= 0}
+/// @param tau    non-dimensional time, Eq. (5); radians
+/// @param R      modal frequency ratio, Eq. (22)
+/// @param u      first damping function of the mode, Eq. (28)
+/// @param prime  rate of the braces of (40)
+/// @return       the expression; dimensionless
+template <class T>
+[[nodiscard]] T s_d_integrand(const T& tau, const T& R, const T& u, const T& prime) {
+    return R * R * (prime + u * cos(tau)) / sin(tau);
 }
 
 } // namespace denhartog::evaluation

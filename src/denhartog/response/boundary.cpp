@@ -23,9 +23,10 @@ std::atomic<long> searches{0};
 template <class T>
 T s_d(const ModeSums<T>& s, std::size_t i, const T& tau) {
     if (!(tau > 0)) return paper::s_d_at_zero(s.R[i], s.zeta[i], s.u[i], s.g[i]);
-    if (!(tau < pi<T>()))
-        return -s.R[i] * s.R[i] * evaluation::friction_motion(pi<T>(), s.R[i], s.zeta[i], s.u[i], s.g[i]).double_prime;
-    return paper::s_d_integrand(tau, s.R[i], s.zeta[i], s.u[i], s.g[i]);
+    const bool inside = tau < pi<T>();
+    const evaluation::FrictionMotion<T> y =
+        evaluation::friction_motion(inside ? tau : pi<T>(), s.R[i], s.zeta[i], s.u[i], s.g[i]);
+    return inside ? evaluation::s_d_integrand(tau, s.R[i], s.u[i], y.prime) : T(-s.R[i] * s.R[i] * y.double_prime);
 }
 
 // Some modes, with their weights, as a function of tau to be maximised: F = N / sin, where N = sum weight R^2 (y' + u cos).

@@ -1,0 +1,289 @@
+// Modes with zeta >= 1, which the paper leaves out: the forms of `evaluation/overdamped.hpp`.
+//
+// The paper's formulas hold with the cosine and the sine over w as entire functions of w^2: below zeta = 1 these forms are the
+// printed ones. Above, and at zeta = 1, the equation of motion (20) is solved again, in real exponentials and with a double
+// root, and the conditions (A.3), (A.4) are put to that solution. Nothing of the derivation for zeta < 1 is used there.
+#include "denhartog/evaluation/mode.hpp"
+
+#include "derived.hpp"
+#include "symbols.hpp"
+
+namespace denhartog::derivation {
+
+using GiNaC::ex;
+using GiNaC::lst;
+
+namespace {
+
+/// A damping ratio, and two motions that solve (20) without its right side.
+struct FreeMotions {
+    ex zeta, first, second;
+};
+
+ex rate(const ex& e) { return e.diff(GiNaC::ex_to<GiNaC::symbol>(symbols().tau)); }
+
+/// A damping ratio above 1.
+const ex& heavy() {
+    static const ex zeta = new_symbol("zeta_h", "\\zeta_i", GiNaC::numeric(21, 20), 3);
+    return zeta;
+}
+
+/// Sum and product of the rates sigma for which exp(sigma tau) solves (20) without its right side, both times their power of R.
+std::pair<ex, ex> derived_sum_and_product(const ex& zeta) {
+    const Symbols& s = symbols();
+    const GiNaC::symbol sigma("sigma");
+    const ex eta = GiNaC::exp(sigma * s.tau);
+    const ex left = rate(rate(eta)) + 2 * zeta / s.R * rate(eta) + eta / (s.R * s.R);
+    const ex polynomial = (left / eta).expand();
+    return {(-polynomial.coeff(sigma, 1) * s.R).normal(), (polynomial.coeff(sigma, 0) * s.R * s.R).normal()};
+}
+
+/// Two different real rates: half the sum, more or less the root of its square less the product.
+FreeMotions derived_two_rates() {
+    const Symbols& s = symbols();
+    const auto [sum, product] = derived_sum_and_product(heavy());
+    const ex root = GiNaC::sqrt((sum * sum / 4 - product).expand());
+    return {heavy(), GiNaC::exp((sum / 2 + root) * s.tau / s.R), GiNaC::exp((sum / 2 - root) * s.tau / s.R)};
+}
+
+/// A double rate at zeta = 1: the second motion has the factor tau.
+FreeMotions derived_double_rate() {
+    const Symbols& s = symbols();
+    const auto [sum, product] = derived_sum_and_product(1);
+    if (!(sum * sum / 4 - product).is_zero()) throw std::logic_error("the rates differ at zeta = 1");
+    const ex decay = GiNaC::exp(sum / 2 * s.tau / s.R);
+    return {1, decay, s.tau * decay};
+}
+
+/// The combination of the two motions with a displacement and a velocity at tau = 0.
+ex derived_start(const FreeMotions& f, const ex& displacement, const ex& velocity) {
+    const Symbols& s = symbols();
+    const ex motion = s.A * f.first + s.B * f.second;
+    const ex constants =
+        GiNaC::lsolve(lst{motion.subs(s.tau == 0) == displacement, rate(motion).subs(s.tau == 0) == velocity}, lst{s.A, s.B});
+    return motion.subs(constants);
+}
+
+/// v cos(phi_j) and v sin(phi_j) from the initial values and (A.4).
+std::pair<ex, ex> derived_phase(const FreeMotions& f) {
+    const Symbols& s = symbols();
+    const ex forced =
+        s.psi_ji * s.R * s.R * s.beta + s.psi_li * s.R * s.R * (s.v_cos * GiNaC::cos(s.tau) - s.v_sin * GiNaC::sin(s.tau));
+    const ex eta = forced + derived_start(f, s.eta_0 - forced.subs(s.tau == 0), s.eta_prime_0 - rate(forced).subs(s.tau == 0));
+    const ex displacement = (eta.subs(s.tau == GiNaC::Pi) + s.eta_0).expand();
+    const ex velocity = (rate(eta).subs(s.tau == GiNaC::Pi) + s.eta_prime_0).expand();
+    const ex solution = GiNaC::lsolve(lst{displacement == 0, velocity == 0}, lst{s.v_cos, s.v_sin});
+    return {s.v_cos.subs(solution), s.v_sin.subs(solution)};
+}
+
+/// u and g: what friction alone adds to -v sin(phi_j) and v cos(phi_j), over psi_ji beta / psi_li.
+std::vector<ex> derived_damping_functions(const FreeMotions& f) {
+    const Symbols& s = symbols();
+    const auto [v_cos, v_sin] = derived_phase(f);
+    const ex unit = s.psi_li / (s.psi_ji * s.beta);
+    const lst at_rest{s.eta_0 == 0, s.eta_prime_0 == 0};
+    return {-v_sin.subs(at_rest) * unit, v_cos.subs(at_rest) * unit};
+}
+
+/// The braces of (40): what is left of the motion over beta psi_ji R^2 once its harmonic part is taken off.
+ex derived_braces(const FreeMotions& f) { return 1 + derived_start(f, -(1 + symbols().g), -symbols().u); }
+
+std::vector<ex> with_two_rates(const ex& e) { return {e, rate(e), rate(rate(e))}; }
+
+std::vector<ex> derived_free_motions(const FreeMotions& f) {
+    const Symbols& s = symbols();
+    const ex q = derived_start(f, 0, 1) / s.R;
+    return {derived_start(f, 1, 0), q, rate(q) * s.R, rate(rate(q)) * s.R * s.R};
+}
+
+/// The residual of (20) for any combination of the two motions, with friction and load.
+Values residual(const FreeMotions& f) {
+    const Symbols& s = symbols();
+    const Complex<Symbolic> v = paper::complex_response(Symbolic(s.R), Symbolic(f.zeta));
+    const ex angle = s.tau + s.phi_j;
+    const ex eta = s.A * f.first + s.B * f.second + s.psi_ji * s.R * s.R * s.beta +
+                   s.psi_li * s.R * s.R * (v.re.expression() * GiNaC::cos(angle) - v.im.expression() * GiNaC::sin(angle));
+    const ModeInScene<Symbolic> m{Symbolic(s.R), Symbolic(f.zeta), Symbolic(s.psi_ji), Symbolic(s.psi_li)};
+    return {paper::modal_equation_residual(Symbolic(eta), Symbolic(rate(eta)), Symbolic(rate(rate(eta))), Symbolic(s.tau), m,
+                                           Symbolic(s.beta), Symbolic(s.phi_j))};
+}
+
+Values values(const evaluation::DampingFunctions<Symbolic>& f) { return {f.u, f.g}; }
+Values values(const evaluation::FreeMotion<Symbolic>& f) { return {f.d, f.q, f.rate, f.acceleration}; }
+Values values(const Complex<Symbolic>& v) { return {v.re, v.im}; }
+
+Values braces(const evaluation::FreeMotion<Symbolic>& free) {
+    const Symbols& s = symbols();
+    const evaluation::FrictionMotion<Symbolic> f =
+        evaluation::friction_motion_of(free, Symbolic(s.R), Symbolic(s.u), Symbolic(s.g));
+    return {f.value, f.prime, f.double_prime};
+}
+
+/// The paper's C and S at the end of the half-period, below zeta = 1.
+evaluation::HalfPeriodDecay<Symbolic> oscillating_half_period(const Symbolic& R, const Symbolic& zeta) {
+    const Symbolic root = exp(-(pi<Symbolic>() * zeta / R / 2)), E = root * root, w(symbols().w);
+    const Symbolic theta = pi<Symbolic>() * w / R;
+    return {root, sin(theta) / w, 1 + 2 * E * cos(theta) + E * E};
+}
+
+/// Steps of the derivation for a claim on u and g.
+std::vector<Step> steps_of_damping_functions(const std::string& motions, const FreeMotions& f) {
+    return {{"Without its right side (20) has the solutions " + motions, ""},
+            step("The first", "\\eta_i", f.first),
+            step("The second", "\\eta_i", f.second),
+            {"With them (A.3) gives the constants and (A.4), at tau = pi, v cos(phi_j) and v sin(phi_j)", ""}};
+}
+
+const Register registered([] {
+    const Symbols& s = symbols();
+    const std::vector<std::string> below{"R_i > 0", "0 <= zeta_i < 1"}, above{"R_i > 0", "zeta_i > 1"},
+        at{"R_i > 0", "zeta_i = 1"};
+    const Symbolic R(s.R), zeta(s.zeta), more(heavy()), one(1), x(s.tau / s.R);
+    const auto damping_above = [] { return derived_damping_functions(derived_two_rates()); };
+    const auto damping_at = [] { return derived_damping_functions(derived_double_rate()); };
+    const auto response = [] {
+        const auto [re, im] = derived_complex_response();
+        return std::vector<ex>{re.subs(symbols().zeta == heavy()), im.subs(symbols().zeta == heavy())};
+    };
+    const auto phase = [](const Symbolic& ratio, const evaluation::HalfPeriodDecay<Symbolic>& h) {
+        const Symbols& n = symbols();
+        const ModeInScene<Symbolic> m{Symbolic(n.R), ratio, Symbolic(n.psi_ji), Symbolic(n.psi_li)};
+        const auto f = evaluation::damping_functions_of_free_motion(Symbolic(n.R), ratio, h);
+        return Values{paper::v_cosine(m, symbolic_start(), f.g, Symbolic(n.beta)),
+                      paper::v_sine(m, symbolic_start(), f.u, Symbolic(n.beta))};
+    };
+    const auto phase_of = [](const FreeMotions& f) {
+        const auto [v_cos, v_sin] = derived_phase(f);
+        return std::vector<ex>{v_cos, v_sin};
+    };
+    const Symbolic rate_of_braces = braces(evaluation::free_motion_of_two_rates(x, more))[1];
+    const std::vector<Step> steps_above = steps_of_damping_functions("of two decaying exponentials", derived_two_rates());
+    const std::vector<Step> steps_at = steps_of_damping_functions("of a double rate", derived_double_rate());
+    const auto claim = [](std::string id, std::vector<std::string> equations, std::string title,
+                          std::vector<std::string> assumptions, std::function<Values()> kernel,
+                          std::function<std::vector<ex>()> derived, std::vector<Step> steps = {}) {
+        return Claim{.id = "overdamped/" + id,
+                     .equations = std::move(equations),
+                     .role = Role::shipped,
+                     .title = std::move(title),
+                     .assumptions = std::move(assumptions),
+                     .kernel = std::move(kernel),
+                     .derived = std::move(derived),
+                     .steps = std::move(steps)};
+    };
+    std::vector<Claim> list{
+        claim(
+            "printed-damping-functions", {"28", "29"},
+            "Below zeta = 1 the formulas in entire functions of w^2 are the printed ones", below,
+            [=] { return values(evaluation::damping_functions_of_free_motion(R, zeta, oscillating_half_period(R, zeta))); },
+            [=] {
+                return std::vector<ex>{paper::first_damping_function(R, zeta).expression(),
+                                       paper::second_damping_function(R, zeta).expression()};
+            }),
+        claim(
+            "printed-free-motions", {"A.8", "A.9"}, "Below zeta = 1 the free motions in C and S are the printed ones", below,
+            [=] { return values(evaluation::oscillating_free_motion(Symbolic(s.tau), R, zeta)); },
+            [=, &s] {
+                const Symbolic tau(s.tau);
+                const ex rate_of_q = paper::q_prime(tau, R, zeta).expression();
+                return std::vector<ex>{paper::d(tau, R, zeta).expression(), paper::q(tau, R, zeta).expression(), rate_of_q * s.R,
+                                       rate(rate_of_q) * s.R * s.R};
+            }),
+        claim(
+            "rates", {"21"}, "The square of w_1, and the slow rate without cancellation", {"zeta_i > 1"},
+            [=] {
+                return Values{square(evaluation::overdamped_w<Symbolic>(more)), evaluation::slow_rate<Symbolic>(more)};
+            },
+            [] {
+                return std::vector<ex>{heavy() * heavy() - 1, heavy() - GiNaC::sqrt(heavy() * heavy() - 1)};
+            }),
+        claim(
+            "response-above-resonance", {"23"}, "The response function in 1 / R, divided by its real part", above,
+            [=] { return values(evaluation::complex_response_above_resonance(R, more)); }, response),
+        claim(
+            "response-of-heavy-damping", {"23"}, "The response function in 1 / R, divided by its imaginary part", above,
+            [=] { return values(evaluation::complex_response_of_heavy_damping(R, more)); }, response),
+        claim(
+            "solves", {"20", "21"}, "Two decaying exponentials with friction and load satisfy the equation of motion", above,
+            [] { return residual(derived_two_rates()); }, [] { return std::vector<ex>{0}; }),
+        claim(
+            "near-critical", {"28", "29"}, "Damping functions in C and S from the conditions at tau = pi", above,
+            [=] {
+                return values(
+                    evaluation::damping_functions_of_free_motion(R, more, evaluation::half_period_near_critical(R, more)));
+            },
+            damping_above, steps_above),
+        claim(
+            "two-rates", {"28", "29"}, "The same from two decaying exponentials", above,
+            [=] {
+                return values(
+                    evaluation::damping_functions_of_free_motion(R, more, evaluation::half_period_of_two_rates(R, more)));
+            },
+            damping_above, steps_above),
+        claim(
+            "small-argument", {"28", "29"}, "The same with the difference in (29) as one function", above,
+            [=] {
+                return values(
+                    evaluation::overdamped_functions_small_argument(R, more, evaluation::half_period_of_two_rates(R, more)));
+            },
+            damping_above, steps_above),
+        claim(
+            "slow-rate", {"28", "29"}, "The same with hyperbolic tangents of the two rates", above,
+            [=] {
+                return values(evaluation::overdamped_functions_slow_rate(R, more, evaluation::half_period_of_two_rates(R, more)));
+            },
+            damping_above, steps_above),
+        claim(
+            "phase", {"26", "27", "A.13", "A.14"}, "The initial values of an overdamped mode drop out as those of the paper's do",
+            {"R_i > 0", "zeta_i > 1", "psi_li not zero"},
+            [=] { return phase(more, evaluation::half_period_near_critical(R, more)); },
+            [=] { return phase_of(derived_two_rates()); }, steps_above),
+        claim(
+            "free-motions-near-critical", {"A.8", "A.9"}, "Free motions from C and S", above,
+            [=] { return values(evaluation::free_motion_near_critical(x, more)); },
+            [] { return derived_free_motions(derived_two_rates()); }),
+        claim(
+            "free-motions-of-two-rates", {"A.8", "A.9"}, "Free motions from two decaying exponentials", above,
+            [=] { return values(evaluation::free_motion_of_two_rates(x, more)); },
+            [] { return derived_free_motions(derived_two_rates()); }),
+        claim(
+            "braces", {"40", "A.15"}, "The braces of (40) with two derivatives", above,
+            [=] { return braces(evaluation::free_motion_of_two_rates(x, more)); },
+            [] { return with_two_rates(derived_braces(derived_two_rates())); }),
+        claim(
+            "s-d-integrand", {"57"}, "The expression under the maximum in (57) from the rate of the braces", above,
+            [=, &s] { return Values{evaluation::s_d_integrand(Symbolic(s.tau), R, Symbolic(s.u), rate_of_braces)}; },
+            [&s] {
+                const ex harmonic = s.u * GiNaC::sin(s.tau);
+                return std::vector<ex>{s.R * s.R * rate(derived_braces(derived_two_rates()) + harmonic) / GiNaC::sin(s.tau)};
+            }),
+        claim(
+            "critical-solves", {"20", "21"}, "At zeta = 1 the motion with the factor tau satisfies the equation of motion", at,
+            [] { return residual(derived_double_rate()); }, [] { return std::vector<ex>{0}; }),
+        claim(
+            "critical-damping-functions", {"28", "29"}, "Damping functions at zeta = 1 from the conditions at tau = pi", at,
+            [=] {
+                return values(
+                    evaluation::damping_functions_of_free_motion(R, one, evaluation::half_period_near_critical(R, one)));
+            },
+            damping_at, steps_at),
+        claim(
+            "critical-phase", {"26", "27", "A.13", "A.14"}, "The initial values of a mode with zeta = 1 drop out too",
+            {"R_i > 0", "zeta_i = 1", "psi_li not zero"},
+            [=] { return phase(one, evaluation::half_period_near_critical(R, one)); },
+            [=] { return phase_of(derived_double_rate()); }, steps_at),
+        claim(
+            "critical-free-motions", {"A.8", "A.9"}, "Free motions at zeta = 1", at,
+            [=] { return values(evaluation::free_motion_near_critical(x, one)); },
+            [] { return derived_free_motions(derived_double_rate()); }),
+        claim(
+            "critical-braces", {"40", "A.15"}, "The braces of (40) with two derivatives at zeta = 1", at,
+            [=] { return braces(evaluation::free_motion_near_critical(x, one)); },
+            [] { return with_two_rates(derived_braces(derived_double_rate())); }),
+    };
+    for (Claim& c : list) c.special_case = c.id.find("/critical-") != std::string::npos;
+    return list;
+});
+
+} // namespace
+} // namespace denhartog::derivation
