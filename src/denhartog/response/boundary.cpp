@@ -7,6 +7,7 @@
 #include "denhartog/bounded.hpp"
 #include "denhartog/errors.hpp"
 #include "denhartog/evaluation/batch_forms.hpp"
+#include "denhartog/evaluation/free_motion.hpp"
 #include "denhartog/formulas/boundary.hpp"
 #include "denhartog/formulas/superposition.hpp"
 #include "denhartog/model/point_rules.hpp"
@@ -22,6 +23,7 @@ std::atomic<long> searches{0};
 // The expression of (57) of one mode, with its limits. At pi the velocity N(tau) of the braces and its harmonic part vanishes.
 template <class T>
 T s_d(const ModeSums<T>& s, std::size_t i, const T& tau) {
+    if (s.zeta[i] < 1) return evaluation::s_d_integrand(tau, s.R[i], s.zeta[i], evaluation::DampingFunctions<T>{s.u[i], s.g[i]});
     if (!(tau > 0)) return paper::s_d_at_zero(s.R[i], s.zeta[i], s.u[i], s.g[i]);
     const bool inside = tau < pi<T>();
     const evaluation::FrictionMotion<T> y =
