@@ -141,12 +141,19 @@ TEST_CASE("where the precision cannot tell whether near modes are coupled the er
 }
 
 TEST_CASE("damping ratios from a matrix must be in their range, by the name of the mode", "[model][bad-input][eq:18]") {
-    const InputError overdamped = refusal(pair_with<double>(Matrix<double>{{2, 0}, {0, 2}}));
-    REQUIRE(overdamped.quantity == "damping_matrix");
-    REQUIRE(overdamped.rule.find("mode 1") != overdamped.rule.npos);
-    REQUIRE(overdamped.rule.find("not supported yet") != overdamped.rule.npos);
+    const InputError beyond = refusal(pair_with<double>(Matrix<double>{{2e301, 0}, {0, 2e301}}));
+    REQUIRE(beyond.quantity == "damping_matrix");
+    REQUIRE(beyond.rule.find("mode 1") != beyond.rule.npos);
+    REQUIRE(beyond.rule.find("at most 1e300") != beyond.rule.npos);
     const InputError negative = refusal(pair_with<double>(Matrix<double>{{-0.5, 0}, {0, -0.5}}));
     REQUIRE(negative.rule.find("not negative") != negative.rule.npos);
+}
+
+TEST_CASE("a damping matrix may make modes critically damped and overdamped", "[model][eq:18][overdamped]") {
+    const System<double> s = pair_with<double>(Matrix<double>{{2, 0}, {0, 2}});
+    const ModalBasis<double> basis = modal_basis(s);
+    for (std::size_t i = 0; i < 2; ++i) REQUIRE(std::abs(basis.zeta[i] * basis.r_n[i] - 1) < 8 * eps);
+    REQUIRE(basis.zeta[0] > 1);
 }
 
 TEST_CASE("a damping matrix of zeros is a system without damping", "[model][eq:18]") {

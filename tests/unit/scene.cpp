@@ -112,13 +112,20 @@ TEST_CASE("stiffness ratios are positive, finite, in units of the first and as m
     REQUIRE(says(after([](auto& s) { s.system.stiffness_ratios.pop_back(); }), "stiffness_ratios", "as many values", "2"));
 }
 
-TEST_CASE("damping ratios are at least 0 and below 1", "[scene][bad-input]") {
+TEST_CASE("damping ratios are at least 0, and may be 1 and more", "[scene][bad-input]") {
     REQUIRE(says(after([](auto& s) { s.system.damping_ratios[2] = -0.125; }), "damping_ratios", "of mode 3 must not be negative",
                  "-0.125"));
     REQUIRE(says(after([](auto& s) { s.system.damping_ratios[2] = not_a_number; }), "damping_ratios", "of mode 3 must be finite",
                  "nan"));
-    REQUIRE(says(after([](auto& s) { s.system.damping_ratios[0] = 1; }), "damping_ratios",
-                 "of mode 1 must be below 1 (critical and overdamped modes are not supported yet)", "1"));
+    REQUIRE(says(after([](auto& s) { s.system.damping_ratios[0] = 1e301; }), "damping_ratios", "of mode 1 must be at most 1e300",
+                 "1e+301"));
+    REQUIRE(
+        says(after([](auto& s) { s.system.damping_ratios[0] = infinity; }), "damping_ratios", "of mode 1 must be finite", "inf"));
+    for (const double zeta : {1.0, 1.5, 1e300}) {
+        Scene<double> scene = good<double>();
+        scene.system.damping_ratios[1] = zeta;
+        REQUIRE_NOTHROW(check(scene));
+    }
     REQUIRE(says(after([](auto& s) { s.system.damping_ratios.push_back(0); }), "damping_ratios", "as many values", "4"));
 }
 

@@ -220,9 +220,9 @@ TEST_CASE("every rule of a scene gives the place in the JSON", "[scene][json][ba
     REQUIRE(
         says(after([](json& s) { s["stiffness_ratios"][2] = 0; }), "stiffness_ratios", "positive", "0", "/stiffness_ratios/2"));
     REQUIRE(says(after([](json& s) { s["stiffness_ratios"] = {1}; }), "stiffness_ratios", "as many", "1", "/stiffness_ratios"));
-    REQUIRE(says(after([](json& s) { s["damping_ratios"][2] = 1.5; }), "damping_ratios", "mode 3 must be below 1", "1.5",
-                 "/damping_ratios/2"));
-    REQUIRE(says(after([](json& s) { s["damping_ratios"] = 1; }), "damping_ratios", "mode 1 must be below 1", "1",
+    REQUIRE(says(after([](json& s) { s["damping_ratios"][2] = 1e301; }), "damping_ratios", "mode 3 must be at most 1e300",
+                 "1e+301", "/damping_ratios/2"));
+    REQUIRE(says(after([](json& s) { s["damping_ratios"] = 2e300; }), "damping_ratios", "mode 1 must be at most 1e300", "2e+300",
                  "/damping_ratios"));
     REQUIRE(
         says(after([](json& s) { s["damping_ratios"] = -0.5; }), "damping_ratios", "not be negative", "-0.5", "/damping_ratios"));

@@ -94,10 +94,8 @@ struct ContactPhases {
 
     void set_sticking(const T& r2) {
         const StuckConfiguration<T>& s = system->stuck;
-        bool closed_form = s.modes_diagonalise_damping;
         for (std::size_t i = 0; i + 1 < N; ++i) {
             set_mode(sticking, i, s.r_n[i], T(s.damping(i, i) / 2));
-            closed_form = closed_form && sticking.decay[i] < sticking.omega_0[i];
             k_j[i] = c_j[i] = m_j[i] = sticking.F[i] = T(0);
             for (std::size_t n = 0; n + 1 < N; ++n) {
                 k_j[i] += s.phi(n, i) * s.k_j[n];
@@ -106,7 +104,7 @@ struct ContactPhases {
                 if (s.masses[n] == system->load) sticking.F[i] = s.phi(n, i) / r2;
             }
         }
-        if (!closed_form) sticking.D = s.damping / e.r;
+        if (!s.modes_diagonalise_damping) sticking.D = s.damping / e.r;
         sticking.prepare();
         bound_load();
     }

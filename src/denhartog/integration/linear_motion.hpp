@@ -2,7 +2,7 @@
 /// @brief One linear stretch of motion in modal coordinates:
 /// \f$ q_i'' + \sum_m D_{im} q_m' + \omega_i^2 q_i = F_i\cos\tau + G_i \f$.
 ///
-/// Where D is diagonal each coordinate has its closed form. Where it is not, which happens only while the contact sticks, the
+/// Where D is diagonal each coordinate has its closed form, overdamped ones that of `evaluation/overdamped.hpp`. Where it is not, which happens only while the contact sticks, the
 /// Taylor series of the coordinates is summed to rounding from nodes that are one over the largest rate apart.
 #pragma once
 
@@ -12,6 +12,7 @@
 #include <limits>
 #include <vector>
 
+#include "denhartog/evaluation/overdamped.hpp"
 #include "denhartog/formulas/complex.hpp"
 #include "denhartog/model/scene.hpp"
 
@@ -34,7 +35,7 @@ struct LinearMotion {
     void resize(std::size_t n) {
         for (std::vector<T>* v : {&omega_0, &gap, &decay, &F, &G, &frequency_, &at_rest_}) v->resize(n);
         for (std::vector<T>* v : {&free_q_, &free_p_, &forced_cos_, &forced_sin_}) v->resize(n);
-        resonant_.resize(n);
+        for (std::vector<char>* v : {&resonant_, &overdamped_}) v->resize(n);
         for (std::vector<T>& v : q) v.resize(n);
     }
 
@@ -48,7 +49,8 @@ struct LinearMotion {
         using std::abs;
         rate_ = T(1);
         for (std::size_t i = 0; i < size(); ++i) {
-            frequency_[i] = sqrt(T((omega_0[i] - decay[i]) * (omega_0[i] + decay[i])));
+            overdamped_[i] = decay[i] >= omega_0[i];
+            frequency_[i] = overdamped_[i] ? T(0) : T(sqrt(T((omega_0[i] - decay[i]) * (omega_0[i] + decay[i]))));
             const T distance = gap[i] * gap[i] + 4 * decay[i] * decay[i];
             resonant_[i] = 64 * distance < 1;
             forced_cos_[i] = resonant_[i] ? T(0) : T(-F[i] * gap[i] / distance);
@@ -91,6 +93,13 @@ struct LinearMotion {
             return;
         }
         for (std::size_t i = 0; i < size(); ++i) {
+            if (overdamped_[i]) {
+                const evaluation::FreeMotion<T> free = free_motion(i, t);
+                q[0][i] = at_rest_[i] + forced_cos_[i] * c + forced_sin_[i] * s + free_q_[i] * free.d +
+                          free_p_[i] * (free.q / omega_0[i]);
+                q[1][i] = forced_sin_[i] * c - forced_cos_[i] * s + free_p_[i] * free.rate - omega_0[i] * free_q_[i] * free.q;
+                continue;
+            }
             const T e = decay[i] > 0 ? T(exp(-decay[i] * t)) : T(1);
             const T angle = frequency_[i] * t;
             const T cosine = cos(angle), sine = sin(angle);
@@ -149,6 +158,15 @@ struct LinearMotion {
             return;
         }
         for (std::size_t i = 0; i < size(); ++i) {
+            if (overdamped_[i]) {
+                const evaluation::FreeMotion<T> free = free_motion(i, t);
+                for (Eigen::Index c = 0; c < dq.cols(); ++c) {
+                    const T x = dq(i, c), v = dp(i, c);
+                    dq(i, c) = x * free.d + v * (free.q / omega_0[i]);
+                    dp(i, c) = v * free.rate - omega_0[i] * x * free.q;
+                }
+                continue;
+            }
             const T e = exp(-decay[i] * t);
             const T C = e * cos(T(frequency_[i] * t)), S = e * sin(T(frequency_[i] * t)) / frequency_[i];
             for (Eigen::Index c = 0; c < dq.cols(); ++c) {
@@ -163,6 +181,11 @@ struct LinearMotion {
     [[nodiscard]] T energy(int m, std::size_t i) const {
         const T y = omega_0[i] * q[m][i];
         return q[m + 1][i] * q[m + 1][i] + y * y;
+    }
+
+    // Of an overdamped coordinate, in its own time.
+    [[nodiscard]] evaluation::FreeMotion<T> free_motion(std::size_t i, const T& t) const {
+        return evaluation::overdamped_free_motion(T(omega_0[i] * t), T(decay[i] / omega_0[i]));
     }
 
     // Near resonance the harmonic and the free part are large and cancel. Their sum, the response from rest, does not: with
@@ -313,6 +336,7 @@ struct LinearMotion {
     std::vector<T> free_q_, free_p_;                  // the free part at the start
     std::vector<T> forced_cos_, forced_sin_;          // the harmonic part
     std::vector<char> resonant_;                      // harmonic and free part are taken together
+    std::vector<char> overdamped_;                    // no oscillation: decay is omega_0 or more
     std::size_t nodes_ = 0;                           // nodes known so far
     std::vector<T> node_;                             // their coordinates and velocities
     std::vector<std::vector<T>> terms_;               // the terms of the series from each node, term by coordinate

@@ -9,6 +9,7 @@
 
 #include "denhartog/errors.hpp"
 #include "denhartog/model/number_text.hpp"
+#include "denhartog/model/scene_rules.hpp"
 #include "denhartog/model/symmetric_eigenproblem.hpp"
 #include "denhartog/multiprecision.hpp"
 
@@ -40,9 +41,7 @@ template <class T>
 void check_ratio(const T& zeta, std::size_t i) {
     const std::string rule = "must give mode " + std::to_string(i + 1) + " a damping ratio ";
     if (zeta < 0) throw InputError("damping_matrix", rule + "that is not negative", number_to_text(zeta));
-    if (!(zeta < 1))
-        throw InputError("damping_matrix", rule + "below 1 (critical and overdamped modes are not supported yet)",
-                         number_to_text(zeta));
+    if (!(zeta <= largest_damping_ratio)) throw InputError("damping_matrix", rule + "of at most 1e300", number_to_text(zeta));
 }
 
 } // namespace

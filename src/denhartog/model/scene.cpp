@@ -92,9 +92,8 @@ void check_damping_ratios(const std::vector<T>& zeta, std::size_t N, const Scene
         const std::string within = names.one_zeta ? "" : at(i);
         if (!finite(zeta[i])) fail(names, name, of + " must be finite", number_to_text(zeta[i]), within);
         if (zeta[i] < 0) fail(names, name, of + " must not be negative", number_to_text(zeta[i]), within);
-        if (zeta[i] >= 1)
-            fail(names, name, of + " must be below 1 (critical and overdamped modes are not supported yet)",
-                 number_to_text(zeta[i]), within);
+        if (zeta[i] > largest_damping_ratio)
+            fail(names, name, of + " must be at most 1e300", number_to_text(zeta[i]), within);
     }
 }
 

@@ -8,6 +8,9 @@
 
 namespace denhartog {
 
+/// @brief Largest modal damping ratio: beyond, rates and their products leave the range of a double.
+inline constexpr double largest_damping_ratio = 1e300;
+
 /// @brief What the author of a scene calls its quantities, and whether messages point into a JSON text.
 struct SceneNames {
     std::string masses = "mass_ratios";           ///< `masses` in a dimensional scene

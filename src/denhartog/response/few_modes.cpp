@@ -16,22 +16,35 @@ constexpr double largest_harmonic = 2000;
 
 // What a mode contributes: evaluated, or static with bounds.
 struct ModeAtR {
-    Bounded R, zeta, w;
+    Bounded R, zeta;
     Complex<Bounded> v;
     Bounded u, g;
     double harmonics = 0;          // sum over odd n >= 3 of 4 / (n pi) / |1 - n^2 R^2 + 2 i zeta n R|
     double velocity_harmonics = 0; // the same with n times each term
 };
 
-Bounded root_of_one_minus_square(const Bounded& zeta) { return sqrt(Bounded((1 - zeta) * (1 + zeta))); }
+// With zeta >= 1: 0 < u < 2 S / R and 0 < 1 - g < 2 (d + exp(-2 delta)), where d = exp(-a pi / R) + a S, a the slow rate.
+void bound_overdamped(double R, double zeta, double& du, double& dg) {
+    const double x = std::numbers::pi / R, a = evaluation::slow_rate(zeta), w = evaluation::overdamped_w(zeta);
+    const double slow = std::exp(-a * x), S = slow * (2 * w * x > 1 ? 1 / (2 * w) : x);
+    du = 2 * S / R * (1 + 1e-9);
+    dg = 2 * (slow + a * S + std::exp(-2 * zeta * x)) * (1 + 1e-9);
+}
 
 ModeAtR static_mode(const Bounded& R, const Bounded& zeta) {
     const double delta = std::numbers::pi * zeta.x / R.x, half = std::sinh(std::min(300.0, delta / 2));
     const double cosh_minus_one = 2 * half * half * (1 - 1e-9);
-    const double w = std::sqrt((1 - zeta.x) * (1 + zeta.x)), a = (1 - R.x) * (1 + R.x), b = 2 * zeta.x * R.x;
+    const double a = (1 - R.x) * (1 + R.x), b = 2 * zeta.x * R.x;
     const double dv = (1 + 1e-9) * R.x * std::hypot(R.x, 2 * zeta.x) / std::hypot(a, b);
-    const double du = 1 / (R.x * w * cosh_minus_one), dg = (std::exp(-delta) + 1 + zeta.x / w) / cosh_minus_one;
-    return {R, zeta, root_of_one_minus_square(zeta), {{1, dv}, {0, dv}}, {0, du}, {1, dg}};
+    double du, dg;
+    if (zeta.x >= 1) {
+        bound_overdamped(R.x, zeta.x, du, dg);
+    } else {
+        const double w = std::sqrt((1 - zeta.x) * (1 + zeta.x));
+        du = 1 / (R.x * w * cosh_minus_one);
+        dg = (std::exp(-delta) + 1 + zeta.x / w) / cosh_minus_one;
+    }
+    return {R, zeta, {{1, dv}, {0, dv}}, {0, du}, {1, dg}};
 }
 
 // Harmonics up to n R = 2 one by one, beyond by the integral: there |1 - n^2 R^2| is at least 3/4 n^2 R^2.
@@ -55,6 +68,14 @@ void add_harmonics(ModeAtR& mode) {
 }
 
 double above(const Bounded& a) { return std::abs(a.x) + a.e; }
+
+// R^2 times the largest second derivative of the braces of (40): of two amplitudes where the mode oscillates; where it does not,
+// the root of y'^2 R^2 + y''^2 R^4 at tau = 0, which never grows.
+double largest_acceleration(const ModeAtR& m) {
+    const Bounded cosine = 1 + m.g;
+    if (m.zeta.x >= 1) return std::hypot(above(m.u * m.R), above(cosine + 2 * m.zeta * m.R * m.u));
+    return std::hypot(above(cosine), above((cosine * m.zeta + m.u * m.R) / sqrt(Bounded((1 - m.zeta) * (1 + m.zeta)))));
+}
 
 class FewModes {
 public:
@@ -118,10 +139,9 @@ private:
         double S = 0;
         for (std::size_t i = 0; i < N(); ++i) {
             const ModeAtR& m = modes[i];
-            const Bounded cosine = 1 + m.g, sine = (cosine * m.zeta + m.u * m.R) / m.w;
             const Bounded R_2 = m.R * m.R;
             S +=
-                above(weight(j, j, i) / R_2) * std::numbers::pi / 2 * (std::hypot(above(cosine), above(sine)) + above(R_2 * m.u));
+                above(weight(j, j, i) / R_2) * std::numbers::pi / 2 * (largest_acceleration(m) + above(R_2 * m.u));
         }
         const Bounded size = modulus(V_j);
         return (size.x - size.e) / std::hypot(S, above(U_j)) * (1 - 1e-12);

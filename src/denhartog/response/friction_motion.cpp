@@ -1,5 +1,7 @@
 #include "denhartog/response/friction_motion.hpp"
 
+#include <algorithm>
+
 #include "denhartog/bounded.hpp"
 #include "denhartog/multiprecision.hpp"
 
@@ -30,6 +32,10 @@ FrictionMotions<T>::FrictionMotions(const ModeSums<T>& sums_, std::size_t first_
     : sums(sums_), first(first_), last(last_) {
     for (std::size_t i = first; i < last; ++i) {
         const T& zeta = sums.zeta[i];
+        if (zeta >= 1) {
+            c.push_back(T(0)); // what bounds it does not come from two amplitudes, which are infinite at zeta = 1
+            continue;
+        }
         const T w = sqrt(T((1 - zeta) * (1 + zeta)));
         const T cosine = 1 + sums.g[i];
         const T sine = (cosine * zeta + sums.u[i] * sums.R[i]) / w;
@@ -38,12 +44,21 @@ FrictionMotions<T>::FrictionMotions(const ModeSums<T>& sums_, std::size_t first_
 }
 
 template <class T>
+T FrictionMotions<T>::size_of(const evaluation::FrictionMotion<T>& y, std::size_t i, const T& tau) const {
+    const T &R = sums.R[i], &zeta = sums.zeta[i];
+    if (zeta < 1) return c[i - first] * exp(T(-zeta * tau / R));
+    const T y_1 = R * y.prime, y_2 = R * R * y.double_prime;
+    const T y_3 = -(2 * zeta * y_2 + y_1), y_4 = -(2 * zeta * y_3 + y_2);
+    return std::max(modulus(Complex<T>{y_2, y_3}), modulus(Complex<T>{y_3, y_4}));
+}
+
+template <class T>
 const FrictionMotionsAt<T>& FrictionMotions<T>::at(const T& tau) {
     const auto found = known.find(tau);
     if (found != known.end()) return found->second;
     if (known.size() * c.size() >= most_remembered) known.clear();
     FrictionMotionsAt<T> now{friction_motions_in(sums, tau, first, last), {}};
-    for (std::size_t i = first; i < last; ++i) now.size.push_back(c[i - first] * exp(T(-sums.zeta[i] * tau / sums.R[i])));
+    for (std::size_t i = first; i < last; ++i) now.size.push_back(size_of(now.y[i - first], i, tau));
     return known.emplace(tau, std::move(now)).first->second;
 }
 

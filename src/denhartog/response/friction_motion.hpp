@@ -1,8 +1,10 @@
 /// @file
 /// @brief The braces of (40) of all modes at one instant, and bounds of their derivatives.
 ///
-/// Every mode's braces are \f$ 1 - \mathrm{Re}\{c_i e^{\rho_i\tau}\} \f$ with \f$ |\rho_i| = 1/R_i \f$, so that from an instant a
-/// on their n-th derivative is at most \f$ |c_i|\,e^{-\zeta_i a/R_i}/R_i^n \f$.
+/// Where \f$ \zeta_i < 1 \f$ the braces are \f$ 1 - \mathrm{Re}\{c_i e^{\rho_i\tau}\} \f$ with \f$ |\rho_i| = 1/R_i \f$, so that
+/// from an instant a on their n-th derivative is at most \f$ |c_i|\,e^{-\zeta_i a/R_i}/R_i^n \f$. Where \f$ \zeta_i \ge 1 \f$ the
+/// derivatives \f$ y_n \f$ in \f$ \tau/R_i \f$ follow from one another, \f$ y_{n+2} = -2\zeta_iy_{n+1} - y_n \f$, n of 1 and more,
+/// and no \f$ y_n^2 + y_{n+1}^2 \f$ ever grows: what it is at a bounds both from there on.
 #pragma once
 
 #include <map>
@@ -17,7 +19,7 @@ namespace denhartog {
 template <class T>
 struct FrictionMotionsAt {
     std::vector<evaluation::FrictionMotion<T>> y; ///< braces and derivatives, one entry a mode of the range
-    std::vector<T> size;                          ///< |c_i| exp(-zeta_i tau / R_i): over R_i^n it bounds the n-th derivative
+    std::vector<T> size;                          ///< over R_i^n it bounds the n-th derivative from there on, n = 2, 3, 4
 };
 
 /// @brief Braces of (40) at instants of the half-period, remembered: the masses of a system share their instants.
@@ -39,6 +41,8 @@ private:
     std::size_t first, last;
     std::vector<T> c;
     std::map<T, FrictionMotionsAt<T>> known;
+
+    [[nodiscard]] T size_of(const evaluation::FrictionMotion<T>& y, std::size_t i, const T& tau) const;
 };
 
 /// @brief Braces of (40) of every mode and their derivatives at an instant.
