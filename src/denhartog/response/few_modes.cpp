@@ -140,8 +140,7 @@ private:
         for (std::size_t i = 0; i < N(); ++i) {
             const ModeAtR& m = modes[i];
             const Bounded R_2 = m.R * m.R;
-            S +=
-                above(weight(j, j, i) / R_2) * std::numbers::pi / 2 * (largest_acceleration(m) + above(R_2 * m.u));
+            S += above(weight(j, j, i) / R_2) * std::numbers::pi / 2 * (largest_acceleration(m) + above(R_2 * m.u));
         }
         const Bounded size = modulus(V_j);
         return (size.x - size.e) / std::hypot(S, above(U_j)) * (1 - 1e-12);
