@@ -3,10 +3,10 @@
 ///
 /// In \f$ w^2 = 1-\zeta^2 \f$ the cosine \f$ C = \cos wx \f$ and the sine over w, \f$ S = \sin(wx)/w \f$, are entire, so that the
 /// paper's formulas hold for every damping ratio once they are written in them. Only \f$ e^{-\zeta x}C \f$ and
-/// \f$ e^{-\zeta x}S \f$ are formed. Up to \f$ w_1x = 1 \f$, \f$ w_1 = \sqrt{\zeta^2-1} \f$, they come from series in \f$ w^2x^2 \f$,
-/// which make no exception of \f$ \zeta = 1 \f$; beyond from the decaying exponentials \f$ e^{-ax} \f$ and \f$ e^{-x/a} \f$,
-/// \f$ a = \zeta - w_1 \f$. Every form is branch-free and proved in `derivation/overdamped_modes.cpp`, from the equation of motion
-/// of the mode and the conditions at \f$ \tau = \pi \f$; `damping_functions_of_free_motion` and `free_motion_of` are the paper's
+/// \f$ e^{-\zeta x}S \f$ are formed. Up to \f$ w_1x = 1 \f$, \f$ w_1 = \sqrt{\zeta^2-1} \f$, they come from series in its
+/// square, which make no exception of \f$ \zeta = 1 \f$; beyond from the decaying exponentials \f$ e^{-ax} \f$ and \f$ e^{-x/a} \f$,
+/// \f$ a = \zeta - w_1 \f$. Every form is branch-free and proved in `derivation/overdamped_modes.cpp`, from the equation of
+/// motion of the mode and the conditions at \f$ \tau = \pi \f$; `damping_functions_of_free_motion` and `free_motion_of` are the paper's
 /// formulas below \f$ \zeta = 1 \f$ too. Only the selections, at the end, compare numbers.
 #pragma once
 
@@ -15,7 +15,7 @@
 
 namespace denhartog::evaluation {
 
-/// @brief \f$ v_{di} \f$ in \f$ p = 1/R \f$ where \f$ A = (p-1)(p+1) \f$ is larger than \f$ B = 2\zeta p \f$: no square overflows.
+/// @brief \f$ v_{di} \f$ in \f$ p = 1/R \f$ where \f$ A = (p-1)(p+1) \f$ is larger than \f$ B = 2\zeta p \f$.
 /// \f[ \mathrm{Re}\{v\} = \frac{p^2}{A + B\,(B/A)}, \qquad \mathrm{Im}\{v\} = -\frac{B}{A}\,\mathrm{Re}\{v\} \f]
 /// @eq{23}  @derivation{overdamped_modes}  @domain{R > 0, zeta >= 0, R not 1; keeps its digits for R of 2 and more}
 /// @param R     modal frequency ratio, Eq. (22)
