@@ -1,13 +1,13 @@
 /// @file
 /// @brief Modes with \f$ \zeta \ge 1 \f$, which the paper leaves out: (23), (28), (29), (40), (A.8), (A.9) of such a mode.
 ///
-/// In \f$ w^2 = 1-\zeta^2 \f$ the cosine \f$ C = \cos wx \f$ and the sine over w, \f$ S = \sin(wx)/w \f$, are entire, so that the
-/// paper's formulas hold for every damping ratio once they are written in them. Only \f$ e^{-\zeta x}C \f$ and
+/// In \f$ w^2 = 1-\zeta^2 \f$ the cosine \f$ C = \cos wx \f$ and the sine over w, \f$ S = \sin(wx)/w \f$, are entire, so that
+/// the paper's formulas hold for every damping ratio once they are written in them. Only \f$ e^{-\zeta x}C \f$ and
 /// \f$ e^{-\zeta x}S \f$ are formed. Up to \f$ w_1x = 1 \f$, \f$ w_1 = \sqrt{\zeta^2-1} \f$, they come from series in its
-/// square, which make no exception of \f$ \zeta = 1 \f$; beyond from the decaying exponentials \f$ e^{-ax} \f$ and \f$ e^{-x/a} \f$,
-/// \f$ a = \zeta - w_1 \f$. Every form is branch-free and proved in `derivation/overdamped_modes.cpp`, from the equation of
-/// motion of the mode and the conditions at \f$ \tau = \pi \f$; `damping_functions_of_free_motion` and `free_motion_of` are the paper's
-/// formulas below \f$ \zeta = 1 \f$ too. Only the selections, at the end, compare numbers.
+/// square, which make no exception of \f$ \zeta = 1 \f$; beyond from the decaying exponentials \f$ e^{-ax} \f$ and
+/// \f$ e^{-x/a} \f$, \f$ a = \zeta - w_1 \f$. Every form is branch-free and proved in `derivation/overdamped_modes.cpp`, from
+/// the equation of motion of the mode and the conditions at \f$ \tau = \pi \f$; `damping_functions_of_free_motion` and
+/// `free_motion_of` are the paper's formulas below \f$ \zeta = 1 \f$ too. Only the selections, at the end, compare numbers.
 #pragma once
 
 #include "denhartog/evaluation/entire_functions.hpp"
