@@ -119,7 +119,7 @@ std::string text(double x) {
 }
 
 void check_arguments(std::span<const double> R, double zeta, const ModeArrays& out, Vectors vectors) {
-    if (!(zeta >= 0 && zeta < 1)) throw InputError("zeta", "must be at least 0 and below 1", text(zeta));
+    if (!(zeta >= 0 && std::isfinite(zeta))) throw InputError("zeta", "must be finite and at least 0", text(zeta));
     for (const std::size_t size : {out.v_re.size(), out.v_im.size(), out.u.size(), out.g.size(), out.at_pole.size()})
         if (size != R.size())
             throw InputError("an array of results", "must have the length of R, " + std::to_string(R.size()),
