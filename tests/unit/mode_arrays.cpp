@@ -145,11 +145,25 @@ TEST_CASE("frequency ratios beyond the vectors' range are left to the scalar for
     CHECK(f.g[4] == evaluation::mode_functions(0x1p201, 0.125).g);
 }
 
+TEST_CASE("modes with zeta of 1 and more are left to the scalar forms", "[eq:23][eq:28][eq:29][overdamped]") {
+    const std::vector<double> R{0.125, 1, 3};
+    for (const double zeta : {1.0, 1.5, 40.0}) {
+        const Functions f(R, zeta, evaluation::supported_vectors().back());
+        CHECK(f.scalar == 3);
+        for (std::size_t i = 0; i < R.size(); ++i) {
+            const ModeFunctions<double> one = evaluation::mode_functions(R[i], zeta);
+            CHECK(f.v_re[i] == one.v.re);
+            CHECK(f.u[i] == one.u);
+            CHECK(f.g[i] == one.g);
+        }
+    }
+}
+
 TEST_CASE("arguments of arrays of modes are checked", "[domain]") {
     std::vector<double> a(2);
     std::vector<std::uint8_t> marks(2);
     const auto run = [&](const std::vector<double>& R, double zeta) { evaluation::mode_functions(R, zeta, {a, a, a, a, marks}); };
-    CHECK_THROWS_WITH(run({1, 2}, -0.5), "zeta must be at least 0 and below 1, but is -0.5");
+    CHECK_THROWS_WITH(run({1, 2}, -0.5), "zeta must be finite and at least 0, but is -0.5");
     CHECK_THROWS_WITH(run({1, 2, 3}, 0.5), "an array of results must have the length of R, 3, but is 2");
     for (const double R : {0.0, -1.0, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()})
         CHECK_THROWS_AS(run({1, R}, 0.5), InputError);
