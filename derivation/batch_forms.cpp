@@ -122,8 +122,8 @@ const Register registered([] {
          .assumptions = domain,
          .kernel =
              [=, &s] {
-                 const evaluation::FrictionMotion<Symbolic> y =
-                     evaluation::friction_motion(Symbolic(s.tau), R, zeta, Symbolic(s.u), Symbolic(s.g));
+                 const evaluation::FrictionMotion<Symbolic> y = evaluation::friction_motion_of(
+                     evaluation::oscillating_free_motion(Symbolic(s.tau), R, zeta), R, Symbolic(s.u), Symbolic(s.g));
                  return Values{-(2 * zeta * R * y.double_prime + (1 - R) * (1 + R) * y.prime), y.value};
              },
          .derived =
