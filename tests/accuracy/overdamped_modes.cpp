@@ -303,7 +303,8 @@ TEST_CASE("the running error bound holds for overdamped modes", "[error_bound][o
         for (std::size_t i = 0; i < count; ++i) {
             const double error = static_cast<double>(Real100(abs(Real100(Real100(f[i].x) - truth[i]))));
             INFO(names[i] << " at " << text(p) << ": error " << error << ", bound " << f[i].e);
-            REQUIRE(error <= f[i].e);
+            const double of_truth = static_cast<double>(Real100(4 * std::numeric_limits<Real100>::epsilon() * abs(truth[i])));
+            REQUIRE(error <= f[i].e + of_truth); // a g of 1 less 1e-97 shows the last place of the reference
             if (error > 0) over.push_back(f[i].e / error);
         }
     }

@@ -162,21 +162,32 @@ std::array<T, 4> printed_at_resonance(const T& psi_k, const T& psi_j, const T& z
             paper::resonant_peak_of_single_mass(zeta, beta), paper::friction_ratio_limit_at_resonance(psi_k, psi_j, zeta)};
 }
 
+/// The paper's formulas in the digits of Wide.
+template <class Wide>
+std::array<Real100, 4> truth_at_resonance(const std::array<Real100, 4>& a) {
+    const std::array<Wide, 4> f = printed_at_resonance<Wide>(Wide(a[0]), Wide(a[1]), Wide(a[2]), Wide(a[3]));
+    std::array<Real100, 4> truth;
+    for (std::size_t i = 0; i < f.size(); ++i) truth[i] = static_cast<Real100>(f[i]);
+    return truth;
+}
+
 template <class T>
 std::vector<FunctionInZone> resonance(int points) {
     std::vector<FunctionInZone> all;
     for (const std::string& function : resonances) all.push_back({"zeta subnormal to 1", function, 0, {}, {}});
     Source<T> source;
     for (int n = 0; n < points; ++n) {
-        const T zeta = below_one(source.spread(n % 2 == 0 ? -308 : -12, 0));
+        const T zeta = below_one(source.spread(n % 8 == 0 ? -308 : -12, 0));
         const T psi_k = source.spread(-2, 1), psi_j = source.whole(0, 1) ? psi_k : source.spread(-2, 1);
         const T limit = evaluation::friction_ratio_limit_at_resonance(T(1), T(1), zeta);
         const T beta = source.whole(0, 1) ? T(limit * source.near_one()) : source.spread(-6, 1);
         const std::array<Real100, 4> wide{Real100(psi_k), Real100(psi_j), Real100(zeta), Real100(beta)};
-        const auto truth = printed_at_resonance<Real1100>(Real1100(psi_k), Real1100(psi_j), Real1100(zeta), Real1100(beta));
-        std::array<Real100, 4> rounded;
-        for (std::size_t i = 0; i < 4; ++i) rounded[i] = static_cast<Real100>(truth[i]);
-        note(all.data(), printed_at_resonance(psi_k, psi_j, zeta, beta), shipped_at_resonance(psi_k, psi_j, zeta, beta), rounded,
+        const double lost = -2 * std::max(-310.0, std::log10(static_cast<double>(zeta))); // by cosh - 1, by the peak at its end
+        const double needed = 2 * std::numeric_limits<T>::digits10 + 10 + lost;
+        const std::array<Real100, 4> truth = needed < 100   ? truth_at_resonance<Real100>(wide)
+                                             : needed < 300 ? truth_at_resonance<Real300>(wide)
+                                                            : truth_at_resonance<Real1100>(wide);
+        note(all.data(), printed_at_resonance(psi_k, psi_j, zeta, beta), shipped_at_resonance(psi_k, psi_j, zeta, beta), truth,
              hexadecimal(zeta) + ", " + hexadecimal(beta), [&wide] {
                  return conditions<4>(
                      wide, [](const std::array<Real100, 4>& a) { return shipped_at_resonance(a[0], a[1], a[2], a[3]); });
