@@ -87,7 +87,7 @@ struct Count {
     std::size_t overflows = 0;         ///< of these, pi zeta / R beyond the range of cosh
     std::size_t shipped_none = 0;      ///< the shipped form gives no number
     double heaviest = 0;               ///< largest damping ratio where the printed form gives no number though cosh is in range
-    Most printed_worst, shipped_worst; ///< digits lost where well conditioned
+    Most printed_worst;                ///< digits lost where well conditioned
     Most beyond;                       ///< digits that the shipped form loses beyond the condition number
 };
 
@@ -115,7 +115,6 @@ Count count(const std::vector<Map>& maps, std::size_t f) {
             ++c.good;
             c.many += p.printed > many;
             c.printed_worst.meet(p.printed, R, zeta);
-            c.shipped_worst.meet(p.shipped, R, zeta);
         }
     return c;
 }
@@ -154,8 +153,8 @@ void describe(Record& record, std::size_t f, const Count& c) {
                                  " as printed at an R that is exact, where only the condition number in zeta counts: more "
                                  "than 8 digits lost, or no number, at " +
                                  of(c.many_at_R, c.points) + ".");
-    words = symbol + " as shipped, condition number below 100: most digits are lost at " + c.shipped_worst.where +
-            "; beyond the condition number, anywhere: " + less_than(c.beyond.value) + ", most at " + c.beyond.where + ". ";
+    // No place: where a fraction of a digit is lost, the last places of the library's functions decide which is the worst.
+    words = symbol + " as shipped loses beyond the condition number, anywhere: " + less_than(c.beyond.value) + ". ";
     words += c.shipped_none == 0 ? "It is a number everywhere" : "It is no number at " + of(c.shipped_none, c.points);
     if (c.below_range > 0)
         words += "; " + std::to_string(c.below_range) + " points, where it is below the range of double, are not counted";
