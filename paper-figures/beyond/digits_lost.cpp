@@ -81,14 +81,14 @@ struct Most {
 /// What the maps hold of a function.
 struct Count {
     std::size_t points = 0, below_range = 0, good = 0; ///< in the range of double, below it; of the former well conditioned
-    std::size_t many = 0;              ///< well conditioned, and the printed form loses many digits or gives no number
-    std::size_t many_at_R = 0;         ///< well conditioned in zeta, and the printed form loses many digits or gives no number
-    std::size_t none = 0;              ///< the printed form gives no number
-    std::size_t overflows = 0;         ///< of these, pi zeta / R beyond the range of cosh
-    std::size_t shipped_none = 0;      ///< the shipped form gives no number
-    double heaviest = 0;               ///< largest damping ratio where the printed form gives no number though cosh is in range
-    Most printed_worst;                ///< digits lost where well conditioned
-    Most beyond;                       ///< digits that the shipped form loses beyond the condition number
+    std::size_t many = 0;         ///< well conditioned, and the printed form loses many digits or gives no number
+    std::size_t many_at_R = 0;    ///< well conditioned in zeta, and the printed form loses many digits or gives no number
+    std::size_t none = 0;         ///< the printed form gives no number
+    std::size_t overflows = 0;    ///< of these, pi zeta / R beyond the range of cosh
+    std::size_t shipped_none = 0; ///< the shipped form gives no number
+    double heaviest = 0;          ///< largest damping ratio where the printed form gives no number though cosh is in range
+    Most printed_worst;           ///< digits lost where well conditioned
+    Most beyond;                  ///< digits that the shipped form loses beyond the condition number
 };
 
 Count count(const std::vector<Map>& maps, std::size_t f) {
