@@ -3,8 +3,6 @@
 #include <array>
 #include <boost/math/special_functions/fpclassify.hpp>
 #include <cmath>
-#include <cstdint>
-#include <random>
 #include <string>
 #include <vector>
 
@@ -13,6 +11,7 @@
 #include "denhartog/formulas/mode.hpp"
 #include "denhartog/multiprecision.hpp"
 #include "tests/catch.hpp"
+#include "tests/speed_accuracy/mode_places.hpp"
 
 using namespace denhartog;
 
@@ -117,50 +116,33 @@ double error_of(const T& value, const Real100& truth) {
 
 /// Seeded places: moderate; everything; next to zeta = 1; delta of order 1; slow rate of order R; next to resonance.
 template <class T>
-class Source {
-public:
-    Place<T> place(std::size_t zone) {
-        Place<T> p = place_in(zone);
-        p.x = (whole(0, 1) == 1 ? T(uniform(0.01, 3.14)) : spread(-3, 0)) / p.R;
-        return p;
+Place<T> overdamped_place(std::size_t zone, tests::Source<T>& s) {
+    const auto not_below_1 = [](const T& zeta) { return zeta < 1 ? T(1) : zeta; };
+    const int digits = std::numeric_limits<T>::digits;
+    switch (zone) {
+    case 0: return {s.spread(-1.3, 1.3), not_below_1(s.spread(0, 1.3)), T(0)};
+    case 1: return {s.spread(-300, 300), not_below_1(s.spread(0, 300)), T(0)};
+    case 2: return {s.spread(-2, 3), 1 + ldexp(s.mantissa(), -s.whole(1, digits)), T(0)};
+    case 3: {
+        const T zeta = not_below_1(s.spread(0, s.whole(0, 1) == 1 ? 2 : 290));
+        return {T(zeta * s.spread(-1, 2)), zeta, T(0)};
     }
-
-private:
-    static T not_below_1(const T& zeta) { return zeta < 1 ? T(1) : zeta; }
-    Place<T> place_in(std::size_t zone) {
-        switch (zone) {
-        case 0: return {spread(-1.3, 1.3), not_below_1(spread(0, 1.3)), T(0)};
-        case 1: return {spread(-300, 300), not_below_1(spread(0, 300)), T(0)};
-        case 2: return {spread(-2, 3), 1 + ldexp(mantissa(), -whole(1, std::numeric_limits<T>::digits)), T(0)};
-        case 3: {
-            const T zeta = not_below_1(spread(0, whole(0, 1) == 1 ? 2 : 290));
-            return {T(zeta * spread(-1, 2)), zeta, T(0)};
-        }
-        case 4: {
-            const T zeta = not_below_1(spread(0, whole(0, 1) == 1 ? 2 : 290));
-            return {T(spread(-2, 2) / zeta), zeta, T(0)};
-        }
-        default: return {1 + ldexp(mantissa(), -whole(2, std::numeric_limits<T>::digits)), not_below_1(spread(0, 4)), T(0)};
-        }
+    case 4: {
+        const T zeta = not_below_1(s.spread(0, s.whole(0, 1) == 1 ? 2 : 290));
+        return {T(s.spread(-2, 2) / zeta), zeta, T(0)};
     }
-    double uniform(double low, double high) { return low + (high - low) * static_cast<double>(bits_() >> 11) * 0x1p-53; }
-    int whole(int low, int high) { return low + static_cast<int>(bits_() % static_cast<std::uint64_t>(high - low + 1)); }
-    T mantissa() {
-        T x(0);
-        for (int k = 0; k < std::numeric_limits<T>::digits; k += 32) x = (x + T(static_cast<double>(bits_() >> 32))) / T(0x1p32);
-        return 1 + x;
+    default: return {1 + ldexp(s.mantissa(), -s.whole(2, digits)), not_below_1(s.spread(0, 4)), T(0)};
     }
-    T spread(double low, double high) {
-        return ldexp(mantissa(), static_cast<int>(std::floor(uniform(low, high) * 3.3219280949)));
-    }
-    std::mt19937_64 bits_{20220118};
-};
+}
 
 template <class T>
 std::vector<Place<T>> places(int points) {
-    Source<T> source;
+    tests::Source<T> source(20220118);
     std::vector<Place<T>> all;
-    for (int n = 0; n < points; ++n) all.push_back(source.place(static_cast<std::size_t>(n % 6)));
+    for (int n = 0; n < points; ++n) {
+        all.push_back(overdamped_place(static_cast<std::size_t>(n % 6), source));
+        all.back().x = (source.whole(0, 1) == 1 ? T(source.uniform(0.01, 3.14)) : source.spread(-3, 0)) / all.back().R;
+    }
     const T eps = std::numeric_limits<T>::epsilon();
     for (const T& R : {T(1e-300), T(1) / 1000, T(1) / 3, T(1), 1 + eps, T(2), T(7), T(1e150), T(1e300)})
         for (const T& zeta : {T(1), 1 + eps, 1 + 64 * eps, T(5) / 4, T(3), T(1e8), T(1e16), T(1.4e154), T(1e300)})

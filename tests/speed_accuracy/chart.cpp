@@ -42,7 +42,7 @@ int main(int argc, char** argv) {
     ChartRun run{17, "not given", DENHARTOG_COMPILER, processor_name()};
     std::string output = ".", figures = ".";
     int points = 8;
-    double budget = 4;
+    double budget = 2.5;
     app.add_option("--output", output, "Directory for the CSV");
     app.add_option("--figures", figures, "Directory for the data of the pictures");
     app.add_option("--seed", run.seed, "Seed of the points");

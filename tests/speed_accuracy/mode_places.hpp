@@ -42,6 +42,7 @@ std::string hexadecimal(T x) {
 template <class T>
 class Source {
 public:
+    explicit Source(std::uint64_t seed = 20220117) : bits_(seed) {}
     double uniform(double low, double high) { return low + (high - low) * static_cast<double>(bits_() >> 11) * 0x1p-53; }
     int whole(int low, int high) { return low + static_cast<int>(bits_() % static_cast<std::uint64_t>(high - low + 1)); }
     /// A number with all its digits in [1, 2).
@@ -64,7 +65,7 @@ public:
     }
 
 private:
-    std::mt19937_64 bits_{20220117};
+    std::mt19937_64 bits_;
 };
 
 template <class T>
