@@ -22,4 +22,14 @@ Verdict decide_zero_and_twin(const ex& e) {
     return decide_equal(e + 1, 0, domain).verdict == Verdict::refuted ? Verdict::proved : Verdict::unknown;
 }
 
+Claim claim_on_limit(std::string id, std::vector<std::string> equations, std::string title, std::vector<std::string> assumptions,
+                     std::function<Outcome()> check) {
+    return {.id = std::move(id),
+            .equations = std::move(equations),
+            .role = Role::step,
+            .title = std::move(title),
+            .assumptions = std::move(assumptions),
+            .check = std::move(check)};
+}
+
 } // namespace denhartog::derivation

@@ -4,6 +4,7 @@
 
 #include <ginac/ginac.h>
 
+#include "claim.hpp"
 #include "limits.hpp"
 
 namespace denhartog::derivation {
@@ -19,5 +20,15 @@ namespace denhartog::derivation {
 /// @brief Whether an expression is zero, and one more than it is not. @param e the expression
 /// @return  proved, refuted or unknown; unknown where the twin of a proved zero is not refuted
 [[nodiscard]] Verdict decide_zero_and_twin(const GiNaC::ex& e);
+
+/// @brief A claim on an order, a limit or a path, decided by its own check.
+/// @param id           unique name
+/// @param equations    equations it is about
+/// @param title        one sentence
+/// @param assumptions  under which it holds
+/// @param check        decides it
+/// @return             the claim
+[[nodiscard]] Claim claim_on_limit(std::string id, std::vector<std::string> equations, std::string title,
+                                   std::vector<std::string> assumptions, std::function<Outcome()> check);
 
 } // namespace denhartog::derivation

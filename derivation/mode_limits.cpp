@@ -161,12 +161,7 @@ Outcome low_frequency_in_proportion() {
 }
 
 Claim limit(std::string id, std::string title, std::vector<std::string> assumptions, std::function<Outcome()> check) {
-    return {.id = std::move(id),
-            .equations = {"23", "28", "29"},
-            .role = Role::step,
-            .title = std::move(title),
-            .assumptions = std::move(assumptions),
-            .check = std::move(check)};
+    return claim_on_limit(std::move(id), {"23", "28", "29"}, std::move(title), std::move(assumptions), std::move(check));
 }
 
 const Register registered([] {

@@ -173,29 +173,20 @@ Outcome long_chain() {
     return outcome;
 }
 
-Claim limit(std::string id, std::vector<std::string> equations, std::string title, std::vector<std::string> assumptions,
-            std::function<Outcome()> check) {
-    return {.id = std::move(id),
-            .equations = std::move(equations),
-            .role = Role::step,
-            .title = std::move(title),
-            .assumptions = std::move(assumptions),
-            .check = std::move(check)};
-}
-
 const Register registered([] {
     return std::vector<Claim>{
-        limit("limits/merging-frequencies", {"33", "34", "35"},
-              "A mass with a tuned absorber that carries the load, for a light absorber: two natural frequencies merge",
-              {"zeta_1 = zeta_2", "j = 1, l = 2"}, merging_frequencies),
-        limit("limits/heavy-mass", {"33", "34", "35"}, "A mass between two springs, the second held by a mass without bound",
-              {"zeta_1 = zeta_2", "j = l = 1"}, heavy_mass),
-        limit("limits/light-mass", {"33", "34", "35"}, "A mass loaded through a spring and a mass that vanishes",
-              {"zeta_1 = zeta_2 > 0", "j = 1, l = 2"}, light_mass),
-        limit("limits/beta-to-boundary", {"38", "67"}, "The amplitude (38) for beta -> beta_lim", {"beta below (67)"},
-              to_boundary),
-        limit("limits/long-chain", {"33", "34", "35"}, "A chain of equal masses and springs for N -> infinity",
-              {"j = l = 1", "zeta_i > 0, the same for all modes"}, long_chain),
+        claim_on_limit("limits/merging-frequencies", {"33", "34", "35"},
+                       "A mass with a tuned absorber that carries the load, for a light absorber: two natural frequencies merge",
+                       {"zeta_1 = zeta_2", "j = 1, l = 2"}, merging_frequencies),
+        claim_on_limit("limits/heavy-mass", {"33", "34", "35"},
+                       "A mass between two springs, the second held by a mass without bound", {"zeta_1 = zeta_2", "j = l = 1"},
+                       heavy_mass),
+        claim_on_limit("limits/light-mass", {"33", "34", "35"}, "A mass loaded through a spring and a mass that vanishes",
+                       {"zeta_1 = zeta_2 > 0", "j = 1, l = 2"}, light_mass),
+        claim_on_limit("limits/beta-to-boundary", {"38", "67"}, "The amplitude (38) for beta -> beta_lim", {"beta below (67)"},
+                       to_boundary),
+        claim_on_limit("limits/long-chain", {"33", "34", "35"}, "A chain of equal masses and springs for N -> infinity",
+                       {"j = l = 1", "zeta_i > 0, the same for all modes"}, long_chain),
     };
 });
 

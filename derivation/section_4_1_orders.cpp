@@ -265,37 +265,26 @@ Outcome order_of_boundary() {
     return outcome;
 }
 
-/// A claim on an order or a path.
-Claim order(std::string id, std::vector<std::string> equations, std::string title, std::vector<std::string> assumptions,
-            std::function<Outcome()> check) {
-    return {.id = std::move(id),
-            .equations = std::move(equations),
-            .role = Role::step,
-            .title = std::move(title),
-            .assumptions = std::move(assumptions),
-            .check = std::move(check)};
-}
-
 const Register registered([] {
     const std::vector<std::string> fall{"R_i = 1, then zeta_i -> 0", "damping ratios of the other modes in proportion to zeta_i",
                                         "no other R_m is 1/n, n odd"};
     return std::vector<Claim>{
-        order("28/paths-to-resonance", {"28"}, "u_di at R_i -> 1 and zeta_i -> 0 depends on the path", {},
+        claim_on_limit("28/paths-to-resonance", {"28"}, "u_di at R_i -> 1 and zeta_i -> 0 depends on the path", {},
               paths_of_first_function),
-        order("76/paths", {"76"}, "v_di at R_i -> 1 and zeta_i -> 0 depends on the path", {}, paths_of_response),
-        order("77/order", {"76", "77"}, "The amplitude (77) has a relative error of second order", fall, order_of_response),
-        order("78/order", {"78"}, "The sine in (78) is zero but for a term of first order", fall, order_of_phase_difference),
-        order("80/paths", {"79", "80"}, "g_i at R_i -> 1 and zeta_i -> 0 depends on the path", {}, paths_of_second_function),
-        order("80/order", {"79", "80"}, "(79) and (80) have relative errors of second order", fall, order_of_second_function),
-        order("83/order", {"81", "82", "83"}, "(83) is (52) at resonance with a relative error of second order", fall,
+        claim_on_limit("76/paths", {"76"}, "v_di at R_i -> 1 and zeta_i -> 0 depends on the path", {}, paths_of_response),
+        claim_on_limit("77/order", {"76", "77"}, "The amplitude (77) has a relative error of second order", fall, order_of_response),
+        claim_on_limit("78/order", {"78"}, "The sine in (78) is zero but for a term of first order", fall, order_of_phase_difference),
+        claim_on_limit("80/paths", {"79", "80"}, "g_i at R_i -> 1 and zeta_i -> 0 depends on the path", {}, paths_of_second_function),
+        claim_on_limit("80/order", {"79", "80"}, "(79) and (80) have relative errors of second order", fall, order_of_second_function),
+        claim_on_limit("83/order", {"81", "82", "83"}, "(83) is (52) at resonance with a relative error of second order", fall,
               order_of_peak_of_mass),
-        order("84/order", {"84"}, "(84) is below (38) at r = 1 by a term of first order, relative error of second order",
+        claim_on_limit("84/order", {"84"}, "(84) is below (38) at r = 1 by a term of first order, relative error of second order",
               {"r = 1, then zeta -> 0", "beta below (85)"}, order_of_peak_of_single_mass),
-        order("84/place", {"83", "84"}, "To leading order the peak of a single mass lies at r = 1 and is linear in beta",
+        claim_on_limit("84/place", {"83", "84"}, "To leading order the peak of a single mass lies at r = 1 and is linear in beta",
               {"zeta -> 0", "beta below (85)"}, place_of_peak),
-        order("85/paths", {"67", "85"}, "The boundary (67) has one limit along every path R_i -> 1, zeta_i -> 0",
+        claim_on_limit("85/paths", {"67", "85"}, "The boundary (67) has one limit along every path R_i -> 1, zeta_i -> 0",
               {"psi_ji, psi_li not zero", "no other R_m is 1/n, n odd"}, paths_of_boundary),
-        order("85/order", {"85"}, "(85) lies above (67) by a relative error of first order", fall, order_of_boundary),
+        claim_on_limit("85/order", {"85"}, "(85) lies above (67) by a relative error of first order", fall, order_of_boundary),
     };
 });
 
