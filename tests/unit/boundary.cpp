@@ -268,6 +268,15 @@ TEST_CASE("a contact that the load does not reach never slides", "[sticking][dom
     CHECK(b.approximate == 0);
 }
 
+TEST_CASE("next to a resonance without damping the demand is largest at the start, whatever the rounding next to it", "[eq:57]") {
+    for (const double r : {0x1.fffffeefd9c0ep-1, 1 - 0x1p-30, 1 - 0x1p-40}) {
+        const Boundary<double> b = boundary(sums_of(oscillator(0, r)), 1.0);
+        INFO("r = " << hexadecimal(r) << ", S = " << hexadecimal(b.S_exact) << " at tau = " << hexadecimal(b.instant));
+        CHECK(b.instant == 0);
+        CHECK(std::abs(b.S_exact * r * r - 1) <= 4 * std::numeric_limits<double>::epsilon());
+    }
+}
+
 TEST_CASE("the ratio of static to kinetic friction is checked", "[domain]") {
     const ModeSums<double> s = sums_of(three_masses());
     for (const double mu : {0.875, -1.0, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()})

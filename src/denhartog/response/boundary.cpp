@@ -89,7 +89,14 @@ T instant_of_largest(const ModeSums<T>& s, std::size_t first, const std::vector<
     curve.sample = [&](const T& tau) { return demand(tau); };
     curve.rate = [&](const T& a, const T&) { return demand.rate(a); };
     curve.rise = [](const T& a, const T& b, const T& z_bound) { return rise_of_demand(a, b, z_bound); };
-    return global_maximum(curve, T(0), pi<T>()).instant;
+    const T found = global_maximum(curve, T(0), pi<T>()).instant;
+    // Next to the start the sampled quotient is of two small numbers, and its rounding can look like a maximum.
+    const auto demanded = [&](const T& tau) {
+        T sum(0);
+        for (std::size_t n = 0; n < weights.size(); ++n) sum += weights[n] * s_d(s, first + n, tau);
+        return sum;
+    };
+    return demanded(T(0)) >= demanded(found) ? T(0) : found;
 }
 
 // Zero in place of a number without a digit; of one with a bound, with what it may be.
