@@ -30,8 +30,9 @@ const std::vector<Expected>& expected() {
     return rows;
 }
 
-/// Whether the paper's form of a function loses more than half of its digits, what is larger than every number of the type included:
-/// the square of 1 - R^2 for R = 1e100, the hyperbolic cosine of pi zeta / R for R = 1e-8, ten to the power of 14 millions.
+/// Whether the paper's form of a function loses more than half of its digits, what is larger than every number of the type
+/// included: the square of 1 - R^2 for R = 1e100, the hyperbolic cosine of pi zeta / R for R = 1e-8, ten to the power of 14
+/// millions.
 bool is_lost(std::size_t path, std::size_t f, int largest_power_of_ten) {
     const std::string& words = expected()[path].words;
     if (words == "R = 1/x → ∞, ζ = 0.1" && f == 0) return largest_power_of_ten < 400;

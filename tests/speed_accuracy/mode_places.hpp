@@ -162,9 +162,9 @@ bool decays_out_of_range(const Place<T>& p) {
     return p.zeta > 0 && std::max(-330.0, std::log10(static_cast<double>(p.zeta))) - std::log10(static_cast<double>(p.R)) > 8.68;
 }
 
-/// Digits in which the printed damping functions have those of T and more: they lose those of the angle 1/R; near a pole the square
-/// of the distance from it, or of zeta where R is 1/n exactly; at large R what the two terms of (29) cancel, but nothing below the
-/// range of the type.
+/// Digits in which the printed damping functions have those of T and more: they lose those of the angle 1/R; near a pole the
+/// square of the distance from it, or of zeta where R is 1/n exactly; at large R what the two terms of (29) cancel, but nothing
+/// below the range of the type.
 template <class T>
 double digits_needed(const Place<T>& p) {
     const double R = std::log10(static_cast<double>(p.R)),

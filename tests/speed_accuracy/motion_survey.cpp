@@ -49,8 +49,8 @@ std::array<Real100, 5> motion_in(const Instant<T>& p) {
     return truth;
 }
 
-/// What the printed forms lose at an instant is lost at the place, and at the ends of the half-period, where a quotient of two small
-/// numbers is taken.
+/// What the printed forms lose at an instant is lost at the place, and at the ends of the half-period, where a quotient of two
+/// small numbers is taken.
 template <class T>
 std::array<Real100, 5> truth_of(const Instant<T>& p) {
     const double end = static_cast<double>(std::min(p.tau, T(abs(T(pi<T>() - p.tau))) + std::numeric_limits<T>::epsilon()));

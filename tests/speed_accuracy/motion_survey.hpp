@@ -9,8 +9,8 @@
 
 namespace denhartog::tests {
 
-/// @brief Worst errors of a function in a zone, in units of eps over the condition number: 1 or, where larger, the relative change
-/// for one of an argument.
+/// @brief Worst errors of a function in a zone, in units of eps over the condition number: 1 or, where larger, the relative
+/// change for one of an argument.
 ///
 /// The unit is eps times the size of the true value, or times the least normal number where that is larger.
 struct FunctionInZone {

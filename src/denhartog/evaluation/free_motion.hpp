@@ -2,10 +2,11 @@
 /// @brief What callers get for (A.8), (A.9) and the expression under the maximum in (57): forms that keep their digits.
 ///
 /// The expression of (57) is a quotient whose numerator and denominator both vanish at the ends of the half-period. Up to the
-/// middle its numerator is taken from the start, where \f$ R_iq_i' - \cos\tau \f$ is a sum of three small terms; beyond the middle
-/// from the end, backwards in time, where friction and damping change their sign: with \f$ \sigma = \pi - \tau \f$ it is minus
-/// the same expression at \f$ \sigma \f$ with \f$ -\zeta_i \f$ and \f$ -g_i \f$. Where the decay over the half-period is large,
-/// \f$ 1 - g_i \f$ and \f$ u_{di} \f$ are both of the size of that decay, which is taken out.
+/// middle its numerator is taken from the start, where \f$ R_iq_i' - \cos\tau \f$ is a sum of three small terms; beyond the
+/// middle from the end, backwards in time, where friction and damping change their sign: with
+/// \f$ \sigma = \pi - \tau \f$ it is minus the same expression at \f$ \sigma \f$ with \f$ -\zeta_i \f$ and \f$ -g_i \f$.
+/// Where the decay over the half-period is large, \f$ 1 - g_i \f$ and \f$ u_{di} \f$ are both of the size of that decay, which is
+/// taken out.
 #pragma once
 
 #include "denhartog/evaluation/mode.hpp"

@@ -53,8 +53,8 @@ enum class Vectors : std::uint8_t {
 /// @param out      arrays as long as R
 /// @param vectors  width of the vectors, one that this processor has
 /// @return         how many R were left to the scalar forms
-/// @throws         InputError where zeta is negative or not finite, an R is not positive and finite, an array has another length than
-///                 R, or the processor has no vectors of that width
+/// @throws         InputError where zeta is negative or not finite, an R is not positive and finite, an array has another
+///                 length than R, or the processor has no vectors of that width
 std::size_t mode_functions(std::span<const double> R, double zeta, const ModeArrays& out, Vectors vectors);
 
 /// @brief The same with the widest vectors of this processor.

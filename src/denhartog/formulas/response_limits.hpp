@@ -10,8 +10,8 @@ namespace denhartog::limits {
 /// @brief (33) of a mass whose own tuned absorber carries the load, where the absorber's mass ratio falls to zero.
 ///
 /// Two masses with \f$ \gamma_2 = \kappa_2 = x \f$, j = 1, l = 2, have natural frequencies with \f$ r_{n,1}\,r_{n,2} = 1 \f$ that
-/// merge for x to 0. With \f$ f(\lambda) = v(r/\sqrt\lambda)/\lambda \f$ the sum (33) is minus the divided difference of f between
-/// the two \f$ \lambda = r_n^2 \f$, and tends to minus its derivative:
+/// merge for x to 0. With \f$ f(\lambda) = v(r/\sqrt\lambda)/\lambda \f$ the sum (33) is minus the divided difference of f
+/// between the two \f$ \lambda = r_n^2 \f$, and tends to minus its derivative:
 /// \f[ V_{d1} \to -f'(1) = \frac{1+i\zeta r}{(1-r^2+2i\zeta r)^2} \f]
 /// (34) and (35) tend to (28) and (29) of the mass alone.
 /// @eq{33}  @derivation{response_limits}  @domain{both damping ratios equal; 0 < zeta < 1, or r not 1}

@@ -2,8 +2,9 @@
 /// @brief One linear stretch of motion in modal coordinates:
 /// \f$ q_i'' + \sum_m D_{im} q_m' + \omega_i^2 q_i = F_i\cos\tau + G_i \f$.
 ///
-/// Where D is diagonal each coordinate has its closed form, overdamped ones that of `evaluation/overdamped.hpp`. Where it is not, which happens only while the contact sticks, the
-/// Taylor series of the coordinates is summed to rounding from nodes that are one over the largest rate apart.
+/// Where D is diagonal each coordinate has its closed form, overdamped ones that of `evaluation/overdamped.hpp`. Where it is
+/// not, which happens only while the contact sticks, the Taylor series of the coordinates is summed to rounding from nodes that
+/// are one over the largest rate apart.
 #pragma once
 
 #include <algorithm>
