@@ -277,6 +277,21 @@ TEST_CASE("next to a resonance without damping the demand is largest at the star
     }
 }
 
+TEST_CASE("next to a resonance without damping the largest demand is not lost in the rounding of the terms that it is left of",
+          "[eq:57]") {
+    // The worst scene of the survey of bounds: R of mode 2 is 1 - 2.7e-12, and the demand rises by 2.6e-4 up to tau = 0.025.
+    const std::vector<double> gamma{1, 0x1.91e6248cdd26cp-3, 0x1.9f3a8f19fc0dp-2, 0x1.050acd13e4ee7p+0};
+    const std::vector<double> kappa{1, 0x1.6b48fb0b08e5p-3, 0x1.31f33ebb7d2e3p-1, 0x1.128c467fc439ap+0};
+    const ModeSums<double> s = sums_of(chain(gamma, kappa, {0, 0, 0, 0}, 2, 1, 1, 0x1.0ec2cbb675dd2p+0));
+    const Boundary<double> b = boundary(s, 1.0);
+    for (int n = 0; n <= 1000; ++n) {
+        const double tau = n * 0x1p-14;
+        INFO("tau = " << hexadecimal(tau));
+        CHECK(b.S_exact >= sliding_demand(s, tau));
+    }
+    CHECK(b.S_exact > (1 + 2e-4) * sliding_demand(s, 0.0));
+}
+
 TEST_CASE("the ratio of static to kinetic friction is checked", "[domain]") {
     const ModeSums<double> s = sums_of(three_masses());
     for (const double mu : {0.875, -1.0, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()})

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <type_traits>
 
 #include "denhartog/bounded.hpp"
 #include "denhartog/errors.hpp"
@@ -80,8 +81,40 @@ T rise_of_demand(const T& a, const T& b, const T& z_bound) {
     return z_bound * 2 * quarter * quarter / cos(half) / std::min(T(sin(a)), T(sin(b)));
 }
 
+// Whether N is so small a difference of its terms, next to a pole of (28), that a search in T would follow their rounding.
+template <class T>
+bool terms_hide_demand(const ModeSums<T>& s, std::size_t first, const std::vector<T>& weights) {
+    T terms(0), demanded(0);
+    for (std::size_t n = 0; n < weights.size(); ++n) {
+        const T& R = s.R[first + n];
+        const T& u = s.u[first + n];
+        terms += weights[n] * R * R * (u < 0 ? T(-u) : u);
+        demanded += weights[n] * (1 + s.g[first + n]);
+    }
+    return terms > 100000 * demanded;
+}
+
+// The modes of a range in 50 digits, as far as the demand has to do with them.
+ModeSums<Real50> in_50_digits(const ModeSums<double>& s, std::size_t first, std::size_t count) {
+    ModeSums<Real50> out{};
+    for (std::size_t i = first; i < first + count; ++i) {
+        const Real50 R(s.R[i]), zeta(s.zeta[i]);
+        const evaluation::DampingFunctions<Real50> f = evaluation::damping_functions(R, zeta);
+        out.R.push_back(R);
+        out.zeta.push_back(zeta);
+        out.u.push_back(f.u);
+        out.g.push_back(f.g);
+    }
+    return out;
+}
+
 template <class T>
 T instant_of_largest(const ModeSums<T>& s, std::size_t first, const std::vector<T>& weights) {
+    if constexpr (std::is_same_v<T, double>) {
+        if (terms_hide_demand(s, first, weights))
+            return static_cast<double>(instant_of_largest(in_50_digits(s, first, weights.size()), 0,
+                                                          std::vector<Real50>(weights.begin(), weights.end())));
+    }
     ++searches;
     FrictionMotions<T> y(s, first, first + weights.size());
     const Demand<T> demand{s, y, first, weights};
