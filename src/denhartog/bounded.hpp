@@ -33,10 +33,14 @@ struct Bounded {
     /// @param error  bound of its error
     Bounded(double value, double error) : x(value), e(error) {}
 
-    Bounded& operator+=(const Bounded& b); ///< adds
-    Bounded& operator-=(const Bounded& b); ///< subtracts
-    Bounded& operator*=(const Bounded& b); ///< multiplies
-    Bounded& operator/=(const Bounded& b); ///< divides
+    /// @brief Adds. @param b a number @return this
+    Bounded& operator+=(const Bounded& b);
+    /// @brief Subtracts. @param b a number @return this
+    Bounded& operator-=(const Bounded& b);
+    /// @brief Multiplies. @param b a number @return this
+    Bounded& operator*=(const Bounded& b);
+    /// @brief Divides. @param b a number @return this
+    Bounded& operator/=(const Bounded& b);
 };
 
 /// @brief A result with a bound. Where the bound is no number, as of zero times something unbounded, or the result is none, there
@@ -69,16 +73,21 @@ constexpr double library_units = 0.6;
 /// @brief The same for hyperbolic functions and those of pi times x, which are made of others.
 constexpr double composed_units = 2;
 
+/// @brief The opposite, as certain. @param a a number @return -a
 [[nodiscard]] inline Bounded operator-(const Bounded& a) { return {-a.x, a.e}; }
+/// @brief Sum: the errors add up, and its rounding is known. @param a a number @param b a number @return a + b
 [[nodiscard]] inline Bounded operator+(const Bounded& a, const Bounded& b) {
     const double sum = a.x + b.x;
     return with_bound(sum, a.e + b.e, rounding_of_sum(a.x, b.x, sum));
 }
+/// @brief Difference, bounded as a sum is. @param a a number @param b a number @return a - b
 [[nodiscard]] inline Bounded operator-(const Bounded& a, const Bounded& b) { return a + -b; }
+/// @brief Product; its rounding is known from a fused product. @param a a number @param b a number @return a b
 [[nodiscard]] inline Bounded operator*(const Bounded& a, const Bounded& b) {
     const double product = a.x * b.x;
     return with_bound(product, std::abs(a.x) * b.e + std::abs(b.x) * a.e + a.e * b.e, std::abs(std::fma(a.x, b.x, -product)));
 }
+/// @brief Quotient; unbounded where the divisor may be zero. @param a a number @param b a number @return a / b
 [[nodiscard]] inline Bounded operator/(const Bounded& a, const Bounded& b) {
     const double q = a.x / b.x, least = std::abs(b.x) - b.e;
     return with_bound(q, least > 0 ? (a.e + std::abs(q) * b.e) / least : std::numeric_limits<double>::infinity(),
@@ -88,11 +97,17 @@ inline Bounded& Bounded::operator+=(const Bounded& b) { return *this = *this + b
 inline Bounded& Bounded::operator-=(const Bounded& b) { return *this = *this - b; }
 inline Bounded& Bounded::operator*=(const Bounded& b) { return *this = *this * b; }
 inline Bounded& Bounded::operator/=(const Bounded& b) { return *this = *this / b; }
+/// @brief Compares values; bounds play no part. @param a a number @param b a number @return whether a is less
 [[nodiscard]] inline bool operator<(const Bounded& a, const Bounded& b) { return a.x < b.x; }
+/// @brief Compares values; bounds play no part. @param a a number @param b a number @return whether a is greater
 [[nodiscard]] inline bool operator>(const Bounded& a, const Bounded& b) { return a.x > b.x; }
+/// @brief Compares values; bounds play no part. @param a a number @param b a number @return whether a is not greater
 [[nodiscard]] inline bool operator<=(const Bounded& a, const Bounded& b) { return a.x <= b.x; }
+/// @brief Compares values; bounds play no part. @param a a number @param b a number @return whether a is not less
 [[nodiscard]] inline bool operator>=(const Bounded& a, const Bounded& b) { return a.x >= b.x; }
+/// @brief Compares values; bounds play no part. @param a a number @param b a number @return whether both are one value
 [[nodiscard]] inline bool operator==(const Bounded& a, const Bounded& b) { return a.x == b.x; }
+/// @brief Compares values; bounds play no part. @param a a number @param b a number @return whether they differ
 [[nodiscard]] inline bool operator!=(const Bounded& a, const Bounded& b) { return a.x != b.x; }
 
 /// @brief Square root. @param a a number @return its root; of one that may be zero, or negative by its error, an error as large
@@ -165,9 +180,13 @@ struct PiOf<Bounded> {
 
 } // namespace denhartog
 
+namespace std {
+
 /// @brief The limits of the value, a double.
 template <>
-class std::numeric_limits<denhartog::Bounded> : public std::numeric_limits<double> {};
+class numeric_limits<denhartog::Bounded> : public numeric_limits<double> {};
+
+} // namespace std
 
 namespace Eigen {
 

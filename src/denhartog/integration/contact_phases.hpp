@@ -37,21 +37,25 @@ struct Event {
 /// @brief The phases of one system at one excitation, one at a time.
 template <class T>
 struct ContactPhases {
-    const ContactSystem<T>* system;     ///< the system
-    Excitation<T> e;                    ///< frequency and friction
-    std::size_t N;                      ///< number of masses
-    LinearMotion<T> sliding, sticking;  ///< the two kinds of motion
-    std::vector<T> w;                   ///< M^-1 e_j / r^2: accelerations that a unit force on the contact makes
-    T inertia;                          ///< 1 / w_j
-    Matrix<T> stuck_momentum;           ///< phi^T M of the stuck configuration: its modal coordinates of a state
-    std::vector<T> k_j, c_j, m_j;       ///< what the stuck modes bring to the contact: stiffness, damping, inertia
-    T load_per_energy;                  ///< bound of a derivative of the load on the contact over the energy norm of that order
-    T load_rest;                        ///< what the inertia of the others adds to that bound
-    T load_growth;                      ///< how fast the bound grows
-    T direct;                           ///< part of the force that acts on the contact itself, 0 or 1
-    T step;                             ///< a step that the search for events took
-    std::vector<T> x, v;                ///< the state at the start of the phase
-    int touching = 0;                   ///< events so tangential that rounding decided them
+    const ContactSystem<T>* system; ///< the system
+    Excitation<T> e;                ///< frequency and friction
+    std::size_t N;                  ///< number of masses
+    LinearMotion<T> sliding;        ///< the motion while the contact slides
+    LinearMotion<T> sticking;       ///< the motion while it sticks
+    std::vector<T> w;               ///< M^-1 e_j / r^2: accelerations that a unit force on the contact makes
+    T inertia;                      ///< 1 / w_j
+    Matrix<T> stuck_momentum;       ///< phi^T M of the stuck configuration: its modal coordinates of a state
+    std::vector<T> k_j;             ///< stiffness that the stuck modes bring to the contact
+    std::vector<T> c_j;             ///< damping that they bring
+    std::vector<T> m_j;             ///< inertia that they bring
+    T load_per_energy;              ///< bound of a derivative of the load on the contact over the energy norm of that order
+    T load_rest;                    ///< what the inertia of the others adds to that bound
+    T load_growth;                  ///< how fast the bound grows
+    T direct;                       ///< part of the force that acts on the contact itself, 0 or 1
+    T step;                         ///< a step that the search for events took
+    std::vector<T> x;               ///< displacements at the start of the phase
+    std::vector<T> v;               ///< velocities at the start of the phase
+    int touching = 0;               ///< events so tangential that rounding decided them
 
     static constexpr int most_tangencies = 64; ///< in one phase; more are a load that lies on the limit to rounding
 
@@ -65,6 +69,7 @@ struct ContactPhases {
         set(excitation);
     }
 
+    /// @brief Sets frequency and friction anew. @param excitation frequency and friction @throws InputError
     void set(const Excitation<T>& excitation) {
         check(excitation);
         e = excitation;
@@ -86,12 +91,18 @@ struct ContactPhases {
         step = T(1);
     }
 
+    /// @brief Sets a mode of a motion at the frequency of the load.
+    /// @param m             the motion
+    /// @param i             the mode
+    /// @param r_n           natural frequency ratio
+    /// @param half_damping  decay rate over omega_1, zeta r_n
     void set_mode(LinearMotion<T>& m, std::size_t i, const T& r_n, const T& half_damping) {
         m.omega_0[i] = r_n / e.r;
         m.gap[i] = (e.r - r_n) / e.r * (1 + m.omega_0[i]);
         m.decay[i] = half_damping / e.r;
     }
 
+    /// @brief Sets the motion while the contact sticks. @param r2 square of the frequency ratio
     void set_sticking(const T& r2) {
         const StuckConfiguration<T>& s = system->stuck;
         for (std::size_t i = 0; i + 1 < N; ++i) {
@@ -109,6 +120,7 @@ struct ContactPhases {
         bound_load();
     }
 
+    /// @brief Bounds a derivative of the load on the contact by the energy of the stuck modes.
     void bound_load() {
         T force(0), stiffness(0), damping(0), inertial(0), fastest(0);
         for (std::size_t i = 0; i + 1 < N; ++i) {
@@ -125,7 +137,9 @@ struct ContactPhases {
         load_growth = load_per_energy * sqrt(force);
     }
 
-    // The state (x, v) at the start of a phase, taken into the coordinates of its motion.
+    /// @brief The state at the start of a phase, taken into the coordinates of its motion.
+    /// @param direction  1 or -1 as the contact slides, 0 where it sticks
+    /// @param tau        instant of the start
     void start_phase(int direction, const T& tau) {
         if (direction == 0) {
             const StuckConfiguration<T>& s = system->stuck;
@@ -157,7 +171,10 @@ struct ContactPhases {
         sliding.start(tau);
     }
 
-    // Displacement, velocity or acceleration of every mass at the instant last evaluated, order 0 to 2.
+    /// @brief Displacement, velocity or acceleration of every mass at the instant last evaluated.
+    /// @param direction  1 or -1 as the contact slides, 0 where it sticks
+    /// @param order      0 to 2
+    /// @param out        gets a value a mass
     void masses_of(int direction, int order, std::vector<T>& out) const {
         out.resize(N);
         if (direction != 0) {
@@ -176,7 +193,10 @@ struct ContactPhases {
         }
     }
 
-    // Velocity of the contact in the direction of the phase.
+    /// @brief Velocity of the contact in the direction of the phase.
+    /// @param direction  1 or -1
+    /// @param t          time from the start of the phase
+    /// @return           value, three derivatives and their bounds
     Jet<T> velocity(int direction, const T& t) {
         using std::abs;
         sliding.differentiate_at(t);
@@ -192,7 +212,9 @@ struct ContactPhases {
         return jet;
     }
 
-    // What the contact carries while it sticks: everything but friction, and three derivatives.
+    /// @brief What the contact carries while it sticks: everything but friction.
+    /// @param t  time from the start of the phase
+    /// @return   value, three derivatives and their bounds
     Jet<T> load(const T& t) {
         using std::abs;
         sticking.differentiate_at(t);
@@ -213,6 +235,11 @@ struct ContactPhases {
         return jet;
     }
 
+    /// @brief Where a sliding phase ends: its velocity is zero.
+    /// @param direction  1 or -1
+    /// @param length     length of the stretch that is left
+    /// @param order      order of the zero at its start
+    /// @return           the event
     Event<T> end_of_sliding(int direction, const T& length, int order) {
         auto at = [&](const T& t) { return velocity(direction, t); };
         const std::optional<Crossing<T>> zero = first_crossing(at, T(0), length, order, step);
@@ -227,7 +254,11 @@ struct ContactPhases {
         return {zero->t, 0, 0, T(direction * along), true};
     }
 
-    // One mass: the load on the contact is cos tau - k_jj x_j, whose passage out of the cone is an arc cosine.
+    /// @brief Where a sticking phase of a single mass ends: the load on it is cos tau - k_jj x_j, whose passage out of the cone is
+    /// an arc cosine.
+    /// @param tau     instant of the start
+    /// @param length  length of the stretch that is left
+    /// @return        the event
     Event<T> end_of_sticking_alone(const T& tau, const T& length) {
         using std::acos;
         using std::ceil;
@@ -244,6 +275,9 @@ struct ContactPhases {
         return event;
     }
 
+    /// @brief Where a sticking phase ends: the load on the contact is more than friction holds.
+    /// @param length  length of the stretch that is left
+    /// @return        the event
     Event<T> end_of_sticking(const T& length) {
         const T holds = e.mu * e.beta;
         Event<T> event{length, 0, 0, T(0), false};
@@ -275,7 +309,9 @@ struct ContactPhases {
         return event;
     }
 
-    // Direction of the first phase of a stretch.
+    /// @brief Direction of the first phase of a stretch, from the velocity or else from the load on the contact.
+    /// @param tau  instant of the start
+    /// @return     1, -1 or 0, and the order of the zero of the velocity there
     std::pair<int, int> first_direction(const T& tau) {
         const T& v_j = v[system->contact.index];
         if (v_j != 0) return {v_j > 0 ? 1 : -1, 0};

@@ -12,7 +12,8 @@ namespace denhartog {
 /// @brief Deviations of the state over the 2N deviations of the start.
 template <class T>
 struct Deviations {
-    Matrix<T> dx, dv; ///< deviations of displacements and velocities, N x 2N
+    Matrix<T> dx; ///< deviations of displacements, N x 2N
+    Matrix<T> dv; ///< deviations of velocities, N x 2N
 
     /// @brief Starts from those of the state itself.
     /// @param N      number of masses
@@ -66,7 +67,7 @@ struct Deviations {
         shift(phases.w, T(-event.next * (phases.e.mu - 1) * phases.e.beta), Matrix<T>(dQ / -Q.f[1]));
     }
 
-  private:
+private:
     Matrix<T> dq, dp;
 
     void carry_stuck(ContactPhases<T>& phases, const Event<T>& event) {

@@ -60,13 +60,14 @@ struct ExactMotion {
 /// @brief Solver of one system at one excitation; keeps its working space from call to call. Not for two threads at once.
 template <class T>
 class ExactSolver {
-  public:
+public:
     /// @param system      the system; must outlive the solver
     /// @param excitation  frequency and friction
     /// @throws InputError where r, beta or mu breaks its rule
     ExactSolver(const ContactSystem<T>& system, const Excitation<T>& excitation);
     ~ExactSolver();
-    ExactSolver(ExactSolver&&) noexcept;
+    /// @param other  a solver, which is left without its working space
+    ExactSolver(ExactSolver&& other) noexcept;
 
     /// @brief Sets frequency and friction anew. @param excitation frequency and friction
     void set(const Excitation<T>& excitation);
@@ -93,7 +94,7 @@ class ExactSolver {
     /// @return  the extremum of every mass
     [[nodiscard]] std::vector<Extremum<T>> largest_displacements();
 
-  private:
+private:
     struct Work;
     std::unique_ptr<Work> work_;
 };

@@ -67,6 +67,7 @@ template <class T>
 /// @param at     jet at an instant
 /// @param a      left end
 /// @param b      right end
+/// @param jet_a  jet at the left end
 /// @param jet_b  jet at the right end
 /// @return       the zero, to rounding
 template <class T, class Function>

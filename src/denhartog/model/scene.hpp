@@ -17,14 +17,16 @@ using Matrix = Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic>;
 
 /// @brief A mass, counted from 0; input and prose count from 1.
 struct Mass {
-    std::size_t index = 0;                        ///< position in arrays over the masses
-    bool operator==(const Mass&) const = default; ///< same mass
+    std::size_t index = 0; ///< position in arrays over the masses
+    /// @brief Same mass. @return whether it is
+    bool operator==(const Mass&) const = default;
 };
 
 /// @brief A vibrating mode, counted from 0 in the order of ascending natural frequency.
 struct Mode {
-    std::size_t index = 0;                        ///< position in arrays over the modes
-    bool operator==(const Mode&) const = default; ///< same mode
+    std::size_t index = 0; ///< position in arrays over the modes
+    /// @brief Same mode. @return whether it is
+    bool operator==(const Mode&) const = default;
 };
 
 /// @brief The system: a chain by ratios, or symmetric matrices of any topology.

@@ -36,7 +36,8 @@ struct Pole {
 /// @brief A part of the stretch between two poles.
 template <class T>
 struct Part {
-    T a, b;                ///< its ends
+    T a;                   ///< its left end
+    T b;                   ///< its right end
     const Pole<T>* pole_a; ///< the pole at a; null where there is none
     const Pole<T>* pole_b; ///< the pole at b; null where there is none
 };
