@@ -1,0 +1,142 @@
+# Input filter of Doxygen: the project's own tags become links, and $...$ in Markdown becomes a formula.
+#
+# @eq{28,A.8}         links to the pages of the equations, label eq_28, eq_A_8; what is no number stays text
+# @erratum{40}        a link to what the page says of the printed form
+# @derivation{name}   a link to derivation/name.cpp, made good by `pages link`
+# @domain{...}        a paragraph; commas and all
+# What is documented stands in the headers of the library and the derivation; of all other sources, which the site shows as they
+# are, nothing is declared. No line is added or taken away: line numbers stay true.
+
+function label(number) {
+    gsub(/\./, "_", number)
+    return "eq_" number
+}
+
+function linked(list, parts, n, i, number, out) {
+    n = split(list, parts, ",")
+    out = ""
+    for (i = 1; i <= n; ++i) {
+        number = parts[i]
+        gsub(/^ +| +$/, "", number)
+        if (number ~ /^([0-9]+|A\.[0-9]+)$/)
+            out = out (i > 1 ? "\\, " : "") "\\ref " label(number) " \"(" number ")\""
+        else
+            out = out (i > 1 ? "\\, " : "") number
+    }
+    return out
+}
+
+# The first @tag{...} of a line, braces balanced; start and length in AT and LENGTH, what is inside in INSIDE.
+function find_tag(line, tag, i, depth, c) {
+    AT = index(line, "@" tag "{")
+    if (!AT) return 0
+    depth = 0
+    for (i = AT + length(tag) + 1; i <= length(line); ++i) {
+        c = substr(line, i, 1)
+        if (c == "{") ++depth
+        if (c == "}" && --depth == 0) {
+            LENGTH = i - AT + 1
+            INSIDE = substr(line, AT + length(tag) + 2, LENGTH - length(tag) - 3)
+            return 1
+        }
+    }
+    return 0
+}
+
+function put(line, text) {
+    return substr(line, 1, AT - 1) text substr(line, AT + LENGTH)
+}
+
+function formulas(line, out, at) {
+    out = ""
+    while ((at = index(line, "$")) > 0) {
+        out = out substr(line, 1, at - 1)
+        line = substr(line, at + 1)
+        at = index(line, "$")
+        if (!at) return out "$" line
+        out = out "\\f$" substr(line, 1, at - 1) "\\f$"
+        line = substr(line, at + 1)
+    }
+    return out line
+}
+
+# Numbers of equations in running text, (46) or (A.8), as links to their pages; a formula or a piece of code is left alone.
+function numbers(line, out, at, before, number) {
+    out = ""
+    while (match(line, /\\f\$[^$]*\$|`[^`]*`|\((A\.)?[0-9]+\)/)) {
+        at = RSTART
+        number = substr(line, at + 1, RLENGTH - 2)
+        before = at > 1 ? substr(line, at - 1, 1) : substr(out, length(out), 1)
+        out = out substr(line, 1, at - 1)
+        if (substr(line, at, 1) == "(" && before !~ /[A-Za-z0-9_^\]]/ && is_equation(number))
+            out = out "\\ref " label(number) " \"(" number ")\""
+        else
+            out = out substr(line, at, RLENGTH)
+        line = substr(line, at + RLENGTH)
+    }
+    return out line
+}
+
+function is_equation(number) {
+    return number ~ /^A\./ ? substr(number, 3) + 0 >= 1 && substr(number, 3) + 0 <= 15 : number + 0 >= 1 && number + 0 <= 88
+}
+
+# Paths of sources in a Markdown text, `model/scene.hpp`, as links: from the project's root, or from src/denhartog.
+function sources(line, out, path, full) {
+    out = ""
+    while (match(line, /`[a-z_0-9\/-]+\/[a-z_0-9]+\.[hc]pp`/)) {
+        path = substr(line, RSTART + 1, RLENGTH - 2)
+        full = path ~ /^(src|derivation|tests|paper-figures|docs)\// ? path : "src/denhartog/" path
+        out = out substr(line, 1, RSTART - 1) "<a href=\"source:" full "\"><code>" path "</code></a>"
+        line = substr(line, RSTART + RLENGTH)
+    }
+    return out line
+}
+
+# A label for a page from the name of its file: docs/reading-order.md is reading_order, docs/ledger/README.md is ledger.
+function page_label(file, parts, n, name) {
+    n = split(file, parts, "/")
+    name = parts[n] == "README.md" ? parts[n - 1] : parts[n]
+    sub(/\.md$/, "", name)
+    gsub(/-/, "_", name)
+    return name
+}
+
+FNR == 1 {
+    markdown = FILENAME ~ /\.md$/
+    shown_only = FILENAME ~ /\.cpp$/ || FILENAME ~ /(^|\/)(tests|paper-figures)\/[^.]*\.hpp$/
+}
+shown_only {
+    print ""
+    next
+}
+
+markdown {
+    if (/^```/) code = !code
+    if (!code) {
+        if (/^# / && !/\{#/ && !titled++ && page_label(FILENAME) != "index") $0 = $0 " {#" page_label(FILENAME) "}"
+        gsub(/\]\(\.\.\/paper-figures\/README\.md\)/, "](@ref figures_page)")
+        $0 = sources(/^#/ ? formulas($0) : numbers(formulas($0)))
+    }
+    print
+    next
+}
+
+/\/\/[\/!]/ {
+    if (/\\f\[/) displayed = 1
+    if (!displayed) $0 = numbers($0)
+    if (/\\f\]/) displayed = 0
+    while (find_tag($0, "eq")) $0 = put($0, "@equations{" linked(INSIDE) "}")
+    while (find_tag($0, "erratum")) $0 = put($0, "@departures{" linked(INSIDE) "}")
+    while (find_tag($0, "derivation")) $0 = put($0, "@derived{<a href=\"source:derivation/" INSIDE ".cpp\">derivation/" INSIDE ".cpp</a>}")
+    while (find_tag($0, "domain")) {
+        inside = INSIDE
+        gsub(/,/, "\\,", inside)
+        gsub(/<=/, "\\&le;", inside)
+        gsub(/>=/, "\\&ge;", inside)
+        gsub(/<</, "\\&laquo;", inside)
+        gsub(/</, "\\&lt;", inside)
+        $0 = put($0, "@holds_for{" inside "}")
+    }
+}
+{ print }
