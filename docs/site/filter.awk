@@ -103,8 +103,9 @@ function page_label(file, parts, n, name) {
 }
 
 FNR == 1 {
-    markdown = FILENAME ~ /\.md$/
-    shown_only = FILENAME ~ /\.cpp$/ || FILENAME ~ /(^|\/)(tests|paper-figures)\/[^.]*\.hpp$/
+    file = index(FILENAME, ENVIRON["PWD"] "/") == 1 ? substr(FILENAME, length(ENVIRON["PWD"]) + 2) : FILENAME
+    markdown = file ~ /\.md$/
+    shown_only = file ~ /\.cpp$/ || file ~ /^(docs|tests|paper-figures)\/.*\.hpp$/
 }
 shown_only {
     print ""

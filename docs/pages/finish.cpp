@@ -1,0 +1,168 @@
+#include "finish.hpp"
+
+#include <array>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "denhartog/program/files.hpp"
+#include "derivation/source_text.hpp"
+
+namespace denhartog::pages {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::size_t longest_text = 1200;
+
+void replace_all(std::string& text, const std::string& from, const std::string& to) {
+    for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
+        text.replace(at, from.size(), to);
+}
+
+/// Cuts every element from an opening to its end out of a text.
+void cut(std::string& text, const std::string& open, const std::string& close) {
+    for (std::size_t at = text.find(open); at != std::string::npos; at = text.find(open, at)) {
+        const std::size_t end = text.find(close, at);
+        if (end == std::string::npos) return;
+        text.erase(at, end + close.size() - at);
+    }
+}
+
+/// What stands between two marks, from a place on; empty where they are not there.
+std::string between(const std::string& text, const std::string& open, const std::string& close, std::size_t from = 0) {
+    const std::size_t at = text.find(open, from);
+    const std::size_t end = at == std::string::npos ? at : text.find(close, at + open.size());
+    return end == std::string::npos ? "" : text.substr(at + open.size(), end - at - open.size());
+}
+
+/// Values of an attribute in the tags of a page.
+std::vector<std::string> values_of(const std::string& page, const std::string& attribute) {
+    const std::string open = " " + attribute + "=\"";
+    std::vector<std::string> values;
+    for (std::size_t at = page.find(open); at != std::string::npos; at = page.find(open, at + 1)) {
+        const std::size_t from = at + open.size();
+        values.push_back(page.substr(from, page.find('"', from) - from));
+    }
+    return values;
+}
+
+std::string shortened(std::string text) {
+    if (text.size() <= longest_text) return text;
+    text.resize(longest_text);
+    while (!text.empty() && (static_cast<unsigned char>(text.back()) & 0xC0U) == 0x80U) text.pop_back();
+    if (!text.empty() && (static_cast<unsigned char>(text.back()) & 0x80U) != 0) text.pop_back();
+    return text;
+}
+
+/// A page with what its links can lead to.
+struct Page {
+    std::string text;
+    std::set<std::string> anchors;
+};
+
+void follow(const std::string& from, const std::string& target, const fs::path& site, const std::map<std::string, Page>& pages,
+            FinishedSite& out) {
+    if (target.empty() || target.starts_with("data:") || target.starts_with("javascript:void")) return;
+    if (target.find("//") != std::string::npos || target.starts_with("mailto:")) {
+        out.faults.push_back(from + " leads elsewhere: " + target);
+        return;
+    }
+    ++out.links;
+    const std::size_t hash = target.find('#'), query = target.find('?');
+    const std::string file = target.substr(0, std::min(hash, query));
+    const std::string anchor = hash == std::string::npos ? "" : target.substr(hash + 1);
+    const auto page = pages.find(file.empty() ? from : file);
+    if (page == pages.end()) {
+        if (!fs::exists(site / file)) out.faults.push_back(from + " leads to " + file + ", which is not there");
+        return;
+    }
+    if (!anchor.empty() && !page->second.anchors.contains(anchor))
+        out.faults.push_back(from + " leads to " + target + ", but there is no such place on that page");
+}
+
+} // namespace
+
+std::string finished_page(std::string page, bool is_source) {
+    const std::string open = "<div class=\"title\">";
+    const std::size_t at = page.find(open);
+    if (at != std::string::npos) {
+        const std::size_t from = at + open.size(), end = page.find("</div>", from), inner = page.find("<div", from);
+        page.insert(std::min(end, inner), "</h1>");
+        page.replace(at, open.size(), "<div><h1 class=\"title\">");
+    }
+    replace_all(page, "<p class=\"formulaDsp\">", "<p class=\"formulaDsp\" tabindex=\"0\">");
+    replace_all(page, "<div class=\"fragment\">", "<div class=\"fragment\" tabindex=\"0\">");
+    replace_all(page, "<div class=\"memproto\">", "<div class=\"memproto\" tabindex=\"0\">");
+    if (!is_source && (page.find("\\(") != std::string::npos || page.find("\\[") != std::string::npos)) return page;
+    cut(page, "<script type=\"text/x-mathjax-config\">", "</script>");
+    cut(page, "<script type=\"text/javascript\" async=\"async\" src=\"mathjax/", "</script>");
+    return page;
+}
+
+std::string text_of_html(const std::string& html) {
+    std::string bare = html, out;
+    cut(bare, "<script", "</script>");
+    cut(bare, "<style", "</style>");
+    bool tag = false;
+    for (const char c : bare) {
+        if (c == '<') tag = true;
+        const bool blank = tag || c == ' ' || c == '\n' || c == '\t';
+        if (!blank)
+            out += c;
+        else if (!out.empty() && out.back() != ' ')
+            out += ' ';
+        if (c == '>') tag = false;
+    }
+    constexpr std::array<std::pair<const char*, const char*>, 7> entities{
+        {{"&lt;", "<"}, {"&gt;", ">"}, {"&quot;", "\""}, {"&#39;", "'"}, {"&#160;", " "}, {"&le;", "<="}, {"&amp;", "&"}}};
+    for (const auto& [entity, meant] : entities) replace_all(out, entity, meant);
+    return out.ends_with(' ') ? out.substr(0, out.size() - 1) : out;
+}
+
+std::vector<nlohmann::json> search_documents(const std::string& page, const std::string& name) {
+    const std::string title = text_of_html(between(page, "<h1 class=\"title\">", "</h1>"));
+    if (title.empty()) return {};
+    const std::string body = between(page, "<div class=\"contents\">", "<footer");
+    const std::string member = "<h2 class=\"memtitle\">";
+    const std::size_t first = body.find(member);
+    std::vector<nlohmann::json> out{{{"title", title}, {"url", name}, {"text", shortened(text_of_html(body.substr(0, first)))}}};
+    for (std::size_t at = first; at != std::string::npos; at = body.find(member, at + 1)) {
+        const std::string heading = between(body, member, "</h2>", at), anchor = between(heading, "href=\"#", "\"");
+        const std::size_t named = heading.find("</span>");
+        if (anchor.empty() || named == std::string::npos) continue;
+        const std::string text = between(body, "<div class=\"memdoc\">", "</div><!-- memitem", at);
+        out.push_back({{"title", text_of_html(heading.substr(named))},
+                       {"url", name + "#" + anchor},
+                       {"text", shortened(text_of_html(text))}});
+    }
+    return out;
+}
+
+FinishedSite finish_site(const fs::path& site) {
+    FinishedSite out;
+    std::map<std::string, Page> pages;
+    nlohmann::json documents = nlohmann::json::array();
+    for (const fs::path& file : derivation::files_in(site, ".html")) {
+        if (file.parent_path() != site) continue;
+        const std::string name = file.filename().string(), before = derivation::text_of(file);
+        const bool is_source = name.ends_with("_source.html");
+        Page page{finished_page(before, is_source), {}};
+        if (page.text != before) program::write_file(file.string(), page.text);
+        for (const char* attribute : {"id", "name"})
+            for (const std::string& value : values_of(page.text, attribute)) page.anchors.insert(value);
+        if (!is_source)
+            for (nlohmann::json& each : search_documents(page.text, name)) documents.push_back(std::move(each));
+        pages.emplace(name, std::move(page));
+    }
+    for (const auto& [name, page] : pages)
+        for (const char* attribute : {"href", "src"})
+            for (const std::string& target : values_of(page.text, attribute)) follow(name, target, site, pages, out);
+    program::write_file((site / "search-documents.js").string(), "window.searchDocuments = " + documents.dump(0) + ";\n");
+    out.pages = pages.size();
+    out.documents = documents.size();
+    return out;
+}
+
+} // namespace denhartog::pages
