@@ -1,0 +1,91 @@
+#include "claim_text.hpp"
+
+#include "denhartog/errors.hpp"
+#include "text.hpp"
+
+namespace denhartog::pages {
+
+namespace {
+
+/// Longer formulas are left to the record: nobody reads them, and they take seconds to typeset.
+constexpr std::size_t longest_formula = 4000;
+
+std::string role_text(const std::string& role) {
+    if (role == "both") return "on the formula as printed and as shipped";
+    if (role == "printed") return "on the formula as printed";
+    if (role == "shipped") return "on the formula as shipped";
+    if (role == "observation") return "on what the text says of it";
+    return "a step of the argument";
+}
+
+bool is_long(const Json& claim) {
+    std::size_t length = 0;
+    for (const Json& step : claim.at("steps")) length += step.at("latex").get<std::string>().size() + 60;
+    return length > 900;
+}
+
+} // namespace
+
+std::string claim_label(const Json& record) { return label("claim", record.at("claim")); }
+
+std::string claim_link(const Json& record) {
+    return "\\ref " + claim_label(record) + " \"" + record.at("claim").get<std::string>() + "\"";
+}
+
+std::string steps_text(const Json& claim) {
+    std::string out = "<ol class=\"steps\">\n";
+    for (const Json& step : claim.at("steps")) {
+        const std::string text = step.at("text"), latex = step.at("latex");
+        const std::string more = step.value("text_latex", "");
+        out += "<li>" + prose(text) + (latex.empty() && more.empty() ? "." : ":") + "\n";
+        if (!more.empty()) out += displayed(more);
+        if (latex.size() > longest_formula)
+            out += "<p class=\"left-out\">An expression of " + std::to_string(latex.size()) +
+                   " characters, in derivation.json, the record of the run.</p>\n";
+        else if (!latex.empty())
+            out += displayed(latex);
+        out += "</li>\n";
+    }
+    return out + "</ol>\n";
+}
+
+std::string witness_text(const Json& witness) {
+    if (witness.empty()) return {};
+    std::string out = "<dl class=\"witness\">\n";
+    for (const auto& [name, value] : witness.items())
+        out += "<dt>" + witness_name(name) + "</dt><dd>" + witness_value(value.get<std::string>()) + "</dd>\n";
+    return out + "</dl>\n";
+}
+
+std::string claim_text(const Book& book, const Json& claim, const std::string& equation) {
+    const std::string id = claim.at("id");
+    const Json& record = record_of(book.run, id);
+    const std::string home = record.at("equations").at(0);
+    const Place place = book.sources.claim(id);
+    if (place.line == 0) throw InputError("claim " + id, "must be made in a source under derivation", "");
+    const bool here = home == equation;
+    std::string out = "<div class=\"claim\">\n";
+    if (here) out += "\\anchor " + claim_label(record) + "\n";
+    out += "<h3>" + prose(claim.at("what")) + "</h3>\n";
+    out += "<p>" + verdict_mark(claim.at("verdict")) + " " + role_text(claim.at("role")) + "; claim <code>" + escaped(id) +
+           "</code>, made in " + source_link(place.file, place.line, place.file) + "</p>\n";
+    if (!claim.at("assumptions").empty()) {
+        out += "<p>Assumed: ";
+        bool first = true;
+        for (const Json& assumption : claim.at("assumptions")) {
+            out += (first ? "" : "; ") + prose(assumption.get<std::string>());
+            first = false;
+        }
+        out += ".</p>\n";
+    }
+    if (claim.contains("witness") && !claim.at("witness").empty())
+        out += "<p>" + std::string(claim.at("verdict") == "refuted" ? "Witness:" : "Found:") + "</p>\n" +
+               witness_text(claim.at("witness"));
+    if (!here) return out + "<p>Its steps: " + claim_link(record) + ", on the page of " + equation_link(home) + ".</p>\n</div>\n";
+    const std::string steps = steps_text(record);
+    const std::string count = counted(record.at("steps").size(), "step", "steps");
+    return out + "<details" + (is_long(record) ? "" : " open=\"open\"") + ">\n<summary>" + count +
+           " of the derivation</summary>\n" + steps + "</details>\n</div>\n";
+}
+
+} // namespace denhartog::pages

@@ -1,0 +1,179 @@
+#include "measured_pages.hpp"
+
+#include <sstream>
+
+#include "denhartog/errors.hpp"
+#include "text.hpp"
+
+namespace denhartog::pages {
+
+namespace {
+
+std::string sentences(const Json& record, const char* key, const std::string& head) {
+    if (record.at(key).empty()) return {};
+    std::string out = "<p>" + head + "</p>\n<ul>\n";
+    for (const Json& line : record.at(key)) out += "<li>" + prose(line.get<std::string>()) + "</li>\n";
+    return out + "</ul>\n";
+}
+
+std::string statements(const Json& record) {
+    if (record.at("statements").empty()) return {};
+    std::string out = "<table class=\"statements\">\n<tr><th>what the text says</th><th>the data</th><th>found</th></tr>\n";
+    for (const Json& statement : record.at("statements"))
+        out += "<tr><td>" + prose(statement.at("text")) + "</td><td>" +
+               (statement.at("borne_out").get<bool>() ? "bear it out" : "do not bear it out") + "</td><td>" +
+               prose(statement.at("found")) + "</td></tr>\n";
+    return out + "</table>\n";
+}
+
+std::string agreements(const Json& record) {
+    if (record.at("agreements").empty()) return {};
+    std::string out =
+        "<table class=\"agreements\">\n<tr><th>markers against lines</th><th>points</th><th>median</th><th>worst</th>"
+        "<th>where</th></tr>\n";
+    for (const Json& a : record.at("agreements"))
+        out += "<tr><td>" + prose(a.at("what")) + "</td><td>" + std::to_string(a.at("points").get<long>()) + "</td><td>" +
+               digits(a.at("median"), "%.2g") + "</td><td>" + digits(a.at("worst"), "%.2g") + "</td><td>" + prose(a.at("where")) +
+               "</td></tr>\n";
+    return out + "</table>\n";
+}
+
+std::string figure_section(const FigureRecord& figure) {
+    const bool chart = figure.script.find("/chart/") != std::string::npos;
+    std::string out = "\n\\section " + label("figure", figure.name) + " " + figure.title + "\n\n";
+    out += "<p><a href=\"figures/" + figure.name + ".svg\"><img src=\"figures/" + figure.name + ".svg\" alt=\"" +
+           html(figure.title) + "\"></a></p>\n";
+    if (!figure.record.is_null()) {
+        if (!figure.record.at("equations").empty())
+            out += "<p>Draws " + equation_links(figure.record.at("equations")) + ".</p>\n";
+        out += sentences(figure.record, "given", "Given by caption and text:") +
+               sentences(figure.record, "chosen", "Chosen here:") + agreements(figure.record) + statements(figure.record) +
+               sentences(figure.record, "remarks", "To be seen besides:");
+    }
+    out += "<p>Made by <code>" +
+           (chart ? std::string("./verify chart")
+                  : "paper-figures/draw build/verify/bin/figures build/verify/figures " + escaped(figure.name)) +
+           "</code>, by ";
+    out += chart ? "" : "<code>./verify figures</code> with all others, by ";
+    out += "the script " + escaped(figure.script);
+    if (!figure.record.is_null()) {
+        const std::string program = figure.script.substr(0, figure.script.size() - 2) + "cpp";
+        out += " and the program " + source_link(program, 1, program);
+    }
+    return out + ".</p>\n";
+}
+
+std::vector<std::string> cells_of(const std::string& line) {
+    std::vector<std::string> cells;
+    std::string cell;
+    for (std::size_t i = 1; i < line.size(); ++i) {
+        if (line[i] == '\\' && i + 1 < line.size() && line[i + 1] == '|') {
+            cell += line[++i];
+        } else if (line[i] == '|') {
+            const std::size_t first = cell.find_first_not_of(' ');
+            cells.push_back(first == std::string::npos ? "" : cell.substr(first, cell.find_last_not_of(' ') - first + 1));
+            cell.clear();
+        } else {
+            cell += line[i];
+        }
+    }
+    return cells;
+}
+
+std::string row(const std::vector<std::string>& cells, const std::string& element) {
+    std::string out = "<tr>";
+    for (const std::string& cell : cells) out += "<" + element + ">" + prose(cell) + "</" + element + ">";
+    return out + "</tr>\n";
+}
+
+} // namespace
+
+std::string tables_as_html(const std::string& markdown, const std::string& prefix) {
+    std::istringstream in(markdown);
+    std::string out;
+    std::size_t columns = 0, sections = 0;
+    for (std::string line; std::getline(in, line);) {
+        if (!line.starts_with("|")) {
+            if (columns > 0) out += "</table>\n";
+            columns = 0;
+        }
+        if (line.starts_with("#")) {
+            const std::string title = line.substr(line.find_first_not_of("# "));
+            out += "\n\\section " + prefix + "_" + std::to_string(++sections) + " " + title + "\n\n";
+        } else if (line.starts_with("|")) {
+            const std::vector<std::string> cells = cells_of(line);
+            if (columns == 0) {
+                columns = cells.size();
+                out += "<table class=\"measured\">\n" + row(cells, "th");
+            } else if (cells.size() != columns) {
+                throw InputError("a row of a table", "must have as many cells as its head", line);
+            } else if (line.find_first_not_of("|-: ") != std::string::npos) {
+                out += row(cells, "td");
+            }
+        } else if (!line.empty()) {
+            out += "<p>" + prose(line) + "</p>\n";
+        }
+    }
+    return out + (columns > 0 ? "</table>\n" : "");
+}
+
+Page figures_page(const Book& book) {
+    std::string out = page_head("figures_page", "Figures");
+    std::size_t said = 0, borne_out = 0;
+    for (const FigureRecord& figure : book.run.figures)
+        if (!figure.record.is_null())
+            for (const Json& statement : figure.record.at("statements")) {
+                ++said;
+                borne_out += statement.at("borne_out").get<bool>() ? 1 : 0;
+            }
+    out += "<p>" + counted(book.run.figures.size(), "figure", "figures") +
+           ". What the paper's text says of them was checked against their data: of " + counted(said, "statement", "statements") +
+           " " + std::to_string(borne_out) +
+           " are borne out. <code>./verify figures</code> makes all but those of the chart.</p>\n<ul>\n";
+    for (const FigureRecord& figure : book.run.figures)
+        out += "<li>\\ref " + label("figure", figure.name) + " \"" + figure.title + "\"</li>\n";
+    out += "</ul>\n";
+    for (const FigureRecord& figure : book.run.figures) out += figure_section(figure);
+    return {"figures_page", out};
+}
+
+Page accuracy_page(const Book& book) {
+    std::string out = page_head("accuracy_page", "Accuracy");
+    out += "<p>All figures on this page were written by a run.</p>\n\n\\section accuracy_closed_form The closed form against the "
+           "second "
+           "witness\n\n<p>The second witness solves the half-period boundary-value problem on physical coordinates with a matrix "
+           "exponential in multiprecision and shares nothing with the closed form. The errors are relative to the largest "
+           "amplitude.</p>\n<table>\n<tr><th>scenes</th><th>how many</th><th>worst in double</th><th>where</th><th>worst in 50 "
+           "digits</th><th>where</th></tr>\n";
+    for (const Json& group : book.run.run.at("agreement")) {
+        const Json &in_double = group.at("double"), &in_50 = group.at("50 digits");
+        out += "<tr><td>" + prose(group.at("group")) + "</td><td>" + std::to_string(group.at("scenes").get<long>()) +
+               "</td><td>" + digits(in_double.at("worst"), "%.2g") + "</td><td>" + prose(in_double.at("scene")) + "</td><td>" +
+               digits(in_50.at("worst"), "%.2g") + "</td><td>" + prose(in_50.at("scene")) + "</td></tr>\n";
+    }
+    out += "</table>\n\n\\section accuracy_functions Functions against more digits\n\n";
+    const std::string table = accuracy_table(book.run, "");
+    out += table.empty()
+               ? "<p>Not measured in this run: <code>./verify tests</code> measures it.</p>\n"
+               : "<p>Worst errors in units of eps over the condition number, a row a function, number type and zone. The worst "
+                 "points are hexadecimal floats, to be pasted back.</p>\n" +
+                     table;
+    return {"accuracy_page", out};
+}
+
+Page speed_page(const Book& book) {
+    std::string out = page_head("speed_page", "Speed");
+    if (book.run.chart.empty() && book.run.batch.empty())
+        return {"speed_page", out + "<p>Not measured in this run: <code>./verify chart</code> measures it.</p>\n"};
+    out +=
+        "<p>Measured by <code>./verify chart</code> on one machine, whose processor and compiler stand in chart.csv. Times are "
+        "processor time; the digits are those at the worst point of a scene.</p>\n";
+    for (const char* name : {"speed_against_accuracy", "tolerance_against_error", "batch_cost"})
+        for (const FigureRecord& figure : book.run.figures)
+            if (figure.name == name)
+                out += "<p><a href=\"figures/" + figure.name + ".svg\"><img src=\"figures/" + figure.name + ".svg\" alt=\"" +
+                       html(figure.title) + "\"></a></p>\n";
+    return {"speed_page", out + tables_as_html(book.run.chart, "speed_chart") + tables_as_html(book.run.batch, "speed_batch")};
+}
+
+} // namespace denhartog::pages

@@ -1,0 +1,151 @@
+#include "overview_pages.hpp"
+
+#include <map>
+
+#include "text.hpp"
+
+namespace denhartog::pages {
+
+namespace {
+
+std::string section_heading(const std::string& section) {
+    static const std::map<std::string, std::string> titles = {{"2.1", "2.1 Formulation"},
+                                                              {"2.2", "2.2 Modal superposition"},
+                                                              {"2.3", "2.3 The mass in contact"},
+                                                              {"2.4", "2.4 Time response"},
+                                                              {"2.5", "2.5 The other masses"},
+                                                              {"2.6", "2.6 Domain of validity"},
+                                                              {"3.1", "3.1 Numerical approach"},
+                                                              {"4.1", "4.1 Resonances"},
+                                                              {"4.2", "4.2 Low and high frequency ratios"},
+                                                              {"4.3", "4.3 Invariant points and the stuck contact"},
+                                                              {"Appendix", "Appendix"}};
+    const auto found = titles.find(section);
+    return found == titles.end() ? section : found->second;
+}
+
+std::string functions_of(const Json& entry) {
+    std::string out;
+    for (const Json& function : entry.at("functions"))
+        if (function.at("name").get<std::string>().find("::paper::") != std::string::npos)
+            out += (out.empty() ? "" : "<br>") + function_link(function);
+    return out.empty() ? "none" : out;
+}
+
+std::string counts(const Json& ledger, const char* key) {
+    std::map<std::string, std::size_t> count;
+    for (const Json& entry : ledger) ++count[entry.at(key).get<std::string>()];
+    std::string out;
+    for (const auto& [word, n] : count) out += (out.empty() ? "" : ", ") + std::to_string(n) + " " + verdict_text(word);
+    return out;
+}
+
+/// What the departures of a kind are, for somebody who has not seen the others.
+std::string fair_words(const std::string& kind) {
+    if (kind == "scan")
+        return "A glyph came out wrong in the scanned text at hand and the sentences around it set it right. It says nothing of "
+               "the "
+               "journal's own page.";
+    if (kind == "misprint")
+        return "A sign, a function or a factor is wrong in a formula that can be read, and other equations of the paper "
+               "contradict it. "
+               "The paper's own figures can have been computed with the right one.";
+    if (kind == "substance")
+        return "What the equation says does not hold as it is meant, or only with a condition that is not stated. The witness "
+               "shows where.";
+    return "The equation holds once a convention is said that the paper leaves unsaid; read without it, it can be taken wrongly.";
+}
+
+std::string departure_of(const Book& book, const Json& entry) {
+    const std::string equation = entry.at("equation"), correction = entry.at("correction"), note = entry.at("printed_note");
+    const bool refuted = entry.at("printed") == "refuted";
+    std::string out = "<div class=\"erratum\">\n<h3>" + equation_link(equation) +
+                      "</h3>\n<p>As printed: " + verdict_mark(entry.at("printed")) + "</p>\n" + displayed(entry.at("statement"));
+    if (!note.empty()) out += "<p>" + prose(note) + ".</p>\n";
+    if (!correction.empty())
+        out += "<p>" + std::string(refuted ? "What holds: " : "As it is read: ") + verdict_mark(entry.at("shipped")) + "</p>\n" +
+               displayed(correction);
+    std::string proofs, refutations;
+    for (const Json& claim : entry.at("claims")) {
+        const std::string role = claim.at("role");
+        const Json& record = record_of(book.run, claim.at("id"));
+        if (role == "printed") refutations += (refutations.empty() ? "" : ", ") + claim_link(record);
+        if (role == "shipped" || role == "both") proofs += (proofs.empty() ? "" : ", ") + claim_link(record);
+    }
+    if (!refutations.empty()) out += "<p>The printed form is decided by " + refutations + ".</p>\n";
+    if (!proofs.empty()) out += "<p>The form that holds is decided by " + proofs + ".</p>\n";
+    if (refuted && !entry.at("witness").empty()) out += "<p>Witness:</p>\n" + witness_text(entry.at("witness"));
+    const std::string consequence = entry.at("consequence");
+    out += "<p>Coded as printed: " + (consequence.empty() ? std::string("no loss to measure") : prose(consequence)) + ".</p>\n";
+    for (const Json& figure : entry.at("figures"))
+        if (figure.get<std::string>().starts_with("printed_against"))
+            for (const FigureRecord& record : book.run.figures)
+                if (record.name == figure)
+                    out += "<p>Figure: \\ref " + label("figure", record.name) + " \"" + record.title + "\"</p>\n";
+    return out + "</div>\n\n";
+}
+
+} // namespace
+
+Page index_page(const Book& book) {
+    std::string out = page_head("equations", "The numbered equations");
+    out += "<p>" + counted(book.run.ledger.size(), "equation", "equations") +
+           " in the paper's order. As printed: " + counts(book.run.ledger, "printed") +
+           ". As shipped: " + counts(book.run.ledger, "shipped") +
+           ". Where the scan slipped or the printed form is refuted, the column shows the form that holds; the page of the "
+           "equation has "
+           "both.</p>\n";
+    std::string section;
+    for (const Json& entry : book.run.ledger) {
+        if (entry.at("section") != section) {
+            if (!section.empty()) out += "</table>\n";
+            section = entry.at("section");
+            out +=
+                "\n\\section " + label("equations", section) + " " + section_heading(section) +
+                "\n\n<table class=\"equations\">\n<tr><th>number</th><th>what it says</th><th>as printed</th><th>as shipped</th>"
+                "<th>function</th></tr>\n";
+        }
+        out += "<tr><td>" + equation_link(entry.at("equation")) + "</td><td>" + formula(statement_that_holds(entry)) +
+               "</td><td>" + verdict_mark(entry.at("printed")) + "</td><td>" + verdict_mark(entry.at("shipped")) + "</td><td>" +
+               functions_of(entry) + "</td></tr>\n";
+    }
+    return {"equations", out + "</table>\n"};
+}
+
+Page errata_page(const Book& book) {
+    std::map<std::string, std::vector<const Json*>> kinds;
+    for (const Json& entry : book.run.ledger) kinds[entry.at("departure").get<std::string>()].push_back(&entry);
+    const std::size_t departures = book.run.ledger.size() - kinds["none"].size();
+    std::string out = page_head("errata", "Departures from the printed text");
+    out +=
+        "<p>The text at hand is a scan of the article, so that part of what follows is the scanner's and not the authors'. Of " +
+        counted(book.run.ledger.size(), "equation", "equations") + " " + std::to_string(departures) +
+        " depart in some way from what is shipped here, and " + std::to_string(kinds["none"].size()) +
+        " do not. Every statement on this page is computed: a printed form that is called refuted comes with the point where it "
+        "fails, and the form that replaces it with its proof. What the printed form costs somebody who codes it is measured over "
+        "the "
+        "paper's own scenes and over seeded asymmetric ones.</p>\n";
+    const std::vector<std::pair<std::string, std::string>> order = {{"scan", "Slips of the scan"},
+                                                                    {"misprint", "Misprints"},
+                                                                    {"substance", "What does not hold as it is meant"},
+                                                                    {"convention", "Conventions left unsaid"}};
+    out += "<table>\n<tr><th>kind</th><th>equations</th><th>of them refuted as printed</th><th>which</th></tr>\n";
+    for (const auto& [kind, title] : order) {
+        std::string links;
+        std::size_t refuted = 0;
+        for (const Json* entry : kinds[kind]) {
+            links += (links.empty() ? "" : ", ") + equation_link(entry->at("equation"));
+            refuted += entry->at("printed") == "refuted" ? 1 : 0;
+        }
+        out += "<tr><td>\\ref errata_" + kind + " \"" + title + "\"</td><td>" + std::to_string(kinds[kind].size()) + "</td><td>" +
+               std::to_string(refuted) + "</td><td>" + links + "</td></tr>\n";
+    }
+    out += "</table>\n";
+    for (const auto& [kind, title] : order) {
+        out += "\n\\section errata_" + kind + " " + title + "\n\n<p>" + fair_words(kind) + "</p>\n\n";
+        for (const Json* entry : kinds[kind]) out += departure_of(book, *entry);
+    }
+    return {"errata", out};
+}
+
+} // namespace denhartog::pages

@@ -1,0 +1,68 @@
+/// @file
+/// @brief What a run wrote, as the pages take it: ledger, derivation, figures, measurements.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "denhartog/program/ledger_entry.hpp"
+
+namespace denhartog::pages {
+
+using ledger::Json;
+
+/// @brief A figure of the run.
+struct FigureRecord {
+    std::string name;   ///< of its files
+    std::string title;  ///< what is to be seen
+    Json record;        ///< what its program wrote; null where it has none
+    std::string script; ///< its plot script, from the root of the sources
+};
+
+/// @brief All that the pages are made of.
+struct RunRecord {
+    Json ledger;                        ///< entries in the paper's order
+    std::map<std::string, Json> claims; ///< records of the derivation by claim
+    Json run;                           ///< the run's own record: agreement, mutants
+    std::vector<FigureRecord> figures;  ///< those of the paper first
+    std::vector<Json> accuracy;         ///< worst errors by function, a record a survey; empty where the tests have not run
+    std::string chart;                  ///< tables of speed against accuracy, Markdown; empty where it was not measured
+    std::string batch;                  ///< tables of batches, Markdown; empty where they were not measured
+};
+
+/// @brief Reads what a run wrote.
+/// @param verify  the run's folder, with `paper`, `figures`, `chart` and `test-results`
+/// @param source  the root of the sources
+/// @return        the record
+/// @throws        InputError where the ledger or the derivation cannot be read, or an equation of the paper has no entry
+[[nodiscard]] RunRecord read_run(const std::filesystem::path& verify, const std::filesystem::path& source);
+
+/// @brief The entry of an equation. @param run the record @param equation its number @return the entry
+/// @throws InputError where there is none
+[[nodiscard]] const Json& entry_of(const RunRecord& run, const std::string& equation);
+
+/// @brief The record of a claim's steps.
+///
+/// A claim whose loss differs from equation to equation is in the ledger once for each, its id with the equation at the end.
+/// @param run    the record
+/// @param claim  the claim's id in the ledger
+/// @return       its entry in the derivation's record
+/// @throws       InputError where there is none
+[[nodiscard]] const Json& record_of(const RunRecord& run, const std::string& claim);
+
+/// @brief The statement that holds: the correction, or what the scan is read as, or what is printed. @param entry of the ledger
+/// @return LaTeX
+[[nodiscard]] std::string statement_that_holds(const Json& entry);
+
+/// @brief A verdict as a reader reads it. @param verdict as the ledger has it @return e.g. `not applicable`
+[[nodiscard]] std::string verdict_text(const std::string& verdict);
+
+/// @brief A verdict as an element with the class of the style sheet. @param verdict as the ledger has it @return HTML
+[[nodiscard]] std::string verdict_mark(const std::string& verdict);
+
+/// @brief The kind of a departure in words. @param departure as the ledger has it @return e.g. `a slip of the scan`
+[[nodiscard]] std::string departure_text(const std::string& departure);
+
+} // namespace denhartog::pages

@@ -1,0 +1,52 @@
+#include "site.hpp"
+
+#include <functional>
+#include <set>
+
+#include "chapter.hpp"
+#include "check.hpp"
+#include "denhartog/errors.hpp"
+#include "denhartog/program/files.hpp"
+#include "derivation/source_text.hpp"
+#include "measured_pages.hpp"
+#include "overview_pages.hpp"
+
+namespace denhartog::pages {
+
+namespace fs = std::filesystem;
+
+Site make_site(const RunRecord& run, const Sources& sources, const fs::path& chapter) {
+    Site site;
+    const Book book{run, sources};
+    const auto add = [&](const std::function<Page()>& page) {
+        try {
+            site.pages.push_back(page());
+        } catch (const InputError& e) {
+            site.faults.emplace_back(e.what());
+        }
+    };
+    for (const std::string& equation : ledger::equation_numbers()) add([&] { return equation_page(book, equation); });
+    for (Page (*page)(const Book&) : {index_page, errata_page, graph_page, figures_page, accuracy_page, speed_page})
+        add([&] { return page(book); });
+    for (Page& page : chapter_pages(book, read_chapter(chapter), site.faults)) site.pages.push_back(std::move(page));
+    for (std::string& fault : faults_of(site.pages)) site.faults.push_back(std::move(fault));
+    return site;
+}
+
+std::size_t write_pages(const std::vector<Page>& pages, const fs::path& folder) {
+    fs::create_directories(folder);
+    std::set<std::string> names;
+    std::size_t written = 0;
+    for (const Page& page : pages) {
+        const fs::path file = folder / (page.name + ".md");
+        names.insert(file.filename().string());
+        if (fs::exists(file) && derivation::text_of(file) == page.text) continue;
+        program::write_file(file.string(), page.text);
+        ++written;
+    }
+    for (const fs::path& file : derivation::files_in(folder, ".md"))
+        if (!names.contains(file.filename().string())) fs::remove(file);
+    return written;
+}
+
+} // namespace denhartog::pages
