@@ -103,7 +103,7 @@ private:
         const auto found = book_.run.claims.find(id);
         if (found == book_.run.claims.end()) throw InputError("a place-holder", "must name a claim of the run", id, place);
         const Json& claim = found->second;
-        return "<div class=\"chapter-steps\">\n<p>" + verdict_mark(claim.at("verdict")) + " " + prose(claim.at("title")) + " (" +
+        return "<div class=\"chapter-steps\">\n<p>" + verdict_mark(claim.at("verdict")) + ": " + prose(claim.at("title")) + " (" +
                claim_link(claim) + ")</p>\n" + steps_text(claim) + "</div>\n";
     }
 
@@ -113,7 +113,7 @@ private:
             const Json& record = record_of(book_.run, claim.at("id"));
             const std::string id = record.at("claim");
             if (claim.at("role") == "observation" || shown_.contains(id) || !listed_.insert(id).second) continue;
-            items += "<li>" + verdict_mark(claim.at("verdict")) + " " + prose(claim.at("what")) + " (" + claim_link(record) +
+            items += "<li>" + verdict_mark(claim.at("verdict")) + ": " + prose(claim.at("what")) + " (" + claim_link(record) +
                      ")</li>\n";
         }
         return items.empty()
@@ -159,7 +159,7 @@ std::vector<Page> chapter_pages(const Book& book, const std::vector<ChapterFile>
     std::vector<Page> pages;
     for (const ChapterFile& file : files) {
         std::string text = writer.page(file, faults);
-        if (!text.starts_with("\\page ")) faults.push_back("the file of " + file.name + " must begin with # and a title");
+        if (!text.starts_with("# ")) faults.push_back("the file of " + file.name + " must begin with # and a title");
         const std::size_t index = static_cast<std::size_t>(&file - files.data());
         std::string navigation = "<div class=\"eq-nav\">\n";
         if (index > 1) navigation += "<span class=\"previous\">\\ref " + files[index - 1].name + " \"previous\"</span>\n";

@@ -13,7 +13,7 @@ namespace {
 /// The word after a command, up to a blank.
 std::string word_at(const std::string& text, std::size_t at) {
     std::size_t end = at;
-    while (end < text.size() && !std::isspace(static_cast<unsigned char>(text[end]))) ++end;
+    while (end < text.size() && !std::isspace(static_cast<unsigned char>(text[end])) && text[end] != '}') ++end;
     return text.substr(at, end - at);
 }
 
@@ -88,7 +88,7 @@ std::vector<std::string> faults_of(const std::vector<Page>& pages) {
     std::vector<std::string> texts;
     for (const Page& page : pages) {
         texts.push_back(outside(page, faults));
-        for (const char* command : {"\\page ", "\\section ", "\\anchor "})
+        for (const char* command : {"{#", "\\section ", "\\subsection ", "\\anchor "})
             for (const std::string& word : words_after(texts.back(), command))
                 if (!labels.emplace(word, page.name).second)
                     faults.push_back("label " + word + " is there twice, on page " + page.name);

@@ -18,6 +18,15 @@ std::string role_text(const std::string& role) {
     return "a step of the argument";
 }
 
+/// The sentence of a step; the generators of the zero test, which follow "zero with", stay as the run wrote them.
+std::string step_sentence(const std::string& text) {
+    const std::string head = "reduces to zero with ";
+    const std::size_t at = text.find(head);
+    if (at == std::string::npos) return prose(text);
+    const std::size_t from = at + head.size();
+    return prose(text.substr(0, from)) + "<code>" + escaped(text.substr(from)) + "</code>";
+}
+
 bool is_long(const Json& claim) {
     std::size_t length = 0;
     for (const Json& step : claim.at("steps")) length += step.at("latex").get<std::string>().size() + 60;
@@ -37,7 +46,7 @@ std::string steps_text(const Json& claim) {
     for (const Json& step : claim.at("steps")) {
         const std::string text = step.at("text"), latex = step.at("latex");
         const std::string more = step.value("text_latex", "");
-        out += "<li>" + prose(text) + (latex.empty() && more.empty() ? "." : ":") + "\n";
+        out += "<li>" + step_sentence(text) + (latex.empty() && more.empty() ? "." : ":") + "\n";
         if (!more.empty()) out += displayed(more);
         if (latex.size() > longest_formula)
             out += "<p class=\"left-out\">An expression of " + std::to_string(latex.size()) +
@@ -51,10 +60,10 @@ std::string steps_text(const Json& claim) {
 
 std::string witness_text(const Json& witness) {
     if (witness.empty()) return {};
-    std::string out = "<dl class=\"witness\">\n";
+    std::string out;
     for (const auto& [name, value] : witness.items())
-        out += "<dt>" + witness_name(name) + "</dt><dd>" + witness_value(value.get<std::string>()) + "</dd>\n";
-    return out + "</dl>\n";
+        out += (out.empty() ? "" : ", ") + witness_name(name) + " = " + witness_value(value.get<std::string>());
+    return "<p class=\"witness\">" + out + "</p>\n";
 }
 
 std::string claim_text(const Book& book, const Json& claim, const std::string& equation) {
@@ -66,7 +75,7 @@ std::string claim_text(const Book& book, const Json& claim, const std::string& e
     const bool here = home == equation;
     std::string out = "<div class=\"claim\">\n";
     if (here) out += "\\anchor " + claim_label(record) + "\n";
-    out += "<h3>" + prose(claim.at("what")) + "</h3>\n";
+    out += "<p class=\"claim-title\"><strong>" + prose(claim.at("what")) + "</strong></p>\n";
     out += "<p>" + verdict_mark(claim.at("verdict")) + " " + role_text(claim.at("role")) + "; claim <code>" + escaped(id) +
            "</code>, made in " + source_link(place.file, place.line, place.file) + "</p>\n";
     if (!claim.at("assumptions").empty()) {
@@ -78,7 +87,8 @@ std::string claim_text(const Book& book, const Json& claim, const std::string& e
         }
         out += ".</p>\n";
     }
-    if (claim.contains("witness") && !claim.at("witness").empty())
+    if (claim.contains("witness") && !claim.at("witness").empty() &&
+        claim.at("witness") != entry_of(book.run, equation).at("witness")) // which stands at the head of the page
         out += "<p>" + std::string(claim.at("verdict") == "refuted" ? "Witness:" : "Found:") + "</p>\n" +
                witness_text(claim.at("witness"));
     if (!here) return out + "<p>Its steps: " + claim_link(record) + ", on the page of " + equation_link(home) + ".</p>\n</div>\n";

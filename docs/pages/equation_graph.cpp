@@ -40,6 +40,14 @@ void spread(const std::vector<std::vector<std::string>>& rows, std::map<std::str
         for (std::size_t i = 0; i < row.size(); ++i) x[row[i]] = static_cast<double>(i) - static_cast<double>(row.size() - 1) / 2;
 }
 
+/// The fill of a box where no style sheet says another: the text in it is dark.
+const char* fill_of(const std::string& verdict) {
+    if (verdict == "proved") return "#cfe8d5";
+    if (verdict == "refuted") return "#f6cfcf";
+    if (verdict == "approximation") return "#fbe6b8";
+    return "#dde3ec";
+}
+
 std::string point(double x, double y) { return digits(x, "%.1f") + " " + digits(y, "%.1f"); }
 
 std::string picture(const Json& ledger, const std::vector<Node>& nodes) {
@@ -68,8 +76,9 @@ std::string picture(const Json& ledger, const std::vector<Node>& nodes) {
                  number + "), " + verdict_text(verdict) + " as printed\"><rect x=\"" +
                  digits(x(below) - node_width / 2.0, "%.1f") + "\" y=\"" + digits(y(below) - node_height / 2.0, "%.1f") +
                  "\" width=\"" + std::to_string(node_width) + "\" height=\"" + std::to_string(node_height) +
-                 "\" rx=\"4\"/><text x=\"" + digits(x(below), "%.1f") + "\" y=\"" + digits(y(below) + 4, "%.1f") +
-                 "\" text-anchor=\"middle\">(" + number + ")</text></a>\n";
+                 "\" rx=\"4\" stroke=\"#555\" fill=\"" + fill_of(verdict) + "\"/><text fill=\"#111\" font-size=\"13\" x=\"" +
+                 digits(x(below), "%.1f") + "\" y=\"" + digits(y(below) + 4, "%.1f") + "\" text-anchor=\"middle\">(" + number +
+                 ")</text></a>\n";
     }
     const std::string size = "width=\"" + std::to_string(width) + "\" height=\"" + std::to_string(height) + "\"";
     return "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"equation-graph\" " + size + " viewBox=\"0 0 " +
@@ -119,6 +128,9 @@ std::vector<Node> layout(const Json& ledger, int longest) {
     }
     std::vector<Node> nodes;
     for (const Json& entry : ledger) nodes.push_back(placed.at(entry.at("equation")));
+    int left = longest;
+    for (const Node& node : nodes) left = std::min(left, node.column);
+    for (Node& node : nodes) node.column -= left;
     return nodes;
 }
 
@@ -133,11 +145,12 @@ Page graph_page(const Book& book) {
         verdict_mark("definition") + " " + verdict_mark("refuted") + ". The table below says the same in words.</p>\n";
     out += "\\htmlonly[block]\n<div class=\"graph-box\" tabindex=\"0\" style=\"overflow-x:auto\">\n" +
            picture(book.run.ledger, layout(book.run.ledger, 20)) + "</div>\n\\endhtmlonly\n";
-    out += "\n<table class=\"rests-on\">\n<tr><th>equation</th><th>as printed</th><th>rests on</th><th>on it rest</th></tr>\n";
+    out += "\n<div class=\"table-box\" tabindex=\"0\">\n<table class=\"doxtable rests-on\">\n<tr><th>equation</th><th>as "
+           "printed</th><th>rests on</th><th>on it rest</th></tr>\n";
     for (const Json& entry : book.run.ledger)
         out += "<tr><td>" + equation_link(entry.at("equation")) + "</td><td>" + verdict_mark(entry.at("printed")) + "</td><td>" +
                equation_links(entry.at("rests_on")) + "</td><td>" + equation_links(entry.at("used_by")) + "</td></tr>\n";
-    return {"equation_graph", out + "</table>\n"};
+    return {"equation_graph", out + "</table>\n</div>\n"};
 }
 
 } // namespace denhartog::pages

@@ -50,7 +50,7 @@ std::string statement(const Json& entry) {
     const std::string correction = entry.at("correction"), note = entry.at("printed_note");
     const std::string printed = entry.at("printed");
     std::string out = boxed(printed, "As printed: " + verdict_text(printed), entry.at("statement"));
-    if (!note.empty()) out += "<p>The text at hand is a scan. " + prose(note) + ".</p>\n";
+    if (!note.empty()) out += "<p>The text at hand is a scan. " + sentence(note) + "</p>\n";
     if (!correction.empty()) {
         const bool refuted = printed == "refuted";
         out += boxed(entry.at("shipped"),
@@ -154,7 +154,7 @@ std::string pictures(const Book& book, const Json& entry, const std::string& equ
 
 } // namespace
 
-std::string page_head(const std::string& name, const std::string& title) { return "\\page " + name + " " + title + "\n\n"; }
+std::string page_head(const std::string& name, const std::string& title) { return "# " + title + " {#" + name + "}\n\n"; }
 
 std::string equation_links(const Json& equations) {
     std::string out;
@@ -163,8 +163,11 @@ std::string equation_links(const Json& equations) {
 }
 
 std::string function_link(const Json& function) {
-    const std::string name = function.at("name");
-    const std::string shown = name.starts_with("denhartog::") ? name.substr(11) : name;
+    std::string name = function.at("name"), shown = name.starts_with("denhartog::") ? name.substr(11) : name;
+    if (name.ends_with("::operator")) { // the index of functions cuts its name here; Doxygen knows the class
+        name.erase(name.size() - 10);
+        shown += "()";
+    }
     return "\\ref " + name + " \"" + shown + "\"";
 }
 
@@ -183,10 +186,11 @@ std::string accuracy_table(const RunRecord& run, const std::string& equation) {
                     escaped(row.at("shipped_at").get<std::string>()) + "</td></tr>\n";
         }
     if (rows.empty()) return {};
-    return "<table class=\"accuracy\">\n<tr><th>function</th><th>number type</th><th>zone</th><th>points</th><th>paper's "
+    return "<div class=\"table-box\" tabindex=\"0\">\n<table class=\"doxtable accuracy\">\n<tr><th>function</th><th>number "
+           "type</th><th>zone</th><th>points</th><th>paper's "
            "form</th>"
            "<th>shipped form</th><th>worst point of the shipped form</th></tr>\n" +
-           rows + "</table>\n";
+           rows + "</table>\n</div>\n";
 }
 
 Page equation_page(const Book& book, const std::string& equation) {

@@ -14,7 +14,7 @@ struct Page {
     std::string text; ///< Markdown for Doxygen
 };
 
-/// @brief The first line of a page. @param name its label @param title plain text @return the command
+/// @brief The first line of a page. @param name its label @param title plain text @return the heading
 [[nodiscard]] std::string page_head(const std::string& name, const std::string& title);
 
 /// @brief The page of an equation: statement, verdicts, correction, witness, functions, proofs, tests, accuracy, figures, neighbours.

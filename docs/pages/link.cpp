@@ -30,10 +30,12 @@ std::string address_of(const std::string& target, const Addresses& addresses, st
         return found == addresses.pages.end() ? "" : found->second;
     }
     const std::size_t colon = target.rfind(':');
+    const std::string line = target.substr(colon + 1);
+    if (colon < 7 || line.empty() || line.size() > 6 || line.find_first_not_of("0123456789") != std::string::npos) return {};
     const auto found = addresses.sources.find(target.substr(7, colon - 7));
-    if (found == addresses.sources.end() || colon < 7) return {};
+    if (found == addresses.sources.end()) return {};
     char text[16];
-    std::snprintf(text, sizeof text, "l%05d", std::stoi(target.substr(colon + 1)));
+    std::snprintf(text, sizeof text, "l%05d", std::stoi(line));
     anchor = text;
     return found->second;
 }

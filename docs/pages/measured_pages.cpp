@@ -18,24 +18,25 @@ std::string sentences(const Json& record, const char* key, const std::string& he
 
 std::string statements(const Json& record) {
     if (record.at("statements").empty()) return {};
-    std::string out = "<table class=\"statements\">\n<tr><th>what the text says</th><th>the data</th><th>found</th></tr>\n";
+    std::string out = "<div class=\"table-box\" tabindex=\"0\">\n<table class=\"doxtable statements\">\n<tr><th>what the text "
+                      "says</th><th>the data</th><th>found</th></tr>\n";
     for (const Json& statement : record.at("statements"))
         out += "<tr><td>" + prose(statement.at("text")) + "</td><td>" +
                (statement.at("borne_out").get<bool>() ? "bear it out" : "do not bear it out") + "</td><td>" +
                prose(statement.at("found")) + "</td></tr>\n";
-    return out + "</table>\n";
+    return out + "</table>\n</div>\n";
 }
 
 std::string agreements(const Json& record) {
     if (record.at("agreements").empty()) return {};
-    std::string out =
-        "<table class=\"agreements\">\n<tr><th>markers against lines</th><th>points</th><th>median</th><th>worst</th>"
-        "<th>where</th></tr>\n";
+    std::string out = "<div class=\"table-box\" tabindex=\"0\">\n<table class=\"doxtable agreements\">\n<tr><th>markers against "
+                      "lines</th><th>points</th><th>median</th><th>worst</th>"
+                      "<th>where</th></tr>\n";
     for (const Json& a : record.at("agreements"))
         out += "<tr><td>" + prose(a.at("what")) + "</td><td>" + std::to_string(a.at("points").get<long>()) + "</td><td>" +
                digits(a.at("median"), "%.2g") + "</td><td>" + digits(a.at("worst"), "%.2g") + "</td><td>" + prose(a.at("where")) +
                "</td></tr>\n";
-    return out + "</table>\n";
+    return out + "</table>\n</div>\n";
 }
 
 std::string figure_section(const FigureRecord& figure) {
@@ -94,7 +95,7 @@ std::string tables_as_html(const std::string& markdown, const std::string& prefi
     std::size_t columns = 0, sections = 0;
     for (std::string line; std::getline(in, line);) {
         if (!line.starts_with("|")) {
-            if (columns > 0) out += "</table>\n";
+            if (columns > 0) out += "</table>\n</div>\n";
             columns = 0;
         }
         if (line.starts_with("#")) {
@@ -104,7 +105,7 @@ std::string tables_as_html(const std::string& markdown, const std::string& prefi
             const std::vector<std::string> cells = cells_of(line);
             if (columns == 0) {
                 columns = cells.size();
-                out += "<table class=\"measured\">\n" + row(cells, "th");
+                out += "<div class=\"table-box\" tabindex=\"0\">\n<table class=\"doxtable measured\">\n" + row(cells, "th");
             } else if (cells.size() != columns) {
                 throw InputError("a row of a table", "must have as many cells as its head", line);
             } else if (line.find_first_not_of("|-: ") != std::string::npos) {
@@ -114,7 +115,7 @@ std::string tables_as_html(const std::string& markdown, const std::string& prefi
             out += "<p>" + prose(line) + "</p>\n";
         }
     }
-    return out + (columns > 0 ? "</table>\n" : "");
+    return out + (columns > 0 ? "</table>\n</div>\n" : "");
 }
 
 Page figures_page(const Book& book) {
@@ -143,7 +144,8 @@ Page accuracy_page(const Book& book) {
            "second "
            "witness\n\n<p>The second witness solves the half-period boundary-value problem on physical coordinates with a matrix "
            "exponential in multiprecision and shares nothing with the closed form. The errors are relative to the largest "
-           "amplitude.</p>\n<table>\n<tr><th>scenes</th><th>how many</th><th>worst in double</th><th>where</th><th>worst in 50 "
+           "amplitude.</p>\n<div class=\"table-box\" tabindex=\"0\">\n<table class=\"doxtable\">\n<tr><th>scenes</th><th>how "
+           "many</th><th>worst in double</th><th>where</th><th>worst in 50 "
            "digits</th><th>where</th></tr>\n";
     for (const Json& group : book.run.run.at("agreement")) {
         const Json &in_double = group.at("double"), &in_50 = group.at("50 digits");
@@ -151,7 +153,7 @@ Page accuracy_page(const Book& book) {
                "</td><td>" + digits(in_double.at("worst"), "%.2g") + "</td><td>" + prose(in_double.at("scene")) + "</td><td>" +
                digits(in_50.at("worst"), "%.2g") + "</td><td>" + prose(in_50.at("scene")) + "</td></tr>\n";
     }
-    out += "</table>\n\n\\section accuracy_functions Functions against more digits\n\n";
+    out += "</table>\n</div>\n\n\\section accuracy_functions Functions against more digits\n\n";
     const std::string table = accuracy_table(book.run, "");
     out += table.empty()
                ? "<p>Not measured in this run: <code>./verify tests</code> measures it.</p>\n"

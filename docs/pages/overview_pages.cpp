@@ -59,9 +59,10 @@ std::string fair_words(const std::string& kind) {
 std::string departure_of(const Book& book, const Json& entry) {
     const std::string equation = entry.at("equation"), correction = entry.at("correction"), note = entry.at("printed_note");
     const bool refuted = entry.at("printed") == "refuted";
-    std::string out = "<div class=\"erratum\">\n<h3>" + equation_link(equation) +
-                      "</h3>\n<p>As printed: " + verdict_mark(entry.at("printed")) + "</p>\n" + displayed(entry.at("statement"));
-    if (!note.empty()) out += "<p>" + prose(note) + ".</p>\n";
+    std::string out = "\n\\subsection errata_" + equation_label(equation) + " Equation (" + equation +
+                      ")\n\n<div class=\"erratum\">\n<p>" + equation_link(equation) +
+                      " as printed: " + verdict_mark(entry.at("printed")) + "</p>\n" + displayed(entry.at("statement"));
+    if (!note.empty()) out += "<p>" + sentence(note) + "</p>\n";
     if (!correction.empty())
         out += "<p>" + std::string(refuted ? "What holds: " : "As it is read: ") + verdict_mark(entry.at("shipped")) + "</p>\n" +
                displayed(correction);
@@ -76,7 +77,9 @@ std::string departure_of(const Book& book, const Json& entry) {
     if (!proofs.empty()) out += "<p>The form that holds is decided by " + proofs + ".</p>\n";
     if (refuted && !entry.at("witness").empty()) out += "<p>Witness:</p>\n" + witness_text(entry.at("witness"));
     const std::string consequence = entry.at("consequence");
-    out += "<p>Coded as printed: " + (consequence.empty() ? std::string("no loss to measure") : prose(consequence)) + ".</p>\n";
+    if (refuted || !consequence.empty())
+        out +=
+            "<p>Coded as printed: " + (consequence.empty() ? std::string("no loss to measure") : prose(consequence)) + ".</p>\n";
     for (const Json& figure : entry.at("figures"))
         if (figure.get<std::string>().starts_with("printed_against"))
             for (const FigureRecord& record : book.run.figures)
@@ -98,18 +101,18 @@ Page index_page(const Book& book) {
     std::string section;
     for (const Json& entry : book.run.ledger) {
         if (entry.at("section") != section) {
-            if (!section.empty()) out += "</table>\n";
+            if (!section.empty()) out += "</table>\n</div>\n";
             section = entry.at("section");
-            out +=
-                "\n\\section " + label("equations", section) + " " + section_heading(section) +
-                "\n\n<table class=\"equations\">\n<tr><th>number</th><th>what it says</th><th>as printed</th><th>as shipped</th>"
-                "<th>function</th></tr>\n";
+            out += "\n\\section " + label("equations", section) + " " + section_heading(section) +
+                   "\n\n<div class=\"table-box\" tabindex=\"0\">\n<table class=\"doxtable "
+                   "equations\">\n<tr><th>number</th><th>what it says</th><th>as printed</th><th>as shipped</th>"
+                   "<th>function</th></tr>\n";
         }
-        out += "<tr><td>" + equation_link(entry.at("equation")) + "</td><td>" + formula(statement_that_holds(entry)) +
-               "</td><td>" + verdict_mark(entry.at("printed")) + "</td><td>" + verdict_mark(entry.at("shipped")) + "</td><td>" +
-               functions_of(entry) + "</td></tr>\n";
+        out += "<tr><td>\\subpage " + equation_label(entry.at("equation")) + " \"(" + entry.at("equation").get<std::string>() +
+               ")\"</td><td>" + formula(statement_that_holds(entry)) + "</td><td>" + verdict_mark(entry.at("printed")) +
+               "</td><td>" + verdict_mark(entry.at("shipped")) + "</td><td>" + functions_of(entry) + "</td></tr>\n";
     }
-    return {"equations", out + "</table>\n"};
+    return {"equations", out + "</table>\n</div>\n"};
 }
 
 Page errata_page(const Book& book) {
@@ -129,7 +132,8 @@ Page errata_page(const Book& book) {
                                                                     {"misprint", "Misprints"},
                                                                     {"substance", "What does not hold as it is meant"},
                                                                     {"convention", "Conventions left unsaid"}};
-    out += "<table>\n<tr><th>kind</th><th>equations</th><th>of them refuted as printed</th><th>which</th></tr>\n";
+    out += "<div class=\"table-box\" tabindex=\"0\">\n<table class=\"doxtable\">\n<tr><th>kind</th><th>equations</th><th>of them "
+           "refuted as printed</th><th>which</th></tr>\n";
     for (const auto& [kind, title] : order) {
         std::string links;
         std::size_t refuted = 0;
@@ -140,7 +144,7 @@ Page errata_page(const Book& book) {
         out += "<tr><td>\\ref errata_" + kind + " \"" + title + "\"</td><td>" + std::to_string(kinds[kind].size()) + "</td><td>" +
                std::to_string(refuted) + "</td><td>" + links + "</td></tr>\n";
     }
-    out += "</table>\n";
+    out += "</table>\n</div>\n";
     for (const auto& [kind, title] : order) {
         out += "\n\\section errata_" + kind + " " + title + "\n\n<p>" + fair_words(kind) + "</p>\n\n";
         for (const Json* entry : kinds[kind]) out += departure_of(book, *entry);

@@ -166,6 +166,12 @@ std::string prose(const std::string& text) {
     return out;
 }
 
+std::string sentence(std::string note) {
+    if (note.size() > 1 && std::islower(static_cast<unsigned char>(note[0])) && symbol(chunk_at(note, 0), true).empty())
+        note.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(note.front())));
+    return prose(note) + (note.ends_with('.') ? "" : ".");
+}
+
 std::string witness_name(const std::string& name) {
     const std::string latex = symbol(name, true);
     return latex.empty() ? prose(name) : formula(latex);

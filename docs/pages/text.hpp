@@ -40,6 +40,10 @@ namespace denhartog::pages {
 /// @return text for Doxygen
 [[nodiscard]] std::string prose(const std::string& text);
 
+/// @brief A sentence that a note of the ledger becomes: its first word with a capital, a full stop at its end. @param note plain text
+/// @return text for Doxygen
+[[nodiscard]] std::string sentence(std::string note);
+
 /// @brief A name of a witness, typeset where it is a symbol. @param name the name @return text for Doxygen
 [[nodiscard]] std::string witness_name(const std::string& name);
 
