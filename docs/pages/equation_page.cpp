@@ -40,6 +40,20 @@ std::string facts(const Json& entry) {
            equation_links(entry.at("used_by")) + "</dd>\n</dl>\n\n";
 }
 
+/// Links to the sections that the page has.
+std::string contents(const std::string& body, const std::string& equation) {
+    const std::vector<std::pair<std::string, std::string>> sections = {{"functions", "function"},    {"proof", "derivation"},
+                                                                       {"observations", "the text"}, {"tests", "tests"},
+                                                                       {"accuracy", "accuracy"},     {"figures", "figures"}};
+    std::string out;
+    for (const auto& [key, title] : sections) {
+        const std::string name = equation_label(equation) + "_" + key;
+        if (body.find("\\section " + name + " ") != std::string::npos)
+            out += (out.empty() ? "" : ", ") + ("\\ref " + name) + " \"" + title + "\"";
+    }
+    return "<p class=\"eq-contents\">On this page: " + out + "</p>\n\n";
+}
+
 /// A div around the statement, coloured by the verdict.
 std::string boxed(const std::string& verdict, const std::string& head, const std::string& latex) {
     const std::string name = verdict == "not_applicable" ? "not-applicable" : verdict;
@@ -79,6 +93,16 @@ std::string with_source(const Book& book, const Json& function) {
            code_block(snippet);
 }
 
+/// A function whose source is folded up: a page can have a dozen of them.
+std::string folded(const Book& book, const Json& function) {
+    const Place place{function.at("file"), function.at("line")};
+    const Snippet snippet = book.sources.snippet(function.at("name"), place);
+    return "<p>" + function_link(function) + ", " +
+           source_link(place.file, place.line, place.file + ", line " + std::to_string(place.line)) +
+           "</p>\n<details>\n<summary>" + counted(snippet.lines.size(), "line", "lines") + " of source</summary>\n" +
+           code_block(snippet) + "</details>\n";
+}
+
 std::string with_signature(const Book& book, const Json& function) {
     const Place place{function.at("file"), function.at("line")};
     Snippet snippet = book.sources.snippet(function.at("name"), place);
@@ -94,7 +118,7 @@ std::string functions(const Book& book, const Json& entry, const std::string& eq
         if (in_namespace(function, "paper"))
             paper += with_source(book, function);
         else if (in_namespace(function, "evaluation"))
-            forms += with_source(book, function);
+            forms += folded(book, function);
         else
             callers += with_signature(book, function);
     }
@@ -196,13 +220,14 @@ std::string accuracy_table(const RunRecord& run, const std::string& equation) {
 Page equation_page(const Book& book, const std::string& equation) {
     const Json& entry = entry_of(book.run, equation);
     std::string text = page_head(equation_label(equation), "Equation (" + equation + ")");
-    text += navigation(equation) + statement(entry) + facts(entry);
-    text += functions(book, entry, equation) + proofs(book, entry, equation) + tests(book, entry, equation);
     const std::string accuracy = accuracy_table(book.run, equation);
+    std::string body = functions(book, entry, equation) + proofs(book, entry, equation) + tests(book, entry, equation);
     if (!accuracy.empty())
-        text += section(equation, "accuracy", "Accuracy") +
+        body += section(equation, "accuracy", "Accuracy") +
                 "<p>Worst errors that the tests measured, in units of eps over the condition number.</p>\n" + accuracy;
-    text += pictures(book, entry, equation) + "\n" + navigation(equation);
+    body += pictures(book, entry, equation);
+    text +=
+        navigation(equation) + contents(body, equation) + statement(entry) + facts(entry) + body + "\n" + navigation(equation);
     return {equation_label(equation), text};
 }
 

@@ -29,7 +29,7 @@ std::string title_of_script(const fs::path& script) {
     std::string line, title;
     while (std::getline(in, line) && line.starts_with("# ")) {
         title += (title.empty() ? "" : " ") + line.substr(2);
-        const std::size_t end = title.find_first_of(".;:", title.starts_with("Fig. ") ? 8 : 0);
+        const std::size_t end = title.find_first_of(".;");
         if (end != std::string::npos && !title.starts_with("Fig. ")) return title.substr(0, end);
     }
     if (title.starts_with("Fig. ")) { // Fig. 1: the chain of N masses. ...

@@ -44,7 +44,7 @@ std::string marked(const std::string& line) {
     std::string out;
     for (std::size_t at = 0; at < code.size();) {
         std::size_t end = at;
-        while (end < code.size() && std::isalpha(static_cast<unsigned char>(code[end]))) ++end;
+        while (end < code.size() && (std::isalnum(static_cast<unsigned char>(code[end])) || code[end] == '_')) ++end;
         const std::string word = code.substr(at, std::max<std::size_t>(end - at, 1));
         const bool keyword = std::find(keywords.begin(), keywords.end(), word) != keywords.end();
         out += keyword ? "<span class=\"keyword\">" + word + "</span>" : word;

@@ -3,6 +3,7 @@
 
 #include "denhartog/evaluation/mode_arrays.hpp"
 #include "tests/catch.hpp"
+#include "tests/speed_accuracy/accuracy_record.hpp"
 
 using namespace denhartog::tests;
 
@@ -25,6 +26,7 @@ void check(Precision precision, const std::string& what, const std::vector<ZoneE
     CHECK(printed > 1e6); // the printed forms fail on the same points
     CHECK(poles > 0);
     CHECK(unanswered == 0);
+    CHECK(keep_record("mode functions " + what, accuracy_record(what.starts_with("in ") ? what.substr(3) : what, zones)));
 }
 
 } // namespace
