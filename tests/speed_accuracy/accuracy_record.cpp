@@ -1,5 +1,6 @@
 #include "tests/speed_accuracy/accuracy_record.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -53,7 +54,9 @@ bool keep_record(const std::string& name, const std::string& text) {
     if (folder == nullptr) return true;
     std::error_code fault;
     std::filesystem::create_directories(folder, fault);
-    std::ofstream file(std::filesystem::path(folder) / (name + ".json"));
+    std::string stem = name;
+    std::replace(stem.begin(), stem.end(), ' ', '_');
+    std::ofstream file(std::filesystem::path(folder) / (stem + ".json"));
     file << text;
     file.close();
     return static_cast<bool>(file);
