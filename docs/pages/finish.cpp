@@ -92,6 +92,7 @@ std::string finished_page(std::string page, bool is_source) {
         page.insert(std::min(end, inner), "</h1>");
         page.replace(at, open.size(), "<div><h1 class=\"title\">");
     }
+    cut(page, "<div class=\"summary\">", "</div>"); // its links lead to headings that are left out where all is private
     replace_all(page, "<p class=\"formulaDsp\">", "<p class=\"formulaDsp\" tabindex=\"0\">");
     replace_all(page, "<div class=\"fragment\">", "<div class=\"fragment\" tabindex=\"0\">");
     replace_all(page, "<div class=\"memproto\">", "<div class=\"memproto\" tabindex=\"0\">");
@@ -156,10 +157,10 @@ FinishedSite finish_site(const fs::path& site) {
             for (nlohmann::json& each : search_documents(page.text, name)) documents.push_back(std::move(each));
         pages.emplace(name, std::move(page));
     }
+    program::write_file((site / "search-documents.js").string(), "window.searchDocuments = " + documents.dump(0) + ";\n");
     for (const auto& [name, page] : pages)
         for (const char* attribute : {"href", "src"})
             for (const std::string& target : values_of(page.text, attribute)) follow(name, target, site, pages, out);
-    program::write_file((site / "search-documents.js").string(), "window.searchDocuments = " + documents.dump(0) + ";\n");
     out.pages = pages.size();
     out.documents = documents.size();
     return out;

@@ -23,17 +23,19 @@ std::string element(const std::string& xml, const std::string& name) {
 
 std::string without_suffix(const std::string& name) { return name.ends_with(".html") ? name.substr(0, name.size() - 5) : name; }
 
-/// The address of `source:FILE:LINE` or `page:LABEL`; empty where there is none.
+/// The address of `source:FILE:LINE`, `source:FILE` or `page:LABEL`; empty where there is none.
 std::string address_of(const std::string& target, const Addresses& addresses, std::string& anchor) {
     if (target.starts_with("page:")) {
         const auto found = addresses.pages.find(target.substr(5));
         return found == addresses.pages.end() ? "" : found->second;
     }
     const std::size_t colon = target.rfind(':');
-    const std::string line = target.substr(colon + 1);
-    if (colon < 7 || line.empty() || line.size() > 6 || line.find_first_not_of("0123456789") != std::string::npos) return {};
-    const auto found = addresses.sources.find(target.substr(7, colon - 7));
+    const bool with_line = colon > 7;
+    const auto found = addresses.sources.find(target.substr(7, with_line ? colon - 7 : std::string::npos));
     if (found == addresses.sources.end()) return {};
+    if (!with_line) return found->second;
+    const std::string line = target.substr(colon + 1);
+    if (line.empty() || line.size() > 6 || line.find_first_not_of("0123456789") != std::string::npos) return {};
     char text[16];
     std::snprintf(text, sizeof text, "l%05d", std::stoi(line));
     anchor = text;

@@ -18,7 +18,7 @@ struct Addresses {
 /// @brief Reads Doxygen's tag file. @param xml its text @param root the root of the sources @return the addresses
 [[nodiscard]] Addresses read_tags(const std::string& xml, const std::filesystem::path& root);
 
-/// @brief Replaces `href="source:FILE:LINE"` and `href="page:LABEL"` in one page.
+/// @brief Replaces `href="source:FILE:LINE"`, the same without a line, and `href="page:LABEL"` in one page.
 /// @param page       its HTML
 /// @param addresses  of the site
 /// @param missing    takes what cannot be resolved

@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "denhartog/errors.hpp"
+#include "finish.hpp"
 #include "link.hpp"
 #include "site.hpp"
 
@@ -34,6 +35,12 @@ int link(const std::string& site, const std::string& tags, const std::string& so
     return judged(faults);
 }
 
+int finish(const std::string& site) {
+    const FinishedSite done = finish_site(site);
+    std::printf("%zu pages, %zu links followed, %zu entries for the search\n", done.pages, done.links, done.documents);
+    return judged(done.faults);
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
@@ -49,12 +56,16 @@ int main(int argc, char** argv) {
     linking->add_option("--site", site, "Folder with the HTML")->required();
     linking->add_option("--tagfile", tags, "Doxygen's tag file")->required();
     linking->add_option("--source", source, "Root of the sources")->required();
+    CLI::App* finishing =
+        app.add_subcommand("finish", "Finish the linked site: headings, the list for the search; follow every link");
+    finishing->add_option("--site", site, "Folder with the HTML")->required();
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& e) {
         return app.exit(e) == 0 ? 0 : 2;
     }
     try {
+        if (finishing->parsed()) return finish(site);
         return writing->parsed() ? write(verify, source, output) : link(site, tags, source);
     } catch (const std::exception& e) {
         return judged({e.what()});

@@ -86,7 +86,7 @@ function sources(line, out, path, full) {
     out = ""
     while (match(line, /`[a-z_0-9\/-]+\/[a-z_0-9]+\.[hc]pp`/)) {
         path = substr(line, RSTART + 1, RLENGTH - 2)
-        full = path ~ /^(src|derivation|tests|paper-figures|docs)\// ? path : "src/denhartog/" path
+        full = path ~ /^(src|derivation|tests|paper-figures|docs)\// ? path : (path ~ /^denhartog\// ? "src/" : "src/denhartog/") path
         out = out substr(line, 1, RSTART - 1) "<a href=\"source:" full "\"><code>" path "</code></a>"
         line = substr(line, RSTART + RLENGTH)
     }
@@ -104,11 +104,13 @@ function page_label(file, parts, n, name) {
 
 FNR == 1 {
     file = index(FILENAME, ENVIRON["PWD"] "/") == 1 ? substr(FILENAME, length(ENVIRON["PWD"]) + 2) : FILENAME
-    markdown = file ~ /\.md$/
+    markdown = file ~ /^docs\/.*\.md$/
     shown_only = file ~ /\.cpp$/ || file ~ /^(docs|tests|paper-figures)\/.*\.hpp$/
 }
 shown_only {
-    print ""
+    brief = FNR == 1 && /^\/\/ / ? substr($0, 4) : ""
+    gsub(/,/, "\\,", brief)
+    print (FNR > 1 ? "" : brief == "" ? "/// @file" : "/// @shown{" numbers(brief) "}")
     next
 }
 
