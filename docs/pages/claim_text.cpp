@@ -46,7 +46,11 @@ std::string steps_text(const Json& claim) {
     for (const Json& step : claim.at("steps")) {
         const std::string text = step.at("text"), latex = step.at("latex");
         const std::string more = step.value("text_latex", "");
-        out += "<li>" + step_sentence(text) + (latex.empty() && more.empty() ? "." : ":") + "\n";
+        out += "<li>" + step_sentence(text) +
+               (!latex.empty() || !more.empty()               ? ":"
+                : text.find("zero with") != std::string::npos ? ""
+                                                              : ".") +
+               "\n";
         if (!more.empty()) out += displayed(more);
         if (latex.size() > longest_formula)
             out += "<p class=\"left-out\">An expression of " + std::to_string(latex.size()) +

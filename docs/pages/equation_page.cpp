@@ -202,7 +202,7 @@ std::string accuracy_table(const RunRecord& run, const std::string& equation) {
             const Json& equations = row.at("equations");
             if (!equation.empty() && std::find(equations.begin(), equations.end(), equation) == equations.end()) continue;
             const auto error = [](const Json& worst) {
-                return worst.is_null() ? std::string("none given") : digits(worst.get<double>());
+                return worst.is_null() ? std::string("no number") : digits(worst.get<double>());
             };
             rows += "<tr><td>" + prose(row.at("function")) + "</td><td>" + escaped(record.at("type").get<std::string>()) +
                     "</td><td>" + prose(row.at("zone")) + "</td><td>" + std::to_string(row.at("points").get<long>()) +

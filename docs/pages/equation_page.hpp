@@ -17,7 +17,8 @@ struct Page {
 /// @brief The first line of a page. @param name its label @param title plain text @return the heading
 [[nodiscard]] std::string page_head(const std::string& name, const std::string& title);
 
-/// @brief The page of an equation: statement, verdicts, correction, witness, functions, proofs, tests, accuracy, figures, neighbours.
+/// @brief The page of an equation: statement, verdicts, correction, witness, functions, proofs, tests, accuracy, figures,
+/// neighbours.
 /// @param book      the run
 /// @param equation  its number
 /// @return          the page

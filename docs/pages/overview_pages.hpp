@@ -11,7 +11,8 @@ namespace denhartog::pages {
 /// @brief The index of the numbered equations, a row each. @param book the run @return the page `equations`
 [[nodiscard]] Page index_page(const Book& book);
 
-/// @brief Every departure by kind: printed, corrected, proof, witness, loss, figure. @param book the run @return the page `errata`
+/// @brief Every departure by kind: printed, corrected, proof, witness, loss, figure. @param book the run @return the page
+/// `errata`
 [[nodiscard]] Page errata_page(const Book& book);
 
 /// @brief The graph of what rests on what, as a picture with links and as a table. @param book the run

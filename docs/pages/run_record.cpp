@@ -69,6 +69,13 @@ RunRecord read_run(const fs::path& verify, const fs::path& source) {
     run.figures = read_figures(verify / "figures", source);
     for (const fs::path& file : derivation::files_in(verify / "test-results/accuracy", ".json"))
         run.accuracy.push_back(read_json(file));
+    std::stable_sort(run.accuracy.begin(), run.accuracy.end(), [](const Json& a, const Json& b) {
+        const auto rank = [](const Json& record) { // double before long double before 50 digits
+            const std::string type = record.at("type");
+            return type.starts_with("double") ? 0 : type.starts_with("long") ? 1 : 2;
+        };
+        return rank(a) < rank(b);
+    });
     run.chart = text_if_there(verify / "chart/tables.md");
     run.batch = text_if_there(verify / "chart/batch.md");
     for (const std::string& equation : ledger::equation_numbers()) (void)entry_of(run, equation);

@@ -23,7 +23,8 @@ struct Site {
 /// @return         the pages and their faults
 [[nodiscard]] Site make_site(const RunRecord& run, const Sources& sources, const std::filesystem::path& chapter);
 
-/// @brief Writes the pages, a file each; a file that is unchanged is left alone, one of an earlier run that is no page is removed.
+/// @brief Writes the pages, a file each; a file that is unchanged is left alone, one of an earlier run that is no page is
+/// removed.
 /// @param pages   the pages
 /// @param folder  where to
 /// @return        how many files were written

@@ -36,7 +36,8 @@ public:
     /// @throws      InputError where the file has no such line, or the name does not stand in it
     [[nodiscard]] Snippet snippet(const std::string& name, const Place& at) const;
 
-    /// @brief Where a claim is made. @param id its id, of which a source may have the beginning alone @return the place; line 0 where none
+    /// @brief Where a claim is made. @param id its id, of which a source may have the beginning alone @return the place; line 0
+    /// where none
     [[nodiscard]] Place claim(const std::string& id) const;
 
     /// @brief Where a test is declared. @param name its name as it ran @return the place; line 0 where none

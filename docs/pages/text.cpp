@@ -60,6 +60,53 @@ std::string chunk_at(const std::string& text, std::size_t at) {
     return text.substr(at, end - at);
 }
 
+/// Where a number that follows an equals sign ends; `at` where there is none.
+std::size_t end_of_value(const std::string& text, std::size_t at) {
+    if (at + 1 >= text.size() || text[at] != '=' || !std::isdigit(static_cast<unsigned char>(text[at + 1]))) return at;
+    std::size_t end = at + 1;
+    while (end < text.size() && (std::isdigit(static_cast<unsigned char>(text[end])) || text[end] == '.')) ++end;
+    return text[end - 1] == '.' ? end - 1 : end; // a full stop
+}
+
+/// The formula that starts at a word: a symbol, with its primes and its value, or a function of a symbol. Empty where the word is
+/// no symbol.
+/// @param end  becomes the end of the formula, or of the word
+std::string formula_at(const std::string& text, std::size_t at, std::size_t& end) {
+    static const std::set<std::string> functions = {"sin", "cos", "sinh", "cosh", "exp"};
+    const std::string word = chunk_at(text, at);
+    end = at + word.size();
+    if (functions.contains(word) && end < text.size() && text[end] == '(') {
+        const std::string argument = chunk_at(text, end + 1);
+        const std::size_t close = end + 1 + argument.size();
+        const std::string inner = symbol(argument, false);
+        if (inner.empty() || close >= text.size() || text[close] != ')') return {};
+        end = close + 1;
+        return "\\" + word + "(" + inner + ")";
+    }
+    const bool path =
+        (at > 0 && std::string("./:`#").find(text[at - 1]) != std::string::npos && text.compare(at, 5, "r_n,i") != 0) ||
+        (end < text.size() && std::string("(:*`").find(text[end]) != std::string::npos) ||
+        (end + 1 < text.size() && text[end] == '.' && is_word(text[end + 1]));
+    if (path) return {};
+    std::string latex = symbol(word, false);
+    if (word == "r_n" && text.compare(end, 2, ",i") == 0) {
+        end += 2;
+        return "r_{n,i}";
+    }
+    const std::size_t value = end_of_value(text, end);
+    if (latex.empty() && !(word.size() == 1 && value > end && std::isalpha(static_cast<unsigned char>(word[0])))) return {};
+    if (latex.empty()) latex = word;
+    while (end < text.size() && text[end] == '\'' && word.find('_') != std::string::npos) {
+        latex += "'";
+        ++end;
+    }
+    if (value > end) {
+        latex += text.substr(end, value - end);
+        end = value;
+    }
+    return latex;
+}
+
 } // namespace
 
 std::string escaped(const std::string& text) {
@@ -148,14 +195,10 @@ std::string prose(const std::string& text) {
             plain += text[at++];
             continue;
         }
-        const std::string word = chunk_at(text, at);
-        const std::size_t end = at + word.size();
-        const bool path = (at > 0 && std::string("./:`#").find(text[at - 1]) != std::string::npos) ||
-                          (end < text.size() && (text[end] == '(' || text[end] == ':' || text[end] == '*' || text[end] == '`')) ||
-                          (end + 1 < text.size() && text[end] == '.' && is_word(text[end + 1]));
-        const std::string latex = path ? "" : symbol(word, false);
+        std::size_t end = at;
+        const std::string latex = formula_at(text, at, end);
         if (latex.empty()) {
-            plain += word;
+            plain += text.substr(at, end - at);
         } else {
             flush();
             out += formula(latex);

@@ -1,5 +1,6 @@
 /// @file
-/// @brief Text for Doxygen: what is special to it is escaped, formulas, symbols and the numbers of equations become what they are.
+/// @brief Text for Doxygen: what is special to it is escaped, formulas, symbols and the numbers of equations become what they
+/// are.
 #pragma once
 
 #include <string>
@@ -40,7 +41,8 @@ namespace denhartog::pages {
 /// @return text for Doxygen
 [[nodiscard]] std::string prose(const std::string& text);
 
-/// @brief A sentence that a note of the ledger becomes: its first word with a capital, a full stop at its end. @param note plain text
+/// @brief A sentence that a note of the ledger becomes: its first word with a capital, a full stop at its end. @param note plain
+/// text
 /// @return text for Doxygen
 [[nodiscard]] std::string sentence(std::string note);
 

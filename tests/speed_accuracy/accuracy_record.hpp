@@ -12,7 +12,8 @@ namespace denhartog::tests {
 /// @brief The worst errors of the mode functions as JSON.
 /// @param type   the number type, e.g. `double`
 /// @param zones  what the survey found
-/// @return       an object with `type` and `functions`: function, equations, zone, points, printed, shipped, shipped_at; an error that is
+/// @return       an object with `type` and `functions`: function, equations, zone, points, printed, shipped, shipped_at; an error
+/// that is
 ///               no number is null
 [[nodiscard]] std::string accuracy_record(const std::string& type, const std::vector<ZoneErrors>& zones);
 

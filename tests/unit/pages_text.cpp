@@ -48,6 +48,9 @@ TEST_CASE("a sentence of the run gets its links and symbols, and paths stay as t
     CHECK(prose("sin(2) is no equation, nor (2022), (0)") == "sin(2) is no equation, nor (2022), (0)");
     CHECK(prose("zeta_i <= 1 -> R_i") == "\\f$\\zeta_{i}\\f$ ≤ 1 → \\f$R_{i}\\f$");
     CHECK(prose("mode_functions.hpp, beta.hpp") == "mode\\_functions.hpp, beta.hpp");
+    CHECK(prose("SDOF zeta=0.001 r=0.95.") == "SDOF \\f$\\zeta=0.001\\f$ \\f$r=0.95\\f$.");
+    CHECK(prose("x_j'/sin(tau)") == "\\f$\\bar{x}_{j}'\\f$/\\f$\\sin(\\tau)\\f$");
+    CHECK(prose("zeta/r_n,i") == "\\f$\\zeta\\f$/\\f$r_{n,i}\\f$");
     CHECK(witness_value("-329/333") == "\\f$-\\tfrac{329}{333}\\f$");
     CHECK(witness_value("0.105313493022638536325369615526715714") == "0.10531349302263853632…");
     CHECK(witness_value("0.25") == "0.25");
