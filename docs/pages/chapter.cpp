@@ -13,22 +13,6 @@ namespace denhartog::pages {
 
 namespace {
 
-/// A paragraph: formulas between dollars, code between backquotes, the rest as prose.
-std::string paragraph(const std::string& text, const std::string& place) {
-    std::string out;
-    for (std::size_t at = 0; at < text.size();) {
-        const std::size_t next = text.find_first_of("$`", at);
-        out += prose(text.substr(at, next - at));
-        if (next == std::string::npos) break;
-        const std::size_t close = text.find(text[next], next + 1);
-        if (close == std::string::npos) throw InputError("a formula or code", "must be closed", text.substr(next, 40), place);
-        const std::string inner = text.substr(next + 1, close - next - 1);
-        out += text[next] == '$' ? formula(inner) : "<code>" + escaped(inner) + "</code>";
-        at = close + 1;
-    }
-    return out;
-}
-
 bool in_chapter(const std::string& equation) {
     if (equation.starts_with("A.")) return true;
     const int number = std::stoi(equation);
@@ -53,7 +37,7 @@ public:
             }
         };
         const auto flush = [&] {
-            if (!text.empty()) guarded([&] { return "<p>" + paragraph(text, place()) + "</p>\n"; });
+            if (!text.empty()) guarded([&] { return "<p>" + typeset(text, place()) + "</p>\n"; });
             text.clear();
         };
         for (std::string line; std::getline(in, line);) {
@@ -109,16 +93,18 @@ private:
 
     std::string claims(const std::string& number) {
         std::string items;
+        std::size_t count = 0;
         for (const Json& claim : entry_of(book_.run, number).at("claims")) {
             const Json& record = record_of(book_.run, claim.at("id"));
             const std::string id = record.at("claim");
             if (claim.at("role") == "observation" || shown_.contains(id) || !listed_.insert(id).second) continue;
+            ++count;
             items += "<li>" + verdict_mark(claim.at("verdict")) + ": " + prose(claim.at("what")) + " (" + claim_link(record) +
                      ")</li>\n";
         }
-        return items.empty()
-                   ? ""
-                   : "<p>Decided on " + equation_link(number) + " besides:</p>\n<ul class=\"claims\">\n" + items + "</ul>\n";
+        if (items.empty()) return {};
+        return "<details class=\"claims\">\n<summary>What else is decided on (" + number +
+               "): " + counted(count, "claim", "claims") + "</summary>\n<ul>\n" + items + "</ul>\n</details>\n";
     }
 
     const Book& book_;

@@ -45,13 +45,12 @@ std::string steps_text(const Json& claim) {
     std::string out = "<ol class=\"steps\">\n";
     for (const Json& step : claim.at("steps")) {
         const std::string text = step.at("text"), latex = step.at("latex");
-        const std::string more = step.value("text_latex", "");
-        out += "<li>" + step_sentence(text) +
-               (!latex.empty() || !more.empty()               ? ":"
-                : text.find("zero with") != std::string::npos ? ""
-                                                              : ".") +
+        const bool generators = latex.empty() && text.find("zero with") != std::string::npos;
+        out += "<li>" + (step.contains("text_latex") ? typeset(step.at("text_latex"), claim.at("claim")) : step_sentence(text)) +
+               (!latex.empty() ? ":"
+                : generators   ? ""
+                               : ".") +
                "\n";
-        if (!more.empty()) out += displayed(more);
         if (latex.size() > longest_formula)
             out += "<p class=\"left-out\">An expression of " + std::to_string(latex.size()) +
                    " characters, in derivation.json, the record of the run.</p>\n";
@@ -62,11 +61,14 @@ std::string steps_text(const Json& claim) {
     return out + "</ol>\n";
 }
 
-std::string witness_text(const Json& witness) {
+std::string witness_text(const RunRecord& run, const Json& witness) {
     if (witness.empty()) return {};
     std::string out;
-    for (const auto& [name, value] : witness.items())
-        out += (out.empty() ? "" : ", ") + witness_name(name) + " = " + witness_value(value.get<std::string>());
+    for (const auto& [name, value] : witness.items()) {
+        const auto latex = run.symbols.find(name);
+        const std::string shown = latex == run.symbols.end() ? witness_name(name) : formula(latex->second);
+        out += (out.empty() ? "" : ", ") + shown + " = " + witness_value(value.get<std::string>());
+    }
     return "<p class=\"witness\">" + out + "</p>\n";
 }
 
@@ -94,7 +96,7 @@ std::string claim_text(const Book& book, const Json& claim, const std::string& e
     if (claim.contains("witness") && !claim.at("witness").empty() &&
         claim.at("witness") != entry_of(book.run, equation).at("witness")) // which stands at the head of the page
         out += "<p>" + std::string(claim.at("verdict") == "refuted" ? "Witness:" : "Found:") + "</p>\n" +
-               witness_text(claim.at("witness"));
+               witness_text(book.run, claim.at("witness"));
     if (!here) return out + "<p>Its steps: " + claim_link(record) + ", on the page of " + equation_link(home) + ".</p>\n</div>\n";
     const std::string steps = steps_text(record);
     const std::string count = counted(record.at("steps").size(), "step", "steps");

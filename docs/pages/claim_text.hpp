@@ -34,8 +34,8 @@ struct Book {
 /// @throws          InputError where the derivation has no record of it, or no source makes it
 [[nodiscard]] std::string claim_text(const Book& book, const Json& claim, const std::string& equation);
 
-/// @brief A witness as a paragraph of names and values. @param witness of the ledger @return text for Doxygen; empty where there
-/// is none
-[[nodiscard]] std::string witness_text(const Json& witness);
+/// @brief A witness as a paragraph of names and values. @param run with the symbols of the names @param witness of the ledger
+/// @return text for Doxygen; empty where there is none
+[[nodiscard]] std::string witness_text(const RunRecord& run, const Json& witness);
 
 } // namespace denhartog::pages

@@ -60,7 +60,7 @@ std::string boxed(const std::string& verdict, const std::string& head, const std
     return "<div class=\"verdict " + name + "\">\n<p>" + head + "</p>\n" + displayed(latex) + "</div>\n\n";
 }
 
-std::string statement(const Json& entry) {
+std::string statement(const Book& book, const Json& entry) {
     const std::string correction = entry.at("correction"), note = entry.at("printed_note");
     const std::string printed = entry.at("printed");
     std::string out = boxed(printed, "As printed: " + verdict_text(printed), entry.at("statement"));
@@ -77,7 +77,7 @@ std::string statement(const Json& entry) {
         out += "<p>Coded as printed: no loss to measure.</p>\n";
     if (!entry.at("witness").empty())
         out += "<p>A point where " + std::string(printed == "refuted" ? "the printed form fails:" : "it was evaluated:") +
-               "</p>\n" + witness_text(entry.at("witness"));
+               "</p>\n" + witness_text(book.run, entry.at("witness"));
     return out;
 }
 
@@ -226,8 +226,8 @@ Page equation_page(const Book& book, const std::string& equation) {
         body += section(equation, "accuracy", "Accuracy") +
                 "<p>Worst errors that the tests measured, in units of eps over the condition number.</p>\n" + accuracy;
     body += pictures(book, entry, equation);
-    text +=
-        navigation(equation) + contents(body, equation) + statement(entry) + facts(entry) + body + "\n" + navigation(equation);
+    text += navigation(equation) + contents(body, equation) + statement(book, entry) + facts(entry) + body + "\n" +
+            navigation(equation);
     return {equation_label(equation), text};
 }
 

@@ -75,7 +75,7 @@ std::string departure_of(const Book& book, const Json& entry) {
     }
     if (!refutations.empty()) out += "<p>The printed form is decided by " + refutations + ".</p>\n";
     if (!proofs.empty()) out += "<p>The form that holds is decided by " + proofs + ".</p>\n";
-    if (refuted && !entry.at("witness").empty()) out += "<p>Witness:</p>\n" + witness_text(entry.at("witness"));
+    if (refuted && !entry.at("witness").empty()) out += "<p>Witness:</p>\n" + witness_text(book.run, entry.at("witness"));
     const std::string consequence = entry.at("consequence");
     if (refuted || !consequence.empty())
         out +=

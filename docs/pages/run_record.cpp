@@ -65,6 +65,10 @@ RunRecord read_run(const fs::path& verify, const fs::path& source) {
     run.ledger = ledger::read_array((verify / "paper/ledger.json").string(), "the ledger");
     for (Json& claim : ledger::read_array((verify / "paper/derivation.json").string(), "the derivation's record"))
         run.claims.emplace(claim.at("claim").get<std::string>(), claim);
+    for (const auto& [id, claim] : run.claims)
+        for (const Json& value : claim.value("witness", Json::array()))
+            if (const std::string latex = value.value("name_latex", ""); !latex.empty())
+                run.symbols.emplace(value.at("name").get<std::string>(), latex);
     run.run = read_json(verify / "paper/run.json");
     run.figures = read_figures(verify / "figures", source);
     for (const fs::path& file : derivation::files_in(verify / "test-results/accuracy", ".json"))

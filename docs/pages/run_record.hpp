@@ -23,13 +23,14 @@ struct FigureRecord {
 
 /// @brief All that the pages are made of.
 struct RunRecord {
-    Json ledger;                        ///< entries in the paper's order
-    std::map<std::string, Json> claims; ///< records of the derivation by claim
-    Json run;                           ///< the run's own record: agreement, mutants
-    std::vector<FigureRecord> figures;  ///< those of the paper first
-    std::vector<Json> accuracy;         ///< worst errors by function, a record a survey; empty where the tests have not run
-    std::string chart;                  ///< tables of speed against accuracy, Markdown; empty where it was not measured
-    std::string batch;                  ///< tables of batches, Markdown; empty where they were not measured
+    Json ledger;                                ///< entries in the paper's order
+    std::map<std::string, Json> claims;         ///< records of the derivation by claim
+    std::map<std::string, std::string> symbols; ///< LaTeX of the names in witnesses, where the derivation has written it
+    Json run;                                   ///< the run's own record: agreement, mutants
+    std::vector<FigureRecord> figures;          ///< those of the paper first
+    std::vector<Json> accuracy; ///< worst errors by function, a record a survey; empty where the tests have not run
+    std::string chart;          ///< tables of speed against accuracy, Markdown; empty where it was not measured
+    std::string batch;          ///< tables of batches, Markdown; empty where they were not measured
 };
 
 /// @brief Reads what a run wrote.

@@ -59,9 +59,17 @@ std::string marked(const std::string& line) {
 Sources::Sources(fs::path root) : root_(std::move(root)) {
     for (const fs::path& file : derivation::files_in(root_ / "derivation", ".cpp")) {
         const std::string name = file.lexically_relative(root_).generic_string();
-        for (const derivation::Piece& piece : derivation::pieces_of(derivation::text_of(file)))
-            if (piece.sort == derivation::Piece::Sort::literal && piece.text.find('/') != std::string::npos)
-                literals_.try_emplace(piece.text, Place{name, piece.line});
+        std::string before;
+        for (const derivation::Piece& piece : derivation::pieces_of(derivation::text_of(file))) {
+            if (piece.sort == derivation::Piece::Sort::literal) {
+                const Place place{name, piece.line};
+                if (piece.text.find('/') == std::string::npos)
+                    lines_of_.try_emplace(name + ":" + piece.text, piece.line);
+                else
+                    (before.ends_with(".id =") ? makers_ : literals_).try_emplace(piece.text, place);
+            }
+            before = piece.sort == derivation::Piece::Sort::code ? trimmed(piece.text) : "";
+        }
     }
     for (const derivation::DeclaredTest& test : derivation::tests_of_sources(root_ / "tests"))
         tests_.try_emplace(test.name, Place{"tests/" + test.file, test.line});
@@ -103,16 +111,19 @@ Snippet Sources::snippet(const std::string& name, const Place& at) const {
 }
 
 Place Sources::claim(const std::string& id) const {
-    const auto exact = literals_.find(id);
-    if (exact != literals_.end()) return exact->second;
-    Place best;
-    std::size_t length = 0;
-    for (const auto& [literal, place] : literals_)
-        if (literal.size() > length && literal.size() >= 3 && id.starts_with(literal)) {
-            best = place;
-            length = literal.size();
+    for (const std::map<std::string, Place>* places : {&makers_, &literals_}) {
+        if (const auto exact = places->find(id); exact != places->end()) return exact->second;
+        const std::pair<const std::string, Place>* best = nullptr;
+        for (const auto& found : *places) {
+            const std::string& text = found.first;
+            const bool begins = id.starts_with(text) && (text.ends_with('=') || text.ends_with('/') || id[text.size()] == '/');
+            if (begins && (best == nullptr || text.size() > best->first.size())) best = &found;
         }
-    return best;
+        if (best == nullptr) continue;
+        const auto rest = lines_of_.find(best->second.file + ":" + id.substr(best->first.size()));
+        return {best->second.file, rest == lines_of_.end() ? best->second.line : rest->second};
+    }
+    return {};
 }
 
 Place Sources::test(const std::string& name) const {

@@ -50,7 +50,9 @@ private:
     [[nodiscard]] const std::vector<std::string>& lines(const std::string& file) const;
 
     std::filesystem::path root_;
-    std::map<std::string, Place> literals_; ///< string literals of the derivation, of those with a slash
+    std::map<std::string, Place> makers_;   ///< literals that a claim takes as its id
+    std::map<std::string, Place> literals_; ///< other literals of the derivation with a slash
+    std::map<std::string, int> lines_of_;   ///< lines of literals without one, by file and text
     std::map<std::string, Place> tests_;
     mutable std::map<std::string, std::vector<std::string>> files_;
 };

@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 
+#include "denhartog/errors.hpp"
 #include "denhartog/program/ledger_entry.hpp"
 
 namespace denhartog::pages {
@@ -206,6 +207,21 @@ std::string prose(const std::string& text) {
         at = end;
     }
     flush();
+    return out;
+}
+
+std::string typeset(const std::string& text, const std::string& place) {
+    std::string out;
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t next = text.find_first_of("$`", at);
+        out += prose(text.substr(at, next - at));
+        if (next == std::string::npos) break;
+        const std::size_t close = text.find(text[next], next + 1);
+        if (close == std::string::npos) throw InputError("a formula or code", "must be closed", text.substr(next, 40), place);
+        const std::string inner = text.substr(next + 1, close - next - 1);
+        out += text[next] == '$' ? formula(inner) : "<code>" + escaped(inner) + "</code>";
+        at = close + 1;
+    }
     return out;
 }
 

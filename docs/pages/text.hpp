@@ -41,6 +41,10 @@ namespace denhartog::pages {
 /// @return text for Doxygen
 [[nodiscard]] std::string prose(const std::string& text);
 
+/// @brief Text with formulas between dollars and code between backquotes; the rest as `prose`. @param text the text
+/// @param place where it stands, for the message @return text for Doxygen @throws InputError where one is not closed
+[[nodiscard]] std::string typeset(const std::string& text, const std::string& place);
+
 /// @brief A sentence that a note of the ledger becomes: its first word with a capital, a full stop at its end. @param note plain
 /// text
 /// @return text for Doxygen

@@ -136,6 +136,17 @@ TEST_CASE("an unknown place-holder, an unknown claim and a claim that is left ou
     CHECK_FALSE(tells(faults, "claim 38/amplitude"));
 }
 
+TEST_CASE("formulas within a sentence of a step and the run's own names of symbols are typeset", "[pages]") {
+    SmallRun small;
+    small.run.claims["38/amplitude"]["steps"][0]["text_latex"] = "With $a_1$ as in (37)";
+    small.run.symbols["V_jr"] = "V'_{jr}";
+    const std::string text = small.page("38");
+    CHECK(has(text, "With \\f$a_1\\f$ as in \\ref eq_37 \"(37)\":"));
+    CHECK(has(text, "\\f$V'_{jr}\\f$ = "));
+    small.run.claims["38/amplitude"]["steps"][0]["text_latex"] = "With $a_1";
+    CHECK_THROWS_WITH(small.page("38"), Catch::Contains("must be closed"));
+}
+
 TEST_CASE("departures and the index count what the ledger has", "[pages]") {
     const SmallRun small;
     const Sources sources(small.folder.path());
