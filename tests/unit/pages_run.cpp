@@ -147,6 +147,15 @@ TEST_CASE("formulas within a sentence of a step and the run's own names of symbo
     CHECK_THROWS_WITH(small.page("38"), Catch::Contains("must be closed"));
 }
 
+TEST_CASE("what the tests measured stands on the page of its equation alone", "[pages]") {
+    SmallRun small;
+    small.run.accuracy.push_back(
+        Json::parse(R"({"type":"double","functions":[{"function":"u","equations":["38"],"zone":"R near 1",
+        "points":7,"printed":null,"shipped":1.5,"shipped_at":"0x1.8p-1"}]})"));
+    CHECK(has(small.page("38"), "<td>double</td><td>R near 1</td><td>7</td><td>no number</td><td>1.5</td><td>0x1.8p-1</td>"));
+    CHECK_FALSE(has(small.page("37"), "0x1.8p-1"));
+}
+
 TEST_CASE("departures and the index count what the ledger has", "[pages]") {
     const SmallRun small;
     const Sources sources(small.folder.path());
