@@ -23,6 +23,10 @@ std::string section(const std::string& equation, const std::string& key, const s
     return "\n\\section " + equation_label(equation) + "_" + key + " " + title + "\n\n";
 }
 
+std::string part(const std::string& equation, const std::string& key, const std::string& title) {
+    return "\n\\subsection " + equation_label(equation) + "_" + key + " " + title + "\n\n";
+}
+
 std::string in_section(const Json& entry) {
     const std::string section = entry.at("section");
     return section == "Appendix" ? "the Appendix" : "Section " + section;
@@ -129,9 +133,9 @@ std::string functions(const Book& book, const Json& entry, const std::string& eq
         out += "<p>No function computes it" + (why.empty() ? "" : ": " + prose(why)) + ".</p>\n";
     }
     out += paper;
-    if (!forms.empty()) out += "\n<h3>Forms that keep their digits, which callers get</h3>\n" + forms;
-    if (!refuted.empty()) out += "\n<h3>The printed form, for comparison</h3>\n" + refuted;
-    if (!callers.empty()) out += "\n<h3>Made use of by</h3>\n" + callers;
+    if (!forms.empty()) out += part(equation, "forms", "Forms that keep their digits, which callers get") + forms;
+    if (!refuted.empty()) out += part(equation, "as_printed", "The printed form, for comparison") + refuted;
+    if (!callers.empty()) out += part(equation, "callers", "Made use of by") + callers;
     return out;
 }
 

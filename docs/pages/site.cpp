@@ -1,5 +1,6 @@
 #include "site.hpp"
 
+#include <algorithm>
 #include <functional>
 #include <set>
 
@@ -29,7 +30,10 @@ Site make_site(const RunRecord& run, const Sources& sources, const fs::path& cha
     for (Page (*page)(const Book&) : {index_page, errata_page, graph_page, figures_page, accuracy_page, speed_page})
         add([&] { return page(book); });
     for (Page& page : chapter_pages(book, read_chapter(chapter), site.faults)) site.pages.push_back(std::move(page));
-    for (std::string& fault : faults_of(site.pages)) site.faults.push_back(std::move(fault));
+    if (site.faults.empty())
+        site.faults = faults_of(site.pages); // a page that could not be made is missed by all that link to it
+    std::sort(site.faults.begin(), site.faults.end());
+    site.faults.erase(std::unique(site.faults.begin(), site.faults.end()), site.faults.end());
     return site;
 }
 
