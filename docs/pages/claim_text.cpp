@@ -1,5 +1,7 @@
 #include "claim_text.hpp"
 
+#include <algorithm>
+
 #include "denhartog/errors.hpp"
 #include "text.hpp"
 
@@ -25,6 +27,13 @@ std::string step_sentence(const std::string& text) {
     if (at == std::string::npos) return prose(text);
     const std::size_t from = at + head.size();
     return prose(text.substr(0, from)) + "<code>" + escaped(text.substr(from)) + "</code>";
+}
+
+/// The equation on whose page a claim's steps stand: the one that its id begins with, else its first.
+std::string home_of(const Json& record) {
+    const Json& equations = record.at("equations");
+    const std::string id = record.at("claim"), first = id.substr(0, id.find('/'));
+    return std::find(equations.begin(), equations.end(), first) != equations.end() ? first : equations.at(0).get<std::string>();
 }
 
 bool is_long(const Json& claim) {
@@ -75,7 +84,7 @@ std::string witness_text(const RunRecord& run, const Json& witness) {
 std::string claim_text(const Book& book, const Json& claim, const std::string& equation) {
     const std::string id = claim.at("id");
     const Json& record = record_of(book.run, id);
-    const std::string home = record.at("equations").at(0);
+    const std::string home = home_of(record);
     const Place place = book.sources.claim(id);
     if (place.line == 0) throw InputError("claim " + id, "must be made in a source under derivation", "");
     const bool here = home == equation;
