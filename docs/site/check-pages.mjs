@@ -96,7 +96,7 @@ async function check(browser, name) {
 
 const browser = await puppeteer.launch({
   executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
-  args: ["--allow-file-access-from-files", ...(process.getuid() === 0 ? ["--no-sandbox"] : [])],
+  args: ["--allow-file-access-from-files", "--disable-dev-shm-usage", ...(process.getuid() === 0 ? ["--no-sandbox"] : [])],
   protocolTimeout: 300000,
 });
 const waiting = [...pages];
