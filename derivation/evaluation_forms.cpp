@@ -31,9 +31,6 @@ const Register registered([] {
     const evaluation::RootParts<Symbolic> as_rounded{any("b", "b"),     any("re_2", "a_1"), any("im_2", "a_2"),
                                                      any("b_2", "a_3"), any("d", "a_4"),    any("all", "a_5")};
     const Symbolic R(s.R), zeta(s.zeta), scale(new_symbol("scale", "\\lambda", GiNaC::numeric(2), GiNaC::numeric(64)));
-    const ex braces =
-        paper::friction_motion(Symbolic(s.tau), Symbolic(s.R), Symbolic(s.zeta), Symbolic(s.u), Symbolic(s.g)).expression();
-    const Symbolic rate_of_braces(braces.diff(GiNaC::ex_to<GiNaC::symbol>(s.tau)));
     return std::vector<Claim>{
         {.id = "evaluation/response-off-resonance",
          .equations = {"23"},
@@ -168,21 +165,6 @@ const Register registered([] {
              [&s] {
                  const ex modulus = GiNaC::sqrt(s.V_jr * s.V_jr + s.V_ji * s.V_ji), sine = s.beta * s.U_j / modulus;
                  return std::vector<ex>{GiNaC::sqrt(1 - sine * sine), -sine};
-             }},
-        {.id = "evaluation/s-d-integrand",
-         .equations = {"57"},
-         .role = Role::shipped,
-         .title = "The expression under the maximum in (57) from the rate of the braces of (40)",
-         .assumptions = {"R_i > 0", "0 <= zeta_i < 1", "0 < tau < pi"},
-         .kernel =
-             [&s, rate_of_braces] {
-                 return Values{evaluation::s_d_integrand(Symbolic(s.tau), Symbolic(s.R), Symbolic(s.u), rate_of_braces)};
-             },
-         .derived =
-             [&s] {
-                 return std::vector<ex>{
-                     paper::s_d_integrand(Symbolic(s.tau), Symbolic(s.R), Symbolic(s.zeta), Symbolic(s.u), Symbolic(s.g))
-                         .expression()};
              }},
         {.id = "evaluation/second-function-at-resonance",
          .equations = {"79", "80"},

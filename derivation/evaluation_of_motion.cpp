@@ -1,5 +1,5 @@
 // The forms of (A.8), (A.9) and of the expression in (57) that callers get, each equal to the paper's.
-#include "denhartog/evaluation/free_motion.hpp"
+#include "denhartog/evaluation/demand.hpp"
 
 #include "claim.hpp"
 #include "symbols.hpp"
@@ -40,13 +40,15 @@ const Register registered([] {
          .assumptions = in_time,
          .kernel =
              [=] {
-                 const evaluation::FreeMotionWithRates<Symbolic> f = evaluation::free_motion_with_rates(tau, R, zeta);
-                 return Values{f.d, f.q, f.d_prime, f.q_prime};
+                 const evaluation::FreeMotion<Symbolic> f = evaluation::oscillating_free_motion(tau, R, zeta);
+                 return Values{f.d, f.q, f.d_prime, f.q_prime, f.q_double_prime};
              },
          .derived =
-             [=] {
+             [=, &s] {
+                 const ex q_prime = paper::q_prime(tau, R, zeta).expression();
                  return std::vector<ex>{paper::d(tau, R, zeta).expression(), paper::q(tau, R, zeta).expression(),
-                                        paper::d_prime(tau, R, zeta).expression(), paper::q_prime(tau, R, zeta).expression()};
+                                        paper::d_prime(tau, R, zeta).expression(), q_prime,
+                                        q_prime.diff(GiNaC::ex_to<GiNaC::symbol>(s.tau))};
              }},
         {.id = "evaluation/first-function-by-R-squared",
          .equations = {"28"},

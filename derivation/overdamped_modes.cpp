@@ -3,7 +3,7 @@
 // The paper's formulas hold with the cosine and the sine over w as entire functions of w^2: below zeta = 1 these forms are the
 // printed ones. Above, and at zeta = 1, the equation of motion (20) is solved again, in real exponentials and with a double
 // root, and the conditions (A.3), (A.4) are put to that solution. Nothing of the derivation for zeta < 1 is used there.
-#include "denhartog/evaluation/mode.hpp"
+#include "denhartog/evaluation/demand.hpp"
 
 #include "derived.hpp"
 #include "symbols.hpp"
@@ -92,8 +92,8 @@ std::vector<ex> with_two_rates(const ex& e) { return {e, rate(e), rate(rate(e))}
 
 std::vector<ex> derived_free_motions(const FreeMotions& f) {
     const Symbols& s = symbols();
-    const ex q = derived_start(f, 0, 1) / s.R;
-    return {derived_start(f, 1, 0), q, rate(q) * s.R, rate(rate(q)) * s.R * s.R};
+    const ex d = derived_start(f, 1, 0), q = derived_start(f, 0, 1) / s.R;
+    return {d, q, rate(d), rate(q), rate(rate(q))};
 }
 
 /// The residual of (20) for any combination of the two motions, with friction and load.
@@ -109,7 +109,7 @@ Values residual(const FreeMotions& f) {
 }
 
 Values values(const evaluation::DampingFunctions<Symbolic>& f) { return {f.u, f.g}; }
-Values values(const evaluation::FreeMotion<Symbolic>& f) { return {f.d, f.q, f.rate, f.acceleration}; }
+Values values(const evaluation::FreeMotion<Symbolic>& f) { return {f.d, f.q, f.d_prime, f.q_prime, f.q_double_prime}; }
 Values values(const Complex<Symbolic>& v) { return {v.re, v.im}; }
 
 Values braces(const evaluation::FreeMotion<Symbolic>& free) {
@@ -156,7 +156,7 @@ const Register registered([] {
         const auto [v_cos, v_sin] = derived_phase(f);
         return std::vector<ex>{v_cos, v_sin};
     };
-    const Symbolic rate_of_braces = braces(evaluation::free_motion_of_two_rates(x, more))[1];
+    const Symbolic rate_of_braces = braces(evaluation::with_rates_in_tau(evaluation::free_motion_of_two_rates(x, more), R))[1];
     const std::vector<Step> steps_above = steps_of_damping_functions("of two decaying exponentials", derived_two_rates());
     const std::vector<Step> steps_at = steps_of_damping_functions("of a double rate", derived_double_rate());
     const auto claim = [](std::string id, std::vector<std::string> equations, std::string title,
@@ -179,15 +179,6 @@ const Register registered([] {
             [=] {
                 return std::vector<ex>{paper::first_damping_function(R, zeta).expression(),
                                        paper::second_damping_function(R, zeta).expression()};
-            }),
-        claim(
-            "printed-free-motions", {"A.8", "A.9"}, "Below zeta = 1 the free motions in C and S are the printed ones", below,
-            [=] { return values(evaluation::oscillating_free_motion(Symbolic(s.tau), R, zeta)); },
-            [=, &s] {
-                const Symbolic tau(s.tau);
-                const ex rate_of_q = paper::q_prime(tau, R, zeta).expression();
-                return std::vector<ex>{paper::d(tau, R, zeta).expression(), paper::q(tau, R, zeta).expression(), rate_of_q * s.R,
-                                       rate(rate_of_q) * s.R * s.R};
             }),
         claim(
             "rates", {"21"}, "The square of w_1, and the slow rate without cancellation", {"zeta_i > 1"},
@@ -240,19 +231,19 @@ const Register registered([] {
             [=] { return phase_of(derived_two_rates()); }, steps_above),
         claim(
             "free-motions-near-critical", {"A.8", "A.9"}, "Free motions from C and S", above,
-            [=] { return values(evaluation::free_motion_near_critical(x, more)); },
+            [=] { return values(evaluation::with_rates_in_tau(evaluation::free_motion_near_critical(x, more), R)); },
             [] { return derived_free_motions(derived_two_rates()); }),
         claim(
             "free-motions-of-two-rates", {"A.8", "A.9"}, "Free motions from two decaying exponentials", above,
-            [=] { return values(evaluation::free_motion_of_two_rates(x, more)); },
+            [=] { return values(evaluation::with_rates_in_tau(evaluation::free_motion_of_two_rates(x, more), R)); },
             [] { return derived_free_motions(derived_two_rates()); }),
         claim(
             "braces", {"40", "A.15"}, "The braces of (40) with two derivatives", above,
-            [=] { return braces(evaluation::free_motion_of_two_rates(x, more)); },
+            [=] { return braces(evaluation::with_rates_in_tau(evaluation::free_motion_of_two_rates(x, more), R)); },
             [] { return with_two_rates(derived_braces(derived_two_rates())); }),
         claim(
             "s-d-integrand", {"57"}, "The expression under the maximum in (57) from the rate of the braces", above,
-            [=, &s] { return Values{evaluation::s_d_integrand(Symbolic(s.tau), R, Symbolic(s.u), rate_of_braces)}; },
+            [=, &s] { return Values{evaluation::s_d_integrand_from_rate(Symbolic(s.tau), R, Symbolic(s.u), rate_of_braces)}; },
             [&s] {
                 const ex harmonic = s.u * GiNaC::sin(s.tau);
                 return std::vector<ex>{s.R * s.R * rate(derived_braces(derived_two_rates()) + harmonic) / GiNaC::sin(s.tau)};
@@ -274,11 +265,11 @@ const Register registered([] {
             [=] { return phase_of(derived_double_rate()); }, steps_at),
         claim(
             "critical-free-motions", {"A.8", "A.9"}, "Free motions at zeta = 1", at,
-            [=] { return values(evaluation::free_motion_near_critical(x, one)); },
+            [=] { return values(evaluation::with_rates_in_tau(evaluation::free_motion_near_critical(x, one), R)); },
             [] { return derived_free_motions(derived_double_rate()); }),
         claim(
             "critical-braces", {"40", "A.15"}, "The braces of (40) with two derivatives at zeta = 1", at,
-            [=] { return braces(evaluation::free_motion_near_critical(x, one)); },
+            [=] { return braces(evaluation::with_rates_in_tau(evaluation::free_motion_near_critical(x, one), R)); },
             [] { return with_two_rates(derived_braces(derived_double_rate())); }),
     };
     for (Claim& c : list) c.special_case = c.id.find("/critical-") != std::string::npos;

@@ -36,7 +36,7 @@ template <class T>
 All<T> shipped(const Place<T>& p) {
     const evaluation::ModeFunctions<T> f = evaluation::mode_functions(p.R, p.zeta);
     const evaluation::FreeMotion<T> m = evaluation::free_motion(p.x, T(1), p.zeta);
-    return {f.v.re, f.v.im, f.u, f.g, m.d, m.q, m.rate, m.acceleration};
+    return {f.v.re, f.v.im, f.u, f.g, m.d, m.q, m.q_prime, m.q_double_prime};
 }
 
 /// The paper's (23), (28), (29) as they stand, with cosh and sinh for the cosine and the sine; where these would leave the range

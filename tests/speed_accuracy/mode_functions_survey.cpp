@@ -134,13 +134,21 @@ evaluation::ModeFunctions<double> array_of_one(double R, double zeta) {
 } // namespace
 
 std::string name(Precision p) {
-    return p == Precision::in_double ? "double" : p == Precision::in_long_double ? "long double" : "50 digits";
+    switch (p) {
+    case Precision::in_float: return "float";
+    case Precision::in_double: return "double";
+    case Precision::in_long_double: return "long double";
+    default: return "50 digits";
+    }
 }
 
 std::vector<ZoneErrors> survey_mode_functions(Precision precision, int points) {
-    if (precision == Precision::in_double) return survey_scalar_forms<double>(points);
-    if (precision == Precision::in_long_double) return survey_scalar_forms<long double>(points);
-    return survey_scalar_forms<Real50>(points);
+    switch (precision) {
+    case Precision::in_float: return survey_scalar_forms<float>(points);
+    case Precision::in_double: return survey_scalar_forms<double>(points);
+    case Precision::in_long_double: return survey_scalar_forms<long double>(points);
+    default: return survey_scalar_forms<Real50>(points);
+    }
 }
 
 std::vector<ZoneErrors> survey_array_mode_functions(int points) { return survey<double>(points, array_of_one); }

@@ -8,6 +8,8 @@
 #include <limits>
 #include <random>
 #include <string>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "denhartog/multiprecision.hpp"
@@ -79,6 +81,27 @@ T below_one(const T& zeta) {
     return zeta < last ? zeta : last;
 }
 
+/// A number, and what stands for it where the number type is float.
+template <class T>
+T unless_float(double usual, double in_float) {
+    return T(std::is_same_v<T, float> ? in_float : usual);
+}
+
+/// Powers of ten between which R lies, and the least damping ratio.
+template <class T>
+struct Exponents {
+    double R = std::is_same_v<T, float> ? 30 : 300;
+    double zeta = std::is_same_v<T, float> ? -44 : -320;
+};
+
+/// Subnormal in float; in the other types what is subnormal in double.
+template <class T>
+T subnormal_in(Source<T>& s) {
+    if constexpr (std::is_same_v<T, float>) return ldexp(s.mantissa(), s.whole(-149, -127));
+    return T(static_cast<double>(ldexp(s.mantissa(), s.whole(-1074, -1023))));
+}
+
+/// The zones; the powers of ten are those in double, in float they are 1e-30 to 1e30 and 1e-44.
 inline const std::vector<std::string>& mode_zones() {
     static const std::vector<std::string> names{"R 0.05 to 20, zeta 1e-4 to 1",
                                                 "R 1e-300 to 1e300, zeta 1e-320 to 1",
@@ -98,20 +121,21 @@ template <class T>
 Place<T> place_in(std::size_t zone, Source<T>& s) {
     const int digits = std::numeric_limits<T>::digits;
     const auto near_odd = [&s] { return T(s.near_one() / (2 * static_cast<int>(std::exp(s.uniform(0, 5))) - 1)); };
-    const auto subnormal = [&s] { return T(static_cast<double>(ldexp(s.mantissa(), s.whole(-1074, -1023)))); };
+    const auto [far, least] = Exponents<T>();
+    const auto any_R = [&s, far] { return T(s.spread(s.whole(0, 1) ? -far : -2, s.whole(0, 1) ? far : 2)); };
     switch (zone) {
     case 0: return {s.spread(-1.3, 1.3), below_one(s.spread(-4, 0))};
-    case 1: return {s.spread(-300, 300), below_one(s.spread(-320, 0))};
+    case 1: return {s.spread(-far, far), below_one(s.spread(least, 0))};
     case 2: return {near_odd(), s.spread(-30, -0.4)};
     case 3: return {s.near_one(), ldexp(s.mantissa(), -s.whole(2, digits + 20))};
-    case 4: return {s.whole(0, 1) ? near_odd() : s.spread(s.whole(0, 1) ? -300 : -2, s.whole(0, 1) ? 300 : 2), subnormal()};
+    case 4: return {s.whole(0, 1) ? near_odd() : any_R(), subnormal_in(s)};
     case 5: return {s.spread(-3, 3), below_one(T(1 - ldexp(s.mantissa(), -s.whole(2, digits + 1))))};
-    case 6: return {s.whole(0, 1) ? near_odd() : s.spread(s.whole(0, 1) ? -300 : -2, s.whole(0, 1) ? 300 : 2), T(0)};
+    case 6: return {s.whole(0, 1) ? near_odd() : any_R(), T(0)};
     case 7: {
-        const T R = s.spread(-300, -1.5);
+        const T R = s.spread(-far, -1.5);
         return {R, below_one(T(R * s.spread(-3, 2.5)))};
     }
-    case 8: return {s.spread(0.3, 300), below_one(s.spread(-20, 0))};
+    case 8: return {s.spread(0.3, far), below_one(s.spread(-20, 0))};
     default: {
         const T zeta = below_one(s.spread(-8, 0));
         return {T(sqrt(T((1 - zeta) * (1 + zeta))) * s.near_one() / s.whole(1, 40)), zeta};
@@ -122,26 +146,36 @@ Place<T> place_in(std::size_t zone, Source<T>& s) {
 template <class T>
 std::vector<Place<T>> hard_places() {
     const T eps = std::numeric_limits<T>::epsilon();
-    std::vector<T> R{T(1),       1 + eps,  1 - eps / 2, 1 + 2 * eps, T(2),       2 - eps, T(5) / 4, T(5) / 4 * (1 - eps),
-                     T(3) / 2,   T(4),     T(1e-300),   T(1e300),    T(1e77),    T(2e77), T(1e100), T(1.3e154),
-                     T(1.4e154), T(1e160), T(1e-16),    T(3e-17),    T(1) / 1024};
+    std::vector<T> R{T(1),     1 + eps, 1 - eps / 2, 1 + 2 * eps, T(2), 2 - eps, T(5) / 4, T(5) / 4 * (1 - eps),
+                     T(3) / 2, T(4),    T(1) / 1024};
+    for (const auto& [usual, in_float] : {std::pair{1e-300, 1e-30},
+                                          {1e300, 1e30},
+                                          {1e77, 1e9},
+                                          {2e77, 4e9},
+                                          {1e100, 1e12},
+                                          {1.3e154, 1.8e19},
+                                          {1.4e154, 1.9e19},
+                                          {1e160, 1e20},
+                                          {1e-16, 1e-7},
+                                          {3e-17, 3e-8}})
+        R.push_back(unless_float<T>(usual, in_float));
     for (const int n : {2, 3, 4, 5, 6, 7, 9, 99, 1001, 2147483647})
         for (const int k : {-2, -1, 0, 1, 2}) R.push_back(T(1) / n * (1 + k * eps));
     std::vector<T> zeta{T(0),
-                        T(0x1p-1074),
-                        T(3 * 0x1p-1074),
-                        T(1e-320),
-                        T(0x1p-1022),
-                        T(0x1p-1022 - 0x1p-1074),
-                        T(0x1p-970),
-                        T(1e-200),
-                        T(1e-162),
-                        T(1e-154),
-                        T(1e-100),
-                        T(1e-30),
+                        unless_float<T>(0x1p-1074, 0x1p-149),
+                        unless_float<T>(3 * 0x1p-1074, 3 * 0x1p-149),
+                        unless_float<T>(1e-320, 1e-40),
+                        unless_float<T>(0x1p-1022, 0x1p-126),
+                        unless_float<T>(0x1p-1022 - 0x1p-1074, 0x1p-126 - 0x1p-149),
+                        unless_float<T>(0x1p-970, 0x1p-103),
+                        unless_float<T>(1e-200, 1e-30),
+                        unless_float<T>(1e-162, 1e-22),
+                        unless_float<T>(1e-154, 1e-19),
+                        unless_float<T>(1e-100, 1e-14),
+                        unless_float<T>(1e-30, 1e-10),
                         eps,
-                        T(1e-9),
-                        T(1e-6),
+                        unless_float<T>(1e-9, 1e-5),
+                        unless_float<T>(1e-6, 1e-4),
                         T(1e-3),
                         T(1) / 8,
                         T(1) / 2,

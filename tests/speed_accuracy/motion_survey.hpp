@@ -10,7 +10,8 @@
 namespace denhartog::tests {
 
 /// @brief Worst errors of a function in a zone, in units of eps over the condition number: 1 or, where larger, the relative
-/// change for one of an argument.
+/// change for one of an argument; of d, q and their rates, which turn within a few units of a large tau / R, the change for an
+/// argument moved by `most_allowed` units where that is larger.
 ///
 /// The unit is eps times the size of the true value, or times the least normal number where that is larger.
 struct FunctionInZone {
@@ -32,17 +33,6 @@ struct FunctionInZone {
 /// @param points     how many seeded points
 /// @return           one entry a function
 [[nodiscard]] std::vector<FunctionInZone> survey_resonance(Precision precision, int points);
-
-/// @brief What the shipped forms are held to; the multiprecision library's own sine and exponential are good to a few units only.
-/// @param p           the number type
-/// @param expression  whether of the expression of (57), made of (28), (29) and their own errors, or of the others
-/// @return            units of eps over the condition number
-[[nodiscard]] inline double most_allowed_of_motion(Precision p, bool expression) {
-    return p == Precision::in_50_digits ? 16 : expression ? 8 : 4;
-}
-
-/// @brief Whether every shipped form keeps within what it is held to. @param p the number type @param all entries @return whether
-[[nodiscard]] bool within_bounds(Precision p, const std::vector<FunctionInZone>& all);
 
 /// @brief The worst error. @param all entries @param which which error @return the error, and where
 [[nodiscard]] Worst worst_of(const std::vector<FunctionInZone>& all, Worst FunctionInZone::*which);

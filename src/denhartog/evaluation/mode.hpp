@@ -8,7 +8,8 @@
 /// second form is taken. Products that could leave the range of the number type on the way to a result within it are taken in
 /// another order, or with a factor `scale`, a power of two that every form is free of. Every form is branch-free and proved equal
 /// to the paper's in `derivation/evaluation_forms.cpp`; only the selection compares numbers. From \f$ \zeta = 1 \f$ on, which the
-/// paper leaves out, the selection goes to the forms of `overdamped.hpp`.
+/// paper leaves out, the selection goes to the forms of `overdamped.hpp`. Where the library's sine and exponential of a type are
+/// off by several units, (28), (29) and the free motions are evaluated with guard digits.
 #pragma once
 
 #include <limits>
@@ -16,6 +17,7 @@
 #include "denhartog/evaluation/overdamped.hpp"
 #include "denhartog/evaluation/special.hpp"
 #include "denhartog/formulas/mode.hpp"
+#include "denhartog/wider.hpp"
 
 namespace denhartog::evaluation {
 
@@ -198,21 +200,33 @@ template <class T>
 }
 
 /// @brief \f$ u_{di} \f$ and \f$ g_i \f$: the form that keeps its digits at this place.
+/// @eq{28,29}  @derivation{evaluation_forms}  @domain{R > 0, zeta >= 0, but for the poles at zeta = 0}
+/// @param R     modal frequency ratio, Eq. (22)
+/// @param zeta  modal damping ratio
+/// @return      u, g
+template <class T>
+[[nodiscard]] DampingFunctions<T> selected_damping_functions(const T& R, const T& zeta) {
+    if (zeta >= 1) return overdamped_functions(R, zeta);
+    const T scale = 1 / T(std::numeric_limits<T>::epsilon());
+    const bool heavy = 2 * zeta >= 1;
+    if (R == 1 && !heavy) return damping_functions_at_resonance(zeta);
+    const HalfAngle<T> h = heavy ? half_angle_of_heavy_damping(R, zeta) : half_angle(R, zeta);
+    if (4 * R >= 5) return damping_functions_small_argument(R, zeta, h, scale);
+    if (zeta < scale * (std::numeric_limits<T>::min)()) return damping_functions_slight_damping(R, zeta, h, scale);
+    return damping_functions_half_angle(R, zeta, h);
+}
+
+/// @brief \f$ u_{di} \f$ and \f$ g_i \f$ as callers get them, with guard digits where the number type's library needs them.
 /// @eq{28,29}  @derivation{evaluation_forms}  @domain{R > 0, zeta >= 0}
 /// @param R     modal frequency ratio, Eq. (22)
 /// @param zeta  modal damping ratio
 /// @return      u, g; not finite at the poles at zeta = 0, R = 1/n, n odd
 template <class T>
 [[nodiscard]] DampingFunctions<T> damping_functions(const T& R, const T& zeta) {
-    if (zeta >= 1) return overdamped_functions(R, zeta);
-    const T scale = 1 / T(std::numeric_limits<T>::epsilon());
-    const bool heavy = 2 * zeta >= 1;
+    using Guarded = typename GuardedOf<T>::type;
     if (zeta == 0 && at_undamped_pole(R)) return {T(1 / zeta), T(zeta / zeta)};
-    if (R == 1 && !heavy) return damping_functions_at_resonance(zeta);
-    const HalfAngle<T> h = heavy ? half_angle_of_heavy_damping(R, zeta) : half_angle(R, zeta);
-    if (4 * R >= 5) return damping_functions_small_argument(R, zeta, h, scale);
-    if (zeta < scale * (std::numeric_limits<T>::min)()) return damping_functions_slight_damping(R, zeta, h, scale);
-    return damping_functions_half_angle(R, zeta, h);
+    const DampingFunctions<Guarded> f = selected_damping_functions(Guarded(R), Guarded(zeta));
+    return {static_cast<T>(f.u), static_cast<T>(f.g)};
 }
 
 /// @brief \f$ v_{di} \f$, \f$ u_{di} \f$ and \f$ g_i \f$: the form that keeps its digits at this place.
@@ -226,28 +240,44 @@ template <class T>
     return {complex_response(R, zeta), f.u, f.g};
 }
 
-/// @brief Free motions from one exponential, one sine and one cosine.
-/// @eq{A.8,A.9}  @derivation{evaluation_forms}  @domain{tau >= 0, R > 0, 0 <= zeta < 1}
+/// @brief (A.8) and (A.9) from one exponential, one sine and one cosine, \f$ 1-\zeta^2 \f$ as a product.
+/// \f[ d = e^{-\zeta x}(C+\zeta S), \quad q = e^{-\zeta x}S, \quad q' = \frac{e^{-\zeta x}}{R}(C-\zeta S), \quad
+///     q'' = -\frac{e^{-\zeta x}}{R^2}[2\zeta(C-\zeta S)+S], \qquad C = \cos wx, \quad S = x\,\frac{\sin wx}{wx} \f]
+/// The decay is the square of a root, between whose factors 1/R stands: neither leaves the range of the number type before the
+/// rates do.
+/// @eq{A.8,A.9}  @derivation{evaluation_of_motion}  @domain{tau >= 0, R > 0, 0 <= zeta < 1}
 /// @param tau   non-dimensional time, Eq. (5); radians
 /// @param R     modal frequency ratio, Eq. (22)
 /// @param zeta  modal damping ratio
-/// @return      the free motions
+/// @return      the free motions and their rates
 template <class T>
 [[nodiscard]] FreeMotion<T> oscillating_free_motion(const T& tau, const T& R, const T& zeta) {
     const T w = sqrt(T((1 - zeta) * (1 + zeta)));
-    const T e = exp(T(-zeta * tau / R));
-    return free_motion_of(zeta, T(e * cos(T(w * tau / R))), T(e * sin(T(w * tau / R)) / w));
+    const T x = tau / R;
+    const T root = exp(T(-zeta * x / 2));
+    const T C = cos(T(w * x));
+    const T S = sinc(T(w * x)) * x;
+    const T rate = C - zeta * S;
+    return {root * (C + zeta * S) * root, root * S * root, -(root * (S / R) * root), root * (rate / R) * root,
+            -(root * ((2 * zeta * rate + S) / R / R) * root)};
 }
 
-/// @brief Free motions (A.8) of a mode: the form that keeps its digits at this place.
-/// @eq{A.8,A.9}  @derivation{evaluation_forms}  @domain{tau >= 0, R > 0, zeta >= 0}
+/// @brief Free motions (A.8) of a mode and their rates (A.9) as callers get them: the form that keeps its digits at this place,
+/// with guard digits where the number type's library needs them.
+/// @eq{A.8,A.9}  @derivation{evaluation_of_motion}  @domain{tau >= 0, R > 0, zeta >= 0}
 /// @param tau   non-dimensional time, Eq. (5); radians
 /// @param R     modal frequency ratio, Eq. (22)
 /// @param zeta  modal damping ratio
-/// @return      the free motions
+/// @return      the free motions and their rates
 template <class T>
 [[nodiscard]] FreeMotion<T> free_motion(const T& tau, const T& R, const T& zeta) {
-    return zeta >= 1 ? overdamped_free_motion(T(tau / R), zeta) : oscillating_free_motion(tau, R, zeta);
+    using Guarded = typename GuardedOf<T>::type;
+    const Guarded wide_tau(tau), wide_R(R), wide_zeta(zeta);
+    const FreeMotion<Guarded> f = zeta >= 1
+                                      ? with_rates_in_tau(overdamped_free_motion(Guarded(wide_tau / wide_R), wide_zeta), wide_R)
+                                      : oscillating_free_motion(wide_tau, wide_R, wide_zeta);
+    return {static_cast<T>(f.d), static_cast<T>(f.q), static_cast<T>(f.d_prime), static_cast<T>(f.q_prime),
+            static_cast<T>(f.q_double_prime)};
 }
 
 /// @brief The braces of (40) with their first two derivatives.
@@ -261,19 +291,6 @@ template <class T>
 template <class T>
 [[nodiscard]] FrictionMotion<T> friction_motion(const T& tau, const T& R, const T& zeta, const T& u, const T& g) {
     return friction_motion_of(free_motion(tau, R, zeta), R, u, g);
-}
-
-/// @brief The expression under the maximum in (57), from the rate of the braces of (40).
-/// \f[ \frac{R_i^2}{\sin\tau}\left\{\frac{d}{d\tau}\left[1-(1+g_i)d_i-u_{di}R_iq_i\right] + u_{di}\cos\tau\right\} \f]
-/// @eq{57}  @derivation{evaluation_forms}  @domain{0 < tau < pi, R > 0, zeta >= 0}
-/// @param tau    non-dimensional time, Eq. (5); radians
-/// @param R      modal frequency ratio, Eq. (22)
-/// @param u      first damping function of the mode, Eq. (28)
-/// @param prime  rate of the braces of (40)
-/// @return       the expression; dimensionless
-template <class T>
-[[nodiscard]] T s_d_integrand(const T& tau, const T& R, const T& u, const T& prime) {
-    return R * R * (prime + u * cos(tau)) / sin(tau);
 }
 
 } // namespace denhartog::evaluation

@@ -29,13 +29,14 @@ struct FrictionMotion {
     T double_prime; ///< second derivative in tau
 };
 
-/// @brief The free motions (A.8) of a mode over \f$ x = \tau/R_i \f$, in which its period does not depend on R.
+/// @brief The free motions of a mode and their rates: (A.8), (A.9).
 template <class T>
 struct FreeMotion {
-    T d;            ///< from unit displacement, Eq. (A.8); its rate is -q
-    T q;            ///< from unit velocity, Eq. (A.8)
-    T rate;         ///< rate of q, Eq. (A.9) times R
-    T acceleration; ///< rate of that
+    T d;              ///< from unit displacement, Eq. (A.8)
+    T q;              ///< from unit velocity over R, Eq. (A.8)
+    T d_prime;        ///< rate of d, Eq. (A.9)
+    T q_prime;        ///< rate of q, Eq. (A.9)
+    T q_double_prime; ///< rate of that
 };
 
 /// @brief The braces of (40) with their derivatives from the free motions.
@@ -47,8 +48,8 @@ struct FreeMotion {
 /// @return      value and derivatives in tau; dimensionless
 template <class T>
 [[nodiscard]] FrictionMotion<T> friction_motion_of(const FreeMotion<T>& free, const T& R, const T& u, const T& g) {
-    return {1 - (1 + g) * free.d - u * R * free.q, (1 + g) * free.q / R - u * free.rate,
-            (1 + g) * free.rate / (R * R) - u * (free.acceleration / R)};
+    return {1 - (1 + g) * free.d - u * R * free.q, -((1 + g) * free.d_prime) - u * (R * free.q_prime),
+            (1 + g) * (free.q_prime / R) - u * (R * free.q_double_prime)};
 }
 
 } // namespace denhartog::evaluation

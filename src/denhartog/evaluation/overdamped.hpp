@@ -6,8 +6,8 @@
 /// \f$ e^{-\zeta x}S \f$ are formed. Up to \f$ w_1x = 1 \f$, \f$ w_1 = \sqrt{\zeta^2-1} \f$, they come from series in its
 /// square, which make no exception of \f$ \zeta = 1 \f$; beyond from the decaying exponentials \f$ e^{-ax} \f$ and
 /// \f$ e^{-x/a} \f$, \f$ a = \zeta - w_1 \f$. Every form is branch-free and proved in `derivation/overdamped_modes.cpp`, from
-/// the equation of motion of the mode and the conditions at \f$ \tau = \pi \f$; `damping_functions_of_free_motion` and
-/// `free_motion_of` are the paper's formulas below \f$ \zeta = 1 \f$ too. Only the selections, at the end, compare numbers.
+/// the equation of motion of the mode and the conditions at \f$ \tau = \pi \f$; `damping_functions_of_free_motion` is the
+/// paper's formula below \f$ \zeta = 1 \f$ too. Only the selections, at the end, compare numbers.
 #pragma once
 
 #include "denhartog/evaluation/entire_functions.hpp"
@@ -45,31 +45,18 @@ template <class T>
     return {quotient * size * p, -(size * p)};
 }
 
-/// @brief Free motions from \f$ C = e^{-\zeta x}\cos wx \f$ and \f$ S = e^{-\zeta x}\sin(wx)/w \f$, entire in \f$ w^2 \f$.
-/// \f[ d = C + \zeta S, \qquad q = S, \qquad \frac{dq}{dx} = C - \zeta S, \qquad \frac{d^2q}{dx^2} = -2\zeta\frac{dq}{dx} - q \f]
-/// @eq{A.8,A.9}  @derivation{overdamped_modes}  @domain{x >= 0, zeta >= 0}
-/// @param zeta  modal damping ratio
-/// @param C     decaying cosine
-/// @param S     decaying sine over w
-/// @return      the free motions
-template <class T>
-[[nodiscard]] FreeMotion<T> free_motion_of(const T& zeta, const T& C, const T& S) {
-    const T rate = C - zeta * S;
-    return {C + zeta * S, S, rate, -(2 * zeta * rate + S)};
-}
-
-/// @brief Free motions next to \f$ \zeta = 1 \f$, from the series of C and S in \f$ w^2x^2 \f$;
-/// \f$ d^2q/dx^2 = \zeta^2S + (\zeta^2-1)S - 2\zeta C \f$.
+/// @brief Free motions next to \f$ \zeta = 1 \f$, from the series of C and S in \f$ w^2x^2 \f$: \f$ d = C + \zeta S \f$,
+/// \f$ q = S \f$, \f$ dq/dx = C - \zeta S \f$, \f$ d^2q/dx^2 = \zeta^2S + (\zeta^2-1)S - 2\zeta C \f$.
 /// @eq{A.8,A.9}  @derivation{overdamped_modes}  @domain{x >= 0, zeta >= 1; keeps its digits up to w_1 x = 1}
 /// @param x     time over R
 /// @param zeta  modal damping ratio
-/// @return      the free motions
+/// @return      the free motions, their rates those in x
 template <class T>
 [[nodiscard]] FreeMotion<T> free_motion_near_critical(const T& x, const T& zeta) {
     const T E = exp(T(-zeta * x));
     const T C = E * overdamped_cosine(zeta, x);
     const T S = E * x * overdamped_sinc(zeta, x);
-    return {C + zeta * S, S, C - zeta * S, zeta * (zeta * S) + (zeta - 1) * ((zeta + 1) * S) - 2 * zeta * C};
+    return {C + zeta * S, S, -S, C - zeta * S, zeta * (zeta * S) + (zeta - 1) * ((zeta + 1) * S) - 2 * zeta * C};
 }
 
 /// @brief Free motions from two decaying exponentials, with \f$ a = \zeta-w_1 \f$ and \f$ q = e^{-ax}(1-e^{-2w_1x})/(2w_1) \f$.
@@ -77,14 +64,24 @@ template <class T>
 /// @eq{A.8,A.9}  @derivation{overdamped_modes}  @domain{x >= 0, zeta > 1; keeps its digits for w_1 x of 1 and more}
 /// @param x     time over R
 /// @param zeta  modal damping ratio
-/// @return      the free motions
+/// @return      the free motions, their rates those in x
 template <class T>
 [[nodiscard]] FreeMotion<T> free_motion_of_two_rates(const T& x, const T& zeta) {
     const T a = slow_rate(zeta);
     const T slow = exp(T(-a * x));
     const T root_of_fast = exp(T(-(zeta + overdamped_w(zeta)) * x / 2));
     const T q = slow * overdamped_difference(zeta, x);
-    return {slow + a * q, q, root_of_fast * root_of_fast - a * q, a * a * q - 2 * zeta * root_of_fast * root_of_fast};
+    return {slow + a * q, q, -q, root_of_fast * root_of_fast - a * q, a * a * q - 2 * zeta * root_of_fast * root_of_fast};
+}
+
+/// @brief The rates in \f$ \tau = R_ix \f$ in place of those in x.
+/// @eq{A.9}  @derivation{overdamped_modes}  @domain{R > 0}
+/// @param free  the free motions, their rates those in x
+/// @param R     modal frequency ratio, Eq. (22)
+/// @return      the free motions, their rates those in tau
+template <class T>
+[[nodiscard]] FreeMotion<T> with_rates_in_tau(const FreeMotion<T>& free, const T& R) {
+    return {free.d, free.q, free.d_prime / R, free.q_prime / R, free.q_double_prime / R / R};
 }
 
 /// @brief What (28) and (29) are made of: \f$ S = \rho^2K \f$ and \f$ \Sigma = 1 + 2C + e^{-2\delta} \f$ at \f$ x = \pi/R \f$.
@@ -209,7 +206,7 @@ template <class T>
 /// @eq{A.8,A.9}  @derivation{overdamped_modes}  @domain{x >= 0, zeta >= 1}
 /// @param x     time over R
 /// @param zeta  modal damping ratio
-/// @return      the free motions
+/// @return      the free motions, their rates those in x
 template <class T>
 [[nodiscard]] FreeMotion<T> overdamped_free_motion(const T& x, const T& zeta) {
     if (square_of_overdamped_angle(zeta, x) <= 1) return free_motion_near_critical(x, zeta);

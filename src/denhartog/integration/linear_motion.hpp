@@ -98,7 +98,7 @@ struct LinearMotion {
                 const evaluation::FreeMotion<T> free = free_motion(i, t);
                 q[0][i] = at_rest_[i] + forced_cos_[i] * c + forced_sin_[i] * s + free_q_[i] * free.d +
                           free_p_[i] * (free.q / omega_0[i]);
-                q[1][i] = forced_sin_[i] * c - forced_cos_[i] * s + free_p_[i] * free.rate - omega_0[i] * free_q_[i] * free.q;
+                q[1][i] = forced_sin_[i] * c - forced_cos_[i] * s + free_p_[i] * free.q_prime - omega_0[i] * free_q_[i] * free.q;
                 continue;
             }
             const T e = decay[i] > 0 ? T(exp(-decay[i] * t)) : T(1);
@@ -164,7 +164,7 @@ struct LinearMotion {
                 for (Eigen::Index c = 0; c < dq.cols(); ++c) {
                     const T x = dq(i, c), v = dp(i, c);
                     dq(i, c) = x * free.d + v * (free.q / omega_0[i]);
-                    dp(i, c) = v * free.rate - omega_0[i] * x * free.q;
+                    dp(i, c) = v * free.q_prime - omega_0[i] * x * free.q;
                 }
                 continue;
             }

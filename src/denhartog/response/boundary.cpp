@@ -8,7 +8,7 @@
 #include "denhartog/bounded.hpp"
 #include "denhartog/errors.hpp"
 #include "denhartog/evaluation/batch_forms.hpp"
-#include "denhartog/evaluation/free_motion.hpp"
+#include "denhartog/evaluation/demand.hpp"
 #include "denhartog/formulas/boundary.hpp"
 #include "denhartog/formulas/superposition.hpp"
 #include "denhartog/model/point_rules.hpp"
@@ -21,15 +21,14 @@ namespace {
 
 std::atomic<long> searches{0};
 
-// The expression of (57) of one mode, with its limits. At pi the velocity N(tau) of the braces and its harmonic part vanishes.
+// The expression of (57) of one mode, with its limits.
 template <class T>
 T s_d(const ModeSums<T>& s, std::size_t i, const T& tau) {
-    if (s.zeta[i] < 1) return evaluation::s_d_integrand(tau, s.R[i], s.zeta[i], evaluation::DampingFunctions<T>{s.u[i], s.g[i]});
     if (!(tau > 0)) return paper::s_d_at_zero(s.R[i], s.zeta[i], s.u[i], s.g[i]);
-    const bool inside = tau < pi<T>();
-    const evaluation::FrictionMotion<T> y =
-        evaluation::friction_motion(inside ? tau : pi<T>(), s.R[i], s.zeta[i], s.u[i], s.g[i]);
-    return inside ? evaluation::s_d_integrand(tau, s.R[i], s.u[i], y.prime) : T(-s.R[i] * s.R[i] * y.double_prime);
+    return evaluation::s_d_integrand(tau, s.R[i], s.zeta[i]);
+}
+Bounded s_d(const ModeSums<Bounded>& s, std::size_t i, const Bounded& tau) {
+    return evaluation::s_d_integrand_of(tau, s.R[i], s.zeta[i], evaluation::DampingFunctions<Bounded>{s.u[i], s.g[i]});
 }
 
 // Some modes, with their weights, as a function of tau to be maximised: F = N / sin, where N = sum weight R^2 (y' + u cos).

@@ -1,45 +1,18 @@
 /// @file
-/// @brief What callers get for (A.8), (A.9) and the expression under the maximum in (57): forms that keep their digits.
+/// @brief What callers get for the expression under the maximum in (57): forms that keep their digits.
 ///
 /// The expression of (57) is a quotient whose numerator and denominator both vanish at the ends of the half-period. Up to the
 /// middle its numerator is taken from the start, where \f$ R_iq_i' - \cos\tau \f$ is a sum of three small terms; beyond the
 /// middle from the end, backwards in time, where friction and damping change their sign: with
 /// \f$ \sigma = \pi - \tau \f$ it is minus the same expression at \f$ \sigma \f$ with \f$ -\zeta_i \f$ and \f$ -g_i \f$.
 /// Where the decay over the half-period is large, \f$ 1 - g_i \f$ and \f$ u_{di} \f$ are both of the size of that decay, which is
-/// taken out.
+/// taken out. Around the middle the difference that is left is of half the size of its terms or less and each of them has
+/// roundings of its own, which would add up to five units in the last place: the forms are evaluated in the next wider type.
 #pragma once
 
 #include "denhartog/evaluation/mode.hpp"
 
 namespace denhartog::evaluation {
-
-/// @brief Free motion of a mode and its rates: (A.8), (A.9).
-template <class T>
-struct FreeMotionWithRates {
-    T d;       ///< from unit displacement, Eq. (A.8)
-    T q;       ///< from unit velocity over R, Eq. (A.8)
-    T d_prime; ///< rate of d, Eq. (A.9)
-    T q_prime; ///< rate of q, Eq. (A.9)
-};
-
-/// @brief (A.8) and (A.9) from one exponential, one sine and one cosine, \f$ 1-\zeta^2 \f$ as a product.
-///
-/// The decay is the square of a root, between whose factors 1/R stands: neither leaves the range of the number type before the
-/// rates do.
-/// @eq{A.8,A.9}  @derivation{evaluation_of_motion}  @domain{tau >= 0, R > 0, 0 <= zeta < 1}
-/// @param tau   non-dimensional time, Eq. (5); radians
-/// @param R     modal frequency ratio, Eq. (22)
-/// @param zeta  modal damping ratio
-/// @return      d, q and their rates
-template <class T>
-[[nodiscard]] FreeMotionWithRates<T> free_motion_with_rates(const T& tau, const T& R, const T& zeta) {
-    const T w = sqrt(T((1 - zeta) * (1 + zeta)));
-    const T x = tau / R;
-    const T root = exp(T(-zeta * x / 2));
-    const T C = cos(T(w * x));
-    const T S = sinc(T(w * x)) * x;
-    return {root * (C + zeta * S) * root, root * S * root, -(root * (S / R) * root), root * ((C - zeta * S) / R) * root};
-}
 
 /// @brief \f$ u_{di}R_i^2 \f$ where neither R^2 nor u may be formed.
 /// \f[ u_{di}R_i^2 = \frac{\pi}{2}\,\frac{\sin y}{y}\,\frac{c}{\sinh^2\frac{\delta}{2}+c^2}, \qquad y = \frac{\pi w}{2R_i} \f]
@@ -188,7 +161,8 @@ template <class T>
     return -exp(T(-pi<T>() * zeta / R)) * (f.one_minus_g - 2 * zeta * (f.u_R2 / R));
 }
 
-/// @brief The expression under the maximum in (57), its limits at both ends included: the form that keeps its digits.
+/// @brief The expression in (57) of a mode below \f$ \zeta = 1 \f$, its limits at both ends included: the form that keeps its
+/// digits at this place.
 /// @eq{57,71}  @derivation{evaluation_of_motion}  @domain{0 <= tau <= pi, R > 0, 0 <= zeta < 1}
 /// @param tau   non-dimensional time, Eq. (5); radians
 /// @param R     modal frequency ratio, Eq. (22)
@@ -196,7 +170,7 @@ template <class T>
 /// @param f     damping functions of the mode, Eqs. (28), (29)
 /// @return      the expression; not finite at the poles at zeta = 0, R = 1/n, n odd
 template <class T>
-[[nodiscard]] T s_d_integrand(const T& tau, const T& R, const T& zeta, const DampingFunctions<T>& f) {
+[[nodiscard]] T oscillating_s_d_integrand(const T& tau, const T& R, const T& zeta, const DampingFunctions<T>& f) {
     const bool heavy = 2 * zeta >= 1, large = 4 * R >= 5, late = 2 * tau > pi<T>();
     const T sigma = pi<T>() - tau, delta = pi<T>() * zeta / R;
     if (!(tau > 0)) return paper::s_d_at_zero(R, zeta, f.u, f.g);
@@ -209,6 +183,59 @@ template <class T>
         large ? first_damping_function_by_R_squared(R, zeta, heavy ? half_angle_of_heavy_damping(R, zeta) : half_angle(R, zeta))
               : T(f.u * R * R);
     return late ? s_d_integrand_from_end(sigma, R, zeta, u_R2, f.g) : s_d_integrand_from_start(tau, R, zeta, u_R2, f.g);
+}
+
+/// @brief The expression in (57) from the rate of the braces of (40).
+/// \f[ \frac{R_i^2}{\sin\tau}\left\{\frac{d}{d\tau}\left[1-(1+g_i)d_i-u_{di}R_iq_i\right] + u_{di}\cos\tau\right\} \f]
+/// @eq{57}  @derivation{overdamped_modes}  @domain{0 < tau < pi, R > 0, zeta >= 0}
+/// @param tau    non-dimensional time, Eq. (5); radians
+/// @param R      modal frequency ratio, Eq. (22)
+/// @param u      first damping function of the mode, Eq. (28)
+/// @param prime  rate of the braces of (40)
+/// @return       the expression; dimensionless
+template <class T>
+[[nodiscard]] T s_d_integrand_from_rate(const T& tau, const T& R, const T& u, const T& prime) {
+    return R * R * (prime + u * cos(tau)) / sin(tau);
+}
+
+/// @brief The expression in (57) of a mode from \f$ \zeta = 1 \f$ on, its limits at both ends included.
+/// @eq{57,71}  @derivation{overdamped_modes}  @domain{0 <= tau <= pi, R > 0, zeta >= 1}
+/// @param tau   non-dimensional time, Eq. (5); radians
+/// @param R     modal frequency ratio, Eq. (22)
+/// @param zeta  modal damping ratio
+/// @param f     damping functions of the mode, Eqs. (28), (29)
+/// @return      the expression
+template <class T>
+[[nodiscard]] T overdamped_s_d_integrand(const T& tau, const T& R, const T& zeta, const DampingFunctions<T>& f) {
+    if (!(tau > 0)) return paper::s_d_at_zero(R, zeta, f.u, f.g);
+    if (tau < pi<T>()) return s_d_integrand_from_rate(tau, R, f.u, friction_motion(tau, R, zeta, f.u, f.g).prime);
+    return -R * R * friction_motion(pi<T>(), R, zeta, f.u, f.g).double_prime;
+}
+
+/// @brief The expression in (57) of a mode with what has been found for (28) and (29), in the type of these.
+/// @eq{57,71}  @derivation{evaluation_of_motion}  @domain{0 <= tau <= pi, R > 0, zeta >= 0}
+/// @param tau   non-dimensional time, Eq. (5); radians
+/// @param R     modal frequency ratio, Eq. (22)
+/// @param zeta  modal damping ratio
+/// @param f     damping functions of the mode, Eqs. (28), (29)
+/// @return      the expression; not finite at the poles at zeta = 0, R = 1/n, n odd
+template <class T>
+[[nodiscard]] T s_d_integrand_of(const T& tau, const T& R, const T& zeta, const DampingFunctions<T>& f) {
+    return zeta >= 1 ? overdamped_s_d_integrand(tau, R, zeta, f) : oscillating_s_d_integrand(tau, R, zeta, f);
+}
+
+/// @brief The expression under the maximum in (57), (28) and (29) in it included, in the next wider type.
+/// @eq{57,71}  @derivation{evaluation_of_motion}  @domain{0 <= tau <= pi, R > 0, zeta >= 0}
+/// @param tau   non-dimensional time, Eq. (5); radians
+/// @param R     modal frequency ratio, Eq. (22)
+/// @param zeta  modal damping ratio
+/// @return      the expression, rounded once; not a number at the poles at zeta = 0, R = 1/n, n odd
+template <class T>
+[[nodiscard]] T s_d_integrand(const T& tau, const T& R, const T& zeta) {
+    using Wide = typename WiderOf<T>::type;
+    if (zeta == 0 && at_undamped_pole(R)) return zeta / zeta;
+    const Wide wide_R(R), wide_zeta(zeta);
+    return static_cast<T>(s_d_integrand_of(Wide(tau), wide_R, wide_zeta, selected_damping_functions(wide_R, wide_zeta)));
 }
 
 } // namespace denhartog::evaluation

@@ -1,0 +1,55 @@
+/// @file
+/// @brief The number types in which callers' forms are evaluated where their own type would let roundings show.
+#pragma once
+
+#include "denhartog/multiprecision.hpp"
+
+namespace denhartog {
+
+/// @brief Ten digits more than `Real50`.
+using Real60 = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<60>, boost::multiprecision::et_off>;
+
+/// @brief The next wider number type, for a difference whose terms may not be rounded first; the type itself where none is wider.
+///
+/// Where `long double` is `double`, nothing is wider than `double` either.
+/// @tparam T  the number type
+template <class T>
+struct WiderOf {
+    using type = T; ///< the wider type
+};
+/// @brief Of `float`.
+template <>
+struct WiderOf<float> {
+    using type = double; ///< the wider type
+};
+/// @brief Of `double`.
+template <>
+struct WiderOf<double> {
+    using type = long double; ///< the wider type
+};
+/// @brief Of `long double`.
+template <>
+struct WiderOf<long double> {
+    using type = Real50; ///< the wider type
+};
+/// @brief Of 50 digits.
+template <>
+struct WiderOf<Real50> {
+    using type = Real60; ///< the wider type
+};
+
+/// @brief The number type for forms in the library's sine and exponential: the type itself where these are good to a unit.
+///
+/// In 50 digits they are off by several units, of large arguments by thousands.
+/// @tparam T  the number type
+template <class T>
+struct GuardedOf {
+    using type = T; ///< the type to evaluate in
+};
+/// @brief Of 50 digits.
+template <>
+struct GuardedOf<Real50> {
+    using type = Real60; ///< the type to evaluate in
+};
+
+} // namespace denhartog
