@@ -119,6 +119,29 @@ TEST_CASE("all motions stand in the answer with the start that leads to each", "
     CHECK(table.output.find("motion: continuous") != std::string::npos);
 }
 
+TEST_CASE("solve --mass lists one mass, counted from 1, in every regime", "[program][solve]") {
+    for (const std::string& scene : {two_masses("1.25", "0.0625"), two_masses("0.5", "0.5"), two_masses("0.75", "3")}) {
+        const json all = json::parse(run_program("solve --json", scene).output);
+        for (const std::size_t k : {1u, 2u}) {
+            const json one = json::parse(run_program("solve --json --mass " + std::to_string(k), scene).output);
+            REQUIRE(one["masses"].size() == 1);
+            CHECK(one["masses"][0]["mass"] == k);
+            CHECK(one["regime"] == all["regime"]);
+            CHECK(one["masses"][0]["amplitude"].get<double>() ==
+                  Approx(all["masses"][k - 1]["amplitude"].get<double>()).epsilon(1e-6));
+            CHECK(one["contact"].contains("amplitude") == (k == 2));
+        }
+    }
+    for (const std::string mass : {"0", "3", "-1"}) {
+        const Run run = run_program("solve --json --mass " + mass, two_masses("0.5", "0.5"));
+        CHECK(run.status == 2);
+        CHECK(run.output.empty());
+        CHECK(run.error.find("mass must be a mass from 1 to 2, but is " + mass) != std::string::npos);
+    }
+    CHECK(run_program("solve --mass one", two_masses("0.5", "0.5")).status == 2);
+    CHECK(run_program("solve --mass 1 --samples 10", two_masses("0.5", "0.5")).status == 2);
+}
+
 TEST_CASE("what solve cannot answer gives status 3 and no number", "[program][solve]") {
     const Run run = run_program("solve --json --digits 60", two_masses("0.5", "0.5"));
     CHECK(run.status == 3);

@@ -191,17 +191,15 @@ SingularValues<T> in_order(const std::vector<T>& d, const Matrix<T>& V, long swe
     return result;
 }
 
-} // namespace
-
+/// The iteration; V starts as rows of the identity.
 template <class T>
-SingularValues<T> bidiagonal_singular_values(std::vector<T> d, std::vector<T> e) {
+SingularValues<T> iterate(std::vector<T> d, std::vector<T> e, Matrix<T> V) {
     const std::size_t N = d.size();
     const T tolerance = 8 * std::numeric_limits<T>::epsilon();
     const double rotations_allowed =
         2.0 * std::numeric_limits<T>::digits * static_cast<double>(N) * static_cast<double>(N) + 1000;
     double rotations = 0;
     long sweeps = 0;
-    Matrix<T> V = Matrix<T>::Identity(static_cast<Eigen::Index>(N), static_cast<Eigen::Index>(N));
     Block<T> block{d, e, V, N, 0, false};
     std::size_t end = N;
     while (true) {
@@ -228,9 +226,32 @@ SingularValues<T> bidiagonal_singular_values(std::vector<T> d, std::vector<T> e)
     return in_order(d, V, sweeps);
 }
 
+} // namespace
+
+template <class T>
+SingularValues<T> bidiagonal_singular_values(std::vector<T> d, std::vector<T> e) {
+    const auto N = static_cast<Eigen::Index>(d.size());
+    return iterate(std::move(d), std::move(e), Matrix<T>(Matrix<T>::Identity(N, N)));
+}
+
+template <class T>
+SingularValues<T> bidiagonal_singular_values(std::vector<T> d, std::vector<T> e, const std::vector<std::size_t>& rows) {
+    Matrix<T> V = Matrix<T>::Zero(static_cast<Eigen::Index>(rows.size()), static_cast<Eigen::Index>(d.size()));
+    for (std::size_t n = 0; n < rows.size(); ++n) V(static_cast<Eigen::Index>(n), static_cast<Eigen::Index>(rows[n])) = T(1);
+    return iterate(std::move(d), std::move(e), std::move(V));
+}
+
 template SingularValues<double> bidiagonal_singular_values(std::vector<double>, std::vector<double>);
 template SingularValues<long double> bidiagonal_singular_values(std::vector<long double>, std::vector<long double>);
 template SingularValues<Real50> bidiagonal_singular_values(std::vector<Real50>, std::vector<Real50>);
 template SingularValues<Real100> bidiagonal_singular_values(std::vector<Real100>, std::vector<Real100>);
+template SingularValues<double> bidiagonal_singular_values(std::vector<double>, std::vector<double>,
+                                                           const std::vector<std::size_t>&);
+template SingularValues<long double> bidiagonal_singular_values(std::vector<long double>, std::vector<long double>,
+                                                                const std::vector<std::size_t>&);
+template SingularValues<Real50> bidiagonal_singular_values(std::vector<Real50>, std::vector<Real50>,
+                                                           const std::vector<std::size_t>&);
+template SingularValues<Real100> bidiagonal_singular_values(std::vector<Real100>, std::vector<Real100>,
+                                                            const std::vector<std::size_t>&);
 
 } // namespace denhartog

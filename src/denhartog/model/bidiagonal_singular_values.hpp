@@ -29,4 +29,14 @@ struct SingularValues {
 template <class T>
 [[nodiscard]] SingularValues<T> bidiagonal_singular_values(std::vector<T> d, std::vector<T> e);
 
+/// @brief The same with a few rows of V in place of all: the values cost N^2, a row another N^2, all rows N^3.
+/// @param d     diagonal, as above
+/// @param e     superdiagonal, as above
+/// @param rows  the rows of V that are wanted, from 0
+/// @return      values as above to the last bit; V has the rows wanted alone, in that order
+/// @throws      as above
+template <class T>
+[[nodiscard]] SingularValues<T> bidiagonal_singular_values(std::vector<T> d, std::vector<T> e,
+                                                           const std::vector<std::size_t>& rows);
+
 } // namespace denhartog

@@ -103,6 +103,25 @@ ModalBasis<T> modal_basis(const System<T>& s) {
 }
 
 template <class T>
+ModalBasis<T> modal_basis_at(const System<T>& s, const std::vector<Mass>& masses) {
+    const bool chain = !s.mass_ratios.empty() && !s.stiffness_ratios.empty() && !s.damping_ratios.empty();
+    ModalBasis<T> basis;
+    if (chain && s.mass_ratios.size() > 1) {
+        check(s);
+        NaturalModes<T> modes = chain_modes(s.mass_ratios, s.stiffness_ratios, masses);
+        count_eigen_solve();
+        basis = {std::move(modes.r_n), std::move(modes.phi), s.damping_ratios};
+        require_finite(basis);
+        return basis;
+    }
+    const ModalBasis<T> all = modal_basis(s);
+    basis = {all.r_n, Matrix<T>(static_cast<Eigen::Index>(masses.size()), all.phi.cols()), all.zeta};
+    for (std::size_t n = 0; n < masses.size(); ++n)
+        basis.phi.row(static_cast<Eigen::Index>(n)) = all.phi.row(static_cast<Eigen::Index>(masses[n].index));
+    return basis;
+}
+
+template <class T>
 NonDimensionalMatrices<T> non_dimensional_matrices(const System<T>& s, const ModalBasis<T>& basis, const T& r) {
     check_frequency_ratio(r);
     const std::size_t N = number_of_masses(s);
@@ -130,6 +149,10 @@ template ModalBasis<double> modal_basis(const System<double>&);
 template ModalBasis<long double> modal_basis(const System<long double>&);
 template ModalBasis<Real50> modal_basis(const System<Real50>&);
 template ModalBasis<Real100> modal_basis(const System<Real100>&);
+template ModalBasis<double> modal_basis_at(const System<double>&, const std::vector<Mass>&);
+template ModalBasis<long double> modal_basis_at(const System<long double>&, const std::vector<Mass>&);
+template ModalBasis<Real50> modal_basis_at(const System<Real50>&, const std::vector<Mass>&);
+template ModalBasis<Real100> modal_basis_at(const System<Real100>&, const std::vector<Mass>&);
 template NonDimensionalMatrices<double> non_dimensional_matrices(const System<double>&, const ModalBasis<double>&, const double&);
 template NonDimensionalMatrices<long double> non_dimensional_matrices(const System<long double>&, const ModalBasis<long double>&,
                                                                       const long double&);

@@ -35,6 +35,15 @@ struct ModalBasis {
 template <class T>
 [[nodiscard]] ModalBasis<T> modal_basis(const System<T>& s);
 
+/// @brief The basis with the shapes at a few masses alone: on a chain in O(N^2) in place of O(N^3).
+/// @eq{14,15}
+/// @param s       the system
+/// @param masses  the masses wanted
+/// @return        the basis; phi has a row a mass wanted, in that order, and each mode any sign
+/// @throws        as `modal_basis`
+template <class T>
+[[nodiscard]] ModalBasis<T> modal_basis_at(const System<T>& s, const std::vector<Mass>& masses);
+
 /// @brief Number of eigenproblems (15) solved since the program started; tests gate on it.
 /// @return the count, over all number types and threads
 [[nodiscard]] long eigen_solves();

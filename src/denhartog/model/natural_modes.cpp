@@ -21,16 +21,16 @@ using std::sqrt;
 
 std::atomic<long> eigen_solve_count{0};
 
+/// An upper bidiagonal matrix with the singular values of F; whether its columns are those of F in reverse.
 template <class T>
-NaturalModes<T> modes_of(SingularValues<T> solved, const std::vector<T>& gamma) {
-    NaturalModes<T> modes{std::move(solved.sigma), std::move(solved.V)};
-    for (std::size_t k = 0; k < gamma.size(); ++k) modes.phi.row(static_cast<Eigen::Index>(k)) /= T(sqrt(gamma[k]));
-    return modes;
-}
+struct Bidiagonal {
+    std::vector<T> d, e;
+    bool reversed;
+};
 
 /// The last mass free: F is square and lower bidiagonal. Rows and columns are reversed to make it upper bidiagonal.
 template <class T>
-NaturalModes<T> free_chain(const std::vector<T>& gamma, const std::vector<T>& kappa) {
+Bidiagonal<T> free_chain(const std::vector<T>& gamma, const std::vector<T>& kappa) {
     const std::size_t N = gamma.size();
     std::vector<T> d(N);
     std::vector<T> e(N - 1);
@@ -38,15 +38,13 @@ NaturalModes<T> free_chain(const std::vector<T>& gamma, const std::vector<T>& ka
         d[N - 1 - i] = sqrt(T(kappa[i] / gamma[i]));
         if (i > 0) e[N - 1 - i] = -sqrt(T(kappa[i] / gamma[i - 1]));
     }
-    SingularValues<T> solved = bidiagonal_singular_values(std::move(d), std::move(e));
-    solved.V = solved.V.colwise().reverse().eval();
-    return modes_of(std::move(solved), gamma);
+    return {std::move(d), std::move(e), true};
 }
 
 /// A spring to the ground at both ends: F has a row more than columns. Rotations of neighbouring rows, from the first on, make it
 /// square and upper bidiagonal; every entry of the result is a root of a sum of squares or a product.
 template <class T>
-NaturalModes<T> fixed_chain(const std::vector<T>& gamma, const std::vector<T>& kappa) {
+Bidiagonal<T> fixed_chain(const std::vector<T>& gamma, const std::vector<T>& kappa) {
     const std::size_t N = gamma.size();
     std::vector<T> d(N);
     std::vector<T> e(N - 1);
@@ -59,14 +57,33 @@ NaturalModes<T> fixed_chain(const std::vector<T>& gamma, const std::vector<T>& k
         e[i] = below / d[i] * next;
         left = left / d[i] * next;
     }
-    return modes_of(bidiagonal_singular_values(std::move(d), std::move(e)), gamma);
+    return {std::move(d), std::move(e), false};
+}
+
+template <class T>
+Bidiagonal<T> bidiagonal_of(const std::vector<T>& gamma, const std::vector<T>& kappa) {
+    return kappa.size() == gamma.size() ? free_chain(gamma, kappa) : fixed_chain(gamma, kappa);
 }
 
 } // namespace
 
 template <class T>
 NaturalModes<T> chain_modes(const std::vector<T>& gamma, const std::vector<T>& kappa) {
-    return kappa.size() == gamma.size() ? free_chain(gamma, kappa) : fixed_chain(gamma, kappa);
+    Bidiagonal<T> F = bidiagonal_of(gamma, kappa);
+    SingularValues<T> solved = bidiagonal_singular_values(std::move(F.d), std::move(F.e));
+    if (F.reversed) solved.V = solved.V.colwise().reverse().eval();
+    for (std::size_t k = 0; k < gamma.size(); ++k) solved.V.row(static_cast<Eigen::Index>(k)) /= T(sqrt(gamma[k]));
+    return {std::move(solved.sigma), std::move(solved.V)};
+}
+
+template <class T>
+NaturalModes<T> chain_modes(const std::vector<T>& gamma, const std::vector<T>& kappa, const std::vector<Mass>& masses) {
+    Bidiagonal<T> F = bidiagonal_of(gamma, kappa);
+    std::vector<std::size_t> rows;
+    for (const Mass& mass : masses) rows.push_back(F.reversed ? gamma.size() - 1 - mass.index : mass.index);
+    SingularValues<T> solved = bidiagonal_singular_values(std::move(F.d), std::move(F.e), rows);
+    for (std::size_t n = 0; n < masses.size(); ++n) solved.V.row(static_cast<Eigen::Index>(n)) /= T(sqrt(gamma[masses[n].index]));
+    return {std::move(solved.sigma), std::move(solved.V)};
 }
 
 template <class T>
@@ -103,6 +120,11 @@ template NaturalModes<double> chain_modes(const std::vector<double>&, const std:
 template NaturalModes<long double> chain_modes(const std::vector<long double>&, const std::vector<long double>&);
 template NaturalModes<Real50> chain_modes(const std::vector<Real50>&, const std::vector<Real50>&);
 template NaturalModes<Real100> chain_modes(const std::vector<Real100>&, const std::vector<Real100>&);
+template NaturalModes<double> chain_modes(const std::vector<double>&, const std::vector<double>&, const std::vector<Mass>&);
+template NaturalModes<long double> chain_modes(const std::vector<long double>&, const std::vector<long double>&,
+                                               const std::vector<Mass>&);
+template NaturalModes<Real50> chain_modes(const std::vector<Real50>&, const std::vector<Real50>&, const std::vector<Mass>&);
+template NaturalModes<Real100> chain_modes(const std::vector<Real100>&, const std::vector<Real100>&, const std::vector<Mass>&);
 template NaturalModes<double> general_modes(const Matrix<double>&, const Matrix<double>&);
 template NaturalModes<long double> general_modes(const Matrix<long double>&, const Matrix<long double>&);
 template NaturalModes<Real50> general_modes(const Matrix<Real50>&, const Matrix<Real50>&);

@@ -28,6 +28,17 @@ struct NaturalModes {
 template <class T>
 [[nodiscard]] NaturalModes<T> chain_modes(const std::vector<T>& gamma, const std::vector<T>& kappa);
 
+/// @brief The same with the shapes at a few masses alone, in O(N^2) in place of O(N^3).
+/// @eq{14,15}
+/// @param gamma   masses, as above
+/// @param kappa   springs, as above
+/// @param masses  the masses wanted
+/// @return        frequencies as above to the last bit; shapes with a row a mass wanted, in that order, each mode with any sign
+/// @throws        as above
+template <class T>
+[[nodiscard]] NaturalModes<T> chain_modes(const std::vector<T>& gamma, const std::vector<T>& kappa,
+                                          const std::vector<Mass>& masses);
+
 /// @brief Modes of any system: errors of the squared frequencies are about N eps of the highest one.
 /// @eq{14,15}
 /// @param L  lower triangular factor of the mass matrix, M = L L^T

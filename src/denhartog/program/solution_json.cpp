@@ -25,9 +25,9 @@ Json mass_json(std::size_t k, const SolvedMass<T>& m, const NumberWriter& write)
 }
 
 template <class T>
-Json masses_json(const std::vector<SolvedMass<T>>& masses, const NumberWriter& write) {
+Json masses_json(const std::vector<SolvedMass<T>>& masses, const std::optional<Mass>& only, const NumberWriter& write) {
     Json all = Json::array();
-    for (std::size_t k = 0; k < masses.size(); ++k) all.push_back(mass_json(k, masses[k], write));
+    for (std::size_t k = 0; k < masses.size(); ++k) all.push_back(mass_json(only ? only->index : k, masses[k], write));
     return all;
 }
 
@@ -63,12 +63,12 @@ void add_stability(Json& all, const Stability& stability, const NumberWriter& wr
     all["multipliers"] = numbers_json(stability.multipliers, write);
 }
 
-Json motion_json(const OtherMotion& motion, const NumberWriter& write) {
+Json motion_json(const OtherMotion& motion, const std::optional<Mass>& only, const NumberWriter& write) {
     Json all{{"regime", denhartog::name(motion.regime)}, {"found", motion.found}, {"from", state_json(motion.from, write)}};
     all["periods"] = motion.periods;
     all["symmetric"] = motion.symmetric;
     add_stability(all, motion.stability, write);
-    all["masses"] = masses_json(motion.masses, write);
+    all["masses"] = masses_json(motion.masses, only, write);
     if (motion.rest_interval) {
         all["rest_interval"] = interval_json(*motion.rest_interval, write);
         return all;
@@ -82,8 +82,8 @@ Json motion_json(const OtherMotion& motion, const NumberWriter& write) {
 template <class T>
 Json contact_json(const Solved<T>& n, const NumberWriter& write) {
     Json all{{"mass", n.contact.index + 1}};
-    if (n.masses.empty()) return all;
-    const SolvedMass<T>& m = n.masses[n.contact.index];
+    if (n.masses.empty() || (n.only && n.only != n.contact)) return all;
+    const SolvedMass<T>& m = n.only ? n.masses.front() : n.masses[n.contact.index];
     all["amplitude"] = write(m.amplitude);
     if (m.phase) all["phase"] = write(*m.phase);
     return all;
@@ -102,7 +102,7 @@ void add_numbers(Json& all, const Solution& s, const Solved<T>& n, const NumberW
     all["unique_because"] = s.unique_because;
     all["contact"] = contact_json(n, write);
     if (n.masses.empty()) return;
-    all["masses"] = masses_json(n.masses, write);
+    all["masses"] = masses_json(n.masses, n.only, write);
     if (n.rest_interval) {
         all["rest_interval"] = interval_json(*n.rest_interval, write);
     } else {
@@ -157,7 +157,8 @@ Json solution_json(const Solution& s, const NumberWriter& write) {
     std::visit([&](const auto& numbers) { add_numbers(all, s, numbers, write); }, s.numbers);
     if (!s.motions.empty()) {
         all["motions"] = Json::array();
-        for (const OtherMotion& motion : s.motions) all["motions"].push_back(motion_json(motion, write));
+        const std::optional<Mass> only = std::visit([](const auto& numbers) { return numbers.only; }, s.numbers);
+        for (const OtherMotion& motion : s.motions) all["motions"].push_back(motion_json(motion, only, write));
     }
     all["relative_error"] = write(s.relative_error);
     all["counters"] = {{"eigen_solves", s.work.eigen_solves},

@@ -16,6 +16,7 @@ struct Options {
     SceneOptions scene;
     std::string ask = "motion";
     bool all = false;
+    std::optional<long> mass;
     long samples = 0;
 };
 
@@ -24,6 +25,16 @@ Asked asked(const std::string& text) {
     if (text == "phase") return Asked::phase;
     if (text == "regime") return Asked::regime;
     return Asked::motion;
+}
+
+// The question; masses count from 1 here and from 0 there.
+Question question_of(const Options& options, std::size_t N) {
+    Question question{asked(options.ask), options.scene.digits, options.all};
+    if (!options.mass) return question;
+    if (*options.mass < 1 || static_cast<std::size_t>(*options.mass) > N)
+        throw InputError("mass", "must be a mass from 1 to " + std::to_string(N), std::to_string(*options.mass));
+    question.mass = Mass{static_cast<std::size_t>(*options.mass - 1)};
+    return question;
 }
 
 std::string as_csv(const SampledSolution& motion) {
@@ -47,9 +58,10 @@ std::string solved(const SceneText& part, const Options& options) {
         throw InputError("samples", "must be from 1 to " + std::to_string(most_samples), std::to_string(options.samples));
     if (options.samples > 0 && options.ask != "motion")
         throw InputError("samples", "must be given with --ask motion only", options.ask);
+    if (options.samples > 0 && options.mass) throw InputError("samples", "must be given without --mass", "both");
     try {
         const SceneSource source = scene_source(part);
-        const Solution solution = solve(source, {asked(options.ask), options.scene.digits, options.all});
+        const Solution solution = solve(source, question_of(options, number_of_masses(source.in_double().system)));
         if (options.samples > 0)
             return as_csv(sampled_solution(source.in_double(), solution, static_cast<std::size_t>(options.samples)));
         const Json answer = solution_json(solution, NumberWriter{options.scene.digits});
@@ -69,6 +81,8 @@ void add_solve_command(CLI::App& app, ExitStatus& status) {
     command->add_option("--ask", options->ask, "what is wanted; less is cheaper")
         ->check(CLI::IsMember({"amplitude", "phase", "motion", "regime"}))
         ->capture_default_str();
+    command->add_option("--mass", options->mass,
+                        "the one mass that is asked about, counted from 1: only it must have the digits, only it is listed");
     command->add_flag("--all", options->all, "look for other motions too, from seeded starts and from sweeps in r and beta");
     command->add_option(
         "--samples", options->samples,

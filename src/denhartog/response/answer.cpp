@@ -24,9 +24,9 @@ struct Measured {
 };
 
 template <class T, class Wide>
-Measured<T> measured(const Scene<T>& scene, const Scene<Wide>& wide_scene) {
-    Measured<T> m{response(scene), {}};
-    m.error = measured_error(m.response, response_at(wide_scene, instants_in<Wide>(m.response)));
+Measured<T> measured(const Scene<T>& scene, const Scene<Wide>& wide_scene, std::optional<Mass> only) {
+    Measured<T> m{response(scene, only), {}};
+    m.error = measured_error(m.response, response_at(wide_scene, instants_in<Wide>(m.response), only), only);
     set_error(m.response, m.error);
     return m;
 }
@@ -42,24 +42,27 @@ Scene<Wide> with_damping_ratios(const Scene<double>& scene) {
 
 // A damping matrix rounded to double need not decouple the modes to more digits than those.
 template <class Wide>
-Measured<double> measured_in_double(const Scene<double>& scene, const std::function<Scene<Wide>()>& wide) {
+Measured<double> measured_in_double(const Scene<double>& scene, const std::function<Scene<Wide>()>& wide,
+                                    std::optional<Mass> only) {
     try {
-        return measured(scene, wide());
+        return measured(scene, wide(), only);
     } catch (const InputError& e) {
         if (scene.system.damping_matrix.size() == 0) throw;
     }
-    Measured<double> m = measured(scene, with_damping_ratios<Wide>(scene));
+    Measured<double> m = measured(scene, with_damping_ratios<Wide>(scene), only);
     m.in_this_type_only = true;
     return m;
 }
 
-Measured<double> in_double(const SceneSource& source) {
+Measured<double> in_double(const SceneSource& source, std::optional<Mass> only) {
     const Scene<double> scene = source.in_double();
-    return number_of_masses(scene.system) > most_masses_to_step_up ? measured_in_double(scene, source.in_long_double)
-                                                                   : measured_in_double(scene, source.in_50_digits);
+    return number_of_masses(scene.system) > most_masses_to_step_up ? measured_in_double(scene, source.in_long_double, only)
+                                                                   : measured_in_double(scene, source.in_50_digits, only);
 }
 
-Measured<Real50> in_50_digits(const SceneSource& source) { return measured(source.in_50_digits(), source.in_100_digits()); }
+Measured<Real50> in_50_digits(const SceneSource& source, std::optional<Mass> only) {
+    return measured(source.in_50_digits(), source.in_100_digits(), only);
+}
 
 // The errors of 50 digits, scaled to those of 100.
 MeasuredError<Real100> scaled(const MeasuredError<Real50>& narrow) {
@@ -74,9 +77,9 @@ MeasuredError<Real100> scaled(const MeasuredError<Real50>& narrow) {
 }
 
 // What a frequency ratio a few units off in its last place changes.
-MeasuredError<Real100> sensitivity(Scene<Real100> scene, const Response<Real100>& response, int units) {
+MeasuredError<Real100> sensitivity(Scene<Real100> scene, const Response<Real100>& response, int units, std::optional<Mass> only) {
     *scene.r *= 1 + units * std::numeric_limits<Real100>::epsilon();
-    return measured_error(response, response_at(scene, response));
+    return measured_error(response, response_at(scene, response, only), only);
 }
 
 void take_larger(MeasuredError<Real100>& error, const MeasuredError<Real100>& other) {
@@ -88,10 +91,10 @@ void take_larger(MeasuredError<Real100>& error, const MeasuredError<Real100>& ot
     for (std::size_t k = 0; k < other.masses.size(); ++k) error.masses[k] = std::max(error.masses[k], other.masses[k]);
 }
 
-Measured<Real100> in_100_digits(const SceneSource& source) {
+Measured<Real100> in_100_digits(const SceneSource& source, std::optional<Mass> only) {
     const Scene<Real100> scene = source.in_100_digits();
-    Measured<Real100> m{response(scene), scaled(in_50_digits(source).error)};
-    for (const int units : {-8, 8}) take_larger(m.error, sensitivity(scene, m.response, units));
+    Measured<Real100> m{response(scene, only), scaled(in_50_digits(source, only).error)};
+    for (const int units : {-8, 8}) take_larger(m.error, sensitivity(scene, m.response, units, only));
     set_error(m.response, m.error);
     return m;
 }
@@ -139,7 +142,7 @@ Answer answered(const Measured<T>& m, const std::string& precision, const std::s
 
 } // namespace
 
-Answer answer(const SceneSource& source, std::optional<int> digits) {
+Answer answer(const SceneSource& source, std::optional<int> digits, std::optional<Mass> only) {
     if (digits && (*digits < 1 || *digits > most_digits))
         throw InputError("digits", "must be from 1 to " + std::to_string(most_digits), std::to_string(*digits));
     const int wanted = digits.value_or(digits_by_default);
@@ -149,7 +152,7 @@ Answer answer(const SceneSource& source, std::optional<int> digits) {
     std::string before; // what the narrower precisions left open
     if (wanted <= most_digits_in_double) {
         try {
-            const Measured<double> m = in_double(source);
+            const Measured<double> m = in_double(source, only);
             if (settled(m, wanted) || stays || (m.in_this_type_only && !digits))
                 return answered(m, "double", checked_in(large, m.in_this_type_only) + verdict(m, wanted, aim),
                                 reached(m, wanted));
@@ -165,7 +168,7 @@ Answer answer(const SceneSource& source, std::optional<int> digits) {
     }
     if (wanted <= most_digits_in_50) {
         try {
-            const Measured<Real50> m = in_50_digits(source);
+            const Measured<Real50> m = in_50_digits(source, only);
             if (settled(m, wanted))
                 return answered(m, "50 digits", before + "checked in 100 digits: " + verdict(m, wanted, aim), true);
             before += "in 50 digits: " + verdict(m, wanted, aim) + "; ";
@@ -176,7 +179,7 @@ Answer answer(const SceneSource& source, std::optional<int> digits) {
         }
         count_precision_step();
     }
-    const Measured<Real100> m = in_100_digits(source);
+    const Measured<Real100> m = in_100_digits(source, only);
     return answered(m, "100 digits", before + "measured in 50 digits and scaled: " + verdict(m, wanted, aim), reached(m, wanted));
 }
 

@@ -46,9 +46,11 @@ constexpr int digits_by_default = 6;
 /// masses then stays in double, whatever its bound.
 /// @param scene   the scene
 /// @param digits  significant digits, from 1 to 95
+/// @param only    the one mass that must have them: no other has a maximum; none for all
 /// @return        the answer
 /// @throws        InputError for a bad scene or bad digits; DomainError at a pole of a mode without damping
-[[nodiscard]] Answer answer(const SceneSource& scene, std::optional<int> digits = std::nullopt);
+[[nodiscard]] Answer answer(const SceneSource& scene, std::optional<int> digits = std::nullopt,
+                            std::optional<Mass> only = std::nullopt);
 
 /// @brief How often a computation did not have the digits and the next precision was taken, since the program started.
 /// @return the count over `answer`, `quantities` and `solve`; tests gate on it

@@ -19,21 +19,24 @@ Bounded as_double(const T& x, const T& error) {
     return {value, all * (1 + 4 * unit_of_double) + std::numeric_limits<double>::min()};
 }
 
-// Errors that a solver in T is trusted with, and those of inputs that are off by a few units of double.
-template <class T>
-ModalBasis<Bounded> bounded_basis(const System<double>& system, const ModalBasis<T>& basis, Inputs inputs, int trust) {
+// Errors that a solver in T is trusted with, and those of inputs in S that are off by a few units of it. A mode of a chain is a
+// unit vector over the roots of the masses, and turns by an angle: this bounds its entries where not all of them are there.
+template <class T, class S>
+ModalBasis<Bounded> bounded_basis(const System<S>& system, const ModalBasis<T>& basis, Inputs inputs, int trust,
+                                  const std::vector<Mass>* masses = nullptr) {
     const std::size_t N = basis.r_n.size();
-    const T of_inputs = inputs == Inputs::rounded ? T(4 * unit_of_double) : T(0);
-    const T unit = trust * static_cast<T>(N) * std::numeric_limits<T>::epsilon() + of_inputs;
+    const T of_input = inputs == Inputs::rounded ? T(std::numeric_limits<S>::epsilon()) : T(0);
+    const T unit = trust * static_cast<T>(N) * std::numeric_limits<T>::epsilon() + 4 * of_input;
     const bool chain = !system.stiffness_ratios.empty() && !system.mass_ratios.empty();
     const T highest = basis.r_n.back();
     ModalBasis<Bounded> bounded;
-    bounded.phi.resize(static_cast<Eigen::Index>(N), static_cast<Eigen::Index>(N));
+    bounded.phi.resize(basis.phi.rows(), static_cast<Eigen::Index>(N));
     for (std::size_t i = 0; i < N; ++i) {
         const T r_n = basis.r_n[i];
         const T of_square = chain ? 2 * unit * r_n * r_n : unit * highest * highest; // error of the squared frequency
         bounded.r_n.push_back(as_double(r_n, T(of_square / (2 * r_n))));
-        bounded.zeta.push_back(as_input(system.damping_ratios[i], inputs));
+        const T zeta = system.damping_ratios[i];
+        bounded.zeta.push_back(as_double(zeta, T(of_input * zeta)));
         T nearest = std::numeric_limits<T>::infinity(); // difference of the squares, of the chain's relative to both
         for (const std::size_t n : {i - 1, i + 1}) {
             if (n >= N) continue;
@@ -42,9 +45,10 @@ ModalBasis<Bounded> bounded_basis(const System<double>& system, const ModalBasis
         }
         const T turn = std::min(T(1), N == 1 ? unit : T(of_square / nearest + unit));
         const auto column = static_cast<Eigen::Index>(i);
-        const T size = basis.phi.col(column).norm();
-        for (std::size_t k = 0; k < N; ++k) {
-            const auto row = static_cast<Eigen::Index>(k);
+        const T norm = masses ? T(1) : basis.phi.col(column).norm();
+        for (Eigen::Index row = 0; row < basis.phi.rows(); ++row) {
+            const T size =
+                masses ? norm / std::sqrt(T(system.mass_ratios[(*masses)[static_cast<std::size_t>(row)].index])) : norm;
             bounded.phi(row, column) = as_double(basis.phi(row, column), T(turn * size));
         }
     }
@@ -65,9 +69,23 @@ std::vector<Complex<double>> values_of(const std::vector<Complex<Bounded>>& numb
     return values;
 }
 
+template <class T>
+ModalBasis<Bounded> bounded_basis_at(const System<T>& system, const std::vector<Mass>& masses, int trust) {
+    if (!system.stiffness_ratios.empty() && !system.mass_ratios.empty())
+        return bounded_basis(system, modal_basis_at(system, masses), Inputs::rounded, trust, &masses);
+    ModalBasis<Bounded> all = bounded_basis(system, modal_basis(system), Inputs::rounded, trust);
+    Matrix<Bounded> rows(static_cast<Eigen::Index>(masses.size()), all.phi.cols());
+    for (std::size_t n = 0; n < masses.size(); ++n)
+        rows.row(static_cast<Eigen::Index>(n)) = all.phi.row(static_cast<Eigen::Index>(masses[n].index));
+    all.phi = std::move(rows);
+    return all;
+}
+
 } // namespace
 
 Bounded as_input(double x, Inputs inputs) { return {x, inputs == Inputs::rounded ? unit_of_double * std::abs(x) : 0}; }
+
+Bounded as_input(long double x) { return as_double(x, std::numeric_limits<long double>::epsilon() * std::abs(x)); }
 
 ModalBasis<Bounded> with_errors(const System<double>& system, const ModalBasis<double>& basis) {
     return bounded_basis(system, basis, Inputs::rounded, 8);
@@ -79,14 +97,25 @@ ModalBasis<Bounded> sharp_basis(const System<double>& system, Inputs inputs) {
     return bounded_basis(system, modal_basis(converted<long double>(scene).system), inputs, 3);
 }
 
+ModalBasis<Bounded> basis_with_errors_at(const System<double>& system, const std::vector<Mass>& masses) {
+    return bounded_basis_at(system, masses, 8);
+}
+
+ModalBasis<Bounded> sharp_basis_at(const System<long double>& system, const std::vector<Mass>& masses) {
+    return bounded_basis_at(system, masses, 3);
+}
+
 BoundedModes::BoundedModes(const Scene<double>& scene, const ModalBasis<double>& basis)
     : BoundedModes(with_errors(scene.system, basis), as_input(*scene.r)) {}
 
 BoundedModes::BoundedModes(ModalBasis<Bounded> basis, const Bounded& r)
-    : basis_(std::move(basis)), r_(r), known_(basis_.r_n.size()) {}
+    : BoundedModes(std::make_shared<const ModalBasis<Bounded>>(std::move(basis)), r) {}
+
+BoundedModes::BoundedModes(std::shared_ptr<const ModalBasis<Bounded>> basis, const Bounded& r)
+    : basis_(std::move(basis)), r_(r), known_(basis_->r_n.size()) {}
 
 const evaluation::ModeFunctions<Bounded>& BoundedModes::at(std::size_t i) {
-    if (!known_[i]) known_[i] = mode_functions_at(basis_, i, r_);
+    if (!known_[i]) known_[i] = mode_functions_at(*basis_, i, r_);
     return *known_[i];
 }
 

@@ -8,6 +8,7 @@
 /// number by itself, which is known, and 3 N eps of long double in place of 8 N eps.
 #pragma once
 
+#include <memory>
 #include <optional>
 
 #include "denhartog/bounded.hpp"
@@ -24,6 +25,11 @@ enum class Inputs {
 /// @brief A number of the input. @param x a number @param inputs how far to trust it @return the number with its error
 [[nodiscard]] Bounded as_input(double x, Inputs inputs = Inputs::rounded);
 
+/// @brief A number of the input in long double, one unit in the last place of that uncertain.
+/// @param x  the number
+/// @return   its double, with what that lacks
+[[nodiscard]] Bounded as_input(long double x);
+
 /// @brief A modal basis found in double with bounds of its errors, inputs taken as rounded.
 /// @param system  the system, damping given by ratios
 /// @param basis   its basis in double
@@ -38,6 +44,18 @@ enum class Inputs {
 /// @throws        as `modal_basis`
 [[nodiscard]] ModalBasis<Bounded> sharp_basis(const System<double>& system, Inputs inputs);
 
+/// @brief The same two with the shapes at a few masses alone, see `modal_basis_at`; inputs taken as rounded.
+/// @param system  the system, damping given by ratios
+/// @param masses  the masses wanted
+/// @return        frequencies and damping ratios with errors; shapes with a row a mass wanted, solved in double
+[[nodiscard]] ModalBasis<Bounded> basis_with_errors_at(const System<double>& system, const std::vector<Mass>& masses);
+
+/// @brief The same of a system in long double, solved there: inputs are off by units of long double alone.
+/// @param system  the system, damping given by ratios
+/// @param masses  the masses wanted
+/// @return        the basis with errors
+[[nodiscard]] ModalBasis<Bounded> sharp_basis_at(const System<long double>& system, const std::vector<Mass>& masses);
+
 /// @brief Modes and sums without their bounds. @param sums modes and sums with bounds @return their values
 [[nodiscard]] ModeSums<double> values_of(const ModeSums<Bounded>& sums);
 
@@ -50,9 +68,12 @@ public:
     /// @param basis  a modal basis with errors
     /// @param r      frequency ratio with its error
     BoundedModes(ModalBasis<Bounded> basis, const Bounded& r);
+    /// @param basis  a modal basis with errors, shared with others
+    /// @param r      frequency ratio with its error
+    BoundedModes(std::shared_ptr<const ModalBasis<Bounded>> basis, const Bounded& r);
 
     /// @brief The modal basis. @return frequencies, shapes, damping ratios with their errors
-    [[nodiscard]] const ModalBasis<Bounded>& basis() const { return basis_; }
+    [[nodiscard]] const ModalBasis<Bounded>& basis() const { return *basis_; }
     /// @brief The frequency ratio. @return r with its error
     [[nodiscard]] const Bounded& r() const { return r_; }
     /// @brief A mode. @param i its index @return (23), (28), (29) @throws DomainError at a pole
@@ -61,7 +82,7 @@ public:
     std::vector<evaluation::ModeFunctions<Bounded>> all();
 
 private:
-    ModalBasis<Bounded> basis_;
+    std::shared_ptr<const ModalBasis<Bounded>> basis_;
     Bounded r_;
     std::vector<std::optional<evaluation::ModeFunctions<Bounded>>> known_;
 };

@@ -39,7 +39,7 @@ void bound_boundary(BoundedResponse& all, const Boundary<Bounded>& bounded, Boun
     all.relative = std::max(all.relative, relative(error.sticking, *b.sticking));
 }
 
-void bound_masses(BoundedResponse& all, const SteadyState<Bounded>& bounded) {
+void bound_masses(BoundedResponse& all, const SteadyState<Bounded>& bounded, std::optional<Mass> only) {
     std::vector<MassResponse<double>>& masses = all.response.steady_state->masses;
     double largest = 0;
     for (const MassResponse<double>& m : masses) largest = std::max(largest, m.amplitude);
@@ -50,6 +50,7 @@ void bound_masses(BoundedResponse& all, const SteadyState<Bounded>& bounded) {
                                   error_of(m.amplitude_monoharmonic, b.amplitude_monoharmonic)});
         all.phase_error.push_back(
             std::max(error_of_phase(m.phase, b.phase), error_of_phase(m.phase_monoharmonic, b.phase_monoharmonic)));
+        if (only && k != only->index) continue;
         if (m.amplitude <= m.error_bound && m.error_bound <= largest * std::numeric_limits<double>::epsilon() * 1024)
             continue; // a mass that does not move
         all.relative = std::max({all.relative, relative(m.error_bound, m.amplitude), all.phase_error.back()});
@@ -58,7 +59,7 @@ void bound_masses(BoundedResponse& all, const SteadyState<Bounded>& bounded) {
 
 } // namespace
 
-BoundedResponse bounded_response(const Scene<double>& scene, BoundedModes& modes, bool with_motion) {
+BoundedResponse bounded_response(const Scene<double>& scene, BoundedModes& modes, bool with_motion, std::optional<Mass> only) {
     const Mass contact = scene.system.contact;
     const Bounded beta = as_input(*scene.beta), mu = as_input(scene.mu);
     const ModeSums<Bounded> bounded = bounded_sums(scene.system, modes, Inputs::rounded);
@@ -72,10 +73,10 @@ BoundedResponse bounded_response(const Scene<double>& scene, BoundedModes& modes
     bound_boundary(all, limits, error);
     response.regime = regime_at(response.boundary, *scene.beta, error);
     if (response.regime->regime != Regime::continuous || !with_motion) return all;
-    response.steady_state = steady_state(sums, response.boundary, *scene.beta);
+    response.steady_state = steady_state(sums, response.boundary, *scene.beta, only);
     instants.clear();
     for (const MassResponse<double>& m : response.steady_state->masses) instants.emplace_back(m.instant);
-    bound_masses(all, steady_state_at(bounded, beta, instants));
+    bound_masses(all, steady_state_at(bounded, beta, instants, only), only);
     return all;
 }
 

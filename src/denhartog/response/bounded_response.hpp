@@ -23,8 +23,10 @@ struct BoundedResponse {
 /// @param scene        the scene, with r and beta
 /// @param modes        its modes
 /// @param with_motion  whether the steady state is wanted too, or boundary and regime alone
+/// @param only         the one mass that is asked about: no other has a maximum or counts among the errors; none for all
 /// @return             the response
 /// @throws             DomainError at a pole of a mode without damping; PrecisionError where a maximum is not settled
-[[nodiscard]] BoundedResponse bounded_response(const Scene<double>& scene, BoundedModes& modes, bool with_motion = true);
+[[nodiscard]] BoundedResponse bounded_response(const Scene<double>& scene, BoundedModes& modes, bool with_motion = true,
+                                               std::optional<Mass> only = std::nullopt);
 
 } // namespace denhartog

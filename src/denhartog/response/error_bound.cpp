@@ -56,7 +56,7 @@ Wide phase_error(const T& phase, const Wide& wider) {
 } // namespace
 
 template <class T, class Wide>
-MeasuredError<T> measured_error(const Response<T>& response, const Response<Wide>& wider) {
+MeasuredError<T> measured_error(const Response<T>& response, const Response<Wide>& wider, std::optional<Mass> only) {
     MeasuredError<T> error;
     Wide relative = boundary_error(response.boundary, wider.boundary);
     error.boundary.exact = limit_error(response.boundary.exact, wider.boundary.exact);
@@ -71,6 +71,7 @@ MeasuredError<T> measured_error(const Response<T>& response, const Response<Wide
         for (std::size_t k = 0; k < masses.size(); ++k) {
             const Wide e = displacement_error(masses[k], wide_masses[k]);
             error.masses.push_back(static_cast<T>(e));
+            if (only && k != only->index) continue;
             if (Wide(masses[k].amplitude) <= e && e <= largest_amplitude * Wide(std::numeric_limits<T>::epsilon()) * 1024)
                 continue; // a mass that does not move
             if (wide_masses[k].amplitude > 0) relative = std::max(relative, Wide(e / wide_masses[k].amplitude));
@@ -109,10 +110,10 @@ void set_error(Response<T>& response, const MeasuredError<T>& error) {
     for (std::size_t k = 0; k < error.masses.size(); ++k) response.steady_state->masses[k].error_bound = error.masses[k];
 }
 
-template MeasuredError<double> measured_error(const Response<double>&, const Response<long double>&);
-template MeasuredError<double> measured_error(const Response<double>&, const Response<Real50>&);
-template MeasuredError<Real50> measured_error(const Response<Real50>&, const Response<Real100>&);
-template MeasuredError<Real100> measured_error(const Response<Real100>&, const Response<Real100>&);
+template MeasuredError<double> measured_error(const Response<double>&, const Response<long double>&, std::optional<Mass>);
+template MeasuredError<double> measured_error(const Response<double>&, const Response<Real50>&, std::optional<Mass>);
+template MeasuredError<Real50> measured_error(const Response<Real50>&, const Response<Real100>&, std::optional<Mass>);
+template MeasuredError<Real100> measured_error(const Response<Real100>&, const Response<Real100>&, std::optional<Mass>);
 template Response<long double> instants_in(const Response<double>&);
 template Response<Real50> instants_in(const Response<double>&);
 template Response<Real100> instants_in(const Response<Real50>&);

@@ -18,9 +18,11 @@ struct MeasuredError {
 /// @brief Compares a response with the same response in a wider number type, or in the same type from inputs that differ.
 /// @param response  the response
 /// @param wider     the other one
+/// @param only      the one mass that counts; none for all
 /// @return          twice the differences plus one unit in the last place of T; the whole amplitude where only one of them slides
 template <class T, class Wide>
-[[nodiscard]] MeasuredError<T> measured_error(const Response<T>& response, const Response<Wide>& wider);
+[[nodiscard]] MeasuredError<T> measured_error(const Response<T>& response, const Response<Wide>& wider,
+                                              std::optional<Mass> only = std::nullopt);
 
 /// @brief A response with its instants in a wider number type, for `response_at`; everything else is left out.
 /// @param response  the response

@@ -79,11 +79,11 @@ double largest_acceleration(const ModeAtR& m) {
 
 class FewModes {
 public:
-    FewModes(const Scene<double>& scene, BoundedModes& evaluated_, int digits, bool phases_)
+    FewModes(const Scene<double>& scene, BoundedModes& evaluated_, int digits, bool phases_, std::optional<Mass> only_)
         : j(scene.system.contact.index), l(scene.system.load.index), beta(as_input(*scene.beta)), evaluated(evaluated_),
-          basis(evaluated.basis()), tolerance(std::pow(10.0, -digits)), phases(phases_) {
+          basis(evaluated.basis()), tolerance(std::pow(10.0, -digits)), phases(phases_), only(only_) {
         for (std::size_t i = 0; i < N(); ++i) modes.push_back(static_mode(Bounded(evaluated.r() / basis.r_n[i]), basis.zeta[i]));
-        if (N() > 1)
+        if (N() > 1 && !(only && only->index == j))
             for (ModeAtR& mode : modes) add_harmonics(mode);
     }
 
@@ -158,6 +158,10 @@ private:
         const Bounded X_j = evaluation::displacement_transmissibility_of_contact(V_j, U_j, G_j, beta);
         const Bounded phi_j = evaluation::phase_of_contact(V_j, U_j, beta);
         for (std::size_t k = 0; k < N(); ++k) {
+            if (only && k != only->index) {
+                all.masses.push_back({0, std::nullopt, 0, 0, std::nullopt});
+                continue;
+            }
             if (k == j) {
                 if (!add(all, X_j, phi_j, 0, 0)) return std::nullopt;
                 continue;
@@ -200,15 +204,17 @@ private:
     const ModalBasis<Bounded>& basis;
     double tolerance;
     bool phases;
+    std::optional<Mass> only;
     std::vector<ModeAtR> modes;
     bool out_of_reach = false;
 };
 
 } // namespace
 
-std::optional<FewModesSolution> few_modes_solution(const Scene<double>& scene, BoundedModes& modes, int digits, bool phases) {
+std::optional<FewModesSolution> few_modes_solution(const Scene<double>& scene, BoundedModes& modes, int digits, bool phases,
+                                                   std::optional<Mass> only) {
     if (scene.mu != 1) return std::nullopt;
-    return FewModes(scene, modes, digits, phases).answer();
+    return FewModes(scene, modes, digits, phases, only).answer();
 }
 
 } // namespace denhartog

@@ -18,7 +18,7 @@ namespace denhartog {
 
 /// @brief What the modes that matter give.
 struct FewModesSolution {
-    std::vector<SolvedMass<double>> masses; ///< N
+    std::vector<SolvedMass<double>> masses; ///< N; zero where not asked about
     double slides_below;                    ///< the boundary (69) is not below it
     std::size_t modes;                      ///< how many modes were evaluated
     double relative;                        ///< largest error, relative to amplitudes and, where asked for, of phases
@@ -30,8 +30,9 @@ struct FewModesSolution {
 /// @param modes    its modes
 /// @param digits   significant digits wanted
 /// @param phases   whether the phases must have them too
+/// @param only     the one mass that must have them, and whose numbers are wanted; none for all
 /// @return         the solution; none where sliding is not certain, or the digits are out of reach this way
 [[nodiscard]] std::optional<FewModesSolution> few_modes_solution(const Scene<double>& scene, BoundedModes& modes, int digits,
-                                                                 bool phases);
+                                                                 bool phases, std::optional<Mass> only = std::nullopt);
 
 } // namespace denhartog

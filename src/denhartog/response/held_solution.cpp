@@ -42,7 +42,7 @@ StuckConfiguration<T> stuck_of(const Scene<T>& scene) {
 
 // Sets the errors of a mass and notes them in the largest.
 template <class T>
-void set_errors(HeldSolution<T>& solution, std::size_t k, const T& error) {
+void set_errors(HeldSolution<T>& solution, std::size_t k, const T& error, std::optional<Mass> only) {
     SolvedMass<T>& mass = solution.masses[k];
     mass.error_bound = error;
     T largest(0);
@@ -53,6 +53,7 @@ void set_errors(HeldSolution<T>& solution, std::size_t k, const T& error) {
     }
     mass.phase_error =
         error < mass.amplitude ? T(asin(T(error / mass.amplitude)) + 4 * std::numeric_limits<T>::epsilon()) : pi<T>();
+    if (only && k != only->index) return;
     solution.relative =
         std::max({solution.relative, static_cast<double>(T(mass.amplitude > 0 ? T(error / mass.amplitude) : T(1))),
                   static_cast<double>(mass.phase_error)});
@@ -60,7 +61,8 @@ void set_errors(HeldSolution<T>& solution, std::size_t k, const T& error) {
 
 } // namespace
 
-HeldSolution<double> held_solution(const Scene<double>& scene, const StuckConfiguration<double>& stuck) {
+HeldSolution<double> held_solution(const Scene<double>& scene, const StuckConfiguration<double>& stuck,
+                                   std::optional<Mass> only) {
     constexpr double epsilon = std::numeric_limits<double>::epsilon();
     Held<double> all = held(scene, stuck);
     HeldSolution<double>& solution = all.solution;
@@ -84,7 +86,7 @@ HeldSolution<double> held_solution(const Scene<double>& scene, const StuckConfig
         if (!error.allFinite()) throw DomainError("the load excites a resonance of the system with the contact held");
         for (Eigen::Index i = 0; i < n; ++i) {
             const auto m = static_cast<std::size_t>(i);
-            set_errors(solution, stuck.masses[m].index, error(i));
+            set_errors(solution, stuck.masses[m].index, error(i), only);
             load_error +=
                 (abs(stuck.k_j[m]) + r * abs(stuck.c_j[m]) + r * r * abs(stuck.m_j[m])) * (error(i) + rounding * size(i));
         }
@@ -94,7 +96,7 @@ HeldSolution<double> held_solution(const Scene<double>& scene, const StuckConfig
 }
 
 template <class T, class Wide>
-HeldSolution<T> held_solution(const Scene<T>& scene, const Scene<Wide>& wide_scene) {
+HeldSolution<T> held_solution(const Scene<T>& scene, const Scene<Wide>& wide_scene, std::optional<Mass> only) {
     constexpr int ulps = 4;
     Held<T> all = held(scene, stuck_of(scene));
     const Held<Wide> wide = held(wide_scene, stuck_of(wide_scene));
@@ -104,7 +106,7 @@ HeldSolution<T> held_solution(const Scene<T>& scene, const Scene<Wide>& wide_sce
         const Complex<Wide>& W = wide.response.masses[k].X;
         const Wide apart = modulus(Complex<Wide>{Wide(Wide(X.re) - W.re), Wide(Wide(X.im) - W.im)});
         if (k == scene.system.contact.index) continue;
-        set_errors(solution, k, T(T(2 * apart) + ulps * std::numeric_limits<T>::epsilon() * solution.masses[k].amplitude));
+        set_errors(solution, k, T(T(2 * apart) + ulps * std::numeric_limits<T>::epsilon() * solution.masses[k].amplitude), only);
     }
     const Wide apart = abs(Wide(Wide(solution.rest_interval.to) - wide.solution.rest_interval.to));
     solution.rest_interval.error_bound = T(2 * apart) + ulps * std::numeric_limits<T>::epsilon() * solution.rest_interval.to;
@@ -122,8 +124,8 @@ std::optional<T> sticking_by_88(const Scene<T>& scene) {
     }
 }
 
-template HeldSolution<double> held_solution(const Scene<double>&, const Scene<Real50>&);
-template HeldSolution<Real50> held_solution(const Scene<Real50>&, const Scene<Real100>&);
+template HeldSolution<double> held_solution(const Scene<double>&, const Scene<Real50>&, std::optional<Mass>);
+template HeldSolution<Real50> held_solution(const Scene<Real50>&, const Scene<Real100>&, std::optional<Mass>);
 template std::optional<double> sticking_by_88(const Scene<double>&);
 template std::optional<Real50> sticking_by_88(const Scene<Real50>&);
 template std::optional<Real100> sticking_by_88(const Scene<Real100>&);

@@ -19,18 +19,22 @@ struct HeldSolution {
 /// @eq{88}
 /// @param scene  the scene, with r and beta at or above the boundary of permanent sticking
 /// @param stuck  its stuck configuration
+/// @param only   the one mass whose errors count; none for all
 /// @return       the response for rest at zero
 /// @throws       DomainError where the load excites the resonance of an undamped stuck mode
-[[nodiscard]] HeldSolution<double> held_solution(const Scene<double>& scene, const StuckConfiguration<double>& stuck);
+[[nodiscard]] HeldSolution<double> held_solution(const Scene<double>& scene, const StuckConfiguration<double>& stuck,
+                                                 std::optional<Mass> only = std::nullopt);
 
 /// @brief The stuck response with errors measured against a wider number type.
 /// @eq{88}
 /// @param scene  the scene
 /// @param wide   the scene in the wider type
+/// @param only   as above
 /// @return       the response for rest at zero
 /// @throws       as above
 template <class T, class Wide>
-[[nodiscard]] HeldSolution<T> held_solution(const Scene<T>& scene, const Scene<Wide>& wide);
+[[nodiscard]] HeldSolution<T> held_solution(const Scene<T>& scene, const Scene<Wide>& wide,
+                                            std::optional<Mass> only = std::nullopt);
 
 /// @brief The boundary of permanent sticking by (88) as printed.
 /// @eq{88}

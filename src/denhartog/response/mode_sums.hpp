@@ -35,7 +35,7 @@ struct ModeSums {
 
 /// @brief Evaluates the modes at a frequency ratio and sums them.
 /// @eq{22,23,28,29,33,34,35,64,65}
-/// @param basis    modal basis of the system, N modes
+/// @param basis    modal basis of the system, N modes; with the shapes at a few masses alone, masses are counted among these
 /// @param contact  the mass in contact, j
 /// @param load     the loaded mass, l
 /// @param r        frequency ratio, Eq. (10); positive
@@ -89,5 +89,8 @@ template <class T>
 /// @brief Number of modes evaluated since the program started; tests gate on it.
 /// @return the count, over all number types
 [[nodiscard]] long mode_evaluations();
+
+/// @brief Counts modes that were evaluated elsewhere. @param modes how many
+void count_mode_evaluations(long modes);
 
 } // namespace denhartog

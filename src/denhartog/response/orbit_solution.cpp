@@ -51,15 +51,21 @@ T acceleration_at_extremum(OnOrbit<T>& orbit, std::size_t k, const MassMotion<T>
 } // namespace
 
 template <class T>
-OrbitSolution<T> orbit_solution(ExactSolver<T>& solver, const PeriodicOrbit<T>& orbit) {
+OrbitSolution<T> orbit_solution(ExactSolver<T>& solver, const PeriodicOrbit<T>& orbit, std::optional<Mass> only) {
     const T period = 2 * orbit.periods * pi<T>();
     OnOrbit<T> on_orbit(solver, solver.run(orbit.start, T(0), period), period);
     const T fastest = std::max(T(1), T(solver.system().basis.r_n.back() / solver.excitation().r));
-    T largest(0);
+    const std::size_t N = orbit.start.x.size(), j = solver.system().contact.index;
+    T largest = orbit.contact.amplitude; // of the other masses the state at the start, where their maxima were not sought
+    for (const T& x : orbit.start.x) largest = std::max(largest, T(abs(x)));
     for (const MassMotion<T>& mass : orbit.masses) largest = std::max(largest, mass.amplitude);
     OrbitSolution<T> solution;
-    for (std::size_t k = 0; k < orbit.masses.size(); ++k) {
-        const MassMotion<T>& mass = orbit.masses[k];
+    for (std::size_t k = 0; k < N; ++k) {
+        if (only && k != only->index) {
+            solution.masses.push_back({T(0), std::nullopt, T(0), T(0), std::nullopt});
+            continue;
+        }
+        const MassMotion<T>& mass = k == j ? orbit.contact : orbit.masses[k];
         const T rounding = std::numeric_limits<T>::epsilon() * (16 * largest);
         if (mass.amplitude <= orbit.error_bound + rounding && orbit.error_bound <= 64 * rounding) {
             solution.masses.push_back({mass.amplitude, std::nullopt, orbit.error_bound, T(0), std::nullopt}); // it does not move
@@ -83,8 +89,8 @@ Stability stability_of(const PeriodicOrbit<T>& orbit) {
     return stability;
 }
 
-template OrbitSolution<double> orbit_solution(ExactSolver<double>&, const PeriodicOrbit<double>&);
-template OrbitSolution<Real50> orbit_solution(ExactSolver<Real50>&, const PeriodicOrbit<Real50>&);
+template OrbitSolution<double> orbit_solution(ExactSolver<double>&, const PeriodicOrbit<double>&, std::optional<Mass>);
+template OrbitSolution<Real50> orbit_solution(ExactSolver<Real50>&, const PeriodicOrbit<Real50>&, std::optional<Mass>);
 template Stability stability_of(const PeriodicOrbit<double>&);
 template Stability stability_of(const PeriodicOrbit<Real50>&);
 

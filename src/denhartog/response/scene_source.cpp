@@ -51,6 +51,18 @@ SceneSource scene_source(const Scene<double>& scene) {
     return source_of([scene]<class T>(T) { return converted<T>(scene); });
 }
 
+SceneSource at_point(const SceneSource& source, double r, double beta) {
+    const auto moved = [r, beta](const auto& read) {
+        return [read, r, beta] {
+            auto scene = read();
+            scene.r = r;
+            scene.beta = beta;
+            return scene;
+        };
+    };
+    return {moved(source.in_double), moved(source.in_long_double), moved(source.in_50_digits), moved(source.in_100_digits)};
+}
+
 SceneSource without_friction_ratio(const SceneSource& source) {
     const auto without = [](const auto& read) {
         return [read] {

@@ -33,6 +33,10 @@ struct SceneSource {
 template <class T>
 [[nodiscard]] Scene<T> converted(const Scene<double>& scene);
 
+/// @brief The same scene at another point. @param source a scene @param r frequency ratio @param beta friction ratio
+/// @return the source: r and beta are these doubles in every number type
+[[nodiscard]] SceneSource at_point(const SceneSource& source, double r, double beta);
+
 /// @brief The same scene with the friction ratio left out: its boundary is asked for, not its regime.
 /// @param source  a scene
 /// @return        the source

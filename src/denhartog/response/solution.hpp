@@ -26,6 +26,7 @@ struct Question {
     Asked asked = Asked::motion; ///< what is asked
     std::optional<int> digits;   ///< significant digits; without, 6 are aimed at
     bool all = false;            ///< whether other motions are looked for, from seeded starts and sweeps
+    std::optional<Mass> mass{};  ///< the one mass that is asked about: others have no digits and are not listed; none for all
 };
 
 /// @brief What a mass does in the steady motion.
@@ -62,7 +63,8 @@ struct Solved {
     std::optional<Boundary<T>> boundary{};          ///< the boundary at r, where it was computed
     std::optional<T> slides_below{};                ///< what it is not below, where that was enough
     std::optional<T> sticking_by_88{};              ///< the boundary of permanent sticking by (88) as printed, for chains
-    std::vector<SolvedMass<T>> masses{};            ///< N; empty where the regime alone was asked for
+    std::vector<SolvedMass<T>> masses{};            ///< N, or one; empty where the regime alone was asked for
+    std::optional<Mass> only{};                     ///< the one mass listed, where one was asked about
     std::vector<Stop<T>> stops{};                   ///< stops of the contact within the period of the motion
     std::optional<State<T>> start{};                ///< the state at the maximum of the force, where the exact solver answered
     std::optional<RestInterval<T>> rest_interval{}; ///< in permanent sticking

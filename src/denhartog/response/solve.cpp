@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "denhartog/errors.hpp"
+#include "denhartog/model/point_rules.hpp"
 #include "denhartog/response/orbit_solution.hpp"
 #include "denhartog/response/other_motions.hpp"
 #include "denhartog/response/solve_task.hpp"
@@ -13,13 +14,13 @@ namespace {
 
 Work work_so_far() { return {eigen_solves(), mode_evaluations(), phases_propagated()}; }
 
-void say_whether_unique(const SolveTask& task, Solution& s) {
-    const bool damped = std::ranges::all_of(task.basis.zeta, [](double zeta) { return zeta > 0; });
-    s.unique = task.scene.mu == 1 && damped;
+void say_whether_unique(const std::vector<double>& damping_ratios, double mu, Solution& s) {
+    const bool damped = std::ranges::all_of(damping_ratios, [](double zeta) { return zeta > 0; });
+    s.unique = mu == 1 && damped;
     if (s.unique)
         s.unique_because =
             "mu = 1 and every mode is damped: the velocities of any two motions under the same force become the same";
-    else if (task.scene.mu > 1)
+    else if (mu > 1)
         s.unique_because = "not known: with mu > 1 the motion may depend on the start; this is the one from rest";
     else
         s.unique_because = "not known: a mode has no damping, and the motion may depend on the start";
@@ -49,10 +50,12 @@ void set_regime(const SolveTask& task, Regime met, const std::string& reason, So
 // The motion from rest by the exact solver; the closed form or the stuck response give the numbers where it leads there.
 void answer_from_rest(const SolveTask& task, const std::string& followed, Solution& s) {
     const bool regime_alone = task.question.asked == Asked::regime;
-    const ContactSystem<double> system = contact_system(task.scene.system);
+    const std::shared_ptr<const ContactSystem<double>> moving =
+        task.moving ? task.moving : std::make_shared<const ContactSystem<double>>(contact_system(task.scene.system));
+    const ContactSystem<double>& system = *moving;
     ExactSolver<double> solver(system, {*task.scene.r, *task.scene.beta, task.scene.mu});
     OrbitSearch<double> how;
-    how.contact_only = regime_alone;
+    how.contact_only = regime_alone || task.question.mass == system.contact;
     how.with_stability = task.question.asked == Asked::motion;
     const PeriodicOrbit<double> orbit = periodic_orbit(solver, at_rest<double>(task.basis.r_n.size()), how);
     if (orbit.status == OrbitStatus::not_converged) {
@@ -82,7 +85,7 @@ void answer_from_rest(const SolveTask& task, const std::string& followed, Soluti
 void climb(SolveTask& task, Solution& s) {
     const bool alone = task.question.asked == Asked::regime;
     const bool few = task.question.asked == Asked::amplitude || task.question.asked == Asked::phase;
-    if (few && task.scene.mu == 1 && answer_by_few_modes(task, s)) return;
+    if (few && task.scene.mu == 1 && !task.contact_tried && answer_by_few_modes(task, s)) return;
     find_boundary(task);
     const std::string followed = "the start from rest was followed; ";
     if (task.pole) {
@@ -99,23 +102,60 @@ void climb(SolveTask& task, Solution& s) {
     }
 }
 
-} // namespace
+// Of all masses the one that was asked about.
+template <class Numbers>
+void keep(const Mass& mass, Numbers& numbers) {
+    if (numbers.masses.empty()) return;
+    numbers.masses = {numbers.masses[mass.index]};
+    numbers.only = mass;
+}
 
-Solution solve(const SceneSource& source, const Question& question) {
-    const Work before = work_so_far();
-    SolveTask task = solve_task(source, question);
+void keep_asked_mass(const Question& question, Solution& s) {
+    if (!question.mass) return;
+    std::visit(
+        [&](auto& numbers) {
+            if (!numbers.only) keep(*question.mass, numbers);
+        },
+        s.numbers);
+    for (OtherMotion& motion : s.motions) motion.masses = {motion.masses[question.mass->index]};
+}
+
+Solution solve_at(const PreparedSystem& p, const SolvePoint& at, const Question& question, const Work& before) {
     Solution s;
     s.asked = question.asked;
-    say_whether_unique(task, s);
-    climb(task, s);
-    if (question.digits && !(s.relative_error <= task.tolerance))
-        throw PrecisionError("the " + task.aim + " are not reached, only " + std::to_string(digits_of(s.relative_error)) +
-                             " are sure");
-    if (question.all) s.motions = other_motions(task.scene);
+    if (answer_by_contact(p, at, question, s)) {
+        say_whether_unique(p.scene.system.damping_ratios, p.scene.mu, s);
+    } else {
+        SolveTask task = solve_task(p, at, question);
+        say_whether_unique(task.basis.zeta, p.scene.mu, s);
+        climb(task, s);
+        if (question.digits && !(s.relative_error <= task.tolerance))
+            throw PrecisionError("the " + task.aim + " are not reached, only " + std::to_string(digits_of(s.relative_error)) +
+                                 " are sure");
+        if (question.all) s.motions = other_motions(task.scene);
+        keep_asked_mass(question, s);
+    }
     const Work after = work_so_far();
     s.work = {after.eigen_solves - before.eigen_solves, after.mode_evaluations - before.mode_evaluations,
               after.phases_propagated - before.phases_propagated};
     return s;
+}
+
+} // namespace
+
+Solution solve(const SceneSource& source, const Question& question) {
+    const Work before = work_so_far();
+    const PreparedSystem p = prepare(source, question);
+    if (!p.scene.r) throw InputError("r", "must be given", "nothing");
+    if (!p.scene.beta) throw InputError("beta", "must be given", "nothing");
+    return solve_at(p, {*p.scene.r, *p.scene.beta, &source}, question, before);
+}
+
+Solution solve(const PreparedSystem& system, double r, double beta, const Question& question) {
+    check(question, number_of_masses(system.scene.system));
+    check_frequency_ratio(r);
+    check_friction_ratio(beta);
+    return solve_at(system, {r, beta, nullptr}, question, work_so_far());
 }
 
 } // namespace denhartog

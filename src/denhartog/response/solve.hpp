@@ -1,7 +1,10 @@
 /// @file
 /// @brief `solve`: the answer in every regime by the cheapest model that is certain to have the digits asked for.
 ///
-/// The models, cheapest first:
+/// The models, cheapest first; where the contact alone is asked about, amplitude or phase, another stands before them: the closed
+/// form of the contact in double with bounds at the cost of the modes, see `contact_modes.hpp`, with the modes of long double where
+/// that is needed, then with errors measured in 50 and 100 digits. Of any other one mass the same models answer, and no other mass
+/// must have the digits.
 ///  1. the closed form in double with error bounds known beforehand, on the modes that matter where amplitudes or phases alone
 ///     are asked for: the others by their static displacement, motions but that of the contact by their first harmonic, all of it
 ///     with bounds of what is left out;
@@ -14,7 +17,7 @@
 /// start from rest, and where that leads into the closed form or the stuck response these give the numbers.
 #pragma once
 
-#include "denhartog/response/solution.hpp"
+#include "denhartog/response/prepared_system.hpp"
 
 namespace denhartog {
 
@@ -25,5 +28,14 @@ namespace denhartog {
 /// @throws          InputError for a bad scene or question; DomainError at a pole of a mode without damping; PrecisionError where
 ///                  no model reaches the digits asked for or no steady motion is found
 [[nodiscard]] Solution solve(const SceneSource& source, const Question& question);
+
+/// @brief The same at any point of a system that is prepared: `solve` of a scene is nothing but both.
+/// @param system    the system, from `prepare`
+/// @param r         frequency ratio, Eq. (10)
+/// @param beta      friction ratio, Eq. (11)
+/// @param question  what is asked; another one than was prepared for is answered as well
+/// @return          the answer; its work is that of this point
+/// @throws          as above
+[[nodiscard]] Solution solve(const PreparedSystem& system, double r, double beta, const Question& question);
 
 } // namespace denhartog

@@ -31,7 +31,7 @@ void write_closed_form(const SolveTask& task, const Response<T>& response, Solut
 bool take_bounded(SolveTask& task, BoundedModes& modes, const std::string& before) {
     try {
         const bool with_motion = task.question.asked != Asked::regime || task.scene.mu > 1;
-        const BoundedResponse bounded = bounded_response(task.scene, modes, with_motion);
+        const BoundedResponse bounded = bounded_response(task.scene, modes, with_motion, task.question.mass);
         if (!(bounded.relative <= task.tolerance) || bounded.response.regime->on_boundary) return false;
         task.phase_error = bounded.phase_error;
         const bool slides = bounded.response.steady_state.has_value();
@@ -54,7 +54,7 @@ bool answer_by_few_modes(SolveTask& task, Solution& s) {
     if (task.wanted > most_digits_few_modes || !task.modes) return false;
     std::optional<FewModesSolution> few;
     try {
-        few = few_modes_solution(task.scene, *task.modes, task.wanted, task.question.asked == Asked::phase);
+        few = few_modes_solution(task.scene, *task.modes, task.wanted, task.question.asked == Asked::phase, task.question.mass);
     } catch (const DomainError&) {
         return false; // the next rung says where the pole is
     }
@@ -64,8 +64,7 @@ bool answer_by_few_modes(SolveTask& task, Solution& s) {
     numbers.slides_below = few->slides_below;
     numbers.masses = std::move(few->masses);
     s.numbers = std::move(numbers);
-    s.regime = {
-        Regime::continuous, {}, false, "beta is below a lower bound of beta_lim, Eq. (69): the contact slides throughout"};
+    s.regime = {Regime::continuous, {}, false, certainly_slides};
     std::string why = "the bound of rounding and of what is left out, known beforehand, leaves the " + task.aim;
     if (few->modes < N)
         why = std::to_string(few->modes) + " of " + std::to_string(N) + " modes, the others by their static displacement; " + why;
@@ -85,7 +84,7 @@ void find_boundary(SolveTask& task) {
         count_precision_step();
     }
     try {
-        task.found = answer(task.source, task.question.digits);
+        task.found = answer(task.source, task.question.digits, task.question.mass);
     } catch (const DomainError& e) {
         task.pole = e.what();
     }

@@ -58,11 +58,12 @@ bool answer_in_50_digits(const SolveTask& task, const PeriodicOrbit<double>& nea
     how.periods_before = near.periods;
     how.follow_start = false;
     how.with_stability = false;
+    how.contact_only = task.question.mass == system.contact;
     PeriodicOrbit<Real50> orbit = periodic_orbit(solver, start, how);
     if (orbit.status != OrbitStatus::periodic || orbit.periods != near.periods || orbit.symmetric != near.symmetric ||
         orbit.stops.size() != near.stops.size())
         return false;
-    const OrbitSolution<Real50> solution = orbit_solution(solver, orbit);
+    const OrbitSolution<Real50> solution = orbit_solution(solver, orbit, task.question.mass);
     if (!(relative_error(task, solution) <= task.tolerance)) return false;
     orbit.multipliers = near.multipliers;
     orbit.stable = near.stable;
@@ -74,24 +75,26 @@ bool answer_in_50_digits(const SolveTask& task, const PeriodicOrbit<double>& nea
 
 void answer_by_stuck_response(const SolveTask& task, std::optional<double> rests_at, Solution& s) {
     if (task.wanted <= most_digits_in_double && !task.scene.system.damping_ratios.empty()) {
-        const HeldSolution<double> held = held_solution(task.scene, stuck_configuration(task.scene.system, task.basis));
+        const HeldSolution<double> held =
+            held_solution(task.scene, task.moving ? task.moving->stuck : stuck_configuration(task.scene.system, task.basis),
+                          task.question.mass);
         if (held.relative <= task.tolerance)
             return write_held(task, held, rests_at,
                               "what it leaves over in the equations of motion bounds its error: it has the " + task.aim, s);
     }
     if (task.wanted <= most_digits_in_double) {
-        const HeldSolution<double> held = held_solution(task.scene, task.source.in_50_digits());
+        const HeldSolution<double> held = held_solution(task.scene, task.source.in_50_digits(), task.question.mass);
         if (held.relative <= task.tolerance)
             return write_held(task, held, rests_at, "checked in 50 digits: it has the " + task.aim, s);
     }
-    const HeldSolution<Real50> held = held_solution(task.source.in_50_digits(), task.source.in_100_digits());
+    const HeldSolution<Real50> held = held_solution(task.source.in_50_digits(), task.source.in_100_digits(), task.question.mass);
     const std::string verdict = held.relative <= task.tolerance ? "it has the " : "it has not the ";
     write_held(task, held, rests_at, "checked in 100 digits: " + verdict + task.aim, s);
 }
 
 void answer_by_orbit(const SolveTask& task, ExactSolver<double>& solver, const PeriodicOrbit<double>& orbit,
                      const std::string& followed, Solution& s) {
-    const OrbitSolution<double> solution = orbit_solution(solver, orbit);
+    const OrbitSolution<double> solution = orbit_solution(solver, orbit, task.question.mass);
     const double error = relative_error(task, solution);
     if (task.wanted <= most_digits_in_double && error <= task.tolerance)
         return write_orbit(task, orbit, solution, followed + "the residual bounds the error: it has the " + task.aim, s);

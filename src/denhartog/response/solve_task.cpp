@@ -9,8 +9,6 @@
 namespace denhartog {
 namespace {
 
-std::string in_words(int digits) { return std::to_string(digits) + (digits == 1 ? " digit" : " digits"); }
-
 template <class To, class From>
 Boundary<To> converted(const Boundary<From>& b) {
     if constexpr (std::is_same_v<To, From>) {
@@ -35,22 +33,65 @@ Regime regime_by_56(Boundary<T> b, const T& beta) {
 
 } // namespace
 
-SolveTask solve_task(const SceneSource& source, const Question& question) {
-    const int wanted = question.digits.value_or(digits_by_default);
-    if (wanted < 1 || wanted > most_digits)
-        throw InputError("digits", "must be from 1 to " + std::to_string(most_digits), std::to_string(wanted));
-    const Scene<double> scene = source.in_double();
-    check(scene);
-    if (!scene.r) throw InputError("r", "must be given", "nothing");
-    if (!scene.beta) throw InputError("beta", "must be given", "nothing");
-    SolveTask task{source,
+template <>
+PointIn<double> point_in(const SolvePoint& at) {
+    return {at.r, at.beta};
+}
+
+template <>
+PointIn<long double> point_in(const SolvePoint& at) {
+    if (!at.source) return {at.r, at.beta};
+    const Scene<long double> scene = at.source->in_long_double();
+    return {*scene.r, *scene.beta};
+}
+
+template <>
+PointIn<Real50> point_in(const SolvePoint& at) {
+    if (!at.source) return {Real50(at.r), Real50(at.beta)};
+    const Scene<Real50> scene = at.source->in_50_digits();
+    return {*scene.r, *scene.beta};
+}
+
+template <>
+PointIn<Real100> point_in(const SolvePoint& at) {
+    if (!at.source) return {Real100(at.r), Real100(at.beta)};
+    const Scene<Real100> scene = at.source->in_100_digits();
+    return {*scene.r, *scene.beta};
+}
+
+template <>
+System<long double> system_in(const PreparedSystem& p) {
+    return p.source.in_long_double().system;
+}
+
+template <>
+System<Real50> system_in(const PreparedSystem& p) {
+    return p.source.in_50_digits().system;
+}
+
+template <>
+System<Real100> system_in(const PreparedSystem& p) {
+    return p.source.in_100_digits().system;
+}
+
+SolveTask solve_task(const PreparedSystem& p, const SolvePoint& at, const Question& question) {
+    const Aim aim = aim_of(question);
+    Scene<double> scene = p.scene;
+    scene.r = at.r;
+    scene.beta = at.beta;
+    SolveTask task{at.source ? *at.source : at_point(p.source, at.r, at.beta),
                    question,
-                   scene,
-                   modal_basis(scene.system),
-                   wanted,
-                   in_words(wanted) + (question.digits ? " asked for" : " aimed at"),
-                   std::pow(10.0, -wanted)};
-    if (!scene.system.damping_ratios.empty()) task.modes.emplace(scene, task.basis);
+                   std::move(scene),
+                   p.basis ? *p.basis : modal_basis(p.scene.system),
+                   aim.digits,
+                   in_words(aim),
+                   aim.tolerance};
+    task.moving = p.moving;
+    task.contact_tried = p.contact && !p.contact->modes.empty() && asks_for_contact(question, p.scene.system.contact);
+    if (p.bounded)
+        task.modes.emplace(p.bounded, as_input(at.r));
+    else if (!p.scene.system.damping_ratios.empty())
+        task.modes.emplace(task.scene, task.basis);
     return task;
 }
 

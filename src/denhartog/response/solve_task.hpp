@@ -4,9 +4,44 @@
 
 #include "denhartog/integration/periodic_orbit.hpp"
 #include "denhartog/response/bounded_response.hpp"
+#include "denhartog/response/prepared_system.hpp"
 #include "denhartog/response/solution.hpp"
 
 namespace denhartog {
+
+/// @brief The point asked about.
+struct SolvePoint {
+    double r;                  ///< frequency ratio
+    double beta;               ///< friction ratio
+    const SceneSource* source; ///< where both are to be had in every number type; null where the doubles are what is meant
+};
+
+/// @brief The point in a number type.
+template <class T>
+struct PointIn {
+    T r;    ///< frequency ratio
+    T beta; ///< friction ratio
+};
+
+/// @brief The point in a number type. @param at the point @return r and beta
+template <class T>
+[[nodiscard]] PointIn<T> point_in(const SolvePoint& at);
+
+/// @brief The system in a number type. @param p the system prepared @return it
+template <class T>
+[[nodiscard]] System<T> system_in(const PreparedSystem& p);
+
+/// @brief What is said where a lower bound of (69) tells the regime.
+inline constexpr const char* certainly_slides =
+    "beta is below a lower bound of beta_lim, Eq. (69): the contact slides throughout";
+
+/// @brief Amplitude or phase of the contact alone, in the sliding regime at mu = 1: the cheapest rung.
+/// @param p         the system, prepared for such a question
+/// @param at        the point
+/// @param question  the question
+/// @param s         gets the answer
+/// @return          false where something else is asked, this has not the digits, or sliding is not certain
+[[nodiscard]] bool answer_by_contact(const PreparedSystem& p, const SolvePoint& at, const Question& question, Solution& s);
 
 /// @brief A question to a scene, prepared.
 struct SolveTask {
@@ -21,14 +56,17 @@ struct SolveTask {
     Answer found{};                      ///< boundary, regime and closed form, to the digits wanted
     std::optional<std::string> pole{};   ///< why there is none of these
     std::vector<double> phase_error{};   ///< of the closed form, where its bounds were known beforehand
+    bool contact_tried = false;          ///< whether the rung of the contact alone was tried: few modes do no better
+    std::shared_ptr<const ContactSystem<double>> moving{}; ///< for the exact solver; none where it is still to be prepared
 };
 
 /// @brief Prepares a question.
-/// @param source    the scene, with r and beta
-/// @param question  what is asked
+/// @param p         the system, prepared
+/// @param at        the point
+/// @param question  what is asked; checked
 /// @return          the task, without its boundary
-/// @throws          InputError for a bad scene or question
-[[nodiscard]] SolveTask solve_task(const SceneSource& source, const Question& question);
+/// @throws          as `modal_basis` where the basis is not there yet
+[[nodiscard]] SolveTask solve_task(const PreparedSystem& p, const SolvePoint& at, const Question& question);
 
 /// @brief The scene in a number type. @param task the task @return the scene
 template <class T>

@@ -148,20 +148,20 @@ SteadyState<T> steady_state_without_maxima(const ModeSums<T>& s, const T& beta) 
 }
 
 template <class T>
-SteadyState<T> steady_state(const ModeSums<T>& s, const RegimeBoundary<T>& boundary, const T& beta) {
+SteadyState<T> steady_state(const ModeSums<T>& s, const RegimeBoundary<T>& boundary, const T& beta, std::optional<Mass> only) {
     check_sliding(boundary, beta);
     SteadyState<T> state = steady_state_without_maxima(s, beta);
     FrictionMotions<T> y(s, 0, s.R.size());
     for (std::size_t k = 0; k < state.masses.size(); ++k)
-        if (k != s.contact.index) find_maximum(s, y, state, k);
+        if (k != s.contact.index && (!only || k == only->index)) find_maximum(s, y, state, k);
     return state;
 }
 
 template <class T>
-SteadyState<T> steady_state_at(const ModeSums<T>& s, const T& beta, const std::vector<T>& instants) {
+SteadyState<T> steady_state_at(const ModeSums<T>& s, const T& beta, const std::vector<T>& instants, std::optional<Mass> only) {
     SteadyState<T> state = steady_state_without_maxima(s, beta);
     for (std::size_t k = 0; k < state.masses.size(); ++k) {
-        if (k == s.contact.index) continue;
+        if (k == s.contact.index || (only && k != only->index)) continue;
         MassResponse<T>& m = state.masses[k];
         const std::vector<T> weights = friction_weights(s, k);
         T instant = instants[k];
@@ -203,17 +203,24 @@ template double wrapped(const double&);
 template long double wrapped(const long double&);
 template Real50 wrapped(const Real50&);
 template Real100 wrapped(const Real100&);
-template SteadyState<double> steady_state(const ModeSums<double>&, const RegimeBoundary<double>&, const double&);
+template SteadyState<double> steady_state(const ModeSums<double>&, const RegimeBoundary<double>&, const double&,
+                                          std::optional<Mass>);
 template SteadyState<long double> steady_state(const ModeSums<long double>&, const RegimeBoundary<long double>&,
-                                               const long double&);
-template SteadyState<Real50> steady_state(const ModeSums<Real50>&, const RegimeBoundary<Real50>&, const Real50&);
-template SteadyState<Real100> steady_state(const ModeSums<Real100>&, const RegimeBoundary<Real100>&, const Real100&);
-template SteadyState<double> steady_state_at(const ModeSums<double>&, const double&, const std::vector<double>&);
+                                               const long double&, std::optional<Mass>);
+template SteadyState<Real50> steady_state(const ModeSums<Real50>&, const RegimeBoundary<Real50>&, const Real50&,
+                                          std::optional<Mass>);
+template SteadyState<Real100> steady_state(const ModeSums<Real100>&, const RegimeBoundary<Real100>&, const Real100&,
+                                           std::optional<Mass>);
+template SteadyState<double> steady_state_at(const ModeSums<double>&, const double&, const std::vector<double>&,
+                                             std::optional<Mass>);
 template SteadyState<long double> steady_state_at(const ModeSums<long double>&, const long double&,
-                                                  const std::vector<long double>&);
-template SteadyState<Real50> steady_state_at(const ModeSums<Real50>&, const Real50&, const std::vector<Real50>&);
-template SteadyState<Real100> steady_state_at(const ModeSums<Real100>&, const Real100&, const std::vector<Real100>&);
-template SteadyState<Bounded> steady_state_at(const ModeSums<Bounded>&, const Bounded&, const std::vector<Bounded>&);
+                                                  const std::vector<long double>&, std::optional<Mass>);
+template SteadyState<Real50> steady_state_at(const ModeSums<Real50>&, const Real50&, const std::vector<Real50>&,
+                                             std::optional<Mass>);
+template SteadyState<Real100> steady_state_at(const ModeSums<Real100>&, const Real100&, const std::vector<Real100>&,
+                                              std::optional<Mass>);
+template SteadyState<Bounded> steady_state_at(const ModeSums<Bounded>&, const Bounded&, const std::vector<Bounded>&,
+                                              std::optional<Mass>);
 template SteadyState<Bounded> steady_state_without_maxima(const ModeSums<Bounded>&, const Bounded&);
 template SteadyState<Real50> steady_state_without_maxima(const ModeSums<Real50>&, const Real50&);
 template SteadyState<Real100> steady_state_without_maxima(const ModeSums<Real100>&, const Real100&);

@@ -43,10 +43,12 @@ struct Motion {
 /// @param sums      modes at a frequency ratio
 /// @param boundary  the boundary there
 /// @param beta      friction ratio, Eq. (11); not negative
+/// @param only      the one mass whose maximum is wanted besides that of the contact; none for all
 /// @return          the steady state
 /// @throws          InputError where beta is negative or not finite; DomainError at and beyond the boundary (69)
 template <class T>
-[[nodiscard]] SteadyState<T> steady_state(const ModeSums<T>& sums, const RegimeBoundary<T>& boundary, const T& beta);
+[[nodiscard]] SteadyState<T> steady_state(const ModeSums<T>& sums, const RegimeBoundary<T>& boundary, const T& beta,
+                                          std::optional<Mass> only = std::nullopt);
 
 /// @brief What the steady state needs no search for: amplitude and phase of the mass in contact, initial values of every mass.
 /// @eq{38,39,44,45,52,53}
@@ -61,10 +63,12 @@ template <class T>
 /// @param sums      modes at a frequency ratio
 /// @param beta      friction ratio, Eq. (11), in the sliding regime
 /// @param instants  where the displacements are largest, to about half the digits of T; N values
+/// @param only      the one mass whose maximum is wanted besides that of the contact; none for all
 /// @return          the steady state; instants corrected by one step of Newton's method
 /// @throws          DomainError where the amplitude (38) is not a positive number
 template <class T>
-[[nodiscard]] SteadyState<T> steady_state_at(const ModeSums<T>& sums, const T& beta, const std::vector<T>& instants);
+[[nodiscard]] SteadyState<T> steady_state_at(const ModeSums<T>& sums, const T& beta, const std::vector<T>& instants,
+                                             std::optional<Mass> only = std::nullopt);
 
 /// @brief Motion of all masses, (41) over the half-period and antisymmetric beyond, its harmonic part by (42), (43) from V_dk and
 /// phi_j: what the initial values have of friction is not added only to be subtracted.
