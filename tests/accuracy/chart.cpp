@@ -61,13 +61,12 @@ std::size_t columns(const std::string& line) {
 }
 
 Work work_of_solve(const ChartScene& scene, int digits) {
-    Work sum;
+    const Question question = question_of_chart(scene.system, digits);
+    const long before = eigen_solves();
+    const PreparedSystem prepared = prepare(scene.system, question);
+    Work sum{eigen_solves() - before, 0, 0};
     for (const ChartPoint& point : scene.points) {
-        Scene<double> asked;
-        asked.system = scene.system;
-        asked.r = point.r;
-        asked.beta = point.beta;
-        const Work work = solve(scene_source(asked), {Asked::amplitude, digits, false}).work;
+        const Work work = solve(prepared, point.r, point.beta, question).work;
         sum.eigen_solves += work.eigen_solves;
         sum.mode_evaluations += work.mode_evaluations;
         sum.phases_propagated += work.phases_propagated;

@@ -6,6 +6,7 @@
 
 #include "denhartog/errors.hpp"
 #include "denhartog/response/solve.hpp"
+#include "tests/speed_accuracy/peers/own_methods.hpp"
 
 namespace denhartog::tests {
 namespace {
@@ -155,19 +156,20 @@ Table failure_table(const std::vector<ChartRow>& rows) {
 }
 
 Table solve_work_table(const std::vector<ChartGround>& grounds) {
-    Table table{
-        "Work of `solve`", {"scene", "digits", "eigenproblems", "modes", "phases", "models"}, {}, "Sums over the points."};
+    Table table{"Work of `solve`",
+                {"scene", "digits", "eigenproblems", "modes", "phases", "models"},
+                {},
+                "Sums over the points, with the setup of the system."};
     for (const ChartGround& ground : grounds)
         for (const int wanted : digits_of_front()) {
-            Work sum;
             std::map<std::string, int> models;
+            const Question question = question_of_chart(ground.scene.system, wanted);
+            const long before = eigen_solves();
+            const PreparedSystem prepared = prepare(ground.scene.system, question);
+            Work sum{eigen_solves() - before, 0, 0};
             for (const ChartPoint& point : ground.scene.points) {
-                Scene<double> scene;
-                scene.system = ground.scene.system;
-                scene.r = point.r;
-                scene.beta = point.beta;
                 try {
-                    const Solution s = solve(scene_source(scene), {Asked::amplitude, wanted, false});
+                    const Solution s = solve(prepared, point.r, point.beta, question);
                     sum.eigen_solves += s.work.eigen_solves;
                     sum.mode_evaluations += s.work.mode_evaluations;
                     sum.phases_propagated += s.work.phases_propagated;

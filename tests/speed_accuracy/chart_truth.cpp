@@ -20,11 +20,11 @@ ChartTruth solved(const System<double>& system, const ChartPoint& point, int dig
     scene.system = system;
     scene.r = point.r;
     scene.beta = point.beta;
-    const Solution s = solve(scene_source(scene), {Asked::amplitude, digits, false});
+    const Solution s = solve(scene_source(scene), {Asked::amplitude, digits, false, system.contact});
     ChartTruth truth;
     truth.regime = s.regime.regime;
     truth.answer.sticks = truth.regime != Regime::continuous;
-    std::visit([&](const auto& n) { set_amplitude(truth.answer, n.masses[system.contact.index].amplitude); }, s.numbers);
+    std::visit([&](const auto& n) { set_amplitude(truth.answer, n.masses.front().amplitude); }, s.numbers);
     return truth;
 }
 

@@ -1,5 +1,5 @@
 /// @file
-/// @brief The mass in contact alone, in the sliding regime: (33)-(39) in double with bounds of their errors at the cost of the modes.
+/// @brief The mass in contact alone, in the sliding regime: (33)-(39) in double with error bounds at the cost of the modes.
 ///
 /// Amplitude and phase of the contact need two rows of the mode shapes and three sums. `Bounded` numbers would follow every
 /// operation; here the functions of a mode are evaluated in double and what the errors of \f$ R_i \f$ and \f$ \zeta_i \f$ make of

@@ -69,6 +69,12 @@ PreparedSystem prepare(const SceneSource& source, const Question& question, Prep
     return p;
 }
 
+PreparedSystem prepare(const System<double>& system, const Question& question, Prepared points) {
+    Scene<double> scene;
+    scene.system = system;
+    return prepare(scene_source(scene), question, points);
+}
+
 template std::vector<Mass> contact_and_load(const System<double>&);
 
 } // namespace denhartog

@@ -72,4 +72,12 @@ template <class T>
 [[nodiscard]] PreparedSystem prepare(const SceneSource& source, const Question& question,
                                      Prepared points = Prepared::sliding_contact);
 
+/// @brief The same of a system in double, mu = 1: the same binary fractions in every number type.
+/// @param system    the system
+/// @param question  what will be asked
+/// @param points    which points are prepared for
+/// @return          the system
+[[nodiscard]] PreparedSystem prepare(const System<double>& system, const Question& question,
+                                     Prepared points = Prepared::sliding_contact);
+
 } // namespace denhartog

@@ -19,6 +19,7 @@ template <class T, class Convert>
                 const auto prepared = std::make_shared<const ContactSystem<T>>(contact_system<T>(convert(system)));
                 const auto solver = std::make_shared<ExactSolver<T>>(*prepared, Excitation<T>{T(1), T(0), T(1)});
                 return [prepared, solver](const ChartPoint& point) {
+                    using std::abs;
                     solver->set({T(point.r), T(point.beta), T(1)});
                     OrbitSearch<T> search;
                     search.contact_only = true;

@@ -64,14 +64,15 @@ Peer paper_algorithm_peer(double tolerance, bool as_needed) {
 
 Peer solve_peer(int digits) {
     return {"solve", std::to_string(digits) + " digits", std::pow(10.0, -digits), [=](const System<double>& system) {
+                const Question question = question_of_chart(system, digits);
+                const auto prepared = std::make_shared<const PreparedSystem>(prepare(system, question));
                 return [=](const ChartPoint& point) {
                     PeerAnswer answer;
                     try {
-                        const Solution s = solve(scene_source(scene_of(system, point)), {Asked::amplitude, digits, false});
+                        const Solution s = solve(*prepared, point.r, point.beta, question);
                         answer.evaluations = s.work.mode_evaluations + s.work.phases_propagated;
                         answer.sticks = s.regime.regime != Regime::continuous;
-                        std::visit([&](const auto& n) { set_amplitude(answer, n.masses[system.contact.index].amplitude); },
-                                   s.numbers);
+                        std::visit([&](const auto& n) { set_amplitude(answer, n.masses.front().amplitude); }, s.numbers);
                     } catch (const PrecisionError&) {
                         answer.ending = Ending::did_not_finish;
                     }
@@ -81,6 +82,8 @@ Peer solve_peer(int digits) {
 }
 
 } // namespace
+
+Question question_of_chart(const System<double>& system, int digits) { return {Asked::amplitude, digits, false, system.contact}; }
 
 std::string tolerance_text(double tolerance) {
     char text[16];

@@ -3,6 +3,7 @@
 /// algorithm, `solve`.
 #pragma once
 
+#include "denhartog/response/solution.hpp"
 #include "tests/speed_accuracy/peers/peer.hpp"
 
 namespace denhartog::tests {
@@ -24,7 +25,13 @@ namespace denhartog::tests {
 /// @return  two peers a tolerance
 [[nodiscard]] std::vector<Peer> paper_algorithm_peers();
 
-/// @brief `solve`, asked for amplitudes to 2, 4, 8, 12, 15 and 30 digits.
+/// @brief What `solve` is asked on the chart, the same as all other methods: the amplitude of the mass in contact.
+/// @param system  the system
+/// @param digits  digits
+/// @return        the question
+[[nodiscard]] Question question_of_chart(const System<double>& system, int digits);
+
+/// @brief `solve` of a prepared system, asked for the amplitude of the contact to 2, 4, 8, 12, 15 and 30 digits.
 /// @return  a peer a number of digits
 [[nodiscard]] std::vector<Peer> solve_peers();
 
