@@ -1,9 +1,9 @@
 /// @file
 /// @brief `solve`: the answer in every regime by the cheapest model that is certain to have the digits asked for.
 ///
-/// The models, cheapest first. Where amplitude or phase of the contact alone is asked about, another stands before them: its closed
-/// form in double with bounds at the cost of the modes, see `contact_modes.hpp`, then with the modes of long double, then with
-/// errors measured in 50 and 100 digits. Of any other one mass the same models answer, and no other mass must have the digits.
+/// The models, cheapest first. Where amplitude or phase of the contact alone is asked about, another stands before them: its
+/// closed form in double with bounds at the cost of the modes, see `contact_modes.hpp`, then with the modes of long double, then
+/// with errors measured in 50 and 100 digits. Of any other one mass the same models answer; no other mass must have the digits.
 ///  1. the closed form in double with error bounds known beforehand, on the modes that matter where amplitudes or phases alone
 ///     are asked for: the others by their static displacement, motions but that of the contact by their first harmonic, all of it
 ///     with bounds of what is left out;
