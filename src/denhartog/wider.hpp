@@ -38,13 +38,19 @@ struct WiderOf<Real50> {
     using type = Real60; ///< the wider type
 };
 
-/// @brief The number type for forms in the library's sine and exponential: the type itself where these are good to a unit.
+/// @brief The number type for (28), (29) and the free motions: the type itself where their roundings stay within four units.
 ///
-/// In 50 digits they are off by several units, of large arguments by thousands.
+/// In float they add up to a little more; in 50 digits the library's sine and exponential alone are off by several units, of
+/// large arguments by thousands.
 /// @tparam T  the number type
 template <class T>
 struct GuardedOf {
     using type = T; ///< the type to evaluate in
+};
+/// @brief Of `float`.
+template <>
+struct GuardedOf<float> {
+    using type = double; ///< the type to evaluate in
 };
 /// @brief Of 50 digits.
 template <>
