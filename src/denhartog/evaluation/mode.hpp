@@ -216,17 +216,29 @@ template <class T>
     return damping_functions_half_angle(R, zeta, h);
 }
 
-/// @brief \f$ u_{di} \f$ and \f$ g_i \f$ as callers get them, with guard digits where the number type's library needs them.
+/// @brief \f$ u_{di} \f$ and \f$ g_i \f$ in a type that need not be the caller's, rounded once.
+/// @eq{28,29}  @derivation{evaluation_forms}  @domain{R > 0, zeta >= 0, but for the poles at zeta = 0}
+/// @tparam Wide  the type to evaluate in
+/// @param R      modal frequency ratio, Eq. (22)
+/// @param zeta   modal damping ratio
+/// @return       u, g
+template <class Wide, class T>
+[[nodiscard]] DampingFunctions<T> damping_functions_in(const T& R, const T& zeta) {
+    const DampingFunctions<Wide> f = selected_damping_functions(Wide(R), Wide(zeta));
+    return {static_cast<T>(f.u), static_cast<T>(f.g)};
+}
+
+/// @brief \f$ u_{di} \f$ and \f$ g_i \f$ as callers get them, with guard digits where the number type's library needs them, and
+/// under heavy damping, where the roundings of w, of the decay and of its square add up to four units.
 /// @eq{28,29}  @derivation{evaluation_forms}  @domain{R > 0, zeta >= 0}
 /// @param R     modal frequency ratio, Eq. (22)
 /// @param zeta  modal damping ratio
 /// @return      u, g; not finite at the poles at zeta = 0, R = 1/n, n odd
 template <class T>
 [[nodiscard]] DampingFunctions<T> damping_functions(const T& R, const T& zeta) {
-    using Guarded = typename GuardedOf<T>::type;
     if (zeta == 0 && at_undamped_pole(R)) return {T(1 / zeta), T(zeta / zeta)};
-    const DampingFunctions<Guarded> f = selected_damping_functions(Guarded(R), Guarded(zeta));
-    return {static_cast<T>(f.u), static_cast<T>(f.g)};
+    if (2 * zeta >= 1 && zeta < 1) return damping_functions_in<typename WiderOf<T>::type>(R, zeta);
+    return damping_functions_in<typename GuardedOf<T>::type>(R, zeta);
 }
 
 /// @brief \f$ v_{di} \f$, \f$ u_{di} \f$ and \f$ g_i \f$: the form that keeps its digits at this place.
