@@ -17,7 +17,7 @@ struct Digits {
     std::array<double, 4> printed, shipped;
 };
 
-Digits digits_at(const Scene<double>& scene, const ContactModes<Real100>& modes, const Real100& X) {
+Digits digits_at(const Scene<double>& scene, const ModesAtContact<Real100>& modes, const Real100& X) {
     const auto printed = [&]<class T>(const T&) {
         return digits_kept(amplitude_of_contact(rounded<T>(modes), Forms::printed), X);
     };
@@ -41,7 +41,7 @@ Found follow(Figure& figure, const ResponsePath& path) {
     Found found;
     for (const int k : path.steps) {
         const Scene<double> scene = path.scene(k);
-        const ContactModes<Real100> modes = path.modes(scene);
+        const ModesAtContact<Real100> modes = path.modes(scene);
         const Real100 X = amplitude_of_contact(modes, Forms::printed);
         const Digits d = digits_at(scene, modes, X);
         const double answered = std::min(16.0, digits_kept(answered_amplitude(scene), X)), x = std::ldexp(1, -k);
@@ -92,7 +92,7 @@ void add_boundary(Figure& figure, Record& record) {
     Table table{"boundary", {"x", "below", "above", "float", "double", "long double", "50 digits"}, {}};
     bool regimes = true;
     double off = 0;
-    const ContactModes<Real100> modes = response_paths::modes_of_chain(single_mass_at(b.exact).in_double());
+    const ModesAtContact<Real100> modes = response_paths::modes_of_chain(single_mass_at(b.exact).in_double());
     for (int e = -1; e >= -19; --e) {
         const Real100 x = pow(Real100(10), e);
         std::vector<double> row{static_cast<double>(x)};
@@ -104,7 +104,7 @@ void add_boundary(Figure& figure, Record& record) {
                 off = std::max(off, std::abs(static_cast<double>(Real100(-side * (s.X - b.X) / (b.slope * x) - 1))) / row[0]);
         }
         const auto plain = [&]<class T>(const T&) {
-            ContactModes<T> m = rounded<T>(modes);
+            ModesAtContact<T> m = rounded<T>(modes);
             m.beta = static_cast<T>(Real100(b.exact * (1 - x)));
             const double difference =
                 static_cast<double>(Real100(abs(Real100(Real100(amplitude_of_contact(m, Forms::printed)) / b.X - 1))));
@@ -148,7 +148,7 @@ void add_chains(Figure& figure, Record& record) {
     Digits at_200{}, near_200{};
     for (const int N : {2, 3, 5, 7, 10, 14, 20, 32, 50, 71, 100, 141, 200}) {
         const Scene<double> scene = chain_of(N, 0, 3, 0), near = chain_of(N, 1, 0.75, 0.125);
-        const ContactModes<Real100> modes = response_paths::modes_of_chain(scene);
+        const ModesAtContact<Real100> modes = response_paths::modes_of_chain(scene);
         const Real100 X = amplitude_of_contact(modes, Forms::printed);
         at_200 = digits_at(scene, modes, X);
         std::vector<double> row{static_cast<double>(N)};
@@ -156,7 +156,7 @@ void add_chains(Figure& figure, Record& record) {
         row.insert(row.end(), at_200.shipped.begin(), at_200.shipped.end());
         table.rows.push_back(row);
         if (N != 100 && N != 200) continue;
-        const ContactModes<Real100> near_modes = response_paths::modes_of_chain(near);
+        const ModesAtContact<Real100> near_modes = response_paths::modes_of_chain(near);
         const Real100 near_X = amplitude_of_contact(near_modes, Forms::printed);
         near_200 = digits_at(near, near_modes, near_X);
         far[N == 200] = static_cast<double>(X), off[N == 200] = std::abs(static_cast<double>(near_X) / endless - 1);

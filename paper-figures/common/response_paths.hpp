@@ -18,7 +18,7 @@ namespace denhartog::figures {
 
 /// @brief What (33)-(35) of the contact are made of: its modes, and where the load and the frequency are.
 template <class T>
-struct ContactModes {
+struct ModesAtContact {
     std::vector<T> r_n;   ///< natural frequency ratios
     std::vector<T> zeta;  ///< modal damping ratios
     std::vector<T> phi_j; ///< mode shapes at the contact
@@ -29,7 +29,7 @@ struct ContactModes {
 
 /// @brief Modes rounded to another type: what an eigen-solve without errors would give.
 template <class T>
-[[nodiscard]] ContactModes<T> rounded(const ContactModes<Real100>& m) {
+[[nodiscard]] ModesAtContact<T> rounded(const ModesAtContact<Real100>& m) {
     const auto all = [](const std::vector<Real100>& x) {
         std::vector<T> y;
         for (const Real100& each : x) y.push_back(static_cast<T>(each));
@@ -43,7 +43,7 @@ enum class Forms { printed, shipped };
 
 /// @brief (38) by plain sums over the modes. @param m the modes @param forms which forms @return amplitude of the contact
 template <class T>
-[[nodiscard]] T amplitude_of_contact(const ContactModes<T>& m, Forms forms) {
+[[nodiscard]] T amplitude_of_contact(const ModesAtContact<T>& m, Forms forms) {
     std::vector<T> R, psi_j, psi_l, u, g;
     std::vector<Complex<T>> v;
     for (std::size_t i = 0; i < m.r_n.size(); ++i) {
@@ -79,7 +79,7 @@ struct ResponsePath {
     std::string name;                                                 ///< of its tables
     std::string words;                                                ///< what falls to zero, and what is fixed
     std::function<Scene<double>(int k)> scene;                        ///< the scene at x = 2^-k, or with k masses
-    std::function<ContactModes<Real100>(const Scene<double>&)> modes; ///< its modes, by a route of their own
+    std::function<ModesAtContact<Real100>(const Scene<double>&)> modes; ///< its modes, by a route of their own
     std::function<Real100(const Scene<double>&)> limit;               ///< what (38) tends to
     std::vector<int> steps;                                           ///< the k of the chart
 };
@@ -100,9 +100,9 @@ namespace response_paths {
 }
 
 /// @brief Modes at contact and load from shapes. @param phi mass by mode
-[[nodiscard]] inline ContactModes<Real100> contact_modes(const Scene<double>& s, const std::vector<Real100>& r_n,
+[[nodiscard]] inline ModesAtContact<Real100> contact_modes(const Scene<double>& s, const std::vector<Real100>& r_n,
                                                          const std::function<Real100(std::size_t k, std::size_t i)>& phi) {
-    ContactModes<Real100> m{r_n, {}, {}, {}, Real100(*s.r), Real100(*s.beta)};
+    ModesAtContact<Real100> m{r_n, {}, {}, {}, Real100(*s.r), Real100(*s.beta)};
     for (std::size_t i = 0; i < r_n.size(); ++i) {
         m.zeta.push_back(Real100(s.system.damping_ratios[i]));
         m.phi_j.push_back(phi(s.system.contact.index, i));
@@ -112,7 +112,7 @@ namespace response_paths {
 }
 
 /// @brief Modes of two masses from the quadratic equation.
-[[nodiscard]] inline ContactModes<Real100> modes_of_two(const Scene<double>& s) {
+[[nodiscard]] inline ModesAtContact<Real100> modes_of_two(const Scene<double>& s) {
     const Real100 gamma(s.system.mass_ratios[1]), kappa(s.system.stiffness_ratios[1]),
         a = 1 + kappa, d = kappa / gamma, b = -kappa / sqrt(gamma), half = (a - d) / 2, root = sqrt(Real100(half * half + b * b)),
         high = (a + d) / 2 + root,
@@ -126,7 +126,7 @@ namespace response_paths {
 }
 
 /// @brief Modes of equal masses and springs: sin(k theta), theta = (2i-1) pi / (2N+1).
-[[nodiscard]] inline ContactModes<Real100> modes_of_chain(const Scene<double>& s) {
+[[nodiscard]] inline ModesAtContact<Real100> modes_of_chain(const Scene<double>& s) {
     const std::size_t N = s.system.mass_ratios.size();
     const Real100 all(static_cast<int>(2 * N + 1));
     const auto theta = [&](std::size_t i) { return Real100(static_cast<int>(2 * i + 1) * pi<Real100>() / all); };
@@ -139,7 +139,7 @@ namespace response_paths {
 
 /// @brief (38) of one mass on a spring of stiffness lambda. @param s scene, for r, beta and zeta @param lambda stiffness ratio
 [[nodiscard]] inline Real100 amplitude_of_one_mass(const Scene<double>& s, int lambda) {
-    const ContactModes<Real100> one{{Real100(sqrt(Real100(lambda)))},
+    const ModesAtContact<Real100> one{{Real100(sqrt(Real100(lambda)))},
                                     {Real100(s.system.damping_ratios[0])},
                                     {Real100(1)},
                                     {Real100(1)},

@@ -16,8 +16,8 @@ struct Sums {
 };
 
 template <class T>
-Sums digits_in(const Scene<double>& scene, const ContactModes<Real100>& modes, const Real100& X) {
-    const ContactModes<T> m = rounded<T>(modes);
+Sums digits_in(const Scene<double>& scene, const ModesAtContact<Real100>& modes, const Real100& X) {
+    const ModesAtContact<T> m = rounded<T>(modes);
     return {digits_kept(amplitude_of_contact(m, Forms::printed), X), digits_kept(amplitude_of_contact(m, Forms::shipped), X),
             digits_kept(amplitude_by_library(converted<T>(scene)), X)};
 }
@@ -27,7 +27,7 @@ struct InTypes {
     Sums in_double, in_long_double, in_50;
 };
 
-InTypes digits_at(const Scene<double>& scene, const ContactModes<Real100>& modes, const Real100& X) {
+InTypes digits_at(const Scene<double>& scene, const ModesAtContact<Real100>& modes, const Real100& X) {
     return {digits_in<double>(scene, modes, X), digits_in<long double>(scene, modes, X), digits_in<Real50>(scene, modes, X)};
 }
 
@@ -70,7 +70,7 @@ TEST_CASE(
     const ResponsePath path = paths_of_two_masses()[0];
     for (const int k : {30, 51, 72, 100}) {
         const Scene<double> scene = path.scene(k);
-        const ContactModes<Real100> modes = path.modes(scene);
+        const ModesAtContact<Real100> modes = path.modes(scene);
         const Real100 X = amplitude_of_contact(modes, Forms::printed);
         const InTypes d = digits_at(scene, modes, X);
         const double lost = k / 2.0 * std::log10(2.0);
@@ -88,7 +88,7 @@ TEST_CASE("a heavy mass costs plain sums no digits", "[eq:33][eq:38][limit][form
     const ResponsePath path = paths_of_two_masses()[1];
     for (const int k : {2, 26, 27, 51, 100}) { // 2^26 and 2^27 are next to 1e8
         const Scene<double> scene = path.scene(k);
-        const ContactModes<Real100> modes = path.modes(scene);
+        const ModesAtContact<Real100> modes = path.modes(scene);
         const Real100 X = amplitude_of_contact(modes, Forms::printed);
         const InTypes d = digits_at(scene, modes, X);
         INFO("gamma_2 = 2^" << k);
@@ -103,7 +103,7 @@ TEST_CASE("a light mass makes the printed forms overflow, and the eigen-solve lo
     const ResponsePath path = paths_of_two_masses()[2];
     for (const int k : {10, 26, 27, 38, 58}) {
         const Scene<double> scene = path.scene(k);
-        const ContactModes<Real100> modes = path.modes(scene);
+        const ModesAtContact<Real100> modes = path.modes(scene);
         const Real100 X = amplitude_of_contact(modes, Forms::printed);
         const InTypes d = digits_at(scene, modes, X);
         const double lost = k / 2.0 * std::log10(2.0);
@@ -127,7 +127,7 @@ TEST_CASE(
     const ResponsePath path = path_to_resonance_at_boundary();
     for (const int k : {8, 17, 26}) {
         const Scene<double> scene = path.scene(k);
-        const ContactModes<Real100> modes = path.modes(scene);
+        const ModesAtContact<Real100> modes = path.modes(scene);
         const Real100 X = amplitude_of_contact(modes, Forms::printed);
         const InTypes d = digits_at(scene, modes, X);
         const double lost = k * std::log10(2.0);
@@ -161,7 +161,7 @@ TEST_CASE("plain sums of 200 masses lose digits with the load at the other end a
           "contact",
           "[eq:33][limit][form]") {
     const Scene<double> far = chain_of(200, 0, 3, 0), near = chain_of(200, 1, 0.75, 0.125);
-    const ContactModes<Real100> far_modes = response_paths::modes_of_chain(far),
+    const ModesAtContact<Real100> far_modes = response_paths::modes_of_chain(far),
                                 near_modes = response_paths::modes_of_chain(near);
     const Real100 far_X = amplitude_of_contact(far_modes, Forms::printed),
                   near_X = amplitude_of_contact(near_modes, Forms::printed);
