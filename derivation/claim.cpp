@@ -4,7 +4,9 @@
 #include <chrono>
 #include <sstream>
 
+#include "comparison_steps.hpp"
 #include "equation_order.hpp"
+#include "readable.hpp"
 #include "symbols.hpp"
 
 namespace denhartog::derivation {
@@ -19,23 +21,6 @@ std::vector<std::function<std::vector<Claim>()>>& makers() {
 std::string text(const GiNaC::numeric& n) {
     std::ostringstream out;
     out << n;
-    return out.str();
-}
-
-/// The grounds of a proof in a sentence: generators and divisions.
-std::string grounds_of(const Decision& decision) {
-    std::ostringstream out;
-    out << "The difference reduces to zero";
-    const char* separator = " with ";
-    for (const std::string& name : decision.generators) {
-        out << separator << name;
-        separator = "; ";
-    }
-    separator = ", where none of these is zero: ";
-    for (const GiNaC::ex& d : decision.denominators) {
-        out << separator << d;
-        separator = "; ";
-    }
     return out.str();
 }
 
@@ -79,16 +64,12 @@ Result decide(const Claim& claim) {
             throw std::logic_error("claim " + claim.id + " compares " + std::to_string(kernel.size()) + " values with " +
                                    std::to_string(derived.size()));
         result.verdict = Verdict::proved;
+        std::vector<Decision> decisions;
         for (std::size_t i = 0; i < kernel.size(); ++i) {
             const Decision decision = decide_component(kernel[i], derived[i]);
-            const std::string which = kernel.size() == 1 ? "" : " (component " + std::to_string(i + 1) + ")";
-            result.steps.push_back({"Derived" + which, latex(derived[i])});
-            result.steps.push_back({"Under test" + which, latex(kernel[i].expression())});
+            decisions.push_back(decision);
             if (i == 0 || decision.verdict != Verdict::proved) result.decision = decision;
-            if (decision.verdict == Verdict::proved) {
-                result.steps.push_back({grounds_of(decision), ""});
-                continue;
-            }
+            if (decision.verdict == Verdict::proved) continue;
             if (result.verdict == Verdict::refuted) continue;
             result.verdict = decision.verdict;
             for (const auto& [symbol, value] : decision.witness) {
@@ -99,11 +80,14 @@ Result decide(const Claim& claim) {
             if (decision.verdict == Verdict::refuted) {
                 result.witness.emplace_back("under test", decision.left);
                 result.witness.emplace_back("derived", decision.right);
-            } else {
-                result.steps.push_back({"Neither proved nor refuted: " + decision.reason, ""});
             }
         }
+        for (Step& step : steps_of_comparison(kernel, derived, decisions)) result.steps.push_back(std::move(step));
     }
+    std::string formulas;
+    for (const Step& step : result.steps) formulas += step.latex + "\n";
+    if (const std::string legend = legend_of(formulas); !legend.empty())
+        result.steps.insert(result.steps.begin(), {"Abbreviations", legend});
     result.milliseconds = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
     return result;
 }

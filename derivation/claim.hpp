@@ -16,7 +16,7 @@ namespace denhartog::derivation {
 
 /// @brief One line of a derivation, as text and as LaTeX.
 struct Step {
-    std::string text;  ///< what is done
+    std::string text;  ///< what is done; formulas in it stand between dollar signs
     std::string latex; ///< what comes out; may be empty
 };
 

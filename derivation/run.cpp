@@ -2,6 +2,8 @@
 
 #include "claim.hpp"
 #include "losses.hpp"
+#include "symbols.hpp"
+#include "typeset.hpp"
 
 namespace denhartog::derivation {
 
@@ -71,16 +73,20 @@ std::vector<ClaimResult> results_of(const Claim& claim, const Result& result) {
 }
 
 json record_of(const Claim& claim, const Result& result) {
-    json steps = json::array();
-    for (const Step& step : result.steps) steps.push_back({{"text", step.text}, {"latex", step.latex}});
+    json steps = json::array(), witness = json::array();
+    for (const Step& step : result.steps) {
+        steps.push_back({{"text", plain_sentence(step.text)}, {"latex", step.latex}});
+        if (step.text.find('$') != std::string::npos) steps.back()["text_latex"] = step.text;
+    }
     for (const auto& [name, value] : result.witness)
-        steps.push_back({{"text", "Witness: " + name + " = " + value}, {"latex", ""}});
+        witness.push_back({{"name", name}, {"name_latex", latex_of_name(name)}, {"value", value}});
     return {{"claim", claim.id},
             {"equation", claim.equations.front()},
             {"equations", claim.equations},
             {"title", claim.title},
             {"assumptions", claim.assumptions},
             {"steps", steps},
+            {"witness", witness},
             {"verdict", verdict_of(claim, result)},
             {"milliseconds", result.milliseconds}};
 }

@@ -28,6 +28,16 @@ ex new_symbol(const std::string& name, const std::string& latex, const numeric& 
     return s;
 }
 
+std::string latex_of_name(const std::string& name) {
+    for (const auto& [symbol, range] : known_ranges()) {
+        if (GiNaC::ex_to<GiNaC::symbol>(symbol).get_name() != name) continue;
+        std::ostringstream out;
+        out << GiNaC::latex << symbol;
+        return out.str();
+    }
+    return "";
+}
+
 std::vector<Range> domain_of(const std::vector<ex>& expressions) {
     std::map<ex, Range, GiNaC::ex_is_less> found;
     for (const ex& e : expressions) collect(e, found);
@@ -134,23 +144,5 @@ SymbolicModes symbolic_modes(int N) {
     return m;
 }
 
-std::string latex(const ex& e) {
-    static const GiNaC::possymbol w("w", "w");
-    const Symbols& s = symbols();
-    GiNaC::exmap roots{{s.w, w}, {1 / s.w, 1 / ex(w)}};
-    for (const Symbolic& zeta : symbolic_modes(3).zeta) {
-        const ex root = GiNaC::sqrt(1 - zeta.expression() * zeta.expression());
-        std::ostringstream name;
-        name << zeta.expression();
-        const GiNaC::possymbol w_i("w" + name.str().substr(4), "w_" + name.str().substr(4));
-        roots[root] = w_i;
-        roots[1 / root] = 1 / ex(w_i);
-    }
-    std::ostringstream out;
-    out << GiNaC::latex << e.subs(roots);
-    return out.str();
-}
-
-Step step(const std::string& text, const std::string& left, const ex& right) { return {text, left + " = " + latex(right)}; }
 
 } // namespace denhartog::derivation

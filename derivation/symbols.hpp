@@ -21,6 +21,9 @@ GiNaC::ex new_symbol(const std::string& name, const std::string& latex, const Gi
 /// @return             symbols and ranges; the domain on which a claim about them is sampled
 [[nodiscard]] std::vector<Range> domain_of(const std::vector<GiNaC::ex>& expressions);
 
+/// @brief LaTeX of a symbol made by `new_symbol`. @param name its name @return its LaTeX; empty for a name that is none
+[[nodiscard]] std::string latex_of_name(const std::string& name);
+
 /// @brief The symbols of one mode, of the contact, and of the derivation.
 struct Symbols {
     GiNaC::ex tau, R, zeta, w, beta, mu, psi_ki, psi_ji, psi_li, eta_0, eta_prime_0, phi_j, u, g, A, B, c_phi, s_phi, v_cos, v_sin;
@@ -52,11 +55,11 @@ struct SymbolicModes {
 /// @brief Symbols of N modes. @param N  1, 2 or 3 @return the symbols
 [[nodiscard]] SymbolicModes symbolic_modes(int N);
 
-/// @brief LaTeX of an expression, with w for \f$ \sqrt{1-\zeta_i^2} \f$. @param e the expression @return LaTeX
+/// @brief LaTeX of an expression in one line, in its readable form. @param e the expression @return LaTeX
 [[nodiscard]] std::string latex(const GiNaC::ex& e);
 
-/// @brief A line of a derivation: what is done, and a formula that comes out.
-/// @param text   what is done
+/// @brief A line of a derivation: what is done, and a formula that comes out, in its readable form.
+/// @param text   what is done; formulas in it stand between dollar signs
 /// @param left   LaTeX of the left side
 /// @param right  the right side, as GiNaC made it
 /// @return       the line

@@ -72,7 +72,7 @@ class Generators {
     void note_divisions(const ex& rational) { note_denominator(rational.normal().denom()); }
 
     std::vector<ex> denominators;
-    std::vector<std::string> names;
+    std::vector<std::pair<ex, ex>> names; // generator, what it stands for
 
   private:
     struct Root {
@@ -107,11 +107,10 @@ class Generators {
     }
 
     ex new_generator(const std::string& name, const ex& stands_for) {
-        const symbol g(name + std::to_string(names.size() + 1));
-        std::ostringstream text;
-        text << g << " = " << stands_for.subs(meaning_);
-        names.push_back(text.str());
+        const std::string number = std::to_string(names.size() + 1);
+        const symbol g(name + number, name + "_{" + number + "}");
         meaning_[g] = stands_for.subs(meaning_);
+        names.emplace_back(g, meaning_[g]);
         return g;
     }
 

@@ -50,7 +50,7 @@ using Point = std::vector<std::pair<GiNaC::ex, GiNaC::numeric>>;
 struct Decision {
     Verdict verdict = Verdict::unknown;     ///< the verdict
     std::vector<GiNaC::ex> denominators;    ///< what must not be zero, in generators
-    std::vector<std::string> generators;    ///< what the generators stand for
+    std::vector<std::pair<GiNaC::ex, GiNaC::ex>> generators; ///< generators and what they stand for
     Point witness;                          ///< the point that refutes; empty otherwise
     std::string left;                       ///< first value at the witness
     std::string right;                      ///< second value at the witness

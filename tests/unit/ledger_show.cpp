@@ -151,6 +151,25 @@ TEST_CASE("the derivation is shown as text and as LaTeX", "[ledger]") {
     CHECK(ledger::entries_of(record, "").size() == 2);
 }
 
+TEST_CASE("a step's formulas in its text, and a witness, are shown", "[ledger]") {
+    const tests::Folder folder;
+    const std::string file = folder.write("derivation.json", R"json([
+        {"claim": "A.7/printed", "equation": "A.7", "equations": ["A.7"], "title": "as printed", "assumptions": [], "verdict": "refuted",
+         "steps": [{"text": "the rate of d_i, 50 %", "text_latex": "the rate of $d_i$, 50 %", "latex": "d_i'"}],
+         "witness": [{"name": "V_ki", "name_latex": "V_{ki}", "value": "-3/37"}, {"name": "under_test", "name_latex": "", "value": "0.5"}]}])json");
+    const Json claims = ledger::read_derivation(file, "", "");
+    CHECK(ledger::derivation_as_text(claims, "A.7") ==
+          "(A.7)  as printed\n    claim A.7/printed: refuted\n  1. the rate of d_i, 50 %\n       d_i'\n"
+          "    witness: V_ki = -3/37\n    witness: under_test = 0.5\n");
+    CHECK(ledger::derivation_as_latex(claims) ==
+          "\\paragraph{Eq.~(A.7): as printed} refuted.\n\\begin{enumerate}\n\\item the rate of $d_i$, 50 \\%\n\\[ d_i' \\]\n"
+          "\\end{enumerate}\nWitness: $V_{ki}$ = -3/37, under\\_test = 0.5.\n");
+    CHECK_THROWS_AS(ledger::read_derivation(folder.write("w.json", R"([{"claim": "x", "equation": "1", "title": "", "verdict": "",
+        "assumptions": [], "steps": [], "witness": [{"name": "x"}]}])"),
+                                            "", ""),
+                    InputError);
+}
+
 TEST_CASE("a derivation that has not run, or is none, is told", "[ledger]") {
     const tests::Folder folder;
     CHECK_THROWS_WITH(ledger::read_derivation("", "", "/no/such/derivation.json"), Catch::Contains("./verify paper"));

@@ -1,5 +1,6 @@
 #include "denhartog/program/derivation_record.hpp"
 
+#include <algorithm>
 #include <filesystem>
 
 #include "denhartog/errors.hpp"
@@ -21,6 +22,8 @@ void check_record(const Json& record, const std::string& file) {
             if (!claim.contains(key) || !claim.at(key).is_array()) fail(key);
         for (const Json& step : claim.at("steps"))
             if (!step.is_object() || !step.contains("text") || !step.contains("latex")) fail("steps with text and latex");
+        for (const Json& value : claim.value("witness", Json::array()))
+            if (!value.is_object() || !value.contains("name") || !value.contains("value")) fail("witness with name and value");
     }
 }
 
@@ -40,6 +43,32 @@ std::string plain_in_latex(const std::string& text) {
             plain += c;
     }
     return plain;
+}
+
+/// What a step does: its words plain, the formulas between dollar signs as they are.
+std::string typeset_text(const Json& step) {
+    const std::string text = step.value("text_latex", "");
+    if (text.empty()) return plain_in_latex(step.at("text").get<std::string>());
+    std::string typeset;
+    bool formula = false;
+    for (std::size_t at = 0; at < text.size(); formula = !formula) {
+        const std::size_t end = std::min(text.find('$', at), text.size());
+        const std::string part = text.substr(at, end - at);
+        typeset += formula ? "$" + part + "$" : plain_in_latex(part);
+        at = end + 1;
+    }
+    return typeset;
+}
+
+/// The point that refutes a claim, or what a search has found, in a sentence.
+std::string witness_in_latex(const Json& witness) {
+    std::string text;
+    for (const Json& value : witness) {
+        const std::string latex = value.value("name_latex", ""), name = value.at("name");
+        text += (text.empty() ? "Witness: " : ", ") + (latex.empty() ? plain_in_latex(name) : "$" + latex + "$") + " = " +
+                plain_in_latex(value.at("value").get<std::string>());
+    }
+    return text.empty() ? "" : text + ".\n";
 }
 
 } // namespace
@@ -66,6 +95,8 @@ std::string derivation_as_text(const Json& claims, const std::string& equation) 
             text += "  " + std::to_string(++count) + ". " + step.at("text").get<std::string>() + "\n";
             if (step.at("latex") != "") text += "       " + step.at("latex").get<std::string>() + "\n";
         }
+        for (const Json& value : claim.value("witness", Json::array()))
+            text += "    witness: " + value.at("name").get<std::string>() + " = " + value.at("value").get<std::string>() + "\n";
     }
     return text;
 }
@@ -81,11 +112,12 @@ std::string derivation_as_latex(const Json& claims) {
         if (!claim.at("steps").empty()) {
             text += "\\begin{enumerate}\n";
             for (const Json& step : claim.at("steps")) {
-                text += "\\item " + plain_in_latex(step.at("text").get<std::string>()) + "\n";
+                text += "\\item " + typeset_text(step) + "\n";
                 if (step.at("latex") != "") text += "\\[ " + step.at("latex").get<std::string>() + " \\]\n";
             }
             text += "\\end{enumerate}\n";
         }
+        text += witness_in_latex(claim.value("witness", Json::array()));
     }
     return text;
 }
