@@ -82,7 +82,7 @@ Result decide(const Claim& claim) {
                 result.witness.emplace_back("derived", decision.right);
             }
         }
-        for (Step& step : steps_of_comparison(kernel, derived, decisions)) result.steps.push_back(std::move(step));
+        for (Step& step : steps_of_comparison(claim.steps, kernel, derived, decisions)) result.steps.push_back(std::move(step));
     }
     std::string formulas;
     for (const Step& step : result.steps) formulas += step.latex + "\n";

@@ -1,5 +1,6 @@
 #include "comparison_steps.hpp"
 
+#include <algorithm>
 #include <set>
 
 #include "latex.hpp"
@@ -13,8 +14,8 @@ using GiNaC::ex;
 namespace {
 
 constexpr std::size_t components_shown = 4;
-constexpr double narrow = 120, widest = 420; // characters of typeset LaTeX
-constexpr std::size_t longest_divisor = 60;  // terms of a divisor that is factored
+constexpr double widest = 420;              // characters of typeset LaTeX
+constexpr std::size_t longest_divisor = 60; // terms of a divisor that is factored
 
 /// A side of a comparison: broken into lines where it is wide; what no page holds is counted.
 Step shown(const std::string& what, const ex& form) {
@@ -87,9 +88,16 @@ std::string lines_of(const std::vector<std::string>& formulas, const std::string
     return broken ? "\\begin{gathered} " + text + line + " \\end{gathered}" : line;
 }
 
+/// A formula without what only arranges it on the page.
+std::string without_layout(std::string latex) {
+    for (const std::string mark : {"\\begin{aligned}", "\\end{aligned}", "{}", "\\\\", "&", " "})
+        for (std::size_t at = latex.find(mark); at != std::string::npos; at = latex.find(mark, at)) latex.erase(at, mark.size());
+    return latex;
+}
+
 } // namespace
 
-std::vector<Step> steps_of_comparison(const Values& kernel, const std::vector<ex>& derived,
+std::vector<Step> steps_of_comparison(const std::vector<Step>& before, const Values& kernel, const std::vector<ex>& derived,
                                       const std::vector<Decision>& decisions) {
     std::vector<Step> steps;
     std::set<std::pair<std::string, std::string>> told;
@@ -103,12 +111,18 @@ std::vector<Step> steps_of_comparison(const Values& kernel, const std::vector<ex
         const Decision& decision = decisions[i];
         const std::string which = decisions.size() == 1 ? "" : "For component " + std::to_string(i + 1) + " ";
         if (i < components_shown || decision.verdict != Verdict::proved) {
-            const ex given = with_names(kernel[i].expression());
-            const bool is_narrow = visible_width(latex_line(given)) < narrow;
+            const ex given = with_names(kernel[i].expression()), regrouped = readable(kernel[i].expression());
+            const bool as_given = visible_width(latex_line(given)) < 1.25 * visible_width(latex_line(regrouped));
             const Step gives = shown(which + (which.empty() ? "The" : "the") + " derivation gives", readable(derived[i]));
-            const Step tested = shown(which + (which.empty() ? "The" : "the") + " formula under test is",
-                                      is_narrow ? given : readable(kernel[i].expression()));
-            if (!gives.latex.empty() && gives.latex == tested.latex) {
+            const Step tested =
+                shown(which + (which.empty() ? "The" : "the") + " formula under test is", as_given ? given : regrouped);
+            const bool told_before = !gives.latex.empty() && std::any_of(before.begin(), before.end(), [&](const Step& step) {
+                return without_layout(step.latex).ends_with("=" + without_layout(gives.latex));
+            });
+            if (told_before) {
+                const bool same = gives.latex == tested.latex;
+                tell(same ? Step{tested.text + " the same", ""} : tested);
+            } else if (!gives.latex.empty() && gives.latex == tested.latex) {
                 tell({gives.text + ", and so does the formula under test", gives.latex});
             } else {
                 tell(gives);

@@ -199,14 +199,18 @@ const Register registered([] {
          .title = "The non-dimensional equation with the matrices (7) and the friction ratio (11)",
          .assumptions = {"omega, k_1, P > 0"},
          .kernel = non_dimensional_residual,
-         .derived = residual_of_4_over_P},
+         .derived = residual_of_4_over_P,
+         .steps = {{"(4) is divided by $P$; with $\\tau=\\omega t$ every dot is $\\omega$ times a prime, and "
+                    "$\\mathbf{x}=P\\bar{\\mathbf{x}}/k_1$",
+                    ""}}},
         {.id = "12/half-period",
          .equations = {"12"},
          .title = "Where the contact moves from its maximum to its minimum, sgn is -1 and friction acts with + beta on the right",
          .assumptions = {"x_j' < 0 for 0 < tau < pi"},
          .kernel = [&s] { return Values{paper::friction_force(Symbolic(s.beta), Symbolic(-1))}; },
          .derived = [&s] { return std::vector<ex>{s.beta}; },
-         .special_case = true},
+         .special_case = true,
+         .steps = {{"In (6) the sign of $\\bar{x}_j'$ is $-1$ over the half-period, and friction goes to the right side", ""}}},
         {.id = "8/mass-by-ratios",
          .equations = {"8", "9", "10"},
          .title = "Mass ratio and frequency ratio give the non-dimensional mass",
@@ -217,16 +221,14 @@ const Register registered([] {
                  const Symbolic r = paper::frequency_ratio(Symbolic(s.omega), Symbolic(s.m_1), Symbolic(s.k_1));
                  return Values{paper::non_dimensional_mass_by_ratios(gamma, r)};
              },
-         .derived = [&s] { return std::vector<ex>{s.omega * s.omega / s.k_1 * s.m_i}; }},
+         .derived = [&s] { return std::vector<ex>{s.omega * s.omega / s.k_1 * s.m_i}; },
+         .steps = {{"(9) and (10) are put into $\\gamma_ir^2$; this has to be the entry $\\omega^2m_i/k_1$ of (7)", ""}}},
         {.id = "16/printed",
          .equations = {"16"},
          .role = Role::printed,
          .title = "Modal load with one row of the modal matrix for friction and load",
          .assumptions = {"j not l"},
-         .kernel =
-             [&s] {
-                 return Values{as_printed::modal_load(Symbolic(s.psi_ji), Symbolic(s.beta), Symbolic(motion().load))};
-             },
+         .kernel = [&s] { return Values{as_printed::modal_load(Symbolic(s.psi_ji), Symbolic(s.beta), Symbolic(motion().load))}; },
          .derived = [&s] { return std::vector<ex>{s.psi_ji * s.beta + s.psi_li * motion().load}; },
          .departure = Departure::scan,
          .correction = "\\hat{\\mathbf{M}}\\boldsymbol\\eta'' + \\hat{\\mathbf{C}}\\boldsymbol\\eta' + "
@@ -253,7 +255,11 @@ const Register registered([] {
                                 C = C.add(M_psi.mul(M_psi.transpose()).mul_scalar(2 * m.zeta[i].expression() * m.R[i].expression()));
                             }
                             return expressions(C);
-                        }});
+                        },
+                    .steps = {{"(18) is multiplied from both sides with the inverse of $\\boldsymbol\\Psi$, which by (17) is "
+                               "$\\boldsymbol\\Psi^T\\overline{\\mathbf{M}}$; a diagonal matrix "
+                               "in the middle makes a sum over the modes",
+                               ""}}});
     for (int N = 1; N <= 3; ++N) {
         const std::string of_N = "/N=" + std::to_string(N);
         const std::vector<std::string> system{"M diagonal, positive", "Omega_i > 0", "0 <= zeta_i < 1",
@@ -310,20 +316,26 @@ const Register registered([] {
                                 return values;
                             },
                         .special_case = true});
-        list.push_back({.id = "16/modal-coordinates" + of_N,
-                        .equations = {"16"},
-                        .role = Role::shipped,
-                        .title = "Multiplying (12) by the transposed modal matrix uncouples it, with row j for friction and row l for the load",
-                        .assumptions = system,
-                        .kernel = [N] { return modal_equations(N); },
-                        .derived = [N] { return derived_modal_equations(N); },
-                        .special_case = true});
+        list.push_back(
+            {.id = "16/modal-coordinates" + of_N,
+             .equations = {"16"},
+             .role = Role::shipped,
+             .title =
+                 "Multiplying (12) by the transposed modal matrix uncouples it, with row j for friction and row l for the load",
+             .assumptions = system,
+             .kernel = [N] { return modal_equations(N); },
+             .derived = [N] { return derived_modal_equations(N); },
+             .special_case = true,
+             .steps = {{"(13) is put into (12), which is multiplied by $\\boldsymbol\\Psi^T$; (17) and (18) make all matrices "
+                        "diagonal",
+                        ""}}});
         list.push_back({.id = "20/modal-equation" + of_N,
                         .equations = {"20"},
                         .title = "Every row of the uncoupled equations is (20)",
                         .assumptions = system,
                         .kernel = [N] { return modal_equations(N); },
-                        .derived = [N] { return derived_modal_equations(N); }});
+                        .derived = [N] { return derived_modal_equations(N); },
+                        .steps = {{"Row $i$ of (16), with (17) and (18)", ""}}});
         list.push_back({.id = "65/sum-of-squares" + of_N,
                         .equations = {"65"},
                         .title = "The squares of the mode shapes at a mass add up to 1 / (gamma r^2)",
@@ -339,7 +351,10 @@ const Register registered([] {
                                 ex sum = 0;
                                 for (int i = 0; i < N; ++i) sum += s.Psi(0, i) * s.Psi(0, i);
                                 return std::vector<ex>{sum};
-                            }});
+                            },
+                        .steps = {{"(17) says $\\boldsymbol\\Psi\\boldsymbol\\Psi^T=\\overline{\\mathbf{M}}^{-1}$; this is its "
+                                   "diagonal entry at the contact, with (8)",
+                                   ""}}});
     }
     return list;
 });

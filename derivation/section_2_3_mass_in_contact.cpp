@@ -47,7 +47,11 @@ const Register registered([] {
                                 for (const ModalStart& mode : derived_starts(N, GiNaC::cos(s.phi_j), GiNaC::sin(s.phi_j)))
                                     sum += mode.psi_k * (mode.harmonic_cosine * GiNaC::cos(s.tau) + mode.harmonic_sine * GiNaC::sin(s.tau));
                                 return std::vector<ex>{sum};
-                            }});
+                            },
+                        .steps = {{"The harmonic part of (21), $\\psi_{li}R_i^2\\mathrm{Re}\\{v_{di}e^{i(\\tau+\\phi_j)}\\}$, of "
+                                   "each mode is multiplied "
+                                   "by $\\psi_{ki}$ and summed; it has to be $\\mathrm{Re}\\{V_{dk}e^{i(\\tau+\\phi_j)}\\}$",
+                                   ""}}});
         list.push_back({.id = "31/contact" + of_N,
                         .equations = {"30", "31", "32", "34", "35"},
                         .title = "The relations of the modes, multiplied by psi_ji and summed, give those of the mass in contact",
@@ -67,7 +71,16 @@ const Register registered([] {
                                 const ex c = GiNaC::cos(s.phi_j), sine = GiNaC::sin(s.phi_j);
                                 return std::vector<ex>{re * c - im * sine, re * sine + im * c};
                             },
-                        .departure = Departure::convention});
+                        .departure = Departure::convention,
+                        .steps = {{"(26) and (27), solved for the initial values, are multiplied by $\\psi_{ji}$ and summed: "
+                                   "(30). What friction adds is "
+                                   "$\\beta G_j$ and $\\beta U_{dj}$, (34) and (35)",
+                                   ""},
+                                  step("The amplitude", "\\overline{X}_j",
+                                       derived_start_of_mass(N, Row::contact, GiNaC::cos(s.phi_j), GiNaC::sin(s.phi_j)).first),
+                                  step(
+                                      "and the velocity at the maximum, which is to be zero", "\\bar{x}_j'(0)",
+                                      derived_start_of_mass(N, Row::contact, GiNaC::cos(s.phi_j), GiNaC::sin(s.phi_j)).second)}});
     }
     list.push_back({.id = "36/cosine",
                     .equations = {"36"},
@@ -78,7 +91,11 @@ const Register registered([] {
                             const ex X = s.V_jr * GiNaC::cos(s.phi_j) - s.V_ji * GiNaC::sin(s.phi_j) - s.beta * s.G_j;
                             return Values{paper::cosine_of_phase_sum(symbolic_V_j(), Symbolic(X), Symbolic(s.G_j), Symbolic(s.beta))};
                         },
-                    .derived = [&s, angle] { return std::vector<ex>{GiNaC::cos(s.phi_j + angle)}; }});
+                    .derived = [&s, angle] { return std::vector<ex>{GiNaC::cos(s.phi_j + angle)}; },
+                    .steps = {{"(31) says $\\mathrm{Re}\\{V_{dj}e^{i\\phi_j}\\} = \\overline{X}_j+\\beta G_j$; with modulus and "
+                               "argument of $V_{dj}$ the left "
+                               "side is $|V_{dj}|\\cos(\\phi_j+\\angle V_{dj})$",
+                               ""}}});
     list.push_back({.id = "37/sine",
                     .equations = {"37"},
                     .title = "Sine of the phase with the argument of V_dj",
@@ -88,7 +105,10 @@ const Register registered([] {
                             const ex U = -(s.V_jr * GiNaC::sin(s.phi_j) + s.V_ji * GiNaC::cos(s.phi_j)) / s.beta;
                             return Values{paper::sine_of_phase_sum(symbolic_V_j(), Symbolic(U), Symbolic(s.beta))};
                         },
-                    .derived = [&s, angle] { return std::vector<ex>{GiNaC::sin(s.phi_j + angle)}; }});
+                    .derived = [&s, angle] { return std::vector<ex>{GiNaC::sin(s.phi_j + angle)}; },
+                    .steps = {{"(32) says $\\mathrm{Im}\\{V_{dj}e^{i\\phi_j}\\} = -\\beta U_{dj}$; the left side is "
+                               "$|V_{dj}|\\sin(\\phi_j+\\angle V_{dj})$",
+                               ""}}});
     list.push_back({.id = "38/amplitude",
                     .equations = {"38"},
                     .title = "Amplitude of the mass in contact: the root for which X_j + beta G_j is not negative, as (54)a demands",
@@ -102,20 +122,24 @@ const Register registered([] {
                     .steps = {{"The squares of (36) and (37) add up to one",
                                "(\\overline{X}_j+\\beta G_j)^2+(\\beta U_{dj})^2=|V_{dj}|^2"},
                               step("A quadratic equation; its larger root is", "\\overline{X}_j", derived_amplitude())}});
-    list.push_back({.id = "39/phase",
-                    .equations = {"39"},
-                    .title = "The phase has the cosine (36) and the sine (37)",
-                    .assumptions = sliding,
-                    .kernel =
-                        [&s, angle] {
-                            const ex phi = paper::phase_of_contact(symbolic_V_j(), Symbolic(s.U_j), Symbolic(s.beta)).expression();
-                            return Values{Symbolic(GiNaC::cos(phi + angle)), Symbolic(GiNaC::sin(phi + angle))};
-                        },
-                    .derived =
-                        [&s] {
-                            const ex modulus = GiNaC::sqrt(s.V_jr * s.V_jr + s.V_ji * s.V_ji);
-                            return std::vector<ex>{(derived_amplitude() + s.beta * s.G_j) / modulus, -s.beta * s.U_j / modulus};
-                        }});
+    list.push_back(
+        {.id = "39/phase",
+         .equations = {"39"},
+         .title = "The phase has the cosine (36) and the sine (37)",
+         .assumptions = sliding,
+         .kernel =
+             [&s, angle] {
+                 const ex phi = paper::phase_of_contact(symbolic_V_j(), Symbolic(s.U_j), Symbolic(s.beta)).expression();
+                 return Values{Symbolic(GiNaC::cos(phi + angle)), Symbolic(GiNaC::sin(phi + angle))};
+             },
+         .derived =
+             [&s] {
+                 const ex modulus = GiNaC::sqrt(s.V_jr * s.V_jr + s.V_ji * s.V_ji);
+                 return std::vector<ex>{(derived_amplitude() + s.beta * s.G_j) / modulus, -s.beta * s.U_j / modulus};
+             },
+         .steps =
+             {{"(38) is put into (36); cosine and sine of $\\phi_j+\\angle V_{dj}$ then fix the angle, its quadrant included",
+               ""}}});
     return list;
 });
 

@@ -98,20 +98,26 @@ const Register registered([] {
                                                       "U_{dj})^2}\\cos(\\tau+\\angle V_{dk}-\\angle V_{dj}) + \\beta "
                                                       "U_{dj}\\sin(\\tau+\\angle V_{dk}-\\angle V_{dj})\\right] + ") + braces});
         }
-        list.push_back({.id = "41/displacement" + of_N,
-                        .equations = {"41"},
-                        .role = Role::shipped,
-                        .title = "Displacement of a mass from its initial values, the sum of its modes",
-                        .assumptions = modes,
-                        .kernel = [N] { return displacement_from_start(N, shipped_sum); },
-                        .derived = from_start});
+        list.push_back(
+            {.id = "41/displacement" + of_N,
+             .equations = {"41"},
+             .role = Role::shipped,
+             .title = "Displacement of a mass from its initial values, the sum of its modes",
+             .assumptions = modes,
+             .kernel = [N] { return displacement_from_start(N, shipped_sum); },
+             .derived = from_start,
+             .steps = {{"(40) of each mode is multiplied by $\\psi_{ki}$ and summed; (33)-(35) give the sums their names", ""}}});
         list.push_back({.id = "46/steady-displacement" + of_N,
                         .equations = {"46"},
                         .role = Role::shipped,
                         .title = "Displacement of a mass in the steady state, the sum of its modes",
                         .assumptions = modes,
                         .kernel = [N] { return steady_displacement(N, shipped_sum); },
-                        .derived = steady});
+                        .derived = steady,
+                        .steps = {{"(44) and (45) are put into (41): the harmonic parts of the modes add up to $V_{dk}$, the "
+                                   "braces of (40) are summed "
+                                   "with $\\psi_{ki}\\psi_{ji}R_i^2$",
+                                   ""}}});
         list.push_back({.id = "42/mass" + of_N,
                         .equations = {"42", "43"},
                         .title = "The relations of the modes, multiplied by psi_ki and summed, give those of the mass k",
@@ -132,7 +138,12 @@ const Register registered([] {
                                 const ex c = GiNaC::cos(s.phi_j), sine = GiNaC::sin(s.phi_j);
                                 return std::vector<ex>{re * c - im * sine, re * sine + im * c};
                             },
-                        .departure = Departure::convention});
+                        .departure = Departure::convention,
+                        .steps = {{"(26) and (27), solved for the initial values, are multiplied by $\\psi_{ki}$ and summed", ""},
+                                  step("The displacement", "\\bar{x}_{k0}",
+                                       derived_start_of_mass(N, Row::mass, GiNaC::cos(s.phi_j), GiNaC::sin(s.phi_j)).first),
+                                  step("and the velocity", "\\bar{x}_{k0}'",
+                                       derived_start_of_mass(N, Row::mass, GiNaC::cos(s.phi_j), GiNaC::sin(s.phi_j)).second)}});
     }
     list.push_back({.id = "46/one-mode",
                     .equations = {"46", "33", "34"},

@@ -25,7 +25,10 @@ const Register registered([] {
                  return Values{Symbolic(GiNaC::cos(at - paper::phase_of_mass(phi_j, tau_k_max, 0).expression())),
                                Symbolic(GiNaC::cos(at - paper::phase_of_mass(phi_j, tau_k_max, 1).expression()))};
              },
-         .derived = [&s] { return std::vector<ex>{GiNaC::cos(s.tau - s.t), -GiNaC::cos(s.tau - s.t)}; },
+         .derived =
+             [&s] {
+                 return std::vector<ex>{GiNaC::cos(s.tau - s.t), -GiNaC::cos(s.tau - s.t)};
+             },
          .special_case = true},
         {.id = "48/first-order",
          .equations = {"48", "49"},
@@ -48,14 +51,13 @@ const Register registered([] {
                  return std::vector<ex>{motion.subs(s.beta == 0), motion.subs(s.tau == 0)};
              },
          .approximation = true,
-         .special_case = true},
+         .special_case = true,
+         .steps = {{"(41) without its braces, which are of first order in $\\beta$ and vanish at $\\tau=0$", ""}}},
         {.id = "49/real-part",
          .equations = {"49"},
          .title = "With real initial values the real part of (x_k0 - i x'_k0) exp(i tau) is (48)",
          .kernel =
-             [&s] {
-                 return Values{paper::monoharmonic_displacement(Symbolic(s.tau), Symbolic(s.x_k0), Symbolic(s.x_prime_k0))};
-             },
+             [&s] { return Values{paper::monoharmonic_displacement(Symbolic(s.tau), Symbolic(s.x_k0), Symbolic(s.x_prime_k0))}; },
          .derived =
              [&s] {
                  const ex product =
@@ -74,8 +76,9 @@ const Register registered([] {
              },
          .derived = [] { return std::vector<ex>{derived_initial_state().first}; },
          .departure = Departure::misprint,
-         .correction = "\\overline{X}_{k_C} = \\frac{|V_{dk}|}{|V_{dj}|}\\left[\\sqrt{|V_{dj}|^2-(\\beta U_{dj})^2}\\cos\\Delta + "
-                       "\\beta U_{dj}\\sin\\Delta\\right] - \\beta G_k,\\quad \\Delta=\\angle V_{dk}-\\angle V_{dj}"},
+         .correction =
+             "\\overline{X}_{k_C} = \\frac{|V_{dk}|}{|V_{dj}|}\\left[\\sqrt{|V_{dj}|^2-(\\beta U_{dj})^2}\\cos\\Delta + "
+             "\\beta U_{dj}\\sin\\Delta\\right] - \\beta G_k,\\quad \\Delta=\\angle V_{dk}-\\angle V_{dj}"},
         {.id = "50/cosine",
          .equations = {"50"},
          .role = Role::shipped,
@@ -85,7 +88,8 @@ const Register registered([] {
              [&s] {
                  return Values{paper::monoharmonic_cosine(symbolic_V_k(), symbolic_V_j(), Symbolic(s.U_j), Symbolic(s.G_k), Symbolic(s.beta))};
              },
-         .derived = [] { return std::vector<ex>{derived_initial_state().first}; }},
+         .derived = [] { return std::vector<ex>{derived_initial_state().first}; },
+         .steps = {{"The factor of $\\cos\\tau$ in (48) is (44)", ""}}},
         {.id = "51/sine",
          .equations = {"51"},
          .title = "Factor of the sine is the velocity at tau = 0",
@@ -94,7 +98,8 @@ const Register registered([] {
              [&s] {
                  return Values{paper::monoharmonic_sine(symbolic_V_k(), symbolic_V_j(), Symbolic(s.U_j), Symbolic(s.U_k), Symbolic(s.beta))};
              },
-         .derived = [] { return std::vector<ex>{derived_initial_state().second}; }},
+         .derived = [] { return std::vector<ex>{derived_initial_state().second}; },
+         .steps = {{"The factor of $\\sin\\tau$ in (48) is (45)", ""}}},
         {.id = "52/printed",
          .equations = {"52"},
          .role = Role::printed,
@@ -128,7 +133,10 @@ const Register registered([] {
              [] {
                  const auto [x, rate] = derived_initial_state();
                  return std::vector<ex>{x * x + rate * rate};
-             }},
+             },
+         .steps = {{"The squares of (50) and (51) are added; $\\cos^2\\Delta+\\sin^2\\Delta=1$ with $\\Delta=\\angle "
+                    "V_{dk}-\\angle V_{dj}$",
+                    ""}}},
         {.id = "52/contact",
          .equations = {"52", "38"},
          .role = Role::step,
@@ -155,7 +163,10 @@ const Register registered([] {
                  const ex X = GiNaC::sqrt(s.x_k0 * s.x_k0 + s.x_prime_k0 * s.x_prime_k0);
                  return Values{Symbolic(X * GiNaC::cos(s.tau - phi_kj))};
              },
-         .derived = [&s] { return std::vector<ex>{s.x_k0 * GiNaC::cos(s.tau) + s.x_prime_k0 * GiNaC::sin(s.tau)}; }},
+         .derived = [&s] { return std::vector<ex>{s.x_k0 * GiNaC::cos(s.tau) + s.x_prime_k0 * GiNaC::sin(s.tau)}; },
+         .steps = {{"$\\overline{X}_{k_C}\\cos\\tau+\\overline{X}_{k_S}\\sin\\tau$ is $\\overline{X}_k\\cos(\\tau-\\phi_{kj})$ "
+                    "for the angle with this cosine and sine",
+                    ""}}},
     };
 });
 

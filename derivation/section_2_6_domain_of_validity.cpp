@@ -120,7 +120,8 @@ const Register registered([] {
          .assumptions = domain,
          .kernel = [kernel_arguments] { return kernel_arguments(shipped_integrand); },
          .derived = s_d,
-         .steps = {{"With one mode the velocity of the contact is that of the mode, started with no velocity; it is divided by -sin(tau) and "
+         .steps = {{"With one mode the velocity of the contact is that of the mode, started with no velocity; it is divided by "
+                    "-sin(tau) and "
                     "solved for what friction adds",
                     "-\\frac{\\bar{x}_j'}{\\sin\\tau} = \\overline{X}_j + \\beta G_j - \\beta\\psi_{ji}^2s_i(\\tau)"},
                    step("which is", "s_i(\\tau)", derived_s_d())}},
@@ -129,10 +130,8 @@ const Register registered([] {
          .role = Role::printed,
          .title = "The expansion as printed, in the limit tau -> 0",
          .assumptions = mode_domain,
-         .kernel =
-             [kernel_arguments, at_start] {
-                 return at_start(kernel_arguments([](auto&&... a) { return as_printed::s_d_expansion(a...); }));
-             },
+         .kernel = [kernel_arguments,
+                    at_start] { return at_start(kernel_arguments([](auto&&... a) { return as_printed::s_d_expansion(a...); })); },
          .derived = s_d_0,
          .departure = Departure::misprint,
          .correction = "s_{di} \\simeq \\frac{1}{\\tau}\\left\\{(1+g_i)\\left(1-\\frac{\\zeta_i\\tau}{R_i}\\right)\\tau - "
@@ -142,10 +141,8 @@ const Register registered([] {
          .role = Role::shipped,
          .title = "The expansion has the limit of (57) for tau -> 0; the error is of first order in tau",
          .assumptions = mode_domain,
-         .kernel =
-             [kernel_arguments, at_start] {
-                 return at_start(kernel_arguments([](auto&&... a) { return paper::s_d_expansion(a...); }));
-             },
+         .kernel = [kernel_arguments,
+                    at_start] { return at_start(kernel_arguments([](auto&&... a) { return paper::s_d_expansion(a...); })); },
          .derived = s_d_0,
          .approximation = true,
          .special_case = true},
@@ -153,8 +150,7 @@ const Register registered([] {
          .equations = {"71"},
          .title = "Value of (57)'s expression for tau -> 0",
          .assumptions = mode_domain,
-         .kernel =
-             [&s] { return Values{paper::s_d_at_zero(Symbolic(s.R), Symbolic(s.zeta), Symbolic(s.u), Symbolic(s.g))}; },
+         .kernel = [&s] { return Values{paper::s_d_at_zero(Symbolic(s.R), Symbolic(s.zeta), Symbolic(s.u), Symbolic(s.g))}; },
          .derived = s_d_0,
          .approximation = true,
          .steps = {{"Numerator and sin(tau) both vanish at tau = 0; the limit is the quotient of their rates", ""},
@@ -177,7 +173,8 @@ const Register registered([] {
              [&s] {
                  const ex angle = s.phi_j + GiNaC::atan2(s.V_ji, s.V_jr);
                  return std::vector<ex>{GiNaC::cos(angle), GiNaC::sin(angle)};
-             }},
+             },
+         .steps = {{"(26) and (27) with modulus and argument of $v_{di}$, as (36) and (37) for the mass", ""}}},
         {.id = "61/argument",
          .equations = {"61"},
          .title = "Cosine and sine of the argument of v_di",
@@ -194,7 +191,8 @@ const Register registered([] {
                  const auto [re, im] = derived_complex_response();
                  const ex angle = GiNaC::atan2(im, re);
                  return std::vector<ex>{GiNaC::cos(angle), GiNaC::sin(angle)};
-             }},
+             },
+         .steps = {{"The argument of (23): cosine and sine are real and imaginary part over the modulus", ""}}},
         {.id = "62/cosine-of-phase",
          .equations = {"62"},
          .title = "cos(phi_j) from the initial values of a mode",
@@ -208,7 +206,11 @@ const Register registered([] {
                  return Values{paper::cosine_of_phase(symbolic_mode(), InitialValues<Symbolic>{Symbolic(eta_0), Symbolic(rate_0)},
                                                       Symbolic(s.u), Symbolic(s.g), Symbolic(s.beta))};
              },
-         .derived = [&s] { return std::vector<ex>{GiNaC::cos(s.phi_j)}; }},
+         .derived = [&s] { return std::vector<ex>{GiNaC::cos(s.phi_j)}; },
+         .steps = {{"(26) and (27) are solved for $\\cos\\phi_j$: $[v_{di}\\cos\\phi_j]$ and $[v_{di}\\sin\\phi_j]$ are "
+                    "multiplied by $1-R_i^2$ and "
+                    "$-2\\zeta_iR_i$ and added",
+                    ""}}},
         {.id = "63/load-of-mode",
          .equations = {"63", "59"},
          .role = Role::shipped,
@@ -224,7 +226,10 @@ const Register registered([] {
                  // inertia and friction carry what the load does not: psi_ji beta - eta''(0) by (20)
                  const ex motion = derived_modal_displacement();
                  return std::vector<ex>{s.psi_ji * s.beta - rate(rate(motion)).subs(s.tau == 0)};
-             }},
+             },
+         .steps = {{"By (20) damping, stiffness and load of a mode together are $\\psi_{ji}\\beta-\\eta_i''(0)$; $\\eta_i''$ is "
+                    "taken from (40)",
+                    ""}}},
         {.id = "59/load-of-mode",
          .equations = {"59"},
          .role = Role::shipped,
@@ -239,31 +244,46 @@ const Register registered([] {
              [&s] {
                  const ex motion = in_phi_j(derived_displacement());
                  return std::vector<ex>{s.psi_ji * s.beta - rate(rate(motion)).subs(s.tau == 0)};
-             }},
+             },
+         .steps = {{"By (20) damping, stiffness and load of a mode together are $\\psi_{ji}\\beta-\\eta_i''(0)$; $\\eta_i''$ is "
+                    "taken from (A.6)",
+                    ""}}},
         {.id = "58/limit",
          .equations = {"58"},
          .title = "At the limit the root of (38) equals beta S_dj",
          .assumptions = {"S_dj > 0"},
          .kernel = [&s] { return Values{excess_at_limit(Symbolic(s.S))}; },
-         .derived = [] { return std::vector<ex>{0}; }},
+         .derived = [] { return std::vector<ex>{0}; },
+         .steps = {{"(55) with (38) asks that the root exceed $\\beta S_{dj}$; squared and solved for $\\beta$ this is (58), and "
+                    "at the limit both are equal",
+                    ""}}},
         {.id = "67/limit",
          .equations = {"67"},
-         .title = "The load (66) reaches mu beta sum psi_ji^2 where the root of (38) equals beta times H + mu sum psi_ji^2, as at the "
-                  "limit",
+         .title =
+             "The load (66) reaches mu beta sum psi_ji^2 where the root of (38) equals beta times H + mu sum psi_ji^2, as at the "
+             "limit",
          .assumptions = {"H_j >= 0", "mu >= 1"},
          .kernel =
              [&s] {
                  return Values{paper::static_friction_demand(Symbolic(s.H), Symbolic(s.mu), Symbolic(s.x)),
                                excess_at_limit(Symbolic(s.S))};
              },
-         .derived = [&s] { return std::vector<ex>{s.H + s.mu * s.x, 0}; }},
+         .derived =
+             [&s] {
+                 return std::vector<ex>{s.H + s.mu * s.x, 0};
+             },
+         .steps = {{"(66) with (38) and (65) asks that the root exceed $\\beta(H_j+\\mu/(\\gamma_jr^2))$; squared and solved for "
+                    "$\\beta$ this is (67)",
+                    ""}}},
         {.id = "69/limit",
          .equations = {"68", "69"},
          .role = Role::shipped,
          .title = "One formula for (58), (67), (68) and (69): where the root of (38) equals beta S, S > 0",
          .assumptions = {"S > 0"},
          .kernel = [&s] { return Values{excess_at_limit(Symbolic(s.S))}; },
-         .derived = [] { return std::vector<ex>{0}; }},
+         .derived = [] { return std::vector<ex>{0}; },
+         .steps = {{"(58) and (67) both ask that the root of (38) exceed $\\beta$ times a number; the larger number decides",
+                    ""}}},
     };
     for (int N = 1; N <= 3; ++N) {
         const std::string of_N = "/N=" + std::to_string(N);
@@ -286,13 +306,19 @@ const Register registered([] {
                                 for (int i = 0; i < N; ++i)
                                     G += GiNaC::pow(m.psi_j[i].expression() * m.R[i].expression(), 2) * m.g[i].expression();
                                 return std::vector<ex>{(derived_amplitude(N) + s.beta * G - derived_margin(N)) / s.beta};
-                            }});
+                            },
+                        .steps = {{"$-\\bar{x}_j'/\\sin\\tau$ is a sum over the modes; what is not $\\overline{X}_j+\\beta G_j$ "
+                                   "in it is $\\beta$ times the sum of (57)",
+                                   ""}}});
         list.push_back({.id = "54/velocity" + of_N,
                         .equations = {"54", "55"},
                         .title = "-x_j' / sin(tau) is X_j + beta G_j - beta S with the sum over the modes at the same tau",
                         .assumptions = modes,
                         .kernel = [N] { return margin(N); },
-                        .derived = [N] { return std::vector<ex>{derived_margin(N)}; }});
+                        .derived = [N] { return std::vector<ex>{derived_margin(N)}; },
+                        .steps = {{"The velocity of the contact is the sum of the rates of (40), with $\\bar{x}_j'(0)=0$, (30); "
+                                   "it is divided by $-\\sin\\tau$",
+                                   ""}}});
         list.push_back({.id = "66/load" + of_N,
                         .equations = {"64", "66"},
                         .title = "The load on the contact at tau = 0, over gamma_j r^2: sum of the modes' contributions",
@@ -311,7 +337,10 @@ const Register registered([] {
                                 ex load = -rate(rate(derived_displacement_of_mass(N, Row::contact, starts_at_rest(N)))).subs(s.tau == 0);
                                 for (const Symbolic& psi : m.psi_j) load += psi.expression() * psi.expression() * s.beta;
                                 return std::vector<ex>{load};
-                            }});
+                            },
+                        .steps = {{"$\\psi_{ji}$ times the loads (63) of the modes are summed, with (64) and $\\overline{X}_j$, "
+                                   "$G_j$ of (30) and (35)",
+                                   ""}}});
         list.push_back({.id = "72/sum-at-zero" + of_N,
                         .equations = {"72"},
                         .title = "The sum of (71) over the modes is H_j plus the sum of squares (65)",
@@ -335,7 +364,8 @@ const Register registered([] {
                                 return std::vector<ex>{sum};
                             },
                         .approximation = true,
-                        .special_case = N < 3});
+                        .special_case = N < 3,
+                        .steps = {{"(71) is multiplied by $\\psi_{ji}^2$ and summed; (64) and (65) name the sums", ""}}});
         if (N == 3) continue;
         list.push_back({.id = "54/contact-load" + of_N,
                         .equations = {"54"},

@@ -69,21 +69,25 @@ std::vector<Step> steps_of_general_solution() {
     const Symbols& s = symbols();
     const auto [decay, frequency] = derived_rates();
     const auto [a, b] = derived_harmonic(s.psi_li * s.c_phi, -s.psi_li * s.s_phi);
-    return {{"The equation of the modal coordinate, (20)",
-             "\\eta_i'' + \\frac{2\\zeta_i}{R_i}\\eta_i' + \\frac{1}{R_i^2}\\eta_i = \\psi_{ji}\\beta + \\psi_{li}\\cos(\\tau+\\phi_j)"},
-            step("Without the right side, e^(sigma tau) cos(nu tau) and e^(sigma tau) sin(nu tau) solve it; the coefficient of the sine gives",
-                 "\\sigma", decay),
-            step("and the coefficient of the cosine", "\\nu", frequency),
-            {"A constant c solves it with the friction alone on the right", "c = \\psi_{ji}R_i^2\\beta"},
-            step("a cos(tau) + b sin(tau) solves it with the load alone; comparing coefficients of the cosine", "a", a),
-            step("and of the sine", "b", b)};
+    return {
+        {"The equation of the modal coordinate, (20)", "\\eta_i'' + \\frac{2\\zeta_i}{R_i}\\eta_i' + \\frac{1}{R_i^2}\\eta_i = "
+                                                       "\\psi_{ji}\\beta + \\psi_{li}\\cos(\\tau+\\phi_j)"},
+        step("Without the right side, $e^{\\sigma\\tau}\\cos(\\nu\\tau)$ and $e^{\\sigma\\tau}\\sin(\\nu\\tau)$ solve it; the "
+             "coefficient of the sine must vanish, which gives",
+             "\\sigma", decay),
+        step("and the coefficient of the cosine gives", "\\nu", frequency),
+        {"A constant $c$ solves it with the friction alone on the right", "c = \\psi_{ji}R_i^2\\beta"},
+        step("$a\\cos\\tau + b\\sin\\tau$ solves it with the load alone; comparing coefficients of the cosine", "a", a),
+        step("and of the sine", "b", b),
+        step("The sum of the three parts is the general solution", "\\eta_i", derived_general_solution())};
 }
 
 std::vector<Step> steps_of_complex_response() {
     const auto [re, im] = derived_complex_response();
-    return {{"The answer to the load cos(tau) is R^2 Re{v exp(i tau)}", "R_i^2(\\mathrm{Re}v_{di}\\cos\\tau - \\mathrm{Im}v_{di}\\sin\\tau)"},
-            step("Its cosine has the factor R^2 times", "\\mathrm{Re}v_{di}", re),
-            step("its sine the factor -R^2 times", "\\mathrm{Im}v_{di}", im)};
+    return {{"The answer to the load $\\cos\\tau$ is $R_i^2\\mathrm{Re}\\{v_{di}e^{i\\tau}\\}$",
+             "R_i^2(\\mathrm{Re}v_{di}\\cos\\tau - \\mathrm{Im}v_{di}\\sin\\tau)"},
+            step("Its cosine has the factor $R_i^2$ times", "\\mathrm{Re}v_{di}", re),
+            step("its sine the factor $-R_i^2$ times", "\\mathrm{Im}v_{di}", im)};
 }
 
 } // namespace
@@ -111,7 +115,10 @@ const Register registered([] {
                                                               Symbolic(s.tau), symbolic_mode(), Symbolic(s.beta),
                                                               Symbolic(s.phi_j))};
              },
-         .derived = [] { return std::vector<ex>{0}; }},
+         .derived = [] { return std::vector<ex>{0}; },
+         .steps = {{"The derived general solution is put into (A.1); what is left over has to vanish for every $A_i$ and $B_i$",
+                    ""},
+                   step("The solution", "\\eta_i", derived_general_solution())}},
         {.id = "A.2/general-solution",
          .equations = {"21", "A.2"},
          .title = "General solution of the modal equation, with v cos(tau + phi_j) read as Re{v exp(i(tau + phi_j))}",

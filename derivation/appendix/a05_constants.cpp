@@ -37,7 +37,7 @@ const Register registered([] {
                  return std::vector<ex>{in_phi_j(A), in_phi_j(B)};
              },
          .departure = Departure::convention,
-         .steps = {{"The general solution and its rate at tau = 0 are set to the initial values (24)",
+         .steps = {{"The general solution (A.2) and its rate at $\\tau=0$ are set to the initial values (24)",
                     "\\eta_i(0)=\\eta_{i0},\\qquad \\eta_i'(0)=\\eta_{i0}'"},
                    step("Two linear equations; the first gives", "A_i", derived_constants().first),
                    step("and the second", "B_i", derived_constants().second)}},
@@ -55,8 +55,12 @@ const Register registered([] {
                  return Values{Symbolic(eta.subs(s.tau == 0)),
                                Symbolic(eta.diff(GiNaC::ex_to<GiNaC::symbol>(s.tau)).subs(s.tau == 0))};
              },
-         .derived = [&s] { return std::vector<ex>{s.eta_0, s.eta_prime_0}; },
-         .special_case = true},
+         .derived =
+             [&s] {
+                 return std::vector<ex>{s.eta_0, s.eta_prime_0};
+             },
+         .special_case = true,
+         .steps = {{"The constants (A.5) are put into (A.2), which is then evaluated at $\\tau=0$, and so is its rate", ""}}},
     };
 });
 

@@ -39,7 +39,10 @@ const Register registered([] {
              },
          .derived = [] { return std::vector<ex>{in_phi_j(derived_displacement())}; },
          .departure = Departure::convention,
-         .steps = {{"The constants are put into the general solution and the terms ordered by the initial values, friction and load", ""}}},
+         .steps = {step(
+             "The constants (A.5) are put into the general solution (A.2), and the terms ordered by the initial values, "
+             "friction and load",
+             "\\eta_i", derived_displacement())}},
         {.id = "A.8/free-motion",
          .equations = {"A.8"},
          .title = "d is the answer to a unit displacement, R q the answer to a unit velocity",

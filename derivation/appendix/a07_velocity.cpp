@@ -41,8 +41,10 @@ const Register registered([] {
                                                                 Symbolic(s.beta), Symbolic(s.phi_j))};
              },
          .derived = derived,
-         .steps = {{"The displacement (A.6) is differentiated with respect to tau; d' multiplies + eta_0, as d does there",
-                    "\\frac{\\mathrm{d}}{\\mathrm{d}\\tau}(d_i\\eta_{i0}) = d_i'\\eta_{i0}"}}},
+         .steps = {{"The displacement (A.6) is differentiated with respect to $\\tau$; $d_i'$ multiplies $+\\eta_{i0}$, as $d_i$ "
+                    "does there",
+                    "\\frac{\\mathrm{d}}{\\mathrm{d}\\tau}(d_i\\eta_{i0}) = d_i'\\eta_{i0}"},
+                   step("With $d_i' = -q_i/R_i$, (A.9), the rate is", "\\eta_i'", rate(derived_displacement()))}},
         {.id = "A.9/rates",
          .equations = {"A.9"},
          .title = "Rates of d and q",
@@ -57,7 +59,11 @@ const Register registered([] {
                  const ex velocity = rate(derived_displacement());
                  return std::vector<ex>{velocity.diff(GiNaC::ex_to<GiNaC::symbol>(s.eta_0)),
                                         velocity.diff(GiNaC::ex_to<GiNaC::symbol>(s.eta_prime_0))};
-             }},
+             },
+         .steps = {step("The factor of $\\eta_{i0}$ in the rate of (A.6)", "d_i'",
+                        rate(derived_displacement()).diff(GiNaC::ex_to<GiNaC::symbol>(s.eta_0))),
+                   step("The factor of $\\eta'_{i0}$, the rate of $R_iq_i$", "R_iq_i'",
+                        rate(derived_displacement()).diff(GiNaC::ex_to<GiNaC::symbol>(s.eta_prime_0)))}},
     };
 });
 

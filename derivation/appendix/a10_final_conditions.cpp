@@ -35,9 +35,17 @@ const Register registered([] {
                  const auto [displacement, velocity] = derived_final_conditions();
                  return std::vector<ex>{displacement, velocity};
              },
-         .steps = {{"Symmetry: half a period later the motion is its mirror image", "\\eta_i(\\pi)+\\eta_{i0}=0,\\qquad \\eta_i'(\\pi)+\\eta_{i0}'=0"},
-                   {"cos(phi_j) and sin(phi_j) are written through the real and imaginary part of v exp(i phi_j), in which both conditions are linear",
-                    "[v_{di}\\cos\\phi_j] = \\mathrm{Re}\\{v_{di}e^{i\\phi_j}\\},\\qquad [v_{di}\\sin\\phi_j] = \\mathrm{Im}\\{v_{di}e^{i\\phi_j}\\}"}}},
+         .steps = {{"Symmetry: half a period later the motion is its mirror image",
+                    "\\eta_i(\\pi)+\\eta_{i0}=0,\\qquad \\eta_i'(\\pi)+\\eta_{i0}'=0"},
+                   {"$\\cos\\phi_j$ and $\\sin\\phi_j$ are written through the real and imaginary part of $v_{di}e^{i\\phi_j}$, "
+                    "in which both "
+                    "conditions are linear",
+                    "[v_{di}\\cos\\phi_j] = \\mathrm{Re}\\{v_{di}e^{i\\phi_j}\\},\\qquad [v_{di}\\sin\\phi_j] = "
+                    "\\mathrm{Im}\\{v_{di}e^{i\\phi_j}\\}"},
+                   step("(A.6) at $\\tau=\\pi$ gives the first condition, this to be zero", "\\eta_i(\\pi)+\\eta_{i0}",
+                        derived_final_conditions().first),
+                   step("and (A.7) the second, this to be zero", "\\eta_i'(\\pi)+\\eta_{i0}'",
+                        derived_final_conditions().second)}},
         {.id = "A.11/coefficients",
          .equations = {"A.11"},
          .title = "The six coefficients, v_di taken out of the first four",
@@ -56,7 +64,11 @@ const Register registered([] {
                  return std::vector<ex>{displacement.diff(v_cos), displacement.diff(v_sin), displacement.subs(none),
                                         velocity.diff(v_cos),     velocity.diff(v_sin),     velocity.subs(none)};
              },
-         .departure = Departure::convention},
+         .departure = Departure::convention,
+         .steps = {{"The coefficients of $[v_{di}\\cos\\phi_j]$ and $[v_{di}\\sin\\phi_j]$ in the two conditions (A.10), and "
+                    "what is left without "
+                    "them, in the order A, B, C, P, Q, R",
+                    ""}}},
     };
 });
 

@@ -52,8 +52,9 @@ const Register registered([] {
          .steps = {{"(A.13) and (A.14) are put into the displacement (A.6)",
                     "[v_{di}\\cos\\phi_j] = \\frac{\\eta_{i0}+\\psi_{ji}R_i^2g_i\\beta}{\\psi_{li}R_i^2},\\qquad "
                     "[v_{di}\\sin\\phi_j] = -\\frac{\\eta_{i0}'+\\psi_{ji}R_i^2u_{di}\\beta}{\\psi_{li}R_i^2}"},
-                   {"The initial values lose their free motions d and q; friction keeps 1 - (1 + g) d - u R q",
-                    "d_i\\eta_{i0} - d_i(\\eta_{i0}+\\psi_{ji}R_i^2g_i\\beta) = -d_i\\psi_{ji}R_i^2g_i\\beta"}}},
+                   {"The initial values lose their free motions $d_i$ and $q_i$; friction keeps $1-(1+g_i)d_i-u_{di}R_iq_i$",
+                    "d_i\\eta_{i0} - d_i(\\eta_{i0}+\\psi_{ji}R_i^2g_i\\beta) = -d_i\\psi_{ji}R_i^2g_i\\beta"},
+                   step("The displacement over the half-period", "\\eta_i", derived_modal_displacement())}},
         {.id = "40/rate",
          .equations = {"40"},
          .role = Role::shipped,
