@@ -2,8 +2,8 @@
 /// @brief LaTeX of GiNaC expressions for a reader: the same bytes on every run.
 ///
 /// GiNaC orders terms and factors by addresses in memory, which change from run to run. Here they are ordered by what is printed:
-/// numbers in front, then the paper's symbols in the order in which the paper writes them, sums in brackets, exponentials, circular
-/// and hyperbolic functions. A sum starts with a term that is not negative where it has one; a quotient has one bar.
+/// numbers in front, then the paper's symbols in the order in which the paper writes them, exponentials, sums in brackets,
+/// circular and hyperbolic functions. A sum starts with a term that is not negative where it has one; a quotient has one bar.
 #pragma once
 
 #include <ginac/ginac.h>

@@ -2,9 +2,10 @@
 /// @brief An expression in the form that a reader wants: the paper's groups recognised, common factors collected.
 ///
 /// GiNaC's expressions come out of linear systems, expanded and over one denominator. Here functions and roots become symbols, the
-/// paper's groups \f$ d_i, q_i, w_i, [v_{di}\cos\phi_j] \f$ are put in by exact substitution, and the result is factored as a whole or
-/// term by term. Of several such forms the one that is narrowest on the page is taken. None is trusted: the zero test has to prove
-/// that the form, with the groups' meanings put back, equals the expression; what it does not prove is shown as GiNaC made it.
+/// paper's groups \f$ d_i, q_i, w_i, [v_{di}\cos\phi_j] \f$ are put in by exact substitution, and the result is factored as a
+/// whole or term by term. Of several such forms the one that is narrowest on the page is taken. None is trusted: the zero test has
+/// to prove that the form, with the groups' meanings put back, equals the expression; what it does not prove is shown as GiNaC
+/// made it.
 #pragma once
 
 #include <ginac/ginac.h>
@@ -33,7 +34,7 @@ struct ModeGroups {
 /// @brief The groups of the mode i and of the modes 1, 2, 3. @return one a mode
 [[nodiscard]] const std::vector<ModeGroups>& groups_of_modes();
 
-/// @brief The groups of all modes, and v cos(phi_j) and v sin(phi_j): the last two pairs, for symbols and for functions of phi_j.
+/// @brief The groups of all modes, and v cos(phi_j) and v sin(phi_j): the last two pairs, for symbols and for functions.
 /// @return  all of them; each uses only groups before it
 [[nodiscard]] const std::vector<Group>& groups();
 
@@ -58,7 +59,8 @@ struct ModeGroups {
 /// @return   a form in groups that `stands_for` it; the expression itself where no other is proved
 [[nodiscard]] GiNaC::ex readable(const GiNaC::ex& e);
 
-/// @brief Definitions of the groups that occur in LaTeX. @param latex LaTeX of some steps @return definitions; empty without groups
+/// @brief Definitions of the groups that occur in LaTeX. @param latex LaTeX of some steps
+/// @return  the definitions; empty without groups
 [[nodiscard]] std::string legend_of(const std::string& latex);
 
 } // namespace denhartog::derivation
