@@ -13,9 +13,12 @@ enum class Row { mass, contact };
 
 /// @brief A mode's initial values in the steady state, for a given phase.
 struct ModalStart {
-    GiNaC::ex psi_k, psi_j;                  ///< mode shape at the mass and at the mass in contact
-    GiNaC::ex harmonic_cosine, harmonic_sine; ///< psi_l R^2 times Re{v exp(i phi)} and -Im{v exp(i phi)}
-    GiNaC::ex eta_0, eta_prime_0;            ///< initial values by (26) and (27)
+    GiNaC::ex psi_k;           ///< mode shape at the mass
+    GiNaC::ex psi_j;           ///< mode shape at the mass in contact
+    GiNaC::ex harmonic_cosine; ///< psi_l R^2 times Re{v exp(i phi)}
+    GiNaC::ex harmonic_sine;   ///< psi_l R^2 times -Im{v exp(i phi)}
+    GiNaC::ex eta_0;           ///< initial displacement by (26)
+    GiNaC::ex eta_prime_0;     ///< initial velocity by (27)
 };
 
 /// @brief The modes' initial values. @param N number of modes @param c cos(phi_j) @param s sin(phi_j) @return one a mode
@@ -35,8 +38,8 @@ struct ModalStart {
 
 /// @brief cos(phi_j) and sin(phi_j) from Re{V exp(i phi)} and Im{V exp(i phi)}. @param re, im V @param c, s the two values
 /// @return  the cosine and the sine
-[[nodiscard]] std::pair<GiNaC::ex, GiNaC::ex> derived_phase_of_contact(const GiNaC::ex& re, const GiNaC::ex& im, const GiNaC::ex& c,
-                                                                       const GiNaC::ex& s);
+[[nodiscard]] std::pair<GiNaC::ex, GiNaC::ex> derived_phase_of_contact(const GiNaC::ex& re, const GiNaC::ex& im,
+                                                                       const GiNaC::ex& c, const GiNaC::ex& s);
 
 /// @brief cos(phi_j) and sin(phi_j) of the steady state: Re{V exp(i phi)} is the root of (38), Im{V exp(i phi)} is -beta U.
 /// @param re, im  V_dj @param U U_dj

@@ -24,9 +24,11 @@ struct Group {
 
 /// @brief The groups of one mode.
 struct ModeGroups {
-    GiNaC::ex R, zeta;          ///< frequency ratio and damping ratio of the mode
+    GiNaC::ex R;                ///< frequency ratio of the mode
+    GiNaC::ex zeta;             ///< its damping ratio
     Group w;                    ///< \f$ \sqrt{1-\zeta_i^2} \f$
-    std::vector<Group> d, q;    ///< the free motions (A.8) at tau and at pi
+    std::vector<Group> d;       ///< the free motion from displacement, (A.8), at tau and at pi
+    std::vector<Group> q;       ///< the free motion from velocity, (A.8), at tau and at pi
     std::vector<Group> q_prime; ///< the rate of q, (A.9), at tau and at pi
     std::vector<GiNaC::ex> tau; ///< tau and pi
 };

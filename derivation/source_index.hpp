@@ -14,7 +14,8 @@ struct FunctionEntry {
     std::string name;     ///< with its namespaces
     std::string file;     ///< from the folder above the source root, e.g. `src/denhartog/formulas/mode.hpp`
     int line = 0;         ///< where the name stands, from 1
-    bool operator==(const FunctionEntry&) const = default; ///< same entry
+    /// @brief Same entry. @return whether it is
+    bool operator==(const FunctionEntry&) const = default;
 };
 
 /// @brief Functions documented in one header.

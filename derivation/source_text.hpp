@@ -10,6 +10,7 @@ namespace denhartog::derivation {
 
 /// @brief A stretch of source of one sort.
 struct Piece {
+    /// @brief What a stretch of source is.
     enum class Sort {
         code,    ///< neither comment nor literal
         comment, ///< a comment, with its slashes

@@ -25,7 +25,7 @@ class Symbolic;
 /// Sum and difference are exchanged, product and quotient, sine and cosine, hyperbolic sine and cosine, the arguments of atan2;
 /// an exponential gets the opposite sign, a root and a unary minus are left out, an integer grows by one.
 class Mutation {
-  public:
+public:
     /// @param position  which operation to replace; negative: none, count only
     explicit Mutation(long position);
     ~Mutation();
@@ -38,7 +38,7 @@ class Mutation {
     /// @brief Counts an operation. @param what description of the replacement @return whether to replace this one
     static bool here(const char* what);
 
-  private:
+private:
     long position_;
     long count_ = 0;
     std::string replaced_;
@@ -46,7 +46,7 @@ class Mutation {
 
 /// @brief A symbolic number: built from integers and GiNaC expressions, without comparison, without rounding.
 class Symbolic {
-  public:
+public:
     /// @brief Zero.
     Symbolic() = default;
     /// @brief An integer. @param n the integer
@@ -62,10 +62,15 @@ class Symbolic {
     /// @return the GiNaC expression
     [[nodiscard]] const GiNaC::ex& expression() const { return value_; }
 
+    /// @brief Sum, an operation that a twin may exchange. @param a an expression @param b an expression @return a + b
     friend Symbolic operator+(const Symbolic& a, const Symbolic& b);
+    /// @brief Difference, an operation that a twin may exchange. @param a an expression @param b an expression @return a - b
     friend Symbolic operator-(const Symbolic& a, const Symbolic& b);
+    /// @brief Product, an operation that a twin may exchange. @param a an expression @param b an expression @return a * b
     friend Symbolic operator*(const Symbolic& a, const Symbolic& b);
+    /// @brief Quotient, an operation that a twin may exchange. @param a an expression @param b an expression @return a / b
     friend Symbolic operator/(const Symbolic& a, const Symbolic& b);
+    /// @brief Opposite. @param a an expression @return -a
     friend Symbolic operator-(const Symbolic& a);
     friend bool operator==(const Symbolic&, const Symbolic&) = delete;
     friend bool operator!=(const Symbolic&, const Symbolic&) = delete;
@@ -74,39 +79,137 @@ class Symbolic {
     friend bool operator<=(const Symbolic&, const Symbolic&) = delete;
     friend bool operator>=(const Symbolic&, const Symbolic&) = delete;
 
-  private:
+private:
     GiNaC::ex value_ = 0;
 };
 
 /// @name Elementary functions of the symbolic scalar, found by argument-dependent lookup
 /// @{
+
+/// @brief Square root.
+/// @param x  an expression
+/// @return the expression
 Symbolic sqrt(const Symbolic& x);
+/// @brief Exponential.
+/// @param x  an expression
+/// @return the expression
 Symbolic exp(const Symbolic& x);
+/// @brief Sine.
+/// @param x  an expression
+/// @return the expression
 Symbolic sin(const Symbolic& x);
+/// @brief Cosine.
+/// @param x  an expression
+/// @return the expression
 Symbolic cos(const Symbolic& x);
+/// @brief Hyperbolic sine.
+/// @param x  an expression
+/// @return the expression
 Symbolic sinh(const Symbolic& x);
+/// @brief Hyperbolic cosine.
+/// @param x  an expression
+/// @return the expression
 Symbolic cosh(const Symbolic& x);
+/// @brief Angle of the point (x, y).
+/// @param y  an expression
+/// @param x  an expression
+/// @return the expression
 Symbolic atan2(const Symbolic& y, const Symbolic& x);
+/// @brief sin(pi x).
+/// @param x  an expression
+/// @return the expression
 Symbolic sin_pi(const Symbolic& x);
+/// @brief cos(pi x).
+/// @param x  an expression
+/// @return the expression
 Symbolic cos_pi(const Symbolic& x);
+/// @brief exp(x) - 1.
+/// @param x  an expression
+/// @return the expression
 Symbolic exp_minus_one(const Symbolic& x);
+/// @brief 1 - sqrt(1 - zeta^2).
+/// @param zeta  an expression
+/// @return the expression
 Symbolic one_minus_w(const Symbolic& zeta);
+/// @brief sinh(x) / x - 1.
+/// @param x  an expression
+/// @return the expression
 Symbolic sinhc_minus_one(const Symbolic& x);
+/// @brief (1 - exp(-x)) / x.
+/// @param x  an expression
+/// @return the expression
 Symbolic one_minus_exp_over(const Symbolic& x);
+/// @brief sin(x) / x.
+/// @param x  an expression
+/// @return the expression
 Symbolic sinc(const Symbolic& x);
+/// @brief sin(pi y) / (pi y).
+/// @param y  an expression
+/// @return the expression
 Symbolic sinc_pi(const Symbolic& y);
+/// @brief [sinh(q zeta) / (q zeta) - sin(q w) / (q w)] / q^2.
+/// @param q  an expression
+/// @param zeta  an expression
+/// @return the expression
 Symbolic sinhc_less_sinc_over_square(const Symbolic& q, const Symbolic& zeta);
+/// @brief What `product_error` of the evaluation forms stands for.
+/// @param x  an expression
+/// @param y  an expression
+/// @param xy  an expression
+/// @return the expression
 Symbolic product_error(const Symbolic& x, const Symbolic& y, const Symbolic& xy);
+/// @brief What `sum_error` of the evaluation forms stands for.
+/// @param x  an expression
+/// @param y  an expression
+/// @param sum  an expression
+/// @return the expression
 Symbolic sum_error(const Symbolic& x, const Symbolic& y, const Symbolic& sum);
+/// @brief What `contact_root` of the evaluation forms stands for.
+/// @param V_dj  an expression
+/// @param U_dj  an expression
+/// @param beta  an expression
+/// @return the expression
 Symbolic contact_root(const Complex<Symbolic>& V_dj, const Symbolic& U_dj, const Symbolic& beta);
+/// @brief What `overdamped_w` of the evaluation forms stands for.
+/// @param zeta  an expression
+/// @return the expression
 Symbolic overdamped_w(const Symbolic& zeta);
+/// @brief What `slow_rate` of the evaluation forms stands for.
+/// @param zeta  an expression
+/// @return the expression
 Symbolic slow_rate(const Symbolic& zeta);
+/// @brief What `overdamped_sinc` of the evaluation forms stands for.
+/// @param zeta  an expression
+/// @param x  an expression
+/// @return the expression
 Symbolic overdamped_sinc(const Symbolic& zeta, const Symbolic& x);
+/// @brief What `overdamped_cosine` of the evaluation forms stands for.
+/// @param zeta  an expression
+/// @param x  an expression
+/// @return the expression
 Symbolic overdamped_cosine(const Symbolic& zeta, const Symbolic& x);
+/// @brief What `overdamped_difference` of the evaluation forms stands for.
+/// @param zeta  an expression
+/// @param x  an expression
+/// @return the expression
 Symbolic overdamped_difference(const Symbolic& zeta, const Symbolic& x);
+/// @brief What `sinhc_less_sinhc_over_square` of the evaluation forms stands for.
+/// @param q  an expression
+/// @param zeta  an expression
+/// @return the expression
 Symbolic sinhc_less_sinhc_over_square(const Symbolic& q, const Symbolic& zeta);
+/// @brief What `product_over` of the evaluation forms stands for.
+/// @param p  an expression
+/// @param K  an expression
+/// @param R  an expression
+/// @return the expression
 Symbolic product_over(const Symbolic& p, const Symbolic& K, const Symbolic& R);
+/// @brief What `sine_cosine_of_half_period` of the evaluation forms stands for.
+/// @param R  an expression
+/// @param y  an expression
+/// @return the expression
 SineCosine<Symbolic> sine_cosine_of_half_period(const Symbolic& R, const Symbolic& y);
+
 /// @}
 
 /// @brief Square of what a kernel returns, where a claim is on the square; no operation of the kernel, so that no twin alters it.

@@ -26,9 +26,57 @@ GiNaC::ex new_symbol(const std::string& name, const std::string& latex, const Gi
 
 /// @brief The symbols of one mode, of the contact, and of the derivation.
 struct Symbols {
-    GiNaC::ex tau, R, zeta, w, beta, mu, psi_ki, psi_ji, psi_li, eta_0, eta_prime_0, phi_j, u, g, A, B, c_phi, s_phi, v_cos, v_sin;
-    GiNaC::ex V_kr, V_ki, V_jr, V_ji, U_k, U_j, G_k, G_j, F_k, S, H, X, x_k0, x_prime_k0, r, gamma, omega, t, m_1, m_i, k_1, k_i, P, F, x;
-    GiNaC::ex PA, PB, PC, PP, PQ, PR;
+    GiNaC::ex tau;         ///< non-dimensional time
+    GiNaC::ex R;           ///< frequency ratio of the mode
+    GiNaC::ex zeta;        ///< its damping ratio
+    GiNaC::ex w;           ///< sqrt(1 - zeta^2)
+    GiNaC::ex beta;        ///< friction ratio
+    GiNaC::ex mu;          ///< static over kinetic friction
+    GiNaC::ex psi_ki;      ///< mode shape at the mass k
+    GiNaC::ex psi_ji;      ///< mode shape at the mass in contact
+    GiNaC::ex psi_li;      ///< mode shape at the loaded mass
+    GiNaC::ex eta_0;       ///< initial modal displacement
+    GiNaC::ex eta_prime_0; ///< initial modal velocity
+    GiNaC::ex phi_j;       ///< phase of the mass in contact
+    GiNaC::ex u;           ///< first damping function of the mode
+    GiNaC::ex g;           ///< second damping function of the mode
+    GiNaC::ex A;           ///< first integration constant
+    GiNaC::ex B;           ///< second integration constant
+    GiNaC::ex c_phi;       ///< cos(phi_j)
+    GiNaC::ex s_phi;       ///< sin(phi_j)
+    GiNaC::ex v_cos;       ///< v cos(phi_j) in the reading of (A.10)
+    GiNaC::ex v_sin;       ///< v sin(phi_j) in the same reading
+    GiNaC::ex V_kr;        ///< real part of V_dk
+    GiNaC::ex V_ki;        ///< imaginary part of V_dk
+    GiNaC::ex V_jr;        ///< real part of V_dj
+    GiNaC::ex V_ji;        ///< imaginary part of V_dj
+    GiNaC::ex U_k;         ///< U_dk
+    GiNaC::ex U_j;         ///< U_dj
+    GiNaC::ex G_k;         ///< G_k
+    GiNaC::ex G_j;         ///< G_j
+    GiNaC::ex F_k;         ///< sum over the modes in (41)
+    GiNaC::ex S;           ///< S_dj
+    GiNaC::ex H;           ///< H_j
+    GiNaC::ex X;           ///< amplitude of the mass in contact
+    GiNaC::ex x_k0;        ///< initial displacement of the mass k
+    GiNaC::ex x_prime_k0;  ///< its initial velocity
+    GiNaC::ex r;           ///< frequency ratio
+    GiNaC::ex gamma;       ///< mass ratio
+    GiNaC::ex omega;       ///< circular frequency of the load
+    GiNaC::ex t;           ///< time
+    GiNaC::ex m_1;         ///< first mass
+    GiNaC::ex m_i;         ///< mass i
+    GiNaC::ex k_1;         ///< first stiffness
+    GiNaC::ex k_i;         ///< stiffness i
+    GiNaC::ex P;           ///< amplitude of the load
+    GiNaC::ex F;           ///< friction force
+    GiNaC::ex x;           ///< displacement
+    GiNaC::ex PA;          ///< coefficient A of (A.11)
+    GiNaC::ex PB;          ///< coefficient B of (A.11)
+    GiNaC::ex PC;          ///< coefficient C of (A.11)
+    GiNaC::ex PP;          ///< coefficient P of (A.11)
+    GiNaC::ex PQ;          ///< coefficient Q of (A.11)
+    GiNaC::ex PR;          ///< coefficient R of (A.11)
 };
 
 /// @brief The symbols, made once. @return the symbols
@@ -48,8 +96,14 @@ struct Symbols {
 
 /// @brief Symbols of N modes where sums over modes matter.
 struct SymbolicModes {
-    std::vector<Symbolic> R, zeta, psi_k, psi_j, psi_l, u, g; ///< one value a mode
-    std::vector<Complex<Symbolic>> v;                          ///< complex response functions, as symbols
+    std::vector<Symbolic> R;          ///< frequency ratios
+    std::vector<Symbolic> zeta;       ///< damping ratios
+    std::vector<Symbolic> psi_k;      ///< mode shapes at the mass k
+    std::vector<Symbolic> psi_j;      ///< mode shapes at the mass in contact
+    std::vector<Symbolic> psi_l;      ///< mode shapes at the loaded mass
+    std::vector<Symbolic> u;          ///< first damping functions
+    std::vector<Symbolic> g;          ///< second damping functions
+    std::vector<Complex<Symbolic>> v; ///< complex response functions, as symbols
 };
 
 /// @brief Symbols of N modes. @param N  1, 2 or 3 @return the symbols

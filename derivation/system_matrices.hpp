@@ -12,10 +12,14 @@ namespace denhartog::derivation {
 /// The modal matrix is \f$ \overline{M}^{-1/2}Q \f$ with a rotation Q by Cayley's formula, rational in its parameters; the stiffness
 /// and damping matrices follow from natural frequencies and damping ratios. Every system with distinct frequencies is of this form.
 struct SymbolicSystem {
-    GiNaC::matrix M, C, K, Psi;            ///< non-dimensional matrices and modal matrix
-    std::vector<GiNaC::ex> Omega, zeta;    ///< natural frequencies, damping ratios
-    std::vector<GiNaC::ex> gamma;          ///< mass ratios
-    GiNaC::ex r;                           ///< frequency ratio
+    GiNaC::matrix M;              ///< non-dimensional mass matrix
+    GiNaC::matrix C;              ///< non-dimensional damping matrix
+    GiNaC::matrix K;              ///< non-dimensional stiffness matrix
+    GiNaC::matrix Psi;            ///< modal matrix
+    std::vector<GiNaC::ex> Omega; ///< natural frequencies
+    std::vector<GiNaC::ex> zeta;  ///< damping ratios
+    std::vector<GiNaC::ex> gamma; ///< mass ratios
+    GiNaC::ex r;                  ///< frequency ratio
 };
 
 /// @brief The symbolic system. @param N  1, 2 or 3 @return the system
