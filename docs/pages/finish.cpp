@@ -86,6 +86,10 @@ void follow(const std::string& from, const std::string& target, const fs::path& 
 
 std::string finished_page(std::string page, bool is_source) {
     const std::string open = "<div class=\"title\">";
+    if (page.find("<h1>") != std::string::npos && page.find("class=\"memtitle\"") == std::string::npos)
+        for (const char order : {'3', '2', '1'}) // sections stand below the title
+            for (const char* bracket : {"<h", "</h"})
+                replace_all(page, std::string(bracket) + order + ">", std::string(bracket) + static_cast<char>(order + 1) + ">");
     const std::size_t at = page.find(open);
     if (at != std::string::npos) {
         const std::size_t from = at + open.size(), end = page.find("</div>", from), inner = page.find("<div", from);

@@ -36,6 +36,8 @@ TEST_CASE("a page gets its title as a heading, and MathJax only with a formula",
         CHECK(without.find("mathjax") == std::string::npos);
         CHECK(without.find("<body>") != std::string::npos);
     }
+    CHECK(finished_page("<div class=\"title\">T</div><h1>S</h1><h2>U</h2>", false) ==
+          "<div><h1 class=\"title\">T</h1></div><h2>S</h2><h3>U</h3>");
     const std::string groups = finished_page("<div class=\"title\">f<div class=\"ingroups\">g</div></div>", false);
     CHECK(groups == "<div><h1 class=\"title\">f</h1><div class=\"ingroups\">g</div></div>");
 }
