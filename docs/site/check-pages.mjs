@@ -94,16 +94,17 @@ async function check(browser, name) {
   }
 }
 
-const browser = await puppeteer.launch({
-  executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
-  args: ["--allow-file-access-from-files", "--disable-dev-shm-usage", ...(process.getuid() === 0 ? ["--no-sandbox"] : [])],
-  protocolTimeout: 300000,
-});
+// A browser for each processor: one tab in front of another would stand still.
 const waiting = [...pages];
 await Promise.all(Array.from({length: os.cpus().length}, async () => {
+  const browser = await puppeteer.launch({
+    executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
+    args: ["--allow-file-access-from-files", "--disable-dev-shm-usage", ...(process.getuid() === 0 ? ["--no-sandbox"] : [])],
+    protocolTimeout: 300000,
+  });
   for (let name = waiting.shift(); name; name = waiting.shift()) await check(browser, name);
+  await browser.close();
 }));
-await browser.close();
 
 fs.writeFileSync(report, JSON.stringify({...count, faults}, null, 1) + "\n");
 for (const fault of faults.sort()) console.error(fault);
