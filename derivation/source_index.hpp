@@ -1,5 +1,5 @@
 /// @file
-/// @brief Which function computes which equation: read from the tags `@eq{...}` in the doc comments of the headers.
+/// @brief Which function computes which equation: read from the tag `eq` in the doc comments of the headers.
 #pragma once
 
 #include <filesystem>

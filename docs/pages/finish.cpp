@@ -56,6 +56,33 @@ std::string shortened(std::string text) {
     return text;
 }
 
+/// Puts a table of Markdown into a box that scrolls where the page is narrow.
+void box_tables(std::string& page) {
+    const std::string table = "<table class=\"markdownTable\">", box = "<div class=\"table-box\" tabindex=\"0\">",
+                      end = "</table>";
+    for (std::size_t at = page.find(table); at != std::string::npos; at = page.find(table, at)) {
+        const std::size_t close = page.find(end, at);
+        if (close == std::string::npos) return;
+        page.insert(close + end.size(), "</div>");
+        page.insert(at, box);
+        at += box.size() + table.size();
+    }
+}
+
+/// Joins the pieces into which Doxygen breaks an element with paragraphs in it.
+void join_pieces(std::string& page) {
+    const std::string open = "<div class=\"", seam = "</div>" + open;
+    for (std::size_t at = page.find(seam); at != std::string::npos; at = page.find(seam, at)) {
+        const std::size_t from = at + seam.size(), to = page.find('"', from), before = page.rfind(open, at - 1);
+        const std::string name = page.substr(from, to - from);
+        const bool own = name == "claim" || name.starts_with("verdict ") || name == "erratum";
+        if (own && before != std::string::npos && page.compare(before + open.size(), name.size() + 1, name + "\"") == 0)
+            page.erase(at, page.find('>', to) + 1 - at);
+        else
+            at = from;
+    }
+}
+
 /// A page with what its links can lead to.
 struct Page {
     std::string text;
@@ -96,6 +123,8 @@ std::string finished_page(std::string page, bool is_source) {
         page.insert(std::min(end, inner), "</h1>");
         page.replace(at, open.size(), "<div><h1 class=\"title\">");
     }
+    join_pieces(page);
+    box_tables(page);
     cut(page, "<div class=\"summary\">", "</div>"); // its links lead to headings that are left out where all is private
     replace_all(page, "<p class=\"formulaDsp\">", "<p class=\"formulaDsp\" tabindex=\"0\">");
     replace_all(page, "<div class=\"fragment\">", "<div class=\"fragment\" tabindex=\"0\">");
@@ -129,7 +158,11 @@ std::string text_of_html(const std::string& html) {
 std::vector<nlohmann::json> search_documents(const std::string& page, const std::string& name) {
     const std::string title = text_of_html(between(page, "<h1 class=\"title\">", "</h1>"));
     if (title.empty()) return {};
-    const std::string body = between(page, "<div class=\"contents\">", "<footer");
+    std::string body = between(page, "<div class=\"contents\">", "<footer");
+    cut(body, "<div class=\"eq-nav\">", "</div>");
+    cut(body, "<p class=\"eq-contents\">", "</p>");
+    cut(body, "\\[", "\\]");
+    cut(body, "\\(", "\\)");
     const std::string member = "<h2 class=\"memtitle\">";
     const std::size_t first = body.find(member);
     std::vector<nlohmann::json> out{{{"title", title}, {"url", name}, {"text", shortened(text_of_html(body.substr(0, first)))}}};
@@ -137,7 +170,8 @@ std::vector<nlohmann::json> search_documents(const std::string& page, const std:
         const std::string heading = between(body, member, "</h2>", at), anchor = between(heading, "href=\"#", "\"");
         const std::size_t named = heading.find("</span>");
         if (anchor.empty() || named == std::string::npos) continue;
-        const std::string text = between(body, "<div class=\"memdoc\">", "</div><!-- memitem", at);
+        const std::string item = body.substr(at + member.size(), body.find(member, at + 1) - at - member.size());
+        const std::string text = item.substr(std::min(item.find("<div class=\"memdoc\">"), item.size()));
         out.push_back({{"title", text_of_html(heading.substr(named))},
                        {"url", name + "#" + anchor},
                        {"text", shortened(text_of_html(text))}});

@@ -14,7 +14,10 @@
     this.pipeline.remove(lunr.stopWordFilter);
     this.searchPipeline.remove(lunr.stemmer);
     this.pipeline.remove(lunr.stemmer);
-    documents.forEach((each, at) => this.add({place: at, title: each.title, text: each.text}));
+    documents.forEach((each, at) => {
+      const boost = each.url.includes("#") ? 3 : /Reference$/.test(each.title) ? 1 : 6; // names, lists of names, texts
+      this.add({place: at, title: each.title.replace(/_/g, " ") + " " + each.title, text: each.text}, {boost});
+    });
   });
 
   // An equation is found by its number alone, with or without parentheses.

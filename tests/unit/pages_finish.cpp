@@ -38,15 +38,21 @@ TEST_CASE("a page gets its title as a heading, and MathJax only with a formula",
     }
     CHECK(finished_page("<div class=\"title\">T</div><h1>S</h1><h2>U</h2>", false) ==
           "<div><h1 class=\"title\">T</h1></div><h2>S</h2><h3>U</h3>");
+    CHECK(finished_page("<table class=\"markdownTable\">x</table>y", false) ==
+          "<div class=\"table-box\" tabindex=\"0\"><table class=\"markdownTable\">x</table></div>y");
+    CHECK(finished_page(
+              "<div class=\"claim\">a</div><div class=\"claim\">b</div> <div class=\"claim\">c</div><div class=\"x\">d</div>",
+              false) == "<div class=\"claim\">ab</div> <div class=\"claim\">c</div><div class=\"x\">d</div>");
     const std::string groups = finished_page("<div class=\"title\">f<div class=\"ingroups\">g</div></div>", false);
     CHECK(groups == "<div><h1 class=\"title\">f</h1><div class=\"ingroups\">g</div></div>");
 }
 
 TEST_CASE("the search knows a page and each documented name on it", "[pages]") {
-    const std::string page = "<h1 class=\"title\">paper</h1><div class=\"contents\"><p>The formulas, R &lt; 1.</p>"
-                             "<h2 class=\"memtitle\"><span class=\"permalink\"><a href=\"#a1\">&#9670;&#160;</a></span>d()</h2>"
-                             "<div class=\"memdoc\"><p>Free <b>motion</b>.</p></div><!-- memitem -->"
-                             "</div><footer></footer>";
+    const std::string page =
+        "<h1 class=\"title\">paper</h1><div class=\"contents\"><p>The formulas, R &lt; 1.</p>"
+        "<h2 class=\"memtitle\"><span class=\"permalink\"><a href=\"#a1\">&#9670;&#160;</a></span>d()</h2>"
+        "<div class=\"memproto\">d(tau)</div><div class=\"memdoc\"><p>Free <b>motion</b> \\(d_i\\).</p></div>"
+        "</div><footer></footer>";
     const auto found = search_documents(page, "paper.html");
     REQUIRE(found.size() == 2);
     CHECK(found[0]["title"] == "paper");
