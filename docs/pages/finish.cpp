@@ -48,7 +48,9 @@ std::vector<std::string> values_of(const std::string& page, const std::string& a
     return values;
 }
 
+/// What the search keeps of a text: not too much, and formulas without their TeX.
 std::string shortened(std::string text) {
+    for (const char* mark : {"\\(", "\\)", "\\", "{", "}"}) replace_all(text, mark, "");
     if (text.size() <= longest_text) return text;
     text.resize(longest_text);
     while (!text.empty() && (static_cast<unsigned char>(text.back()) & 0xC0U) == 0x80U) text.pop_back();
@@ -149,8 +151,14 @@ std::string text_of_html(const std::string& html) {
             out += ' ';
         if (c == '>') tag = false;
     }
-    constexpr std::array<std::pair<const char*, const char*>, 7> entities{
-        {{"&lt;", "<"}, {"&gt;", ">"}, {"&quot;", "\""}, {"&#39;", "'"}, {"&#160;", " "}, {"&le;", "<="}, {"&amp;", "&"}}};
+    constexpr std::array<std::pair<const char*, const char*>, 8> entities{{{"&lt;", "<"},
+                                                                           {"&gt;", ">"},
+                                                                           {"&quot;", "\""},
+                                                                           {"&#39;", "'"},
+                                                                           {"&#160;", " "},
+                                                                           {"&le;", "<="},
+                                                                           {"&ge;", ">="},
+                                                                           {"&amp;", "&"}}};
     for (const auto& [entity, meant] : entities) replace_all(out, entity, meant);
     return out.ends_with(' ') ? out.substr(0, out.size() - 1) : out;
 }
@@ -162,7 +170,6 @@ std::vector<nlohmann::json> search_documents(const std::string& page, const std:
     cut(body, "<div class=\"eq-nav\">", "</div>");
     cut(body, "<p class=\"eq-contents\">", "</p>");
     cut(body, "\\[", "\\]");
-    cut(body, "\\(", "\\)");
     const std::string member = "<h2 class=\"memtitle\">";
     const std::size_t first = body.find(member);
     std::vector<nlohmann::json> out{{{"title", title}, {"url", name}, {"text", shortened(text_of_html(body.substr(0, first)))}}};

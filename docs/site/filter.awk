@@ -137,7 +137,7 @@ markdown {
         gsub(/,/, "\\,", inside)
         gsub(/<=/, "\\&le;", inside)
         gsub(/>=/, "\\&ge;", inside)
-        gsub(/<</, "\\&laquo;", inside)
+        gsub(/<</, "≪", inside)
         gsub(/</, "\\&lt;", inside)
         $0 = put($0, "@holds_for{" inside "}")
     }

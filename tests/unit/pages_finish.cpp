@@ -59,7 +59,7 @@ TEST_CASE("the search knows a page and each documented name on it", "[pages]") {
     CHECK(found[0]["text"] == "The formulas, R < 1.");
     CHECK(found[1]["title"] == "d()");
     CHECK(found[1]["url"] == "paper.html#a1");
-    CHECK(found[1]["text"] == "Free motion .");
+    CHECK(found[1]["text"] == "Free motion d_i.");
     CHECK(search_documents("<p>no heading</p>", "x.html").empty());
     CHECK(text_of_html("<script>x</script> a\n <i>b</i>&amp;lt; ") == "a b &lt;");
 }
