@@ -83,7 +83,7 @@ std::vector<std::string> cells_of(const std::string& line) {
 
 std::string row(const std::vector<std::string>& cells, const std::string& element) {
     std::string out = "<tr>";
-    for (const std::string& cell : cells) out += "<" + element + ">" + prose(cell) + "</" + element + ">";
+    for (const std::string& cell : cells) out += "<" + element + ">" + typeset(cell, "a table") + "</" + element + ">";
     return out + "</tr>\n";
 }
 
