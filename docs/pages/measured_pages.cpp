@@ -112,7 +112,7 @@ std::string tables_as_html(const std::string& markdown, const std::string& prefi
                 out += row(cells, "td");
             }
         } else if (!line.empty()) {
-            out += "<p>" + prose(line) + "</p>\n";
+            out += "<p>" + typeset(line, "a sentence of a table of measurements") + "</p>\n";
         }
     }
     return out + (columns > 0 ? "</table>\n</div>\n" : "");
