@@ -73,7 +73,8 @@ async function check(browser, name) {
     }
     await page.setViewport({width: widths[0], height: 900});
     await page.evaluate(axe);
-    for (const scheme of ["light", "dark"]) {
+    const schemes = name.endsWith("_source.html") ? ["light"] : ["light", "dark"]; // code has one set of colours, seen on other pages
+    for (const scheme of schemes) {
       await page.emulateMediaFeatures([{name: "prefers-color-scheme", value: scheme}]);
       const options = scheme === "light" ? {resultTypes: ["violations"]} : {resultTypes: ["violations"], runOnly: ["color-contrast"]};
       const result = await page.evaluate((o) => axe.run({exclude: [".MathJax_SVG"]}, o), options);
@@ -86,7 +87,7 @@ async function check(browser, name) {
           await page.screenshot({path: path.join(pictures, name + "-" + width + "-" + scheme + ".png")});
         }
     }
-    ++count.pages;
+    if (++count.pages % 200 === 0) console.log(count.pages + " of " + pages.length + " pages");
   } catch (error) {
     say("could not be looked at: " + error.message);
   } finally {
