@@ -133,24 +133,10 @@ ex FunctionRing::rewrite(const ex& e) {
     return e;
 }
 
-ex FunctionRing::reduced(const ex& polynomial) const {
-    ex p = polynomial.expand();
-    for (auto relation = relations_.rbegin(); relation != relations_.rend(); ++relation) {
-        const auto& [y, square] = *relation;
-        while (p.degree(y) >= 2) {
-            ex next = 0;
-            for (int k = p.ldegree(y); k <= p.degree(y); ++k)
-                next += p.coeff(y, k) * GiNaC::pow(square, k / 2) * GiNaC::pow(y, k % 2);
-            p = next.expand();
-        }
-    }
-    return p;
-}
-
 std::pair<ex, ex> FunctionRing::fraction(const ex& rational) const {
     ex quotient = rational.normal();
-    quotient = (reduced(quotient.numer()) / reduced(quotient.denom())).normal();
-    return {reduced(quotient.numer()), reduced(quotient.denom())};
+    quotient = (reduced(quotient.numer(), relations_) / reduced(quotient.denom(), relations_)).normal();
+    return {reduced(quotient.numer(), relations_), reduced(quotient.denom(), relations_)};
 }
 
 ex FunctionRing::factored(const ex& polynomial) const {

@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "zero_test.hpp"
+
 namespace denhartog::derivation {
 
 /// @brief The polynomial ring of an expression: a symbol for each of its functions and roots.
@@ -36,12 +38,11 @@ public:
 private:
     std::map<GiNaC::ex, GiNaC::ex, GiNaC::ex_is_less> atoms_; // function or root -> its symbol
     GiNaC::exmap meanings_;                                   // symbol -> what is printed
-    std::vector<std::pair<GiNaC::ex, GiNaC::ex>> relations_;  // symbol, value of its square
+    std::vector<SquareRelation> relations_;                   // newest last
 
     GiNaC::ex atom(const GiNaC::ex& e, const GiNaC::ex& shown);
     GiNaC::ex exponential(const GiNaC::ex& argument);
     GiNaC::ex root(const GiNaC::ex& radicand);
-    [[nodiscard]] GiNaC::ex reduced(const GiNaC::ex& polynomial) const;
     [[nodiscard]] GiNaC::ex factored(const GiNaC::ex& polynomial) const;
 };
 

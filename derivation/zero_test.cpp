@@ -19,6 +19,20 @@ std::string to_string(Verdict v) {
     }
 }
 
+ex reduced(const ex& polynomial, const std::vector<SquareRelation>& relations) {
+    ex p = polynomial.expand();
+    for (auto relation = relations.rbegin(); relation != relations.rend(); ++relation) {
+        const auto& [y, square] = *relation;
+        while (p.degree(y) >= 2) {
+            ex next = 0;
+            for (int k = p.ldegree(y); k <= p.degree(y); ++k)
+                next += p.coeff(y, k) * GiNaC::pow(square, k / 2) * GiNaC::pow(y, k % 2);
+            p = next.expand();
+        }
+    }
+    return p;
+}
+
 namespace {
 
 using Terms = std::vector<std::pair<ex, numeric>>; // monomial, rational coefficient
@@ -34,8 +48,10 @@ Terms linear_terms(const ex& argument) {
             coefficient = GiNaC::ex_to<numeric>(term);
         } else if (GiNaC::is_a<GiNaC::mul>(term)) {
             for (const ex& factor : term)
-                if (GiNaC::is_a<numeric>(factor)) coefficient = coefficient.mul(GiNaC::ex_to<numeric>(factor));
-                else monomial = monomial * factor;
+                if (GiNaC::is_a<numeric>(factor))
+                    coefficient = coefficient.mul(GiNaC::ex_to<numeric>(factor));
+                else
+                    monomial = monomial * factor;
         } else {
             monomial = term;
         }
@@ -52,7 +68,7 @@ Terms linear_terms(const ex& argument) {
 /// Replaces functions and roots by generators. Two passes over one expression: the first finds by which fraction each
 /// monomial occurs in angles and exponents, the second replaces.
 class Generators {
-  public:
+public:
     explicit Generators(Point inside) : inside_(std::move(inside)) {}
 
     ex replace(const ex& e) {
@@ -63,7 +79,7 @@ class Generators {
     /// Remainder of the numerator of a rational function of the generators; the denominators met are kept.
     ex reduced_numerator(const ex& rational) {
         const ex fraction = rational.normal();
-        ex numerator = reduce(fraction.numer());
+        ex numerator = reduced(fraction.numer(), relations_);
         note_denominator(fraction.denom());
         return numerator;
     }
@@ -74,7 +90,7 @@ class Generators {
     std::vector<ex> denominators;
     std::vector<std::pair<ex, ex>> names; // generator, what it stands for
 
-  private:
+private:
     struct Root {
         symbol generator;
         ex square;
@@ -83,16 +99,19 @@ class Generators {
         symbol cosine, sine;
     };
 
-    Point inside_;                                                       // a point of the domain; tells signs of radicands
-    GiNaC::exmap meaning_;                                               // generator -> what it stands for
+    Point inside_;                                                        // a point of the domain; tells signs of radicands
+    GiNaC::exmap meaning_;                                                // generator -> what it stands for
     std::map<ex, numeric, GiNaC::ex_is_less> angle_unit_, exponent_unit_; // monomial -> common denominator
     std::map<ex, std::pair<ex, ex>, GiNaC::ex_is_less> angles_;           // monomial -> cosine, sine of the unit angle
     std::map<ex, ex, GiNaC::ex_is_less> exponentials_, arcs_;             // monomial -> generator; atan2 -> angle symbol
-    std::vector<std::pair<symbol, ex>> relations_;                       // generator, value of its square; newest last
+    std::vector<SquareRelation> relations_;                               // newest last
 
-    static bool is_circular(const ex& e) { return GiNaC::is_the_function<GiNaC::sin_SERIAL>(e) || GiNaC::is_the_function<GiNaC::cos_SERIAL>(e); }
+    static bool is_circular(const ex& e) {
+        return GiNaC::is_the_function<GiNaC::sin_SERIAL>(e) || GiNaC::is_the_function<GiNaC::cos_SERIAL>(e);
+    }
     static bool is_exponential(const ex& e) {
-        return GiNaC::is_the_function<GiNaC::exp_SERIAL>(e) || GiNaC::is_the_function<GiNaC::sinh_SERIAL>(e) || GiNaC::is_the_function<GiNaC::cosh_SERIAL>(e);
+        return GiNaC::is_the_function<GiNaC::exp_SERIAL>(e) || GiNaC::is_the_function<GiNaC::sinh_SERIAL>(e) ||
+               GiNaC::is_the_function<GiNaC::cosh_SERIAL>(e);
     }
 
     void collect(const ex& e) {
@@ -122,7 +141,7 @@ class Generators {
 
     /// The positive root of a polynomial: squares of positive symbols come out, the rest is one generator.
     ex root(const ex& polynomial) {
-        ex a = reduce(polynomial.expand());
+        ex a = reduced(polynomial, relations_);
         ex outside = 1;
         std::map<ex, bool, GiNaC::ex_is_less> seen;
         collect_symbols(a, seen);
@@ -143,7 +162,7 @@ class Generators {
         for (const auto& [generator, square] : relations_)
             if ((square - a).expand().is_zero()) return outside * generator;
         const ex y = new_generator("y", GiNaC::sqrt(a));
-        relations_.emplace_back(GiNaC::ex_to<symbol>(y), a);
+        relations_.emplace_back(y, a);
         return outside * y;
     }
 
@@ -172,7 +191,7 @@ class Generators {
             }
         const ex unit = monomial / angle_unit_.at(monomial);
         const ex c = new_generator("c", GiNaC::cos(unit)), s = new_generator("s", GiNaC::sin(unit));
-        relations_.emplace_back(GiNaC::ex_to<symbol>(s), 1 - c * c);
+        relations_.emplace_back(s, 1 - c * c);
         return angles_.emplace(monomial, std::pair(c, s)).first->second;
     }
 
@@ -246,24 +265,9 @@ class Generators {
         return e;
     }
 
-    /// Replaces every square of a generator by its value, newest generator first, until none is left.
-    ex reduce(const ex& polynomial) const {
-        ex p = polynomial.expand();
-        for (auto relation = relations_.rbegin(); relation != relations_.rend(); ++relation) {
-            const auto& [y, square] = *relation;
-            while (p.degree(y) >= 2) {
-                ex next = 0;
-                for (int k = p.ldegree(y); k <= p.degree(y); ++k)
-                    next += p.coeff(y, k) * GiNaC::pow(square, k / 2) * GiNaC::pow(y, k % 2);
-                p = next.expand();
-            }
-        }
-        return p;
-    }
-
     void note_denominator(const ex& d) {
         if (GiNaC::is_a<numeric>(d)) return;
-        if (reduce(d).is_zero()) throw std::domain_error("a denominator that is zero everywhere");
+        if (reduced(d, relations_).is_zero()) throw std::domain_error("a denominator that is zero everywhere");
         for (const ex& known : denominators)
             if ((known - d).expand().is_zero() || (known + d).expand().is_zero()) return;
         denominators.push_back(d);
@@ -350,8 +354,10 @@ Decision decide_equal(const ex& left, const ex& right, const std::vector<Range>&
             return decision;
         }
     }
-    if (zero && evaluated > 0) decision.verdict = Verdict::proved;
-    else if (zero) decision.reason = "no point of the domain could be evaluated";
+    if (zero && evaluated > 0)
+        decision.verdict = Verdict::proved;
+    else if (zero)
+        decision.reason = "no point of the domain could be evaluated";
     return decision;
 }
 

@@ -36,11 +36,20 @@ enum class Verdict {
 /// @brief The word for a verdict. @param v a verdict @return proved, refuted or unknown
 [[nodiscard]] std::string to_string(Verdict v);
 
+/// @brief A generator and the value of its square.
+using SquareRelation = std::pair<GiNaC::ex, GiNaC::ex>;
+
+/// @brief A polynomial in which every square of a generator is replaced by its value, newest generator first, until none is left.
+/// @param polynomial  a polynomial in the generators
+/// @param relations   generators with their squares, each in older generators alone; newest last
+/// @return            its remainder, of degree one at most in each generator
+[[nodiscard]] GiNaC::ex reduced(const GiNaC::ex& polynomial, const std::vector<SquareRelation>& relations);
+
 /// @brief A symbol and the values it may take.
 struct Range {
-    GiNaC::ex symbol;      ///< the symbol
-    GiNaC::numeric low;   ///< least value, rational
-    GiNaC::numeric high;  ///< largest value, rational
+    GiNaC::ex symbol;    ///< the symbol
+    GiNaC::numeric low;  ///< least value, rational
+    GiNaC::numeric high; ///< largest value, rational
 };
 
 /// @brief Values for symbols.
@@ -48,13 +57,13 @@ using Point = std::vector<std::pair<GiNaC::ex, GiNaC::numeric>>;
 
 /// @brief What the test decided, and on which grounds.
 struct Decision {
-    Verdict verdict = Verdict::unknown;     ///< the verdict
-    std::vector<GiNaC::ex> denominators;    ///< what must not be zero, in generators
+    Verdict verdict = Verdict::unknown;                      ///< the verdict
+    std::vector<GiNaC::ex> denominators;                     ///< what must not be zero, in generators
     std::vector<std::pair<GiNaC::ex, GiNaC::ex>> generators; ///< generators and what they stand for
-    Point witness;                          ///< the point that refutes; empty otherwise
-    std::string left;                       ///< first value at the witness
-    std::string right;                      ///< second value at the witness
-    std::string reason;                     ///< why unknown; or why an expression has no value
+    Point witness;                                           ///< the point that refutes; empty otherwise
+    std::string left;                                        ///< first value at the witness
+    std::string right;                                       ///< second value at the witness
+    std::string reason;                                      ///< why unknown; or why an expression has no value
 };
 
 /// @brief Decides whether two expressions are equal on a domain.

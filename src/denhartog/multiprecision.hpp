@@ -7,6 +7,7 @@
 #include <boost/multiprecision/cpp_bin_float.hpp>
 
 #include "denhartog/number.hpp"
+#include "denhartog/wider.hpp"
 
 namespace denhartog {
 
@@ -14,6 +15,25 @@ namespace denhartog {
 using Real50 = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>, boost::multiprecision::et_off>;
 /// @brief A binary floating-point number with at least 100 decimal digits, expression templates off.
 using Real100 = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<100>, boost::multiprecision::et_off>;
+
+/// @brief Ten digits more than `Real50`.
+using Real60 = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<60>, boost::multiprecision::et_off>;
+
+/// @brief Of `long double`.
+template <>
+struct WiderOf<long double> {
+    using type = Real50; ///< the wider type
+};
+/// @brief Of 50 digits.
+template <>
+struct WiderOf<Real50> {
+    using type = Real60; ///< the wider type
+};
+/// @brief Of 50 digits.
+template <>
+struct GuardedOf<Real50> {
+    using type = Real60; ///< the type to evaluate in
+};
 
 /// @brief pi for the multiprecision types. @tparam B the back end
 template <class B>

@@ -1,13 +1,10 @@
 /// @file
 /// @brief The number types in which callers' forms are evaluated where their own type would let roundings show.
+///
+/// What has to do with 50 digits stands in `multiprecision.hpp`, so that double alone does without it.
 #pragma once
 
-#include "denhartog/multiprecision.hpp"
-
 namespace denhartog {
-
-/// @brief Ten digits more than `Real50`.
-using Real60 = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<60>, boost::multiprecision::et_off>;
 
 /// @brief The next wider number type, for a difference whose terms may not be rounded first; the type itself where none is wider.
 ///
@@ -27,16 +24,8 @@ template <>
 struct WiderOf<double> {
     using type = long double; ///< the wider type
 };
-/// @brief Of `long double`.
 template <>
-struct WiderOf<long double> {
-    using type = Real50; ///< the wider type
-};
-/// @brief Of 50 digits.
-template <>
-struct WiderOf<Real50> {
-    using type = Real60; ///< the wider type
-};
+struct WiderOf<long double>; // 50 digits, in multiprecision.hpp: without it nothing compiles that needs them
 
 /// @brief The number type for (28), (29) and the free motions: the type itself where their roundings stay within four units.
 ///
@@ -51,11 +40,6 @@ struct GuardedOf {
 template <>
 struct GuardedOf<float> {
     using type = double; ///< the type to evaluate in
-};
-/// @brief Of 50 digits.
-template <>
-struct GuardedOf<Real50> {
-    using type = Real60; ///< the type to evaluate in
 };
 
 } // namespace denhartog

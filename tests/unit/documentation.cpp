@@ -1,21 +1,11 @@
 // What the doc comments point at is there.
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 
+#include "derivation/source_text.hpp"
 #include "tests/catch.hpp"
 
-namespace {
-
-std::string text_of(const std::filesystem::path& file) {
-    std::ifstream in(file);
-    std::ostringstream text;
-    text << in.rdbuf();
-    return text.str();
-}
-
-} // namespace
+using denhartog::derivation::text_of;
 
 TEST_CASE("every derivation that a doc comment names is a file", "[documentation]") {
     const char* source = std::getenv("DENHARTOG_SOURCE_DIR");

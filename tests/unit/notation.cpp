@@ -2,21 +2,16 @@
 #include <cctype>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <set>
 #include <sstream>
 #include <string>
 
+#include "derivation/source_text.hpp"
 #include "tests/catch.hpp"
 
-namespace {
+using denhartog::derivation::text_of;
 
-std::string text_of(const std::filesystem::path& file) {
-    std::ifstream in(file);
-    std::ostringstream text;
-    text << in.rdbuf();
-    return text.str();
-}
+namespace {
 
 std::filesystem::path root() {
     const char* source = std::getenv("DENHARTOG_SOURCE_DIR");
