@@ -3,8 +3,9 @@
 //   node check-pages.mjs SITE REPORT.json [--only REGEXP] [--screenshots FOLDER]
 //
 // An error in the console, a file that is not there, a call to another host; raw \f or \( left in the text; a formula that MathJax
-// left out or rejected; a page wider than the window at 375 or 1280 pixels; a serious fault by axe-core, in light and dark, listings by sample. One line a
-// fault on standard error; exit status 1 where there is any, 2 for usage. Run from the folder where axe-core and puppeteer-core are.
+// left out or rejected; a page wider than the window at 375 or 1280 pixels; a serious fault by axe-core, in light and dark,
+// listings by sample. One line a fault on standard error; exit status 1 where there is any, 2 for usage. Run from the folder where
+// axe-core and puppeteer-core are.
 import {createRequire} from "node:module";
 import fs from "node:fs";
 import os from "node:os";
