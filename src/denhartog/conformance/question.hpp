@@ -1,0 +1,121 @@
+/// @file
+/// @brief What an implementation under test is asked, and what it answers; docs/protocol.md has the same for readers.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "denhartog/model/scene.hpp"
+
+namespace denhartog::conformance {
+
+/// @brief How many numbers the answer to a quantity has.
+enum class Shape {
+    number,    ///< one
+    complex,   ///< real and imaginary part
+    modes,     ///< one a mode, by ascending natural frequency
+    durations, ///< one a stop of the contact, ascending; none where it does not stop
+    samples,   ///< as many as the question has samples
+    word       ///< the name of a regime in place of numbers
+};
+
+/// @brief A quantity that may be asked for.
+struct Quantity {
+    std::string_view name;     ///< as the protocol has it
+    std::string_view equation; ///< number of its equation in the paper, e.g. `38`; empty where it has none
+    Shape shape;               ///< how many numbers
+    bool of_mass;              ///< whether a question names the mass k
+    bool angle;                ///< whether it is an angle: compared round the circle, in radians
+};
+
+/// @brief All quantities, in the order of the protocol. @return the quantities
+[[nodiscard]] std::span<const Quantity> quantities();
+
+/// @brief A quantity by its name.
+/// @param name  its name
+/// @return      the quantity
+/// @throws      InputError for a name that is none
+[[nodiscard]] const Quantity& quantity(std::string_view name);
+
+/// @brief A question. Its numbers may break any rule of a scene: some questions are to be rejected.
+struct Question {
+    std::string id;                       ///< letters, digits and hyphens
+    std::string quantity;                 ///< what is asked, a name of `quantities`
+    std::vector<double> mass_ratios;      ///< gamma, Eq. (9), N values
+    std::vector<double> stiffness_ratios; ///< kappa, Eq. (73), N values
+    std::vector<double> damping_ratios;   ///< zeta, Eq. (18), N values
+    int contact = 1;                      ///< j, counted from 1
+    int load = 1;                         ///< l, counted from 1
+    double mu = 1;                        ///< static over kinetic friction, Eq. (3)
+    double r = 1;                         ///< frequency ratio, Eq. (10)
+    double beta = 0;                      ///< friction ratio, Eq. (11)
+    int mass = 0;                         ///< k, counted from 1; 0 where the quantity is of no mass
+    double tau = 0;                       ///< non-dimensional time, for `displacement`
+    int samples = 0;                      ///< instants, for `motion_under_force`
+};
+
+/// @brief The scene of a question, its numbers taken as exact.
+/// @param q  the question
+/// @return   the scene, checked
+/// @throws   InputError where a number breaks a rule of the scene, or the mass asked about is not there
+template <class T>
+[[nodiscard]] Scene<T> scene_of(const Question& q);
+
+/// @brief A question as the object of the protocol's `json` dialect. @param q the question @return the object
+[[nodiscard]] nlohmann::ordered_json question_json(const Question& q);
+
+/// @brief A question as the line of the protocol's `plain` dialect. @param q the question @return the line, without its end
+[[nodiscard]] std::string question_plain(const Question& q);
+
+/// @brief A question from the object of the `json` dialect; members that are no question's are passed over.
+/// @param object  the object
+/// @return        the question
+/// @throws        InputError where a member is missing or of another type
+[[nodiscard]] Question question_from_json(const nlohmann::json& object);
+
+/// @brief Numbers, or the name of a regime.
+struct Value {
+    std::vector<double> numbers; ///< finite
+    std::string word;            ///< the regime; empty where there are numbers
+};
+
+/// @brief The question was found to break a rule.
+struct Rejected {
+    std::string reason; ///< in the implementation's words
+};
+
+/// @brief The implementation does not compute this.
+struct Skipped {
+    std::string reason; ///< in the implementation's words
+};
+
+/// @brief The answer cannot be used: not finite, no number, nothing that the protocol knows.
+struct Unusable {
+    std::string reason; ///< what is wrong with it
+};
+
+/// @brief An answer.
+using Answer = std::variant<Value, Rejected, Skipped, Unusable>;
+
+/// @brief An answer from a line of the `json` dialect, whose id has to be the question's.
+/// @param line  the line
+/// @param id    the question's id
+/// @return      the answer; `Unusable` with the reason for whatever is none
+[[nodiscard]] Answer answer_from_json(std::string_view line, std::string_view id);
+
+/// @brief An answer from a line of the `plain` dialect.
+/// @param line  the line
+/// @param id    the question's id
+/// @return      the answer; `Unusable` with the reason for whatever is none
+[[nodiscard]] Answer answer_from_plain(std::string_view line, std::string_view id);
+
+/// @brief An answer from the cell of an answers file: numbers separated by spaces, a regime, `reject`, or `skip`.
+/// @param text  the cell
+/// @return      the answer
+[[nodiscard]] Answer answer_from_cell(std::string_view text);
+
+} // namespace denhartog::conformance
