@@ -21,7 +21,7 @@ QUANTITIES = {  # c: the closed form of the scene; k: the mass, from 0; q: the q
     "phase_monoharmonic": lambda c, k, q: wrapped(c.sliding[0] + math.atan2(*reversed(c.initial(k)))),
     "initial_displacement": lambda c, k, q: c.initial(k)[0],
     "initial_velocity": lambda c, k, q: c.initial(k)[1],
-    "displacement": lambda c, k, q: c.motion(k, q["tau"])[0],
+    "displacement": lambda c, k, q: c.motion(k, q["tau"])[0, 0],
     "beta_lim_exact": lambda c, k, q: c.beta_lim(c.demand(c.psi_j_squared)),
     "beta_lim_paper": lambda c, k, q: c.beta_lim(c.S_dj()),
     "beta_lim_approximate": lambda c, k, q: c.beta_lim(0),

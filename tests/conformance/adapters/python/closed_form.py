@@ -72,18 +72,18 @@ def free_motion(tau, R, zeta):
         a, b, q = decay(x, zeta)
         Rq_prime, less_d = np.exp(-b * x) - a * q, -np.expm1(-a * x) - a * q
         difference = np.expm1(-b * x) - a * q + 2 * np.sin(tau / 2) ** 2
-    small = np.where(max(1, 2 * zeta) * x < 1, x, 0.0)  # there 1 - d by its power series: m'' + 2 zeta m' + m = 1
-    before, term, series = 0 * x, small**2 / 2, 0 * x
+    small = max(1, 2 * zeta) * x < 1  # there 1 - d by its power series: m'' + 2 zeta m' + m = 1
+    x, before, term, less_d[small] = x[small], 0.0, x[small] ** 2 / 2, 0.0
     for k in range(2, 22):
-        series = series + term
-        before, term = term, -(2 * zeta * small * k * term + small**2 * before) / (k * (k + 1))
-    return np.where(small > 0, series, less_d), q, Rq_prime, difference
+        less_d[small] += term
+        before, term = term, -(2 * zeta * x * k * term + x * x * before) / (k * (k + 1))
+    return less_d, q, Rq_prime, difference
 
 def largest(f, tau):
     """Largest value and its place: f gives a value and a number with the sign of its slope, bisected where that turns."""
     rising = f(tau)[1] > 0
     a, b = tau[:-1][rising[:-1] & ~rising[1:]], tau[1:][rising[:-1] & ~rising[1:]]
-    for _ in range(60):
+    for _ in range(60 if a.size else 0):
         up = f((a + b) / 2)[1] > 0
         a, b = np.where(up, (a + b) / 2, a), np.where(up, b, (a + b) / 2)
     tau = np.append(tau, (a + b) / 2)
@@ -158,7 +158,7 @@ class ClosedForm:
 
     def motion(self, k, tau):
         """x_k by (46) as corrected, and its derivative; tau = 0 at the maximum of x_j, x_k(tau + pi) = -x_k(tau)."""
-        half, tau = np.divmod(tau, math.pi)
+        half, tau = np.divmod(np.atleast_1d(tau), math.pi)
         W = self.sliding[1][k] * np.exp(1j * tau)
         x, x_prime = W.real, -W.imag
         for weight, R, zeta, u, g in zip(self.beta * self.to_contact[k], self.R, self.zeta, self.u, self.g):
@@ -180,7 +180,7 @@ class ClosedForm:
             x, x_prime = self.motion(k, tau)
             return abs(x), x * x_prime
         amplitude, tau = largest(size, np.linspace(0, math.pi, self.samples + 1))
-        return amplitude, self.sliding[0] + tau + (math.pi if self.motion(k, tau)[0] < 0 else 0)  # (47)
+        return amplitude, self.sliding[0] + tau + (math.pi if self.motion(k, tau)[0, 0] < 0 else 0)  # (47)
 
     def motion_under_force(self, k, tau):  # tau = 0 at the maximum of the force
         held = self.regime == "permanent_sticking"
