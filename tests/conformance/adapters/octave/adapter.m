@@ -29,12 +29,12 @@ function value = answer(quantity, c, k, tau, samples)
   if !all(isfinite(value)), error('at a pole, or not in this regime'); end
 end
 function rule = broken_rule(quantity, x) % x: the numbers of the question, N first
-  [rule, of_no_mass] = deal('', '^(natural|modal|H_j|S_j|beta|regime|rest|stop)');
+  [rule, of_a_mass] = deal('', '^(mode_|complex|first|second|amplitude|phase|initial|displacement|motion)');
   in_range = @(k) any(k == 1:x(1));
   if !all(isfinite(x)) || numel(x) != 9 + 3 * x(1) || x(1) < 1, rule = 'finite numbers, N of each ratio';
   elseif !all(x(10:9 + 2 * x(1)) > 0) || any(x(10 + 2 * x(1):end) < 0), rule = 'positive ratios, damping ratios not negative';
   elseif x(10) != 1 || x(10 + x(1)) != 1, rule = 'the first ratio of masses and of stiffnesses 1';
-  elseif !in_range(x(2)) || !in_range(x(3)) || !in_range(x(4)) && !any(regexp(quantity, of_no_mass)), rule = 'masses from 1 to N';
+  elseif !in_range(x(2)) || !in_range(x(3)) || !in_range(x(4)) && any(regexp(quantity, of_a_mass)), rule = 'masses from 1 to N';
   elseif x(7) < 1 || x(8) <= 0 || x(9) < 0, rule = 'mu at least 1, r positive, beta not negative';
   elseif x(6) < 0 || x(6) >= 2 * pi || strcmp(quantity, 'motion_under_force') && x(5) < 1, rule = '0 <= tau < 2 pi, a sample'; end
 end
