@@ -178,4 +178,30 @@ Page speed_page(const Book& book) {
     return {"speed_page", out + tables_as_html(book.run.chart, "speed_chart") + tables_as_html(book.run.batch, "speed_batch")};
 }
 
+Page conformance_page(const Book& book) {
+    struct Part {
+        const char *name, *title, *made_by;
+    };
+    constexpr Part parts[] = {{"kill_matrix", "Known mistakes", "./verify tests"},
+                              {"adapters", "Implementations to start from", "./verify tests"},
+                              {"hostile", "Hostile programs", "./verify tests"},
+                              {"solvers", "Solvers of others", "./verify chart"}};
+    std::string out = page_head("conformance_page", "Conformance");
+    out += "<p><code>denhartog conform</code> asks other people's implementations certified questions. Here it is tried itself, "
+           "on programs of "
+           "which it is known what is to be found. All figures on this page were written by a run.</p>\n\n"
+           "- \\ref test_your_implementation, and \\ref protocol, which a program has to keep\n"
+           "- \\ref vectors, the questions and their values\n"
+           "- \\ref conformance_output, what a run writes\n"
+           "- \\ref solvers, how the solvers below are set up\n";
+    for (const Part& part : parts) {
+        out += "\n\\section conformance_" + std::string(part.name) + " " + part.title + "\n\n";
+        const auto found = book.run.conformance.find(part.name);
+        out += found != book.run.conformance.end()
+                   ? tables_as_html(found->second, "conformance_" + std::string(part.name))
+                   : "<p>Not measured in this run: <code>" + std::string(part.made_by) + "</code> measures it.</p>\n";
+    }
+    return {"conformance_page", out};
+}
+
 } // namespace denhartog::pages

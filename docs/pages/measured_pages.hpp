@@ -1,5 +1,5 @@
 /// @file
-/// @brief Pages on what was drawn and measured: figures, accuracy, speed.
+/// @brief Pages on what was drawn and measured: figures, accuracy, speed, conformance.
 #pragma once
 
 #include "equation_page.hpp"
@@ -16,6 +16,10 @@ namespace denhartog::pages {
 
 /// @brief Speed against accuracy, and batches. @param book the run @return the page `speed_page`
 [[nodiscard]] Page speed_page(const Book& book);
+
+/// @brief What the conformance kit was tried on: mistakes, implementations, hostile programs, solvers. @param book the run
+/// @return the page `conformance_page`
+[[nodiscard]] Page conformance_page(const Book& book);
 
 /// @brief The tables of a Markdown text as HTML: headings, tables and sentences, as the surveys write them.
 /// @param markdown  the text

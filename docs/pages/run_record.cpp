@@ -82,6 +82,8 @@ RunRecord read_run(const fs::path& verify, const fs::path& source) {
     });
     run.chart = text_if_there(verify / "chart/tables.md");
     run.batch = text_if_there(verify / "chart/batch.md");
+    for (const fs::path& file : derivation::files_in(verify / "conformance", ".md"))
+        run.conformance.emplace(file.stem().string(), text_if_there(file));
     for (const std::string& equation : ledger::equation_numbers()) (void)entry_of(run, equation);
     return run;
 }

@@ -31,6 +31,8 @@ struct RunRecord {
     std::vector<Json> accuracy; ///< worst errors by function, a record a survey; empty where the tests have not run
     std::string chart;          ///< tables of speed against accuracy, Markdown; empty where it was not measured
     std::string batch;          ///< tables of batches, Markdown; empty where they were not measured
+    /// What the conformance kit was tried on, Markdown by the name of its file; those that were not made are not there.
+    std::map<std::string, std::string> conformance;
 };
 
 /// @brief Reads what a run wrote.
