@@ -1,4 +1,4 @@
-# program -> conformance -> response, integration -> model -> evaluation -> formulas -> number: no file includes a room above its
+# program -> conformance, c -> response, integration -> model -> evaluation -> formulas -> number: no file includes a room above its
 # own, none but the derivation includes GiNaC, and what the derivation refutes (as_printed.hpp) is included by the conformance kit,
 # which has to know it, and by nothing else that is shipped.
 set(rank_of_root 0)
@@ -8,6 +8,7 @@ set(rank_of_model 3)
 set(rank_of_integration 4)
 set(rank_of_response 4)
 set(rank_of_conformance 5)
+set(rank_of_c 5)
 set(rank_of_program 6)
 
 function(rank_of path out)

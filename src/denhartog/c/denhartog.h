@@ -1,0 +1,287 @@
+/// @file
+/// @brief The library from C, and from any language that calls C: opaque handles, codes in place of exceptions, a stable ABI.
+///
+/// C99, and C++ as it is. Masses and modes count from 1; modes ascend by natural frequency. Displacements are in units of P / k_1,
+/// angles in radians; docs/c-interface.md has an example and the conventions.
+///
+/// Every function that can fail returns a status, #DH_OK or one of the others, and the text of the fault is kept for the calling
+/// thread, see dh_last_message(). On a fault no output is written. No exception leaves a function. Numbers handed out are finite.
+/// A handle does not change once it is made: any number of threads may use one at the same time; one of them destroys it, after
+/// all are done. Apart from the text of the last fault, which each thread has for itself, the interface keeps nothing.
+///
+/// A struct that may grow has its size as its first member; the caller sets it to `sizeof` before the call, and no more than that
+/// many bytes are written. Names are added and never changed or taken away as long as the number in the name of the shared library
+/// stays the same.
+#ifndef DENHARTOG_H
+#define DENHARTOG_H
+
+#include <stddef.h>
+
+/// @brief Marks what the shared library exports.
+#if defined(__GNUC__)
+#define DH_EXPORT __attribute__((visibility("default")))
+#else
+#define DH_EXPORT
+#endif
+
+/// @brief Version of the ABI that this header describes; compare with dh_abi_version().
+#define DH_ABI_VERSION 0
+
+#ifdef __cplusplus
+#define DH_NOEXCEPT noexcept
+extern "C" {
+#else
+#define DH_NOEXCEPT
+#endif
+
+/// @brief What a call came to.
+enum dh_status {
+    DH_OK = 0,              ///< done
+    DH_ERROR_NULL = 1,      ///< a pointer that is needed is null
+    DH_ERROR_SIZE = 2,      ///< an array or a struct has not the size that it must have
+    DH_ERROR_INPUT = 3,     ///< a number or a text breaks a rule; the message names quantity, rule and value
+    DH_ERROR_DOMAIN = 4,    ///< a formula was asked for where it does not hold, e.g. the sliding motion where the contact sticks
+    DH_ERROR_PRECISION = 5, ///< the digits asked for were not reached, or a result is no finite double
+    DH_ERROR_MEMORY = 6,    ///< memory is short
+    DH_ERROR_INTERNAL = 7   ///< anything else: a defect of the library
+};
+
+/// @brief How the contact moves in the steady state.
+enum dh_regime {
+    DH_CONTINUOUS = 0,        ///< it slides throughout, but for its two turning points a period
+    DH_STICK_SLIP = 1,        ///< it moves, and rests for a part of every period
+    DH_PERMANENT_STICKING = 2 ///< it rests
+};
+
+/// @brief A system prepared for many points: masses, springs, damping, contact and load.
+typedef struct dh_system dh_system;
+
+/// @brief The steady motion at one point.
+typedef struct dh_solution dh_solution;
+
+/// @brief The friction ratios that part the regimes at one frequency ratio.
+typedef struct dh_boundary {
+    size_t size;         ///< sizeof(dh_boundary), set by the caller
+    double exact;        ///< beta_lim, Eq. (69), with the maximum over tau of the sum over modes
+    double paper;        ///< (69) with (56): the sum of the maxima of the modes; never above `exact`
+    double approximate;  ///< (67); never below `exact`
+    double sticking;     ///< smallest beta at which the contact never moves; 0 where there is none
+    int sticking_exists; ///< 0 where no friction holds the contact, as the system resonates while it is held
+} dh_boundary;
+
+/// @brief What a mass does while the contact slides throughout, by the closed form. tau = 0 is the maximum of the contact.
+typedef struct dh_sliding_mass {
+    size_t size;                   ///< sizeof(dh_sliding_mass), set by the caller
+    double initial_displacement;   ///< x_k at tau = 0, Eq. (44) as corrected
+    double initial_velocity;       ///< d x_k / d tau at tau = 0, Eq. (45) as corrected
+    double amplitude;              ///< largest displacement; of the contact by Eq. (38)
+    double phase;                  ///< its lag behind the force, Eqs. (39), (47), in (-pi, pi]
+    double instant;                ///< tau in [0, pi] where the displacement is largest in size
+    double amplitude_monoharmonic; ///< Eq. (52) as corrected
+    double phase_monoharmonic;     ///< phi_j + phi_kj, Eq. (53), in (-pi, pi]
+} dh_sliding_mass;
+
+/// @brief A steady motion as a whole.
+typedef struct dh_summary {
+    size_t size;              ///< sizeof(dh_summary), set by the caller
+    int regime;               ///< one of enum dh_regime
+    int on_boundary;          ///< 1 where the regime could be the neighbour, beta being on a boundary as far as it is known
+    int unique;               ///< 1 where the steady velocities are known not to depend on the start
+    int symmetric;            ///< 1 where the motion mirrors itself after half its period, Eq. (25)
+    int periods;              ///< period of the motion in periods of the force
+    int rest_interval_exists; ///< 1 in permanent sticking
+    size_t stops;             ///< rests of the contact of positive length within the period of the motion
+    double rest_from;         ///< lower end of the interval where the contact may rest for ever; 0 where there is none
+    double rest_to;           ///< upper end
+    double rest_error;        ///< bound of the error of the ends
+    double relative_error;    ///< the largest error of the amplitudes, relative, and of the phases
+} dh_summary;
+
+/// @brief What a mass does in a steady motion, in any regime.
+typedef struct dh_mass {
+    size_t size;        ///< sizeof(dh_mass), set by the caller
+    double amplitude;   ///< largest displacement; in permanent sticking with the contact at zero
+    double error;       ///< bound of the error of the displacements
+    double phase;       ///< lag of the largest displacement behind the force, in (-pi, pi]; 0 where the mass does not move
+    double phase_error; ///< bound of the error of the phase
+    int moves;          ///< 0 where the mass does not move and has no phase
+} dh_mass;
+
+/// @brief Version of the library. @return a text such as `0.1.0`; it stays
+DH_EXPORT const char* dh_version(void) DH_NOEXCEPT;
+
+/// @brief Version of the ABI that the library has. @return #DH_ABI_VERSION of the header it was built with
+DH_EXPORT int dh_abi_version(void) DH_NOEXCEPT;
+
+/// @brief A status in words. @param status what a function returned @return a text; it stays
+DH_EXPORT const char* dh_status_text(int status) DH_NOEXCEPT;
+
+/// @brief What the last fault of the calling thread was: quantity, rule and value.
+/// @return a text, empty before any fault; it stays until this thread's next fault
+DH_EXPORT const char* dh_last_message(void) DH_NOEXCEPT;
+
+/// @brief A chain of N masses from ratios, each the same binary fraction in every precision.
+/// @param N                 number of masses
+/// @param mass_ratios       m_i / m_1, Eq. (9), N values, positive, the first 1
+/// @param stiffness_ratios  k_i / k_1, Eq. (73), N values, positive, the first 1
+/// @param damping_ratios    zeta_i by ascending natural frequency, Eq. (18), N values, not negative
+/// @param contact           the mass in contact, j, from 1 to N
+/// @param load              the loaded mass, l, from 1 to N
+/// @param system            receives the handle; to be destroyed by dh_system_destroy()
+/// @return                  #DH_OK, #DH_ERROR_NULL, #DH_ERROR_SIZE, #DH_ERROR_INPUT, #DH_ERROR_PRECISION, #DH_ERROR_MEMORY
+DH_EXPORT int dh_system_from_ratios(size_t N, const double* mass_ratios, const double* stiffness_ratios,
+                                    const double* damping_ratios, size_t contact, size_t load, dh_system** system) DH_NOEXCEPT;
+
+/// @brief A system from the text of a scene in JSON, see docs/scene.schema.json; matrices and dimensional scenes as well.
+///
+/// Its r, beta and mu are checked and not used: every call has its own point.
+/// @param text    UTF-8
+/// @param length  bytes of it, without an ending zero
+/// @param system  receives the handle; to be destroyed by dh_system_destroy()
+/// @return        as dh_system_from_ratios()
+DH_EXPORT int dh_system_from_json(const char* text, size_t length, dh_system** system) DH_NOEXCEPT;
+
+/// @brief Destroys a system. Solutions made of it stay. @param system a handle, or null
+DH_EXPORT void dh_system_destroy(dh_system* system) DH_NOEXCEPT;
+
+/// @brief Number of masses, contact and load.
+/// @param system   a system
+/// @param N        receives the number of masses
+/// @param contact  receives j, from 1; may be null
+/// @param load     receives l, from 1; may be null
+/// @return         #DH_OK, #DH_ERROR_NULL
+DH_EXPORT int dh_system_masses(const dh_system* system, size_t* N, size_t* contact, size_t* load) DH_NOEXCEPT;
+
+/// @brief Natural frequency ratios omega_i sqrt(m_1 / k_1), ascending, and modal damping ratios.
+/// @param system  a system
+/// @param count   N
+/// @param r_n     receives N frequency ratios
+/// @param zeta    receives N damping ratios; may be null
+/// @return        #DH_OK, #DH_ERROR_NULL, #DH_ERROR_SIZE
+DH_EXPORT int dh_natural_frequency_ratios(const dh_system* system, size_t count, double* r_n, double* zeta) DH_NOEXCEPT;
+
+/// @brief Mode shapes normalised by (17) with the non-dimensional mass matrix, so that they go as 1 / r.
+/// @param system  a system
+/// @param r       frequency ratio, Eq. (10), positive
+/// @param count   N times N
+/// @param psi     receives psi_ki at position (k - 1) N + i - 1
+/// @return        #DH_OK, #DH_ERROR_NULL, #DH_ERROR_SIZE, #DH_ERROR_INPUT, #DH_ERROR_PRECISION
+DH_EXPORT int dh_mode_shapes(const dh_system* system, double r, size_t count, double* psi) DH_NOEXCEPT;
+
+/// @brief What each mode contributes: (22), (23), (28), (29).
+/// @param system  a system
+/// @param r       frequency ratio, Eq. (10), positive
+/// @param count   N
+/// @param R       receives N modal frequency ratios, Eq. (22)
+/// @param v       receives 2 N numbers: real and imaginary part of v_di, Eq. (23), mode after mode; may be null
+/// @param u       receives N first damping functions u_di, Eq. (28); may be null
+/// @param g       receives N second damping functions g_i, Eq. (29); may be null
+/// @return        #DH_OK, #DH_ERROR_NULL, #DH_ERROR_SIZE, #DH_ERROR_INPUT, #DH_ERROR_DOMAIN at a pole of an undamped mode
+///                where more than R is asked for, #DH_ERROR_PRECISION
+DH_EXPORT int dh_modal_functions(const dh_system* system, double r, size_t count, double* R, double* v, double* u,
+                                 double* g) DH_NOEXCEPT;
+
+/// @brief Sums over the modes: (33)-(35), (64), and the largest sum of (57).
+/// @param system  a system
+/// @param r       frequency ratio, Eq. (10), positive
+/// @param count   N
+/// @param V       receives 2 N numbers: real and imaginary part of V_dk, Eq. (33), mass after mass
+/// @param U       receives N first damping functions U_dk, Eq. (34); may be null
+/// @param G       receives N second damping functions G_k, Eq. (35); may be null
+/// @param H_j     receives Eq. (64); may be null
+/// @param S_j     receives the largest sum over the modes of (57) as corrected, over tau; may be null, which saves the search
+/// @return        as dh_modal_functions()
+DH_EXPORT int dh_sums(const dh_system* system, double r, size_t count, double* V, double* U, double* G, double* H_j,
+                      double* S_j) DH_NOEXCEPT;
+
+/// @brief The friction ratios that part the regimes: (56), (57), (67), (69), and permanent sticking.
+/// @param system    a system
+/// @param r         frequency ratio, Eq. (10), positive
+/// @param mu        static over kinetic friction, Eq. (3), at least 1
+/// @param boundary  its size set; receives the rest
+/// @return          as dh_modal_functions()
+DH_EXPORT int dh_boundaries(const dh_system* system, double r, double mu, dh_boundary* boundary) DH_NOEXCEPT;
+
+/// @brief The limit of beta_lim for r to infinity, Eq. (86) as corrected.
+/// @param system    a system whose contact bears the load, j = l
+/// @param mu        static over kinetic friction, Eq. (3), at least 1
+/// @param beta_lim  receives the limit
+/// @return          #DH_OK, #DH_ERROR_NULL, #DH_ERROR_INPUT, #DH_ERROR_DOMAIN where j is not l
+DH_EXPORT int dh_high_frequency_limit(const dh_system* system, double mu, double* beta_lim) DH_NOEXCEPT;
+
+/// @brief What a mass does while the contact slides throughout: (38), (39), (44), (45), (47), (52), (53) as corrected.
+/// @param system  a system
+/// @param r       frequency ratio, Eq. (10), positive
+/// @param beta    friction ratio, Eq. (11), not negative
+/// @param mu      static over kinetic friction, Eq. (3), at least 1
+/// @param mass    k, from 1 to N
+/// @param result  its size set; receives the rest
+/// @return        as dh_modal_functions(); #DH_ERROR_DOMAIN from the boundary (69) on
+DH_EXPORT int dh_sliding_motion(const dh_system* system, double r, double beta, double mu, size_t mass,
+                                dh_sliding_mass* result) DH_NOEXCEPT;
+
+/// @brief Displacement of a mass while the contact slides throughout, Eq. (46) as corrected.
+/// @param system  a system
+/// @param r       frequency ratio, Eq. (10), positive
+/// @param beta    friction ratio, Eq. (11), not negative
+/// @param mu      static over kinetic friction, Eq. (3), at least 1
+/// @param mass    k, from 1 to N
+/// @param count   number of instants
+/// @param tau     `count` instants, finite; zero at the maximum of the contact's displacement
+/// @param x       receives `count` displacements x_k(tau); may be the array of tau
+/// @return        as dh_sliding_motion()
+DH_EXPORT int dh_displacement(const dh_system* system, double r, double beta, double mu, size_t mass, size_t count,
+                              const double* tau, double* x) DH_NOEXCEPT;
+
+/// @brief The steady motion at a point, in every regime, by the cheapest model that is certain to have the digits.
+/// @param system    a system
+/// @param r         frequency ratio, Eq. (10), positive
+/// @param beta      friction ratio, Eq. (11), not negative
+/// @param mu        static over kinetic friction, Eq. (3), at least 1
+/// @param digits    significant digits asked for, 1 to 15; 0 aims at 6
+/// @param solution  receives the handle; to be destroyed by dh_solution_destroy()
+/// @return          #DH_OK, #DH_ERROR_NULL, #DH_ERROR_INPUT, #DH_ERROR_DOMAIN at a pole of an undamped mode, #DH_ERROR_PRECISION
+///                  where no model reaches the digits asked for or no steady motion is found, #DH_ERROR_MEMORY
+DH_EXPORT int dh_solve(const dh_system* system, double r, double beta, double mu, int digits, dh_solution** solution) DH_NOEXCEPT;
+
+/// @brief Destroys a solution. @param solution a handle, or null
+DH_EXPORT void dh_solution_destroy(dh_solution* solution) DH_NOEXCEPT;
+
+/// @brief Regime, number of stops, interval of rest, errors.
+/// @param solution  a solution
+/// @param summary   its size set; receives the rest
+/// @return          #DH_OK, #DH_ERROR_NULL, #DH_ERROR_SIZE, #DH_ERROR_PRECISION
+DH_EXPORT int dh_solution_summary(const dh_solution* solution, dh_summary* summary) DH_NOEXCEPT;
+
+/// @brief Amplitude and phase of a mass with their errors.
+/// @param solution  a solution
+/// @param mass      k, from 1 to N
+/// @param result    its size set; receives the rest
+/// @return          #DH_OK, #DH_ERROR_NULL, #DH_ERROR_SIZE, #DH_ERROR_INPUT, #DH_ERROR_PRECISION
+DH_EXPORT int dh_solution_mass(const dh_solution* solution, size_t mass, dh_mass* result) DH_NOEXCEPT;
+
+/// @brief When the contact rests, within the period of the motion; tau from the maximum of the force.
+/// @param solution  a solution
+/// @param count     the number of stops, from dh_solution_summary()
+/// @param start     receives `count` instants where a rest begins; may be null where count is 0
+/// @param end       receives `count` instants where it ends; may be null where count is 0
+/// @return          #DH_OK, #DH_ERROR_NULL, #DH_ERROR_SIZE, #DH_ERROR_PRECISION
+DH_EXPORT int dh_solution_stops(const dh_solution* solution, size_t count, double* start, double* end) DH_NOEXCEPT;
+
+/// @brief The motion at equally spaced instants of its period, tau = 2 pi periods n / samples, **from the maximum of the force**.
+///
+/// It is sampled in double; a contact that rests for ever is taken to rest at zero.
+/// @param solution  a solution
+/// @param samples   instants, at least 1
+/// @param count     samples times N
+/// @param x         receives x_k at instant n at position n N + k - 1
+/// @param x_prime   receives d x_k / d tau likewise; may be null
+/// @return          #DH_OK, #DH_ERROR_NULL, #DH_ERROR_SIZE, #DH_ERROR_DOMAIN, #DH_ERROR_PRECISION, #DH_ERROR_MEMORY
+DH_EXPORT int dh_solution_motion(const dh_solution* solution, size_t samples, size_t count, double* x,
+                                 double* x_prime) DH_NOEXCEPT;
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

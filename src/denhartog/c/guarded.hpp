@@ -1,0 +1,89 @@
+/// @file
+/// @brief Exceptions become codes: what every function of the C interface runs in.
+#pragma once
+
+#include <cmath>
+#include <cstdio>
+#include <new>
+#include <span>
+#include <stdexcept>
+#include <string>
+
+#include "denhartog/c/denhartog.h"
+#include "denhartog/errors.hpp"
+
+namespace denhartog::c_interface {
+
+/// @brief A pointer that is needed is null, or a size is not what it must be.
+struct CallError : std::invalid_argument {
+    /// @param status_  DH_ERROR_NULL or DH_ERROR_SIZE
+    /// @param text     what is wrong
+    CallError(dh_status status_, const std::string& text) : std::invalid_argument(text), status(status_) {}
+    dh_status status; ///< what the function returns
+};
+
+/// @brief The longest message, with its ending zero; longer ones are cut.
+inline constexpr std::size_t message_size = 512;
+
+/// @brief Where the text of the calling thread's last fault stands. @return its bytes
+inline char* message() noexcept {
+    static thread_local char text[message_size] = "";
+    return text;
+}
+
+/// @brief Keeps the text of a fault. @param status what is returned @param text what is wrong @return the status
+inline int fault(dh_status status, const char* text) noexcept {
+    std::snprintf(message(), message_size, "%s", text);
+    return status;
+}
+
+/// @brief Runs the body of a function.
+/// @param body  called once
+/// @return      DH_OK, or the code of what it threw, whose text is kept
+template <class Body>
+int guarded(Body&& body) noexcept {
+    try {
+        body();
+        return DH_OK;
+    } catch (const CallError& e) {
+        return fault(e.status, e.what());
+    } catch (const InputError& e) {
+        return fault(DH_ERROR_INPUT, e.what());
+    } catch (const DomainError& e) {
+        return fault(DH_ERROR_DOMAIN, e.what());
+    } catch (const PrecisionError& e) {
+        return fault(DH_ERROR_PRECISION, e.what());
+    } catch (const std::length_error& e) {
+        return fault(DH_ERROR_SIZE, e.what());
+    } catch (const std::bad_alloc&) {
+        return fault(DH_ERROR_MEMORY, "memory is short");
+    } catch (const std::exception& e) {
+        return fault(DH_ERROR_INTERNAL, e.what());
+    } catch (...) {
+        return fault(DH_ERROR_INTERNAL, "an exception without a text");
+    }
+}
+
+/// @brief Checks a pointer. @param pointer it @param name its name in the header @throws CallError where it is null
+inline void need(const void* pointer, const char* name) {
+    if (pointer == nullptr) throw CallError(DH_ERROR_NULL, std::string(name) + " must not be null");
+}
+
+/// @brief Checks the length of an array. @param count as given @param right as it must be @throws CallError where they differ
+inline void need_count(std::size_t count, std::size_t right) {
+    if (count == right) return;
+    throw CallError(DH_ERROR_SIZE, "count must be " + std::to_string(right) + ", but is " + std::to_string(count));
+}
+
+/// @brief Checks that numbers are fit to be handed out. @param numbers they @throws PrecisionError where one is not finite
+inline void need_finite(std::span<const double> numbers) {
+    for (const double x : numbers)
+        if (!std::isfinite(x)) throw PrecisionError("a result is beyond the range of double");
+}
+
+/// @brief Hands out numbers, all of them finite. @param numbers they @param output an array as long, or null
+inline void hand_out(std::span<const double> numbers, double* output) noexcept {
+    for (std::size_t i = 0; output != nullptr && i < numbers.size(); ++i) output[i] = numbers[i];
+}
+
+} // namespace denhartog::c_interface

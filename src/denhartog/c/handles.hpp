@@ -1,0 +1,45 @@
+/// @file
+/// @brief What the handles of the C interface hold.
+#pragma once
+
+#include "denhartog/c/guarded.hpp"
+#include "denhartog/response/solve.hpp"
+
+/// @brief A system prepared for every regime at mu = 1, with its modes. Nothing in it changes.
+struct dh_system {
+    denhartog::PreparedSystem prepared;    ///< for `solve`
+    denhartog::ModalBasis<double> basis{}; ///< its modes
+};
+
+/// @brief An answer with the scene it answers. Nothing in it changes.
+struct dh_solution {
+    denhartog::Scene<double> scene; ///< with r, beta and mu
+    denhartog::Solution solution;   ///< the answer, the motion asked for
+};
+
+namespace denhartog::c_interface {
+
+/// @brief A mass or its number from C. @param mass counted from 1 @param N number of masses @param name what it is called
+/// @return counted from 0 @throws InputError where there is no such mass
+[[nodiscard]] inline Mass mass_from(std::size_t mass, std::size_t N, const char* name) {
+    if (mass < 1 || mass > N) throw InputError(name, "must be a mass from 1 to " + std::to_string(N), std::to_string(mass));
+    return {mass - 1};
+}
+
+/// @brief Checks the size that a caller has set. @param result the struct @throws CallError where it is too small
+template <class Struct>
+void need_struct(const Struct* result, const char* name) {
+    need(result, name);
+    if (result->size < sizeof(Struct))
+        throw CallError(DH_ERROR_SIZE, std::string(name) + "->size must be at least " + std::to_string(sizeof(Struct)) +
+                                           ", but is " + std::to_string(result->size));
+}
+
+/// @brief Hands out a struct, its size as the caller had it. @param from the struct @param to the caller's
+template <class Struct>
+void hand_out(Struct from, Struct* to) noexcept {
+    from.size = to->size;
+    *to = from;
+}
+
+} // namespace denhartog::c_interface

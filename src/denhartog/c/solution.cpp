@@ -1,0 +1,162 @@
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <memory>
+
+#include "denhartog/c/denhartog.h"
+#include "denhartog/c/handles.hpp"
+#include "denhartog/model/point_rules.hpp"
+#include "denhartog/response/sampled_solution.hpp"
+
+using namespace denhartog;
+using namespace denhartog::c_interface;
+
+namespace {
+
+constexpr int most_digits_of_double = 15;
+
+PreparedSystem with_mu(PreparedSystem p, double mu) {
+    const auto moved = [mu](const auto& read) {
+        return [read, mu] {
+            auto scene = read();
+            scene.mu = mu;
+            return scene;
+        };
+    };
+    p.scene.mu = mu;
+    p.source = {moved(p.source.in_double), moved(p.source.in_long_double), moved(p.source.in_50_digits),
+                moved(p.source.in_100_digits)};
+    return p;
+}
+
+// A number of any type as the double next to it, and what its rounding adds to a bound of its error.
+template <class T>
+struct Rounded {
+    double x;
+    double error;
+    Rounded(const T& value, const T& bound) : x(static_cast<double>(value)), error(static_cast<double>(bound)) {
+        if constexpr (!std::same_as<T, double>) error += std::numeric_limits<double>::epsilon() * (std::abs(x) + error);
+    }
+};
+
+template <class T>
+dh_mass mass_of(const SolvedMass<T>& m) {
+    const Rounded<T> amplitude(m.amplitude, m.error_bound);
+    if (!m.phase) return {0, amplitude.x, amplitude.error, 0, 0, 0};
+    const Rounded<T> phase(*m.phase, m.phase_error);
+    return {0, amplitude.x, amplitude.error, phase.x, phase.error, 1};
+}
+
+} // namespace
+
+extern "C" {
+
+int dh_solve(const dh_system* system, double r, double beta, double mu, int digits, dh_solution** solution) noexcept {
+    return guarded([&] {
+        need(system, "system");
+        need(solution, "solution");
+        check_static_friction(mu);
+        if (digits < 0 || digits > most_digits_of_double)
+            throw InputError("digits", "must be from 0 to " + std::to_string(most_digits_of_double), std::to_string(digits));
+        Question question;
+        if (digits > 0) question.digits = digits;
+        auto made = std::make_unique<dh_solution>();
+        made->scene = system->prepared.scene;
+        made->scene.mu = mu;
+        made->scene.r = r;
+        made->scene.beta = beta;
+        made->solution =
+            mu == 1 ? solve(system->prepared, r, beta, question) : solve(with_mu(system->prepared, mu), r, beta, question);
+        *solution = made.release();
+    });
+}
+
+void dh_solution_destroy(dh_solution* solution) noexcept { delete solution; }
+
+int dh_solution_summary(const dh_solution* solution, dh_summary* summary) noexcept {
+    return guarded([&] {
+        need(solution, "solution");
+        need_struct(summary, "summary");
+        const Solution& s = solution->solution;
+        dh_summary all{};
+        all.regime = static_cast<int>(s.regime.regime);
+        all.on_boundary = s.regime.on_boundary;
+        all.unique = s.unique;
+        all.symmetric = s.symmetric;
+        all.periods = s.periods;
+        all.relative_error = s.relative_error;
+        std::visit(
+            [&]<class T>(const Solved<T>& n) {
+                all.stops = n.stops.size();
+                all.rest_interval_exists = n.rest_interval.has_value();
+                if (!n.rest_interval) return;
+                const Rounded<T> from(n.rest_interval->from, n.rest_interval->error_bound);
+                const Rounded<T> to(n.rest_interval->to, n.rest_interval->error_bound);
+                all.rest_from = from.x;
+                all.rest_to = to.x;
+                all.rest_error = std::max(from.error, to.error);
+            },
+            s.numbers);
+        need_finite(std::array{all.rest_from, all.rest_to, all.rest_error, all.relative_error});
+        hand_out(all, summary);
+    });
+}
+
+int dh_solution_mass(const dh_solution* solution, size_t mass, dh_mass* result) noexcept {
+    return guarded([&] {
+        need(solution, "solution");
+        need_struct(result, "result");
+        std::visit(
+            [&](const auto& n) {
+                const dh_mass all = mass_of(n.masses[mass_from(mass, n.masses.size(), "mass").index]);
+                need_finite(std::array{all.amplitude, all.error, all.phase, all.phase_error});
+                hand_out(all, result);
+            },
+            solution->solution.numbers);
+    });
+}
+
+int dh_solution_stops(const dh_solution* solution, size_t count, double* start, double* end) noexcept {
+    return guarded([&] {
+        need(solution, "solution");
+        std::vector<double> starts, ends;
+        std::visit(
+            [&](const auto& n) {
+                for (const auto& stop : n.stops) {
+                    starts.push_back(static_cast<double>(stop.start));
+                    ends.push_back(static_cast<double>(stop.end));
+                }
+            },
+            solution->solution.numbers);
+        need_count(count, starts.size());
+        if (count == 0) return;
+        need(start, "start");
+        need(end, "end");
+        need_finite(starts);
+        need_finite(ends);
+        hand_out(starts, start);
+        hand_out(ends, end);
+    });
+}
+
+int dh_solution_motion(const dh_solution* solution, size_t samples, size_t count, double* x, double* x_prime) noexcept {
+    return guarded([&] {
+        need(solution, "solution");
+        need(x, "x");
+        const std::size_t N = number_of_masses(solution->scene.system);
+        if (samples == 0 || samples > std::numeric_limits<std::size_t>::max() / N)
+            throw CallError(DH_ERROR_SIZE, "samples must be at least 1, and times N within the range of size_t");
+        need_count(count, samples * N);
+        const SampledSolution motion = sampled_solution(solution->scene, solution->solution, samples);
+        for (const State<double>& state : motion.states) {
+            need_finite(state.x);
+            need_finite(state.x_prime);
+        }
+        for (std::size_t n = 0; n < samples; ++n) {
+            hand_out(motion.states[n].x, x + n * N);
+            if (x_prime != nullptr) hand_out(motion.states[n].x_prime, x_prime + n * N);
+        }
+    });
+}
+
+} // extern "C"

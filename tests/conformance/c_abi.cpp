@@ -1,0 +1,209 @@
+#include <denhartog.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <memory>
+#include <numbers>
+#include <thread>
+#include <vector>
+
+#include "denhartog/response/sampled_solution.hpp"
+#include "denhartog/response/solve.hpp"
+#include "tests/catch.hpp"
+#include "tests/conformance/c_fixtures.hpp"
+
+using namespace denhartog;
+using namespace denhartog::tests;
+
+namespace {
+
+// The two computations are the same: not a digit may differ.
+void check_same(const std::vector<double>& found, const std::vector<double>& expected) {
+    REQUIRE(found.size() == expected.size());
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        INFO("number " << i << ": " << hexadecimal(found[i]) << " for " << hexadecimal(expected[i]));
+        CHECK(found[i] == expected[i]);
+    }
+}
+
+std::vector<double> parts(const std::vector<Complex<double>>& z) {
+    std::vector<double> all;
+    for (const Complex<double>& each : z) all.insert(all.end(), {each.re, each.im});
+    return all;
+}
+
+double in_double(const auto& x) { return static_cast<double>(x); }
+
+} // namespace
+
+TEST_CASE("what the C interface says of modes and sums is what the library says", "[c_interface][eq:17][eq:22][eq:33]") {
+    for (const Scene<double>& scene : c_scenes()) {
+        const Handle system = handle_of(scene.system);
+        const std::size_t N = scene.system.mass_ratios.size();
+        const ModalBasis<double> basis = modal_basis(scene.system);
+        const ModeSums<double> s = mode_sums(basis, scene.system.contact, scene.system.load, *scene.r);
+        std::vector<double> r_n(N), zeta(N), psi(N * N), R(N), v(2 * N), u(N), g(N), V(2 * N), U(N), G(N);
+        double H = 0, S = 0;
+        REQUIRE(dh_natural_frequency_ratios(system.get(), N, r_n.data(), zeta.data()) == DH_OK);
+        REQUIRE(dh_mode_shapes(system.get(), *scene.r, N * N, psi.data()) == DH_OK);
+        REQUIRE(dh_modal_functions(system.get(), *scene.r, N, R.data(), v.data(), u.data(), g.data()) == DH_OK);
+        REQUIRE(dh_sums(system.get(), *scene.r, N, V.data(), U.data(), G.data(), &H, &S) == DH_OK);
+        check_same(r_n, basis.r_n);
+        check_same(zeta, basis.zeta);
+        check_same(psi, s.psi);
+        check_same(R, s.R);
+        check_same(v, parts(s.v));
+        check_same(u, s.u);
+        check_same(g, s.g);
+        check_same(V, parts(s.V));
+        check_same(U, s.U);
+        check_same(G, s.G);
+        check_same({H, S}, {s.H_j, boundary(s, 1.0).S_exact});
+    }
+}
+
+TEST_CASE("what the C interface says of boundaries and the closed form is what the library says",
+          "[c_interface][eq:69][eq:38][eq:46]") {
+    for (const Scene<double>& scene : c_scenes()) {
+        const Handle system = handle_of(scene.system);
+        const ModeSums<double> s = mode_sums(modal_basis(scene.system), scene.system.contact, scene.system.load, *scene.r);
+        const Boundary<double> b = boundary(s, scene.mu);
+        dh_boundary found{};
+        found.size = sizeof found;
+        REQUIRE(dh_boundaries(system.get(), *scene.r, scene.mu, &found) == DH_OK);
+        check_same({found.exact, found.paper, found.approximate, found.sticking},
+                   {b.exact, b.paper, b.approximate, b.sticking.value_or(0)});
+        CHECK(found.sticking_exists == b.sticking.has_value());
+        const double beta = b.exact / 2;
+        const SteadyState<double> state = steady_state(s, b, beta);
+        for (std::size_t k = 0; k < state.masses.size(); ++k) {
+            const MassResponse<double>& m = state.masses[k];
+            dh_sliding_mass mass{};
+            mass.size = sizeof mass;
+            REQUIRE(dh_sliding_motion(system.get(), *scene.r, beta, scene.mu, k + 1, &mass) == DH_OK);
+            check_same({mass.initial_displacement, mass.initial_velocity, mass.amplitude, mass.phase, mass.instant,
+                        mass.amplitude_monoharmonic, mass.phase_monoharmonic},
+                       {m.x0, m.v0, m.amplitude, m.phase, m.instant, m.amplitude_monoharmonic, m.phase_monoharmonic});
+            const std::vector<double> tau{0, 0.5, 3, 4, -2};
+            std::vector<double> x(tau.size()), expected;
+            for (const double instant : tau) expected.push_back(motion(s, state, instant).x[k]);
+            REQUIRE(dh_displacement(system.get(), *scene.r, beta, scene.mu, k + 1, 5, tau.data(), x.data()) == DH_OK);
+            check_same(x, expected);
+        }
+    }
+}
+
+TEST_CASE("what the C interface solves is what the library solves, in every regime", "[c_interface][solve]") {
+    std::array<int, 3> met{};
+    for (const Scene<double>& scene : c_scenes()) {
+        const Handle system = handle_of(scene.system);
+        const Solution expected = solve(scene_source(scene), Question{});
+        const Answered solution = solved(system.get(), *scene.r, *scene.beta, scene.mu);
+        dh_summary all{};
+        all.size = sizeof all;
+        REQUIRE(dh_solution_summary(solution.get(), &all) == DH_OK);
+        CHECK(all.regime == static_cast<int>(expected.regime.regime));
+        CHECK(all.unique == expected.unique);
+        CHECK(all.symmetric == expected.symmetric);
+        CHECK(all.periods == expected.periods);
+        CHECK(all.relative_error == expected.relative_error);
+        ++met[static_cast<std::size_t>(all.regime)];
+        const std::size_t N = scene.system.mass_ratios.size();
+        std::visit(
+            [&](const auto& n) {
+                REQUIRE(all.stops == n.stops.size());
+                REQUIRE(all.rest_interval_exists == n.rest_interval.has_value());
+                if (n.rest_interval)
+                    check_same({all.rest_from, all.rest_to}, {in_double(n.rest_interval->from), in_double(n.rest_interval->to)});
+                std::vector<double> start(all.stops), end(all.stops), starts, ends;
+                REQUIRE(dh_solution_stops(solution.get(), all.stops, start.data(), end.data()) == DH_OK);
+                for (const auto& stop : n.stops) {
+                    starts.push_back(in_double(stop.start));
+                    ends.push_back(in_double(stop.end));
+                }
+                check_same(start, starts);
+                check_same(end, ends);
+                for (std::size_t k = 0; k < N; ++k) {
+                    dh_mass mass{};
+                    mass.size = sizeof mass;
+                    REQUIRE(dh_solution_mass(solution.get(), k + 1, &mass) == DH_OK);
+                    CHECK(mass.moves == n.masses[k].phase.has_value());
+                    check_same({mass.amplitude, mass.phase},
+                               {in_double(n.masses[k].amplitude), n.masses[k].phase ? in_double(*n.masses[k].phase) : 0});
+                    CHECK(mass.error >= in_double(n.masses[k].error_bound));
+                }
+            },
+            expected.numbers);
+        constexpr std::size_t samples = 16;
+        std::vector<double> x(samples * N), v(samples * N), xs, vs;
+        REQUIRE(dh_solution_motion(solution.get(), samples, samples * N, x.data(), v.data()) == DH_OK);
+        for (const State<double>& state : sampled_solution(scene, expected, samples).states) {
+            xs.insert(xs.end(), state.x.begin(), state.x.end());
+            vs.insert(vs.end(), state.x_prime.begin(), state.x_prime.end());
+        }
+        check_same(x, xs);
+        check_same(v, vs);
+    }
+    for (const int each : met) CHECK(each > 0);
+}
+
+TEST_CASE("the sampled motion starts at the maximum of the force, the closed form at the maximum of the contact",
+          "[c_interface][eq:39]") {
+    const Scene<double> scene = c_scenes().front();
+    const Handle system = handle_of(scene.system);
+    const Answered solution = solved(system.get(), *scene.r, *scene.beta, scene.mu);
+    const std::size_t N = scene.system.mass_ratios.size(), j = scene.system.contact.index + 1, samples = 8;
+    dh_mass contact{};
+    contact.size = sizeof contact;
+    REQUIRE(dh_solution_mass(solution.get(), j, &contact) == DH_OK);
+    std::vector<double> x(samples * N), tau(samples), closed(samples);
+    REQUIRE(dh_solution_motion(solution.get(), samples, samples * N, x.data(), nullptr) == DH_OK);
+    for (std::size_t n = 0; n < samples; ++n) tau[n] = 2 * std::numbers::pi * static_cast<double>(n) / 8 - contact.phase;
+    REQUIRE(dh_displacement(system.get(), *scene.r, *scene.beta, scene.mu, j, samples, tau.data(), closed.data()) == DH_OK);
+    for (std::size_t n = 0; n < samples; ++n) CHECK(x[n * N + j - 1] == Approx(closed[n]).margin(1e-12));
+}
+
+TEST_CASE("a system from JSON is the system from its ratios, whatever point the text has", "[c_interface][scene]") {
+    const std::string text = R"({"mass_ratios":[1,2.5],"stiffness_ratios":[1,0.625],"damping_ratios":[0.0625,0.125],)"
+                             R"("contact":2,"load":1,"mu":1.25,"r":1.125,"beta":0.125})";
+    dh_system* made = nullptr;
+    REQUIRE(dh_system_from_json(text.data(), text.size(), &made) == DH_OK);
+    const Handle from_text(made), from_ratios = handle_of(system_of({1, 2.5}, {1, 0.625}, {0.0625, 0.125}, 2, 1));
+    std::size_t N = 0, contact = 0, load = 0;
+    REQUIRE(dh_system_masses(from_text.get(), &N, &contact, &load) == DH_OK);
+    CHECK((N == 2 && contact == 2 && load == 1));
+    CHECK(amplitudes(from_text.get(), 1.125, 0.125, 1.0) == amplitudes(from_ratios.get(), 1.125, 0.125, 1.0));
+    CHECK(amplitudes(from_text.get(), 1.125, 0.125, 1.25) == amplitudes(from_ratios.get(), 1.125, 0.125, 1.25));
+}
+
+TEST_CASE("threads that share a system and threads with one each find what one thread finds", "[c_interface][threads]") {
+    const std::vector<Scene<double>> scenes = c_scenes();
+    std::vector<std::vector<double>> expected;
+    std::vector<Handle> shared;
+    for (const Scene<double>& scene : scenes) {
+        shared.push_back(handle_of(scene.system));
+        expected.push_back(amplitudes(shared.back().get(), *scene.r, *scene.beta, scene.mu));
+    }
+    constexpr std::size_t threads = 16;
+    std::vector<std::size_t> agreed(threads), kept(threads);
+    std::vector<std::thread> running;
+    for (std::size_t t = 0; t < threads; ++t)
+        running.emplace_back([&, t] {
+            const std::string fault = std::to_string(100 + t);
+            double limit = 0;
+            for (std::size_t i = 0; i < scenes.size(); ++i) {
+                const Scene<double>& scene = scenes[(i + t) % scenes.size()];
+                if (dh_high_frequency_limit(shared[0].get(), -100.0 - static_cast<double>(t), &limit) != DH_ERROR_INPUT) return;
+                const Handle own = t % 2 == 0 ? nullptr : handle_of(scene.system);
+                const dh_system* system = own ? own.get() : shared[(i + t) % scenes.size()].get();
+                agreed[t] += amplitudes(system, *scene.r, *scene.beta, scene.mu) == expected[(i + t) % scenes.size()];
+                kept[t] += std::string(dh_last_message()).find("-" + fault) != std::string::npos;
+            }
+        });
+    for (std::thread& thread : running) thread.join();
+    for (std::size_t t = 0; t < threads; ++t) {
+        CHECK(agreed[t] == scenes.size());
+        CHECK(kept[t] == scenes.size()); // each thread has its own message
+    }
+}

@@ -1,0 +1,246 @@
+#include <denhartog.h>
+#include <sys/mman.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <functional>
+#include <limits>
+
+#include "denhartog/c/guarded.hpp"
+#include "tests/catch.hpp"
+#include "tests/conformance/c_fixtures.hpp"
+
+using namespace denhartog;
+using namespace denhartog::tests;
+
+namespace {
+
+constexpr double untouched = -7.25;
+constexpr double no_number = std::numeric_limits<double>::quiet_NaN(), endless = std::numeric_limits<double>::infinity();
+const std::vector<double> ones{1, 1}, damped{0.0625, 0.125};
+
+// A call that has to fail: its code, a word of its message, and that it wrote nothing into the arrays below.
+struct Faults {
+    Handle system = handle_of(system_of({1, 2.5}, {1, 0.625}, {0.0625, 0.125}, 2, 1));
+    Answered sliding = solved(system.get(), 1.125, 0.125, 1.25);
+    Answered stopping = solved(handle_of(system_of({1}, {1}, {0.0625}, 1, 1)).get(), 0.25, 0.8125, 1.0);
+    std::vector<double> a = std::vector<double>(8, untouched), b = a, c = a, d = a;
+    dh_system* no_system = nullptr;
+    dh_solution* no_solution = nullptr;
+
+    void fails(int code, int status, const std::string& word) const {
+        INFO("message: " << dh_last_message());
+        CHECK(code == status);
+        CHECK(std::string(dh_last_message()).find(word) != std::string::npos);
+        for (const std::vector<double>* array : {&a, &b, &c, &d})
+            for (const double x : *array) REQUIRE(x == untouched);
+        CHECK(no_system == nullptr);
+        CHECK(no_solution == nullptr);
+    }
+};
+
+template <class Struct>
+Struct of_size(std::size_t size) {
+    Struct s;
+    std::memset(&s, 0x5a, sizeof s);
+    s.size = size;
+    return s;
+}
+
+// A struct too small, null, and right but for the rest of the call: none is written.
+template <class Struct>
+void check_struct(Faults& f, const std::function<int(Struct*)>& call, const std::function<int(Struct*)>& bad_call,
+                  int bad_status) {
+    f.fails(call(nullptr), DH_ERROR_NULL, "must not be null");
+    for (const std::size_t size : {std::size_t(0), sizeof(Struct) - 1}) {
+        Struct s = of_size<Struct>(size), before = s;
+        f.fails(call(&s), DH_ERROR_SIZE, "->size must be at least");
+        CHECK(std::memcmp(&s, &before, sizeof s) == 0);
+    }
+    Struct s = of_size<Struct>(sizeof(Struct)), before = s;
+    CHECK(bad_call(&s) == bad_status);
+    CHECK(std::memcmp(&s, &before, sizeof s) == 0);
+    struct {
+        Struct known;
+        double later;
+    } grown{of_size<Struct>(sizeof(Struct) + sizeof(double)), untouched}; // a caller with a later header
+    CHECK(call(&grown.known) == DH_OK);
+    CHECK(grown.later == untouched);
+    CHECK(grown.known.size == sizeof(Struct) + sizeof(double));
+}
+
+int status_of(const std::function<void()>& body) { return c_interface::guarded(body); }
+
+} // namespace
+
+TEST_CASE("a system that breaks a rule is refused with quantity, rule and value", "[c_interface][faults]") {
+    Faults f;
+    const auto made = [&](const std::vector<double>& m, const std::vector<double>& k, const std::vector<double>& z, std::size_t j,
+                          std::size_t l) { return dh_system_from_ratios(2, m.data(), k.data(), z.data(), j, l, &f.no_system); };
+    f.fails(made({1, -2}, ones, damped, 1, 1), DH_ERROR_INPUT, "mass_ratios");
+    f.fails(made({1, no_number}, ones, damped, 1, 1), DH_ERROR_INPUT, "mass_ratios");
+    f.fails(made(ones, {1, 0}, damped, 1, 1), DH_ERROR_INPUT, "stiffness_ratios");
+    f.fails(made(ones, {1, endless}, damped, 1, 1), DH_ERROR_INPUT, "stiffness_ratios");
+    f.fails(made(ones, ones, {0, -0.5}, 1, 1), DH_ERROR_INPUT, "damping_ratios");
+    f.fails(made(ones, ones, {0, no_number}, 1, 1), DH_ERROR_INPUT, "damping_ratios");
+    f.fails(made(ones, ones, damped, 3, 1), DH_ERROR_INPUT, "contact");
+    f.fails(made(ones, ones, damped, 1, 0), DH_ERROR_INPUT, "load");
+    const double* one = ones.data();
+    f.fails(dh_system_from_ratios(0, one, one, one, 1, 1, &f.no_system), DH_ERROR_SIZE, "N must be at least 1");
+    f.fails(dh_system_from_ratios(std::numeric_limits<std::size_t>::max(), one, one, one, 1, 1, &f.no_system), DH_ERROR_SIZE, "");
+    f.fails(dh_system_from_ratios(2, nullptr, one, one, 1, 1, &f.no_system), DH_ERROR_NULL, "mass_ratios");
+    f.fails(dh_system_from_ratios(2, one, nullptr, one, 1, 1, &f.no_system), DH_ERROR_NULL, "stiffness_ratios");
+    f.fails(dh_system_from_ratios(2, one, one, nullptr, 1, 1, &f.no_system), DH_ERROR_NULL, "damping_ratios");
+    f.fails(dh_system_from_ratios(2, one, one, one, 1, 1, nullptr), DH_ERROR_NULL, "system");
+    const std::string negative = R"({"mass_ratios":[-1],"stiffness_ratios":[1],"damping_ratios":[0],"contact":1,"load":1})";
+    f.fails(dh_system_from_json(negative.data(), negative.size(), &f.no_system), DH_ERROR_INPUT, "/mass_ratios");
+    f.fails(dh_system_from_json(negative.data(), 5, &f.no_system), DH_ERROR_INPUT, "line 1");
+    f.fails(dh_system_from_json("", 0, &f.no_system), DH_ERROR_INPUT, "");
+    f.fails(dh_system_from_json(nullptr, 5, &f.no_system), DH_ERROR_NULL, "text");
+    f.fails(dh_system_from_json(negative.data(), negative.size(), nullptr), DH_ERROR_NULL, "system");
+    dh_system_destroy(nullptr);
+    dh_solution_destroy(nullptr);
+}
+
+TEST_CASE("null pointers and wrong lengths are refused, and nothing is written", "[c_interface][faults]") {
+    Faults f;
+    const dh_system* s = f.system.get();
+    const dh_solution* x = f.sliding.get();
+    double *a = f.a.data(), *b = f.b.data(), *c = f.c.data(), *d = f.d.data();
+    std::size_t N = 99;
+    f.fails(dh_system_masses(nullptr, &N, nullptr, nullptr), DH_ERROR_NULL, "system");
+    f.fails(dh_system_masses(s, nullptr, nullptr, nullptr), DH_ERROR_NULL, "N");
+    CHECK(N == 99);
+    f.fails(dh_natural_frequency_ratios(nullptr, 2, a, b), DH_ERROR_NULL, "system");
+    f.fails(dh_natural_frequency_ratios(s, 2, nullptr, b), DH_ERROR_NULL, "r_n");
+    f.fails(dh_natural_frequency_ratios(s, 3, a, b), DH_ERROR_SIZE, "count must be 2, but is 3");
+    f.fails(dh_mode_shapes(nullptr, 1, 4, a), DH_ERROR_NULL, "system");
+    f.fails(dh_mode_shapes(s, 1, 4, nullptr), DH_ERROR_NULL, "psi");
+    f.fails(dh_mode_shapes(s, 1, 2, a), DH_ERROR_SIZE, "count must be 4, but is 2");
+    f.fails(dh_modal_functions(nullptr, 1, 2, a, b, c, d), DH_ERROR_NULL, "system");
+    f.fails(dh_modal_functions(s, 1, 2, nullptr, b, c, d), DH_ERROR_NULL, "R");
+    f.fails(dh_modal_functions(s, 1, 1, a, b, c, d), DH_ERROR_SIZE, "count");
+    f.fails(dh_sums(nullptr, 1, 2, a, b, c, d, nullptr), DH_ERROR_NULL, "system");
+    f.fails(dh_sums(s, 1, 2, nullptr, b, c, d, nullptr), DH_ERROR_NULL, "V");
+    f.fails(dh_sums(s, 1, 0, a, b, c, d, d), DH_ERROR_SIZE, "count");
+    f.fails(dh_high_frequency_limit(nullptr, 1, a), DH_ERROR_NULL, "system");
+    f.fails(dh_high_frequency_limit(s, 1, nullptr), DH_ERROR_NULL, "beta_lim");
+    f.fails(dh_displacement(nullptr, 1, 0, 1, 1, 2, ones.data(), a), DH_ERROR_NULL, "system");
+    f.fails(dh_displacement(s, 1, 0, 1, 1, 2, nullptr, a), DH_ERROR_NULL, "tau");
+    f.fails(dh_displacement(s, 1, 0, 1, 1, 2, ones.data(), nullptr), DH_ERROR_NULL, "x");
+    f.fails(dh_solve(nullptr, 1, 0, 1, 0, &f.no_solution), DH_ERROR_NULL, "system");
+    f.fails(dh_solve(s, 1, 0, 1, 0, nullptr), DH_ERROR_NULL, "solution");
+    f.fails(dh_solution_stops(nullptr, 0, a, b), DH_ERROR_NULL, "solution");
+    f.fails(dh_solution_stops(x, 1, a, b), DH_ERROR_SIZE, "count must be 0, but is 1");
+    f.fails(dh_solution_stops(f.stopping.get(), 2, nullptr, b), DH_ERROR_NULL, "start");
+    f.fails(dh_solution_stops(f.stopping.get(), 2, a, nullptr), DH_ERROR_NULL, "end");
+    f.fails(dh_solution_motion(nullptr, 2, 4, a, b), DH_ERROR_NULL, "solution");
+    f.fails(dh_solution_motion(x, 2, 4, nullptr, b), DH_ERROR_NULL, "x");
+    f.fails(dh_solution_motion(x, 2, 3, a, b), DH_ERROR_SIZE, "count must be 4, but is 3");
+    f.fails(dh_solution_motion(x, 0, 0, a, b), DH_ERROR_SIZE, "samples");
+    f.fails(dh_solution_motion(x, std::numeric_limits<std::size_t>::max() / 2 + 1, 0, a, b), DH_ERROR_SIZE, "samples");
+    CHECK(dh_solution_stops(x, 0, nullptr, nullptr) == DH_OK);
+}
+
+TEST_CASE("structs are refused where they are null or too small, and filled where they are larger", "[c_interface][faults]") {
+    Faults f;
+    const dh_system* s = f.system.get();
+    const dh_solution* x = f.sliding.get();
+    check_struct<dh_boundary>(
+        f, [&](auto* result) { return dh_boundaries(s, 1.125, 1, result); },
+        [&](auto* result) { return dh_boundaries(s, no_number, 1, result); }, DH_ERROR_INPUT);
+    check_struct<dh_sliding_mass>(
+        f, [&](auto* result) { return dh_sliding_motion(s, 1.125, 0.125, 1, 2, result); },
+        [&](auto* result) { return dh_sliding_motion(s, 1.125, 100, 1, 2, result); }, DH_ERROR_DOMAIN);
+    check_struct<dh_summary>(
+        f, [&](auto* result) { return dh_solution_summary(x, result); },
+        [&](auto* result) { return dh_solution_summary(nullptr, result); }, DH_ERROR_NULL);
+    check_struct<dh_mass>(
+        f, [&](auto* result) { return dh_solution_mass(x, 1, result); },
+        [&](auto* result) { return dh_solution_mass(x, 3, result); }, DH_ERROR_INPUT);
+    CHECK(dh_boundaries(nullptr, 1, 1, nullptr) == DH_ERROR_NULL);
+    CHECK(dh_sliding_motion(nullptr, 1, 0, 1, 1, nullptr) == DH_ERROR_NULL);
+    CHECK(dh_solution_mass(nullptr, 1, nullptr) == DH_ERROR_NULL);
+}
+
+TEST_CASE("numbers outside their rules, among them those that are none, are refused by every function", "[c_interface][faults]") {
+    Faults f;
+    const dh_system* s = f.system.get();
+    double *a = f.a.data(), *b = f.b.data(), *c = f.c.data(), *d = f.d.data();
+    dh_boundary boundary{sizeof boundary, 0, 0, 0, 0, 0};
+    for (const double r : {no_number, endless, 0.0, -1.0}) {
+        f.fails(dh_mode_shapes(s, r, 4, a), DH_ERROR_INPUT, "r must be positive");
+        f.fails(dh_modal_functions(s, r, 2, a, b, c, d), DH_ERROR_INPUT, "r must be positive");
+        f.fails(dh_sums(s, r, 2, a, b, c, d, d), DH_ERROR_INPUT, "r must be positive");
+        f.fails(dh_boundaries(s, r, 1, &boundary), DH_ERROR_INPUT, "r must be positive");
+        f.fails(dh_displacement(s, r, 0, 1, 1, 2, ones.data(), a), DH_ERROR_INPUT, "r must be positive");
+        f.fails(dh_solve(s, r, 0.125, 1, 0, &f.no_solution), DH_ERROR_INPUT, "r must be positive");
+    }
+    for (const double mu : {no_number, endless, 0.75}) {
+        f.fails(dh_boundaries(s, 1, mu, &boundary), DH_ERROR_INPUT, "mu must be at least 1");
+        f.fails(dh_high_frequency_limit(s, mu, a), DH_ERROR_INPUT, "mu must be at least 1");
+        f.fails(dh_displacement(s, 1, 0, mu, 1, 2, ones.data(), a), DH_ERROR_INPUT, "mu must be at least 1");
+        f.fails(dh_solve(s, 1, 0.125, mu, 0, &f.no_solution), DH_ERROR_INPUT, "mu must be at least 1");
+    }
+    for (const double beta : {no_number, endless, -0.5}) {
+        f.fails(dh_displacement(s, 1, beta, 1, 1, 2, ones.data(), a), DH_ERROR_INPUT, "beta must be zero or positive");
+        f.fails(dh_solve(s, 1, beta, 1, 0, &f.no_solution), DH_ERROR_INPUT, "beta must be zero or positive");
+    }
+    for (const std::size_t mass : {0, 3})
+        f.fails(dh_displacement(s, 1, 0, 1, mass, 2, ones.data(), a), DH_ERROR_INPUT, "mass must be a mass from 1 to 2");
+    for (const double tau : {no_number, endless}) f.fails(dh_displacement(s, 1, 0, 1, 1, 1, &tau, a), DH_ERROR_INPUT, "tau");
+    for (const int digits : {-1, 16}) f.fails(dh_solve(s, 1, 0.125, 1, digits, &f.no_solution), DH_ERROR_INPUT, "digits");
+}
+
+TEST_CASE("a formula outside its domain and a result beyond double are refused", "[c_interface][faults]") {
+    Faults f;
+    double *a = f.a.data(), *b = f.b.data(), *c = f.c.data(), *d = f.d.data();
+    f.fails(dh_displacement(f.system.get(), 1, 100, 1, 1, 2, ones.data(), a), DH_ERROR_DOMAIN, "Eq. (69)");
+    f.fails(dh_high_frequency_limit(f.system.get(), 1, a), DH_ERROR_DOMAIN, "j = l");
+    const Handle undamped = handle_of(system_of({1}, {1}, {0}, 1, 1));
+    f.fails(dh_modal_functions(undamped.get(), 1, 1, a, b, c, d), DH_ERROR_DOMAIN, "");
+    f.fails(dh_sums(undamped.get(), 1, 1, a, b, c, d, d), DH_ERROR_DOMAIN, "");
+    f.fails(dh_solve(undamped.get(), 1, 0.125, 1, 0, &f.no_solution), DH_ERROR_DOMAIN, "");
+    f.fails(dh_mode_shapes(undamped.get(), 1e-310, 1, a), DH_ERROR_PRECISION, "beyond the range of double");
+}
+
+TEST_CASE("memory that is short is an error code", "[c_interface][faults]") {
+    const Faults f;
+    constexpr std::size_t samples = std::size_t(1) << 28;
+    const pid_t child = fork();
+    REQUIRE(child >= 0);
+    if (child == 0) { // the limit is the child's alone
+        constexpr std::size_t bytes = samples * 2 * sizeof(double);
+        void* x = mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+        if (x == MAP_FAILED) _exit(100);
+        const rlimit least{bytes + (std::size_t(1) << 29), RLIM_INFINITY};
+        if (setrlimit(RLIMIT_AS, &least) != 0) _exit(101);
+        const int status = dh_solution_motion(f.sliding.get(), samples, samples * 2, static_cast<double*>(x), nullptr);
+        _exit(status == DH_ERROR_MEMORY && std::strcmp(dh_last_message(), "memory is short") == 0 ? 0 : 102);
+    }
+    int status = 0;
+    REQUIRE(waitpid(child, &status, 0) == child);
+    CHECK((WIFEXITED(status) && WEXITSTATUS(status) == 0));
+}
+
+TEST_CASE("whatever is thrown becomes a code with a text", "[c_interface][faults]") {
+    CHECK(status_of([] {}) == DH_OK);
+    CHECK(status_of([] { throw 1; }) == DH_ERROR_INTERNAL);
+    CHECK(status_of([] { throw std::logic_error("a slip"); }) == DH_ERROR_INTERNAL);
+    CHECK(std::string(c_interface::message()) == "a slip");
+    CHECK(status_of([] { throw std::length_error("too long"); }) == DH_ERROR_SIZE);
+    CHECK(status_of([] { throw std::bad_alloc(); }) == DH_ERROR_MEMORY);
+    CHECK(status_of([] { throw std::logic_error(std::string(5000, 'x')); }) == DH_ERROR_INTERNAL);
+    CHECK(std::strlen(c_interface::message()) == c_interface::message_size - 1);
+    std::vector<std::string> texts;
+    for (int status = DH_OK; status <= DH_ERROR_INTERNAL; ++status) texts.emplace_back(dh_status_text(status));
+    texts.emplace_back(dh_status_text(-1));
+    CHECK(dh_status_text(99) == texts.back());
+    std::sort(texts.begin(), texts.end());
+    CHECK(std::unique(texts.begin(), texts.end()) == texts.end());
+    CHECK(dh_abi_version() == DH_ABI_VERSION);
+}

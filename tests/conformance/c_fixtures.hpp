@@ -1,0 +1,77 @@
+/// @file
+/// @brief Scenes and handles for the tests of the C interface.
+#pragma once
+
+#include <denhartog.h>
+
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "denhartog/model/scene.hpp"
+
+namespace denhartog::tests {
+
+/// @brief Destroys what the C interface made.
+struct Destroy {
+    void operator()(dh_system* system) const { dh_system_destroy(system); }
+    void operator()(dh_solution* solution) const { dh_solution_destroy(solution); }
+};
+using Handle = std::unique_ptr<dh_system, Destroy>;
+using Answered = std::unique_ptr<dh_solution, Destroy>;
+
+/// @brief A chain. @param contact from 1 @param load from 1 @return the system
+inline System<double> system_of(std::vector<double> masses, std::vector<double> springs, std::vector<double> damping,
+                                std::size_t contact, std::size_t load) {
+    System<double> s;
+    s.mass_ratios = std::move(masses);
+    s.stiffness_ratios = std::move(springs);
+    s.damping_ratios = std::move(damping);
+    s.contact = {contact - 1};
+    s.load = {load - 1};
+    return s;
+}
+
+/// @brief The scenes of the tests: one mass and more, j < l, j = l, j > l, mu above 1, every regime, a heavily damped mode.
+inline std::vector<Scene<double>> c_scenes() {
+    const System<double> one = system_of({1}, {1}, {0.0625}, 1, 1);
+    const System<double> two = system_of({1, 2.5}, {1, 0.625}, {0.0625, 0.125}, 2, 1);
+    const System<double> three = system_of({1, 0.5, 2}, {1, 1.5, 0.75}, {0.03125, 1.5, 0.25}, 1, 3);
+    return {{two, 1.25, 1.125, 0.125},  {one, 1.0, 0.75, 0.5},  {one, 1.0, 0.25, 0.8125}, {one, 1.5, 0.75, 1.0},
+            {three, 1.0, 0.625, 0.125}, {two, 1.0, 0.25, 0.25}, {two, 1.25, 0.5, 2.0},    {three, 1.5, 1.5, 0.03125}};
+}
+
+/// @brief The handle of a system. @param s the system @return its handle; throws where there is none
+inline Handle handle_of(const System<double>& s) {
+    dh_system* system = nullptr;
+    if (dh_system_from_ratios(s.mass_ratios.size(), s.mass_ratios.data(), s.stiffness_ratios.data(), s.damping_ratios.data(),
+                              s.contact.index + 1, s.load.index + 1, &system) != DH_OK)
+        throw std::runtime_error(dh_last_message());
+    return Handle(system);
+}
+
+/// @brief The solution at a point. @return its handle; throws where there is none
+inline Answered solved(const dh_system* system, double r, double beta, double mu) {
+    dh_solution* solution = nullptr;
+    if (dh_solve(system, r, beta, mu, 0, &solution) != DH_OK) throw std::runtime_error(dh_last_message());
+    return Answered(solution);
+}
+
+/// @brief The amplitudes at a point. @return N amplitudes; none where a call fails
+inline std::vector<double> amplitudes(const dh_system* system, double r, double beta, double mu) {
+    dh_solution* made = nullptr;
+    std::size_t N = 0;
+    if (dh_system_masses(system, &N, nullptr, nullptr) != DH_OK || dh_solve(system, r, beta, mu, 0, &made) != DH_OK) return {};
+    const Answered solution(made);
+    std::vector<double> all(N);
+    for (std::size_t k = 0; k < N; ++k) {
+        dh_mass mass{};
+        mass.size = sizeof mass;
+        if (dh_solution_mass(made, k + 1, &mass) != DH_OK) return {};
+        all[k] = mass.amplitude;
+    }
+    return all;
+}
+
+} // namespace denhartog::tests
