@@ -1,8 +1,8 @@
 /// @file
 /// @brief The library from C, and from any language that calls C: opaque handles, codes in place of exceptions, a stable ABI.
 ///
-/// C99, and C++ as it is. Masses and modes count from 1; modes ascend by natural frequency. Displacements are in units of P / k_1,
-/// angles in radians; docs/c-interface.md has an example and the conventions.
+/// C99, and C++ as it is. Masses and modes count from 1; modes ascend by natural frequency. Displacements are in units of
+/// P / k_1, angles in radians; docs/c-interface.md has an example and the conventions.
 ///
 /// Every function that can fail returns a status, #DH_OK or one of the others, and the text of the fault is kept for the calling
 /// thread, see dh_last_message(). On a fault no output is written. No exception leaves a function. Numbers handed out are finite.
@@ -10,8 +10,8 @@
 /// all are done. Apart from the text of the last fault, which each thread has for itself, the interface keeps nothing.
 ///
 /// A struct that may grow has its size as its first member; the caller sets it to `sizeof` before the call, and no more than that
-/// many bytes are written. Names are added and never changed or taken away as long as the number in the name of the shared library
-/// stays the same.
+/// many bytes are written. Names are added and never changed or taken away as long as the number in the name of the shared
+/// library stays the same.
 #ifndef DENHARTOG_H
 #define DENHARTOG_H
 
@@ -27,6 +27,7 @@
 /// @brief Version of the ABI that this header describes; compare with dh_abi_version().
 #define DH_ABI_VERSION 0
 
+/// @brief What C++ is told of every function: no exception leaves it.
 #ifdef __cplusplus
 #define DH_NOEXCEPT noexcept
 extern "C" {

@@ -26,7 +26,8 @@ namespace denhartog::c_interface {
     return {mass - 1};
 }
 
-/// @brief Checks the size that a caller has set. @param result the struct @throws CallError where it is too small
+/// @brief Checks the size that a caller has set. @param result the struct @param name its name in the header
+/// @throws CallError where it is too small
 template <class Struct>
 void need_struct(const Struct* result, const char* name) {
     need(result, name);
