@@ -10,7 +10,7 @@ using namespace denhartog::tests;
 namespace {
 
 const std::string library = DENHARTOG_C_LIBRARY;
-const std::string strict_c = "cc -std=c99 -pedantic -Wall -Wextra -Werror -I '" + source_file("src/denhartog/c") + "' ";
+std::string strict_c() { return "cc -std=c99 -pedantic -Wall -Wextra -Werror -I '" + source_file("src/denhartog/c") + "' "; }
 
 std::vector<std::string> sorted(std::vector<std::string> names) {
     std::sort(names.begin(), names.end());
@@ -84,7 +84,7 @@ TEST_CASE("the shared library exports the names of its list and no other", "[c_i
 
 TEST_CASE("the header is C99 and C++11 without a warning", "[c_interface][header]") {
     const auto unit = file_with("header.c", "#include <denhartog.h>\n#include <denhartog.h>\nint main(void) { return DH_OK; }\n");
-    check_done(run_shell(strict_c + "-fsyntax-only '" + unit.string() + "'"));
+    check_done(run_shell(strict_c() + "-fsyntax-only '" + unit.string() + "'"));
     for (const std::string standard : {"c++11", "c++20"})
         check_done(run_shell("c++ -x c++ -std=" + standard + " -pedantic -Wall -Wextra -Werror -I '" +
                              source_file("src/denhartog/c") + "' -fsyntax-only '" + unit.string() + "'"));
@@ -92,7 +92,7 @@ TEST_CASE("the header is C99 and C++11 without a warning", "[c_interface][header
 
 TEST_CASE("the example of the page on the C interface compiles and prints what the page says", "[c_interface][documentation]") {
     const auto source = file_with("example.c", fence_of("c")), program = scratch() / "example";
-    check_done(run_shell(strict_c + "'" + source.string() + "' '" + library + "' -o '" + program.string() + "'"));
+    check_done(run_shell(strict_c() + "'" + source.string() + "' '" + library + "' -o '" + program.string() + "'"));
     const Run run = run_shell("LD_LIBRARY_PATH=$(dirname '" + library + "') '" + program.string() + "'");
     check_done(run);
     CHECK(run.output == fence_of("text"));

@@ -13,7 +13,7 @@ using namespace denhartog::tests;
 namespace {
 
 const std::string library = DENHARTOG_C_LIBRARY;
-const std::string folder = source_file("tests/conformance/adapters/");
+std::string adapters() { return source_file("tests/conformance/adapters/"); }
 
 struct Built {
     std::string program;
@@ -29,12 +29,12 @@ Built built(const std::string& name, const std::string& command) {
 const std::string strict_c = "cc -std=c99 -pedantic -Wall -Wextra -Werror -O2 ";
 
 Built library_adapter() {
-    return built("library_adapter",
-                 strict_c + "-I '" + source_file("src/denhartog/c") + "' '" + folder + "c/library_adapter.c' '" + library + "'");
+    return built("library_adapter", strict_c + "-I '" + source_file("src/denhartog/c") + "' '" + adapters() +
+                                        "c/library_adapter.c' '" + library + "'");
 }
 
 Built closed_form_in_c(const std::string& source) {
-    return built("closed_form_c", strict_c + "-I '" + folder + "c' '" + source + "' '" + folder + "c/adapter.c' -lm");
+    return built("closed_form_c", strict_c + "-I '" + adapters() + "c' '" + source + "' '" + adapters() + "c/adapter.c' -lm");
 }
 
 const std::vector<std::string> of_scene{"natural_frequency_ratios",
@@ -180,11 +180,11 @@ void check_closed_form(const Built& adapter) {
 
 TEST_CASE("the closed form in C answers as the library does", "[conformance][c][eq:38][eq:46][eq:69]") {
     REQUIRE(library_adapter().fault.empty());
-    check_closed_form(closed_form_in_c(folder + "c/closed_form.c"));
+    check_closed_form(closed_form_in_c(adapters() + "c/closed_form.c"));
 }
 
 TEST_CASE("a closed form with a wrong sign does not pass for the library", "[conformance][c]") {
-    const std::string source = content_of(folder + "c/closed_form.c");
+    const std::string source = content_of(adapters() + "c/closed_form.c");
     for (const auto& [right, wrong] : {std::pair{"(1 + s->g[i]) * q", "(1 - s->g[i]) * q"},
                                        {"atan2(-s->beta", "atan2(s->beta"},
                                        {"+ s->mu / (s->gamma[j]", "+ 1 / (s->gamma[j]"}}) {
@@ -198,4 +198,14 @@ TEST_CASE("a closed form with a wrong sign does not pass for the library", "[con
         REQUIRE(twin.fault.empty());
         CHECK(worst_distance(twin, skipped, where) > 1e-6);
     }
+}
+
+TEST_CASE("the closed form in Fortran answers as the library does", "[conformance][fortran][eq:38][eq:46][eq:69]") {
+    if (!has_command("gfortran")) {
+        WARN("gfortran is not there: its closed form has not been run");
+        return;
+    }
+    const std::string folder = adapters() + "fortran/";
+    check_closed_form(built("closed_form_f90", "gfortran -std=f2018 -O2 -Wall -Werror -Wno-compare-reals '" + folder +
+                                                   "closed_form.f90' '" + folder + "adapter.f90'"));
 }
