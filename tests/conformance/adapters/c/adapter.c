@@ -6,7 +6,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { LONGEST = 1 << 14 }; /* answer */
 static double number(void) { /* the next word of the question */
     const char* word = strtok(NULL, " \n");
     return word ? strtod(word, NULL) : -1;
@@ -38,7 +37,7 @@ static int answer(const Scene* s, const char* q, int k, int samples, double tau,
 
 int main(void) {
     static char line[1 << 16];
-    static double x[LONGEST];
+    static double x[1 << 14], tau; /* no answer is longer */
     static Scene s;
     static const char* const regimes[] = {"continuous", "stick_slip", "permanent_sticking"};
     if (!fgets(line, sizeof line, stdin)) return 1;
@@ -46,11 +45,10 @@ int main(void) {
         const char *id = strtok(line, " \n"), *q = strtok(NULL, " \n");
         s.N = (int)number(), s.j = (int)number() - 1, s.l = (int)number() - 1;
         int k = (int)number() - 1, samples = (int)number(), count = 0, finite = 1;
-        const double tau = number();
-        s.mu = number(), s.r = number(), s.beta = number();
+        tau = number(), s.mu = number(), s.r = number(), s.beta = number();
         double* const ratios[] = {s.gamma, s.kappa, s.zeta};
         for (int i = 0; s.N <= MOST && i < 3 * s.N; ++i) ratios[i / s.N][i % s.N] = number();
-        const int good = keeps_rules(&s) && k >= -1 && k < s.N && samples >= 0 && samples <= LONGEST;
+        const int good = keeps_rules(&s) && k >= -1 && k < s.N && samples >= 0 && samples <= 1 << 14;
         if (good) solve_scene(&s), count = answer(&s, q, k < 0 ? 0 : k, samples, tau, x);
         for (int i = 0; i < count; ++i) finite = finite && isfinite(x[i]);
         if (!good) printf("%s reject a ratio, a mass or mu, r, beta breaks its rule", id);

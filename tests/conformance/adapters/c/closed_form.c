@@ -125,7 +125,10 @@ static double sum_of_s(const Scene* s, int mode, double tau) { /* psi_ji^2 s_i, 
 }
 
 double displacement(const Scene* s, int k, double tau, double* velocity) {
-    if (tau >= pi) return -displacement(s, k, tau - pi, velocity); /* (25) */
+    if (tau >= pi) { /* (25) */
+        const double mirrored = displacement(s, k, tau - pi, velocity);
+        return *velocity = -*velocity, -mirrored;
+    }
     /* V_k exp i(tau + phi_j), where V_j exp(i phi_j) is root - i beta U_j (36), (37) */
     const double complex Z = s->V[k] / s->V[s->j] * (s->root - I * s->beta * s->U[s->j]) * cexp(I * tau);
     double x = creal(Z);
@@ -176,7 +179,8 @@ double amplitude(const Scene* s, int k, double* phase) {
     if (s->regime == PERMANENT_STICKING) return cabs(s->X_held[k]);
     if (k == s->j) return s->X_j;
     maximum(size_of_x, s, k, &t);
-    double a = fmax(0, t - 1e-6), b = fmin(pi * (1 - 1e-16), t + 1e-6); /* the instant more sharply: zero velocity */
+    const double h = fmin(1e-3, 1e-2 * s->R[s->N - 1]);
+    double a = fmax(0, t - h), b = fmin(pi * (1 - 1e-15), t + h); /* the instant more sharply: zero velocity */
     const double sign = displacement(s, k, t, &velocity) < 0 ? -1 : 1;
     for (int n = 0; n < 60; ++n) {
         displacement(s, k, t = (a + b) / 2, &velocity);
@@ -211,7 +215,8 @@ static double hold_contact(Scene* s) {
     Z[s->l][s->N] = 1;
     for (int c = 0; c < s->N; ++c) {
         int pivot = c;
-        for (int k = c; k < s->N; ++k) pivot = cabs(Z[k][c]) > cabs(Z[pivot][c]) ? k : pivot;
+        if (c == s->j) continue; /* the force is in row j alone */
+        for (int k = c; k < s->N; ++k) pivot = k != s->j && cabs(Z[k][c]) > cabs(Z[pivot][c]) ? k : pivot;
         for (int m = 0; m <= s->N; ++m) z = Z[c][m], Z[c][m] = Z[pivot][m], Z[pivot][m] = z;
         for (int k = 0; k < s->N; ++k)
             for (int m = s->N; k != c && m >= c; --m) Z[k][m] -= Z[k][c] / Z[c][c] * Z[c][m];

@@ -12,25 +12,19 @@ program adapter
   real(dp) :: tau, size, phase, x_0, v_0, x_tau, v
   real(dp), allocatable :: x(:)
   logical :: slides, moves
-
-  read (*, '(a)') line
-  print '(a)', 'denhartog-conform 1 plain closed form in Fortran'
+  read (*, '(a)') line; print '(a)', 'denhartog-conform 1 plain closed form in Fortran'
   do
-    flush (output_unit)
-    read (*, '(a)', iostat = fault) line
+    flush (output_unit); read (*, '(a)', iostat = fault) line
     if (fault /= 0) exit
     read (line, *) id, q, s%N
-    n = max(s%N, 0); s%gamma = [(0d0, k = 1, n)]; s%kappa = s%gamma; s%zeta = s%gamma
+    n = max(s%N, 0); size = 0; x = [real(dp) ::]; s%gamma = [(0d0, k = 1, n)]; s%kappa = s%gamma; s%zeta = s%gamma
     read (line, *, iostat = fault) id, q, s%N, s%j, s%l, k, samples, tau, s%mu, s%r, s%beta, s%gamma, s%kappa, s%zeta
     if (fault /= 0 .or. .not. keeps_rules(s) .or. k < 0 .or. k > s%N .or. samples < 0) then
-      print '(a)', trim(id) // ' reject a ratio, a mass or mu, r, beta breaks its rule'
-      cycle
+      print '(a)', trim(id) // ' reject a ratio, a mass or mu, r, beta breaks its rule'; cycle
     end if
-    call solve_scene(s)
-    k = max(k, 1); slides = s%regime == continuous; moves = s%regime /= stick_slip; size = 0; x = [real(dp) ::]
+    call solve_scene(s); k = max(k, 1); slides = s%regime == continuous; moves = s%regime /= stick_slip
     if (moves .and. (q == 'amplitude' .or. q == 'phase')) call amplitude(s, k, size, phase)
-    call displacement(s, k, 0d0, x_0, v_0)
-    call displacement(s, k, tau, x_tau, v)
+    call displacement(s, k, 0d0, x_0, v_0); call displacement(s, k, tau, x_tau, v)
     select case (q)
     case ('natural_frequency_ratios'); x = s%r_n
     case ('modal_frequency_ratios'); x = s%R_i

@@ -251,7 +251,7 @@ contains
     type(scene), intent(in) :: s
     integer, intent(in) :: k
     real(dp), intent(out) :: size, phase
-    real(dp) :: t, x, velocity, a, b, way
+    real(dp) :: t, x, velocity, a, b, h, way
     integer :: n
     size = s%X_j; phase = s%phi_j
     if (s%regime == permanent_sticking) then
@@ -259,7 +259,7 @@ contains
     else if (k /= s%j) then
       call maximum(size_of_x, s, k, size, t)
       call displacement(s, k, min(t, pi * (1 - 1d-15)), x, velocity)
-      a = max(0d0, t - 1d-6); b = min(pi * (1 - 1d-15), t + 1d-6); way = sign(1d0, x)
+      h = min(1d-3, 1d-2 * s%R_i(s%N)); a = max(0d0, t - h); b = min(pi * (1 - 1d-15), t + h); way = sign(1d0, x)
       do n = 1, 60 ! the instant more sharply: zero velocity
         t = (a + b) / 2
         call displacement(s, k, t, x, velocity)
@@ -304,7 +304,8 @@ contains
     end do
     Z(:, s%j) = 0; Z(s%j, s%j) = -1; Z(s%l, s%N + 1) = 1
     do k = 1, s%N
-      pivot = k - 1 + maxloc(abs(Z(k:, k)), 1)
+      if (k == s%j) cycle ! the force is in row j alone
+      pivot = k - 1 + maxloc(abs(Z(k:, k)), 1, [(m /= s%j, m = k, s%N)])
       row = Z(pivot, :); Z(pivot, :) = Z(k, :); Z(k, :) = row / row(k)
       do m = 1, s%N
         if (m /= k) Z(m, :) = Z(m, :) - Z(m, k) * Z(k, :)
