@@ -1,5 +1,6 @@
 /* The library answers the questions of `denhartog conform` in the plain dialect, through denhartog.h. */
 #include <denhartog.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -10,6 +11,11 @@ static const char* const regimes[] = {"continuous", "stick_slip", "permanent_sti
 static double number(void) { /* the next word of the question */
     const char* word = strtok(NULL, " \n");
     return word ? strtod(word, NULL) : -1;
+}
+
+static size_t count(void) { /* the next word, 0 where it is below */
+    const double word = number();
+    return word > 0 ? (size_t)word : 0;
 }
 
 static int ascending(const void* a, const void* b) { return (*(double*)a > *(double*)b) - (*(double*)a < *(double*)b); }
@@ -80,18 +86,19 @@ int main(void) {
     if (!fgets(line, sizeof line, stdin)) return 1;
     for (puts("denhartog-conform 1 plain the library"); fflush(stdout), fgets(line, sizeof line, stdin);) {
         const char *id = strtok(line, " \n"), *q = strtok(NULL, " \n");
-        const size_t N = (size_t)number(), j = (size_t)number(), l = (size_t)number(), k = (size_t)number();
-        const size_t samples = (size_t)number();
+        const size_t N = count(), j = count(), l = count(), k = count(), samples = count();
         const double tau = number(), mu = number(), r = number(), beta = number();
         dh_system* s = NULL;
         int n = 0;
         for (size_t i = 0; N <= 64 && i < 3 * N; ++i) ratios[i / N][i % N] = number();
-        int status = N > 64 ? DH_ERROR_SIZE : dh_system_from_ratios(N, ratios[0], ratios[1], ratios[2], j, l, &s);
+        const int rules = k <= N && mu >= 1 && r > 0 && beta >= 0 && isfinite(mu + r + beta);
+        int status = !rules ? DH_ERROR_INPUT : N > 64 || samples > 1 << 14 ? DH_ERROR_MEMORY : DH_OK;
+        if (status == DH_OK) status = dh_system_from_ratios(N, ratios[0], ratios[1], ratios[2], j, l, &s);
         if (status == DH_OK) status = answer(s, q, k ? k : 1, samples, tau, mu, r, beta, &n);
-        if (status == DH_ERROR_INPUT)
-            printf("%s reject %s", id, dh_last_message());
+        if (status == DH_ERROR_INPUT || status == DH_ERROR_SIZE)
+            printf("%s reject %s", id, dh_status_text(status));
         else if (status != DH_OK || n < 0)
-            printf("%s skip %s", id, status ? dh_last_message() : "there is no such number here");
+            printf("%s skip %s", id, status ? dh_status_text(status) : "there is no such number here");
         else if (!strcmp(q, "regime"))
             printf("%s value %s", id, regimes[(int)x[0]]);
         else
