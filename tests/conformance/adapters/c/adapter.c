@@ -12,7 +12,7 @@ static double number(void) { /* the next word of the question */
 }
 
 /* The numbers of a quantity into x. Returns how many, or 0 where the closed form has none. */
-static int answer(const Scene* s, const char* q, int k, int samples, double tau, double* x) {
+static int answer(const Scene* s, const char* q, int k, int samples, double tau, double* x) { /* clang-format off */
     double v_0, v, phase = 0, size = 0, x_0 = displacement(s, k, 0, &v_0), x_tau = displacement(s, k, tau, &v);
     const int slides = s->regime == CONTINUOUS, j = s->j, moves = s->regime != STICK_SLIP, bears = s->j == s->l;
     if (moves && (!strcmp(q, "amplitude") || !strcmp(q, "phase"))) size = amplitude(s, k, &phase);
