@@ -222,6 +222,8 @@ DH_EXPORT int dh_sliding_motion(const dh_system* system, double r, double beta, 
                                 dh_sliding_mass* result) DH_NOEXCEPT;
 
 /// @brief Displacement of a mass while the contact slides throughout, Eq. (46) as corrected.
+///
+/// Computed in double: far above resonance the braces of (46) cancel, and their error grows as the square of r.
 /// @param system  a system
 /// @param r       frequency ratio, Eq. (10), positive
 /// @param beta    friction ratio, Eq. (11), not negative
