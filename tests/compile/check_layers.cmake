@@ -1,6 +1,6 @@
-# program -> conformance, c -> response, integration -> model -> evaluation -> formulas -> number: no file includes a room above its
-# own, none but the derivation includes GiNaC, and what the derivation refutes (as_printed.hpp) is included by the conformance kit,
-# which has to know it, and by nothing else that is shipped.
+# program -> conformance, c -> response, integration -> model -> evaluation -> formulas -> number: no file includes a room above
+# its own, none but the derivation includes GiNaC, and what the derivation refutes (as_printed.hpp) is included by the conformance
+# kit, which has to know it, and by nothing else that is shipped.
 set(rank_of_root 0)
 set(rank_of_formulas 1)
 set(rank_of_evaluation 2)
