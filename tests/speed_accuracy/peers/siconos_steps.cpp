@@ -27,11 +27,16 @@ struct SiconosSteps::Simulation {
 };
 
 SiconosSteps::SiconosSteps(const std::vector<double>& M, const std::vector<double>& C, const std::vector<double>& K,
-                           unsigned contact, unsigned load, double beta, double step, long steps)
+                           unsigned contact, unsigned load, double beta, double step, long steps,
+                           const std::vector<double>& start)
     : simulation_(new Simulation) {
     unsigned N = 1;
     while (N * N < M.size()) ++N;
     SP::SiconosVector x(new SiconosVector(N, 0.0)), v(new SiconosVector(N, 0.0)), loaded(new SiconosVector(1, load));
+    for (unsigned k = 0; k < N && !start.empty(); ++k) {
+        (*x)(k) = start[k];
+        (*v)(k) = start[N + k];
+    }
     simulation_->system.reset(new LagrangianLinearTIDS(x, v, matrix(M, N), matrix(K, N), matrix(C, N)));
     simulation_->system->setzPtr(loaded);
     simulation_->system->setComputeFExtFunction(load_at);

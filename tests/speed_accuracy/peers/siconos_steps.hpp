@@ -16,8 +16,9 @@ public:
     /// @param beta     friction ratio
     /// @param step     length of a step, in tau
     /// @param steps    how many steps there will be at most
+    /// @param start    displacements and velocities at tau = 0; rest at zero where it is empty
     SiconosSteps(const std::vector<double>& M, const std::vector<double>& C, const std::vector<double>& K, unsigned contact,
-                 unsigned load, double beta, double step, long steps);
+                 unsigned load, double beta, double step, long steps, const std::vector<double>& start = {});
     ~SiconosSteps();
 
     /// @brief One step. @param state gets displacements, then velocities

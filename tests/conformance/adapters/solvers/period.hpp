@@ -1,0 +1,57 @@
+/// @file
+/// @brief What a time integrator does for the conformance kit: one period of the force from a given state.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "denhartog/integration/motion_record.hpp"
+#include "denhartog/model/scene.hpp"
+
+namespace denhartog::tests {
+
+/// @brief The masses at an instant.
+struct Node {
+    double tau = 0;        ///< from the maximum of the force at the start of the period
+    std::vector<double> y; ///< displacements, then velocities, 2N
+};
+
+/// @brief The largest size of the contact's displacement, where an integrator finds it closer than its nodes tell.
+struct ContactExtremum {
+    double amplitude = 0;        ///< largest |x_j|
+    std::optional<double> phase; ///< instant of the largest x_j
+};
+
+/// @brief What an integration over one period leaves.
+struct PeriodRecord {
+    std::string failure;                    ///< why the period could not be integrated; empty where it could
+    std::vector<double> end;                ///< displacements, then velocities, at the end
+    std::vector<Node> nodes;                ///< instants from 0 to 2 pi, events among them; where asked for
+    std::vector<Stop<double>> rests;        ///< of the contact, where asked for; one that lasts over the end in two parts
+    std::optional<ContactExtremum> contact; ///< of the contact, where the integrator has it from elsewhere
+};
+
+/// @brief Integrates one period of the force, from its maximum on. @param y the state at the start @param nodes how many equal
+/// parts of the period are recorded; 0 for the end alone
+using OnePeriod = std::function<PeriodRecord(const std::vector<double>& y, int nodes)>;
+
+/// @brief An integrator at one setting.
+struct Stage {
+    OnePeriod period;     ///< one period at this setting
+    double tolerance = 0; ///< what may be left of transients, relative to the state
+    int most_periods = 0; ///< periods after which the motion is said not to settle
+    int nodes = 0;        ///< parts of a period recorded, at least
+};
+
+/// @brief A time integrator under test.
+struct TimeIntegrator {
+    std::string name; ///< as the handshake gives it
+    /// @brief Prepares for a scene: settings from coarse to fine. Each starts where the one before settled.
+    std::function<std::vector<Stage>(const Scene<double>&)> prepare;
+    /// @brief Why the integrator cannot model a scene; empty where it can.
+    std::function<std::string(const Scene<double>&)> declines = [](const Scene<double>&) { return std::string(); };
+};
+
+} // namespace denhartog::tests

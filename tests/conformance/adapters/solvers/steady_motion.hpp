@@ -1,0 +1,50 @@
+/// @file
+/// @brief The settled motion that a time integrator comes to, and what is read off its last period.
+#pragma once
+
+#include "denhartog/response/regime.hpp"
+#include "tests/conformance/adapters/solvers/period.hpp"
+
+namespace denhartog::tests {
+
+/// @brief A settled motion.
+struct SteadyMotion {
+    std::string why_none;      ///< why there is no motion; empty where there is one
+    Stage stage;               ///< the finest setting that settled
+    std::vector<double> start; ///< the state at the maximum of the force
+    PeriodRecord record;       ///< the period from there, with its nodes
+    Regime regime = Regime::continuous;
+    std::vector<Stop<double>> stops; ///< of the contact; one over the end of the period is whole, its start within the period
+};
+
+/// @brief Integrates period after period until the state repeats itself.
+///
+/// The start is rest at zero. What a period changes has to be below the tolerance times the part that the slowest sliding mode
+/// loses in it, but not less than 1/100; after 200 periods ten times the tolerance will do. Light damping is shortened: from the
+/// states of successive periods that to which they tend is extrapolated (reduced rank extrapolation), and the integration goes
+/// on from there; what counts as settled stays the same. With mu > 1, where the motion may depend on the start, only states
+/// that change by less than 1/100 are extrapolated.
+///
+/// Where the contact rests for ever the answer is for rest at zero, as `solve` has it: all masses are moved by what the contact's
+/// displacement makes of them at rest, and the integration goes on. With mu > 1 sliding throughout, the regime wherever it is
+/// possible, is looked for from the motion without friction as well.
+/// @param scene       the scene
+/// @param integrator  the integrator
+/// @return            the motion, or why there is none
+[[nodiscard]] SteadyMotion steady_motion(const Scene<double>& scene, const TimeIntegrator& integrator);
+
+/// @brief Largest displacement of a mass. @param motion a settled motion @param k the mass, from 0 @return largest |x_k|
+[[nodiscard]] double amplitude(const SteadyMotion& motion, std::size_t k, std::size_t contact);
+
+/// @brief Instant of the largest x_k as a lag behind the force; where the contact rests there, the start of the rest.
+/// @param motion   a settled motion
+/// @param k        the mass, from 0
+/// @param contact  the mass in contact, from 0
+/// @return         in (-pi, pi]; none where x_k does not move
+[[nodiscard]] std::optional<double> phase(const SteadyMotion& motion, std::size_t k, std::size_t contact);
+
+/// @brief x_k at equally spaced instants from the maximum of the force. @param motion a settled motion @param k the mass, from 0
+/// @param samples how many @return the displacements
+[[nodiscard]] std::vector<double> samples(const SteadyMotion& motion, std::size_t k, int samples);
+
+} // namespace denhartog::tests

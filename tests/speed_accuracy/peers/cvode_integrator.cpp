@@ -1,0 +1,142 @@
+#include "tests/speed_accuracy/peers/cvode_integrator.hpp"
+
+#include <cvode/cvode.h>
+#include <nvector/nvector_serial.h>
+#include <sunnonlinsol/sunnonlinsol_fixedpoint.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace denhartog::tests {
+namespace {
+
+constexpr long most_right_hand_sides = 2'000'000; // from a start on
+constexpr int most_phases_a_period = 1000;
+
+/// The equations in the phase that they are in, as CVODE's functions see them.
+struct Problem {
+    ContactEquations equations;
+    int direction = 1;
+    std::vector<double> y, y_prime;
+};
+
+int right_hand_side(double tau, N_Vector y, N_Vector y_prime, void* data) {
+    auto& p = *static_cast<Problem*>(data);
+    std::copy_n(N_VGetArrayPointer(y), p.y.size(), p.y.begin());
+    p.equations(p.y, p.y_prime, tau);
+    std::ranges::copy(p.y_prime, N_VGetArrayPointer(y_prime));
+    return 0;
+}
+
+// While the contact slides its velocity, while it sticks what is left of static friction on either side.
+int events(double tau, N_Vector y, double* event, void* data) {
+    const auto& p = *static_cast<Problem*>(data);
+    const std::span<const double> state(N_VGetArrayPointer(y), p.y.size());
+    const double held = p.equations.mu * p.equations.beta;
+    const double load = p.direction == 0 ? p.equations.load_on_contact(state, tau) : 0;
+    event[0] = p.direction == 0 ? held - load : state[p.equations.N + p.equations.j];
+    event[1] = held + load;
+    return 0;
+}
+
+} // namespace
+
+struct CvodeIntegrator::Memory {
+    Memory(const ContactProblem& contact_problem, double tolerance) : problem{ContactEquations(contact_problem), 1, {}, {}} {
+        problem.y.assign(2 * problem.equations.N, 0);
+        problem.y_prime = problem.y;
+        SUNContext_Create(nullptr, &context);
+        y = N_VNew_Serial(static_cast<sunindextype>(problem.y.size()), context);
+        N_VConst(0, y);
+        cvode = CVodeCreate(CV_ADAMS, context);
+        CVodeInit(cvode, right_hand_side, 0, y);
+        CVodeSStolerances(cvode, tolerance, tolerance);
+        iteration = SUNNonlinSol_FixedPoint(y, 0, context);
+        CVodeSetNonlinearSolver(cvode, iteration);
+        CVodeSetUserData(cvode, &problem);
+        CVodeSetMaxNumSteps(cvode, most_right_hand_sides);
+        CVodeSetMaxStep(cvode, std::numbers::pi / 8);
+        CVodeRootInit(cvode, 2, events);
+        CVodeSetNoInactiveRootWarn(cvode);
+        CVodeSetErrFile(cvode, nullptr);
+        start_phase();
+    }
+    ~Memory() {
+        CVodeFree(&cvode);
+        SUNNonlinSolFree(iteration);
+        N_VDestroy(y);
+        SUNContext_Free(&context);
+    }
+    Memory(const Memory&) = delete;
+    Memory& operator=(const Memory&) = delete;
+
+    [[nodiscard]] std::span<double> state() const { return {N_VGetArrayPointer(y), problem.y.size()}; }
+
+    // A moving contact slides on; one at rest is let go where it stuck, and else sticks or turns back.
+    void start_phase() {
+        const double load = problem.equations.load_on_contact(state(), tau),
+                     velocity = state()[problem.equations.N + problem.equations.j];
+        const bool was_sticking = problem.direction == 0;
+        const bool holds = velocity == 0 && !was_sticking && std::abs(load) <= problem.equations.mu * problem.equations.beta;
+        problem.direction = holds ? 0 : ((velocity != 0 ? velocity : load) > 0 ? 1 : -1);
+        problem.equations.set(problem.direction);
+        std::array<int, 2> falling{-1, -1};
+        if (!holds) falling = {-problem.direction, -1};
+        CVodeSetRootDirection(cvode, falling.data());
+    }
+
+    Problem problem;
+    SUNContext context = nullptr;
+    N_Vector y = nullptr;
+    void* cvode = nullptr;
+    SUNNonlinearSolver iteration = nullptr;
+    double tau = 0;
+    int periods = 0;
+    long evaluations_before = 0;
+};
+
+CvodeIntegrator::CvodeIntegrator(const ContactProblem& problem, double tolerance) : memory_(new Memory(problem, tolerance)) {}
+CvodeIntegrator::~CvodeIntegrator() = default;
+std::span<const double> CvodeIntegrator::state() const { return memory_->state(); }
+long CvodeIntegrator::evaluations() const { return memory_->problem.equations.evaluations; }
+
+void CvodeIntegrator::restart(const std::vector<double>& y) {
+    Memory& m = *memory_;
+    std::ranges::copy(y, m.state().begin());
+    m.tau = 0;
+    m.periods = 0;
+    m.evaluations_before = evaluations();
+    m.problem.direction = 1;
+    m.start_phase();
+    CVodeReInit(m.cvode, 0, m.y);
+}
+
+Ending CvodeIntegrator::period(int parts, const Seen& seen) {
+    Memory& m = *memory_;
+    const std::size_t contact_velocity = m.problem.equations.N + m.problem.equations.j;
+    const double start = 2 * std::numbers::pi * m.periods, end = 2 * std::numbers::pi * ++m.periods;
+    seen(m.tau, m.state(), m.problem.direction);
+    CVodeSetStopTime(m.cvode, end);
+    int phases = 0;
+    for (int part = 1; part <= parts;) {
+        const double wanted = part == parts ? end : start + 2 * std::numbers::pi * part / parts;
+        const int flag = CVode(m.cvode, wanted, m.y, &m.tau, CV_NORMAL);
+        if (flag < 0 || evaluations() - m.evaluations_before > most_right_hand_sides) return Ending::did_not_finish;
+        if (!std::ranges::all_of(m.state(), [](double x) { return std::isfinite(x); })) return Ending::not_a_number;
+        if (flag == CV_ROOT_RETURN) {
+            if (++phases > most_phases_a_period) return Ending::stalled;
+            m.state()[contact_velocity] = 0;
+            m.start_phase();
+            CVodeReInit(m.cvode, m.tau, m.y);
+            CVodeSetStopTime(m.cvode, end);
+        } else {
+            ++part;
+        }
+        seen(m.tau, m.state(), m.problem.direction);
+    }
+    return Ending::answered;
+}
+
+} // namespace denhartog::tests
