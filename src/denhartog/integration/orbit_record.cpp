@@ -61,9 +61,13 @@ MassMotion<T> contact_motion(const OrbitMap<T>& map) {
     const ExactMotion<T>& motion = map.motion();
     const auto N = static_cast<std::size_t>(map.N);
     const std::size_t j = map.solver().system().contact.index;
-    // The start of the stretch comes last and has to be larger by more than rounding: a rest across it started before.
-    T x = motion.states[j] * (1 - 16 * std::numeric_limits<T>::epsilon()), tau(0);
+    // A rest counts from its start: neither where it ends, nor, of one across the start of the stretch, what the stretch has of it
+    // first. Elsewhere the start of the stretch comes last and has to be larger by more than rounding.
+    const bool rests_across =
+        motion.phases.size() > 1 && motion.phases.front().direction == 0 && motion.phases.back().direction == 0;
+    T x = rests_across ? T(0) : T(motion.states[j] * (1 - 16 * std::numeric_limits<T>::epsilon())), tau(0);
     for (std::size_t n = 1; n < motion.phases.size(); ++n) {
+        if (motion.phases[n - 1].direction == 0) continue;
         const T& x_j = motion.states[2 * N * n + j];
         if (abs(x_j) > abs(x)) {
             x = x_j;
