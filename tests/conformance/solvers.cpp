@@ -173,7 +173,7 @@ TEST_CASE("an integrator that cannot tell says so, and a scene that breaks a rul
     const Json fine = one_mass(0.0625, 1, 1.125, 0.25);
     Json unknown = question(fine, "amplitude", 1);
     unknown["quantity"] = "colour";
-    // An undamped mode at twice the frequency of the force: every amplitude of it returns after a period, none is the settled one.
+    // The last at the resonance of a mode without damping, of which so little friction takes less than the force gives.
     const std::vector<Json> given =
         answers(adapter("paper_algorithm_adapter"),
                 {question(fine, "H_j"), unknown, question(one_mass(0.0625, 0.5, 1.125, 0.25), "amplitude", 1),

@@ -46,8 +46,8 @@ public:
     void clear() { states_.clear(); }
     void push(const std::vector<double>& y) { states_.push_back(vector_of(y)); }
 
-    /// Where there are two more than a linear map needs: the combination of states, with weights that add up to one, whose change in a
-    /// period is least.
+    /// Where there are two more than a linear map needs: the combination of states, with weights that add up to one, that changes
+    /// least in a period.
     [[nodiscard]] std::optional<std::vector<double>> limit() const {
         const std::size_t used = size_ + 2;
         if (states_.size() < used) return std::nullopt;

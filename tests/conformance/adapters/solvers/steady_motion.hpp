@@ -33,7 +33,11 @@ struct SteadyMotion {
 /// @return            the motion, or why there is none
 [[nodiscard]] SteadyMotion steady_motion(const Scene<double>& scene, const TimeIntegrator& integrator);
 
-/// @brief Largest displacement of a mass. @param motion a settled motion @param k the mass, from 0 @return largest |x_k|
+/// @brief Largest displacement of a mass.
+/// @param motion   a settled motion
+/// @param k        the mass, from 0
+/// @param contact  the mass in contact, from 0
+/// @return         largest |x_k|
 [[nodiscard]] double amplitude(const SteadyMotion& motion, std::size_t k, std::size_t contact);
 
 /// @brief Instant of the largest x_k as a lag behind the force; where the contact rests there, the start of the rest.
@@ -43,8 +47,11 @@ struct SteadyMotion {
 /// @return         in (-pi, pi]; none where x_k does not move
 [[nodiscard]] std::optional<double> phase(const SteadyMotion& motion, std::size_t k, std::size_t contact);
 
-/// @brief x_k at equally spaced instants from the maximum of the force. @param motion a settled motion @param k the mass, from 0
-/// @param samples how many @return the displacements
+/// @brief x_k at equally spaced instants from the maximum of the force.
+/// @param motion   a settled motion
+/// @param k        the mass, from 0
+/// @param samples  how many
+/// @return         the displacements
 [[nodiscard]] std::vector<double> samples(const SteadyMotion& motion, std::size_t k, int samples);
 
 } // namespace denhartog::tests
