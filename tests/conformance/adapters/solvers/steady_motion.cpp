@@ -20,6 +20,8 @@ constexpr double least_size = 1e-3;      // of a state, in units of P / k_1, tha
 constexpr double no_motion = 1e-13;      // in units of P / k_1: rounding of a mass that rests
 constexpr double near_enough = 0.01;     // change in a period, relative, from which on states are extrapolated with mu > 1
 constexpr double most_growth = 100;      // of a state by extrapolation
+constexpr double creeping = 1e-4;        // a contact that moves less may be on its way to rest for ever
+constexpr double holding = 1e6;          // friction that lets nothing move
 constexpr int patience = 200;            // periods after which a change of the integrator's own noise is enough
 constexpr double same_direction = 1e-10; // below this part of the largest a change adds no direction to the extrapolation
 
@@ -153,6 +155,12 @@ std::vector<double> moved_to_zero(std::vector<double> y, const Scene<double>& sc
     return y;
 }
 
+Scene<double> with_friction(Scene<double> scene, double beta) {
+    scene.mu = 1;
+    scene.beta = beta;
+    return scene;
+}
+
 /// The cubic with the displacements and velocities of two nodes.
 struct Between {
     const Node &a, &b;
@@ -205,20 +213,29 @@ SteadyMotion steady_motion(const Scene<double>& scene, const TimeIntegrator& int
     const std::vector<Stage> stages = integrator.prepare(scene);
     const double loss = loss_in_a_period(scene);
     const double near = scene.mu > 1 ? near_enough : std::numeric_limits<double>::infinity();
-    SteadyMotion motion = motion_from(stages, std::vector<double>(2 * number_of_masses(scene.system)), loss, near);
-    if (scene.mu > 1 && motion.why_none.empty() && motion.regime != Regime::continuous) {
-        Scene<double> without_friction = scene;
-        without_friction.beta = 0;
-        const SteadyMotion free =
-            motion_from(integrator.prepare(without_friction), std::vector<double>(motion.start.size()), loss, near);
-        if (free.why_none.empty())
-            if (SteadyMotion other = motion_from(stages, free.start, loss, near); other.regime == Regime::continuous)
+    const std::size_t j = scene.system.contact.index;
+    const std::vector<double> rest(2 * number_of_masses(scene.system));
+    SteadyMotion motion = motion_from(stages, rest, loss, near);
+    if (!motion.why_none.empty() || motion.regime == Regime::continuous) return motion;
+    if (scene.mu > 1)
+        if (const SteadyMotion free = motion_from(integrator.prepare(with_friction(scene, 0)), rest, loss, near);
+            free.why_none.empty())
+            if (SteadyMotion other = motion_from(stages, free.start, loss, near);
+                other.why_none.empty() && other.regime == Regime::continuous)
                 return other;
-    }
-    if (motion.why_none.empty() && motion.regime == Regime::permanent_sticking) {
+    if (motion.regime == Regime::permanent_sticking) {
         motion = motion_from({motion.stage}, moved_to_zero(motion.start, scene), loss, near);
-        if (motion.why_none.empty() && std::abs(motion.start[scene.system.contact.index]) > motion.stage.tolerance)
+        if (motion.why_none.empty() && std::abs(motion.start[j]) > motion.stage.tolerance)
             motion.why_none = "the contact comes to rest for ever, but not at zero";
+        return motion;
+    }
+    const Range moves = range_of(motion.record.nodes, j);
+    if (scene.mu > 1 || moves.highest - moves.lowest < creeping) {
+        const SteadyMotion held = motion_from({integrator.prepare(with_friction(scene, holding)).front()}, rest, loss, near);
+        if (held.why_none.empty())
+            if (SteadyMotion other = motion_from({motion.stage}, held.start, loss, near);
+                other.why_none.empty() && other.regime == Regime::permanent_sticking)
+                return other;
     }
     return motion;
 }

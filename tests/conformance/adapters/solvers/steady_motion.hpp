@@ -26,8 +26,10 @@ struct SteadyMotion {
 /// that change by less than 1/100 are extrapolated.
 ///
 /// Where the contact rests for ever the answer is for rest at zero, as `solve` has it: all masses are moved by what the contact's
-/// displacement makes of them at rest, and the integration goes on. With mu > 1 sliding throughout, the regime wherever it is
-/// possible, is looked for from the motion without friction as well.
+/// displacement makes of them at rest, and the integration goes on. With mu > 1,
+/// where several motions may exist, sliding throughout goes before, looked for from the motion without friction, then rest for ever, looked for
+/// from rest with the contact held until the other masses have settled. So is rest for ever where the contact hardly moves: it
+/// may creep up to the edge of where it can rest and never get there.
 /// @param scene       the scene
 /// @param integrator  the integrator
 /// @return            the motion, or why there is none
