@@ -1,0 +1,51 @@
+#include "tests/conformance/seeded_questions.hpp"
+
+#include <cmath>
+#include <random>
+
+#include "denhartog/conformance/plain_closed_form.hpp"
+
+namespace denhartog::tests {
+namespace {
+
+// A multiple of 1 / parts between two numbers.
+double fraction(std::mt19937_64& random, int from, int to, int parts) {
+    const auto range = static_cast<std::uint64_t>(to - from + 1);
+    return static_cast<double>(from + static_cast<int>(random() % range)) / parts;
+}
+
+int place(std::mt19937_64& random, int N) { return 1 + static_cast<int>(random() % static_cast<std::uint64_t>(N)); }
+
+} // namespace
+
+std::vector<conformance::Question> seeded_questions(std::uint64_t seed, int count) {
+    std::mt19937_64 random(seed);
+    std::vector<conformance::Question> questions;
+    for (int n = 0; n < count; ++n) {
+        conformance::Question q;
+        const int N = 1 + n % 5;
+        q.mass_ratios = q.stiffness_ratios = {1};
+        for (int i = 1; i < N; ++i) {
+            q.mass_ratios.push_back(fraction(random, 8, 96, 32));
+            q.stiffness_ratios.push_back(fraction(random, 8, 96, 32));
+        }
+        for (int i = 0; i < N; ++i) q.damping_ratios.push_back(fraction(random, 4, 60, 512));
+        q.contact = place(random, N);
+        q.load = place(random, N);
+        q.mass = place(random, N);
+        q.mu = fraction(random, 32, 64, 32);
+        q.r = fraction(random, 30, 250, 128);
+        q.tau = fraction(random, 0, 100, 16);
+        q.samples = 16;
+        q.quantity = "amplitude";
+        q.id = "seeded-" + std::to_string(n);
+        const conformance::PlainModes m = conformance::plain_modes(q, {});
+        const conformance::PlainLimits limits = conformance::plain_limits(q, m, {});
+        const double share = n % 3 < 2 ? fraction(random, 16, 60, 64) : fraction(random, 72, 160, 64);
+        q.beta = std::ldexp(std::round(std::ldexp(limits.exact * share, 16)), -16);
+        questions.push_back(q);
+    }
+    return questions;
+}
+
+} // namespace denhartog::tests

@@ -1,0 +1,20 @@
+/// @file
+/// @brief Questions on seeded scenes for the tests of the conformance kit.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "denhartog/conformance/question.hpp"
+
+namespace denhartog::tests {
+
+/// @brief Scenes of chains with unequal masses, springs and damping ratios, mu above 1, contact and load anywhere.
+///
+/// All numbers are short binary fractions. Two thirds of the scenes slide, the others stop or rest.
+/// @param seed   any number; the same one gives the same questions
+/// @param count  number of scenes
+/// @return       a question a scene, of the amplitude of a mass
+[[nodiscard]] std::vector<conformance::Question> seeded_questions(std::uint64_t seed, int count);
+
+} // namespace denhartog::tests
