@@ -6,7 +6,6 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "denhartog/conformance/question.hpp"
 
@@ -19,6 +18,9 @@ struct Mistake {
     bool as_printed;      ///< whether it is the paper's print
     std::string told;     ///< what it is, a sentence with the equation
     std::string look_at;  ///< what to look at in the code that makes it
+    /// How near, relative to its size, answers of implementations that make it come to `answer_with_mistake`: rounding where it
+    /// is one formula for another, the steps in time or the harmonics of a solver where the mistake is a solver's.
+    double agreement = 1e-6;
 };
 
 /// @brief All known mistakes, by name. @return the mistakes
@@ -32,16 +34,5 @@ struct Mistake {
 /// @return      the answer; none where the mistake says nothing about the quantity, or its answer cannot be computed
 /// @throws      InputError for a name that is none
 [[nodiscard]] std::optional<Value> answer_with_mistake(std::string_view name, const Question& q);
-
-/// @brief What implementations answer that make a mistake which has more than one form: the number of periods integrated, of
-/// harmonics kept, of instants tried; one answer a form, always in the same order.
-///
-/// A diagnosis compares an answer with all of them and takes the nearest. Where it wants one form to explain every answer, it
-/// compares by position in the list; positions are the same for all questions of a quantity where no answer is left out.
-/// @param name  name of the mistake
-/// @param q     the question; its scene keeps the rules
-/// @return      the answers, the first of them that of `answer_with_mistake`; none where that has none
-/// @throws      InputError for a name that is none
-[[nodiscard]] std::vector<Value> answers_with_mistake(std::string_view name, const Question& q);
 
 } // namespace denhartog::conformance

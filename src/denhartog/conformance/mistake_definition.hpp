@@ -3,6 +3,8 @@
 #pragma once
 
 #include <functional>
+#include <initializer_list>
+#include <string_view>
 #include <vector>
 
 #include "denhartog/conformance/mistake.hpp"
@@ -12,9 +14,17 @@ namespace denhartog::conformance {
 
 /// @brief A mistake and what it answers.
 struct MistakeDefinition {
-    Mistake mistake;                                            ///< what is told of it
-    std::function<std::vector<Value>(const Question&)> answers; ///< its answers; none where it says nothing about the question
+    Mistake mistake;                                             ///< what is told of it
+    std::function<std::optional<Value>(const Question&)> answer; ///< what it answers; none where it says nothing
 };
+
+/// @brief A mistake in the formulas: the plain closed form with other choices.
+/// @param mistake  what is told of it
+/// @param touched  the quantities of which it says something; all where empty
+/// @param choose   makes the choices
+/// @return         the definition
+[[nodiscard]] MistakeDefinition by_formulas(Mistake mistake, std::vector<std::string_view> touched,
+                                            std::function<void(Choices&)> choose);
 
 /// @brief Mistakes in what is read from a question: every answer is that to another question. @return the mistakes
 [[nodiscard]] std::vector<MistakeDefinition> mistakes_of_input();
@@ -27,10 +37,10 @@ struct MistakeDefinition {
 /// @brief Mistakes that solvers of the motion make. @return the mistakes
 [[nodiscard]] std::vector<MistakeDefinition> mistakes_of_integrators();
 
-/// @brief Whether a quantity is one of some. @param q the question @param names names of quantities @return whether it is
+/// @brief Whether a question asks for one of some quantities.
+/// @param q      the question
+/// @param names  the quantities
+/// @return       whether it does
 [[nodiscard]] bool asks_for(const Question& q, std::initializer_list<std::string_view> names);
-
-/// @brief An answer as a list of one or none. @param value the answer @return the list
-[[nodiscard]] std::vector<Value> listed(const std::optional<Value>& value);
 
 } // namespace denhartog::conformance

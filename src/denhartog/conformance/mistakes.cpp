@@ -1,5 +1,5 @@
 #include <algorithm>
-#include <map>
+#include <iterator>
 
 #include "denhartog/conformance/mistake_definition.hpp"
 #include "denhartog/errors.hpp"
@@ -28,7 +28,15 @@ bool asks_for(const Question& q, std::initializer_list<std::string_view> names) 
     return std::find(names.begin(), names.end(), q.quantity) != names.end();
 }
 
-std::vector<Value> listed(const std::optional<Value>& value) { return value ? std::vector{*value} : std::vector<Value>{}; }
+MistakeDefinition by_formulas(Mistake mistake, std::vector<std::string_view> touched, std::function<void(Choices&)> choose) {
+    return {std::move(mistake), [touched = std::move(touched), choose = std::move(choose)](const Question& q) {
+                if (!touched.empty() && std::find(touched.begin(), touched.end(), q.quantity) == touched.end())
+                    return std::optional<Value>();
+                Choices c;
+                choose(c);
+                return plain_answer(q, c);
+            }};
+}
 
 std::span<const Mistake> mistakes() {
     static const std::vector<Mistake> told = [] {
@@ -39,22 +47,17 @@ std::span<const Mistake> mistakes() {
     return told;
 }
 
-std::vector<Value> answers_with_mistake(std::string_view name, const Question& q) {
+std::optional<Value> answer_with_mistake(std::string_view name, const Question& q) {
     const auto found = std::find_if(definitions().begin(), definitions().end(),
                                     [&](const MistakeDefinition& each) { return each.mistake.name == name; });
     if (found == definitions().end()) throw InputError("mistake", "must be one of the known ones", std::string(name));
     try {
-        return found->answers(q);
-    } catch (const InputError&) {
+        return found->answer(q);
+    } catch (const InputError&) { // a place beyond the chain, a motion that is none: nothing is answered
     } catch (const DomainError&) {
     } catch (const PrecisionError&) {
     }
-    return {};
-}
-
-std::optional<Value> answer_with_mistake(std::string_view name, const Question& q) {
-    const std::vector<Value> all = answers_with_mistake(name, q);
-    return all.empty() ? std::nullopt : std::optional(all.front());
+    return std::nullopt;
 }
 
 } // namespace denhartog::conformance

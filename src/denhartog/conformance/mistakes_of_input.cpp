@@ -14,7 +14,7 @@ MistakeDefinition reading(std::string name, std::string equation, std::string to
             [change = std::move(change)](const Question& q) {
                 Question other = q;
                 change(other);
-                return listed(plain_answer(other));
+                return plain_answer(other);
             }};
 }
 

@@ -16,11 +16,11 @@ MistakeDefinition told_otherwise(std::string name, std::string equation, std::st
                                  Change change) {
     return {{std::move(name), std::move(equation), false, std::move(told), std::move(look_at)},
             [touched = std::move(touched), change = std::move(change)](const Question& q) {
-                if (!among(touched, q)) return std::vector<Value>{};
-                std::vector<Value> all = listed(plain_answer(q));
-                for (Value& value : all)
-                    for (double& x : value.numbers) change(x, q);
-                return all;
+                if (!among(touched, q)) return std::optional<Value>();
+                std::optional<Value> value = plain_answer(q);
+                if (value)
+                    for (double& x : value->numbers) change(x, q);
+                return value;
             }};
 }
 
@@ -33,16 +33,15 @@ MistakeDefinition other_quantity(std::string name, std::string equation, std::st
                     if (q.quantity != asked) continue;
                     Question other = q;
                     other.quantity = answered;
-                    return listed(plain_answer(other));
+                    return plain_answer(other);
                 }
-                return std::vector<Value>{};
+                return std::optional<Value>();
             }};
 }
 
 MistakeDefinition elsewhere(std::string name, std::string equation, std::string told, std::string look_at,
                             std::function<std::optional<Value>(const Question&)> answer) {
-    return {{std::move(name), std::move(equation), false, std::move(told), std::move(look_at)},
-            [answer = std::move(answer)](const Question& q) { return listed(answer(q)); }};
+    return {{std::move(name), std::move(equation), false, std::move(told), std::move(look_at)}, std::move(answer)};
 }
 
 const Names angles{"phase", "phase_monoharmonic"};

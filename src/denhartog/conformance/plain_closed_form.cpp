@@ -16,16 +16,16 @@ namespace denhartog::conformance {
 namespace {
 
 struct Extremum {
-    double tau = 0;  ///< instant in [0, pi]
-    double size = 0; ///< largest displacement
-    bool minimum = false;
+    double tau;   ///< instant in [0, pi]
+    double size;  ///< largest size of the displacement
+    bool minimum; ///< whether the displacement is negative there
 };
 
-// Largest displacement of a mass over the half-period: of the contact where it turns, of the others where their velocity vanishes.
+// Largest displacement of a mass over the half-period: of the contact where it turns, of the others where they do.
 Extremum largest_displacement(const PlainModes& m, const Choices& c, std::size_t k) {
     if (k == m.j) return {0, paper::displacement_transmissibility_of_contact(m.V[k], m.U[k], m.G[k], m.beta), false};
     const int steps = plain_steps(m);
-    Extremum best;
+    Extremum best{0, 0, false};
     const auto take = [&](double tau) {
         const double x = plain_motion(m, c, k, tau).x;
         if (std::isnan(x) || std::abs(x) > best.size) best = {tau, std::abs(x), x < 0};

@@ -85,4 +85,26 @@ std::optional<Value> answer_of_transient(const Question& q, int periods) {
     return read_off(solver, state, q);
 }
 
+std::optional<Value> answer_of_creep(const Question& q, double width) {
+    if (q.mass != q.contact) return std::nullopt;
+    const Scene<double> scene = scene_of<double>(q);
+    const StuckConfiguration<double> stuck = stuck_configuration(scene.system, modal_basis(scene.system));
+    const Complex<double> load = stuck_response(stuck, scene.system.contact, scene.system.load, *scene.r).contact_load;
+    const double share = modulus(load) / *scene.beta;
+    if (!(share < 1)) return std::nullopt;
+    // The integral of the velocity from 0 to s, by the midpoint rule: the integrand is smooth and of period 2 pi.
+    const auto path = [&](double s) {
+        constexpr int steps = 2048;
+        double sum = 0;
+        for (int n = 0; n < steps; ++n) sum += std::atanh(share * std::cos(s * (n + 0.5) / steps));
+        return -width * sum * s / steps;
+    };
+    if (q.quantity == "amplitude") return Value{{std::abs(path(period / 4))}, ""};
+    if (q.quantity != "motion_under_force") return std::nullopt;
+    Value value;
+    for (int n = 0; n < q.samples; ++n)
+        value.numbers.push_back(path(std::remainder(period * n / q.samples + argument(load), period)));
+    return value;
+}
+
 } // namespace denhartog::conformance

@@ -1,9 +1,9 @@
 /// @file
 /// @brief The modes, sums over modes and motions of the plain closed form, with the points at which it may be varied.
 ///
-/// The closed form as somebody codes it who follows the paper as corrected: in double, by sampling where a maximum is sought, without
-/// bounds of errors. It includes nothing of `response/`. Every point of variation is a place where implementations are known to
-/// differ; without any the numbers are right to the accuracy of double.
+/// The closed form as somebody codes it who follows the paper as corrected: in double, by sampling where a maximum is sought,
+/// without bounds of errors. Every point of variation is a place where implementations are known to differ; without any the
+/// numbers are right to the accuracy of double.
 #pragma once
 
 #include <vector>
