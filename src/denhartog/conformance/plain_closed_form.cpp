@@ -51,16 +51,19 @@ double phase_of_mass(const PlainModes& m, const Choices& c, std::size_t k) {
 }
 
 double monoharmonic_cosine(const PlainModes& m, const Choices& c, std::size_t k) {
+    if (c.motion_from_start) return plain_start(m, c, k).x; // (49)
     return c.cosine_as_printed ? as_printed::monoharmonic_cosine(m.V[k], m.V[m.j], m.U[m.j], m.G[k], m.beta)
                                : paper::monoharmonic_cosine(m.V[k], m.V[m.j], m.U[m.j], m.G[k], m.beta);
 }
 
-double monoharmonic_sine(const PlainModes& m, std::size_t k) {
+double monoharmonic_sine(const PlainModes& m, const Choices& c, std::size_t k) {
+    if (c.motion_from_start) return plain_start(m, c, k).v; // (49)
     return paper::monoharmonic_sine(m.V[k], m.V[m.j], m.U[m.j], m.U[k], m.beta);
 }
 
 double monoharmonic_amplitude(const PlainModes& m, const Choices& c, std::size_t k) {
-    if (c.amplitude_from_parts) return std::hypot(monoharmonic_cosine(m, c, k), monoharmonic_sine(m, k));
+    if (c.amplitude_from_parts || c.motion_from_start)
+        return std::hypot(monoharmonic_cosine(m, c, k), monoharmonic_sine(m, c, k));
     return c.monoharmonic_as_printed
                ? as_printed::displacement_transmissibility(m.V[k], m.V[m.j], m.U[m.j], m.U[k], m.G[k], m.beta)
                : paper::displacement_transmissibility(m.V[k], m.V[m.j], m.U[m.j], m.U[k], m.G[k], m.beta);
@@ -129,7 +132,7 @@ std::vector<double> of_motion(const Question& q, const PlainModes& m, const Choi
     if (name == "amplitude_monoharmonic") return {monoharmonic_amplitude(m, c, k)};
     if (name == "phase_monoharmonic")
         return {wrapped_angle(plain_phase(m, c) +
-                              paper::phase_behind_contact(monoharmonic_cosine(m, c, k), monoharmonic_sine(m, k)))};
+                              paper::phase_behind_contact(monoharmonic_cosine(m, c, k), monoharmonic_sine(m, c, k)))};
     if (name == "initial_displacement") return {plain_start(m, c, k).x};
     if (name == "initial_velocity") return {plain_start(m, c, k).v};
     if (name == "displacement") return {plain_motion(m, c, k, q.tau).x};

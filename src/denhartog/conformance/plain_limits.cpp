@@ -129,9 +129,13 @@ PlainLimits plain_limits(const Question& q, const PlainModes& m, const Choices& 
     limits.S = c.maximum_of_each_mode || c.demand_at_start ? S_paper : maximum_of_sum(m, c);
     limits.approximate = limit(at_rest);
     if (c.load_of_each_mode) limits.approximate = limit_mode_by_mode(m, limits.approximate);
-    limits.exact = std::min(limit(limits.S), limits.approximate);
-    limits.paper = std::min(limit(S_paper), limits.approximate);
-    if (c.sliding_beyond_68 && limit(m.H_j - m.mu * m.sum_of_squares) < limit(limits.S)) limits.exact = limit(limits.S);
+    const double by_68 = limit(m.H_j - m.mu * m.sum_of_squares);
+    const auto ends = [&](double S) {
+        if (c.sliding_beyond_68 && by_68 < limit(S)) return limit(S);
+        return c.load_of_each_mode ? std::min(limit(S), limits.approximate) : limit(std::max(S, at_rest));
+    };
+    limits.exact = ends(limits.S);
+    limits.paper = ends(S_paper);
     limits.sticking = sticking_limit(q, m, c);
     return limits;
 }

@@ -1,0 +1,151 @@
+"""The kill matrix: every known mistake as a program of its own, asked the certified vectors by `denhartog conform run`.
+
+A mistake is made by edits of the closed form in Python (edits.json) or by arguments of a solver (programs.json). Its program has
+to be found wrong, and the first diagnosis has to be the right one; a correct program has to pass, one in single precision to be found
+inaccurate and nowhere wrong. An edit whose text is not there exactly once is an error. Usage:
+kill_matrix.py --program DENHARTOG --vectors FOLDER --output FOLDER [--only NAME]
+"""
+import argparse
+import json
+import subprocess
+import sys
+import tempfile
+from collections import Counter, defaultdict
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+ADAPTER = HERE.parent / "adapters" / "python"
+WRONG = ("wrong", "as-printed", "wrong-regime")
+MOST_CAUGHT = 40  # vectors that claim to catch the mistake
+MOST_A_QUANTITY = 4  # vectors besides, of every quantity
+
+
+def text(lines):
+    return lines if isinstance(lines, str) else "\n".join(lines)
+
+
+def edited(folder, edits):
+    """The adapter with the edits in a folder of its own."""
+    files = {path.name: path.read_text() for path in ADAPTER.glob("*.py")}
+    for edit in edits:
+        old, content = text(edit["old"]), files[edit["file"]]
+        if content.count(old) != 1:
+            raise SystemExit(f"stale edit: {edit['file']} has {content.count(old)} times\n{old}")
+        files[edit["file"]] = content.replace(old, text(edit["new"]))
+    for name, content in files.items():
+        (folder / name).write_text(content)
+    return [sys.executable, str(folder / "adapter.py")]
+
+
+def spread(vectors, most):
+    return vectors if len(vectors) <= most else [vectors[n * len(vectors) // most] for n in range(most)]
+
+
+def chosen(vectors, subject):
+    """The vectors that a program is asked: all, or those that claim to catch it and some of every quantity."""
+    if subject.get("all"):
+        return vectors
+    names = subject["diagnosis"]
+    groups = subject.get("asks")
+    asked = [v for v in vectors if not groups or v["quantity"] in groups]
+    caught = spread([v for v in asked if set(names) & set(v["catches"])], subject.get("most", MOST_CAUGHT))
+    by_quantity = defaultdict(list)
+    for v in asked:
+        if v["tier"] != "stress":
+            by_quantity[v["quantity"]].append(v)
+    others = [v for of_one in by_quantity.values() for v in spread(of_one, MOST_A_QUANTITY)]
+    ids = {v["id"] for v in caught + others}
+    return [v for v in vectors if v["id"] in ids]
+
+
+def run(options, vectors, subject):
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        asked = chosen(vectors, subject)
+        (folder / "vectors").mkdir()
+        for group in sorted({v["file"] for v in asked}):
+            lines = [v["line"] for v in asked if v["file"] == group]
+            (folder / "vectors" / group).write_text("\n".join(lines) + "\n")
+        (folder / "program").mkdir()
+        if "edits" in subject:
+            command = edited(folder / "program", subject["edits"])
+        else:
+            command = [sys.executable, str(HERE / subject["program"][0]), *subject["program"][1:]]
+        done = subprocess.run([options.program, "conform", "run", "--vectors", str(folder / "vectors"), "--format", "json",
+                               "--timeout", "30", "--", *command], capture_output=True, text=True)
+        if done.returncode not in (0, 1):
+            return {"asked": len(asked), "status": done.returncode, "error": done.stderr[-400:], "wrong": 0, "groups": {},
+                    "findings": [], "counts": {}, "mistaken": []}
+        report = json.loads(done.stdout)
+    wrong = [r for r in report["results"] if r["verdict"] in WRONG]
+    return {"asked": len(asked), "status": done.returncode, "error": "", "wrong": len(wrong),
+            "groups": dict(sorted(Counter(r["group"] for r in wrong).items())), "counts": report["counts"],
+            "findings": [{k: f[k] for k in ("mistake", "explained", "contradicted")} for f in report["diagnosis"]["findings"]],
+            "mistaken": [f"{r['id']}: {r['verdict']} {r.get('reason', '')} {r.get('error', '')}" for r in wrong][:8]}
+
+
+def fault_of(subject, result):
+    """What is amiss; empty where all is as it has to be."""
+    if result["error"]:
+        return f"the runner ended with status {result['status']}: {result['error']}"
+    if subject.get("verdict") == "right":
+        return "" if result["status"] == 0 and result["wrong"] == 0 else f"a correct program fails: {result['mistaken']}"
+    if subject.get("verdict") == "inaccurate":
+        if result["wrong"]:
+            return f"found wrong, not inaccurate: {result['mistaken']}"
+        return "" if result["counts"]["inaccurate"] else "not found inaccurate"
+    if result["status"] == 0 or not result["wrong"]:
+        return f"survives {result['asked']} questions"
+    first = result["findings"][0]["mistake"] if result["findings"] else "none"
+    return "" if first in subject["diagnosis"] else f"first diagnosis is {first}"
+
+
+def table(rows, totals):
+    lines = ["| mistake | asked | found wrong | in groups | first diagnosis | explained by it |",
+             "|---|--:|--:|---|---|--:|"]
+    for name, r in rows:
+        first = r["findings"][0] if r["findings"] else {"mistake": "", "explained": ""}
+        lines.append(f"| {name} | {r['asked']} | {r['wrong']} | {', '.join(f'{g} {n}' for g, n in r['groups'].items())} | "
+                     f"{first['mistake']} | {first['explained']} |")
+    return "\n".join(lines) + "\n\n" + totals + "\n"
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    for option in ("--program", "--vectors", "--output"):
+        parser.add_argument(option, required=True)
+    parser.add_argument("--only")
+    options = parser.parse_args()
+    vectors = []
+    for path in sorted(Path(options.vectors).glob("*.jsonl")):
+        for line in path.read_text().splitlines():
+            v = json.loads(line)
+            vectors.append({**v, "file": path.name, "line": line, "catches": v.get("catches", [])})
+    subjects = json.loads((HERE / "edits.json").read_text()) + json.loads((HERE / "programs.json").read_text())
+    for subject in subjects:
+        subject.setdefault("diagnosis", [subject["name"]])
+    subjects = [s for s in subjects if options.only in (None, s["name"])]
+    with ThreadPoolExecutor(2) as pool:
+        results = list(pool.map(lambda s: run(options, vectors, s), subjects))
+    rows = sorted(((s["name"], r) for s, r in zip(subjects, results)), key=lambda row: row[0])
+    faults = {s["name"]: fault_of(s, r) for s, r in zip(subjects, results)}
+    mistakes = [s for s in subjects if "verdict" not in s]
+    killed = sum(not faults[s["name"]].startswith(("survives", "the runner")) for s in mistakes)
+    right = sum(not faults[s["name"]] for s in mistakes)
+    totals = f"{len(mistakes)} mistakes, {killed} killed, {right} of them with the right diagnosis first."
+    output = Path(options.output)
+    output.mkdir(parents=True, exist_ok=True)
+    (output / "kill-matrix.md").write_text(table(rows, totals))
+    record = {"mistakes": len(mistakes), "killed": killed, "diagnosed": right,
+              "rows": [{"name": name, **result, "fault": faults[name]} for name, result in rows]}
+    (output / "kill-matrix.json").write_text(json.dumps(record, indent=1) + "\n")
+    print(totals)
+    for name, fault in sorted(faults.items()):
+        if fault:
+            print(f"{name}: {fault}")
+    return 1 if any(faults.values()) else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
