@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 #include "denhartog/conformance/mistake_definition.hpp"
@@ -52,7 +53,10 @@ std::optional<Value> answer_with_mistake(std::string_view name, const Question& 
                                     [&](const MistakeDefinition& each) { return each.mistake.name == name; });
     if (found == definitions().end()) throw InputError("mistake", "must be one of the known ones", std::string(name));
     try {
-        return found->answer(q);
+        std::optional<Value> value = found->answer(q);
+        if (value && !std::all_of(value->numbers.begin(), value->numbers.end(), [](double x) { return std::isfinite(x); }))
+            return std::nullopt;
+        return value;
     } catch (const InputError&) { // a place beyond the chain, a motion that is none: nothing is answered
     } catch (const DomainError&) {
     } catch (const PrecisionError&) {

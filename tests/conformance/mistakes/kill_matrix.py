@@ -122,6 +122,8 @@ def main():
         for line in path.read_text().splitlines():
             v = json.loads(line)
             vectors.append({**v, "file": path.name, "line": line, "catches": v.get("catches", [])})
+    if not vectors:
+        raise SystemExit(f"no vectors in {options.vectors}")
     subjects = json.loads((HERE / "edits.json").read_text()) + json.loads((HERE / "programs.json").read_text())
     for subject in subjects:
         subject.setdefault("diagnosis", [subject["name"]])
