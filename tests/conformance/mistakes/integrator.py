@@ -9,7 +9,7 @@ import sys
 
 import numpy as np
 
-STEPS = 1024  # a period of the force
+STEPS = 512  # a period of the force
 
 
 def exponential(A):
@@ -54,7 +54,7 @@ class Chain:
             return -math.copysign(beta, before) if before else 0.0
         if law == "tanh":
             low, high = free - gain * beta, free + gain * beta  # the velocity after the step: free - gain beta tanh(v / width)
-            for _ in range(50):
+            for _ in range(30):
                 v = (low + high) / 2
                 low, high = (low, v) if v - free + gain * beta * math.tanh(v / width) > 0 else (v, high)
             return -beta * math.tanh((low + high) / 2 / width)
@@ -77,7 +77,7 @@ class Chain:
             free = self.free @ z
             f = self.friction(law, width, float(z[v]), float(free[v]), gain)
             z = free + f * self.force
-            if law == "coulomb" and f * gain == -free[v]:
+            if law == "coulomb" and abs(z[v]) <= 1e-12 * abs(free[v]):  # friction stopped it
                 z[v] = 0.0
         return np.array(x), np.array(velocity)
 
@@ -107,7 +107,8 @@ def answer(q, law, periods, width):
     largest = int(np.argmax(abs(path)))
     before, at, after = abs(path[largest - 1]), abs(path[largest]), abs(path[(largest + 1) % STEPS])
     curvature = before - 2 * at + after
-    shift = (before - after) / 2 / curvature if curvature else 0
+    inside = 0 < largest < STEPS - 1  # what is not periodic has no neighbour beyond the ends
+    shift = (before - after) / 2 / curvature if curvature and inside else 0
     if q["quantity"] == "amplitude":
         return at - (before - after) * shift / 4
     return math.remainder(2 * math.pi * (largest + shift) / STEPS + (math.pi if path[largest] < 0 else 0), 2 * math.pi)
