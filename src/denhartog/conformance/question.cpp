@@ -66,6 +66,23 @@ std::string in_quotes(std::string_view text) {
 // As text whatever bytes its strings hold.
 std::string dumped(const nlohmann::json& x) { return x.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace); }
 
+// Whether brackets are nested deeper than in any answer: the JSON library would write them back by recursion.
+bool nested_too_deeply(std::string_view line) {
+    constexpr int most = 16;
+    int depth = 0;
+    bool in_text = false;
+    for (std::size_t n = 0; n < line.size(); ++n) {
+        const char c = line[n];
+        if (in_text && c == '\\') ++n;
+        if (c == '"') in_text = !in_text;
+        if (in_text) continue;
+        if (c == '[' || c == '{') ++depth;
+        if (c == ']' || c == '}') --depth;
+        if (depth > most) return true;
+    }
+    return false;
+}
+
 Answer value_of_words(const std::vector<std::string>& words) {
     Value value;
     if (words.size() == 1 && is_regime(words.front())) {
@@ -195,6 +212,7 @@ Question question_from_json(const nlohmann::json& object) {
 }
 
 Answer answer_from_json(std::string_view line, std::string_view id) {
+    if (nested_too_deeply(line)) return Unusable{in_quotes(line) + " is nested too deeply"};
     const nlohmann::json object = nlohmann::json::parse(line, nullptr, false);
     if (!object.is_object()) return Unusable{in_quotes(line) + " is no JSON object"};
     const auto text = [&](const char* key) {
