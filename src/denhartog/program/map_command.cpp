@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <csignal>
 #include <cstdio>
 #include <memory>
 #include <thread>
@@ -12,6 +11,7 @@
 #include "denhartog/model/scene_json.hpp"
 #include "denhartog/program/files.hpp"
 #include "denhartog/program/grid_option.hpp"
+#include "denhartog/program/interruptible.hpp"
 #include "denhartog/program/map_file.hpp"
 
 namespace denhartog::program {
@@ -26,29 +26,6 @@ struct Options {
 };
 
 std::atomic<bool> stop{false};
-std::atomic<int> signal_caught{0};
-static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<int>::is_always_lock_free);
-
-void catch_signal(int signal) {
-    signal_caught = signal;
-    stop = true;
-}
-
-// While it lives an interruption sets `stop`.
-class Interruptible {
-public:
-    Interruptible() : interrupt(std::signal(SIGINT, catch_signal)), terminate(std::signal(SIGTERM, catch_signal)) {}
-    ~Interruptible() {
-        std::signal(SIGINT, interrupt);
-        std::signal(SIGTERM, terminate);
-    }
-    Interruptible(const Interruptible&) = delete;
-    Interruptible& operator=(const Interruptible&) = delete;
-
-private:
-    void (*interrupt)(int);
-    void (*terminate)(int);
-};
 
 void show_progress(std::size_t done, std::size_t columns) {
     static const bool on_terminal = ::isatty(STDERR_FILENO) != 0;
@@ -110,11 +87,11 @@ void answer(const Options& options, ExitStatus& status) {
     request.start = options.start == "sliding" ? MapStart::sliding : MapStart::rest;
     request.threads = options.threads != 0 ? options.threads : std::max(1U, std::thread::hardware_concurrency());
     if (!options.output.empty()) check_writable(options.output);
-    const Interruptible interruptible;
+    const Interruptible interruptible(stop);
     const auto progress = [&](std::size_t done) { show_progress(done, request.r.size()); };
     const RegimeMap map = regime_map(scene, request, stop, progress);
     if (map.complete) return write(options, npy ? map_npy(request, map) : map_csv(request, map));
-    status.signal = signal_caught;
+    status.signal = interruptible.caught();
     report("interrupted: nothing is written");
 }
 

@@ -1,0 +1,33 @@
+#include "denhartog/program/interruptible.hpp"
+
+#include <csignal>
+
+namespace denhartog::program {
+namespace {
+
+std::atomic<std::atomic<bool>*> flag{nullptr};
+std::atomic<int> signal_caught{0};
+static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<int>::is_always_lock_free &&
+              std::atomic<std::atomic<bool>*>::is_always_lock_free);
+
+void catch_signal(int signal) {
+    signal_caught = signal;
+    *flag.load() = true;
+}
+
+} // namespace
+
+Interruptible::Interruptible(std::atomic<bool>& stop) {
+    flag = &stop;
+    interrupt = std::signal(SIGINT, catch_signal);
+    terminate = std::signal(SIGTERM, catch_signal);
+}
+
+Interruptible::~Interruptible() {
+    std::signal(SIGINT, interrupt);
+    std::signal(SIGTERM, terminate);
+}
+
+int Interruptible::caught() const { return signal_caught; }
+
+} // namespace denhartog::program
