@@ -5,6 +5,7 @@
 
 #include "denhartog/errors.hpp"
 #include "denhartog/program/boundary_command.hpp"
+#include "denhartog/program/conform_command.hpp"
 #include "denhartog/program/derive_command.hpp"
 #include "denhartog/program/equations_command.hpp"
 #include "denhartog/program/files.hpp"
@@ -24,7 +25,8 @@ int run(int argc, char** argv, ExitStatus& status) {
     CLI::App app{"Steady forced vibration of damped mass-spring systems with a Coulomb contact", "denhartog"};
     app.set_version_flag("--version", "denhartog " DENHARTOG_VERSION, "Print the version and exit");
     app.require_subcommand(1);
-    app.footer("Exit status: 0 answered; 2 bad input or usage; 3 could not compute to the digits asked for.\n"
+    app.footer("Exit status: 0 answered; 1 an implementation under test does not conform; 2 bad input or usage;\n"
+               "3 could not compute to the digits asked for, or a program under test broke.\n"
                "`denhartog SUBCOMMAND --help` explains a subcommand.");
     denhartog::program::add_solve_command(app, status);
     denhartog::program::add_response_command(app, status);
@@ -35,6 +37,7 @@ int run(int argc, char** argv, ExitStatus& status) {
     denhartog::program::add_functions_command(app, status);
     denhartog::program::add_equations_command(app);
     denhartog::program::add_derive_command(app);
+    denhartog::program::add_conform_command(app, status, {argv, argv + argc});
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& help_or_version) {

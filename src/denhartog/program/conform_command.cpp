@@ -1,0 +1,143 @@
+#include "denhartog/program/conform_command.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <map>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "denhartog/errors.hpp"
+#include "denhartog/program/conform_number.hpp"
+#include "denhartog/program/conform_run.hpp"
+#include "denhartog/program/files.hpp"
+#include "denhartog/program/table.hpp"
+
+namespace denhartog::program {
+namespace {
+
+using conformance::Vector;
+
+void list(const SelectionOptions& options, bool summary) {
+    const std::vector<Vector> all = conformance::read_vectors(options.vectors);
+    const std::vector<const Vector*> chosen = selected(options, all);
+    std::vector<std::vector<std::string>> rows;
+    if (summary) {
+        std::map<std::string, std::map<std::string, int>> groups;
+        for (const Vector* v : chosen) ++groups[v->group][v->tier];
+        rows.push_back({"group", "must", "should", "stress"});
+        std::map<std::string, int> total;
+        for (auto& [group, tiers] : groups) {
+            rows.push_back({group});
+            for (const char* tier : {"must", "should", "stress"}) {
+                rows.back().push_back(std::to_string(tiers[tier]));
+                total[tier] += tiers[tier];
+            }
+        }
+        rows.push_back({"all", std::to_string(total["must"]), std::to_string(total["should"]), std::to_string(total["stress"])});
+    } else {
+        rows.push_back({"id", "tier", "group", "quantity", "flags"});
+        for (const Vector* v : chosen) {
+            std::string flags;
+            for (const std::string& flag : v->flags) flags += (flags.empty() ? "" : " ") + flag;
+            rows.push_back({v->question.id, v->tier, v->group, v->question.quantity, flags});
+        }
+    }
+    write_standard_output(aligned(rows));
+}
+
+void show(const SelectionOptions& options, const std::string& id) {
+    const std::vector<Vector> all = conformance::read_vectors(options.vectors);
+    const auto found = std::find_if(all.begin(), all.end(), [&](const Vector& v) { return v.question.id == id; });
+    if (found == all.end()) throw InputError("id", "must be a vector's", conformance::legible(id));
+    write_standard_output("json   " + conformance::question_json(found->question).dump() + "\nplain  " +
+                          conformance::question_plain(found->question) + "\n" + conformance::vector_json(*found).dump(1) + "\n");
+}
+
+void add_list(CLI::App& conform) {
+    CLI::App* command = conform.add_subcommand("list", "The vectors");
+    const auto options = std::make_shared<SelectionOptions>();
+    const auto summary = std::make_shared<bool>(false);
+    add_selection_options(*command, *options);
+    command->add_flag("--summary", *summary, "number of vectors a group and tier");
+    command->callback([options, summary] { list(*options, *summary); });
+}
+
+void add_show(CLI::App& conform) {
+    CLI::App* command = conform.add_subcommand("show", "One vector: its question in both dialects, and all that is known of it");
+    const auto options = std::make_shared<SelectionOptions>();
+    const auto id = std::make_shared<std::string>();
+    command->add_option("ID", *id, "id of the vector")->required();
+    options->vectors = DENHARTOG_VECTORS;
+    command->add_option("--vectors", options->vectors, "folder with the vectors, files *.jsonl")->capture_default_str();
+    command->callback([options, id] { show(*options, *id); });
+}
+
+// What follows `--` is the program under test, whatever it looks like.
+void take_program(ConformOptions& options, const std::vector<std::string>& arguments) {
+    const auto mark = std::find(arguments.begin(), arguments.end(), "--");
+    if (mark == arguments.end()) throw InputError("PROGRAM", "must follow after --", options.command.front());
+    options.command.assign(mark + 1, arguments.end());
+    if (options.command.empty()) throw InputError("PROGRAM", "must follow after --", "nothing");
+}
+
+// A program that broke before a report could be made.
+void running(const std::function<void()>& run, ExitStatus& status) {
+    try {
+        run();
+    } catch (const conformance::BrokenProgram& e) {
+        status.broken = true;
+        report(e.what());
+    }
+}
+
+void add_smoke(CLI::App& conform, ExitStatus& status, const std::vector<std::string>& arguments) {
+    CLI::App* command = conform.add_subcommand("smoke", "Whether a program keeps to the protocol; no number is checked");
+    const auto options = std::make_shared<ConformOptions>();
+    add_program_options(*command, *options);
+    command->callback([options, &status, arguments] {
+        take_program(*options, arguments);
+        running([&] { conform_smoke(*options, status); }, status);
+    });
+}
+
+void add_run(CLI::App& conform, ExitStatus& status, const std::vector<std::string>& arguments) {
+    CLI::App* command = conform.add_subcommand("run", "Ask a program the questions of the vectors, and judge its answers");
+    const auto options = std::make_shared<ConformOptions>();
+    add_selection_options(*command, options->selection);
+    add_program_options(*command, *options);
+    command->add_option("--jobs", options->jobs, "processes of the program side by side")->capture_default_str();
+    command->add_option("--repro", options->repro, "id of the one question to repeat: it is shown as a command, and asked");
+    add_report_options(*command, *options);
+    command->footer("The protocol is docs/protocol.md, the formats of the report are docs/conformance-output.md.");
+    command->callback([options, &status, arguments] {
+        take_program(*options, arguments);
+        running([&] { options->repro.empty() ? conform_run(*options, status) : conform_repro(*options, status); }, status);
+    });
+}
+
+void add_grade(CLI::App& conform, ExitStatus& status) {
+    CLI::App* command = conform.add_subcommand("grade", "Judge answers in a file");
+    const auto options = std::make_shared<ConformOptions>();
+    add_selection_options(*command, options->selection);
+    command->add_option("FILE", options->answers, "CSV with the heading id,value, numbers separated by spaces; or JSON Lines")
+        ->required();
+    add_report_options(*command, *options);
+    command->callback([options, &status] { conform_grade(*options, status); });
+}
+
+} // namespace
+
+void add_conform_command(CLI::App& app, ExitStatus& status, const std::vector<std::string>& arguments) {
+    CLI::App* conform = app.add_subcommand("conform", "Test another implementation against certified vectors");
+    conform->require_subcommand(1);
+    conform->footer(
+        "Exit status: 0 every question of the tier `must` that was answered is right, and none of --need was skipped;\n"
+        "1 not, or something got worse since --track; 2 bad input or usage; 3 the program under test broke.");
+    add_list(*conform);
+    add_show(*conform);
+    add_smoke(*conform, status, arguments);
+    add_run(*conform, status, arguments);
+    add_grade(*conform, status);
+}
+
+} // namespace denhartog::program

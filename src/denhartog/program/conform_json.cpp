@@ -1,0 +1,123 @@
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "denhartog/conformance/score.hpp"
+#include "denhartog/program/conform_number.hpp"
+#include "denhartog/program/conform_report.hpp"
+
+namespace denhartog::program {
+namespace {
+
+using conformance::Judged;
+using conformance::Verdict;
+using Json = nlohmann::ordered_json;
+
+Json optional_number(const std::optional<double>& x) { return x && std::isfinite(*x) ? Json(*x) : Json(); }
+
+Json counts_json(const conformance::Counts& counts) {
+    Json object = Json::object();
+    for (std::size_t n = 0; n < counts.size(); ++n) object[std::string(name(static_cast<Verdict>(n)))] = counts[n];
+    return object;
+}
+
+Json value_json(const conformance::Value& value) { return value.word.empty() ? Json(value.numbers) : Json(value.word); }
+
+Json hexadecimal_json(const std::vector<double>& numbers) {
+    Json list = Json::array();
+    for (const double x : numbers) list.push_back(hexadecimal(x));
+    return list;
+}
+
+Json result_json(const Judged& one) {
+    const conformance::Vector& v = *one.vector;
+    Json object = {{"id", v.question.id},
+                   {"group", v.group},
+                   {"tier", v.tier},
+                   {"quantity", v.question.quantity},
+                   {"verdict", name(one.verdict)}};
+    if (!one.equation.empty()) object["equation"] = one.equation;
+    if (!one.reason.empty()) object["reason"] = one.reason;
+    if (one.answered) object["answer"] = value_json(one.given);
+    if (!one.given.numbers.empty()) object["answer_hex"] = hexadecimal_json(one.given.numbers);
+    if (!v.reject.empty()) return object;
+    object["truth"] = v.word.empty() ? Json(v.value) : Json(v.word);
+    if (!v.word.empty()) return object;
+    object["truth_hex"] = hexadecimal_json(v.nearest);
+    if (!one.error) return object;
+    object["error"] = optional_number(one.error);
+    object["worst_number"] = one.worst;
+    object["digits"] = conformance::digits(*one.error);
+    object["error_over_tolerance"] = optional_number(conformance::error_over_tolerance(one));
+    object["condition"] = Json::object();
+    for (const auto& [input, number] : v.condition) object["condition"][input] = number;
+    return object;
+}
+
+Json finding_json(const conformance::Finding& f) {
+    return {{"mistake", f.mistake->name},
+            {"equation", f.mistake->equation},
+            {"as_printed", f.mistake->as_printed},
+            {"told", f.mistake->told},
+            {"look_at", f.mistake->look_at},
+            {"explained", f.explained},
+            {"contradicted", f.contradicted},
+            {"quantities", f.quantities},
+            {"example",
+             {{"id", f.example->vector->question.id},
+              {"answer", value_json(f.example->given)},
+              {"mistaken", value_json(f.mistaken)},
+              {"truth", value_json(truth_of(*f.example->vector))}}}};
+}
+
+Json in_common_json(const std::vector<conformance::InCommon>& all) {
+    Json list = Json::array();
+    for (const conformance::InCommon& one : all)
+        list.push_back({{"property", one.property}, {"wrong", one.wrong}, {"of_wrong", one.all_wrong}, {"answers", one.asked}});
+    return list;
+}
+
+Json diagnosis_json(const conformance::Diagnosis& d) {
+    Json object = {{"wrong", d.wrong}, {"findings", Json::array()}, {"unexplained", Json::array()}};
+    for (const conformance::Finding& finding : d.findings) object["findings"].push_back(finding_json(finding));
+    for (const Judged* one : d.unexplained) object["unexplained"].push_back(one->vector->question.id);
+    object["by_quantity"] = in_common_json(d.by_quantity);
+    object["in_common"] = in_common_json(d.in_common);
+    object["accepted"] = d.accepted;
+    return object;
+}
+
+Json changes_json(const std::vector<Change>& changes) {
+    Json list = Json::array();
+    for (const Change& c : changes) list.push_back({{"id", c.id}, {"before", name(c.before)}, {"now", name(c.now)}});
+    return list;
+}
+
+} // namespace
+
+std::string report_json(const ConformReport& report) {
+    Json object = {{"format", 1}, {"subject", report.subject}};
+    if (!report.command.empty()) object["command"] = report.command;
+    if (!report.dialect.empty()) object["dialect"] = report.dialect;
+    object["status"] = report.status();
+    object["conforms"] = report.conforms;
+    object["broken"] = report.broken;
+    object["needed"] = report.needed;
+    object["counts"] = counts_json(conformance::counts_of(report.judged));
+    object["scores"] = Json::array();
+    for (const conformance::Score& score : conformance::scores(report.judged))
+        object["scores"].push_back({{"tier", score.tier},
+                                    {"group", score.group},
+                                    {"asked", score.asked},
+                                    {"counts", counts_json(score.counts)},
+                                    {"median_digits", optional_number(score.median_digits)},
+                                    {"worst_digits", optional_number(score.worst_digits)}});
+    object["diagnosis"] = diagnosis_json(report.diagnosis);
+    object["notes"] = report.notes;
+    if (report.changes)
+        object["since"] = {{"better", changes_json(report.changes->better)}, {"worse", changes_json(report.changes->worse)}};
+    object["results"] = Json::array();
+    for (const Judged& one : report.judged) object["results"].push_back(result_json(one));
+    return object.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+} // namespace denhartog::program

@@ -1,0 +1,101 @@
+#include "denhartog/conformance/score.hpp"
+#include "denhartog/program/conform_number.hpp"
+#include "denhartog/program/conform_report.hpp"
+
+namespace denhartog::program {
+namespace {
+
+using conformance::Judged;
+using conformance::Verdict;
+
+// A cell whose text cannot end it.
+std::string cell(const std::string& text) {
+    std::string safe;
+    for (const char c : text) {
+        if (c == '|' || c == '<' || c == '`' || c == '*' || c == '\\' || c == '[') safe += '\\';
+        safe += c;
+    }
+    return safe;
+}
+
+std::string row(const std::vector<std::string>& cells) {
+    std::string text = "|";
+    for (const std::string& one : cells) text += " " + cell(one) + " |";
+    return text + "\n";
+}
+
+std::string rule(std::size_t columns) {
+    std::string text = "|";
+    for (std::size_t n = 0; n < columns; ++n) text += "---|";
+    return text + "\n";
+}
+
+std::string score_rows(const ConformReport& report) {
+    const conformance::Counts total = conformance::counts_of(report.judged);
+    std::vector<std::string> heading{"tier", "group", "asked"};
+    for (std::size_t n = 0; n < total.size(); ++n)
+        if (total[n] > 0) heading.emplace_back(name(static_cast<Verdict>(n)));
+    heading.insert(heading.end(), {"median digits", "worst digits"});
+    std::string text = row(heading) + rule(heading.size());
+    for (const conformance::Score& score : conformance::scores(report.judged)) {
+        std::vector<std::string> cells{score.tier, score.group, std::to_string(score.asked)};
+        for (std::size_t n = 0; n < total.size(); ++n)
+            if (total[n] > 0) cells.push_back(std::to_string(score.counts[n]));
+        cells.insert(cells.end(), {digits_cell(score.median_digits), digits_cell(score.worst_digits)});
+        text += row(cells);
+    }
+    return text;
+}
+
+std::string worst_rows(const ConformReport& report) {
+    constexpr std::size_t most = 20;
+    const std::vector<const Judged*> worst = conformance::worst_first(report.judged);
+    if (worst.empty()) return "";
+    std::string text =
+        "\n### Worst answers\n\n" + row({"id", "verdict", "answer", "true", "error over tolerance", "why"}) + rule(6);
+    for (std::size_t n = 0; n < worst.size() && (report.verbose || n < most); ++n) {
+        const Judged& one = *worst[n];
+        const auto ratio = conformance::error_over_tolerance(one);
+        text += row({one.vector->question.id, std::string(name(one.verdict)), value_text(one.given),
+                     one.vector->reject.empty() ? value_text(truth_of(*one.vector)) : "to be rejected",
+                     ratio ? rough(*ratio) : "", one.reason});
+    }
+    return text;
+}
+
+std::string diagnosis_rows(const conformance::Diagnosis& d) {
+    if (d.wrong == 0) return "";
+    std::string text = "\n### Diagnosis\n\n";
+    for (const conformance::Finding& f : d.findings)
+        text += "- **" + cell(f.mistake->name) + "**" +
+                (f.mistake->equation.empty() ? "" : ", Eq. (" + f.mistake->equation + ")") + ": " + cell(f.mistake->told) +
+                " Explains " + std::to_string(f.explained) + " of " + std::to_string(d.wrong) +
+                " wrong answers, contradicted by " + std::to_string(f.contradicted) + ", for example " +
+                f.example->vector->question.id + ". Look at: " + cell(f.mistake->look_at) + "\n";
+    if (!d.unexplained.empty()) text += "- " + std::to_string(d.unexplained.size()) + " match no known mistake.\n";
+    for (const conformance::InCommon& one : d.in_common)
+        text += "  - in common: " + cell(one.property) + " (" + std::to_string(one.wrong) + " of " +
+                std::to_string(one.all_wrong) + ")\n";
+    return text;
+}
+
+} // namespace
+
+std::string report_markdown(const ConformReport& report) {
+    std::string text =
+        "## " + cell(report.subject) + "\n\n" + score_rows(report) + worst_rows(report) + diagnosis_rows(report.diagnosis);
+    if (!report.notes.empty()) text += "\n### Besides\n\n";
+    for (const std::string& note : report.notes) text += "- " + cell(note) + "\n";
+    if (report.changes) {
+        text += "\n### Since the last run\n\n";
+        for (const Change& c : report.changes->worse)
+            text += "- worse: " + c.id + ", " + std::string(name(c.before)) + " to " + std::string(name(c.now)) + "\n";
+        for (const Change& c : report.changes->better)
+            text += "- better: " + c.id + ", " + std::string(name(c.before)) + " to " + std::string(name(c.now)) + "\n";
+        if (report.changes->worse.empty() && report.changes->better.empty()) text += "Nothing changed.\n";
+    }
+    const bool good = report.status() == 0;
+    return text + (report.broken ? "\nThe program broke.\n" : good ? "\nConforms.\n" : "\nDoes not conform.\n");
+}
+
+} // namespace denhartog::program

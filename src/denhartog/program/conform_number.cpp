@@ -1,0 +1,39 @@
+#include "denhartog/program/conform_number.hpp"
+
+#include <array>
+#include <cstdio>
+
+#include "denhartog/model/number_text.hpp"
+
+namespace denhartog::program {
+namespace {
+
+std::string printed(const char* format, double x) {
+    std::array<char, 64> text{};
+    std::snprintf(text.data(), text.size(), format, x);
+    return text.data();
+}
+
+} // namespace
+
+std::string hexadecimal(double x) { return printed("%a", x); }
+
+std::string rough(double x) { return printed("%.2g", x); }
+
+std::string digits_cell(const std::optional<double>& digits) { return digits ? printed("%.1f", *digits) : "-"; }
+
+std::string value_text(const conformance::Value& value) {
+    constexpr std::size_t most = 4;
+    if (!value.word.empty()) return value.word;
+    if (value.numbers.empty()) return "nothing";
+    if (value.numbers.size() == 1) return number_to_text(value.numbers.front()) + " (" + hexadecimal(value.numbers.front()) + ")";
+    std::string text;
+    for (std::size_t n = 0; n < value.numbers.size() && n < most; ++n)
+        text += (n > 0 ? ", " : "") + number_to_text(value.numbers[n]);
+    const std::size_t rest = value.numbers.size() - std::min(value.numbers.size(), most);
+    return text + (rest > 0 ? " and " + std::to_string(rest) + " more" : "");
+}
+
+conformance::Value truth_of(const conformance::Vector& v) { return {v.nearest, v.word}; }
+
+} // namespace denhartog::program

@@ -1,0 +1,98 @@
+#include "denhartog/program/conform_options.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <regex>
+
+#include "denhartog/errors.hpp"
+#include "denhartog/model/number_text.hpp"
+
+namespace denhartog::program {
+namespace {
+
+constexpr double longest_wait = 3600;
+constexpr int most_jobs = 256;
+
+std::regex filter_of(const std::string& text) {
+    try {
+        return std::regex(text, std::regex::ECMAScript);
+    } catch (const std::regex_error&) {
+        throw InputError("filter", "must be a regular expression", conformance::legible(text));
+    }
+}
+
+bool is_wanted(const std::vector<std::string>& wanted, const std::string& name) {
+    return wanted.empty() || std::find(wanted.begin(), wanted.end(), name) != wanted.end();
+}
+
+} // namespace
+
+void add_selection_options(CLI::App& command, SelectionOptions& options) {
+    options.vectors = DENHARTOG_VECTORS;
+    command.add_option("--vectors", options.vectors, "folder with the vectors, files *.jsonl")->capture_default_str();
+    command.add_option("--filter", options.filter, "regular expression that the ids have to match somewhere");
+    command.add_option("--group", options.groups, "groups, separated by commas; default all")
+        ->delimiter(',')
+        ->allow_extra_args(false);
+    command.add_option("--tier", options.tiers, "tiers, separated by commas: must, should, stress; default all")
+        ->delimiter(',')
+        ->allow_extra_args(false);
+    command.add_flag("--skip-must-fail", options.skip_must_fail, "leave out the questions that have to be rejected");
+}
+
+void add_program_options(CLI::App& command, ConformOptions& options) {
+    command.add_option("PROGRAM", options.command, "the program under test and its arguments, after --")->required();
+    command.add_option("--timeout", options.seconds, "seconds for an answer; the handshake may take three times as long")
+        ->capture_default_str();
+}
+
+void add_report_options(CLI::App& command, ConformOptions& options) {
+    command.add_option("--need", options.needed, "quantities, separated by commas, that must not be skipped")
+        ->delimiter(',')
+        ->allow_extra_args(false);
+    command.add_option("--track", options.track, "file of verdicts: compared with those of earlier runs, then written");
+    command.add_option("--format", options.format, "of the report")
+        ->check(CLI::IsMember({"text", "json", "junit", "markdown"}))
+        ->capture_default_str();
+    command.add_option("--output", options.output, "file of the report, in place of standard output");
+    command.add_flag("--verbose", options.verbose, "tell every answer");
+}
+
+conformance::RunSettings run_settings(const ConformOptions& options) {
+    if (!(options.seconds > 0 && options.seconds <= longest_wait))
+        throw InputError("timeout", "must be positive and at most " + number_to_text(longest_wait) + " seconds",
+                         number_to_text(options.seconds));
+    if (options.jobs < 1 || options.jobs > most_jobs)
+        throw InputError("jobs", "must be from 1 to " + std::to_string(most_jobs), std::to_string(options.jobs));
+    return {options.command, options.seconds, static_cast<unsigned>(options.jobs)};
+}
+
+std::set<std::string> needed_quantities(const ConformOptions& options) {
+    for (const std::string& name : options.needed) {
+        try {
+            static_cast<void>(conformance::quantity(name));
+        } catch (const InputError& e) {
+            throw InputError("need", "must name quantities of the protocol", name);
+        }
+    }
+    return {options.needed.begin(), options.needed.end()};
+}
+
+std::vector<const conformance::Vector*> selected(const SelectionOptions& options, const std::vector<conformance::Vector>& all) {
+    const std::regex filter = filter_of(options.filter);
+    for (const std::string& tier : options.tiers)
+        if (tier != "must" && tier != "should" && tier != "stress")
+            throw InputError("tier", "must be must, should or stress", tier);
+    for (const std::string& group : options.groups)
+        if (std::none_of(all.begin(), all.end(), [&](const conformance::Vector& v) { return v.group == group; }))
+            throw InputError("group", "must be one of the vectors' (`denhartog conform list --summary` has them)", group);
+    std::vector<const conformance::Vector*> chosen;
+    for (const conformance::Vector& v : all)
+        if (is_wanted(options.tiers, v.tier) && is_wanted(options.groups, v.group) &&
+            !(options.skip_must_fail && !v.reject.empty()) && std::regex_search(v.question.id, filter))
+            chosen.push_back(&v);
+    if (chosen.empty()) throw InputError("the selection", "must leave at least one vector", "0 of " + std::to_string(all.size()));
+    return chosen;
+}
+
+} // namespace denhartog::program

@@ -1,0 +1,70 @@
+#include <filesystem>
+
+#include "denhartog/conformance/grade.hpp"
+#include "denhartog/errors.hpp"
+#include "denhartog/program/conform_report.hpp"
+#include "denhartog/program/conform_run.hpp"
+#include "denhartog/program/files.hpp"
+
+namespace denhartog::program {
+namespace {
+
+using conformance::Vector;
+
+const Vector& vector_named(const std::string& id, const std::vector<Vector>& all) {
+    for (const Vector& v : all)
+        if (v.question.id == id) return v;
+    throw InputError("id", "must be a vector's", conformance::legible(id));
+}
+
+std::string this_program() {
+    std::error_code fault;
+    const std::filesystem::path path = std::filesystem::read_symlink("/proc/self/exe", fault);
+    return fault ? "denhartog" : path.string();
+}
+
+std::string runner_command(const ConformOptions& options) {
+    std::vector<std::string> words{this_program(), "conform", "run"};
+    if (options.selection.vectors != DENHARTOG_VECTORS) words.insert(words.end(), {"--vectors", options.selection.vectors});
+    words.insert(words.end(), {"--filter", "^" + options.repro + "$", "--verbose", "--"});
+    words.insert(words.end(), options.command.begin(), options.command.end());
+    return shell_text(words);
+}
+
+std::string pipe_command(const ConformOptions& options, const std::string& line) {
+    return "printf '%s\\n' " + shell_text({"denhartog-conform 1", line}) + " | " + shell_text(options.command);
+}
+
+} // namespace
+
+std::string shell_text(const std::vector<std::string>& words) {
+    std::string text;
+    for (const std::string& word : words) {
+        const bool plain = !word.empty() && word.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
+                                                                   "0123456789_-+=./:,@%") == std::string::npos;
+        std::string quoted;
+        for (const char c : word) quoted += c == '\'' ? "'\\''" : std::string(1, c);
+        text += (text.empty() ? "" : " ") + (plain ? word : "'" + quoted + "'");
+    }
+    return text;
+}
+
+void conform_repro(const ConformOptions& options, ExitStatus& status) {
+    const conformance::RunSettings settings = run_settings(options);
+    const std::vector<Vector> all = conformance::read_vectors(options.selection.vectors);
+    const Vector& v = vector_named(options.repro, all);
+    const conformance::WithoutBrokenPipeSignal guard;
+    const conformance::Partner partner = conformance::shake_hands(settings);
+    const std::string line = conformance::line_for(partner, v.question);
+    write_standard_output("# with the runner\n" + runner_command(options) + "\n\n# as a bare pipe\n" +
+                          pipe_command(options, line) + "\n\n# what came of it\n");
+    const conformance::Reply reply = partner.process->ask(line, settings.seconds);
+    const bool answered = reply.heard == conformance::Heard::line;
+    const conformance::Judged judged =
+        answered ? conformance::grade(v, conformance::answer_in(partner, reply.line, v.question.id)) : conformance::Judged{};
+    write_standard_output(answered ? conformance::legible(reply.line) + "\n" + answer_text(judged, "") : reply.told + "\n");
+    status.broken = !answered;
+    status.failed = answered && !conformance::is_right(judged.verdict) && judged.verdict != conformance::Verdict::skipped;
+}
+
+} // namespace denhartog::program

@@ -1,0 +1,132 @@
+#include "denhartog/program/conform_run.hpp"
+
+#include <unistd.h>
+
+#include <cstdio>
+
+#include "denhartog/conformance/answers_file.hpp"
+#include "denhartog/conformance/grade.hpp"
+#include "denhartog/conformance/score.hpp"
+#include "denhartog/conformance/smoke.hpp"
+#include "denhartog/errors.hpp"
+#include "denhartog/program/conform_report.hpp"
+#include "denhartog/program/files.hpp"
+#include "denhartog/program/interruptible.hpp"
+#include "denhartog/program/table.hpp"
+
+namespace denhartog::program {
+namespace {
+
+using conformance::Judged;
+using conformance::Vector;
+
+// How many questions are done, on a terminal, at every percent.
+void show_progress(std::size_t done, std::size_t all) {
+    static const bool on_terminal = ::isatty(STDERR_FILENO) != 0;
+    if (!on_terminal) return;
+    const std::size_t percent = 100 * done / all;
+    if (done != all && percent == 100 * (done - 1) / all) return;
+    std::fprintf(stderr, "\r%3zu %% of %zu questions%s", percent, all, done == all ? "\n" : "");
+}
+
+std::string text_in_format(const ConformReport& report, const std::string& format) {
+    if (format == "json") return report_json(report);
+    if (format == "junit") return report_junit(report);
+    if (format == "markdown") return report_markdown(report);
+    return report_text(report);
+}
+
+// What is to be known before a long run: that its results can be kept.
+std::optional<Verdicts> earlier_verdicts(const ConformOptions& options) {
+    if (!options.output.empty()) check_writable(options.output);
+    if (options.track.empty()) return std::nullopt;
+    std::optional<Verdicts> earlier = tracked_verdicts(options.track);
+    check_writable(options.track);
+    return earlier;
+}
+
+// Diagnosis, comparison, and the report where it belongs. Where something got worse the file of verdicts is left as it was.
+void finish(ConformReport& report, const ConformOptions& options, const std::optional<Verdicts>& earlier, ExitStatus& status) {
+    report.diagnosis = conformance::diagnose(report.judged, conformance::known_signatures());
+    report.needed = options.needed;
+    report.verbose = options.verbose;
+    report.conforms = conformance::conforms(report.judged, needed_quantities(options));
+    if (earlier) report.changes = compare(*earlier, report.judged);
+    const std::string text = text_in_format(report, options.format);
+    if (options.output.empty())
+        write_standard_output(text);
+    else
+        write_file(options.output, text);
+    if (!options.track.empty() && (!report.changes || report.changes->worse.empty()))
+        write_file(options.track, tracked_text(earlier.value_or(Verdicts{}), report.judged));
+    status.broken = report.broken;
+    status.failed = report.status() == 1;
+}
+
+} // namespace
+
+void conform_run(const ConformOptions& options, ExitStatus& status) {
+    const conformance::RunSettings settings = run_settings(options);
+    static_cast<void>(needed_quantities(options));
+    const std::vector<Vector> all = conformance::read_vectors(options.selection.vectors);
+    const std::vector<const Vector*> chosen = selected(options.selection, all);
+    const std::optional<Verdicts> earlier = earlier_verdicts(options);
+    std::vector<const conformance::Question*> questions;
+    for (const Vector* v : chosen) questions.push_back(&v->question);
+    const Interruptible interruptible(conformance::interruption());
+    const conformance::Conversation conversation =
+        conformance::converse(settings, questions, [&](std::size_t done) { show_progress(done, chosen.size()); });
+    if (interruptible.caught() != 0) {
+        status.signal = interruptible.caught();
+        return report("interrupted: nothing is written");
+    }
+    ConformReport report;
+    report.subject = conversation.name.empty() ? options.command.front() : conversation.name;
+    report.command = shell_text(options.command);
+    report.dialect = conversation.dialect;
+    report.notes = conversation.notes;
+    report.broken = conversation.broken;
+    for (std::size_t n = 0; n < chosen.size(); ++n)
+        report.judged.push_back(conformance::judge(*chosen[n], conversation.exchanges[n]));
+    finish(report, options, earlier, status);
+}
+
+void conform_grade(const ConformOptions& options, ExitStatus& status) {
+    static_cast<void>(needed_quantities(options));
+    const std::vector<Vector> all = conformance::read_vectors(options.selection.vectors);
+    const std::vector<const Vector*> chosen = selected(options.selection, all);
+    std::set<std::string> ids;
+    for (const Vector& v : all) ids.insert(v.question.id);
+    const std::map<std::string, conformance::Answer> answers = conformance::answers_in(read_input(options.answers), ids);
+    const std::optional<Verdicts> earlier = earlier_verdicts(options);
+    ConformReport report;
+    report.subject = options.answers;
+    for (const Vector* v : chosen) {
+        const auto answer = answers.find(v->question.id);
+        report.judged.push_back(
+            conformance::grade(*v, answer != answers.end() ? answer->second : conformance::Skipped{"no answer in the file"}));
+    }
+    finish(report, options, earlier, status);
+}
+
+void conform_smoke(const ConformOptions& options, ExitStatus& status) {
+    const conformance::RunSettings settings = run_settings(options);
+    const Interruptible interruptible(conformance::interruption());
+    const conformance::Smoke found = conformance::smoke(settings);
+    if (interruptible.caught() != 0) {
+        status.signal = interruptible.caught();
+        return;
+    }
+    std::vector<std::vector<std::string>> rows;
+    bool good = true;
+    for (const conformance::SmokeCheck& check : found.checks) {
+        rows.push_back({check.good ? "good" : "BAD", check.what, check.found});
+        good = good && check.good;
+    }
+    write_standard_output(aligned(rows) +
+                          (good ? "\nThe protocol is kept. No number was checked.\n" : "\nThe protocol is not kept.\n"));
+    status.broken = found.broken;
+    status.failed = !good;
+}
+
+} // namespace denhartog::program

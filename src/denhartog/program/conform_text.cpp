@@ -1,0 +1,147 @@
+#include <algorithm>
+
+#include "denhartog/conformance/score.hpp"
+#include "denhartog/model/number_text.hpp"
+#include "denhartog/program/conform_number.hpp"
+#include "denhartog/program/conform_report.hpp"
+#include "denhartog/program/table.hpp"
+
+namespace denhartog::program {
+namespace {
+
+using conformance::Judged;
+using conformance::Verdict;
+
+constexpr std::size_t worst_told = 10;
+
+std::string joined(const std::vector<std::string>& words) {
+    std::string text;
+    for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
+    return text;
+}
+
+std::string condition_text(const conformance::Vector& v) {
+    std::string text;
+    for (const auto& [input, number] : v.condition) text += (text.empty() ? "condition " : ", ") + input + " " + rough(number);
+    return text;
+}
+
+// The number that has the error, where an answer has several.
+std::string numbers_text(const Judged& one, const std::string& indent) {
+    const conformance::Vector& v = *one.vector;
+    const auto single = [&](double x) { return conformance::Value{{x}, ""}; };
+    if (one.error && v.nearest.size() > 1)
+        return indent + "answer " + value_text(single(one.given.numbers[one.worst])) + ", number " +
+               std::to_string(one.worst + 1) + " of " + std::to_string(v.nearest.size()) + "\n" + indent + "true   " +
+               value_text(single(v.nearest[one.worst])) + "\n";
+    return (one.answered ? indent + "answer " + value_text(one.given) + "\n" : "") + indent + "true   " +
+           (v.reject.empty() ? value_text(truth_of(v)) : "to be rejected: " + v.reject) + "\n";
+}
+
+std::string score_table(const ConformReport& report) {
+    const conformance::Counts total = conformance::counts_of(report.judged);
+    std::vector<std::vector<std::string>> rows{{"tier", "group", "asked"}};
+    for (std::size_t n = 0; n < total.size(); ++n)
+        if (total[n] > 0) rows.front().emplace_back(conformance::name(static_cast<Verdict>(n)));
+    rows.front().insert(rows.front().end(), {"median digits", "worst"});
+    for (const conformance::Score& score : conformance::scores(report.judged)) {
+        rows.push_back({score.tier, score.group, std::to_string(score.asked)});
+        for (std::size_t n = 0; n < total.size(); ++n)
+            if (total[n] > 0) rows.back().push_back(score.counts[n] > 0 ? std::to_string(score.counts[n]) : ".");
+        rows.back().insert(rows.back().end(), {digits_cell(score.median_digits), digits_cell(score.worst_digits)});
+    }
+    return aligned(rows);
+}
+
+std::string worst_text(const ConformReport& report) {
+    const std::vector<const Judged*> worst = conformance::worst_first(report.judged);
+    if (worst.empty()) return "";
+    const std::size_t told = report.verbose ? worst.size() : std::min(worst.size(), worst_told);
+    std::string text = "\nWorst answers" +
+                       (told < worst.size() ? ", " + std::to_string(told) + " of " + std::to_string(worst.size()) : "") + ":\n";
+    for (std::size_t n = 0; n < told; ++n) text += answer_text(*worst[n], "  ");
+    return text;
+}
+
+std::string finding_text(const conformance::Finding& f, std::size_t number, std::size_t wrong) {
+    const std::string equation = f.mistake->equation.empty() ? "" : ", Eq. (" + f.mistake->equation + ")";
+    return "  " + std::to_string(number) + ". " + f.mistake->name + equation + ": " + f.mistake->told + "\n     explains " +
+           std::to_string(f.explained) + " of " + std::to_string(wrong) + " wrong answers (" + joined(f.quantities) +
+           "); contradicted by " + std::to_string(f.contradicted) + "\n     look at: " + f.mistake->look_at +
+           "\n     for example " + f.example->vector->question.id + "\n       answer        " + value_text(f.example->given) +
+           "\n       this mistake  " + value_text(f.mistaken) + "\n       true          " +
+           value_text(truth_of(*f.example->vector)) + "\n";
+}
+
+std::string diagnosis_text(const conformance::Diagnosis& d) {
+    std::string text;
+    if (d.wrong > 0) text += "\nDiagnosis, of " + std::to_string(d.wrong) + " answers that are wrong or inaccurate:\n";
+    for (std::size_t n = 0; n < d.findings.size(); ++n) text += finding_text(d.findings[n], n + 1, d.wrong);
+    if (!d.unexplained.empty()) {
+        text += "  " + std::to_string(d.unexplained.size()) + " match no known mistake.\n";
+        for (const conformance::InCommon& one : d.by_quantity)
+            text +=
+                "    " + one.property + ": " + std::to_string(one.wrong) + " of the " + std::to_string(one.asked) + " answers\n";
+        for (const conformance::InCommon& one : d.in_common)
+            text += "    in common: " + one.property + ", " + std::to_string(one.wrong) + " of the " +
+                    std::to_string(one.all_wrong) + "; of " + std::to_string(one.asked) + " answers with it " +
+                    std::to_string(one.wrong) + " are among them\n";
+    }
+    for (const auto& [rule, count] : d.accepted)
+        text += (text.empty() ? "\n" : "") + std::string("  Answered although it breaks a rule (") + std::to_string(count) +
+                "): " + rule + "\n";
+    return text;
+}
+
+std::string changes_text(const Comparison& changes) {
+    std::string text = "\nSince the last run: " + std::to_string(changes.better.size()) + " better, " +
+                       std::to_string(changes.worse.size()) + " worse\n";
+    const auto line = [](const char* way, const Change& c) {
+        return std::string("  ") + way + " " + c.id + ": " + std::string(name(c.before)) + " -> " + std::string(name(c.now)) +
+               "\n";
+    };
+    for (const Change& change : changes.worse) text += line("worse ", change);
+    for (const Change& change : changes.better) text += line("better", change);
+    return text;
+}
+
+std::string end_text(const ConformReport& report) {
+    if (report.broken) return "\nThe program broke.\n";
+    if (!report.conforms) return "\nDoes not conform.\n";
+    return report.status() == 0 ? "\nConforms.\n" : "\nConforms, but something got worse.\n";
+}
+
+} // namespace
+
+std::string answer_text(const Judged& one, const std::string& indent) {
+    const conformance::Vector& v = *one.vector;
+    std::string text = indent + v.question.id + "  " + std::string(name(one.verdict)) +
+                       (one.equation.empty() ? "" : " (" + one.equation + ")") + "  " + v.question.quantity + ", " + v.tier +
+                       "\n";
+    const std::string inner = indent + "  ";
+    if (!one.reason.empty()) text += inner + one.reason + "\n";
+    if (one.verdict == Verdict::skipped) return text;
+    text += numbers_text(one, inner);
+    if (one.error)
+        text += inner + "error " + rough(*one.error) + ", over tolerance " +
+                rough(conformance::error_over_tolerance(one).value_or(0)) +
+                (v.condition.empty() ? "" : "; " + condition_text(v)) + "\n";
+    return text;
+}
+
+std::string report_text(const ConformReport& report) {
+    std::string text = report.subject + (report.dialect.empty() ? "" : " (" + report.dialect + ")") + ": " +
+                       std::to_string(report.judged.size()) + " questions\n\n" + score_table(report) + worst_text(report) +
+                       diagnosis_text(report.diagnosis);
+    if (report.verbose) {
+        text += "\nAll other answers:\n";
+        for (const Judged& one : report.judged)
+            if (conformance::is_right(one.verdict) || one.verdict == Verdict::skipped) text += answer_text(one, "  ");
+    }
+    if (!report.notes.empty()) text += "\nBesides:\n";
+    for (const std::string& note : report.notes) text += "  " + note + "\n";
+    if (report.changes) text += changes_text(*report.changes);
+    return text + end_text(report);
+}
+
+} // namespace denhartog::program

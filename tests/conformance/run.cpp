@@ -1,0 +1,323 @@
+// `denhartog conform` as a user meets it.
+#include "tests/catch.hpp"
+#include "tests/conformance/runner_fixtures.hpp"
+
+using namespace denhartog;
+using namespace denhartog::conformance;
+using namespace denhartog::tests;
+
+namespace {
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+    return text.replace(text.find(from), from.size(), to);
+}
+
+std::string with_vectors(const std::string& folder, const std::string& rest) { return "--vectors '" + folder + "' " + rest; }
+
+bool contains(const std::string& text, const std::string& piece) { return text.find(piece) != std::string::npos; }
+
+const std::string& six() {
+    static const std::string folder = folder_of("six", six_vectors());
+    return folder;
+}
+
+Run run(const std::string& options, const std::string& program) {
+    return conform("run " + with_vectors(six(), options) + " -- " + program);
+}
+
+} // namespace
+
+TEST_CASE("a program that is right conforms, status 0", "[conformance][program]") {
+    const Run r = run("", table_program("right", right_answers));
+    INFO(r.output << r.error);
+    CHECK(r.status == 0);
+    CHECK(r.error.empty());
+    CHECK(contains(r.output, "Table of answers (plain): 6 questions"));
+    CHECK(contains(r.output, "\nConforms.\n"));
+    CHECK_FALSE(contains(r.output, "Besides"));
+}
+
+TEST_CASE("the json dialect is spoken as well", "[conformance][program]") {
+    const std::string program =
+        script("json.sh", "read -r greeting\necho 'denhartog-conform 1 json In JSON'\n"
+                          "while read -r line; do id=${line#*\\\"id\\\":\\\"}; id=${id%%\\\"*}\n"
+                          "case $id in amplitude-1) echo \"{\\\"id\\\":\\\"$id\\\",\\\"value\\\":0.25}\";;\n"
+                          "*) echo \"{\\\"id\\\":\\\"$id\\\",\\\"skip\\\":\\\"no\\\"}\";; esac; done\n");
+    const Run r = run("--verbose", program);
+    INFO(r.output << r.error);
+    CHECK(r.status == 0);
+    CHECK(contains(r.output, "In JSON (json)"));
+    CHECK(contains(r.output, "amplitude-1  pass"));
+}
+
+TEST_CASE("a wrong must is status 1 and told with answer, truth and error", "[conformance][program]") {
+    const std::string program =
+        table_program("wrong", replaced(right_answers, "amplitude-1 value 0.25", "amplitude-1 value 0.5"));
+    const Run r = run("", program);
+    INFO(r.output);
+    CHECK(r.status == 1);
+    CHECK(contains(r.output, "amplitude-1  wrong"));
+    CHECK(contains(r.output, "answer 0.5 (0x1p-1)"));
+    CHECK(contains(r.output, "true   0.25 (0x1p-2)"));
+    CHECK(contains(r.output, "over tolerance 1e+12; condition r 2"));
+    CHECK(contains(r.output, "\nDoes not conform.\n"));
+}
+
+TEST_CASE("a wrong should or stress is told and no failure; a needed quantity must not be skipped", "[conformance][program]") {
+    const std::string program = table_program("lax", replaced(right_answers, "amplitude-2 value 0x1p-1", "amplitude-2 value 1"));
+    CHECK(run("", program).status == 0);
+    const std::string skipping = table_program("skipping", replaced(right_answers, "phase-1 value 3", "phase-1 skip later"));
+    CHECK(run("", skipping).status == 0);
+    CHECK(run("--need amplitude,phase", skipping).status == 1);
+    CHECK(run("--need amplitude,regime", skipping).status == 0);
+    CHECK(run("", table_program("nothing", "")).status == 1);
+}
+
+TEST_CASE("several processes give the same verdicts as one", "[conformance][program]") {
+    std::vector<Vector> vectors;
+    std::string answers;
+    for (int n = 0; n < 60; ++n) {
+        const std::string id = "many-" + std::to_string(n);
+        vectors.push_back(vector_of(id, "amplitude", {n / 8.0}));
+        if (n % 7 != 0) answers += id + " value " + std::to_string(n % 5 == 0 ? n + 1 : n / 8.0) + "\n";
+    }
+    const std::string folder = folder_of("many", vectors);
+    const auto results = [&](const std::string& jobs) {
+        const Run r =
+            conform("run --format json --jobs " + jobs + " --vectors '" + folder + "' -- " + table_program("many", answers));
+        CHECK(r.status == 1);
+        return nlohmann::json::parse(r.output).at("results");
+    };
+    const nlohmann::json one = results("1");
+    CHECK(one.size() == 60);
+    CHECK(one == results("4"));
+    CHECK(one == results("100"));
+}
+
+TEST_CASE("the report as JSON has the members that its page names", "[conformance][program]") {
+    const std::string program = table_program("json", replaced(right_answers, "modes-1 value 1.5 0.75", "modes-1 value 1.5 0.5"));
+    const auto file = scratch() / "report.json";
+    const Run r = run("--format json --output '" + file.string() + "'", program);
+    CHECK(r.status == 1);
+    CHECK(r.output.empty());
+    const nlohmann::json report = nlohmann::json::parse(content_of(file));
+    CHECK(report.at("format") == 1);
+    CHECK(report.at("status") == 1);
+    CHECK(report.at("counts").at("wrong") == 1);
+    CHECK(report.at("counts").at("rejected") == 1);
+    CHECK(report.at("scores").size() == 6);
+    const std::string page =
+        content_of(std::filesystem::path(std::getenv("DENHARTOG_SOURCE_DIR")) / "docs/conformance-output.md");
+    const auto named = [&](const nlohmann::json& object) {
+        for (const auto& [key, value] : object.items()) {
+            INFO(key);
+            CHECK(contains(page, "`" + key + "`"));
+        }
+    };
+    named(report);
+    named(report.at("scores").front());
+    named(report.at("diagnosis"));
+    for (const nlohmann::json& result : report.at("results")) {
+        named(result);
+        if (result.at("id") != "modes-1") continue;
+        CHECK(result.at("verdict") == "wrong");
+        CHECK(result.at("worst_number") == 1);
+        CHECK(result.at("truth_hex").at(1) == "0x1.8p-1");
+        CHECK(result.at("error_over_tolerance").get<double>() > 1e11);
+    }
+}
+
+TEST_CASE("the report as JUnit is well formed and counts right", "[conformance][program]") {
+    const std::string program = table_program(
+        "junit", replaced(right_answers, "amplitude-1 value 0.25", "amplitude-1 reject <&\"'> is bad") + "phase-1 skip a < b\n");
+    const Run r = run("--format junit", program);
+    INFO(r.output);
+    CHECK(r.status == 1);
+    CHECK(contains(r.output, "tests=\"6\" failures=\"1\" errors=\"0\" skipped=\"1\""));
+    CHECK(contains(r.output, "&lt;&amp;&quot;'&gt; is bad"));
+    // Every element that is opened is closed, in order.
+    std::vector<std::string> open;
+    std::size_t cases = 0;
+    for (std::size_t at = r.output.find('<', 5); at != std::string::npos; at = r.output.find('<', at + 1)) {
+        const std::string tag = r.output.substr(at + 1, r.output.find('>', at) - at - 1);
+        const std::string name =
+            tag.substr(tag.front() == '/' ? 1 : 0, tag.find_first_of(" /", 1) - (tag.front() == '/' ? 1 : 0));
+        if (tag.starts_with("testcase")) ++cases;
+        if (tag.front() == '/') {
+            REQUIRE_FALSE(open.empty());
+            CHECK(open.back() == tag.substr(1));
+            open.pop_back();
+        } else if (tag.back() != '/') {
+            open.push_back(name);
+        }
+    }
+    CHECK(open.empty());
+    CHECK(cases == 6);
+}
+
+TEST_CASE("the report as Markdown has tables whose cells nobody's text can end", "[conformance][program]") {
+    const std::string program =
+        table_program("markdown", replaced(right_answers, "amplitude-1 value 0.25", "amplitude-1 value a|b"));
+    const Run r = run("--format markdown", program);
+    INFO(r.output);
+    CHECK(r.status == 1);
+    CHECK(contains(r.output, "## Table of answers"));
+    CHECK(contains(r.output, "a\\|b"));
+    CHECK(contains(r.output, "| tier | group | asked |"));
+}
+
+TEST_CASE("verdicts are tracked: what got better and worse is told, and worse fails until it is mended",
+          "[conformance][program]") {
+    const std::string file = (scratch() / "track.json").string();
+    const std::string good = table_program("tracked", right_answers);
+    const std::string bad = table_program("tracked-bad", replaced(right_answers, "phase-1 value 3", "phase-1 value 2"));
+    CHECK(run("--track '" + file + "'", bad).status == 0);
+    const Run better = run("--track '" + file + "'", good);
+    CHECK(better.status == 0);
+    CHECK(contains(better.output, "1 better, 0 worse"));
+    CHECK(contains(better.output, "better phase-1: wrong -> pass"));
+    const std::string kept = content_of(file);
+    for (int again = 0; again < 2; ++again) {
+        const Run worse = run("--track '" + file + "'", bad);
+        CHECK(worse.status == 1);
+        CHECK(contains(worse.output, "worse  phase-1: pass -> wrong"));
+        CHECK(content_of(file) == kept);
+    }
+    // What is not asked keeps its verdict.
+    CHECK(run("--filter amplitude --track '" + file + "'", good).status == 0);
+    CHECK(content_of(file) == kept);
+    const Run none = run("--track '" + file_with("no-track", "{\"verdicts\": 7}").string() + "'", good);
+    CHECK(none.status == 2);
+    CHECK(contains(none.error, "track must be a file that --track has written"));
+}
+
+TEST_CASE("one question is repeated as commands that a shell takes", "[conformance][program]") {
+    const std::string program = table_program("repeated", right_answers);
+    const Run r = run("--repro amplitude-1", program);
+    INFO(r.output << r.error);
+    CHECK(r.status == 0);
+    const std::vector<std::string> lines = lines_of(r.output);
+    REQUIRE(lines.size() > 7);
+    CHECK(lines[7] == "amplitude-1 value 0.25");
+    const auto shell = [](const std::string& command) {
+        const std::string out = (scratch() / "shell").string();
+        const int status = std::system((command + " >'" + out + "' 2>&1").c_str());
+        return std::pair{WEXITSTATUS(status), content_of(out)};
+    };
+    const auto [status, output] = shell(lines[1]);
+    CHECK(status == 0);
+    CHECK(contains(output, "amplitude-1  pass"));
+    CHECK(shell(lines[4]) == std::pair{0, std::string("denhartog-conform 1 plain Table of answers\namplitude-1 value 0.25\n")});
+    CHECK(run("--repro phase-1", table_program("repeated-wrong", "phase-1 value 1\n")).status == 1);
+    CHECK(run("--repro no-such", program).status == 2);
+}
+
+TEST_CASE("questions are chosen by filter, group, tier and whether they have to be rejected", "[conformance][program]") {
+    const auto ids = [](const std::string& options) {
+        std::string all;
+        const Run r = conform("list " + with_vectors(six(), options));
+        CHECK(r.status == 0);
+        const std::vector<std::string> lines = lines_of(r.output);
+        for (std::size_t n = 1; n < lines.size(); ++n) all += lines[n].substr(2, lines[n].find(' ', 2) - 2) + " ";
+        return all;
+    };
+    CHECK(ids("") == "amplitude-1 amplitude-2 modes-1 phase-1 regime-1 reject-1 ");
+    CHECK(ids("--filter '^(a|p).*1$'") == "amplitude-1 phase-1 ");
+    CHECK(ids("--group modes,regime") == "modes-1 regime-1 ");
+    CHECK(ids("--tier should,stress") == "amplitude-2 phase-1 ");
+    CHECK(ids("--tier must --skip-must-fail") == "amplitude-1 modes-1 regime-1 ");
+    const Run summary = conform("list --summary " + with_vectors(six(), ""));
+    CHECK(contains(summary.output, "all        4     1       1"));
+    const Run shown = conform("show amplitude-1 " + with_vectors(six(), ""));
+    CHECK(shown.status == 0);
+    CHECK(contains(shown.output, "plain  amplitude-1 amplitude 2 2 1 1 0 0 1.25 1.125 0.125 1 2.5 1 0.625 0.0625 0.125\n"));
+}
+
+TEST_CASE("answers in a file are graded; what is missing is skipped", "[conformance][program]") {
+    const auto graded = [&](const std::string& text, const std::string& options) {
+        return conform("grade " + with_vectors(six(), options) + " '" + file_with("answers", text).string() + "'");
+    };
+    const std::string csv =
+        "id,value\r\n\"modes-1\",\"1.5 0.75\"\r\namplitude-1,0.25\r\nregime-1,continuous\r\nreject-1,reject\r\n";
+    const Run good = graded(csv, "");
+    INFO(good.output << good.error);
+    CHECK(good.status == 0);
+    CHECK(graded(csv, "--need phase").status == 1);
+    CHECK(graded(replaced(csv, "0.25", "0.3"), "").status == 1);
+    CHECK(graded("{\"id\":\"amplitude-1\",\"value\":0.25}\n", "--format json").status == 0);
+    const Run unknown = graded(csv + "nobody,1\r\n", "");
+    CHECK(unknown.status == 2);
+    CHECK(unknown.error == "denhartog: id must be a vector's, but is nobody (at line 6)\n");
+    CHECK(unknown.output.empty());
+    CHECK(graded(csv + "amplitude-1,1\r\n", "").error == "denhartog: id must be given once, but is amplitude-1 (at line 6)\n");
+    CHECK(conform("grade " + with_vectors(six(), "") + " /no/such/file").status == 2);
+}
+
+TEST_CASE("bad usage is one line with quantity, rule and value, status 2, and leaves nothing", "[conformance][program]") {
+    const std::string program = table_program("unused", right_answers);
+    const std::string output = (scratch() / "nothing").string();
+    const std::vector<std::pair<std::string, std::string>> bad{
+        {"--timeout 0", "timeout must be positive and at most 3600 seconds, but is 0"},
+        {"--timeout nan", "timeout must be positive"},
+        {"--timeout soon", "soon"},
+        {"--jobs 0", "jobs must be from 1 to 256, but is 0"},
+        {"--tier best", "tier must be must, should or stress, but is best"},
+        {"--group none", "but is none"},
+        {"--filter '('", "filter must be a regular expression, but is ("},
+        {"--filter nothing", "the selection must leave at least one vector, but is 0 of 6"},
+        {"--need speed", "need must name quantities of the protocol, but is speed"},
+        {"--format yaml", "format"},
+        {"--no-such-option", "--no-such-option"},
+        {"--vectors /no/such/folder", "vectors must be a folder with files *.jsonl, but is /no/such/folder"},
+        {"--vectors '" + folder_of("twice", {vector_of("a-1", "amplitude", {1}), vector_of("a-1", "amplitude", {1})}) + "'",
+         "id must be given once, but is a-1"},
+        {"--output /no/such/folder/report", "/no/such/folder/report cannot be written"},
+        {"--track /no/such/folder/track", "/no/such/folder/track cannot be written"},
+    };
+    for (const auto& [options, message] : bad) {
+        const bool own_folder = options.starts_with("--vectors");
+        const bool own_output = options.starts_with("--output");
+        const Run r = conform("run " + (own_folder ? "" : "--vectors '" + six() + "' ") + options +
+                              (own_output ? "" : " --output '" + output + "'") + " -- " + program);
+        INFO(options << ": " << r.error);
+        CHECK(r.status == 2);
+        CHECK(contains(r.error, message));
+        CHECK(lines_of(r.error).size() == 1);
+        CHECK(r.output.empty());
+        CHECK_FALSE(std::filesystem::exists(output));
+    }
+    CHECK(conform("").status == 2);
+    CHECK(conform("run --vectors '" + six() + "'").status == 2);
+    CHECK(conform("show nobody --vectors '" + six() + "'").status == 2);
+}
+
+TEST_CASE("what follows -- is the program's, brackets and options too", "[conformance][program]") {
+    const std::string program = script("odd.sh", "[ \"$1\" = '[1,2]' ] && [ \"$2\" = --jobs ] && [ \"$3\" = -- ] || exit 9\n"
+                                                 "read -r greeting; echo 'denhartog-conform 1 plain Odd'\n"
+                                                 "while read -r id rest; do echo \"$id skip\"; done\n");
+    const Run r = run("", program + " '[1,2]' --jobs --");
+    INFO(r.output << r.error);
+    CHECK(contains(r.output, "Odd (plain): 6 questions"));
+}
+
+TEST_CASE("smoke looks at the protocol and at no number", "[conformance][program]") {
+    const std::string right = script("smoke.sh", "read -r greeting; echo 'denhartog-conform 1 plain Smoke'\n"
+                                                 "while read -r id q rest; do case $id in\n"
+                                                 "smoke-H-j|smoke-amplitude) echo \"$id value 17\";;\n"
+                                                 "smoke-rejected) echo \"$id reject negative mass\";;\n"
+                                                 "*) echo \"$id skip\";; esac; done\n");
+    const Run good = conform("smoke -- " + right);
+    INFO(good.output << good.error);
+    CHECK(good.status == 0);
+    CHECK(contains(good.output, "The protocol is kept. No number was checked."));
+    CHECK(lines_of(good.output).size() == 1 + 25 + 3 + 2);
+    const std::string wrong = script("no-smoke.sh", "read -r greeting; echo 'denhartog-conform 1 plain Smoke'\n"
+                                                    "while read -r id q rest; do echo \"$id value 1 2 3\"; done; exit 4\n");
+    const Run bad = conform("smoke -- " + wrong);
+    CHECK(bad.status == 1);
+    CHECK(contains(bad.output, "must be as many numbers as the protocol has, 1, but is 3"));
+    CHECK(contains(bad.output, "must be rejected"));
+    CHECK(contains(bad.output, "must be skipped"));
+    CHECK(contains(bad.output, "it ended with status 4"));
+    CHECK(conform("smoke -- /no/such/program").status == 3);
+}
