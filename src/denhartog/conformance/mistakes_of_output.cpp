@@ -52,6 +52,12 @@ double phase_of_contact(const Question& q) {
     return plain_phase(plain_modes(q, c), c);
 }
 
+bool slides(Question q) {
+    q.quantity = "regime";
+    const std::optional<Value> regime = plain_answer(q);
+    return regime && regime->word == "continuous";
+}
+
 // Displacement of the loaded mass under the amplitude of the load at rest, without friction, in units of P / k_1.
 double static_deflection(const Question& q) {
     double sum = 0;
@@ -72,7 +78,7 @@ std::vector<MistakeDefinition> of_angles() {
         told_otherwise("phase-behind-contact", "47",
                        "Phases are given behind the mass in contact; the protocol has the lag behind the force.",
                        "whether phi_j is added in (47) and (53)", angles,
-                       [](double& x, const Question& q) { x = wrapped_angle(x - phase_of_contact(q)); }),
+                       [](double& x, const Question& q) { x = slides(q) ? wrapped_angle(x - phase_of_contact(q)) : x; }),
     };
 }
 
@@ -107,7 +113,7 @@ std::vector<MistakeDefinition> of_displacements() {
                   "The motion is sampled from the maximum of the contact on; motion_under_force starts at that of the force.",
                   "the origin of tau: the contact is at its maximum at tau = phi_j",
                   [](const Question& q) -> std::optional<Value> {
-                      if (q.quantity != "motion_under_force" || !plain_answer(q)) return std::nullopt;
+                      if (q.quantity != "motion_under_force" || !slides(q)) return std::nullopt;
                       Value value;
                       for (int n = 0; n < q.samples; ++n) {
                           Question other = q;

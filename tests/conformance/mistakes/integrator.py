@@ -42,6 +42,7 @@ class Chain:
         A[N + scene["load"] - 1, 2 * N] = 1 / (gamma[scene["load"] - 1] * self.r**2)
         A[2 * N, 2 * N + 1], A[2 * N + 1, 2 * N] = -1, 1
         A[N + self.j, 2 * N + 2] = 1 / (gamma[self.j] * self.r**2)
+        self.decay = float((np.array(scene["damping_ratios"]) * np.sqrt(squares)).min()) / self.r  # slowest, in tau
         step = exponential(A * (2 * math.pi / STEPS))
         self.free, self.force = step.copy(), step[:, 2 * N + 2].copy()  # without friction; what a unit of it adds
         self.free[:, 2 * N + 2] = 0
@@ -94,6 +95,8 @@ def stops(velocity):
 
 def answer(q, law, periods, width):
     chain = Chain(q["scene"])
+    if law != "coulomb" and chain.decay * 2 * math.pi * periods < 10:
+        raise ArithmeticError("the transient does not decay in the time of integration")
     x, velocity = chain.run(law, periods, width)
     if q["quantity"] == "stops_per_period":
         return len(stops(velocity))
@@ -122,6 +125,10 @@ for line in sys.stdin:
         continue
     question = json.loads(line)
     if question["quantity"] in ANSWERED:
-        print(json.dumps({"id": question["id"], "value": answer(question, law, periods, width)}), flush=True)
+        try:
+            reply = {"value": answer(question, law, periods, width)}
+        except ArithmeticError as reason:
+            reply = {"skip": str(reason)}
+        print(json.dumps({"id": question["id"], **reply}), flush=True)
     else:
         print(json.dumps({"id": question["id"], "skip": "no quantity of a motion"}), flush=True)

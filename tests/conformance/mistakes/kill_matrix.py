@@ -2,7 +2,7 @@
 
 A mistake is made by edits of the closed form in Python (edits.json) or by arguments of a solver (programs.json). Its program has
 to be found wrong, and the first diagnosis has to be the right one; a correct program has to pass, one in single precision to be found
-inaccurate and nowhere wrong. An edit whose text is not there exactly once is an error. Usage:
+inaccurate and nowhere wrong; where the vectors that show a mistake are no `must`, the run does not fail but finds it all the same. An edit whose text is not there exactly once is an error. Usage:
 kill_matrix.py --program DENHARTOG --vectors FOLDER --output FOLDER [--only NAME]
 """
 import argparse
@@ -17,8 +17,8 @@ from pathlib import Path
 HERE = Path(__file__).resolve().parent
 ADAPTER = HERE.parent / "adapters" / "python"
 WRONG = ("wrong", "as-printed", "wrong-regime")
-MOST_CAUGHT = 40  # vectors that claim to catch the mistake
-MOST_A_QUANTITY = 4  # vectors besides, of every quantity
+MOST_CAUGHT = 30  # vectors that claim to catch the mistake
+MOST_A_QUANTITY = 3  # vectors besides, of every quantity
 
 
 def text(lines):
@@ -95,7 +95,7 @@ def fault_of(subject, result):
         if result["wrong"]:
             return f"found wrong, not inaccurate: {result['mistaken']}"
         return "" if result["counts"]["inaccurate"] else "not found inaccurate"
-    if result["status"] == 0 or not result["wrong"]:
+    if not result["wrong"]:
         return f"survives {result['asked']} questions"
     first = result["findings"][0]["mistake"] if result["findings"] else "none"
     return "" if first in subject["diagnosis"] else f"first diagnosis is {first}"
