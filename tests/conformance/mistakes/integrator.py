@@ -9,7 +9,8 @@ import sys
 
 import numpy as np
 
-STEPS = 512  # a period of the force
+LAW, PERIODS, WIDTH = sys.argv[1], int(sys.argv[2]), float(sys.argv[3]) if len(sys.argv) > 3 else 0.0
+STEPS = 2048 if LAW == "coulomb" else 512  # a period of the force
 
 
 def exponential(A):
@@ -118,7 +119,6 @@ def answer(q, law, periods, width):
 
 
 ANSWERED = ("amplitude", "phase", "motion_under_force", "stops_per_period", "stop_durations", "regime")
-law, periods, width = sys.argv[1], int(sys.argv[2]), float(sys.argv[3]) if len(sys.argv) > 3 else 0.0
 for line in sys.stdin:
     if line.startswith("denhartog-conform"):
         print("denhartog-conform 1 json steps in time,", *sys.argv[1:], flush=True)
@@ -126,7 +126,7 @@ for line in sys.stdin:
     question = json.loads(line)
     if question["quantity"] in ANSWERED:
         try:
-            reply = {"value": answer(question, law, periods, width)}
+            reply = {"value": answer(question, LAW, PERIODS, WIDTH)}
         except ArithmeticError as reason:
             reply = {"skip": str(reason)}
         print(json.dumps({"id": question["id"], **reply}), flush=True)

@@ -1,8 +1,9 @@
 """The kill matrix: every known mistake as a program of its own, asked the certified vectors by `denhartog conform run`.
 
 A mistake is made by edits of the closed form in Python (edits.json) or by arguments of a solver (programs.json). Its program has
-to be found wrong, and the first diagnosis has to be the right one; a correct program has to pass, one in single precision to be found
-inaccurate and nowhere wrong; where the vectors that show a mistake are no `must`, the run does not fail but finds it all the same. An edit whose text is not there exactly once is an error. Usage:
+to be found wrong, and the first diagnosis has to be the right one; a correct program has to pass, one in single precision to be
+found inaccurate and nowhere wrong. Where the vectors that show a mistake are no `must`, the run conforms but finds it all the same.
+An edit whose text is not there exactly once is an error. Usage:
 kill_matrix.py --program DENHARTOG --vectors FOLDER --output FOLDER [--only NAME]
 """
 import argparse
@@ -45,7 +46,7 @@ def spread(vectors, most):
 def chosen(vectors, subject):
     """The vectors that a program is asked: all, or those that claim to catch it and some of every quantity."""
     if subject.get("all"):
-        return vectors
+        return [v for v in vectors if subject.get("without") not in v["flags"]]
     names = subject["diagnosis"]
     groups = subject.get("asks")
     asked = [v for v in vectors if not groups or v["quantity"] in groups]
