@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <fstream>
+#include <sstream>
 
 #include "denhartog/conformance/session.hpp"
 #include "tests/catch.hpp"
@@ -150,6 +151,26 @@ TEST_CASE("what cannot be started is status 3 and one line", "[conformance][host
         CHECK(run.output.empty());
         CHECK(run.error.starts_with("denhartog: the program cannot be started: " + program + " ("));
         CHECK(lines_of(run.error).size() == 1);
+    }
+}
+
+TEST_CASE("the children of a program are gone with it, and none is left to be waited for", "[conformance][hostile]") {
+    const auto pids = scratch() / "pids";
+    const std::string text = "sleep 1000 & echo $$ $! >'" + pids.string() + "'; bash -c 'sleep 1000 & echo $! >>\"" +
+                             pids.string() + "\"; exec sleep 1000' & " + greet + "read -r q; ";
+    const Vector v = vector_of("a-1", "amplitude", {1});
+    const Question* const asked = &v.question;
+    for (const std::string ending : {"exit 3", "sleep 1000"}) {
+        const std::string name = file_with("family.sh", text + ending + "\n").string();
+        const Conversation conversation = converse({{"bash", name}, 0.5, 1}, {&asked, 1}, [](std::size_t) {});
+        CHECK(conversation.broken);
+        std::istringstream written(content_of(pids));
+        int count = 0;
+        for (long pid = 0; written >> pid; ++count) {
+            INFO(ending << ", process " << pid);
+            CHECK_FALSE(std::filesystem::exists("/proc/" + std::to_string(pid)));
+        }
+        CHECK(count == 3);
     }
 }
 

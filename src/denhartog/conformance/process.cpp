@@ -5,6 +5,9 @@
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#ifdef __linux__
+#include <sys/prctl.h>
+#endif
 
 #include <array>
 #include <cerrno>
@@ -99,6 +102,18 @@ bool has_ended(pid_t program) {
     return ::waitid(P_PID, static_cast<id_t>(program), &info, WEXITED | WNOHANG | WNOWAIT) == 0 && info.si_pid == program;
 }
 
+// Children that a program leaves behind come to this process to be waited for, where the system has that; else to the first one.
+void adopt_orphans() {
+#ifdef __linux__
+    ::prctl(PR_SET_CHILD_SUBREAPER, 1, 0, 0, 0);
+#endif
+}
+
+// Waits for the processes of a group that has been killed, as far as they are children of this process by then.
+void wait_for_all_of(pid_t group) {
+    while (::waitpid(-group, nullptr, 0) > 0 || errno == EINTR) continue;
+}
+
 std::string end_of(int status) {
     if (WIFSIGNALED(status)) {
         const int signal = WTERMSIG(status);
@@ -123,6 +138,7 @@ Process::Process(const std::vector<std::string>& command) {
     std::vector<char*> arguments;
     for (std::string& word : words) arguments.push_back(word.data());
     arguments.push_back(nullptr);
+    adopt_orphans();
     // One at a time, or a program could inherit the other's pipe before it is closed to it.
     static std::mutex starting;
     const std::lock_guard<std::mutex> lock(starting);
@@ -145,7 +161,7 @@ Process::~Process() {
 void Process::kill_group() {
     if (group < 0) return;
     ::kill(-group, SIGKILL);
-    while (::waitpid(group, nullptr, 0) < 0 && errno == EINTR) continue;
+    wait_for_all_of(group);
     group = -1;
 }
 
@@ -257,6 +273,7 @@ std::string Process::how_it_ended(double seconds) {
     ::kill(-group, SIGKILL);
     int status = 0;
     while (::waitpid(group, &status, 0) < 0 && errno == EINTR) continue;
+    wait_for_all_of(group);
     group = -1;
     return end_of(status);
 }
