@@ -156,6 +156,17 @@ TEST_CASE("where nothing matches, what the wrong answers have in common is told"
     CHECK(d.in_common.front().asked == 5);
 }
 
+TEST_CASE("one or two wrong answers have nothing in common", "[conformance][diagnosis]") {
+    const std::vector<Vector> vectors = twenty_vectors();
+    std::vector<Judged> judged = judged_by(vectors, [](const Question& q) {
+        return q.quantity == "amplitude" && q.r > 2 ? Value{{-7}, ""} : right(q);
+    });
+    const Diagnosis d = diagnose(judged, signatures);
+    CHECK(d.unexplained.size() == 1);
+    CHECK(d.by_quantity.size() == 1);
+    CHECK(d.in_common.empty());
+}
+
 TEST_CASE("rules that were not kept are counted", "[conformance][diagnosis]") {
     const Vector v = reject_vector("reject-1");
     std::vector<Judged> judged{grade(v, Value{{1}, ""})};

@@ -1,5 +1,9 @@
 #include "denhartog/conformance/grade.hpp"
 
+#include <cmath>
+#include <functional>
+#include <limits>
+
 #include "denhartog/conformance/beyond_boundary.hpp"
 #include "denhartog/conformance/curve.hpp"
 #include "denhartog/conformance/score.hpp"
@@ -143,6 +147,16 @@ TEST_CASE("a score has counts, median and worst digits a tier and group, the tie
     CHECK(*all[0].worst_digits == Approx(1).epsilon(1e-6));
     CHECK_FALSE(all[1].median_digits);
     CHECK(worst_first(judged).front()->vector->question.id == "b-3");
+}
+
+TEST_CASE("digits are from 0 to 17", "[conformance]") {
+    CHECK(digits(0) == 17);
+    CHECK(digits(1e-300) == 17);
+    CHECK(digits(1e-3) == Approx(3));
+    CHECK(digits(1) == 0);
+    CHECK_FALSE(std::signbit(digits(1)));
+    CHECK(digits(7) == 0);
+    CHECK(digits(std::numeric_limits<double>::infinity()) == 0);
 }
 
 TEST_CASE("nothing answered does not conform, a skipped needed quantity neither", "[conformance]") {

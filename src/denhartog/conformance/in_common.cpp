@@ -10,6 +10,7 @@ namespace {
 constexpr double share_in_common = 0.9;
 constexpr double least_lift = 1.25;
 constexpr std::size_t most_told = 5;
+constexpr std::size_t least_wrong = 3;
 
 // What a question has, in words; a property stands with its opposite.
 std::set<std::string> properties(const Vector& v) {
@@ -47,6 +48,7 @@ bool larger_share_of_wrong(const InCommon& a, const InCommon& b) {
 } // namespace
 
 std::vector<InCommon> properties_in_common(std::span<const Judged* const> wrong, std::span<const Judged> judged) {
+    if (wrong.size() < least_wrong) return {};
     std::set<std::string> quantities;
     std::map<std::string, std::size_t> of_wrong, of_asked;
     for (const Judged* one : wrong) {

@@ -10,7 +10,7 @@
 namespace denhartog::conformance {
 
 /// @brief Properties that nine in ten of the wrong answers have, and the other answers to the same quantities less often; those
-/// with the largest share of wrong answers first, five at most.
+/// with the largest share of wrong answers first, five at most. Fewer than three wrong answers have nothing in common.
 /// @param wrong   the wrong answers
 /// @param judged  all answers
 /// @return        the properties

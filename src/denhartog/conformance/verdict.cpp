@@ -51,7 +51,7 @@ int badness(Verdict verdict) {
 double digits(double error) {
     constexpr double most = 17;
     if (!(error > 0)) return most;
-    return std::clamp(-std::log10(error), 0.0, most);
+    return error < 1 ? std::min(-std::log10(error), most) : 0;
 }
 
 std::string legible(std::string_view text) {
