@@ -87,6 +87,22 @@ inline std::string table_program(const std::string& name, const std::string& ans
                                     "while read -r id rest; do echo \"${t[$id]:-$id skip not in the table}\"; done\n");
 }
 
+inline std::string replaced(std::string text, const std::string& from, const std::string& to) {
+    return text.replace(text.find(from), from.size(), to);
+}
+
+inline bool contains(const std::string& text, const std::string& piece) { return text.find(piece) != std::string::npos; }
+
+/// @brief The folder of `six_vectors`.
+inline const std::string& six() {
+    static const std::string folder = folder_of("six", six_vectors());
+    return folder;
+}
+
+inline std::string with_vectors(const std::string& folder, const std::string& rest) {
+    return "--vectors '" + folder + "' " + rest;
+}
+
 inline Run conform(const std::string& arguments) { return run_program("conform " + arguments); }
 
 } // namespace denhartog::tests
