@@ -1,4 +1,5 @@
 // `denhartog conform` as a user meets it.
+#include "denhartog/conformance/mistake.hpp"
 #include "tests/catch.hpp"
 #include "tests/conformance/runner_fixtures.hpp"
 
@@ -197,6 +198,14 @@ TEST_CASE("one question is repeated as commands that a shell takes", "[conforman
     CHECK(shell(lines[4]) == std::pair{0, std::string("denhartog-conform 1 plain Table of answers\namplitude-1 value 0.25\n")});
     CHECK(run("--repro phase-1", table_program("repeated-wrong", "phase-1 value 1\n")).status == 1);
     CHECK(run("--repro no-such", program).status == 2);
+    const Question asked = six_vectors()[1].question;
+    const std::optional<Value> mistaken = answer_with_mistake("46-as-printed", asked);
+    REQUIRE(mistaken);
+    const std::string printed = "amplitude-1 value " + hexadecimal(mistaken->numbers.front()) + "\n";
+    const Run diagnosed = run("--repro amplitude-1", table_program("repeated-printed", printed));
+    INFO(diagnosed.output);
+    CHECK(contains(diagnosed.output, "amplitude-1  as-printed (46)"));
+    CHECK(contains(diagnosed.output, "the answer of the mistake 46-as-printed: "));
 }
 
 TEST_CASE("what follows -- is the program's, brackets and options too", "[conformance][program]") {

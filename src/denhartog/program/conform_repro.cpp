@@ -60,9 +60,16 @@ void conform_repro(const ConformOptions& options, ExitStatus& status) {
                           pipe_command(options, line) + "\n\n# what came of it\n");
     const conformance::Reply reply = partner.process->ask(line, settings.seconds);
     const bool answered = reply.heard == conformance::Heard::line;
-    const conformance::Judged judged =
-        answered ? conformance::grade(v, conformance::answer_in(partner, reply.line, v.question.id)) : conformance::Judged{};
-    write_standard_output(answered ? conformance::legible(reply.line) + "\n" + answer_text(judged, "") : reply.told + "\n");
+    conformance::Judged judged;
+    std::string told = reply.told + "\n";
+    if (answered) {
+        judged = conformance::grade(v, conformance::answer_in(partner, reply.line, v.question.id));
+        const conformance::Diagnosis d = conformance::diagnose({&judged, 1}, conformance::known_signatures());
+        told = conformance::legible(reply.line) + "\n" + answer_text(judged, "");
+        for (const conformance::Finding& finding : d.findings)
+            told += "  it is the answer of the mistake " + finding.mistake->name + ": " + finding.mistake->told + "\n";
+    }
+    write_standard_output(told);
     status.broken = !answered;
     status.failed = answered && !conformance::is_right(judged.verdict) && judged.verdict != conformance::Verdict::skipped;
 }
