@@ -22,13 +22,20 @@ double size_of(const std::vector<double>& numbers) {
     return size;
 }
 
+// Angles of the protocol's interval differ round the circle, those outside it (degrees, [0, 2 pi)) as they stand.
+bool round_the_circle(const Quantity& asked, double given) {
+    constexpr double rounding = 1e-9;
+    return asked.angle && std::abs(given) <= pi<double>() + rounding;
+}
+
 // Error against the 40 digits of the vector: the rounding of the nearest double does not count as the answer's.
 Difference error_of(const Vector& v, const Quantity& asked, const std::vector<double>& given) {
     if (asked.shape == Shape::samples) return difference(asked, given, v.nearest);
     Difference worst;
     for (std::size_t n = 0; n < given.size(); ++n) {
         const long double error = static_cast<long double>(given[n]) - std::strtold(v.value[n].c_str(), nullptr);
-        const double size = std::abs(static_cast<double>(asked.angle ? std::remainder(error, 2 * pi<long double>()) : error));
+        const double size = std::abs(
+            static_cast<double>(round_the_circle(asked, given[n]) ? std::remainder(error, 2 * pi<long double>()) : error));
         if (size > worst.size) worst = {size, n};
     }
     return worst;
@@ -101,7 +108,7 @@ Difference difference(const Quantity& asked, const std::vector<double>& given, c
     Difference worst;
     for (std::size_t n = 0; n < given.size(); ++n) {
         const double apart = given[n] - reference[n];
-        const double size = std::abs(asked.angle ? std::remainder(apart, 2 * pi<double>()) : apart);
+        const double size = std::abs(round_the_circle(asked, given[n]) ? std::remainder(apart, 2 * pi<double>()) : apart);
         if (size > worst.size) worst = {size, n};
     }
     return worst;
