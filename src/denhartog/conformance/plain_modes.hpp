@@ -35,7 +35,7 @@ struct Choices {
     bool motion_as_printed = false;                           ///< the bracket of (46) as printed
     bool initial_displacement_as_printed = false;             ///< (44) as printed
     bool initial_velocity_as_printed = false;                 ///< (45) as printed
-    bool motion_from_start = false;                           ///< (41) and (49) from (44) and (45) in place of (46) and (50) to (52)
+    bool motion_from_start = false;                           ///< (41) and (49) in place of (46) and (50) to (52)
     bool cosine_as_printed = false;                           ///< (50) as printed
     bool amplitude_from_parts = false;                        ///< the monoharmonic amplitude from (50) and (51) in place of (52)
     bool monoharmonic_as_printed = false;                     ///< (52) as printed

@@ -1,7 +1,7 @@
 """Harmonic balance of the sliding motion with friction cut off after some harmonics. Usage: harmonic_balance.py HIGHEST.
 
-Friction is a square wave that changes sign where the contact turns; its harmonics act on the dynamic stiffness matrix. The phase of
-the square wave is found so that the contact turns where friction does.
+Friction is a square wave that changes sign where the contact turns; its harmonics act on the dynamic stiffness matrix. The phase
+of the square wave is found so that the contact turns where friction does.
 """
 import cmath
 import json

@@ -107,7 +107,7 @@ def answer(q, law, periods, width):
         return "permanent_sticking" if (velocity == 0).all() else "stick_slip" if stops(velocity) else "continuous"
     path = x[:, q["mass"] - 1]
     if q["quantity"] == "motion_under_force":
-        return np.interp(2 * math.pi * np.arange(q["samples"]) / q["samples"], 2 * math.pi * np.arange(STEPS) / STEPS, path).tolist()
+        return np.interp(np.arange(q["samples"]) / q["samples"], np.arange(STEPS) / STEPS, path).tolist()
     largest = int(np.argmax(abs(path)))
     before, at, after = abs(path[largest - 1]), abs(path[largest]), abs(path[(largest + 1) % STEPS])
     curvature = before - 2 * at + after

@@ -1,9 +1,9 @@
 """The kill matrix: every known mistake as a program of its own, asked the certified vectors by `denhartog conform run`.
 
-A mistake is made by edits of the closed form in Python (edits.json) or by arguments of a solver (programs.json). Its program has
-to be found wrong, and the first diagnosis has to be the right one; a correct program has to pass, one in single precision to be
-found inaccurate and nowhere wrong. Where the vectors that show a mistake are no `must`, the run conforms but finds it all the same.
-An edit whose text is not there exactly once is an error. Usage:
+A mistake is made by edits of the closed form in Python (edits.json) or by arguments of a solver (programs.json). Its program
+has to be found wrong, and the first diagnosis has to be the right one; a correct program has to pass, one in single precision to
+be found inaccurate and nowhere wrong. Where the vectors that show a mistake are no `must`, the run conforms but finds it all the
+same. An edit whose text is not there exactly once is an error. Usage:
 kill_matrix.py --program DENHARTOG --vectors FOLDER --output FOLDER [--only NAME]
 """
 import argparse
