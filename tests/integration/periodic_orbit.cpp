@@ -168,6 +168,20 @@ TEST_CASE("where the stuck modes are coupled by damping, shooting ends where lon
         CHECK(std::abs(static_cast<double>(exact.masses[k].amplitude - orbit.masses[k].amplitude)) <= orbit.error_bound);
 }
 
+TEST_CASE("the phase of a contact that stops is where it comes to rest, in 50 digits as in double",
+          "[eq:39][exact-solver][shooting]") {
+    const auto prepared = [](auto zero) {
+        return prepared_chain<decltype(zero)>({1, 3.125}, {1, 2}, {0.09375, 0.203125}, 1, 2, 0.8125, 3.984375);
+    };
+    const PeriodicOrbit<double> orbit = orbit_of(prepared(0.0));
+    const PeriodicOrbit<Real50> exact = widened(orbit, prepared(Real50(0)));
+    REQUIRE(exact.status == OrbitStatus::periodic);
+    REQUIRE(exact.stops.size() == 2);
+    const bool first = exact.stops[0].x > 0;
+    CHECK(abs(Real50(exact.contact.phase - wrapped(exact.stops[first ? 0 : 1].start))) < Real50("1e-44"));
+    CHECK(std::abs(static_cast<double>(exact.contact.phase) - orbit.contact.phase) < 1e-11);
+}
+
 TEST_CASE("a contact that comes to rest for ever stays within the interval of rest", "[eq:74][eq:88][exact-solver][shooting]") {
     const double r = 0.75, beta = 4;
     const Prepared<double> p = prepared_three_masses(r, beta);

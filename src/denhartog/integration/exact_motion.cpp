@@ -180,7 +180,9 @@ long phases_propagated() { return phases_so_far.load(); }
 
 template ContactSystem<double> contact_system(const System<double>&);
 template ContactSystem<Real50> contact_system(const System<Real50>&);
+template ContactSystem<Real100> contact_system(const System<Real100>&);
 template class ExactSolver<double>;
 template class ExactSolver<Real50>;
+template class ExactSolver<Real100>;
 
 } // namespace denhartog

@@ -139,10 +139,10 @@ def main():
     totals = f"{len(mistakes)} mistakes, {killed} killed, {right} of them with the right diagnosis first."
     output = Path(options.output)
     output.mkdir(parents=True, exist_ok=True)
-    (output / "kill-matrix.md").write_text(table(rows, totals))
+    (output / "kill_matrix.md").write_text(table(rows, totals))
     record = {"mistakes": len(mistakes), "killed": killed, "diagnosed": right,
               "rows": [{"name": name, **result, "fault": faults[name]} for name, result in rows]}
-    (output / "kill-matrix.json").write_text(json.dumps(record, indent=1) + "\n")
+    (output / "kill_matrix.json").write_text(json.dumps(record, indent=1) + "\n")
     print(totals)
     for name, fault in sorted(faults.items()):
         if fault:

@@ -1,0 +1,251 @@
+#include "tests/conformance/generator/certify.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "denhartog/errors.hpp"
+#include "denhartog/response/solve.hpp"
+#include "tests/conformance/generator/number_digits.hpp"
+#include "tests/conformance/generator/scene_routes.hpp"
+
+namespace denhartog::conformance::generator {
+namespace {
+
+// Digits are counted so far: beyond, a count would depend on the last digits.
+constexpr std::array<int, 2> counted{40, 80};
+
+struct Undecided : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+double rounded_to_bits(const Real50& x, int bits) {
+    int exponent = 0;
+    const Real50 mantissa = frexp(x, &exponent);
+    return std::ldexp(static_cast<double>(Real50(round(ldexp(mantissa, bits)))), exponent - bits);
+}
+
+double friction_of(const Case& c, const std::optional<Regimes>& regimes) {
+    if (c.friction == Friction::given) return c.scene.beta;
+    if (!regimes) throw Undecided("an undamped mode resonates");
+    const Real50 part(c.part);
+    if (c.friction == Friction::of_limit) return rounded_to_bits(part * regimes->sliding, c.bits);
+    if (!regimes->sticking) throw Undecided("no friction holds the contact");
+    if (c.friction == Friction::of_sticking) return rounded_to_bits(part * *regimes->sticking, c.bits);
+    if (*regimes->sticking <= regimes->sliding) throw Undecided("there is no stick-slip between the boundaries");
+    return rounded_to_bits(regimes->sliding + part * (*regimes->sticking - regimes->sliding), c.bits);
+}
+
+Regime regime_of_scene(const Regimes& b, const Real50& beta) {
+    if (beta < b.sliding) return Regime::continuous;
+    return b.sticking && beta >= *b.sticking ? Regime::permanent_sticking : Regime::stick_slip;
+}
+
+double margin_of(const Regimes& b, const Real50& beta) {
+    using std::abs;
+    Real50 least = abs(Real50(beta / b.sliding - 1));
+    if (b.sticking) least = std::min(least, Real50(abs(Real50(beta / *b.sticking - 1))));
+    return two_digits(least);
+}
+
+std::vector<std::string> flags_of(const Case& c) {
+    std::vector<std::string> flags = c.flags;
+    const Question& q = c.scene;
+    const auto unequal = [](const std::vector<double>& x) {
+        return std::any_of(x.begin(), x.end(), [&](double y) { return y != x[0]; });
+    };
+    if (unequal(q.mass_ratios)) flags.emplace_back("unequal-masses");
+    if (unequal(q.stiffness_ratios)) flags.emplace_back("unequal-springs");
+    if (unequal(q.damping_ratios)) flags.emplace_back("unequal-damping");
+    if (q.mu > 1) flags.emplace_back("mu");
+    if (std::count(q.damping_ratios.begin(), q.damping_ratios.end(), 0.0) > 0) flags.emplace_back("undamped");
+    if (std::any_of(q.damping_ratios.begin(), q.damping_ratios.end(), [](double z) { return z > 1; }))
+        flags.emplace_back("overdamped");
+    if (q.mass_ratios.size() > 1)
+        flags.emplace_back(q.contact < q.load    ? "contact-before-load"
+                           : q.contact == q.load ? "contact-at-load"
+                                                 : "contact-behind-load");
+    std::sort(flags.begin(), flags.end());
+    flags.erase(std::unique(flags.begin(), flags.end()), flags.end());
+    return flags;
+}
+
+std::string harder(const std::string& a, const std::string& b) {
+    const auto rank = [](const std::string& t) { return t == "must" ? 0 : t == "should" ? 1 : 2; };
+    return rank(a) >= rank(b) ? a : b;
+}
+
+std::string tier_of(const Case& c, double condition, std::optional<double> margin) {
+    std::string tier = c.scene.mass_ratios.size() <= 5 && condition <= 512 ? "must" : condition <= 1e6 ? "should" : "stress";
+    if (margin && *margin < 1e-3) tier = harder(tier, *margin < 1e-9 ? "stress" : "should");
+    return harder(tier, c.tier);
+}
+
+Tolerance tolerance_of(const Question& q, double condition) {
+    if (q.quantity == "stops_per_period") return {0, 0, 0};
+    if (q.quantity == "motion_under_force") return {1e-6, 1e-3, 3e-2};
+    const auto at_least = [](double least, double power, double condition_) {
+        return two_digits(std::max(Real50(least), Real50(Real50(power) * Real50(condition_))));
+    };
+    Tolerance t{at_least(1e-11, 0x1p-44, condition), at_least(1e-7, 0x1p-38, condition), 0};
+    t.inaccurate = std::min(3e-2, at_least(1e-3, 0x1p-18, condition));
+    t.loose = std::min(t.loose, t.inaccurate);
+    t.pass = std::min(t.pass, t.loose);
+    return t;
+}
+
+void agree(Vector& v, Certified& all, std::size_t place, std::optional<int> digits) {
+    if (!digits) throw Undecided("a route gives no numbers");
+    if (place == 1 && *digits < least_digits)
+        throw Undecided("in 100 digits the routes agree on " + std::to_string(*digits) + " only");
+    all.least[place] = std::min(all.least[place], *digits);
+    v.digits[place] = std::min(*digits, counted[place]);
+}
+
+void certify_regime(Vector& v, SceneRoutes& routes, Certified& all) {
+    for (const char* name : {"beta_lim_exact", "beta_lim_sticking"}) {
+        const Question q = [&] {
+            Question other = v.question;
+            other.quantity = name;
+            return other;
+        }();
+        const std::array<int, 2> before = v.digits;
+        agree(v, all, 0, agreement(routes.first<Real50>(q), routes.second<Real50>(q), false));
+        agree(v, all, 1, agreement(routes.first<Real100>(q), routes.second<Real100>(q), false));
+        if (before[1] > 0) v.digits = {std::min(before[0], v.digits[0]), std::min(before[1], v.digits[1])};
+    }
+    v.word = v.regime;
+}
+
+void certify_numbers(Vector& v, SceneRoutes& routes, Certified& all, const Case& c) {
+    using std::abs;
+    const Question& q = v.question;
+    const bool angle = quantity(q.quantity).angle;
+    const std::vector<Real50> in_50 = routes.first<Real50>(q);
+    agree(v, all, 0, agreement(in_50, routes.second<Real50>(q), angle));
+    const std::vector<Real100> in_100 = routes.first<Real100>(q);
+    agree(v, all, 1, agreement(in_100, routes.second<Real100>(q), angle));
+    const Real100 zero = (angle ? Real100(1) : scale_of(in_100)) * Real100("1e-85");
+    for (const Real100& x : in_100) {
+        const Real100 counts = abs(x) < zero ? Real100(0) : x;
+        if (counts != 0 && abs(counts) < Real100("1e-290")) throw Undecided("a number is below the range of double");
+        v.value.push_back(text_of_40_digits(counts));
+        v.nearest.push_back(std::strtod(v.value.back().c_str(), nullptr));
+        v.scale = std::max(v.scale, std::abs(v.nearest.back()));
+    }
+    if (angle || v.scale == 0) v.scale = 1;
+    double largest = 0;
+    if (q.quantity != "stops_per_period")
+        for (const auto& [input, number] : routes.condition(q, in_50, Real50(v.scale))) {
+            v.condition.emplace_back(input, two_digits(number));
+            largest = std::max(largest, v.condition.back().second);
+        }
+    std::sort(v.condition.begin(), v.condition.end()); // by name, as JSON objects are read
+    if (largest > 1e9) throw Undecided("a condition number is above 1e9");
+    v.tolerance = tolerance_of(q, largest);
+    v.tier = tier_of(c, largest, v.margin);
+}
+
+Vector plain_vector(const Case& c, std::size_t n) {
+    Vector v;
+    v.question = c.scene;
+    const Question& asked = c.asked[n];
+    v.question.id = id_of(c, n);
+    v.question.quantity = asked.quantity;
+    v.question.mass = asked.mass;
+    v.question.tau = asked.tau;
+    v.question.samples = asked.samples;
+    v.group = c.group;
+    v.equation = quantity(asked.quantity).equation;
+    v.tier = c.tier;
+    v.flags = flags_of(c);
+    return v;
+}
+
+// Whether a motion from rest stays in the regime: with mu > 1 it may not, and the answer would depend on the start.
+bool comes_from_rest(const Question& q, Regime regime) {
+    if (q.mu == 1) return true;
+    try {
+        return solve(scene_source(scene_of<double>(q)), {Asked::regime, 12, false}).regime.regime == regime;
+    } catch (const std::exception&) {
+        return false;
+    }
+}
+
+// A question that has to be rejected: the rules of the library have to find it.
+Vector rejected(const Case& c, std::size_t n) {
+    Vector v = plain_vector(c, n);
+    v.reject = c.reject;
+    v.flags = c.flags;
+    try {
+        static_cast<void>(scene_of<double>(v.question));
+    } catch (const InputError&) {
+        return v;
+    }
+    throw Undecided("it breaks no rule");
+}
+
+} // namespace
+
+std::string id_of(const Case& c, std::size_t n) {
+    std::array<char, 16> number{};
+    std::snprintf(number.data(), number.size(), "-%04d", c.first_number + static_cast<int>(n));
+    return c.group + number.data();
+}
+
+Certified certify(const Case& with_part, const std::set<std::string>& only) {
+    Certified all;
+    Case c = with_part;
+    c.scene.quantity = "regime"; // the routes of a scene are asked with other questions
+    std::optional<Regimes> regimes;
+    std::string why;
+    if (c.reject.empty()) {
+        regimes = regimes_of(c.scene);
+        try {
+            c.scene.beta = friction_of(c, regimes);
+        } catch (const Undecided& e) {
+            why = e.what();
+        }
+    }
+    const Real50 beta(c.scene.beta);
+    const Regime regime = regimes ? regime_of_scene(*regimes, beta) : Regime::continuous;
+    std::optional<SceneRoutes> routes;
+    if (c.reject.empty()) routes.emplace(c.scene, regime);
+    std::optional<bool> from_rest;
+    for (std::size_t n = 0; n < c.asked.size(); ++n) {
+        if (!only.empty() && only.count(id_of(c, n)) == 0) continue;
+        const std::array<int, 2> least = all.least;
+        try {
+            if (!c.reject.empty()) {
+                all.vectors.push_back(rejected(c, n));
+                continue;
+            }
+            if (!why.empty()) throw Undecided(why);
+            Vector v = plain_vector(c, n);
+            const bool with_friction = depends_on_friction(v.question.quantity);
+            if (with_friction && !regimes) throw Undecided("an undamped mode resonates");
+            if (with_friction && beta < regimes->sliding && regimes->sticking && beta >= *regimes->sticking)
+                throw Undecided("the contact may slide or rest");
+            if (with_friction && !from_rest) from_rest = comes_from_rest(c.scene, regime);
+            if (with_friction && !*from_rest) throw Undecided("the motion from rest is another");
+            if (regimes) v.regime = name(regime);
+            if (with_friction) v.margin = margin_of(*regimes, beta);
+            v.routes = routes->names(v.question);
+            if (v.question.quantity == "regime") {
+                certify_regime(v, *routes, all);
+                v.tier = tier_of(c, 0, v.margin);
+            } else {
+                certify_numbers(v, *routes, all, c);
+            }
+            v.catches = catches_of(v);
+            all.vectors.push_back(std::move(v));
+        } catch (const std::exception& e) {
+            all.least = least;
+            all.refusals.push_back({id_of(c, n), e.what()});
+        }
+    }
+    return all;
+}
+
+} // namespace denhartog::conformance::generator

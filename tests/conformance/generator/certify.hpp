@@ -1,0 +1,42 @@
+/// @file
+/// @brief From a case to its vectors: two routes, their agreement, condition numbers, tolerances.
+#pragma once
+
+#include <set>
+
+#include "denhartog/conformance/vector.hpp"
+#include "tests/conformance/generator/cases.hpp"
+
+namespace denhartog::conformance::generator {
+
+/// @brief A question that no vector came of.
+struct Refusal {
+    std::string id;  ///< its id
+    std::string why; ///< a sentence
+};
+
+/// @brief What came of a case.
+struct Certified {
+    std::vector<Vector> vectors;          ///< in the order of the questions
+    std::vector<Refusal> refusals;        ///< the others
+    std::array<int, 2> least{1000, 1000}; ///< least digits on which the routes agree, not cut off at what vectors state
+};
+
+/// @brief Least digits that a vector has in the computation in 100 digits.
+inline constexpr int least_digits = 40;
+
+/// @brief Computes the vectors of a case.
+/// @param c     the case
+/// @param only  ids wanted; empty for all
+/// @return      the vectors
+[[nodiscard]] Certified certify(const Case& c, const std::set<std::string>& only = {});
+
+/// @brief The id of a question of a case. @param c the case @param n its number, from 0 @return the id
+[[nodiscard]] std::string id_of(const Case& c, std::size_t n);
+
+/// @brief Names of the mistakes that a vector catches: their answers are wrong by more than four times what is inaccurate.
+/// @param v  a vector
+/// @return   the names, ascending
+[[nodiscard]] std::vector<std::string> catches_of(const Vector& v);
+
+} // namespace denhartog::conformance::generator

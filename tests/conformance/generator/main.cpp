@@ -1,0 +1,57 @@
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <fstream>
+#include <iostream>
+
+#include "denhartog/errors.hpp"
+#include "tests/conformance/generator/vector_files.hpp"
+
+namespace {
+
+using namespace denhartog::conformance::generator;
+
+int write(const std::string& folder) {
+    const Certified all = certify_all(true);
+    std::filesystem::create_directories(folder);
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) // groups that are no more
+        if (entry.path().extension() == ".jsonl" || entry.path().extension() == ".csv") std::filesystem::remove(entry.path());
+    std::size_t size = 0;
+    for (const auto& [name, bytes] : files_of(all.vectors)) {
+        std::ofstream stream(std::filesystem::path(folder) / name, std::ios::binary);
+        stream << bytes;
+        if (!stream.flush()) throw denhartog::InputError("file", "must be writable", name);
+        size += bytes.size();
+    }
+    for (const Refusal& r : all.refusals) std::cout << "no vector " << r.id << ": " << r.why << '\n';
+    std::cout << all.vectors.size() << " vectors, " << size << " bytes; the routes agree on at least " << all.least[0]
+              << " of 50 and " << all.least[1] << " of 100 digits\n";
+    return 0;
+}
+
+int check(const std::string& folder, int every, int from) {
+    std::vector<std::string> faults = manifest_faults(folder);
+    for (const std::string& difference : differences(folder, every, from)) faults.push_back(difference);
+    for (const std::string& fault : faults) std::cout << fault << '\n';
+    return faults.empty() ? 0 : 1;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    CLI::App app{"Writes the certified vectors of the conformance kit, or computes them anew and compares"};
+    app.require_subcommand(1);
+    std::string folder;
+    int every = 1, from = 0;
+    CLI::App* writing = app.add_subcommand("write", "Write all vectors, their schema and their manifest");
+    CLI::App* checking = app.add_subcommand("check", "Compute vectors anew; any other byte is an error");
+    for (CLI::App* command : {writing, checking}) command->add_option("folder", folder, "Folder of the vectors")->required();
+    checking->add_option("--every", every, "Every how many vectors")->check(CLI::PositiveNumber);
+    checking->add_option("--from", from, "The first, from 0")->check(CLI::NonNegativeNumber);
+    CLI11_PARSE(app, argc, argv);
+    try {
+        return *writing ? write(folder) : check(folder, every, from);
+    } catch (const std::exception& e) {
+        std::cerr << e.what() << '\n';
+        return 2;
+    }
+}

@@ -1,0 +1,31 @@
+/// @file
+/// @brief Numbers of vectors as text, and on how many digits two of them agree.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "denhartog/multiprecision.hpp"
+
+namespace denhartog::conformance::generator {
+
+/// @brief A number rounded to 40 significant digits, zeros at their end left out. @param x the number @return the text
+[[nodiscard]] std::string text_of_40_digits(const Real100& x);
+
+/// @brief A number rounded to 2 significant digits. @param x the number @return the double nearest to them
+[[nodiscard]] double two_digits(const Real50& x);
+
+/// @brief Digits on which two lists of numbers agree: of every number its own, of what counts as zero those of the largest.
+/// @param a      the numbers
+/// @param b      the same by another way
+/// @param angle  whether they are angles: absolute, round the circle
+/// @return       the least; none where the lists differ in length or hold what is no number
+template <class T>
+[[nodiscard]] std::optional<int> agreement(const std::vector<T>& a, const std::vector<T>& b, bool angle);
+
+/// @brief Largest size of a list's numbers. @param x the numbers @return the size; 1 where all are zero
+template <class T>
+[[nodiscard]] T scale_of(const std::vector<T>& x);
+
+} // namespace denhartog::conformance::generator

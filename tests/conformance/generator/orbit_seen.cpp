@@ -1,0 +1,55 @@
+#include <cmath>
+
+#include "denhartog/errors.hpp"
+#include "denhartog/integration/periodic_orbit.hpp"
+#include "tests/conformance/generator/route.hpp"
+
+namespace denhartog::conformance::generator {
+namespace {
+
+// To 24 bits: what libm does to the last digits is gone.
+double cut(double x) {
+    int exponent = 0;
+    const double mantissa = std::frexp(x, &exponent);
+    return std::ldexp(std::nearbyint(std::ldexp(mantissa, 24)), exponent - 24);
+}
+
+State<double> cut(State<double> z) {
+    for (double& x : z.x) x = cut(x);
+    for (double& v : z.x_prime) v = cut(v);
+    return z;
+}
+
+} // namespace
+
+OrbitSeen orbit_seen(const Question& q) {
+    const Scene<double> scene = scene_of<double>(q);
+    const ContactSystem<double> system = contact_system(scene.system);
+    ExactSolver<double> solver(system, {q.r, q.beta, q.mu});
+    OrbitSearch<double> search;
+    search.most_periods = 2000;
+    const std::size_t N = q.mass_ratios.size();
+    const PeriodicOrbit<double> orbit = periodic_orbit(solver, at_rest<double>(N), search);
+    if (orbit.status != OrbitStatus::periodic || orbit.periods != 1 || !orbit.symmetric || !orbit.stable || orbit.touching > 0)
+        throw DomainError("no stable symmetric motion of one period from rest: " + orbit.reason);
+    OrbitSeen seen;
+    seen.at_zero = cut(orbit.start);
+    const double half = std::acos(-1.0);
+    const ExactMotion<double>& motion = solver.run(orbit.start, 0, 4 * half);
+    std::size_t first = 1; // what is there at the start began before it
+    while (first < motion.phases.size() && motion.phases[first].direction != 0) ++first;
+    if (first >= motion.phases.size()) throw DomainError("the contact does not stop");
+    const double end = motion.phases[first].start + half;
+    for (std::size_t n = first; n < motion.phases.size() && motion.phases[n].start < end - 1e-6; ++n) {
+        const Phase<double>& p = motion.phases[n];
+        if (p.end - p.start < 1e-3) throw DomainError("a phase is so short that it may be none");
+        seen.phases.push_back({p.direction, cut(p.start), cut(p.end)});
+    }
+    if (std::abs(seen.phases.back().end - end) > 1e-6) throw DomainError("the phases do not repeat after half a period");
+    const double* z = &motion.states[2 * N * first];
+    seen.at_rest = cut({{z, z + N}, {z + N, z + 2 * N}});
+    seen.at_rest.x_prime[static_cast<std::size_t>(q.contact - 1)] = 0;
+    return seen;
+}
+
+} // namespace denhartog::conformance::generator

@@ -1,0 +1,216 @@
+#include <Eigen/LU>
+#include <algorithm>
+#include <array>
+
+#include "denhartog/errors.hpp"
+#include "tests/conformance/generator/linear_half_period.hpp"
+#include "tests/conformance/generator/physical_problem.hpp"
+#include "tests/conformance/generator/route.hpp"
+
+namespace denhartog::conformance::generator {
+namespace {
+
+using Index = Eigen::Index;
+using std::abs;
+
+// Unknowns: x and x' (that of the contact is zero) at the start of a rest, then the starts of all phases.
+// Equations: at the end of each phase its event, at the end of the last the mirrored state half a period on.
+template <class T>
+class PhaseProblem : public Route<T> {
+public:
+    PhaseProblem(const Question& q, const OrbitSeen& seen)
+        : p_(problem_of<T>(q)), N_(p_.M.rows()), j_(static_cast<Index>(p_.contact.index)),
+          mu_beta_(T(q.mu) * p_.beta), A_{system(-1), system(0), system(1)} {
+        for (const Phase<double>& phase : seen.phases) {
+            directions_.push_back(phase.direction);
+            starts_.push_back(T(phase.start));
+        }
+        x_.resize(2 * N_);
+        for (Index k = 0; k < N_; ++k) {
+            x_(k) = seen.at_rest.x[static_cast<std::size_t>(k)];
+            x_(N_ + k) = seen.at_rest.x_prime[static_cast<std::size_t>(k)];
+        }
+        for (int n = 0; correct() > std::numeric_limits<T>::epsilon() * 4096; ++n)
+            if (n == 12) throw PrecisionError("Newton's method on the phases does not converge");
+        follow();
+    }
+
+    std::vector<T> numbers(const Question& q) override {
+        const Index k = q.mass > 0 ? q.mass - 1 : 0;
+        if (q.quantity == "amplitude") return {T(abs(extremum(k).x))};
+        if (q.quantity == "phase") {
+            const Extremum<T> e = extremum(k);
+            const T instant = e.instant + (e.x < T(0) ? pi<T>() : T(0));
+            return {T(atan2(T(sin(instant)), T(cos(instant))))};
+        }
+        std::vector<T> lengths;
+        for (std::size_t n = 0; n < directions_.size(); ++n)
+            if (directions_[n] == 0) lengths.insert(lengths.end(), 2, T(end_of(n) - starts_[n]));
+        std::sort(lengths.begin(), lengths.end());
+        if (q.quantity == "stops_per_period") return {T(static_cast<int>(lengths.size()))};
+        if (q.quantity == "stop_durations") return lengths;
+        if (q.quantity != "motion_under_force") return {};
+        std::vector<T> x;
+        for (int n = 0; n < q.samples; ++n) x.push_back(displacement(k, T(2 * n * pi<T>() / q.samples)));
+        return x;
+    }
+
+private:
+    HalfPeriodProblem<T> p_;
+    Index N_, j_;
+    T mu_beta_;
+    std::array<Matrix<T>, 3> A_; ///< matrices of sliding down, of rest, of sliding up
+    std::vector<int> directions_;
+    std::vector<T> starts_;
+    Vector<T> x_;
+    std::vector<Vector<T>> states_; ///< at the starts of the phases
+
+    Matrix<T> system(int direction) const {
+        Matrix<T> A = augmented_system(p_);
+        if (direction == 0) A.row(N_ + j_).setZero();
+        if (direction > 0) A(N_ + j_, 2 * N_ + 2) *= T(-1);
+        return A;
+    }
+
+    const Matrix<T>& of(std::size_t n) const { return A_[static_cast<std::size_t>(directions_[n] + 1)]; }
+    T end_of(std::size_t n) const { return n + 1 < starts_.size() ? starts_[n + 1] : T(starts_.front() + pi<T>()); }
+
+    Vector<T> start_state() const {
+        Vector<T> z(2 * N_ + 3);
+        z << x_, cos(starts_.front()), sin(starts_.front()), T(1);
+        return z;
+    }
+
+    // What is zero at the end of a phase, as a row over the state: the contact's velocity, or the load on it less friction.
+    Eigen::Matrix<T, 1, Eigen::Dynamic> event(std::size_t n) const {
+        Eigen::Matrix<T, 1, Eigen::Dynamic> row = Eigen::Matrix<T, 1, Eigen::Dynamic>::Zero(2 * N_ + 3);
+        if (directions_[n] != 0) {
+            row(N_ + j_) = T(1);
+            return row;
+        }
+        row.head(N_) = p_.K.row(j_);
+        row.segment(N_, N_) = p_.C.row(j_);
+        if (p_.load == p_.contact) row(2 * N_) = T(-1);
+        const int next = n + 1 < directions_.size() ? directions_[n + 1] : -directions_.front();
+        row(2 * N_ + 2) = mu_beta_ * next;
+        return row;
+    }
+
+    T correct() {
+        const Index rows = 2 * N_ + 3, phases = static_cast<Index>(starts_.size()), unknowns = 2 * N_ - 1 + phases;
+        const auto column = [&](Index k) { return k < N_ + j_ ? k : k - 1; }; // of an entry of the state, N + j left out
+        Vector<T> z = start_state();
+        Matrix<T> slope = Matrix<T>::Zero(rows, unknowns); // of z with respect to the unknowns
+        for (Index k = 0; k < 2 * N_; ++k)
+            if (k != N_ + j_) slope(k, column(k)) = T(1);
+        const Index first = 2 * N_ - 1; // column of the first instant
+        slope(2 * N_, first) = -z(2 * N_ + 1);
+        slope(2 * N_ + 1, first) = z(2 * N_);
+        Matrix<T> J = Matrix<T>::Zero(unknowns, unknowns);
+        Vector<T> F(unknowns);
+        for (Index n = 0; n < phases; ++n) {
+            const auto m = static_cast<std::size_t>(n);
+            const Matrix<T>& A = of(m);
+            const Matrix<T> E = matrix_exponential(Matrix<T>(A * T(end_of(m) - starts_[m])));
+            slope.col(first + n) -= A * z;
+            z = Vector<T>(E * z);
+            slope = Matrix<T>(E * slope);
+            slope.col(n + 1 < phases ? first + n + 1 : first) += A * z;
+            const auto row = event(m);
+            F(n) = row.dot(z);
+            J.row(n) = row * slope;
+        }
+        const Vector<T> start = start_state();
+        Index row = phases;
+        for (Index k = 0; k < 2 * N_; ++k) {
+            if (k == N_ + j_) continue; // that is the last event
+            F(row) = z(k) + start(k);
+            J.row(row) = slope.row(k);
+            J(row++, column(k)) += T(1);
+        }
+        const Vector<T> change = Eigen::FullPivLU<Matrix<T>>(J).solve(Vector<T>(-F));
+        for (Index k = 0; k < 2 * N_; ++k)
+            if (k != N_ + j_) x_(k) += change(column(k));
+        for (Index n = 0; n < phases; ++n) starts_[static_cast<std::size_t>(n)] += change(first + n);
+        return T(change.cwiseAbs().maxCoeff() / x_.cwiseAbs().maxCoeff());
+    }
+
+    // States at the starts of the phases; the contact moves as the phases say.
+    void follow() {
+        Vector<T> z = start_state();
+        for (std::size_t n = 0; n < directions_.size(); ++n) {
+            states_.push_back(z);
+            const T length = end_of(n) - starts_[n];
+            if (!(length > T(0))) throw DomainError("a phase has no length");
+            const Vector<T> middle = moved(of(n), z, T(length / 2));
+            if (directions_[n] != 0 && !(middle(N_ + j_) * directions_[n] > T(0))) throw DomainError("the contact slides back");
+            if (directions_[n] == 0 && !(abs(T(event(n).dot(middle)) - event(n)(2 * N_ + 2)) < mu_beta_))
+                throw DomainError("friction does not hold the contact");
+            z = moved(of(n), z, length);
+        }
+    }
+
+    T displacement(Index k, T tau) const {
+        T sign(1);
+        for (; tau < starts_.front(); tau += pi<T>()) sign = -sign;
+        for (; tau >= starts_.front() + pi<T>(); tau -= pi<T>()) sign = -sign;
+        std::size_t n = 0;
+        while (n + 1 < starts_.size() && starts_[n + 1] <= tau) ++n;
+        return sign * moved(of(n), states_[n], T(tau - starts_[n]))(k);
+    }
+
+    // The contact is furthest where a phase starts; another mass where its velocity, which is continuous, changes its sign.
+    Extremum<T> extremum(Index k) const {
+        Extremum<T> best{T(0), T(0)};
+        const auto note = [&](const T& x, const T& instant) {
+            if (abs(x) > abs(best.x)) best = {x, instant};
+        };
+        for (std::size_t n = 0; n < states_.size(); ++n) {
+            if (k == j_) {
+                note(states_[n](k), starts_[n]);
+                continue;
+            }
+            constexpr int samples = 64;
+            const T h = (end_of(n) - starts_[n]) / samples;
+            const Matrix<T> step = matrix_exponential(Matrix<T>(of(n) * h));
+            Vector<T> z = states_[n];
+            for (int s = 0; s < samples; ++s) {
+                const Vector<T> next = step * z;
+                if ((z(N_ + k) > T(0)) != (next(N_ + k) > T(0))) {
+                    const auto [x, dt] = turning_point(of(n), z, k, h);
+                    note(x, T(starts_[n] + s * h + dt));
+                }
+                z = next;
+            }
+        }
+        return best;
+    }
+
+    // Between z and a time h later: Newton's method on x_k', bisection where it leaves the interval.
+    static std::pair<T, T> turning_point(const Matrix<T>& A, const Vector<T>& z, Index k, const T& h) {
+        const Index N = (A.rows() - 3) / 2;
+        const bool rises = z(N + k) > T(0);
+        T low(0), high(h), dt = h / 2;
+        for (int n = 0; n < 400; ++n) {
+            const Vector<T> at = moved(A, z, dt);
+            ((at(N + k) > T(0)) == rises ? low : high) = dt;
+            const T next = dt - at(N + k) / A.row(N + k).dot(at);
+            const T change = (next > low && next < high ? next : T((low + high) / 2)) - dt;
+            dt += change;
+            if (abs(change) < std::numeric_limits<T>::epsilon() * 16) break;
+        }
+        return {moved(A, z, dt)(k), dt};
+    }
+};
+
+} // namespace
+
+template <class T>
+std::unique_ptr<Route<T>> phase_problem(const Question& scene, const OrbitSeen& seen) {
+    return std::make_unique<PhaseProblem<T>>(scene, seen);
+}
+
+template std::unique_ptr<Route<Real50>> phase_problem(const Question&, const OrbitSeen&);
+template std::unique_ptr<Route<Real100>> phase_problem(const Question&, const OrbitSeen&);
+
+} // namespace denhartog::conformance::generator

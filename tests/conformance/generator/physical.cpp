@@ -1,0 +1,218 @@
+#include <Eigen/LU>
+#include <optional>
+
+#include "denhartog/integration/second_witness.hpp"
+#include "tests/conformance/generator/determinant.hpp"
+#include "tests/conformance/generator/linear_half_period.hpp"
+#include "tests/conformance/generator/physical_problem.hpp"
+#include "tests/conformance/generator/route.hpp"
+
+namespace denhartog::conformance::generator {
+namespace {
+
+using Index = Eigen::Index;
+
+template <class T>
+T angle(const T& y, const T& x) {
+    return atan2(y, x);
+}
+
+// The half-period motion of a problem under a friction ratio, propagated on demand.
+template <class T>
+class Physical : public Route<T> {
+public:
+    Physical(const Question& q, Regime regime)
+        : q_(q), p_(problem_of<T>(q)), j_(static_cast<Index>(q.contact - 1)), regime_(regime), mu_(q.mu), r_(q.r) {}
+
+    std::vector<T> numbers(const Question& q) override {
+        const std::string& name = q.quantity;
+        const Index k = q.mass > 0 ? q.mass - 1 : 0, N = p_.M.rows();
+        if (name == "natural_frequency_ratios") return modal([](const T& r_n) { return r_n; });
+        if (name == "modal_frequency_ratios") return modal([&](const T& r_n) { return T(r_ / r_n); });
+        if (name == "mode_shape_products") return products(k);
+        if (name == "beta_lim_high_frequency") return {limit_at_high_frequency()};
+        if (name == "complex_response") return {linear().Y(k, 0), T(-linear().Y(N + k, 0))};
+        if (name == "first_damping_function") return {U_of(linear(), k)};
+        if (name == "second_damping_function") return {G_of(linear(), k)};
+        if (name == "H_j") return {T(acceleration_at_start(linear()) - inverse_mass())};
+        if (name == "S_j") return {largest_demand(linear())};
+        if (name == "beta_lim_exact") return {slides_below(std::max(largest_demand(linear()), held_demand()))};
+        if (name == "beta_lim_paper") return {slides_below(std::max(sum_of_maxima(), held_demand()))};
+        if (name == "beta_lim_approximate") return {slides_below(held_demand())};
+        if (name == "beta_lim_sticking") return {T(held_load() / mu_)};
+        if (regime_ == Regime::permanent_sticking) return held(q, k);
+        if (regime_ == Regime::continuous) return sliding(q, k);
+        return {};
+    }
+
+private:
+    Question q_;
+    HalfPeriodProblem<T> p_;
+    Index j_;
+    Regime regime_;
+    T mu_, r_;
+    std::optional<DeterminantModes<T>> modes_;
+    std::optional<LinearHalfPeriod<T>> linear_;
+    std::optional<HalfPeriodMotion<T>> motion_;
+
+    const DeterminantModes<T>& modes() {
+        if (!modes_) modes_ = determinant_modes(Matrix<T>(p_.M / (r_ * r_)), p_.K, j_);
+        return *modes_;
+    }
+
+    template <class F>
+    std::vector<T> modal(F f) {
+        std::vector<T> all;
+        for (const T& lambda : modes().lambda) all.push_back(f(T(sqrt(lambda))));
+        return all;
+    }
+
+    std::vector<T> products(Index k) {
+        std::vector<T> all;
+        for (Index i = 0; i < p_.M.rows(); ++i) all.push_back(modes().products(k, i) / (r_ * r_));
+        return all;
+    }
+
+    int steps() { return steps_for(T(sqrt(modes().lambda.back()) / r_)); }
+
+    const LinearHalfPeriod<T>& linear() {
+        if (!linear_) linear_ = linear_half_period(p_, steps());
+        return *linear_;
+    }
+
+    T inverse_mass() { return 1 / p_.M(j_, j_); }
+    T held_demand() { return acceleration_at_start(linear()) + (mu_ - 1) * inverse_mass(); }
+
+    // While sliding |V_dj|^2 - beta^2 U_dj^2 has to exceed the square of beta times the demand.
+    T slides_below(const T& demand) {
+        const T re = linear().Y(j_, 0), im = linear().Y(p_.M.rows() + j_, 0), U = U_of(linear(), j_);
+        return sqrt(T((re * re + im * im) / (U * U + demand * demand)));
+    }
+
+    // Every mode by itself is one mass of frequency ratio R_i, whose demand is psi^2 = 1 / R_i^2 times that of the mode.
+    T sum_of_maxima() {
+        T sum(0);
+        for (Index i = 0; i < p_.M.rows(); ++i) {
+            const T R = r_ / sqrt(modes().lambda[static_cast<std::size_t>(i)]);
+            const T zeta(q_.damping_ratios[static_cast<std::size_t>(i)]);
+            const auto one = [](const T& x) { return Matrix<T>(Matrix<T>::Constant(1, 1, x)); };
+            const LinearHalfPeriod<T> mode =
+                linear_half_period<T>({one(R * R), one(2 * zeta * R), one(T(1)), Mass{0}, Mass{0}, T(0)}, steps_for(T(1 / R)));
+            sum += modes().products(j_, i) / (r_ * r_) * R * R * largest_demand(mode);
+        }
+        return sum;
+    }
+
+    // The limit from two frequency ratios so high that what is left falls with their square.
+    T limit_at_high_frequency() {
+        const auto at = [&](int exponent) {
+            Question q = q_;
+            q.r = std::ldexp(1.0, exponent);
+            Physical<T> there(q, regime_);
+            return there.numbers_of_limit();
+        };
+        const int e = std::numeric_limits<T>::digits10 > 60 ? 150 : 75;
+        return 2 * at(e + 1) - at(e);
+    }
+
+    T numbers_of_limit() { return slides_below(std::max(largest_demand(linear()), held_demand())); }
+
+    // Complex amplitudes (real parts, then imaginary) of all masses while the contact is held, by one dense real system.
+    Matrix<T> held_motion() {
+        const Index N = p_.M.rows();
+        Matrix<T> A(2 * N, 2 * N);
+        A << p_.K - p_.M, -p_.C, p_.C, p_.K - p_.M;
+        Matrix<T> b = Matrix<T>::Zero(2 * N, 1);
+        b(static_cast<Index>(p_.load.index), 0) = T(1);
+        for (const Index held : {j_, N + j_}) {
+            A.row(held).setZero();
+            A(held, held) = T(1);
+            b(held, 0) = T(0);
+        }
+        return Eigen::FullPivLU<Matrix<T>>(A).solve(b);
+    }
+
+    T held_load() {
+        const Index N = p_.M.rows();
+        const Matrix<T> X = held_motion();
+        const T re =
+            p_.K.row(j_).dot(X.col(0).head(N)) - p_.C.row(j_).dot(X.col(0).tail(N)) - (p_.load == p_.contact ? T(1) : T(0));
+        const T im = p_.K.row(j_).dot(X.col(0).tail(N)) + p_.C.row(j_).dot(X.col(0).head(N));
+        return sqrt(T(re * re + im * im));
+    }
+
+    std::vector<T> held(const Question& q, Index k) {
+        const Index N = p_.M.rows();
+        if (q.quantity == "rest_interval") {
+            Matrix<T> e = Matrix<T>::Zero(N, 1);
+            e(j_, 0) = T(1);
+            return {T((mu_ * p_.beta - held_load()) * Eigen::FullPivLU<Matrix<T>>(p_.K).solve(e)(j_, 0))};
+        }
+        const Matrix<T> X = held_motion();
+        const T re = X(k, 0), im = X(N + k, 0);
+        if (q.quantity == "amplitude") return {T(sqrt(T(re * re + im * im)))};
+        if (q.quantity == "phase") return {angle(T(-im), re)};
+        if (q.quantity != "motion_under_force") return {};
+        std::vector<T> x;
+        for (int n = 0; n < q.samples; ++n) {
+            const T tau = 2 * n * pi<T>() / q.samples;
+            x.push_back(re * cos(tau) - im * sin(tau));
+        }
+        return x;
+    }
+
+    const HalfPeriodMotion<T>& motion() {
+        if (!motion_) motion_ = half_period_motion(p_, steps());
+        return *motion_;
+    }
+
+    // Displacement at any tau: over the half-period from its start, mirrored beyond.
+    T displacement(Index k, T tau) {
+        T sign(1);
+        for (; tau < T(0); tau += pi<T>()) sign = -sign;
+        for (; tau >= pi<T>(); tau -= pi<T>()) sign = -sign;
+        const Index N = p_.M.rows();
+        Vector<T> z(2 * N + 3);
+        z << motion().x_0, motion().x_prime_0, cos(motion().phi_j), sin(motion().phi_j), T(1);
+        return sign * moved(augmented_system(p_), z, tau)(k);
+    }
+
+    std::vector<T> sliding(const Question& q, Index k) {
+        const HalfPeriodMotion<T>& m = motion();
+        const T c = m.x_0(k), s = m.x_prime_0(k);
+        if (q.quantity == "amplitude") return {m.amplitude(k)};
+        if (q.quantity == "phase") return {k == j_ ? m.phi_j : m.phase(k)};
+        if (q.quantity == "amplitude_monoharmonic") return {T(sqrt(T(c * c + s * s)))};
+        if (q.quantity == "phase_monoharmonic")
+            return {angle(T(c * sin(m.phi_j) + s * cos(m.phi_j)), T(c * cos(m.phi_j) - s * sin(m.phi_j)))};
+        if (q.quantity == "initial_displacement") return {c};
+        if (q.quantity == "initial_velocity") return {s};
+        if (q.quantity == "displacement") return {displacement(k, T(q.tau))};
+        if (q.quantity != "motion_under_force") return {};
+        std::vector<T> x;
+        for (int n = 0; n < q.samples; ++n) x.push_back(displacement(k, T(2 * n * pi<T>() / q.samples - m.phi_j)));
+        return x;
+    }
+};
+
+} // namespace
+
+template <>
+HalfPeriodProblem<Real50> problem_of(const Question& q) {
+    return half_period_problem(scene_of<double>(q));
+}
+
+template <>
+HalfPeriodProblem<Real100> problem_of(const Question& q) {
+    return half_period_problem(scene_of<Real50>(q));
+}
+
+template <class T>
+std::unique_ptr<Route<T>> physical(const Question& scene, Regime regime) {
+    return std::make_unique<Physical<T>>(scene, regime);
+}
+
+template std::unique_ptr<Route<Real50>> physical(const Question&, Regime);
+template std::unique_ptr<Route<Real100>> physical(const Question&, Regime);
+
+} // namespace denhartog::conformance::generator

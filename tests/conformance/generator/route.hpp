@@ -1,0 +1,73 @@
+/// @file
+/// @brief The routes by which the numbers of a vector are computed, each in 50 and in 100 digits.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "denhartog/conformance/question.hpp"
+#include "denhartog/integration/motion_record.hpp"
+#include "denhartog/multiprecision.hpp"
+#include "denhartog/response/regime.hpp"
+
+namespace denhartog::conformance::generator {
+
+/// @brief A way to the numbers of one scene.
+template <class T>
+class Route {
+public:
+    Route() = default;
+    Route(const Route&) = delete;
+    Route& operator=(const Route&) = delete;
+    virtual ~Route() = default;
+    /// @brief Numbers that answer a question about the scene.
+    /// @param q  the question
+    /// @return   the numbers; none where the route does not serve the quantity
+    virtual std::vector<T> numbers(const Question& q) = 0;
+};
+
+/// @brief The closed form, by `src/denhartog/response`: sums over modes, boundary, steady state; with the contact held by (88).
+/// @param scene   a question about the scene
+/// @param regime  the regime, where the quantity depends on it
+/// @param near    a route of a scene next to this one, whose instants of maxima are corrected in place of a search; may be none
+/// @return        the route; must not outlive `near`
+template <class T>
+[[nodiscard]] std::unique_ptr<Route<T>> closed_form(const Question& scene, Regime regime, Route<T>* near = nullptr);
+
+/// @brief The physical coordinates: matrix exponentials over half a period, characteristic polynomial, dense linear systems.
+/// @param scene   a question about the scene
+/// @param regime  the regime, where the quantity depends on it
+/// @return        the route
+template <class T>
+[[nodiscard]] std::unique_ptr<Route<T>> physical(const Question& scene, Regime regime);
+
+/// @brief A stick-slip motion, seen in double: where the two routes to it start.
+struct OrbitSeen {
+    State<double> at_zero;             ///< the state at a maximum of the force
+    std::vector<Phase<double>> phases; ///< phases over half a period, the first a rest
+    State<double> at_rest;             ///< the state at the start of the first phase
+};
+
+/// @brief The steady motion from rest, cut off after 24 bits: the routes do not depend on the last digits of double.
+/// @param scene  a question about the scene
+/// @return       the motion
+/// @throws       DomainError where it is not a stable symmetric motion of one period with stops
+[[nodiscard]] OrbitSeen orbit_seen(const Question& scene);
+
+/// @brief Stick-slip by Newton's method on the exact solver.
+/// @param scene  a question about the scene
+/// @param seen   where to start
+/// @return       the route
+template <class T>
+[[nodiscard]] std::unique_ptr<Route<T>> exact_orbit(const Question& scene, const OrbitSeen& seen);
+
+/// @brief Stick-slip as one boundary-value problem: Newton's method on the state and all instants of the half-period.
+///
+/// The phases are matrix exponentials on physical coordinates.
+/// @param scene  a question about the scene
+/// @param seen   where to start
+/// @return       the route
+template <class T>
+[[nodiscard]] std::unique_ptr<Route<T>> phase_problem(const Question& scene, const OrbitSeen& seen);
+
+} // namespace denhartog::conformance::generator

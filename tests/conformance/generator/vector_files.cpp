@@ -1,0 +1,142 @@
+#include "tests/conformance/generator/vector_files.hpp"
+
+#include <atomic>
+#include <cstdio>
+#include <fstream>
+#include <mutex>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <thread>
+
+#include "denhartog/errors.hpp"
+#include "denhartog/parallel.hpp"
+#include "tests/conformance/generator/sha256.hpp"
+
+namespace denhartog::conformance::generator {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+unsigned threads() { return std::max(1U, std::thread::hardware_concurrency()); }
+
+Json counts_of(const std::map<std::string, int>& tiers) {
+    Json counts = Json::object();
+    for (const char* tier : {"must", "should", "stress"})
+        if (const auto found = tiers.find(tier); found != tiers.end()) counts[tier] = found->second;
+    return counts;
+}
+
+std::string manifest_of(const std::vector<Vector>& vectors, const std::map<std::string, std::string>& files) {
+    std::map<std::string, std::map<std::string, int>> groups;
+    std::map<std::string, int> tiers;
+    for (const Vector& v : vectors) {
+        ++groups[v.group][v.tier];
+        ++tiers[v.tier];
+    }
+    Json manifest{
+        {"format", format_version}, {"content", content_version}, {"vectors", vectors.size()}, {"tiers", counts_of(tiers)}};
+    for (const auto& [group, counts] : groups) manifest["groups"][group] = counts_of(counts);
+    for (const auto& [name, bytes] : files)
+        manifest["files"].push_back({{"name", name}, {"bytes", bytes.size()}, {"sha256", sha256(bytes)}});
+    return manifest.dump(1) + "\n";
+}
+
+} // namespace
+
+std::string bytes_of(const std::filesystem::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    std::ostringstream bytes;
+    bytes << stream.rdbuf();
+    if (!stream) throw InputError("file", "must be readable", file.string());
+    return bytes.str();
+}
+
+std::map<std::string, std::string> files_of(const std::vector<Vector>& vectors) {
+    std::map<std::string, std::string> files{{"schema.json", schema_text()}};
+    for (const Vector& v : vectors) {
+        files[v.group + ".jsonl"] += vector_json(v).dump() + "\n";
+        std::string& csv = files[v.group + ".csv"];
+        if (csv.empty()) csv = vector_csv_heading() + "\n";
+        csv += vector_csv(v) + "\n";
+    }
+    std::string manifest = manifest_of(vectors, files);
+    files["manifest.json"] = std::move(manifest);
+    return files;
+}
+
+std::vector<std::string> manifest_faults(const std::filesystem::path& folder) {
+    std::vector<std::string> faults;
+    const nlohmann::json manifest = nlohmann::json::parse(bytes_of(folder / "manifest.json"));
+    std::map<std::string, nlohmann::json> stated;
+    for (const auto& file : manifest.at("files")) stated[file.at("name")] = file;
+    for (const auto& [name, file] : stated) {
+        if (!std::filesystem::exists(folder / name)) {
+            faults.push_back(name + " is missing");
+            continue;
+        }
+        const std::string bytes = bytes_of(folder / name);
+        if (bytes.size() != file.at("bytes").get<std::size_t>()) faults.push_back(name + " has another size");
+        if (sha256(bytes) != file.at("sha256").get<std::string>()) faults.push_back(name + " has another checksum");
+    }
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+        const std::string name = entry.path().filename().string();
+        if (name != "manifest.json" && stated.count(name) == 0) faults.push_back(name + " is not in the manifest");
+    }
+    return faults;
+}
+
+Certified certify_all(bool progress) {
+    const std::vector<Case> cases = all_cases();
+    std::vector<Certified> parts(cases.size());
+    std::atomic<std::size_t> done{0};
+    parallel_for(cases.size(), threads(), [&](std::size_t n) {
+        parts[n] = certify(cases[n]);
+        const std::size_t count = ++done;
+        if (progress && count % 20 == 0) std::fprintf(stderr, "\r%zu of %zu scenes", count, cases.size());
+        return true;
+    });
+    if (progress) std::fprintf(stderr, "\n");
+    Certified all;
+    for (Certified& part : parts) {
+        for (Vector& v : part.vectors) all.vectors.push_back(std::move(v));
+        for (Refusal& r : part.refusals) all.refusals.push_back(std::move(r));
+        for (const std::size_t place : {0U, 1U}) all.least[place] = std::min(all.least[place], part.least[place]);
+    }
+    return all;
+}
+
+std::vector<std::string> differences(const std::filesystem::path& folder, int every, int from) {
+    std::map<std::string, std::string> stored;
+    const std::vector<Vector> vectors = read_vectors(folder);
+    std::set<std::string> wanted;
+    for (std::size_t n = static_cast<std::size_t>(from); n < vectors.size(); n += static_cast<std::size_t>(every))
+        wanted.insert(vectors[n].question.id);
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+        if (entry.path().extension() != ".jsonl") continue;
+        std::istringstream lines(bytes_of(entry.path()));
+        for (std::string line; std::getline(lines, line);) stored[nlohmann::json::parse(line).at("id")] = line;
+    }
+    std::vector<Case> cases;
+    for (const Case& c : all_cases())
+        for (std::size_t n = 0; n < c.asked.size(); ++n)
+            if (wanted.count(id_of(c, n)) > 0) {
+                cases.push_back(c);
+                break;
+            }
+    std::vector<std::string> told;
+    std::set<std::string> missing = wanted;
+    std::mutex lock;
+    parallel_for(cases.size(), threads(), [&](std::size_t n) {
+        const Certified some = certify(cases[n], wanted);
+        const std::lock_guard<std::mutex> guard(lock);
+        for (const Vector& v : some.vectors) {
+            if (vector_json(v).dump() != stored[v.question.id]) told.push_back(v.question.id + " is not what is computed anew");
+            missing.erase(v.question.id);
+        }
+        return true;
+    });
+    for (const std::string& id : missing) told.push_back(id + " is in the files, and no vector comes of it");
+    return told;
+}
+
+} // namespace denhartog::conformance::generator

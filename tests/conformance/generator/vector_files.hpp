@@ -1,0 +1,41 @@
+/// @file
+/// @brief The folder of the vectors: its files, its manifest, its schema.
+#pragma once
+
+#include <filesystem>
+#include <map>
+
+#include "tests/conformance/generator/certify.hpp"
+
+namespace denhartog::conformance::generator {
+
+/// @brief Version of the vectors' content: one higher whenever a vector is added, taken out or changed.
+inline constexpr int content_version = 1;
+
+/// @brief The files of a set of vectors, by name. @param vectors the vectors, in their order @return contents
+[[nodiscard]] std::map<std::string, std::string> files_of(const std::vector<Vector>& vectors);
+
+/// @brief JSON schema (draft 2020-12) of a line of a vector file. @return the text
+[[nodiscard]] std::string schema_text();
+
+/// @brief What is wrong with the files of a folder: sizes and checksums that its manifest does not have, files that are missing.
+/// @param folder  the folder
+/// @return        a sentence a fault
+[[nodiscard]] std::vector<std::string> manifest_faults(const std::filesystem::path& folder);
+
+/// @brief All vectors, on as many threads as there are.
+/// @param progress  whether to say on standard error how far it is
+/// @return          the vectors with what was refused
+[[nodiscard]] Certified certify_all(bool progress);
+
+/// @brief Computes some of a folder's vectors anew and compares them byte for byte.
+/// @param folder  the folder
+/// @param every   every how many
+/// @param from    the first, from 0
+/// @return        a sentence a difference
+[[nodiscard]] std::vector<std::string> differences(const std::filesystem::path& folder, int every, int from);
+
+/// @brief Contents of a file. @param file its path @return its bytes @throws InputError where it cannot be read
+[[nodiscard]] std::string bytes_of(const std::filesystem::path& file);
+
+} // namespace denhartog::conformance::generator

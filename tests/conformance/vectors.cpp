@@ -1,0 +1,213 @@
+// The certified vectors: their files agree with each other, with the manifest, and with what is computed anew.
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "denhartog/multiprecision.hpp"
+#include "tests/catch.hpp"
+#include "tests/conformance/generator/sha256.hpp"
+#include "tests/conformance/generator/vector_files.hpp"
+#include "tests/conformance/vector_folder.hpp"
+
+using namespace denhartog;
+using namespace denhartog::conformance;
+using namespace denhartog::tests;
+using generator::bytes_of;
+
+namespace {
+
+// A copy of the folder that goes when the test does.
+class Twin {
+public:
+    Twin() : folder(std::filesystem::temp_directory_path() / ("vectors-twin-" + std::to_string(std::rand()))) {
+        std::filesystem::copy(vector_folder(), folder);
+    }
+    Twin(const Twin&) = delete;
+    Twin& operator=(const Twin&) = delete;
+    ~Twin() { std::filesystem::remove_all(folder); }
+    void write(const std::string& name, const std::string& bytes) const {
+        std::ofstream(folder / name, std::ios::binary) << bytes;
+    }
+    std::filesystem::path folder;
+};
+
+std::vector<std::string> lines_of(const std::filesystem::path& file) {
+    std::istringstream stream(bytes_of(file));
+    std::vector<std::string> lines;
+    for (std::string line; std::getline(stream, line);) lines.push_back(line);
+    return lines;
+}
+
+bool has_all(const nlohmann::json& object, const nlohmann::json& names) {
+    return std::all_of(names.begin(), names.end(), [&](const nlohmann::json& name) { return object.contains(name); });
+}
+
+// Of a schema what the lines need: members required, one kind of line, no members besides.
+std::string schema_fault(const nlohmann::json& schema, const nlohmann::json& line) {
+    if (!has_all(line, schema.at("required"))) return "a required member is missing";
+    int kinds = 0;
+    for (const auto& kind : schema.at("oneOf")) {
+        bool fits = has_all(line, kind.at("required"));
+        if (kind.contains("not")) fits = fits && !has_all(line, kind["not"].at("required"));
+        if (fits && kind.contains("properties"))
+            fits = line.at("value").type_name() == kind["properties"]["value"].at("type").get<std::string>();
+        kinds += fits ? 1 : 0;
+    }
+    if (kinds != 1) return "it is of " + std::to_string(kinds) + " kinds";
+    for (const auto& [name, value] : line.items())
+        if (!schema.at("properties").contains(name)) return name + " is no member of the schema";
+    if (!has_all(line.at("scene"), schema["properties"]["scene"].at("required"))) return "the scene lacks a member";
+    return "";
+}
+
+} // namespace
+
+TEST_CASE("the checksums are those of the standard", "[conformance][vectors]") {
+    CHECK(generator::sha256("") == "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
+    CHECK(generator::sha256("abc") == "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+    CHECK(generator::sha256("abcdbcdecdefdefgefghfghighijhijkijkljklmklmnlmnomnopnopq") ==
+          "248d6a61d20638b8e5c026930c3e6039a33ce45964ff2167f6ecedd419db06c1");
+}
+
+TEST_CASE("the manifest has every file of the vectors with its size and checksum, and sees a byte that changed",
+          "[conformance][vectors]") {
+    CHECK(generator::manifest_faults(vector_folder()).empty());
+    const Twin twin;
+    std::string bytes = bytes_of(twin.folder / "modes.jsonl");
+    bytes[bytes.size() / 2] = bytes[bytes.size() / 2] == '1' ? '2' : '1';
+    twin.write("modes.jsonl", bytes);
+    CHECK(generator::manifest_faults(twin.folder) == std::vector<std::string>{"modes.jsonl has another checksum"});
+    std::filesystem::remove(twin.folder / "modes.csv");
+    twin.write("more.csv", "");
+    CHECK(generator::manifest_faults(twin.folder).size() == 3);
+}
+
+TEST_CASE("every line of the vectors has what the schema requires, and the schema is the generator's", "[conformance][vectors]") {
+    CHECK(bytes_of(vector_folder() / "schema.json") == generator::schema_text());
+    const nlohmann::json schema = nlohmann::json::parse(generator::schema_text());
+    std::size_t count = 0;
+    nlohmann::json twin;
+    for (const auto& entry : std::filesystem::directory_iterator(vector_folder())) {
+        if (entry.path().extension() != ".jsonl") continue;
+        for (const std::string& line : lines_of(entry.path())) {
+            const nlohmann::json object = nlohmann::json::parse(line);
+            INFO(line.substr(0, 60));
+            REQUIRE(schema_fault(schema, object).empty());
+            REQUIRE(vector_json(vector_from_json(object)).dump() == line);
+            ++count;
+            if (object.contains("hex")) twin = object;
+        }
+    }
+    CHECK(count == vectors().size());
+    for (const char* name : {"tier", "hex", "scale", "digits", "catches"}) {
+        nlohmann::json without = twin;
+        without.erase(name);
+        CHECK_FALSE(schema_fault(schema, without).empty());
+    }
+}
+
+TEST_CASE("the vectors are enough, of every group, tier and number of masses, with contact and load anywhere",
+          "[conformance][vectors]") {
+    std::map<std::string, std::map<std::string, int>> groups;
+    std::map<std::string, int> tiers, places, asked;
+    std::set<std::size_t> masses;
+    bool mu = false, rejected_enough = false;
+    for (const Vector& v : vectors()) {
+        ++groups[v.group][v.tier];
+        ++tiers[v.tier];
+        ++asked[v.question.quantity];
+        if (!v.reject.empty()) continue;
+        masses.insert(v.question.mass_ratios.size());
+        const int side = v.question.contact - v.question.load;
+        if (v.question.mass_ratios.size() > 1) ++places[side < 0 ? "before" : side > 0 ? "behind" : "at"];
+        mu = mu || v.question.mu > 1;
+    }
+    CHECK(vectors().size() >= 1500);
+    CHECK(groups.size() == 12);
+    CHECK(tiers.size() == 3);
+    CHECK(masses == std::set<std::size_t>{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12});
+    for (const char* place : {"before", "at", "behind"}) CHECK(places[place] > 100);
+    CHECK(mu);
+    rejected_enough = groups["reject"]["must"] >= 30;
+    CHECK(rejected_enough);
+    for (const Quantity& q : quantities()) {
+        INFO(q.name);
+        CHECK(asked[std::string(q.name)] >= 10);
+    }
+    const nlohmann::json manifest = nlohmann::json::parse(bytes_of(vector_folder() / "manifest.json"));
+    CHECK(manifest.at("format") == format_version);
+    CHECK(manifest.at("content") == generator::content_version);
+    CHECK(manifest.at("vectors") == vectors().size());
+    CHECK(manifest.at("tiers") == nlohmann::json(tiers));
+    CHECK(manifest.at("groups") == nlohmann::json(groups));
+}
+
+TEST_CASE("the CSV files say what the JSON lines say", "[conformance][vectors]") {
+    std::map<std::string, std::vector<std::string>> expected;
+    for (const Vector& v : vectors()) {
+        if (expected[v.group].empty()) expected[v.group].push_back(vector_csv_heading());
+        expected[v.group].push_back(vector_csv(v));
+    }
+    const auto columns = [](const std::string& line) { return std::count(line.begin(), line.end(), ','); };
+    for (const auto& [group, lines] : expected) {
+        INFO(group);
+        CHECK(lines_of(vector_folder() / (group + ".csv")) == lines);
+        for (const std::string& line : lines) REQUIRE(columns(line) == columns(vector_csv_heading()));
+    }
+}
+
+TEST_CASE("hexadecimal values are the doubles nearest to the decimals, and the tolerances are in order",
+          "[conformance][vectors]") {
+    std::size_t compared = 0;
+    for (const Vector& v : vectors()) {
+        REQUIRE(v.value.size() == v.nearest.size());
+        double largest = 0;
+        for (std::size_t n = 0; n < v.value.size(); ++n) {
+            const Real100 exact(v.value[n]);
+            const double x = v.nearest[n];
+            INFO(v.question.id << " " << v.value[n] << " " << hexadecimal(x));
+            const auto error = [&](double y) { return Real100(abs(Real100(y) - exact)); };
+            REQUIRE(error(x) <= error(std::nextafter(x, 1e300)));
+            REQUIRE(error(x) <= error(std::nextafter(x, -1e300)));
+            largest = std::max(largest, std::abs(x));
+            ++compared;
+        }
+        if (v.value.empty()) continue;
+        INFO(v.question.id);
+        REQUIRE(v.scale == (quantity(v.question.quantity).angle || largest == 0 ? 1 : largest));
+        REQUIRE(v.tolerance.pass <= v.tolerance.loose);
+        REQUIRE(v.tolerance.loose <= v.tolerance.inaccurate);
+        REQUIRE(v.digits[1] >= generator::least_digits);
+    }
+    CHECK(compared > 4000);
+}
+
+TEST_CASE("a sample of the vectors is computed anew byte for byte", "[conformance][vectors]") {
+    const int every = 131, from = 17;
+    for (const std::string& difference : generator::differences(vector_folder(), every, from)) FAIL_CHECK(difference);
+    CHECK(vectors().size() > 10 * every);
+}
+
+TEST_CASE("a value with another twelfth digit is not what is computed anew", "[conformance][vectors]") {
+    const Twin twin;
+    const auto found = std::find_if(vectors().begin(), vectors().end(), [](const Vector& v) {
+        return v.group == "contact" && v.question.mass_ratios.size() == 2 && v.value.size() == 1 && v.value[0].size() > 40;
+    });
+    REQUIRE(found != vectors().end());
+    const std::string& value = found->value[0];
+    std::string changed = value;
+    const std::size_t twelfth = value.find('.') + 11;
+    changed[twelfth] = value[twelfth] == '9' ? '8' : static_cast<char>(value[twelfth] + 1);
+    std::string bytes = bytes_of(twin.folder / "contact.jsonl");
+    const std::size_t place = bytes.find("\"" + value + "\"");
+    REQUIRE(place != std::string::npos);
+    bytes.replace(place + 1, value.size(), changed);
+    twin.write("contact.jsonl", bytes);
+    const int all = static_cast<int>(vectors().size()), from = static_cast<int>(found - vectors().begin());
+    CHECK(generator::differences(twin.folder, all, from) ==
+          std::vector<std::string>{found->question.id + " is not what is computed anew"});
+    CHECK(generator::differences(vector_folder(), all, from).empty());
+}

@@ -1,0 +1,198 @@
+// The library in double against the certified vectors.
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "denhartog/errors.hpp"
+#include "denhartog/formulas/high_frequency.hpp"
+#include "denhartog/integration/exact_motion.hpp"
+#include "denhartog/response/solve.hpp"
+#include "denhartog/response/steady_state.hpp"
+#include "denhartog/response/stuck_response.hpp"
+#include "tests/catch.hpp"
+#include "tests/conformance/vector_folder.hpp"
+
+using namespace denhartog;
+using namespace denhartog::tests;
+using conformance::quantity;
+using conformance::Vector;
+
+namespace {
+
+using Numbers = std::vector<double>;
+using Asks = conformance::Question;
+
+std::size_t mass_of(const Asks& q) { return q.mass > 0 ? static_cast<std::size_t>(q.mass - 1) : 0; }
+
+Numbers of_modes(const Asks& q, const Scene<double>& scene) {
+    const ModalBasis<double> basis = modal_basis(scene.system);
+    if (q.quantity == "natural_frequency_ratios") return basis.r_n;
+    Numbers all;
+    for (std::size_t i = 0; i < basis.r_n.size(); ++i) {
+        const auto mode = static_cast<Eigen::Index>(i);
+        all.push_back(q.quantity == "modal_frequency_ratios"
+                          ? q.r / basis.r_n[i]
+                          : basis.phi(q.mass - 1, mode) * basis.phi(q.contact - 1, mode) / (q.r * q.r));
+    }
+    return all;
+}
+
+Numbers of_sums(const Asks& q, const Scene<double>& scene) {
+    const std::size_t k = mass_of(q);
+    const ModeSums<double> s = mode_sums(modal_basis(scene.system), scene.system.contact, scene.system.load, q.r);
+    if (q.quantity == "complex_response") return {s.V[k].re, s.V[k].im};
+    if (q.quantity == "first_damping_function") return {s.U[k]};
+    if (q.quantity == "second_damping_function") return {s.G[k]};
+    if (q.quantity == "H_j") return {s.H_j};
+    const Boundary<double> b = boundary(s, q.mu);
+    if (q.quantity == "S_j") return {b.S_exact};
+    if (q.quantity == "beta_lim_exact") return {b.exact};
+    if (q.quantity == "beta_lim_paper") return {b.paper};
+    if (q.quantity == "beta_lim_approximate") return {b.approximate};
+    if (q.quantity == "beta_lim_sticking") return {b.sticking.value()};
+    const SteadyState<double> state = steady_state(s, b, q.beta);
+    const MassResponse<double>& m = state.masses[k];
+    if (q.quantity == "amplitude") return {m.amplitude};
+    if (q.quantity == "phase") return {m.phase};
+    if (q.quantity == "amplitude_monoharmonic") return {m.amplitude_monoharmonic};
+    if (q.quantity == "phase_monoharmonic") return {m.phase_monoharmonic};
+    if (q.quantity == "initial_displacement") return {m.x0};
+    if (q.quantity == "initial_velocity") return {m.v0};
+    if (q.quantity == "displacement") return {motion(s, state, q.tau).x[k]};
+    Numbers x;
+    for (int n = 0; n < q.samples; ++n) x.push_back(motion(s, state, 2 * n * pi<double>() / q.samples - state.phi_j).x[k]);
+    return x;
+}
+
+Numbers of_stuck_motion(const Asks& q, const Scene<double>& scene) {
+    const StuckConfiguration<double> stuck = stuck_configuration(scene.system, modal_basis(scene.system));
+    const StuckResponse<double> held = stuck_response(stuck, scene.system.contact, scene.system.load, q.r);
+    if (q.quantity == "rest_interval") return {rest_interval(stuck, held, q.mu, q.beta).value()};
+    const StuckMass<double>& m = held.masses[mass_of(q)];
+    if (q.quantity == "amplitude") return {m.amplitude};
+    if (q.quantity == "phase") return {m.phase.value()};
+    Numbers x;
+    for (int n = 0; n < q.samples; ++n) {
+        const double tau = 2 * n * pi<double>() / q.samples;
+        x.push_back(m.X.re * std::cos(tau) - m.X.im * std::sin(tau));
+    }
+    return x;
+}
+
+Numbers of_stick_slip(const Asks& q, const Scene<double>& scene) {
+    const Solution solution = solve(scene_source(scene), {Asked::motion, 12, false});
+    return std::visit(
+        [&](const auto& numbers) {
+            Numbers all;
+            const auto& m = numbers.masses[mass_of(q)];
+            if (q.quantity == "amplitude") return Numbers{static_cast<double>(m.amplitude)};
+            if (q.quantity == "phase") return Numbers{static_cast<double>(m.phase.value())};
+            for (const auto& stop : numbers.stops) all.push_back(static_cast<double>(stop.end - stop.start));
+            std::sort(all.begin(), all.end());
+            if (q.quantity == "stops_per_period") return Numbers{static_cast<double>(all.size())};
+            if (q.quantity == "stop_durations") return all;
+            State<double> start;
+            for (const auto& x : numbers.start.value().x) start.x.push_back(static_cast<double>(x));
+            for (const auto& v : numbers.start.value().x_prime) start.x_prime.push_back(static_cast<double>(v));
+            const ContactSystem<double> system = contact_system(scene.system);
+            ExactSolver<double> solver(system, {q.r, q.beta, q.mu});
+            Numbers samples;
+            for (int n = 0; n < q.samples; ++n)
+                samples.push_back(n == 0 ? start.x[mass_of(q)]
+                                         : solver.run(start, 0, 2 * n * pi<double>() / q.samples).end.x[mass_of(q)]);
+            return samples;
+        },
+        solution.numbers);
+}
+
+bool is_of_modes(const std::string& name) {
+    return name == "natural_frequency_ratios" || name == "modal_frequency_ratios" || name == "mode_shape_products";
+}
+
+Numbers in_double(const Vector& v) {
+    const Asks& q = v.question;
+    const Scene<double> scene = conformance::scene_of<double>(q);
+    if (is_of_modes(q.quantity)) return of_modes(q, scene);
+    if (q.quantity == "beta_lim_high_frequency") return {paper::friction_ratio_limit_at_high_frequency(q.mu)};
+    if (!v.margin || v.regime == "continuous") return of_sums(q, scene);
+    return v.regime == "stick_slip" ? of_stick_slip(q, scene) : of_stuck_motion(q, scene);
+}
+
+// Largest error over scale; infinite where numbers are missing.
+double error_of(const Vector& v, const Numbers& x) {
+    if (x.size() != v.nearest.size()) return INFINITY;
+    double largest = 0;
+    for (std::size_t n = 0; n < x.size(); ++n) {
+        double difference = x[n] - v.nearest[n];
+        if (quantity(v.question.quantity).angle) difference = std::remainder(difference, 2 * pi<double>());
+        if (!std::isfinite(difference)) return INFINITY;
+        largest = std::max(largest, std::abs(difference));
+    }
+    return largest / v.scale;
+}
+
+double error_in_double(const Vector& v) {
+    try {
+        return error_of(v, in_double(v));
+    } catch (const std::exception& e) {
+        WARN(v.question.id << ": " << e.what());
+        return INFINITY;
+    }
+}
+
+} // namespace
+
+TEST_CASE("the library in double reproduces every vector that must or should be reproduced", "[conformance][vectors]") {
+    std::map<std::string, std::pair<double, std::string>> worst; // largest error over what passes, by tier
+    std::size_t compared = 0;
+    for (const Vector& v : vectors()) {
+        if (v.value.empty() || v.tier == "stress") continue;
+        const double error = error_in_double(v);
+        INFO(v.question.id << " " << v.question.quantity << ": error " << hexadecimal(error) << ", passes up to "
+                           << hexadecimal(v.tolerance.pass));
+        CHECK(error <= v.tolerance.pass);
+        ++compared;
+        if (v.tolerance.pass > 0 && error / v.tolerance.pass >= worst[v.tier].first)
+            worst[v.tier] = {error / v.tolerance.pass, v.question.id};
+    }
+    for (const auto& [tier, which] : worst)
+        std::printf("%s: largest error %.2g of what passes, in %s\n", tier.c_str(), which.first, which.second.c_str());
+    CHECK(compared > 1200);
+}
+
+TEST_CASE("in the stress tier the library in double is never wrong", "[conformance][vectors]") {
+    std::vector<double> digits;
+    std::size_t passed = 0;
+    for (const Vector& v : vectors()) {
+        if (v.value.empty() || v.tier != "stress") continue;
+        const double error = error_in_double(v);
+        INFO(v.question.id << " " << v.question.quantity << ": error " << hexadecimal(error));
+        CHECK(error <= v.tolerance.inaccurate);
+        if (error <= v.tolerance.pass) ++passed;
+        digits.push_back(error > 0 ? -std::log10(error) : 16);
+    }
+    REQUIRE(digits.size() > 50);
+    std::sort(digits.begin(), digits.end());
+    std::printf("stress: %zu of %zu pass; digits: least %.1f, median %.1f\n", passed, digits.size(), digits.front(),
+                digits[digits.size() / 2]);
+    CHECK(10 * passed >= 9 * digits.size());
+}
+
+TEST_CASE("the library finds the regime of every vector that asks for it, and rejects what has to be rejected",
+          "[conformance][vectors]") {
+    int regimes = 0, rejected = 0;
+    for (const Vector& v : vectors()) {
+        INFO(v.question.id);
+        if (!v.reject.empty()) {
+            CHECK_THROWS_AS(conformance::scene_of<double>(v.question), InputError);
+            ++rejected;
+        } else if (!v.word.empty()) {
+            const Scene<double> scene = conformance::scene_of<double>(v.question);
+            const ModeSums<double> s = mode_sums(modal_basis(scene.system), scene.system.contact, scene.system.load, *scene.r);
+            CHECK(name(regime_of(boundary(s, scene.mu), *scene.beta)) == v.word);
+            ++regimes;
+        }
+    }
+    CHECK(regimes > 60);
+    CHECK(rejected >= 30);
+}
