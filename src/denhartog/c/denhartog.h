@@ -283,6 +283,25 @@ DH_EXPORT int dh_solution_stops(const dh_solution* solution, size_t count, doubl
 DH_EXPORT int dh_solution_motion(const dh_solution* solution, size_t samples, size_t count, double* x,
                                  double* x_prime) DH_NOEXCEPT;
 
+/// @brief Any quantity of docs/protocol.md by its name there, with the conventions of that page; the regime as enum dh_regime.
+///
+/// One function for languages in which structs and handles are hard to pass. What needs the steady motion is solved for anew by
+/// every call, to 12 digits: who wants more than one number of a point calls dh_solve() once.
+/// @param system  a system
+/// @param name    e.g. `amplitude`
+/// @param r       frequency ratio, Eq. (10), positive
+/// @param beta    friction ratio, Eq. (11), not negative
+/// @param mu      static over kinetic friction, Eq. (3), at least 1
+/// @param mass    k, from 1 to N; not looked at where the quantity is of no mass
+/// @param tau     for `displacement`; not looked at otherwise
+/// @param size    length of `values`: at least as many as the quantity has, and for `motion_under_force` the number of samples
+/// @param values  receives the numbers
+/// @param count   receives how many; 0 only where there is no stop to give a duration of
+/// @return        #DH_OK, #DH_ERROR_NULL, #DH_ERROR_SIZE, #DH_ERROR_INPUT, #DH_ERROR_DOMAIN where the quantity does not exist,
+///                such as the phase of a mass at rest, or none has this name, #DH_ERROR_PRECISION, #DH_ERROR_MEMORY
+DH_EXPORT int dh_quantity(const dh_system* system, const char* name, double r, double beta, double mu, size_t mass, double tau,
+                          size_t size, double* values, size_t* count) DH_NOEXCEPT;
+
 #ifdef __cplusplus
 }
 #endif

@@ -1,0 +1,213 @@
+#include <algorithm>
+#include <string_view>
+#include <vector>
+
+#include "denhartog/c/denhartog.h"
+#include "denhartog/c/handles.hpp"
+#include "denhartog/model/point_rules.hpp"
+
+using namespace denhartog;
+using namespace denhartog::c_interface;
+
+namespace {
+
+using Numbers = std::vector<double>;
+
+// What a quantity is asked of.
+struct AtPoint {
+    const dh_system* system;
+    double r, beta, mu;
+    size_t mass;
+    double tau;
+    size_t samples;
+    size_t N, contact;
+};
+
+// A call of another function of the interface; what failed there fails here with its text.
+void done(int status) {
+    if (status != DH_OK) throw CallError(static_cast<dh_status>(status), message());
+}
+
+// A number where it exists.
+Numbers existing(bool exists, double x, const char* why) {
+    if (!exists) throw DomainError(why);
+    return {x};
+}
+
+Numbers shape_products(const AtPoint& a) {
+    Numbers psi(a.N * a.N), products;
+    done(dh_mode_shapes(a.system, a.r, psi.size(), psi.data()));
+    for (size_t i = 0; i < a.N; ++i) products.push_back(psi[(a.mass - 1) * a.N + i] * psi[(a.contact - 1) * a.N + i]);
+    return products;
+}
+
+struct Sums {
+    Numbers V, U, G;
+    double H_j, S_j;
+};
+
+Sums sums(const AtPoint& a, bool largest = false) {
+    Sums s{Numbers(2 * a.N), Numbers(a.N), Numbers(a.N), 0, 0};
+    done(dh_sums(a.system, a.r, a.N, s.V.data(), s.U.data(), s.G.data(), &s.H_j, largest ? &s.S_j : nullptr));
+    return s;
+}
+
+dh_boundary boundaries(const AtPoint& a) {
+    dh_boundary b{};
+    b.size = sizeof b;
+    done(dh_boundaries(a.system, a.r, a.mu, &b));
+    return b;
+}
+
+dh_sliding_mass sliding(const AtPoint& a) {
+    dh_sliding_mass m{};
+    m.size = sizeof m;
+    done(dh_sliding_motion(a.system, a.r, a.beta, a.mu, a.mass, &m));
+    return m;
+}
+
+// The steady motion in any regime.
+struct Steady {
+    dh_solution* solution = nullptr;
+    dh_summary all{};
+    explicit Steady(const AtPoint& a) {
+        constexpr int digits = 12;
+        done(dh_solve(a.system, a.r, a.beta, a.mu, digits, &solution));
+        all.size = sizeof all;
+        done(dh_solution_summary(solution, &all));
+    }
+    Steady(const Steady&) = delete;
+    Steady& operator=(const Steady&) = delete;
+    ~Steady() { dh_solution_destroy(solution); }
+    [[nodiscard]] dh_mass mass(size_t k) const {
+        dh_mass m{};
+        m.size = sizeof m;
+        done(dh_solution_mass(solution, k, &m));
+        return m;
+    }
+};
+
+Numbers phase(const AtPoint& a) {
+    const dh_mass m = Steady(a).mass(a.mass);
+    return existing(m.moves != 0, m.phase, "a mass that does not move has no phase");
+}
+
+Numbers stop_durations(const AtPoint& a) {
+    const Steady steady(a);
+    Numbers start(steady.all.stops), end(steady.all.stops);
+    done(dh_solution_stops(steady.solution, start.size(), start.data(), end.data()));
+    for (size_t i = 0; i < start.size(); ++i) end[i] -= start[i];
+    std::sort(end.begin(), end.end());
+    return end;
+}
+
+Numbers motion_under_force(const AtPoint& a) {
+    if (a.samples == 0) throw CallError(DH_ERROR_SIZE, "size must be the number of samples, at least 1, but is 0");
+    const Steady steady(a);
+    if (steady.all.periods != 1) throw DomainError("the motion has not the period of the force");
+    Numbers x(a.samples * a.N), of_mass;
+    done(dh_solution_motion(steady.solution, a.samples, x.size(), x.data(), nullptr));
+    for (size_t n = 0; n < a.samples; ++n) of_mass.push_back(x[n * a.N + a.mass - 1]);
+    return of_mass;
+}
+
+Numbers natural_frequency_ratios(const AtPoint& a) {
+    Numbers r_n(a.N);
+    done(dh_natural_frequency_ratios(a.system, a.N, r_n.data(), nullptr));
+    return r_n;
+}
+
+Numbers modal_frequency_ratios(const AtPoint& a) {
+    Numbers R(a.N);
+    done(dh_modal_functions(a.system, a.r, a.N, R.data(), nullptr, nullptr, nullptr));
+    return R;
+}
+
+Numbers displacement(const AtPoint& a) {
+    double x = 0;
+    done(dh_displacement(a.system, a.r, a.beta, a.mu, a.mass, 1, &a.tau, &x));
+    return {x};
+}
+
+Numbers high_frequency_limit(const AtPoint& a) {
+    double limit = 0;
+    done(dh_high_frequency_limit(a.system, a.mu, &limit));
+    return {limit};
+}
+
+Numbers sticking_limit(const AtPoint& a) {
+    const dh_boundary b = boundaries(a);
+    return existing(b.sticking_exists != 0, b.sticking, "no friction holds the contact: the system resonates while it is held");
+}
+
+Numbers rest_interval(const AtPoint& a) {
+    const Steady steady(a);
+    return existing(steady.all.rest_interval_exists != 0, steady.all.rest_to, "the contact does not rest for ever");
+}
+
+struct Named {
+    std::string_view name;
+    bool of_mass;
+    Numbers (*value)(const AtPoint&);
+};
+
+constexpr Named named[] = {
+    {"natural_frequency_ratios", false, natural_frequency_ratios},
+    {"modal_frequency_ratios", false, modal_frequency_ratios},
+    {"mode_shape_products", true, shape_products},
+    {"complex_response", true,
+     [](const AtPoint& a) {
+         return Numbers{sums(a).V[2 * a.mass - 2], sums(a).V[2 * a.mass - 1]};
+     }},
+    {"first_damping_function", true, [](const AtPoint& a) { return Numbers{sums(a).U[a.mass - 1]}; }},
+    {"second_damping_function", true, [](const AtPoint& a) { return Numbers{sums(a).G[a.mass - 1]}; }},
+    {"H_j", false, [](const AtPoint& a) { return Numbers{sums(a).H_j}; }},
+    {"S_j", false, [](const AtPoint& a) { return Numbers{sums(a, true).S_j}; }},
+    {"amplitude", true, [](const AtPoint& a) { return Numbers{Steady(a).mass(a.mass).amplitude}; }},
+    {"phase", true, phase},
+    {"amplitude_monoharmonic", true, [](const AtPoint& a) { return Numbers{sliding(a).amplitude_monoharmonic}; }},
+    {"phase_monoharmonic", true, [](const AtPoint& a) { return Numbers{sliding(a).phase_monoharmonic}; }},
+    {"initial_displacement", true, [](const AtPoint& a) { return Numbers{sliding(a).initial_displacement}; }},
+    {"initial_velocity", true, [](const AtPoint& a) { return Numbers{sliding(a).initial_velocity}; }},
+    {"displacement", true, displacement},
+    {"beta_lim_exact", false, [](const AtPoint& a) { return Numbers{boundaries(a).exact}; }},
+    {"beta_lim_paper", false, [](const AtPoint& a) { return Numbers{boundaries(a).paper}; }},
+    {"beta_lim_approximate", false, [](const AtPoint& a) { return Numbers{boundaries(a).approximate}; }},
+    {"beta_lim_sticking", false, sticking_limit},
+    {"beta_lim_high_frequency", false, high_frequency_limit},
+    {"regime", false, [](const AtPoint& a) { return Numbers{static_cast<double>(Steady(a).all.regime)}; }},
+    {"stops_per_period", false,
+     [](const AtPoint& a) {
+         const Steady steady(a);
+         return Numbers{static_cast<double>(steady.all.stops) / steady.all.periods};
+     }},
+    {"stop_durations", false, stop_durations},
+    {"rest_interval", false, rest_interval},
+    {"motion_under_force", true, motion_under_force},
+};
+
+} // namespace
+
+extern "C" int dh_quantity(const dh_system* system, const char* name, double r, double beta, double mu, size_t mass, double tau,
+                           size_t size, double* values, size_t* count) noexcept {
+    return guarded([&] {
+        need(name, "name");
+        need(values, "values");
+        need(count, "count");
+        AtPoint asked{system, r, beta, mu, mass, tau, size, 0, 0};
+        done(dh_system_masses(system, &asked.N, &asked.contact, nullptr));
+        check_frequency_ratio(r);
+        check_friction_ratio(beta);
+        check_static_friction(mu);
+        const auto* quantity = std::find_if(std::begin(named), std::end(named), [&](const Named& q) { return q.name == name; });
+        if (quantity == std::end(named)) throw DomainError("there is no quantity of this name");
+        if (quantity->of_mass) (void)mass_from(mass, asked.N, "mass");
+        const Numbers numbers = quantity->value(asked);
+        if (numbers.size() > size)
+            throw CallError(DH_ERROR_SIZE,
+                            "size must be at least " + std::to_string(numbers.size()) + ", but is " + std::to_string(size));
+        need_finite(numbers);
+        hand_out(numbers, values);
+        *count = numbers.size();
+    });
+}
