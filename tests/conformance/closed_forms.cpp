@@ -1,6 +1,7 @@
 // The implementations that users start from, in C and Fortran: their answers in the plain dialect are the library's.
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <numbers>
 
 #include "tests/catch.hpp"
@@ -35,6 +36,29 @@ Built library_adapter() {
 
 Built closed_form_in_c(const std::string& source) {
     return built("closed_form_c", strict_c + "-I '" + adapters() + "c' '" + source + "' '" + adapters() + "c/adapter.c' -lm");
+}
+
+Built closed_form_in_fortran(const std::string& source) {
+    return built("closed_form_f90",
+                 "gfortran -std=f2018 -O2 -Wall -Werror '" + source + "' '" + adapters() + "fortran/adapter.f90'");
+}
+
+// What in a folder is longer than it may be: a closed form, all its files together, an adapter, a line.
+std::vector<std::string> too_long(const std::filesystem::path& folder) {
+    std::vector<std::string> found;
+    std::size_t closed_form = 0;
+    for (const auto& file : std::filesystem::directory_iterator(folder)) {
+        const std::string name = file.path().filename().string();
+        const std::vector<std::string> lines = lines_of(content_of(file.path()));
+        for (const std::string& line : lines)
+            if (line.size() > 130) found.push_back(name + ": " + std::to_string(line.size()) + " columns");
+        if (name.starts_with("closed_form.")) closed_form += lines.size();
+        if (name.find("adapter.") != std::string::npos && lines.size() > 60)
+            found.push_back(name + ": " + std::to_string(lines.size()) + " lines");
+    }
+    if (closed_form == 0 || closed_form > 200) found.push_back("closed_form: " + std::to_string(closed_form) + " lines");
+    std::sort(found.begin(), found.end());
+    return found;
 }
 
 const std::vector<std::string> of_scene{"natural_frequency_ratios",
@@ -191,8 +215,8 @@ TEST_CASE("the closed form in C answers as the library does", "[conformance][c][
 
 TEST_CASE("a closed form with a wrong sign does not pass for the library", "[conformance][c]") {
     const std::string source = content_of(adapters() + "c/closed_form.c");
-    for (const auto& [right, wrong] : {std::pair{"(1 + s->g[i]) * q", "(1 - s->g[i]) * q"},
-                                       {"atan2(-s->beta", "atan2(s->beta"},
+    for (const auto& [right, wrong] : {std::pair{"(1 + s->g[i]) * f.q", "(1 - s->g[i]) * f.q"},
+                                       {"carg(W_j) - carg", "carg(W_j) + carg"},
                                        {"+ s->mu / (s->gamma[j]", "+ 1 / (s->gamma[j]"}}) {
         INFO(right);
         std::string mutated = source;
@@ -211,7 +235,35 @@ TEST_CASE("the closed form in Fortran answers as the library does", "[conformanc
         WARN("gfortran is not there: its closed form has not been run");
         return;
     }
-    const std::string folder = adapters() + "fortran/";
-    check_closed_form(built("closed_form_f90", "gfortran -std=f2018 -O2 -Wall -Werror -Wno-compare-reals '" + folder +
-                                                   "closed_form.f90' '" + folder + "adapter.f90'"));
+    check_closed_form(closed_form_in_fortran(adapters() + "fortran/closed_form.f90"));
+    const std::string source = content_of(adapters() + "fortran/closed_form.f90");
+    for (const auto& [right, wrong] : {std::pair{"(1 + g) * q / R_i", "(1 - g) * q / R_i"},
+                                       {"atan2(-bU", "atan2(bU"},
+                                       {"least = H_j + mu /", "least = H_j + 1 /"}}) {
+        INFO(right);
+        std::string mutated = source;
+        REQUIRE(mutated.find(right) != std::string::npos);
+        mutated.replace(mutated.find(right), std::string(right).size(), wrong);
+        std::size_t skipped = 0;
+        std::string where;
+        const Built twin = closed_form_in_fortran(file_with("closed_form.f90", mutated).string());
+        REQUIRE(twin.fault.empty());
+        CHECK(worst_distance(twin, skipped, where) > 1e-6);
+    }
+}
+
+TEST_CASE("a closed form to start from has at most 200 lines and its adapter at most 60", "[conformance][documentation]") {
+    std::size_t languages = 0;
+    for (const auto& folder : std::filesystem::directory_iterator(adapters())) {
+        CHECK(too_long(folder.path()).empty());
+        ++languages;
+    }
+    CHECK(languages == 5);
+    const std::filesystem::path folder = scratch() / "lengths";
+    std::filesystem::create_directories(folder);
+    file_with("lengths/adapter.x", std::string(61, '\n'));
+    file_with("lengths/closed_form.x", std::string(150, '\n'));
+    file_with("lengths/closed_form.y", std::string(50, '\n') + std::string(131, '!'));
+    CHECK(too_long(folder) ==
+          std::vector<std::string>{"adapter.x: 61 lines", "closed_form.y: 131 columns", "closed_form: 201 lines"});
 }

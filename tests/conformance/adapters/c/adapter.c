@@ -1,60 +1,60 @@
 /* The closed form answers the questions of `denhartog conform` in the plain dialect. */
 #include "closed_form.h"
-
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-static double number(void) { /* the next word of the question */
-    const char* word = strtok(NULL, " \n");
-    return word ? strtod(word, NULL) : -1;
+static double wrapped(double angle) { return angle - 2 * pi * ceil((angle - pi) / (2 * pi)); } /* to (-pi, pi] */
+static int keeps_rules(const Scene* s) {
+    int good = s->N >= 1 && s->N <= MOST && s->j >= 0 && s->j < s->N && s->l >= 0 && s->l < s->N && s->mu >= 1 && s->r > 0;
+    good = good && s->beta >= 0 && isfinite(s->mu + s->r + s->beta) && s->gamma[0] == 1 && s->kappa[0] == 1;
+    for (int i = 0; good && i < s->N; ++i)
+        good = s->gamma[i] > 0 && s->kappa[i] > 0 && s->zeta[i] >= 0 && isfinite(s->gamma[i] + s->kappa[i] + s->zeta[i]);
+    return good;
 }
-
 /* The numbers of a quantity into x. Returns how many, or 0 where the closed form has none. */
 static int answer(const Scene* s, const char* q, int k, int samples, double tau, double* x) { /* clang-format off */
-    double v_0, v, phase = 0, size = 0, x_0 = displacement(s, k, 0, &v_0), x_tau = displacement(s, k, tau, &v);
-    const int slides = s->regime == CONTINUOUS, j = s->j, moves = s->regime != STICK_SLIP, bears = s->j == s->l;
-    if (moves && (!strcmp(q, "amplitude") || !strcmp(q, "phase"))) size = amplitude(s, k, &phase);
-    const struct { const char* name; int known; double value; } one[] = {
-        {"H_j", 1, s->H_j}, {"S_j", 1, s->S_j}, {"first_damping_function", 1, s->U[k]}, {"second_damping_function", 1, s->G[k]},
-        {"beta_lim_exact", 1, s->exact}, {"beta_lim_paper", 1, s->paper}, {"beta_lim_approximate", 1, s->approximate},
-        {"beta_lim_sticking", 1, s->sticking}, {"beta_lim_high_frequency", bears, 1 / hypot(s->mu, acos(0))}, /* (86) */
-        {"rest_interval", s->regime == PERMANENT_STICKING, s->rest}, {"amplitude", moves, size}, {"phase", size > 0, phase},
-        {"initial_displacement", slides, x_0}, {"initial_velocity", slides, v_0}, {"displacement", slides, x_tau},
-        {"amplitude_monoharmonic", slides, hypot(x_0, v_0)}, /* (52) */
-        {"phase_monoharmonic", slides, wrapped(s->phi_j + atan2(v_0, x_0))}}; /* (53) */
-    for (size_t i = 0; i < sizeof one / sizeof *one; ++i)
-        if (!strcmp(q, one[i].name)) return x[0] = one[i].value, one[i].known;
-    if (!strcmp(q, "complex_response")) return x[0] = creal(s->V[k]), x[1] = cimag(s->V[k]), 2;
-    const int motion = !strcmp(q, "motion_under_force"), shapes = !strcmp(q, "mode_shape_products");
-    const int natural = !strcmp(q, "natural_frequency_ratios"), modal = !strcmp(q, "modal_frequency_ratios");
-    for (int n = 0; n < samples && motion; ++n) x[n] = motion_under_force(s, k, 4 * acos(0) * n / samples);
-    for (int i = 0; i < s->N && !motion; ++i)
-        x[i] = natural ? s->r_n[i] : modal ? s->R[i] : s->phi[k][i] / s->r * s->phi[j][i] / s->r;
-    return motion ? moves * samples : natural || modal || shapes ? s->N : 0;
+    const int slides = s->regime == CONTINUOUS, held = s->regime == STICKING, moves = slides || held, bears = s->j == s->l;
+    const Point start = motion(s, k, 0), at_tau = motion(s, k, tau);
+    const Point most = moves && (!strcmp(q, "amplitude") || !strcmp(q, "phase")) ? amplitude(s, k) : start;
+    const double phase = wrapped(most.tau), limit = 2 / hypot(2 * s->mu, pi); /* (86) */
+    const double X_1 = hypot(start.x, start.slope), phase_1 = wrapped(s->phi_j + atan2(start.slope, start.x)); /* (52), (53) */
+    double shape[MOST];
+    for (int i = 0; i < s->N; ++i) shape[i] = s->phi[k][i] / s->r * s->phi[s->j][i] / s->r;
+    for (int n = 0; n < samples; ++n) /* motion under the force */
+        x[n] = held ? creal(s->X[k] * cexp(I * (2 * pi * n / samples))) : motion(s, k, 2 * pi * n / samples - s->phi_j).x;
+    const struct { const char* name; int count; const double* from; } table[] = {
+        {"natural_frequency_ratios", s->N, s->r_n}, {"modal_frequency_ratios", s->N, s->R}, {"mode_shape_products", s->N, shape},
+        {"complex_response", 2, (const double*)&s->V[k]}, {"first_damping_function", 1, &s->U[k]}, {"H_j", 1, &s->H_j},
+        {"second_damping_function", 1, &s->G[k]}, {"S_j", 1, &s->S_j}, {"amplitude", moves, &most.x},
+        {"phase", moves && most.x > 0, &phase}, {"amplitude_monoharmonic", slides, &X_1},
+        {"phase_monoharmonic", slides, &phase_1}, {"initial_displacement", slides, &start.x}, {"beta_lim_exact", 1, &s->exact},
+        {"initial_velocity", slides, &start.slope}, {"displacement", slides, &at_tau.x}, {"beta_lim_paper", 1, &s->paper},
+        {"beta_lim_approximate", 1, &s->approximate}, {"beta_lim_sticking", 1, &s->sticking}, {"rest_interval", held, &s->rest},
+        {"beta_lim_high_frequency", bears, &limit}, {"motion_under_force", moves * samples, x}};
+    for (size_t i = 0; i < sizeof table / sizeof *table; ++i)
+        if (!strcmp(q, table[i].name)) return memmove(x, table[i].from, table[i].count * sizeof *x), table[i].count;
+    return 0;
 }
-
 int main(void) {
-    static char line[1 << 16];
+    static const char* const regimes[] = {"continuous", "stick_slip", "permanent_sticking"};
+    static char line[1 << 16], id[1 << 16], q[1 << 16];
     static double x[1 << 14], tau; /* no answer is longer */
     static Scene s;
-    static const char* const regimes[] = {"continuous", "stick_slip", "permanent_sticking"};
     if (!fgets(line, sizeof line, stdin)) return 1;
-    for (puts("denhartog-conform 1 plain closed form in C"); fflush(stdout), fgets(line, sizeof line, stdin);) {
-        const char *id = strtok(line, " \n"), *q = strtok(NULL, " \n");
-        s.N = (int)number(), s.j = (int)number() - 1, s.l = (int)number() - 1;
-        int k = (int)number() - 1, samples = (int)number(), count = 0, finite = 1;
-        tau = number(), s.mu = number(), s.r = number(), s.beta = number();
+    for (puts("denhartog-conform 1 plain closed form in C"); fflush(stdout), fgets(line, sizeof line, stdin); puts("")) {
+        int k, samples, count = 0, finite = 1, end = 0;
+        sscanf(line, "%s%s%d%d%d%d%d%lf%lf%lf%lf%n", id, q, &s.N, &s.j, &s.l, &k, &samples, &tau, &s.mu, &s.r, &s.beta, &end);
         double* const ratios[] = {s.gamma, s.kappa, s.zeta};
-        for (int i = 0; s.N <= MOST && i < 3 * s.N; ++i) ratios[i / s.N][i % s.N] = number();
-        const int good = keeps_rules(&s) && k >= -1 && k < s.N && samples >= 0 && samples <= 1 << 14;
-        if (good) solve_scene(&s), count = answer(&s, q, k < 0 ? 0 : k, samples, tau, x);
+        char* p = line + end;
+        for (int i = 0; s.N <= MOST && i / 3 < s.N; ++i) ratios[i / s.N][i % s.N] = *p == ' ' ? strtod(p, &p) : -1;
+        --s.j, --s.l;
+        const int good = end > 0 && keeps_rules(&s) && k >= 0 && k <= s.N && samples >= 0 && samples <= 1 << 14;
+        if (good) solve_scene(&s), count = answer(&s, q, k > 0 ? k - 1 : 0, samples, tau, x);
         for (int i = 0; i < count; ++i) finite = finite && isfinite(x[i]);
         if (!good) printf("%s reject a ratio, a mass or mu, r, beta breaks its rule", id);
-        else if (!strcmp(q, "regime")) printf("%s value %s", id, regimes[s.regime]);
+        else if (!strcmp(q, "regime") && s.regime != AT_A_POLE) printf("%s value %s", id, regimes[s.regime]);
         else printf("%s %s", id, count > 0 && finite ? "value" : "skip the closed form has no number here");
         for (int i = 0; i < count && finite; ++i) printf(" %.17g", x[i]);
-        puts("");
     }
 }
