@@ -66,7 +66,7 @@ void break_numbers(Breaker& b) {
     b.add("r is negative", [](Question& q, Question&) { q.r = -0.75; });
     b.add("beta is negative", [](Question& q, Question&) { q.beta = -0.125; });
     b.add("beta is negative", [](Question& q, Question&) { q.beta = -1000; });
-    for (const int k : {0, 4, -2, 12})
+    for (const int k : {5, 4, -2, 12})
         b.add("the mass asked about is not there", [k](Question&, Question& asked) { asked = ask("amplitude", k); });
 }
 

@@ -49,7 +49,7 @@ int main(void) {
         char* p = line + end;
         for (int i = 0; s.N <= MOST && i / 3 < s.N; ++i) ratios[i / s.N][i % s.N] = *p == ' ' ? strtod(p, &p) : -1;
         --s.j, --s.l;
-        const int good = end > 0 && keeps_rules(&s) && k >= 0 && k <= s.N && samples >= 0 && samples <= 1 << 14;
+        const int good = end > 0 && *p == '\n' && keeps_rules(&s) && k >= 0 && k <= s.N && samples >= 0 && samples <= 1 << 14;
         if (good) solve_scene(&s), count = answer(&s, q, k > 0 ? k - 1 : 0, samples, tau, x);
         for (int i = 0; i < count; ++i) finite = finite && isfinite(x[i]);
         if (!good) printf("%s reject a ratio, a mass or mu, r, beta breaks its rule", id);

@@ -30,11 +30,12 @@ int main(void) {
         dh_system* system = NULL;
         size_t n = 0;
         for (size_t i = 0; N <= MOST && i < 3 * N; ++i) ratios[i / N][i % N] = number();
+        if (strtok(NULL, " \n")) status = DH_ERROR_SIZE; /* more numbers than N asks for */
         if (status == DH_OK) status = dh_system_from_ratios(N, ratios[0], ratios[1], ratios[2], contact, load, &system);
         if (status == DH_OK)
             status = dh_quantity(system, quantity, r, beta, mu, mass, tau, samples_matter ? samples : ROOM, x, &n);
         if (status == DH_ERROR_INPUT || status == DH_ERROR_SIZE)
-            printf("%s reject %s", id, dh_last_message());
+            printf("%s reject %s", id, system ? dh_last_message() : dh_status_text(status));
         else if (status != DH_OK)
             printf("%s skip %s", id, status == DH_ERROR_MEMORY ? dh_status_text(status) : dh_last_message());
         else if (word)

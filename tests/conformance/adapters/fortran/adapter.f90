@@ -18,12 +18,12 @@ program adapter
     read (line, *) id, q, N
     gamma = [(0d0, i = 1, N)]; kappa = gamma; zeta = gamma; x = [real(dp) ::]; a = 0
     read (line, *, iostat = fault) id, q, N, j, l, k, samples, tau, mu, r, beta, gamma, kappa, zeta
-    good = fault == 0 .and. min(j, l) >= 1 .and. max(j, l, k) <= N .and. min(k, samples) >= 0
+    good = fault == 0 .and. count([(line(i:i) /= ' ' .and. line(i + 1:i + 1) == ' ', i = 1, len_trim(line))]) == 11 + 3 * N
+    good = good .and. min(j, l) >= 1 .and. max(j, l, k) <= N .and. min(k, samples) >= 0
     good = good .and. mu >= 1 .and. r > 0 .and. beta >= 0 .and. mu + r + beta <= huge(1d0) .and. all(gamma > 0)
     good = good .and. all(kappa > 0) .and. all(zeta >= 0) .and. all(gamma + kappa + zeta <= huge(1d0))
     if (good) good = abs(gamma(1) - 1) + abs(kappa(1) - 1) <= 0
-    if (.not. good) print '(a)', trim(id) // ' reject a ratio, a mass or mu, r, beta breaks its rule'
-    if (.not. good) cycle
+    if (.not. good) then; print '(a)', trim(id) // ' reject a ratio, a mass or mu, r, beta breaks its rule'; cycle; end if
     call solve_scene; k = max(k, 1); slides = regime == continuous; held = regime == permanent_sticking
     start = motion(k, 0d0); at_tau = motion(k, tau)
     if ((slides .or. held) .and. (q == 'amplitude' .or. q == 'phase')) a = amplitude(k)
