@@ -1,6 +1,7 @@
 // The forms that arrays are computed by, each equal to the paper's formula as a function of its symbols. The exponential, the
 // products of the half angle and the series stand for themselves here; what they are in double is tested against long double.
 #include "denhartog/evaluation/batch_forms.hpp"
+#include "denhartog/evaluation/friction_motion.hpp"
 
 #include "claim.hpp"
 #include "denhartog/formulas/boundary.hpp"
@@ -122,8 +123,10 @@ const Register registered([] {
          .assumptions = domain,
          .kernel =
              [=, &s] {
-                 const evaluation::FrictionMotion<Symbolic> y = evaluation::friction_motion_of(
-                     evaluation::oscillating_free_motion(Symbolic(s.tau), R, zeta), R, Symbolic(s.u), Symbolic(s.g));
+                 const evaluation::FreeMotion<Symbolic> free = evaluation::oscillating_free_motion(Symbolic(s.tau), R, zeta);
+                 const evaluation::FrictionMotion<Symbolic> y =
+                     evaluation::friction_motion_of(free, evaluation::one_minus_d_half_angle(Symbolic(s.tau / s.R), zeta, free.q),
+                                                    R, Symbolic(s.u), Symbolic(s.g));
                  return Values{-(2 * zeta * R * y.double_prime + (1 - R) * (1 + R) * y.prime), y.value};
              },
          .derived =

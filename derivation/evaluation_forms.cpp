@@ -1,6 +1,6 @@
 // The forms that callers get, each equal to the paper's formula as a function of its symbols.
 #include "denhartog/evaluation/contact.hpp"
-#include "denhartog/evaluation/mode.hpp"
+#include "denhartog/evaluation/friction_motion.hpp"
 #include "denhartog/evaluation/resonance.hpp"
 
 #include "claim.hpp"
@@ -112,13 +112,16 @@ const Register registered([] {
         {.id = "evaluation/friction-motion",
          .equations = {"40", "A.8", "A.9"},
          .role = Role::shipped,
-         .title = "The braces of (40) with two derivatives from one exponential, sine and cosine",
+         .title = "The braces of (40) with two derivatives, 1 - d without its cancellation",
          .assumptions = {"R_i > 0", "0 <= zeta_i < 1", "0 <= tau <= pi"},
          .kernel =
              [&s] {
-                 const evaluation::FrictionMotion<Symbolic> f = evaluation::friction_motion_of(
-                     evaluation::oscillating_free_motion(Symbolic(s.tau), Symbolic(s.R), Symbolic(s.zeta)), Symbolic(s.R),
-                     Symbolic(s.u), Symbolic(s.g));
+                 const Symbolic x(s.tau / s.R);
+                 const evaluation::FreeMotion<Symbolic> free =
+                     evaluation::oscillating_free_motion(Symbolic(s.tau), Symbolic(s.R), Symbolic(s.zeta));
+                 const evaluation::FrictionMotion<Symbolic> f =
+                     evaluation::friction_motion_of(free, evaluation::one_minus_d_half_angle(x, Symbolic(s.zeta), free.q),
+                                                    Symbolic(s.R), Symbolic(s.u), Symbolic(s.g));
                  return Values{f.value, f.prime, f.double_prime};
              },
          .derived =

@@ -50,6 +50,22 @@ const Register registered([] {
                                         paper::d_prime(tau, R, zeta).expression(), q_prime,
                                         q_prime.diff(GiNaC::ex_to<GiNaC::symbol>(s.tau))};
              }},
+        {.id = "evaluation/one-minus-d",
+         .equations = {"A.8"},
+         .role = Role::shipped,
+         .title = "1 - d from the half angle, and as a sum of positive terms",
+         .assumptions = in_time,
+         .kernel =
+             [=, &s] {
+                 const Symbolic x(s.tau / s.R), q(paper::q(tau, R, zeta).expression());
+                 return Values{evaluation::one_minus_d_half_angle(x, zeta, q),
+                               evaluation::one_minus_d_of_positive_terms(x, zeta)};
+             },
+         .derived =
+             [=] {
+                 const ex difference = 1 - paper::d(tau, R, zeta).expression();
+                 return std::vector<ex>{difference, difference};
+             }},
         {.id = "evaluation/first-function-by-R-squared",
          .equations = {"28"},
          .role = Role::shipped,

@@ -112,10 +112,10 @@ Values values(const evaluation::DampingFunctions<Symbolic>& f) { return {f.u, f.
 Values values(const evaluation::FreeMotion<Symbolic>& f) { return {f.d, f.q, f.d_prime, f.q_prime, f.q_double_prime}; }
 Values values(const Complex<Symbolic>& v) { return {v.re, v.im}; }
 
-Values braces(const evaluation::FreeMotion<Symbolic>& free) {
+Values braces(const evaluation::FreeMotion<Symbolic>& free, const Symbolic& one_minus_d) {
     const Symbols& s = symbols();
     const evaluation::FrictionMotion<Symbolic> f =
-        evaluation::friction_motion_of(free, Symbolic(s.R), Symbolic(s.u), Symbolic(s.g));
+        evaluation::friction_motion_of(free, one_minus_d, Symbolic(s.R), Symbolic(s.u), Symbolic(s.g));
     return {f.value, f.prime, f.double_prime};
 }
 
@@ -156,7 +156,21 @@ const Register registered([] {
         const auto [v_cos, v_sin] = derived_phase(f);
         return std::vector<ex>{v_cos, v_sin};
     };
-    const Symbolic rate_of_braces = braces(evaluation::with_rates_in_tau(evaluation::free_motion_of_two_rates(x, more), R))[1];
+    const auto braces_of_two_rates = [=] {
+        const evaluation::FreeMotion<Symbolic> free =
+            evaluation::with_rates_in_tau(evaluation::free_motion_of_two_rates(x, more), R);
+        return braces(free, evaluation::overdamped_one_minus_d_of_slow_rate(x, more, free.q));
+    };
+    const Symbolic rate_of_braces = braces_of_two_rates()[1];
+    const auto both_one_minus_d = [=](const Symbolic& ratio, const FreeMotions& f) {
+        const Symbolic q(derived_free_motions(f)[1]);
+        return Values{evaluation::overdamped_one_minus_d_of_slow_rate(x, ratio, q),
+                      evaluation::overdamped_one_minus_d_of_positive_terms(x, ratio)};
+    };
+    const auto derived_one_minus_d = [](const FreeMotions& f) {
+        const ex difference = 1 - derived_free_motions(f)[0];
+        return std::vector<ex>{difference, difference};
+    };
     const std::vector<Step> steps_above = steps_of_damping_functions("of two decaying exponentials", derived_two_rates());
     const std::vector<Step> steps_at = steps_of_damping_functions("of a double rate", derived_double_rate());
     const auto claim = [](std::string id, std::vector<std::string> equations, std::string title,
@@ -238,9 +252,11 @@ const Register registered([] {
             [=] { return values(evaluation::with_rates_in_tau(evaluation::free_motion_of_two_rates(x, more), R)); },
             [] { return derived_free_motions(derived_two_rates()); }),
         claim(
-            "braces", {"40", "A.15"}, "The braces of (40) with two derivatives", above,
-            [=] { return braces(evaluation::with_rates_in_tau(evaluation::free_motion_of_two_rates(x, more), R)); },
-            [] { return with_two_rates(derived_braces(derived_two_rates())); }),
+            "one-minus-d", {"A.8"}, "1 - d from the slow rate, and as a sum of positive terms", above,
+            [=] { return both_one_minus_d(more, derived_two_rates()); },
+            [=] { return derived_one_minus_d(derived_two_rates()); }),
+        claim("braces", {"40", "A.15"}, "The braces of (40) with two derivatives", above, braces_of_two_rates,
+              [] { return with_two_rates(derived_braces(derived_two_rates())); }),
         claim(
             "s-d-integrand", {"57"}, "The expression under the maximum in (57) from the rate of the braces", above,
             [=, &s] { return Values{evaluation::s_d_integrand_from_rate(Symbolic(s.tau), R, Symbolic(s.u), rate_of_braces)}; },
@@ -268,8 +284,15 @@ const Register registered([] {
             [=] { return values(evaluation::with_rates_in_tau(evaluation::free_motion_near_critical(x, one), R)); },
             [] { return derived_free_motions(derived_double_rate()); }),
         claim(
+            "critical-one-minus-d", {"A.8"}, "1 - d at zeta = 1 in both forms", at,
+            [=] { return both_one_minus_d(one, derived_double_rate()); },
+            [=] { return derived_one_minus_d(derived_double_rate()); }),
+        claim(
             "critical-braces", {"40", "A.15"}, "The braces of (40) with two derivatives at zeta = 1", at,
-            [=] { return braces(evaluation::with_rates_in_tau(evaluation::free_motion_near_critical(x, one), R)); },
+            [=] {
+                return braces(evaluation::with_rates_in_tau(evaluation::free_motion_near_critical(x, one), R),
+                              evaluation::overdamped_one_minus_d_of_positive_terms(x, one));
+            },
             [] { return with_two_rates(derived_braces(derived_double_rate())); }),
     };
     for (Claim& c : list) c.special_case = c.id.find("/critical-") != std::string::npos;

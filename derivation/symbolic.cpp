@@ -94,8 +94,8 @@ Symbolic overdamped_difference(const Symbolic& zeta, const Symbolic& x) {
     return (1 - exp(-(2 * w * x))) / (2 * w);
 }
 Symbolic sinhc_less_sinhc_over_square(const Symbolic& q, const Symbolic& zeta) {
-    const Symbolic delta = q * zeta, theta = q * overdamped_w(zeta);
-    return (sinh(delta) / delta - sinh(theta) / theta) / (q * q);
+    const Symbolic delta = q * zeta;
+    return (sinh(delta) / delta - overdamped_sinc(zeta, q)) / (q * q);
 }
 Symbolic product_over(const Symbolic& p, const Symbolic& K, const Symbolic& R) { return p * K / R; }
 SineCosine<Symbolic> sine_cosine_of_half_period(const Symbolic& R, const Symbolic& y) {

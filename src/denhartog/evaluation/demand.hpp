@@ -10,7 +10,7 @@
 /// roundings of its own, which would add up to five units in the last place: the forms are evaluated in the next wider type.
 #pragma once
 
-#include "denhartog/evaluation/mode.hpp"
+#include "denhartog/evaluation/friction_motion.hpp"
 
 namespace denhartog::evaluation {
 

@@ -1,5 +1,5 @@
 /// @file
-/// @brief What callers get for (23), (28), (29) and the motion (40): forms that keep their digits, and their selection.
+/// @brief What callers get for (23), (28), (29) and the free motions (A.8): forms that keep their digits, and their selection.
 ///
 /// With \f$ E = e^{-\delta} \f$, \f$ c = \cos(\theta/2) \f$, \f$ s = \sin(\theta/2) \f$ the denominator of (28) and (29) is
 /// \f$ 2E(\cosh\delta+\cos\theta) = (1-E)^2 + 4Ec^2 \f$, a sum of two positive terms: nothing cancels near the poles, and
@@ -274,8 +274,20 @@ template <class T>
             -(root * ((2 * zeta * rate + S) / R / R) * root)};
 }
 
-/// @brief Free motions (A.8) of a mode and their rates (A.9) as callers get them: the form that keeps its digits at this place,
-/// with guard digits where the number type's library needs them.
+/// @brief Free motions (A.8) of a mode and their rates (A.9): the form that keeps its digits at this place.
+/// @eq{A.8,A.9}  @derivation{evaluation_of_motion}  @domain{tau >= 0, R > 0, zeta >= 0}
+/// @param tau   non-dimensional time, Eq. (5); radians
+/// @param R     modal frequency ratio, Eq. (22)
+/// @param zeta  modal damping ratio
+/// @return      the free motions and their rates
+template <class T>
+[[nodiscard]] FreeMotion<T> selected_free_motion(const T& tau, const T& R, const T& zeta) {
+    if (zeta >= 1) return with_rates_in_tau(overdamped_free_motion(T(tau / R), zeta), R);
+    return oscillating_free_motion(tau, R, zeta);
+}
+
+/// @brief Free motions of a mode and their rates as callers get them, with guard digits where the number type's library needs
+/// them.
 /// @eq{A.8,A.9}  @derivation{evaluation_of_motion}  @domain{tau >= 0, R > 0, zeta >= 0}
 /// @param tau   non-dimensional time, Eq. (5); radians
 /// @param R     modal frequency ratio, Eq. (22)
@@ -284,25 +296,9 @@ template <class T>
 template <class T>
 [[nodiscard]] FreeMotion<T> free_motion(const T& tau, const T& R, const T& zeta) {
     using Guarded = typename GuardedOf<T>::type;
-    const Guarded wide_tau(tau), wide_R(R), wide_zeta(zeta);
-    const FreeMotion<Guarded> f = zeta >= 1
-                                      ? with_rates_in_tau(overdamped_free_motion(Guarded(wide_tau / wide_R), wide_zeta), wide_R)
-                                      : oscillating_free_motion(wide_tau, wide_R, wide_zeta);
+    const FreeMotion<Guarded> f = selected_free_motion(Guarded(tau), Guarded(R), Guarded(zeta));
     return {static_cast<T>(f.d), static_cast<T>(f.q), static_cast<T>(f.d_prime), static_cast<T>(f.q_prime),
             static_cast<T>(f.q_double_prime)};
-}
-
-/// @brief The braces of (40) with their first two derivatives.
-/// @eq{40,A.8,A.9}  @derivation{evaluation_forms}  @domain{0 <= tau <= pi, R > 0, zeta >= 0}
-/// @param tau   non-dimensional time, Eq. (5); radians
-/// @param R     modal frequency ratio, Eq. (22)
-/// @param zeta  modal damping ratio
-/// @param u     first damping function of the mode, Eq. (28)
-/// @param g     second damping function of the mode, Eq. (29)
-/// @return      value and derivatives; dimensionless
-template <class T>
-[[nodiscard]] FrictionMotion<T> friction_motion(const T& tau, const T& R, const T& zeta, const T& u, const T& g) {
-    return friction_motion_of(free_motion(tau, R, zeta), R, u, g);
 }
 
 } // namespace denhartog::evaluation

@@ -39,17 +39,4 @@ struct FreeMotion {
     T q_double_prime; ///< rate of that
 };
 
-/// @brief The braces of (40) with their derivatives from the free motions.
-/// @eq{40,A.8,A.9}  @derivation{evaluation_forms}  @domain{R > 0, zeta >= 0}
-/// @param free  the free motions at the instant
-/// @param R     modal frequency ratio, Eq. (22)
-/// @param u     first damping function of the mode, Eq. (28)
-/// @param g     second damping function of the mode, Eq. (29)
-/// @return      value and derivatives in tau; dimensionless
-template <class T>
-[[nodiscard]] FrictionMotion<T> friction_motion_of(const FreeMotion<T>& free, const T& R, const T& u, const T& g) {
-    return {1 - (1 + g) * free.d - u * R * free.q, -((1 + g) * free.d_prime) - u * (R * free.q_prime),
-            (1 + g) * (free.q_prime / R) - u * (R * free.q_double_prime)};
-}
-
 } // namespace denhartog::evaluation

@@ -10,7 +10,7 @@
 #include <map>
 #include <vector>
 
-#include "denhartog/evaluation/mode.hpp"
+#include "denhartog/evaluation/friction_motion.hpp"
 #include "denhartog/response/mode_sums.hpp"
 
 namespace denhartog {

@@ -1,0 +1,116 @@
+/// @file
+/// @brief What callers get for the braces of (40), the motion of a mode under friction alone: forms that keep their digits.
+///
+/// At large R the braces are of the size of \f$ 1/R^2 \f$, and d is 1 less as little: \f$ 1-d \f$ is formed without the
+/// difference. With \f$ m = 1-e^{-\zeta x} \f$ and the half angle, one function each, it is a sum of two positive terms less
+/// \f$ \zeta q \f$. Where \f$ x < 2\zeta \f$ these cancel in turn, and the series of (29) at large R takes the place of their
+/// difference: then all terms are positive. What is left to cancel between \f$ 1-d \f$, \f$ g\,d \f$ and \f$ u R q \f$, next to
+/// the zeros of the braces, is no more than the last place of \f$ \tau \f$ makes of them. The forms of \f$ 1-d \f$ are
+/// branch-free and proved; only the selection compares numbers.
+#pragma once
+
+#include "denhartog/evaluation/mode.hpp"
+
+namespace denhartog::evaluation {
+
+/// @brief \f$ 1-d \f$ from \f$ m = 1-e^{-\zeta x} \f$, the half angle and q.
+/// \f[ 1-d = m + 2(1-m)\sin^2\frac{wx}{2} - \zeta q \f]
+/// @eq{A.8}  @derivation{evaluation_of_motion}  @domain{x >= 0, 0 <= zeta < 1; keeps its digits for x of 2 zeta and more}
+/// @param x     time over R
+/// @param zeta  modal damping ratio
+/// @param q     free motion from unit velocity over R, Eq. (A.8)
+/// @return      1 - d
+template <class T>
+[[nodiscard]] T one_minus_d_half_angle(const T& x, const T& zeta, const T& q) {
+    const T w = sqrt(T((1 - zeta) * (1 + zeta)));
+    const T m = -exp_minus_one(T(-zeta * x));
+    const T s = sin(T(w * x / 2));
+    return m + 2 * (1 - m) * s * s - zeta * q;
+}
+
+/// @brief \f$ 1-d \f$ as a sum of positive terms.
+/// \f[ 1-d = \frac{m^2}{2} + (1-m)\left[2\sin^2\frac{wx}{2} + \zeta x\left(\frac{\sinh\zeta x}{\zeta x} - \frac{\sin wx}{wx}
+///     \right)\right] \f]
+/// @eq{A.8}  @derivation{evaluation_of_motion}  @domain{x >= 0, 0 <= zeta < 1; keeps its digits for x up to 2}
+/// @param x     time over R
+/// @param zeta  modal damping ratio
+/// @return      1 - d
+template <class T>
+[[nodiscard]] T one_minus_d_of_positive_terms(const T& x, const T& zeta) {
+    const T w = sqrt(T((1 - zeta) * (1 + zeta)));
+    const T m = -exp_minus_one(T(-zeta * x));
+    const T s = sin(T(w * x / 2));
+    return m * m / 2 + (1 - m) * (2 * s * s + zeta * x * sinhc_less_sinc_over_square(x, zeta) * x * x);
+}
+
+/// @brief The same for \f$ \zeta \ge 1 \f$, from both rates a and \f$ b = \zeta+w_1 \f$.
+/// \f[ 1-d = \tfrac12(1-e^{-ax})(1-e^{-bx}) + e^{-\zeta x}\zeta x\left(\frac{\sinh\zeta x}{\zeta x} - \frac{\sinh w_1x}{w_1x}
+///     \right) \f]
+/// @eq{A.8}  @derivation{overdamped_modes}  @domain{x >= 0, zeta >= 1; keeps its digits for zeta x up to 4}
+/// @param x     time over R
+/// @param zeta  modal damping ratio
+/// @return      1 - d
+template <class T>
+[[nodiscard]] T overdamped_one_minus_d_of_positive_terms(const T& x, const T& zeta) {
+    const T slow = exp_minus_one(T(-slow_rate(zeta) * x)), fast = exp_minus_one(T(-(zeta + overdamped_w(zeta)) * x));
+    return slow * fast / 2 + exp(T(-zeta * x)) * sinhc_less_sinhc_over_square(x, zeta) * (zeta * x) * x * x;
+}
+
+/// @brief \f$ 1-d = (1-e^{-ax}) - q/b \f$ for \f$ \zeta \ge 1 \f$.
+/// @eq{A.8}  @derivation{overdamped_modes}  @domain{x >= 0, zeta >= 1; keeps its digits for zeta x of 2 and more}
+/// @param x     time over R
+/// @param zeta  modal damping ratio
+/// @param q     free motion from unit velocity over R, Eq. (A.8)
+/// @return      1 - d
+template <class T>
+[[nodiscard]] T overdamped_one_minus_d_of_slow_rate(const T& x, const T& zeta, const T& q) {
+    return -exp_minus_one(T(-slow_rate(zeta) * x)) - q / (zeta + overdamped_w(zeta));
+}
+
+/// @brief The braces of (40) with their derivatives from the free motions.
+/// @eq{40,A.8,A.9}  @derivation{evaluation_forms}  @domain{R > 0, zeta >= 0}
+/// @param free         the free motions at the instant
+/// @param one_minus_d  1 - d there
+/// @param R            modal frequency ratio, Eq. (22)
+/// @param u            first damping function of the mode, Eq. (28)
+/// @param g            second damping function of the mode, Eq. (29)
+/// @return             value and derivatives in tau; dimensionless
+template <class T>
+[[nodiscard]] FrictionMotion<T> friction_motion_of(const FreeMotion<T>& free, const T& one_minus_d, const T& R, const T& u,
+                                                   const T& g) {
+    return {one_minus_d - g * free.d - u * R * free.q, -((1 + g) * free.d_prime) - u * (R * free.q_prime),
+            (1 + g) * (free.q_prime / R) - u * (R * free.q_double_prime)};
+}
+
+/// @brief \f$ 1-d \f$: the form that keeps its digits at this place.
+/// @eq{A.8}  @derivation{evaluation_of_motion}  @domain{x >= 0, zeta >= 0}
+/// @param x     time over R
+/// @param zeta  modal damping ratio
+/// @param q     free motion from unit velocity over R, Eq. (A.8)
+/// @return      1 - d
+template <class T>
+[[nodiscard]] T one_minus_d(const T& x, const T& zeta, const T& q) {
+    if (zeta >= 1)
+        return zeta * x < 2 ? overdamped_one_minus_d_of_positive_terms(x, zeta) : overdamped_one_minus_d_of_slow_rate(x, zeta, q);
+    return x < 2 * zeta ? one_minus_d_of_positive_terms(x, zeta) : one_minus_d_half_angle(x, zeta, q);
+}
+
+/// @brief The braces of (40) with their first two derivatives, with guard digits where the number type's library needs them.
+/// @eq{40,A.8,A.9}  @derivation{evaluation_forms}  @domain{0 <= tau <= pi, R > 0, zeta >= 0}
+/// @param tau   non-dimensional time, Eq. (5); radians
+/// @param R     modal frequency ratio, Eq. (22)
+/// @param zeta  modal damping ratio
+/// @param u     first damping function of the mode, Eq. (28)
+/// @param g     second damping function of the mode, Eq. (29)
+/// @return      value and derivatives; dimensionless
+template <class T>
+[[nodiscard]] FrictionMotion<T> friction_motion(const T& tau, const T& R, const T& zeta, const T& u, const T& g) {
+    using Guarded = typename GuardedOf<T>::type;
+    const Guarded wide_tau(tau), wide_R(R), wide_zeta(zeta);
+    const FreeMotion<Guarded> free = selected_free_motion(wide_tau, wide_R, wide_zeta);
+    const Guarded less_d = one_minus_d(Guarded(wide_tau / wide_R), wide_zeta, free.q);
+    const FrictionMotion<Guarded> f = friction_motion_of(free, less_d, wide_R, Guarded(u), Guarded(g));
+    return {static_cast<T>(f.value), static_cast<T>(f.prime), static_cast<T>(f.double_prime)};
+}
+
+} // namespace denhartog::evaluation
