@@ -223,7 +223,8 @@ DH_EXPORT int dh_sliding_motion(const dh_system* system, double r, double beta, 
 
 /// @brief Displacement of a mass while the contact slides throughout, Eq. (46) as corrected.
 ///
-/// Computed in double: far above resonance the braces of (46) cancel, and their error grows as the square of r.
+/// Computed in double: far above the natural frequencies the sums over the modes cancel for a mass k that is not both j and l, as
+/// those of (33) and (34) do, and up to 2|k - l| log10 r and 2|k - j| log10 r digits are lost.
 /// @param system  a system
 /// @param r       frequency ratio, Eq. (10), positive
 /// @param beta    friction ratio, Eq. (11), not negative
