@@ -8,11 +8,12 @@ A command stands in a comment, what it prints in the fence after it:
     ...
     ```
 
-The fence starts with the command itself after a dollar sign. Commands run in the folder of the sources; an exit status that is not
-zero stands in a last line. With --check nothing is written: words have to be the same, numbers nearly so, as their last digits
-differ from machine to machine, and errors at the level of rounding are compared by being there.
+The fence starts with the command itself after a dollar sign and shows its standard output. Commands run in the folder of the
+sources; an exit status that is not zero stands in a last line. With --check nothing is written: words have to be the same, decimal
+numbers nearly so, as their last digits differ from machine to machine; errors at the level of rounding have to be there.
 """
 import argparse
+import os
 import pathlib
 import re
 import subprocess
@@ -20,13 +21,15 @@ import sys
 
 BLOCK = re.compile(r"(<!-- run: (?P<command>.*?) -->\n```[a-z]*\n)(?P<shown>.*?)(?P<end>^```$)", re.S | re.M)
 NUMBER = re.compile(r"[-+]?\d+(?:\.\d+)?(?:e[-+]?\d+)?")
+HEXADECIMAL = re.compile(r"-?0x[\da-f.]+p[-+]\d+")
 ROUNDING = 1e-9
 
 
 def printed(command, source, programs):
     """What a command prints, as a page shows it."""
-    run = subprocess.run(["bash", "-c", command.replace("build/verify/bin", str(programs))], cwd=source, text=True,
-                         stdout=subprocess.PIPE, stderr=subprocess.STDOUT, stdin=subprocess.DEVNULL, timeout=300, check=False)
+    own = {**os.environ, "PATH": os.path.dirname(sys.executable) + os.pathsep + os.environ.get("PATH", "")}  # python3 is this one
+    run = subprocess.run(["bash", "-c", command.replace("build/verify/bin", str(programs))], cwd=source, env=own, text=True,
+                         stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, stdin=subprocess.DEVNULL, timeout=300, check=False)
     lines = [line.rstrip() for line in run.stdout.replace(str(programs), "build/verify/bin").splitlines()]
     if run.returncode:
         lines.append(f"(exit status {run.returncode})")
@@ -43,8 +46,9 @@ def near(a, b):
 
 def agree(shown, found):
     """Whether an output says the same as another."""
-    words = [NUMBER.sub("#", text).split() for text in (shown, found)]
-    numbers = [NUMBER.findall(text) for text in (shown, found)]
+    texts = [HEXADECIMAL.sub("0x", text) for text in (shown, found)]
+    words = [NUMBER.sub("#", text).split() for text in texts]
+    numbers = [NUMBER.findall(text) for text in texts]
     return words[0] == words[1] and all(map(near, *numbers))
 
 

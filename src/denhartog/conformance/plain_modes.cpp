@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "denhartog/errors.hpp"
+#include "denhartog/evaluation/friction_motion.hpp"
 #include "denhartog/evaluation/mode.hpp"
 #include "denhartog/formulas/as_printed.hpp"
 #include "denhartog/formulas/contact.hpp"

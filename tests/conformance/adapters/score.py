@@ -24,7 +24,8 @@ def implementations(folder, library):
         ("Python", sys.executable, [], [sys.executable, HERE / "python/adapter.py"], "."),
         ("Octave", "octave-cli", [], ["octave-cli", HERE / "octave/adapter.m"], "[05]$"),
         ("JavaScript", "node", [], ["node", HERE / "javascript/adapter.js"], "."),
-        ("C", "cc", ["cc", "-std=c99", *strict, "-o", folder / "c", c / "adapter.c", c / "closed_form.c", "-lm"], [folder / "c"], "."),
+        ("C", "cc", ["cc", "-std=c99", *strict, "-o", folder / "c", c / "adapter.c", c / "closed_form.c", "-lm"],
+         [folder / "c"], "."),
         ("Fortran", "gfortran", ["gfortran", *strict, "-J", folder, "-o", folder / "fortran", fortran / "closed_form.f90",
                                  fortran / "adapter.f90"], [folder / "fortran"], "."),
         ("the library, from C", "cc", ["cc", "-std=c99", *strict, "-I", header, "-o", folder / "library", c / "library_adapter.c",
@@ -37,8 +38,9 @@ def score(options, folder, build, start, questions):
         subprocess.run([str(word) for word in build], check=True)
     report = folder / "report.json"
     report.unlink(missing_ok=True)
-    run = subprocess.run([options.program, "conform", "run", "--vectors", options.vectors, "--format", "json", "--output",
-                          str(report), "--filter", questions, "--jobs", "2", "--timeout", "60", "--", *map(str, start)], capture_output=True, text=True)
+    run = subprocess.run([options.program, "conform", "run", "--vectors", options.vectors, "--filter", questions, "--jobs", "2",
+                          "--timeout", "60", "--format", "json", "--output", str(report), "--", *map(str, start)],
+                         capture_output=True, text=True)
     if run.returncode > 1:
         raise SystemExit(f"{start[0]}: status {run.returncode}\n{run.stderr[-1000:]}")
     return json.loads(report.read_text())
@@ -59,8 +61,8 @@ def tiers(report):
 
 
 def table(scores, skipped):
-    lines = ["| implementation | tier | asked | pass | pass-loose | rejected | skipped | anything else | least median digits of a group | "
-             "worst digits |", "|---|---|--:|--:|--:|--:|--:|--:|--:|--:|"]
+    lines = ["| implementation | tier | asked | pass | pass-loose | rejected | skipped | anything else | "
+             "least median digits of a group | worst digits |", "|---|---|--:|--:|--:|--:|--:|--:|--:|--:|"]
     for name, rows in scores.items():
         for tier, row in rows.items():
             counts = row["counts"]
