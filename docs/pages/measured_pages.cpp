@@ -190,10 +190,11 @@ Page conformance_page(const Book& book) {
     out += "<p><code>denhartog conform</code> asks other people's implementations certified questions. Here it is tried itself, "
            "on programs of "
            "which it is known what is to be found. All figures on this page were written by a run.</p>\n\n"
-           "- \\ref test_your_implementation, and \\ref protocol, which a program has to keep\n"
-           "- \\ref vectors, the questions and their values\n"
-           "- \\ref conformance_output, what a run writes\n"
-           "- \\ref solvers, how the solvers below are set up\n";
+           "<ul>\n<li><a href=\"test_your_implementation.html\">Test your implementation in ten minutes</a>, and "
+           "<a href=\"protocol.html\">the protocol</a>, which a program has to keep</li>\n"
+           "<li><a href=\"vectors.html\">the certified vectors</a>: the questions and their values</li>\n"
+           "<li><a href=\"conformance_output.html\">what a run writes</a></li>\n"
+           "<li><a href=\"solvers.html\">time integrators</a>: how the solvers below are set up</li>\n</ul>\n";
     for (const Part& part : parts) {
         out += "\n\\section conformance_" + std::string(part.name) + " " + part.title + "\n\n";
         const auto found = book.run.conformance.find(part.name);

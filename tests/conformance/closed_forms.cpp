@@ -253,12 +253,10 @@ TEST_CASE("the closed form in Fortran answers as the library does", "[conformanc
 }
 
 TEST_CASE("a closed form to start from has at most 200 lines and its adapter at most 60", "[conformance][documentation]") {
-    std::size_t languages = 0;
-    for (const auto& folder : std::filesystem::directory_iterator(adapters())) {
-        CHECK(too_long(folder.path()).empty());
-        ++languages;
+    for (const char* language : {"c", "fortran", "javascript", "octave", "python"}) {
+        INFO(language);
+        CHECK(too_long(adapters() + language).empty());
     }
-    CHECK(languages == 5);
     const std::filesystem::path folder = scratch() / "lengths";
     std::filesystem::create_directories(folder);
     file_with("lengths/adapter.x", std::string(61, '\n'));

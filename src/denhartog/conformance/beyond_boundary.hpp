@@ -9,7 +9,6 @@
 namespace denhartog::conformance {
 
 /// @brief The answer of the closed form (38)-(53) with no look at the boundary (69).
-/// @eq{38,39,44,45,46,47,52,53}
 /// @param q  a question whose scene keeps the rules
 /// @return   the answer; none where the quantity is not of the steady motion or the root in (38) is not real
 [[nodiscard]] std::optional<Value> closed_form_beyond_boundary(const Question& q);

@@ -40,7 +40,7 @@ struct Unasked {
     std::string first;     ///< the first of them
 };
 
-/// @brief Set to end all waiting; a handler of signals may do so.
+/// @brief Set to end all waiting; a handler of signals may do so. @return the flag
 [[nodiscard]] std::atomic<bool>& interruption();
 
 /// @brief Writing to a program that is gone is a fault of that program, not the runner's death: no SIGPIPE while this lives.

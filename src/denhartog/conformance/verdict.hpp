@@ -50,14 +50,14 @@ inline constexpr std::size_t number_of_verdicts = 12;
 
 /// @brief A vector with the verdict on the answer to it.
 struct Judged {
-    const Vector* vector = nullptr; ///< what was asked
-    Verdict verdict = Verdict::skipped;
-    std::string reason;          ///< why, where there is more to say than the verdict
-    std::string equation;        ///< of `as-printed`: the equation whose print it is
-    bool answered = false;       ///< whether an answer was given that can be used
-    Value given;                 ///< the answer; empty where there is none
-    std::optional<double> error; ///< largest error over the vector's scale, where numbers answer numbers
-    std::size_t worst = 0;       ///< the number of the answer that has it, from 0
+    const Vector* vector = nullptr;     ///< what was asked
+    Verdict verdict = Verdict::skipped; ///< the verdict
+    std::string reason;                 ///< why, where there is more to say than the verdict
+    std::string equation;               ///< of `as-printed`: the equation whose print it is
+    bool answered = false;              ///< whether an answer was given that can be used
+    Value given;                        ///< the answer; empty where there is none
+    std::optional<double> error;        ///< largest error over the vector's scale, where numbers answer numbers
+    std::size_t worst = 0;              ///< the number of the answer that has it, from 0
 };
 
 /// @brief Digits that an error leaves. @param error relative error @return at least 0, at most 17

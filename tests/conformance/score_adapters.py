@@ -1,7 +1,7 @@
-"""Asks every implementation of this folder the certified vectors by `denhartog conform run`, and writes the scores.
+"""Asks every implementation of adapters/ the certified vectors by `denhartog conform run`, and writes the scores.
 
 None may give a wrong or inaccurate answer, fail to reject, or break. What is not installed is skipped by name. Usage:
-score.py --program DENHARTOG --vectors FOLDER --output FOLDER --library LIBDENHARTOG [--all]
+score_adapters.py --program DENHARTOG --vectors FOLDER --output FOLDER --library LIBDENHARTOG [--all]
 """
 import argparse
 import json
@@ -11,7 +11,7 @@ import sys
 import tempfile
 from pathlib import Path
 
-HERE = Path(__file__).resolve().parent
+HERE = Path(__file__).resolve().parent / "adapters"
 RIGHT = ("pass", "pass-loose", "rejected", "skipped")
 
 
