@@ -105,7 +105,7 @@ await Promise.all(Array.from({length: os.cpus().length}, async () => {
   const browser = await puppeteer.launch({
     executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
     args: ["--allow-file-access-from-files", "--disable-dev-shm-usage", ...(process.getuid() === 0 ? ["--no-sandbox"] : [])],
-    protocolTimeout: 300000,
+    protocolTimeout: 120000,
   });
   for (let next = waiting.shift(); next; next = waiting.shift()) await check(browser, next.name, next.at);
   await browser.close();
