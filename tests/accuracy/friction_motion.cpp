@@ -158,14 +158,6 @@ std::string text(const Point<T>& p) {
     return "R = " + hexadecimal(p.R) + ", zeta = " + hexadecimal(p.zeta) + ", tau = " + hexadecimal(p.tau);
 }
 
-template <class T>
-double error_of(const T& value, const Real100& truth) {
-    if (!boost::math::isfinite(value)) return std::numeric_limits<double>::infinity();
-    const Real100 least((std::numeric_limits<T>::min)()), size(abs(truth));
-    const Real100 unit = Real100(std::numeric_limits<T>::epsilon()) * (size > least ? size : least);
-    return static_cast<double>(Real100(abs(Real100(Real100(value) - truth)) / unit));
-}
-
 /// The worst of shipped forms and of the differences as they stand, over the condition number.
 template <class T>
 void check(const std::string& type, int number, double allowed) {
@@ -186,7 +178,8 @@ void check(const std::string& type, int number, double allowed) {
                     std::max(between_references, Real100(abs(Real100(truth[i] / static_cast<Real100>(again[i]) - 1))));
         }
         for (std::size_t i = 0; i < count; ++i) {
-            const double error = error_of(value[i], truth[i]), error_of_difference = error_of(difference[i], truth[i]);
+            const double error = tests::error_of(value[i], truth[i]),
+                         error_of_difference = tests::error_of(difference[i], truth[i]);
             if (error <= worst[i] && error_of_difference <= worst_plain[i]) continue;
             if (condition[0] == 0) condition = conditions(in<Real100>(p));
             worst_plain[i] = std::max(worst_plain[i], error_of_difference / condition[i]);

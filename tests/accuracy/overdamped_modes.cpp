@@ -105,15 +105,6 @@ std::array<double, count> conditions(const Place<T>& p) {
     return found;
 }
 
-/// Error in units of eps of the true value, or of the least normal number where that is larger.
-template <class T>
-double error_of(const T& value, const Real100& truth) {
-    if (!boost::math::isfinite(value)) return std::numeric_limits<double>::infinity();
-    const Real100 least((std::numeric_limits<T>::min)()), size(abs(truth));
-    const Real100 unit = Real100(std::numeric_limits<T>::epsilon()) * (size > least ? size : least);
-    return static_cast<double>(Real100(abs(Real100(Real100(value) - truth)) / unit));
-}
-
 /// Seeded places: moderate; everything; next to zeta = 1; delta of order 1; slow rate of order R; next to resonance.
 template <class T>
 Place<T> overdamped_place(std::size_t zone, tests::Source<T>& s) {
@@ -168,7 +159,7 @@ void check(const std::string& type, int points, double allowed) {
         const All<Real100> truth = truth_of(p);
         std::array<double, count> condition{};
         for (std::size_t i = 0; i < count; ++i) {
-            const double error = error_of(value[i], truth[i]), error_by_hand = error_of(by_hand[i], truth[i]);
+            const double error = tests::error_of(value[i], truth[i]), error_by_hand = tests::error_of(by_hand[i], truth[i]);
             if (error <= worst[i] && error_by_hand <= worst_plain[i]) continue;
             if (condition[0] == 0) condition = conditions(p);
             worst_plain[i] = std::max(worst_plain[i], error_by_hand / condition[i]);

@@ -206,6 +206,26 @@ void check_closed_form(const Built& adapter) {
     check_refusals(adapter);
 }
 
+struct Twin {
+    std::string right, wrong;
+};
+
+// With each one of the texts exchanged for a wrong one, the closed form has to be far from the library.
+void check_twins(const std::string& source, const std::string& name, Built (*build)(const std::string&),
+                 const std::vector<Twin>& twins) {
+    for (const Twin& twin : twins) {
+        INFO(twin.right);
+        std::string mutated = source;
+        REQUIRE(mutated.find(twin.right) != std::string::npos);
+        mutated.replace(mutated.find(twin.right), twin.right.size(), twin.wrong);
+        std::size_t skipped = 0;
+        std::string where;
+        const Built adapter = build(file_with(name, mutated).string());
+        REQUIRE(adapter.fault.empty());
+        CHECK(worst_distance(adapter, skipped, where) > 1e-6);
+    }
+}
+
 } // namespace
 
 TEST_CASE("the closed form in C answers as the library does", "[conformance][c][eq:38][eq:46][eq:69]") {
@@ -214,20 +234,10 @@ TEST_CASE("the closed form in C answers as the library does", "[conformance][c][
 }
 
 TEST_CASE("a closed form with a wrong sign does not pass for the library", "[conformance][c]") {
-    const std::string source = content_of(adapters() + "c/closed_form.c");
-    for (const auto& [right, wrong] : {std::pair{"(1 + s->g[i]) * f.q", "(1 - s->g[i]) * f.q"},
-                                       {"carg(W_j) - carg", "carg(W_j) + carg"},
-                                       {"+ s->mu / (s->gamma[j]", "+ 1 / (s->gamma[j]"}}) {
-        INFO(right);
-        std::string mutated = source;
-        REQUIRE(mutated.find(right) != std::string::npos);
-        mutated.replace(mutated.find(right), std::string(right).size(), wrong);
-        std::size_t skipped = 0;
-        std::string where;
-        const Built twin = closed_form_in_c(file_with("closed_form.c", mutated).string());
-        REQUIRE(twin.fault.empty());
-        CHECK(worst_distance(twin, skipped, where) > 1e-6);
-    }
+    check_twins(content_of(adapters() + "c/closed_form.c"), "closed_form.c", closed_form_in_c,
+                {{"(1 + s->g[i]) * f.q", "(1 - s->g[i]) * f.q"},
+                 {"carg(W_j) - carg", "carg(W_j) + carg"},
+                 {"+ s->mu / (s->gamma[j]", "+ 1 / (s->gamma[j]"}});
 }
 
 TEST_CASE("the closed form in Fortran answers as the library does", "[conformance][fortran][eq:38][eq:46][eq:69]") {
@@ -236,20 +246,9 @@ TEST_CASE("the closed form in Fortran answers as the library does", "[conformanc
         return;
     }
     check_closed_form(closed_form_in_fortran(adapters() + "fortran/closed_form.f90"));
-    const std::string source = content_of(adapters() + "fortran/closed_form.f90");
-    for (const auto& [right, wrong] : {std::pair{"(1 + g) * q / R_i", "(1 - g) * q / R_i"},
-                                       {"atan2(-bU", "atan2(bU"},
-                                       {"least = H_j + mu /", "least = H_j + 1 /"}}) {
-        INFO(right);
-        std::string mutated = source;
-        REQUIRE(mutated.find(right) != std::string::npos);
-        mutated.replace(mutated.find(right), std::string(right).size(), wrong);
-        std::size_t skipped = 0;
-        std::string where;
-        const Built twin = closed_form_in_fortran(file_with("closed_form.f90", mutated).string());
-        REQUIRE(twin.fault.empty());
-        CHECK(worst_distance(twin, skipped, where) > 1e-6);
-    }
+    check_twins(
+        content_of(adapters() + "fortran/closed_form.f90"), "closed_form.f90", closed_form_in_fortran,
+        {{"(1 + g) * q / R_i", "(1 - g) * q / R_i"}, {"atan2(-bU", "atan2(bU"}, {"least = H_j + mu /", "least = H_j + 1 /"}});
 }
 
 TEST_CASE("a closed form to start from has at most 200 lines and its adapter at most 60", "[conformance][documentation]") {

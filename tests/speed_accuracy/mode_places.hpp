@@ -209,7 +209,17 @@ double digits_needed(const Place<T>& p) {
     return 25 - eps + (R < 0.5 ? near_pole : far) + std::max(0.0, -R);
 }
 
-/// Error in units of eps of the true value, or of the least value that counts.
+/// Error in units of eps of the true value, or of the least normal number where that is larger; infinite where the value is not
+/// finite.
+template <class T>
+double error_of(const T& value, const Real100& truth) {
+    if (!boost::math::isfinite(value)) return std::numeric_limits<double>::infinity();
+    const Real100 least((std::numeric_limits<T>::min)()), size(abs(truth));
+    const Real100 unit = Real100(std::numeric_limits<T>::epsilon()) * (size > least ? size : least);
+    return static_cast<double>(Real100(abs(Real100(Real100(value) - truth)) / unit));
+}
+
+/// Error in units of eps of the true value, or of the least value that counts; beyond the largest number infinity is right.
 template <class T>
 double error_of(const T& value, const Real100& truth, const Real100& least) {
     if (boost::math::isnan(value)) return std::numeric_limits<double>::infinity();

@@ -17,12 +17,6 @@ constexpr double least_consistency = 0.9;
 // What an answer says about a mistake.
 enum class Says { nothing, agrees, contradicts };
 
-double size_of(const std::vector<double>& numbers) {
-    double size = 0;
-    for (const double x : numbers) size = std::max(size, std::abs(x));
-    return size;
-}
-
 // Whether the mistake's answer would be judged wrong.
 bool is_wrong(const Vector& v, const Value& mistaken) {
     if (!v.word.empty() || !mistaken.word.empty()) return mistaken.word != v.word;

@@ -16,12 +16,6 @@ constexpr double agreement = 1e-6;
 
 std::string numbers_in_words(std::size_t count) { return count == 1 ? "1 number" : std::to_string(count) + " numbers"; }
 
-double size_of(const std::vector<double>& numbers) {
-    double size = 0;
-    for (const double x : numbers) size = std::max(size, std::abs(x));
-    return size;
-}
-
 // Angles of the protocol's interval differ round the circle, those outside it (degrees, [0, 2 pi)) as they stand.
 bool round_the_circle(const Quantity& asked, double given) {
     constexpr double rounding = 1e-9;
@@ -99,6 +93,12 @@ Judged graded_word(Judged judged, const Vector& v) {
 }
 
 } // namespace
+
+double size_of(const std::vector<double>& numbers) {
+    double size = 0;
+    for (const double x : numbers) size = std::max(size, std::abs(x));
+    return size;
+}
 
 Difference difference(const Quantity& asked, const std::vector<double>& given, const std::vector<double>& reference) {
     if (asked.shape == Shape::samples) {

@@ -8,9 +8,12 @@ namespace denhartog::conformance {
 
 /// @brief Largest difference between two values of one question.
 struct Difference {
-    double size = 0;       ///< angles round the circle, curves by `curve_deviation`
+    double size = 0;       ///< angles round the circle but for those outside (-pi, pi], curves by `curve_deviation`
     std::size_t worst = 0; ///< which number
 };
+
+/// @brief Largest of some sizes. @param numbers any numbers @return the largest |x|; 0 of none
+[[nodiscard]] double size_of(const std::vector<double>& numbers);
 
 /// @brief Largest difference of numbers from others, in the way of a quantity.
 /// @param asked      the quantity

@@ -17,15 +17,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string hexadecimal(double x) {
-    std::array<char, 40> text{};
-    std::snprintf(text.data(), text.size(), "%a", x);
-    return text.data();
-}
-
-std::vector<std::string> hexadecimal(const std::vector<double>& numbers) {
+std::vector<std::string> all_hexadecimal(const std::vector<double>& numbers) {
     std::vector<std::string> texts;
-    for (const double x : numbers) texts.push_back(hexadecimal(x));
+    for (const double x : numbers) texts.push_back(hexadecimal_float(x));
     return texts;
 }
 
@@ -48,6 +42,12 @@ std::string joined(const List& list) {
 
 } // namespace
 
+std::string hexadecimal_float(double x) {
+    std::array<char, 40> text{};
+    std::snprintf(text.data(), text.size(), "%a", x);
+    return text.data();
+}
+
 Json vector_json(const Vector& v) {
     Json object = question_json(v.question);
     object["group"] = v.group;
@@ -59,8 +59,8 @@ Json vector_json(const Vector& v) {
         object["value"] = v.word;
     } else {
         object["value"] = v.value;
-        object["hex"] = hexadecimal(v.nearest);
-        object["scale"] = hexadecimal(v.scale);
+        object["hex"] = all_hexadecimal(v.nearest);
+        object["scale"] = hexadecimal_float(v.scale);
         object["condition"] = Json::object();
         for (const auto& [input, number] : v.condition) object["condition"][input] = number;
         object["tolerance"] = {{"pass", v.tolerance.pass}, {"loose", v.tolerance.loose}, {"inaccurate", v.tolerance.inaccurate}};
@@ -124,9 +124,9 @@ std::string vector_csv(const Vector& v) {
     line << q.id << ',' << v.group << ',' << v.equation << ',' << v.tier << ',' << q.quantity << ',' << q.contact << ',' << q.load
          << ',' << q.mass << ',' << q.samples << ',' << text_of(q.tau) << ',' << text_of(q.mu) << ',' << text_of(q.r) << ','
          << text_of(q.beta) << ',' << joined(q.mass_ratios) << ',' << joined(q.stiffness_ratios) << ','
-         << joined(q.damping_ratios) << ',' << value << ',' << joined(hexadecimal(v.nearest)) << ','
-         << (numbers ? hexadecimal(v.scale) : "") << ',' << tolerance(v.tolerance.pass) << ',' << tolerance(v.tolerance.loose)
-         << ',' << tolerance(v.tolerance.inaccurate) << ',' << condition << ',' << v.regime << ','
+         << joined(q.damping_ratios) << ',' << value << ',' << joined(all_hexadecimal(v.nearest)) << ','
+         << (numbers ? hexadecimal_float(v.scale) : "") << ',' << tolerance(v.tolerance.pass) << ','
+         << tolerance(v.tolerance.loose) << ',' << tolerance(v.tolerance.inaccurate) << ',' << condition << ',' << v.regime << ','
          << (v.margin ? text_of(*v.margin) : "") << ',' << joined(v.flags) << ',' << joined(v.catches) << ','
          << (v.reject.empty() ? v.routes[0] + "; " + v.routes[1] : "") << ','
          << (v.reject.empty() ? std::to_string(v.digits[0]) + " " + std::to_string(v.digits[1]) : "");

@@ -48,6 +48,9 @@ struct Vector {
     std::array<int, 2> digits{};       ///< digits on which the routes agree: computed in 50 and in 100 digits
 };
 
+/// @brief A number as a hexadecimal float. @param x a number @return its text
+[[nodiscard]] std::string hexadecimal_float(double x);
+
 /// @brief A vector as a line of a vector file. @param v the vector @return the object, keys in the order of the format
 [[nodiscard]] nlohmann::ordered_json vector_json(const Vector& v);
 

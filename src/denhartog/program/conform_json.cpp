@@ -24,7 +24,7 @@ Json value_json(const conformance::Value& value) { return value.word.empty() ? J
 
 Json hexadecimal_json(const std::vector<double>& numbers) {
     Json list = Json::array();
-    for (const double x : numbers) list.push_back(hexadecimal(x));
+    for (const double x : numbers) list.push_back(conformance::hexadecimal_float(x));
     return list;
 }
 

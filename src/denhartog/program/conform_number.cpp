@@ -16,8 +16,6 @@ std::string printed(const char* format, double x) {
 
 } // namespace
 
-std::string hexadecimal(double x) { return printed("%a", x); }
-
 std::string rough(double x) { return printed("%.2g", x); }
 
 std::string digits_cell(const std::optional<double>& digits) { return digits ? printed("%.1f", *digits) : "-"; }
@@ -26,7 +24,8 @@ std::string value_text(const conformance::Value& value) {
     constexpr std::size_t most = 4;
     if (!value.word.empty()) return value.word;
     if (value.numbers.empty()) return "nothing";
-    if (value.numbers.size() == 1) return number_to_text(value.numbers.front()) + " (" + hexadecimal(value.numbers.front()) + ")";
+    if (value.numbers.size() == 1)
+        return number_to_text(value.numbers.front()) + " (" + conformance::hexadecimal_float(value.numbers.front()) + ")";
     std::string text;
     for (std::size_t n = 0; n < value.numbers.size() && n < most; ++n)
         text += (n > 0 ? ", " : "") + number_to_text(value.numbers[n]);

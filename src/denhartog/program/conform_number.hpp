@@ -9,9 +9,6 @@
 
 namespace denhartog::program {
 
-/// @brief A number as a hexadecimal float. @param x a number @return its text
-[[nodiscard]] std::string hexadecimal(double x);
-
 /// @brief A number with few digits. @param x a number @return two significant digits
 [[nodiscard]] std::string rough(double x);
 
