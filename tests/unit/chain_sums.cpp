@@ -101,7 +101,7 @@ TEST_CASE("both chains are answered to 14 digits, in double or in more with the 
                 [&](const auto& s) { CHECK(error_over(X_j, Real100(s.masses[N - 1].amplitude)) < std::pow(10.0, -digits)); },
                 solved.numbers);
         }
-        const QuantitiesAnswer all = quantities(scene_source(scene), 0.5, 12);
+        const QuantitiesAnswer all = quantities(scene_source(scene), std::array{0.5}, 12);
         INFO(all.method.precision << ", " << all.method.why);
         CHECK(error_over(X_j, Real100(all.numbers.X_j->x)) < 1e-12);
         CHECK(all.relative <= 1e-12);

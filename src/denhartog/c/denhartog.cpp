@@ -6,7 +6,8 @@
 #include "denhartog/c/handles.hpp"
 #include "denhartog/formulas/high_frequency.hpp"
 #include "denhartog/model/point_rules.hpp"
-#include "denhartog/response/steady_state.hpp"
+#include "denhartog/response/quantities.hpp"
+#include "denhartog/response/solve_task.hpp"
 
 using namespace denhartog;
 using namespace denhartog::c_interface;
@@ -44,20 +45,43 @@ ModeSums<double> sums_at(const dh_system* system, double r) {
     return mode_sums(system->basis, s.contact, s.load, r);
 }
 
-// A point where the contact slides throughout.
-struct Sliding {
-    ModeSums<double> sums;
-    RegimeBoundary<double> boundary;
-};
+// Significant digits of the numbers that come without a bound of their error.
+constexpr int digits_without_bound = 10;
 
-Sliding sliding_at(const dh_system* system, double r, double beta, double mu) {
-    Sliding at{sums_at(system, r), {}};
-    at.boundary = regime_boundary(at.sums, mu);
+// A boundary below it is zero: at an antiresonance of the contact.
+constexpr double least_boundary = 1e-25;
+
+// Boundary and closed form at a point, in the first precision that has the digits.
+Answer closed_form_at(const dh_system* system, double r, double beta, double mu, Asked asked, std::optional<Mass> mass) {
+    check_frequency_ratio(r);
     check_friction_ratio(beta);
-    if (!(beta < at.boundary.exact))
-        throw DomainError("beta = " + number_to_text(beta) + " is not below beta_lim = " + number_to_text(at.boundary.exact) +
-                          ", Eq. (69): the contact does not slide throughout");
-    return at;
+    check_static_friction(mu);
+    SolveTask task =
+        solve_task(with_static_friction(system->prepared, mu), {r, beta, nullptr}, {asked, digits_without_bound, false, mass});
+    find_boundary(task);
+    if (task.pole) throw DomainError(*task.pole);
+    return std::move(task.found);
+}
+
+void need_digits(const Answer& found) {
+    if (!found.digits_reached)
+        throw PrecisionError("no " + std::to_string(digits_without_bound) + " digits are there: " + found.method.why);
+}
+
+[[noreturn]] void throw_not_sliding(double beta, double beta_lim) {
+    throw DomainError("beta = " + number_to_text(beta) + " is not below beta_lim = " + number_to_text(beta_lim) +
+                      ", Eq. (69): the contact does not slide throughout");
+}
+
+// The system at a point, in every number type.
+SceneSource point_of(const dh_system* system, double r, double beta, double mu) {
+    return at_point(with_static_friction(system->prepared.source, mu), r, beta);
+}
+
+std::vector<double> values_of(const std::vector<Bounded>& numbers) {
+    std::vector<double> values;
+    for (const Bounded& each : numbers) values.push_back(each.x);
+    return values;
 }
 
 std::vector<double> interleaved(const std::vector<Complex<double>>& z) {
@@ -184,15 +208,18 @@ int dh_sums(const dh_system* system, double r, size_t count, double* V, double* 
         const std::size_t N = masses_of(system);
         need(V, "V");
         need_count(count, N);
-        const ModeSums<double> s = sums_at(system, r);
-        const std::vector<double> parts = interleaved(s.V);
-        const double S = S_j == nullptr ? 0 : sliding_demand(s, instant_of_largest_demand(s));
-        need_all_finite({parts, s.U, s.G, std::array{s.H_j, S}});
+        check_frequency_ratio(r);
+        const Quantities<Bounded> q =
+            quantities(system->prepared, point_of(system, r, 0, 1), {}, digits_without_bound, PointNumbers::sums).numbers;
+        std::vector<double> parts;
+        for (const Complex<Bounded>& each : q.V) parts.insert(parts.end(), {each.re.x, each.im.x});
+        const std::vector<double> of_U = values_of(q.U), of_G = values_of(q.G);
+        need_all_finite({parts, of_U, of_G, std::array{q.H_j.x, q.S.x}});
         hand_out(parts, V);
-        hand_out(s.U, U);
-        hand_out(s.G, G);
-        if (H_j != nullptr) *H_j = s.H_j;
-        if (S_j != nullptr) *S_j = S;
+        hand_out(of_U, U);
+        hand_out(of_G, G);
+        if (H_j != nullptr) *H_j = q.H_j.x;
+        if (S_j != nullptr) *S_j = q.S.x;
     });
 }
 
@@ -200,8 +227,20 @@ int dh_boundaries(const dh_system* system, double r, double mu, dh_boundary* res
     return guarded([&] {
         need(system, "system");
         need_struct(result, "boundary");
-        const Boundary<double> b = boundary(sums_at(system, r), mu);
-        const dh_boundary all{0, b.exact, b.paper, b.approximate, b.sticking.value_or(0), b.sticking.has_value()};
+        const Answer found = closed_form_at(system, r, 0, mu, Asked::regime, std::nullopt);
+        dh_boundary all{};
+        std::visit(
+            [&](const auto& response) {
+                const auto& b = response.boundary;
+                all = {0,
+                       static_cast<double>(b.exact),
+                       static_cast<double>(b.paper),
+                       static_cast<double>(b.approximate),
+                       b.sticking ? static_cast<double>(*b.sticking) : 0,
+                       b.sticking.has_value()};
+            },
+            found.response);
+        if (!(all.exact < least_boundary)) need_digits(found);
         need_finite(std::array{all.exact, all.paper, all.approximate, all.sticking});
         hand_out(all, result);
     });
@@ -222,10 +261,25 @@ int dh_sliding_motion(const dh_system* system, double r, double beta, double mu,
     return guarded([&] {
         const Mass k = mass_from(mass, masses_of(system), "mass");
         need_struct(result, "result");
-        const Sliding at = sliding_at(system, r, beta, mu);
-        const MassResponse<double> m = steady_state(at.sums, at.boundary, beta, k).masses[k.index];
-        const dh_sliding_mass all{0, m.x0, m.v0, m.amplitude, m.phase, m.instant, m.amplitude_monoharmonic, m.phase_monoharmonic};
-        need_finite(std::array{m.x0, m.v0, m.amplitude, m.phase, m.instant, m.amplitude_monoharmonic, m.phase_monoharmonic});
+        const Answer found = closed_form_at(system, r, beta, mu, Asked::motion, k);
+        dh_sliding_mass all{};
+        std::visit(
+            [&](const auto& response) {
+                if (!response.steady_state) throw_not_sliding(beta, static_cast<double>(response.boundary.exact));
+                const auto& m = response.steady_state->masses[k.index];
+                all = {0,
+                       static_cast<double>(m.x0),
+                       static_cast<double>(m.v0),
+                       static_cast<double>(m.amplitude),
+                       static_cast<double>(m.phase),
+                       static_cast<double>(m.instant),
+                       static_cast<double>(m.amplitude_monoharmonic),
+                       static_cast<double>(m.phase_monoharmonic)};
+            },
+            found.response);
+        need_digits(found);
+        need_finite(std::array{all.initial_displacement, all.initial_velocity, all.amplitude, all.phase, all.instant,
+                               all.amplitude_monoharmonic, all.phase_monoharmonic});
         hand_out(all, result);
     });
 }
@@ -236,13 +290,15 @@ int dh_displacement(const dh_system* system, double r, double beta, double mu, s
         const Mass k = mass_from(mass, masses_of(system), "mass");
         need(tau, "tau");
         need(x, "x");
-        const Sliding at = sliding_at(system, r, beta, mu);
-        const SteadyState<double> state = steady_state_without_maxima(at.sums, beta);
+        check_frequency_ratio(r);
+        check_friction_ratio(beta);
+        check_static_friction(mu);
+        const Quantities<Bounded> q = quantities(system->prepared, point_of(system, r, beta, mu), std::span(tau, count),
+                                                 digits_without_bound, PointNumbers::motion)
+                                          .numbers;
+        if (!q.X_j) throw_not_sliding(beta, q.beta_lim.x);
         std::vector<double> all;
-        for (std::size_t n = 0; n < count; ++n) {
-            if (!std::isfinite(tau[n])) throw InputError("tau", "must be finite", number_to_text(tau[n]));
-            all.push_back(motion(at.sums, state, tau[n]).x[k.index]);
-        }
+        for (std::size_t n = k.index; n < q.x.size(); n += q.x_size.size()) all.push_back(q.x[n].x);
         need_finite(all);
         hand_out(all, x);
     });

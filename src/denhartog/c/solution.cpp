@@ -15,20 +15,6 @@ namespace {
 
 constexpr int most_digits_of_double = 15;
 
-PreparedSystem with_mu(PreparedSystem p, double mu) {
-    const auto moved = [mu](const auto& read) {
-        return [read, mu] {
-            auto scene = read();
-            scene.mu = mu;
-            return scene;
-        };
-    };
-    p.scene.mu = mu;
-    p.source = {moved(p.source.in_double), moved(p.source.in_long_double), moved(p.source.in_50_digits),
-                moved(p.source.in_100_digits)};
-    return p;
-}
-
 // A number of any type as the double next to it, and what its rounding adds to a bound of its error.
 template <class T>
 struct Rounded {
@@ -65,8 +51,8 @@ int dh_solve(const dh_system* system, double r, double beta, double mu, int digi
         made->scene.mu = mu;
         made->scene.r = r;
         made->scene.beta = beta;
-        made->solution =
-            mu == 1 ? solve(system->prepared, r, beta, question) : solve(with_mu(system->prepared, mu), r, beta, question);
+        made->solution = mu == 1 ? solve(system->prepared, r, beta, question)
+                                 : solve(with_static_friction(system->prepared, mu), r, beta, question);
         *solution = made.release();
     });
 }

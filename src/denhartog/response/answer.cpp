@@ -31,15 +31,6 @@ Measured<T> measured(const Scene<T>& scene, const Scene<Wide>& wide_scene, std::
     return m;
 }
 
-// The same scene with the damping ratios that its damping matrix has in double.
-template <class Wide>
-Scene<Wide> with_damping_ratios(const Scene<double>& scene) {
-    Scene<double> other = scene;
-    other.system.damping_ratios = modal_basis(scene.system).zeta;
-    other.system.damping_matrix.resize(0, 0);
-    return converted<Wide>(other);
-}
-
 // A damping matrix rounded to double need not decouple the modes to more digits than those.
 template <class Wide>
 Measured<double> measured_in_double(const Scene<double>& scene, const std::function<Scene<Wide>()>& wide,
@@ -49,7 +40,7 @@ Measured<double> measured_in_double(const Scene<double>& scene, const std::funct
     } catch (const InputError& e) {
         if (scene.system.damping_matrix.size() == 0) throw;
     }
-    Measured<double> m = measured(scene, with_damping_ratios<Wide>(scene), only);
+    Measured<double> m = measured(scene, converted<Wide>(with_damping_ratios(scene)), only);
     m.in_this_type_only = true;
     return m;
 }

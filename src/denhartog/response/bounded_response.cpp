@@ -51,7 +51,7 @@ void bound_masses(BoundedResponse& all, const SteadyState<Bounded>& bounded, std
         all.phase_error.push_back(
             std::max(error_of_phase(m.phase, b.phase), error_of_phase(m.phase_monoharmonic, b.phase_monoharmonic)));
         if (only && k != only->index) continue;
-        if (m.amplitude <= m.error_bound && m.error_bound <= largest * std::numeric_limits<double>::epsilon() * 1024)
+        if (!only && m.amplitude <= m.error_bound && m.error_bound <= largest * std::numeric_limits<double>::epsilon() * 1024)
             continue; // a mass that does not move
         all.relative = std::max({all.relative, relative(m.error_bound, m.amplitude), all.phase_error.back()});
     }

@@ -1,6 +1,7 @@
 #include "denhartog/response/error_bound.hpp"
 
 #include <algorithm>
+#include <concepts>
 #include <limits>
 
 #include "denhartog/multiprecision.hpp"
@@ -72,8 +73,10 @@ MeasuredError<T> measured_error(const Response<T>& response, const Response<Wide
             const Wide e = displacement_error(masses[k], wide_masses[k]);
             error.masses.push_back(static_cast<T>(e));
             if (only && k != only->index) continue;
-            if (Wide(masses[k].amplitude) <= e && e <= largest_amplitude * Wide(std::numeric_limits<T>::epsilon()) * 1024)
-                continue; // a mass that does not move
+            // A mass that does not move; of the one that is asked about double cannot tell.
+            if ((!only || !std::same_as<T, double>)&&Wide(masses[k].amplitude) <= e &&
+                e <= largest_amplitude * Wide(std::numeric_limits<T>::epsilon()) * 1024)
+                continue;
             if (wide_masses[k].amplitude > 0) relative = std::max(relative, Wide(e / wide_masses[k].amplitude));
             relative = std::max({relative, phase_error(masses[k].phase, wide_masses[k].phase),
                                  phase_error(masses[k].phase_monoharmonic, wide_masses[k].phase_monoharmonic)});

@@ -75,6 +75,12 @@ PreparedSystem prepare(const System<double>& system, const Question& question, P
     return prepare(scene_source(scene), question, points);
 }
 
+PreparedSystem with_static_friction(PreparedSystem system, double mu) {
+    system.scene.mu = mu;
+    system.source = with_static_friction(system.source, mu);
+    return system;
+}
+
 template std::vector<Mass> contact_and_load(const System<double>&);
 
 } // namespace denhartog

@@ -80,4 +80,9 @@ template <class T>
 [[nodiscard]] PreparedSystem prepare(const System<double>& system, const Question& question,
                                      Prepared points = Prepared::sliding_contact);
 
+/// @brief The same system with another ratio of static to kinetic friction. @param system a system prepared for every regime
+/// @param mu  static over kinetic friction, Eq. (3)
+/// @return    the system
+[[nodiscard]] PreparedSystem with_static_friction(PreparedSystem system, double mu);
+
 } // namespace denhartog

@@ -14,7 +14,8 @@ namespace denhartog {
 namespace {
 
 constexpr double unit = std::numeric_limits<double>::epsilon();
-constexpr double nothing = 1e-280; // bounds below it are of numbers that their formula makes zero
+constexpr double nothing = 1e-280;    // bounds below it are of numbers that their formula makes zero
+constexpr double zero_beside = 1e-25; // of the largest of its kind: what 50 digits cannot tell from zero there is zero
 constexpr int most_digits_of_quantities = 15;
 
 template <class T>
@@ -36,10 +37,19 @@ struct Largest {
     std::string name;
 };
 
-Largest largest_bound(const Quantities<Bounded>& q) {
+bool is_motion(std::string_view name) { return name == "x" || name == "x'"; }
+
+bool is_asked_for(std::string_view name, PointNumbers asked) {
+    if (asked == PointNumbers::all) return true;
+    const bool of_motion = is_motion(name) || name == "X_j" || name == "phi_j";
+    return asked == PointNumbers::sums ? !of_motion : is_motion(name);
+}
+
+// With zeros told apart a number without a size is one.
+Largest largest_bound(const Quantities<Bounded>& q, PointNumbers asked, bool zeros_told = false) {
     Largest largest;
     list<Bounded>(q, [&](const char* name, std::size_t mass, const Bounded& value, const Bounded& size) {
-        if (value.e <= nothing) return;
+        if (value.e <= nothing || !is_asked_for(name, asked) || (zeros_told && value.x == 0 && size.x == 0)) return;
         const double relative = value.e / std::abs(size.x);
         if (relative <= largest.relative) return;
         largest = {relative <= std::numeric_limits<double>::max() ? relative : std::numeric_limits<double>::infinity(),
@@ -49,10 +59,10 @@ Largest largest_bound(const Quantities<Bounded>& q) {
 }
 
 template <class T>
-Quantities<T> quantities_in(const Scene<T>& scene, double tau) {
+Quantities<T> quantities_in(const Scene<T>& scene, std::span<const double> tau) {
     const ModeSums<T> sums = mode_sums(modal_basis(scene.system), scene.system.contact, scene.system.load, *scene.r);
     Quantities<T> q = quantities_without_motion(sums, scene.mu, instant_of_largest_demand(sums));
-    add_motion(q, sums, *scene.beta, T(tau));
+    if (scene.beta) add_motion(q, sums, *scene.beta, std::vector<T>(tau.begin(), tau.end()));
     return q;
 }
 
@@ -85,12 +95,100 @@ Quantities<Bounded> as_double(const Quantities<Real50>& q, const Quantities<Real
     all.X_j = as_double(*q.X_j, *wide.X_j);
     all.phi_j = as_double(*q.phi_j, *wide.phi_j);
     all.x = as_double(q.x, wide.x);
+    all.x_prime = as_double(q.x_prime, wide.x_prime);
     all.x_size = as_double(q.x_size, wide.x_size);
     return all;
 }
 
-bool regime_is_open(const Quantities<Bounded>& q, double beta, Inputs inputs) {
-    return std::abs(q.beta_lim.x - beta) <= q.beta_lim.e + as_input(beta, inputs).e;
+// A number in the bound that its size leaves is zero, where that is little beside the largest of its kind.
+void tell_zeros(std::vector<std::vector<Bounded*>> kind, double tolerance) {
+    const auto size_of = [](const std::vector<Bounded*>& parts) {
+        Bounded size(0);
+        for (const Bounded* part : parts) size = larger(size, {std::abs(part->x), part->e});
+        return size;
+    };
+    double largest = 0;
+    for (const std::vector<Bounded*>& number : kind) largest = std::max(largest, size_of(number).x);
+    for (const std::vector<Bounded*>& number : kind) {
+        const Bounded size = size_of(number);
+        if (size.e <= tolerance * size.x || !(size.x + size.e <= zero_beside * largest)) continue;
+        for (Bounded* part : number) *part = {0, std::abs(part->x) + part->e};
+    }
+}
+
+void tell_zeros(Quantities<Bounded>& q, double tolerance) {
+    std::vector<std::vector<Bounded*>> V, U, G, x;
+    for (std::size_t k = 0; k < q.V.size(); ++k) {
+        V.push_back({&q.V[k].re, &q.V[k].im});
+        U.push_back({&q.U[k]});
+        G.push_back({&q.G[k]});
+    }
+    for (std::size_t k = 0; k < q.x_size.size(); ++k) {
+        x.push_back({&q.x_size[k]});
+        for (std::size_t n = k; n < q.x.size(); n += q.x_size.size()) x.back().insert(x.back().end(), {&q.x[n], &q.x_prime[n]});
+    }
+    for (auto& kind : {V, U, G, x}) tell_zeros(kind, tolerance);
+}
+
+bool regime_is_open(const Quantities<Bounded>& q, double beta) {
+    return std::abs(q.beta_lim.x - beta) <= q.beta_lim.e + as_input(beta).e;
+}
+
+Quantities<Bounded> bounded_quantities(const Scene<double>& scene, BoundedModes& modes, std::span<const double> tau) {
+    const ModeSums<Bounded> sums = bounded_sums(scene.system, modes, Inputs::rounded);
+    Quantities<Bounded> q =
+        quantities_without_motion(sums, as_input(scene.mu), Bounded(instant_of_largest_demand(values_of(sums))));
+    if (!scene.beta) return q;
+    std::vector<Bounded> instants;
+    for (const double instant : tau) instants.push_back(as_input(instant));
+    add_motion(q, sums, as_input(*scene.beta), instants);
+    return q;
+}
+
+QuantitiesAnswer quantities_at(SceneSource source, std::shared_ptr<const ModalBasis<Bounded>> bounded,
+                               std::span<const double> tau, int digits, PointNumbers asked) {
+    if (digits < 1 || digits > most_digits_of_quantities)
+        throw InputError("digits", "must be from 1 to " + std::to_string(most_digits_of_quantities), std::to_string(digits));
+    if (asked == PointNumbers::sums) source = without_friction_ratio(source);
+    Scene<double> scene = source.in_double();
+    check(scene);
+    if (!scene.r) throw InputError("r", "must be given", "nothing");
+    if (!scene.beta && asked != PointNumbers::sums) throw InputError("beta", "must be given", "nothing");
+    if (scene.system.damping_ratios.empty()) {
+        scene = with_damping_ratios(scene);
+        source = scene_source(scene);
+    }
+    for (const double instant : tau)
+        if (!std::isfinite(instant)) throw InputError("tau", "must be finite", number_to_text(instant));
+    const double tolerance = std::pow(10.0, -digits);
+    std::string before;
+    for (const bool sharp : {false, true}) {
+        const std::string with = sharp ? "double with the modes of long double" : "double";
+        try {
+            if (sharp || !bounded)
+                bounded = std::make_shared<const ModalBasis<Bounded>>(
+                    sharp ? sharp_basis(scene.system, Inputs::rounded) : with_errors(scene.system, modal_basis(scene.system)));
+            BoundedModes modes(bounded, as_input(*scene.r));
+            const Quantities<Bounded> q = bounded_quantities(scene, modes, tau);
+            const Largest largest = largest_bound(q, asked);
+            const bool open = scene.beta && regime_is_open(q, *scene.beta);
+            if (largest.relative <= tolerance && !open)
+                return {q, {"closed form", with, before + "the bounds known beforehand have the digits"}, largest.relative};
+            before += "in " + with + ": " +
+                      (open ? "beta is beta_lim within its bound" : "the bound of " + largest.name + " is too large") + "; ";
+        } catch (const DomainError& e) {
+            before += "in " + with + ": " + e.what() + "; ";
+        } catch (const PrecisionError& e) {
+            before += "in " + with + ": " + e.what() + "; ";
+        }
+        count_precision_step();
+    }
+    Quantities<Bounded> q = as_double(quantities_in(source.in_50_digits(), tau), quantities_in(source.in_100_digits(), tau));
+    tell_zeros(q, tolerance);
+    const Largest largest = largest_bound(q, asked, true);
+    if (!(largest.relative <= tolerance))
+        throw PrecisionError("50 digits do not have the digits asked for of " + largest.name + "; " + before);
+    return {q, {"closed form", "50 digits", before + "checked in 100 digits: they have the digits"}, largest.relative};
 }
 
 } // namespace
@@ -110,7 +208,11 @@ void list(const Quantities<T>& q, const QuantityReader<T>& read) {
     if (!q.X_j) return;
     read("X_j", 0, *q.X_j, *q.X_j);
     read("phi_j", 0, *q.phi_j, T(1));
-    for (std::size_t k = 0; k < q.x.size(); ++k) read("x", k + 1, q.x[k], q.x_size[k]);
+    const std::size_t N = q.x_size.size();
+    for (std::size_t n = 0; n < q.x.size(); ++n) {
+        read("x", n % N + 1, q.x[n], q.x_size[n % N]);
+        read("x'", n % N + 1, q.x_prime[n], q.x_size[n % N]);
+    }
 }
 
 template <class T>
@@ -129,60 +231,26 @@ Quantities<T> quantities_without_motion(const ModeSums<T>& s, const T& mu, const
 }
 
 template <class T>
-void add_motion(Quantities<T>& q, const ModeSums<T>& s, const T& beta, const T& tau) {
+void add_motion(Quantities<T>& q, const ModeSums<T>& s, const T& beta, const std::vector<T>& tau) {
     if (!(beta < q.beta_lim)) return;
     const SteadyState<T> state = steady_state_without_maxima(s, beta);
     q.X_j = state.X_j;
     q.phi_j = state.phi_j;
-    q.x = motion(s, state, tau).x;
+    for (const T& instant : tau) {
+        const Motion<T> at = motion(s, state, instant);
+        q.x.insert(q.x.end(), at.x.begin(), at.x.end());
+        q.x_prime.insert(q.x_prime.end(), at.x_prime.begin(), at.x_prime.end());
+    }
     for (const MassResponse<T>& m : state.masses) q.x_size.push_back(m.amplitude_monoharmonic);
 }
 
-Quantities<Bounded> bounded_quantities(const Scene<double>& scene, BoundedModes& modes, double tau, Inputs inputs) {
-    const ModeSums<Bounded> sums = bounded_sums(scene.system, modes, inputs);
-    Quantities<Bounded> q =
-        quantities_without_motion(sums, as_input(scene.mu, inputs), Bounded(instant_of_largest_demand(values_of(sums))));
-    add_motion(q, sums, as_input(*scene.beta, inputs), as_input(tau, inputs));
-    return q;
+QuantitiesAnswer quantities(const SceneSource& source, std::span<const double> tau, int digits, PointNumbers asked) {
+    return quantities_at(source, nullptr, tau, digits, asked);
 }
 
-QuantitiesAnswer quantities(const SceneSource& source, double tau, int digits) {
-    if (digits < 1 || digits > most_digits_of_quantities)
-        throw InputError("digits", "must be from 1 to " + std::to_string(most_digits_of_quantities), std::to_string(digits));
-    const Scene<double> scene = source.in_double();
-    check(scene);
-    if (!scene.r) throw InputError("r", "must be given", "nothing");
-    if (!scene.beta) throw InputError("beta", "must be given", "nothing");
-    if (scene.system.damping_ratios.empty()) throw InputError("damping_ratios", "must be given", "nothing");
-    if (!std::isfinite(tau)) throw InputError("tau", "must be finite", number_to_text(tau));
-    const double tolerance = std::pow(10.0, -digits);
-    std::string before;
-    for (const bool sharp : {false, true}) {
-        const std::string with = sharp ? "double with the modes of long double" : "double";
-        try {
-            BoundedModes modes(sharp ? sharp_basis(scene.system, Inputs::rounded)
-                                     : with_errors(scene.system, modal_basis(scene.system)),
-                               as_input(*scene.r));
-            const Quantities<Bounded> q = bounded_quantities(scene, modes, tau, Inputs::rounded);
-            const Largest largest = largest_bound(q);
-            const bool open = regime_is_open(q, *scene.beta, Inputs::rounded);
-            if (largest.relative <= tolerance && !open)
-                return {q, {"closed form", with, before + "the bounds known beforehand have the digits"}, largest.relative};
-            before += "in " + with + ": " +
-                      (open ? "beta is beta_lim within its bound" : "the bound of " + largest.name + " is too large") + "; ";
-        } catch (const DomainError& e) {
-            before += "in " + with + ": " + e.what() + "; ";
-        } catch (const PrecisionError& e) {
-            before += "in " + with + ": " + e.what() + "; ";
-        }
-        count_precision_step();
-    }
-    const Quantities<Bounded> q =
-        as_double(quantities_in(source.in_50_digits(), tau), quantities_in(source.in_100_digits(), tau));
-    const Largest largest = largest_bound(q);
-    if (!(largest.relative <= tolerance))
-        throw PrecisionError("50 digits do not have the digits asked for of " + largest.name + "; " + before);
-    return {q, {"closed form", "50 digits", before + "checked in 100 digits: they have the digits"}, largest.relative};
+QuantitiesAnswer quantities(const PreparedSystem& system, const SceneSource& point, std::span<const double> tau, int digits,
+                            PointNumbers asked) {
+    return quantities_at(point, system.bounded, tau, digits, asked);
 }
 
 template void list(const Quantities<Bounded>&, const QuantityReader<Bounded>&);
@@ -190,8 +258,8 @@ template void list(const Quantities<Real50>&, const QuantityReader<Real50>&);
 template Quantities<Bounded> quantities_without_motion(const ModeSums<Bounded>&, const Bounded&, const Bounded&);
 template Quantities<Real50> quantities_without_motion(const ModeSums<Real50>&, const Real50&, const Real50&);
 template Quantities<Real100> quantities_without_motion(const ModeSums<Real100>&, const Real100&, const Real100&);
-template void add_motion(Quantities<Bounded>&, const ModeSums<Bounded>&, const Bounded&, const Bounded&);
-template void add_motion(Quantities<Real50>&, const ModeSums<Real50>&, const Real50&, const Real50&);
-template void add_motion(Quantities<Real100>&, const ModeSums<Real100>&, const Real100&, const Real100&);
+template void add_motion(Quantities<Bounded>&, const ModeSums<Bounded>&, const Bounded&, const std::vector<Bounded>&);
+template void add_motion(Quantities<Real50>&, const ModeSums<Real50>&, const Real50&, const std::vector<Real50>&);
+template void add_motion(Quantities<Real100>&, const ModeSums<Real100>&, const Real100&, const std::vector<Real100>&);
 
 } // namespace denhartog

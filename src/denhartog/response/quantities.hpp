@@ -1,5 +1,5 @@
 /// @file
-/// @brief The numbers of one point, each with a bound of its error: V, U, G, H, S, beta_lim, X_j, phi_j, and x_k at an instant.
+/// @brief The numbers of one point, each with a bound of its error: V, U, G, H, S, beta_lim, X_j, phi_j, and x_k at instants.
 ///
 /// In double they are computed on `Bounded` numbers, first with bounds of the modes that cost no eigen-solve, then with the modes
 /// of long double, see `bounded_modes.hpp`. Where a bound exceeds what is asked for the next precision is taken: 50 digits, whose
@@ -9,9 +9,11 @@
 
 #include <functional>
 #include <optional>
+#include <span>
 
 #include "denhartog/response/answer.hpp"
 #include "denhartog/response/bounded_modes.hpp"
+#include "denhartog/response/prepared_system.hpp"
 #include "denhartog/response/steady_state.hpp"
 
 namespace denhartog {
@@ -27,8 +29,9 @@ struct Quantities {
     T beta_lim{};              ///< the boundary of the sliding regime, Eq. (69)
     std::optional<T> X_j;      ///< amplitude of the mass in contact, Eq. (38); none outside the sliding regime
     std::optional<T> phi_j;    ///< its phase, Eq. (39); radians in (-pi, pi]
-    std::vector<T> x;          ///< displacements (41) at the instant asked for, N values; empty outside the sliding regime
-    std::vector<T> x_size;     ///< amplitudes of the monoharmonic motions, Eq. (52): what errors of x are relative to
+    std::vector<T> x;          ///< displacements (41), N values an instant asked for; empty outside the sliding regime
+    std::vector<T> x_prime;    ///< velocities with respect to tau, as many
+    std::vector<T> x_size;     ///< amplitudes of the monoharmonic motions, Eq. (52): what errors of x and x' are relative to
     T instant{};               ///< where S is taken; 0 stands for the limit
 };
 
@@ -53,38 +56,51 @@ template <class T>
 
 /// @brief Adds the motion, where the friction ratio is below the boundary.
 /// @eq{38,39,41,52}
-/// @param q     the numbers without it; gets X_j, phi_j, x
+/// @param q     the numbers without it; gets X_j, phi_j, x, x'
 /// @param sums  modes at the frequency ratio
 /// @param beta  friction ratio, Eq. (11)
-/// @param tau   instant of the displacements, any; zero at a maximum of x_j
+/// @param tau   instants, any; zero at a maximum of x_j
 template <class T>
-void add_motion(Quantities<T>& q, const ModeSums<T>& sums, const T& beta, const T& tau);
+void add_motion(Quantities<T>& q, const ModeSums<T>& sums, const T& beta, const std::vector<T>& tau);
 
-/// @brief The numbers of a point in double with bounds of their errors, known beforehand.
-/// @eq{33,34,35,38,39,41,56,64,69}
-/// @param scene   the scene, with r and beta
-/// @param modes   its modes
-/// @param tau     instant of the displacements, any; zero at a maximum of x_j
-/// @param inputs  how far to trust beta, mu and tau
-/// @return        the numbers
-/// @throws        DomainError at a pole of a mode without damping; PrecisionError where a maximum is not settled
-[[nodiscard]] Quantities<Bounded> bounded_quantities(const Scene<double>& scene, BoundedModes& modes, double tau, Inputs inputs);
+/// @brief Which numbers of a point are asked for.
+enum class PointNumbers : std::uint8_t {
+    sums,   ///< V, U, G, H, S and beta_lim: what friction does not change
+    motion, ///< x and x': the sums need not have the digits
+    all     ///< both
+};
 
 /// @brief The numbers of a point with the digits asked for.
 struct QuantitiesAnswer {
     Quantities<Bounded> numbers; ///< values in double with their bounds
     Method method;               ///< how they were computed, and why that way
-    double relative = 0;         ///< the largest bound over its size, see `list`
+    double relative = 0;         ///< the largest bound of those asked for over its size, see `list`
 };
 
 /// @brief The numbers of a point to the digits asked for, by the cheapest precision whose bounds have them.
+///
+/// A number that 50 digits find below 1e-25 of the largest of its kind, and to which 100 digits leave not the digits asked for,
+/// comes out as zero with its bound: it is zero without being so by its formula, as at an antiresonance, or lies too low to tell.
+/// A damping matrix counts as the damping ratios that it has in double.
 /// @eq{33,34,35,38,39,41,56,64,69}
-/// @param source  the scene, with r and beta, damping given by ratios
-/// @param tau     instant of the displacements
-/// @param digits  significant digits of every number, from 1 to 15
+/// @param source  the scene, with r and, where the motion is asked for, beta
+/// @param tau     instants of the motion, any; zero at a maximum of x_j
+/// @param digits  significant digits, from 1 to 15
+/// @param asked   which numbers must have them
+/// @return        the numbers; no motion outside the sliding regime
+/// @throws        InputError for a bad scene, instant or digits; DomainError at a pole of a mode without damping; PrecisionError
+///                where 50 digits do not have the digits
+[[nodiscard]] QuantitiesAnswer quantities(const SceneSource& source, std::span<const double> tau, int digits,
+                                          PointNumbers asked = PointNumbers::all);
+
+/// @brief The same at a point of a system prepared for every regime, without an eigen-solve where double has the digits.
+/// @param system  the system, prepared
+/// @param point   the same system with r, beta and mu in every number type
+/// @param tau     instants of the motion
+/// @param digits  significant digits, from 1 to 15
+/// @param asked   which numbers must have them
 /// @return        the numbers
-/// @throws        InputError for a bad scene or bad digits; DomainError at a pole of a mode without damping; PrecisionError where
-///                50 digits do not have the digits: what is zero without being so by its formula has none
-[[nodiscard]] QuantitiesAnswer quantities(const SceneSource& source, double tau, int digits);
+[[nodiscard]] QuantitiesAnswer quantities(const PreparedSystem& system, const SceneSource& point, std::span<const double> tau,
+                                          int digits, PointNumbers asked);
 
 } // namespace denhartog

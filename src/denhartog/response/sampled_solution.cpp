@@ -2,7 +2,10 @@
 
 #include <cmath>
 
+#include "denhartog/errors.hpp"
 #include "denhartog/integration/exact_motion.hpp"
+#include "denhartog/model/number_text.hpp"
+#include "denhartog/response/quantities.hpp"
 
 namespace denhartog {
 namespace {
@@ -42,13 +45,17 @@ std::vector<State<double>> of_stuck_masses(const std::vector<SolvedMass<T>>& mas
     return states;
 }
 
-std::vector<State<double>> of_closed_form(const Scene<double>& scene, const std::vector<double>& tau) {
-    const ModeSums<double> sums = mode_sums(modal_basis(scene.system), scene.system.contact, scene.system.load, *scene.r);
-    const SteadyState<double> state = steady_state(sums, boundary(sums, scene.mu), *scene.beta);
-    std::vector<State<double>> states;
-    for (const double instant : tau) {
-        Motion<double> at = motion(sums, state, instant - state.phi_j);
-        states.push_back({std::move(at.x), std::move(at.x_prime)});
+// The phase of the contact is that of the answer.
+std::vector<State<double>> of_closed_form(const Scene<double>& scene, double phi_j, std::vector<double> tau) {
+    constexpr int digits = 10;
+    for (double& instant : tau) instant -= phi_j;
+    const Quantities<Bounded> q = quantities(scene_source(scene), tau, digits, PointNumbers::motion).numbers;
+    if (!q.X_j) throw PrecisionError("beta = " + number_to_text(*scene.beta) + " is beta_lim to the digits of the answer");
+    std::vector<State<double>> states(tau.size());
+    for (std::size_t n = 0; n < q.x.size(); ++n) {
+        State<double>& state = states[n / q.x_size.size()];
+        state.x.push_back(q.x[n].x);
+        state.x_prime.push_back(q.x_prime[n].x);
     }
     return states;
 }
@@ -63,7 +70,7 @@ SampledSolution sampled_solution(const Scene<double>& scene, const Solution& sol
         [&](const auto& numbers) {
             if (numbers.start) return along_orbit(scene, *numbers.start, all.tau, period);
             if (numbers.rest_interval) return of_stuck_masses(numbers.masses, all.tau);
-            return of_closed_form(scene, all.tau);
+            return of_closed_form(scene, static_cast<double>(*numbers.masses[numbers.contact.index].phase), all.tau);
         },
         solution.numbers);
     return all;

@@ -17,6 +17,7 @@ struct SampledSolution {
 /// @param solution  its answer, the motion asked for
 /// @param samples   instants in a period, at least 1
 /// @return          the samples; a contact that rests is taken to rest at zero
+/// @throws          PrecisionError where the closed form has not ten digits of a mass
 [[nodiscard]] SampledSolution sampled_solution(const Scene<double>& scene, const Solution& solution, std::size_t samples);
 
 } // namespace denhartog

@@ -1,5 +1,7 @@
 #include "denhartog/response/scene_source.hpp"
 
+#include "denhartog/model/modal_basis.hpp"
+
 namespace denhartog {
 namespace {
 
@@ -7,6 +9,19 @@ template <class Convert>
 SceneSource source_of(const Convert& convert) {
     return {[convert] { return convert(double()); }, [convert] { return convert(static_cast<long double>(0)); },
             [convert] { return convert(Real50()); }, [convert] { return convert(Real100()); }};
+}
+
+// The same source with something of its scene changed.
+template <class Change>
+SceneSource changed(const SceneSource& source, const Change& change) {
+    const auto then = [change](const auto& read) {
+        return [read, change] {
+            auto scene = read();
+            change(scene);
+            return scene;
+        };
+    };
+    return {then(source.in_double), then(source.in_long_double), then(source.in_50_digits), then(source.in_100_digits)};
 }
 
 template <class T>
@@ -52,27 +67,24 @@ SceneSource scene_source(const Scene<double>& scene) {
 }
 
 SceneSource at_point(const SceneSource& source, double r, double beta) {
-    const auto moved = [r, beta](const auto& read) {
-        return [read, r, beta] {
-            auto scene = read();
-            scene.r = r;
-            scene.beta = beta;
-            return scene;
-        };
-    };
-    return {moved(source.in_double), moved(source.in_long_double), moved(source.in_50_digits), moved(source.in_100_digits)};
+    return changed(source, [r, beta](auto& scene) {
+        scene.r = r;
+        scene.beta = beta;
+    });
+}
+
+SceneSource with_static_friction(const SceneSource& source, double mu) {
+    return changed(source, [mu](auto& scene) { scene.mu = mu; });
 }
 
 SceneSource without_friction_ratio(const SceneSource& source) {
-    const auto without = [](const auto& read) {
-        return [read] {
-            auto scene = read();
-            scene.beta.reset();
-            return scene;
-        };
-    };
-    return {without(source.in_double), without(source.in_long_double), without(source.in_50_digits),
-            without(source.in_100_digits)};
+    return changed(source, [](auto& scene) { scene.beta.reset(); });
+}
+
+Scene<double> with_damping_ratios(Scene<double> scene) {
+    scene.system.damping_ratios = modal_basis(scene.system).zeta;
+    scene.system.damping_matrix.resize(0, 0);
+    return scene;
 }
 
 template Scene<double> converted(const Scene<double>&);

@@ -37,6 +37,15 @@ template <class T>
 /// @return the source: r and beta are these doubles in every number type
 [[nodiscard]] SceneSource at_point(const SceneSource& source, double r, double beta);
 
+/// @brief The same scene with another ratio of static to kinetic friction. @param source a scene @param mu Eq. (3)
+/// @return the source: mu is this double in every number type
+[[nodiscard]] SceneSource with_static_friction(const SceneSource& source, double mu);
+
+/// @brief The same scene with the damping ratios that its damping matrix has in double, in place of the matrix.
+/// @param scene  a scene whose damping is given by a matrix
+/// @return       the scene
+[[nodiscard]] Scene<double> with_damping_ratios(Scene<double> scene);
+
 /// @brief The same scene with the friction ratio left out: its boundary is asked for, not its regime.
 /// @param source  a scene
 /// @return        the source

@@ -1,0 +1,137 @@
+// Far above the natural frequencies a chain without damping hands the force on from mass to mass, each time smaller by 1 / r^2:
+// the sums over its modes in double keep no digit of a far mass. What the C interface and the program say there, against a route
+// without modes: elimination along the chain for each harmonic of the load and of the friction force.
+#include <denhartog.h>
+
+#include <cmath>
+#include <cstdio>
+#include <vector>
+
+#include "denhartog/model/number_text.hpp"
+#include "denhartog/response/chain_sums.hpp"
+#include "denhartog/response/steady_state.hpp"
+#include "tests/catch.hpp"
+#include "tests/conformance/c_fixtures.hpp"
+#include "tests/conformance/shell.hpp"
+
+using namespace denhartog;
+using namespace denhartog::tests;
+
+namespace {
+
+struct FarScene {
+    std::size_t N, contact, load;
+    double r, beta;
+};
+
+constexpr FarScene far_scenes[] = {{3, 1, 1, 1e4, 0.25}, {3, 2, 2, 1e4, 0.25}, {5, 5, 1, 100, 1e-18}};
+
+System<double> chain_of(const FarScene& at) {
+    const std::vector<double> ones(at.N, 1), zeros(at.N, 0);
+    return system_of(ones, ones, zeros, at.contact, at.load);
+}
+
+/// Response of all masses to a unit force of frequency ratio r on one of them, by elimination.
+std::vector<double> response_to(const FarScene& at, std::size_t forced, double r) {
+    const std::vector<Bounded> ones(at.N, Bounded(1));
+    std::vector<double> x;
+    for (const Bounded& each : undamped_response_of_chain(ones, ones, Mass{forced - 1}, Bounded(r))) x.push_back(each.x);
+    return x;
+}
+
+/// Displacement by harmonics: the load cos(tau + phi_j), and a friction force beta sgn(sin tau) with its odd harmonics.
+double by_harmonics(const FarScene& at, double phi_j, std::size_t k, double tau) {
+    constexpr int most = 401;
+    double x = 0;
+    for (int n = most; n > 0; n -= 2)
+        x += 4 * at.beta / (pi<double>() * n) * response_to(at, at.contact, n * at.r)[k] * std::sin(n * tau);
+    return x + response_to(at, at.load, at.r)[k] * std::cos(tau + phi_j);
+}
+
+/// Worst difference of displacements from those by harmonics over the masses out of contact, in units of the amplitude.
+template <class Displacement>
+double worst_difference(const FarScene& at, const std::vector<double>& tau, const Displacement& x) {
+    const Handle handle = handle_of(chain_of(at));
+    double worst = 0;
+    for (std::size_t k = 0; k < at.N; ++k) {
+        if (k + 1 == at.contact) continue;
+        dh_sliding_mass mass{}, contact{};
+        mass.size = contact.size = sizeof mass;
+        REQUIRE(dh_sliding_motion(handle.get(), at.r, at.beta, 1, k + 1, &mass) == DH_OK);
+        REQUIRE(dh_sliding_motion(handle.get(), at.r, at.beta, 1, at.contact, &contact) == DH_OK);
+        for (std::size_t n = 0; n < tau.size(); ++n) {
+            const double other = by_harmonics(at, contact.phase, k, tau[n]);
+            worst = std::max(worst, std::abs(x(k, n) - other) / mass.amplitude_monoharmonic);
+        }
+    }
+    return worst;
+}
+
+const std::vector<double> instants{0, 0.5, 1.5, 2.5, 3, 4, 5.5};
+
+} // namespace
+
+TEST_CASE("displacements of far masses at high r have ten digits through the C interface",
+          "[eq:41][eq:46][motion][c_interface]") {
+    for (const FarScene& at : far_scenes) {
+        const System<double> system = chain_of(at);
+        const Handle handle = handle_of(system);
+        const ModeSums<double> sums = mode_sums(modal_basis(system), system.contact, system.load, at.r);
+        std::vector<double> x(instants.size());
+        std::size_t of = at.N;
+        const auto by_interface = [&](std::size_t k, std::size_t n) {
+            if (k != of)
+                REQUIRE(dh_displacement(handle.get(), at.r, at.beta, 1, k + 1, x.size(), instants.data(), x.data()) == DH_OK);
+            of = k;
+            return x[n];
+        };
+        const SteadyState<double> plain = steady_state_without_maxima(sums, at.beta);
+        const auto by_modes_in_double = [&](std::size_t k, std::size_t n) { return motion(sums, plain, instants[n]).x[k]; };
+        const double worst = worst_difference(at, instants, by_interface);
+        const double in_double = worst_difference(at, instants, by_modes_in_double);
+        std::printf("x(tau) of %zu masses, j = %zu, l = %zu, r = %g: off by %.1e, by the sums over modes in double by %.1e\n",
+                    at.N, at.contact, at.load, at.r, worst, in_double);
+        CHECK(worst < 1e-10);
+        CHECK(in_double > 1e-9);
+    }
+}
+
+TEST_CASE("V and U of far masses at high r have ten digits through the C interface", "[eq:33][eq:34][c_interface]") {
+    for (const FarScene& at : far_scenes) {
+        std::vector<double> V(2 * at.N), U(at.N);
+        REQUIRE(dh_sums(handle_of(chain_of(at)).get(), at.r, at.N, V.data(), U.data(), nullptr, nullptr, nullptr) == DH_OK);
+        const std::vector<double> other = response_to(at, at.load, at.r);
+        for (std::size_t k = 0; k < at.N; ++k) {
+            INFO("mass " << k + 1 << ", r = " << at.r);
+            CHECK(V[2 * k] == Approx(other[k]).epsilon(1e-10).margin(0));
+            CHECK(V[2 * k + 1] == 0);
+        }
+    }
+}
+
+TEST_CASE("the program's table of the motion has far masses right and says that it took 50 digits", "[eq:46][motion][program]") {
+    const FarScene& at = far_scenes[0];
+    const Run run =
+        run_program("motion --samples 8", R"({"mass_ratios":[1,1,1],"stiffness_ratios":[1,1,1],"damping_ratios":[0,0,0],)"
+                                          R"("contact":1,"load":1,"mu":1,"beta":0.25,"r":1e4})");
+    REQUIRE(run.status == 0);
+    CHECK(run.error.find("computed in 50 digits: in double: the bound of x of mass 3 is too large") != std::string::npos);
+    std::vector<std::vector<double>> rows;
+    std::vector<double> tau;
+    for (const std::string& line : lines_of(run.output))
+        if (!line.empty() && line.front() >= '0' && line.front() <= '9') {
+            rows.push_back(numbers_of(line));
+            tau.push_back(rows.back().front());
+        }
+    REQUIRE(rows.size() == 8);
+    CHECK(worst_difference(at, tau, [&](std::size_t k, std::size_t n) { return rows[n][k + 1]; }) < 1e-10);
+}
+
+TEST_CASE("a mass that stands still at an antiresonance is no fault of the digits", "[eq:33][c_interface]") {
+    // Tuned absorber: at r = 1 the second mass takes the whole load, and V of the first is zero without a term being so.
+    const System<double> system = system_of({1, 0.25}, {1, 0.25}, {0, 0}, 2, 1);
+    std::vector<double> V(4);
+    REQUIRE(dh_sums(handle_of(system).get(), 1, 2, V.data(), nullptr, nullptr, nullptr, nullptr) == DH_OK);
+    CHECK(V[0] == 0);
+    CHECK(V[2] == Approx(-4).epsilon(1e-14));
+}
