@@ -48,10 +48,12 @@ async function look() {
     if (found) raw.push(node.textContent.trim().slice(0, 80));
   }
   const wanted = document.querySelectorAll("script[type^='math/tex']").length;
-  const made = window.MathJax ? MathJax.Hub.getAllJax().length : 0;
-  const wrong = [...document.querySelectorAll(".merror, [data-mml-node='merror'], .MathJax_Error")].map((e) => e.textContent.slice(0, 80));
+  const formulas = window.MathJax ? MathJax.Hub.getAllJax() : [];
+  const rejected = (part) => part?.type === "merror" || Array.isArray(part?.data) && part.data.some(rejected);
+  const wrong = [...formulas.filter((formula) => rejected(formula.root)).map((formula) => formula.originalText),
+                 ...[...document.querySelectorAll(".MathJax_Error")].map((e) => e.textContent)].map((text) => text.slice(0, 80));
   const empty = [...document.querySelectorAll(".MathJax_SVG")].filter((e) => !e.querySelector("svg")).length;
-  return {raw, wanted, made, wrong, empty, links: document.links.length};
+  return {raw, wanted, made: formulas.length, wrong, empty, links: document.links.length};
 }
 
 // A browser with one tab, where one page is opened after the other. Puppeteer reads only the first lines that Chromium writes on
