@@ -1,0 +1,70 @@
+// Shows that check-pages.mjs finds each fault that it looks for:
+//
+//   node check-pages-test.mjs SITE
+//
+// Opens a page for each kind of fault, and one without a fault, with the MathJax of SITE; the good one in a browser that writes
+// much on standard error. Exit status 1 where a fault is not told, or is told of the good page. Run from the folder where
+// axe-core and puppeteer-core are.
+import {spawnSync} from "node:child_process";
+import fs from "node:fs";
+import os from "node:os";
+import path from "node:path";
+
+const [site] = process.argv.slice(2);
+if (!site) {
+  console.error("usage: node check-pages-test.mjs SITE");
+  process.exit(2);
+}
+
+const mathjax = `<script type="text/x-mathjax-config">
+MathJax.Hub.Config({extensions: ["tex2jax.js"], jax: ["input/TeX", "output/SVG"], messageStyle: "none",
+                    TeX: {noErrors: {disabled: true}, noUndefined: {disabled: true}}});
+</script><script async src="mathjax/MathJax.js"></script>`;
+
+// Name: what the page holds, and what has to be told of it.
+const pages = {
+  good: [mathjax + "<p>A formula, \\(x^2\\), and <a href='good.html'>a link</a>.</p>"],
+  raw: ["<p>Here \\f$ is left, and \\(x\\) as well.</p>", "raw formula in the text: Here"],
+  rejected: [mathjax + "<p>\\(\\frac{1\\)</p>", "MathJax rejects a formula: "],
+  left_out: ["<p>Here is<script type='math/tex'>x</script>nothing.</p>", "1 formulas are not rendered"],
+  wide: ["<div style='width: 500px'>Wider than a telephone.</div>", "is 1?\\d\\d pixels too wide at 375"],
+  console: ["<script>console.error('of the page')</script>", "console: of the page"],
+  script: ["<script>throw new Error('of the page')</script>", "script: of the page"],
+  missing: ["<img src='missing.png' alt='missing'>", "not loaded: file:.*missing.png"],
+  call: ["<img src='http://127.0.0.1:9/image.png' alt='elsewhere'>", "calls another host: http://127"],
+  nameless: ["<img src='data:image/gif;base64,R0lGODlhAQABAAAAACw='>", "axe, light: image-alt"],
+  dark: ["<style>@media (prefers-color-scheme: dark) { p { color: #333; background: #222; } }</style><p>Too dark.</p>",
+         "axe, dark: color-contrast"],
+  busy: ["<script>addEventListener('load', () => setTimeout(() => { for (;;); }))</script>",
+         "could not be looked at, .*: no end within"],
+  idle: ["<script>MathJax = {Hub: {Queue() {}}}</script>", "could not be looked at, at: formulas: no end within"],
+};
+
+const folder = fs.mkdtempSync(path.join(os.tmpdir(), "check-pages-"));
+process.on("exit", () => fs.rmSync(folder, {recursive: true}));
+fs.symlinkSync(path.resolve(site, "mathjax"), path.join(folder, "mathjax"));
+for (const [name, [body]] of Object.entries(pages))
+  fs.writeFileSync(path.join(folder, name + ".html"), `<!DOCTYPE html>
+<html lang="en"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width"><title>${name}</title></head>
+<body><main><h1>${name}</h1>${body}</main></body></html>`);
+const chromium = process.env.CHROMIUM ?? "/usr/bin/chromium";
+const talking = path.join(folder, "chromium");
+fs.writeFileSync(talking, `#!/bin/sh\nexec ${chromium} --enable-logging=stderr --v=2 "$@"\n`, {mode: 0o755});
+
+function check(environment, ...options) {
+  return spawnSync(process.execPath, [path.join(import.meta.dirname, "check-pages.mjs"), folder, path.join(folder, "report.json"),
+                                      "--limit", "20", ...options], {encoding: "utf8", env: {...process.env, ...environment}});
+}
+
+const wrong = [];
+const all = check({});
+for (const [name, [, fault]] of Object.entries(pages))
+  if (fault ? !new RegExp("^" + name + "\\.html: " + fault, "m").test(all.stderr) : all.stderr.includes(name + ".html"))
+    wrong.push(fault ? name + ".html is not told: " + fault : name + ".html has no fault");
+if (all.status !== 1) wrong.push("exit status " + all.status + " with faults");
+const good = check({CHROMIUM: talking}, "--only", "^good");
+if (good.status !== 0) wrong.push("exit status " + good.status + " without a fault");
+for (const each of wrong) console.error("check-pages-test: " + each);
+if (wrong.length) console.error(all.stdout + all.stderr + good.stdout + good.stderr);
+else console.log((Object.keys(pages).length - 1) + " pages with a fault each are told, a good one is not");
+process.exit(wrong.length ? 1 : 0);
