@@ -36,6 +36,7 @@ struct FunctionErrors {
 struct ZoneErrors {
     std::string zone;                        ///< its name
     int points = 0;                          ///< how many
+    int against_the_paper = 0;               ///< of these, compared with the paper's formulas in 100 digits and more
     int poles = 0;                           ///< points on a pole at zeta = 0, where nothing finite is the answer
     int finite_at_poles = 0;                 ///< of these, where something finite was given
     std::array<FunctionErrors, 4> functions; ///< Re v, Im v, u, g

@@ -75,6 +75,9 @@ struct Place {
     T R, zeta;
 };
 
+/// One seeded point in so many is compared with the paper's formulas whatever the forms in 50 digits say.
+constexpr int always_against_the_paper = 16;
+
 template <class T>
 T below_one(const T& zeta) {
     const T last = 1 - std::numeric_limits<T>::epsilon() / 2;

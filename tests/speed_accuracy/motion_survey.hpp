@@ -15,11 +15,12 @@ namespace denhartog::tests {
 ///
 /// The unit is eps times the size of the true value, or times the least normal number where that is larger.
 struct FunctionInZone {
-    std::string zone;     ///< the zone of (R, zeta) or zeta
-    std::string function; ///< the function
-    int points = 0;       ///< how many
-    Worst printed;        ///< the paper's form, as corrected
-    Worst shipped;        ///< the form that callers get
+    std::string zone;          ///< the zone of (R, zeta) or zeta
+    std::string function;      ///< the function
+    int points = 0;            ///< how many
+    int against_the_paper = 0; ///< of these, compared with the paper's formulas in 100 digits and more
+    Worst printed;             ///< the paper's form, as corrected
+    Worst shipped;             ///< the form that callers get
 };
 
 /// @brief Errors of (A.8), (A.9) and the expression of (57), at tau uniform over the half-period and close to its ends.
