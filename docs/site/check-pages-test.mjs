@@ -9,6 +9,7 @@ import {spawnSync} from "node:child_process";
 import fs from "node:fs";
 import os from "node:os";
 import path from "node:path";
+import {fileURLToPath} from "node:url";
 
 const [site] = process.argv.slice(2);
 if (!site) {
@@ -51,9 +52,11 @@ const chromium = process.env.CHROMIUM ?? "/usr/bin/chromium";
 const talking = path.join(folder, "chromium");
 fs.writeFileSync(talking, `#!/bin/sh\nexec ${chromium} --enable-logging=stderr --v=2 "$@"\n`, {mode: 0o755});
 
+const checker = fileURLToPath(new URL("check-pages.mjs", import.meta.url));
+
 function check(environment, ...options) {
-  return spawnSync(process.execPath, [path.join(import.meta.dirname, "check-pages.mjs"), folder, path.join(folder, "report.json"),
-                                      "--limit", "20", ...options], {encoding: "utf8", env: {...process.env, ...environment}});
+  return spawnSync(process.execPath, [checker, folder, path.join(folder, "report.json"), "--limit", "20", ...options],
+                   {encoding: "utf8", env: {...process.env, ...environment}});
 }
 
 const wrong = [];
