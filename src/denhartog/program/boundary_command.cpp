@@ -1,9 +1,11 @@
 #include "denhartog/program/boundary_command.hpp"
 
+#include <CLI/CLI.hpp>
 #include <memory>
 
 #include "denhartog/model/number_text.hpp"
 #include "denhartog/program/answer_json.hpp"
+#include "denhartog/program/scene_command.hpp"
 #include "denhartog/program/table.hpp"
 #include "denhartog/response/invariant_points.hpp"
 

@@ -1,5 +1,6 @@
 #include "denhartog/program/conform_command.hpp"
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <functional>
 #include <map>

@@ -2,11 +2,14 @@
 /// @brief `denhartog conform`: another implementation, tested against the certified vectors.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
 #include <vector>
 
 #include "denhartog/program/exit_status.hpp"
+
+namespace CLI {
+class App;
+} // namespace CLI
 
 namespace denhartog::program {
 

@@ -9,7 +9,7 @@ using conformance::Judged;
 using conformance::Verdict;
 
 // A cell whose text cannot end it.
-std::string cell(const std::string& text) {
+std::string markdown_cell(const std::string& text) {
     std::string safe;
     for (const char c : text) {
         if (c == '|' || c == '<' || c == '`' || c == '*' || c == '\\' || c == '[') safe += '\\';
@@ -20,7 +20,7 @@ std::string cell(const std::string& text) {
 
 std::string row(const std::vector<std::string>& cells) {
     std::string text = "|";
-    for (const std::string& one : cells) text += " " + cell(one) + " |";
+    for (const std::string& one : cells) text += " " + markdown_cell(one) + " |";
     return text + "\n";
 }
 
@@ -67,14 +67,14 @@ std::string diagnosis_rows(const conformance::Diagnosis& d) {
     if (d.wrong == 0) return "";
     std::string text = "\n### Diagnosis\n\n";
     for (const conformance::Finding& f : d.findings)
-        text += "- **" + cell(f.mistake->name) + "**" +
-                (f.mistake->equation.empty() ? "" : ", Eq. (" + f.mistake->equation + ")") + ": " + cell(f.mistake->told) +
-                " Explains " + std::to_string(f.explained) + " of " + std::to_string(d.wrong) +
+        text += "- **" + markdown_cell(f.mistake->name) + "**" +
+                (f.mistake->equation.empty() ? "" : ", Eq. (" + f.mistake->equation + ")") + ": " +
+                markdown_cell(f.mistake->told) + " Explains " + std::to_string(f.explained) + " of " + std::to_string(d.wrong) +
                 " wrong answers, contradicted by " + std::to_string(f.contradicted) + ", for example " +
-                f.example->vector->question.id + ". Look at: " + cell(f.mistake->look_at) + "\n";
+                f.example->vector->question.id + ". Look at: " + markdown_cell(f.mistake->look_at) + "\n";
     if (!d.unexplained.empty()) text += "- " + std::to_string(d.unexplained.size()) + " match no known mistake.\n";
     for (const conformance::InCommon& one : d.in_common)
-        text += "  - in common: " + cell(one.property) + " (" + std::to_string(one.wrong) + " of " +
+        text += "  - in common: " + markdown_cell(one.property) + " (" + std::to_string(one.wrong) + " of " +
                 std::to_string(one.all_wrong) + ")\n";
     return text;
 }
@@ -82,10 +82,10 @@ std::string diagnosis_rows(const conformance::Diagnosis& d) {
 } // namespace
 
 std::string report_markdown(const ConformReport& report) {
-    std::string text =
-        "## " + cell(report.subject) + "\n\n" + score_rows(report) + worst_rows(report) + diagnosis_rows(report.diagnosis);
+    std::string text = "## " + markdown_cell(report.subject) + "\n\n" + score_rows(report) + worst_rows(report) +
+                       diagnosis_rows(report.diagnosis);
     if (!report.notes.empty()) text += "\n### Besides\n\n";
-    for (const std::string& note : report.notes) text += "- " + cell(note) + "\n";
+    for (const std::string& note : report.notes) text += "- " + markdown_cell(note) + "\n";
     if (report.changes) {
         text += "\n### Since the last run\n\n";
         for (const Change& c : report.changes->worse)

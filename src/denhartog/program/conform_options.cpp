@@ -1,5 +1,6 @@
 #include "denhartog/program/conform_options.hpp"
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 #include <regex>

@@ -2,12 +2,15 @@
 /// @brief Options of `denhartog conform`: which vectors, and how a program is run.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "denhartog/conformance/session.hpp"
+
+namespace CLI {
+class App;
+} // namespace CLI
 
 namespace denhartog::program {
 

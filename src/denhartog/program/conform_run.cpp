@@ -21,7 +21,7 @@ using conformance::Judged;
 using conformance::Vector;
 
 // How many questions are done, on a terminal, at every percent.
-void show_progress(std::size_t done, std::size_t all) {
+void show_answered(std::size_t done, std::size_t all) {
     static const bool on_terminal = ::isatty(STDERR_FILENO) != 0;
     if (!on_terminal) return;
     const std::size_t percent = 100 * done / all;
@@ -75,7 +75,7 @@ void conform_run(const ConformOptions& options, ExitStatus& status) {
     for (const Vector* v : chosen) questions.push_back(&v->question);
     const Interruptible interruptible(conformance::interruption());
     const conformance::Conversation conversation =
-        conformance::converse(settings, questions, [&](std::size_t done) { show_progress(done, chosen.size()); });
+        conformance::converse(settings, questions, [&](std::size_t done) { show_answered(done, chosen.size()); });
     if (interruptible.caught() != 0) {
         status.signal = interruptible.caught();
         return report("interrupted: nothing is written");

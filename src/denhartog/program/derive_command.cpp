@@ -1,5 +1,6 @@
 #include "denhartog/program/derive_command.hpp"
 
+#include <CLI/CLI.hpp>
 #include <cstdlib>
 #include <memory>
 
@@ -11,14 +12,14 @@ namespace denhartog::program {
 
 namespace {
 
-struct Options {
+struct DeriveOptions {
     std::string equation;
     std::string file;
     bool latex = false;
     bool json = false;
 };
 
-void answer(const Options& options) {
+void answer(const DeriveOptions& options) {
     const std::string equation = options.equation.empty() ? "" : ledger::asked_equation(options.equation);
     const char* environment = std::getenv("DENHARTOG_DERIVATION");
     const ledger::Json record =
@@ -34,7 +35,7 @@ void answer(const Options& options) {
 
 void add_derive_command(CLI::App& app) {
     CLI::App* command = app.add_subcommand("derive", "Show the steps of the derivation, as text with LaTeX formulas");
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<DeriveOptions>();
     command->add_option("EQUATION", options->equation, "one equation, e.g. 46 or A.7; all of them without it");
     CLI::Option* latex = command->add_flag("--latex", options->latex, "a fragment of LaTeX (needs amsmath)");
     command->add_flag("--json", options->json, "an array of JSON objects")->excludes(latex);

@@ -2,7 +2,9 @@
 /// @brief `denhartog derive`: each step of the derivation.
 #pragma once
 
-#include <CLI/CLI.hpp>
+namespace CLI {
+class App;
+} // namespace CLI
 
 namespace denhartog::program {
 

@@ -1,5 +1,6 @@
 #include "denhartog/program/equations_command.hpp"
 
+#include <CLI/CLI.hpp>
 #include <cstdlib>
 #include <memory>
 
@@ -12,13 +13,13 @@ namespace denhartog::program {
 
 namespace {
 
-struct Options {
+struct EquationsOptions {
     std::string equation;
     std::string file;
     bool json = false;
 };
 
-void answer(const Options& options) {
+void answer(const EquationsOptions& options) {
     const std::string equation = options.equation.empty() ? "" : ledger::asked_equation(options.equation);
     const char* environment = std::getenv("DENHARTOG_LEDGER");
     const ledger::Ledger found = ledger::read_ledger(
@@ -36,7 +37,7 @@ void answer(const Options& options) {
 
 void add_equations_command(CLI::App& app) {
     CLI::App* command = app.add_subcommand("equations", "Show the ledger: what holds of each numbered equation of the paper");
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<EquationsOptions>();
     command->add_option("EQUATION", options->equation, "one equation, e.g. 46 or A.7; all of them without it");
     command->add_flag("--json", options->json, "an array of JSON objects in place of a table");
     command->add_option("--ledger", options->file, "a ledger.json to read in place of the last run's (also: DENHARTOG_LEDGER)");

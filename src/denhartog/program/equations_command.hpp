@@ -2,7 +2,9 @@
 /// @brief `denhartog equations`: the ledger of all numbered equations.
 #pragma once
 
-#include <CLI/CLI.hpp>
+namespace CLI {
+class App;
+} // namespace CLI
 
 namespace denhartog::program {
 

@@ -1,8 +1,10 @@
 #include "denhartog/program/functions_command.hpp"
 
+#include <CLI/CLI.hpp>
 #include <memory>
 
 #include "denhartog/program/number_json.hpp"
+#include "denhartog/program/scene_command.hpp"
 #include "denhartog/program/table.hpp"
 #include "denhartog/response/quantities.hpp"
 

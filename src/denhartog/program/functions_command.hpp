@@ -2,7 +2,11 @@
 /// @brief `denhartog functions`: what the response is made of, (22), (23), (28), (29), (33)-(35), (56), (64).
 #pragma once
 
-#include "denhartog/program/scene_command.hpp"
+#include "denhartog/program/exit_status.hpp"
+
+namespace CLI {
+class App;
+} // namespace CLI
 
 namespace denhartog::program {
 

@@ -1,5 +1,6 @@
 #include "denhartog/program/integrate_command.hpp"
 
+#include <CLI/CLI.hpp>
 #include <memory>
 #include <vector>
 
@@ -8,6 +9,7 @@
 #include "denhartog/model/number_text.hpp"
 #include "denhartog/program/files.hpp"
 #include "denhartog/program/number_json.hpp"
+#include "denhartog/program/scene_command.hpp"
 #include "denhartog/program/table.hpp"
 #include "denhartog/response/regime_seen.hpp"
 #include "denhartog/response/scene_source.hpp"
@@ -15,7 +17,7 @@
 namespace denhartog::program {
 namespace {
 
-struct Options {
+struct IntegrateOptions {
     SceneOptions scene;
     std::string method = "paper";
     std::string start;
@@ -39,7 +41,7 @@ Json mass_json(std::size_t k, const PaperMassMotion& m) {
     return all;
 }
 
-Json motion_json(const PaperMotion& m, const Scene<double>& scene, const Options& options) {
+Json motion_json(const PaperMotion& m, const Scene<double>& scene, const IntegrateOptions& options) {
     const NumberWriter write;
     const bool paper = options.method == "paper";
     Json all{{"method", options.method}, {"status", name(m.status)}};
@@ -71,8 +73,6 @@ Json motion_json(const PaperMotion& m, const Scene<double>& scene, const Options
     all["counters"] = counters;
     return all;
 }
-
-std::string cell(const Json& object, const char* key) { return object.contains(key) ? in_table(object.at(key)) : "-"; }
 
 std::string rows_of(const Json& objects, const std::vector<const char*>& keys) {
     std::vector<std::vector<std::string>> rows{{keys.begin(), keys.end()}};
@@ -129,7 +129,7 @@ State<double> start_from(const std::string& text, std::size_t N) {
     return {{numbers.begin(), middle}, {middle, numbers.end()}};
 }
 
-std::string integrated(const SceneText& part, const Options& options, ExitStatus& status) {
+std::string integrated(const SceneText& part, const IntegrateOptions& options, ExitStatus& status) {
     const Scene<double> scene = scene_source(part).in_double();
     PaperSettings settings = options.settings;
     if (!options.start.empty()) settings.start = start_from(options.start, number_of_masses(scene.system));
@@ -143,7 +143,7 @@ std::string integrated(const SceneText& part, const Options& options, ExitStatus
     return options.scene.json ? json.dump() + "\n" : as_table(json);
 }
 
-void answer(const Options& options, ExitStatus& status) {
+void answer(const IntegrateOptions& options, ExitStatus& status) {
     if (options.method != "paper" && options.method != "exact")
         throw InputError("method", "must be paper or exact", options.method);
     if (options.settings.samples > 0 && options.scene.json)
@@ -163,7 +163,7 @@ void answer(const Options& options, ExitStatus& status) {
 void add_integrate_command(CLI::App& app, ExitStatus& status) {
     CLI::App* command =
         app.add_subcommand("integrate", "Motion from a start over a number of periods: by the paper's algorithm or exactly");
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<IntegrateOptions>();
     PaperSettings& settings = options->settings;
     add_scene_options(*command, options->scene);
     command

@@ -2,7 +2,11 @@
 /// @brief `denhartog integrate`: the motion from a start over a number of periods, by the paper's algorithm or exactly.
 #pragma once
 
-#include "denhartog/program/scene_command.hpp"
+#include "denhartog/program/exit_status.hpp"
+
+namespace CLI {
+class App;
+} // namespace CLI
 
 namespace denhartog::program {
 

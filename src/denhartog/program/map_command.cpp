@@ -1,5 +1,6 @@
 #include "denhartog/program/map_command.hpp"
 
+#include <CLI/CLI.hpp>
 #include <unistd.h>
 
 #include <algorithm>
@@ -17,7 +18,7 @@
 namespace denhartog::program {
 namespace {
 
-struct Options {
+struct MapOptions {
     std::string scene, r, beta, output;
     std::vector<long> masses;
     std::string start = "rest";
@@ -27,7 +28,7 @@ struct Options {
 
 std::atomic<bool> stop{false};
 
-void show_progress(std::size_t done, std::size_t columns) {
+void show_columns(std::size_t done, std::size_t columns) {
     static const bool on_terminal = ::isatty(STDERR_FILENO) != 0;
     if (!on_terminal) return;
     const std::size_t percent = 100 * done / columns;
@@ -65,14 +66,14 @@ bool as_npy(const std::string& output) {
     throw InputError("output", "must end in .csv or .npy", output);
 }
 
-void write(const Options& options, const std::string& content) {
+void write(const MapOptions& options, const std::string& content) {
     if (options.output.empty())
         write_standard_output(content);
     else
         write_file(options.output, content);
 }
 
-void answer(const Options& options, ExitStatus& status) {
+void answer(const MapOptions& options, ExitStatus& status) {
     const bool npy = as_npy(options.output);
     const Scene<double> scene = scene_of(options.scene);
     MapRequest request;
@@ -88,7 +89,7 @@ void answer(const Options& options, ExitStatus& status) {
     request.threads = options.threads != 0 ? options.threads : std::max(1U, std::thread::hardware_concurrency());
     if (!options.output.empty()) check_writable(options.output);
     const Interruptible interruptible(stop);
-    const auto progress = [&](std::size_t done) { show_progress(done, request.r.size()); };
+    const auto progress = [&](std::size_t done) { show_columns(done, request.r.size()); };
     const RegimeMap map = regime_map(scene, request, stop, progress);
     if (map.complete) return write(options, npy ? map_npy(request, map) : map_csv(request, map));
     status.signal = interruptible.caught();
@@ -99,7 +100,7 @@ void answer(const Options& options, ExitStatus& status) {
 
 void add_map_command(CLI::App& app, ExitStatus& status) {
     CLI::App* command = app.add_subcommand("map", "Regime, amplitudes and stops per period over a grid of (r, beta)");
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<MapOptions>();
     command->add_option("SCENE", options->scene, "file with one scene as JSON; standard input where it is - or missing");
     command->add_option("--r", options->r, "frequency ratios, FROM:TO:COUNT with both ends")->required();
     command->add_option("--beta", options->beta,

@@ -2,9 +2,11 @@
 /// @brief `denhartog map`: regime, amplitudes and stops over a grid of (r, beta), and boundary curves over r.
 #pragma once
 
-#include <CLI/CLI.hpp>
-
 #include "denhartog/program/exit_status.hpp"
+
+namespace CLI {
+class App;
+} // namespace CLI
 
 namespace denhartog::program {
 

@@ -10,9 +10,9 @@ namespace {
 
 bool has_numbers(PointStatus status) { return status == PointStatus::answered || status == PointStatus::on_boundary; }
 
-std::string cell(double x) { return std::isnan(x) ? "nan" : number_to_text(x == 0 ? 0.0 : x); }
+std::string csv_cell(double x) { return std::isnan(x) ? "nan" : number_to_text(x == 0 ? 0.0 : x); }
 
-std::string cell(std::int32_t n, bool known) { return known ? std::to_string(n) : "nan"; }
+std::string csv_cell(std::int32_t n, bool known) { return known ? std::to_string(n) : "nan"; }
 
 double number(double x, bool known) { return known ? x : std::nan(""); }
 
@@ -24,20 +24,20 @@ std::string map_csv(const MapRequest& request, const RegimeMap& map) {
     csv += ",status\n";
     const std::size_t masses = request.masses.size();
     std::vector<std::string> beta, regimes, statuses;
-    for (const double each : request.beta) beta.push_back("," + cell(each) + ",");
+    for (const double each : request.beta) beta.push_back("," + csv_cell(each) + ",");
     for (const Regime each : {Regime::continuous, Regime::stick_slip, Regime::permanent_sticking})
         regimes.push_back(denhartog::name(each) + ",");
     for (int n = 0; n <= static_cast<int>(PointStatus::failed); ++n)
         statuses.push_back("," + denhartog::name(static_cast<PointStatus>(n)) + "\n");
     const std::string none = ",";
     for (std::size_t m = 0, point = 0; m < request.r.size(); ++m) {
-        const std::string r = cell(request.r[m]);
+        const std::string r = csv_cell(request.r[m]);
         for (std::size_t n = 0; n < request.beta.size(); ++n, ++point) {
             const MapPoint& p = map.points[point];
             const bool known = has_numbers(p.status);
             csv.append(r).append(beta[n]).append(known ? regimes[static_cast<std::size_t>(p.regime)] : none);
-            csv.append(cell(p.stops, known)).append(none).append(cell(p.periods, known));
-            for (std::size_t k = 0; k < masses; ++k) csv.append(none).append(cell(map.amplitudes[point * masses + k]));
+            csv.append(csv_cell(p.stops, known)).append(none).append(csv_cell(p.periods, known));
+            for (std::size_t k = 0; k < masses; ++k) csv.append(none).append(csv_cell(map.amplitudes[point * masses + k]));
             csv.append(statuses[static_cast<std::size_t>(p.status)]);
         }
     }
@@ -69,9 +69,9 @@ std::string curves_csv(const std::vector<double>& r, const std::vector<BoundaryP
     for (std::size_t n = 0; n < r.size(); ++n) {
         const BoundaryPoint& b = curves[n];
         const bool known = has_numbers(b.status);
-        csv += cell(r[n]);
+        csv += csv_cell(r[n]);
         for (const double limit : {b.exact, b.paper, b.approximate, b.sticking.value_or(std::nan(""))})
-            csv += "," + cell(number(limit, known));
+            csv += "," + csv_cell(number(limit, known));
         csv += "," + denhartog::name(b.status) + "\n";
     }
     return csv;

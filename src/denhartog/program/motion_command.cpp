@@ -1,24 +1,24 @@
 #include "denhartog/program/motion_command.hpp"
 
+#include <CLI/CLI.hpp>
 #include <memory>
 
 #include "denhartog/model/number_text.hpp"
 #include "denhartog/program/files.hpp"
+#include "denhartog/program/scene_command.hpp"
 #include "denhartog/response/quantities.hpp"
 
 namespace denhartog::program {
 namespace {
 
-constexpr long most_samples = 10'000'000;
-
-struct Options {
+struct MotionOptions {
     std::string scene;
     std::string output;
     long samples = 400;
     int digits = 10;
 };
 
-std::string cell(double x) { return "," + number_to_text(x == 0 ? 0.0 : x); }
+std::string in_column(double x) { return "," + number_to_text(x == 0 ? 0.0 : x); }
 
 std::string as_csv(const std::vector<double>& tau, const Quantities<Bounded>& q) {
     const std::size_t N = q.x_size.size();
@@ -29,13 +29,13 @@ std::string as_csv(const std::vector<double>& tau, const Quantities<Bounded>& q)
     for (std::size_t n = 0; n < tau.size(); ++n) {
         csv += number_to_text(tau[n]);
         for (const std::vector<Bounded>* values : {&q.x, &q.x_prime})
-            for (std::size_t k = 0; k < N; ++k) csv += cell((*values)[n * N + k].x);
+            for (std::size_t k = 0; k < N; ++k) csv += in_column((*values)[n * N + k].x);
         csv += "\n";
     }
     return csv;
 }
 
-std::string sampled(const SceneText& part, const Options& options) {
+std::string sampled(const SceneText& part, const MotionOptions& options) {
     const SceneSource source = scene_source(part);
     const Scene<double> scene = source.in_double();
     if (!scene.r) throw InputError("r", "must be given", "nothing", "/r");
@@ -57,7 +57,7 @@ std::string sampled(const SceneText& part, const Options& options) {
     }
 }
 
-void answer(const Options& options) {
+void answer(const MotionOptions& options) {
     if (options.samples < 1 || options.samples > most_samples)
         throw InputError("samples", "must be from 1 to " + std::to_string(most_samples), std::to_string(options.samples));
     const std::string text = read_input(options.scene);
@@ -74,7 +74,7 @@ void answer(const Options& options) {
 
 void add_motion_command(CLI::App& app, ExitStatus& status) {
     CLI::App* command = app.add_subcommand("motion", "Displacement and velocity of every mass over one period, as CSV");
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<MotionOptions>();
     command->add_option("SCENE", options->scene, "file with one scene as JSON; standard input where it is - or missing");
     command->add_option("--samples", options->samples, "instants in a period")->capture_default_str();
     command->add_option("--digits", options->digits, "significant digits of every displacement and velocity, 1 to 15")

@@ -2,7 +2,11 @@
 /// @brief `denhartog motion`: displacements and velocities over one period, as CSV.
 #pragma once
 
-#include "denhartog/program/scene_command.hpp"
+#include "denhartog/program/exit_status.hpp"
+
+namespace CLI {
+class App;
+} // namespace CLI
 
 namespace denhartog::program {
 

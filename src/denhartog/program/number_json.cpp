@@ -37,4 +37,6 @@ std::string in_table(const Json& x) {
     return text;
 }
 
+std::string cell(const Json& object, const char* key) { return object.contains(key) ? in_table(object.at(key)) : "-"; }
+
 } // namespace denhartog::program

@@ -32,4 +32,10 @@ struct NumberWriter {
 /// @return   text of at most 12 significant digits for a number; the text as it is
 [[nodiscard]] std::string in_table(const Json& x);
 
+/// @brief A member of an answer for a table.
+/// @param object  the answer
+/// @param key     its key
+/// @return        the member as `in_table` has it; `-` where there is none
+[[nodiscard]] std::string cell(const Json& object, const char* key);
+
 } // namespace denhartog::program

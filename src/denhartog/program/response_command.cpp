@@ -1,14 +1,14 @@
 #include "denhartog/program/response_command.hpp"
 
+#include <CLI/CLI.hpp>
 #include <memory>
 
 #include "denhartog/program/answer_json.hpp"
+#include "denhartog/program/scene_command.hpp"
 #include "denhartog/program/table.hpp"
 
 namespace denhartog::program {
 namespace {
-
-std::string cell(const Json& object, const char* key) { return object.contains(key) ? in_table(object.at(key)) : "-"; }
 
 std::string response_table(const Json& a) {
     std::string text = "regime: " + a.at("regime").get<std::string>() + "\n";

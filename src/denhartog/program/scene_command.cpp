@@ -1,5 +1,6 @@
 #include "denhartog/program/scene_command.hpp"
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 

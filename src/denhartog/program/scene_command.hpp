@@ -2,7 +2,6 @@
 /// @brief What the subcommands that answer scenes share: options, the walk over the scenes, errors in their place.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -13,7 +12,14 @@
 #include "denhartog/program/exit_status.hpp"
 #include "denhartog/response/answer.hpp"
 
+namespace CLI {
+class App;
+} // namespace CLI
+
 namespace denhartog::program {
+
+/// @brief Most samples of a motion that are given.
+inline constexpr long most_samples = 10'000'000;
 
 /// @brief Options of a subcommand that answers scenes.
 struct SceneOptions {

@@ -115,8 +115,6 @@ void add_numbers(Json& all, const Solution& s, const Solved<T>& n, const NumberW
     if (n.start) all["start"] = state_json(*n.start, write);
 }
 
-std::string cell(const Json& object, const char* key) { return object.contains(key) ? in_table(object.at(key)) : "-"; }
-
 std::string masses_table(const Json& masses) {
     const std::vector<const char*> keys{"mass", "amplitude", "phase", "error_bound", "phase_error_bound"};
     std::vector<std::vector<std::string>> rows{{"mass", "amplitude", "phase", "error bound", "of the phase"}};

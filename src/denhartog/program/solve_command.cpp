@@ -1,8 +1,10 @@
 #include "denhartog/program/solve_command.hpp"
 
+#include <CLI/CLI.hpp>
 #include <memory>
 
 #include "denhartog/model/number_text.hpp"
+#include "denhartog/program/scene_command.hpp"
 #include "denhartog/program/solution_json.hpp"
 #include "denhartog/response/sampled_solution.hpp"
 #include "denhartog/response/solve.hpp"
@@ -10,9 +12,7 @@
 namespace denhartog::program {
 namespace {
 
-constexpr long most_samples = 10'000'000;
-
-struct Options {
+struct SolveOptions {
     SceneOptions scene;
     std::string ask = "motion";
     bool all = false;
@@ -28,7 +28,7 @@ Asked asked(const std::string& text) {
 }
 
 // The question; masses count from 1 here and from 0 there.
-Question question_of(const Options& options, std::size_t N) {
+Question question_of(const SolveOptions& options, std::size_t N) {
     Question question{asked(options.ask), options.scene.digits, options.all};
     if (!options.mass) return question;
     if (*options.mass < 1 || static_cast<std::size_t>(*options.mass) > N)
@@ -53,7 +53,7 @@ std::string as_csv(const SampledSolution& motion) {
     return csv;
 }
 
-std::string solved(const SceneText& part, const Options& options) {
+std::string solved(const SceneText& part, const SolveOptions& options) {
     if (options.samples < 0 || options.samples > most_samples)
         throw InputError("samples", "must be from 1 to " + std::to_string(most_samples), std::to_string(options.samples));
     if (options.samples > 0 && options.ask != "motion")
@@ -75,7 +75,7 @@ std::string solved(const SceneText& part, const Options& options) {
 
 void add_solve_command(CLI::App& app, ExitStatus& status) {
     CLI::App* command = app.add_subcommand("solve", "The steady motion at the point (r, beta) of a scene, in every regime");
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<SolveOptions>();
     add_scene_options(*command, options->scene);
     add_digits_option(*command, options->scene);
     command->add_option("--ask", options->ask, "what is wanted; less is cheaper")

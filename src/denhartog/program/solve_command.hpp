@@ -2,7 +2,11 @@
 /// @brief `denhartog solve`: the steady motion in every regime, by the cheapest model that has the digits asked for.
 #pragma once
 
-#include "denhartog/program/scene_command.hpp"
+#include "denhartog/program/exit_status.hpp"
+
+namespace CLI {
+class App;
+} // namespace CLI
 
 namespace denhartog::program {
 
