@@ -5,18 +5,10 @@
 #include "denhartog/evaluation/mode.hpp"
 #include "denhartog/multiprecision.hpp"
 #include "tests/catch.hpp"
+#include "tests/limits/digits_of.hpp"
 
 using namespace denhartog;
-
-namespace {
-
-/// Digits that a value in double has of the value in 100 digits.
-double digits_of(double value, const Real100& truth) {
-    const double error = static_cast<double>(abs(Real100(Real100(value) - truth)) / abs(truth));
-    return error == 0 ? 16 : -std::log10(error);
-}
-
-} // namespace
+using namespace denhartog::tests;
 
 TEST_CASE("for zeta -> 0 at a fixed R the first damping function tends to the undamped one, with an error of second order",
           "[eq:28][limit]") {

@@ -7,18 +7,13 @@
 #include "denhartog/multiprecision.hpp"
 #include "denhartog/response/steady_state.hpp"
 #include "tests/catch.hpp"
+#include "tests/limits/digits_of.hpp"
 #include "tests/unit/response_fixtures.hpp"
 
 using namespace denhartog;
 using namespace denhartog::tests;
 
 namespace {
-
-/// Digits that a value in double has of the value in 100 digits.
-double digits_of(double value, const Real100& truth) {
-    const double error = static_cast<double>(abs(Real100(Real100(value) - truth)) / abs(truth));
-    return error == 0 ? 16 : -std::log10(error);
-}
 
 /// Three unequal masses with damping ratios in proportion, the first the given one.
 System<Real50> three_masses_with(const Real50& zeta, std::size_t j, std::size_t l) {

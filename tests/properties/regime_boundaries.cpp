@@ -12,10 +12,10 @@ using namespace denhartog::tests;
 
 namespace {
 
-constexpr std::uint64_t seed = 20220614;
+constexpr std::uint64_t seed_of_boundaries = 20220614;
 
 const std::vector<RandomScene<double>>& scenes() {
-    static const std::vector<RandomScene<double>> all = random_scenes<double>(seed);
+    static const std::vector<RandomScene<double>> all = random_scenes<double>(seed_of_boundaries);
     return all;
 }
 
