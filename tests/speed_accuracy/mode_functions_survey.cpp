@@ -72,13 +72,14 @@ Four truth_of(const Place<T>& p) {
 
 /// The values at a point, and what their errors are measured by.
 template <class T>
-struct Point {
+struct SurveyedPoint {
     Place<T> place;
     std::array<T, 4> shipped, printed;
     std::array<Real100, 4> least; ///< sizes below which errors are absolute
     bool light;                   ///< whether the errors count with R taken as exact too
 
-    Point(const Place<T>& p, const std::array<T, 4>& values) : place(p), shipped(values), printed(tests::printed(p.R, p.zeta)) {
+    SurveyedPoint(const Place<T>& p, const std::array<T, 4>& values)
+        : place(p), shipped(values), printed(tests::printed(p.R, p.zeta)) {
         const Real100 normal((std::numeric_limits<T>::min)()), R(p.R), square = Real100(p.zeta) * Real100(p.zeta);
         const Real100 least_u = square < normal && R < 1 ? Real100(normal / (R * R)) : normal;
         least = {normal, normal, least_u, normal};
@@ -89,7 +90,7 @@ struct Point {
 /// Hands the errors over the condition numbers of those functions whose errors may be among the worst to `take`, until that says
 /// that it has seen enough. A condition number can only lessen an error: it is needed for these alone.
 template <class Wide, class T, class Take>
-void over_conditions(const Point<T>& p, const Four& truth, const ZoneErrors& errors, double share, const Take& take) {
+void over_conditions(const SurveyedPoint<T>& p, const Four& truth, const ZoneErrors& errors, double share, const Take& take) {
     std::optional<Conditions> known;
     for (std::size_t i = 0; i < 4; ++i) {
         const FunctionErrors& worst = errors.functions[i];
@@ -105,7 +106,7 @@ void over_conditions(const Point<T>& p, const Four& truth, const ZoneErrors& err
 
 /// Whether, against the shipped forms in 50 digits, an error is more than half of the worst so far.
 template <class T>
-bool is_near_worst(const Point<T>& p, const ZoneErrors& errors) {
+bool is_near_worst(const SurveyedPoint<T>& p, const ZoneErrors& errors) {
     const std::array<Real50, 4> near = shipped(Real50(p.place.R), Real50(p.place.zeta));
     Four truth;
     for (std::size_t i = 0; i < 4; ++i) truth[i] = static_cast<Real100>(near[i]);
@@ -128,7 +129,7 @@ void note(ZoneErrors& errors, const Place<T>& place, const Forms& forms, bool is
         errors.finite_at_poles += boost::math::isfinite(f.u) ? 1 : 0;
         return;
     }
-    const Point<T> p(place, {f.v.re, f.v.im, f.u, f.g});
+    const SurveyedPoint<T> p(place, {f.v.re, f.v.im, f.u, f.g});
     if constexpr (!std::is_same_v<T, Real50>)
         if (!is_hard && errors.points % always_against_the_paper != 0 && !is_near_worst(p, errors)) return;
     ++errors.against_the_paper;

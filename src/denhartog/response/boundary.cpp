@@ -34,7 +34,9 @@ Bounded s_d(const ModeSums<Bounded>& s, std::size_t i, const Bounded& tau) {
 // Some modes, with their weights, as a function of tau to be maximised: F = N / sin, where N = sum weight R^2 (y' + u cos).
 //
 // W = N' sin - N cos has the sign of F', and W' = (N'' + N) sin. In Z = N'' + N the cosine drops out, and the equation of free
-// motion of y leaves Z = -sum weight (2 zeta R y'' + (1 - R^2) y'), whose rate is at most sum weight |c| (1 / R^2 + 1).
+// motion of y leaves Z = -sum weight (2 zeta R y'' + (1 - R^2) y') = sum weight R^2 (y''' + y'). With y' made of exp(rho tau) its
+// rate is at most sum weight |c| |rho^2 + 1|, where |rho^2 + 1| R^2 = |1 - R^2 + 2 i zeta R|: little next to resonance, where |c|
+// is large. Without oscillations it is at most sum weight |c| (1 / R^2 + 1).
 template <class T>
 struct Demand {
     const ModeSums<T>& s;
@@ -63,8 +65,9 @@ struct Demand {
         const FrictionMotionsAt<T>& now = y.at(a);
         T bound(0);
         for (std::size_t n = 0; n < weights.size(); ++n) {
-            const T& R = s.R[first + n];
-            bound += weights[n] * now.size[n] * (1 / (R * R) + 1);
+            const T &R = s.R[first + n], &zeta = s.zeta[first + n];
+            const T from_resonance = modulus(Complex<T>{(1 - R) / R * ((1 + R) / R), 2 * zeta / R});
+            bound += weights[n] * now.size[n] * (zeta < 1 ? from_resonance : T(1 / (R * R) + 1));
         }
         return bound;
     }
