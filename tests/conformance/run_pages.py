@@ -10,7 +10,8 @@ A command stands in a comment, what it prints in the fence after it:
 
 The fence starts with the command itself after a dollar sign and shows its standard output. Commands run in the folder of the
 sources; an exit status that is not zero stands in a last line. With --check nothing is written: words have to be the same, decimal
-numbers nearly so, as their last digits differ from machine to machine; errors at the level of rounding have to be there.
+numbers nearly so, as their last digits differ from machine to machine; errors at the level of rounding have to be there, and
+numbers of digits that agree, with their one decimal, to one digit.
 """
 import argparse
 import os
@@ -22,6 +23,7 @@ import sys
 BLOCK = re.compile(r"(<!-- run: (?P<command>.*?) -->\n```[a-z]*\n)(?P<shown>.*?)(?P<end>^```$)", re.S | re.M)
 NUMBER = re.compile(r"[-+]?\d+(?:\.\d+)?(?:e[-+]?\d+)?")
 HEXADECIMAL = re.compile(r"-?0x[\da-f.]+p[-+]\d+")
+DIGITS = re.compile(r"\d\d?\.\d")
 ROUNDING = 1e-9
 
 
@@ -41,6 +43,8 @@ def near(a, b):
     if "." not in a + b and "e" not in a + b:
         return a == b
     x, y = float(a), float(b)
+    if DIGITS.fullmatch(a) and DIGITS.fullmatch(b) and abs(x - y) <= 1:
+        return True
     return abs(x) < ROUNDING and abs(y) < ROUNDING or abs(x - y) <= 0.05 * max(abs(x), abs(y))
 
 

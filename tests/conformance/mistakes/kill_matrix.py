@@ -44,9 +44,9 @@ def spread(vectors, most):
 
 
 def chosen(vectors, subject):
-    """The vectors that a program is asked: all, or those that claim to catch it and some of every quantity."""
-    if subject.get("all"):
-        return [v for v in vectors if subject.get("without") not in v["flags"]]
+    """The vectors that a program is asked: one in so many of all, or those that claim to catch it and some of every quantity."""
+    if "of_all" in subject:
+        return [v for v in vectors if subject.get("without") not in v["flags"]][:: subject["of_all"]]
     names = subject["diagnosis"]
     groups = subject.get("asks")
     asked = [v for v in vectors if not groups or v["quantity"] in groups]
