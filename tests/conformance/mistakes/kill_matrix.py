@@ -5,6 +5,7 @@ has to be found wrong, and the first diagnosis has to be the right one; a correc
 be found inaccurate and nowhere wrong. Where the vectors that show a mistake are no `must`, the run conforms but finds it all the
 same. An edit whose text is not there exactly once is an error. Usage:
 kill_matrix.py --program DENHARTOG --vectors FOLDER --output FOLDER [--only NAME]
+With --only one of them is run, and no table written.
 """
 import argparse
 import json
@@ -137,12 +138,13 @@ def main():
     killed = sum(not faults[s["name"]].startswith(("survives", "the runner")) for s in mistakes)
     right = sum(not faults[s["name"]] for s in mistakes)
     totals = f"{len(mistakes)} mistakes, {killed} killed, {right} of them with the right diagnosis first."
-    output = Path(options.output)
-    output.mkdir(parents=True, exist_ok=True)
-    (output / "kill_matrix.md").write_text(table(rows, totals))
-    record = {"mistakes": len(mistakes), "killed": killed, "diagnosed": right,
-              "rows": [{"name": name, **result, "fault": faults[name]} for name, result in rows]}
-    (output / "kill_matrix.json").write_text(json.dumps(record, indent=1) + "\n")
+    if not options.only:
+        output = Path(options.output)
+        output.mkdir(parents=True, exist_ok=True)
+        (output / "kill_matrix.md").write_text(table(rows, totals))
+        record = {"mistakes": len(mistakes), "killed": killed, "diagnosed": right,
+                  "rows": [{"name": name, **result, "fault": faults[name]} for name, result in rows]}
+        (output / "kill_matrix.json").write_text(json.dumps(record, indent=1) + "\n")
     print(totals)
     for name, fault in sorted(faults.items()):
         if fault:
