@@ -135,3 +135,24 @@ TEST_CASE("a mass that stands still at an antiresonance is no fault of the digit
     CHECK(V[0] == 0);
     CHECK(V[2] == Approx(-4).epsilon(1e-14));
 }
+
+TEST_CASE("what 50 digits cannot tell from zero is given as zero, and said to be", "[eq:46][motion][program]") {
+    std::string ones = "1", zeros = "0";
+    for (int n = 1; n < 12; ++n) {
+        ones += ",1";
+        zeros += ",0";
+    }
+    const Run run = run_program("motion --samples 2", "{\"mass_ratios\":[" + ones + "],\"stiffness_ratios\":[" + ones +
+                                                          "],\"damping_ratios\":[" + zeros +
+                                                          R"(],"contact":1,"load":1,"mu":1,"beta":0.25,"r":1e4})");
+    REQUIRE(run.status == 0);
+    CHECK(run.error.find("but for what is below 1e-25 of the largest of its kind and given as zero") != std::string::npos);
+    const std::vector<double> row = numbers_of(lines_of(run.output)[1]);
+    for (std::size_t k = 1; k <= 12; ++k) {
+        INFO("mass " << k << ": " << hexadecimal(row[k]));
+        CHECK(
+            (row[k] == 0 || std::abs(row[k]) == Approx(1.0 * row[1] * std::pow(1e-8, static_cast<double>(k - 1))).epsilon(1e-6)));
+    }
+    CHECK(row[4] != 0);
+    CHECK(row[12] == 0);
+}
