@@ -7,13 +7,13 @@ using namespace denhartog::tests;
 
 TEST_CASE("every bound of V, U, G, H, S, beta_lim, X_j, phi_j, x_k and its velocity holds on seeded scenes and none is silly",
           "[eq:33][eq:34][eq:35][eq:38][eq:39][eq:41][eq:56][eq:64][eq:69][accuracy]") {
-    const BoundsSurvey survey = survey_bounds(5000, 1);
+    const BoundsSurvey survey = survey_bounds(10000, 1);
     for (const Table& table : tables_of(survey)) std::fputs(markdown(table).c_str(), stdout);
     CHECK(survey.quantities.size() == 11);
     for (const auto& [name, of] : survey.quantities) {
         INFO(name << ", " << of.most_used << " of the bound used at " << of.worst);
         CHECK(of.violations == 0);
-        CHECK(of.over_estimate(0.5) < most_median(name));
+        CHECK(of.over_estimate(0.5) < 30);
         CHECK(of.count > 1000);
         CHECK(of.most_used > 0.05);
     }

@@ -40,13 +40,9 @@ struct BoundsSurvey {
 
     /// @brief Errors above their bounds, regimes included. @return the count
     [[nodiscard]] long violations() const;
-    /// @brief Whether the bounds of a quantity are too wide to be of use. @return true where a median reaches `most_median`
-    [[nodiscard]] bool is_silly() const;
+    /// @brief The largest median of bound over error. @return over all quantities
+    [[nodiscard]] double largest_median() const;
 };
-
-/// @brief What the median of bound over error has to stay below. @param quantity its name
-/// @return 30; 40 for a velocity, to whose terms the error of the phase adds as a whole
-[[nodiscard]] double most_median(const std::string& quantity);
 
 /// @brief Compares bounds in double, modes from long double, with 50 digits.
 ///
