@@ -2,6 +2,7 @@
 #include "denhartog/evaluation/resonance.hpp"
 
 #include <cmath>
+#include <limits>
 
 #include "denhartog/evaluation/mode.hpp"
 #include "tests/catch.hpp"
@@ -106,4 +107,14 @@ TEST_CASE("without damping the boundary at resonance is pi/4 times the ratio of 
     for (const Shapes& psi : shapes())
         CHECK(evaluation::friction_ratio_limit_at_resonance(psi.l, psi.j, 0.0) ==
               Approx(pi<double>() / 4 * std::abs(psi.l / psi.j)).epsilon(1e-15));
+}
+
+TEST_CASE("a peak that is a double is one, however little damping there is", "[eq:83][resonance]") {
+    // The cotangent is all but out of range; 64 times it is, and what is left of the load brings the peak back.
+    const double zeta = 0x1p-1022, psi_ki = 64;
+    const double beta = pi<double>() / 4 - 0x1p-10;
+    const double peak = evaluation::resonant_peak(psi_ki, 1.0, 1.0, zeta, beta);
+    CHECK(evaluation::second_damping_function_at_resonance(zeta) > std::numeric_limits<double>::max() / psi_ki);
+    CHECK(std::isfinite(peak));
+    CHECK(peak == Approx(0x1p-3 / pi<double>() * 0x1p1022).epsilon(1e-12));
 }

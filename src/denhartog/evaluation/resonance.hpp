@@ -51,8 +51,8 @@ template <class T>
     return paper::magnitude(psi_li) / paper::magnitude(psi_ji) * (pi<T>() / 4 * tanhc(T(pi<T>() * zeta / 2)));
 }
 
-/// @brief (83) as \f$ |\psi_{ki}|\coth(x)\left[|\psi_{li}|\tfrac{\pi}{4}\tanh(x)/x - |\psi_{ji}|\beta\right] \f$,
-/// \f$ x = \pi\zeta_i/2 \f$.
+/// @brief (83) as \f$ |\psi_{ki}|\left[|\psi_{li}|\tfrac{\pi}{4}\tanh(x)/x - |\psi_{ji}|\beta\right]\coth(x) \f$,
+/// \f$ x = \pi\zeta_i/2 \f$: the hyperbolic cotangent, which may be all but out of range, comes last.
 /// @eq{83}  @derivation{evaluation_forms}  @domain{0 < zeta << 1, beta below (85)}
 /// @param psi_ki  mode shape at the mass k, normalised by (17)
 /// @param psi_li  mode shape at the loaded mass
@@ -63,7 +63,7 @@ template <class T>
 template <class T>
 [[nodiscard]] T resonant_peak(const T& psi_ki, const T& psi_li, const T& psi_ji, const T& zeta, const T& beta) {
     const T margin = paper::magnitude(psi_li) * (pi<T>() / 4 * tanhc(T(pi<T>() * zeta / 2))) - paper::magnitude(psi_ji) * beta;
-    return paper::magnitude(psi_ki) * second_damping_function_at_resonance(zeta) * margin;
+    return paper::magnitude(psi_ki) * margin * second_damping_function_at_resonance(zeta);
 }
 
 /// @brief (84) as \f$ \coth(x)\left[\tfrac{\pi}{4}\tanh(x)/x - \beta\right] \f$, \f$ x = \pi\zeta/2 \f$.
