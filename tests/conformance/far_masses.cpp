@@ -134,6 +134,10 @@ TEST_CASE("a mass that stands still at an antiresonance is no fault of the digit
     REQUIRE(dh_sums(handle_of(system).get(), 1, 2, V.data(), nullptr, nullptr, nullptr, nullptr) == DH_OK);
     CHECK(V[0] == 0);
     CHECK(V[2] == Approx(-4).epsilon(1e-14));
+    dh_boundary limits{};
+    limits.size = sizeof limits;
+    REQUIRE(dh_boundaries(handle_of(system_of({1, 0.25}, {1, 0.25}, {0, 0}, 1, 1)).get(), 1, 1, &limits) == DH_OK);
+    CHECK(limits.exact < 1e-25);
 }
 
 TEST_CASE("what 50 digits cannot tell from zero is given as zero, and said to be", "[eq:46][motion][program]") {

@@ -288,8 +288,8 @@ Table table_of(const std::string& title, const std::vector<FunctionInZone>& all)
         "The condition number is 1 or, where larger, the relative change for one of an argument; of d, q and their rates, which "
         "turn within a few units of a large tau / R, that for an argument moved by 4 units. Below the least normal number "
         "the unit is eps times that number. Against the paper's formulas in 100 digits and more: one point in 16, the hard "
-        "points, "
-        "and every point at which the shipped forms in 50 digits, themselves surveyed here, make an error more than half of the "
+        "points, and every point at which the shipped forms in 50 digits, themselves surveyed here, make an error more than half "
+        "of the "
         "worst so far."};
     for (const FunctionInZone& f : all)
         table.rows.push_back({f.zone, std::to_string(f.points), std::to_string(f.against_the_paper), f.function,

@@ -51,11 +51,15 @@ constexpr int digits_without_bound = 10;
 // A boundary below it is zero: at an antiresonance of the contact.
 constexpr double least_boundary = 1e-25;
 
-// Boundary and closed form at a point, in the first precision that has the digits.
-Answer closed_form_at(const dh_system* system, double r, double beta, double mu, Asked asked, std::optional<Mass> mass) {
+void check_point(double r, double beta, double mu) {
     check_frequency_ratio(r);
     check_friction_ratio(beta);
     check_static_friction(mu);
+}
+
+// Boundary and closed form at a point, in the first precision that has the digits.
+Answer closed_form_at(const dh_system* system, double r, double beta, double mu, Asked asked, std::optional<Mass> mass) {
+    check_point(r, beta, mu);
     SolveTask task =
         solve_task(with_static_friction(system->prepared, mu), {r, beta, nullptr}, {asked, digits_without_bound, false, mass});
     find_boundary(task);
@@ -75,6 +79,7 @@ void need_digits(const Answer& found) {
 
 // The system at a point, in every number type.
 SceneSource point_of(const dh_system* system, double r, double beta, double mu) {
+    check_point(r, beta, mu);
     return at_point(with_static_friction(system->prepared.source, mu), r, beta);
 }
 
@@ -208,7 +213,6 @@ int dh_sums(const dh_system* system, double r, size_t count, double* V, double* 
         const std::size_t N = masses_of(system);
         need(V, "V");
         need_count(count, N);
-        check_frequency_ratio(r);
         const Quantities<Bounded> q =
             quantities(system->prepared, point_of(system, r, 0, 1), {}, digits_without_bound, PointNumbers::sums).numbers;
         std::vector<double> parts;
@@ -290,9 +294,6 @@ int dh_displacement(const dh_system* system, double r, double beta, double mu, s
         const Mass k = mass_from(mass, masses_of(system), "mass");
         need(tau, "tau");
         need(x, "x");
-        check_frequency_ratio(r);
-        check_friction_ratio(beta);
-        check_static_friction(mu);
         const Quantities<Bounded> q = quantities(system->prepared, point_of(system, r, beta, mu), std::span(tau, count),
                                                  digits_without_bound, PointNumbers::motion)
                                           .numbers;

@@ -199,6 +199,8 @@ DH_EXPORT int dh_sums(const dh_system* system, double r, size_t count, double* V
                       double* S_j) DH_NOEXCEPT;
 
 /// @brief The friction ratios that part the regimes: (56), (57), (67), (69), and permanent sticking; to 10 digits.
+///
+/// Where (69) is below 1e-25, as at an antiresonance of the contact, it counts as zero, and no digits are asked of the others.
 /// @param system    a system
 /// @param r         frequency ratio, Eq. (10), positive
 /// @param mu        static over kinetic friction, Eq. (3), at least 1
@@ -278,8 +280,8 @@ DH_EXPORT int dh_solution_stops(const dh_solution* solution, size_t count, doubl
 
 /// @brief The motion at equally spaced instants of its period, tau = 2 pi periods n / samples, **from the maximum of the force**.
 ///
-/// Where the contact slides throughout, to 10 digits as dh_displacement(); else in double. A contact that rests for ever is taken
-/// to rest at zero.
+/// Where the contact slides throughout, to 10 digits as dh_displacement(), but placed under the force by the solution's phase,
+/// which has the digits that dh_solve() was asked for; else in double. A contact that rests for ever is taken to rest at zero.
 /// @param solution  a solution
 /// @param samples   instants, at least 1
 /// @param count     samples times N

@@ -70,7 +70,9 @@ SampledSolution sampled_solution(const Scene<double>& scene, const Solution& sol
         [&](const auto& numbers) {
             if (numbers.start) return along_orbit(scene, *numbers.start, all.tau, period);
             if (numbers.rest_interval) return of_stuck_masses(numbers.masses, all.tau);
-            return of_closed_form(scene, static_cast<double>(*numbers.masses[numbers.contact.index].phase), all.tau);
+            const auto& phase = numbers.masses[numbers.contact.index].phase;
+            if (!phase) throw PrecisionError("the contact moves by less than the error of its amplitude: its phase is not known");
+            return of_closed_form(scene, static_cast<double>(*phase), all.tau);
         },
         solution.numbers);
     return all;
