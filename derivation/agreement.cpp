@@ -3,9 +3,9 @@
 #include <map>
 #include <vector>
 
-#include "denhartog/integration/second_witness.hpp"
-#include "denhartog/model/sample_scenes.hpp"
 #include "sliding_scenes.hpp"
+#include "tests/support/sample_scenes.hpp"
+#include "tests/support/second_witness.hpp"
 
 namespace denhartog::derivation {
 

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "denhartog/integration/periodic_orbit.hpp"
-#include "denhartog/model/paper_systems.hpp"
+#include "denhartog/stick_slip/periodic_orbit.hpp"
 #include "observed_systems.hpp"
+#include "tests/support/paper_systems.hpp"
 
 namespace denhartog::derivation {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "denhartog/integration/exact_motion.hpp"
+#include "denhartog/stick_slip/exact_motion.hpp"
 #include "observation.hpp"
 
 namespace denhartog::derivation {

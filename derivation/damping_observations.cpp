@@ -2,11 +2,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "denhartog/errors.hpp"
 #include "denhartog/formulas/boundary.hpp"
-#include "denhartog/model/paper_systems.hpp"
-#include "denhartog/response/invariant_points.hpp"
+#include "denhartog/number/errors.hpp"
+#include "denhartog/sliding/invariant_points.hpp"
 #include "observed_systems.hpp"
+#include "tests/support/paper_systems.hpp"
 
 namespace denhartog::derivation {
 

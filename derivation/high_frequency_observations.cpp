@@ -4,10 +4,10 @@
 
 #include "contact_motions.hpp"
 #include "denhartog/formulas/high_frequency.hpp"
-#include "denhartog/model/paper_systems.hpp"
 #include "limits.hpp"
 #include "observed_systems.hpp"
 #include "symbols.hpp"
+#include "tests/support/paper_systems.hpp"
 
 namespace denhartog::derivation {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "denhartog/program/ledger_entry.hpp"
+#include "denhartog/ledger/ledger_entry.hpp"
 #include "derivation/claim_result.hpp"
 #include "derivation/source_index.hpp"
 #include "derivation/test_index.hpp"

@@ -5,7 +5,7 @@
 #include <map>
 #include <set>
 
-#include "denhartog/errors.hpp"
+#include "denhartog/number/errors.hpp"
 
 namespace denhartog::derivation {
 

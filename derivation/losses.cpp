@@ -9,7 +9,7 @@
 #include "denhartog/formulas/as_printed.hpp"
 #include "denhartog/formulas/other_masses.hpp"
 #include "denhartog/formulas/superposition.hpp"
-#include "denhartog/response/stuck_response.hpp"
+#include "denhartog/stick_slip/stuck_response.hpp"
 #include "resonance_losses.hpp"
 #include "sliding_scenes.hpp"
 
@@ -45,9 +45,9 @@ double displacement_error(const SlidingScene& s) {
 }
 
 /// Largest error of a quantity of a mode over the half-period, over its largest value.
-double modal_error(const SlidingScene& s, const std::function<std::pair<double, double>(const ModeInScene<double>&,
-                                                                                        const InitialValues<double>&, std::size_t,
-                                                                                        double)>& printed_and_correct) {
+double modal_error(const SlidingScene& s,
+                   const std::function<std::pair<double, double>(const ModeInScene<double>&, const InitialValues<double>&,
+                                                                 std::size_t, double)>& printed_and_correct) {
     double worst = 0;
     for (std::size_t i = 0; i < s.sums.R.size(); ++i) {
         double error = 0, size = 0;
@@ -73,9 +73,8 @@ double over_masses(const SlidingScene& s, const std::function<double(std::size_t
 }
 
 double monoharmonic_error(const SlidingScene& s, const std::function<double(std::size_t k)>& printed) {
-    return over_masses(s, [&](std::size_t k) {
-        return std::abs(printed(k) - s.state.masses[k].amplitude_monoharmonic) / largest_amplitude(s);
-    });
+    return over_masses(
+        s, [&](std::size_t k) { return std::abs(printed(k) - s.state.masses[k].amplitude_monoharmonic) / largest_amplitude(s); });
 }
 
 /// Relative error of a boundary, with a sum S of one's own in (69).
@@ -139,10 +138,11 @@ const std::map<std::string, Measure>& measures() {
     static const Measure displacement{"displacement of a mass, relative to the largest amplitude", displacement_error};
     static const Measure modal_displacement{
         "modal displacement, relative to its largest value", [](const SlidingScene& s) {
-            return modal_error(s, [&s](const ModeInScene<double>& m, const InitialValues<double>& start, std::size_t i, double tau) {
-                return std::pair(as_printed::modal_displacement(tau, m, start, s.sums.u[i], s.sums.g[i], s.state.beta),
-                                 paper::modal_displacement(tau, m, start, s.sums.u[i], s.sums.g[i], s.state.beta));
-            });
+            return modal_error(
+                s, [&s](const ModeInScene<double>& m, const InitialValues<double>& start, std::size_t i, double tau) {
+                    return std::pair(as_printed::modal_displacement(tau, m, start, s.sums.u[i], s.sums.g[i], s.state.beta),
+                                     paper::modal_displacement(tau, m, start, s.sums.u[i], s.sums.g[i], s.state.beta));
+                });
         }};
     static const Measure sum_of_maxima{"friction ratio at the boundary (69) with (56), relative", [](const SlidingScene& s) {
                                            return (s.boundary.exact - s.boundary.paper) / s.boundary.exact;
@@ -154,49 +154,54 @@ const std::map<std::string, Measure>& measures() {
         {"A.15", modal_displacement},
         {"41", displacement},
         {"46", displacement},
-        {"A.7", {"modal velocity, relative to its largest value",
-                 [](const SlidingScene& s) {
-                     return modal_error(s, [&s](const ModeInScene<double>& m, const InitialValues<double>& start, std::size_t,
-                                                double tau) {
-                         return std::pair(as_printed::modal_velocity_from_start(tau, m, start, s.state.beta, s.state.phi_j),
-                                          paper::modal_velocity_from_start(tau, m, start, s.state.beta, s.state.phi_j));
-                     });
-                 }}},
-        {"44", {"initial displacement of a mass, relative to the largest amplitude",
-                [](const SlidingScene& s) {
-                    return over_masses(s, [&s](std::size_t k) {
-                        const std::size_t j = s.sums.contact.index;
-                        const double printed = as_printed::initial_displacement(s.sums.V[k], s.sums.V[j], s.sums.U[j], s.sums.G[k],
-                                                                                s.state.beta);
-                        return std::abs(printed - s.state.masses[k].x0) / largest_amplitude(s);
-                    });
-                }}},
-        {"45", {"initial velocity of a mass, relative to the largest amplitude",
-                [](const SlidingScene& s) {
-                    return over_masses(s, [&s](std::size_t k) {
-                        const std::size_t j = s.sums.contact.index;
-                        const double printed =
-                            as_printed::initial_velocity(s.sums.V[k], s.sums.V[j], s.sums.U[j], s.sums.U[k], s.state.beta);
-                        return std::abs(printed - s.state.masses[k].v0) / largest_amplitude(s);
-                    });
-                }}},
-        {"50", {"monoharmonic amplitude of a mass from (50) and (51), relative to the largest amplitude",
-                [](const SlidingScene& s) {
-                    return monoharmonic_error(s, [&s](std::size_t k) {
-                        const std::size_t j = s.sums.contact.index;
-                        return std::hypot(as_printed::monoharmonic_cosine(s.sums.V[k], s.sums.V[j], s.sums.U[j], s.sums.G[k],
-                                                                          s.state.beta),
-                                          s.state.masses[k].v0);
-                    });
-                }}},
-        {"52", {"monoharmonic amplitude of a mass, relative to the largest amplitude",
-                [](const SlidingScene& s) {
-                    return monoharmonic_error(s, [&s](std::size_t k) {
-                        const std::size_t j = s.sums.contact.index;
-                        return as_printed::displacement_transmissibility(s.sums.V[k], s.sums.V[j], s.sums.U[j], s.sums.U[k],
-                                                                         s.sums.G[k], s.state.beta);
-                    });
-                }}},
+        {"A.7",
+         {"modal velocity, relative to its largest value",
+          [](const SlidingScene& s) {
+              return modal_error(
+                  s, [&s](const ModeInScene<double>& m, const InitialValues<double>& start, std::size_t, double tau) {
+                      return std::pair(as_printed::modal_velocity_from_start(tau, m, start, s.state.beta, s.state.phi_j),
+                                       paper::modal_velocity_from_start(tau, m, start, s.state.beta, s.state.phi_j));
+                  });
+          }}},
+        {"44",
+         {"initial displacement of a mass, relative to the largest amplitude",
+          [](const SlidingScene& s) {
+              return over_masses(s, [&s](std::size_t k) {
+                  const std::size_t j = s.sums.contact.index;
+                  const double printed =
+                      as_printed::initial_displacement(s.sums.V[k], s.sums.V[j], s.sums.U[j], s.sums.G[k], s.state.beta);
+                  return std::abs(printed - s.state.masses[k].x0) / largest_amplitude(s);
+              });
+          }}},
+        {"45",
+         {"initial velocity of a mass, relative to the largest amplitude",
+          [](const SlidingScene& s) {
+              return over_masses(s, [&s](std::size_t k) {
+                  const std::size_t j = s.sums.contact.index;
+                  const double printed =
+                      as_printed::initial_velocity(s.sums.V[k], s.sums.V[j], s.sums.U[j], s.sums.U[k], s.state.beta);
+                  return std::abs(printed - s.state.masses[k].v0) / largest_amplitude(s);
+              });
+          }}},
+        {"50",
+         {"monoharmonic amplitude of a mass from (50) and (51), relative to the largest amplitude",
+          [](const SlidingScene& s) {
+              return monoharmonic_error(s, [&s](std::size_t k) {
+                  const std::size_t j = s.sums.contact.index;
+                  return std::hypot(
+                      as_printed::monoharmonic_cosine(s.sums.V[k], s.sums.V[j], s.sums.U[j], s.sums.G[k], s.state.beta),
+                      s.state.masses[k].v0);
+              });
+          }}},
+        {"52",
+         {"monoharmonic amplitude of a mass, relative to the largest amplitude",
+          [](const SlidingScene& s) {
+              return monoharmonic_error(s, [&s](std::size_t k) {
+                  const std::size_t j = s.sums.contact.index;
+                  return as_printed::displacement_transmissibility(s.sums.V[k], s.sums.V[j], s.sums.U[j], s.sums.U[k],
+                                                                   s.sums.G[k], s.state.beta);
+              });
+          }}},
         {"81", {"amplitude of a mass at a resonance, relative to the largest", error_with_81}},
         {"82", {"amplitude of a mass at a resonance, relative to the largest", error_with_82}},
         {"86", {"friction ratio at the boundary for r -> infinity, relative", error_with_86}},
@@ -204,31 +209,34 @@ const std::map<std::string, Measure>& measures() {
         {"69", sum_of_maxima},
         {"59", mode_by_mode},
         {"63", mode_by_mode},
-        {"88", {"friction ratio from which the contact rests for ever, chains at their frequency ratio, relative", error_with_88}},
+        {"88",
+         {"friction ratio from which the contact rests for ever, chains at their frequency ratio, relative", error_with_88}},
         {"68", {"friction ratio at the end of the sliding regime by (58) and \"(67) or (68)\", relative", error_with_68}},
-        {"57", {"friction ratio at the boundary (69), relative; the printed maximum is taken over 999 instants, as it has none",
-                [](const SlidingScene& s) {
-                    double S = 0;
-                    for (std::size_t i = 0; i < s.sums.R.size(); ++i) {
-                        double largest = -INFINITY;
-                        for (int n = 1; n < 1000; ++n)
-                            largest = std::max(largest, as_printed::s_d_integrand(pi<double>() * n / 1000, s.sums.R[i],
-                                                                                  s.sums.zeta[i], s.sums.u[i], s.sums.g[i]));
-                        S += std::pow(mode_of(s, i).psi_ji, 2) * largest;
-                    }
-                    return boundary_error(s, S, s.boundary.exact);
-                }}},
-        {"70", {"friction ratio at the boundary (67), mu = 1, with S_dj from (70) at tau = 1e-6 in place of (72), relative",
-                [](const SlidingScene& s) {
-                    double S = 0;
-                    for (std::size_t i = 0; i < s.sums.R.size(); ++i)
-                        S += std::pow(mode_of(s, i).psi_ji, 2) *
-                             as_printed::s_d_expansion(1e-6, s.sums.R[i], s.sums.zeta[i], s.sums.u[i], s.sums.g[i]);
-                    const std::size_t j = s.sums.contact.index;
-                    const double correct = paper::friction_ratio_limit(
-                        s.sums.V[j], s.sums.U[j], paper::static_friction_demand(s.sums.H_j, 1.0, s.sums.sum_of_squares));
-                    return std::abs(paper::friction_ratio_limit(s.sums.V[j], s.sums.U[j], S) - correct) / correct;
-                }}},
+        {"57",
+         {"friction ratio at the boundary (69), relative; the printed maximum is taken over 999 instants, as it has none",
+          [](const SlidingScene& s) {
+              double S = 0;
+              for (std::size_t i = 0; i < s.sums.R.size(); ++i) {
+                  double largest = -INFINITY;
+                  for (int n = 1; n < 1000; ++n)
+                      largest = std::max(largest, as_printed::s_d_integrand(pi<double>() * n / 1000, s.sums.R[i], s.sums.zeta[i],
+                                                                            s.sums.u[i], s.sums.g[i]));
+                  S += std::pow(mode_of(s, i).psi_ji, 2) * largest;
+              }
+              return boundary_error(s, S, s.boundary.exact);
+          }}},
+        {"70",
+         {"friction ratio at the boundary (67), mu = 1, with S_dj from (70) at tau = 1e-6 in place of (72), relative",
+          [](const SlidingScene& s) {
+              double S = 0;
+              for (std::size_t i = 0; i < s.sums.R.size(); ++i)
+                  S += std::pow(mode_of(s, i).psi_ji, 2) *
+                       as_printed::s_d_expansion(1e-6, s.sums.R[i], s.sums.zeta[i], s.sums.u[i], s.sums.g[i]);
+              const std::size_t j = s.sums.contact.index;
+              const double correct = paper::friction_ratio_limit(
+                  s.sums.V[j], s.sums.U[j], paper::static_friction_demand(s.sums.H_j, 1.0, s.sums.sum_of_squares));
+              return std::abs(paper::friction_ratio_limit(s.sums.V[j], s.sums.U[j], S) - correct) / correct;
+          }}},
     };
     return all;
 }

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "denhartog/integration/paper_algorithm.hpp"
-#include "denhartog/integration/periodic_orbit.hpp"
-#include "denhartog/response/regime_seen.hpp"
+#include "denhartog/paper_algorithm/paper_algorithm.hpp"
+#include "denhartog/paper_algorithm/regime_seen.hpp"
+#include "denhartog/stick_slip/periodic_orbit.hpp"
 #include "observed_systems.hpp"
 
 namespace denhartog::derivation {

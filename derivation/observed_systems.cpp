@@ -7,7 +7,7 @@
 #include "denhartog/formulas/boundary.hpp"
 #include "denhartog/formulas/contact.hpp"
 #include "denhartog/formulas/other_masses.hpp"
-#include "denhartog/model/paper_systems.hpp"
+#include "tests/support/paper_systems.hpp"
 
 namespace denhartog::derivation {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "denhartog/response/steady_state.hpp"
+#include "denhartog/sliding/steady_state.hpp"
 #include "observation.hpp"
 
 namespace denhartog::derivation {

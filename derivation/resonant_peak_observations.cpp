@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "denhartog/formulas/resonance.hpp"
-#include "denhartog/model/paper_systems.hpp"
 #include "observed_systems.hpp"
+#include "tests/support/paper_systems.hpp"
 
 namespace denhartog::derivation {
 

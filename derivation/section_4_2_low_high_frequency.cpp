@@ -5,7 +5,7 @@
 #include "denhartog/formulas/as_printed.hpp"
 #include "denhartog/formulas/boundary.hpp"
 #include "denhartog/formulas/high_frequency.hpp"
-#include "denhartog/response/boundary.hpp"
+#include "denhartog/sliding/boundary.hpp"
 #include "limit_twins.hpp"
 #include "observed_systems.hpp"
 #include "symbols.hpp"

@@ -1,8 +1,8 @@
 #include "sliding_scenes.hpp"
 
-#include "denhartog/errors.hpp"
 #include "denhartog/formulas/modal_coordinate.hpp"
 #include "denhartog/model/modal_basis.hpp"
+#include "denhartog/number/errors.hpp"
 
 namespace denhartog::derivation {
 
@@ -18,7 +18,8 @@ void add(std::vector<SlidingScene>& list, const std::string& name, bool of_the_p
         const double beta = scene.beta ? *scene.beta : friction_ratio_at(fraction, limit.exact);
         if (!(beta > 0 && beta < limit.exact)) return;
         SteadyState<double> state = steady_state(sums, limit, beta);
-        list.push_back({name, of_the_paper, scene.mu, scene.system, std::move(basis), std::move(sums), std::move(limit), std::move(state)});
+        list.push_back(
+            {name, of_the_paper, scene.mu, scene.system, std::move(basis), std::move(sums), std::move(limit), std::move(state)});
     } catch (const DomainError&) { // a pole of (23), (28) or (29) without damping
     }
 }
@@ -44,8 +45,9 @@ ModeInScene<double> mode_of(const SlidingScene& scene, std::size_t i) {
 InitialValues<double> start_of_mode(const SlidingScene& scene, std::size_t i) {
     const ModeInScene<double> m = mode_of(scene, i);
     const double beta = scene.state.beta;
-    return {m.psi_li * m.R * m.R * times_cosine(scene.sums.v[i], scene.state.phi_j) - m.psi_ji * m.R * m.R * scene.sums.g[i] * beta,
-            -m.psi_li * m.R * m.R * times_sine(scene.sums.v[i], scene.state.phi_j) - m.psi_ji * m.R * m.R * scene.sums.u[i] * beta};
+    return {
+        m.psi_li * m.R * m.R * times_cosine(scene.sums.v[i], scene.state.phi_j) - m.psi_ji * m.R * m.R * scene.sums.g[i] * beta,
+        -m.psi_li * m.R * m.R * times_sine(scene.sums.v[i], scene.state.phi_j) - m.psi_ji * m.R * m.R * scene.sums.u[i] * beta};
 }
 
 } // namespace denhartog::derivation

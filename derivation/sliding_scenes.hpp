@@ -6,21 +6,21 @@
 #include <vector>
 
 #include "denhartog/formulas/modal_coordinate.hpp"
-#include "denhartog/model/sample_scenes.hpp"
-#include "denhartog/response/steady_state.hpp"
+#include "denhartog/sliding/steady_state.hpp"
+#include "tests/support/sample_scenes.hpp"
 
 namespace denhartog::derivation {
 
 /// @brief A scene in the sliding regime with its steady state.
 struct SlidingScene {
-    std::string name;            ///< its name
-    bool of_the_paper;           ///< whether it is one of the paper's own
-    double mu;                   ///< static over kinetic friction
-    System<double> system;       ///< the system
-    ModalBasis<double> basis;    ///< modal basis of the system
-    ModeSums<double> sums;       ///< modes at r
-    Boundary<double> boundary;   ///< boundary at r
-    SteadyState<double> state;   ///< steady state at beta
+    std::string name;          ///< its name
+    bool of_the_paper;         ///< whether it is one of the paper's own
+    double mu;                 ///< static over kinetic friction
+    System<double> system;     ///< the system
+    ModalBasis<double> basis;  ///< modal basis of the system
+    ModeSums<double> sums;     ///< modes at r
+    Boundary<double> boundary; ///< boundary at r
+    SteadyState<double> state; ///< steady state at beta
 };
 
 /// @brief The seed of the asymmetric scenes.

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cctype>
 
-#include "denhartog/errors.hpp"
-#include "denhartog/program/ledger_entry.hpp"
+#include "denhartog/ledger/ledger_entry.hpp"
+#include "denhartog/number/errors.hpp"
 #include "derivation/source_text.hpp"
 
 namespace denhartog::derivation {
@@ -38,11 +38,9 @@ std::vector<std::string> equations_of(const std::string& comment, const std::str
 
 /// The last identifier before a place, and where it starts.
 std::size_t word_before(const std::string& text, std::size_t end, std::string& word) {
-    while (end > 0 && !is_word(text[end - 1]))
-        --end;
+    while (end > 0 && !is_word(text[end - 1])) --end;
     std::size_t first = end;
-    while (first > 0 && is_word(text[first - 1]))
-        --first;
+    while (first > 0 && is_word(text[first - 1])) --first;
     word = text.substr(first, end - first);
     return first;
 }
@@ -77,14 +75,11 @@ struct Declaration {
     /// The word that follows a word, `a::b` for namespaces.
     [[nodiscard]] std::string word_after(std::size_t at, const std::string& word) const {
         at += word.size();
-        while (at < text.size() && !is_word(text[at]))
-            ++at;
+        while (at < text.size() && !is_word(text[at])) ++at;
         std::size_t end = at;
-        while (end < text.size() && (is_word(text[end]) || text[end] == ':'))
-            ++end;
+        while (end < text.size() && (is_word(text[end]) || text[end] == ':')) ++end;
         std::string found = text.substr(at, end - at);
-        while (!found.empty() && found.back() == ':')
-            found.pop_back();
+        while (!found.empty() && found.back() == ':') found.pop_back();
         return found;
     }
 };

@@ -5,7 +5,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "denhartog/errors.hpp"
+#include "denhartog/number/errors.hpp"
 
 namespace denhartog::derivation {
 
@@ -53,14 +53,11 @@ void cut_raw_literal(Cutter& c) {
     c.begin(Piece::Sort::literal);
     c.take();
     std::string end = ")";
-    while (!c.at_end() && c.next() != '(')
-        end += c.take();
+    while (!c.at_end() && c.next() != '(') end += c.take();
     end += '"';
     if (!c.at_end()) c.take();
-    while (!c.at_end() && c.source.compare(c.at, end.size(), end) != 0)
-        c.open.text += c.take();
-    for (std::size_t n = 0; n < end.size() && !c.at_end(); ++n)
-        c.take();
+    while (!c.at_end() && c.source.compare(c.at, end.size(), end) != 0) c.open.text += c.take();
+    for (std::size_t n = 0; n < end.size() && !c.at_end(); ++n) c.take();
     c.begin(Piece::Sort::code);
 }
 

@@ -2,12 +2,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "denhartog/model/paper_systems.hpp"
 #include "denhartog/model/stuck_configuration.hpp"
-#include "denhartog/response/stuck_response.hpp"
+#include "denhartog/stick_slip/stuck_response.hpp"
 #include "limits.hpp"
 #include "observed_systems.hpp"
 #include "symbols.hpp"
+#include "tests/support/paper_systems.hpp"
 
 namespace denhartog::derivation {
 

@@ -4,8 +4,8 @@
 
 #include "denhartog/formulas/other_masses.hpp"
 #include "denhartog/formulas/stuck.hpp"
-#include "denhartog/response/invariant_points.hpp"
-#include "denhartog/response/steady_state.hpp"
+#include "denhartog/sliding/invariant_points.hpp"
+#include "denhartog/sliding/steady_state.hpp"
 #include "observation.hpp"
 #include "observed_systems.hpp"
 #include "stuck_systems.hpp"

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "denhartog/errors.hpp"
-#include "denhartog/model/paper_systems.hpp"
+#include "denhartog/number/errors.hpp"
+#include "tests/support/paper_systems.hpp"
 
 namespace denhartog::derivation {
 namespace {

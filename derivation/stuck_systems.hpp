@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "denhartog/model/sample_scenes.hpp"
-#include "denhartog/response/stuck_response.hpp"
+#include "denhartog/stick_slip/stuck_response.hpp"
+#include "tests/support/sample_scenes.hpp"
 
 namespace denhartog::derivation {
 

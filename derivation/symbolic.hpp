@@ -13,8 +13,8 @@
 #include <string>
 
 #include "denhartog/formulas/complex.hpp"
-#include "denhartog/number.hpp"
-#include "denhartog/reduced_angle.hpp"
+#include "denhartog/number/number.hpp"
+#include "denhartog/number/reduced_angle.hpp"
 
 namespace denhartog::derivation {
 

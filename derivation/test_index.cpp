@@ -3,7 +3,7 @@
 #include <cstdlib>
 #include <map>
 
-#include "denhartog/program/ledger_entry.hpp"
+#include "denhartog/ledger/ledger_entry.hpp"
 #include "derivation/source_text.hpp"
 
 namespace denhartog::derivation {

@@ -1,9 +1,9 @@
 // Section 3.2.1: what the text says of the time responses of Figs. 4 and 5 and of the phases of their masses.
 #include <cmath>
 
-#include "denhartog/integration/paper_algorithm.hpp"
-#include "denhartog/model/paper_systems.hpp"
+#include "denhartog/paper_algorithm/paper_algorithm.hpp"
 #include "observed_systems.hpp"
+#include "tests/support/paper_systems.hpp"
 
 namespace denhartog::derivation {
 

@@ -1,6 +1,6 @@
 // Fig. 6: amplitude and phase of a single mass over the frequency ratio at three damping ratios.
-#include "denhartog/model/paper_systems.hpp"
 #include "response_statements.hpp"
+#include "tests/support/paper_systems.hpp"
 
 using namespace denhartog;
 using namespace denhartog::figures;

@@ -1,7 +1,7 @@
 // Fig. 7: regimes of a single mass in the plane of frequency and friction ratio, (69) and (88).
 #include "denhartog/formulas/high_frequency.hpp"
-#include "denhartog/model/paper_systems.hpp"
 #include "regime_planes.hpp"
+#include "tests/support/paper_systems.hpp"
 
 using namespace denhartog;
 using namespace denhartog::figures;

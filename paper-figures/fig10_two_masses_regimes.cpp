@@ -1,6 +1,6 @@
 // Fig. 10: regimes of two masses, contact on the second, load on the first, in the plane of frequency and friction ratio.
-#include "denhartog/model/paper_systems.hpp"
 #include "regime_planes.hpp"
+#include "tests/support/paper_systems.hpp"
 
 using namespace denhartog;
 using namespace denhartog::figures;

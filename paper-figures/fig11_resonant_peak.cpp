@@ -1,8 +1,8 @@
 // Fig. 11: resonant peak of a single mass over friction and damping ratio, (84) up to (85), and the actual peak of (52).
-#include "denhartog/model/paper_systems.hpp"
-#include "denhartog/parallel.hpp"
+#include "denhartog/number/parallel.hpp"
 #include "markers.hpp"
 #include "peak.hpp"
+#include "tests/support/paper_systems.hpp"
 
 using namespace denhartog;
 using namespace denhartog::figures;

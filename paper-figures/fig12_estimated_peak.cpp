@@ -1,8 +1,8 @@
 // Fig. 12: resonant peak of a single mass over the friction ratio: (83) against the amplitude at r = 1 and the actual peak.
-#include "denhartog/model/paper_systems.hpp"
-#include "denhartog/parallel.hpp"
+#include "denhartog/number/parallel.hpp"
 #include "markers.hpp"
 #include "peak.hpp"
+#include "tests/support/paper_systems.hpp"
 
 using namespace denhartog;
 using namespace denhartog::figures;

@@ -1,8 +1,8 @@
 // Fig. 13: steady stick-slip motion of a single mass at a low frequency for three damping ratios.
-#include "denhartog/model/paper_systems.hpp"
-#include "denhartog/response/sampled_solution.hpp"
-#include "denhartog/response/solve.hpp"
+#include "denhartog/solve/sampled_solution.hpp"
+#include "denhartog/solve/solve.hpp"
 #include "markers.hpp"
+#include "tests/support/paper_systems.hpp"
 
 using namespace denhartog;
 using namespace denhartog::figures;

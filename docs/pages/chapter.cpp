@@ -5,7 +5,7 @@
 #include <map>
 #include <sstream>
 
-#include "denhartog/errors.hpp"
+#include "denhartog/number/errors.hpp"
 #include "derivation/source_text.hpp"
 #include "text.hpp"
 

@@ -3,7 +3,7 @@
 #include <map>
 #include <set>
 
-#include "denhartog/errors.hpp"
+#include "denhartog/number/errors.hpp"
 #include "overview_pages.hpp"
 #include "text.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "denhartog/errors.hpp"
+#include "denhartog/number/errors.hpp"
 #include "text.hpp"
 
 namespace denhartog::pages {

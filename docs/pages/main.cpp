@@ -3,7 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 
-#include "denhartog/errors.hpp"
+#include "denhartog/number/errors.hpp"
 #include "finish.hpp"
 #include "link.hpp"
 #include "site.hpp"

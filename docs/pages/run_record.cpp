@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <fstream>
 
-#include "denhartog/errors.hpp"
-#include "denhartog/program/ledger.hpp"
+#include "denhartog/ledger/ledger.hpp"
+#include "denhartog/number/errors.hpp"
 #include "derivation/source_text.hpp"
 
 namespace denhartog::pages {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "denhartog/program/ledger_entry.hpp"
+#include "denhartog/ledger/ledger_entry.hpp"
 
 namespace denhartog::pages {
 

@@ -6,7 +6,7 @@
 
 #include "chapter.hpp"
 #include "check.hpp"
-#include "denhartog/errors.hpp"
+#include "denhartog/number/errors.hpp"
 #include "denhartog/program/files.hpp"
 #include "derivation/source_text.hpp"
 #include "measured_pages.hpp"

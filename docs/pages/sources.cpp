@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <sstream>
 
-#include "denhartog/errors.hpp"
+#include "denhartog/number/errors.hpp"
 #include "derivation/source_text.hpp"
 #include "derivation/test_index.hpp"
 #include "text.hpp"

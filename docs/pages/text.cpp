@@ -6,8 +6,8 @@
 #include <map>
 #include <set>
 
-#include "denhartog/errors.hpp"
-#include "denhartog/program/ledger_entry.hpp"
+#include "denhartog/ledger/ledger_entry.hpp"
+#include "denhartog/number/errors.hpp"
 
 namespace denhartog::pages {
 

@@ -2,7 +2,7 @@
 // digits, beside the condition number.
 #include <atomic>
 
-#include "denhartog/parallel.hpp"
+#include "denhartog/number/parallel.hpp"
 #include "digits_map.hpp"
 #include "markers.hpp"
 

@@ -1,10 +1,10 @@
 // Errors of (48)-(53), (67), (71), (72), (88) over frequency, friction and damping.
 #include "denhartog/formulas/boundary.hpp"
 #include "denhartog/formulas/other_masses.hpp"
-#include "denhartog/model/paper_systems.hpp"
-#include "denhartog/response/stuck_response.hpp"
+#include "denhartog/stick_slip/stuck_response.hpp"
 #include "error_curves.hpp"
 #include "peak.hpp"
+#include "tests/support/paper_systems.hpp"
 
 using namespace denhartog;
 using namespace denhartog::figures;

@@ -1,8 +1,8 @@
 // Errors of (76)-(85) over damping and friction.
 #include "denhartog/formulas/other_masses.hpp"
-#include "denhartog/model/paper_systems.hpp"
 #include "error_curves.hpp"
 #include "peak.hpp"
+#include "tests/support/paper_systems.hpp"
 
 using namespace denhartog;
 using namespace denhartog::figures;

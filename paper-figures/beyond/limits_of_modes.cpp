@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <atomic>
 
-#include "denhartog/parallel.hpp"
+#include "denhartog/number/parallel.hpp"
 #include "figure.hpp"
 #include "limit_paths.hpp"
 #include "markers.hpp"

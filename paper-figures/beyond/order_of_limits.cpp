@@ -3,7 +3,7 @@
 #include <functional>
 
 #include "denhartog/evaluation/mode.hpp"
-#include "denhartog/multiprecision.hpp"
+#include "denhartog/number/multiprecision.hpp"
 #include "figure.hpp"
 
 using namespace denhartog;

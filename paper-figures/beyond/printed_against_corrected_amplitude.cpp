@@ -1,9 +1,9 @@
 // (50), (52), (81), (82) as printed and as corrected, with the paper's algorithm as the witness.
 #include "denhartog/formulas/as_printed.hpp"
 #include "denhartog/formulas/other_masses.hpp"
-#include "denhartog/model/paper_systems.hpp"
 #include "peak.hpp"
 #include "sweep.hpp"
+#include "tests/support/paper_systems.hpp"
 
 using namespace denhartog;
 using namespace denhartog::figures;

@@ -2,7 +2,7 @@
 #include "boundary_witness.hpp"
 #include "denhartog/formulas/as_printed.hpp"
 #include "denhartog/formulas/high_frequency.hpp"
-#include "denhartog/model/paper_systems.hpp"
+#include "tests/support/paper_systems.hpp"
 
 using namespace denhartog;
 using namespace denhartog::figures;

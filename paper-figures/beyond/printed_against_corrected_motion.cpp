@@ -1,8 +1,8 @@
 // (44), (45), (46), (A.7) as printed and as corrected over a period, with the paper's algorithm as the witness.
 #include "denhartog/formulas/as_printed.hpp"
-#include "denhartog/model/paper_systems.hpp"
-#include "denhartog/response/steady_state.hpp"
+#include "denhartog/sliding/steady_state.hpp"
 #include "markers.hpp"
+#include "tests/support/paper_systems.hpp"
 
 using namespace denhartog;
 using namespace denhartog::figures;

@@ -1,6 +1,6 @@
 // Regimes of motion where static friction exceeds kinetic friction: (69), (86) and (88) for several mu.
-#include "denhartog/model/paper_systems.hpp"
 #include "plane_at_mu.hpp"
+#include "tests/support/paper_systems.hpp"
 
 using namespace denhartog;
 using namespace denhartog::figures;

@@ -1,6 +1,6 @@
 // Stops of a single mass in a period of the force, over frequency and friction ratio.
-#include "denhartog/model/paper_systems.hpp"
 #include "regimes.hpp"
+#include "tests/support/paper_systems.hpp"
 
 using namespace denhartog;
 using namespace denhartog::figures;

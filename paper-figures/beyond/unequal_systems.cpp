@@ -1,7 +1,7 @@
 // Three chains of three unequal masses: the load before the contact, after it and on it.
-#include "denhartog/model/paper_systems.hpp"
 #include "peak.hpp"
 #include "plane_at_mu.hpp"
+#include "tests/support/paper_systems.hpp"
 
 using namespace denhartog;
 using namespace denhartog::figures;

@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <thread>
 
-#include "denhartog/parallel.hpp"
+#include "denhartog/number/parallel.hpp"
 
 namespace denhartog::figures {
 

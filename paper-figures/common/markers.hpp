@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "denhartog/integration/paper_algorithm.hpp"
+#include "denhartog/paper_algorithm/paper_algorithm.hpp"
 #include "figure.hpp"
 
 namespace denhartog::figures {

@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "denhartog/evaluation/resonance.hpp"
-#include "denhartog/response/steady_state.hpp"
+#include "denhartog/sliding/steady_state.hpp"
 #include "figure.hpp"
 
 namespace denhartog::figures {

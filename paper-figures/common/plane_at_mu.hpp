@@ -4,9 +4,9 @@
 #pragma once
 
 #include "denhartog/formulas/high_frequency.hpp"
-#include "denhartog/model/paper_systems.hpp"
 #include "regimes.hpp"
 #include "sweep.hpp"
+#include "tests/support/paper_systems.hpp"
 
 namespace denhartog::figures {
 

@@ -9,12 +9,12 @@
 #include <functional>
 #include <optional>
 
-#include "denhartog/integration/periodic_orbit.hpp"
-#include "denhartog/parallel.hpp"
-#include "denhartog/response/map_column.hpp"
-#include "denhartog/response/regime_map.hpp"
-#include "denhartog/response/regime_seen.hpp"
-#include "denhartog/response/stuck_response.hpp"
+#include "denhartog/number/parallel.hpp"
+#include "denhartog/paper_algorithm/regime_seen.hpp"
+#include "denhartog/solve/map_column.hpp"
+#include "denhartog/solve/regime_map.hpp"
+#include "denhartog/stick_slip/periodic_orbit.hpp"
+#include "denhartog/stick_slip/stuck_response.hpp"
 #include "markers.hpp"
 #include "peak.hpp"
 

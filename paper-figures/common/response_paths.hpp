@@ -10,8 +10,8 @@
 #include "denhartog/formulas/contact.hpp"
 #include "denhartog/formulas/response_limits.hpp"
 #include "denhartog/formulas/superposition.hpp"
-#include "denhartog/response/answer.hpp"
-#include "denhartog/response/solve.hpp"
+#include "denhartog/solve/answer.hpp"
+#include "denhartog/solve/solve.hpp"
 #include "kept_digits.hpp"
 
 namespace denhartog::figures {
@@ -76,12 +76,12 @@ template <class T>
 
 /// @brief A path of scenes to a limit; all numbers of a scene are binary fractions of few digits, the same in every type.
 struct ResponsePath {
-    std::string name;                                                 ///< of its tables
-    std::string words;                                                ///< what falls to zero, and what is fixed
-    std::function<Scene<double>(int k)> scene;                        ///< the scene at x = 2^-k, or with k masses
+    std::string name;                                                   ///< of its tables
+    std::string words;                                                  ///< what falls to zero, and what is fixed
+    std::function<Scene<double>(int k)> scene;                          ///< the scene at x = 2^-k, or with k masses
     std::function<ModesAtContact<Real100>(const Scene<double>&)> modes; ///< its modes, by a route of their own
-    std::function<Real100(const Scene<double>&)> limit;               ///< what (38) tends to
-    std::vector<int> steps;                                           ///< the k of the chart
+    std::function<Real100(const Scene<double>&)> limit;                 ///< what (38) tends to
+    std::vector<int> steps;                                             ///< the k of the chart
 };
 
 namespace response_paths {
@@ -101,7 +101,7 @@ namespace response_paths {
 
 /// @brief Modes at contact and load from shapes. @param phi mass by mode
 [[nodiscard]] inline ModesAtContact<Real100> contact_modes(const Scene<double>& s, const std::vector<Real100>& r_n,
-                                                         const std::function<Real100(std::size_t k, std::size_t i)>& phi) {
+                                                           const std::function<Real100(std::size_t k, std::size_t i)>& phi) {
     ModesAtContact<Real100> m{r_n, {}, {}, {}, Real100(*s.r), Real100(*s.beta)};
     for (std::size_t i = 0; i < r_n.size(); ++i) {
         m.zeta.push_back(Real100(s.system.damping_ratios[i]));
@@ -140,11 +140,11 @@ namespace response_paths {
 /// @brief (38) of one mass on a spring of stiffness lambda. @param s scene, for r, beta and zeta @param lambda stiffness ratio
 [[nodiscard]] inline Real100 amplitude_of_one_mass(const Scene<double>& s, int lambda) {
     const ModesAtContact<Real100> one{{Real100(sqrt(Real100(lambda)))},
-                                    {Real100(s.system.damping_ratios[0])},
-                                    {Real100(1)},
-                                    {Real100(1)},
-                                    Real100(*s.r),
-                                    Real100(*s.beta)};
+                                      {Real100(s.system.damping_ratios[0])},
+                                      {Real100(1)},
+                                      {Real100(1)},
+                                      Real100(*s.r),
+                                      Real100(*s.beta)};
     return amplitude_of_contact(one, Forms::printed);
 }
 

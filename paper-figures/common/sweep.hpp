@@ -7,11 +7,11 @@
 #include <cmath>
 #include <optional>
 
-#include "denhartog/parallel.hpp"
-#include "denhartog/response/map_column.hpp"
-#include "denhartog/response/regime_map.hpp"
-#include "denhartog/response/regime_seen.hpp"
-#include "denhartog/response/stuck_response.hpp"
+#include "denhartog/number/parallel.hpp"
+#include "denhartog/paper_algorithm/regime_seen.hpp"
+#include "denhartog/solve/map_column.hpp"
+#include "denhartog/solve/regime_map.hpp"
+#include "denhartog/stick_slip/stuck_response.hpp"
 #include "markers.hpp"
 
 namespace denhartog::figures {

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "denhartog/model/paper_systems.hpp"
-#include "denhartog/response/steady_state.hpp"
+#include "denhartog/sliding/steady_state.hpp"
 #include "markers.hpp"
+#include "tests/support/paper_systems.hpp"
 
 namespace denhartog::figures {
 

@@ -4,9 +4,9 @@
 
 #include <boost/math/tools/roots.hpp>
 
-#include "denhartog/model/paper_systems.hpp"
-#include "denhartog/response/invariant_points.hpp"
+#include "denhartog/sliding/invariant_points.hpp"
 #include "response_statements.hpp"
+#include "tests/support/paper_systems.hpp"
 
 namespace denhartog::figures {
 

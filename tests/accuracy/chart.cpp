@@ -5,8 +5,8 @@
 #include <cmath>
 #include <sstream>
 
-#include "denhartog/errors.hpp"
-#include "denhartog/response/solve.hpp"
+#include "denhartog/number/errors.hpp"
+#include "denhartog/solve/solve.hpp"
 #include "tests/speed_accuracy/chart_output.hpp"
 #include "tests/speed_accuracy/chart_scenes.hpp"
 #include "tests/speed_accuracy/peers/own_methods.hpp"

@@ -2,7 +2,7 @@
 #include <random>
 
 #include "denhartog/evaluation/contact.hpp"
-#include "denhartog/multiprecision.hpp"
+#include "denhartog/number/multiprecision.hpp"
 #include "tests/catch.hpp"
 
 using namespace denhartog;

@@ -5,9 +5,9 @@
 // radians. The declared set is that of `second_witness.cpp`: condition number of the superposition below 30 000.
 #include "tests/accuracy/witness_survey.hpp"
 
-#include "denhartog/integration/periodic_orbit.hpp"
-#include "denhartog/response/map_column.hpp"
-#include "denhartog/response/response.hpp"
+#include "denhartog/solve/map_column.hpp"
+#include "denhartog/solve/response.hpp"
+#include "denhartog/stick_slip/periodic_orbit.hpp"
 
 using namespace denhartog;
 using namespace denhartog::tests;

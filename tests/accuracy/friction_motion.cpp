@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "denhartog/bounded.hpp"
 #include "denhartog/evaluation/friction_motion.hpp"
 #include "denhartog/formulas/modal_coordinate.hpp"
 #include "denhartog/formulas/mode.hpp"
+#include "denhartog/number/bounded.hpp"
 #include "tests/catch.hpp"
 #include "tests/speed_accuracy/mode_places.hpp"
 

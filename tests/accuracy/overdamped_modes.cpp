@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "denhartog/bounded.hpp"
 #include "denhartog/evaluation/mode.hpp"
 #include "denhartog/formulas/mode.hpp"
-#include "denhartog/multiprecision.hpp"
+#include "denhartog/number/bounded.hpp"
+#include "denhartog/number/multiprecision.hpp"
 #include "tests/catch.hpp"
 #include "tests/speed_accuracy/mode_places.hpp"
 

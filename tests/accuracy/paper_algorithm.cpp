@@ -2,11 +2,11 @@
 // `speed-accuracy tolerance` and `speed-accuracy cycles`.
 #include <cmath>
 
-#include "denhartog/number.hpp"
+#include "denhartog/number/number.hpp"
 #include "tests/catch.hpp"
 #include "tests/speed_accuracy/cycles_survey.hpp"
-#include "denhartog/model/paper_systems.hpp"
 #include "tests/speed_accuracy/tolerance_survey.hpp"
+#include "tests/support/paper_systems.hpp"
 
 using namespace denhartog;
 using namespace denhartog::tests;

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <string>
 
-#include "denhartog/model/paper_systems.hpp"
-#include "denhartog/response/solve.hpp"
+#include "denhartog/solve/solve.hpp"
 #include "tests/catch.hpp"
 #include "tests/speed_accuracy/peers/peer.hpp"
+#include "tests/support/paper_systems.hpp"
 
 namespace denhartog::tests {
 

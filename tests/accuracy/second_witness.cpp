@@ -9,7 +9,7 @@
 
 #include "denhartog/formulas/as_printed.hpp"
 #include "denhartog/formulas/motion.hpp"
-#include "denhartog/response/answer.hpp"
+#include "denhartog/solve/answer.hpp"
 
 using namespace denhartog;
 using namespace denhartog::tests;

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "denhartog/integration/second_witness.hpp"
-#include "denhartog/model/sample_scenes.hpp"
 #include "tests/catch.hpp"
+#include "tests/support/sample_scenes.hpp"
+#include "tests/support/second_witness.hpp"
 
 namespace denhartog::tests {
 
@@ -94,8 +94,8 @@ template <class T>
             const T friction_rate = braces * turn + u + tanh_prime * (1 + 1 / R) / w;
             const auto add = [&](T& sum, std::size_t other, const T& value, const T& rate) {
                 const T a = size(row(k)[i]), b = size(row(other)[i]);
-                sum += R * R * (a * b * (value + known.frequency * rate) +
-                                known.shape * (a * row_size(other) + row_size(k) * b) * value);
+                sum += R * R *
+                       (a * b * (value + known.frequency * rate) + known.shape * (a * row_size(other) + row_size(k) * b) * value);
             };
             add(V, l, v, v_rate);
             add(friction, j, T(braces + u), friction_rate);
@@ -108,9 +108,9 @@ template <class T>
 
 /// @brief The worst of many errors, with the scene it is from.
 struct Record {
-    double error = -1;     ///< the largest so far
-    std::string scene;     ///< where
-    int count = 0;         ///< how many
+    double error = -1; ///< the largest so far
+    std::string scene; ///< where
+    int count = 0;     ///< how many
     /// @brief Takes note of an error. @param e the error @param name the scene
     void note(double e, const std::string& name) {
         ++count;

@@ -1,5 +1,5 @@
 // A detour through double: everything that follows would be rounded.
-#include "denhartog/number.hpp"
+#include "denhartog/number/number.hpp"
 
 template <class T>
 T kernel(const T& zeta) {

@@ -1,5 +1,5 @@
 // A branch on a value: one side of it would escape the proof.
-#include "denhartog/number.hpp"
+#include "denhartog/number/number.hpp"
 
 template <class T>
 T kernel(const T& zeta) {

@@ -1,7 +1,7 @@
 // A comparison hidden in the standard library.
 #include <algorithm>
 
-#include "denhartog/number.hpp"
+#include "denhartog/number/number.hpp"
 
 template <class T>
 T kernel(const T& zeta) {

@@ -1,5 +1,5 @@
 // As the formulas are: integers, the four operations, elementary functions.
-#include "denhartog/number.hpp"
+#include "denhartog/number/number.hpp"
 
 template <class T>
 T kernel(const T& zeta) {

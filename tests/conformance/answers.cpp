@@ -1,6 +1,6 @@
-#include "denhartog/conformance/answers_file.hpp"
+#include "conformance/answers_file.hpp"
 
-#include "denhartog/errors.hpp"
+#include "denhartog/number/errors.hpp"
 #include "tests/catch.hpp"
 
 using namespace denhartog;

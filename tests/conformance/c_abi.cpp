@@ -8,8 +8,8 @@
 #include <thread>
 #include <vector>
 
-#include "denhartog/response/sampled_solution.hpp"
-#include "denhartog/response/solve.hpp"
+#include "denhartog/solve/sampled_solution.hpp"
+#include "denhartog/solve/solve.hpp"
 #include "tests/catch.hpp"
 #include "tests/conformance/c_fixtures.hpp"
 

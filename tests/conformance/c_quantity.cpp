@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "denhartog/conformance/question.hpp"
+#include "conformance/question.hpp"
 #include "tests/catch.hpp"
 #include "tests/conformance/c_fixtures.hpp"
 

@@ -1,8 +1,8 @@
-#include "denhartog/conformance/diagnose.hpp"
+#include "conformance/diagnose.hpp"
 
 #include <cmath>
 
-#include "denhartog/conformance/grade.hpp"
+#include "conformance/grade.hpp"
 #include "tests/catch.hpp"
 #include "tests/conformance/runner_fixtures.hpp"
 

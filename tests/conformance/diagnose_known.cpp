@@ -1,9 +1,9 @@
 // The diagnosis with the known mistakes, on seeded scenes.
 #include <map>
 
-#include "denhartog/conformance/diagnose.hpp"
-#include "denhartog/conformance/grade.hpp"
-#include "denhartog/conformance/plain_closed_form.hpp"
+#include "conformance/diagnose.hpp"
+#include "conformance/grade.hpp"
+#include "conformance/plain_closed_form.hpp"
 #include "tests/catch.hpp"
 #include "tests/conformance/runner_fixtures.hpp"
 #include "tests/conformance/seeded_questions.hpp"

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "denhartog/model/number_text.hpp"
-#include "denhartog/response/chain_sums.hpp"
-#include "denhartog/response/steady_state.hpp"
+#include "denhartog/sliding/chain_sums.hpp"
+#include "denhartog/sliding/steady_state.hpp"
 #include "tests/catch.hpp"
 #include "tests/conformance/c_fixtures.hpp"
 #include "tests/conformance/shell.hpp"

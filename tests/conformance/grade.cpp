@@ -1,14 +1,14 @@
-#include "denhartog/conformance/grade.hpp"
+#include "conformance/grade.hpp"
 
 #include <cmath>
 #include <functional>
 #include <limits>
 
-#include "denhartog/conformance/beyond_boundary.hpp"
-#include "denhartog/conformance/curve.hpp"
-#include "denhartog/conformance/score.hpp"
-#include "denhartog/number.hpp"
-#include "denhartog/response/boundary.hpp"
+#include "conformance/beyond_boundary.hpp"
+#include "conformance/curve.hpp"
+#include "conformance/score.hpp"
+#include "denhartog/number/number.hpp"
+#include "denhartog/sliding/boundary.hpp"
 #include "tests/catch.hpp"
 #include "tests/conformance/runner_fixtures.hpp"
 

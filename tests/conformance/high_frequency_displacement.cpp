@@ -7,14 +7,14 @@
 #include <numbers>
 #include <vector>
 
-#include "denhartog/errors.hpp"
 #include "denhartog/formulas/contact.hpp"
 #include "denhartog/formulas/modal_coordinate.hpp"
 #include "denhartog/formulas/mode.hpp"
 #include "denhartog/formulas/motion.hpp"
 #include "denhartog/model/modal_basis.hpp"
-#include "denhartog/multiprecision.hpp"
-#include "denhartog/response/steady_state.hpp"
+#include "denhartog/number/errors.hpp"
+#include "denhartog/number/multiprecision.hpp"
+#include "denhartog/sliding/steady_state.hpp"
 #include "tests/catch.hpp"
 #include "tests/conformance/c_fixtures.hpp"
 #include "tests/conformance/shell.hpp"

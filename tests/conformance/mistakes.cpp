@@ -1,11 +1,11 @@
-#include "denhartog/conformance/mistake.hpp"
+#include "conformance/mistake.hpp"
 
 #include <cmath>
 #include <map>
 #include <set>
 
-#include "denhartog/conformance/plain_closed_form.hpp"
-#include "denhartog/errors.hpp"
+#include "conformance/plain_closed_form.hpp"
+#include "denhartog/number/errors.hpp"
 #include "tests/catch.hpp"
 #include "tests/conformance/seeded_questions.hpp"
 

@@ -1,9 +1,9 @@
-#include "denhartog/conformance/plain_closed_form.hpp"
+#include "conformance/plain_closed_form.hpp"
 
 #include <cmath>
 #include <sstream>
 
-#include "denhartog/response/response.hpp"
+#include "denhartog/solve/response.hpp"
 #include "tests/catch.hpp"
 #include "tests/conformance/seeded_questions.hpp"
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "denhartog/conformance/vector.hpp"
+#include "conformance/vector.hpp"
 #include "tests/unit/program_runs.hpp"
 
 namespace denhartog::tests {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <random>
 
-#include "denhartog/conformance/plain_closed_form.hpp"
+#include "conformance/plain_closed_form.hpp"
 
 namespace denhartog::tests {
 namespace {

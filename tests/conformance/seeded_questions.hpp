@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "denhartog/conformance/question.hpp"
+#include "conformance/question.hpp"
 
 namespace denhartog::tests {
 

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "denhartog/conformance/vector.hpp"
+#include "conformance/vector.hpp"
 
 namespace denhartog::tests {
 

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "denhartog/multiprecision.hpp"
+#include "denhartog/number/multiprecision.hpp"
 #include "tests/catch.hpp"
 #include "tests/conformance/generator/sha256.hpp"
 #include "tests/conformance/generator/vector_files.hpp"

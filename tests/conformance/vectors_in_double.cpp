@@ -3,12 +3,12 @@
 #include <cmath>
 #include <map>
 
-#include "denhartog/errors.hpp"
 #include "denhartog/formulas/high_frequency.hpp"
-#include "denhartog/integration/exact_motion.hpp"
-#include "denhartog/response/solve.hpp"
-#include "denhartog/response/steady_state.hpp"
-#include "denhartog/response/stuck_response.hpp"
+#include "denhartog/number/errors.hpp"
+#include "denhartog/sliding/steady_state.hpp"
+#include "denhartog/solve/solve.hpp"
+#include "denhartog/stick_slip/exact_motion.hpp"
+#include "denhartog/stick_slip/stuck_response.hpp"
 #include "tests/catch.hpp"
 #include "tests/conformance/vector_folder.hpp"
 

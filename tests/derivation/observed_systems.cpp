@@ -3,10 +3,10 @@
 
 #include <cmath>
 
-#include "denhartog/integration/paper_algorithm.hpp"
-#include "denhartog/model/paper_systems.hpp"
+#include "denhartog/paper_algorithm/paper_algorithm.hpp"
 #include "derivation/contact_motions.hpp"
 #include "tests/catch.hpp"
+#include "tests/support/paper_systems.hpp"
 
 using namespace denhartog;
 using namespace denhartog::derivation;

@@ -6,10 +6,10 @@
 
 #include "denhartog/formulas/other_masses.hpp"
 #include "denhartog/formulas/superposition.hpp"
-#include "denhartog/integration/second_witness.hpp"
-#include "denhartog/model/sample_scenes.hpp"
-#include "denhartog/response/response.hpp"
+#include "denhartog/solve/response.hpp"
 #include "tests/catch.hpp"
+#include "tests/support/sample_scenes.hpp"
+#include "tests/support/second_witness.hpp"
 
 using namespace denhartog;
 
@@ -52,7 +52,8 @@ TEST_CASE("the friction force opposes the velocity, not the displacement", "[eq:
     CHECK(as_printed::friction_force(F, std::copysign(1.0, x)) == -F);
 }
 
-TEST_CASE("a modal displacement starts from its initial value, but not with the bracket as printed", "[eq:40][eq:A.15][erratum]") {
+TEST_CASE("a modal displacement starts from its initial value, but not with the bracket as printed",
+          "[eq:40][eq:A.15][erratum]") {
     const ModeInScene<double> m{0.875, 0.125, 0.75, -0.5};
     const InitialValues<double> start{0.25, -0.375};
     const double u = paper::first_damping_function(m.R, m.zeta), g = paper::second_damping_function(m.R, m.zeta);
@@ -82,13 +83,15 @@ TEST_CASE("the displacement of a mass over the half-period agrees with the secon
     CHECK(worst_printed > 0.05);
 }
 
-TEST_CASE("displacement and velocity at the maximum of the contact agree with the second witness, but not the real parts as printed",
-          "[eq:44][eq:45][erratum]") {
+TEST_CASE(
+    "displacement and velocity at the maximum of the contact agree with the second witness, but not the real parts as printed",
+    "[eq:44][eq:45][erratum]") {
     const Solved& s = five_masses();
     const HalfPeriodMotion<Real50> witness = half_period_motion(half_period_problem(s.scene), 4);
     const double x_0 = static_cast<double>(witness.x_0(k)), v_0 = static_cast<double>(witness.x_prime_0(k));
     const double beta = s.state.beta;
-    CHECK(paper::initial_displacement(s.sums.V[k], s.sums.V[j()], s.sums.U[j()], s.sums.G[k], beta) == Approx(x_0).epsilon(1e-12));
+    CHECK(paper::initial_displacement(s.sums.V[k], s.sums.V[j()], s.sums.U[j()], s.sums.G[k], beta) ==
+          Approx(x_0).epsilon(1e-12));
     CHECK(paper::initial_velocity(s.sums.V[k], s.sums.V[j()], s.sums.U[j()], s.sums.U[k], beta) == Approx(v_0).epsilon(1e-12));
     CHECK(std::abs(as_printed::initial_displacement(s.sums.V[k], s.sums.V[j()], s.sums.U[j()], s.sums.G[k], beta) - x_0) > 0.01);
     CHECK(std::abs(as_printed::initial_velocity(s.sums.V[k], s.sums.V[j()], s.sums.U[j()], s.sums.U[k], beta) - v_0) > 0.01);

@@ -2,7 +2,7 @@
 #include <Eigen/Dense>
 #include <cmath>
 
-#include "denhartog/response/stuck_response.hpp"
+#include "denhartog/stick_slip/stuck_response.hpp"
 #include "tests/catch.hpp"
 #include "tests/unit/response_fixtures.hpp"
 

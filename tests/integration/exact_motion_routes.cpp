@@ -2,9 +2,9 @@
 #include <Eigen/LU>
 #include <cmath>
 
-#include "denhartog/integration/exact_motion.hpp"
-#include "denhartog/integration/half_period.hpp"
+#include "denhartog/stick_slip/exact_motion.hpp"
 #include "tests/integration/orbit_scenes.hpp"
+#include "tests/support/half_period.hpp"
 
 using namespace denhartog;
 using namespace denhartog::tests;

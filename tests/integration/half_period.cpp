@@ -1,11 +1,11 @@
 // The second witness by itself: its exponential, its boundary-value problem, its judgement of the regime.
-#include "denhartog/integration/half_period.hpp"
+#include "tests/support/half_period.hpp"
 
 #include <Eigen/LU>
 #include <cmath>
 
-#include "denhartog/errors.hpp"
-#include "denhartog/multiprecision.hpp"
+#include "denhartog/number/errors.hpp"
+#include "denhartog/number/multiprecision.hpp"
 #include "tests/catch.hpp"
 
 using namespace denhartog;

@@ -4,14 +4,14 @@
 #include <functional>
 #include <limits>
 
-#include "denhartog/errors.hpp"
-#include "denhartog/integration/paper_algorithm.hpp"
-#include "denhartog/integration/periodic_orbit.hpp"
-#include "denhartog/model/sample_scenes.hpp"
-#include "denhartog/response/response.hpp"
-#include "denhartog/response/solve.hpp"
+#include "denhartog/number/errors.hpp"
+#include "denhartog/paper_algorithm/paper_algorithm.hpp"
+#include "denhartog/solve/response.hpp"
+#include "denhartog/solve/solve.hpp"
+#include "denhartog/stick_slip/periodic_orbit.hpp"
 #include "tests/catch.hpp"
-#include "denhartog/model/paper_systems.hpp"
+#include "tests/support/paper_systems.hpp"
+#include "tests/support/sample_scenes.hpp"
 
 using namespace denhartog;
 using namespace denhartog::tests;

@@ -7,12 +7,12 @@
 #include <string>
 #include <vector>
 
-#include "denhartog/errors.hpp"
-#include "denhartog/integration/periodic_orbit.hpp"
-#include "denhartog/model/sample_scenes.hpp"
-#include "denhartog/multiprecision.hpp"
-#include "denhartog/response/response.hpp"
+#include "denhartog/number/errors.hpp"
+#include "denhartog/number/multiprecision.hpp"
+#include "denhartog/solve/response.hpp"
+#include "denhartog/stick_slip/periodic_orbit.hpp"
 #include "tests/catch.hpp"
+#include "tests/support/sample_scenes.hpp"
 
 namespace denhartog::tests {
 

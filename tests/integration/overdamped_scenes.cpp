@@ -2,13 +2,13 @@
 // modes: the half-period as a matrix exponential, the paper's Runge-Kutta algorithm, events from phase to phase.
 #include <cmath>
 
-#include "denhartog/integration/exact_cycles.hpp"
-#include "denhartog/integration/second_witness.hpp"
-#include "denhartog/response/few_modes.hpp"
-#include "denhartog/response/friction_motion.hpp"
-#include "denhartog/response/regime_map.hpp"
-#include "denhartog/response/solve.hpp"
+#include "denhartog/paper_algorithm/exact_cycles.hpp"
+#include "denhartog/sliding/friction_motion.hpp"
+#include "denhartog/solve/few_modes.hpp"
+#include "denhartog/solve/regime_map.hpp"
+#include "denhartog/solve/solve.hpp"
 #include "tests/integration/orbit_scenes.hpp"
+#include "tests/support/second_witness.hpp"
 #include "tests/unit/response_fixtures.hpp"
 
 using namespace denhartog;

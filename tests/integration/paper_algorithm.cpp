@@ -1,13 +1,13 @@
 // The paper's algorithm against the closed form: its four systems, its curves, at its settings and tighter.
-#include "denhartog/integration/paper_algorithm.hpp"
+#include "denhartog/paper_algorithm/paper_algorithm.hpp"
 
 #include <array>
 #include <cmath>
 
-#include "denhartog/errors.hpp"
-#include "denhartog/integration/exact_cycles.hpp"
-#include "denhartog/model/sample_scenes.hpp"
+#include "denhartog/number/errors.hpp"
+#include "denhartog/paper_algorithm/exact_cycles.hpp"
 #include "tests/catch.hpp"
+#include "tests/support/sample_scenes.hpp"
 #include "tests/unit/response_fixtures.hpp"
 
 using namespace denhartog;

@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "denhartog/integration/paper_algorithm.hpp"
-#include "denhartog/model/sample_scenes.hpp"
+#include "denhartog/paper_algorithm/paper_algorithm.hpp"
 #include "tests/catch.hpp"
+#include "tests/support/sample_scenes.hpp"
 #include "tests/unit/response_fixtures.hpp"
 
 using namespace denhartog;

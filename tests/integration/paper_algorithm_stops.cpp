@@ -4,11 +4,11 @@
 #include <cmath>
 #include <complex>
 
-#include "denhartog/integration/exact_cycles.hpp"
-#include "denhartog/integration/half_period.hpp"
-#include "denhartog/model/paper_systems.hpp"
-#include "denhartog/response/regime_seen.hpp"
+#include "denhartog/paper_algorithm/exact_cycles.hpp"
+#include "denhartog/paper_algorithm/regime_seen.hpp"
 #include "tests/catch.hpp"
+#include "tests/support/half_period.hpp"
+#include "tests/support/paper_systems.hpp"
 #include "tests/unit/response_fixtures.hpp"
 
 using namespace denhartog;

@@ -1,11 +1,11 @@
 // The steady motion by shooting: against the closed form, against 50 digits, against long propagation, and by what it must obey.
-#include "denhartog/integration/periodic_orbit.hpp"
+#include "denhartog/stick_slip/periodic_orbit.hpp"
 
 #include <cmath>
 #include <limits>
 
-#include "denhartog/errors.hpp"
-#include "denhartog/response/stuck_response.hpp"
+#include "denhartog/number/errors.hpp"
+#include "denhartog/stick_slip/stuck_response.hpp"
 #include "tests/integration/orbit_scenes.hpp"
 #include "tests/unit/response_fixtures.hpp"
 

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <limits>
 
-#include "denhartog/errors.hpp"
-#include "denhartog/integration/floquet.hpp"
-#include "denhartog/integration/periodic_orbit.hpp"
+#include "denhartog/number/errors.hpp"
+#include "denhartog/stick_slip/floquet.hpp"
+#include "denhartog/stick_slip/periodic_orbit.hpp"
 #include "tests/integration/orbit_scenes.hpp"
 
 using namespace denhartog;

@@ -1,12 +1,12 @@
 // The scenes that are computed on: what the sets hold, and that they are the same in every number type.
-#include "denhartog/model/sample_scenes.hpp"
+#include "tests/support/sample_scenes.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <set>
 #include <tuple>
 
-#include "denhartog/multiprecision.hpp"
+#include "denhartog/number/multiprecision.hpp"
 #include "tests/catch.hpp"
 
 using namespace denhartog;

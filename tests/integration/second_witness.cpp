@@ -1,12 +1,12 @@
 // The comparison by itself: what it measures, and that nothing slips through it.
-#include "denhartog/integration/second_witness.hpp"
+#include "tests/support/second_witness.hpp"
 
 #include <Eigen/LU>
 #include <limits>
 
-#include "denhartog/errors.hpp"
-#include "denhartog/model/sample_scenes.hpp"
+#include "denhartog/number/errors.hpp"
 #include "tests/catch.hpp"
+#include "tests/support/sample_scenes.hpp"
 
 using namespace denhartog;
 

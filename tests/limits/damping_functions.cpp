@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "denhartog/evaluation/mode.hpp"
-#include "denhartog/multiprecision.hpp"
+#include "denhartog/number/multiprecision.hpp"
 #include "tests/catch.hpp"
 #include "tests/limits/digits_of.hpp"
 

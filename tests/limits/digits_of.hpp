@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "denhartog/multiprecision.hpp"
+#include "denhartog/number/multiprecision.hpp"
 
 namespace denhartog::tests {
 

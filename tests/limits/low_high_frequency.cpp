@@ -2,8 +2,8 @@
 #include <cmath>
 
 #include "denhartog/formulas/high_frequency.hpp"
-#include "denhartog/multiprecision.hpp"
-#include "denhartog/response/boundary.hpp"
+#include "denhartog/number/multiprecision.hpp"
+#include "denhartog/sliding/boundary.hpp"
 #include "tests/catch.hpp"
 #include "tests/unit/response_fixtures.hpp"
 

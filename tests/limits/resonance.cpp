@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "denhartog/multiprecision.hpp"
-#include "denhartog/response/steady_state.hpp"
+#include "denhartog/number/multiprecision.hpp"
+#include "denhartog/sliding/steady_state.hpp"
 #include "tests/catch.hpp"
 #include "tests/limits/digits_of.hpp"
 #include "tests/unit/response_fixtures.hpp"

@@ -1,8 +1,8 @@
 // Amplitudes against dense samples, over seeded random systems.
 #include <cmath>
 
-#include "denhartog/model/sample_scenes.hpp"
 #include "tests/catch.hpp"
+#include "tests/support/sample_scenes.hpp"
 #include "tests/unit/response_fixtures.hpp"
 
 using namespace denhartog;

@@ -1,8 +1,8 @@
 // What may be changed in a scene without changing its response, over seeded random systems.
 #include <cmath>
 
-#include "denhartog/model/sample_scenes.hpp"
 #include "tests/catch.hpp"
+#include "tests/support/sample_scenes.hpp"
 #include "tests/unit/response_fixtures.hpp"
 
 using namespace denhartog;

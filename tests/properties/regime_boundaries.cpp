@@ -2,9 +2,9 @@
 #include <cmath>
 
 #include "denhartog/formulas/boundary.hpp"
-#include "denhartog/model/sample_scenes.hpp"
-#include "denhartog/response/steady_state.hpp"
+#include "denhartog/sliding/steady_state.hpp"
 #include "tests/catch.hpp"
+#include "tests/support/sample_scenes.hpp"
 #include "tests/unit/response_fixtures.hpp"
 
 using namespace denhartog;

@@ -10,8 +10,8 @@
 #include <thread>
 
 #include "denhartog/evaluation/mode_arrays.hpp"
-#include "denhartog/number.hpp"
-#include "denhartog/response/batch_map.hpp"
+#include "denhartog/number/number.hpp"
+#include "denhartog/solve/batch_map.hpp"
 
 namespace denhartog::tests {
 namespace {

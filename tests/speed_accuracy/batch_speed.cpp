@@ -11,11 +11,11 @@
 
 #include "denhartog/evaluation/mode_arrays.hpp"
 #include "denhartog/evaluation/vector_functions.hpp"
-#include "denhartog/model/paper_systems.hpp"
-#include "denhartog/number.hpp"
-#include "denhartog/response/batch_map.hpp"
+#include "denhartog/number/number.hpp"
+#include "denhartog/solve/batch_map.hpp"
 #include "tests/speed_accuracy/bare_functions.hpp"
 #include "tests/speed_accuracy/own_functions.hpp"
+#include "tests/support/paper_systems.hpp"
 
 namespace denhartog::tests {
 namespace {

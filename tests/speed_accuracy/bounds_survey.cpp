@@ -4,9 +4,9 @@
 #include <cmath>
 #include <optional>
 
-#include "denhartog/errors.hpp"
-#include "denhartog/response/chain_sums.hpp"
-#include "denhartog/response/quantities.hpp"
+#include "denhartog/number/errors.hpp"
+#include "denhartog/sliding/chain_sums.hpp"
+#include "denhartog/solve/quantities.hpp"
 #include "tests/speed_accuracy/bounds_scenes.hpp"
 
 namespace denhartog::tests {

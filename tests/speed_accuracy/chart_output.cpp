@@ -4,8 +4,8 @@
 #include <fstream>
 #include <map>
 
-#include "denhartog/errors.hpp"
-#include "denhartog/response/solve.hpp"
+#include "denhartog/number/errors.hpp"
+#include "denhartog/solve/solve.hpp"
 #include "tests/speed_accuracy/peers/own_methods.hpp"
 
 namespace denhartog::tests {

@@ -2,9 +2,9 @@
 
 #include <random>
 
-#include "denhartog/model/paper_systems.hpp"
-#include "denhartog/model/sample_scenes.hpp"
-#include "denhartog/response/boundary.hpp"
+#include "denhartog/sliding/boundary.hpp"
+#include "tests/support/paper_systems.hpp"
+#include "tests/support/sample_scenes.hpp"
 
 namespace denhartog::tests {
 namespace {

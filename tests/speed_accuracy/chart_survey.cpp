@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <ctime>
 
-#include "denhartog/errors.hpp"
+#include "denhartog/number/errors.hpp"
 
 namespace denhartog::tests {
 namespace {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <variant>
 
-#include "denhartog/multiprecision.hpp"
-#include "denhartog/response/solve.hpp"
+#include "denhartog/number/multiprecision.hpp"
+#include "denhartog/solve/solve.hpp"
 
 namespace denhartog::tests {
 namespace {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "denhartog/integration/periodic_orbit.hpp"
-#include "denhartog/number.hpp"
+#include "denhartog/number/number.hpp"
+#include "denhartog/stick_slip/periodic_orbit.hpp"
 
 namespace denhartog::tests {
 namespace {

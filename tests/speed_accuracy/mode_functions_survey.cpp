@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "denhartog/evaluation/mode_arrays.hpp"
-#include "denhartog/multiprecision.hpp"
+#include "denhartog/number/multiprecision.hpp"
 #include "tests/speed_accuracy/mode_places.hpp"
 
 namespace denhartog::tests {

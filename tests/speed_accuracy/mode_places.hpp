@@ -12,8 +12,8 @@
 #include <utility>
 #include <vector>
 
-#include "denhartog/multiprecision.hpp"
-#include "denhartog/reduced_angle.hpp"
+#include "denhartog/number/multiprecision.hpp"
+#include "denhartog/number/reduced_angle.hpp"
 
 namespace denhartog::tests {
 

@@ -4,13 +4,13 @@
 #include <cmath>
 #include <random>
 
-#include "denhartog/errors.hpp"
-#include "denhartog/integration/lasting_rest.hpp"
-#include "denhartog/integration/periodic_orbit.hpp"
-#include "denhartog/model/sample_scenes.hpp"
-#include "denhartog/number.hpp"
-#include "denhartog/response/map_column.hpp"
-#include "denhartog/response/response.hpp"
+#include "denhartog/number/errors.hpp"
+#include "denhartog/number/number.hpp"
+#include "denhartog/solve/map_column.hpp"
+#include "denhartog/solve/response.hpp"
+#include "denhartog/stick_slip/lasting_rest.hpp"
+#include "denhartog/stick_slip/periodic_orbit.hpp"
+#include "tests/support/sample_scenes.hpp"
 
 namespace denhartog::tests {
 namespace {

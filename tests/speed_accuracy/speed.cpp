@@ -6,13 +6,13 @@
 #include <ctime>
 #include <functional>
 
-#include "denhartog/integration/paper_algorithm.hpp"
-#include "denhartog/integration/periodic_orbit.hpp"
-#include "denhartog/multiprecision.hpp"
-#include "denhartog/response/regime_map.hpp"
-#include "denhartog/response/scene_source.hpp"
-#include "denhartog/response/solve.hpp"
-#include "denhartog/model/paper_systems.hpp"
+#include "denhartog/number/multiprecision.hpp"
+#include "denhartog/paper_algorithm/paper_algorithm.hpp"
+#include "denhartog/solve/regime_map.hpp"
+#include "denhartog/solve/scene_source.hpp"
+#include "denhartog/solve/solve.hpp"
+#include "denhartog/stick_slip/periodic_orbit.hpp"
+#include "tests/support/paper_systems.hpp"
 
 namespace denhartog::tests {
 namespace {

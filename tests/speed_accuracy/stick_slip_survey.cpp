@@ -4,13 +4,13 @@
 #include <cmath>
 #include <random>
 
-#include "denhartog/errors.hpp"
-#include "denhartog/integration/paper_algorithm.hpp"
-#include "denhartog/integration/periodic_orbit.hpp"
-#include "denhartog/model/sample_scenes.hpp"
-#include "denhartog/multiprecision.hpp"
-#include "denhartog/response/response.hpp"
-#include "denhartog/response/scene_source.hpp"
+#include "denhartog/number/errors.hpp"
+#include "denhartog/number/multiprecision.hpp"
+#include "denhartog/paper_algorithm/paper_algorithm.hpp"
+#include "denhartog/solve/response.hpp"
+#include "denhartog/solve/scene_source.hpp"
+#include "denhartog/stick_slip/periodic_orbit.hpp"
+#include "tests/support/sample_scenes.hpp"
 
 namespace denhartog::tests {
 namespace {

@@ -6,7 +6,6 @@
 #include <fstream>
 #include <functional>
 
-#include "denhartog/model/paper_systems.hpp"
 #include "tests/speed_accuracy/batch_cost.hpp"
 #include "tests/speed_accuracy/batch_speed.hpp"
 #include "tests/speed_accuracy/bounds_survey.hpp"
@@ -17,6 +16,7 @@
 #include "tests/speed_accuracy/speed.hpp"
 #include "tests/speed_accuracy/stick_slip_survey.hpp"
 #include "tests/speed_accuracy/tolerance_survey.hpp"
+#include "tests/support/paper_systems.hpp"
 
 using namespace denhartog;
 using namespace denhartog::tests;

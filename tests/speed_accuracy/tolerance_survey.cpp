@@ -3,9 +3,9 @@
 #include <cmath>
 #include <map>
 
-#include "denhartog/integration/paper_algorithm.hpp"
-#include "denhartog/response/map_column.hpp"
-#include "denhartog/response/response.hpp"
+#include "denhartog/paper_algorithm/paper_algorithm.hpp"
+#include "denhartog/solve/map_column.hpp"
+#include "denhartog/solve/response.hpp"
 
 namespace denhartog::tests {
 namespace {

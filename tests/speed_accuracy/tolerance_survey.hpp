@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "denhartog/model/sample_scenes.hpp"
 #include "tests/speed_accuracy/table.hpp"
+#include "tests/support/sample_scenes.hpp"
 
 namespace denhartog::tests {
 

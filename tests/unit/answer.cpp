@@ -1,6 +1,6 @@
-#include "denhartog/response/answer.hpp"
+#include "denhartog/solve/answer.hpp"
 
-#include "denhartog/errors.hpp"
+#include "denhartog/number/errors.hpp"
 #include "tests/catch.hpp"
 #include "tests/unit/response_fixtures.hpp"
 

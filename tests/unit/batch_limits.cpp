@@ -1,11 +1,11 @@
-#include "denhartog/response/batch_limits.hpp"
+#include "denhartog/solve/batch_limits.hpp"
 
 #include <random>
 
-#include "denhartog/errors.hpp"
-#include "denhartog/response/batch_map.hpp"
-#include "denhartog/response/boundary.hpp"
-#include "denhartog/response/regime_map.hpp"
+#include "denhartog/number/errors.hpp"
+#include "denhartog/sliding/boundary.hpp"
+#include "denhartog/solve/batch_map.hpp"
+#include "denhartog/solve/regime_map.hpp"
 #include "tests/catch.hpp"
 #include "tests/speed_accuracy/table.hpp"
 #include "tests/unit/response_fixtures.hpp"

@@ -1,11 +1,11 @@
-#include "denhartog/response/boundary.hpp"
+#include "denhartog/sliding/boundary.hpp"
 
 #include <cmath>
 
-#include "denhartog/errors.hpp"
 #include "denhartog/formulas/boundary.hpp"
 #include "denhartog/formulas/superposition.hpp"
-#include "denhartog/response/steady_state.hpp"
+#include "denhartog/number/errors.hpp"
+#include "denhartog/sliding/steady_state.hpp"
 #include "tests/catch.hpp"
 #include "tests/unit/response_fixtures.hpp"
 

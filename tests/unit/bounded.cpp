@@ -1,9 +1,9 @@
-#include "denhartog/bounded.hpp"
+#include "denhartog/number/bounded.hpp"
 
 #include <random>
 
 #include "denhartog/evaluation/mode.hpp"
-#include "denhartog/multiprecision.hpp"
+#include "denhartog/number/multiprecision.hpp"
 #include "tests/catch.hpp"
 
 using namespace denhartog;

@@ -1,9 +1,9 @@
-#include "denhartog/response/bounded_response.hpp"
+#include "denhartog/solve/bounded_response.hpp"
 
-#include "denhartog/errors.hpp"
-#include "denhartog/model/sample_scenes.hpp"
-#include "denhartog/response/scene_source.hpp"
+#include "denhartog/number/errors.hpp"
+#include "denhartog/solve/scene_source.hpp"
 #include "tests/catch.hpp"
+#include "tests/support/sample_scenes.hpp"
 #include "tests/unit/response_fixtures.hpp"
 
 using namespace denhartog;

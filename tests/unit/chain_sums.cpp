@@ -1,8 +1,8 @@
-#include "denhartog/response/chain_sums.hpp"
+#include "denhartog/sliding/chain_sums.hpp"
 
-#include "denhartog/response/answer.hpp"
-#include "denhartog/response/quantities.hpp"
-#include "denhartog/response/solve.hpp"
+#include "denhartog/solve/answer.hpp"
+#include "denhartog/solve/quantities.hpp"
+#include "denhartog/solve/solve.hpp"
 #include "tests/catch.hpp"
 #include "tests/unit/response_fixtures.hpp"
 

@@ -1,11 +1,11 @@
 // The equations as a system of first order: the load on the contact, the accelerations while it sticks and slides.
-#include "denhartog/integration/contact_equations.hpp"
+#include "denhartog/paper_algorithm/contact_equations.hpp"
 
 #include <cmath>
 
-#include "denhartog/errors.hpp"
-#include "denhartog/model/sample_scenes.hpp"
+#include "denhartog/number/errors.hpp"
 #include "tests/catch.hpp"
+#include "tests/support/sample_scenes.hpp"
 #include "tests/unit/response_fixtures.hpp"
 
 using namespace denhartog;

@@ -1,11 +1,11 @@
-#include "denhartog/integration/exact_motion.hpp"
+#include "denhartog/stick_slip/exact_motion.hpp"
 
 #include <cmath>
 
-#include "denhartog/errors.hpp"
-#include "denhartog/integration/half_period.hpp"
-#include "denhartog/number.hpp"
+#include "denhartog/number/errors.hpp"
+#include "denhartog/number/number.hpp"
 #include "tests/catch.hpp"
+#include "tests/support/half_period.hpp"
 
 namespace {
 
@@ -115,8 +115,7 @@ TEST_CASE("over any motion the gain of energy is the work of load, damping and f
     for (const Point& p : points) {
         const ContactSystem<double> system = contact_system(p.system);
         ExactSolver<double> solver(system, p.e);
-        const ExactMotion<double>& motion =
-            solver.run(at_rest<double>(system.basis.r_n.size()), 0.0, 4 * pi<double>());
+        const ExactMotion<double>& motion = solver.run(at_rest<double>(system.basis.r_n.size()), 0.0, 4 * pi<double>());
         const NonDimensionalMatrices<double> m = non_dimensional_matrices(p.system, system.basis, p.e.r);
         const Energy e = energy_of(solver, motion, m, p.system.contact, p.system.load, p.e.beta);
         INFO("N = " << system.basis.r_n.size() << ", r = " << p.e.r << ", phases " << motion.phases.size() << ", coupling "

@@ -1,8 +1,8 @@
-#include "denhartog/response/few_modes.hpp"
+#include "denhartog/solve/few_modes.hpp"
 
-#include "denhartog/model/sample_scenes.hpp"
-#include "denhartog/response/scene_source.hpp"
+#include "denhartog/solve/scene_source.hpp"
 #include "tests/catch.hpp"
+#include "tests/support/sample_scenes.hpp"
 #include "tests/unit/response_fixtures.hpp"
 
 using namespace denhartog;

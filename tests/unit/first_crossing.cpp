@@ -1,10 +1,10 @@
-#include "denhartog/integration/first_crossing.hpp"
+#include "denhartog/stick_slip/first_crossing.hpp"
 
 #include <cmath>
 #include <random>
 
-#include "denhartog/multiprecision.hpp"
-#include "denhartog/number.hpp"
+#include "denhartog/number/multiprecision.hpp"
+#include "denhartog/number/number.hpp"
 #include "tests/catch.hpp"
 
 namespace {

@@ -1,15 +1,15 @@
-#include "denhartog/response/invariant_points.hpp"
+#include "denhartog/sliding/invariant_points.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "denhartog/errors.hpp"
 #include "denhartog/formulas/boundary.hpp"
 #include "denhartog/formulas/other_masses.hpp"
 #include "denhartog/formulas/stuck.hpp"
-#include "denhartog/model/sample_scenes.hpp"
-#include "denhartog/multiprecision.hpp"
+#include "denhartog/number/errors.hpp"
+#include "denhartog/number/multiprecision.hpp"
 #include "tests/catch.hpp"
+#include "tests/support/sample_scenes.hpp"
 #include "tests/unit/program_runs.hpp"
 #include "tests/unit/response_fixtures.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "denhartog/errors.hpp"
+#include "denhartog/number/errors.hpp"
 #include "tests/catch.hpp"
 
 using namespace denhartog;

@@ -3,7 +3,7 @@
 #include <map>
 #include <set>
 
-#include "denhartog/errors.hpp"
+#include "denhartog/number/errors.hpp"
 #include "derivation/source_index.hpp"
 #include "tests/unit/ledger_fixtures.hpp"
 

@@ -1,9 +1,9 @@
-#include "denhartog/program/ledger.hpp"
+#include "denhartog/ledger/ledger.hpp"
 
 #include <algorithm>
 
-#include "denhartog/errors.hpp"
-#include "denhartog/program/derivation_record.hpp"
+#include "denhartog/ledger/derivation_record.hpp"
+#include "denhartog/number/errors.hpp"
 #include "derivation/ledger_join.hpp"
 #include "tests/unit/ledger_fixtures.hpp"
 
@@ -113,8 +113,7 @@ TEST_CASE("the card of an equation has all that the ledger knows of it", "[ledge
          {"  as printed  refuted, departure: misprint\n", "  correction  x=2\n", "  as shipped  proved\n",
           "  witness     {\"R\":\"0.5\"}\n", "  loss        worst relative error 0.25 for who codes the printed form\n",
           "  rests on    (41), (44)\n", "  used by     (47)\n", "  function    denhartog::paper::f  src/f.hpp:7\n",
-          "  claim       46/printed  refuted  as printed\n", "  test        a test\n",
-          "  figure      fig04_time_response\n"}) {
+          "  claim       46/printed  refuted  as printed\n", "  test        a test\n", "  figure      fig04_time_response\n"}) {
         INFO(part);
         CHECK(holds(text, part));
     }

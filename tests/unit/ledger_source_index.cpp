@@ -2,7 +2,7 @@
 
 #include <sstream>
 
-#include "denhartog/errors.hpp"
+#include "denhartog/number/errors.hpp"
 #include "derivation/source_text.hpp"
 #include "tests/unit/ledger_fixtures.hpp"
 

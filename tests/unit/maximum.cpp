@@ -1,9 +1,9 @@
-#include "denhartog/response/maximum.hpp"
+#include "denhartog/sliding/maximum.hpp"
 
 #include <cmath>
 
-#include "denhartog/errors.hpp"
-#include "denhartog/multiprecision.hpp"
+#include "denhartog/number/errors.hpp"
+#include "denhartog/number/multiprecision.hpp"
 #include "tests/catch.hpp"
 
 using namespace denhartog;

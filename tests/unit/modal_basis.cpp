@@ -4,8 +4,8 @@
 #include <cmath>
 #include <random>
 
-#include "denhartog/errors.hpp"
-#include "denhartog/multiprecision.hpp"
+#include "denhartog/number/errors.hpp"
+#include "denhartog/number/multiprecision.hpp"
 #include "tests/catch.hpp"
 
 using namespace denhartog;

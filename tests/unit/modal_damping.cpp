@@ -1,8 +1,8 @@
 #include <cmath>
 
-#include "denhartog/errors.hpp"
 #include "denhartog/model/modal_basis.hpp"
-#include "denhartog/multiprecision.hpp"
+#include "denhartog/number/errors.hpp"
+#include "denhartog/number/multiprecision.hpp"
 #include "tests/catch.hpp"
 
 using namespace denhartog;

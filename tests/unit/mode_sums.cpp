@@ -1,9 +1,9 @@
-#include "denhartog/response/mode_sums.hpp"
+#include "denhartog/sliding/mode_sums.hpp"
 
 #include <Eigen/Dense>
 
-#include "denhartog/errors.hpp"
 #include "denhartog/formulas/superposition.hpp"
+#include "denhartog/number/errors.hpp"
 #include "tests/catch.hpp"
 #include "tests/unit/response_fixtures.hpp"
 

@@ -1,4 +1,4 @@
-#include "denhartog/multiprecision.hpp"
+#include "denhartog/number/multiprecision.hpp"
 
 #include <Eigen/Cholesky>
 #include <cmath>

@@ -6,11 +6,11 @@
 #include <random>
 #include <span>
 
-#include "denhartog/errors.hpp"
 #include "denhartog/formulas/mode.hpp"
 #include "denhartog/formulas/system.hpp"
 #include "denhartog/model/modal_basis.hpp"
 #include "denhartog/model/scene_json.hpp"
+#include "denhartog/number/errors.hpp"
 #include "tests/catch.hpp"
 
 using namespace denhartog;

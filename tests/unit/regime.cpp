@@ -1,7 +1,7 @@
-#include "denhartog/response/regime.hpp"
+#include "denhartog/sliding/regime.hpp"
 
-#include "denhartog/errors.hpp"
-#include "denhartog/response/response.hpp"
+#include "denhartog/number/errors.hpp"
+#include "denhartog/solve/response.hpp"
 #include "tests/catch.hpp"
 #include "tests/unit/response_fixtures.hpp"
 

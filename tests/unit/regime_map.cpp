@@ -1,11 +1,11 @@
-#include "denhartog/response/regime_map.hpp"
+#include "denhartog/solve/regime_map.hpp"
 
 #include <random>
 
-#include "denhartog/errors.hpp"
 #include "denhartog/formulas/contact.hpp"
-#include "denhartog/response/batch_map.hpp"
-#include "denhartog/response/solve.hpp"
+#include "denhartog/number/errors.hpp"
+#include "denhartog/solve/batch_map.hpp"
+#include "denhartog/solve/solve.hpp"
 #include "tests/catch.hpp"
 #include "tests/unit/response_fixtures.hpp"
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "denhartog/model/stuck_configuration.hpp"
-#include "denhartog/response/response.hpp"
+#include "denhartog/solve/response.hpp"
 
 namespace denhartog::tests {
 

@@ -3,8 +3,8 @@
 #include <functional>
 #include <limits>
 
-#include "denhartog/errors.hpp"
-#include "denhartog/multiprecision.hpp"
+#include "denhartog/number/errors.hpp"
+#include "denhartog/number/multiprecision.hpp"
 #include "tests/catch.hpp"
 
 using namespace denhartog;

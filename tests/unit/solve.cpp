@@ -1,7 +1,7 @@
-#include "denhartog/response/solve.hpp"
+#include "denhartog/solve/solve.hpp"
 
-#include "denhartog/errors.hpp"
-#include "denhartog/integration/periodic_orbit.hpp"
+#include "denhartog/number/errors.hpp"
+#include "denhartog/stick_slip/periodic_orbit.hpp"
 #include "tests/catch.hpp"
 #include "tests/unit/response_fixtures.hpp"
 

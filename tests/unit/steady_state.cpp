@@ -1,10 +1,10 @@
-#include "denhartog/response/steady_state.hpp"
+#include "denhartog/sliding/steady_state.hpp"
 
 #include <cmath>
 
-#include "denhartog/errors.hpp"
 #include "denhartog/formulas/motion.hpp"
 #include "denhartog/formulas/other_masses.hpp"
+#include "denhartog/number/errors.hpp"
 #include "tests/catch.hpp"
 #include "tests/unit/response_fixtures.hpp"
 

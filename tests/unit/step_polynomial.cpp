@@ -1,9 +1,9 @@
 // Polynomials over a step: values, zeros found in order, none lost, those at the start left out.
-#include "denhartog/integration/step_polynomial.hpp"
+#include "denhartog/paper_algorithm/step_polynomial.hpp"
 
 #include <cmath>
 
-#include "denhartog/number.hpp"
+#include "denhartog/number/number.hpp"
 #include "tests/catch.hpp"
 
 using namespace denhartog;

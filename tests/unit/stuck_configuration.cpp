@@ -4,9 +4,9 @@
 #include <cmath>
 #include <unsupported/Eigen/MatrixFunctions>
 
-#include "denhartog/model/sample_scenes.hpp"
-#include "denhartog/multiprecision.hpp"
+#include "denhartog/number/multiprecision.hpp"
 #include "tests/catch.hpp"
+#include "tests/support/sample_scenes.hpp"
 #include "tests/unit/response_fixtures.hpp"
 
 using namespace denhartog;

@@ -1,15 +1,15 @@
-#include "denhartog/response/stuck_response.hpp"
+#include "denhartog/stick_slip/stuck_response.hpp"
 
 #include <Eigen/Dense>
 #include <cmath>
 #include <complex>
 #include <unsupported/Eigen/MatrixFunctions>
 
-#include "denhartog/errors.hpp"
 #include "denhartog/formulas/stuck.hpp"
-#include "denhartog/model/sample_scenes.hpp"
-#include "denhartog/multiprecision.hpp"
+#include "denhartog/number/errors.hpp"
+#include "denhartog/number/multiprecision.hpp"
 #include "tests/catch.hpp"
+#include "tests/support/sample_scenes.hpp"
 #include "tests/unit/response_fixtures.hpp"
 
 using namespace denhartog;

@@ -4,7 +4,7 @@
 #include <random>
 
 #include "denhartog/evaluation/special.hpp"
-#include "denhartog/number.hpp"
+#include "denhartog/number/number.hpp"
 #include "tests/catch.hpp"
 
 using namespace denhartog;

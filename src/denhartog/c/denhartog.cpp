@@ -6,8 +6,8 @@
 #include "denhartog/c/handles.hpp"
 #include "denhartog/formulas/high_frequency.hpp"
 #include "denhartog/model/point_rules.hpp"
-#include "denhartog/response/quantities.hpp"
-#include "denhartog/response/solve_task.hpp"
+#include "denhartog/solve/quantities.hpp"
+#include "denhartog/solve/solve_task.hpp"
 
 using namespace denhartog;
 using namespace denhartog::c_interface;

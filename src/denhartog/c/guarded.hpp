@@ -10,7 +10,7 @@
 #include <string>
 
 #include "denhartog/c/denhartog.h"
-#include "denhartog/errors.hpp"
+#include "denhartog/number/errors.hpp"
 
 namespace denhartog::c_interface {
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "denhartog/c/guarded.hpp"
-#include "denhartog/response/solve.hpp"
+#include "denhartog/solve/solve.hpp"
 
 /// @brief A system prepared for every regime at mu = 1, with its modes. Nothing in it changes.
 struct dh_system {

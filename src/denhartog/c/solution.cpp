@@ -6,7 +6,7 @@
 #include "denhartog/c/denhartog.h"
 #include "denhartog/c/handles.hpp"
 #include "denhartog/model/point_rules.hpp"
-#include "denhartog/response/sampled_solution.hpp"
+#include "denhartog/solve/sampled_solution.hpp"
 
 using namespace denhartog;
 using namespace denhartog::c_interface;

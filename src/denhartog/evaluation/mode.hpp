@@ -17,7 +17,7 @@
 #include "denhartog/evaluation/overdamped.hpp"
 #include "denhartog/evaluation/special.hpp"
 #include "denhartog/formulas/mode.hpp"
-#include "denhartog/wider.hpp"
+#include "denhartog/number/wider.hpp"
 
 namespace denhartog::evaluation {
 

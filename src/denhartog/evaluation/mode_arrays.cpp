@@ -5,8 +5,8 @@
 #include <cmath>
 #include <sstream>
 
-#include "denhartog/errors.hpp"
 #include "denhartog/evaluation/vector_functions.hpp"
+#include "denhartog/number/errors.hpp"
 
 namespace denhartog::evaluation {
 namespace {

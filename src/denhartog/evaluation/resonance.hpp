@@ -10,7 +10,7 @@
 
 #include "denhartog/evaluation/special.hpp"
 #include "denhartog/formulas/resonance.hpp"
-#include "denhartog/wider.hpp"
+#include "denhartog/number/wider.hpp"
 
 namespace denhartog::evaluation {
 

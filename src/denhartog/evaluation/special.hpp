@@ -8,8 +8,8 @@
 #include <boost/math/special_functions/expm1.hpp>
 #include <boost/math/special_functions/sin_pi.hpp>
 
-#include "denhartog/number.hpp"
-#include "denhartog/reduced_angle.hpp"
+#include "denhartog/number/number.hpp"
+#include "denhartog/number/reduced_angle.hpp"
 
 namespace denhartog::evaluation {
 

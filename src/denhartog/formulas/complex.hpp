@@ -7,7 +7,7 @@
 /// \f$ \mathrm{Im}\{v\,e^{ia}\} = |v|\sin(a+\angle v) \f$. With this reading (36), (37) and (60) follow.
 #pragma once
 
-#include "denhartog/number.hpp"
+#include "denhartog/number/number.hpp"
 
 namespace denhartog {
 

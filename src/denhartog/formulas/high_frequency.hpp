@@ -2,7 +2,7 @@
 /// @brief The boundary of continuous motion at high frequency ratios, (86), and at low ones.
 #pragma once
 
-#include "denhartog/number.hpp"
+#include "denhartog/number/number.hpp"
 
 namespace denhartog::paper {
 

@@ -5,7 +5,7 @@
 /// resonance n and c depend on the path: there the limits \f$ R \to 1 \f$ and \f$ \zeta \to 0 \f$ do not commute.
 #pragma once
 
-#include "denhartog/number.hpp"
+#include "denhartog/number/number.hpp"
 
 namespace denhartog::limits {
 

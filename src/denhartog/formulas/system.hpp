@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "denhartog/number.hpp"
+#include "denhartog/number/number.hpp"
 
 namespace denhartog::paper {
 

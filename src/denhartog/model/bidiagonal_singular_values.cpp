@@ -8,8 +8,8 @@
 #include <numeric>
 #include <string>
 
-#include "denhartog/errors.hpp"
-#include "denhartog/multiprecision.hpp"
+#include "denhartog/number/errors.hpp"
+#include "denhartog/number/multiprecision.hpp"
 
 namespace denhartog {
 namespace {

@@ -5,13 +5,13 @@
 #include <cmath>
 #include <span>
 
-#include "denhartog/errors.hpp"
 #include "denhartog/formulas/system.hpp"
 #include "denhartog/model/cholesky.hpp"
 #include "denhartog/model/modal_damping.hpp"
 #include "denhartog/model/natural_modes.hpp"
 #include "denhartog/model/point_rules.hpp"
-#include "denhartog/multiprecision.hpp"
+#include "denhartog/number/errors.hpp"
+#include "denhartog/number/multiprecision.hpp"
 
 namespace denhartog {
 namespace {

@@ -7,11 +7,11 @@
 #include <limits>
 #include <string>
 
-#include "denhartog/errors.hpp"
 #include "denhartog/model/number_text.hpp"
 #include "denhartog/model/scene_rules.hpp"
 #include "denhartog/model/symmetric_eigenproblem.hpp"
-#include "denhartog/multiprecision.hpp"
+#include "denhartog/number/errors.hpp"
+#include "denhartog/number/multiprecision.hpp"
 
 namespace denhartog {
 namespace {

@@ -6,12 +6,12 @@
 #include <cmath>
 #include <limits>
 
-#include "denhartog/errors.hpp"
 #include "denhartog/model/bidiagonal_singular_values.hpp"
 #include "denhartog/model/modal_basis.hpp"
 #include "denhartog/model/number_text.hpp"
 #include "denhartog/model/symmetric_eigenproblem.hpp"
-#include "denhartog/multiprecision.hpp"
+#include "denhartog/number/errors.hpp"
+#include "denhartog/number/multiprecision.hpp"
 
 namespace denhartog {
 namespace {

@@ -8,8 +8,8 @@
 #include <concepts>
 #include <limits>
 
-#include "denhartog/bounded.hpp"
-#include "denhartog/multiprecision.hpp"
+#include "denhartog/number/bounded.hpp"
+#include "denhartog/number/multiprecision.hpp"
 
 namespace denhartog {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <boost/math/special_functions/fpclassify.hpp>
 
-#include "denhartog/errors.hpp"
 #include "denhartog/model/number_text.hpp"
+#include "denhartog/number/errors.hpp"
 
 namespace denhartog {
 

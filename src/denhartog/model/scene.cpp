@@ -4,11 +4,11 @@
 
 #include <cmath>
 
-#include "denhartog/errors.hpp"
 #include "denhartog/model/cholesky.hpp"
 #include "denhartog/model/number_text.hpp"
 #include "denhartog/model/scene_rules.hpp"
-#include "denhartog/multiprecision.hpp"
+#include "denhartog/number/errors.hpp"
+#include "denhartog/number/multiprecision.hpp"
 
 namespace denhartog {
 namespace {
@@ -92,8 +92,7 @@ void check_damping_ratios(const std::vector<T>& zeta, std::size_t N, const Scene
         const std::string within = names.one_zeta ? "" : at(i);
         if (!finite(zeta[i])) fail(names, name, of + " must be finite", number_to_text(zeta[i]), within);
         if (zeta[i] < 0) fail(names, name, of + " must not be negative", number_to_text(zeta[i]), within);
-        if (zeta[i] > largest_damping_ratio)
-            fail(names, name, of + " must be at most 1e300", number_to_text(zeta[i]), within);
+        if (zeta[i] > largest_damping_ratio) fail(names, name, of + " must be at most 1e300", number_to_text(zeta[i]), within);
     }
 }
 
@@ -124,6 +123,16 @@ void check_system(const System<T>& s, const SceneNames& names) {
     if (s.load.index >= N) fail(names, "load", which, number(s.load.index));
 }
 
+template <class T>
+Matrix<T> converted(const Matrix<double>& A) {
+    return A.unaryExpr([](double x) { return T(x); });
+}
+
+template <class T>
+std::vector<T> converted(const std::vector<double>& x) {
+    return std::vector<T>(x.begin(), x.end());
+}
+
 } // namespace
 
 template <class T>
@@ -152,6 +161,24 @@ void check(const System<T>& system) {
     check_system(system, SceneNames{});
 }
 
+template <class T>
+Scene<T> converted(const Scene<double>& scene) {
+    const System<double>& s = scene.system;
+    Scene<T> out;
+    out.system = {converted<T>(s.mass_ratios),
+                  converted<T>(s.stiffness_ratios),
+                  converted<T>(s.mass_matrix),
+                  converted<T>(s.stiffness_matrix),
+                  converted<T>(s.damping_ratios),
+                  converted<T>(s.damping_matrix),
+                  s.contact,
+                  s.load};
+    out.mu = T(scene.mu);
+    if (scene.r) out.r = T(*scene.r);
+    if (scene.beta) out.beta = T(*scene.beta);
+    return out;
+}
+
 template void check_under_names(const Scene<double>&, const SceneNames&);
 template void check_under_names(const Scene<long double>&, const SceneNames&);
 template void check_under_names(const Scene<Real50>&, const SceneNames&);
@@ -164,5 +191,10 @@ template void check(const System<double>&);
 template void check(const System<long double>&);
 template void check(const System<Real50>&);
 template void check(const System<Real100>&);
+
+template Scene<double> converted(const Scene<double>&);
+template Scene<long double> converted(const Scene<double>&);
+template Scene<Real50> converted(const Scene<double>&);
+template Scene<Real100> converted(const Scene<double>&);
 
 } // namespace denhartog

@@ -72,4 +72,10 @@ void check(const System<T>& system);
 template <class T>
 void check(const Scene<T>& scene);
 
+/// @brief A scene in another number type: the same binary fractions.
+/// @param scene  a scene in double
+/// @return       the scene in T
+template <class T>
+[[nodiscard]] Scene<T> converted(const Scene<double>& scene);
+
 } // namespace denhartog

@@ -10,7 +10,7 @@
 #include "denhartog/model/json_document.hpp"
 #include "denhartog/model/number_text.hpp"
 #include "denhartog/model/scene_rules.hpp"
-#include "denhartog/multiprecision.hpp"
+#include "denhartog/number/multiprecision.hpp"
 
 namespace denhartog {
 namespace {

@@ -13,8 +13,8 @@
 #include <string_view>
 #include <vector>
 
-#include "denhartog/errors.hpp"
 #include "denhartog/model/scene.hpp"
+#include "denhartog/number/errors.hpp"
 
 namespace denhartog {
 

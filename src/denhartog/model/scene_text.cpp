@@ -5,7 +5,7 @@
 
 #include "denhartog/model/json_document.hpp"
 #include "denhartog/model/scene_json.hpp"
-#include "denhartog/multiprecision.hpp"
+#include "denhartog/number/multiprecision.hpp"
 
 namespace denhartog {
 namespace {

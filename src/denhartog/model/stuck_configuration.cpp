@@ -7,11 +7,11 @@
 #include <limits>
 #include <string>
 
-#include "denhartog/errors.hpp"
 #include "denhartog/model/cholesky.hpp"
 #include "denhartog/model/modal_damping.hpp"
 #include "denhartog/model/natural_modes.hpp"
-#include "denhartog/multiprecision.hpp"
+#include "denhartog/number/errors.hpp"
+#include "denhartog/number/multiprecision.hpp"
 
 namespace denhartog {
 namespace {

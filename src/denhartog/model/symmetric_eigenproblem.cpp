@@ -4,8 +4,8 @@
 
 #include <Eigen/Eigenvalues>
 
-#include "denhartog/errors.hpp"
-#include "denhartog/multiprecision.hpp"
+#include "denhartog/number/errors.hpp"
+#include "denhartog/number/multiprecision.hpp"
 
 namespace denhartog {
 

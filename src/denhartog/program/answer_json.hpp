@@ -3,7 +3,7 @@
 #pragma once
 
 #include "denhartog/program/number_json.hpp"
-#include "denhartog/response/answer.hpp"
+#include "denhartog/solve/answer.hpp"
 
 namespace denhartog::program {
 

@@ -7,7 +7,7 @@
 #include "denhartog/program/answer_json.hpp"
 #include "denhartog/program/scene_command.hpp"
 #include "denhartog/program/table.hpp"
-#include "denhartog/response/invariant_points.hpp"
+#include "denhartog/sliding/invariant_points.hpp"
 
 namespace denhartog::program {
 namespace {

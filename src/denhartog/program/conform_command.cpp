@@ -7,7 +7,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "denhartog/errors.hpp"
+#include "denhartog/number/errors.hpp"
 #include "denhartog/program/conform_number.hpp"
 #include "denhartog/program/conform_run.hpp"
 #include "denhartog/program/files.hpp"

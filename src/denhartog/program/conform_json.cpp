@@ -1,7 +1,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "denhartog/conformance/score.hpp"
+#include "conformance/score.hpp"
 #include "denhartog/program/conform_number.hpp"
 #include "denhartog/program/conform_report.hpp"
 

@@ -1,6 +1,6 @@
 #include <map>
 
-#include "denhartog/conformance/score.hpp"
+#include "conformance/score.hpp"
 #include "denhartog/program/conform_report.hpp"
 
 namespace denhartog::program {

@@ -1,4 +1,4 @@
-#include "denhartog/conformance/score.hpp"
+#include "conformance/score.hpp"
 #include "denhartog/program/conform_number.hpp"
 #include "denhartog/program/conform_report.hpp"
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "denhartog/conformance/verdict.hpp"
+#include "conformance/verdict.hpp"
 
 namespace denhartog::program {
 

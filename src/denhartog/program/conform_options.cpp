@@ -5,8 +5,8 @@
 #include <cmath>
 #include <regex>
 
-#include "denhartog/errors.hpp"
 #include "denhartog/model/number_text.hpp"
+#include "denhartog/number/errors.hpp"
 
 namespace denhartog::program {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "denhartog/conformance/session.hpp"
+#include "conformance/session.hpp"
 
 namespace CLI {
 class App;

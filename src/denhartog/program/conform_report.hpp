@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "denhartog/conformance/diagnose.hpp"
+#include "conformance/diagnose.hpp"
 #include "denhartog/program/conform_track.hpp"
 
 namespace denhartog::program {

@@ -1,7 +1,7 @@
 #include <filesystem>
 
-#include "denhartog/conformance/grade.hpp"
-#include "denhartog/errors.hpp"
+#include "conformance/grade.hpp"
+#include "denhartog/number/errors.hpp"
 #include "denhartog/program/conform_report.hpp"
 #include "denhartog/program/conform_run.hpp"
 #include "denhartog/program/files.hpp"

@@ -4,11 +4,11 @@
 
 #include <cstdio>
 
-#include "denhartog/conformance/answers_file.hpp"
-#include "denhartog/conformance/grade.hpp"
-#include "denhartog/conformance/score.hpp"
-#include "denhartog/conformance/smoke.hpp"
-#include "denhartog/errors.hpp"
+#include "conformance/answers_file.hpp"
+#include "conformance/grade.hpp"
+#include "conformance/score.hpp"
+#include "conformance/smoke.hpp"
+#include "denhartog/number/errors.hpp"
 #include "denhartog/program/conform_report.hpp"
 #include "denhartog/program/files.hpp"
 #include "denhartog/program/interruptible.hpp"

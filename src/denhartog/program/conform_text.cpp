@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "denhartog/conformance/score.hpp"
+#include "conformance/score.hpp"
 #include "denhartog/model/number_text.hpp"
 #include "denhartog/program/conform_number.hpp"
 #include "denhartog/program/conform_report.hpp"

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "denhartog/errors.hpp"
+#include "denhartog/number/errors.hpp"
 #include "denhartog/program/files.hpp"
 
 namespace denhartog::program {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "denhartog/conformance/verdict.hpp"
+#include "conformance/verdict.hpp"
 
 namespace denhartog::program {
 

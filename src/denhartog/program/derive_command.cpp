@@ -4,9 +4,9 @@
 #include <cstdlib>
 #include <memory>
 
-#include "denhartog/program/derivation_record.hpp"
+#include "denhartog/ledger/derivation_record.hpp"
+#include "denhartog/ledger/ledger.hpp"
 #include "denhartog/program/files.hpp"
-#include "denhartog/program/ledger.hpp"
 
 namespace denhartog::program {
 

@@ -4,10 +4,10 @@
 #include <cstdlib>
 #include <memory>
 
-#include "denhartog/errors.hpp"
+#include "denhartog/ledger/ledger.hpp"
+#include "denhartog/number/errors.hpp"
 #include "denhartog/program/exit_status.hpp"
 #include "denhartog/program/files.hpp"
-#include "denhartog/program/ledger.hpp"
 
 namespace denhartog::program {
 

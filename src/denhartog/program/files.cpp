@@ -9,7 +9,7 @@
 #include <iostream>
 #include <iterator>
 
-#include "denhartog/errors.hpp"
+#include "denhartog/number/errors.hpp"
 #include "denhartog/program/exit_status.hpp"
 
 namespace denhartog::program {

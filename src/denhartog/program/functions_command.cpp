@@ -6,7 +6,7 @@
 #include "denhartog/program/number_json.hpp"
 #include "denhartog/program/scene_command.hpp"
 #include "denhartog/program/table.hpp"
-#include "denhartog/response/quantities.hpp"
+#include "denhartog/solve/quantities.hpp"
 
 namespace denhartog::program {
 namespace {

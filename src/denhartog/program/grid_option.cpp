@@ -3,8 +3,8 @@
 #include <cmath>
 #include <cstdint>
 
-#include "denhartog/errors.hpp"
 #include "denhartog/model/number_text.hpp"
+#include "denhartog/number/errors.hpp"
 
 namespace denhartog::program {
 namespace {

@@ -4,15 +4,15 @@
 #include <memory>
 #include <vector>
 
-#include "denhartog/integration/exact_cycles.hpp"
-#include "denhartog/integration/paper_algorithm.hpp"
 #include "denhartog/model/number_text.hpp"
+#include "denhartog/paper_algorithm/exact_cycles.hpp"
+#include "denhartog/paper_algorithm/paper_algorithm.hpp"
+#include "denhartog/paper_algorithm/regime_seen.hpp"
 #include "denhartog/program/files.hpp"
 #include "denhartog/program/number_json.hpp"
 #include "denhartog/program/scene_command.hpp"
 #include "denhartog/program/table.hpp"
-#include "denhartog/response/regime_seen.hpp"
-#include "denhartog/response/scene_source.hpp"
+#include "denhartog/solve/scene_source.hpp"
 
 namespace denhartog::program {
 namespace {

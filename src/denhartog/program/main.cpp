@@ -3,7 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <iostream>
 
-#include "denhartog/errors.hpp"
+#include "denhartog/number/errors.hpp"
 #include "denhartog/program/boundary_command.hpp"
 #include "denhartog/program/conform_command.hpp"
 #include "denhartog/program/derive_command.hpp"

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "denhartog/response/regime_map.hpp"
+#include "denhartog/solve/regime_map.hpp"
 
 namespace denhartog::program {
 

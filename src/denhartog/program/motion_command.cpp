@@ -6,7 +6,7 @@
 #include "denhartog/model/number_text.hpp"
 #include "denhartog/program/files.hpp"
 #include "denhartog/program/scene_command.hpp"
-#include "denhartog/response/quantities.hpp"
+#include "denhartog/solve/quantities.hpp"
 
 namespace denhartog::program {
 namespace {

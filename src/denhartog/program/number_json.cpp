@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "denhartog/errors.hpp"
+#include "denhartog/number/errors.hpp"
 
 namespace denhartog::program {
 namespace {

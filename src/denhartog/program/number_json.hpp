@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "denhartog/multiprecision.hpp"
+#include "denhartog/number/multiprecision.hpp"
 
 namespace denhartog::program {
 

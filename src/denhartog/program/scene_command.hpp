@@ -7,10 +7,10 @@
 #include <optional>
 #include <string>
 
-#include "denhartog/errors.hpp"
 #include "denhartog/model/scene_json.hpp"
+#include "denhartog/number/errors.hpp"
 #include "denhartog/program/exit_status.hpp"
-#include "denhartog/response/answer.hpp"
+#include "denhartog/solve/answer.hpp"
 
 namespace CLI {
 class App;

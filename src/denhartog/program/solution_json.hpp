@@ -3,7 +3,7 @@
 #pragma once
 
 #include "denhartog/program/number_json.hpp"
-#include "denhartog/response/solution.hpp"
+#include "denhartog/solve/solution.hpp"
 
 namespace denhartog::program {
 

@@ -6,8 +6,8 @@
 #include "denhartog/model/number_text.hpp"
 #include "denhartog/program/scene_command.hpp"
 #include "denhartog/program/solution_json.hpp"
-#include "denhartog/response/sampled_solution.hpp"
-#include "denhartog/response/solve.hpp"
+#include "denhartog/solve/sampled_solution.hpp"
+#include "denhartog/solve/solve.hpp"
 
 namespace denhartog::program {
 namespace {

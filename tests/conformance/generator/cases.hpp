@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "denhartog/conformance/question.hpp"
-#include "denhartog/response/regime.hpp"
+#include "conformance/question.hpp"
+#include "denhartog/sliding/regime.hpp"
 
 namespace denhartog::conformance::generator {
 

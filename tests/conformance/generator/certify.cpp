@@ -5,8 +5,8 @@
 #include <cmath>
 #include <cstdio>
 
-#include "denhartog/errors.hpp"
-#include "denhartog/response/solve.hpp"
+#include "denhartog/number/errors.hpp"
+#include "denhartog/solve/solve.hpp"
 #include "tests/conformance/generator/number_digits.hpp"
 #include "tests/conformance/generator/scene_routes.hpp"
 

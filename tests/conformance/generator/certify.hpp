@@ -4,7 +4,7 @@
 
 #include <set>
 
-#include "denhartog/conformance/vector.hpp"
+#include "conformance/vector.hpp"
 #include "tests/conformance/generator/cases.hpp"
 
 namespace denhartog::conformance::generator {

@@ -1,9 +1,9 @@
 #include <optional>
 
-#include "denhartog/errors.hpp"
 #include "denhartog/formulas/high_frequency.hpp"
-#include "denhartog/response/steady_state.hpp"
-#include "denhartog/response/stuck_response.hpp"
+#include "denhartog/number/errors.hpp"
+#include "denhartog/sliding/steady_state.hpp"
+#include "denhartog/stick_slip/stuck_response.hpp"
 #include "tests/conformance/generator/route.hpp"
 
 namespace denhartog::conformance::generator {

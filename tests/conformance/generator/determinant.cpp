@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "denhartog/multiprecision.hpp"
+#include "denhartog/number/multiprecision.hpp"
 
 namespace denhartog::conformance::generator {
 namespace {

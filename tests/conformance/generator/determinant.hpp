@@ -2,7 +2,7 @@
 /// @brief Natural frequencies and products of mode shapes of a chain from its characteristic polynomial.
 #pragma once
 
-#include "denhartog/integration/half_period.hpp"
+#include "tests/support/half_period.hpp"
 
 namespace denhartog::conformance::generator {
 

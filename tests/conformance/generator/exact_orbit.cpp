@@ -1,9 +1,9 @@
 #include <Eigen/LU>
 #include <algorithm>
 
-#include "denhartog/errors.hpp"
-#include "denhartog/integration/exact_motion.hpp"
-#include "denhartog/response/steady_state.hpp"
+#include "denhartog/number/errors.hpp"
+#include "denhartog/sliding/steady_state.hpp"
+#include "denhartog/stick_slip/exact_motion.hpp"
 #include "tests/conformance/generator/route.hpp"
 
 namespace denhartog::conformance::generator {

@@ -2,7 +2,7 @@
 /// @brief What the mirrored half-period says without a phase: responses to the cosine, the sine and the friction, each by itself.
 #pragma once
 
-#include "denhartog/integration/half_period.hpp"
+#include "tests/support/half_period.hpp"
 
 namespace denhartog::conformance::generator {
 

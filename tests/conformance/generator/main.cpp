@@ -3,7 +3,7 @@
 #include <fstream>
 #include <iostream>
 
-#include "denhartog/errors.hpp"
+#include "denhartog/number/errors.hpp"
 #include "tests/conformance/generator/vector_files.hpp"
 
 namespace {

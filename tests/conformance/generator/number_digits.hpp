@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "denhartog/multiprecision.hpp"
+#include "denhartog/number/multiprecision.hpp"
 
 namespace denhartog::conformance::generator {
 

@@ -1,11 +1,11 @@
 #include <Eigen/LU>
 #include <optional>
 
-#include "denhartog/integration/second_witness.hpp"
 #include "tests/conformance/generator/determinant.hpp"
 #include "tests/conformance/generator/linear_half_period.hpp"
 #include "tests/conformance/generator/physical_problem.hpp"
 #include "tests/conformance/generator/route.hpp"
+#include "tests/support/second_witness.hpp"
 
 namespace denhartog::conformance::generator {
 namespace {

@@ -2,9 +2,9 @@
 /// @brief The matrices of (6) of a question's scene.
 #pragma once
 
-#include "denhartog/conformance/question.hpp"
-#include "denhartog/integration/half_period.hpp"
-#include "denhartog/multiprecision.hpp"
+#include "conformance/question.hpp"
+#include "denhartog/number/multiprecision.hpp"
+#include "tests/support/half_period.hpp"
 
 namespace denhartog::conformance::generator {
 

@@ -5,10 +5,10 @@
 #include <memory>
 #include <vector>
 
-#include "denhartog/conformance/question.hpp"
-#include "denhartog/integration/motion_record.hpp"
-#include "denhartog/multiprecision.hpp"
-#include "denhartog/response/regime.hpp"
+#include "conformance/question.hpp"
+#include "denhartog/number/multiprecision.hpp"
+#include "denhartog/sliding/regime.hpp"
+#include "denhartog/stick_slip/motion_record.hpp"
 
 namespace denhartog::conformance::generator {
 
@@ -26,7 +26,7 @@ public:
     virtual std::vector<T> numbers(const Question& q) = 0;
 };
 
-/// @brief The closed form, by `src/denhartog/response`: sums over modes, boundary, steady state; with the contact held by (88).
+/// @brief The closed form, by `src/denhartog/sliding`: sums over modes, boundary, steady state; with the contact held by (88).
 /// @param scene   a question about the scene
 /// @param regime  the regime, where the quantity depends on it
 /// @param near    a route of a scene next to this one, whose instants of maxima are corrected in place of a search; may be none

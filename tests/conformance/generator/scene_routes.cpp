@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "denhartog/errors.hpp"
+#include "denhartog/number/errors.hpp"
 
 namespace denhartog::conformance::generator {
 namespace {

@@ -8,8 +8,8 @@
 #include <sstream>
 #include <thread>
 
-#include "denhartog/errors.hpp"
-#include "denhartog/parallel.hpp"
+#include "denhartog/number/errors.hpp"
+#include "denhartog/number/parallel.hpp"
 #include "tests/conformance/generator/sha256.hpp"
 
 namespace denhartog::conformance::generator {

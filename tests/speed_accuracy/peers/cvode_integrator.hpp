@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "denhartog/integration/contact_equations.hpp"
+#include "denhartog/paper_algorithm/contact_equations.hpp"
 #include "tests/speed_accuracy/peers/peer.hpp"
 
 namespace denhartog::tests {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "denhartog/number.hpp"
+#include "denhartog/number/number.hpp"
 #include "tests/speed_accuracy/peers/contact_receptance.hpp"
 
 namespace denhartog::tests {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "denhartog/number.hpp"
+#include "denhartog/number/number.hpp"
 #include "tests/speed_accuracy/peers/contact_receptance.hpp"
 
 namespace denhartog::tests {

@@ -4,10 +4,10 @@
 #include <numbers>
 #include <variant>
 
-#include "denhartog/errors.hpp"
-#include "denhartog/integration/paper_algorithm.hpp"
-#include "denhartog/response/regime_seen.hpp"
-#include "denhartog/response/solve.hpp"
+#include "denhartog/number/errors.hpp"
+#include "denhartog/paper_algorithm/paper_algorithm.hpp"
+#include "denhartog/paper_algorithm/regime_seen.hpp"
+#include "denhartog/solve/solve.hpp"
 #include "tests/speed_accuracy/peers/closed_form_peers.hpp"
 #include "tests/speed_accuracy/peers/exact_solver_peer.hpp"
 

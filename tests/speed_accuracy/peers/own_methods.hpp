@@ -3,7 +3,7 @@
 /// algorithm, `solve`.
 #pragma once
 
-#include "denhartog/response/solution.hpp"
+#include "denhartog/solve/solution.hpp"
 #include "tests/speed_accuracy/peers/peer.hpp"
 
 namespace denhartog::tests {

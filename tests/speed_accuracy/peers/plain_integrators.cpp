@@ -6,7 +6,7 @@
 #include <numeric>
 
 #include "denhartog/model/modal_basis.hpp"
-#include "denhartog/number.hpp"
+#include "denhartog/number/number.hpp"
 #include "tests/speed_accuracy/table.hpp"
 
 namespace denhartog::tests {

@@ -2,7 +2,7 @@
 #include <iostream>
 #include <numbers>
 
-#include "denhartog/integration/paper_algorithm.hpp"
+#include "denhartog/paper_algorithm/paper_algorithm.hpp"
 #include "tests/conformance/adapters/solvers/solver_adapter.hpp"
 
 namespace {

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "denhartog/integration/motion_record.hpp"
 #include "denhartog/model/scene.hpp"
+#include "denhartog/stick_slip/motion_record.hpp"
 
 namespace denhartog::tests {
 

@@ -4,7 +4,7 @@
 #include <iostream>
 #include <numbers>
 
-#include "denhartog/integration/contact_equations.hpp"
+#include "denhartog/paper_algorithm/contact_equations.hpp"
 #include "tests/conformance/adapters/solvers/solver_adapter.hpp"
 #include "tests/speed_accuracy/peers/siconos_steps.hpp"
 

@@ -4,8 +4,8 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
-#include "denhartog/conformance/question.hpp"
-#include "denhartog/errors.hpp"
+#include "conformance/question.hpp"
+#include "denhartog/number/errors.hpp"
 #include "tests/conformance/adapters/solvers/steady_motion.hpp"
 
 namespace denhartog::tests {

@@ -7,9 +7,9 @@
 #include <cstdio>
 #include <numbers>
 
-#include "denhartog/integration/contact_equations.hpp"
 #include "denhartog/model/modal_basis.hpp"
-#include "denhartog/number.hpp"
+#include "denhartog/number/number.hpp"
+#include "denhartog/paper_algorithm/contact_equations.hpp"
 
 namespace denhartog::tests {
 namespace {

@@ -2,7 +2,7 @@
 /// @brief The settled motion that a time integrator comes to, and what is read off its last period.
 #pragma once
 
-#include "denhartog/response/regime.hpp"
+#include "denhartog/sliding/regime.hpp"
 #include "tests/conformance/adapters/solvers/period.hpp"
 
 namespace denhartog::tests {

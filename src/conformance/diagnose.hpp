@@ -1,0 +1,70 @@
+/// @file
+/// @brief What is the matter with an implementation: known mistakes whose answers its wrong answers are, and what the rest of the
+/// wrong ones have in common.
+///
+/// A mistake is a signature. It explains a wrong answer that agrees with the answer of the mistake, to the mistake's own
+/// `agreement`, and is at least ten times nearer to it than to the truth. It is contradicted where it would make an answer
+/// wrong, to a quantity in which it explains something, but the answer given is another. The mistake with the most explained
+/// minus contradicted is told first; of two that have as many, the one that answers to all quantities contradict less. What it
+/// explains is set aside; and so on while one explains three answers, or all wrong ones that are left, and is contradicted by
+/// at most one answer in ten.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "conformance/mistake.hpp"
+#include "conformance/verdict.hpp"
+
+namespace denhartog::conformance {
+
+/// @brief The known mistakes, or others in their place.
+struct Signatures {
+    std::span<const Mistake> mistakes;                                                           ///< what is known
+    std::function<std::optional<Value>(std::string_view name, const Question& question)> answer; ///< as `answer_with_mistake`
+};
+
+/// @brief The mistakes of `mistake.hpp`. @return them with their answers
+[[nodiscard]] Signatures known_signatures();
+
+/// @brief A mistake found.
+struct Finding {
+    const Mistake* mistake = nullptr;    ///< which
+    std::size_t explained = 0;           ///< wrong answers that are its answers
+    std::size_t contradicted = 0;        ///< answers that it would make wrong, but that are others
+    std::vector<std::string> quantities; ///< of the answers that it explains
+    const Judged* example = nullptr;     ///< the answer explained whose error is the largest
+    Value mistaken;                      ///< what the mistake answers there
+};
+
+/// @brief Something that wrong answers have in common.
+struct InCommon {
+    std::string property;      ///< in words: `mu > 1`
+    std::size_t wrong = 0;     ///< unexplained wrong answers that have it
+    std::size_t all_wrong = 0; ///< unexplained wrong answers
+    std::size_t asked = 0;     ///< answers to the same quantities that have it
+    std::size_t all_asked = 0; ///< answers to the same quantities
+};
+
+/// @brief What was found.
+struct Diagnosis {
+    std::size_t wrong = 0;                       ///< answers that are wrong or inaccurate
+    std::vector<Finding> findings;               ///< most telling first
+    std::vector<const Judged*> unexplained;      ///< wrong answers of no mistake found
+    std::vector<InCommon> by_quantity;           ///< these by quantity; `asked` counts the answers to the quantity
+    std::vector<InCommon> in_common;             ///< what these have in common and the right ones have less often
+    std::map<std::string, std::size_t> accepted; ///< broken rules of questions that were answered, with their number
+};
+
+/// @brief Looks for known mistakes.
+/// @param judged      the answers; wrong ones that are an equation's print become `as-printed`
+/// @param signatures  the mistakes
+/// @return            what was found; refers to the answers
+[[nodiscard]] Diagnosis diagnose(std::span<Judged> judged, const Signatures& signatures);
+
+} // namespace denhartog::conformance

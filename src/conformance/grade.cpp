@@ -1,0 +1,146 @@
+#include "conformance/grade.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include "conformance/beyond_boundary.hpp"
+#include "conformance/curve.hpp"
+#include "denhartog/number/number.hpp"
+
+namespace denhartog::conformance {
+namespace {
+
+// An answer agrees with the closed form beyond its boundary where it is so near, relative to the closed form's size.
+constexpr double agreement = 1e-6;
+
+std::string numbers_in_words(std::size_t count) { return count == 1 ? "1 number" : std::to_string(count) + " numbers"; }
+
+// Angles of the protocol's interval differ round the circle, those outside it (degrees, [0, 2 pi)) as they stand.
+bool round_the_circle(const Quantity& asked, double given) {
+    constexpr double rounding = 1e-9;
+    return asked.angle && std::abs(given) <= pi<double>() + rounding;
+}
+
+// Error against the 40 digits of the vector: the rounding of the nearest double does not count as the answer's.
+Difference error_of(const Vector& v, const Quantity& asked, const std::vector<double>& given) {
+    if (asked.shape == Shape::samples) return difference(asked, given, v.nearest);
+    Difference worst;
+    for (std::size_t n = 0; n < given.size(); ++n) {
+        const long double error = static_cast<long double>(given[n]) - std::strtold(v.value[n].c_str(), nullptr);
+        const double size = std::abs(
+            static_cast<double>(round_the_circle(asked, given[n]) ? std::remainder(error, 2 * pi<long double>()) : error));
+        if (size > worst.size) worst = {size, n};
+    }
+    return worst;
+}
+
+Verdict verdict_of(double error, const Tolerance& allowed) {
+    if (error <= allowed.pass) return Verdict::pass;
+    if (error <= allowed.loose) return Verdict::pass_loose;
+    if (error <= allowed.inaccurate) return Verdict::inaccurate;
+    return Verdict::wrong;
+}
+
+// Whether a wrong answer is the one of another regime, and how that shows.
+std::string other_regime(const Vector& v, const Value& given) {
+    if (v.regime != "stick_slip" && v.regime != "permanent_sticking") return "";
+    const Quantity& asked = quantity(v.question.quantity);
+    const bool no_stop =
+        asked.shape == Shape::durations ? given.numbers.empty() : asked.name == "stops_per_period" && size_of(given.numbers) == 0;
+    if (no_stop) return "no stop, but the regime is " + v.regime;
+    const std::optional<Value> beyond = closed_form_beyond_boundary(v.question);
+    if (!beyond || beyond->numbers.size() != given.numbers.size()) return "";
+    const double size = asked.angle ? 1 : size_of(beyond->numbers);
+    if (!(difference(asked, given.numbers, beyond->numbers).size <= agreement * size)) return "";
+    return "the closed form of continuous sliding, but the regime is " + v.regime;
+}
+
+Judged graded_numbers(Judged judged, const Vector& v) {
+    const Quantity& asked = quantity(v.question.quantity);
+    const std::vector<double>& given = judged.given.numbers;
+    judged.verdict = Verdict::wrong;
+    if (!judged.given.word.empty()) {
+        judged.reason = "a regime in place of numbers";
+    } else if (given.size() != v.value.size()) {
+        judged.reason = numbers_in_words(given.size()) + " in place of " + std::to_string(v.value.size());
+    } else {
+        const Difference error = error_of(v, asked, given);
+        judged.error = error.size / v.scale;
+        judged.worst = error.worst;
+        judged.verdict = verdict_of(*judged.error, v.tolerance);
+    }
+    if (judged.verdict != Verdict::wrong || !judged.given.word.empty()) return judged;
+    const std::string regime = other_regime(v, judged.given);
+    if (!regime.empty()) {
+        judged.verdict = Verdict::wrong_regime;
+        judged.reason = regime;
+    }
+    return judged;
+}
+
+Judged graded_word(Judged judged, const Vector& v) {
+    if (judged.given.word.empty()) {
+        judged.verdict = Verdict::wrong;
+        judged.reason = numbers_in_words(judged.given.numbers.size()) + " in place of a regime";
+    } else if (judged.given.word == v.word) {
+        judged.verdict = Verdict::pass;
+    } else {
+        judged.verdict = Verdict::wrong_regime;
+        judged.reason = judged.given.word + " in place of " + v.word;
+    }
+    return judged;
+}
+
+} // namespace
+
+double size_of(const std::vector<double>& numbers) {
+    double size = 0;
+    for (const double x : numbers) size = std::max(size, std::abs(x));
+    return size;
+}
+
+Difference difference(const Quantity& asked, const std::vector<double>& given, const std::vector<double>& reference) {
+    if (asked.shape == Shape::samples) {
+        const CurveDeviation curve = curve_deviation(given, reference);
+        return {curve.deviation, curve.sample};
+    }
+    Difference worst;
+    for (std::size_t n = 0; n < given.size(); ++n) {
+        const double apart = given[n] - reference[n];
+        const double size = std::abs(round_the_circle(asked, given[n]) ? std::remainder(apart, 2 * pi<double>()) : apart);
+        if (size > worst.size) worst = {size, n};
+    }
+    return worst;
+}
+
+Judged grade(const Vector& v, const Answer& answer) {
+    Judged judged;
+    judged.vector = &v;
+    const bool to_be_rejected = !v.reject.empty();
+    if (const auto* skipped = std::get_if<Skipped>(&answer)) {
+        judged.verdict = Verdict::skipped;
+        judged.reason = legible(skipped->reason);
+        return judged;
+    }
+    if (const auto* rejected = std::get_if<Rejected>(&answer)) {
+        judged.verdict = to_be_rejected ? Verdict::rejected : Verdict::wrong;
+        judged.reason = (to_be_rejected ? "" : "it was rejected, but keeps all rules: ") + legible(rejected->reason);
+        return judged;
+    }
+    if (const auto* unusable = std::get_if<Unusable>(&answer)) {
+        judged.verdict = to_be_rejected ? Verdict::not_rejected : Verdict::wrong;
+        judged.reason = legible(unusable->reason);
+        return judged;
+    }
+    judged.given = std::get<Value>(answer);
+    judged.answered = true;
+    if (to_be_rejected) {
+        judged.verdict = Verdict::not_rejected;
+        judged.reason = "it was answered, but breaks a rule: " + v.reject;
+        return judged;
+    }
+    return v.word.empty() ? graded_numbers(std::move(judged), v) : graded_word(std::move(judged), v);
+}
+
+} // namespace denhartog::conformance

@@ -1,0 +1,67 @@
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "conformance/mistake_definition.hpp"
+#include "denhartog/number/errors.hpp"
+
+namespace denhartog::conformance {
+namespace {
+
+std::vector<MistakeDefinition> all_definitions() {
+    std::vector<MistakeDefinition> all;
+    for (auto part :
+         {mistakes_of_input(), mistakes_of_print(), mistakes_of_form(), mistakes_of_output(), mistakes_of_integrators()})
+        std::move(part.begin(), part.end(), std::back_inserter(all));
+    std::sort(all.begin(), all.end(),
+              [](const MistakeDefinition& a, const MistakeDefinition& b) { return a.mistake.name < b.mistake.name; });
+    return all;
+}
+
+const std::vector<MistakeDefinition>& definitions() {
+    static const std::vector<MistakeDefinition> all = all_definitions();
+    return all;
+}
+
+} // namespace
+
+bool asks_for(const Question& q, std::initializer_list<std::string_view> names) {
+    return std::find(names.begin(), names.end(), q.quantity) != names.end();
+}
+
+MistakeDefinition by_formulas(Mistake mistake, std::vector<std::string_view> touched, std::function<void(Choices&)> choose) {
+    return {std::move(mistake), [touched = std::move(touched), choose = std::move(choose)](const Question& q) {
+                if (!touched.empty() && std::find(touched.begin(), touched.end(), q.quantity) == touched.end())
+                    return std::optional<Value>();
+                Choices c;
+                choose(c);
+                return plain_answer(q, c);
+            }};
+}
+
+std::span<const Mistake> mistakes() {
+    static const std::vector<Mistake> told = [] {
+        std::vector<Mistake> list;
+        for (const MistakeDefinition& each : definitions()) list.push_back(each.mistake);
+        return list;
+    }();
+    return told;
+}
+
+std::optional<Value> answer_with_mistake(std::string_view name, const Question& q) {
+    const auto found = std::find_if(definitions().begin(), definitions().end(),
+                                    [&](const MistakeDefinition& each) { return each.mistake.name == name; });
+    if (found == definitions().end()) throw InputError("mistake", "must be one of the known ones", std::string(name));
+    try {
+        std::optional<Value> value = found->answer(q);
+        if (value && !std::all_of(value->numbers.begin(), value->numbers.end(), [](double x) { return std::isfinite(x); }))
+            return std::nullopt;
+        return value;
+    } catch (const InputError&) { // a place beyond the chain, a motion that is none: nothing is answered
+    } catch (const DomainError&) {
+    } catch (const PrecisionError&) {
+    }
+    return std::nullopt;
+}
+
+} // namespace denhartog::conformance

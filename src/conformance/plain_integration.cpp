@@ -1,0 +1,110 @@
+#include "conformance/plain_integration.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "denhartog/model/modal_basis.hpp"
+#include "denhartog/number/number.hpp"
+#include "denhartog/stick_slip/periodic_orbit.hpp"
+#include "denhartog/stick_slip/stuck_response.hpp"
+
+namespace denhartog::conformance {
+namespace {
+
+constexpr double period = 2 * std::numbers::pi;
+
+// Displacement of a mass on a stretch of motion of one period from the maximum of the force on.
+double displacement_at(ExactSolver<double>& solver, const std::vector<Phase<double>>& phases, double tau, std::size_t k) {
+    std::size_t n = 0;
+    while (n + 1 < phases.size() && phases[n].end < tau) ++n;
+    return solver.state_at(n, tau).x[k];
+}
+
+std::optional<Value> read_off(ExactSolver<double>& solver, const State<double>& start, const Question& q) {
+    const std::size_t k = q.mass > 0 ? static_cast<std::size_t>(q.mass - 1) : solver.system().contact.index;
+    const std::vector<Phase<double>> phases = solver.run(start, 0.0, period).phases;
+    if (q.quantity == "motion_under_force") {
+        Value value;
+        for (int n = 0; n < q.samples; ++n) value.numbers.push_back(displacement_at(solver, phases, period * n / q.samples, k));
+        return value;
+    }
+    const Extremum<double> largest = solver.largest_displacements()[k];
+    if (q.quantity == "amplitude") return Value{{std::abs(largest.x)}, ""};
+    if (q.quantity == "phase") return Value{{std::remainder(largest.instant + (largest.x < 0 ? pi<double>() : 0), period)}, ""};
+    return std::nullopt;
+}
+
+std::vector<double> durations(const std::vector<Stop<double>>& stops) {
+    std::vector<double> lengths;
+    for (const Stop<double>& stop : stops) lengths.push_back(stop.end - stop.start);
+    std::sort(lengths.begin(), lengths.end());
+    return lengths;
+}
+
+std::optional<Value> answer_of_stuck_motion(const Question& q, const Scene<double>& scene) {
+    const StuckConfiguration<double> stuck = stuck_configuration(scene.system, modal_basis(scene.system));
+    const StuckResponse<double> response = stuck_response(stuck, scene.system.contact, scene.system.load, *scene.r);
+    if (q.quantity == "rest_interval") {
+        const std::optional<double> half = rest_interval(stuck, response, scene.mu, *scene.beta);
+        return half ? std::optional(Value{{*half}, ""}) : std::nullopt;
+    }
+    if (q.quantity == "stops_per_period") return Value{{0}, ""};
+    if (q.quantity == "stop_durations") return Value{};
+    const StuckMass<double>& mass = response.masses[static_cast<std::size_t>(q.mass - 1)];
+    if (q.quantity == "amplitude") return Value{{mass.amplitude}, ""};
+    if (q.quantity == "phase") return mass.phase ? std::optional(Value{{*mass.phase}, ""}) : std::nullopt;
+    Value value;
+    for (int n = 0; n < q.samples; ++n) value.numbers.push_back(times_cosine(mass.X, double(period * n / q.samples)));
+    return value;
+}
+
+} // namespace
+
+std::optional<Value> answer_of_steady_motion(const Question& q) {
+    const Scene<double> scene = scene_of<double>(q);
+    const ContactSystem<double> system = contact_system(scene.system);
+    ExactSolver<double> solver(system, {*scene.r, *scene.beta, scene.mu});
+    OrbitSearch<double> how;
+    how.contact_only = true;
+    how.with_stability = false;
+    how.most_periods = 4000;
+    const PeriodicOrbit<double> orbit = periodic_orbit(solver, at_rest<double>(q.mass_ratios.size()), how);
+    if (orbit.status == OrbitStatus::permanently_stuck) return answer_of_stuck_motion(q, scene);
+    if (orbit.status == OrbitStatus::not_converged || orbit.periods != 1) return std::nullopt;
+    if (q.quantity == "stops_per_period") return Value{{static_cast<double>(orbit.stops.size())}, ""};
+    if (q.quantity == "stop_durations") return Value{durations(orbit.stops), ""};
+    return read_off(solver, orbit.start, q);
+}
+
+std::optional<Value> answer_of_transient(const Question& q, int periods) {
+    const Scene<double> scene = scene_of<double>(q);
+    const ContactSystem<double> system = contact_system(scene.system);
+    ExactSolver<double> solver(system, {*scene.r, *scene.beta, scene.mu});
+    State<double> state = at_rest<double>(q.mass_ratios.size());
+    for (int n = 1; n < periods; ++n) state = solver.run(state, 0.0, period).end;
+    return read_off(solver, state, q);
+}
+
+std::optional<Value> answer_of_creep(const Question& q, double width) {
+    if (q.mass != q.contact) return std::nullopt;
+    const Scene<double> scene = scene_of<double>(q);
+    const StuckConfiguration<double> stuck = stuck_configuration(scene.system, modal_basis(scene.system));
+    const Complex<double> load = stuck_response(stuck, scene.system.contact, scene.system.load, *scene.r).contact_load;
+    const double share = modulus(load) / *scene.beta;
+    if (!(share < 1)) return std::nullopt;
+    // The integral of the velocity from 0 to s, by the midpoint rule: the integrand is smooth and of period 2 pi.
+    const auto path = [&](double s) {
+        constexpr int steps = 2048;
+        double sum = 0;
+        for (int n = 0; n < steps; ++n) sum += std::atanh(share * std::cos(s * (n + 0.5) / steps));
+        return -width * sum * s / steps;
+    };
+    if (q.quantity == "amplitude") return Value{{std::abs(path(period / 4))}, ""};
+    if (q.quantity != "motion_under_force") return std::nullopt;
+    Value value;
+    for (int n = 0; n < q.samples; ++n)
+        value.numbers.push_back(path(std::remainder(period * n / q.samples + argument(load), period)));
+    return value;
+}
+
+} // namespace denhartog::conformance

@@ -1,0 +1,31 @@
+/// @file
+/// @brief What integrators answer beyond the sliding regime and on the way to the steady motion, by the exact solver in double.
+#pragma once
+
+#include <optional>
+
+#include "conformance/question.hpp"
+
+namespace denhartog::conformance {
+
+/// @brief The answer where the contact rests for a part of every period, or for ever.
+/// @param q  the question, of a quantity of the motion
+/// @return   the answer; none where no steady motion of one period is found
+[[nodiscard]] std::optional<Value> answer_of_steady_motion(const Question& q);
+
+/// @brief The answer read off the last of some periods from rest.
+/// @param q        the question, of a quantity of the motion
+/// @param periods  number of periods of the force, at least 1
+/// @return         the answer; none where the quantity is none of a motion
+[[nodiscard]] std::optional<Value> answer_of_transient(const Question& q, int periods);
+
+/// @brief The answer of a solver that replaces sgn by a hyperbolic tangent, where the contact should rest for ever: it creeps.
+///
+/// \f[ \bar{x}_j' = -\varepsilon\,\mathrm{artanh}\frac{|\lambda|\cos(\tau+\angle\lambda)}{\beta} \f] with the load
+/// \f$ \lambda \f$ of (88) on the held contact, to first order in the width.
+/// @param q      the question, of amplitude or motion
+/// @param width  velocity over which friction changes its sign, in the unit of d x / d tau
+/// @return       the answer; none where the contact is not asked about, moves, or is held by static friction alone
+[[nodiscard]] std::optional<Value> answer_of_creep(const Question& q, double width);
+
+} // namespace denhartog::conformance

@@ -1,0 +1,143 @@
+#include "conformance/plain_closed_form.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "denhartog/evaluation/demand.hpp"
+#include "denhartog/formulas/as_printed.hpp"
+#include "denhartog/formulas/boundary.hpp"
+#include "denhartog/formulas/contact.hpp"
+#include "denhartog/formulas/stuck.hpp"
+#include "denhartog/formulas/superposition.hpp"
+#include "denhartog/number/errors.hpp"
+#include "denhartog/stick_slip/stuck_response.hpp"
+
+namespace denhartog::conformance {
+namespace {
+
+// Largest value of a smooth function over [0, pi]: the best of equally spaced samples, refined by golden sections.
+double largest_over_half_period(const std::function<double(double)>& f, int steps) {
+    const double h = pi<double>() / steps, golden = (std::sqrt(5.0) - 1) / 2;
+    std::vector<double> samples;
+    for (int n = 0; n <= steps; ++n) samples.push_back(f(n == steps ? pi<double>() : n * h));
+    double best = *std::max_element(samples.begin(), samples.end());
+    const double reach = 1e-2 * std::abs(best);
+    for (int n = 0; n <= steps; ++n) {
+        const auto at = static_cast<std::size_t>(n);
+        if (samples[at] < best - reach || (n > 0 && samples[at - 1] > samples[at]) ||
+            (n < steps && samples[at + 1] > samples[at]))
+            continue;
+        double a = std::max(0.0, (n - 1) * h), b = std::min(pi<double>(), (n + 1) * h);
+        for (int halvings = 0; halvings < 48; ++halvings) {
+            const double c = b - golden * (b - a), d = a + golden * (b - a);
+            (f(c) > f(d) ? b : a) = f(c) > f(d) ? d : c;
+        }
+        best = std::max(best, f((a + b) / 2));
+    }
+    return best;
+}
+
+double demand_of_mode(const PlainModes& m, std::size_t i, double tau) {
+    return evaluation::s_d_integrand_of(tau, m.R[i], m.zeta[i], evaluation::DampingFunctions<double>{m.u[i], m.g[i]});
+}
+
+// (56): the sum of the maxima of the modes; (57) as printed has none, and is taken at instants inside the half-period.
+double sum_of_maxima(const PlainModes& m, const Choices& c) {
+    std::vector<double> s;
+    for (std::size_t i = 0; i < m.R.size(); ++i) {
+        if (c.printed_demand == 0) {
+            s.push_back(largest_over_half_period([&](double tau) { return demand_of_mode(m, i, tau); }, plain_steps(m)));
+            continue;
+        }
+        double largest = -1e300;
+        for (int n = 1; n <= c.printed_demand; ++n)
+            largest = std::max(
+                largest, as_printed::s_d_integrand(n * pi<double>() / (c.printed_demand + 1), m.R[i], m.zeta[i], m.u[i], m.g[i]));
+        s.push_back(largest);
+    }
+    return paper::sum_over_contact<double>(m.psi[m.j], s);
+}
+
+// (57) as printed in the sum over the modes, at the same instants.
+double maximum_of_sum(const PlainModes& m, const Choices& c) {
+    const auto demand = [&](double tau, const auto& of_mode) {
+        double S = 0;
+        for (std::size_t i = 0; i < m.R.size(); ++i) S += m.psi[m.j][i] * m.psi[m.j][i] * of_mode(i, tau);
+        return S;
+    };
+    if (c.printed_demand == 0)
+        return largest_over_half_period(
+            [&](double tau) { return demand(tau, [&](std::size_t i, double t) { return demand_of_mode(m, i, t); }); },
+            plain_steps(m));
+    double largest = -1e300;
+    for (int n = 1; n <= c.printed_demand; ++n)
+        largest = std::max(largest, demand(n * pi<double>() / (c.printed_demand + 1), [&](std::size_t i, double t) {
+                               return as_printed::s_d_integrand(t, m.R[i], m.zeta[i], m.u[i], m.g[i]);
+                           }));
+    return largest;
+}
+
+// Whether every mode meets (63) on its own.
+bool every_mode_meets_63(const PlainModes& m, double beta) {
+    const double phase = paper::phase_of_contact(m.V[m.j], m.U[m.j], beta);
+    for (std::size_t i = 0; i < m.R.size(); ++i) {
+        const double psi_j = m.psi[m.j][i], psi_l = m.psi[m.l][i], R = m.R[i];
+        const double eta_0 = R * R * (psi_l * times_cosine(m.v[i], phase) - psi_j * m.g[i] * beta);
+        const double load = paper::modal_contact_load_by_functions({R, m.zeta[i], psi_j, psi_l}, eta_0, m.u[i], m.g[i], beta);
+        if (std::abs(load) <= std::abs(psi_j) * m.mu * beta) return false;
+    }
+    return true;
+}
+
+// The first friction ratio up to a limit at which a mode fails (63).
+double limit_mode_by_mode(const PlainModes& m, double limit) {
+    constexpr int steps = 256;
+    for (int n = 1; n <= steps; ++n) {
+        if (every_mode_meets_63(m, limit * n / steps)) continue;
+        double met = limit * (n - 1) / steps, failed = limit * n / steps;
+        for (int halvings = 0; halvings < 50; ++halvings)
+            (every_mode_meets_63(m, (met + failed) / 2) ? met : failed) = (met + failed) / 2;
+        return failed;
+    }
+    return limit;
+}
+
+double sticking_limit(const Question& q, const PlainModes& m, const Choices& c) {
+    if (c.sticking == StickingForm::exact) return paper::sticking_limit(m.V[m.j], double(m.mu * modulus(m.Y_jj)));
+    System<double> system;
+    system.mass_ratios = q.mass_ratios;
+    system.stiffness_ratios = q.stiffness_ratios;
+    system.damping_ratios = q.damping_ratios;
+    system.contact = Mass{m.j};
+    system.load = Mass{m.l};
+    const StuckConfiguration<double> stuck = stuck_configuration(system, modal_basis(system));
+    const StuckResponse<double> response = stuck_response(stuck, system.contact, system.load, q.r);
+    const StickingBoundary<double> boundary = sticking_boundary(response, stuck_chain(system, stuck), m.mu);
+    return c.sticking == StickingForm::as_printed ? boundary.paper.value_or(std::nan("")) : boundary.without_damping_load;
+}
+
+} // namespace
+
+PlainLimits plain_limits(const Question& q, const PlainModes& m, const Choices& c) {
+    const Complex<double>& V_j = m.V[m.j];
+    const double U_j = m.U[m.j];
+    const double at_rest = paper::static_friction_demand(m.H_j, double(c.sign_of_mu * m.mu), m.sum_of_squares);
+    const auto limit = [&](double S) { return paper::friction_ratio_limit(V_j, U_j, S); };
+    PlainLimits limits;
+    const double S_paper = c.demand_at_start ? m.H_j + m.sum_of_squares : sum_of_maxima(m, c);
+    limits.S = c.maximum_of_each_mode || c.demand_at_start ? S_paper : maximum_of_sum(m, c);
+    limits.approximate = limit(at_rest);
+    if (c.load_of_each_mode) limits.approximate = limit_mode_by_mode(m, limits.approximate);
+    const double by_68 = limit(m.H_j - m.mu * m.sum_of_squares);
+    const auto ends = [&](double S) {
+        if (c.sliding_beyond_68 && by_68 < limit(S)) return limit(S);
+        return c.load_of_each_mode ? std::min(limit(S), limits.approximate) : limit(std::max(S, at_rest));
+    };
+    limits.exact = ends(limits.S);
+    limits.paper = ends(S_paper);
+    limits.sticking = sticking_limit(q, m, c);
+    return limits;
+}
+
+} // namespace denhartog::conformance

@@ -1,0 +1,162 @@
+#include "conformance/vector.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
+
+#include "denhartog/model/number_text.hpp"
+#include "denhartog/number/errors.hpp"
+
+namespace denhartog::conformance {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::vector<std::string> all_hexadecimal(const std::vector<double>& numbers) {
+    std::vector<std::string> texts;
+    for (const double x : numbers) texts.push_back(hexadecimal_float(x));
+    return texts;
+}
+
+double from_hexadecimal(const std::string& text) {
+    char* end = nullptr;
+    const double x = std::strtod(text.c_str(), &end);
+    if (text.empty() || *end != '\0') throw InputError("hex", "must hold hexadecimal floats", text);
+    return x;
+}
+
+std::string text_of(double x) { return number_to_text(x); }
+std::string text_of(const std::string& x) { return x; }
+
+template <class List>
+std::string joined(const List& list) {
+    std::string text;
+    for (const auto& x : list) text += (text.empty() ? "" : " ") + text_of(x);
+    return text;
+}
+
+} // namespace
+
+std::string hexadecimal_float(double x) {
+    std::array<char, 40> text{};
+    std::snprintf(text.data(), text.size(), "%a", x);
+    return text.data();
+}
+
+Json vector_json(const Vector& v) {
+    Json object = question_json(v.question);
+    object["group"] = v.group;
+    object["equation"] = v.equation;
+    object["tier"] = v.tier;
+    if (!v.reject.empty()) {
+        object["reject"] = v.reject;
+    } else if (!v.word.empty()) {
+        object["value"] = v.word;
+    } else {
+        object["value"] = v.value;
+        object["hex"] = all_hexadecimal(v.nearest);
+        object["scale"] = hexadecimal_float(v.scale);
+        object["condition"] = Json::object();
+        for (const auto& [input, number] : v.condition) object["condition"][input] = number;
+        object["tolerance"] = {{"pass", v.tolerance.pass}, {"loose", v.tolerance.loose}, {"inaccurate", v.tolerance.inaccurate}};
+    }
+    if (!v.regime.empty()) object["regime"] = v.regime;
+    if (v.margin) object["margin"] = *v.margin;
+    object["flags"] = v.flags;
+    object["catches"] = v.catches;
+    if (v.reject.empty()) {
+        object["routes"] = v.routes;
+        object["digits"] = v.digits;
+    }
+    return object;
+}
+
+Vector vector_from_json(const nlohmann::json& object) {
+    Vector v;
+    v.question = question_from_json(object);
+    try {
+        v.group = object.at("group");
+        v.equation = object.at("equation");
+        v.tier = object.at("tier");
+        v.regime = object.value("regime", "");
+        if (object.contains("margin")) v.margin = object["margin"].get<double>();
+        object.at("flags").get_to(v.flags);
+        object.at("catches").get_to(v.catches);
+        if (object.contains("reject")) {
+            v.reject = object["reject"];
+            return v;
+        }
+        object.at("routes").get_to(v.routes);
+        object.at("digits").get_to(v.digits);
+        if (object.at("value").is_string()) {
+            v.word = object["value"];
+            return v;
+        }
+        object.at("value").get_to(v.value);
+        for (const std::string& x : object.at("hex").get<std::vector<std::string>>()) v.nearest.push_back(from_hexadecimal(x));
+        v.scale = from_hexadecimal(object.at("scale"));
+        for (const auto& [input, number] : object.at("condition").items()) v.condition.emplace_back(input, number.get<double>());
+        v.tolerance = {object.at("tolerance").at("pass"), object["tolerance"].at("loose"), object["tolerance"].at("inaccurate")};
+    } catch (const nlohmann::json::exception& e) {
+        throw InputError("vector " + v.question.id, "must have the members of the format", e.what());
+    }
+    return v;
+}
+
+std::string vector_csv_heading() {
+    return "id,group,equation,tier,quantity,contact,load,mass,samples,tau,mu,r,beta,mass_ratios,stiffness_ratios,damping_ratios,"
+           "value,hex,scale,pass,loose,inaccurate,condition,regime,margin,flags,catches,routes,digits";
+}
+
+std::string vector_csv(const Vector& v) {
+    const Question& q = v.question;
+    std::string condition;
+    for (const auto& [input, number] : v.condition) condition += (condition.empty() ? "" : " ") + input + ":" + text_of(number);
+    const std::string value = !v.reject.empty() ? "reject" : !v.word.empty() ? v.word : joined(v.value);
+    const bool numbers = v.reject.empty() && v.word.empty();
+    const auto tolerance = [&](double x) { return numbers ? text_of(x) : std::string(); };
+    std::ostringstream line;
+    line << q.id << ',' << v.group << ',' << v.equation << ',' << v.tier << ',' << q.quantity << ',' << q.contact << ',' << q.load
+         << ',' << q.mass << ',' << q.samples << ',' << text_of(q.tau) << ',' << text_of(q.mu) << ',' << text_of(q.r) << ','
+         << text_of(q.beta) << ',' << joined(q.mass_ratios) << ',' << joined(q.stiffness_ratios) << ','
+         << joined(q.damping_ratios) << ',' << value << ',' << joined(all_hexadecimal(v.nearest)) << ','
+         << (numbers ? hexadecimal_float(v.scale) : "") << ',' << tolerance(v.tolerance.pass) << ','
+         << tolerance(v.tolerance.loose) << ',' << tolerance(v.tolerance.inaccurate) << ',' << condition << ',' << v.regime << ','
+         << (v.margin ? text_of(*v.margin) : "") << ',' << joined(v.flags) << ',' << joined(v.catches) << ','
+         << (v.reject.empty() ? v.routes[0] + "; " + v.routes[1] : "") << ','
+         << (v.reject.empty() ? std::to_string(v.digits[0]) + " " + std::to_string(v.digits[1]) : "");
+    return line.str();
+}
+
+std::vector<Vector> read_vectors(const std::filesystem::path& folder) {
+    std::vector<std::filesystem::path> files;
+    std::error_code unreadable;
+    for (const auto& entry : std::filesystem::directory_iterator(folder, unreadable))
+        if (entry.path().extension() == ".jsonl") files.push_back(entry.path());
+    if (files.empty()) throw InputError("vectors", "must be a folder with files *.jsonl", folder.string());
+    std::sort(files.begin(), files.end());
+    std::vector<Vector> vectors;
+    std::set<std::string> ids;
+    for (const std::filesystem::path& file : files) {
+        std::ifstream stream(file);
+        std::size_t number = 0;
+        for (std::string line; std::getline(stream, line);) {
+            ++number;
+            const nlohmann::json object = nlohmann::json::parse(line, nullptr, false);
+            if (!object.is_object())
+                throw InputError("vector", "must be a JSON object", "", file.string() + ", line " + std::to_string(number));
+            vectors.push_back(vector_from_json(object));
+            if (!ids.insert(vectors.back().question.id).second)
+                throw InputError("id", "must be given once", vectors.back().question.id, file.string());
+        }
+        if (stream.bad()) throw InputError("vectors", "must be readable", file.string());
+    }
+    return vectors;
+}
+
+} // namespace denhartog::conformance

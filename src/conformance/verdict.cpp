@@ -1,0 +1,73 @@
+#include "conformance/verdict.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace denhartog::conformance {
+namespace {
+
+constexpr std::array<std::string_view, number_of_verdicts> names{"pass",    "pass-loose",   "inaccurate", "as-printed",
+                                                                 "wrong",   "wrong-regime", "rejected",   "not-rejected",
+                                                                 "skipped", "crash",        "timeout",    "stall"};
+
+} // namespace
+
+std::string_view name(Verdict verdict) { return names.at(static_cast<std::size_t>(verdict)); }
+
+std::optional<Verdict> verdict_named(std::string_view name) {
+    const auto found = std::find(names.begin(), names.end(), name);
+    if (found == names.end()) return std::nullopt;
+    return static_cast<Verdict>(found - names.begin());
+}
+
+bool is_right(Verdict verdict) {
+    return verdict == Verdict::pass || verdict == Verdict::pass_loose || verdict == Verdict::rejected;
+}
+
+bool is_wrong_value(Verdict verdict) {
+    return verdict == Verdict::inaccurate || verdict == Verdict::as_printed || verdict == Verdict::wrong ||
+           verdict == Verdict::wrong_regime;
+}
+
+int badness(Verdict verdict) {
+    switch (verdict) {
+    case Verdict::pass:
+    case Verdict::rejected: return 0;
+    case Verdict::pass_loose: return 1;
+    case Verdict::inaccurate: return 2;
+    case Verdict::skipped: return 3;
+    case Verdict::as_printed:
+    case Verdict::wrong:
+    case Verdict::wrong_regime:
+    case Verdict::not_rejected: return 4;
+    case Verdict::crash:
+    case Verdict::timeout:
+    case Verdict::stall: return 5;
+    }
+    return 5;
+}
+
+double digits(double error) {
+    constexpr double most = 17;
+    if (!(error > 0)) return most;
+    return error < 1 ? std::min(-std::log10(error), most) : 0;
+}
+
+std::string legible(std::string_view text) {
+    constexpr std::size_t most = 200;
+    // The JSON library replaces what is no UTF-8.
+    const std::string quoted =
+        nlohmann::json(std::string(text.substr(0, most))).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+    const std::string valid = nlohmann::json::parse(quoted).get<std::string>();
+    std::string shown;
+    for (std::size_t n = 0; n < valid.size(); ++n) {
+        const auto byte = static_cast<unsigned char>(valid[n]);
+        const bool second_control_block = byte == 0xC2 && n + 1 < valid.size() && static_cast<unsigned char>(valid[n + 1]) < 0xA0;
+        if (second_control_block) ++n;
+        shown += byte < 0x20 || byte == 0x7F || second_control_block ? '?' : valid[n];
+    }
+    return shown + (text.size() > most ? "..." : "");
+}
+
+} // namespace denhartog::conformance

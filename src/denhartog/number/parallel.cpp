@@ -1,0 +1,34 @@
+#include "denhartog/number/parallel.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace denhartog {
+
+void parallel_for(std::size_t count, unsigned threads, const std::function<bool(std::size_t)>& piece) {
+    std::atomic<std::size_t> next{0};
+    std::atomic<bool> ended{false};
+    std::mutex mutex;
+    std::exception_ptr fault;
+    const auto work = [&] {
+        try {
+            for (std::size_t n = next++; n < count && !ended; n = next++)
+                if (!piece(n)) ended = true;
+        } catch (...) {
+            const std::lock_guard<std::mutex> lock(mutex);
+            if (!fault) fault = std::current_exception();
+            ended = true;
+        }
+    };
+    std::vector<std::thread> others;
+    for (unsigned n = 1; n < std::min<std::size_t>(threads, count); ++n) others.emplace_back(work);
+    work();
+    for (std::thread& other : others) other.join();
+    if (fault) std::rethrow_exception(fault);
+}
+
+} // namespace denhartog

@@ -1,0 +1,114 @@
+#include "denhartog/paper_algorithm/contact_equations.hpp"
+
+#include <Eigen/Dense>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "denhartog/formulas/stuck.hpp"
+#include "denhartog/model/number_text.hpp"
+#include "denhartog/number/errors.hpp"
+
+namespace denhartog {
+namespace {
+
+void check_matrix(const Matrix<double>& A, Eigen::Index N, const char* name) {
+    if (A.rows() != N || A.cols() != N)
+        throw InputError(name, "must be " + std::to_string(N) + " x " + std::to_string(N),
+                         std::to_string(A.rows()) + " x " + std::to_string(A.cols()));
+    if (!A.allFinite()) throw InputError(name, "must have finite entries", "");
+}
+
+void check(const ContactProblem& p) {
+    const Eigen::Index N = p.matrices.M.rows();
+    if (N < 1) throw InputError("M", "must have a row a mass", "no rows");
+    check_matrix(p.matrices.M, N, "M");
+    check_matrix(p.matrices.C, N, "C");
+    check_matrix(p.matrices.K, N, "K");
+    const auto index = [N](const char* name, Mass m) {
+        if (m.index >= static_cast<std::size_t>(N))
+            throw InputError(name, "must be from 1 to " + std::to_string(N), std::to_string(m.index + 1));
+    };
+    index("contact", p.contact);
+    index("load", p.load);
+    if (!(p.mu >= 1) || !std::isfinite(p.mu)) throw InputError("mu", "must be finite and at least 1", number_to_text(p.mu));
+    if (!(p.beta >= 0) || !std::isfinite(p.beta))
+        throw InputError("beta", "must be finite and not negative", number_to_text(p.beta));
+}
+
+} // namespace
+
+ContactProblem contact_problem(const Scene<double>& scene) {
+    check(scene);
+    if (!scene.r) throw InputError("r", "must be given", "nothing", "/r");
+    if (!scene.beta) throw InputError("beta", "must be given", "nothing", "/beta");
+    const System<double>& s = scene.system;
+    return {non_dimensional_matrices(s, modal_basis(s), *scene.r), s.contact, s.load, scene.mu, *scene.beta};
+}
+
+ContactEquations::ContactEquations(const ContactProblem& p) : beta(p.beta), mu(p.mu) {
+    check(p);
+    const auto& [M, C, K] = p.matrices;
+    const Eigen::Index rows = M.rows();
+    const auto contact = static_cast<Eigen::Index>(p.contact.index), load = static_cast<Eigen::Index>(p.load.index);
+    const Eigen::LLT<Matrix<double>> factor(M);
+    if (factor.info() != Eigen::Success) throw InputError("M", "must be positive definite", "");
+    const Matrix<double> inverse = factor.solve(Matrix<double>::Identity(rows, rows));
+    N = static_cast<std::size_t>(rows);
+    j = p.contact.index;
+    compliance = inverse(contact, contact);
+
+    Matrix<double> forces(rows, 2 * rows); // by springs and dampers, per unit of y
+    forces << -K, -C;
+    const Matrix<double> accelerations = inverse * forces;
+    // With the contact held, the reaction takes its acceleration away.
+    const Matrix<double> held = inverse.col(contact) / compliance;
+    const Matrix<double> held_accelerations = accelerations - held * accelerations.row(contact);
+    const Matrix<double> held_load = inverse.col(load) - held * inverse(contact, load);
+    // The contact's row with the accelerations of the others eliminated; for a diagonal M it is row j itself.
+    const Matrix<double> row = inverse.row(contact) / compliance * forces;
+    sliding_.resize(N * 2 * N);
+    sticking_.resize(N * 2 * N);
+    for (auto* each : {&friction_, &sliding_load_, &sticking_load_, &contact_column_}) each->resize(N);
+    contact_row_.resize(2 * N);
+    for (std::size_t k = 0; k < N; ++k) {
+        const auto a = static_cast<Eigen::Index>(k);
+        for (std::size_t n = 0; n < 2 * N; ++n) {
+            const auto b = static_cast<Eigen::Index>(n);
+            sliding_[k * 2 * N + n] = accelerations(a, b);
+            sticking_[k * 2 * N + n] = k == j ? 0 : held_accelerations(a, b);
+        }
+        sliding_load_[k] = inverse(a, load);
+        sticking_load_[k] = k == j ? 0 : held_load(a, 0);
+        contact_column_[k] = inverse(a, contact);
+    }
+    for (std::size_t n = 0; n < 2 * N; ++n) contact_row_[n] = -row(0, static_cast<Eigen::Index>(n));
+    harmonic_load = inverse(contact, load) / compliance;
+    delta_lj_ = contact == load ? 1 : 0;
+    inertial_load_ = harmonic_load - delta_lj_;
+    for (const std::vector<double>& each : {sliding_, sticking_, sliding_load_, contact_row_})
+        for (const double x : each)
+            if (!std::isfinite(x)) throw InputError("M", "must not be singular to working precision", "");
+    set(1);
+}
+
+void ContactEquations::set(int direction) {
+    rows_ = (direction == 0 ? sticking_ : sliding_).data();
+    load_column_ = (direction == 0 ? sticking_load_ : sliding_load_).data();
+    for (std::size_t k = 0; k < N; ++k) friction_[k] = -direction * beta * contact_column_[k];
+}
+
+double ContactEquations::load_on_contact(std::span<const double> y, double tau) const {
+    const std::span<const double> row = contact_row_;
+    const double load =
+        paper::dynamic_load_on_contact<double>(row.subspan(N), row.first(N), y.first(N), y.subspan(N), delta_lj_, tau);
+    return inertial_load_ == 0 ? -load : inertial_load_ * std::cos(tau) - load;
+}
+
+double ContactEquations::load_error(std::span<const double> y) const {
+    double size = std::abs(harmonic_load) + mu * beta;
+    for (std::size_t n = 0; n < 2 * N; ++n) size += std::abs(contact_row_[n] * y[n]);
+    return 16 * std::numeric_limits<double>::epsilon() * size;
+}
+
+} // namespace denhartog

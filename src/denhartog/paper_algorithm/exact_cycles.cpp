@@ -1,0 +1,71 @@
+#include "denhartog/paper_algorithm/exact_cycles.hpp"
+
+#include <cmath>
+
+#include "denhartog/number/errors.hpp"
+#include "denhartog/paper_algorithm/last_period.hpp"
+#include "denhartog/sliding/steady_state.hpp"
+#include "denhartog/stick_slip/exact_motion.hpp"
+
+namespace denhartog {
+namespace {
+
+bool failed(const ExactMotion<double>& run, PaperMotion& motion) {
+    motion.phases += static_cast<long>(run.phases.size());
+    if (run.status == MotionStatus::complete) return false;
+    motion.status = IntegrationStatus::chattering;
+    motion.reason = "phases of no length follow each other";
+    return true;
+}
+
+} // namespace
+
+PaperMotion exact_cycles(const Scene<double>& scene, const PaperSettings& settings) {
+    check(scene);
+    if (!scene.r) throw InputError("r", "must be given", "nothing", "/r");
+    if (!scene.beta) throw InputError("beta", "must be given", "nothing", "/beta");
+    const std::size_t N = number_of_masses(scene.system), j = scene.system.contact.index;
+    check(settings, N);
+    const ContactSystem<double> system = contact_system(scene.system);
+    ExactSolver<double> solver(system, {*scene.r, *scene.beta, scene.mu});
+    const double period = 2 * pi<double>(), last = settings.tau_0 + period * (settings.cycles - 1);
+    State<double> state = settings.start.value_or(at_rest<double>(N));
+    PaperMotion motion;
+    int direction = 2;       // of the phase across the start of the last period, 2 where there is none
+    double rest_from = last; // where a rest across the start of the last period began
+    if (last > settings.tau_0) {
+        const ExactMotion<double>& before = solver.run(state, settings.tau_0, last);
+        if (failed(before, motion)) return motion;
+        state = before.end;
+        direction = before.phases.back().direction;
+        if (direction == 0) rest_from = before.phases.back().start;
+    }
+    const double end = settings.tau_0 + period * settings.cycles;
+    const ExactMotion<double> run = solver.run(state, last, end);
+    if (failed(run, motion)) return motion;
+    if (run.phases.front().direction == direction) --motion.phases;
+
+    LastPeriod period_seen(N, last, 0);
+    for (std::size_t n = 0; n < run.phases.size(); ++n) {
+        const Phase<double>& p = run.phases[n];
+        if (p.direction == 0) period_seen.take_rest(n == 0 ? rest_from : p.start, p.end, run.states[2 * N * n + j], p.end == end);
+    }
+    period_seen.write(motion);
+    const std::vector<Extremum<double>> largest = solver.largest_displacements();
+    for (std::size_t k = 0; k < N; ++k) {
+        motion.masses[k].amplitude = std::abs(largest[k].x);
+        if (motion.slides && largest[k].x != 0)
+            motion.masses[k].phase = wrapped(largest[k].instant + (largest[k].x < 0 ? pi<double>() : 0));
+    }
+    motion.end = run.end;
+    std::size_t phase = 0;
+    for (int n = 0; n < settings.samples; ++n) {
+        motion.sample_times.push_back(period * n / settings.samples);
+        const double tau = last + motion.sample_times.back();
+        while (phase + 1 < run.phases.size() && run.phases[phase].end < tau) ++phase;
+        motion.samples.push_back(solver.state_at(phase, tau));
+    }
+    return motion;
+}
+
+} // namespace denhartog

@@ -1,0 +1,257 @@
+#include "denhartog/sliding/boundary.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <type_traits>
+
+#include "denhartog/evaluation/batch_forms.hpp"
+#include "denhartog/evaluation/demand.hpp"
+#include "denhartog/formulas/boundary.hpp"
+#include "denhartog/formulas/superposition.hpp"
+#include "denhartog/model/point_rules.hpp"
+#include "denhartog/number/bounded.hpp"
+#include "denhartog/number/errors.hpp"
+#include "denhartog/number/multiprecision.hpp"
+#include "denhartog/sliding/friction_motion.hpp"
+#include "denhartog/sliding/maximum.hpp"
+
+namespace denhartog {
+namespace {
+
+std::atomic<long> searches{0};
+
+// The expression of (57) of one mode, with its limits.
+template <class T>
+T s_d(const ModeSums<T>& s, std::size_t i, const T& tau) {
+    if (!(tau > 0)) return paper::s_d_at_zero(s.R[i], s.zeta[i], s.u[i], s.g[i]);
+    return evaluation::s_d_integrand(tau, s.R[i], s.zeta[i]);
+}
+Bounded s_d(const ModeSums<Bounded>& s, std::size_t i, const Bounded& tau) {
+    return evaluation::s_d_integrand_of(tau, s.R[i], s.zeta[i], evaluation::DampingFunctions<Bounded>{s.u[i], s.g[i]});
+}
+
+// Some modes, with their weights, as a function of tau to be maximised: F = N / sin, where N = sum weight R^2 (y' + u cos).
+//
+// W = N' sin - N cos has the sign of F', and W' = (N'' + N) sin. In Z = N'' + N the cosine drops out, and the equation of free
+// motion of y leaves Z = -sum weight (2 zeta R y'' + (1 - R^2) y') = sum weight R^2 (y''' + y'). With y' made of exp(rho tau) its
+// rate is at most sum weight |c| |rho^2 + 1|, where |rho^2 + 1| R^2 = |1 - R^2 + 2 i zeta R|: little next to resonance, where |c|
+// is large. Without oscillations it is at most sum weight |c| (1 / R^2 + 1).
+template <class T>
+struct Demand {
+    const ModeSums<T>& s;
+    FrictionMotions<T>& y;
+    std::size_t first;
+    const std::vector<T>& weights;
+
+    Sample<T> operator()(const T& tau) const {
+        const FrictionMotionsAt<T>& now = y.at(tau);
+        const T C = cos(tau), S = sin(tau);
+        T N(0), N_prime(0), Z(0);
+        for (std::size_t n = 0; n < weights.size(); ++n) {
+            const T& R = s.R[first + n];
+            const T& u = s.u[first + n];
+            N += weights[n] * R * R * (now.y[n].prime + u * C);
+            N_prime += weights[n] * R * R * (now.y[n].double_prime - u * S);
+            Z -= weights[n] * (2 * s.zeta[first + n] * R * now.y[n].double_prime + (1 - R) * (1 + R) * now.y[n].prime);
+        }
+        if (tau > 0 && tau < pi<T>()) return {N / S, N_prime * S - N * C, Z};
+        T limit(0);
+        for (std::size_t n = 0; n < weights.size(); ++n) limit += weights[n] * s_d(s, first + n, tau);
+        return {limit, T(0), Z};
+    }
+
+    T rate(const T& a) const {
+        const FrictionMotionsAt<T>& now = y.at(a);
+        T bound(0);
+        for (std::size_t n = 0; n < weights.size(); ++n) {
+            const T &R = s.R[first + n], &zeta = s.zeta[first + n];
+            const T from_resonance = modulus(Complex<T>{(1 - R) / R * ((1 + R) / R), 2 * zeta / R});
+            bound += weights[n] * now.size[n] * (zeta < 1 ? from_resonance : T(1 / (R * R) + 1));
+        }
+        return bound;
+    }
+};
+
+// F sin solves y'' + y = Z, so that between two samples it exceeds the sine through them by at most
+// z_bound (cos(tau - m) / cos(h / 2) - 1); over the sine this is at most z_bound tan(h / 2) next to an end of the half-period.
+template <class T>
+T rise_of_demand(const T& a, const T& b, const T& z_bound) {
+    const T half = (b - a) / 2;
+    if (!(a > 0) || !(b < pi<T>())) return z_bound * sin(half) / cos(half);
+    const T quarter = sin(T(half / 2));
+    return z_bound * 2 * quarter * quarter / cos(half) / std::min(T(sin(a)), T(sin(b)));
+}
+
+// Whether N is so small a difference of its terms, next to a pole of (28), that a search in T would follow their rounding.
+template <class T>
+bool terms_hide_demand(const ModeSums<T>& s, std::size_t first, const std::vector<T>& weights) {
+    T terms(0), demanded(0);
+    for (std::size_t n = 0; n < weights.size(); ++n) {
+        const T& R = s.R[first + n];
+        const T& u = s.u[first + n];
+        terms += weights[n] * R * R * (u < 0 ? T(-u) : u);
+        demanded += weights[n] * (1 + s.g[first + n]);
+    }
+    return terms > 100000 * demanded;
+}
+
+// The modes of a range in 50 digits, as far as the demand has to do with them.
+ModeSums<Real50> in_50_digits(const ModeSums<double>& s, std::size_t first, std::size_t count) {
+    ModeSums<Real50> out{};
+    for (std::size_t i = first; i < first + count; ++i) {
+        const Real50 R(s.R[i]), zeta(s.zeta[i]);
+        const evaluation::DampingFunctions<Real50> f = evaluation::damping_functions(R, zeta);
+        out.R.push_back(R);
+        out.zeta.push_back(zeta);
+        out.u.push_back(f.u);
+        out.g.push_back(f.g);
+    }
+    return out;
+}
+
+template <class T>
+T instant_of_largest(const ModeSums<T>& s, std::size_t first, const std::vector<T>& weights) {
+    if constexpr (std::is_same_v<T, double>) {
+        if (terms_hide_demand(s, first, weights))
+            return static_cast<double>(instant_of_largest(in_50_digits(s, first, weights.size()), 0,
+                                                          std::vector<Real50>(weights.begin(), weights.end())));
+    }
+    ++searches;
+    FrictionMotions<T> y(s, first, first + weights.size());
+    const Demand<T> demand{s, y, first, weights};
+    Curve<T> curve;
+    curve.sample = [&](const T& tau) { return demand(tau); };
+    curve.rate = [&](const T& a, const T&) { return demand.rate(a); };
+    curve.rise = [](const T& a, const T& b, const T& z_bound) { return rise_of_demand(a, b, z_bound); };
+    const T found = global_maximum(curve, T(0), pi<T>()).instant;
+    // Next to the start the sampled quotient is of two small numbers, and its rounding can look like a maximum.
+    const auto demanded = [&](const T& tau) {
+        T sum(0);
+        for (std::size_t n = 0; n < weights.size(); ++n) sum += weights[n] * s_d(s, first + n, tau);
+        return sum;
+    };
+    return demanded(T(0)) >= demanded(found) ? T(0) : found;
+}
+
+// Zero in place of a number without a digit; of one with a bound, with what it may be.
+template <class T>
+T zero_for(const T&) {
+    return T(0);
+}
+Bounded zero_for(const Bounded& x) { return {0, std::abs(x.x) + x.e}; }
+
+// V_dj without a digit: by the size of its terms or, where there is one, by its bound.
+template <class T>
+bool unmoved(const ModeSums<T>& s) {
+    return contact_is_unmoved(s);
+}
+bool unmoved(const ModeSums<Bounded>& s) {
+    const Bounded size = modulus(s.V[s.contact.index]);
+    return !(size.x > size.e);
+}
+
+template <class T>
+T static_demand(const ModeSums<T>& s, const T& mu) {
+    return paper::static_friction_demand(s.H_j, mu, s.sum_of_squares);
+}
+
+template <class T>
+Complex<T> response_that_counts(const ModeSums<T>& s) {
+    const Complex<T>& V_dj = s.V[s.contact.index];
+    return unmoved(s) ? Complex<T>{zero_for(V_dj.re), zero_for(V_dj.im)} : V_dj;
+}
+
+template <class T>
+RegimeBoundary<T> regime_boundary_at(const ModeSums<T>& s, const T& mu, const T& S_exact) {
+    const Complex<T> V_dj = response_that_counts(s);
+    RegimeBoundary<T> b{};
+    b.exact = paper::friction_ratio_limit(V_dj, s.U[s.contact.index], std::max(S_exact, static_demand(s, mu)));
+    if (!stuck_system_resonates(s)) b.sticking = modulus(V_dj) / modulus(s.Y_jj) / mu;
+    return b;
+}
+
+} // namespace
+
+template <class T>
+T sliding_demand(const ModeSums<T>& s, const T& tau) {
+    std::vector<T> values;
+    for (std::size_t i = 0; i < s.R.size(); ++i) values.push_back(s_d(s, i, tau));
+    return paper::sum_over_contact(mode_shapes_at(s, s.contact), std::span<const T>(values));
+}
+
+template <class T>
+Boundary<T> boundary_at(const ModeSums<T>& s, const T& mu, const T& instant, const std::vector<T>& instants) {
+    check_static_friction(mu);
+    std::vector<T> maxima;
+    for (std::size_t i = 0; i < s.R.size(); ++i) maxima.push_back(s_d(s, i, instants[i]));
+    const std::size_t j = s.contact.index;
+    const T held = static_demand(s, mu);
+    const Complex<T> V_dj = response_that_counts(s);
+    Boundary<T> b{};
+    b.S_exact = sliding_demand(s, instant);
+    static_cast<RegimeBoundary<T>&>(b) = regime_boundary_at(s, mu, b.S_exact);
+    b.S_paper = paper::sum_over_contact(mode_shapes_at(s, s.contact), std::span<const T>(maxima));
+    b.instant = instant;
+    b.instants = instants;
+    b.paper = paper::friction_ratio_limit(V_dj, s.U[j], std::max(b.S_paper, held));
+    b.approximate = paper::friction_ratio_limit(V_dj, s.U[j], held);
+    if (instant == 0)
+        b.binding = mu > 1 ? BindingCondition::static_friction : BindingCondition::both;
+    else
+        b.binding = b.S_exact > held ? BindingCondition::velocity : BindingCondition::static_friction;
+    return b;
+}
+
+template <class T>
+T instant_of_largest_demand(const ModeSums<T>& s) {
+    std::vector<T> squares;
+    for (const T& psi_ji : mode_shapes_at(s, s.contact)) squares.push_back(psi_ji * psi_ji);
+    return instant_of_largest(s, 0, squares);
+}
+
+bool largest_at_start(const ModeSums<double>& s) {
+    for (std::size_t i = 0; i < s.R.size(); ++i)
+        if (!(evaluation::certainty_of_start(s.R[i], s.zeta[i], s.u[i], s.g[i]) > 0)) return false;
+    return true;
+}
+
+RegimeBoundary<double> regime_boundary(const ModeSums<double>& s, double mu) {
+    check_static_friction(mu);
+    const double instant = largest_at_start(s) ? 0 : instant_of_largest_demand(s);
+    return regime_boundary_at(s, mu, sliding_demand(s, instant));
+}
+
+long demand_searches() { return searches; }
+
+template <class T>
+Boundary<T> boundary(const ModeSums<T>& s, const T& mu) {
+    check_static_friction(mu);
+    const T instant = instant_of_largest_demand(s);
+    std::vector<T> instants;
+    for (std::size_t i = 0; i < s.R.size(); ++i)
+        instants.push_back(s.R.size() == 1 ? instant : instant_of_largest(s, i, std::vector<T>{T(1)}));
+    return boundary_at(s, mu, instant, instants);
+}
+
+template double sliding_demand(const ModeSums<double>&, const double&);
+template long double sliding_demand(const ModeSums<long double>&, const long double&);
+template Real50 sliding_demand(const ModeSums<Real50>&, const Real50&);
+template Real100 sliding_demand(const ModeSums<Real100>&, const Real100&);
+template Bounded sliding_demand(const ModeSums<Bounded>&, const Bounded&);
+template double instant_of_largest_demand(const ModeSums<double>&);
+template long double instant_of_largest_demand(const ModeSums<long double>&);
+template Real50 instant_of_largest_demand(const ModeSums<Real50>&);
+template Real100 instant_of_largest_demand(const ModeSums<Real100>&);
+template Boundary<double> boundary_at(const ModeSums<double>&, const double&, const double&, const std::vector<double>&);
+template Boundary<long double> boundary_at(const ModeSums<long double>&, const long double&, const long double&,
+                                           const std::vector<long double>&);
+template Boundary<Real50> boundary_at(const ModeSums<Real50>&, const Real50&, const Real50&, const std::vector<Real50>&);
+template Boundary<Real100> boundary_at(const ModeSums<Real100>&, const Real100&, const Real100&, const std::vector<Real100>&);
+template Boundary<Bounded> boundary_at(const ModeSums<Bounded>&, const Bounded&, const Bounded&, const std::vector<Bounded>&);
+template Boundary<double> boundary(const ModeSums<double>&, const double&);
+template Boundary<long double> boundary(const ModeSums<long double>&, const long double&);
+template Boundary<Real50> boundary(const ModeSums<Real50>&, const Real50&);
+template Boundary<Real100> boundary(const ModeSums<Real100>&, const Real100&);
+
+} // namespace denhartog

@@ -1,0 +1,103 @@
+/// @file
+/// @brief The boundary of the sliding regime at one frequency ratio, four ways: (56), (57), (67), (69), and permanent sticking.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "denhartog/sliding/mode_sums.hpp"
+
+namespace denhartog {
+
+/// @brief The condition that ends the sliding regime first.
+enum class BindingCondition {
+    velocity,        ///< (54)a: the contact would turn back within the half-period
+    static_friction, ///< (54)b: static friction would hold it at the end of the half-period
+    both             ///< the two coincide: mu = 1 and the sum over modes is largest for tau -> 0
+};
+
+/// @brief The two friction ratios that part the regimes at one frequency ratio.
+template <class T>
+struct RegimeBoundary {
+    T exact;                   ///< (69) with the maximum over tau of the sum over modes
+    std::optional<T> sticking; ///< the smallest beta at which the contact never moves; none where no friction can hold it
+};
+
+/// @brief The friction ratios that bound the regimes at one frequency ratio.
+template <class T>
+struct Boundary : RegimeBoundary<T> {
+    T paper;                  ///< (69) with (56): the sum of the maxima of the modes; never larger than `exact`
+    T approximate;            ///< (67), with (72) in place of S_dj; never smaller than `exact`
+    T S_exact;                ///< maximum over tau of the sum over modes
+    T S_paper;                ///< S_dj, Eq. (56)
+    T instant;                ///< where the sum is largest; 0 stands for the limit
+    std::vector<T> instants;  ///< where the expression (57) of each mode is largest, N values
+    BindingCondition binding; ///< the condition that ends the sliding regime first
+};
+
+/// @brief The boundary at a frequency ratio, with both maxima guaranteed by `global_maximum`.
+///
+/// The contact can rest where a force of at most mu beta makes its displacement zero: \f$ V_{dj} - f Y_{jj} = 0 \f$, hence
+/// `sticking` \f$ = |V_{dj}/Y_{jj}|/\mu \f$, which is \f$ 1/\mu \f$ where the load acts on the contact. All four are zero where
+/// V_dj is below the rounding of its own terms: the load does not reach the contact.
+/// @eq{54,56,57,58,67,69,71,72}
+/// @param sums  modes at the frequency ratio
+/// @param mu    static over kinetic friction, Eq. (3); at least 1
+/// @return      the boundary
+/// @throws      InputError where mu is below 1 or not finite
+template <class T>
+[[nodiscard]] Boundary<T> boundary(const ModeSums<T>& sums, const T& mu);
+
+/// @brief The two friction ratios alone, which is what a map asks for: the maxima of the modes by themselves are not sought, and
+/// the maximum of their sum only where `largest_at_start` does not tell it.
+/// @eq{54,57,58,67,69,71,72}
+/// @param sums  modes at the frequency ratio
+/// @param mu    static over kinetic friction, Eq. (3); at least 1
+/// @return      the same numbers as `boundary`
+/// @throws      InputError where mu is below 1 or not finite
+[[nodiscard]] RegimeBoundary<double> regime_boundary(const ModeSums<double>& sums, double mu);
+
+/// @brief Whether (57) of every mode is certain to be largest for tau -> 0, by `evaluation::excess_at_the_end`: so is the sum.
+/// @eq{57,71}
+/// @param sums  modes at a frequency ratio
+/// @return      true where it is certain; false says nothing
+[[nodiscard]] bool largest_at_start(const ModeSums<double>& sums);
+
+/// @brief Where the sum over the modes of (57)'s expression is largest, guaranteed by `global_maximum`.
+/// @eq{56,57}
+/// @param sums  modes at a frequency ratio
+/// @return      non-dimensional time in [0, pi]; 0 stands for the limit
+/// @throws      PrecisionError where the maximum is not settled
+template <class T>
+[[nodiscard]] T instant_of_largest_demand(const ModeSums<T>& sums);
+
+/// @brief Number of searches for the largest demand since the program started; tests gate on it.
+/// @return the count, over all number types
+[[nodiscard]] long demand_searches();
+
+/// @brief The same boundary in another number type, with the instants of the maxima known: what a check costs.
+/// @param sums      modes at the frequency ratio
+/// @param mu        static over kinetic friction, Eq. (3)
+/// @param instant   where the sum is largest; 0 stands for the limit
+/// @param instants  where the expression (57) of each mode is largest; N values
+/// @return          the boundary
+template <class T>
+[[nodiscard]] Boundary<T> boundary_at(const ModeSums<T>& sums, const T& mu, const T& instant, const std::vector<T>& instants);
+
+/// @brief Sum over the modes of (57)'s expression at an instant, the limits at 0 and pi included.
+/// @eq{56,57,71}
+/// @param sums  modes at a frequency ratio
+/// @param tau   non-dimensional time in [0, pi]
+/// @return      the sum
+template <class T>
+[[nodiscard]] T sliding_demand(const ModeSums<T>& sums, const T& tau);
+
+/// @brief Where the sum over the modes of (57)'s expression is largest, guaranteed by `global_maximum`.
+/// @eq{56,57}
+/// @param sums  modes at a frequency ratio
+/// @return      non-dimensional time in [0, pi]; 0 stands for the limit
+/// @throws      PrecisionError where the maximum is not settled
+template <class T>
+[[nodiscard]] T instant_of_largest_demand(const ModeSums<T>& sums);
+
+} // namespace denhartog

@@ -1,0 +1,185 @@
+#include "denhartog/sliding/invariant_points.hpp"
+
+#include <algorithm>
+#include <boost/math/special_functions/fpclassify.hpp>
+#include <boost/math/tools/toms748_solve.hpp>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <string>
+
+#include "denhartog/model/number_text.hpp"
+#include "denhartog/number/errors.hpp"
+#include "denhartog/number/multiprecision.hpp"
+#include "denhartog/sliding/undamped_curves.hpp"
+
+namespace denhartog {
+namespace {
+
+using std::abs;
+
+template <class T>
+const T eps = std::numeric_limits<T>::epsilon();
+
+constexpr int most_poles = 100'000;
+
+/// Mode shapes at a mass, those that are rounding alone set to zero: the mass is a node of the mode.
+template <class T>
+std::vector<T> shapes_at(const Matrix<T>& phi, Mass k) {
+    const auto row = phi.row(static_cast<Eigen::Index>(k.index));
+    const T least = 16 * static_cast<int>(phi.cols()) * eps<T> * row.cwiseAbs().maxCoeff();
+    std::vector<T> shapes;
+    for (const T& entry : row) shapes.push_back(abs(entry) > least ? entry : T(0));
+    return shapes;
+}
+
+template <class T>
+std::vector<T> products(const Matrix<T>& phi, Mass a, Mass b) {
+    std::vector<T> weights = shapes_at(phi, a);
+    const std::vector<T> other = shapes_at(phi, b);
+    for (std::size_t i = 0; i < weights.size(); ++i) weights[i] *= other[i];
+    return weights;
+}
+
+/// Where a part is divided: near its middle, at a point where the function is clearly not zero.
+template <class T>
+T dividing_point(const TransmissibilityFunction<T>& f, const Part<T>& part) {
+    for (const int sixteenths : {8, 7, 9, 6, 10}) {
+        const T x = part.a + (part.b - part.a) * sixteenths / 16;
+        if (f.sign(x, {}) != 0) return x;
+    }
+    return part.a + (part.b - part.a) / 2;
+}
+
+template <class T>
+struct Zeros {
+    std::vector<T> x;
+    std::vector<Range<T>> undecided;
+};
+
+template <class T>
+T zero_in(const TransmissibilityFunction<T>& f, const Part<T>& part, const Factor& factor) {
+    std::uintmax_t steps = 400;
+    const auto value = [&](const T& x) { return f.at(x, factor).value.low; };
+    const auto [a, b] = boost::math::tools::toms748_solve(
+        value, part.a, part.b, [](const T& low, const T& high) { return high - low <= 2 * eps<T> * abs(high); }, steps);
+    return a + (b - a) / 2;
+}
+
+/// Whether it is known what a part holds; its zero, where there is one, is put down.
+template <class T>
+bool is_decided(const TransmissibilityFunction<T>& f, const Part<T>& part, Zeros<T>& zeros) {
+    const std::optional<Factor> factor = f.factor(part);
+    if (!factor) return false;
+    const RangeWithRate<T> bounds = f.over(part.a, part.b, *factor);
+    if (certain_sign(bounds.value, T(f.rounding() * bounds.value_size)) != 0) return true;
+    if (certain_sign(bounds.rate, T(f.rounding() * bounds.rate_size)) == 0) return false;
+    const int at_a = f.sign(part.a, *factor), at_b = f.sign(part.b, *factor);
+    if (at_a == 0 || at_b == 0) return false;
+    if (at_a != at_b) zeros.x.push_back(zero_in(f, part, *factor));
+    return true;
+}
+
+template <class T>
+void search(const TransmissibilityFunction<T>& f, const Part<T>& part, Zeros<T>& zeros) {
+    if (is_decided(f, part, zeros)) return;
+    const T least = sqrt(eps<T>) / 1024 * part.b; // below it next to nothing is left of the digits of the rate
+    if (part.b - part.a <= least) {
+        if (!zeros.undecided.empty() && zeros.undecided.back().high >= part.a)
+            zeros.undecided.back().high = part.b;
+        else
+            zeros.undecided.push_back({part.a, part.b});
+        return;
+    }
+    const T middle = dividing_point(f, part);
+    search(f, Part<T>{part.a, middle, part.pole_a, nullptr}, zeros);
+    search(f, Part<T>{middle, part.b, nullptr, part.pole_b}, zeros);
+}
+
+template <class T>
+Zeros<T> zeros_between(const TransmissibilityFunction<T>& f, const T& from, const T& to) {
+    const std::vector<Pole<T>> poles = f.poles(from, to);
+    Zeros<T> zeros;
+    Part<T> part{from, to, nullptr, nullptr};
+    for (const Pole<T>& pole : poles) {
+        part.b = pole.x;
+        part.pole_b = &pole;
+        if (part.b > part.a) search(f, part, zeros);
+        part.a = pole.x;
+        part.pole_a = &pole;
+    }
+    part.b = to;
+    part.pole_b = nullptr;
+    if (part.b > part.a) search(f, part, zeros);
+    return zeros;
+}
+
+template <class T>
+bool all_zero(const std::vector<T>& weights) {
+    return std::all_of(weights.begin(), weights.end(), [](const T& w) { return w == 0; });
+}
+
+template <class T>
+T amplitude_at(const std::vector<T>& r_n, const std::vector<T>& weights, const T& r) {
+    T V(0);
+    for (std::size_t i = 0; i < r_n.size(); ++i)
+        if (weights[i] != 0) V += weights[i] / ((r_n[i] - r) * (r_n[i] + r));
+    return abs(V);
+}
+
+template <class T>
+void check_arguments(const ModalBasis<T>& basis, Mass contact, Mass load, const T& r_a, const T& r_b) {
+    const std::size_t N = basis.r_n.size();
+    if (contact.index >= N) throw InputError("contact", "must be one of the masses", std::to_string(contact.index + 1));
+    if (load.index >= N) throw InputError("load", "must be one of the masses", std::to_string(load.index + 1));
+    if (!(r_a > 0) || !boost::math::isfinite(r_a))
+        throw InputError("the least frequency ratio", "must be positive and finite", number_to_text(r_a));
+    if (!(r_b > r_a) || !boost::math::isfinite(r_b))
+        throw InputError("the largest frequency ratio", "must be above the least one, and finite", number_to_text(r_b));
+    T poles(0);
+    for (const T& r_n : basis.r_n) poles += r_n / r_a / 2;
+    if (poles > most_poles)
+        throw InputError("the least frequency ratio",
+                         "must not be so small that there are more than " + std::to_string(most_poles) + " poles above it",
+                         number_to_text(r_a));
+}
+
+} // namespace
+
+template <class T>
+std::vector<InvariantPointsOfMass<T>> invariant_points(const ModalBasis<T>& basis, Mass contact, Mass load, const T& r_a,
+                                                       const T& r_b) {
+    check_arguments(basis, contact, load, r_a, r_b);
+    const T margin = 1024 * eps<T>; // a point at an end of the range is inside
+    std::vector<InvariantPointsOfMass<T>> all;
+    for (std::size_t k = 0; k < basis.r_n.size(); ++k) {
+        InvariantPointsOfMass<T> found{Mass{k}, {}, {}};
+        const Weights<T> weights{products(basis.phi, contact, load), products(basis.phi, Mass{k}, load),
+                                 products(basis.phi, contact, contact), products(basis.phi, Mass{k}, contact)};
+        for (const InvariantPointKind kind :
+             {InvariantPointKind::two_effects_cancel, InvariantPointKind::friction_leaves_it_alone}) {
+            const bool by_87 = kind == InvariantPointKind::two_effects_cancel;
+            if (all_zero(weights.V_j) || all_zero(weights.U_k) || (by_87 && (Mass{k} == contact || all_zero(weights.V_k))))
+                continue;
+            const TransmissibilityFunction<T> f(basis.r_n, weights, kind);
+            const Zeros<T> zeros = zeros_between(f, T((1 - margin) / r_b), T((1 + margin) / r_a));
+            for (const T& x : zeros.x) {
+                const T r = std::clamp(T(1 / x), r_a, r_b);
+                if (!by_87 || !f.divides_by_zero(x)) found.points.push_back({r, amplitude_at(basis.r_n, weights.V_k, r), kind});
+            }
+            for (const Range<T>& part : zeros.undecided)
+                found.undecided.push_back({std::max(T(1 / part.high), r_a), std::min(T(1 / part.low), r_b)});
+        }
+        std::sort(found.points.begin(), found.points.end(), [](const auto& p, const auto& q) { return p.r < q.r; });
+        std::sort(found.undecided.begin(), found.undecided.end(), [](const auto& p, const auto& q) { return p.from < q.from; });
+        all.push_back(std::move(found));
+    }
+    return all;
+}
+
+template std::vector<InvariantPointsOfMass<double>> invariant_points(const ModalBasis<double>&, Mass, Mass, const double&,
+                                                                     const double&);
+template std::vector<InvariantPointsOfMass<Real50>> invariant_points(const ModalBasis<Real50>&, Mass, Mass, const Real50&,
+                                                                     const Real50&);
+
+} // namespace denhartog

@@ -1,0 +1,113 @@
+#include "denhartog/sliding/regime.hpp"
+
+#include <limits>
+#include <sstream>
+
+#include "denhartog/model/point_rules.hpp"
+#include "denhartog/number/errors.hpp"
+#include "denhartog/number/multiprecision.hpp"
+
+namespace denhartog {
+namespace {
+
+template <class T>
+std::string text(const T& x) {
+    std::ostringstream out;
+    out.precision(12);
+    out << x;
+    return out.str();
+}
+
+std::string explanation(BindingCondition binding) {
+    switch (binding) {
+    case BindingCondition::velocity: return "the contact would turn back within the half-period, (54)a";
+    case BindingCondition::static_friction: return "static friction would hold the contact at the end of the half-period, (54)b";
+    case BindingCondition::both: return "the contact would come to rest at the end of the half-period, (54)a and (54)b";
+    }
+    return {};
+}
+
+template <class T>
+std::string why_not_sliding(const Boundary<T>& b, const T& beta) {
+    return "the closed form does not hold: beta = " + text(beta) + " is not below beta_lim = " + text(b.exact) +
+           ", Eq. (69), where " + explanation(b.binding);
+}
+
+template <class T>
+bool equal_within(const T& a, const T& b, const T& error) {
+    return a - b < error && b - a < error;
+}
+
+} // namespace
+
+std::string name(Regime regime) {
+    switch (regime) {
+    case Regime::continuous: return "continuous";
+    case Regime::stick_slip: return "stick_slip";
+    case Regime::permanent_sticking: return "permanent_sticking";
+    }
+    return {};
+}
+
+template <class T>
+Regime regime_of(const RegimeBoundary<T>& b, const T& beta) {
+    if (beta < b.exact) return Regime::continuous;
+    return b.sticking && beta >= *b.sticking ? Regime::permanent_sticking : Regime::stick_slip;
+}
+
+template <class T>
+bool on_boundary(const RegimeBoundary<T>& b, const T& beta, const BoundaryError<T>& error) {
+    return equal_within(beta, b.exact, error.exact) ||
+           (b.sticking && beta >= b.exact && equal_within(beta, *b.sticking, error.sticking));
+}
+
+template <class T>
+BoundaryError<T> rounding_of(const RegimeBoundary<T>& b) {
+    const T few = 16 * std::numeric_limits<T>::epsilon();
+    return {few * b.exact, b.sticking ? T(few * *b.sticking) : T(0)};
+}
+
+template <class T>
+RegimeAtPoint regime_at(const Boundary<T>& b, const T& beta, const BoundaryError<T>& error) {
+    check_friction_ratio(beta);
+    const bool can_rest = b.sticking && beta >= *b.sticking;
+    RegimeAtPoint point;
+    point.regime = regime_of(b, beta);
+    if (point.regime == Regime::continuous) {
+        point.reason = "beta = " + text(beta) + " is below beta_lim = " + text(b.exact) + ", Eq. (69): the contact " +
+                       (can_rest ? "can slide" : "slides") + " throughout";
+        if (can_rest) {
+            point.other.push_back(Regime::permanent_sticking);
+            point.reason += "; it can also rest for ever, because beta is not below " + text(*b.sticking);
+        }
+    } else if (can_rest) {
+        point.reason = why_not_sliding(b, beta) + "; from beta = " + text(*b.sticking) +
+                       " on static friction outweighs all that the load brings to the contact, which never moves";
+    } else {
+        point.reason = why_not_sliding(b, beta) + "; " +
+                       (b.sticking ? "only from beta = " + text(*b.sticking) + " on the contact never moves"
+                                   : std::string("no friction can hold the contact, because the system resonates with it held"));
+    }
+    point.on_boundary = on_boundary(b, beta, error);
+    if (point.on_boundary) point.reason += "; beta lies on a boundary to the accuracy computed";
+    return point;
+}
+
+template Regime regime_of(const RegimeBoundary<double>&, const double&);
+template Regime regime_of(const RegimeBoundary<long double>&, const long double&);
+template Regime regime_of(const RegimeBoundary<Real50>&, const Real50&);
+template Regime regime_of(const RegimeBoundary<Real100>&, const Real100&);
+template bool on_boundary(const RegimeBoundary<double>&, const double&, const BoundaryError<double>&);
+template bool on_boundary(const RegimeBoundary<long double>&, const long double&, const BoundaryError<long double>&);
+template bool on_boundary(const RegimeBoundary<Real50>&, const Real50&, const BoundaryError<Real50>&);
+template bool on_boundary(const RegimeBoundary<Real100>&, const Real100&, const BoundaryError<Real100>&);
+template BoundaryError<double> rounding_of(const RegimeBoundary<double>&);
+template BoundaryError<long double> rounding_of(const RegimeBoundary<long double>&);
+template BoundaryError<Real50> rounding_of(const RegimeBoundary<Real50>&);
+template BoundaryError<Real100> rounding_of(const RegimeBoundary<Real100>&);
+template RegimeAtPoint regime_at(const Boundary<double>&, const double&, const BoundaryError<double>&);
+template RegimeAtPoint regime_at(const Boundary<long double>&, const long double&, const BoundaryError<long double>&);
+template RegimeAtPoint regime_at(const Boundary<Real50>&, const Real50&, const BoundaryError<Real50>&);
+template RegimeAtPoint regime_at(const Boundary<Real100>&, const Real100&, const BoundaryError<Real100>&);
+
+} // namespace denhartog

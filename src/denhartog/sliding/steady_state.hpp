@@ -1,0 +1,87 @@
+/// @file
+/// @brief The steady state in the sliding regime: motion, initial values, amplitude and phase of every mass, (38)-(53).
+#pragma once
+
+#include <vector>
+
+#include "denhartog/evaluation/mass.hpp"
+#include "denhartog/sliding/boundary.hpp"
+
+namespace denhartog {
+
+/// @brief What a mass does in the steady state.
+template <class T>
+struct MassResponse {
+    T x0;                     ///< displacement at the maximum of x_j, Eq. (44)
+    T v0;                     ///< velocity d/dtau there, Eq. (45)
+    T amplitude;              ///< largest displacement; of the mass in contact by Eq. (38)
+    T instant;                ///< tau in [0, pi] where the displacement is largest in size
+    T phase;                  ///< lag behind the force, Eqs. (39), (47); radians in (-pi, pi]
+    T amplitude_monoharmonic; ///< Eq. (52)
+    T phase_monoharmonic;     ///< phi_j + phi_kj, Eq. (53); radians in (-pi, pi]
+    T error_bound = T(0);     ///< bound of the error of the displacements above; zero until measured
+};
+
+/// @brief The steady state at one friction ratio.
+template <class T>
+struct SteadyState {
+    T beta;                              ///< friction ratio, Eq. (11)
+    T X_j;                               ///< amplitude of the mass in contact, Eq. (38)
+    T phi_j;                             ///< phase of the mass in contact, Eq. (39); radians in (-pi, pi]
+    std::vector<MassResponse<T>> masses; ///< N entries
+};
+
+/// @brief Displacements and velocities of all masses at an instant.
+template <class T>
+struct Motion {
+    std::vector<T> x;       ///< displacements, in units of P / k_1
+    std::vector<T> x_prime; ///< velocities with respect to tau
+};
+
+/// @brief The steady state in the sliding regime, with the global maximum of every displacement guaranteed by `global_maximum`.
+/// @eq{38,39,44,45,47,52,53}
+/// @param sums      modes at a frequency ratio
+/// @param boundary  the boundary there
+/// @param beta      friction ratio, Eq. (11); not negative
+/// @param only      the one mass whose maximum is wanted besides that of the contact; none for all
+/// @return          the steady state
+/// @throws          InputError where beta is negative or not finite; DomainError at and beyond the boundary (69)
+template <class T>
+[[nodiscard]] SteadyState<T> steady_state(const ModeSums<T>& sums, const RegimeBoundary<T>& boundary, const T& beta,
+                                          std::optional<Mass> only = std::nullopt);
+
+/// @brief What the steady state needs no search for: amplitude and phase of the mass in contact, initial values of every mass.
+/// @eq{38,39,44,45,52,53}
+/// @param sums  modes at a frequency ratio
+/// @param beta  friction ratio, Eq. (11), in the sliding regime
+/// @return      the steady state; instant, amplitude and phase of the masses not in contact are zero
+/// @throws      DomainError where the amplitude (38) is not a positive number
+template <class T>
+[[nodiscard]] SteadyState<T> steady_state_without_maxima(const ModeSums<T>& sums, const T& beta);
+
+/// @brief The same steady state in another number type, with the instants of the maxima known: what a check costs.
+/// @param sums      modes at a frequency ratio
+/// @param beta      friction ratio, Eq. (11), in the sliding regime
+/// @param instants  where the displacements are largest, to about half the digits of T; N values
+/// @param only      the one mass whose maximum is wanted besides that of the contact; none for all
+/// @return          the steady state; instants corrected by one step of Newton's method
+/// @throws          DomainError where the amplitude (38) is not a positive number
+template <class T>
+[[nodiscard]] SteadyState<T> steady_state_at(const ModeSums<T>& sums, const T& beta, const std::vector<T>& instants,
+                                             std::optional<Mass> only = std::nullopt);
+
+/// @brief Motion of all masses, (41) over the half-period and antisymmetric beyond, its harmonic part by (42), (43) from V_dk and
+/// phi_j: what the initial values have of friction is not added only to be subtracted.
+/// @eq{41,42,43}
+/// @param sums   modes at a frequency ratio
+/// @param state  the steady state there
+/// @param tau    any non-dimensional time; zero at a maximum of x_j
+/// @return       displacements and velocities
+template <class T>
+[[nodiscard]] Motion<T> motion(const ModeSums<T>& sums, const SteadyState<T>& state, const T& tau);
+
+/// @brief An angle wrapped to (-pi, pi]. @param angle radians @return the same direction
+template <class T>
+[[nodiscard]] T wrapped(const T& angle);
+
+} // namespace denhartog

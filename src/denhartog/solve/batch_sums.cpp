@@ -1,0 +1,169 @@
+#include "denhartog/solve/batch_sums.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "denhartog/evaluation/batch_forms.hpp"
+#include "denhartog/evaluation/mode_arrays.hpp"
+#include "denhartog/model/point_rules.hpp"
+#include "denhartog/number/errors.hpp"
+#include "denhartog/number/parallel.hpp"
+
+namespace denhartog {
+namespace {
+
+constexpr std::size_t block = 256;
+
+/// Functions of one mode over a block.
+struct Block {
+    std::array<double, block> R, v_re, v_im, u, g;
+};
+
+/// A mode, with its weights, the same at every r.
+struct WeightedMode {
+    double r_n;                               ///< natural frequency ratio
+    double zeta;                              ///< damping ratio
+    evaluation::ArrayWeights<double> weights; ///< in the sums
+};
+
+std::vector<WeightedMode> modes_of(const ModalBasis<double>& basis, Mass contact, Mass load) {
+    std::vector<WeightedMode> all;
+    for (std::size_t i = 0; i < basis.r_n.size(); ++i) {
+        const double phi_j = basis.phi(contact.index, i), phi_l = basis.phi(load.index, i);
+        all.push_back({basis.r_n[i], basis.zeta[i], evaluation::array_weights(phi_j, phi_l, basis.r_n[i], basis.zeta[i])});
+    }
+    return all;
+}
+
+[[gnu::always_inline]] inline double absolute(double x) { return __builtin_fabs(x); }
+
+[[gnu::always_inline]] inline void add_any(const WeightedMode& mode, const Block& of, ContactSums& s, std::size_t start,
+                                           std::size_t n) {
+    const evaluation::ArrayWeights<double> m = mode.weights;
+    const double zeta = mode.zeta, load_size = absolute(m.load);
+    double *V_re = s.V_re.data() + start, *V_im = s.V_im.data() + start, *size_of_V = s.size_of_V.data() + start;
+    double *Y_re = s.Y_re.data() + start, *Y_im = s.Y_im.data() + start, *size_of_Y = s.size_of_Y.data() + start;
+    double *U = s.U.data() + start, *G = s.G.data() + start, *H = s.H.data() + start;
+    double *size_of_U = s.size_of_U.data() + start, *size_of_H = s.size_of_H.data() + start;
+    double* certainty = s.certainty.data() + start;
+#pragma GCC ivdep
+    for (std::size_t i = 0; i < n; ++i) {
+        const double R = of.R[i], v_re = of.v_re[i], v_im = of.v_im[i], u = of.u[i], g = of.g[i];
+        const double size_of_v = absolute(v_re) + absolute(v_im);
+        V_re[i] += m.load * v_re;
+        V_im[i] += m.load * v_im;
+        Y_re[i] += m.contact * v_re;
+        Y_im[i] += m.contact * v_im;
+        U[i] += m.contact * u;
+        G[i] += m.contact * g;
+        H[i] += evaluation::term_of_H(m, R, u, g);
+        size_of_V[i] += load_size * size_of_v;
+        size_of_Y[i] += m.contact * size_of_v;
+        size_of_U[i] += m.contact * (absolute(u) + 1);
+        size_of_H[i] += m.square * (absolute(g) + m.two_zeta * R * absolute(u) + 1);
+        const double of_mode = evaluation::certainty_of_start(R, zeta, u, g);
+        certainty[i] = of_mode < certainty[i] ? of_mode : certainty[i];
+    }
+}
+
+#if defined(__x86_64__)
+[[gnu::target("avx2")]] void add_avx2(const WeightedMode& m, const Block& of, ContactSums& s, std::size_t start, std::size_t n) {
+    add_any(m, of, s, start, n);
+}
+
+[[gnu::target("avx512f,avx512dq,avx512vl,prefer-vector-width=512")]] void
+add_avx512(const WeightedMode& m, const Block& of, ContactSums& s, std::size_t start, std::size_t n) {
+    add_any(m, of, s, start, n);
+}
+#endif
+
+void add(const WeightedMode& m, const Block& of, ContactSums& s, std::size_t start, std::size_t n) {
+#if defined(__x86_64__)
+    if (evaluation::supported_vectors().back() == evaluation::Vectors::avx512) return add_avx512(m, of, s, start, n);
+    if (evaluation::supported_vectors().back() == evaluation::Vectors::avx2) return add_avx2(m, of, s, start, n);
+#endif
+    add_any(m, of, s, start, n);
+}
+
+/// The sums, all but the certainty.
+std::vector<std::vector<double>*> all_of(ContactSums& s) {
+    return {&s.V_re, &s.V_im, &s.U,         &s.G,         &s.H,         &s.sum_of_squares,
+            &s.Y_re, &s.Y_im, &s.size_of_V, &s.size_of_Y, &s.size_of_U, &s.size_of_H};
+}
+
+/// The factors 1 / r^2, and what is beyond the range of a double.
+void finish(const std::vector<double>& r, double sum_of_squares, ContactSums& s, std::size_t start, std::size_t n) {
+    const double* ratio = r.data() + start;
+    double *H = s.H.data() + start, *size_of_H = s.size_of_H.data() + start, *squares = s.sum_of_squares.data() + start;
+    const double *V_re = s.V_re.data() + start, *V_im = s.V_im.data() + start, *Y_re = s.Y_re.data() + start,
+                 *Y_im = s.Y_im.data() + start, *U = s.U.data() + start, *G = s.G.data() + start;
+    const double *size_of_V = s.size_of_V.data() + start, *size_of_Y = s.size_of_Y.data() + start,
+                 *size_of_U = s.size_of_U.data() + start;
+    std::array<double, block> zero_if_finite;
+#pragma GCC ivdep
+    for (std::size_t i = 0; i < n; ++i) {
+        H[i] = H[i] / ratio[i] / ratio[i];
+        size_of_H[i] = size_of_H[i] / ratio[i] / ratio[i];
+        squares[i] = sum_of_squares / ratio[i] / ratio[i];
+        zero_if_finite[i] = V_re[i] * 0 + V_im[i] * 0 + Y_re[i] * 0 + Y_im[i] * 0 + U[i] * 0 + G[i] * 0 + H[i] * 0 +
+                            squares[i] * 0 + size_of_V[i] * 0 + size_of_Y[i] * 0 + size_of_U[i] * 0 + size_of_H[i] * 0;
+    }
+    for (std::size_t i = 0; i < n; ++i) {
+        if (zero_if_finite[i] != 0)
+            throw PrecisionError("at r = " + number_to_text(ratio[i]) + " a sum over the modes is beyond the range of a double");
+        if (s.at_pole[start + i] == 0) continue;
+        for (std::vector<double>* each : all_of(s)) (*each)[start + i] = 0;
+        s.certainty[start + i] = 0;
+    }
+}
+
+void compute(const std::vector<WeightedMode>& modes, const std::vector<double>& r, ContactSums& s, std::size_t start) {
+    const std::size_t n = std::min(block, r.size() - start);
+    Block of;
+    const auto at = static_cast<std::ptrdiff_t>(start);
+    for (std::vector<double>* each : all_of(s)) std::fill_n(each->begin() + at, n, 0.0);
+    std::fill_n(s.certainty.begin() + at, n, std::numeric_limits<double>::max());
+    std::fill_n(s.at_pole.begin() + at, n, std::uint8_t(0));
+    double sum_of_squares = 0;
+    for (const WeightedMode& m : modes) {
+        for (std::size_t i = 0; i < n; ++i) of.R[i] = r[start + i] / m.r_n;
+        const auto part = [n](std::array<double, block>& a) { return std::span<double>(a.data(), n); };
+        (void)evaluation::mode_functions(
+            std::span<const double>(of.R.data(), n), m.zeta,
+            {part(of.v_re), part(of.v_im), part(of.u), part(of.g), std::span<std::uint8_t>(s.at_pole.data() + start, n)});
+        add(m, of, s, start, n);
+        sum_of_squares += m.weights.square;
+    }
+    finish(r, sum_of_squares, s, start, n);
+}
+
+} // namespace
+
+ContactSums contact_sums(const ModalBasis<double>& basis, Mass contact, Mass load, const std::vector<double>& r,
+                         unsigned threads) {
+    ContactSums sums;
+    contact_sums(basis, contact, load, r, threads, sums);
+    return sums;
+}
+
+void contact_sums(const ModalBasis<double>& basis, Mass contact, Mass load, const std::vector<double>& r, unsigned threads,
+                  ContactSums& s) {
+    const std::size_t N = basis.r_n.size(), points = r.size();
+    const std::string rule = "must be a mass from 1 to " + std::to_string(N);
+    if (contact.index >= N) throw InputError("contact", rule, std::to_string(contact.index + 1));
+    if (load.index >= N) throw InputError("load", rule, std::to_string(load.index + 1));
+    if (threads < 1) throw InputError("threads", "must be at least 1", std::to_string(threads));
+    for (const double each : r) check_frequency_ratio(each);
+    for (std::vector<double>* each : all_of(s)) each->resize(points);
+    s.certainty.resize(points);
+    s.at_pole.resize(points);
+    const std::vector<WeightedMode> modes = modes_of(basis, contact, load);
+    parallel_for((points + block - 1) / block, threads, [&](std::size_t b) {
+        compute(modes, r, s, b * block);
+        return true;
+    });
+}
+
+} // namespace denhartog

@@ -1,0 +1,38 @@
+/// @file
+/// @brief Amplitudes and phases in the sliding regime from the modes that matter, with a bound of what is left out.
+///
+/// A mode far above the frequency of the force follows it statically: v = 1, u = 0, g = 1 up to
+/// \f[ |v-1| = R\sqrt{\frac{R^2+4\zeta^2}{(1-R^2)^2+4\zeta^2R^2}}, \qquad |u| \le \frac{1}{R\,w\,(\cosh\delta-1)}, \qquad
+///     |g-1| \le \frac{e^{-\delta}+1+\zeta/w}{\cosh\delta-1}, \f]
+/// from (23), (28), (29) with \f$ \delta=\pi\zeta/R \f$. The motion of the contact needs no more than these: (38), (39). The
+/// others move by the first harmonic of load and friction up to the higher harmonics of friction, \f$ 4\beta/(n\pi) \f$ for odd n
+/// from 3 on, each times the response of every mode to it. That the contact slides is certain below the boundary (69) with
+/// \f$ \frac{\pi}{2}\left(|c_i| + R_i^2|u_i|\right) \f$ in place of the largest value of the expression (57) of each mode,
+/// \f$ c_i \f$ being the size of its free motion in (40).
+#pragma once
+
+#include "denhartog/solve/bounded_response.hpp"
+#include "denhartog/solve/solution.hpp"
+
+namespace denhartog {
+
+/// @brief What the modes that matter give.
+struct FewModesSolution {
+    std::vector<SolvedMass<double>> masses; ///< N; zero where not asked about
+    double slides_below;                    ///< the boundary (69) is not below it
+    std::size_t modes;                      ///< how many modes were evaluated
+    double relative;                        ///< largest error, relative to amplitudes and, where asked for, of phases
+};
+
+/// @brief Amplitudes and phases from as few modes as have the digits, for mu = 1.
+/// @eq{38,39,69}
+/// @param scene    the scene, with r and beta
+/// @param modes    its modes
+/// @param digits   significant digits wanted
+/// @param phases   whether the phases must have them too
+/// @param only     the one mass that must have them, and whose numbers are wanted; none for all
+/// @return         the solution; none where sliding is not certain, or the digits are out of reach this way
+[[nodiscard]] std::optional<FewModesSolution> few_modes_solution(const Scene<double>& scene, BoundedModes& modes, int digits,
+                                                                 bool phases, std::optional<Mass> only = std::nullopt);
+
+} // namespace denhartog

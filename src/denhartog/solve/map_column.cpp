@@ -1,0 +1,193 @@
+#include "denhartog/solve/map_column.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "denhartog/evaluation/contact.hpp"
+#include "denhartog/number/errors.hpp"
+#include "denhartog/number/multiprecision.hpp"
+#include "denhartog/solve/batch_map.hpp"
+#include "denhartog/stick_slip/stuck_response.hpp"
+
+namespace denhartog {
+namespace {
+
+class Column {
+public:
+    Column(const MapSystem& map_, double r_, std::span<MapPoint> points_, std::span<double> amplitudes_)
+        : map(map_), r(r_), points(points_), amplitudes(amplitudes_),
+          sums(mode_sums(map.system.basis, map.system.contact, map.system.load, r)), limits(regime_boundary(sums, map.mu)),
+          rounding(rounding_of(limits)),
+          contact_alone(std::ranges::all_of(map.masses, [&](Mass k) { return k == map.system.contact; })) {}
+
+    void answer(std::size_t n) {
+        const double beta = map.beta[n];
+        const Regime regime = regime_of(limits, beta);
+        const bool may_differ = map.mu > 1 && beta > 0;
+        if (may_differ && map.start == MapStart::rest)
+            follow(n, at_rest<double>(sums.R.size()));
+        else if (regime == Regime::continuous)
+            slide(n);
+        else if (regime == Regime::permanent_sticking && (!may_differ || !last))
+            stick(n);
+        else
+            sweep(n);
+        if (points[n].status == PointStatus::answered && on_boundary(limits, beta, rounding))
+            points[n].status = PointStatus::on_boundary;
+    }
+
+    // As many points from n on as the closed form or the rest answer without a motion to follow; the contact's amplitude alone.
+    std::size_t answer_together(std::size_t n) {
+        const std::size_t first = n;
+        if (!contact_alone || map.masses.size() != 1 || (map.mu > 1 && map.start == MapStart::rest)) return 0;
+        for (; n < points.size() && map.beta[n] < limits.exact; ++n) {
+            const double X_j = amplitude_over_array(n);
+            if (!std::isfinite(X_j)) break;
+            amplitudes[n] = X_j;
+            put(n, Regime::continuous);
+            sliding = n;
+        }
+        for (; n < points.size() && map.mu == 1 && rests(map.beta[n]); ++n) {
+            amplitudes[n] = 0;
+            put(n, Regime::permanent_sticking);
+        }
+        if (n > first) last.reset();
+        return n - first;
+    }
+
+private:
+    bool rests(double beta) const { return !(beta < limits.exact) && limits.sticking && beta >= *limits.sticking; }
+
+    void put(std::size_t n, Regime regime) {
+        const bool near = on_boundary(limits, map.beta[n], rounding);
+        points[n] = {near ? PointStatus::on_boundary : PointStatus::answered, regime, 0, 1};
+    }
+
+    double amplitude_over_array(std::size_t n) {
+        const std::size_t j = sums.contact.index;
+        if (X.empty()) {
+            X.resize(map.beta.size());
+            amplitudes_of_contact(sums.V[j], sums.U[j], sums.G[j], map.beta, X);
+        }
+        return X[n];
+    }
+
+    void write(std::size_t n, std::size_t place, double amplitude) {
+        if (!std::isfinite(amplitude)) throw PrecisionError("the amplitude is beyond the range of a double");
+        amplitudes[n * map.masses.size() + place] = amplitude;
+    }
+
+    void slide(std::size_t n) {
+        const double beta = map.beta[n];
+        const std::size_t j = sums.contact.index;
+        if (contact_alone) {
+            const double X_j = evaluation::displacement_transmissibility_of_contact(sums.V[j], sums.U[j], sums.G[j], beta);
+            for (std::size_t m = 0; m < map.masses.size(); ++m) write(n, m, X_j);
+        } else {
+            const SteadyState<double> state = steady_state(sums, limits, beta);
+            for (std::size_t m = 0; m < map.masses.size(); ++m) write(n, m, state.masses[map.masses[m].index].amplitude);
+        }
+        points[n] = {PointStatus::answered, Regime::continuous, 0, 1};
+        sliding = n;
+        last.reset();
+    }
+
+    void stick(std::size_t n) {
+        if (!contact_alone && !held) held = stuck_response(map.system.stuck, map.system.contact, map.system.load, r);
+        for (std::size_t m = 0; m < map.masses.size(); ++m)
+            write(n, m, map.masses[m] == map.system.contact ? 0 : held->masses[map.masses[m].index].amplitude);
+        points[n] = {PointStatus::answered, Regime::permanent_sticking, 0, 1};
+        last.reset();
+    }
+
+    // From the motion at the friction ratio before; where that leads nowhere, from rest.
+    void sweep(std::size_t n) {
+        if (!last && sliding) last = at_maximum_of_force(sums, steady_state(sums, limits, map.beta[*sliding]));
+        if (last) follow(n, *last);
+        if (!last || points[n].status != PointStatus::answered) follow(n, at_rest<double>(sums.R.size()));
+    }
+
+    void follow(std::size_t n, const State<double>& start) {
+        const Excitation<double> excitation{r, map.beta[n], map.mu};
+        if (solver)
+            solver->set(excitation);
+        else
+            solver.emplace(map.system, excitation);
+        OrbitSearch<double> search;
+        search.follow_start = map.mu > 1 && map.start == MapStart::rest;
+        search.contact_only = contact_alone;
+        search.with_stability = false;
+        const PeriodicOrbit<double> orbit = periodic_orbit(*solver, start, search);
+        if (orbit.status == OrbitStatus::permanently_stuck && (map.mu > 1 || limits.sticking == map.beta[n])) return stick(n);
+        points[n].status = PointStatus::not_converged;
+        if (orbit.status != OrbitStatus::periodic) return;
+        for (std::size_t m = 0; m < map.masses.size(); ++m)
+            write(n, m, contact_alone ? orbit.contact.amplitude : orbit.masses[map.masses[m].index].amplitude);
+        const Regime regime = orbit.stops.empty() ? Regime::continuous : Regime::stick_slip;
+        points[n] = {PointStatus::answered, regime, static_cast<std::int32_t>(orbit.stops.size()), orbit.periods};
+        last = orbit.start;
+    }
+
+    const MapSystem& map;
+    double r;
+    std::span<MapPoint> points;
+    std::span<double> amplitudes;
+    ModeSums<double> sums;
+    RegimeBoundary<double> limits;
+    BoundaryError<double> rounding;
+    bool contact_alone;
+    std::vector<double> X;                     // (38) at every friction ratio, found when it is first needed
+    std::optional<std::size_t> sliding;        // the last point where the closed form answered
+    std::optional<State<double>> last;         // the last periodic orbit
+    std::optional<StuckResponse<double>> held; // found when it is first needed
+    std::optional<ExactSolver<double>> solver; // set up when it is first needed
+};
+
+} // namespace
+
+template <class T>
+State<T> at_maximum_of_force(const ModeSums<T>& sums, const SteadyState<T>& state) {
+    Motion<T> at = motion(sums, state, T(-state.phi_j));
+    return {std::move(at.x), std::move(at.x_prime)};
+}
+
+void compute_column(const MapSystem& map, double r, const std::atomic<bool>& stop, std::span<MapPoint> points,
+                    std::span<double> amplitudes) {
+    const std::size_t masses = map.masses.size();
+    const auto without_numbers = [&](std::size_t n, PointStatus status) {
+        points[n] = {status, Regime::continuous, 0, 1};
+        std::ranges::fill(amplitudes.subspan(n * masses, masses), std::nan(""));
+    };
+    std::optional<Column> column;
+    PointStatus fault = PointStatus::failed;
+    try {
+        column.emplace(map, r, points, amplitudes);
+    } catch (const DomainError&) {
+        fault = PointStatus::at_a_pole;
+    } catch (const PrecisionError&) {
+    }
+    for (std::size_t n = 0; n < points.size() && !stop; ++n) {
+        if (!column) {
+            without_numbers(n, fault);
+            continue;
+        }
+        if (const std::size_t together = column->answer_together(n); together > 0) {
+            n += together - 1;
+            continue;
+        }
+        try {
+            column->answer(n);
+            if (points[n].status == PointStatus::not_converged) without_numbers(n, PointStatus::not_converged);
+        } catch (const DomainError&) {
+            without_numbers(n, PointStatus::at_a_pole);
+        } catch (const PrecisionError&) {
+            without_numbers(n, PointStatus::failed);
+        }
+    }
+}
+
+template State<double> at_maximum_of_force(const ModeSums<double>&, const SteadyState<double>&);
+template State<Real50> at_maximum_of_force(const ModeSums<Real50>&, const SteadyState<Real50>&);
+
+} // namespace denhartog

@@ -1,0 +1,93 @@
+#include "denhartog/solve/regime_map.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <mutex>
+
+#include "denhartog/model/point_rules.hpp"
+#include "denhartog/number/errors.hpp"
+#include "denhartog/number/parallel.hpp"
+#include "denhartog/solve/map_column.hpp"
+
+namespace denhartog {
+namespace {
+
+constexpr std::size_t most_points = std::size_t(1) << 28;
+
+void check_frequencies(const std::vector<double>& r) {
+    if (r.empty()) throw InputError("r", "must have at least one value", "none");
+    for (const double each : r) check_frequency_ratio(each);
+}
+
+void check_request(const MapRequest& request, std::size_t N) {
+    check_frequencies(request.r);
+    if (request.beta.empty()) throw InputError("beta", "must have at least one value", "none");
+    for (const double beta : request.beta) check_friction_ratio(beta);
+    if (request.masses.empty()) throw InputError("mass", "must be given at least once", "none");
+    for (const Mass k : request.masses)
+        if (k.index >= N) throw InputError("mass", "must be a mass from 1 to " + std::to_string(N), std::to_string(k.index + 1));
+    if (request.threads < 1) throw InputError("threads", "must be at least 1", std::to_string(request.threads));
+    const std::size_t numbers = request.beta.size() * request.masses.size();
+    if (request.r.size() > most_points / numbers)
+        throw InputError("the map", "must have at most " + std::to_string(most_points) + " amplitudes",
+                         std::to_string(request.r.size()) + " times " + std::to_string(numbers));
+}
+
+} // namespace
+
+std::string name(PointStatus status) {
+    switch (status) {
+    case PointStatus::answered: return "answered";
+    case PointStatus::on_boundary: return "on_boundary";
+    case PointStatus::not_converged: return "not_converged";
+    case PointStatus::at_a_pole: return "at_a_pole";
+    case PointStatus::failed: return "failed";
+    }
+    return {};
+}
+
+RegimeMap regime_map(const Scene<double>& scene, const MapRequest& request, const std::atomic<bool>& stop,
+                     const std::function<void(std::size_t done)>& done) {
+    check(scene);
+    check_request(request, number_of_masses(scene.system));
+    const ContactSystem<double> system = contact_system(scene.system);
+    const MapSystem shared{system, scene.mu, request.start, request.beta, request.masses};
+    const std::size_t rows = request.beta.size(), masses = request.masses.size();
+    RegimeMap map;
+    map.points.resize(request.r.size() * rows);
+    map.amplitudes.assign(map.points.size() * masses, std::nan(""));
+    std::mutex mutex;
+    std::size_t columns_done = 0;
+    parallel_for(request.r.size(), request.threads, [&](std::size_t m) {
+        if (stop) return false;
+        compute_column(shared, request.r[m], stop, std::span(map.points).subspan(m * rows, rows),
+                       std::span(map.amplitudes).subspan(m * rows * masses, rows * masses));
+        if (stop) return false;
+        const std::lock_guard<std::mutex> lock(mutex);
+        ++columns_done;
+        if (done) done(columns_done);
+        return true;
+    });
+    map.complete = columns_done == request.r.size();
+    return map;
+}
+
+std::vector<BoundaryPoint> boundary_curves(const Scene<double>& scene, const std::vector<double>& r) {
+    check(scene);
+    check_frequencies(r);
+    const ModalBasis<double> basis = modal_basis(scene.system);
+    std::vector<BoundaryPoint> curves(r.size());
+    for (std::size_t n = 0; n < r.size(); ++n) {
+        try {
+            const Boundary<double> b = boundary(mode_sums(basis, scene.system.contact, scene.system.load, r[n]), scene.mu);
+            curves[n] = {PointStatus::answered, b.exact, b.paper, b.approximate, b.sticking};
+        } catch (const DomainError&) {
+            curves[n].status = PointStatus::at_a_pole;
+        } catch (const PrecisionError&) {
+            curves[n].status = PointStatus::failed;
+        }
+    }
+    return curves;
+}
+
+} // namespace denhartog

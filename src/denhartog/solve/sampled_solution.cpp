@@ -1,0 +1,81 @@
+#include "denhartog/solve/sampled_solution.hpp"
+
+#include <cmath>
+
+#include "denhartog/model/number_text.hpp"
+#include "denhartog/number/errors.hpp"
+#include "denhartog/solve/quantities.hpp"
+#include "denhartog/stick_slip/exact_motion.hpp"
+
+namespace denhartog {
+namespace {
+
+// From the start of an orbit along it.
+template <class T>
+std::vector<State<double>> along_orbit(const Scene<double>& scene, const State<T>& from, const std::vector<double>& tau,
+                                       double period) {
+    State<double> start;
+    for (const T& x : from.x) start.x.push_back(static_cast<double>(x));
+    for (const T& v : from.x_prime) start.x_prime.push_back(static_cast<double>(v));
+    const ContactSystem<double> system = contact_system(scene.system);
+    ExactSolver<double> solver(system, {*scene.r, *scene.beta, scene.mu});
+    const std::vector<Phase<double>> phases = solver.run(start, 0, period).phases;
+    std::vector<State<double>> states;
+    std::size_t n = 0;
+    for (const double instant : tau) {
+        while (n + 1 < phases.size() && phases[n].end < instant) ++n;
+        states.push_back(solver.state_at(n, instant));
+    }
+    return states;
+}
+
+template <class T>
+std::vector<State<double>> of_stuck_masses(const std::vector<SolvedMass<T>>& masses, const std::vector<double>& tau) {
+    std::vector<State<double>> states;
+    for (const double instant : tau) {
+        State<double> state;
+        for (const SolvedMass<T>& m : masses) {
+            const double angle = instant - static_cast<double>(m.phase.value_or(T(0)));
+            const double amplitude = m.phase ? static_cast<double>(m.amplitude) : 0;
+            state.x.push_back(amplitude * std::cos(angle));
+            state.x_prime.push_back(-amplitude * std::sin(angle));
+        }
+        states.push_back(std::move(state));
+    }
+    return states;
+}
+
+// The phase of the contact is that of the answer.
+std::vector<State<double>> of_closed_form(const Scene<double>& scene, double phi_j, std::vector<double> tau) {
+    constexpr int digits = 10;
+    for (double& instant : tau) instant -= phi_j;
+    const Quantities<Bounded> q = quantities(scene_source(scene), tau, digits, PointNumbers::motion).numbers;
+    if (!q.X_j) throw PrecisionError("beta = " + number_to_text(*scene.beta) + " is beta_lim to the digits of the answer");
+    std::vector<State<double>> states(tau.size());
+    for (std::size_t n = 0; n < q.x.size(); ++n) {
+        State<double>& state = states[n / q.x_size.size()];
+        state.x.push_back(q.x[n].x);
+        state.x_prime.push_back(q.x_prime[n].x);
+    }
+    return states;
+}
+
+} // namespace
+
+SampledSolution sampled_solution(const Scene<double>& scene, const Solution& solution, std::size_t samples) {
+    const double period = 2 * pi<double>() * solution.periods;
+    SampledSolution all;
+    for (std::size_t n = 0; n < samples; ++n) all.tau.push_back(period * static_cast<double>(n) / static_cast<double>(samples));
+    all.states = std::visit(
+        [&](const auto& numbers) {
+            if (numbers.start) return along_orbit(scene, *numbers.start, all.tau, period);
+            if (numbers.rest_interval) return of_stuck_masses(numbers.masses, all.tau);
+            const auto& phase = numbers.masses[numbers.contact.index].phase;
+            if (!phase) throw PrecisionError("the contact moves by less than the error of its amplitude: its phase is not known");
+            return of_closed_form(scene, static_cast<double>(*phase), all.tau);
+        },
+        solution.numbers);
+    return all;
+}
+
+} // namespace denhartog

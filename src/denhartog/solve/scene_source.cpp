@@ -1,0 +1,62 @@
+#include "denhartog/solve/scene_source.hpp"
+
+#include "denhartog/model/modal_basis.hpp"
+
+namespace denhartog {
+namespace {
+
+template <class Convert>
+SceneSource source_of(const Convert& convert) {
+    return {[convert] { return convert(double()); }, [convert] { return convert(static_cast<long double>(0)); },
+            [convert] { return convert(Real50()); }, [convert] { return convert(Real100()); }};
+}
+
+// The same source with something of its scene changed.
+template <class Change>
+SceneSource changed(const SceneSource& source, const Change& change) {
+    const auto then = [change](const auto& read) {
+        return [read, change] {
+            auto scene = read();
+            change(scene);
+            return scene;
+        };
+    };
+    return {then(source.in_double), then(source.in_long_double), then(source.in_50_digits), then(source.in_100_digits)};
+}
+
+} // namespace
+
+SceneSource scene_source(const SceneText& part) {
+    return source_of([text = std::string(part.text), line = part.line, alone = part.alone]<class T>(T) {
+        SceneOrError<T> read = read_scene<T>(SceneText{text, line, alone});
+        if (read.error) throw *read.error;
+        return *read.scene;
+    });
+}
+
+SceneSource scene_source(const Scene<double>& scene) {
+    return source_of([scene]<class T>(T) { return converted<T>(scene); });
+}
+
+SceneSource at_point(const SceneSource& source, double r, double beta) {
+    return changed(source, [r, beta](auto& scene) {
+        scene.r = r;
+        scene.beta = beta;
+    });
+}
+
+SceneSource with_static_friction(const SceneSource& source, double mu) {
+    return changed(source, [mu](auto& scene) { scene.mu = mu; });
+}
+
+SceneSource without_friction_ratio(const SceneSource& source) {
+    return changed(source, [](auto& scene) { scene.beta.reset(); });
+}
+
+Scene<double> with_damping_ratios(Scene<double> scene) {
+    scene.system.damping_ratios = modal_basis(scene.system).zeta;
+    scene.system.damping_matrix.resize(0, 0);
+    return scene;
+}
+
+} // namespace denhartog

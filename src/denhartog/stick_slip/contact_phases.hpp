@@ -1,0 +1,327 @@
+/// @file
+/// @brief The two kinds of phases of one system at one excitation, and the events that end them.
+///
+/// A phase is a stretch of linear motion in modal coordinates: those of the system while the contact slides, those of the stuck
+/// configuration while it sticks. Sliding ends where the velocity of the contact is zero, sticking where the load on the
+/// contact leaves what static friction can hold, (74), (75).
+#pragma once
+
+#include <algorithm>
+#include <utility>
+
+#include "denhartog/model/point_rules.hpp"
+#include "denhartog/stick_slip/exact_motion.hpp"
+#include "denhartog/stick_slip/first_crossing.hpp"
+#include "denhartog/stick_slip/linear_motion.hpp"
+
+namespace denhartog {
+
+/// @brief Checks frequency and friction. @param e the excitation @throws InputError
+template <class T>
+void check(const Excitation<T>& e) {
+    check_frequency_ratio(e.r);
+    check_friction_ratio(e.beta);
+    check_static_friction(e.mu);
+}
+
+/// @brief How a phase ends.
+template <class T>
+struct Event {
+    T t;        ///< time from the start of the phase
+    int next;   ///< direction of the next phase
+    int order;  ///< order of the zero of its guard function
+    T load;     ///< load on the contact
+    bool found; ///< false where the end of the stretch came first
+};
+
+/// @brief The phases of one system at one excitation, one at a time.
+template <class T>
+struct ContactPhases {
+    const ContactSystem<T>* system; ///< the system
+    Excitation<T> e;                ///< frequency and friction
+    std::size_t N;                  ///< number of masses
+    LinearMotion<T> sliding;        ///< the motion while the contact slides
+    LinearMotion<T> sticking;       ///< the motion while it sticks
+    std::vector<T> w;               ///< M^-1 e_j / r^2: accelerations that a unit force on the contact makes
+    T inertia;                      ///< 1 / w_j
+    Matrix<T> stuck_momentum;       ///< phi^T M of the stuck configuration: its modal coordinates of a state
+    std::vector<T> k_j;             ///< stiffness that the stuck modes bring to the contact
+    std::vector<T> c_j;             ///< damping that they bring
+    std::vector<T> m_j;             ///< inertia that they bring
+    T load_per_energy;              ///< bound of a derivative of the load on the contact over the energy norm of that order
+    T load_rest;                    ///< what the inertia of the others adds to that bound
+    T load_growth;                  ///< how fast the bound grows
+    T direct;                       ///< part of the force that acts on the contact itself, 0 or 1
+    T step;                         ///< a step that the search for events took
+    std::vector<T> x;               ///< displacements at the start of the phase
+    std::vector<T> v;               ///< velocities at the start of the phase
+    int touching = 0;               ///< events so tangential that rounding decided them
+
+    static constexpr int most_tangencies = 64; ///< in one phase; more are a load that lies on the limit to rounding
+
+    /// @param s  the system @param excitation frequency and friction
+    ContactPhases(const ContactSystem<T>& s, const Excitation<T>& excitation) : system(&s), N(s.basis.r_n.size()) {
+        sliding.resize(N);
+        sticking.resize(N - 1);
+        w.resize(N);
+        for (std::vector<T>* each : {&k_j, &c_j, &m_j}) each->resize(N - 1);
+        stuck_momentum = s.stuck.phi.transpose() * s.stuck.M;
+        set(excitation);
+    }
+
+    /// @brief Sets frequency and friction anew. @param excitation frequency and friction @throws InputError
+    void set(const Excitation<T>& excitation) {
+        check(excitation);
+        e = excitation;
+        const ModalBasis<T>& basis = system->basis;
+        const T r2 = e.r * e.r;
+        for (std::size_t i = 0; i < N; ++i) {
+            set_mode(sliding, i, basis.r_n[i], T(basis.zeta[i] * basis.r_n[i]));
+            sliding.F[i] = basis.phi(system->load.index, i) / r2;
+        }
+        sliding.prepare();
+        for (std::size_t k = 0; k < N; ++k) {
+            w[k] = T(0);
+            for (std::size_t i = 0; i < N; ++i) w[k] += basis.phi(k, i) * basis.phi(system->contact.index, i);
+            w[k] /= r2;
+        }
+        inertia = 1 / w[system->contact.index];
+        direct = system->load == system->contact ? T(1) : T(0);
+        set_sticking(r2);
+        step = T(1);
+    }
+
+    /// @brief Sets a mode of a motion at the frequency of the load.
+    /// @param m             the motion
+    /// @param i             the mode
+    /// @param r_n           natural frequency ratio
+    /// @param half_damping  decay rate over omega_1, zeta r_n
+    void set_mode(LinearMotion<T>& m, std::size_t i, const T& r_n, const T& half_damping) {
+        m.omega_0[i] = r_n / e.r;
+        m.gap[i] = (e.r - r_n) / e.r * (1 + m.omega_0[i]);
+        m.decay[i] = half_damping / e.r;
+    }
+
+    /// @brief Sets the motion while the contact sticks. @param r2 square of the frequency ratio
+    void set_sticking(const T& r2) {
+        const StuckConfiguration<T>& s = system->stuck;
+        for (std::size_t i = 0; i + 1 < N; ++i) {
+            set_mode(sticking, i, s.r_n[i], T(s.damping(i, i) / 2));
+            k_j[i] = c_j[i] = m_j[i] = sticking.F[i] = T(0);
+            for (std::size_t n = 0; n + 1 < N; ++n) {
+                k_j[i] += s.phi(n, i) * s.k_j[n];
+                c_j[i] += s.phi(n, i) * s.c_j[n] * e.r;
+                m_j[i] += s.phi(n, i) * s.m_j[n] * r2;
+                if (s.masses[n] == system->load) sticking.F[i] = s.phi(n, i) / r2;
+            }
+        }
+        if (!s.modes_diagonalise_damping) sticking.D = s.damping / e.r;
+        sticking.prepare();
+        bound_load();
+    }
+
+    /// @brief Bounds a derivative of the load on the contact by the energy of the stuck modes.
+    void bound_load() {
+        T force(0), stiffness(0), damping(0), inertial(0), fastest(0);
+        for (std::size_t i = 0; i + 1 < N; ++i) {
+            const T k = k_j[i] / sticking.omega_0[i];
+            force += sticking.F[i] * sticking.F[i];
+            stiffness += k * k;
+            damping += c_j[i] * c_j[i];
+            inertial += m_j[i] * m_j[i];
+            fastest = std::max(fastest, T(sticking.omega_0[i] + 2 * sticking.decay[i]));
+        }
+        if (sticking.coupled()) fastest += sticking.D.cwiseAbs().rowwise().sum().maxCoeff();
+        load_per_energy = sqrt(stiffness) + sqrt(damping) + fastest * sqrt(inertial);
+        load_rest = sqrt(T(inertial * force));
+        load_growth = load_per_energy * sqrt(force);
+    }
+
+    /// @brief The state at the start of a phase, taken into the coordinates of its motion.
+    /// @param direction  1 or -1 as the contact slides, 0 where it sticks
+    /// @param tau        instant of the start
+    void start_phase(int direction, const T& tau) {
+        if (direction == 0) {
+            const StuckConfiguration<T>& s = system->stuck;
+            const std::size_t j = system->contact.index;
+            for (std::size_t i = 0; i + 1 < N; ++i) {
+                T q(0), p(0);
+                for (std::size_t k = 0; k + 1 < N; ++k) {
+                    q += stuck_momentum(i, k) * x[s.masses[k].index];
+                    p += stuck_momentum(i, k) * v[s.masses[k].index];
+                }
+                sticking.q[0][i] = q;
+                sticking.q[1][i] = p;
+                sticking.G[i] = -k_j[i] * x[j] / (e.r * e.r);
+            }
+            sticking.start(tau);
+            return;
+        }
+        const ModalBasis<T>& basis = system->basis;
+        for (std::size_t i = 0; i < N; ++i) {
+            T q(0), p(0);
+            for (std::size_t k = 0; k < N; ++k) {
+                q += system->momentum(i, k) * x[k];
+                p += system->momentum(i, k) * v[k];
+            }
+            sliding.q[0][i] = q;
+            sliding.q[1][i] = p;
+            sliding.G[i] = -direction * e.beta * basis.phi(system->contact.index, i) / (e.r * e.r);
+        }
+        sliding.start(tau);
+    }
+
+    /// @brief Displacement, velocity or acceleration of every mass at the instant last evaluated.
+    /// @param direction  1 or -1 as the contact slides, 0 where it sticks
+    /// @param order      0 to 2
+    /// @param out        gets a value a mass
+    void masses_of(int direction, int order, std::vector<T>& out) const {
+        out.resize(N);
+        if (direction != 0) {
+            for (std::size_t k = 0; k < N; ++k) {
+                out[k] = T(0);
+                for (std::size_t i = 0; i < N; ++i) out[k] += system->basis.phi(k, i) * sliding.q[order][i];
+            }
+            return;
+        }
+        const StuckConfiguration<T>& s = system->stuck;
+        out[system->contact.index] = order == 0 ? x[system->contact.index] : T(0);
+        for (std::size_t n = 0; n + 1 < N; ++n) {
+            T& each = out[s.masses[n].index];
+            each = T(0);
+            for (std::size_t i = 0; i + 1 < N; ++i) each += s.phi(n, i) * sticking.q[order][i];
+        }
+    }
+
+    /// @brief Velocity of the contact in the direction of the phase.
+    /// @param direction  1 or -1
+    /// @param t          time from the start of the phase
+    /// @return           value, three derivatives and their bounds
+    Jet<T> velocity(int direction, const T& t) {
+        using std::abs;
+        sliding.differentiate_at(t);
+        Jet<T> jet{{T(0), T(0), T(0), T(0)}, T(0), T(0), T(0)};
+        for (std::size_t i = 0; i < N; ++i) {
+            const T phi = direction * system->basis.phi(system->contact.index, i);
+            for (int m = 0; m < 4; ++m) jet.f[m] += phi * sliding.q[m + 1][i];
+            jet.bound += abs(phi) * sliding.energy_norm(4, i);
+            jet.growth += abs(phi * sliding.F[i]);
+            jet.noise += abs(phi * sliding.q[1][i]);
+        }
+        jet.noise *= std::numeric_limits<T>::epsilon();
+        return jet;
+    }
+
+    /// @brief What the contact carries while it sticks: everything but friction.
+    /// @param t  time from the start of the phase
+    /// @return   value, three derivatives and their bounds
+    Jet<T> load(const T& t) {
+        using std::abs;
+        sticking.differentiate_at(t);
+        const T &c = sticking.cos_tau(), &s = sticking.sin_tau();
+        const T& x_j = x[system->contact.index];
+        const T k_jj = system->stuck.k_jj;
+        Jet<T> jet{{direct * c - k_jj * x_j, -direct * s, -direct * c, direct * s}, direct, T(0), abs(k_jj * x_j) + direct};
+        for (std::size_t i = 0; i + 1 < N; ++i) {
+            for (int m = 0; m < 4; ++m)
+                jet.f[m] -= k_j[i] * sticking.q[m][i] + c_j[i] * sticking.q[m + 1][i] + m_j[i] * sticking.q[m + 2][i];
+            jet.noise += abs(k_j[i] * sticking.q[0][i]) + abs(c_j[i] * sticking.q[1][i]) + abs(m_j[i] * sticking.q[2][i]);
+        }
+        if (N > 1) {
+            jet.bound += load_per_energy * sticking.energy_norm(4) + load_rest;
+            jet.growth = load_growth;
+        }
+        jet.noise *= std::numeric_limits<T>::epsilon();
+        return jet;
+    }
+
+    /// @brief Where a sliding phase ends: its velocity is zero.
+    /// @param direction  1 or -1
+    /// @param length     length of the stretch that is left
+    /// @param order      order of the zero at its start
+    /// @return           the event
+    Event<T> end_of_sliding(int direction, const T& length, int order) {
+        auto at = [&](const T& t) { return velocity(direction, t); };
+        const std::optional<Crossing<T>> zero = first_crossing(at, T(0), length, order, step);
+        if (!zero) return {length, direction, 0, T(0), false};
+        const Jet<T> jet = velocity(direction, zero->t);
+        touching += zero->touches;
+        const T along = e.beta + inertia * jet.f[1]; // load on the contact along the motion
+        if (zero->touches && e.mu == 1 && jet.f[2] > 0 && order == 0)
+            return {zero->t, direction, 2, T(direction * e.beta), true}; // it touches zero and goes on
+        if (along < -e.mu * e.beta) return {zero->t, -direction, 1, T(direction * along), true};
+        if (along > e.mu * e.beta) return {zero->t, direction, 1, T(direction * along), true};
+        return {zero->t, 0, 0, T(direction * along), true};
+    }
+
+    /// @brief Where a sticking phase of a single mass ends: the load on it is cos tau - k_jj x_j, whose passage out of the cone is
+    /// an arc cosine.
+    /// @param tau     instant of the start
+    /// @param length  length of the stretch that is left
+    /// @return        the event
+    Event<T> end_of_sticking_alone(const T& tau, const T& length) {
+        using std::acos;
+        using std::ceil;
+        const T holds = e.mu * e.beta;
+        const T force = system->stuck.k_jj * x[0];
+        Event<T> event{length, 0, 0, T(0), false};
+        for (const int side : {1, -1}) {
+            const T y = force + side * holds;
+            if (!(y > -1 && y < 1)) continue;
+            const T passage = -side * acos(y);
+            const T t = std::max(T(0), T(passage + 2 * pi<T>() * ceil(T((tau - passage) / (2 * pi<T>()))) - tau));
+            if (t < event.t) event = {t, side, e.mu == 1 ? 2 : 1, T(side * holds), true};
+        }
+        return event;
+    }
+
+    /// @brief Where a sticking phase ends: the load on the contact is more than friction holds.
+    /// @param length  length of the stretch that is left
+    /// @return        the event
+    Event<T> end_of_sticking(const T& length) {
+        const T holds = e.mu * e.beta;
+        Event<T> event{length, 0, 0, T(0), false};
+        for (const int side : {1, -1}) {
+            auto at = [&](const T& t) {
+                Jet<T> jet = load(t);
+                for (T& f : jet.f) f = -side * f;
+                jet.f[0] += holds;
+                return jet;
+            };
+            T from(0);
+            int order = 0;
+            for (int tangencies = 0; from < event.t;) {
+                const std::optional<Crossing<T>> zero = first_crossing(at, from, event.t, order, step);
+                if (!zero) break;
+                const Jet<T> jet = at(zero->t);
+                touching += zero->touches;
+                const bool turns_back = zero->touches && jet.f[2] > 0 && zero->t > from;
+                const bool recedes = zero->touches && jet.f[1] > 0;
+                if ((turns_back || recedes) && ++tangencies < most_tangencies) {
+                    from = zero->t; // the load reaches what friction holds and draws back: the contact stays
+                    order = turns_back ? 2 : 1;
+                    continue;
+                }
+                event = {zero->t, side, e.mu == 1 ? 2 : 1, T(side * holds), true};
+                break;
+            }
+        }
+        return event;
+    }
+
+    /// @brief Direction of the first phase of a stretch, from the velocity or else from the load on the contact.
+    /// @param tau  instant of the start
+    /// @return     1, -1 or 0, and the order of the zero of the velocity there
+    std::pair<int, int> first_direction(const T& tau) {
+        const T& v_j = v[system->contact.index];
+        if (v_j != 0) return {v_j > 0 ? 1 : -1, 0};
+        start_phase(0, tau);
+        const Jet<T> Q = load(T(0));
+        const T holds = e.mu * e.beta;
+        for (const int side : {1, -1})
+            if (side * Q.f[0] > holds) return {side, 1};
+        return {0, 0};
+    }
+};
+
+} // namespace denhartog

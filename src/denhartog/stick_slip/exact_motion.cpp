@@ -1,0 +1,189 @@
+/// @file
+/// @brief The motion from phase to phase.
+#include "denhartog/stick_slip/exact_motion.hpp"
+
+#include <atomic>
+
+#include "denhartog/number/multiprecision.hpp"
+#include "denhartog/stick_slip/deviations.hpp"
+#include "denhartog/stick_slip/largest_displacement.hpp"
+
+namespace denhartog {
+namespace {
+
+std::atomic<long> phases_so_far{0};
+
+constexpr int most_phases_without_length = 60;
+constexpr int most_phases_a_period = 20000;
+
+} // namespace
+
+template <class T>
+ContactSystem<T> contact_system(const System<T>& s) {
+    ContactSystem<T> out;
+    out.contact = s.contact;
+    out.load = s.load;
+    out.basis = modal_basis(s);
+    out.stuck = stuck_configuration(s, out.basis);
+    // phi^T M phi = 1, so that phi^T M is the inverse of phi; the mass matrix keeps it free of an inversion.
+    const std::size_t N = out.basis.r_n.size();
+    if (s.mass_matrix.size() > 0) {
+        out.momentum = out.basis.phi.transpose() * s.mass_matrix;
+    } else {
+        out.momentum.resize(N, N);
+        for (std::size_t i = 0; i < N; ++i)
+            for (std::size_t k = 0; k < N; ++k) out.momentum(i, k) = out.basis.phi(k, i) * s.mass_ratios[k];
+    }
+    return out;
+}
+
+/// @brief What the solver computes with.
+template <class T>
+struct ExactSolver<T>::Work : ContactPhases<T> {
+    using ContactPhases<T>::ContactPhases, ContactPhases<T>::N, ContactPhases<T>::x, ContactPhases<T>::v;
+    using ContactPhases<T>::sliding, ContactPhases<T>::sticking, ContactPhases<T>::system;
+    ExactMotion<T> motion;
+    Deviations<T> deviations;
+
+    void run(const T& tau_0, const T& tau_1, bool with_jacobian) {
+        motion.status = MotionStatus::complete;
+        motion.phases.clear();
+        motion.states.clear();
+        this->touching = 0;
+        T tau = tau_0;
+        auto [direction, order] = this->first_direction(tau);
+        if (with_jacobian) deviations.start(N, direction == 0 ? &system->contact : nullptr);
+        int without_length = 0;
+        const double most = most_phases_a_period * (1 + static_cast<double>(T((tau_1 - tau_0) / (2 * pi<T>()))));
+        while (tau < tau_1) {
+            this->start_phase(direction, tau);
+            motion.states.insert(motion.states.end(), x.begin(), x.end());
+            motion.states.insert(motion.states.end(), v.begin(), v.end());
+            const T length = tau_1 - tau;
+            const Event<T> event = direction != 0 ? this->end_of_sliding(direction, length, order)
+                                   : N == 1       ? this->end_of_sticking_alone(tau, length)
+                                                  : this->end_of_sticking(length);
+            const T end = event.found ? T(tau + event.t) : tau_1;
+            motion.phases.push_back({direction, tau, end});
+            phases_so_far.fetch_add(1, std::memory_order_relaxed);
+            LinearMotion<T>& now = direction == 0 ? sticking : sliding;
+            now.differentiate_at(event.t);
+            if (with_jacobian) deviations.carry(*this, direction, event);
+            this->masses_of(direction, 0, x);
+            this->masses_of(direction, 1, v);
+            if (event.found) v[system->contact.index] = T(0);
+            without_length = end > tau ? 0 : without_length + 1;
+            if (without_length > most_phases_without_length || static_cast<double>(motion.phases.size()) > most) {
+                motion.status = MotionStatus::chattering;
+                break;
+            }
+            tau = end;
+            direction = event.next;
+            order = event.order;
+        }
+        motion.touching = this->touching;
+        motion.end.x = x;
+        motion.end.x_prime = v;
+        if (!with_jacobian) return;
+        motion.jacobian.resize(2 * N, 2 * N);
+        motion.jacobian.topRows(N) = deviations.dx;
+        motion.jacobian.bottomRows(N) = deviations.dv;
+    }
+
+    void stand_at(std::size_t phase) {
+        const auto state = motion.states.begin() + static_cast<std::ptrdiff_t>(2 * N * phase);
+        x.assign(state, state + static_cast<std::ptrdiff_t>(N));
+        v.assign(state + static_cast<std::ptrdiff_t>(N), state + static_cast<std::ptrdiff_t>(2 * N));
+        this->start_phase(motion.phases[phase].direction, motion.phases[phase].start);
+    }
+};
+
+template <class T>
+ExactSolver<T>::ExactSolver(const ContactSystem<T>& system, const Excitation<T>& excitation)
+    : work_(std::make_unique<Work>(system, excitation)) {}
+
+template <class T>
+ExactSolver<T>::~ExactSolver() = default;
+
+template <class T>
+ExactSolver<T>::ExactSolver(ExactSolver&&) noexcept = default;
+
+template <class T>
+void ExactSolver<T>::set(const Excitation<T>& excitation) {
+    work_->set(excitation);
+}
+
+template <class T>
+const ContactSystem<T>& ExactSolver<T>::system() const {
+    return *work_->system;
+}
+
+template <class T>
+const Excitation<T>& ExactSolver<T>::excitation() const {
+    return work_->e;
+}
+
+template <class T>
+const ExactMotion<T>& ExactSolver<T>::run(const State<T>& start, const T& tau_0, const T& tau_1, bool with_jacobian) {
+    Work& work = *work_;
+    if (start.x.size() != work.N || start.x_prime.size() != work.N)
+        throw InputError("start", "must have a displacement and a velocity for each mass", std::to_string(start.x.size()));
+    work.x.assign(start.x.begin(), start.x.end());
+    work.v.assign(start.x_prime.begin(), start.x_prime.end());
+    work.run(tau_0, tau_1, with_jacobian);
+    return work.motion;
+}
+
+template <class T>
+State<T> ExactSolver<T>::state_at(std::size_t phase, const T& tau) {
+    Work& work = *work_;
+    const Phase<T>& p = work.motion.phases[phase];
+    work.stand_at(phase);
+    (p.direction == 0 ? work.sticking : work.sliding).move_to(T(tau - p.start));
+    State<T> state;
+    work.masses_of(p.direction, 0, state.x);
+    work.masses_of(p.direction, 1, state.x_prime);
+    return state;
+}
+
+template <class T>
+std::vector<Extremum<T>> ExactSolver<T>::largest_displacements() {
+    using std::abs;
+    Work& work = *work_;
+    const std::size_t j = work.system->contact.index;
+    std::vector<Extremum<T>> largest(work.N, Extremum<T>{T(0), T(0)});
+    const auto take = [&](std::size_t k, const T& x, const T& tau) {
+        if (abs(x) > abs(largest[k].x)) largest[k] = {x, tau};
+    };
+    for (std::size_t n = 0; n < work.motion.phases.size(); ++n) {
+        for (std::size_t k = 0; k < work.N; ++k) take(k, work.motion.states[2 * work.N * n + k], work.motion.phases[n].start);
+        if (n + 1 == work.motion.phases.size())
+            for (std::size_t k = 0; k < work.N; ++k) take(k, work.motion.end.x[k], work.motion.phases[n].end);
+    }
+    for (std::size_t n = 0; n < work.motion.phases.size() && work.N > 1; ++n) {
+        const Phase<T>& p = work.motion.phases[n];
+        work.stand_at(n);
+        LinearMotion<T>& motion = p.direction == 0 ? work.sticking : work.sliding;
+        for (std::size_t k = 0, other = 0; k < work.N; ++k) {
+            if (k == j) continue;
+            const std::size_t row = p.direction == 0 ? other : k;
+            const Matrix<T>& phi = p.direction == 0 ? work.system->stuck.phi : work.system->basis.phi;
+            largest_within(
+                motion, phi, row, T(p.end - p.start), [&](const T& x, const T& t) { take(k, x, T(p.start + t)); },
+                [&] { return T(abs(largest[k].x)); });
+            ++other;
+        }
+    }
+    return largest;
+}
+
+long phases_propagated() { return phases_so_far.load(); }
+
+template ContactSystem<double> contact_system(const System<double>&);
+template ContactSystem<Real50> contact_system(const System<Real50>&);
+template ContactSystem<Real100> contact_system(const System<Real100>&);
+template class ExactSolver<double>;
+template class ExactSolver<Real50>;
+template class ExactSolver<Real100>;
+
+} // namespace denhartog

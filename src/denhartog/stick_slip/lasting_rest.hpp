@@ -1,0 +1,58 @@
+/// @file
+/// @brief Whether a contact at rest rests for ever.
+#pragma once
+
+#include <optional>
+
+#include "denhartog/stick_slip/exact_motion.hpp"
+#include "denhartog/stick_slip/stuck_response.hpp"
+
+namespace denhartog {
+
+/// @brief Rest for ever at one system, frequency and friction.
+///
+/// While the contact is held the load on it is that of the steady stuck motion, (88) with all forces, a constant
+/// \f$ -k\bar{x}_j \f$, and what the free motion of the others adds: at most its energy norm, which never grows, times a weight.
+template <class T>
+class LastingRest {
+public:
+    /// @param system      the system; must outlive this
+    /// @param excitation  frequency and friction
+    LastingRest(const ContactSystem<T>& system, const Excitation<T>& excitation);
+
+    /// @brief What is known of a rest.
+    enum class Verdict : std::uint8_t {
+        open,       ///< it may end
+        lasts,      ///< it lasts for ever
+        on_boundary ///< its load reaches mu beta to rounding, and not beyond
+    };
+
+    /// @brief Whether the contact, at rest in a state, rests for ever.
+    /// @param z  the state at tau = 0, the contact sticking
+    /// @return   the verdict
+    [[nodiscard]] Verdict verdict(const State<T>& z) const;
+
+    /// @brief Whether there is a steady motion with the contact held. @return false where the load excites an undamped resonance
+    [[nodiscard]] bool exists() const { return response_.has_value(); }
+
+    /// @brief How far from zero the contact can rest for ever. @return the distance; negative where it cannot, not even at zero
+    [[nodiscard]] T reach() const;
+
+    /// @brief The steady motion with the contact held. @param x_j where it is held @return the state at tau = 0
+    [[nodiscard]] State<T> steady_state(const T& x_j) const;
+
+    /// @brief Amplitude and phase of a mass in the steady motion. @param k the mass @param x_j where the contact is held
+    /// @return the motion of the mass
+    [[nodiscard]] MassMotion<T> motion(std::size_t k, const T& x_j) const;
+
+private:
+    [[nodiscard]] T static_displacement(std::size_t n, const T& x_j) const;
+
+    const ContactSystem<T>* system_;
+    Excitation<T> e_;
+    std::optional<StuckResponse<T>> response_; // none at an undamped resonance: no steady motion
+    std::vector<T> follows_;                   // static displacement of the others for a unit displacement of the contact
+    T weight_;                                 // largest load on the contact of a free motion of unit energy norm
+};
+
+} // namespace denhartog

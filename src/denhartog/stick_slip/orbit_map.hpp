@@ -1,0 +1,237 @@
+/// @file
+/// @brief The map over half-periods of the force, mirrored after each, with its Jacobian, its rounding and a norm.
+#pragma once
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <limits>
+
+#include "denhartog/number/number.hpp"
+#include "denhartog/stick_slip/exact_motion.hpp"
+
+namespace denhartog {
+
+/// @brief A column of numbers.
+template <class T>
+using Column = Eigen::Matrix<T, Eigen::Dynamic, 1>;
+
+/// @brief A matrix in double. @param A a matrix @return its entries, rounded
+template <class T>
+[[nodiscard]] Matrix<double> in_double(const Matrix<T>& A) {
+    return A.unaryExpr([](const T& value) { return static_cast<double>(value); });
+}
+
+/// @brief Difference of two states. @param a a state @param b another @return a - b: displacements, then velocities
+template <class T>
+[[nodiscard]] Column<T> difference(const State<T>& a, const State<T>& b) {
+    const auto N = static_cast<Eigen::Index>(a.x.size());
+    Column<T> d(2 * N);
+    for (Eigen::Index k = 0; k < N; ++k) {
+        const auto n = static_cast<std::size_t>(k);
+        d(k) = a.x[n] - b.x[n];
+        d(N + k) = a.x_prime[n] - b.x_prime[n];
+    }
+    return d;
+}
+
+/// @brief Whether a matrix was factored without a pivot that is rounding of the others.
+/// @param factors  its factors
+/// @return         true if so
+template <class T>
+[[nodiscard]] bool is_regular(const Eigen::PartialPivLU<Matrix<T>>& factors) {
+    const auto pivots = factors.matrixLU().diagonal().cwiseAbs();
+    return pivots.minCoeff() > 16 * std::numeric_limits<T>::epsilon() * pivots.maxCoeff();
+}
+
+/// @brief \f$ z \mapsto (-1)^h\Phi_{0\to h\pi}(z) \f$, as it was applied last.
+template <class T>
+class OrbitMap {
+public:
+    /// @param solver  system, frequency and friction; must outlive this
+    explicit OrbitMap(ExactSolver<T>& solver)
+        : N(static_cast<Eigen::Index>(solver.system().basis.r_n.size())), solver_(&solver), pi_(pi<T>()), difference_(2 * N),
+          image_(at_rest<T>(static_cast<std::size_t>(N))), modal_(N) {}
+
+    const Eigen::Index N; ///< number of masses
+
+    /// @brief Applies the map.
+    /// @param z              the state at tau = 0
+    /// @param half_periods   how many half-periods, h
+    /// @param with_jacobian  whether the Jacobian is wanted
+    /// @return               false where the motion chatters
+    bool apply(const State<T>& z, int half_periods, bool with_jacobian) {
+        h_ = half_periods;
+        half_periods_in_all_ += h_;
+        motion_ = &solver_->run(z, T(0), h_ * pi_, with_jacobian);
+        if (motion_->status != MotionStatus::complete) return false;
+        const bool turned = h_ % 2 != 0;
+        for (Eigen::Index k = 0; k < N; ++k) {
+            const auto n = static_cast<std::size_t>(k);
+            image_.x[n] = turned ? T(-motion_->end.x[n]) : motion_->end.x[n];
+            image_.x_prime[n] = turned ? T(-motion_->end.x_prime[n]) : motion_->end.x_prime[n];
+            difference_(k) = image_.x[n] - z.x[n];
+            difference_(N + k) = image_.x_prime[n] - z.x_prime[n];
+        }
+        return true;
+    }
+
+    /// @brief Whether the contact rested throughout. @return true where it did
+    [[nodiscard]] bool held() const {
+        for (const Phase<T>& p : motion_->phases)
+            if (p.direction != 0 && p.end > p.start) return false;
+        return true;
+    }
+
+    /// @brief Whether the contact did not rest at all. @return true where it did not
+    [[nodiscard]] bool slides_throughout() const {
+        return std::ranges::none_of(motion_->phases, [](const Phase<T>& p) { return p.direction == 0 && p.end > p.start; });
+    }
+
+    /// @brief Jacobian of the map. @return 2N x 2N
+    [[nodiscard]] Matrix<T> jacobian() const { return h_ % 2 != 0 ? Matrix<T>(-motion_->jacobian) : motion_->jacobian; }
+
+    /// @brief The matrix of Newton's method. @return 1 - Jacobian
+    [[nodiscard]] Matrix<T> newton_matrix() const {
+        Matrix<T> A = h_ % 2 != 0 ? motion_->jacobian : Matrix<T>(-motion_->jacobian);
+        for (Eigen::Index n = 0; n < 2 * N; ++n) A(n, n) += T(1);
+        return A;
+    }
+
+    /// @brief Square root of twice the energy of a deviation, times 1/r: what friction with mu = 1 lets no two motions increase.
+    /// @param dz  displacements, then velocities
+    /// @return    the norm
+    [[nodiscard]] T norm(const Column<T>& dz) const {
+        const ContactSystem<T>& s = solver_->system();
+        const T& r = solver_->excitation().r;
+        T sum(0);
+        for (Eigen::Index i = 0; i < N; ++i) {
+            T q(0), p(0);
+            for (Eigen::Index k = 0; k < N; ++k) {
+                q += s.momentum(i, k) * dz(k);
+                p += s.momentum(i, k) * dz(N + k);
+            }
+            q *= s.basis.r_n[static_cast<std::size_t>(i)] / r;
+            sum += q * q + p * p;
+        }
+        return sqrt(sum);
+    }
+
+    /// @brief The norm of a state. @param z the state @return its norm
+    [[nodiscard]] T norm(const State<T>& z) const { return norm(denhartog::difference(z, at_rest<T>(z.x.size()))); }
+
+    /// @brief The same for every deviation within bounds.
+    /// @param dz  bounds of displacements, then velocities
+    /// @return    bound of the norm
+    [[nodiscard]] T norm_of_bound(const Column<T>& dz) const {
+        const ContactSystem<T>& s = solver_->system();
+        const Matrix<T> sizes = s.momentum.cwiseAbs();
+        T sum(0);
+        for (Eigen::Index i = 0; i < N; ++i) {
+            const T q = sizes.row(i).dot(dz.head(N)) * s.basis.r_n[static_cast<std::size_t>(i)] / solver_->excitation().r;
+            const T p = sizes.row(i).dot(dz.tail(N));
+            sum += q * q + p * p;
+        }
+        return sqrt(sum);
+    }
+
+    /// @brief Jacobian of the map between modal velocities and modal displacements times frequencies: `norm` is Euclid's there.
+    /// @return  2N x 2N; its eigenvalues are those of `jacobian`
+    [[nodiscard]] Matrix<T> energy_jacobian() const {
+        const ContactSystem<T>& s = solver_->system();
+        Matrix<T> J = jacobian();
+        J.topRows(N) = s.momentum * J.topRows(N);
+        J.bottomRows(N) = s.momentum * J.bottomRows(N);
+        J.leftCols(N) = J.leftCols(N) * s.basis.phi;
+        J.rightCols(N) = J.rightCols(N) * s.basis.phi;
+        for (Eigen::Index i = 0; i < N; ++i) {
+            const T omega = s.basis.r_n[static_cast<std::size_t>(i)] / solver_->excitation().r;
+            J.row(i) *= omega;
+            J.col(i) /= omega;
+        }
+        return J;
+    }
+
+    /// @brief What rounding makes of the map's image: a bound of each modal coordinate's error that is kept until the next call.
+    ///
+    /// Every phase adds some units in the last place of what the coordinate is summed from. A natural frequency that is N units
+    /// off turns the mode by that part of its phase angle, which is the larger the more of its periods fit in the stretch.
+    void measure_rounding() {
+        using std::abs;
+        const ContactSystem<T>& s = solver_->system();
+        const Excitation<T>& e = solver_->excitation();
+        const auto n = static_cast<std::size_t>(N);
+        const auto j = static_cast<Eigen::Index>(s.contact.index);
+        for (Eigen::Index i = 0; i < N; ++i) {
+            const T& r_n = s.basis.r_n[static_cast<std::size_t>(i)];
+            T largest(0), largest_sum(0); // amplitude of the mode; the same with the sums over masses of sizes
+            for (std::size_t a = 0; a < motion_->phases.size(); ++a) {
+                const T *x = &motion_->states[2 * n * a], *v = x + n;
+                T q(0), p(0), q_sum(0), p_sum(0);
+                for (Eigen::Index k = 0; k < N; ++k) {
+                    const T q_k = s.momentum(i, k) * x[k], p_k = s.momentum(i, k) * v[k];
+                    q += q_k;
+                    p += p_k;
+                    q_sum += abs(q_k);
+                    p_sum += abs(p_k);
+                }
+                const T slow = e.r / r_n;
+                largest = std::max(largest, T(q * q + slow * slow * p * p));
+                largest_sum = std::max(largest_sum, std::max(q_sum, T(slow * p_sum)));
+            }
+            const T friction = e.beta * abs(s.basis.phi(j, i)) / (r_n * r_n);
+            modal_(i) =
+                std::numeric_limits<T>::epsilon() * (static_cast<int>(motion_->phases.size()) * (largest_sum + friction) +
+                                                     h_ * pi_ * static_cast<int>(N) * r_n / e.r * (sqrt(largest) + friction));
+        }
+    }
+
+    /// @brief Norm of the rounding measured last. @return its norm
+    [[nodiscard]] T rounding_norm() const {
+        const ContactSystem<T>& s = solver_->system();
+        T sum(0);
+        for (Eigen::Index i = 0; i < N; ++i) {
+            const T velocity = modal_(i) * s.basis.r_n[static_cast<std::size_t>(i)] / solver_->excitation().r;
+            sum += 2 * velocity * velocity;
+        }
+        return sqrt(sum);
+    }
+
+    /// @brief The rounding measured last, mass by mass. @return bounds for displacements, then velocities
+    [[nodiscard]] Column<T> rounding() const {
+        using std::abs;
+        const ContactSystem<T>& s = solver_->system();
+        Column<T> bound = Column<T>::Zero(2 * N);
+        for (Eigen::Index k = 0; k < N; ++k)
+            for (Eigen::Index i = 0; i < N; ++i) {
+                const T x = abs(s.basis.phi(k, i)) * modal_(i);
+                bound(k) += x;
+                bound(N + k) += x * s.basis.r_n[static_cast<std::size_t>(i)] / solver_->excitation().r;
+            }
+        return bound;
+    }
+
+    /// @brief The solver. @return the solver, which holds the motion of the last application
+    [[nodiscard]] ExactSolver<T>& solver() const { return *solver_; }
+    /// @brief The motion from the start, in the frame that is not mirrored. @return the motion
+    [[nodiscard]] const ExactMotion<T>& motion() const { return *motion_; }
+    /// @brief Image of the last application. @return the state
+    [[nodiscard]] const State<T>& image() const { return image_; }
+    /// @brief Image less start. @return displacements, then velocities
+    [[nodiscard]] const Column<T>& difference() const { return difference_; }
+    /// @brief Half-periods of the last application. @return h
+    [[nodiscard]] int half_periods() const { return h_; }
+    /// @brief Half-periods of all applications. @return their sum
+    [[nodiscard]] long half_periods_in_all() const { return half_periods_in_all_; }
+
+private:
+    ExactSolver<T>* solver_;
+    T pi_;
+    Column<T> difference_;
+    State<T> image_;
+    const ExactMotion<T>* motion_ = nullptr;
+    int h_ = 1;
+    long half_periods_in_all_ = 0;
+    Column<T> modal_; // rounding of the modal displacements
+};
+
+} // namespace denhartog

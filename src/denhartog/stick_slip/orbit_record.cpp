@@ -1,0 +1,156 @@
+#include "denhartog/stick_slip/orbit_record.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "denhartog/number/multiprecision.hpp"
+#include "denhartog/sliding/steady_state.hpp"
+#include "denhartog/stick_slip/floquet.hpp"
+
+namespace denhartog {
+namespace {
+
+/// A displacement of its largest size as amplitude and phase.
+template <class T>
+MassMotion<T> motion_with(const T& x, const T& tau) {
+    if (x < 0) return {T(-x), wrapped(T(tau + pi<T>()))};
+    return {x, wrapped(tau)};
+}
+
+} // namespace
+
+template <class T>
+std::vector<Stop<T>> stops_of(const OrbitMap<T>& map) {
+    const ExactMotion<T>& motion = map.motion();
+    const auto N = static_cast<std::size_t>(map.N);
+    const std::size_t j = map.solver().system().contact.index;
+    const bool mirrored = map.half_periods() % 2 != 0;
+    const T stretch = map.half_periods() * pi<T>(), period = mirrored ? T(2 * stretch) : stretch;
+    std::vector<Stop<T>> stops;
+    bool resting = false; // at the end of what was looked at
+    bool resting_at_0 = false;
+    for (int part = 0; part < (mirrored ? 2 : 1); ++part) {
+        for (std::size_t n = 0; n < motion.phases.size(); ++n) {
+            const Phase<T>& p = motion.phases[n];
+            if (!(p.end > p.start)) continue;
+            if (p.direction != 0) {
+                resting = false;
+                continue;
+            }
+            const T shift = part == 0 ? T(0) : stretch;
+            if (resting) {
+                stops.back().end = p.end + shift;
+                continue;
+            }
+            const T& x_j = motion.states[2 * N * n + j];
+            if (part == 0 && p.start == 0) resting_at_0 = true;
+            stops.push_back({p.start + shift, p.end + shift, part == 0 ? x_j : T(-x_j)});
+            resting = true;
+        }
+    }
+    if (resting && resting_at_0 && stops.size() > 1) {
+        stops.back().end = stops.front().end + period;
+        stops.erase(stops.begin());
+    }
+    return stops;
+}
+
+template <class T>
+MassMotion<T> contact_motion(const OrbitMap<T>& map) {
+    using std::abs;
+    const ExactMotion<T>& motion = map.motion();
+    const auto N = static_cast<std::size_t>(map.N);
+    const std::size_t j = map.solver().system().contact.index;
+    // A rest counts from its start: neither where it ends, nor, of one across the start of the stretch, what the stretch has of it
+    // first. Elsewhere the start of the stretch comes last and has to be larger by more than rounding.
+    const bool rests_across =
+        motion.phases.size() > 1 && motion.phases.front().direction == 0 && motion.phases.back().direction == 0;
+    T x = rests_across ? T(0) : T(motion.states[j] * (1 - 16 * std::numeric_limits<T>::epsilon())), tau(0);
+    for (std::size_t n = 1; n < motion.phases.size(); ++n) {
+        if (motion.phases[n - 1].direction == 0) continue;
+        const T& x_j = motion.states[2 * N * n + j];
+        if (abs(x_j) > abs(x)) {
+            x = x_j;
+            tau = motion.phases[n].start;
+        }
+    }
+    return motion_with(x, tau);
+}
+
+template <class T>
+std::vector<MassMotion<T>> motions_of(const OrbitMap<T>& map) {
+    std::vector<MassMotion<T>> motions;
+    for (const Extremum<T>& extremum : map.solver().largest_displacements())
+        motions.push_back(motion_with(extremum.x, extremum.instant));
+    motions[map.solver().system().contact.index] = contact_motion(map);
+    return motions;
+}
+
+template <class T>
+double jacobian_error(const OrbitMap<T>& map, const Matrix<double>& jacobian) {
+    const ContactSystem<T>& s = map.solver().system();
+    const double turns = static_cast<double>(T(s.basis.r_n.back() / map.solver().excitation().r)) * map.half_periods();
+    const double units = 4 * (static_cast<double>(map.motion().phases.size()) + 4 * turns);
+    const double eps = std::max(std::numeric_limits<double>::epsilon(), static_cast<double>(std::numeric_limits<T>::epsilon()));
+    return units * eps * jacobian.cwiseAbs().rowwise().sum().maxCoeff();
+}
+
+template <class T>
+bool attracts(const OrbitMap<T>& map) {
+    const Matrix<double> jacobian = in_double(map.energy_jacobian());
+    return contracts(jacobian, jacobian_error(map, jacobian));
+}
+
+template <class T>
+Matrix<double> jacobian_of_others(const OrbitMap<T>& map) {
+    const auto j = static_cast<Eigen::Index>(map.solver().system().contact.index);
+    std::vector<Eigen::Index> others;
+    for (Eigen::Index k = 0; k < 2 * map.N; ++k)
+        if (k != j && k != map.N + j) others.push_back(k);
+    return in_double(map.jacobian())(others, others);
+}
+
+template <class T>
+T displacement_of_energy(const OrbitMap<T>& map) {
+    const ContactSystem<T>& s = map.solver().system();
+    T largest(0); // squared
+    for (Eigen::Index k = 0; k < map.N; ++k) {
+        T reach(0);
+        for (Eigen::Index i = 0; i < map.N; ++i) {
+            const T each = s.basis.phi(k, i) * map.solver().excitation().r / s.basis.r_n[static_cast<std::size_t>(i)];
+            reach += each * each;
+        }
+        largest = std::max(largest, reach);
+    }
+    return sqrt(largest);
+}
+
+template <class T>
+std::optional<T> error_bound_of(const OrbitMap<T>& map) {
+    const Eigen::PartialPivLU<Matrix<T>> factors(map.newton_matrix());
+    if (!is_regular(factors)) return std::nullopt;
+    const Column<T> rounding = map.rounding();
+    const Column<T> at_start = factors.inverse().cwiseAbs() * (map.difference().cwiseAbs() + rounding);
+    T energy = map.norm_of_bound(at_start);
+    if (map.solver().excitation().mu > 1) energy *= std::max(T(1), T(map.energy_jacobian().norm()));
+    return T(displacement_of_energy(map) * energy + rounding.head(map.N).maxCoeff());
+}
+
+template double displacement_of_energy(const OrbitMap<double>&);
+template Real50 displacement_of_energy(const OrbitMap<Real50>&);
+template std::vector<Stop<double>> stops_of(const OrbitMap<double>&);
+template std::vector<Stop<Real50>> stops_of(const OrbitMap<Real50>&);
+template MassMotion<double> contact_motion(const OrbitMap<double>&);
+template MassMotion<Real50> contact_motion(const OrbitMap<Real50>&);
+template std::vector<MassMotion<double>> motions_of(const OrbitMap<double>&);
+template std::vector<MassMotion<Real50>> motions_of(const OrbitMap<Real50>&);
+template double jacobian_error(const OrbitMap<double>&, const Matrix<double>&);
+template double jacobian_error(const OrbitMap<Real50>&, const Matrix<double>&);
+template bool attracts(const OrbitMap<double>&);
+template bool attracts(const OrbitMap<Real50>&);
+template Matrix<double> jacobian_of_others(const OrbitMap<double>&);
+template Matrix<double> jacobian_of_others(const OrbitMap<Real50>&);
+template std::optional<double> error_bound_of(const OrbitMap<double>&);
+template std::optional<Real50> error_bound_of(const OrbitMap<Real50>&);
+
+} // namespace denhartog

@@ -1,0 +1,208 @@
+#include "tests/support/second_witness.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Jacobi>
+#include <algorithm>
+
+#include "denhartog/number/errors.hpp"
+
+namespace denhartog {
+namespace {
+
+using Index = Eigen::Index;
+
+template <class W, class T>
+Matrix<W> widened(const Matrix<T>& A) {
+    return A.unaryExpr([](const T& value) { return static_cast<W>(value); });
+}
+
+template <class W, class T>
+Matrix<W> stiffness_of(const System<T>& s) {
+    if (s.stiffness_matrix.size() > 0) return widened<W>(s.stiffness_matrix);
+    const Index N = static_cast<Index>(s.stiffness_ratios.size());
+    Matrix<W> K = Matrix<W>::Zero(N, N);
+    for (Index i = 0; i < N; ++i) {
+        const W k = static_cast<W>(s.stiffness_ratios[static_cast<std::size_t>(i)]);
+        K(i, i) += k;
+        if (i == 0) continue;
+        K(i - 1, i - 1) += k;
+        K(i, i - 1) -= k;
+        K(i - 1, i) -= k;
+    }
+    return K;
+}
+
+template <class W, class T>
+Matrix<W> mass_of(const System<T>& s) {
+    if (s.mass_matrix.size() > 0) return widened<W>(s.mass_matrix);
+    const Index N = static_cast<Index>(s.mass_ratios.size());
+    Matrix<W> M = Matrix<W>::Zero(N, N);
+    for (Index i = 0; i < N; ++i) M(i, i) = static_cast<W>(s.mass_ratios[static_cast<std::size_t>(i)]);
+    return M;
+}
+
+/// Eigenvalues on the diagonal of A, ascending, and eigenvectors in Q, by Jacobi's rotations.
+template <class W>
+void diagonalise(Matrix<W>& A, Matrix<W>& Q) {
+    const Index N = A.rows();
+    Q = Matrix<W>::Identity(N, N);
+    const W threshold = A.squaredNorm() * std::numeric_limits<W>::epsilon() * std::numeric_limits<W>::epsilon();
+    const auto off_diagonal = [&A] { return W(A.template triangularView<Eigen::StrictlyUpper>().toDenseMatrix().squaredNorm()); };
+    for (int sweep = 0; off_diagonal() > threshold; ++sweep) {
+        if (sweep == 60) throw PrecisionError("the modes of the second witness did not converge");
+        for (Index p = 0; p < N; ++p)
+            for (Index q = p + 1; q < N; ++q) {
+                Eigen::JacobiRotation<W> rotation;
+                rotation.makeJacobi(A, p, q);
+                A.applyOnTheLeft(p, q, rotation.adjoint());
+                A.applyOnTheRight(p, q, rotation);
+                Q.applyOnTheRight(p, q, rotation);
+            }
+    }
+    for (Index i = 0; i < N; ++i)
+        for (Index n = i + 1; n < N; ++n)
+            if (A(n, n) < A(i, i)) {
+                std::swap(A(n, n), A(i, i));
+                Q.col(n).swap(Q.col(i));
+            }
+}
+
+/// C in units of sqrt(k_1 m_1): as given, or by its definition (19) from modes that are computed here.
+template <class W, class T>
+Matrix<W> damping_of(const System<T>& s, const Matrix<W>& M, const Matrix<W>& K) {
+    if (s.damping_matrix.size() > 0) return widened<W>(s.damping_matrix);
+    const Matrix<W> L = M.llt().matrixL();
+    const auto lower = L.template triangularView<Eigen::Lower>();
+    Matrix<W> A = lower.solve(Matrix<W>(lower.solve(K).transpose()));
+    Matrix<W> Q;
+    diagonalise(A, Q);
+    Matrix<W> C = Matrix<W>::Zero(M.rows(), M.cols());
+    for (Index i = 0; i < M.rows(); ++i) {
+        const W zeta = static_cast<W>(s.damping_ratios[static_cast<std::size_t>(i)]);
+        const Vector<W> M_phi = L * Q.col(i);
+        C += W(2 * zeta * sqrt(A(i, i))) * M_phi * M_phi.transpose();
+    }
+    return C;
+}
+
+/// |a - b|; a number that is not finite is no small difference.
+template <class W>
+W distance(const W& a, const W& b) {
+    const W difference = a < b ? W(b - a) : W(a - b);
+    if (!(difference - difference == W(0)))
+        throw DomainError("the motion that is compared with the second witness is not finite");
+    return difference;
+}
+
+template <class W>
+W angle_between(const W& a, const W& b) {
+    return distance(W(atan2(sin(W(a - b)), cos(W(a - b)))), W(0));
+}
+
+} // namespace
+
+template <class T>
+HalfPeriodProblem<WitnessOf<T>> half_period_problem(const Scene<T>& scene) {
+    using W = WitnessOf<T>;
+    check(scene);
+    if (!scene.r) throw InputError("r", "must be given", "");
+    if (!scene.beta) throw InputError("beta", "must be given", "");
+    const W r = static_cast<W>(*scene.r);
+    const Matrix<W> M = mass_of<W>(scene.system);
+    const Matrix<W> K = stiffness_of<W>(scene.system);
+    const Matrix<W> C = damping_of<W>(scene.system, M, K);
+    return {M * W(r * r), C * r, K, scene.system.contact, scene.system.load, static_cast<W>(*scene.beta)};
+}
+
+template <class T>
+SampledMotion<T> sampled_motion(const ModeSums<T>& sums, const SteadyState<T>& state, int steps) {
+    const Index N = static_cast<Index>(state.masses.size());
+    SampledMotion<T> sampled{Vector<T>(N), Vector<T>(N), Vector<T>(N), Vector<T>(N), sums.contact, Matrix<T>(N, steps + 1)};
+    for (Index k = 0; k < N; ++k) {
+        const MassResponse<T>& m = state.masses[static_cast<std::size_t>(k)];
+        sampled.x_0(k) = m.x0;
+        sampled.x_prime_0(k) = m.v0;
+        sampled.amplitude(k) = m.amplitude;
+        sampled.phase(k) = m.phase;
+    }
+    for (int n = 0; n <= steps; ++n) {
+        const Motion<T> at = motion(sums, state, T(n * pi<T>() / steps));
+        for (Index k = 0; k < N; ++k) sampled.x(k, n) = at.x[static_cast<std::size_t>(k)];
+    }
+    return sampled;
+}
+
+template <class T>
+T worst(const Agreement<T>& a) {
+    return std::max({a.displacement, a.x_0, a.x_prime_0, a.amplitude, a.phi_j});
+}
+
+template <class T>
+Agreement<T> compare(const SampledMotion<T>& motion, const HalfPeriodMotion<WitnessOf<T>>& witness) {
+    using W = WitnessOf<T>;
+    const Index N = witness.x.rows(), j = static_cast<Index>(motion.contact.index);
+    if (motion.x.rows() != N || motion.x.cols() != witness.x.cols() || motion.x_0.size() != N || motion.x_prime_0.size() != N ||
+        motion.amplitude.size() != N || motion.phase.size() != N || j >= N)
+        throw InputError("motion", "must be sampled as the witness's is", "");
+    Agreement<W> all{};
+    W largest(-1);
+    for (Index k = 0; k < N; ++k) {
+        const W X_k = witness.amplitude(k);
+        W x_prime_scale(0), displacement(0);
+        for (Index n = 0; n < witness.x.cols(); ++n) {
+            x_prime_scale = std::max(x_prime_scale, distance(witness.x_prime(k, n), W(0)));
+            displacement = std::max(displacement, distance(static_cast<W>(motion.x(k, n)), witness.x(k, n)));
+        }
+        const Agreement<W> of_mass{W(displacement / X_k),
+                                   W(distance(static_cast<W>(motion.x_0(k)), witness.x_0(k)) / X_k),
+                                   W(distance(static_cast<W>(motion.x_prime_0(k)), witness.x_prime_0(k)) / x_prime_scale),
+                                   W(distance(static_cast<W>(motion.amplitude(k)), X_k) / X_k),
+                                   k == j ? angle_between(static_cast<W>(motion.phase(k)), witness.phi_j) : W(0),
+                                   angle_between(static_cast<W>(motion.phase(k)), witness.phase(k)),
+                                   Mass{static_cast<std::size_t>(k)}};
+        const W error = std::max({of_mass.displacement, of_mass.x_0, of_mass.x_prime_0, of_mass.amplitude});
+        if (error > largest) all.worst_mass = of_mass.worst_mass;
+        largest = std::max(largest, error);
+        all.displacement = std::max(all.displacement, of_mass.displacement);
+        all.x_0 = std::max(all.x_0, of_mass.x_0);
+        all.x_prime_0 = std::max(all.x_prime_0, of_mass.x_prime_0);
+        all.amplitude = std::max(all.amplitude, of_mass.amplitude);
+        all.phi_j = std::max(all.phi_j, of_mass.phi_j);
+        all.phase = std::max(all.phase, of_mass.phase);
+    }
+    return {static_cast<T>(all.displacement),
+            static_cast<T>(all.x_0),
+            static_cast<T>(all.x_prime_0),
+            static_cast<T>(all.amplitude),
+            static_cast<T>(all.phi_j),
+            static_cast<T>(all.phase),
+            all.worst_mass};
+}
+
+template <class T>
+Agreement<T> compare_with_second_witness(const Scene<T>& scene, int steps) {
+    if (!scene.beta) throw InputError("beta", "must be given", "");
+    const Response<T> answered = response(scene);
+    if (!answered.steady_state)
+        throw DomainError("no motion to compare with the second witness: " + answered.regime.value().reason);
+    const ModeSums<T> sums = mode_sums(modal_basis(scene.system), scene.system.contact, scene.system.load, *scene.r);
+    return compare(sampled_motion(sums, *answered.steady_state, steps), half_period_motion(half_period_problem(scene), steps));
+}
+
+template HalfPeriodProblem<Real50> half_period_problem(const Scene<double>&);
+template HalfPeriodProblem<Real50> half_period_problem(const Scene<long double>&);
+template HalfPeriodProblem<Real100> half_period_problem(const Scene<Real50>&);
+template SampledMotion<double> sampled_motion(const ModeSums<double>&, const SteadyState<double>&, int);
+template double worst(const Agreement<double>&);
+template Agreement<double> compare(const SampledMotion<double>&, const HalfPeriodMotion<Real50>&);
+template Agreement<double> compare_with_second_witness(const Scene<double>&, int);
+template SampledMotion<long double> sampled_motion(const ModeSums<long double>&, const SteadyState<long double>&, int);
+template long double worst(const Agreement<long double>&);
+template Agreement<long double> compare(const SampledMotion<long double>&, const HalfPeriodMotion<Real50>&);
+template Agreement<long double> compare_with_second_witness(const Scene<long double>&, int);
+template SampledMotion<Real50> sampled_motion(const ModeSums<Real50>&, const SteadyState<Real50>&, int);
+template Real50 worst(const Agreement<Real50>&);
+template Agreement<Real50> compare(const SampledMotion<Real50>&, const HalfPeriodMotion<Real100>&);
+template Agreement<Real50> compare_with_second_witness(const Scene<Real50>&, int);
+
+} // namespace denhartog
