@@ -7,7 +7,7 @@
 #include "denhartog/formulas/high_frequency.hpp"
 #include "denhartog/model/point_rules.hpp"
 #include "denhartog/solve/quantities.hpp"
-#include "denhartog/solve/solve_task.hpp"
+#include "denhartog/solve/sliding_solution.hpp"
 
 using namespace denhartog;
 using namespace denhartog::c_interface;
@@ -30,12 +30,12 @@ SceneSource without_point(const SceneSource& source) {
             return scene;
         };
     };
-    return {plain(source.in_double), plain(source.in_long_double), plain(source.in_50_digits), plain(source.in_100_digits)};
+    return {plain(source.in_double), plain(source.in_50_digits), plain(source.in_100_digits)};
 }
 
 void make_system(const SceneSource& source, dh_system** system) {
     auto made = std::make_unique<dh_system>(dh_system{prepare(source, Question{}, Prepared::every_regime)});
-    made->basis = made->prepared.basis.value();
+    made->basis = made->prepared.moving->basis;
     need_finite(made->basis.r_n);
     *system = made.release();
 }
@@ -49,7 +49,7 @@ ModeSums<double> sums_at(const dh_system* system, double r) {
 constexpr int digits_without_bound = 10;
 
 // A boundary below it is zero: at an antiresonance of the contact.
-constexpr double least_boundary = 1e-25;
+constexpr double boundary_of_antiresonance = 1e-25;
 
 void check_point(double r, double beta, double mu) {
     check_frequency_ratio(r);
@@ -57,17 +57,18 @@ void check_point(double r, double beta, double mu) {
     check_static_friction(mu);
 }
 
-// Boundary and closed form at a point, in the first precision that has the digits.
-Answer closed_form_at(const dh_system* system, double r, double beta, double mu, Asked asked, std::optional<Mass> mass) {
+// The system at a point, in every number type.
+SceneSource point_of(const dh_system* system, double r, double beta, double mu) {
     check_point(r, beta, mu);
-    SolveTask task =
-        solve_task(with_static_friction(system->prepared, mu), {r, beta, nullptr}, {asked, digits_without_bound, false, mass});
-    find_boundary(task);
-    if (task.pole) throw DomainError(*task.pole);
-    return std::move(task.found);
+    return at_point(with_static_friction(system->prepared.source, mu), r, beta);
 }
 
-void need_digits(const Answer& found) {
+// Boundary and closed form at a point, in the first precision that has the digits.
+Solution closed_form_at(const dh_system* system, double r, double beta, double mu, Asked asked, std::optional<Mass> mass) {
+    return sliding_solution(point_of(system, r, beta, mu), {asked, digits_without_bound, mass, system->prepared.bounded});
+}
+
+void need_digits(const Solution& found) {
     if (!found.digits_reached)
         throw PrecisionError("no " + std::to_string(digits_without_bound) + " digits are there: " + found.method.why);
 }
@@ -77,15 +78,9 @@ void need_digits(const Answer& found) {
                       ", Eq. (69): the contact does not slide throughout");
 }
 
-// The system at a point, in every number type.
-SceneSource point_of(const dh_system* system, double r, double beta, double mu) {
-    check_point(r, beta, mu);
-    return at_point(with_static_friction(system->prepared.source, mu), r, beta);
-}
-
-std::vector<double> values_of(const std::vector<Bounded>& numbers) {
+std::vector<double> values_of(const std::vector<Bounded<double>>& numbers) {
     std::vector<double> values;
-    for (const Bounded& each : numbers) values.push_back(each.x);
+    for (const Bounded<double>& each : numbers) values.push_back(each.x);
     return values;
 }
 
@@ -213,10 +208,10 @@ int dh_sums(const dh_system* system, double r, size_t count, double* V, double* 
         const std::size_t N = masses_of(system);
         need(V, "V");
         need_count(count, N);
-        const Quantities<Bounded> q =
+        const Quantities<Bounded<double>> q =
             quantities(system->prepared, point_of(system, r, 0, 1), {}, digits_without_bound, PointNumbers::sums).numbers;
         std::vector<double> parts;
-        for (const Complex<Bounded>& each : q.V) parts.insert(parts.end(), {each.re.x, each.im.x});
+        for (const Complex<Bounded<double>>& each : q.V) parts.insert(parts.end(), {each.re.x, each.im.x});
         const std::vector<double> of_U = values_of(q.U), of_G = values_of(q.G);
         need_all_finite({parts, of_U, of_G, std::array{q.H_j.x, q.S.x}});
         hand_out(parts, V);
@@ -231,20 +226,11 @@ int dh_boundaries(const dh_system* system, double r, double mu, dh_boundary* res
     return guarded([&] {
         need(system, "system");
         need_struct(result, "boundary");
-        const Answer found = closed_form_at(system, r, 0, mu, Asked::regime, std::nullopt);
-        dh_boundary all{};
-        std::visit(
-            [&](const auto& response) {
-                const auto& b = response.boundary;
-                all = {0,
-                       static_cast<double>(b.exact),
-                       static_cast<double>(b.paper),
-                       static_cast<double>(b.approximate),
-                       b.sticking ? static_cast<double>(*b.sticking) : 0,
-                       b.sticking.has_value()};
-            },
-            found.response);
-        if (!(all.exact < least_boundary)) need_digits(found);
+        const Solution found = closed_form_at(system, r, 0, mu, Asked::regime, std::nullopt);
+        const Limits& b = *found.limits;
+        const dh_boundary all{
+            0, b.exact.value, b.paper.value, b.approximate.value, b.sticking ? b.sticking->value : 0, b.sticking.has_value()};
+        if (!(all.exact < boundary_of_antiresonance)) need_digits(found);
         need_finite(std::array{all.exact, all.paper, all.approximate, all.sticking});
         hand_out(all, result);
     });
@@ -265,22 +251,18 @@ int dh_sliding_motion(const dh_system* system, double r, double beta, double mu,
     return guarded([&] {
         const Mass k = mass_from(mass, masses_of(system), "mass");
         need_struct(result, "result");
-        const Answer found = closed_form_at(system, r, beta, mu, Asked::motion, k);
-        dh_sliding_mass all{};
-        std::visit(
-            [&](const auto& response) {
-                if (!response.steady_state) throw_not_sliding(beta, static_cast<double>(response.boundary.exact));
-                const auto& m = response.steady_state->masses[k.index];
-                all = {0,
-                       static_cast<double>(m.x0),
-                       static_cast<double>(m.v0),
-                       static_cast<double>(m.amplitude),
-                       static_cast<double>(m.phase),
-                       static_cast<double>(m.instant),
-                       static_cast<double>(m.amplitude_monoharmonic),
-                       static_cast<double>(m.phase_monoharmonic)};
-            },
-            found.response);
+        const Solution found = closed_form_at(system, r, beta, mu, Asked::motion, k);
+        if (found.masses.empty()) throw_not_sliding(beta, found.limits->exact.value);
+        const SolvedMass& m = found.masses[k.index];
+        const SlidingOfMass& of = *m.sliding;
+        const dh_sliding_mass all{0,
+                                  of.x0.value,
+                                  of.v0.value,
+                                  m.amplitude.value,
+                                  m.phase ? m.phase->value : 0,
+                                  of.instant.value,
+                                  of.amplitude_monoharmonic.value,
+                                  of.phase_monoharmonic.value};
         need_digits(found);
         need_finite(std::array{all.initial_displacement, all.initial_velocity, all.amplitude, all.phase, all.instant,
                                all.amplitude_monoharmonic, all.phase_monoharmonic});
@@ -294,9 +276,9 @@ int dh_displacement(const dh_system* system, double r, double beta, double mu, s
         const Mass k = mass_from(mass, masses_of(system), "mass");
         need(tau, "tau");
         need(x, "x");
-        const Quantities<Bounded> q = quantities(system->prepared, point_of(system, r, beta, mu), std::span(tau, count),
-                                                 digits_without_bound, PointNumbers::motion)
-                                          .numbers;
+        const Quantities<Bounded<double>> q = quantities(system->prepared, point_of(system, r, beta, mu), std::span(tau, count),
+                                                         digits_without_bound, PointNumbers::motion)
+                                                  .numbers;
         if (!q.X_j) throw_not_sliding(beta, q.beta_lim.x);
         std::vector<double> all;
         for (std::size_t n = k.index; n < q.x.size(); n += q.x_size.size()) all.push_back(q.x[n].x);

@@ -13,24 +13,10 @@ using namespace denhartog::c_interface;
 
 namespace {
 
-constexpr int most_digits_of_double = 15;
-
-// A number of any type as the double next to it, and what its rounding adds to a bound of its error.
-template <class T>
-struct Rounded {
-    double x;
-    double error;
-    Rounded(const T& value, const T& bound) : x(static_cast<double>(value)), error(static_cast<double>(bound)) {
-        if constexpr (!std::same_as<T, double>) error += std::numeric_limits<double>::epsilon() * (std::abs(x) + error);
-    }
-};
-
-template <class T>
-dh_mass mass_of(const SolvedMass<T>& m) {
-    const Rounded<T> amplitude(m.amplitude, m.error_bound);
-    if (!m.phase) return {0, amplitude.x, amplitude.error, 0, 0, 0};
-    const Rounded<T> phase(*m.phase, m.phase_error);
-    return {0, amplitude.x, amplitude.error, phase.x, phase.error, 1};
+dh_mass to_c(const SolvedMass& m) {
+    const double error = error_of_displacements(m);
+    if (!m.phase) return {0, m.amplitude.value, error, 0, 0, 0};
+    return {0, m.amplitude.value, error, m.phase->value, m.phase->error, 1};
 }
 
 } // namespace
@@ -42,8 +28,8 @@ int dh_solve(const dh_system* system, double r, double beta, double mu, int digi
         need(system, "system");
         need(solution, "solution");
         check_static_friction(mu);
-        if (digits < 0 || digits > most_digits_of_double)
-            throw InputError("digits", "must be from 0 to " + std::to_string(most_digits_of_double), std::to_string(digits));
+        if (digits < 0 || digits > most_digits_of_a_double)
+            throw InputError("digits", "must be from 0 to " + std::to_string(most_digits_of_a_double), std::to_string(digits));
         Question question;
         if (digits > 0) question.digits = digits;
         auto made = std::make_unique<dh_solution>();
@@ -71,18 +57,13 @@ int dh_solution_summary(const dh_solution* solution, dh_summary* summary) noexce
         all.symmetric = s.symmetric;
         all.periods = s.periods;
         all.relative_error = s.relative_error;
-        std::visit(
-            [&]<class T>(const Solved<T>& n) {
-                all.stops = n.stops.size();
-                all.rest_interval_exists = n.rest_interval.has_value();
-                if (!n.rest_interval) return;
-                const Rounded<T> from(n.rest_interval->from, n.rest_interval->error_bound);
-                const Rounded<T> to(n.rest_interval->to, n.rest_interval->error_bound);
-                all.rest_from = from.x;
-                all.rest_to = to.x;
-                all.rest_error = std::max(from.error, to.error);
-            },
-            s.numbers);
+        all.stops = s.stops.size();
+        all.rest_interval_exists = s.rest_interval.has_value();
+        if (s.rest_interval) {
+            all.rest_from = s.rest_interval->from.value;
+            all.rest_to = s.rest_interval->to.value;
+            all.rest_error = std::max(s.rest_interval->from.error, s.rest_interval->to.error);
+        }
         need_finite(std::array{all.rest_from, all.rest_to, all.rest_error, all.relative_error});
         hand_out(all, summary);
     });
@@ -92,13 +73,10 @@ int dh_solution_mass(const dh_solution* solution, size_t mass, dh_mass* result) 
     return guarded([&] {
         need(solution, "solution");
         need_struct(result, "result");
-        std::visit(
-            [&](const auto& n) {
-                const dh_mass all = mass_of(n.masses[mass_from(mass, n.masses.size(), "mass").index]);
-                need_finite(std::array{all.amplitude, all.error, all.phase, all.phase_error});
-                hand_out(all, result);
-            },
-            solution->solution.numbers);
+        const std::vector<SolvedMass>& masses = solution->solution.masses;
+        const dh_mass all = to_c(masses[mass_from(mass, masses.size(), "mass").index]);
+        need_finite(std::array{all.amplitude, all.error, all.phase, all.phase_error});
+        hand_out(all, result);
     });
 }
 
@@ -106,14 +84,10 @@ int dh_solution_stops(const dh_solution* solution, size_t count, double* start, 
     return guarded([&] {
         need(solution, "solution");
         std::vector<double> starts, ends;
-        std::visit(
-            [&](const auto& n) {
-                for (const auto& stop : n.stops) {
-                    starts.push_back(static_cast<double>(stop.start));
-                    ends.push_back(static_cast<double>(stop.end));
-                }
-            },
-            solution->solution.numbers);
+        for (const SolvedStop& stop : solution->solution.stops) {
+            starts.push_back(stop.start.value);
+            ends.push_back(stop.end.value);
+        }
         need_count(count, starts.size());
         if (count == 0) return;
         need(start, "start");

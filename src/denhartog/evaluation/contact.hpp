@@ -39,12 +39,12 @@ template <class T>
 /// @brief What the root is made of, each number as it was rounded.
 template <class T>
 struct RootParts {
-    T b;            ///< beta U
-    T re_2;         ///< square of the real part of V
-    T im_2;         ///< square of its imaginary part
-    T b_2;          ///< square of b
+    T b;             ///< beta U
+    T re_2;          ///< square of the real part of V
+    T im_2;          ///< square of its imaginary part
+    T b_2;           ///< square of b
     T re_2_less_b_2; ///< their difference
-    T all;          ///< that and im_2
+    T all;           ///< that and im_2
 };
 
 /// @brief The square of the root from its parts, whatever their roundings: what each took is given back.
@@ -57,8 +57,8 @@ struct RootParts {
 template <class T>
 [[nodiscard]] T square_of_root(const Complex<T>& V_dj, const T& U_dj, const T& beta, const RootParts<T>& p) {
     const T b_rest = product_error(beta, U_dj, p.b);
-    const T squares = product_error(V_dj.re, V_dj.re, p.re_2) + product_error(V_dj.im, V_dj.im, p.im_2) -
-                      product_error(p.b, p.b, p.b_2);
+    const T squares =
+        product_error(V_dj.re, V_dj.re, p.re_2) + product_error(V_dj.im, V_dj.im, p.im_2) - product_error(p.b, p.b, p.b_2);
     const T sums = sum_error(p.re_2, T(-p.b_2), p.re_2_less_b_2) + sum_error(p.re_2_less_b_2, p.im_2, p.all);
     return p.all + (squares + sums - b_rest * (2 * p.b + b_rest));
 }
@@ -98,6 +98,19 @@ template <class T>
 template <class T>
 [[nodiscard]] T phase_of_contact(const Complex<T>& V_dj, const T& U_dj, const T& beta) {
     return atan2(T(-(beta * U_dj)), contact_root(V_dj, U_dj, beta)) - argument(V_dj);
+}
+
+/// @brief The smallest friction ratio at which the contact never moves: \f$ |V_{dj}/Y_{jj}|/\mu \f$.
+///
+/// The contact can rest where a force of at most \f$ \mu\beta \f$ makes its displacement zero: \f$ V_{dj} - f\,Y_{jj} = 0 \f$.
+/// @eq{88}  @derivation{section_4_3_stuck}  @domain{Y_jj not zero}
+/// @param V_dj  complex response function of the mass in contact, Eq. (33)
+/// @param Y_jj  the same with the load on the contact
+/// @param mu    static over kinetic friction, Eq. (3)
+/// @return      the friction ratio
+template <class T>
+[[nodiscard]] T sticking_limit_by_responses(const Complex<T>& V_dj, const Complex<T>& Y_jj, const T& mu) {
+    return modulus(V_dj) / modulus(Y_jj) / mu;
 }
 
 } // namespace denhartog::evaluation

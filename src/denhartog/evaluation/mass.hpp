@@ -2,7 +2,10 @@
 /// @brief What callers get for (44), (45): no angle is formed, and a node (a mass with no response function) is no exception.
 #pragma once
 
+#include <span>
+
 #include "denhartog/evaluation/contact.hpp"
+#include "denhartog/evaluation/mode_values.hpp"
 
 namespace denhartog::evaluation {
 
@@ -13,7 +16,39 @@ struct InitialState {
     T x_prime_k0; ///< velocity with respect to tau, Eq. (45)
 };
 
-/// @brief (44) and (45) as corrected, with \f$ |V_{dk}|\cos\Delta/|V_{dj}| \f$ as \f$ \mathrm{Re}\{V_{dk}V_{dj}^*\}/|V_{dj}|^2 \f$.
+/// @brief The harmonic part of the motion of a mass: \f$ A\cos\tau + B\sin\tau \f$.
+template <class T>
+struct HarmonicPart {
+    T A; ///< factor of the cosine
+    T B; ///< factor of the sine
+};
+
+/// @brief Displacement of a mass with its first two derivatives in tau.
+template <class T>
+struct MotionOfMass {
+    T x;              ///< displacement, Eq. (46)
+    T x_prime;        ///< velocity
+    T x_double_prime; ///< acceleration
+};
+
+/// @brief The harmonic part of (46) as corrected, with \f$ |V_{dk}|\cos\Delta/|V_{dj}| \f$ as
+/// \f$ \mathrm{Re}\{V_{dk}V_{dj}^*\}/|V_{dj}|^2 \f$.
+/// @eq{42,43,46}  @derivation{evaluation_forms}  @domain{sliding regime, Eq. (69); V_dj not zero}
+/// @param V_dk  complex response function of the mass, Eq. (33)
+/// @param V_dj  complex response function of the mass in contact, Eq. (33)
+/// @param U_dj  first damping function of the mass in contact, Eq. (34)
+/// @param beta  friction ratio, Eq. (11)
+/// @return      A and B, in units of P / k_1
+template <class T>
+[[nodiscard]] HarmonicPart<T> harmonic_part(const Complex<T>& V_dk, const Complex<T>& V_dj, const T& U_dj, const T& beta) {
+    const T root = contact_root(V_dj, U_dj, beta);
+    const T square = squared_modulus(V_dj);
+    const T cosine = (V_dk.re * V_dj.re + V_dk.im * V_dj.im) / square;
+    const T sine = (V_dk.im * V_dj.re - V_dk.re * V_dj.im) / square;
+    return {root * cosine + beta * U_dj * sine, beta * U_dj * cosine - root * sine};
+}
+
+/// @brief (44) and (45) as corrected: the harmonic part less what friction has of it at tau = 0.
 /// @eq{44,45}  @derivation{evaluation_forms}  @domain{sliding regime, Eq. (69); V_dj not zero}
 /// @param V_dk  complex response function of the mass, Eq. (33)
 /// @param V_dj  complex response function of the mass in contact, Eq. (33)
@@ -25,11 +60,29 @@ struct InitialState {
 template <class T>
 [[nodiscard]] InitialState<T> initial_state(const Complex<T>& V_dk, const Complex<T>& V_dj, const T& U_dj, const T& U_dk,
                                             const T& G_k, const T& beta) {
-    const T root = contact_root(V_dj, U_dj, beta);
-    const T square = squared_modulus(V_dj);
-    const T cosine = (V_dk.re * V_dj.re + V_dk.im * V_dj.im) / square;
-    const T sine = (V_dk.im * V_dj.re - V_dk.re * V_dj.im) / square;
-    return {root * cosine + beta * U_dj * sine - beta * G_k, beta * U_dj * cosine - root * sine - beta * U_dk};
+    const HarmonicPart<T> h = harmonic_part(V_dk, V_dj, U_dj, beta);
+    return {h.A - beta * G_k, h.B - beta * U_dk};
+}
+
+/// @brief Motion of a mass over the half-period: (46) as corrected, with (40) from the motions of the modes, and its derivatives.
+/// @eq{40,46}  @derivation{evaluation_of_motion}  @domain{sliding regime, Eq. (69); 0 <= tau <= pi}
+/// @param tau   non-dimensional time; zero at a maximum of x_j
+/// @param h     the harmonic part
+/// @param beta  friction ratio, Eq. (11)
+/// @param w     weights psi_ki psi_ji R_i^2 of the modes in (40)
+/// @param y     braces of (40) of the modes at tau, and their derivatives
+/// @return      displacement, velocity, acceleration, in units of P / k_1
+template <class T>
+[[nodiscard]] MotionOfMass<T> motion_of_mass(const T& tau, const HarmonicPart<T>& h, const T& beta, std::span<const T> w,
+                                             std::span<const FrictionMotion<T>> y) {
+    const T C = cos(tau), S = sin(tau);
+    T F_k(0), F_prime(0), F_double_prime(0);
+    for (std::size_t i = 0; i < y.size(); ++i) {
+        F_k = F_k + w[i] * y[i].value;
+        F_prime = F_prime + w[i] * y[i].prime;
+        F_double_prime = F_double_prime + w[i] * y[i].double_prime;
+    }
+    return {h.A * C + h.B * S + beta * F_k, h.B * C - h.A * S + beta * F_prime, beta * F_double_prime - h.A * C - h.B * S};
 }
 
 } // namespace denhartog::evaluation

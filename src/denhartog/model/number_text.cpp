@@ -8,7 +8,6 @@
 #include <concepts>
 #include <limits>
 
-#include "denhartog/number/bounded.hpp"
 #include "denhartog/number/multiprecision.hpp"
 
 namespace denhartog {
@@ -86,7 +85,6 @@ std::string number_to_text(const T& x) {
     }
 }
 
-std::string number_to_text(const Bounded& x) { return number_to_text(x.x); }
 
 std::string number_rule(NumberFault fault) {
     switch (fault) {

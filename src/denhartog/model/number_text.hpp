@@ -13,12 +13,16 @@ namespace denhartog {
 template <class T>
 [[nodiscard]] std::string number_to_text(const T& x);
 
+template <class T>
 struct Bounded;
 
 /// @brief The value of a number with its error as text.
 /// @param x  the number
 /// @return   decimal text of its value
-[[nodiscard]] std::string number_to_text(const Bounded& x);
+template <class T>
+[[nodiscard]] std::string number_to_text(const Bounded<T>& x) {
+    return number_to_text(x.x);
+}
 
 /// @brief Why a text gives no number.
 enum class NumberFault {

@@ -4,8 +4,8 @@
 #include <memory>
 
 #include "denhartog/model/number_text.hpp"
-#include "denhartog/program/answer_json.hpp"
 #include "denhartog/program/scene_command.hpp"
+#include "denhartog/program/solution_json.hpp"
 #include "denhartog/program/table.hpp"
 #include "denhartog/sliding/invariant_points.hpp"
 
@@ -40,6 +40,7 @@ T end_of_range(const std::string& text, const std::string& range) {
 
 template <class T>
 Json invariant_points_json(const Scene<T>& scene, const std::string& range, const NumberWriter& write) {
+    const int digits = write.digits.value_or(1);
     const std::size_t colon = range.find(':');
     if (colon == std::string::npos) throw InputError(range_name, "must be A:B, two numbers", range);
     const T r_a = end_of_range<T>(range.substr(0, colon), range), r_b = end_of_range<T>(range.substr(colon + 1), range);
@@ -48,11 +49,12 @@ Json invariant_points_json(const Scene<T>& scene, const std::string& range, cons
          invariant_points(modal_basis(scene.system), scene.system.contact, scene.system.load, r_a, r_b)) {
         Json points = Json::array();
         for (const InvariantPoint<T>& p : mass.points)
-            points.push_back({{"r", write(p.r)},
-                              {"amplitude", write(p.amplitude)},
+            points.push_back({{"r", write(exactly(p.r, digits))},
+                              {"amplitude", write(exactly(p.amplitude, digits))},
                               {"kind", p.kind == InvariantPointKind::two_effects_cancel ? "87" : "U_k = 0"}});
         all.push_back({{"mass", mass.mass.index + 1}, {"points", points}});
-        for (const UndecidedStretch<T>& u : mass.undecided) all.back()["undecided"].push_back({write(u.from), write(u.to)});
+        for (const UndecidedStretch<T>& u : mass.undecided)
+            all.back()["undecided"].push_back({write(exactly(u.from, digits)), write(exactly(u.to, digits))});
     }
     return all;
 }

@@ -22,7 +22,7 @@ Json functions_json(const SceneSource& source) {
     const NumberWriter write;
     const ModalBasis<double> basis = modal_basis(scene.system);
     const ModeSums<double> s = mode_sums(basis, scene.system.contact, scene.system.load, *scene.r);
-    const Quantities<Bounded> q = quantities(source, {}, digits_of_sums, PointNumbers::sums).numbers;
+    const Quantities<Bounded<double>> q = quantities(source, {}, digits_of_sums, PointNumbers::sums).numbers;
     Json all{{"modes", Json::array()}, {"masses", Json::array()}};
     for (std::size_t i = 0; i < s.R.size(); ++i)
         all["modes"].push_back({{"mode", i + 1},

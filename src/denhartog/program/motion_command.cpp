@@ -20,7 +20,7 @@ struct MotionOptions {
 
 std::string in_column(double x) { return "," + number_to_text(x == 0 ? 0.0 : x); }
 
-std::string as_csv(const std::vector<double>& tau, const Quantities<Bounded>& q) {
+std::string as_csv(const std::vector<double>& tau, const Quantities<Bounded<double>>& q) {
     const std::size_t N = q.x_size.size();
     std::string csv = "tau";
     for (const char* letter : {"x", "v"})
@@ -28,7 +28,7 @@ std::string as_csv(const std::vector<double>& tau, const Quantities<Bounded>& q)
     csv += "\n";
     for (std::size_t n = 0; n < tau.size(); ++n) {
         csv += number_to_text(tau[n]);
-        for (const std::vector<Bounded>* values : {&q.x, &q.x_prime})
+        for (const std::vector<Bounded<double>>* values : {&q.x, &q.x_prime})
             for (std::size_t k = 0; k < N; ++k) csv += in_column((*values)[n * N + k].x);
         csv += "\n";
     }

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "denhartog/number/multiprecision.hpp"
+#include "denhartog/number/certified.hpp"
 
 namespace denhartog::program {
 
@@ -22,9 +22,9 @@ struct NumberWriter {
     /// @throws   PrecisionError where it is not finite, or no double holds it
     [[nodiscard]] Json operator()(double x) const;
     /// @copydoc operator()(double) const
-    [[nodiscard]] Json operator()(const Real50& x) const;
-    /// @copydoc operator()(double) const
-    [[nodiscard]] Json operator()(const Real100& x) const;
+    [[nodiscard]] Json operator()(const Certified& x) const;
+    /// @brief Writes a bound of an error, rounded up where it is text. @param e the bound @return the bound as JSON
+    [[nodiscard]] Json bound(double e) const;
 };
 
 /// @brief A number for a table.

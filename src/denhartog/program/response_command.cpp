@@ -3,8 +3,8 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
-#include "denhartog/program/answer_json.hpp"
 #include "denhartog/program/scene_command.hpp"
+#include "denhartog/program/solution_json.hpp"
 #include "denhartog/program/table.hpp"
 
 namespace denhartog::program {

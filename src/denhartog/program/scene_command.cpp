@@ -66,14 +66,12 @@ void answer_scenes(const SceneOptions& options, const std::function<std::string(
 
 InputError at_a_pole(const DomainError& e) { return InputError("r", std::string("must not be at a pole: ") + e.what(), ""); }
 
-Answer answer_or_reason(const SceneSource& source, std::optional<int> digits) {
+Solution answer_or_reason(const SceneSource& source, std::optional<int> digits) {
     try {
-        Answer found = answer(source, digits);
+        Solution found = sliding_solution(source, {Asked::motion, digits, {}, {}});
         if (!digits || found.digits_reached) return found;
-        const int there =
-            found.relative_error > 0 ? static_cast<int>(std::floor(-std::log10(found.relative_error))) : most_digits;
         throw PrecisionError("the " + std::to_string(*digits) + " digits asked for are not reached, only " +
-                             std::to_string(std::max(there, 0)) + " are sure");
+                             std::to_string(digits_of(found.relative_error)) + " are sure");
     } catch (const DomainError& e) {
         throw at_a_pole(e);
     }

@@ -10,7 +10,7 @@
 #include "denhartog/model/scene_json.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/program/exit_status.hpp"
-#include "denhartog/solve/answer.hpp"
+#include "denhartog/solve/sliding_solution.hpp"
 
 namespace CLI {
 class App;
@@ -52,7 +52,7 @@ void answer_scenes(const SceneOptions& options, const std::function<std::string(
 /// @param digits  significant digits asked for
 /// @return        the answer, to the digits asked for
 /// @throws        InputError; PrecisionError where the digits asked for are not reached
-[[nodiscard]] Answer answer_or_reason(const SceneSource& source, std::optional<int> digits);
+[[nodiscard]] Solution answer_or_reason(const SceneSource& source, std::optional<int> digits);
 
 /// @brief A formula asked for at a pole, as a fault of the scene's r.
 /// @param e  the error

@@ -1,13 +1,30 @@
 #include "denhartog/program/solution_json.hpp"
 
-#include "denhartog/program/answer_json.hpp"
+#include <algorithm>
+
 #include "denhartog/program/table.hpp"
 
 namespace denhartog::program {
 namespace {
 
-template <class T>
-Json mass_json(std::size_t k, const SolvedMass<T>& m, const NumberWriter& write) {
+std::string name(BindingCondition binding) {
+    switch (binding) {
+    case BindingCondition::velocity: return "54a";
+    case BindingCondition::static_friction: return "54b";
+    case BindingCondition::both: return "54a and 54b";
+    }
+    return {};
+}
+
+Json limits_json(const Limits& b, const NumberWriter& write) {
+    Json all{{"exact", write(b.exact)}, {"paper", write(b.paper)}, {"approximate", write(b.approximate)}};
+    if (b.sticking) all["sticking"] = write(*b.sticking);
+    return all;
+}
+
+Json method_json(const Method& m) { return {{"model", m.model}, {"precision", m.precision}, {"why", m.why}}; }
+
+Json mass_json(std::size_t k, const SolvedMass& m, const NumberWriter& write) {
     Json all{{"mass", k + 1}};
     if (m.sliding) {
         all["x0"] = write(m.sliding->x0);
@@ -19,22 +36,20 @@ Json mass_json(std::size_t k, const SolvedMass<T>& m, const NumberWriter& write)
         all["amplitude_monoharmonic"] = write(m.sliding->amplitude_monoharmonic);
         if (m.phase) all["phase_monoharmonic"] = write(m.sliding->phase_monoharmonic);
     }
-    all["error_bound"] = write(m.error_bound);
-    if (m.phase) all["phase_error_bound"] = write(m.phase_error);
+    all["error_bound"] = write.bound(error_of_displacements(m));
+    if (m.phase) all["phase_error_bound"] = write.bound(m.phase->error);
     return all;
 }
 
-template <class T>
-Json masses_json(const std::vector<SolvedMass<T>>& masses, const std::optional<Mass>& only, const NumberWriter& write) {
+Json masses_json(const std::vector<SolvedMass>& masses, const std::optional<Mass>& only, const NumberWriter& write) {
     Json all = Json::array();
     for (std::size_t k = 0; k < masses.size(); ++k) all.push_back(mass_json(only ? only->index : k, masses[k], write));
     return all;
 }
 
-template <class T>
-Json stops_json(const std::vector<Stop<T>>& stops, const NumberWriter& write) {
+Json stops_json(const std::vector<SolvedStop>& stops, const NumberWriter& write) {
     Json all = Json::array();
-    for (const Stop<T>& stop : stops)
+    for (const SolvedStop& stop : stops)
         all.push_back({{"start", write(stop.start)}, {"end", write(stop.end)}, {"x", write(stop.x)}});
     return all;
 }
@@ -46,14 +61,14 @@ Json numbers_json(const std::vector<T>& numbers, const NumberWriter& write) {
     return all;
 }
 
-template <class T>
-Json state_json(const State<T>& state, const NumberWriter& write) {
+template <class State>
+Json state_json(const State& state, const NumberWriter& write) {
     return {{"x", numbers_json(state.x, write)}, {"x_prime", numbers_json(state.x_prime, write)}};
 }
 
-template <class T>
-Json interval_json(const RestInterval<T>& interval, const NumberWriter& write) {
-    Json all{{"from", write(interval.from)}, {"to", write(interval.to)}, {"error_bound", write(interval.error_bound)}};
+Json interval_json(const RestInterval& interval, const NumberWriter& write) {
+    Json all{{"from", write(interval.from)}, {"to", write(interval.to)}};
+    all["error_bound"] = write.bound(std::max(interval.from.error, interval.to.error));
     if (interval.rests_at) all["rests_at"] = write(*interval.rests_at);
     return all;
 }
@@ -79,40 +94,13 @@ Json motion_json(const OtherMotion& motion, const std::optional<Mass>& only, con
     return all;
 }
 
-template <class T>
-Json contact_json(const Solved<T>& n, const NumberWriter& write) {
-    Json all{{"mass", n.contact.index + 1}};
-    if (n.masses.empty() || (n.only && n.only != n.contact)) return all;
-    const SolvedMass<T>& m = n.only ? n.masses.front() : n.masses[n.contact.index];
+Json contact_json(const Solution& s, const NumberWriter& write) {
+    Json all{{"mass", s.contact.index + 1}};
+    if (s.masses.empty() || (s.only && s.only != s.contact)) return all;
+    const SolvedMass& m = mass_of(s, s.contact);
     all["amplitude"] = write(m.amplitude);
     if (m.phase) all["phase"] = write(*m.phase);
     return all;
-}
-
-template <class T>
-void add_numbers(Json& all, const Solution& s, const Solved<T>& n, const NumberWriter& write) {
-    all["r"] = write(n.r);
-    all["beta"] = write(n.beta);
-    Json limits = n.boundary ? limits_json(*n.boundary, write) : Json::object();
-    if (n.slides_below) limits["at_least"] = write(*n.slides_below);
-    if (n.sticking_by_88) limits["sticking_by_88"] = write(*n.sticking_by_88);
-    all["beta_lim"] = limits;
-    all["method"] = method_json(s.method);
-    all["unique"] = s.unique;
-    all["unique_because"] = s.unique_because;
-    all["contact"] = contact_json(n, write);
-    if (n.masses.empty()) return;
-    all["masses"] = masses_json(n.masses, n.only, write);
-    if (n.rest_interval) {
-        all["rest_interval"] = interval_json(*n.rest_interval, write);
-    } else {
-        all["stops_per_period"] = n.stops.size();
-        if (!n.stops.empty()) all["stops"] = stops_json(n.stops, write);
-    }
-    all["periods"] = s.periods;
-    all["symmetric"] = s.symmetric;
-    if (s.stability) add_stability(all, *s.stability, write);
-    if (n.start) all["start"] = state_json(*n.start, write);
 }
 
 std::string masses_table(const Json& masses) {
@@ -146,18 +134,63 @@ std::string rest_of_motion(const Json& a) {
 
 } // namespace
 
+Json response_json(const Solution& s, const NumberWriter& write) {
+    Json all{{"regime", denhartog::name(s.regime.regime)}};
+    for (const Regime other : s.regime.other) all["other_regimes"].push_back(denhartog::name(other));
+    if (s.regime.on_boundary) all["on_boundary"] = true;
+    if (s.regime.regime != Regime::continuous || !s.regime.other.empty() || s.regime.on_boundary) all["reason"] = s.regime.reason;
+    all["r"] = write(s.r);
+    all["beta"] = write(*s.beta);
+    all["beta_lim"] = limits_json(*s.limits, write);
+    all["method"] = method_json(s.method);
+    all["contact"] = contact_json(s, write);
+    if (s.masses.empty()) return all;
+    all["masses"] = masses_json(s.masses, s.only, write);
+    all["stops_per_period"] = 0;
+    return all;
+}
+
+Json boundary_json(const Solution& s, const NumberWriter& write) {
+    Json all{{"r", write(s.r)},
+             {"mu", write(s.mu)},
+             {"beta_lim", limits_json(*s.limits, write)},
+             {"binding_condition", name(s.limits->binding)},
+             {"method", method_json(s.method)}};
+    if (!s.limits->sticking)
+        all["reason"] = "beta_lim.sticking is absent: the system resonates with the contact held, so that no friction holds it";
+    return all;
+}
+
 Json solution_json(const Solution& s, const NumberWriter& write) {
     Json all{{"regime", denhartog::name(s.regime.regime)}};
     if (s.regime_by_56) all["regime_by_56"] = denhartog::name(*s.regime_by_56);
     for (const Regime other : s.regime.other) all["other_regimes"].push_back(denhartog::name(other));
     if (s.regime.on_boundary) all["on_boundary"] = true;
     all["reason"] = s.regime.reason;
-    std::visit([&](const auto& numbers) { add_numbers(all, s, numbers, write); }, s.numbers);
-    if (!s.motions.empty()) {
-        all["motions"] = Json::array();
-        const std::optional<Mass> only = std::visit([](const auto& numbers) { return numbers.only; }, s.numbers);
-        for (const OtherMotion& motion : s.motions) all["motions"].push_back(motion_json(motion, only, write));
+    all["r"] = write(s.r);
+    all["beta"] = write(*s.beta);
+    Json limits = s.limits ? limits_json(*s.limits, write) : Json::object();
+    if (s.slides_below) limits["at_least"] = write(*s.slides_below);
+    if (s.sticking_by_88) limits["sticking_by_88"] = write(*s.sticking_by_88);
+    all["beta_lim"] = limits;
+    all["method"] = method_json(s.method);
+    all["unique"] = s.unique;
+    all["unique_because"] = s.unique_because;
+    all["contact"] = contact_json(s, write);
+    if (!s.masses.empty()) {
+        all["masses"] = masses_json(s.masses, s.only, write);
+        if (s.rest_interval) {
+            all["rest_interval"] = interval_json(*s.rest_interval, write);
+        } else {
+            all["stops_per_period"] = s.stops.size();
+            if (!s.stops.empty()) all["stops"] = stops_json(s.stops, write);
+        }
+        all["periods"] = s.periods;
+        all["symmetric"] = s.symmetric;
+        if (s.stability) add_stability(all, *s.stability, write);
+        if (s.start) all["start"] = state_json(*s.start, write);
     }
+    for (const OtherMotion& motion : s.motions) all["motions"].push_back(motion_json(motion, s.only, write));
     all["relative_error"] = write(s.relative_error);
     all["counters"] = {{"eigen_solves", s.work.eigen_solves},
                        {"mode_evaluations", s.work.mode_evaluations},

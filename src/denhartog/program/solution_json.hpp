@@ -1,11 +1,23 @@
 /// @file
-/// @brief Answers of `solve` as JSON objects and as tables.
+/// @brief Answers as JSON objects, the keys in the order of the documentation, and as tables.
 #pragma once
 
 #include "denhartog/program/number_json.hpp"
 #include "denhartog/solve/solution.hpp"
 
 namespace denhartog::program {
+
+/// @brief An answer to `response`: regime, boundary, method and, in the sliding regime, every mass.
+/// @param solution  the answer, with beta
+/// @param write     how numbers are written
+/// @return          the object; fields that mean nothing in the regime are absent
+[[nodiscard]] Json response_json(const Solution& solution, const NumberWriter& write);
+
+/// @brief An answer to `boundary`: the friction ratios that bound the regimes, and the condition that binds.
+/// @param solution  the answer, without beta
+/// @param write     how numbers are written
+/// @return          the object
+[[nodiscard]] Json boundary_json(const Solution& solution, const NumberWriter& write);
 
 /// @brief An answer of `solve`: the object of `response` in every regime, with what is known besides.
 /// @param solution  the answer

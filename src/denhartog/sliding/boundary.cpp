@@ -6,13 +6,15 @@
 #include <type_traits>
 
 #include "denhartog/evaluation/batch_forms.hpp"
+#include "denhartog/evaluation/contact.hpp"
 #include "denhartog/evaluation/demand.hpp"
 #include "denhartog/formulas/boundary.hpp"
+#include "denhartog/formulas/stuck.hpp"
 #include "denhartog/formulas/superposition.hpp"
 #include "denhartog/model/point_rules.hpp"
-#include "denhartog/number/bounded.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/multiprecision.hpp"
+#include "denhartog/sliding/bounded_modes.hpp"
 #include "denhartog/sliding/friction_motion.hpp"
 #include "denhartog/sliding/maximum.hpp"
 
@@ -27,8 +29,9 @@ T s_d(const ModeSums<T>& s, std::size_t i, const T& tau) {
     if (!(tau > 0)) return paper::s_d_at_zero(s.R[i], s.zeta[i], s.u[i], s.g[i]);
     return evaluation::s_d_integrand(tau, s.R[i], s.zeta[i]);
 }
-Bounded s_d(const ModeSums<Bounded>& s, std::size_t i, const Bounded& tau) {
-    return evaluation::s_d_integrand_of(tau, s.R[i], s.zeta[i], evaluation::DampingFunctions<Bounded>{s.u[i], s.g[i]});
+template <class T>
+Bounded<T> s_d(const ModeSums<Bounded<T>>& s, std::size_t i, const Bounded<T>& tau) {
+    return evaluation::s_d_integrand_of(tau, s.R[i], s.zeta[i], evaluation::DampingFunctions<Bounded<T>>{s.u[i], s.g[i]});
 }
 
 // Some modes, with their weights, as a function of tau to be maximised: F = N / sin, where N = sum weight R^2 (y' + u cos).
@@ -139,15 +142,19 @@ template <class T>
 T zero_for(const T&) {
     return T(0);
 }
-Bounded zero_for(const Bounded& x) { return {0, std::abs(x.x) + x.e}; }
+template <class T>
+Bounded<T> zero_for(const Bounded<T>& x) {
+    return {T(0), x.most()};
+}
 
 // V_dj without a digit: by the size of its terms or, where there is one, by its bound.
 template <class T>
 bool unmoved(const ModeSums<T>& s) {
     return contact_is_unmoved(s);
 }
-bool unmoved(const ModeSums<Bounded>& s) {
-    const Bounded size = modulus(s.V[s.contact.index]);
+template <class T>
+bool unmoved(const ModeSums<Bounded<T>>& s) {
+    const Bounded<T> size = modulus(s.V[s.contact.index]);
     return !(size.x > size.e);
 }
 
@@ -166,8 +173,11 @@ template <class T>
 RegimeBoundary<T> regime_boundary_at(const ModeSums<T>& s, const T& mu, const T& S_exact) {
     const Complex<T> V_dj = response_that_counts(s);
     RegimeBoundary<T> b{};
-    b.exact = paper::friction_ratio_limit(V_dj, s.U[s.contact.index], std::max(S_exact, static_demand(s, mu)));
-    if (!stuck_system_resonates(s)) b.sticking = modulus(V_dj) / modulus(s.Y_jj) / mu;
+    b.exact = paper::friction_ratio_limit(V_dj, s.U[s.contact.index], larger(S_exact, static_demand(s, mu)));
+    if (s.load == s.contact)
+        b.sticking = mu == 1 ? T(1) : paper::sticking_limit_under_load(mu);
+    else if (!stuck_system_resonates(s))
+        b.sticking = evaluation::sticking_limit_by_responses(V_dj, s.Y_jj, mu);
     return b;
 }
 
@@ -184,17 +194,17 @@ template <class T>
 Boundary<T> boundary_at(const ModeSums<T>& s, const T& mu, const T& instant, const std::vector<T>& instants) {
     check_static_friction(mu);
     std::vector<T> maxima;
-    for (std::size_t i = 0; i < s.R.size(); ++i) maxima.push_back(s_d(s, i, instants[i]));
+    for (std::size_t i = 0; i < s.R.size(); ++i) maxima.push_back(found_by_search(s_d(s, i, instants[i])));
     const std::size_t j = s.contact.index;
     const T held = static_demand(s, mu);
     const Complex<T> V_dj = response_that_counts(s);
     Boundary<T> b{};
-    b.S_exact = sliding_demand(s, instant);
+    b.S_exact = found_by_search(sliding_demand(s, instant));
     static_cast<RegimeBoundary<T>&>(b) = regime_boundary_at(s, mu, b.S_exact);
     b.S_paper = paper::sum_over_contact(mode_shapes_at(s, s.contact), std::span<const T>(maxima));
     b.instant = instant;
     b.instants = instants;
-    b.paper = paper::friction_ratio_limit(V_dj, s.U[j], std::max(b.S_paper, held));
+    b.paper = paper::friction_ratio_limit(V_dj, s.U[j], larger(b.S_paper, held));
     b.approximate = paper::friction_ratio_limit(V_dj, s.U[j], held);
     if (instant == 0)
         b.binding = mu > 1 ? BindingCondition::static_friction : BindingCondition::both;
@@ -225,30 +235,41 @@ RegimeBoundary<double> regime_boundary(const ModeSums<double>& s, double mu) {
 long demand_searches() { return searches; }
 
 template <class T>
+std::vector<T> instants_of_demands(const ModeSums<T>& s) {
+    std::vector<T> instants{instant_of_largest_demand(s)};
+    for (std::size_t i = 0; i < s.R.size(); ++i)
+        instants.push_back(s.R.size() == 1 ? instants.front() : instant_of_largest(s, i, std::vector<T>{T(1)}));
+    return instants;
+}
+
+template <class T>
 Boundary<T> boundary(const ModeSums<T>& s, const T& mu) {
     check_static_friction(mu);
-    const T instant = instant_of_largest_demand(s);
-    std::vector<T> instants;
-    for (std::size_t i = 0; i < s.R.size(); ++i)
-        instants.push_back(s.R.size() == 1 ? instant : instant_of_largest(s, i, std::vector<T>{T(1)}));
-    return boundary_at(s, mu, instant, instants);
+    const std::vector<T> instants = instants_of_demands(s);
+    return boundary_at(s, mu, instants.front(), std::vector<T>(instants.begin() + 1, instants.end()));
 }
 
 template double sliding_demand(const ModeSums<double>&, const double&);
 template long double sliding_demand(const ModeSums<long double>&, const long double&);
 template Real50 sliding_demand(const ModeSums<Real50>&, const Real50&);
 template Real100 sliding_demand(const ModeSums<Real100>&, const Real100&);
-template Bounded sliding_demand(const ModeSums<Bounded>&, const Bounded&);
+template Bounded<double> sliding_demand(const ModeSums<Bounded<double>>&, const Bounded<double>&);
+template Bounded<Real50> sliding_demand(const ModeSums<Bounded<Real50>>&, const Bounded<Real50>&);
+template Bounded<Real100> sliding_demand(const ModeSums<Bounded<Real100>>&, const Bounded<Real100>&);
 template double instant_of_largest_demand(const ModeSums<double>&);
 template long double instant_of_largest_demand(const ModeSums<long double>&);
 template Real50 instant_of_largest_demand(const ModeSums<Real50>&);
 template Real100 instant_of_largest_demand(const ModeSums<Real100>&);
+template std::vector<double> instants_of_demands(const ModeSums<double>&);
+template std::vector<Real50> instants_of_demands(const ModeSums<Real50>&);
+template std::vector<Real100> instants_of_demands(const ModeSums<Real100>&);
 template Boundary<double> boundary_at(const ModeSums<double>&, const double&, const double&, const std::vector<double>&);
-template Boundary<long double> boundary_at(const ModeSums<long double>&, const long double&, const long double&,
-                                           const std::vector<long double>&);
-template Boundary<Real50> boundary_at(const ModeSums<Real50>&, const Real50&, const Real50&, const std::vector<Real50>&);
-template Boundary<Real100> boundary_at(const ModeSums<Real100>&, const Real100&, const Real100&, const std::vector<Real100>&);
-template Boundary<Bounded> boundary_at(const ModeSums<Bounded>&, const Bounded&, const Bounded&, const std::vector<Bounded>&);
+template Boundary<Bounded<double>> boundary_at(const ModeSums<Bounded<double>>&, const Bounded<double>&, const Bounded<double>&,
+                                               const std::vector<Bounded<double>>&);
+template Boundary<Bounded<Real50>> boundary_at(const ModeSums<Bounded<Real50>>&, const Bounded<Real50>&, const Bounded<Real50>&,
+                                               const std::vector<Bounded<Real50>>&);
+template Boundary<Bounded<Real100>> boundary_at(const ModeSums<Bounded<Real100>>&, const Bounded<Real100>&,
+                                                const Bounded<Real100>&, const std::vector<Bounded<Real100>>&);
 template Boundary<double> boundary(const ModeSums<double>&, const double&);
 template Boundary<long double> boundary(const ModeSums<long double>&, const long double&);
 template Boundary<Real50> boundary(const ModeSums<Real50>&, const Real50&);

@@ -92,12 +92,12 @@ template <class T>
 template <class T>
 [[nodiscard]] T sliding_demand(const ModeSums<T>& sums, const T& tau);
 
-/// @brief Where the sum over the modes of (57)'s expression is largest, guaranteed by `global_maximum`.
+/// @brief Where the sum over the modes of (57)'s expression is largest, and where that of each mode is.
 /// @eq{56,57}
 /// @param sums  modes at a frequency ratio
-/// @return      non-dimensional time in [0, pi]; 0 stands for the limit
-/// @throws      PrecisionError where the maximum is not settled
+/// @return      N + 1 instants in [0, pi]; 0 stands for the limit
+/// @throws      PrecisionError where a maximum is not settled
 template <class T>
-[[nodiscard]] T instant_of_largest_demand(const ModeSums<T>& sums);
+[[nodiscard]] std::vector<T> instants_of_demands(const ModeSums<T>& sums);
 
 } // namespace denhartog

@@ -4,142 +4,154 @@
 #include <cmath>
 #include <limits>
 
+#include "denhartog/evaluation/mode.hpp"
+#include "denhartog/number/multiprecision.hpp"
 
 namespace denhartog {
 namespace {
 
-constexpr double unit_of_double = std::numeric_limits<double>::epsilon();
+using std::abs;
+using std::min;
+using std::sqrt;
 
-// A number of a wider type, within an error, rounded to double.
+constexpr int trust = 8;         // units in the last place a mode that an eigen-solver may be off by
+constexpr int units_of_mode = 8; // the forms of v, u, g are good to 4
+
+// An entry of the damping matrix in modal coordinates from an entry each of sizes: what an error of the shapes can change of it.
 template <class T>
-Bounded as_double(const T& x, const T& error) {
-    const double value = static_cast<double>(x);
-    const double all = static_cast<double>(std::abs(x - T(value)) + error);
-    return {value, all * (1 + 4 * unit_of_double) + std::numeric_limits<double>::min()};
+T size_of_damping(const System<T>& s, const ModalBasis<T>& basis, std::size_t i) {
+    const auto phi = basis.phi.col(static_cast<Eigen::Index>(i)).cwiseAbs();
+    return phi.dot(s.damping_matrix.cwiseAbs() * phi);
 }
 
-// Errors that a solver in T is trusted with, and those of inputs in S that are off by a few units of it. A mode of a chain is a
-// unit vector over the roots of the masses, and turns by an angle: this bounds its entries where not all of them are there.
-template <class T, class S>
-ModalBasis<Bounded> bounded_basis(const System<S>& system, const ModalBasis<T>& basis, Inputs inputs, int trust,
-                                  const std::vector<Mass>* masses = nullptr) {
+// Errors that the solver is trusted with, and those of inputs. A mode of a chain is a unit vector over the roots of the masses,
+// and turns by an angle: this bounds its entries where not all of them are there.
+template <class T>
+ModalBasis<Bounded<T>> bounded(const System<T>& system, const ModalBasis<T>& basis, const std::vector<Mass>* masses) {
     const std::size_t N = basis.r_n.size();
-    const T of_input = inputs == Inputs::rounded ? T(std::numeric_limits<S>::epsilon()) : T(0);
-    const T unit = trust * static_cast<T>(N) * std::numeric_limits<T>::epsilon() + 4 * of_input;
+    const T of_input = unit_of<T>(), unit = (trust * static_cast<int>(N) + 4) * of_input;
     const bool chain = !system.stiffness_ratios.empty() && !system.mass_ratios.empty();
     const T highest = basis.r_n.back();
-    ModalBasis<Bounded> bounded;
+    ModalBasis<Bounded<T>> bounded;
     bounded.phi.resize(basis.phi.rows(), static_cast<Eigen::Index>(N));
     for (std::size_t i = 0; i < N; ++i) {
         const T r_n = basis.r_n[i];
-        const T of_square = chain ? 2 * unit * r_n * r_n : unit * highest * highest; // error of the squared frequency
-        bounded.r_n.push_back(as_double(r_n, T(of_square / (2 * r_n))));
-        const T zeta = system.damping_ratios[i];
-        bounded.zeta.push_back(as_double(zeta, T(of_input * zeta)));
+        const T of_square = chain ? T(2 * unit * r_n * r_n) : T(unit * highest * highest); // error of the squared frequency
+        bounded.r_n.push_back({r_n, T(of_square / (2 * r_n))});
         T nearest = std::numeric_limits<T>::infinity(); // difference of the squares, of the chain's relative to both
         for (const std::size_t n : {i - 1, i + 1}) {
             if (n >= N) continue;
-            const T apart = std::abs(basis.r_n[n] - r_n) * (basis.r_n[n] + r_n);
-            nearest = std::min(nearest, chain ? T(apart * r_n / std::max(basis.r_n[n], r_n)) : apart);
+            const T apart = abs(T(basis.r_n[n] - r_n)) * (basis.r_n[n] + r_n);
+            nearest = min(nearest, chain ? T(apart * r_n / std::max(basis.r_n[n], r_n)) : apart);
         }
-        const T turn = std::min(T(1), N == 1 ? unit : T(of_square / nearest + unit));
+        const T turn = min(T(1), N == 1 ? unit : T(of_square / nearest + unit));
         const auto column = static_cast<Eigen::Index>(i);
-        const T norm = masses ? T(1) : basis.phi.col(column).norm();
+        const T norm = masses ? T(1) : T(basis.phi.col(column).norm());
         for (Eigen::Index row = 0; row < basis.phi.rows(); ++row) {
-            const T size =
-                masses ? norm / std::sqrt(T(system.mass_ratios[(*masses)[static_cast<std::size_t>(row)].index])) : norm;
-            bounded.phi(row, column) = as_double(basis.phi(row, column), T(turn * size));
+            const T size = masses ? T(norm / sqrt(system.mass_ratios[(*masses)[static_cast<std::size_t>(row)].index])) : norm;
+            bounded.phi(row, column) = {basis.phi(row, column), T(turn * size)};
         }
+        T of_zeta = of_input * basis.zeta[i];
+        if (system.damping_matrix.size() > 0)
+            of_zeta = (turn + unit) * (size_of_damping(system, basis, i) / r_n + basis.zeta[i] * (1 + of_square / (r_n * r_n)));
+        bounded.zeta.push_back({basis.zeta[i], of_zeta});
     }
     return bounded;
 }
 
-std::vector<double> values_of(const std::vector<Bounded>& numbers) {
-    std::vector<double> values;
-    values.reserve(numbers.size());
-    for (const Bounded& number : numbers) values.push_back(number.x);
-    return values;
+template <class To, class From, class Change>
+std::vector<To> changed(const std::vector<From>& numbers, const Change& change) {
+    std::vector<To> out;
+    out.reserve(numbers.size());
+    for (const From& number : numbers) out.push_back(change(number));
+    return out;
 }
 
-std::vector<Complex<double>> values_of(const std::vector<Complex<Bounded>>& numbers) {
-    std::vector<Complex<double>> values;
-    values.reserve(numbers.size());
-    for (const Complex<Bounded>& number : numbers) values.push_back({number.re.x, number.im.x});
-    return values;
+template <class To, class From, class Change>
+ModeSums<To> changed(const ModeSums<From>& s, const Change& change) {
+    const auto of_pair = [&](const Complex<From>& z) { return Complex<To>{change(z.re), change(z.im)}; };
+    return {change(s.r),
+            s.contact,
+            s.load,
+            changed<To>(s.R, change),
+            changed<To>(s.zeta, change),
+            changed<To>(s.psi, change),
+            changed<Complex<To>>(s.v, of_pair),
+            changed<To>(s.u, change),
+            changed<To>(s.g, change),
+            changed<Complex<To>>(s.V, of_pair),
+            changed<To>(s.U, change),
+            changed<To>(s.G, change),
+            of_pair(s.Y_jj),
+            change(s.H_j),
+            change(s.sum_of_squares)};
+}
+
+} // namespace
+
+template <class T>
+ModalBasis<Bounded<T>> with_errors(const System<T>& system, const ModalBasis<T>& basis) {
+    return bounded(system, basis, nullptr);
 }
 
 template <class T>
-ModalBasis<Bounded> bounded_basis_at(const System<T>& system, const std::vector<Mass>& masses, int trust) {
-    if (!system.stiffness_ratios.empty() && !system.mass_ratios.empty())
-        return bounded_basis(system, modal_basis_at(system, masses), Inputs::rounded, trust, &masses);
-    ModalBasis<Bounded> all = bounded_basis(system, modal_basis(system), Inputs::rounded, trust);
-    Matrix<Bounded> rows(static_cast<Eigen::Index>(masses.size()), all.phi.cols());
+ModalBasis<Bounded<T>> bounded_basis_at(const System<T>& system, const std::vector<Mass>& masses) {
+    if (!system.stiffness_ratios.empty() && !system.mass_ratios.empty() && system.damping_matrix.size() == 0)
+        return bounded(system, modal_basis_at(system, masses), &masses);
+    ModalBasis<Bounded<T>> all = with_errors(system, modal_basis(system));
+    Matrix<Bounded<T>> rows(static_cast<Eigen::Index>(masses.size()), all.phi.cols());
     for (std::size_t n = 0; n < masses.size(); ++n)
         rows.row(static_cast<Eigen::Index>(n)) = all.phi.row(static_cast<Eigen::Index>(masses[n].index));
     all.phi = std::move(rows);
     return all;
 }
 
-} // namespace
-
-Bounded as_input(double x, Inputs inputs) { return {x, inputs == Inputs::rounded ? unit_of_double * std::abs(x) : 0}; }
-
-Bounded as_input(long double x) { return as_double(x, std::numeric_limits<long double>::epsilon() * std::abs(x)); }
-
-ModalBasis<Bounded> with_errors(const System<double>& system, const ModalBasis<double>& basis) {
-    return bounded_basis(system, basis, Inputs::rounded, 8);
+template <class T>
+ModeSums<T> values_of(const ModeSums<Bounded<T>>& sums) {
+    return changed<T>(sums, [](const Bounded<T>& a) { return a.x; });
 }
 
-ModalBasis<Bounded> sharp_basis(const System<double>& system, Inputs inputs) {
-    Scene<double> scene;
-    scene.system = system;
-    return bounded_basis(system, modal_basis(converted<long double>(scene).system), inputs, 3);
+template <class T>
+ModeSums<Bounded<double>> in_double(const ModeSums<Bounded<T>>& sums) {
+    return changed<Bounded<double>>(sums, [](const Bounded<T>& a) { return in_double(a); });
 }
 
-ModalBasis<Bounded> basis_with_errors_at(const System<double>& system, const std::vector<Mass>& masses) {
-    return bounded_basis_at(system, masses, 8);
+template <class T>
+evaluation::ModeFunctions<Bounded<T>> bounded_mode_functions(const Bounded<T>& R_i, const Bounded<T>& zeta_i) {
+    const T &R = R_i.x, &zeta = zeta_i.x, &dzeta = zeta_i.e, unit = unit_of<T>();
+    const T most_change = T(1) / 64,
+            higher_orders = T(17) / 16; // of what an error may change, relative, and what that leaves out
+    if (zeta + dzeta < 1 && R_i.e < R) {
+        const evaluation::ModeFunctions<T> f = evaluation::mode_functions(R, zeta);
+        const T w = sqrt(T((1 - zeta) * (1 + zeta))), dR = R_i.e / R * higher_orders;
+        const T v = modulus(f.v), change_of_v = 2 * R * v * ((R + zeta) * dR + dzeta);
+        const T real = R * w * f.u, imaginary = f.g + zeta * R * f.u, size_2 = real * real + imaginary * imaginary;
+        const T change_of_w = dzeta / (w * w), dz = pi<T>() / R * (dR + dzeta / w) * higher_orders;
+        if (change_of_v <= most_change && dz * (1 + size_2) <= most_change && change_of_w <= most_change) {
+            const T u = abs(f.u), change_of_tangent = higher_orders * dz * (1 + size_2) / 2, own = units_of_mode * unit;
+            const T of_v = v * (higher_orders * change_of_v + own);
+            const T of_u = higher_orders * (change_of_tangent / (R * w) + u * (dR + zeta * change_of_w + own));
+            const T of_g = higher_orders * (change_of_tangent * (1 + zeta / w) + abs(real) * change_of_w / w + abs(f.g) * own);
+            return {{{f.v.re, of_v}, {f.v.im, of_v}}, {f.u, of_u}, {f.g, of_g}};
+        }
+    }
+    return evaluation::mode_functions(R_i, zeta_i);
 }
 
-ModalBasis<Bounded> sharp_basis_at(const System<long double>& system, const std::vector<Mass>& masses) {
-    return bounded_basis_at(system, masses, 3);
-}
-
-BoundedModes::BoundedModes(const Scene<double>& scene, const ModalBasis<double>& basis)
-    : BoundedModes(with_errors(scene.system, basis), as_input(*scene.r)) {}
-
-BoundedModes::BoundedModes(ModalBasis<Bounded> basis, const Bounded& r)
-    : BoundedModes(std::make_shared<const ModalBasis<Bounded>>(std::move(basis)), r) {}
-
-BoundedModes::BoundedModes(std::shared_ptr<const ModalBasis<Bounded>> basis, const Bounded& r)
-    : basis_(std::move(basis)), r_(r), known_(basis_->r_n.size()) {}
-
-const evaluation::ModeFunctions<Bounded>& BoundedModes::at(std::size_t i) {
-    if (!known_[i]) known_[i] = mode_functions_at(*basis_, i, r_);
-    return *known_[i];
-}
-
-std::vector<evaluation::ModeFunctions<Bounded>> BoundedModes::all() {
-    std::vector<evaluation::ModeFunctions<Bounded>> functions;
-    for (std::size_t i = 0; i < known_.size(); ++i) functions.push_back(at(i));
-    return functions;
-}
-
-ModeSums<double> values_of(const ModeSums<Bounded>& s) {
-    return {s.r.x,
-            s.contact,
-            s.load,
-            values_of(s.R),
-            values_of(s.zeta),
-            values_of(s.psi),
-            values_of(s.v),
-            values_of(s.u),
-            values_of(s.g),
-            values_of(s.V),
-            values_of(s.U),
-            values_of(s.G),
-            {s.Y_jj.re.x, s.Y_jj.im.x},
-            s.H_j.x,
-            s.sum_of_squares.x};
-}
+template ModalBasis<Bounded<double>> with_errors(const System<double>&, const ModalBasis<double>&);
+template ModalBasis<Bounded<Real50>> with_errors(const System<Real50>&, const ModalBasis<Real50>&);
+template ModalBasis<Bounded<Real100>> with_errors(const System<Real100>&, const ModalBasis<Real100>&);
+template ModalBasis<Bounded<double>> bounded_basis_at(const System<double>&, const std::vector<Mass>&);
+template ModalBasis<Bounded<Real50>> bounded_basis_at(const System<Real50>&, const std::vector<Mass>&);
+template ModalBasis<Bounded<Real100>> bounded_basis_at(const System<Real100>&, const std::vector<Mass>&);
+template ModeSums<double> values_of(const ModeSums<Bounded<double>>&);
+template ModeSums<Real50> values_of(const ModeSums<Bounded<Real50>>&);
+template ModeSums<Real100> values_of(const ModeSums<Bounded<Real100>>&);
+template ModeSums<Bounded<double>> in_double(const ModeSums<Bounded<double>>&);
+template ModeSums<Bounded<double>> in_double(const ModeSums<Bounded<Real50>>&);
+template ModeSums<Bounded<double>> in_double(const ModeSums<Bounded<Real100>>&);
+template evaluation::ModeFunctions<Bounded<double>> bounded_mode_functions(const Bounded<double>&, const Bounded<double>&);
+template evaluation::ModeFunctions<Bounded<Real50>> bounded_mode_functions(const Bounded<Real50>&, const Bounded<Real50>&);
+template evaluation::ModeFunctions<Bounded<Real100>> bounded_mode_functions(const Bounded<Real100>&, const Bounded<Real100>&);
 
 } // namespace denhartog

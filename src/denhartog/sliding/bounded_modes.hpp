@@ -1,90 +1,115 @@
 /// @file
-/// @brief The modal basis in double with bounds of its errors, and the functions of its modes.
+/// @brief The modal basis with bounds of its errors, and the functions of its modes with theirs.
 ///
-/// Two qualities. `with_errors` puts bounds on a basis found in double, from what the eigen-solvers are trusted with: an error of
-/// each natural frequency of 8 N eps of itself on a chain, of its square of 8 N eps of the highest square else; of a mode shape
-/// 8 N eps over the relative distance of its frequency from the next one. It costs no eigen-solve. `sharp_basis` solves the
-/// eigenproblem in long double and rounds: where that type has more digits than double, what is left is the rounding of every
-/// number by itself, which is known, and 3 N eps of long double in place of 8 N eps.
+/// The bounds of a basis come from what the eigen-solvers are trusted with: an error of each natural frequency of 8 N eps of
+/// itself on a chain, of its square of 8 N eps of the highest square else; of a mode shape 8 N eps over the relative distance of
+/// its frequency from the next one. They cost no eigen-solve. Every number of a scene is taken to be off by a unit in its last
+/// place, as a decimal fraction or a quotient is.
 #pragma once
 
 #include <memory>
 #include <optional>
+#include <vector>
 
+#include "denhartog/model/modal_basis.hpp"
 #include "denhartog/number/bounded.hpp"
 #include "denhartog/sliding/mode_sums.hpp"
 
 namespace denhartog {
 
-/// @brief How far the numbers of a scene in double may be trusted.
-enum class Inputs {
-    exact,  ///< they are what is meant, to the last bit
-    rounded ///< each is one unit in the last place uncertain, as a decimal fraction or a quotient is
-};
-
-/// @brief A number of the input. @param x a number @param inputs how far to trust it @return the number with its error
-[[nodiscard]] Bounded as_input(double x, Inputs inputs = Inputs::rounded);
-
-/// @brief A number of the input in long double, one unit in the last place of that uncertain.
-/// @param x  the number
-/// @return   its double, with what that lacks
-[[nodiscard]] Bounded as_input(long double x);
-
-/// @brief A modal basis found in double with bounds of its errors, inputs taken as rounded.
-/// @param system  the system, damping given by ratios
-/// @param basis   its basis in double
+/// @brief A modal basis with bounds of its errors.
+/// @param system  the system
+/// @param basis   its basis
 /// @return        the basis with errors
-[[nodiscard]] ModalBasis<Bounded> with_errors(const System<double>& system, const ModalBasis<double>& basis);
+template <class T>
+[[nodiscard]] ModalBasis<Bounded<T>> with_errors(const System<T>& system, const ModalBasis<T>& basis);
 
-/// @brief The modal basis solved in long double and rounded to double, with bounds of its errors: one eigen-solve.
+/// @brief The same with the shapes at a few masses alone, see `modal_basis_at`: one eigen-solve.
 /// @eq{14,15}
-/// @param system  the system, damping given by ratios
-/// @param inputs  how far to trust its numbers
-/// @return        the basis with errors
+/// @param system  the system
+/// @param masses  the masses wanted
+/// @return        frequencies and damping ratios with errors; shapes with a row a mass wanted
 /// @throws        as `modal_basis`
-[[nodiscard]] ModalBasis<Bounded> sharp_basis(const System<double>& system, Inputs inputs);
-
-/// @brief The same two with the shapes at a few masses alone, see `modal_basis_at`; inputs taken as rounded.
-/// @param system  the system, damping given by ratios
-/// @param masses  the masses wanted
-/// @return        frequencies and damping ratios with errors; shapes with a row a mass wanted, solved in double
-[[nodiscard]] ModalBasis<Bounded> basis_with_errors_at(const System<double>& system, const std::vector<Mass>& masses);
-
-/// @brief The same of a system in long double, solved there: inputs are off by units of long double alone.
-/// @param system  the system, damping given by ratios
-/// @param masses  the masses wanted
-/// @return        the basis with errors
-[[nodiscard]] ModalBasis<Bounded> sharp_basis_at(const System<long double>& system, const std::vector<Mass>& masses);
+template <class T>
+[[nodiscard]] ModalBasis<Bounded<T>> bounded_basis_at(const System<T>& system, const std::vector<Mass>& masses);
 
 /// @brief Modes and sums without their bounds. @param sums modes and sums with bounds @return their values
-[[nodiscard]] ModeSums<double> values_of(const ModeSums<Bounded>& sums);
+template <class T>
+[[nodiscard]] ModeSums<T> values_of(const ModeSums<Bounded<T>>& sums);
 
-/// @brief The modes of a scene at its frequency ratio, each evaluated with its error when it is first needed.
+/// @brief Modes and sums rounded to double, the rounding in their bounds. @param sums modes and sums @return the same in double
+template <class T>
+[[nodiscard]] ModeSums<Bounded<double>> in_double(const ModeSums<Bounded<T>>& sums);
+
+/// @brief (23), (28), (29) of one mode with bounds of what the errors of \f$ R_i \f$ and \f$ \zeta_i \f$ make of them.
+///
+/// The functions are evaluated on values alone, and all errors are bounded at once. With
+/// \f$ z = \theta + \mathrm{i}\delta = \pi(w + \mathrm{i}\zeta)/R \f$, of size \f$ \pi/R \f$,
+/// \f[ R\,w\,u_d = \mathrm{Re}\tan\frac{z}{2}, \qquad g + \zeta R\,u_d = \mathrm{Im}\tan\frac{z}{2}, \qquad
+///     \left|\frac{d}{dz}\tan\frac{z}{2}\right| \le \frac{1}{2}\left(1+\left|\tan\frac{z}{2}\right|^2\right), \f]
+/// from (28), (29), and from (23) \f$ |R\,v_d'| \le 2R(R+\zeta)\,|v_d|^2 \f$, \f$ |dv_d/d\zeta| = 2R|v_d|^2 \f$. Where the change
+/// is not small, and without oscillations, every operation carries its own bound.
+/// @eq{23,28,29}
+/// @param R     modal frequency ratio with its error
+/// @param zeta  modal damping ratio with its error
+/// @return      the functions
+template <class T>
+[[nodiscard]] evaluation::ModeFunctions<Bounded<T>> bounded_mode_functions(const Bounded<T>& R, const Bounded<T>& zeta);
+
+/// @brief The larger of two numbers. @param a a number @param b a number @return the larger value; of bounds the larger too
+template <class T>
+[[nodiscard]] T larger(const T& a, const T& b) {
+    return a < b ? b : a;
+}
+/// @brief The same with bounds. @param a a number @param b a number @return the larger value with the larger bound
+template <class T>
+[[nodiscard]] Bounded<T> larger(const Bounded<T>& a, const Bounded<T>& b) {
+    return {std::max(a.x, b.x), std::max(a.e, b.e)};
+}
+
+/// @brief A largest value as a search found it. @param value the value @return the same
+template <class T>
+[[nodiscard]] T found_by_search(const T& value) {
+    return value;
+}
+/// @brief The same with a bound. The search compares rounded values: the true maximum exceeds what it found by no more than the
+/// error where that lies, which is taken to be at most half again of the error where the search ended, and a unit or two.
+/// @param value  the value where the search ended
+/// @return       the value with that bound
+template <class T>
+[[nodiscard]] Bounded<T> found_by_search(const Bounded<T>& value) {
+    return Bounded<T>::rounded(value.x, T(value.e + value.e / 2), 2);
+}
+
+/// @brief The modes of a system at a frequency ratio, each evaluated with its error when it is first needed.
+template <class T>
 class BoundedModes {
 public:
-    /// @param scene  the scene, with r, damping given by ratios; inputs taken as rounded
-    /// @param basis  its modal basis
-    BoundedModes(const Scene<double>& scene, const ModalBasis<double>& basis);
-    /// @param basis  a modal basis with errors
-    /// @param r      frequency ratio with its error
-    BoundedModes(ModalBasis<Bounded> basis, const Bounded& r);
     /// @param basis  a modal basis with errors, shared with others
     /// @param r      frequency ratio with its error
-    BoundedModes(std::shared_ptr<const ModalBasis<Bounded>> basis, const Bounded& r);
+    BoundedModes(std::shared_ptr<const ModalBasis<Bounded<T>>> basis, const Bounded<T>& r)
+        : basis_(std::move(basis)), r_(r), known_(basis_->r_n.size()) {}
 
     /// @brief The modal basis. @return frequencies, shapes, damping ratios with their errors
-    [[nodiscard]] const ModalBasis<Bounded>& basis() const { return *basis_; }
+    [[nodiscard]] const ModalBasis<Bounded<T>>& basis() const { return *basis_; }
     /// @brief The frequency ratio. @return r with its error
-    [[nodiscard]] const Bounded& r() const { return r_; }
+    [[nodiscard]] const Bounded<T>& r() const { return r_; }
     /// @brief A mode. @param i its index @return (23), (28), (29) @throws DomainError at a pole
-    const evaluation::ModeFunctions<Bounded>& at(std::size_t i);
+    const evaluation::ModeFunctions<Bounded<T>>& at(std::size_t i) {
+        if (!known_[i]) known_[i] = mode_functions_at(*basis_, i, r_);
+        return *known_[i];
+    }
     /// @brief All modes. @return (23), (28), (29) of each @throws DomainError at a pole
-    std::vector<evaluation::ModeFunctions<Bounded>> all();
+    std::vector<evaluation::ModeFunctions<Bounded<T>>> all() {
+        std::vector<evaluation::ModeFunctions<Bounded<T>>> functions;
+        for (std::size_t i = 0; i < known_.size(); ++i) functions.push_back(at(i));
+        return functions;
+    }
 
 private:
-    std::shared_ptr<const ModalBasis<Bounded>> basis_;
-    Bounded r_;
-    std::vector<std::optional<evaluation::ModeFunctions<Bounded>>> known_;
+    std::shared_ptr<const ModalBasis<Bounded<T>>> basis_;
+    Bounded<T> r_;
+    std::vector<std::optional<evaluation::ModeFunctions<Bounded<T>>>> known_;
 };
 
 } // namespace denhartog

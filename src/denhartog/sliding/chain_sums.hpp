@@ -13,15 +13,15 @@
 
 namespace denhartog {
 
-/// @brief Sums over modes with bounds of their errors; of a chain without damping V and U the other way where that has the
-/// smaller bound.
+/// @brief Sums over modes with bounds of their errors; in double, of a chain without damping, V and U the other way where that has
+/// the smaller bound.
 /// @eq{33,34}
-/// @param system  the system, damping given by ratios
+/// @param system  the system
 /// @param modes   its modes
-/// @param inputs  how far to trust masses and springs
 /// @return        modes and sums
 /// @throws        DomainError at a pole of a mode without damping
-[[nodiscard]] ModeSums<Bounded> bounded_sums(const System<double>& system, BoundedModes& modes, Inputs inputs);
+template <class T>
+[[nodiscard]] ModeSums<Bounded<T>> bounded_sums(const System<T>& system, BoundedModes<T>& modes);
 
 /// @brief A column of \f$ (K-r^2M)^{-1} \f$ of a chain: \f$ V_{dk} \f$ without damping.
 /// @eq{33}
@@ -30,8 +30,9 @@ namespace denhartog {
 /// @param load   the loaded mass, l
 /// @param r      frequency ratio
 /// @return       N values; the bounds are infinite where an elimination may divide by zero
-[[nodiscard]] std::vector<Bounded> undamped_response_of_chain(const std::vector<Bounded>& gamma,
-                                                              const std::vector<Bounded>& kappa, Mass load, const Bounded& r);
+[[nodiscard]] std::vector<Bounded<double>> undamped_response_of_chain(const std::vector<Bounded<double>>& gamma,
+                                                                      const std::vector<Bounded<double>>& kappa, Mass load,
+                                                                      const Bounded<double>& r);
 
 /// @brief \f$ U_{dk} \f$ of a chain without damping by its power series.
 /// @eq{34}
@@ -41,8 +42,9 @@ namespace denhartog {
 /// @param r        frequency ratio
 /// @param highest  the highest natural frequency ratio, at most r / 2
 /// @return         N values
-[[nodiscard]] std::vector<Bounded> undamped_damping_function_of_chain(const std::vector<Bounded>& gamma,
-                                                                      const std::vector<Bounded>& kappa, Mass contact,
-                                                                      const Bounded& r, const Bounded& highest);
+[[nodiscard]] std::vector<Bounded<double>> undamped_damping_function_of_chain(const std::vector<Bounded<double>>& gamma,
+                                                                              const std::vector<Bounded<double>>& kappa,
+                                                                              Mass contact, const Bounded<double>& r,
+                                                                              const Bounded<double>& highest);
 
 } // namespace denhartog

@@ -67,7 +67,12 @@ template class FrictionMotions<long double>;
 template class FrictionMotions<Real50>;
 template class FrictionMotions<Real100>;
 template std::vector<evaluation::FrictionMotion<double>> friction_motions(const ModeSums<double>&, const double&);
-template std::vector<evaluation::FrictionMotion<Bounded>> friction_motions(const ModeSums<Bounded>&, const Bounded&);
+template std::vector<evaluation::FrictionMotion<Bounded<double>>> friction_motions(const ModeSums<Bounded<double>>&,
+                                                                                   const Bounded<double>&);
+template std::vector<evaluation::FrictionMotion<Bounded<Real50>>> friction_motions(const ModeSums<Bounded<Real50>>&,
+                                                                                   const Bounded<Real50>&);
+template std::vector<evaluation::FrictionMotion<Bounded<Real100>>> friction_motions(const ModeSums<Bounded<Real100>>&,
+                                                                                    const Bounded<Real100>&);
 template std::vector<evaluation::FrictionMotion<long double>> friction_motions(const ModeSums<long double>&, const long double&);
 template std::vector<evaluation::FrictionMotion<Real50>> friction_motions(const ModeSums<Real50>&, const Real50&);
 template std::vector<evaluation::FrictionMotion<Real100>> friction_motions(const ModeSums<Real100>&, const Real100&);

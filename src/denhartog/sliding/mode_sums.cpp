@@ -5,9 +5,9 @@
 
 #include "denhartog/formulas/superposition.hpp"
 #include "denhartog/model/point_rules.hpp"
-#include "denhartog/number/bounded.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/multiprecision.hpp"
+#include "denhartog/sliding/bounded_modes.hpp"
 
 namespace denhartog {
 namespace {
@@ -46,12 +46,22 @@ bool without_a_digit(const ModeSums<T>& s, const Complex<T>& sum, Mass force) {
     return modulus(sum) <= static_cast<int>(s.R.size()) * std::numeric_limits<T>::epsilon() * size;
 }
 
+template <class T>
+evaluation::ModeFunctions<T> functions_of(const T& R, const T& zeta) {
+    return evaluation::mode_functions(R, zeta);
+}
+
+template <class T>
+evaluation::ModeFunctions<Bounded<T>> functions_of(const Bounded<T>& R, const Bounded<T>& zeta) {
+    return bounded_mode_functions(R, zeta);
+}
+
 } // namespace
 
 template <class T>
 evaluation::ModeFunctions<T> mode_functions_at(const ModalBasis<T>& basis, std::size_t i, const T& r) {
     const T R = r / basis.r_n[i];
-    const evaluation::ModeFunctions<T> f = evaluation::mode_functions(R, basis.zeta[i]);
+    const evaluation::ModeFunctions<T> f = functions_of(R, basis.zeta[i]);
     check_pole(f, i, R);
     ++evaluations;
     return f;
@@ -120,18 +130,31 @@ template ModeSums<double> mode_sums(const ModalBasis<double>&, Mass, Mass, const
 template ModeSums<long double> mode_sums(const ModalBasis<long double>&, Mass, Mass, const long double&);
 template ModeSums<Real50> mode_sums(const ModalBasis<Real50>&, Mass, Mass, const Real50&);
 template ModeSums<Real100> mode_sums(const ModalBasis<Real100>&, Mass, Mass, const Real100&);
-template ModeSums<Bounded> mode_sums(const ModalBasis<Bounded>&, Mass, Mass, const Bounded&,
-                                     const std::vector<evaluation::ModeFunctions<Bounded>>&);
-template evaluation::ModeFunctions<Bounded> mode_functions_at(const ModalBasis<Bounded>&, std::size_t, const Bounded&);
+template ModeSums<Bounded<double>> mode_sums(const ModalBasis<Bounded<double>>&, Mass, Mass, const Bounded<double>&,
+                                             const std::vector<evaluation::ModeFunctions<Bounded<double>>>&);
+template ModeSums<Bounded<Real50>> mode_sums(const ModalBasis<Bounded<Real50>>&, Mass, Mass, const Bounded<Real50>&,
+                                             const std::vector<evaluation::ModeFunctions<Bounded<Real50>>>&);
+template ModeSums<Bounded<Real100>> mode_sums(const ModalBasis<Bounded<Real100>>&, Mass, Mass, const Bounded<Real100>&,
+                                              const std::vector<evaluation::ModeFunctions<Bounded<Real100>>>&);
+template evaluation::ModeFunctions<Bounded<double>> mode_functions_at(const ModalBasis<Bounded<double>>&, std::size_t,
+                                                                      const Bounded<double>&);
+template evaluation::ModeFunctions<Bounded<Real50>> mode_functions_at(const ModalBasis<Bounded<Real50>>&, std::size_t,
+                                                                      const Bounded<Real50>&);
+template evaluation::ModeFunctions<Bounded<Real100>> mode_functions_at(const ModalBasis<Bounded<Real100>>&, std::size_t,
+                                                                       const Bounded<Real100>&);
 template bool contact_is_unmoved(const ModeSums<double>&);
 template bool contact_is_unmoved(const ModeSums<long double>&);
 template bool contact_is_unmoved(const ModeSums<Real50>&);
 template bool contact_is_unmoved(const ModeSums<Real100>&);
-template bool contact_is_unmoved(const ModeSums<Bounded>&);
+template bool contact_is_unmoved(const ModeSums<Bounded<double>>&);
+template bool contact_is_unmoved(const ModeSums<Bounded<Real50>>&);
+template bool contact_is_unmoved(const ModeSums<Bounded<Real100>>&);
 template bool stuck_system_resonates(const ModeSums<double>&);
 template bool stuck_system_resonates(const ModeSums<long double>&);
 template bool stuck_system_resonates(const ModeSums<Real50>&);
 template bool stuck_system_resonates(const ModeSums<Real100>&);
-template bool stuck_system_resonates(const ModeSums<Bounded>&);
+template bool stuck_system_resonates(const ModeSums<Bounded<double>>&);
+template bool stuck_system_resonates(const ModeSums<Bounded<Real50>>&);
+template bool stuck_system_resonates(const ModeSums<Bounded<Real100>>&);
 
 } // namespace denhartog

@@ -93,10 +93,22 @@ RegimeAtPoint regime_at(const Boundary<T>& b, const T& beta, const BoundaryError
     return point;
 }
 
+template <class T>
+RegimeAtPoint regime_at(const Boundary<Bounded<T>>& bounded, const T& beta) {
+    Boundary<T> b{};
+    b.exact = bounded.exact.x;
+    if (bounded.sticking) b.sticking = bounded.sticking->x;
+    b.binding = bounded.binding;
+    return regime_at(b, beta, BoundaryError<T>{bounded.exact.e, bounded.sticking ? bounded.sticking->e : T(0)});
+}
+
 template Regime regime_of(const RegimeBoundary<double>&, const double&);
 template Regime regime_of(const RegimeBoundary<long double>&, const long double&);
 template Regime regime_of(const RegimeBoundary<Real50>&, const Real50&);
 template Regime regime_of(const RegimeBoundary<Real100>&, const Real100&);
+template Regime regime_of(const RegimeBoundary<Bounded<double>>&, const Bounded<double>&);
+template Regime regime_of(const RegimeBoundary<Bounded<Real50>>&, const Bounded<Real50>&);
+template Regime regime_of(const RegimeBoundary<Bounded<Real100>>&, const Bounded<Real100>&);
 template bool on_boundary(const RegimeBoundary<double>&, const double&, const BoundaryError<double>&);
 template bool on_boundary(const RegimeBoundary<long double>&, const long double&, const BoundaryError<long double>&);
 template bool on_boundary(const RegimeBoundary<Real50>&, const Real50&, const BoundaryError<Real50>&);
@@ -109,5 +121,9 @@ template RegimeAtPoint regime_at(const Boundary<double>&, const double&, const B
 template RegimeAtPoint regime_at(const Boundary<long double>&, const long double&, const BoundaryError<long double>&);
 template RegimeAtPoint regime_at(const Boundary<Real50>&, const Real50&, const BoundaryError<Real50>&);
 template RegimeAtPoint regime_at(const Boundary<Real100>&, const Real100&, const BoundaryError<Real100>&);
+
+template RegimeAtPoint regime_at(const Boundary<Bounded<double>>&, const double&);
+template RegimeAtPoint regime_at(const Boundary<Bounded<Real50>>&, const Real50&);
+template RegimeAtPoint regime_at(const Boundary<Bounded<Real100>>&, const Real100&);
 
 } // namespace denhartog

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "denhartog/number/bounded.hpp"
 #include "denhartog/sliding/boundary.hpp"
 
 namespace denhartog {
@@ -66,5 +67,12 @@ template <class T>
 /// @return          the regime
 template <class T>
 [[nodiscard]] RegimeAtPoint regime_at(const Boundary<T>& boundary, const T& beta, const BoundaryError<T>& error);
+
+/// @brief The same from a boundary with bounds of its errors. @eq{54,69}
+/// @param boundary  the boundary at the frequency ratio
+/// @param beta      friction ratio, Eq. (11); zero or positive
+/// @return          the regime
+template <class T>
+[[nodiscard]] RegimeAtPoint regime_at(const Boundary<Bounded<T>>& boundary, const T& beta);
 
 } // namespace denhartog

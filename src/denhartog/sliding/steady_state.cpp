@@ -4,12 +4,13 @@
 #include <cmath>
 
 #include "denhartog/evaluation/contact.hpp"
+#include "denhartog/evaluation/mass.hpp"
 #include "denhartog/formulas/motion.hpp"
 #include "denhartog/formulas/other_masses.hpp"
 #include "denhartog/model/point_rules.hpp"
-#include "denhartog/number/bounded.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/multiprecision.hpp"
+#include "denhartog/sliding/bounded_modes.hpp"
 #include "denhartog/sliding/friction_motion.hpp"
 #include "denhartog/sliding/maximum.hpp"
 
@@ -18,21 +19,10 @@ namespace {
 
 using std::floor;
 
-// Displacement, velocity and acceleration of a mass.
 template <class T>
-struct Kinematics {
-    T x, x_prime, x_double_prime;
-};
-
-// The harmonic part of (41): A cos tau + B sin tau.
-template <class T>
-struct Harmonic {
-    T A, B;
-};
-
-template <class T>
-Harmonic<T> harmonic_part(const ModeSums<T>& s, std::size_t k, const T& x0, const T& v0, const T& beta) {
-    return {paper::V_k_cosine(x0, s.G[k], beta), T(-paper::V_k_sine(v0, s.U[k], beta))};
+evaluation::HarmonicPart<T> harmonic_part(const ModeSums<T>& s, std::size_t k, const T& beta) {
+    const std::size_t j = s.contact.index;
+    return evaluation::harmonic_part(s.V[k], s.V[j], s.U[j], beta);
 }
 
 // Factors of the braces in (41), without beta.
@@ -46,21 +36,20 @@ std::vector<T> friction_weights(const ModeSums<T>& s, std::size_t k) {
     return weights;
 }
 
+// A mass at instants of the half-period.
 template <class T>
-Kinematics<T> kinematics(const ModeSums<T>& s, std::size_t k, const MassResponse<T>& m, const T& beta,
-                         const std::vector<T>& weights, const std::vector<evaluation::FrictionMotion<T>>& y, const T& tau) {
-    T F_k(0), F_prime(0), F_double_prime(0);
-    for (std::size_t i = 0; i < y.size(); ++i) {
-        F_k += weights[i] * y[i].value;
-        F_prime += weights[i] * y[i].prime;
-        F_double_prime += weights[i] * y[i].double_prime;
+struct MassInMotion {
+    evaluation::HarmonicPart<T> h;
+    T beta;
+    std::vector<T> weights;
+
+    MassInMotion(const ModeSums<T>& s, std::size_t k, const T& beta_)
+        : h(harmonic_part(s, k, beta_)), beta(beta_), weights(friction_weights(s, k)) {}
+    [[nodiscard]] evaluation::MotionOfMass<T> at(const T& tau, const std::vector<evaluation::FrictionMotion<T>>& y) const {
+        return evaluation::motion_of_mass(tau, h, beta, std::span<const T>(weights),
+                                          std::span<const evaluation::FrictionMotion<T>>(y));
     }
-    const Harmonic<T> h = harmonic_part(s, k, m.x0, m.v0, beta);
-    const T C = cos(tau);
-    const T S = sin(tau);
-    return {paper::displacement(tau, m.x0, m.v0, s.G[k], s.U[k], beta, F_k), h.B * C - h.A * S + beta * F_prime,
-            beta * F_double_prime - h.A * C - h.B * S};
-}
+};
 
 template <class T>
 void check_sliding(const RegimeBoundary<T>& boundary, const T& beta) {
@@ -75,9 +64,10 @@ template <class T>
 T in_half_period(const T& tau) {
     return std::clamp(tau, T(0), pi<T>());
 }
-Bounded in_half_period(const Bounded& tau) {
-    const double inside = std::clamp(tau.x, 0.0, pi<double>());
-    return {inside, tau.e + std::abs(tau.x - inside)};
+template <class T>
+Bounded<T> in_half_period(const Bounded<T>& tau) {
+    const T inside = std::clamp(tau.x, T(0), pi<T>());
+    return {inside, T(tau.e + size_of_number(T(tau.x - inside)))};
 }
 
 template <class T>
@@ -88,27 +78,53 @@ void set_maximum(MassResponse<T>& m, const T& phi_j, const T& instant, const T& 
 }
 
 template <class T>
-void find_maximum(const ModeSums<T>& s, FrictionMotions<T>& y, SteadyState<T>& state, std::size_t k) {
-    MassResponse<T>& m = state.masses[k];
-    const T& beta = state.beta;
-    const std::vector<T> weights = friction_weights(s, k);
-    const Harmonic<T> h = harmonic_part(s, k, m.x0, m.v0, beta);
-    const T harmonic_size = modulus(Complex<T>{h.A, h.B});
+T instant_of_maximum(const ModeSums<T>& s, FrictionMotions<T>& y, const T& beta, std::size_t k) {
+    const MassInMotion<T> mass(s, k, beta);
+    const T harmonic_size = modulus(Complex<T>{mass.h.A, mass.h.B});
     Curve<T> curve;
     curve.sample = [&](const T& tau) {
-        const Kinematics<T> at = kinematics(s, k, m, beta, weights, y.at(tau).y, tau);
+        const evaluation::MotionOfMass<T> at = mass.at(tau, y.at(tau).y);
         return Sample<T>{at.x < 0 ? T(-at.x) : at.x, at.x_prime, at.x_double_prime};
     };
     curve.rate = [&](const T& a, const T&) {
         const FrictionMotionsAt<T>& now = y.at(a);
         T bound(0);
-        for (std::size_t i = 0; i < weights.size(); ++i)
-            bound += (weights[i] < 0 ? T(-weights[i]) : weights[i]) * now.size[i] / (s.R[i] * s.R[i] * s.R[i]);
+        for (std::size_t i = 0; i < mass.weights.size(); ++i)
+            bound += (mass.weights[i] < 0 ? T(-mass.weights[i]) : mass.weights[i]) * now.size[i] / (s.R[i] * s.R[i] * s.R[i]);
         return T(harmonic_size + beta * bound);
     };
     curve.rise = [](const T& a, const T& b, const T& z_bound) { return T(z_bound * (b - a) * (b - a) / 8); };
-    const T instant = global_maximum(curve, T(0), pi<T>()).instant;
-    set_maximum(m, state.phi_j, instant, kinematics(s, k, m, beta, weights, y.at(instant).y, instant).x);
+    return global_maximum(curve, T(0), pi<T>()).instant;
+}
+
+// A step of Newton's method towards the extremum; none where the acceleration is zero.
+template <class T>
+T newton_step(const evaluation::MotionOfMass<T>& at) {
+    return at.x_double_prime == 0 ? T(0) : T(-(at.x_prime / at.x_double_prime));
+}
+
+// The maximum next to an instant, one step of Newton's method on. The motion goes on mirrored at both ends of the half-period: a
+// step out of it is one into it at the other end, and an end that both lead out of is the maximum.
+template <class T>
+void settle_maximum(const ModeSums<T>& s, SteadyState<T>& state, std::size_t k, T instant) {
+    const MassInMotion<T> mass(s, k, state.beta);
+    const auto at = [&](const T& tau) { return mass.at(tau, friction_motions(s, tau)); };
+    const auto leads_out = [](const T& tau, const T& step) { return (tau <= 0 && step < 0) || (tau >= pi<T>() && step > 0); };
+    evaluation::MotionOfMass<T> now = at(instant);
+    T step = newton_step(now);
+    if (leads_out(instant, step)) {
+        const T other = instant <= 0 ? pi<T>() : T(0);
+        const evaluation::MotionOfMass<T> there = at(other);
+        const T from_there = newton_step(there);
+        if (leads_out(other, from_there)) {
+            step = T(0);
+        } else {
+            instant = other;
+            now = there;
+            step = from_there;
+        }
+    }
+    set_maximum(state.masses[k], state.phi_j, T(instant + step), found_by_search(T(now.x + now.x_prime * step / 2)));
 }
 
 } // namespace
@@ -134,7 +150,7 @@ SteadyState<T> steady_state_without_maxima(const ModeSums<T>& s, const T& beta) 
     for (std::size_t k = 0; k < s.V.size(); ++k) {
         MassResponse<T> m{};
         if (k == j) {
-            m = {state.X_j, T(0), state.X_j, T(0), state.phi_j, state.X_j, state.phi_j, T(0)};
+            m = {state.X_j, T(0), state.X_j, T(0), state.phi_j, state.X_j, state.phi_j};
         } else {
             const evaluation::InitialState<T> at_0 = evaluation::initial_state(s.V[k], s.V[j], s.U[j], s.U[k], s.G[k], beta);
             m.x0 = at_0.x_k0;
@@ -148,31 +164,25 @@ SteadyState<T> steady_state_without_maxima(const ModeSums<T>& s, const T& beta) 
 }
 
 template <class T>
+std::vector<T> instants_of_maxima(const ModeSums<T>& s, const T& beta, std::optional<Mass> only) {
+    FrictionMotions<T> y(s, 0, s.R.size());
+    std::vector<T> instants(s.V.size(), T(0));
+    for (std::size_t k = 0; k < instants.size(); ++k)
+        if (k != s.contact.index && (!only || k == only->index)) instants[k] = instant_of_maximum(s, y, beta, k);
+    return instants;
+}
+
+template <class T>
 SteadyState<T> steady_state(const ModeSums<T>& s, const RegimeBoundary<T>& boundary, const T& beta, std::optional<Mass> only) {
     check_sliding(boundary, beta);
-    SteadyState<T> state = steady_state_without_maxima(s, beta);
-    FrictionMotions<T> y(s, 0, s.R.size());
-    for (std::size_t k = 0; k < state.masses.size(); ++k)
-        if (k != s.contact.index && (!only || k == only->index)) find_maximum(s, y, state, k);
-    return state;
+    return steady_state_at(s, beta, instants_of_maxima(s, beta, only), only);
 }
 
 template <class T>
 SteadyState<T> steady_state_at(const ModeSums<T>& s, const T& beta, const std::vector<T>& instants, std::optional<Mass> only) {
     SteadyState<T> state = steady_state_without_maxima(s, beta);
-    for (std::size_t k = 0; k < state.masses.size(); ++k) {
-        if (k == s.contact.index || (only && k != only->index)) continue;
-        MassResponse<T>& m = state.masses[k];
-        const std::vector<T> weights = friction_weights(s, k);
-        T instant = instants[k];
-        const Kinematics<T> at = kinematics(s, k, m, beta, weights, friction_motions(s, instant), instant);
-        T displacement = at.x;
-        if (at.x_double_prime != 0 && instant > 0 && instant < pi<T>()) {
-            displacement = at.x - at.x_prime * at.x_prime / (2 * at.x_double_prime);
-            instant = instant - at.x_prime / at.x_double_prime;
-        }
-        set_maximum(m, state.phi_j, instant, displacement);
-    }
+    for (std::size_t k = 0; k < state.masses.size(); ++k)
+        if (k != s.contact.index && (!only || k == only->index)) settle_maximum(s, state, k, instants[k]);
     return state;
 }
 
@@ -183,51 +193,51 @@ Motion<T> motion(const ModeSums<T>& s, const SteadyState<T>& state, const T& tau
     const bool mirrored = halves - 2 * floor(T(halves / 2)) != 0;
     const std::vector<evaluation::FrictionMotion<T>> y = friction_motions(s, instant);
     Motion<T> all;
-    const T C = cos(instant), S = sin(instant);
     for (std::size_t k = 0; k < state.masses.size(); ++k) {
-        const T A = times_cosine(s.V[k], state.phi_j), B = -times_sine(s.V[k], state.phi_j);
-        const std::vector<T> weights = friction_weights(s, k);
-        T F_k(0), F_prime(0);
-        for (std::size_t i = 0; i < y.size(); ++i) {
-            F_k += weights[i] * y[i].value;
-            F_prime += weights[i] * y[i].prime;
-        }
-        const T x = A * C + B * S + state.beta * F_k, x_prime = B * C - A * S + state.beta * F_prime;
-        all.x.push_back(mirrored ? T(-x) : x);
-        all.x_prime.push_back(mirrored ? T(-x_prime) : x_prime);
+        const evaluation::MotionOfMass<T> at = MassInMotion<T>(s, k, state.beta).at(instant, y);
+        all.x.push_back(mirrored ? T(-at.x) : at.x);
+        all.x_prime.push_back(mirrored ? T(-at.x_prime) : at.x_prime);
     }
     return all;
 }
 
 template double wrapped(const double&);
-template long double wrapped(const long double&);
-template Real50 wrapped(const Real50&);
-template Real100 wrapped(const Real100&);
 template SteadyState<double> steady_state(const ModeSums<double>&, const RegimeBoundary<double>&, const double&,
                                           std::optional<Mass>);
+template Motion<double> motion(const ModeSums<double>&, const SteadyState<double>&, const double&);
+template long double wrapped(const long double&);
 template SteadyState<long double> steady_state(const ModeSums<long double>&, const RegimeBoundary<long double>&,
                                                const long double&, std::optional<Mass>);
+template Motion<long double> motion(const ModeSums<long double>&, const SteadyState<long double>&, const long double&);
+template Real50 wrapped(const Real50&);
 template SteadyState<Real50> steady_state(const ModeSums<Real50>&, const RegimeBoundary<Real50>&, const Real50&,
                                           std::optional<Mass>);
+template Motion<Real50> motion(const ModeSums<Real50>&, const SteadyState<Real50>&, const Real50&);
+template Real100 wrapped(const Real100&);
 template SteadyState<Real100> steady_state(const ModeSums<Real100>&, const RegimeBoundary<Real100>&, const Real100&,
                                            std::optional<Mass>);
-template SteadyState<double> steady_state_at(const ModeSums<double>&, const double&, const std::vector<double>&,
-                                             std::optional<Mass>);
-template SteadyState<long double> steady_state_at(const ModeSums<long double>&, const long double&,
-                                                  const std::vector<long double>&, std::optional<Mass>);
-template SteadyState<Real50> steady_state_at(const ModeSums<Real50>&, const Real50&, const std::vector<Real50>&,
-                                             std::optional<Mass>);
-template SteadyState<Real100> steady_state_at(const ModeSums<Real100>&, const Real100&, const std::vector<Real100>&,
-                                              std::optional<Mass>);
-template SteadyState<Bounded> steady_state_at(const ModeSums<Bounded>&, const Bounded&, const std::vector<Bounded>&,
-                                              std::optional<Mass>);
-template SteadyState<Bounded> steady_state_without_maxima(const ModeSums<Bounded>&, const Bounded&);
-template SteadyState<Real50> steady_state_without_maxima(const ModeSums<Real50>&, const Real50&);
-template SteadyState<Real100> steady_state_without_maxima(const ModeSums<Real100>&, const Real100&);
-template Motion<Bounded> motion(const ModeSums<Bounded>&, const SteadyState<Bounded>&, const Bounded&);
-template Motion<double> motion(const ModeSums<double>&, const SteadyState<double>&, const double&);
-template Motion<long double> motion(const ModeSums<long double>&, const SteadyState<long double>&, const long double&);
-template Motion<Real50> motion(const ModeSums<Real50>&, const SteadyState<Real50>&, const Real50&);
 template Motion<Real100> motion(const ModeSums<Real100>&, const SteadyState<Real100>&, const Real100&);
+template std::vector<double> instants_of_maxima(const ModeSums<double>&, const double&, std::optional<Mass>);
+template std::vector<Real50> instants_of_maxima(const ModeSums<Real50>&, const Real50&, std::optional<Mass>);
+template std::vector<Real100> instants_of_maxima(const ModeSums<Real100>&, const Real100&, std::optional<Mass>);
+template SteadyState<Bounded<double>> steady_state_at(const ModeSums<Bounded<double>>&, const Bounded<double>&,
+                                                      const std::vector<Bounded<double>>&, std::optional<Mass>);
+template SteadyState<Bounded<double>> steady_state_without_maxima(const ModeSums<Bounded<double>>&, const Bounded<double>&);
+template Motion<Bounded<double>> motion(const ModeSums<Bounded<double>>&, const SteadyState<Bounded<double>>&,
+                                        const Bounded<double>&);
+template SteadyState<Bounded<Real50>> steady_state_at(const ModeSums<Bounded<Real50>>&, const Bounded<Real50>&,
+                                                      const std::vector<Bounded<Real50>>&, std::optional<Mass>);
+template SteadyState<Bounded<Real50>> steady_state_without_maxima(const ModeSums<Bounded<Real50>>&, const Bounded<Real50>&);
+template Motion<Bounded<Real50>> motion(const ModeSums<Bounded<Real50>>&, const SteadyState<Bounded<Real50>>&,
+                                        const Bounded<Real50>&);
+template SteadyState<Bounded<Real100>> steady_state_at(const ModeSums<Bounded<Real100>>&, const Bounded<Real100>&,
+                                                       const std::vector<Bounded<Real100>>&, std::optional<Mass>);
+template SteadyState<Bounded<Real100>> steady_state_without_maxima(const ModeSums<Bounded<Real100>>&, const Bounded<Real100>&);
+template Motion<Bounded<Real100>> motion(const ModeSums<Bounded<Real100>>&, const SteadyState<Bounded<Real100>>&,
+                                         const Bounded<Real100>&);
+
+template Bounded<double> wrapped(const Bounded<double>&);
+template Bounded<Real50> wrapped(const Bounded<Real50>&);
+template Bounded<Real100> wrapped(const Bounded<Real100>&);
 
 } // namespace denhartog

@@ -19,7 +19,6 @@ struct MassResponse {
     T phase;                  ///< lag behind the force, Eqs. (39), (47); radians in (-pi, pi]
     T amplitude_monoharmonic; ///< Eq. (52)
     T phase_monoharmonic;     ///< phi_j + phi_kj, Eq. (53); radians in (-pi, pi]
-    T error_bound = T(0);     ///< bound of the error of the displacements above; zero until measured
 };
 
 /// @brief The steady state at one friction ratio.
@@ -59,7 +58,16 @@ template <class T>
 template <class T>
 [[nodiscard]] SteadyState<T> steady_state_without_maxima(const ModeSums<T>& sums, const T& beta);
 
-/// @brief The same steady state in another number type, with the instants of the maxima known: what a check costs.
+/// @brief Where the displacements of the masses are largest, guaranteed by `global_maximum`.
+/// @eq{46}
+/// @param sums  modes at a frequency ratio
+/// @param beta  friction ratio, Eq. (11), in the sliding regime
+/// @param only  the one mass whose maximum is wanted besides that of the contact; none for all
+/// @return      N instants in [0, pi]; 0 for the contact and for those not wanted
+template <class T>
+[[nodiscard]] std::vector<T> instants_of_maxima(const ModeSums<T>& sums, const T& beta, std::optional<Mass> only = std::nullopt);
+
+/// @brief The same steady state with the instants of the maxima known, also in another number type.
 /// @param sums      modes at a frequency ratio
 /// @param beta      friction ratio, Eq. (11), in the sliding regime
 /// @param instants  where the displacements are largest, to about half the digits of T; N values
@@ -70,9 +78,8 @@ template <class T>
 [[nodiscard]] SteadyState<T> steady_state_at(const ModeSums<T>& sums, const T& beta, const std::vector<T>& instants,
                                              std::optional<Mass> only = std::nullopt);
 
-/// @brief Motion of all masses, (41) over the half-period and antisymmetric beyond, its harmonic part by (42), (43) from V_dk and
-/// phi_j: what the initial values have of friction is not added only to be subtracted.
-/// @eq{41,42,43}
+/// @brief Motion of all masses, (46) over the half-period and antisymmetric beyond.
+/// @eq{41,46}
 /// @param sums   modes at a frequency ratio
 /// @param state  the steady state there
 /// @param tau    any non-dimensional time; zero at a maximum of x_j

@@ -6,7 +6,11 @@
 #include <numeric>
 
 #include "denhartog/evaluation/contact.hpp"
-#include "denhartog/evaluation/mode.hpp"
+#include "denhartog/evaluation/overdamped.hpp"
+#include "denhartog/number/errors.hpp"
+#include "denhartog/sliding/contact_modes.hpp"
+#include "denhartog/sliding/steady_state.hpp"
+#include "denhartog/solve/solve_task.hpp"
 
 namespace denhartog {
 namespace {
@@ -16,9 +20,9 @@ constexpr double largest_harmonic = 2000;
 
 // What a mode contributes: evaluated, or static with bounds.
 struct ModeAtR {
-    Bounded R, zeta;
-    Complex<Bounded> v;
-    Bounded u, g;
+    Bounded<double> R, zeta;
+    Complex<Bounded<double>> v;
+    Bounded<double> u, g;
     double harmonics = 0;          // sum over odd n >= 3 of 4 / (n pi) / |1 - n^2 R^2 + 2 i zeta n R|
     double velocity_harmonics = 0; // the same with n times each term
 };
@@ -31,7 +35,7 @@ void bound_overdamped(double R, double zeta, double& du, double& dg) {
     dg = 2 * (slow + a * S + std::exp(-2 * zeta * x)) * (1 + 1e-9);
 }
 
-ModeAtR static_mode(const Bounded& R, const Bounded& zeta) {
+ModeAtR static_mode(const Bounded<double>& R, const Bounded<double>& zeta) {
     const double delta = std::numbers::pi * zeta.x / R.x, half = std::sinh(std::min(300.0, delta / 2));
     const double cosh_minus_one = 2 * half * half * (1 - 1e-9);
     const double a = (1 - R.x) * (1 + R.x), b = 2 * zeta.x * R.x;
@@ -67,22 +71,13 @@ void add_harmonics(ModeAtR& mode) {
     mode.velocity_harmonics += beyond / (2 * (n - 2));
 }
 
-double above(const Bounded& a) { return std::abs(a.x) + a.e; }
-
-// R^2 times the largest second derivative of the braces of (40): of two amplitudes where the mode oscillates; where it does not,
-// the root of y'^2 R^2 + y''^2 R^4 at tau = 0, which never grows.
-double largest_acceleration(const ModeAtR& m) {
-    const Bounded cosine = 1 + m.g;
-    if (m.zeta.x >= 1) return std::hypot(above(m.u * m.R), above(cosine + 2 * m.zeta * m.R * m.u));
-    return std::hypot(above(cosine), above((cosine * m.zeta + m.u * m.R) / sqrt(Bounded((1 - m.zeta) * (1 + m.zeta)))));
-}
-
 class FewModes {
 public:
-    FewModes(const Scene<double>& scene, BoundedModes& evaluated_, int digits, bool phases_, std::optional<Mass> only_)
+    FewModes(const Scene<double>& scene, BoundedModes<double>& evaluated_, int digits, bool phases_, std::optional<Mass> only_)
         : j(scene.system.contact.index), l(scene.system.load.index), beta(as_input(*scene.beta)), evaluated(evaluated_),
           basis(evaluated.basis()), tolerance(std::pow(10.0, -digits)), phases(phases_), only(only_) {
-        for (std::size_t i = 0; i < N(); ++i) modes.push_back(static_mode(Bounded(evaluated.r() / basis.r_n[i]), basis.zeta[i]));
+        for (std::size_t i = 0; i < N(); ++i)
+            modes.push_back(static_mode(Bounded<double>(evaluated.r() / basis.r_n[i]), basis.zeta[i]));
         if (N() > 1 && !(only && only->index == j))
             for (ModeAtR& mode : modes) add_harmonics(mode);
     }
@@ -103,16 +98,16 @@ private:
     [[nodiscard]] std::size_t N() const { return basis.r_n.size(); }
 
     void evaluate(std::size_t i) {
-        const evaluation::ModeFunctions<Bounded>& f = evaluated.at(i);
+        const evaluation::ModeFunctions<Bounded<double>>& f = evaluated.at(i);
         modes[i].v = f.v;
         modes[i].u = f.u;
         modes[i].g = f.g;
     }
 
     // psi_k psi_m R^2 of a mode.
-    [[nodiscard]] Bounded weight(std::size_t k, std::size_t m, std::size_t i) const {
+    [[nodiscard]] Bounded<double> weight(std::size_t k, std::size_t m, std::size_t i) const {
         const auto column = static_cast<Eigen::Index>(i);
-        const Bounded& r_n = basis.r_n[i];
+        const Bounded<double>& r_n = basis.r_n[i];
         return basis.phi(static_cast<Eigen::Index>(k), column) * basis.phi(static_cast<Eigen::Index>(m), column) / (r_n * r_n);
     }
 
@@ -128,38 +123,36 @@ private:
         return order;
     }
 
-    [[nodiscard]] Complex<Bounded> response_to(std::size_t k, std::size_t m) const {
-        Complex<Bounded> V{Bounded(0), Bounded(0)};
+    [[nodiscard]] Complex<Bounded<double>> response_to(std::size_t k, std::size_t m) const {
+        Complex<Bounded<double>> V{Bounded<double>(0), Bounded<double>(0)};
         for (std::size_t i = 0; i < N(); ++i) V = V + weight(k, m, i) * modes[i].v;
         return V;
     }
 
     // A lower bound of the boundary (69).
-    [[nodiscard]] double slides_below(const Complex<Bounded>& V_j, const Bounded& U_j) const {
+    [[nodiscard]] double slides_below(const Complex<Bounded<double>>& V_j, const Bounded<double>& U_j) const {
         double S = 0;
         for (std::size_t i = 0; i < N(); ++i) {
             const ModeAtR& m = modes[i];
-            const Bounded R_2 = m.R * m.R;
-            S += above(weight(j, j, i) / R_2) * std::numbers::pi / 2 * (largest_acceleration(m) + above(R_2 * m.u));
+            S += Bounded<double>(weight(j, j, i) / (m.R * m.R)).most() * largest_demand(m.R, m.zeta, {m.u, m.g});
         }
-        const Bounded size = modulus(V_j);
-        return (size.x - size.e) / std::hypot(S, above(U_j)) * (1 - 1e-12);
+        return least_boundary(V_j, U_j, S * (1 + 1e-12));
     }
 
     std::optional<FewModesSolution> attempt(std::size_t modes_evaluated) {
-        Bounded U_j(0), G_j(0);
+        Bounded<double> U_j(0), G_j(0);
         for (std::size_t i = 0; i < N(); ++i) {
             U_j += weight(j, j, i) * modes[i].u;
             G_j += weight(j, j, i) * modes[i].g;
         }
-        const Complex<Bounded> V_j = response_to(j, l);
+        const Complex<Bounded<double>> V_j = response_to(j, l);
         FewModesSolution all{{}, slides_below(V_j, U_j), modes_evaluated, 0};
         if (!(beta.x + beta.e < all.slides_below)) return std::nullopt;
-        const Bounded X_j = evaluation::displacement_transmissibility_of_contact(V_j, U_j, G_j, beta);
-        const Bounded phi_j = evaluation::phase_of_contact(V_j, U_j, beta);
+        const Bounded<double> X_j = evaluation::displacement_transmissibility_of_contact(V_j, U_j, G_j, beta);
+        const Bounded<double> phi_j = evaluation::phase_of_contact(V_j, U_j, beta);
         for (std::size_t k = 0; k < N(); ++k) {
             if (only && k != only->index) {
-                all.masses.push_back({0, std::nullopt, 0, 0, std::nullopt});
+                all.masses.push_back({});
                 continue;
             }
             if (k == j) {
@@ -167,13 +160,13 @@ private:
                 continue;
             }
             // Friction is beta on the half-period from the maximum of x_j on: its first harmonic is 4 beta / pi sin(tau - phi_j).
-            const Bounded friction = 4 * beta / pi<Bounded>();
-            const Complex<Bounded> Y = response_to(k, j), V = response_to(k, l);
-            const Bounded C = friction * cos(phi_j), S = friction * sin(phi_j);
-            const Complex<Bounded> H{V.re - S * Y.re + C * Y.im, V.im - C * Y.re - S * Y.im};
+            const Bounded<double> friction = 4 * beta / pi<Bounded<double>>();
+            const Complex<Bounded<double>> Y = response_to(k, j), V = response_to(k, l);
+            const Bounded<double> C = friction * cos(phi_j), S = friction * sin(phi_j);
+            const Complex<Bounded<double>> H{V.re - S * Y.re + C * Y.im, V.im - C * Y.re - S * Y.im};
             double left_out = 0, velocity_left_out = 0;
             for (std::size_t i = 0; i < N(); ++i) {
-                const double size = above(beta * weight(k, j, i));
+                const double size = Bounded<double>(beta * weight(k, j, i)).most();
                 left_out += size * modes[i].harmonics;
                 velocity_left_out += size * modes[i].velocity_harmonics;
             }
@@ -183,7 +176,8 @@ private:
     }
 
     // Notes a mass; false where it has not the digits.
-    bool add(FewModesSolution& all, const Bounded& amplitude, const Bounded& phase, double left_out, double velocity_left_out) {
+    bool add(FewModesSolution& all, const Bounded<double>& amplitude, const Bounded<double>& phase, double left_out,
+             double velocity_left_out) {
         const double error = amplitude.e + left_out;
         if (!(error <= tolerance * amplitude.x)) {
             // More modes will not make the harmonics smaller, nor the amplitude much larger.
@@ -193,15 +187,15 @@ private:
         const double turn = velocity_left_out / (amplitude.x - amplitude.e);
         const double phase_error = turn < 1 ? phase.e + std::asin(turn) : std::numbers::pi;
         if (phases && !(phase_error <= tolerance)) return false;
-        all.masses.push_back({amplitude.x, wrapped(phase.x), error, phase_error, std::nullopt});
+        all.masses.push_back({{amplitude.x, error, {}}, Certified{wrapped(phase.x), phase_error, {}}, std::nullopt});
         all.relative = std::max({all.relative, error / amplitude.x, phases ? phase_error : 0});
         return true;
     }
 
     std::size_t j, l;
-    Bounded beta;
-    BoundedModes& evaluated;
-    const ModalBasis<Bounded>& basis;
+    Bounded<double> beta;
+    BoundedModes<double>& evaluated;
+    const ModalBasis<Bounded<double>>& basis;
     double tolerance;
     bool phases;
     std::optional<Mass> only;
@@ -211,10 +205,33 @@ private:
 
 } // namespace
 
-std::optional<FewModesSolution> few_modes_solution(const Scene<double>& scene, BoundedModes& modes, int digits, bool phases,
-                                                   std::optional<Mass> only) {
+std::optional<FewModesSolution> few_modes_solution(const Scene<double>& scene, BoundedModes<double>& modes, int digits,
+                                                   bool phases, std::optional<Mass> only) {
     if (scene.mu != 1) return std::nullopt;
     return FewModes(scene, modes, digits, phases, only).answer();
+}
+
+bool answer_by_few_modes(const SolveTask& task, Solution& s) {
+    constexpr int most_digits_few_modes = 8; // beyond, harmonics and static modes are too coarse
+    if (task.aim.digits > most_digits_few_modes) return false;
+    std::optional<FewModesSolution> few;
+    try {
+        BoundedModes<double> modes(task.basis, as_input(*task.scene.r));
+        few = few_modes_solution(task.scene, modes, task.aim.digits, task.question.asked == Asked::phase, task.question.mass);
+    } catch (const DomainError&) {
+        return false; // the next model says where the pole is
+    }
+    if (!few) return false;
+    const std::size_t N = task.basis->r_n.size();
+    s.slides_below = Certified{few->slides_below, 0, {}};
+    s.masses = std::move(few->masses);
+    s.regime = {Regime::continuous, {}, false, certainly_slides};
+    std::string why = "the bound of rounding and of what is left out leaves the " + in_words(task.aim);
+    if (few->modes < N)
+        why = std::to_string(few->modes) + " of " + std::to_string(N) + " modes, the others by their static displacement; " + why;
+    s.method = {N == 1 ? "closed form" : "closed form, first harmonic of the masses not in contact", "double", why};
+    s.relative_error = few->relative;
+    return true;
 }
 
 } // namespace denhartog

@@ -11,17 +11,17 @@
 /// \f$ c_i \f$ being the size of its free motion in (40).
 #pragma once
 
-#include "denhartog/solve/bounded_response.hpp"
+#include "denhartog/sliding/bounded_modes.hpp"
 #include "denhartog/solve/solution.hpp"
 
 namespace denhartog {
 
 /// @brief What the modes that matter give.
 struct FewModesSolution {
-    std::vector<SolvedMass<double>> masses; ///< N; zero where not asked about
-    double slides_below;                    ///< the boundary (69) is not below it
-    std::size_t modes;                      ///< how many modes were evaluated
-    double relative;                        ///< largest error, relative to amplitudes and, where asked for, of phases
+    std::vector<SolvedMass> masses; ///< N; zero where not asked about
+    double slides_below;            ///< the boundary (69) is not below it
+    std::size_t modes;              ///< how many modes were evaluated
+    double relative;                ///< largest error, relative to amplitudes and, where asked for, of phases
 };
 
 /// @brief Amplitudes and phases from as few modes as have the digits, for mu = 1.
@@ -32,7 +32,8 @@ struct FewModesSolution {
 /// @param phases   whether the phases must have them too
 /// @param only     the one mass that must have them, and whose numbers are wanted; none for all
 /// @return         the solution; none where sliding is not certain, or the digits are out of reach this way
-[[nodiscard]] std::optional<FewModesSolution> few_modes_solution(const Scene<double>& scene, BoundedModes& modes, int digits,
-                                                                 bool phases, std::optional<Mass> only = std::nullopt);
+[[nodiscard]] std::optional<FewModesSolution> few_modes_solution(const Scene<double>& scene, BoundedModes<double>& modes,
+                                                                 int digits, bool phases,
+                                                                 std::optional<Mass> only = std::nullopt);
 
 } // namespace denhartog

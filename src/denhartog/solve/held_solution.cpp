@@ -1,12 +1,13 @@
 #include "denhartog/solve/held_solution.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
-#include <complex>
-#include <limits>
+#include <cmath>
+
+#include <Eigen/LU>
 
 #include "denhartog/number/errors.hpp"
-#include "denhartog/number/multiprecision.hpp"
+#include "denhartog/solve/certify.hpp"
+#include "denhartog/stick_slip/stuck_response.hpp"
 
 namespace denhartog {
 namespace {
@@ -14,120 +15,114 @@ namespace {
 using std::abs;
 using std::asin;
 
-// The response with the contact held; its errors are still to be filled in.
 template <class T>
-struct Held {
-    StuckResponse<T> response;
-    HeldSolution<T> solution;
+using Column = Eigen::Matrix<T, Eigen::Dynamic, 1>;
+
+// A number of which no bound is known.
+template <class T>
+Certified without_bound(const T& x, int digits) {
+    Certified number = exactly(x, digits);
+    number.error = std::numeric_limits<double>::infinity();
+    return number;
+}
+
+template <class T>
+std::optional<Certified> limit_by_88(const Scene<T>& scene, const StuckConfiguration<T>& stuck, const StuckResponse<T>& response,
+                                     int digits) {
+    const std::optional<T> paper = sticking_boundary(response, stuck_chain(scene.system, stuck), scene.mu).paper;
+    return paper ? std::optional(without_bound(*paper, digits)) : std::nullopt;
+}
+
+// Bounds of the errors of the complex amplitudes, and of the load that they bring to the contact. The equations of motion with
+// the contact held are taken as real ones of twice the size.
+template <class T>
+struct HeldErrors {
+    std::vector<T> masses; // of those that move, in the order of the stuck configuration
+    T load;
 };
 
 template <class T>
-Held<T> held(const Scene<T>& scene, const StuckConfiguration<T>& stuck) {
-    const System<T>& s = scene.system;
-    Held<T> all{stuck_response(stuck, s.contact, s.load, *scene.r), {}};
-    for (const StuckMass<T>& mass : all.response.masses)
-        all.solution.masses.push_back({mass.amplitude, mass.phase, T(0), T(0), std::nullopt});
-    const std::optional<T> reach = rest_interval(stuck, all.response, scene.mu, *scene.beta);
-    // On the boundary rounding may leave less than nothing of the interval.
-    all.solution.rest_interval.to = reach.value_or(T(0));
-    all.solution.rest_interval.from = -all.solution.rest_interval.to;
-    all.solution.sticking_by_88 = sticking_boundary(all.response, stuck_chain(s, stuck), scene.mu).paper;
-    return all;
-}
-
-template <class T>
-StuckConfiguration<T> stuck_of(const Scene<T>& scene) {
-    return stuck_configuration(scene.system, modal_basis(scene.system));
-}
-
-// Sets the errors of a mass and notes them in the largest.
-template <class T>
-void set_errors(HeldSolution<T>& solution, std::size_t k, const T& error, std::optional<Mass> only) {
-    SolvedMass<T>& mass = solution.masses[k];
-    mass.error_bound = error;
-    T largest(0);
-    for (const SolvedMass<T>& each : solution.masses) largest = std::max(largest, each.amplitude);
-    if (mass.amplitude <= error && error <= largest * 1024 * std::numeric_limits<T>::epsilon()) {
-        mass.phase.reset(); // it does not move
-        return;
+HeldErrors<T> errors_of(const Scene<T>& scene, const StuckConfiguration<T>& stuck, const StuckResponse<T>& response) {
+    const auto n = static_cast<Eigen::Index>(stuck.masses.size());
+    const T r = *scene.r, eps = unit_of<T>(), rounding = 8 * static_cast<int>(n + 1) * eps;
+    HeldErrors<T> errors{{}, T(eps + rounding * scene.mu * *scene.beta)};
+    if (n == 0) return errors;
+    const Matrix<T> stiffness = stuck.K - r * r * stuck.M, damping = r * stuck.C;
+    Matrix<T> A(2 * n, 2 * n);
+    A << stiffness, -damping, damping, stiffness;
+    Column<T> X(2 * n), b = Column<T>::Zero(2 * n);
+    for (Eigen::Index i = 0; i < n; ++i) {
+        const Mass k = stuck.masses[static_cast<std::size_t>(i)];
+        X(i) = response.masses[k.index].X.re;
+        X(n + i) = response.masses[k.index].X.im;
+        if (k == scene.system.load) b(i) = T(1);
     }
-    mass.phase_error =
-        error < mass.amplitude ? T(asin(T(error / mass.amplitude)) + 4 * std::numeric_limits<T>::epsilon()) : pi<T>();
-    if (only && k != only->index) return;
-    solution.relative =
-        std::max({solution.relative, static_cast<double>(T(mass.amplitude > 0 ? T(error / mass.amplitude) : T(1))),
-                  static_cast<double>(mass.phase_error)});
+    const Column<T> size = X.cwiseAbs();
+    const Matrix<T> entries = stuck.K.cwiseAbs() + r * r * stuck.M.cwiseAbs();
+    Column<T> terms(2 * n);
+    terms << entries * size.head(n), entries * size.tail(n);
+    terms += Column<T>::Constant(2 * n, T(damping.cwiseAbs().maxCoeff() * size.sum()));
+    const Column<T> left_over = (b - A * X).cwiseAbs() + rounding * (terms + b.cwiseAbs());
+    const Column<T> error = T(2) * (Matrix<T>(Eigen::PartialPivLU<Matrix<T>>(A).inverse()).cwiseAbs() * left_over + eps * size);
+    for (Eigen::Index i = 0; i < n; ++i) {
+        const auto m = static_cast<std::size_t>(i);
+        const T of_mass = error(i) + error(n + i);
+        if (!(of_mass - of_mass == 0)) throw DomainError("the load excites a resonance of the system with the contact held");
+        errors.masses.push_back(of_mass);
+        errors.load += (abs(stuck.k_j[m]) + r * abs(stuck.c_j[m]) + r * r * abs(stuck.m_j[m])) *
+                       (of_mass + rounding * (size(i) + size(n + i)));
+    }
+    return errors;
 }
 
 } // namespace
 
-HeldSolution<double> held_solution(const Scene<double>& scene, const StuckConfiguration<double>& stuck,
-                                   std::optional<Mass> only) {
-    constexpr double epsilon = std::numeric_limits<double>::epsilon();
-    Held<double> all = held(scene, stuck);
-    HeldSolution<double>& solution = all.solution;
-    const auto n = static_cast<Eigen::Index>(stuck.masses.size());
-    const double r = *scene.r, rounding = 8 * static_cast<double>(n + 1) * epsilon;
-    double load_error = epsilon;
-    if (n > 0) {
-        const Eigen::MatrixXcd A =
-            (stuck.K - r * r * stuck.M).cast<std::complex<double>>() + std::complex<double>(0, r) * stuck.C;
-        Eigen::VectorXcd X(n), b = Eigen::VectorXcd::Zero(n);
-        for (Eigen::Index i = 0; i < n; ++i) {
-            const Mass k = stuck.masses[static_cast<std::size_t>(i)];
-            X(i) = {all.response.masses[k.index].X.re, all.response.masses[k.index].X.im};
-            if (k == scene.system.load) b(i) = 1;
-        }
-        const Eigen::VectorXd size = X.cwiseAbs();
-        const Eigen::VectorXd entries = (stuck.K.cwiseAbs() + r * r * stuck.M.cwiseAbs()) * size +
-                                        Eigen::VectorXd::Constant(n, r * stuck.C.cwiseAbs().maxCoeff() * size.sum());
-        const Eigen::VectorXd left_over = (b - A * X).cwiseAbs() + rounding * (entries + b.cwiseAbs());
-        const Eigen::VectorXd error = 2 * (A.inverse().cwiseAbs() * left_over + epsilon * size);
-        if (!error.allFinite()) throw DomainError("the load excites a resonance of the system with the contact held");
-        for (Eigen::Index i = 0; i < n; ++i) {
-            const auto m = static_cast<std::size_t>(i);
-            set_errors(solution, stuck.masses[m].index, error(i), only);
-            load_error +=
-                (abs(stuck.k_j[m]) + r * abs(stuck.c_j[m]) + r * r * abs(stuck.m_j[m])) * (error(i) + rounding * size(i));
-        }
+template <class T>
+HeldSolution held_solution(const Scene<T>& scene, const StuckConfiguration<T>& stuck, int digits, std::optional<Mass> only) {
+    const System<T>& s = scene.system;
+    const StuckResponse<T> response = stuck_response(stuck, s.contact, s.load, *scene.r);
+    const HeldErrors<T> errors = errors_of(scene, stuck, response);
+    HeldSolution solution;
+    T largest(0);
+    for (const StuckMass<T>& mass : response.masses) {
+        largest = std::max(largest, mass.amplitude);
+        solution.masses.push_back({exactly(mass.amplitude, digits), std::nullopt, std::nullopt});
     }
-    solution.rest_interval.error_bound = (load_error + rounding * scene.mu * *scene.beta) / stuck.k_contact;
-    return solution;
-}
-
-template <class T, class Wide>
-HeldSolution<T> held_solution(const Scene<T>& scene, const Scene<Wide>& wide_scene, std::optional<Mass> only) {
-    constexpr int ulps = 4;
-    Held<T> all = held(scene, stuck_of(scene));
-    const Held<Wide> wide = held(wide_scene, stuck_of(wide_scene));
-    HeldSolution<T>& solution = all.solution;
-    for (std::size_t k = 0; k < solution.masses.size(); ++k) {
-        const Complex<T>& X = all.response.masses[k].X;
-        const Complex<Wide>& W = wide.response.masses[k].X;
-        const Wide apart = modulus(Complex<Wide>{Wide(Wide(X.re) - W.re), Wide(Wide(X.im) - W.im)});
-        if (k == scene.system.contact.index) continue;
-        set_errors(solution, k, T(T(2 * apart) + ulps * std::numeric_limits<T>::epsilon() * solution.masses[k].amplitude), only);
+    for (std::size_t n = 0; n < stuck.masses.size(); ++n) {
+        const std::size_t k = stuck.masses[n].index;
+        const StuckMass<T>& mass = response.masses[k];
+        const T& error = errors.masses[n];
+        solution.masses[k].amplitude = certified(Bounded<T>(mass.amplitude, error), digits);
+        if (mass.amplitude <= error && error <= largest * 1024 * unit_of<T>()) continue; // it does not move
+        const T of_phase = error < mass.amplitude ? T(asin(T(error / mass.amplitude)) + 4 * unit_of<T>()) : pi<T>();
+        solution.masses[k].phase = certified(Bounded<T>(mass.phase.value_or(T(0)), of_phase), digits);
+        if (only && k != only->index) continue;
+        const T relative = mass.amplitude > 0 ? T(error / mass.amplitude) : T(1);
+        solution.relative = std::max({solution.relative, static_cast<double>(relative), static_cast<double>(of_phase)});
     }
-    const Wide apart = abs(Wide(Wide(solution.rest_interval.to) - wide.solution.rest_interval.to));
-    solution.rest_interval.error_bound = T(2 * apart) + ulps * std::numeric_limits<T>::epsilon() * solution.rest_interval.to;
+    // On the boundary rounding may leave less than nothing of the interval.
+    const T to = rest_interval(stuck, response, scene.mu, *scene.beta).value_or(T(0)), error = errors.load / stuck.k_contact;
+    solution.rest_interval = {certified(Bounded<T>(T(-to), error), digits), certified(Bounded<T>(to, error), digits),
+                              std::nullopt};
+    solution.sticking_by_88 = limit_by_88(scene, stuck, response, digits);
     return solution;
 }
 
 template <class T>
-std::optional<T> sticking_by_88(const Scene<T>& scene) {
+std::optional<Certified> sticking_by_88(const Scene<T>& scene, int digits) {
     try {
-        const StuckConfiguration<T> stuck = stuck_of(scene);
-        const StuckResponse<T> response = stuck_response(stuck, scene.system.contact, scene.system.load, *scene.r);
-        return sticking_boundary(response, stuck_chain(scene.system, stuck), scene.mu).paper;
+        const StuckConfiguration<T> stuck = stuck_configuration(scene.system, modal_basis(scene.system));
+        return limit_by_88(scene, stuck, stuck_response(stuck, scene.system.contact, scene.system.load, *scene.r), digits);
     } catch (const DomainError&) {
         return std::nullopt;
     }
 }
 
-template HeldSolution<double> held_solution(const Scene<double>&, const Scene<Real50>&, std::optional<Mass>);
-template HeldSolution<Real50> held_solution(const Scene<Real50>&, const Scene<Real100>&, std::optional<Mass>);
-template std::optional<double> sticking_by_88(const Scene<double>&);
-template std::optional<Real50> sticking_by_88(const Scene<Real50>&);
-template std::optional<Real100> sticking_by_88(const Scene<Real100>&);
+template HeldSolution held_solution(const Scene<double>&, const StuckConfiguration<double>&, int, std::optional<Mass>);
+template HeldSolution held_solution(const Scene<Real50>&, const StuckConfiguration<Real50>&, int, std::optional<Mass>);
+template HeldSolution held_solution(const Scene<Real100>&, const StuckConfiguration<Real100>&, int, std::optional<Mass>);
+template std::optional<Certified> sticking_by_88(const Scene<double>&, int);
+template std::optional<Certified> sticking_by_88(const Scene<Real50>&, int);
+template std::optional<Certified> sticking_by_88(const Scene<Real100>&, int);
 
 } // namespace denhartog

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "denhartog/number/multiprecision.hpp"
+#include "denhartog/solve/certify.hpp"
 
 namespace denhartog {
 namespace {
@@ -51,7 +51,7 @@ T acceleration_at_extremum(OnOrbit<T>& orbit, std::size_t k, const MassMotion<T>
 } // namespace
 
 template <class T>
-OrbitSolution<T> orbit_solution(ExactSolver<T>& solver, const PeriodicOrbit<T>& orbit, std::optional<Mass> only) {
+OrbitSolution orbit_solution(ExactSolver<T>& solver, const PeriodicOrbit<T>& orbit, int digits, std::optional<Mass> only) {
     const T period = 2 * orbit.periods * pi<T>();
     OnOrbit<T> on_orbit(solver, solver.run(orbit.start, T(0), period), period);
     const T fastest = std::max(T(1), T(solver.system().basis.r_n.back() / solver.excitation().r));
@@ -59,22 +59,28 @@ OrbitSolution<T> orbit_solution(ExactSolver<T>& solver, const PeriodicOrbit<T>& 
     T largest = orbit.contact.amplitude; // of the other masses the state at the start, where their maxima were not sought
     for (const T& x : orbit.start.x) largest = std::max(largest, T(abs(x)));
     for (const MassMotion<T>& mass : orbit.masses) largest = std::max(largest, mass.amplitude);
-    OrbitSolution<T> solution;
+    const auto number = [digits](const T& x, const T& error) { return certified(Bounded<T>(x, error), digits); };
+    OrbitSolution solution;
+    for (const Stop<T>& stop : orbit.stops) {
+        const T unknown = std::numeric_limits<T>::infinity();
+        solution.stops.push_back({number(stop.start, unknown), number(stop.end, unknown), number(stop.x, orbit.error_bound)});
+    }
     for (std::size_t k = 0; k < N; ++k) {
         if (only && k != only->index) {
-            solution.masses.push_back({T(0), std::nullopt, T(0), T(0), std::nullopt});
+            solution.masses.push_back({});
             continue;
         }
         const MassMotion<T>& mass = k == j ? orbit.contact : orbit.masses[k];
         const T rounding = std::numeric_limits<T>::epsilon() * (16 * largest);
         if (mass.amplitude <= orbit.error_bound + rounding && orbit.error_bound <= 64 * rounding) {
-            solution.masses.push_back({mass.amplitude, std::nullopt, orbit.error_bound, T(0), std::nullopt}); // it does not move
+            solution.masses.push_back(
+                {number(mass.amplitude, orbit.error_bound), std::nullopt, std::nullopt}); // it does not move
             continue;
         }
         const T acceleration = acceleration_at_extremum(on_orbit, k, mass, orbit.periods);
         const T velocity_error = fastest * (orbit.error_bound + rounding / 16);
         const T phase_error = acceleration > 0 ? std::min(pi<T>(), T(velocity_error / acceleration)) : pi<T>();
-        solution.masses.push_back({mass.amplitude, mass.phase, orbit.error_bound, phase_error, std::nullopt});
+        solution.masses.push_back({number(mass.amplitude, orbit.error_bound), number(mass.phase, phase_error), std::nullopt});
         const T relative = mass.amplitude > 0 ? T(orbit.error_bound / mass.amplitude) : T(1);
         solution.relative_amplitude = std::max(solution.relative_amplitude, static_cast<double>(relative));
         solution.phase_error = std::max(solution.phase_error, static_cast<double>(phase_error));
@@ -89,8 +95,8 @@ Stability stability_of(const PeriodicOrbit<T>& orbit) {
     return stability;
 }
 
-template OrbitSolution<double> orbit_solution(ExactSolver<double>&, const PeriodicOrbit<double>&, std::optional<Mass>);
-template OrbitSolution<Real50> orbit_solution(ExactSolver<Real50>&, const PeriodicOrbit<Real50>&, std::optional<Mass>);
+template OrbitSolution orbit_solution(ExactSolver<double>&, const PeriodicOrbit<double>&, int, std::optional<Mass>);
+template OrbitSolution orbit_solution(ExactSolver<Real50>&, const PeriodicOrbit<Real50>&, int, std::optional<Mass>);
 template Stability stability_of(const PeriodicOrbit<double>&);
 template Stability stability_of(const PeriodicOrbit<Real50>&);
 

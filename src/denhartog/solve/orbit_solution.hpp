@@ -8,11 +8,11 @@
 namespace denhartog {
 
 /// @brief A periodic orbit as an answer.
-template <class T>
 struct OrbitSolution {
-    std::vector<SolvedMass<T>> masses; ///< N; zero where not asked about
-    double relative_amplitude = 0;     ///< largest error of an amplitude, relative
-    double phase_error = 0;            ///< largest error of a phase
+    std::vector<SolvedMass> masses; ///< N; zero where not asked about
+    std::vector<SolvedStop> stops;  ///< stops of the contact; of their instants no bound is known
+    double relative_amplitude = 0;  ///< largest error of an amplitude, relative
+    double phase_error = 0;         ///< largest error of a phase
 };
 
 /// @brief Amplitudes and phases of an orbit with their errors.
@@ -21,11 +21,12 @@ struct OrbitSolution {
 /// the displacements times the highest natural frequency.
 /// @param solver  the solver that found the orbit; moved along the orbit once more
 /// @param orbit   a periodic orbit with its masses
+/// @param digits  significant digits asked for
 /// @param only    the one mass that is asked about; for the contact the orbit needs no other. None for all
 /// @return        the masses with their errors
 template <class T>
-[[nodiscard]] OrbitSolution<T> orbit_solution(ExactSolver<T>& solver, const PeriodicOrbit<T>& orbit,
-                                              std::optional<Mass> only = std::nullopt);
+[[nodiscard]] OrbitSolution orbit_solution(ExactSolver<T>& solver, const PeriodicOrbit<T>& orbit, int digits,
+                                           std::optional<Mass> only = std::nullopt);
 
 /// @brief Sizes of the multipliers and the verdict.
 /// @param orbit  an orbit whose stability was computed

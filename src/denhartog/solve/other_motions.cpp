@@ -5,6 +5,7 @@
 #include <random>
 
 #include "denhartog/number/errors.hpp"
+#include "denhartog/solve/certify.hpp"
 #include "denhartog/solve/held_solution.hpp"
 #include "denhartog/solve/map_column.hpp"
 #include "denhartog/solve/orbit_solution.hpp"
@@ -129,17 +130,19 @@ private:
                            orbit.symmetric,
                            stability_of(orbit),
                            {},
-                           orbit.stops,
+                           {},
                            orbit.start,
                            std::nullopt};
         if (rests) {
-            const HeldSolution<double> held = held_solution(scene, system.stuck);
+            const HeldSolution held = held_solution(scene, system.stuck, digits_by_default);
             motion.masses = held.masses;
             motion.rest_interval = held.rest_interval;
-            motion.rest_interval->rests_at = orbit.start.x[system.contact.index];
-            motion.stops.clear();
+            motion.rest_interval->rests_at =
+                certified(Bounded<double>(orbit.start.x[system.contact.index], orbit.error_bound), digits_by_default);
         } else {
-            motion.masses = orbit_solution(solver, orbit).masses;
+            const OrbitSolution found_orbit = orbit_solution(solver, orbit, digits_by_default);
+            motion.masses = found_orbit.masses;
+            motion.stops = found_orbit.stops;
         }
         motions.push_back(std::move(motion));
     }

@@ -1,50 +1,24 @@
 #include "denhartog/solve/prepared_system.hpp"
 
-#include <cmath>
-
 #include "denhartog/number/errors.hpp"
+#include "denhartog/solve/sliding_point.hpp"
 
 namespace denhartog {
 namespace {
 
-constexpr int most_digits_solved_in_double = 10; // of a contact; beyond, the modes of long double may be needed
-
-bool has_damping_ratios(const System<double>& s) { return !s.damping_ratios.empty(); }
-
-void prepare_contact(PreparedSystem& p, int digits) {
-    const System<double>& s = p.scene.system;
-    const std::vector<Mass> masses = contact_and_load(s);
-    p.contact = contact_modes(basis_with_errors_at(s, masses));
-    if (digits > most_digits_solved_in_double && digits <= most_digits_bounded_beforehand)
-        p.contact_sharp = contact_modes(sharp_basis_at(p.source.in_long_double().system, masses));
-    if (digits <= most_digits_bounded_beforehand) return;
-    p.contact_in_50 = modal_basis_at(p.source.in_50_digits().system, masses);
-    p.contact_in_100 = modal_basis_at(p.source.in_100_digits().system, masses);
-}
+constexpr int most_digits_of_contact_in_double = 11; // beyond, the modes of 50 digits may be needed
 
 void prepare_every_regime(PreparedSystem& p) {
     const System<double>& s = p.scene.system;
     auto moving = std::make_shared<ContactSystem<double>>(contact_system(s));
-    p.basis = moving->basis;
-    if (has_damping_ratios(s)) p.bounded = std::make_shared<const ModalBasis<Bounded>>(with_errors(s, *p.basis));
+    p.bounded = std::make_shared<const ModalBasis<Bounded<double>>>(with_errors(s, moving->basis));
     p.moving = std::move(moving);
 }
 
 } // namespace
 
-Aim aim_of(const Question& question) {
-    const int digits = question.digits.value_or(digits_by_default);
-    return {digits, question.digits.has_value(), std::pow(10.0, -digits)};
-}
-
-std::string in_words(const Aim& aim) {
-    return std::to_string(aim.digits) + (aim.digits == 1 ? " digit" : " digits") + (aim.asked_for ? " asked for" : " aimed at");
-}
-
 void check(const Question& question, std::size_t N) {
-    const int digits = aim_of(question).digits;
-    if (digits < 1 || digits > most_digits)
-        throw InputError("digits", "must be from 1 to " + std::to_string(most_digits), std::to_string(digits));
+    (void)aim_of(question.digits);
     if (question.mass && question.mass->index >= N)
         throw InputError("mass", "must be a mass from 1 to " + std::to_string(N), std::to_string(question.mass->index + 1));
 }
@@ -54,8 +28,10 @@ bool asks_for_contact(const Question& question, Mass contact) {
 }
 
 template <class T>
-std::vector<Mass> contact_and_load(const System<T>& s) {
-    return s.contact == s.load ? std::vector<Mass>{s.contact} : std::vector<Mass>{s.contact, s.load};
+ContactModes<T> contact_modes_of(const SceneSource& source) {
+    const System<T> s = scene_in<T>(source).system;
+    return contact_modes(
+        bounded_basis_at(s, s.contact == s.load ? std::vector<Mass>{s.contact} : std::vector<Mass>{s.contact, s.load}));
 }
 
 PreparedSystem prepare(const SceneSource& source, const Question& question, Prepared points) {
@@ -63,8 +39,11 @@ PreparedSystem prepare(const SceneSource& source, const Question& question, Prep
     check(p.scene);
     const System<double>& s = p.scene.system;
     check(question, number_of_masses(s));
-    if (has_damping_ratios(s) && p.scene.mu == 1 && asks_for_contact(question, s.contact))
-        prepare_contact(p, aim_of(question).digits);
+    if (s.damping_matrix.size() == 0 && p.scene.mu == 1 && asks_for_contact(question, s.contact)) {
+        p.contact = contact_modes_of<double>(source);
+        if (aim_of(question.digits).digits > most_digits_of_contact_in_double)
+            p.contact_in_50 = std::make_shared<const ContactModes<Real50>>(contact_modes_of<Real50>(source));
+    }
     if (points == Prepared::every_regime) prepare_every_regime(p);
     return p;
 }
@@ -81,6 +60,7 @@ PreparedSystem with_static_friction(PreparedSystem system, double mu) {
     return system;
 }
 
-template std::vector<Mass> contact_and_load(const System<double>&);
+template ContactModes<Real50> contact_modes_of(const SceneSource&);
+template ContactModes<Real100> contact_modes_of(const SceneSource&);
 
 } // namespace denhartog

@@ -1,10 +1,9 @@
 /// @file
 /// @brief The numbers of one point, each with a bound of its error: V, U, G, H, S, beta_lim, X_j, phi_j, and x_k at instants.
 ///
-/// In double they are computed on `Bounded` numbers, first with bounds of the modes that cost no eigen-solve, then with the modes
-/// of long double, see `bounded_modes.hpp`. Where a bound exceeds what is asked for the next precision is taken: 50 digits, whose
-/// errors are measured in 100. The values handed out are doubles in every case; the bound then holds their rounding and the
-/// error measured. What made a step necessary is said, and steps are counted.
+/// They are computed on numbers that carry a bound of their error, in double and, where that exceeds what is asked for, in 50 and in
+/// 100 digits. The values handed out are doubles in every case; the bound then holds their rounding. What made a step necessary
+/// is said, and steps are counted.
 #pragma once
 
 #include <functional>
@@ -13,8 +12,8 @@
 
 #include "denhartog/sliding/bounded_modes.hpp"
 #include "denhartog/sliding/steady_state.hpp"
-#include "denhartog/solve/answer.hpp"
 #include "denhartog/solve/prepared_system.hpp"
+#include "denhartog/solve/sliding_point.hpp"
 
 namespace denhartog {
 
@@ -72,16 +71,16 @@ enum class PointNumbers : std::uint8_t {
 
 /// @brief The numbers of a point with the digits asked for.
 struct QuantitiesAnswer {
-    Quantities<Bounded> numbers; ///< values in double with their bounds
-    Method method;               ///< how they were computed, and why that way
-    double relative = 0;         ///< the largest bound of those asked for over its size, see `list`
+    Quantities<Bounded<double>> numbers; ///< values in double with their bounds
+    Method method;                       ///< how they were computed, and why that way
+    double relative = 0;                 ///< the largest bound of those asked for over its size, see `list`
 };
 
 /// @brief The numbers of a point to the digits asked for, by the cheapest precision whose bounds have them.
 ///
-/// A number that 50 digits find below 1e-25 of the largest of its kind, and to which 100 digits leave not the digits asked for,
-/// comes out as zero with its bound: it is zero without being so by its formula, as at an antiresonance, or lies too low to tell.
-/// A damping matrix counts as the damping ratios that it has in double.
+/// A number that 50 digits find below 1e-25 of the largest of its kind, and to which their bound does not leave the digits asked
+/// for, comes out as zero with its bound: it is zero without being so by its formula, as at an antiresonance, or lies too low to
+/// tell.
 /// @eq{33,34,35,38,39,41,56,64,69}
 /// @param source  the scene, with r and, where the motion is asked for, beta
 /// @param tau     instants of the motion, any; zero at a maximum of x_j

@@ -11,12 +11,11 @@ namespace denhartog {
 namespace {
 
 // From the start of an orbit along it.
-template <class T>
-std::vector<State<double>> along_orbit(const Scene<double>& scene, const State<T>& from, const std::vector<double>& tau,
+std::vector<State<double>> along_orbit(const Scene<double>& scene, const SolvedState& from, const std::vector<double>& tau,
                                        double period) {
     State<double> start;
-    for (const T& x : from.x) start.x.push_back(static_cast<double>(x));
-    for (const T& v : from.x_prime) start.x_prime.push_back(static_cast<double>(v));
+    for (const Certified& x : from.x) start.x.push_back(x.value);
+    for (const Certified& v : from.x_prime) start.x_prime.push_back(v.value);
     const ContactSystem<double> system = contact_system(scene.system);
     ExactSolver<double> solver(system, {*scene.r, *scene.beta, scene.mu});
     const std::vector<Phase<double>> phases = solver.run(start, 0, period).phases;
@@ -29,14 +28,12 @@ std::vector<State<double>> along_orbit(const Scene<double>& scene, const State<T
     return states;
 }
 
-template <class T>
-std::vector<State<double>> of_stuck_masses(const std::vector<SolvedMass<T>>& masses, const std::vector<double>& tau) {
+std::vector<State<double>> of_stuck_masses(const std::vector<SolvedMass>& masses, const std::vector<double>& tau) {
     std::vector<State<double>> states;
     for (const double instant : tau) {
         State<double> state;
-        for (const SolvedMass<T>& m : masses) {
-            const double angle = instant - static_cast<double>(m.phase.value_or(T(0)));
-            const double amplitude = m.phase ? static_cast<double>(m.amplitude) : 0;
+        for (const SolvedMass& m : masses) {
+            const double angle = instant - (m.phase ? m.phase->value : 0), amplitude = m.phase ? m.amplitude.value : 0;
             state.x.push_back(amplitude * std::cos(angle));
             state.x_prime.push_back(-amplitude * std::sin(angle));
         }
@@ -49,7 +46,7 @@ std::vector<State<double>> of_stuck_masses(const std::vector<SolvedMass<T>>& mas
 std::vector<State<double>> of_closed_form(const Scene<double>& scene, double phi_j, std::vector<double> tau) {
     constexpr int digits = 10;
     for (double& instant : tau) instant -= phi_j;
-    const Quantities<Bounded> q = quantities(scene_source(scene), tau, digits, PointNumbers::motion).numbers;
+    const Quantities<Bounded<double>> q = quantities(scene_source(scene), tau, digits, PointNumbers::motion).numbers;
     if (!q.X_j) throw PrecisionError("beta = " + number_to_text(*scene.beta) + " is beta_lim to the digits of the answer");
     std::vector<State<double>> states(tau.size());
     for (std::size_t n = 0; n < q.x.size(); ++n) {
@@ -66,15 +63,15 @@ SampledSolution sampled_solution(const Scene<double>& scene, const Solution& sol
     const double period = 2 * pi<double>() * solution.periods;
     SampledSolution all;
     for (std::size_t n = 0; n < samples; ++n) all.tau.push_back(period * static_cast<double>(n) / static_cast<double>(samples));
-    all.states = std::visit(
-        [&](const auto& numbers) {
-            if (numbers.start) return along_orbit(scene, *numbers.start, all.tau, period);
-            if (numbers.rest_interval) return of_stuck_masses(numbers.masses, all.tau);
-            const auto& phase = numbers.masses[numbers.contact.index].phase;
-            if (!phase) throw PrecisionError("the contact moves by less than the error of its amplitude: its phase is not known");
-            return of_closed_form(scene, static_cast<double>(*phase), all.tau);
-        },
-        solution.numbers);
+    if (solution.start) {
+        all.states = along_orbit(scene, *solution.start, all.tau, period);
+    } else if (solution.rest_interval) {
+        all.states = of_stuck_masses(solution.masses, all.tau);
+    } else {
+        const std::optional<Certified>& phase = mass_of(solution, solution.contact).phase;
+        if (!phase) throw PrecisionError("the contact moves by less than the error of its amplitude: its phase is not known");
+        all.states = of_closed_form(scene, phase->value, all.tau);
+    }
     return all;
 }
 

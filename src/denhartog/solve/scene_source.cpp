@@ -1,14 +1,12 @@
 #include "denhartog/solve/scene_source.hpp"
 
-#include "denhartog/model/modal_basis.hpp"
-
 namespace denhartog {
 namespace {
 
 template <class Convert>
 SceneSource source_of(const Convert& convert) {
-    return {[convert] { return convert(double()); }, [convert] { return convert(static_cast<long double>(0)); },
-            [convert] { return convert(Real50()); }, [convert] { return convert(Real100()); }};
+    return {[convert] { return convert(double()); }, [convert] { return convert(Real50()); },
+            [convert] { return convert(Real100()); }};
 }
 
 // The same source with something of its scene changed.
@@ -21,7 +19,7 @@ SceneSource changed(const SceneSource& source, const Change& change) {
             return scene;
         };
     };
-    return {then(source.in_double), then(source.in_long_double), then(source.in_50_digits), then(source.in_100_digits)};
+    return {then(source.in_double), then(source.in_50_digits), then(source.in_100_digits)};
 }
 
 } // namespace
@@ -51,12 +49,6 @@ SceneSource with_static_friction(const SceneSource& source, double mu) {
 
 SceneSource without_friction_ratio(const SceneSource& source) {
     return changed(source, [](auto& scene) { scene.beta.reset(); });
-}
-
-Scene<double> with_damping_ratios(Scene<double> scene) {
-    scene.system.damping_ratios = modal_basis(scene.system).zeta;
-    scene.system.damping_matrix.resize(0, 0);
-    return scene;
 }
 
 } // namespace denhartog

@@ -11,11 +11,21 @@ namespace denhartog {
 
 /// @brief A scene in every number type: one tenth written as text is one tenth to all the digits of each.
 struct SceneSource {
-    std::function<Scene<double>()> in_double;           ///< the scene in double
-    std::function<Scene<long double>()> in_long_double; ///< the scene in long double
-    std::function<Scene<Real50>()> in_50_digits;        ///< the scene in 50 digits
-    std::function<Scene<Real100>()> in_100_digits;      ///< the scene in 100 digits
+    std::function<Scene<double>()> in_double;      ///< the scene in double
+    std::function<Scene<Real50>()> in_50_digits;   ///< the scene in 50 digits
+    std::function<Scene<Real100>()> in_100_digits; ///< the scene in 100 digits
 };
+
+/// @brief The scene in a number type. @param source the source @return the scene
+template <class T>
+[[nodiscard]] Scene<T> scene_in(const SceneSource& source) {
+    if constexpr (std::same_as<T, double>)
+        return source.in_double();
+    else if constexpr (std::same_as<T, Real50>)
+        return source.in_50_digits();
+    else
+        return source.in_100_digits();
+}
 
 /// @brief A scene from its JSON text.
 /// @param part  the text of one scene; copied
@@ -34,11 +44,6 @@ struct SceneSource {
 /// @brief The same scene with another ratio of static to kinetic friction. @param source a scene @param mu Eq. (3)
 /// @return the source: mu is this double in every number type
 [[nodiscard]] SceneSource with_static_friction(const SceneSource& source, double mu);
-
-/// @brief The same scene with the damping ratios that its damping matrix has in double, in place of the matrix.
-/// @param scene  a scene whose damping is given by a matrix
-/// @return       the scene
-[[nodiscard]] Scene<double> with_damping_ratios(Scene<double> scene);
 
 /// @brief The same scene with the friction ratio left out: its boundary is asked for, not its regime.
 /// @param source  a scene

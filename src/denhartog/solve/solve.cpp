@@ -5,6 +5,7 @@
 
 #include "denhartog/model/point_rules.hpp"
 #include "denhartog/number/errors.hpp"
+#include "denhartog/solve/held_solution.hpp"
 #include "denhartog/solve/orbit_solution.hpp"
 #include "denhartog/solve/other_motions.hpp"
 #include "denhartog/solve/solve_task.hpp"
@@ -27,14 +28,10 @@ void say_whether_unique(const std::vector<double>& damping_ratios, double mu, So
 }
 
 // Whether an orbit is the sliding motion of the closed form.
-bool is_closed_form(const SolveTask& task, const PeriodicOrbit<double>& orbit) {
-    return std::visit(
-        [&](const auto& response) {
-            if (!response.steady_state || !orbit.stops.empty() || !orbit.symmetric || orbit.periods != 1) return false;
-            const double X_j = static_cast<double>(response.steady_state->X_j);
-            return std::abs(orbit.contact.amplitude - X_j) <= 16 * orbit.error_bound + 1e-9 * X_j;
-        },
-        task.found.response);
+bool is_closed_form(const PeriodicOrbit<double>& orbit, const Solution& s) {
+    if (s.masses.empty() || !orbit.stops.empty() || !orbit.symmetric || orbit.periods != 1) return false;
+    const double X_j = s.masses[s.contact.index].amplitude.value;
+    return std::abs(orbit.contact.amplitude - X_j) <= 16 * orbit.error_bound + 1e-9 * X_j;
 }
 
 // The regime that was met; the one that the boundaries have instead, which then exists besides at mu > 1.
@@ -47,8 +44,16 @@ void set_regime(const SolveTask& task, Regime met, const std::string& reason, So
     if (task.scene.mu > 1 || task.pole || met == Regime::continuous) s.regime.reason += "; " + reason;
 }
 
+void answer_by_boundaries(const SolveTask& task, const std::string& model, Solution& s) {
+    s.masses.clear();
+    s.method.model = model;
+    s.sticking_by_88 = task.aim.digits <= most_digits_of_a_double
+                           ? sticking_by_88(task.scene, task.aim.digits)
+                           : sticking_by_88(scene_with_modes<Real100>(task.source).scene, task.aim.digits);
+}
+
 // The motion from rest by the exact solver; the closed form or the stuck response give the numbers where it leads there.
-void answer_from_rest(const SolveTask& task, const std::string& followed, Solution& s) {
+void answer_from_rest(const SolveTask& task, Solution& s) {
     const bool regime_alone = task.question.asked == Asked::regime;
     const std::shared_ptr<const ContactSystem<double>> moving =
         task.moving ? task.moving : std::make_shared<const ContactSystem<double>>(contact_system(task.scene.system));
@@ -57,13 +62,13 @@ void answer_from_rest(const SolveTask& task, const std::string& followed, Soluti
     OrbitSearch<double> how;
     how.contact_only = regime_alone || task.question.mass == system.contact;
     how.with_stability = task.question.asked == Asked::motion;
-    const PeriodicOrbit<double> orbit = periodic_orbit(solver, at_rest<double>(task.basis.r_n.size()), how);
+    const PeriodicOrbit<double> orbit = periodic_orbit(solver, at_rest<double>(system.basis.r_n.size()), how);
     if (orbit.status == OrbitStatus::not_converged) {
         if (task.pole) throw DomainError(*task.pole + "; " + orbit.reason);
         throw PrecisionError("no steady motion was found from the start from rest: " + orbit.reason);
     }
     const bool rests = orbit.status == OrbitStatus::permanently_stuck;
-    const bool slides = !task.pole && !rests && is_closed_form(task, orbit);
+    const bool slides = !task.pole && !rests && is_closed_form(orbit, s);
     if (rests)
         set_regime(task, Regime::permanent_sticking, "from the start from rest " + orbit.reason, s);
     else if (slides)
@@ -72,69 +77,78 @@ void answer_from_rest(const SolveTask& task, const std::string& followed, Soluti
         set_regime(task, Regime::continuous, "the contact does not stop, but the motion is not that of the closed form", s);
     else
         set_regime(task, Regime::stick_slip, "the contact stops in every period", s);
-    if (regime_alone) return answer_by_boundaries(task, "boundaries and exact solver", followed, s);
-    if (!rests && !slides) return answer_by_orbit(task, solver, orbit, followed, s);
-    if (slides)
-        answer_by_closed_form(task, s);
-    else
-        answer_by_stuck_response(task, orbit.start.x[system.contact.index], s);
-    s.method.why = followed + s.method.why;
+    if (regime_alone) return answer_by_boundaries(task, "boundaries and exact solver", s);
+    if (rests)
+        answer_by_stuck_response(
+            task, certified(Bounded<double>(orbit.start.x[system.contact.index], orbit.error_bound), task.aim.digits), s);
+    else if (!slides)
+        return answer_by_orbit(task, solver, orbit, s);
     if (task.question.asked == Asked::motion) s.stability = stability_of(orbit);
 }
 
-void climb(SolveTask& task, Solution& s) {
-    const bool alone = task.question.asked == Asked::regime;
+void answer(SolveTask& task, Solution& s) {
     const bool few = task.question.asked == Asked::amplitude || task.question.asked == Asked::phase;
-    if (few && task.scene.mu == 1 && !task.contact_tried && answer_by_few_modes(task, s)) return;
-    find_boundary(task);
-    const std::string followed = "the start from rest was followed; ";
-    if (task.pole) {
-        s.regime.reason = "the boundaries are not known: " + *task.pole;
-        return answer_from_rest(task, followed, s);
+    if (few && task.scene.mu == 1 && answer_by_few_modes(task, s)) return;
+    const Solution kept = s;
+    try {
+        s = sliding_solution(task.source, {task.question.asked, task.question.digits, task.question.mass, task.basis});
+        s.unique = kept.unique;
+        s.unique_because = kept.unique_because;
+    } catch (const DomainError& e) {
+        task.pole = e.what();
+        s.regime.reason = std::string("the boundaries are not known: ") + e.what();
     }
-    s.regime = std::visit([](const auto& response) { return *response.regime; }, task.found.response);
-    if (task.scene.mu > 1 && *task.scene.beta > 0) return answer_from_rest(task, followed, s);
-    if (alone) return answer_by_boundaries(task, "boundaries", "", s);
-    switch (s.regime.regime) {
-    case Regime::continuous: return answer_by_closed_form(task, s);
-    case Regime::permanent_sticking: return answer_by_stuck_response(task, std::nullopt, s);
-    case Regime::stick_slip: return answer_from_rest(task, s.unique ? "" : followed, s);
+    const bool follows = task.pole || (task.scene.mu > 1 && *task.scene.beta > 0);
+    const bool sticks = s.regime.regime == Regime::stick_slip;
+    if (follows || (sticks && task.question.asked != Asked::regime)) {
+        answer_from_rest(task, s);
+        if (follows || !s.unique) s.method.why = "the start from rest was followed; " + s.method.why;
+    } else if (task.question.asked == Asked::regime) {
+        answer_by_boundaries(task, "boundaries", s);
+    } else if (s.regime.regime == Regime::permanent_sticking) {
+        answer_by_stuck_response(task, std::nullopt, s);
     }
-}
-
-// Of all masses the one that was asked about.
-template <class Numbers>
-void keep(const Mass& mass, Numbers& numbers) {
-    if (numbers.masses.empty()) return;
-    numbers.masses = {numbers.masses[mass.index]};
-    numbers.only = mass;
 }
 
 void keep_asked_mass(const Question& question, Solution& s) {
     if (!question.mass) return;
-    std::visit(
-        [&](auto& numbers) {
-            if (!numbers.only) keep(*question.mass, numbers);
-        },
-        s.numbers);
+    if (!s.only && !s.masses.empty()) {
+        s.masses = {s.masses[question.mass->index]};
+        s.only = question.mass;
+    }
     for (OtherMotion& motion : s.motions) motion.masses = {motion.masses[question.mass->index]};
+}
+
+std::vector<double> damping_ratios(const ModalBasis<Bounded<double>>& basis) {
+    std::vector<double> zeta;
+    for (const Bounded<double>& each : basis.zeta) zeta.push_back(each.x);
+    return zeta;
 }
 
 Solution solve_at(const PreparedSystem& p, const SolvePoint& at, const Question& question, const Work& before) {
     Solution s;
     s.asked = question.asked;
     if (answer_by_contact(p, at, question, s)) {
-        say_whether_unique(p.scene.system.damping_ratios, p.scene.mu, s);
+        say_whether_unique(damping_ratios(*p.contact->basis), p.scene.mu, s);
     } else {
-        SolveTask task = solve_task(p, at, question);
-        say_whether_unique(task.basis.zeta, p.scene.mu, s);
-        climb(task, s);
-        if (question.digits && !(s.relative_error <= task.tolerance))
-            throw PrecisionError("the " + task.aim + " are not reached, only " + std::to_string(digits_of(s.relative_error)) +
-                                 " are sure");
+        SolveTask task{source_at(p, at), question, p.scene, aim_of(question.digits), p.bounded, p.moving};
+        task.scene.r = at.r;
+        task.scene.beta = at.beta;
+        if (!task.basis) task.basis = scene_with_modes<double>(task.source).basis;
+        say_whether_unique(damping_ratios(*task.basis), p.scene.mu, s);
+        s.r = exactly(at.r, 1);
+        s.beta = exactly(at.beta, 1);
+        s.contact = p.scene.system.contact;
+        answer(task, s);
+        s.asked = question.asked;
+        s.digits_reached = s.relative_error <= task.aim.tolerance;
+        if (question.digits && !s.digits_reached)
+            throw PrecisionError("the " + in_words(task.aim) + " are not reached, only " +
+                                 std::to_string(digits_of(s.relative_error)) + " are sure");
         if (question.all) s.motions = other_motions(task.scene);
         keep_asked_mass(question, s);
     }
+    s.mu = exactly(p.scene.mu, 1);
     const Work after = work_so_far();
     s.work = {after.eigen_solves - before.eigen_solves, after.mode_evaluations - before.mode_evaluations,
               after.phases_propagated - before.phases_propagated};

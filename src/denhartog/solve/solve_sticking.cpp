@@ -8,49 +8,31 @@
 namespace denhartog {
 namespace {
 
-constexpr int most_digits_in_double = 14;
-constexpr int most_digits_of_orbit = 45;
-
-template <class T>
-void write_held(const SolveTask& task, const HeldSolution<T>& held, std::optional<double> rests_at, const std::string& why,
-                Solution& s) {
-    Solved<T> numbers = numbers_with_boundary<T>(task, s);
-    numbers.masses = held.masses;
-    numbers.rest_interval = held.rest_interval;
-    if (rests_at) numbers.rest_interval->rests_at = T(*rests_at);
-    numbers.sticking_by_88 = held.sticking_by_88;
-    s.numbers = std::move(numbers);
-    s.method = {"stuck response", precision_of<T>(), why};
-    s.relative_error = held.relative;
-}
-
-template <class T>
-double relative_error(const SolveTask& task, const OrbitSolution<T>& solution) {
+double relative_error(const SolveTask& task, const OrbitSolution& solution) {
     if (task.question.asked == Asked::amplitude) return solution.relative_amplitude;
     return std::max(solution.relative_amplitude, solution.phase_error);
 }
 
 template <class T>
-void write_orbit(const SolveTask& task, const PeriodicOrbit<T>& orbit, const OrbitSolution<T>& solution, const std::string& why,
-                 Solution& s) {
-    Solved<T> numbers = numbers_with_boundary<T>(task, s);
-    numbers.masses = solution.masses;
-    numbers.stops = orbit.stops;
-    numbers.start = orbit.start;
-    s.numbers = std::move(numbers);
-    s.method = {"exact solver", precision_of<T>(), why};
-    if (!orbit.reason.empty()) s.regime.reason += "; " + orbit.reason;
+void write_orbit(const SolveTask& task, const PeriodicOrbit<T>& orbit, OrbitSolution solution, Solution& s) {
+    const auto all = [&](const std::vector<T>& numbers) {
+        std::vector<Certified> out;
+        for (const T& x : numbers) out.push_back(certified(Bounded<T>(x, orbit.error_bound), task.aim.digits));
+        return out;
+    };
     s.relative_error = relative_error(task, solution);
+    s.masses = std::move(solution.masses);
+    s.stops = std::move(solution.stops);
+    s.start = SolvedState{all(orbit.start.x), all(orbit.start.x_prime)};
     s.periods = orbit.periods;
     s.symmetric = orbit.symmetric;
-    if (task.question.asked == Asked::motion) s.stability = stability_of(orbit);
 }
 
-// The same orbit in 50 digits; its stability is that of double.
-bool answer_in_50_digits(const SolveTask& task, const PeriodicOrbit<double>& near, const std::string& before, Solution& s) {
-    const Scene<Real50> scene = task.source.in_50_digits();
-    const ContactSystem<Real50> system = contact_system(scene.system);
-    ExactSolver<Real50> solver(system, {*scene.r, *scene.beta, scene.mu});
+// The same orbit in 50 digits.
+void orbit_in_50_digits(const SolveTask& task, const PeriodicOrbit<double>& near, Solution& s) {
+    const SceneIn<Real50> in = scene_with_modes<Real50>(task.source);
+    const ContactSystem<Real50> system = contact_system(in.scene.system);
+    ExactSolver<Real50> solver(system, {*in.scene.r, *in.scene.beta, in.scene.mu});
     State<Real50> start;
     start.x.assign(near.start.x.begin(), near.start.x.end());
     start.x_prime.assign(near.start.x_prime.begin(), near.start.x_prime.end());
@@ -59,52 +41,65 @@ bool answer_in_50_digits(const SolveTask& task, const PeriodicOrbit<double>& nea
     how.follow_start = false;
     how.with_stability = false;
     how.contact_only = task.question.mass == system.contact;
-    PeriodicOrbit<Real50> orbit = periodic_orbit(solver, start, how);
+    const PeriodicOrbit<Real50> orbit = periodic_orbit(solver, start, how);
     if (orbit.status != OrbitStatus::periodic || orbit.periods != near.periods || orbit.symmetric != near.symmetric ||
         orbit.stops.size() != near.stops.size())
-        return false;
-    const OrbitSolution<Real50> solution = orbit_solution(solver, orbit, task.question.mass);
-    if (!(relative_error(task, solution) <= task.tolerance)) return false;
-    orbit.multipliers = near.multipliers;
-    orbit.stable = near.stable;
-    write_orbit(task, orbit, solution, before + "in 50 digits it has the " + task.aim, s);
-    return true;
+        throw PrecisionError("the motion of double is not found again");
+    write_orbit(task, orbit, orbit_solution(solver, orbit, task.aim.digits, task.question.mass), s);
 }
 
 } // namespace
 
-void answer_by_stuck_response(const SolveTask& task, std::optional<double> rests_at, Solution& s) {
-    if (task.wanted <= most_digits_in_double && !task.scene.system.damping_ratios.empty()) {
-        const HeldSolution<double> held =
-            held_solution(task.scene, task.moving ? task.moving->stuck : stuck_configuration(task.scene.system, task.basis),
-                          task.question.mass);
-        if (held.relative <= task.tolerance)
-            return write_held(task, held, rests_at,
-                              "what it leaves over in the equations of motion bounds its error: it has the " + task.aim, s);
-    }
-    if (task.wanted <= most_digits_in_double) {
-        const HeldSolution<double> held = held_solution(task.scene, task.source.in_50_digits(), task.question.mass);
-        if (held.relative <= task.tolerance)
-            return write_held(task, held, rests_at, "checked in 50 digits: it has the " + task.aim, s);
-    }
-    const HeldSolution<Real50> held = held_solution(task.source.in_50_digits(), task.source.in_100_digits(), task.question.mass);
-    const std::string verdict = held.relative <= task.tolerance ? "it has the " : "it has not the ";
-    write_held(task, held, rests_at, "checked in 100 digits: " + verdict + task.aim, s);
+void answer_by_stuck_response(const SolveTask& task, const std::optional<Certified>& rests_at, Solution& s) {
+    const auto attempt = [&]<class T>(std::type_identity<T>) {
+        HeldSolution held;
+        if constexpr (std::same_as<T, double>) {
+            held = task.moving ? held_solution(task.scene, task.moving->stuck, task.aim.digits, task.question.mass)
+                               : held_solution(task.scene, stuck_configuration(task.scene.system, modal_basis(task.scene.system)),
+                                               task.aim.digits, task.question.mass);
+        } else {
+            const Scene<T> scene = scene_with_modes<T>(task.source).scene;
+            held = held_solution(scene, stuck_configuration(scene.system, modal_basis(scene.system)), task.aim.digits,
+                                 task.question.mass);
+        }
+        s.masses = held.masses;
+        s.rest_interval = held.rest_interval;
+        s.rest_interval->rests_at = rests_at;
+        s.sticking_by_88 = held.sticking_by_88;
+        return Attempted{held.relative};
+    };
+    const Certainty found = certify(task.aim, attempt);
+    s.method = {"stuck response", name(found.precision),
+                "bounded by what it leaves over in the equations of motion: " + found.why};
+    s.relative_error = found.relative;
 }
 
-void answer_by_orbit(const SolveTask& task, ExactSolver<double>& solver, const PeriodicOrbit<double>& orbit,
-                     const std::string& followed, Solution& s) {
-    const OrbitSolution<double> solution = orbit_solution(solver, orbit, task.question.mass);
-    const double error = relative_error(task, solution);
-    if (task.wanted <= most_digits_in_double && error <= task.tolerance)
-        return write_orbit(task, orbit, solution, followed + "the residual bounds the error: it has the " + task.aim, s);
-    const std::string sure = std::to_string(digits_of(error));
-    const std::string before = followed + "in double " + sure + " digits are sure; ";
-    if (task.wanted <= most_digits_of_orbit && answer_in_50_digits(task, orbit, before, s)) return;
-    if (task.question.digits)
-        throw PrecisionError("the " + task.aim + " are not reached by the exact solver, which has at most " +
-                             std::to_string(most_digits_of_orbit) + ": in double " + sure + " are sure");
-    write_orbit(task, orbit, solution, before + "it has not the " + task.aim, s);
+void answer_by_orbit(const SolveTask& task, ExactSolver<double>& solver, const PeriodicOrbit<double>& orbit, Solution& s) {
+    const OrbitSolution in_double = orbit_solution(solver, orbit, task.aim.digits, task.question.mass);
+    const double error = relative_error(task, in_double);
+    const auto attempt = [&]<class T>(std::type_identity<T>) {
+        if constexpr (std::same_as<T, double>)
+            write_orbit(task, orbit, in_double, s);
+        else if constexpr (std::same_as<T, Real50>)
+            orbit_in_50_digits(task, orbit, s);
+        return Attempted{s.relative_error};
+    };
+    s.method.model = "exact solver";
+    try {
+        const Certainty found = certify(task.aim, attempt, Precision::in_50_digits);
+        s.method.precision = name(found.precision);
+        s.method.why = "its residual bounds the error: " + found.why;
+    } catch (const PrecisionError& e) {
+        if (task.question.digits)
+            throw PrecisionError("the " + in_words(task.aim) + " are not reached by the exact solver, which has at most " +
+                                 std::to_string(most_digits_in(Precision::in_50_digits)) + ": in double " +
+                                 std::to_string(digits_of(error)) + " are sure");
+        write_orbit(task, orbit, in_double, s);
+        s.method.precision = name(Precision::in_double);
+        s.method.why = "its residual bounds the error: " + verdict({error}, task.aim) + "; in 50 digits: " + e.what();
+    }
+    if (!orbit.reason.empty()) s.regime.reason += "; " + orbit.reason;
+    if (task.question.asked == Asked::motion) s.stability = stability_of(orbit);
 }
 
 } // namespace denhartog
