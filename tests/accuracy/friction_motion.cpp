@@ -18,7 +18,7 @@ using tests::hexadecimal;
 
 namespace {
 
-using Real200 = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<200>, boost::multiprecision::et_off>;
+using Real200 = Multiprecision<200>;
 
 /// Two precisions for the reference of a number type.
 template <class T>
