@@ -73,13 +73,6 @@ template <class T>
     return sin(x) / x;
 }
 
-/// @brief \f$ \sin(\pi y)/(\pi y) \f$, which is 1 at 0. @param y a number @return the quotient
-template <class T>
-[[nodiscard]] T sinc_pi(const T& y) {
-    if (y == 0) return T(1);
-    return sin_pi(y) / (pi<T>() * y);
-}
-
 /// @brief \f$ \frac{1}{q^2}\left[\frac{\sinh q\zeta}{q\zeta} - \frac{\sin qw}{qw}\right] \f$ without its cancellation.
 ///
 /// The bracket is \f$ \sum_k [\zeta^{2k}-(-w^2)^k]\,q^{2k}/(2k+1)! \f$. As \f$ \zeta^2+w^2=1 \f$ its coefficients follow from

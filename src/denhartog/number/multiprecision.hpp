@@ -27,8 +27,6 @@ using Multiprecision =
 using Real50 = Multiprecision<50>;
 /// @brief At least 100 decimal digits.
 using Real100 = Multiprecision<100>;
-/// @brief Ten digits more than `Real50`.
-using Real60 = Multiprecision<60>;
 
 /// @brief Of `long double`.
 template <>
@@ -38,7 +36,7 @@ struct WiderOf<long double> {
 /// @brief Of 50 digits.
 template <>
 struct WiderOf<Real50> {
-    using type = Real60; ///< the wider type
+    using type = Real100; ///< the wider type
 };
 
 /// @brief Frees, at the end of a thread, the constants that MPFR keeps for it.
@@ -81,8 +79,6 @@ public:
         static const Number value = ldexp(Number(1), 1 - numeric_limits::digits);
         return value;
     }
-    /// @return the most by which rounding moves a number, in units of its last place
-    static Number round_error() { return Number(0.5); }
     /// @return the least positive number
     static Number min() {
         static const Number value = ldexp(Number(1), numeric_limits::min_exponent - 1);
@@ -95,8 +91,6 @@ public:
     }
     /// @return the most negative finite number
     static Number lowest() { return -max(); }
-    /// @return the least positive number: there are no subnormal ones
-    static Number denorm_min() { return min(); }
     /// @return infinity
     static Number infinity() { return Number(std::numeric_limits<double>::infinity()); }
     /// @return what is no number
