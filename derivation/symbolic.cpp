@@ -72,7 +72,6 @@ Symbolic one_minus_w(const Symbolic& zeta) { return 1 - sqrt(1 - zeta * zeta); }
 Symbolic sinhc_minus_one(const Symbolic& x) { return sinh(x) / x - 1; }
 Symbolic one_minus_exp_over(const Symbolic& x) { return (1 - exp(-x)) / x; }
 Symbolic sinc(const Symbolic& x) { return sin(x) / x; }
-Symbolic sinc_pi(const Symbolic& y) { return sin_pi(y) / (pi<Symbolic>() * y); }
 Symbolic sinhc_less_sinc_over_square(const Symbolic& q, const Symbolic& zeta) {
     const Symbolic delta = q * zeta, theta = q * sqrt(1 - zeta * zeta);
     return (sinh(delta) / delta - sin(theta) / theta) / (q * q);

@@ -143,10 +143,6 @@ Symbolic one_minus_exp_over(const Symbolic& x);
 /// @param x  an expression
 /// @return the expression
 Symbolic sinc(const Symbolic& x);
-/// @brief sin(pi y) / (pi y).
-/// @param y  an expression
-/// @return the expression
-Symbolic sinc_pi(const Symbolic& y);
 /// @brief [sinh(q zeta) / (q zeta) - sin(q w) / (q w)] / q^2.
 /// @param q  an expression
 /// @param zeta  an expression

@@ -11,7 +11,7 @@ using namespace denhartog::figures;
 
 namespace {
 
-using Real200 = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<200>, boost::multiprecision::et_off>;
+using Real200 = Multiprecision<200>;
 
 /// R and zeta.
 struct Point {

@@ -14,7 +14,7 @@
 namespace denhartog::figures {
 
 /// @brief 400 digits: along zeta = x, |R - 1| = x = 1e-100 the paper's forms lose 200.
-using Real400 = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<400>, boost::multiprecision::et_off>;
+using Real400 = Multiprecision<400>;
 
 /// @brief v, u, g.
 template <class T>

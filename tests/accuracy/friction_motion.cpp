@@ -18,7 +18,7 @@ using tests::hexadecimal;
 
 namespace {
 
-using Real200 = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<200>, boost::multiprecision::et_off>;
+using Real200 = Multiprecision<200>;
 
 /// Two precisions for the reference of a number type.
 template <class T>
@@ -74,7 +74,7 @@ template <class T>
 std::array<T, count> shipped(const Point<T>& p) {
     const auto& [R, zeta, tau] = p;
     const evaluation::DampingFunctions<T> f = evaluation::damping_functions(R, zeta);
-    return {evaluation::one_minus_d(T(tau / R), zeta, evaluation::selected_free_motion(tau, R, zeta).q),
+    return {evaluation::one_minus_d(T(tau / R), zeta, evaluation::free_motion(tau, R, zeta).q),
             evaluation::friction_motion(tau, R, zeta, f.u, f.g).value};
 }
 

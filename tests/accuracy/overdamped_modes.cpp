@@ -17,8 +17,8 @@ using namespace denhartog;
 
 namespace {
 
-using Real250 = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<250>, boost::multiprecision::et_off>;
-using Real750 = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<750>, boost::multiprecision::et_off>;
+using Real250 = Multiprecision<250>;
+using Real750 = Multiprecision<750>;
 
 constexpr std::size_t count = 8;
 const std::array<std::string, count> names{"Re v", "Im v", "u", "g", "d", "q", "rate of q", "acceleration of q"};

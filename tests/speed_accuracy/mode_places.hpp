@@ -19,9 +19,9 @@ namespace denhartog::tests {
 
 /// @name Numbers in more digits than the printed forms use up
 /// @{
-using Real300 = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<300>, boost::multiprecision::et_off>;
-using Real600 = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<600>, boost::multiprecision::et_off>;
-using Real1100 = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<1100>, boost::multiprecision::et_off>;
+using Real300 = Multiprecision<300>;
+using Real600 = Multiprecision<600>;
+using Real1100 = Multiprecision<1100>;
 /// @}
 
 /// A number in hexadecimal, exact.
@@ -193,10 +193,10 @@ std::vector<Place<T>> hard_places() {
     return places;
 }
 
-/// Whether exp(-pi zeta / R) is below the range of every number type.
+/// Whether exp(-pi zeta / R) is below the range of every number type: below 2^(-2^30).
 template <class T>
 bool decays_out_of_range(const Place<T>& p) {
-    return p.zeta > 0 && std::max(-330.0, std::log10(static_cast<double>(p.zeta))) - std::log10(static_cast<double>(p.R)) > 8.68;
+    return p.zeta > 0 && std::max(-330.0, std::log10(static_cast<double>(p.zeta))) - std::log10(static_cast<double>(p.R)) > 8.375;
 }
 
 /// Digits in which the printed damping functions have those of T and more: they lose those of the angle 1/R; near a pole the

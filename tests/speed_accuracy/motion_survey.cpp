@@ -53,7 +53,7 @@ std::array<Real100, 5> motion_in(const Instant<T>& p) {
     if (decays_out_of_range(p.place)) {
         if (std::log10(static_cast<double>(p.tau)) + std::log10(static_cast<double>(p.place.zeta)) -
                 std::log10(static_cast<double>(p.place.R)) >
-            8)
+            8.872) // below 2^(-2^30)
             return {};
         f = printed_motion<Wide>(tau, R, zeta, Wide(0), Wide(1));
     } else {

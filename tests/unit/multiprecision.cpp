@@ -2,7 +2,8 @@
 
 #include <Eigen/Cholesky>
 #include <cmath>
-#include <string>
+#include <random>
+#include <vector>
 
 #include "denhartog/model/symmetric_eigenproblem.hpp"
 #include "tests/catch.hpp"
@@ -60,6 +61,61 @@ TEST_CASE("the multiprecision types have the digits they are named after", "[mul
     REQUIRE(Eigen::NumTraits<Real50>::epsilon() == std::numeric_limits<Real50>::epsilon());
     REQUIRE(Eigen::NumTraits<Real50>::lowest() == -Eigen::NumTraits<Real50>::highest());
     REQUIRE(Eigen::NumTraits<Real100>::digits10() == std::numeric_limits<Real100>::digits10);
+}
+
+TEMPLATE_TEST_CASE("the multiprecision types keep within their limits", "[multiprecision]", Real50, Real100) {
+    using Limits = std::numeric_limits<TestType>;
+    const TestType one = 1, zero = 0, eps = Limits::epsilon(), nan = Limits::quiet_NaN(), infinity = Limits::infinity();
+    CHECK(TestType(one + eps) > one);
+    CHECK(TestType(one + eps / 2) == one);
+    CHECK(isfinite((Limits::max)()));
+    CHECK((Limits::max)() * (one + eps) == infinity);
+    CHECK((Limits::min)() > 0);
+    CHECK((Limits::min)() / 2 == 0);
+    CHECK(one / zero == infinity);
+    CHECK(one / TestType(-zero) == -infinity);
+    CHECK(TestType(-zero) == zero);
+    CHECK(isnan(TestType(zero / zero)));
+    CHECK_FALSE((nan == nan || nan < one || nan > one || nan <= one || nan >= one));
+    CHECK(nan != nan);
+}
+
+TEMPLATE_TEST_CASE("a multiprecision number is rounded to the nearest double", "[multiprecision]", Real50, Real100) {
+    const TestType half_a_unit = ldexp(TestType(1), -53), least = ldexp(TestType(1), -1074);
+    CHECK(static_cast<double>(TestType(1 + half_a_unit)) == 1);
+    CHECK(static_cast<double>(TestType(1 + half_a_unit + ldexp(TestType(1), -160))) == 1 + 0x1p-52);
+    CHECK(static_cast<double>(least) == 0x1p-1074);
+    CHECK(static_cast<double>(TestType(least / 2)) == 0);
+    CHECK(static_cast<double>(TestType(least * 3 / 4)) == 0x1p-1074);
+    CHECK(static_cast<double>(ldexp(TestType(-1), 1024)) == -std::numeric_limits<double>::infinity());
+}
+
+TEST_CASE("the elementary functions in 50 digits are the nearest numbers to their values", "[multiprecision]") {
+    std::mt19937_64 random(50);
+    for (int n = 0; n < 500; ++n) {
+        const double x = 40 * (static_cast<double>(random() >> 11) * 0x1p-53 - 0.5);
+        const Real50 narrow = Real50(x) / 3, size = abs(narrow);
+        const Real100 wide = narrow, wide_size = size;
+        CAPTURE(x);
+        CHECK(Real50(sin(wide)) == sin(narrow));
+        CHECK(Real50(cos(wide)) == cos(narrow));
+        CHECK(Real50(exp(wide)) == exp(narrow));
+        CHECK(Real50(expm1(wide)) == expm1(narrow));
+        CHECK(Real50(sinh(wide)) == sinh(narrow));
+        CHECK(Real50(cosh(wide)) == cosh(narrow));
+        CHECK(Real50(sqrt(wide_size)) == sqrt(size));
+        CHECK(Real50(atan2(wide, Real100(1))) == atan2(narrow, Real50(1)));
+    }
+}
+
+TEST_CASE("MPFR keeps what it has to remember apart for every thread", "[multiprecision]") {
+    REQUIRE(mpfr_buildopt_tls_p() != 0);
+}
+
+TEST_CASE("a vector that grows keeps its multiprecision numbers", "[multiprecision]") {
+    std::vector<Real50> numbers;
+    for (int n = 0; n < 100; ++n) numbers.push_back(Real50(n) / 7);
+    for (int n = 0; n < 100; ++n) REQUIRE(numbers[static_cast<std::size_t>(n)] == Real50(n) / 7);
 }
 
 TEST_CASE("Eigen solves eigenproblems to the digits of the number type", "[multiprecision]") {

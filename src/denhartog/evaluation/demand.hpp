@@ -25,7 +25,7 @@ template <class T>
 [[nodiscard]] T first_damping_function_by_R_squared(const T& R, const T& zeta, const HalfAngle<T>& h) {
     const T sinh_half = sinh(T(h.delta / 2));
     const T w = sqrt(T((1 - zeta) * (1 + zeta)));
-    return pi<T>() / 2 * sinc_pi(T(w / (2 * R))) * (h.c / (sinh_half * sinh_half + h.c * h.c));
+    return pi<T>() / 2 * sinc(T(pi<T>() * w / (2 * R))) * (h.c / (sinh_half * sinh_half + h.c * h.c));
 }
 
 /// @brief What the expression in (57) is made of at an instant, without the cancellations at \f$ \tau \to 0 \f$.

@@ -95,7 +95,7 @@ template <class T>
     return x < 2 * zeta ? one_minus_d_of_positive_terms(x, zeta) : one_minus_d_half_angle(x, zeta, q);
 }
 
-/// @brief The braces of (40) with their first two derivatives, with guard digits where the number type's library needs them.
+/// @brief The braces of (40) with their first two derivatives: the forms that keep their digits at this place.
 /// @eq{40,A.8,A.9}  @derivation{evaluation_forms}  @domain{0 <= tau <= pi, R > 0, zeta >= 0}
 /// @param tau   non-dimensional time, Eq. (5); radians
 /// @param R     modal frequency ratio, Eq. (22)
@@ -105,12 +105,8 @@ template <class T>
 /// @return      value and derivatives; dimensionless
 template <class T>
 [[nodiscard]] FrictionMotion<T> friction_motion(const T& tau, const T& R, const T& zeta, const T& u, const T& g) {
-    using Guarded = typename GuardedOf<T>::type;
-    const Guarded wide_tau(tau), wide_R(R), wide_zeta(zeta);
-    const FreeMotion<Guarded> free = selected_free_motion(wide_tau, wide_R, wide_zeta);
-    const Guarded less_d = one_minus_d(Guarded(wide_tau / wide_R), wide_zeta, free.q);
-    const FrictionMotion<Guarded> f = friction_motion_of(free, less_d, wide_R, Guarded(u), Guarded(g));
-    return {static_cast<T>(f.value), static_cast<T>(f.prime), static_cast<T>(f.double_prime)};
+    const FreeMotion<T> free = free_motion(tau, R, zeta);
+    return friction_motion_of(free, one_minus_d(T(tau / R), zeta, free.q), R, u, g);
 }
 
 } // namespace denhartog::evaluation

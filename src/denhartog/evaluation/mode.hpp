@@ -8,8 +8,7 @@
 /// second form is taken. Products that could leave the range of the number type on the way to a result within it are taken in
 /// another order, or with a factor `scale`, a power of two that every form is free of. Every form is branch-free and proved equal
 /// to the paper's in `derivation/evaluation_forms.cpp`; only the selection compares numbers. From \f$ \zeta = 1 \f$ on, which the
-/// paper leaves out, the selection goes to the forms of `overdamped.hpp`. Where the library's sine and exponential of a type are
-/// off by several units, (28), (29) and the free motions are evaluated with guard digits.
+/// paper leaves out, the selection goes to the forms of `overdamped.hpp`.
 #pragma once
 
 #include <limits>
@@ -184,8 +183,8 @@ template <class T>
     const T w = sqrt(T((1 - zeta) * (1 + zeta)));
     const T E = exp(T(-pi<T>() * zeta));
     const T y = one_minus_w(zeta) / 2;
-    const T t = pi<T>() * sinc_pi(y) / (2 * (1 + w));
-    const T s = cos_pi(y);
+    const T t = pi<T>() * sinc(T(pi<T>() * y)) / (2 * (1 + w));
+    const T s = cos(T(pi<T>() * y));
     const T e = pi<T>() * one_minus_exp_over(T(pi<T>() * zeta));
     const T denominator = e * e + 4 * E * (zeta * t) * (zeta * t);
     return {4 * E * t * s / (w * denominator), ((1 + E) * e - 4 * E * (zeta / w) * zeta * t * s) / denominator / zeta};
@@ -216,29 +215,19 @@ template <class T>
     return damping_functions_half_angle(R, zeta, h);
 }
 
-/// @brief \f$ u_{di} \f$ and \f$ g_i \f$ in a type that need not be the caller's, rounded once.
-/// @eq{28,29}  @derivation{evaluation_forms}  @domain{R > 0, zeta >= 0, but for the poles at zeta = 0}
-/// @tparam Wide  the type to evaluate in
-/// @param R      modal frequency ratio, Eq. (22)
-/// @param zeta   modal damping ratio
-/// @return       u, g
-template <class Wide, class T>
-[[nodiscard]] DampingFunctions<T> damping_functions_in(const T& R, const T& zeta) {
-    const DampingFunctions<Wide> f = selected_damping_functions(Wide(R), Wide(zeta));
-    return {static_cast<T>(f.u), static_cast<T>(f.g)};
-}
-
-/// @brief \f$ u_{di} \f$ and \f$ g_i \f$ as callers get them, with guard digits where the number type's library needs them, and
-/// under heavy damping, where the roundings of w, of the decay and of its square add up to four units.
+/// @brief \f$ u_{di} \f$ and \f$ g_i \f$ as callers get them: in the next wider type under heavy damping, where the roundings of w,
+/// of the decay and of its square add up to four units.
 /// @eq{28,29}  @derivation{evaluation_forms}  @domain{R > 0, zeta >= 0}
 /// @param R     modal frequency ratio, Eq. (22)
 /// @param zeta  modal damping ratio
 /// @return      u, g; not finite at the poles at zeta = 0, R = 1/n, n odd
 template <class T>
 [[nodiscard]] DampingFunctions<T> damping_functions(const T& R, const T& zeta) {
+    using Wide = typename WiderOf<T>::type;
     if (zeta == 0 && at_undamped_pole(R)) return {T(1 / zeta), T(zeta / zeta)};
-    if (2 * zeta >= 1 && zeta < 1) return damping_functions_in<typename WiderOf<T>::type>(R, zeta);
-    return damping_functions_in<typename GuardedOf<T>::type>(R, zeta);
+    if (2 * zeta < 1 || zeta >= 1) return selected_damping_functions(R, zeta);
+    const DampingFunctions<Wide> f = selected_damping_functions(Wide(R), Wide(zeta));
+    return {static_cast<T>(f.u), static_cast<T>(f.g)};
 }
 
 /// @brief \f$ v_{di} \f$, \f$ u_{di} \f$ and \f$ g_i \f$: the form that keeps its digits at this place.
@@ -281,24 +270,9 @@ template <class T>
 /// @param zeta  modal damping ratio
 /// @return      the free motions and their rates
 template <class T>
-[[nodiscard]] FreeMotion<T> selected_free_motion(const T& tau, const T& R, const T& zeta) {
+[[nodiscard]] FreeMotion<T> free_motion(const T& tau, const T& R, const T& zeta) {
     if (zeta >= 1) return with_rates_in_tau(overdamped_free_motion(T(tau / R), zeta), R);
     return oscillating_free_motion(tau, R, zeta);
-}
-
-/// @brief Free motions of a mode and their rates as callers get them, with guard digits where the number type's library needs
-/// them.
-/// @eq{A.8,A.9}  @derivation{evaluation_of_motion}  @domain{tau >= 0, R > 0, zeta >= 0}
-/// @param tau   non-dimensional time, Eq. (5); radians
-/// @param R     modal frequency ratio, Eq. (22)
-/// @param zeta  modal damping ratio
-/// @return      the free motions and their rates
-template <class T>
-[[nodiscard]] FreeMotion<T> free_motion(const T& tau, const T& R, const T& zeta) {
-    using Guarded = typename GuardedOf<T>::type;
-    const FreeMotion<Guarded> f = selected_free_motion(Guarded(tau), Guarded(R), Guarded(zeta));
-    return {static_cast<T>(f.d), static_cast<T>(f.q), static_cast<T>(f.d_prime), static_cast<T>(f.q_prime),
-            static_cast<T>(f.q_double_prime)};
 }
 
 } // namespace denhartog::evaluation

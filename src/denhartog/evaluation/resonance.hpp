@@ -10,7 +10,6 @@
 
 #include "denhartog/evaluation/special.hpp"
 #include "denhartog/formulas/resonance.hpp"
-#include "denhartog/number/wider.hpp"
 
 namespace denhartog::evaluation {
 
@@ -63,11 +62,9 @@ template <class T>
 /// @return        the approximate amplitude, in units of P / k_1; negative beyond (85), where it means nothing
 template <class T>
 [[nodiscard]] T resonant_peak(const T& psi_ki, const T& psi_li, const T& psi_ji, const T& zeta, const T& beta) {
-    using Guarded = typename GuardedOf<T>::type;
-    const Guarded k(psi_ki), l(psi_li), j(psi_ji), wide_zeta(zeta);
-    const Guarded limit = pi<Guarded>() / 4 * tanhc(Guarded(pi<Guarded>() * wide_zeta / 2));
-    const Guarded margin = paper::magnitude(l) * limit - paper::magnitude(j) * Guarded(beta);
-    return static_cast<T>(paper::magnitude(k) * margin * second_damping_function_at_resonance(wide_zeta));
+    const T limit = pi<T>() / 4 * tanhc(T(pi<T>() * zeta / 2));
+    const T margin = paper::magnitude(psi_li) * limit - paper::magnitude(psi_ji) * beta;
+    return paper::magnitude(psi_ki) * margin * second_damping_function_at_resonance(zeta);
 }
 
 /// @brief (84) as \f$ \coth(x)\left[\tfrac{\pi}{4}\tanh(x)/x - \beta\right] \f$, \f$ x = \pi\zeta/2 \f$.

@@ -5,7 +5,6 @@
 #pragma once
 
 #include <boost/math/special_functions/cos_pi.hpp>
-#include <boost/math/special_functions/expm1.hpp>
 #include <boost/math/special_functions/sin_pi.hpp>
 
 #include "denhartog/number/number.hpp"
@@ -28,7 +27,8 @@ template <class T>
 /// @brief \f$ e^x - 1 \f$. @param x a number @return exp(x) - 1 without cancellation near 0
 template <class T>
 [[nodiscard]] T exp_minus_one(const T& x) {
-    return boost::math::expm1(x);
+    using std::expm1;
+    return expm1(x);
 }
 
 /// @brief \f$ 1 - \sqrt{1-\zeta^2} = \zeta^2/(1+\sqrt{1-\zeta^2}) \f$. @param zeta a number in [0, 1) @return the difference
@@ -71,13 +71,6 @@ template <class T>
 [[nodiscard]] T sinc(const T& x) {
     if (x == 0) return T(1);
     return sin(x) / x;
-}
-
-/// @brief \f$ \sin(\pi y)/(\pi y) \f$, which is 1 at 0. @param y a number @return the quotient
-template <class T>
-[[nodiscard]] T sinc_pi(const T& y) {
-    if (y == 0) return T(1);
-    return sin_pi(y) / (pi<T>() * y);
 }
 
 /// @brief \f$ \frac{1}{q^2}\left[\frac{\sinh q\zeta}{q\zeta} - \frac{\sin qw}{qw}\right] \f$ without its cancellation.

@@ -1,23 +1,32 @@
 /// @file
 /// @brief The multiprecision number types the library is built for, with what Eigen has to know of them.
+///
+/// MPFR rounds every operation and every elementary function correctly, so that the digits are the same on every machine.
+/// A number holds its digits in itself: none is allocated.
 #pragma once
 
+#include <mpfr.h>
+
 #include <Eigen/Core>
-#include <boost/math/constants/constants.hpp>
-#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <boost/multiprecision/mpfr.hpp>
+#include <limits>
 
 #include "denhartog/number/number.hpp"
 #include "denhartog/number/wider.hpp"
 
 namespace denhartog {
 
-/// @brief A binary floating-point number with at least 50 decimal digits, expression templates off.
-using Real50 = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>, boost::multiprecision::et_off>;
-/// @brief A binary floating-point number with at least 100 decimal digits, expression templates off.
-using Real100 = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<100>, boost::multiprecision::et_off>;
+/// @brief A binary floating-point number with at least so many decimal digits, expression templates off.
+/// @tparam digits10  the digits
+template <unsigned digits10>
+using Multiprecision =
+    boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<digits10, boost::multiprecision::allocate_stack>,
+                                  boost::multiprecision::et_off>;
 
-/// @brief Ten digits more than `Real50`.
-using Real60 = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<60>, boost::multiprecision::et_off>;
+/// @brief At least 50 decimal digits.
+using Real50 = Multiprecision<50>;
+/// @brief At least 100 decimal digits.
+using Real100 = Multiprecision<100>;
 
 /// @brief Of `long double`.
 template <>
@@ -27,35 +36,79 @@ struct WiderOf<long double> {
 /// @brief Of 50 digits.
 template <>
 struct WiderOf<Real50> {
-    using type = Real60; ///< the wider type
-};
-/// @brief Of 50 digits.
-template <>
-struct GuardedOf<Real50> {
-    using type = Real60; ///< the type to evaluate in
+    using type = Real100; ///< the wider type
 };
 
-/// @brief pi for the multiprecision types. @tparam B the back end
-template <class B>
-struct PiOf<boost::multiprecision::number<B, boost::multiprecision::et_off>> {
+/// @brief Frees, at the end of a thread, the constants that MPFR keeps for it.
+struct ConstantsOfThread {
+    ~ConstantsOfThread() { mpfr_free_cache(); }
+};
+
+/// @brief pi for the multiprecision types. @tparam digits10 the digits
+template <unsigned digits10>
+struct PiOf<Multiprecision<digits10>> {
     /// @return pi, correctly rounded
-    static boost::multiprecision::number<B, boost::multiprecision::et_off> value() {
-        return boost::math::constants::pi<boost::multiprecision::number<B, boost::multiprecision::et_off>>();
+    static Multiprecision<digits10> value() {
+        thread_local const ConstantsOfThread freed_at_its_end;
+        static const Multiprecision<digits10> pi = [] {
+            Multiprecision<digits10> x;
+            mpfr_const_pi(x.backend().data(), MPFR_RNDN);
+            return x;
+        }();
+        return pi;
     }
 };
 
 } // namespace denhartog
 
+namespace std {
+
+/// @brief The limits of a multiprecision type. Boost 1.74's own set their values when first asked for, and no lock keeps a second
+/// thread from reading them before they are set; these are set under one.
+/// @tparam digits10_  the digits
+template <unsigned digits10_>
+class numeric_limits<denhartog::Multiprecision<digits10_>>
+    : public numeric_limits<boost::multiprecision::number<
+          boost::multiprecision::mpfr_float_backend<digits10_, boost::multiprecision::allocate_stack>,
+          boost::multiprecision::et_on>> {
+    using Number = denhartog::Multiprecision<digits10_>;
+
+public:
+    /// @return the unit in the last place of 1
+    static Number epsilon() {
+        static const Number value = ldexp(Number(1), 1 - numeric_limits::digits);
+        return value;
+    }
+    /// @return the least positive number
+    static Number min() {
+        static const Number value = ldexp(Number(1), numeric_limits::min_exponent - 1);
+        return value;
+    }
+    /// @return the largest finite number
+    static Number max() {
+        static const Number value = ldexp(Number(1 - epsilon() / 2), numeric_limits::max_exponent);
+        return value;
+    }
+    /// @return the most negative finite number
+    static Number lowest() { return -max(); }
+    /// @return infinity
+    static Number infinity() { return Number(std::numeric_limits<double>::infinity()); }
+    /// @return what is no number
+    static Number quiet_NaN() { return Number(std::numeric_limits<double>::quiet_NaN()); }
+};
+
+} // namespace std
+
 namespace Eigen {
 
 /// @brief What Eigen asks of a multiprecision number; Boost 1.74's own header does not serve Eigen 3.4's eigensolvers.
-template <class B>
-struct NumTraits<boost::multiprecision::number<B, boost::multiprecision::et_off>>
-    : GenericNumTraits<boost::multiprecision::number<B, boost::multiprecision::et_off>> {
-    using Number = boost::multiprecision::number<B, boost::multiprecision::et_off>; ///< the number type
-    using Real = Number;                                                            ///< its real type
-    using NonInteger = Number;                                                      ///< the type of quotients
-    using Literal = double;                                                         ///< the type of literals in Eigen's code
+/// @tparam digits10_  the digits
+template <unsigned digits10_>
+struct NumTraits<denhartog::Multiprecision<digits10_>> : GenericNumTraits<denhartog::Multiprecision<digits10_>> {
+    using Number = denhartog::Multiprecision<digits10_>; ///< the number type
+    using Real = Number;                                 ///< its real type
+    using NonInteger = Number;                           ///< the type of quotients
+    using Literal = double;                              ///< the type of literals in Eigen's code
     enum { IsComplex = 0, IsInteger = 0, IsSigned = 1, RequireInitialization = 1, ReadCost = 8, AddCost = 20, MulCost = 60 };
     /// @return the unit in the last place of 1
     static Real epsilon() { return std::numeric_limits<Number>::epsilon(); }

@@ -11,19 +11,8 @@ namespace denhartog {
 /// @return   1 - n m for the whole n nearest to 1 / m; at most m / 2 in size
 template <class T>
 [[nodiscard]] T remainder_of_one(const T& m) {
-    if (m >= 2) return T(1);
-    if constexpr (std::floating_point<T>) {
-        return std::remainder(T(1), m);
-    } else {
-        int exponent = 0;
-        (void)frexp(m, &exponent);
-        T rest(1);
-        for (int k = 2 - exponent; k >= 0; --k) { // long division: every difference is exact
-            const T multiple = ldexp(m, k);
-            if (rest >= multiple) rest = rest - multiple;
-        }
-        return 2 * rest > m ? T(rest - m) : rest;
-    }
+    using std::remainder;
+    return remainder(T(1), m);
 }
 
 /// @brief Sine and cosine of one angle.

@@ -1,5 +1,5 @@
 /// @file
-/// @brief The number types in which callers' forms are evaluated where their own type would let roundings show.
+/// @brief The number types in which callers' forms are evaluated where the roundings of their own type would add up.
 ///
 /// What has to do with 50 digits stands in `multiprecision.hpp`, so that double alone does without it.
 #pragma once
@@ -26,20 +26,5 @@ struct WiderOf<double> {
 };
 template <>
 struct WiderOf<long double>; // 50 digits, in multiprecision.hpp: without it nothing compiles that needs them
-
-/// @brief The number type for (28), (29) and the free motions: the type itself where their roundings stay within four units.
-///
-/// In float they add up to a little more; in 50 digits the library's sine and exponential alone are off by several units, of
-/// large arguments by thousands.
-/// @tparam T  the number type
-template <class T>
-struct GuardedOf {
-    using type = T; ///< the type to evaluate in
-};
-/// @brief Of `float`.
-template <>
-struct GuardedOf<float> {
-    using type = double; ///< the type to evaluate in
-};
 
 } // namespace denhartog
