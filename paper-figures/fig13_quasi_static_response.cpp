@@ -27,11 +27,10 @@ StickSlipMotion motion_at(const Figure& figure, double zeta, double r, double be
     scene.r = r;
     scene.beta = beta;
     const Solution solution = solve(scene_source(scene), {});
-    const Solved<double>& solved = std::get<Solved<double>>(solution.numbers);
-    StickSlipMotion motion{zeta, sampled_solution(scene, solution, samples), solved.masses.front().amplitude, 0, 0, 0, {}};
-    motion.stops = static_cast<int>(solved.stops.size()) / solution.periods;
-    for (const Stop<double>& stop : solved.stops)
-        motion.resting += (stop.end - stop.start) / (2 * pi<double>() * solution.periods);
+    StickSlipMotion motion{zeta, sampled_solution(scene, solution, samples), solution.masses.front().amplitude.value, 0, 0, 0, {}};
+    motion.stops = static_cast<int>(solution.stops.size()) / solution.periods;
+    for (const SolvedStop& stop : solution.stops)
+        motion.resting += (stop.end.value - stop.start.value) / (2 * pi<double>() * solution.periods);
     for (const State<double>& state : motion.exact.states)
         motion.largest_speed = std::max(motion.largest_speed, std::abs(state.x_prime.front()));
     PaperSettings settings;

@@ -10,7 +10,7 @@
 #include "denhartog/formulas/contact.hpp"
 #include "denhartog/formulas/response_limits.hpp"
 #include "denhartog/formulas/superposition.hpp"
-#include "denhartog/solve/answer.hpp"
+#include "denhartog/solve/sliding_solution.hpp"
 #include "denhartog/solve/solve.hpp"
 #include "kept_digits.hpp"
 
@@ -213,8 +213,8 @@ namespace response_paths {
         s.beta = static_cast<std::decay_t<decltype(*s.beta)>>(beta);
         return s;
     };
-    return {[=] { return scene; }, [=] { return with(converted<long double>(scene)); },
-            [=] { return with(converted<Real50>(scene)); }, [=] { return with(converted<Real100>(scene)); }};
+    return {[=] { return scene; }, [=] { return with(converted<Real50>(scene)); },
+            [=] { return with(converted<Real100>(scene)); }};
 }
 
 /// @brief The boundary of that mass, the amplitude there and its rate of change.
@@ -244,13 +244,14 @@ struct SolvedAmplitude {
 /// @brief The single mass at beta_lim (1 + side x). @param x distance @param side 1 or -1 @param digits digits asked for
 [[nodiscard]] inline SolvedAmplitude solved_next_to(const AtBoundary& b, const Real100& x, int side, int digits) {
     const Solution s = solve(single_mass_at(Real100(b.exact * (1 + side * x))), {Asked::amplitude, digits, false});
-    return {s.regime.regime, std::visit([](const auto& n) { return Real100(n.masses[0].amplitude); }, s.numbers)};
+    const Certified& X = s.masses[0].amplitude;
+    return {s.regime.regime, X.decimal.empty() ? Real100(X.value) : Real100(X.decimal)};
 }
 
-/// @brief What `answer` gives for (38), asked for 12 digits.
+/// @brief What `sliding_solution` gives for (38), asked for 12 digits.
 [[nodiscard]] inline Real100 answered_amplitude(const Scene<double>& scene) {
-    return std::visit([](const auto& r) { return r.steady_state ? Real100(r.steady_state->X_j) : Real100(NAN); },
-                      answer(scene_source(scene), 12).response);
+    const Solution s = sliding_solution(scene_source(scene), {Asked::motion, 12, {}, {}});
+    return s.masses.empty() ? Real100(NAN) : Real100(mass_of(s, s.contact).amplitude.value);
 }
 
 /// @brief A chain of k equal masses, the load on the first.

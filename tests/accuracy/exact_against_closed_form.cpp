@@ -6,8 +6,8 @@
 #include "tests/accuracy/witness_survey.hpp"
 
 #include "denhartog/solve/map_column.hpp"
-#include "denhartog/solve/response.hpp"
 #include "denhartog/stick_slip/periodic_orbit.hpp"
+#include "tests/support/plain_response.hpp"
 
 using namespace denhartog;
 using namespace denhartog::tests;

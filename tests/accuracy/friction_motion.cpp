@@ -216,7 +216,8 @@ TEST_CASE("1 - d and the braces of (40) keep their digits up to R = 1e8, in 50 d
 TEST_CASE("the running error bound holds for the braces of (40) up to R = 1e8", "[eq:40][error_bound][motion]") {
     std::vector<double> over;
     for (const Point<double>& p : points<double>(3000)) {
-        const std::array<Bounded, count> f = shipped(Point<Bounded>{Bounded(p.R), Bounded(p.zeta), Bounded(p.tau)});
+        const std::array<Bounded<double>, count> f =
+            shipped(Point<Bounded<double>>{Bounded<double>(p.R), Bounded<double>(p.zeta), Bounded<double>(p.tau)});
         const std::array<Real100, count> truth = as_it_stands(in<Real100>(p));
         for (std::size_t i = 0; i < count; ++i) {
             const double error = static_cast<double>(Real100(abs(Real100(Real100(f[i].x) - truth[i]))));

@@ -271,7 +271,8 @@ TEST_CASE("the running error bound holds for overdamped modes", "[error_bound][o
     for (const Place<double>& p : places<double>(3000)) {
         if (p.zeta > 1e6 || p.R > 1e6 || p.R < 1e-6) continue; // where results leave the range of double bounds are of no use
         ++points;
-        const All<Bounded> f = shipped(Place<Bounded>{Bounded(p.R), Bounded(p.zeta), Bounded(p.x)});
+        const All<Bounded<double>> f =
+            shipped(Place<Bounded<double>>{Bounded<double>(p.R), Bounded<double>(p.zeta), Bounded<double>(p.x)});
         const All<Real100> truth = truth_of(p);
         for (std::size_t i = 0; i < count; ++i) {
             const double error = static_cast<double>(Real100(abs(Real100(Real100(f[i].x) - truth[i]))));

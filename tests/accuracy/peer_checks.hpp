@@ -33,9 +33,7 @@ struct PeerPoint {
         const Solution solution = solve(scene_source(scene), {Asked::amplitude, 10, false});
         Truth found{0, solution.regime.regime};
         if (found.regime != Regime::permanent_sticking)
-            found.amplitude = std::visit(
-                [&](const auto& numbers) { return static_cast<double>(numbers.masses[system.contact.index].amplitude); },
-                solution.numbers);
+            found.amplitude = mass_of(solution, system.contact).amplitude.value;
         return found;
     }
 };

@@ -33,9 +33,10 @@ System<double> chain_of(const FarScene& at) {
 
 /// Response of all masses to a unit force of frequency ratio r on one of them, by elimination.
 std::vector<double> response_to(const FarScene& at, std::size_t forced, double r) {
-    const std::vector<Bounded> ones(at.N, Bounded(1));
+    const std::vector<Bounded<double>> ones(at.N, Bounded<double>(1));
     std::vector<double> x;
-    for (const Bounded& each : undamped_response_of_chain(ones, ones, Mass{forced - 1}, Bounded(r))) x.push_back(each.x);
+    for (const Bounded<double>& each : undamped_response_of_chain(ones, ones, Mass{forced - 1}, Bounded<double>(r)))
+        x.push_back(each.x);
     return x;
 }
 

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <sstream>
 
-#include "denhartog/solve/response.hpp"
 #include "tests/catch.hpp"
 #include "tests/conformance/seeded_questions.hpp"
+#include "tests/support/plain_response.hpp"
 
 using namespace denhartog;
 using namespace denhartog::conformance;

@@ -81,28 +81,24 @@ Numbers of_stuck_motion(const Asks& q, const Scene<double>& scene) {
 
 Numbers of_stick_slip(const Asks& q, const Scene<double>& scene) {
     const Solution solution = solve(scene_source(scene), {Asked::motion, 12, false});
-    return std::visit(
-        [&](const auto& numbers) {
-            Numbers all;
-            const auto& m = numbers.masses[mass_of(q)];
-            if (q.quantity == "amplitude") return Numbers{static_cast<double>(m.amplitude)};
-            if (q.quantity == "phase") return Numbers{static_cast<double>(m.phase.value())};
-            for (const auto& stop : numbers.stops) all.push_back(static_cast<double>(stop.end - stop.start));
-            std::sort(all.begin(), all.end());
-            if (q.quantity == "stops_per_period") return Numbers{static_cast<double>(all.size())};
-            if (q.quantity == "stop_durations") return all;
-            State<double> start;
-            for (const auto& x : numbers.start.value().x) start.x.push_back(static_cast<double>(x));
-            for (const auto& v : numbers.start.value().x_prime) start.x_prime.push_back(static_cast<double>(v));
-            const ContactSystem<double> system = contact_system(scene.system);
-            ExactSolver<double> solver(system, {q.r, q.beta, q.mu});
-            Numbers samples;
-            for (int n = 0; n < q.samples; ++n)
-                samples.push_back(n == 0 ? start.x[mass_of(q)]
-                                         : solver.run(start, 0, 2 * n * pi<double>() / q.samples).end.x[mass_of(q)]);
-            return samples;
-        },
-        solution.numbers);
+    const SolvedMass& m = solution.masses[mass_of(q)];
+    if (q.quantity == "amplitude") return Numbers{m.amplitude.value};
+    if (q.quantity == "phase") return Numbers{m.phase.value().value};
+    Numbers all;
+    for (const SolvedStop& stop : solution.stops) all.push_back(stop.end.value - stop.start.value);
+    std::sort(all.begin(), all.end());
+    if (q.quantity == "stops_per_period") return Numbers{static_cast<double>(all.size())};
+    if (q.quantity == "stop_durations") return all;
+    State<double> start;
+    for (const Certified& x : solution.start.value().x) start.x.push_back(x.value);
+    for (const Certified& v : solution.start.value().x_prime) start.x_prime.push_back(v.value);
+    const ContactSystem<double> system = contact_system(scene.system);
+    ExactSolver<double> solver(system, {q.r, q.beta, q.mu});
+    Numbers samples;
+    for (int n = 0; n < q.samples; ++n)
+        samples.push_back(n == 0 ? start.x[mass_of(q)]
+                                 : solver.run(start, 0, 2 * n * pi<double>() / q.samples).end.x[mass_of(q)]);
+    return samples;
 }
 
 bool is_of_modes(const std::string& name) {

@@ -6,7 +6,7 @@
 
 #include "denhartog/number/errors.hpp"
 #include "denhartog/paper_algorithm/paper_algorithm.hpp"
-#include "denhartog/solve/response.hpp"
+#include "tests/support/plain_response.hpp"
 #include "denhartog/solve/solve.hpp"
 #include "denhartog/stick_slip/periodic_orbit.hpp"
 #include "tests/catch.hpp"

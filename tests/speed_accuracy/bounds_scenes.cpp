@@ -54,7 +54,7 @@ System<double> BoundsScenes::system() {
     return made;
 }
 
-SurveyedFrequency BoundsScenes::frequency(const ModalBasis<Bounded>& basis) {
+SurveyedFrequency BoundsScenes::frequency(const ModalBasis<Bounded<double>>& basis) {
     const int kind = whole(0, 9);
     const double r_n = basis.r_n[static_cast<std::size_t>(whole(0, static_cast<int>(basis.r_n.size()) - 1))].x;
     const double near = near_one(-13, -1), any = spread(-3, 3);

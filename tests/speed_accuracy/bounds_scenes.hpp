@@ -28,7 +28,7 @@ public:
     /// @brief A frequency ratio: any, near a resonance, or near a pole that a mode without damping would have.
     /// @param basis  the system's modes
     /// @return       r, and which of these
-    SurveyedFrequency frequency(const ModalBasis<Bounded>& basis);
+    SurveyedFrequency frequency(const ModalBasis<Bounded<double>>& basis);
     /// @brief A friction ratio. @param beta_lim the boundary @return a part of it, a neighbour of it, or any
     double friction(double beta_lim);
     /// @brief An instant. @return from 0 to 4 pi, at times a multiple of pi

@@ -57,19 +57,30 @@ Quantities<Real50> in_50_digits(const Quantities<Real100>& q) {
     return all;
 }
 
+/// A basis rounded to double: its inputs are exact, and each number is off by its own rounding.
+ModalBasis<Bounded<double>> rounded(const ModalBasis<Bounded<Real50>>& basis) {
+    ModalBasis<Bounded<double>> all;
+    for (const Bounded<Real50>& r_n : basis.r_n) all.r_n.push_back(in_double(r_n));
+    for (const Bounded<Real50>& zeta : basis.zeta) all.zeta.push_back(in_double(zeta));
+    all.phi.resize(basis.phi.rows(), basis.phi.cols());
+    for (Eigen::Index i = 0; i < basis.phi.cols(); ++i)
+        for (Eigen::Index k = 0; k < basis.phi.rows(); ++k) all.phi(k, i) = in_double(basis.phi(k, i));
+    return all;
+}
+
 class Comparer {
 public:
     Comparer(BoundsSurvey& survey, double damage) : all(survey), damage_(damage) {}
 
     /// Compares everything that both list; notes from how many digits on the bounds make a step.
-    void compare(const Quantities<Bounded>& q, const Quantities<Real50>& truth, const Scene<double>& scene, double tau,
+    void compare(const Quantities<Bounded<double>>& q, const Quantities<Real50>& truth, const Scene<double>& scene, double tau,
                  const std::string& kind) {
         std::vector<Real50> values;
         list<Real50>(truth, [&](const char*, std::size_t, const Real50& value, const Real50&) { values.push_back(value); });
         std::size_t n = 0;
         double relative = 0;
         std::string largest;
-        list<Bounded>(q, [&](const char* name, std::size_t, const Bounded& value, const Bounded& size) {
+        list<Bounded<double>>(q, [&](const char* name, std::size_t, const Bounded<double>& value, const Bounded<double>& size) {
             if (n == values.size()) return; // outside the sliding regime by 50 digits
             Real50 error = abs(Real50(Real50(value.x) - values[n++]));
             if (std::string(name) == "phi_j") error = abs(wrapped(error));
@@ -87,7 +98,7 @@ public:
         ++all.where[kind];
     }
 
-    void compare_regime(const Quantities<Bounded>& q, const Quantities<Real50>& truth, double beta) {
+    void compare_regime(const Quantities<Bounded<double>>& q, const Quantities<Real50>& truth, double beta) {
         if (regime_is_open(q, beta)) {
             ++all.open_regimes;
             return;
@@ -96,13 +107,13 @@ public:
         all.wrong_regimes += (beta < q.beta_lim.x) != (Real50(beta) < truth.beta_lim) ? 1 : 0;
     }
 
-    void compare_S(const Quantities<Bounded>& q, const Real50& S, const Scene<double>& scene) {
+    void compare_S(const Quantities<Bounded<double>>& q, const Real50& S, const Scene<double>& scene) {
         ++all.full_searches;
         note("S", static_cast<double>(Real50(abs(Real50(Real50(q.S.x) - S)))), q.S.e, [&] { return text_of(scene, 0); });
     }
 
 private:
-    [[nodiscard]] bool regime_is_open(const Quantities<Bounded>& q, double beta) const {
+    [[nodiscard]] bool regime_is_open(const Quantities<Bounded<double>>& q, double beta) const {
         return std::abs(q.beta_lim.x - beta) <= q.beta_lim.e * damage_;
     }
 
@@ -135,16 +146,18 @@ public:
     void one_system() {
         Scene<double> scene;
         scene.system = random.system();
-        const ModalBasis<Bounded> basis = sharp_basis(scene.system, Inputs::exact);
-        const ModalBasis<Real50> wide = modal_basis(converted<Real50>(scene).system);
+        const System<Real50> wide_system = converted<Real50>(scene).system;
+        const ModalBasis<Real50> wide = modal_basis(wide_system);
+        const auto shared = std::make_shared<const ModalBasis<Bounded<double>>>(rounded(with_errors(wide_system, wide)));
+        const ModalBasis<Bounded<double>>& basis = *shared;
         std::optional<ModalBasis<Real100>> wider; // where a chain hands so little on that 50 digits are too few
         for (int n = 0; n < frequencies; ++n) {
             const SurveyedFrequency frequency = random.frequency(basis);
             scene.r = frequency.r;
             scene.beta.reset();
             try {
-                BoundedModes modes(basis, Bounded(frequency.r));
-                const ModeSums<Bounded> sums = bounded_sums(scene.system, modes, Inputs::exact);
+                BoundedModes<double> modes(shared, Bounded<double>(frequency.r));
+                const ModeSums<Bounded<double>> sums = bounded_sums(scene.system, modes);
                 const System<double>& s = scene.system;
                 const ModeSums<Real50> wide_sums = mode_sums(wide, s.contact, s.load, Real50(frequency.r));
                 if (!loses_digits(wide_sums)) {
@@ -166,10 +179,10 @@ public:
 
 private:
     template <class T>
-    void one_frequency(Scene<double>& scene, const ModeSums<Bounded>& sums, const ModeSums<T>& wide_sums,
+    void one_frequency(Scene<double>& scene, const ModeSums<Bounded<double>>& sums, const ModeSums<T>& wide_sums,
                        const std::string& kind) {
         const double instant = instant_of_largest_demand(values_of(sums));
-        const Quantities<Bounded> still = quantities_without_motion(sums, Bounded(1), Bounded(instant));
+        const Quantities<Bounded<double>> still = quantities_without_motion(sums, Bounded<double>(1), Bounded<double>(instant));
         const T wide_instant = instant < pi<double>() ? T(instant) : pi<T>();
         const Quantities<T> truth = quantities_without_motion(wide_sums, T(1), wide_instant);
         const bool slow = *scene.r * 4 < sums.r.x / sums.R.back().x;
@@ -180,8 +193,8 @@ private:
     }
 
     template <class T>
-    void one_friction(Scene<double>& scene, const ModeSums<Bounded>& sums, const ModeSums<T>& wide_sums, Quantities<Bounded> q,
-                      Quantities<T> truth, const std::string& kind) {
+    void one_friction(Scene<double>& scene, const ModeSums<Bounded<double>>& sums, const ModeSums<T>& wide_sums,
+                      Quantities<Bounded<double>> q, Quantities<T> truth, const std::string& kind) {
         const double beta = random.friction(q.beta_lim.x), tau = random.instant();
         scene.beta = beta;
         ++all.scenes;
@@ -189,7 +202,7 @@ private:
         const Quantities<Real50> known = in_50_digits(truth);
         comparer.compare_regime(q, known, beta);
         try {
-            add_motion(q, sums, Bounded(beta), {Bounded(tau)});
+            add_motion(q, sums, Bounded<double>(beta), {Bounded<double>(tau)});
         } catch (const DomainError&) { // X_j below 0 by its rounding: it is not given
         }
         comparer.compare(q, known, scene, tau, kind);

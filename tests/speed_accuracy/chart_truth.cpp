@@ -1,7 +1,6 @@
 #include "tests/speed_accuracy/chart_truth.hpp"
 
 #include <algorithm>
-#include <variant>
 
 #include "denhartog/number/multiprecision.hpp"
 #include "denhartog/solve/solve.hpp"
@@ -24,7 +23,8 @@ ChartTruth solved(const System<double>& system, const ChartPoint& point, int dig
     ChartTruth truth;
     truth.regime = s.regime.regime;
     truth.answer.sticks = truth.regime != Regime::continuous;
-    std::visit([&](const auto& n) { set_amplitude(truth.answer, n.masses.front().amplitude); }, s.numbers);
+    const Certified& X_j = s.masses.front().amplitude;
+    set_amplitude(truth.answer, X_j.decimal.empty() ? Real100(X_j.value) : Real100(X_j.decimal));
     return truth;
 }
 

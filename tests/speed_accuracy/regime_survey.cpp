@@ -7,9 +7,9 @@
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/number.hpp"
 #include "denhartog/solve/map_column.hpp"
-#include "denhartog/solve/response.hpp"
 #include "denhartog/stick_slip/lasting_rest.hpp"
 #include "denhartog/stick_slip/periodic_orbit.hpp"
+#include "tests/support/plain_response.hpp"
 #include "tests/support/sample_scenes.hpp"
 
 namespace denhartog::tests {

@@ -110,11 +110,7 @@ Amplitudes by_solve(const Curve& curve, Asked asked) {
     for (const double r : curve.r) {
         const Solution solution = solve(scene_source(scene_at(curve, r)), {asked, std::nullopt, false});
         all.emplace_back();
-        std::visit(
-            [&](const auto& numbers) {
-                for (const auto& mass : numbers.masses) all.back().push_back(static_cast<double>(mass.amplitude));
-            },
-            solution.numbers);
+        for (const SolvedMass& mass : solution.masses) all.back().push_back(mass.amplitude.value);
     }
     return all;
 }

@@ -5,7 +5,7 @@
 
 #include "denhartog/paper_algorithm/paper_algorithm.hpp"
 #include "denhartog/solve/map_column.hpp"
-#include "denhartog/solve/response.hpp"
+#include "tests/support/plain_response.hpp"
 
 namespace denhartog::tests {
 namespace {

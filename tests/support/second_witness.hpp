@@ -6,7 +6,7 @@
 #pragma once
 
 #include "denhartog/number/multiprecision.hpp"
-#include "denhartog/solve/response.hpp"
+#include "tests/support/plain_response.hpp"
 #include "tests/support/half_period.hpp"
 
 namespace denhartog {

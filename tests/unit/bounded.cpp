@@ -12,7 +12,7 @@ namespace {
 
 // A number within its error, and the true one somewhere in there.
 struct Pair {
-    Bounded bounded;
+    Bounded<double> bounded;
     Real50 exact;
 };
 
@@ -28,7 +28,7 @@ private:
     std::mt19937_64 generator{5};
 };
 
-bool holds(const Bounded& a, const Real50& exact) { return abs(Real50(Real50(a.x) - exact)) <= Real50(a.e); }
+bool holds(const Bounded<double>& a, const Real50& exact) { return abs(Real50(Real50(a.x) - exact)) <= Real50(a.e); }
 
 } // namespace
 
@@ -37,20 +37,20 @@ TEST_CASE("the error bound of every operation holds and is not idle", "[accuracy
     double least_used = 1; // how much of the bound was needed at the most, over the operations
     for (int n = 0; n < 2000; ++n) {
         const Pair a = source.number(-4, 4), b = source.number(0.5, 4), c = source.number(0.01, 2);
-        const std::vector<std::pair<Bounded, Real50>> results{{a.bounded + b.bounded, a.exact + b.exact},
-                                                              {a.bounded - b.bounded, a.exact - b.exact},
-                                                              {a.bounded * b.bounded, a.exact * b.exact},
-                                                              {a.bounded / b.bounded, a.exact / b.exact},
-                                                              {sqrt(c.bounded), sqrt(c.exact)},
-                                                              {exp(a.bounded), exp(a.exact)},
-                                                              {sin(a.bounded), sin(a.exact)},
-                                                              {cos(a.bounded), cos(a.exact)},
-                                                              {sinh(a.bounded), sinh(a.exact)},
-                                                              {cosh(a.bounded), cosh(a.exact)},
-                                                              {atan2(a.bounded, b.bounded), atan2(a.exact, b.exact)},
-                                                              {sin_pi(c.bounded), sin(Real50(pi<Real50>() * c.exact))},
-                                                              {cos_pi(c.bounded), cos(Real50(pi<Real50>() * c.exact))},
-                                                              {exp_minus_one(c.bounded), Real50(exp(c.exact) - 1)}};
+        const std::vector<std::pair<Bounded<double>, Real50>> results{{a.bounded + b.bounded, a.exact + b.exact},
+                                                                      {a.bounded - b.bounded, a.exact - b.exact},
+                                                                      {a.bounded * b.bounded, a.exact * b.exact},
+                                                                      {a.bounded / b.bounded, a.exact / b.exact},
+                                                                      {sqrt(c.bounded), sqrt(c.exact)},
+                                                                      {exp(a.bounded), exp(a.exact)},
+                                                                      {sin(a.bounded), sin(a.exact)},
+                                                                      {cos(a.bounded), cos(a.exact)},
+                                                                      {sinh(a.bounded), sinh(a.exact)},
+                                                                      {cosh(a.bounded), cosh(a.exact)},
+                                                                      {atan2(a.bounded, b.bounded), atan2(a.exact, b.exact)},
+                                                                      {sin_pi(c.bounded), sin(Real50(pi<Real50>() * c.exact))},
+                                                                      {cos_pi(c.bounded), cos(Real50(pi<Real50>() * c.exact))},
+                                                                      {exp_minus_one(c.bounded), Real50(exp(c.exact) - 1)}};
         double used = 0;
         for (std::size_t i = 0; i < results.size(); ++i) {
             INFO("operation " << i << ", run " << n);
@@ -64,27 +64,28 @@ TEST_CASE("the error bound of every operation holds and is not idle", "[accuracy
 }
 
 TEST_CASE("a quotient by what may be zero and an angle of what may be the origin have no useful bound", "[accuracy]") {
-    CHECK_FALSE((Bounded(1) / Bounded(0.5, 0.5)).e < 1e300);
-    CHECK(atan2(Bounded(0.1, 0.2), Bounded(0.1)).e > 6);
-    CHECK(sqrt(Bounded(0.0, 1e-8)).e >= 1e-4);
+    CHECK_FALSE((Bounded<double>(1) / Bounded<double>(0.5, 0.5)).e < 1e300);
+    CHECK(atan2(Bounded<double>(0.1, 0.2), Bounded<double>(0.1)).e > 6);
+    CHECK(sqrt(Bounded<double>(0.0, 1e-8)).e >= 1e-4);
 }
 
 TEST_CASE("where nothing bounds an error the bound is infinite, never not a number", "[accuracy]") {
     const double infinite = std::numeric_limits<double>::infinity();
-    const Bounded open = Bounded(1) / Bounded(0.0, 1.0), wide(1.0, infinite);
-    for (const Bounded& b :
-         {Bounded(Bounded(0) * wide), Bounded(wide - wide), Bounded(wide * Bounded(0)), Bounded(wide / wide),
-          Bounded(open * Bounded(0)), sqrt(Bounded(-1.0)), exp(Bounded(-1e4, infinite)), Bounded(Bounded(0) / 0)})
+    const Bounded<double> open = Bounded<double>(1) / Bounded<double>(0.0, 1.0), wide(1.0, infinite);
+    for (const Bounded<double>& b :
+         {Bounded<double>(Bounded<double>(0) * wide), Bounded<double>(wide - wide), Bounded<double>(wide * Bounded<double>(0)),
+          Bounded<double>(wide / wide), Bounded<double>(open * Bounded<double>(0)), sqrt(Bounded<double>(-1.0)),
+          exp(Bounded<double>(-1e4, infinite)), Bounded<double>(Bounded<double>(0) / 0)})
         CHECK(b.e == infinite);
-    CHECK(sqrt(Bounded(-1e-20, 1e-16)).e > 0.99e-8); // negative by its error
-    CHECK(sqrt(Bounded(-1e-20, 1e-16)).x == 0);
+    CHECK(sqrt(Bounded<double>(-1e-20, 1e-16)).e > 0.99e-8); // negative by its error
+    CHECK(sqrt(Bounded<double>(-1e-20, 1e-16)).x == 0);
 }
 
 TEST_CASE("the functions of a mode on bounded numbers hold their bounds", "[eq:23][eq:28][eq:29][accuracy]") {
     Source source;
     for (int n = 0; n < 300; ++n) {
         const Pair R = source.number(0.05, 6), zeta = source.number(0.001, 0.9);
-        const evaluation::ModeFunctions<Bounded> f = evaluation::mode_functions(R.bounded, zeta.bounded);
+        const evaluation::ModeFunctions<Bounded<double>> f = evaluation::mode_functions(R.bounded, zeta.bounded);
         const evaluation::ModeFunctions<Real50> exact = evaluation::mode_functions(R.exact, zeta.exact);
         INFO("R = " << R.bounded.x << ", zeta = " << zeta.bounded.x);
         REQUIRE(holds(f.v.re, exact.v.re));

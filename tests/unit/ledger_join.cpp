@@ -204,7 +204,9 @@ TEST_CASE("each thing that is missing or wrong makes a fault", "[ledger]") {
         claim_of(parts, "46/claim").role = "printed";
         expect("equation 46 has a formula and no claim on it");
     }
-    SECTION("an unknown verdict") { claim_of(parts, "46/claim").verdict = "unknown", expect("equation 46 is unknown as printed"); }
+    SECTION("an unknown verdict") {
+        claim_of(parts, "46/claim").verdict = "unknown", expect("equation 46 is unknown as printed");
+    }
     SECTION("an unknown step without a search") {
         parts.claims.push_back(claim("46/step", "46", "step", "unknown"));
         expect("claim 46/step is unknown");

@@ -49,7 +49,8 @@ constexpr double tolerance = 2e-11; // of the integration, absolute: steps of at
 
 } // namespace
 
-TEST_CASE("the general solution with the constants (A.5) is the integrated motion", "[eq:20][eq:21][eq:A.1][eq:A.2][eq:A.3][eq:A.5]") {
+TEST_CASE("the general solution with the constants (A.5) is the integrated motion",
+          "[eq:20][eq:21][eq:A.1][eq:A.2][eq:A.3][eq:A.5]") {
     for (const Case& c : cases()) {
         const IntegrationConstants<double> constants = paper::integration_constants(c.m, c.start, c.beta, c.phi_j);
         for (const double tau : instants)
@@ -76,7 +77,8 @@ TEST_CASE("d and R q are the free motions from unit displacement and unit veloci
     for (Case c : cases()) {
         c.m.psi_li = 0;
         for (const double tau : instants) {
-            const State from_displacement = integrated(c.m, {1, 0}, 0, 0, tau), from_velocity = integrated(c.m, {0, 1}, 0, 0, tau);
+            const State from_displacement = integrated(c.m, {1, 0}, 0, 0, tau),
+                        from_velocity = integrated(c.m, {0, 1}, 0, 0, tau);
             CHECK(paper::d(tau, c.m.R, c.m.zeta) == Approx(from_displacement[0]).margin(tolerance));
             CHECK(paper::d_prime(tau, c.m.R, c.m.zeta) == Approx(from_displacement[1]).margin(tolerance));
             CHECK(c.m.R * paper::q(tau, c.m.R, c.m.zeta) == Approx(from_velocity[0]).margin(tolerance));
@@ -132,7 +134,8 @@ TEST_CASE("the argument of v has the cosine and the sine of (61)", "[eq:23][eq:6
 TEST_CASE("the load of a mode on the contact is its inertia and friction, taken from the integrated motion", "[eq:59][eq:63]") {
     for (const Case& c : cases()) {
         const double h = 1e-4;
-        const State before = integrated(c.m, c.start, c.beta, c.phi_j, h), after = integrated(c.m, c.start, c.beta, c.phi_j, 2 * h);
+        const State before = integrated(c.m, c.start, c.beta, c.phi_j, h),
+                    after = integrated(c.m, c.start, c.beta, c.phi_j, 2 * h);
         const double acceleration = (-3 * c.start.eta_prime_0 + 4 * before[1] - after[1]) / (2 * h); // one-sided, O(h^2)
         CHECK(paper::modal_contact_load(c.m, c.start, std::cos(c.phi_j)) ==
               Approx(c.m.psi_ji * c.beta - acceleration).epsilon(1e-5).margin(1e-5)); // the difference formula's own error

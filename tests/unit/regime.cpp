@@ -1,8 +1,8 @@
 #include "denhartog/sliding/regime.hpp"
 
 #include "denhartog/number/errors.hpp"
-#include "denhartog/solve/response.hpp"
 #include "tests/catch.hpp"
+#include "tests/support/plain_response.hpp"
 #include "tests/unit/response_fixtures.hpp"
 
 using namespace denhartog;

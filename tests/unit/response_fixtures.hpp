@@ -7,7 +7,8 @@
 #include <vector>
 
 #include "denhartog/model/stuck_configuration.hpp"
-#include "denhartog/solve/response.hpp"
+#include "denhartog/sliding/bounded_modes.hpp"
+#include "tests/support/plain_response.hpp"
 
 namespace denhartog::tests {
 
@@ -82,6 +83,12 @@ inline double largest_sample(const ModeSums<double>& s, const SteadyState<double
         largest = std::max(largest, std::abs(motion(s, state, tau).x[k]));
     }
     return largest;
+}
+
+/// @brief The modes of a scene at its frequency ratio, with bounds. @param scene the scene, with r @return the modes
+inline BoundedModes<double> modes_of(const Scene<double>& scene) {
+    return {std::make_shared<const ModalBasis<Bounded<double>>>(with_errors(scene.system, modal_basis(scene.system))),
+            as_input(*scene.r)};
 }
 
 } // namespace denhartog::tests

@@ -61,6 +61,25 @@ struct Bounded {
         const T bound = (error + rounding) * (1 + 8 * unit_of<T>()) + (std::numeric_limits<T>::min)();
         return {value, bound >= 0 && value - value == 0 ? bound : std::numeric_limits<T>::infinity()};
     }
+    /// @brief The same where the rounding is at most half a unit in the last place, as of the wide types.
+    /// @param value  the result
+    /// @param error  what the errors of the operands make of it
+    /// @return       the number with both
+    [[nodiscard, gnu::noinline]] static Bounded rounded_correctly(const T& value, const T& error) {
+        return of(value, error, T(unit_of<T>() * size_of_number(value) / 2));
+    }
+    [[nodiscard, gnu::noinline]] static Bounded wide_sum(const Bounded& a, const Bounded& b) {
+        return rounded_correctly(T(a.x + b.x), T(a.e + b.e));
+    }
+    [[nodiscard, gnu::noinline]] static Bounded wide_product(const Bounded& a, const Bounded& b) {
+        return rounded_correctly(T(a.x * b.x), T(size_of_number(a.x) * b.e + size_of_number(b.x) * a.e + a.e * b.e));
+    }
+    [[nodiscard, gnu::noinline]] static Bounded wide_quotient(const Bounded& a, const Bounded& b) {
+        const T q = a.x / b.x, least = size_of_number(b.x) - b.e;
+        return rounded_correctly(q, least > 0 ? T((a.e + size_of_number(q) * b.e) / least) : std::numeric_limits<T>::infinity());
+    }
+    [[nodiscard, gnu::noinline]] static Bounded wide_opposite(const Bounded& a) { return {T(-a.x), a.e}; }
+
     /// @brief The result of a library function. @param value the result @param error what the errors of the operands make of it
     /// @param units  how many units in the last place the function is trusted with
     /// @return       the number with both
@@ -69,36 +88,41 @@ struct Bounded {
     }
 
     /// @brief The opposite, as certain. @param a a number @return -a
-    [[nodiscard]] friend Bounded operator-(const Bounded& a) { return {T(-a.x), a.e}; }
+    [[nodiscard]] friend Bounded operator-(const Bounded& a) {
+        if constexpr (std::floating_point<T>)
+            return {-a.x, a.e};
+        else
+            return wide_opposite(a);
+    }
     /// @brief Sum: the errors add up, and its rounding is known. @param a a number @param b a number @return a + b
     [[nodiscard]] friend Bounded operator+(const Bounded& a, const Bounded& b) {
-        const T sum = a.x + b.x;
         if constexpr (std::floating_point<T>) {
-            const T of_b = sum - a.x;
+            const T sum = a.x + b.x, of_b = sum - a.x;
             return of(sum, a.e + b.e, std::abs((a.x - (sum - of_b)) + (b.x - of_b)));
         } else {
-            return rounded(sum, T(a.e + b.e), 0.5);
+            return wide_sum(a, b);
         }
     }
     /// @brief Difference, bounded as a sum is. @param a a number @param b a number @return a - b
     [[nodiscard]] friend Bounded operator-(const Bounded& a, const Bounded& b) { return a + -b; }
     /// @brief Product; its rounding is known from a fused product. @param a a number @param b a number @return a b
     [[nodiscard]] friend Bounded operator*(const Bounded& a, const Bounded& b) {
-        const T product = a.x * b.x;
-        const T error = size_of_number(a.x) * b.e + size_of_number(b.x) * a.e + a.e * b.e;
-        if constexpr (std::floating_point<T>)
-            return of(product, error, std::abs(std::fma(a.x, b.x, -product)));
-        else
-            return rounded(product, error, 0.5);
+        if constexpr (std::floating_point<T>) {
+            const T product = a.x * b.x;
+            return of(product, std::abs(a.x) * b.e + std::abs(b.x) * a.e + a.e * b.e, std::abs(std::fma(a.x, b.x, -product)));
+        } else {
+            return wide_product(a, b);
+        }
     }
     /// @brief Quotient; unbounded where the divisor may be zero. @param a a number @param b a number @return a / b
     [[nodiscard]] friend Bounded operator/(const Bounded& a, const Bounded& b) {
-        const T q = a.x / b.x, least = size_of_number(b.x) - b.e;
-        const T error = least > 0 ? T((a.e + size_of_number(q) * b.e) / least) : std::numeric_limits<T>::infinity();
-        if constexpr (std::floating_point<T>)
-            return of(q, error, std::abs(std::fma(-q, b.x, a.x) / b.x));
-        else
-            return rounded(q, error, 0.5);
+        if constexpr (std::floating_point<T>) {
+            const T q = a.x / b.x, least = std::abs(b.x) - b.e;
+            return of(q, least > 0 ? (a.e + std::abs(q) * b.e) / least : std::numeric_limits<T>::infinity(),
+                      std::abs(std::fma(-q, b.x, a.x) / b.x));
+        } else {
+            return wide_quotient(a, b);
+        }
     }
     /// @brief Adds. @param b a number @return this
     Bounded& operator+=(const Bounded& b) { return *this = *this + b; }
@@ -134,7 +158,7 @@ constexpr double composed_units = 2;
 
 /// @brief Square root. @param a a number @return its root; of one that may be zero, or negative by its error, an error as large
 template <class T>
-[[nodiscard]] Bounded<T> sqrt(const Bounded<T>& a) {
+[[nodiscard, gnu::noinline]] Bounded<T> sqrt(const Bounded<T>& a) {
     using std::sqrt;
     if (a.x < 0 && a.x + a.e >= 0) return Bounded<T>::of(T(0), sqrt(T(a.x + a.e)), T(0));
     const T root = sqrt(a.x);
@@ -142,44 +166,44 @@ template <class T>
     if constexpr (std::floating_point<T>)
         return Bounded<T>::of(root, error, root > 0 ? std::abs(std::fma(-root, root, a.x)) / root : 0);
     else
-        return Bounded<T>::rounded(root, error, 0.5);
+        return Bounded<T>::rounded_correctly(root, error);
 }
 /// @brief Exponential. @param a a number @return exp(a)
 template <class T>
-[[nodiscard]] Bounded<T> exp(const Bounded<T>& a) {
+[[nodiscard, gnu::noinline]] Bounded<T> exp(const Bounded<T>& a) {
     using std::exp;
     const T value = exp(a.x);
     return Bounded<T>::rounded(value, T(value * boost::math::expm1(a.e)), library_units);
 }
 /// @brief Sine. @param a radians @return sin(a)
 template <class T>
-[[nodiscard]] Bounded<T> sin(const Bounded<T>& a) {
+[[nodiscard, gnu::noinline]] Bounded<T> sin(const Bounded<T>& a) {
     using std::cos, std::sin;
     const T error = a.e > 0 ? std::min(T(2), T(a.e * (size_of_number(T(cos(a.x))) + a.e))) : T(0);
     return Bounded<T>::rounded(sin(a.x), error, library_units);
 }
 /// @brief Cosine. @param a radians @return cos(a)
 template <class T>
-[[nodiscard]] Bounded<T> cos(const Bounded<T>& a) {
+[[nodiscard, gnu::noinline]] Bounded<T> cos(const Bounded<T>& a) {
     using std::cos, std::sin;
     const T error = a.e > 0 ? std::min(T(2), T(a.e * (size_of_number(T(sin(a.x))) + a.e))) : T(0);
     return Bounded<T>::rounded(cos(a.x), error, library_units);
 }
 /// @brief Hyperbolic cosine. @param a a number @return cosh(a)
 template <class T>
-[[nodiscard]] Bounded<T> cosh(const Bounded<T>& a) {
+[[nodiscard, gnu::noinline]] Bounded<T> cosh(const Bounded<T>& a) {
     using std::cosh, std::sinh;
     return Bounded<T>::rounded(cosh(a.x), T(sinh(a.most()) * a.e), composed_units);
 }
 /// @brief Hyperbolic sine. @param a a number @return sinh(a)
 template <class T>
-[[nodiscard]] Bounded<T> sinh(const Bounded<T>& a) {
+[[nodiscard, gnu::noinline]] Bounded<T> sinh(const Bounded<T>& a) {
     using std::cosh, std::sinh;
     return Bounded<T>::rounded(sinh(a.x), T(cosh(a.most()) * a.e), composed_units);
 }
 /// @brief Angle of the point (x, y). @param y ordinate @param x abscissa @return radians in (-pi, pi]
 template <class T>
-[[nodiscard]] Bounded<T> atan2(const Bounded<T>& y, const Bounded<T>& x) {
+[[nodiscard, gnu::noinline]] Bounded<T> atan2(const Bounded<T>& y, const Bounded<T>& x) {
     using std::atan, std::atan2;
     const T size = std::max(size_of_number(x.x), size_of_number(y.x));
     const T X = size_of_number(x.x) / size, Y = size_of_number(y.x) / size;
@@ -200,17 +224,17 @@ template <class T>
 }
 /// @brief \f$ \sin(\pi x) \f$. @param a a number @return sin(pi a)
 template <class T>
-[[nodiscard]] Bounded<T> sin_pi(const Bounded<T>& a) {
+[[nodiscard, gnu::noinline]] Bounded<T> sin_pi(const Bounded<T>& a) {
     return Bounded<T>::rounded(boost::math::sin_pi(a.x), std::min(T(2), T(4 * a.e)), composed_units);
 }
 /// @brief \f$ \cos(\pi x) \f$. @param a a number @return cos(pi a)
 template <class T>
-[[nodiscard]] Bounded<T> cos_pi(const Bounded<T>& a) {
+[[nodiscard, gnu::noinline]] Bounded<T> cos_pi(const Bounded<T>& a) {
     return Bounded<T>::rounded(boost::math::cos_pi(a.x), std::min(T(2), T(4 * a.e)), composed_units);
 }
 /// @brief \f$ e^x - 1 \f$. @param a a number @return exp(a) - 1
 template <class T>
-[[nodiscard]] Bounded<T> exp_minus_one(const Bounded<T>& a) {
+[[nodiscard, gnu::noinline]] Bounded<T> exp_minus_one(const Bounded<T>& a) {
     using std::exp;
     return Bounded<T>::rounded(boost::math::expm1(a.x), T(exp(a.x) * boost::math::expm1(a.e)), composed_units);
 }

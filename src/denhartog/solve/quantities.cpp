@@ -228,8 +228,10 @@ template void list(const Quantities<Real50>&, const QuantityReader<Real50>&);
 template Quantities<Bounded<double>> quantities_without_motion(const ModeSums<Bounded<double>>&, const Bounded<double>&,
                                                                const Bounded<double>&);
 template Quantities<Real50> quantities_without_motion(const ModeSums<Real50>&, const Real50&, const Real50&);
+template Quantities<Real100> quantities_without_motion(const ModeSums<Real100>&, const Real100&, const Real100&);
 template void add_motion(Quantities<Bounded<double>>&, const ModeSums<Bounded<double>>&, const Bounded<double>&,
                          const std::vector<Bounded<double>>&);
 template void add_motion(Quantities<Real50>&, const ModeSums<Real50>&, const Real50&, const std::vector<Real50>&);
+template void add_motion(Quantities<Real100>&, const ModeSums<Real100>&, const Real100&, const std::vector<Real100>&);
 
 } // namespace denhartog

@@ -72,7 +72,11 @@ Peer solve_peer(int digits) {
                         const Solution s = solve(*prepared, point.r, point.beta, question);
                         answer.evaluations = s.work.mode_evaluations + s.work.phases_propagated;
                         answer.sticks = s.regime.regime != Regime::continuous;
-                        std::visit([&](const auto& n) { set_amplitude(answer, n.masses.front().amplitude); }, s.numbers);
+                        const Certified& X_j = s.masses.front().amplitude;
+                        if (X_j.decimal.empty())
+                            set_amplitude(answer, X_j.value);
+                        else
+                            set_amplitude(answer, Real50(X_j.decimal));
                     } catch (const PrecisionError&) {
                         answer.ending = Ending::did_not_finish;
                     }

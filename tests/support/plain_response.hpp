@@ -1,0 +1,43 @@
+/// @file
+/// @brief The closed form at one point on any plain number type, without bounds: what answers are compared with.
+#pragma once
+
+#include <optional>
+
+#include "denhartog/number/errors.hpp"
+#include "denhartog/sliding/regime.hpp"
+#include "denhartog/sliding/steady_state.hpp"
+
+namespace denhartog {
+
+/// @brief What is known of the steady state at one point.
+template <class T>
+struct Response {
+    T r;                                        ///< frequency ratio, Eq. (10)
+    T mu;                                       ///< static over kinetic friction, Eq. (3)
+    std::optional<T> beta;                      ///< friction ratio, Eq. (11); none where only the boundary was asked for
+    Mass contact;                               ///< the mass in contact, j
+    Boundary<T> boundary;                       ///< the boundary at r
+    std::optional<RegimeAtPoint> regime;        ///< the regime at beta
+    std::optional<SteadyState<T>> steady_state; ///< the steady state, in the sliding regime only
+};
+
+/// @brief The response at the point of a scene, as the number type rounds it.
+/// @eq{38,39,44,45,47,52,53,69}
+/// @param scene  the scene, with r; without beta the boundary alone is computed
+/// @param only   the one mass whose maximum is wanted besides that of the contact; none for all
+/// @return       the response; displacements in units of P / k_1
+/// @throws       InputError where the scene breaks a rule or has no r; DomainError at a pole of a mode without damping
+template <class T>
+[[nodiscard]] Response<T> response(const Scene<T>& scene, std::optional<Mass> only = std::nullopt) {
+    check(scene);
+    if (!scene.r) throw InputError("r", "must be given", "");
+    const ModeSums<T> sums = mode_sums(modal_basis(scene.system), scene.system.contact, scene.system.load, *scene.r);
+    Response<T> all{*scene.r, scene.mu, scene.beta, scene.system.contact, boundary(sums, scene.mu), std::nullopt, std::nullopt};
+    if (!scene.beta) return all;
+    all.regime = regime_at(all.boundary, *scene.beta, rounding_of(all.boundary));
+    if (all.regime->regime == Regime::continuous) all.steady_state = steady_state(sums, all.boundary, *scene.beta, only);
+    return all;
+}
+
+} // namespace denhartog

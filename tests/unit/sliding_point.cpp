@@ -1,0 +1,111 @@
+#include "denhartog/solve/sliding_point.hpp"
+
+#include "denhartog/number/errors.hpp"
+#include "denhartog/solve/scene_source.hpp"
+#include "tests/catch.hpp"
+#include "tests/support/sample_scenes.hpp"
+#include "tests/unit/response_fixtures.hpp"
+
+using namespace denhartog;
+using namespace denhartog::tests;
+
+namespace {
+
+SlidingPoint<double> bounded_point(const Scene<double>& scene) {
+    const SceneIn<double> in = scene_with_modes<double>(scene_source(scene));
+    BoundedModes<double> modes(in.basis, as_input(*scene.r));
+    return sliding_point(scene, modes, {});
+}
+
+} // namespace
+
+TEST_CASE("error bounds known beforehand hold against 50 digits and leave more than six digits",
+          "[eq:38][eq:44][eq:52][eq:69][accuracy]") {
+    for (const double r : {0.0625, 0.3125, 0.875, 1.125, 4.0}) {
+        Scene<double> scene = three_masses(r);
+        scene.beta = 0.75 * boundary(sums_of(scene), scene.mu).exact;
+        const SlidingPoint<double> low = bounded_point(scene);
+        const Response<Real50> high = response(scene_source(scene).in_50_digits());
+        CHECK(low.attempted.relative < 1e-7);
+        REQUIRE(low.state);
+        for (std::size_t k = 0; k < 3; ++k) {
+            const MassResponse<Bounded<double>>& m = low.state->masses[k];
+            const MassResponse<Real50>& w = high.steady_state->masses[k];
+            INFO("r = " << hexadecimal(r) << ", mass " << k + 1 << ", bound " << hexadecimal(m.amplitude.e));
+            CHECK(abs(Real50(m.x0.x - w.x0)) <= m.x0.e);
+            CHECK(abs(Real50(m.v0.x - w.v0)) <= m.v0.e);
+            CHECK(abs(Real50(m.amplitude.x - w.amplitude)) <= m.amplitude.e);
+            CHECK(abs(Real50(m.amplitude_monoharmonic.x - w.amplitude_monoharmonic)) <= m.amplitude_monoharmonic.e);
+            CHECK(abs(wrapped(Real50(m.phase.x - w.phase))) <= m.phase.e);
+        }
+    }
+}
+
+TEST_CASE("error bounds known beforehand hold on random systems", "[eq:38][eq:69][accuracy]") {
+    int number = 0, compared = 0;
+    for (const RandomScene<double>& each : random_scenes<double>(17)) {
+        Scene<double> scene = each.scene;
+        if (scene.system.damping_ratios.empty() || ++number % 16 != 0) continue;
+        scene.beta = each.fraction_of_limit * boundary(sums_of(scene), scene.mu).exact;
+        const SlidingPoint<double> low = bounded_point(scene);
+        const Response<Real50> high = response(scene_source(scene).in_50_digits());
+        REQUIRE(low.state);
+        ++compared;
+        INFO(each.name);
+        CHECK(low.attempted.relative < 1e-6);
+        for (std::size_t k = 0; k < high.steady_state->masses.size(); ++k) {
+            const MassResponse<Bounded<double>>& m = low.state->masses[k];
+            CHECK(abs(Real50(m.amplitude.x - high.steady_state->masses[k].amplitude)) <= m.amplitude.e);
+            CHECK(abs(wrapped(Real50(m.phase.x - high.steady_state->masses[k].phase))) <= m.phase.e);
+        }
+    }
+    CHECK(compared > 15);
+}
+
+TEST_CASE("the bounds widen where the modes lie close together", "[accuracy]") {
+    Scene<double> near = three_masses(), far = near;
+    near.system.stiffness_ratios.clear();
+    near.system.stiffness_matrix.resize(3, 3); // the third mass apart from the others, its frequency near one of theirs
+    near.system.stiffness_matrix << 1.625, -0.625, 0, -0.625, 0.625, 0, 0, 0, 0.1125;
+    near.beta = far.beta = 0.03125;
+    const auto error = [](const Scene<double>& scene) {
+        const ModalBasis<Bounded<double>> basis = with_errors(scene.system, modal_basis(scene.system));
+        double largest = 0;
+        for (Eigen::Index i = 0; i < 3; ++i)
+            for (Eigen::Index k = 0; k < 3; ++k) largest = std::max(largest, basis.phi(k, i).e);
+        return largest;
+    };
+    CHECK(error(near) > 4 * error(far));
+}
+
+TEST_CASE("next to the pole of a mode without damping there is no bound, and solve takes more digits", "[domain][accuracy]") {
+    for (const double r : {1.0 / 3, 1.0 / 3 * (1 + 0x1p-50), 1 + 0x1p-52}) {
+        Scene<double> scene = oscillator(0, r);
+        scene.beta = 0.001;
+        double relative = std::numeric_limits<double>::infinity();
+        try {
+            relative = bounded_point(scene).attempted.relative;
+        } catch (const DomainError&) {
+        } catch (const PrecisionError&) {
+        }
+        INFO("r = " << hexadecimal(r));
+        CHECK(relative > 0.01);
+    }
+}
+
+TEST_CASE("phases at frequencies far below all natural ones keep their bounds, at the ends of the half-period too",
+          "[eq:47][accuracy]") {
+    for (const double r : {1e-9, 1e-7, 1e-5, 1e-3})
+        for (const double beta : {0.0, 1e-12}) {
+            const Scene<double> scene = with_beta(chain({1, 1}, {1, 1}, {0.05, 0.05}, 2, 1, 1, r), beta);
+            const SlidingPoint<double> low = bounded_point(scene);
+            const Response<Real100> high = response(scene_source(scene).in_100_digits());
+            REQUIRE(low.state);
+            for (std::size_t k = 0; k < 2; ++k) {
+                const Bounded<double>& phase = low.state->masses[k].phase;
+                INFO("r = " << r << ", beta = " << beta << ", mass " << k + 1 << ", bound " << phase.e);
+                CHECK(abs(wrapped(Real100(Real100(phase.x) - high.steady_state->masses[k].phase))) <= Real100(phase.e));
+                CHECK(phase.e < 1e-12);
+            }
+        }
+}
