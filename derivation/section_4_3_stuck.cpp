@@ -1,5 +1,6 @@
 // Section 4.3, (87), (88): invariant points and permanent sticking. What the text has observed is in stuck_observations.cpp.
 #include "claim.hpp"
+#include "denhartog/evaluation/contact.hpp"
 #include "denhartog/formulas/mode.hpp"
 #include "denhartog/formulas/other_masses.hpp"
 #include "denhartog/formulas/stuck.hpp"
@@ -177,6 +178,26 @@ const Register registered([] {
                         derived_load(true, true)),
                    {"Friction of at most mu beta balances it at every tau where its amplitude is not larger",
                     "\\max_\\tau|\\Sigma_j(\\tau)| \\le \\mu\\beta"}}},
+        {.id = "88/by-responses",
+         .equations = {"88"},
+         .role = Role::shipped,
+         .title = "The least friction ratio that holds the contact for ever, from two responses of the system without friction",
+         .assumptions = {"Y_jj not zero"},
+         .kernel =
+             [&s] {
+                 return Values{evaluation::sticking_limit_by_responses<Symbolic>(
+                     {Symbolic(s.V_kr), Symbolic(s.V_ki)}, {Symbolic(s.V_jr), Symbolic(s.V_ji)}, Symbolic(s.mu))};
+             },
+         .derived =
+             [&s] {
+                 // A harmonic force f on the contact, complex as the load is, makes its displacement V - f Y: it is zero for
+                 const ex size = s.V_jr * s.V_jr + s.V_ji * s.V_ji;
+                 const ex re = (s.V_kr * s.V_jr + s.V_ki * s.V_ji) / size, im = (s.V_ki * s.V_jr - s.V_kr * s.V_ji) / size;
+                 return std::vector<ex>{GiNaC::sqrt(re * re + im * im) / s.mu};
+             },
+         .steps = {{"A force f on the contact that makes its displacement zero carries its load: $V_{dj} - f\\,Y_{jj} = 0$", ""},
+                   {"Static friction supplies it at every instant where its amplitude is at most mu beta",
+                    "|V_{dj}/Y_{jj}| \\le \\mu\\beta"}}},
         {.id = "88/no-damping-force",
          .equations = {"88"},
          .role = Role::step,

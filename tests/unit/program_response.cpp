@@ -37,7 +37,7 @@ TEST_CASE("the answer in the sliding regime has the keys of the interface", "[pr
     CHECK(keys_of(a["contact"]) == std::vector<std::string>{"mass", "amplitude", "phase"});
     REQUIRE(a["masses"].size() == 3);
     CHECK(keys_of(a["masses"][0]) == std::vector<std::string>{"mass", "x0", "v0", "amplitude", "phase", "amplitude_monoharmonic",
-                                                              "phase_monoharmonic", "error_bound"});
+                                                              "phase_monoharmonic", "error_bound", "phase_error_bound"});
     CHECK(a["regime"] == "continuous");
     CHECK(a["method"]["model"] == "closed form");
     CHECK(a["stops_per_period"] == 0);

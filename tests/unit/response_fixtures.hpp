@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "denhartog/model/stuck_configuration.hpp"
+#include "denhartog/number/certified.hpp"
+#include "denhartog/number/multiprecision.hpp"
 #include "denhartog/sliding/bounded_modes.hpp"
 #include "tests/support/plain_response.hpp"
 
@@ -90,5 +92,8 @@ inline BoundedModes<double> modes_of(const Scene<double>& scene) {
     return {std::make_shared<const ModalBasis<Bounded<double>>>(with_errors(scene.system, modal_basis(scene.system))),
             as_input(*scene.r)};
 }
+
+/// @brief The decimals of a number, where it has some; else its value. @param x a number of an answer @return all of its digits
+inline Real100 decimals_of(const Certified& x) { return x.decimal.empty() ? Real100(x.value) : Real100(x.decimal); }
 
 } // namespace denhartog::tests

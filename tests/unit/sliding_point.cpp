@@ -96,14 +96,15 @@ TEST_CASE("next to the pole of a mode without damping there is no bound, and sol
 TEST_CASE("phases at frequencies far below all natural ones keep their bounds, at the ends of the half-period too",
           "[eq:47][accuracy]") {
     for (const double r : {1e-9, 1e-7, 1e-5, 1e-3})
-        for (const double beta : {0.0, 1e-12}) {
-            const Scene<double> scene = with_beta(chain({1, 1}, {1, 1}, {0.05, 0.05}, 2, 1, 1, r), beta);
+        for (const double part : {0.0, 0.5}) {
+            Scene<double> scene = chain({1, 1}, {1, 1}, {0.05, 0.05}, 2, 1, 1, r);
+            scene.beta = part * boundary(sums_of(scene), 1.0).exact;
             const SlidingPoint<double> low = bounded_point(scene);
             const Response<Real100> high = response(scene_source(scene).in_100_digits());
             REQUIRE(low.state);
             for (std::size_t k = 0; k < 2; ++k) {
                 const Bounded<double>& phase = low.state->masses[k].phase;
-                INFO("r = " << r << ", beta = " << beta << ", mass " << k + 1 << ", bound " << phase.e);
+                INFO("r = " << r << ", beta = " << *scene.beta << ", mass " << k + 1 << ", bound " << phase.e);
                 CHECK(abs(wrapped(Real100(Real100(phase.x) - high.steady_state->masses[k].phase))) <= Real100(phase.e));
                 CHECK(phase.e < 1e-12);
             }

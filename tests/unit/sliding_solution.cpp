@@ -16,11 +16,8 @@ Scene<double> sliding(double beta = 0.125) {
 }
 
 Solution answer(const SceneSource& source, std::optional<int> digits = std::nullopt) {
-    return sliding_solution(source, {Asked::motion, digits, {}, {}});
+    return sliding_solution(source, {Asked::motion, digits, {}});
 }
-
-// The decimals of a number, where it has some.
-Real100 wide(const Certified& x) { return x.decimal.empty() ? Real100(x.value) : Real100(x.decimal); }
 
 const char* one_tenth = R"({"mass_ratios": [1, 2], "stiffness_ratios": [1, 1], "damping_ratios": ["0.1", "0.2"],
                             "contact": 2, "load": 1, "r": "0.9", "beta": "0.1"})";
@@ -39,7 +36,7 @@ TEST_CASE("the error bound of double holds against 100 digits", "[accuracy]") {
             const double bound = error_of_displacements(m);
             INFO("r = " << hexadecimal(r) << ", mass " << k + 1 << ", bound " << hexadecimal(bound));
             CHECK(bound > 0);
-            CHECK(bound < 1e-12 * m.amplitude.value);
+            CHECK(bound < 1e-10 * m.amplitude.value);
             CHECK(abs(Real100(m.sliding->x0.value - w.x0)) <= m.sliding->x0.error);
             CHECK(abs(Real100(m.sliding->v0.value - w.v0)) <= m.sliding->v0.error);
             CHECK(abs(Real100(m.amplitude.value - w.amplitude)) <= m.amplitude.error);
@@ -54,7 +51,8 @@ TEST_CASE("the error bound of double holds against 100 digits", "[accuracy]") {
 
 TEST_CASE("the precision follows from the digits asked for", "[accuracy]") {
     CHECK(answer(scene_source(sliding())).method.precision == "double");
-    CHECK(answer(scene_source(sliding()), 12).method.precision == "double");
+    CHECK(answer(scene_source(sliding()), 10).method.precision == "double");
+    CHECK(answer(scene_source(sliding()), 12).method.precision == "50 digits");
     CHECK(answer(scene_source(sliding()), 16).method.precision == "50 digits");
     CHECK(answer(scene_source(sliding()), 45).method.precision == "50 digits");
     CHECK(answer(scene_source(sliding()), 46).method.precision == "100 digits");
@@ -67,12 +65,12 @@ TEST_CASE("the digits of 50 agree with those of 100", "[accuracy]") {
     const Solution low = answer(scene_source(sliding()), 45), high = answer(scene_source(sliding()), 90);
     for (std::size_t k = 0; k < 3; ++k) {
         const SolvedMass &m = low.masses[k], &w = high.masses[k];
-        CHECK(abs(Real100(wide(m.amplitude) - wide(w.amplitude))) <= Real100(m.amplitude.error));
+        CHECK(abs(Real100(decimals_of(m.amplitude) - decimals_of(w.amplitude))) <= Real100(m.amplitude.error));
         CHECK(m.amplitude.error < 1e-44 * m.amplitude.value); // the rounding of 45 decimals is in it
         CHECK(w.amplitude.error < 1e-89 * w.amplitude.value);
         CHECK(low.relative_error <= 1e-45);
         CHECK(high.relative_error <= 1e-90);
-        CHECK(abs(Real100(wide(*m.phase) - wide(*w.phase))) <= Real100(m.phase->error));
+        CHECK(abs(Real100(decimals_of(*m.phase) - decimals_of(*w.phase))) <= Real100(m.phase->error));
         CHECK(m.phase->error < 1e-44);
     }
 }
@@ -85,7 +83,7 @@ TEST_CASE("a number written as text is read anew in every precision", "[accuracy
     CHECK(scene_source(rounded).in_100_digits().beta == Real100(0.1));
     // The difference between one tenth and its double shows in the 17th digit of the answer.
     const Solution exact = answer(scene_source(part), 30), near = answer(scene_source(rounded), 30);
-    const Real100 difference = abs(Real100(wide(exact.masses[1].amplitude) / wide(near.masses[1].amplitude) - 1));
+    const Real100 difference = abs(Real100(decimals_of(exact.masses[1].amplitude) / decimals_of(near.masses[1].amplitude) - 1));
     CHECK(difference > Real100("1e-19"));
     CHECK(difference < Real100("1e-15"));
 }
@@ -138,7 +136,7 @@ TEST_CASE("a mass that nothing moves has no amplitude beyond its error bound", "
     const SolvedMass& still = found.masses[2];
     CHECK(still.amplitude.value <= still.amplitude.error);
     CHECK_FALSE(still.phase);
-    CHECK(still.amplitude.error < 1e-13);
+    CHECK(still.amplitude.error < 1e-12);
 }
 
 TEST_CASE("a damping matrix rounded to double counts in more digits as the damping ratios that it has in double",

@@ -27,19 +27,17 @@ struct Numbers {
     std::optional<Real100> exact, at_least;
 };
 
-Real100 wide(const Certified& x) { return x.decimal.empty() ? Real100(x.value) : Real100(x.decimal); }
-
 Numbers numbers_of(const Solution& s) {
     Numbers all;
     for (const SolvedMass& m : s.masses) {
-        all.amplitudes.push_back(wide(m.amplitude));
+        all.amplitudes.push_back(decimals_of(m.amplitude));
         all.errors.emplace_back(m.amplitude.error);
-        all.phases.push_back(m.phase ? std::optional(wide(*m.phase)) : std::nullopt);
+        all.phases.push_back(m.phase ? std::optional(decimals_of(*m.phase)) : std::nullopt);
         all.phase_errors.emplace_back(m.phase ? m.phase->error : 0);
     }
     all.only = s.only;
-    if (s.limits) all.exact = wide(s.limits->exact);
-    if (s.slides_below) all.at_least = wide(*s.slides_below);
+    if (s.limits) all.exact = decimals_of(s.limits->exact);
+    if (s.slides_below) all.at_least = decimals_of(*s.slides_below);
     return all;
 }
 

@@ -65,7 +65,9 @@ SceneSource point_of(const dh_system* system, double r, double beta, double mu) 
 
 // Boundary and closed form at a point, in the first precision that has the digits.
 Solution closed_form_at(const dh_system* system, double r, double beta, double mu, Asked asked, std::optional<Mass> mass) {
-    return sliding_solution(point_of(system, r, beta, mu), {asked, digits_without_bound, mass, system->prepared.bounded});
+    const SceneSource source = point_of(system, r, beta, mu);
+    BoundedModes<double> modes(system->prepared.bounded, as_input(r));
+    return sliding_solution(source, {asked, digits_without_bound, mass, &modes});
 }
 
 void need_digits(const Solution& found) {

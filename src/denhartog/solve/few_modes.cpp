@@ -211,13 +211,13 @@ std::optional<FewModesSolution> few_modes_solution(const Scene<double>& scene, B
     return FewModes(scene, modes, digits, phases, only).answer();
 }
 
-bool answer_by_few_modes(const SolveTask& task, Solution& s) {
+bool answer_by_few_modes(SolveTask& task, Solution& s) {
     constexpr int most_digits_few_modes = 8; // beyond, harmonics and static modes are too coarse
     if (task.aim.digits > most_digits_few_modes) return false;
     std::optional<FewModesSolution> few;
     try {
-        BoundedModes<double> modes(task.basis, as_input(*task.scene.r));
-        few = few_modes_solution(task.scene, modes, task.aim.digits, task.question.asked == Asked::phase, task.question.mass);
+        few =
+            few_modes_solution(task.scene, *task.modes, task.aim.digits, task.question.asked == Asked::phase, task.question.mass);
     } catch (const DomainError&) {
         return false; // the next model says where the pole is
     }

@@ -57,14 +57,18 @@ Solution sliding_solution(const SceneSource& source, const SlidingQuestion& ques
     s.contact = scene.system.contact;
     const auto attempt = [&]<class T>(std::type_identity<T>) {
         SceneIn<T> in;
-        if constexpr (std::same_as<T, double>) {
-            if (question.basis) in = {scene, question.basis};
+        std::optional<BoundedModes<T>> own;
+        BoundedModes<T>* modes = nullptr;
+        if constexpr (std::same_as<T, double>) modes = question.modes;
+        if (modes != nullptr) {
+            in.scene = scene_in<T>(source);
+        } else {
+            in = scene_with_modes<T>(source);
+            modes = &own.emplace(in.basis, as_input(*in.scene.r));
         }
-        if (!in.basis) in = scene_with_modes<T>(source);
-        BoundedModes<T> modes(in.basis, as_input(*in.scene.r));
         // Where mu > 1 the motion from rest may be the sliding one.
         const bool motion = question.asked != Asked::regime || scene.mu > 1;
-        const SlidingPoint<T> point = sliding_point(in.scene, modes, {motion, question.only, aim.digits});
+        const SlidingPoint<T> point = sliding_point(in.scene, *modes, {motion, question.only, aim.digits});
         s.r = exactly(*in.scene.r, aim.digits);
         s.mu = exactly(in.scene.mu, aim.digits);
         if (in.scene.beta) s.beta = exactly(*in.scene.beta, aim.digits);

@@ -91,7 +91,7 @@ void answer(SolveTask& task, Solution& s) {
     if (few && task.scene.mu == 1 && answer_by_few_modes(task, s)) return;
     const Solution kept = s;
     try {
-        s = sliding_solution(task.source, {task.question.asked, task.question.digits, task.question.mass, task.basis});
+        s = sliding_solution(task.source, {task.question.asked, task.question.digits, task.question.mass, &*task.modes});
         s.unique = kept.unique;
         s.unique_because = kept.unique_because;
     } catch (const DomainError& e) {
@@ -135,6 +135,7 @@ Solution solve_at(const PreparedSystem& p, const SolvePoint& at, const Question&
         task.scene.r = at.r;
         task.scene.beta = at.beta;
         if (!task.basis) task.basis = scene_with_modes<double>(task.source).basis;
+        task.modes.emplace(task.basis, as_input(at.r));
         say_whether_unique(damping_ratios(*task.basis), p.scene.mu, s);
         s.r = exactly(at.r, 1);
         s.beta = exactly(at.beta, 1);

@@ -32,7 +32,7 @@ bool answer_by_contact(const PreparedSystem& p, const SolvePoint& at, const Ques
         if (!slides) return Attempted{0};
         s.r = exactly(r, aim.digits);
         s.beta = exactly(beta, aim.digits);
-        s.slides_below = exactly(found->slides_below.x, aim.digits);
+        s.slides_below = exactly(T(found->slides_below.x * (1 - T(aim.tolerance))), aim.digits); // its rounding must not raise it
         s.masses = {{certified(found->amplitude, aim.digits), certified(found->phase, aim.digits), std::nullopt}};
         const double relative = static_cast<double>(T(found->amplitude.e / found->amplitude.x));
         return Attempted{question.asked == Asked::phase ? std::max(relative, static_cast<double>(found->phase.e)) : relative};

@@ -34,6 +34,7 @@ struct SolveTask {
     Aim aim;                                                  ///< the digits
     std::shared_ptr<const ModalBasis<Bounded<double>>> basis; ///< its modal basis
     std::shared_ptr<const ContactSystem<double>> moving;      ///< for the exact solver; none where it is still to be prepared
+    std::optional<BoundedModes<double>> modes{};              ///< its modes at the point, evaluated as they are needed
     std::optional<std::string> pole{};                        ///< why boundaries and closed form are not known
 };
 
@@ -49,7 +50,7 @@ struct SolveTask {
 /// @param task  the task
 /// @param s     gets the answer
 /// @return      false where this has not the digits, or sliding is not certain
-[[nodiscard]] bool answer_by_few_modes(const SolveTask& task, Solution& s);
+[[nodiscard]] bool answer_by_few_modes(SolveTask& task, Solution& s);
 
 /// @brief The stuck response as the answer, in the first precision that has the digits.
 /// @param task      the task, its boundary found
