@@ -9,6 +9,8 @@
 /// branch-free and proved; only the selection compares numbers.
 #pragma once
 
+#include <type_traits>
+
 #include "denhartog/evaluation/mode.hpp"
 
 namespace denhartog::evaluation {
@@ -95,7 +97,7 @@ template <class T>
     return x < 2 * zeta ? one_minus_d_of_positive_terms(x, zeta) : one_minus_d_half_angle(x, zeta, q);
 }
 
-/// @brief The braces of (40) with their first two derivatives: the forms that keep their digits at this place.
+/// @brief The braces of (40) with their first two derivatives: the forms that keep their digits at this place, float in double.
 /// @eq{40,A.8,A.9}  @derivation{evaluation_forms}  @domain{0 <= tau <= pi, R > 0, zeta >= 0}
 /// @param tau   non-dimensional time, Eq. (5); radians
 /// @param R     modal frequency ratio, Eq. (22)
@@ -105,8 +107,13 @@ template <class T>
 /// @return      value and derivatives; dimensionless
 template <class T>
 [[nodiscard]] FrictionMotion<T> friction_motion(const T& tau, const T& R, const T& zeta, const T& u, const T& g) {
-    const FreeMotion<T> free = free_motion(tau, R, zeta);
-    return friction_motion_of(free, one_minus_d(T(tau / R), zeta, free.q), R, u, g);
+    if constexpr (std::is_same_v<T, float>) {
+        const FrictionMotion<double> f = friction_motion<double>(tau, R, zeta, u, g);
+        return {static_cast<T>(f.value), static_cast<T>(f.prime), static_cast<T>(f.double_prime)};
+    } else {
+        const FreeMotion<T> free = free_motion(tau, R, zeta);
+        return friction_motion_of(free, one_minus_d(T(tau / R), zeta, free.q), R, u, g);
+    }
 }
 
 } // namespace denhartog::evaluation

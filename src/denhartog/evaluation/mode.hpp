@@ -12,6 +12,7 @@
 #pragma once
 
 #include <limits>
+#include <type_traits>
 
 #include "denhartog/evaluation/overdamped.hpp"
 #include "denhartog/evaluation/special.hpp"
@@ -216,7 +217,7 @@ template <class T>
 }
 
 /// @brief \f$ u_{di} \f$ and \f$ g_i \f$ as callers get them: in the next wider type under heavy damping, where the roundings of w,
-/// of the decay and of its square add up to four units.
+/// of the decay and of its square add up to four units, and in float, so that (40) keeps its digits.
 /// @eq{28,29}  @derivation{evaluation_forms}  @domain{R > 0, zeta >= 0}
 /// @param R     modal frequency ratio, Eq. (22)
 /// @param zeta  modal damping ratio
@@ -225,7 +226,7 @@ template <class T>
 [[nodiscard]] DampingFunctions<T> damping_functions(const T& R, const T& zeta) {
     using Wide = typename WiderOf<T>::type;
     if (zeta == 0 && at_undamped_pole(R)) return {T(1 / zeta), T(zeta / zeta)};
-    if (2 * zeta < 1 || zeta >= 1) return selected_damping_functions(R, zeta);
+    if (!std::is_same_v<T, float> && (2 * zeta < 1 || zeta >= 1)) return selected_damping_functions(R, zeta);
     const DampingFunctions<Wide> f = selected_damping_functions(Wide(R), Wide(zeta));
     return {static_cast<T>(f.u), static_cast<T>(f.g)};
 }
