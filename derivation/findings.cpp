@@ -59,7 +59,7 @@ void tell(const Claim& claim, const json& finding, std::ostream& out) {
 
 } // namespace
 
-Findings find(const std::vector<Claim>& claims, Findings known, std::size_t workers, std::ostream& out) {
+Findings findings_of(const std::vector<Claim>& claims, Findings known, std::size_t workers, std::ostream& out) {
     std::vector<const Claim*> open;
     for (const Claim& claim : claims)
         if (!known.contains(claim.id)) open.push_back(&claim);

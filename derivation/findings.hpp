@@ -24,6 +24,6 @@ using Findings = std::map<std::string, nlohmann::json>;
 /// @param workers  how many processes run at a time
 /// @param out      gets a line as each claim is decided
 /// @return         what was known and what was found; the same whatever the number of workers, but for the time taken
-[[nodiscard]] Findings find(const std::vector<Claim>& claims, Findings known, std::size_t workers, std::ostream& out);
+[[nodiscard]] Findings findings_of(const std::vector<Claim>& claims, Findings known, std::size_t workers, std::ostream& out);
 
 } // namespace denhartog::derivation

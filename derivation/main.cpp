@@ -67,7 +67,7 @@ void run(const fs::path& folder, const fs::path& proofs) {
     const std::size_t workers = std::thread::hardware_concurrency();
     fs::create_directories(folder);
     const Findings known = proofs.empty() ? Findings() : json::parse(read(proofs)).get<Findings>();
-    Run found = run_of(claims(), find(claims(), known, workers, std::cout));
+    Run found = run_of(claims(), findings_of(claims(), known, workers, std::cout));
     const json agreement = agreement_with_second_witness(workers);
     for (const json& group : agreement)
         if (!group.at("agrees").get<bool>())

@@ -13,7 +13,7 @@ int main(int argc, char** argv) {
         return 2;
     }
     try {
-        const Findings found = find(claims(), {}, std::thread::hardware_concurrency(), std::cout);
+        const Findings found = findings_of(claims(), {}, std::thread::hardware_concurrency(), std::cout);
         std::ofstream file(argv[1], std::ios::binary);
         file << nlohmann::json(found) << std::flush;
         if (!file) throw std::runtime_error(std::string("cannot write ") + argv[1]);

@@ -66,7 +66,7 @@ TEST_CASE("a claim whose worker is killed is unknown and makes the run fail") {
     };
     const std::vector<Claim> claims{needed("first", proved), needed("second", killed), needed("third", proved)};
     std::ostringstream lines;
-    const Run run = run_of(claims, find(claims, {}, 2, lines));
+    const Run run = run_of(claims, findings_of(claims, {}, 2, lines));
     REQUIRE(run.claims.size() == 3);
     CHECK(run.claims[0].verdict == "proved");
     CHECK(run.claims[1].verdict == "unknown");
@@ -80,7 +80,7 @@ TEST_CASE("a claim whose worker is killed is unknown and makes the run fail") {
 TEST_CASE("what is known already is not decided again") {
     const std::vector<Claim> claims{needed("first", [] { return Outcome{Verdict::proved, {}, {}}; })};
     std::ostringstream none, line;
-    const Findings found = find(claims, {}, 1, line);
-    CHECK(find({needed("first", []() -> Outcome { throw std::logic_error("asked again"); })}, found, 1, none) == found);
+    const Findings found = findings_of(claims, {}, 1, line);
+    CHECK(findings_of({needed("first", []() -> Outcome { throw std::logic_error("asked again"); })}, found, 1, none) == found);
     CHECK(none.str().empty());
 }
