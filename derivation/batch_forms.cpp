@@ -53,7 +53,7 @@ Values mode_functions(const Symbolic& R, const Symbolic& zeta, const evaluation:
                                                                      sinhc_less_sinc_over_square(q, zeta), e, inverse)};
 }
 
-const Register registered([] {
+const Register claims_of_batch_forms([] {
     const Symbols& s = symbols();
     const std::vector<std::string> domain{"R_i > 0", "0 <= zeta_i < 1"};
     const Symbolic R(s.R), zeta(s.zeta);

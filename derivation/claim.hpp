@@ -22,27 +22,27 @@ struct Step {
 
 /// @brief What a claim speaks of.
 enum class Role {
-    both,    ///< the equation as printed, which is also what is shipped
-    printed, ///< the equation as printed, where something else is shipped
-    shipped, ///< what is shipped, where it is not the equation as printed
-    step,    ///< a statement that the derivation needs
+    both,       ///< the equation as printed, which is also what is shipped
+    printed,    ///< the equation as printed, where something else is shipped
+    shipped,    ///< what is shipped, where it is not the equation as printed
+    step,       ///< a statement that the derivation needs
     observation ///< what the paper's text says it has observed; may turn out either way
 };
 
 /// @brief How a printed equation departs from what holds.
 enum class Departure {
-    none,       ///< it does not
-    scan,       ///< a slip of the text at hand
-    misprint,   ///< the paper's own other equations contradict it
-    substance,  ///< a claim or a bound that does not hold
-    convention  ///< holds with a reading that the paper leaves unsaid
+    none,      ///< it does not
+    scan,      ///< a slip of the text at hand
+    misprint,  ///< the paper's own other equations contradict it
+    substance, ///< a claim or a bound that does not hold
+    convention ///< holds with a reading that the paper leaves unsaid
 };
 
 /// @brief The outcome of a claim that is decided by other means than the zero test alone.
 struct Outcome {
-    Verdict verdict = Verdict::unknown;                           ///< the verdict
-    std::vector<std::pair<std::string, std::string>> witness;     ///< names and values
-    std::vector<Step> steps;                                      ///< the argument, or what was searched
+    Verdict verdict = Verdict::unknown;                       ///< the verdict
+    std::vector<std::pair<std::string, std::string>> witness; ///< names and values
+    std::vector<Step> steps;                                  ///< the argument, or what was searched
 };
 
 /// @brief Values of a kernel, component by component.
@@ -50,19 +50,19 @@ using Values = std::vector<Symbolic>;
 
 /// @brief A claim.
 struct Claim {
-    std::string id = {};                       ///< unique name, e.g. `A.7/velocity`
-    std::vector<std::string> equations = {};   ///< equations it decides, e.g. `A.7`
-    Role role = Role::both;               ///< what it speaks of
-    std::string title = {};                    ///< one sentence
-    std::vector<std::string> assumptions = {}; ///< under which it holds
-    std::function<Values()> kernel = {};       ///< the formula under test
+    std::string id = {};                                  ///< unique name, e.g. `A.7/velocity`
+    std::vector<std::string> equations = {};              ///< equations it decides, e.g. `A.7`
+    Role role = Role::both;                               ///< what it speaks of
+    std::string title = {};                               ///< one sentence
+    std::vector<std::string> assumptions = {};            ///< under which it holds
+    std::function<Values()> kernel = {};                  ///< the formula under test
     std::function<std::vector<GiNaC::ex>()> derived = {}; ///< what the derivation made, component by component
-    std::function<Outcome()> check = {};       ///< in place of kernel and derived
-    Departure departure = Departure::none; ///< for Role::printed and Role::both
-    std::string correction = {};               ///< LaTeX of what holds instead, for a printed form that does not
-    bool approximation = false;           ///< proved means: the order of the error is proved
-    bool special_case = false;            ///< the kernel at special values, where some of its operations do not matter
-    std::vector<Step> steps = {};         ///< how the derived side was made
+    std::function<Outcome()> check = {};                  ///< in place of kernel and derived
+    Departure departure = Departure::none;                ///< for Role::printed and Role::both
+    std::string correction = {};                          ///< LaTeX of what holds instead, for a printed form that does not
+    bool approximation = false;                           ///< proved means: the order of the error is proved
+    bool special_case = false;    ///< the kernel at special values, where some of its operations do not matter
+    std::vector<Step> steps = {}; ///< how the derived side was made
 };
 
 /// @brief All claims, in the order of their equations.
@@ -91,11 +91,11 @@ struct Result {
 
 /// @brief What became of the mutated twins of a claim.
 struct MutantCount {
-    long refuted = 0;                  ///< not equal, with a witness
-    long without_value = 0;            ///< the mutant is not an expression at all (division by zero)
-    long unknown = 0;                  ///< neither proved nor refuted
-    long proved = 0;                   ///< wrongly proved: must be 0
-    std::vector<std::string> holes;    ///< which were proved or unknown
+    long refuted = 0;               ///< not equal, with a witness
+    long without_value = 0;         ///< the mutant is not an expression at all (division by zero)
+    long unknown = 0;               ///< neither proved nor refuted
+    long proved = 0;                ///< wrongly proved: must be 0
+    std::vector<std::string> holes; ///< which were proved or unknown
 };
 
 /// @brief Runs every mutated twin of a claim through the zero test.

@@ -12,7 +12,7 @@ using GiNaC::ex;
 
 namespace {
 
-const Register registered([] {
+const Register claims_of_evaluation_forms([] {
     const Symbols& s = symbols();
     const std::vector<std::string> domain{"R_i > 0", "0 <= zeta_i < 1"};
     const auto response = [&s] {

@@ -10,7 +10,7 @@ using GiNaC::ex;
 
 namespace {
 
-const Register registered([] {
+const Register claims_of_evaluation_of_motion([] {
     const Symbols& s = symbols();
     const std::vector<std::string> domain{"R_i > 0", "0 <= zeta_i < 1"};
     const std::vector<std::string> in_time{"R_i > 0", "0 <= zeta_i < 1", "0 < tau < pi"};

@@ -6,12 +6,12 @@
 #include <fstream>
 #include <iostream>
 #include <sstream>
-#include <unistd.h>
+#include <thread>
 
-#include "agreement.hpp"
 #include "derivation/ledger_figures.hpp"
 #include "derivation/ledger_join.hpp"
 #include "derivation/ledger_rows.hpp"
+#include "observations/agreement.hpp"
 #include "report.hpp"
 #include "run.hpp"
 
@@ -62,24 +62,21 @@ ReportParts join(const fs::path& folder, const fs::path& source, const fs::path&
     return report;
 }
 
-void run(const fs::path& folder, bool progress_lines) {
-    const auto progress = [progress_lines](const std::string& line) {
-        if (progress_lines) std::cerr << "\r\033[K" << line << std::flush;
-    };
+/// @param proofs  what the program `proofs` left; empty where it has not run
+void run(const fs::path& folder, const fs::path& proofs) {
+    const std::size_t workers = std::thread::hardware_concurrency();
     fs::create_directories(folder);
-    Run found = run_claims(progress);
-    const json agreement = agreement_with_second_witness(progress);
-    if (progress_lines) std::cerr << "\r\033[K";
+    const Findings known = proofs.empty() ? Findings() : json::parse(read(proofs)).get<Findings>();
+    Run found = run_of(claims(), findings_of(claims(), known, workers, std::cout));
+    const json agreement = agreement_with_second_witness(workers);
     for (const json& group : agreement)
         if (!group.at("agrees").get<bool>())
             found.faults.push_back("closed form and second witness disagree on " + group.at("group").get<std::string>());
     write(folder / "derivation.json", found.record.dump(1) + "\n");
-    write(folder / "run.json", json{{"claims", to_json(found.claims)},
-                                    {"mutants", found.mutants},
-                                    {"agreement", agreement},
-                                    {"faults", found.faults}}
-                                       .dump(1) +
-                                   "\n");
+    write(folder / "run.json",
+          json{{"claims", to_json(found.claims)}, {"mutants", found.mutants}, {"agreement", agreement}, {"faults", found.faults}}
+                  .dump(1) +
+              "\n");
 }
 
 /// What a command prints.
@@ -124,7 +121,7 @@ bool refresh(const fs::path& file, const std::string& before, const std::string&
 int main(int argc, char** argv) {
     CLI::App app{"Derives the paper's equations from its equation of motion and checks the shipped formulas against them"};
     app.require_subcommand(1);
-    std::string folder, source = DENHARTOG_SOURCE, results, readme, program, figures;
+    std::string folder, source = DENHARTOG_SOURCE, proofs, results, readme, program, figures;
     bool check = false;
     CLI::App* run_command =
         app.add_subcommand("run", "decide every claim, try its mutated twins, compare with the second witness");
@@ -139,6 +136,7 @@ int main(int argc, char** argv) {
         command->add_option("--source", source, "the source tree")->capture_default_str();
         command->add_option("--test-results", results, "folder with the XML results of the tests");
     }
+    run_command->add_option("--proofs", proofs, "what the program `proofs` has decided already");
     status_command->add_option("--readme", readme, "the file with the marks of the status and of the example")->required();
     status_command->add_option("--program", program, "the program denhartog")->required();
     status_command->add_flag("--check", check, "say whether it is up to date, and change nothing");
@@ -156,7 +154,7 @@ int main(int argc, char** argv) {
             const std::string now = with_block(text_of_figures, "figures", figures_markdown(records, "../" + pictures));
             return refresh(of_figures, text_of_figures, now, check) && fresh ? 0 : 1;
         }
-        if (*run_command) run(folder, ::isatty(STDERR_FILENO) != 0);
+        if (*run_command) run(folder, proofs);
         return join(folder, source, results, figures).faults.empty() ? 0 : 1;
     } catch (const std::exception& e) {
         std::cerr << "derivation: " << e.what() << "\n";

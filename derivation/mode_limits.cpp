@@ -164,7 +164,7 @@ Claim limit(std::string id, std::string title, std::vector<std::string> assumpti
     return claim_on_limit(std::move(id), {"23", "28", "29"}, std::move(title), std::move(assumptions), std::move(check));
 }
 
-const Register registered([] {
+const Register claims_of_mode_limits([] {
     return std::vector<Claim>{
         limit("limits/zeta-to-0", "The functions of a mode for zeta -> 0", {"R_i fixed, not 1/n, n odd"}, fixed_frequency),
         limit("limits/R-to-1", "The functions of a mode for R -> 1 with damping", {"0 < zeta_i < 1 fixed"}, fixed_damping),

@@ -134,7 +134,7 @@ std::vector<Step> steps_of_damping_functions(const std::string& motions, const F
             {"With them (A.3) gives the constants and (A.4), at tau = pi, v cos(phi_j) and v sin(phi_j)", ""}};
 }
 
-const Register registered([] {
+const Register claims_of_overdamped_modes([] {
     const Symbols& s = symbols();
     const std::vector<std::string> below{"R_i > 0", "0 <= zeta_i < 1"}, above{"R_i > 0", "zeta_i > 1"},
         at{"R_i > 0", "zeta_i = 1"};

@@ -173,7 +173,7 @@ Outcome long_chain() {
     return outcome;
 }
 
-const Register registered([] {
+const Register claims_of_response_limits([] {
     return std::vector<Claim>{
         claim_on_limit("limits/merging-frequencies", {"33", "34", "35"},
                        "A mass with a tuned absorber that carries the load, for a light absorber: two natural frequencies merge",

@@ -1,9 +1,8 @@
 #include "run.hpp"
 
-#include "claim.hpp"
-#include "losses.hpp"
-#include "symbols.hpp"
-#include "typeset.hpp"
+#include <map>
+
+#include "observations/losses.hpp"
 
 namespace denhartog::derivation {
 
@@ -31,32 +30,19 @@ std::string word(Departure departure) {
     }
 }
 
-json as_object(const std::vector<std::pair<std::string, std::string>>& values) {
-    json object = json::object();
-    for (const auto& [name, value] : values) object[name] = value;
-    return object;
-}
-
-/// The verdict in a word. What the text has observed and a search has not refuted is `measured`; its witness has the worst case.
-std::string verdict_of(const Claim& claim, const Result& result) {
-    if (result.verdict == Verdict::proved && claim.approximation) return "approximation";
-    const bool searched = claim.role == Role::observation && result.verdict == Verdict::unknown && !result.witness.empty();
-    return searched ? "measured" : to_string(result.verdict);
-}
-
 /// A claim that the ledger sees: where it speaks of several refuted equations, each has a loss of its own.
-std::vector<ClaimResult> results_of(const Claim& claim, const Result& result) {
+std::vector<ClaimResult> results_of(const Claim& claim, const json& record) {
     ClaimResult entry;
     entry.id = claim.id;
     entry.equations = claim.equations;
     entry.role = word(claim.role);
-    entry.verdict = verdict_of(claim, result);
+    entry.verdict = record.at("verdict");
     entry.what = claim.title;
     entry.assumptions = claim.assumptions;
     entry.departure = word(claim.departure);
     entry.correction_latex = claim.correction;
-    entry.witness = as_object(result.witness);
-    if (result.verdict != Verdict::refuted || claim.role != Role::printed) return {entry};
+    for (const json& value : record.at("witness")) entry.witness[value.at("name").get<std::string>()] = value.at("value");
+    if (entry.verdict != "refuted" || claim.role != Role::printed) return {entry};
     std::vector<ClaimResult> entries;
     for (const std::string& equation : claim.equations) {
         entry.equations = {equation};
@@ -72,55 +58,43 @@ std::vector<ClaimResult> results_of(const Claim& claim, const Result& result) {
     return entries;
 }
 
-json record_of(const Claim& claim, const Result& result) {
-    json steps = json::array(), witness = json::array();
-    for (const Step& step : result.steps) {
-        steps.push_back({{"text", plain_sentence(step.text)}, {"latex", step.latex}});
-        if (step.text.find('$') != std::string::npos) steps.back()["text_latex"] = step.text;
-    }
-    for (const auto& [name, value] : result.witness)
-        witness.push_back({{"name", name}, {"name_latex", latex_of_name(name)}, {"value", value}});
-    return {{"claim", claim.id},
-            {"equation", claim.equations.front()},
-            {"equations", claim.equations},
-            {"title", claim.title},
-            {"assumptions", claim.assumptions},
-            {"steps", steps},
-            {"witness", witness},
-            {"verdict", verdict_of(claim, result)},
-            {"milliseconds", result.milliseconds}};
+/// Why a claim makes the run fail, its twins aside; nothing where it does not.
+std::vector<std::string> faults_of(const Claim& claim, const json& finding) {
+    const std::string verdict = finding.at("record").at("verdict"), fault = finding.at("fault");
+    std::vector<std::string> faults;
+    if (!fault.empty()) faults.push_back("claim " + claim.id + " was not decided: " + fault);
+    const bool needed = claim.role != Role::printed && claim.role != Role::observation;
+    if (needed && verdict != "proved" && verdict != "approximation")
+        faults.push_back("claim " + claim.id + " is needed and " + verdict);
+    if (claim.role == Role::observation && verdict == "unknown")
+        faults.push_back("observation " + claim.id + " was neither decided nor searched");
+    return faults;
 }
 
 } // namespace
 
-Run run_claims(const std::function<void(const std::string&)>& progress) {
+Run run_of(const std::vector<Claim>& claims, const Findings& findings) {
     Run run;
     run.record = json::array();
-    MutantCount all;
-    long with_mutants = 0, number = 0;
-    for (const Claim& claim : claims()) {
-        progress(std::to_string(++number) + "/" + std::to_string(claims().size()) + " " + claim.id);
-        const Result result = decide(claim);
-        for (ClaimResult& entry : results_of(claim, result)) run.claims.push_back(std::move(entry));
-        run.record.push_back(record_of(claim, result));
-        const bool needed = claim.role != Role::printed && claim.role != Role::observation;
-        if (needed && result.verdict != Verdict::proved)
-            run.faults.push_back("claim " + claim.id + " is needed and " + to_string(result.verdict));
-        if (claim.role == Role::observation && result.verdict == Verdict::unknown && result.witness.empty())
-            run.faults.push_back("observation " + claim.id + " was neither decided nor searched");
-        if (result.verdict != Verdict::proved || !claim.kernel) continue;
-        const MutantCount count = mutate(claim);
+    long with_mutants = 0;
+    std::map<std::string, long> counts{{"refuted", 0}, {"without_value", 0}, {"unknown", 0}, {"proved", 0}};
+    json holes = json::array();
+    for (const Claim& claim : claims) {
+        const json& finding = findings.at(claim.id);
+        run.record.push_back(finding.at("record"));
+        for (ClaimResult& entry : results_of(claim, finding.at("record"))) run.claims.push_back(std::move(entry));
+        for (std::string& fault : faults_of(claim, finding)) run.faults.push_back(std::move(fault));
+        const json& twins = finding.at("twins");
+        if (twins.is_null()) continue;
         ++with_mutants;
-        if (count.refuted == 0) run.faults.push_back("claim " + claim.id + " has no mutated twin that is refuted");
-        all.refuted += count.refuted;
-        all.without_value += count.without_value;
-        all.unknown += count.unknown;
-        all.proved += count.proved;
-        all.holes.insert(all.holes.end(), count.holes.begin(), count.holes.end());
+        for (auto& [what, count] : counts) count += twins.at(what).get<long>();
+        if (twins.at("refuted") == 0) run.faults.push_back("claim " + claim.id + " has no mutated twin that is refuted");
+        for (const json& hole : twins.at("holes")) holes.push_back(hole);
     }
-    run.mutants = {{"claims", with_mutants},         {"refuted", all.refuted}, {"without_value", all.without_value},
-                   {"unknown", all.unknown},         {"proved", all.proved},   {"holes", all.holes}};
-    for (const std::string& hole : all.holes) run.faults.push_back("mutated twin not refuted: " + hole);
+    for (const json& hole : holes) run.faults.push_back("mutated twin not refuted: " + hole.get<std::string>());
+    run.mutants = counts;
+    run.mutants["claims"] = with_mutants;
+    run.mutants["holes"] = holes;
     return run;
 }
 

@@ -120,12 +120,11 @@ std::vector<ex> derived_modal_equations(int N) {
     }
     load(0, 0) = symbols().beta;
     load(N - 1, 0) = load(N - 1, 0) + GiNaC::cos(symbols().tau + symbols().phi_j);
-    const matrix residual =
-        s.M.mul(s.Psi).mul(second).add(s.C.mul(s.Psi).mul(velocity)).add(s.K.mul(s.Psi).mul(eta)).sub(load);
+    const matrix residual = s.M.mul(s.Psi).mul(second).add(s.C.mul(s.Psi).mul(velocity)).add(s.K.mul(s.Psi).mul(eta)).sub(load);
     return expressions(s.Psi.transpose().mul(residual));
 }
 
-const Register registered([] {
+const Register claims_of_section_2_1_formulation([] {
     const Symbols& s = symbols();
     static const ex sgn_x = new_symbol("sgn_x", "\\mathrm{sgn}\\,x_j", -1, 1);
     std::vector<Claim> list{
@@ -235,87 +234,90 @@ const Register registered([] {
                        "\\hat{\\mathbf{K}}\\boldsymbol\\eta = \\boldsymbol\\Psi^T\\mathbf{e}_j\\beta + "
                        "\\boldsymbol\\Psi^T\\mathbf{e}_l\\cos(\\tau+\\phi_j)"},
     };
-    list.push_back({.id = "19/formula",
-                    .equations = {"19"},
-                    .title = "The sum over the modes, for any mass matrix and any modal matrix, N = 2",
-                    .kernel =
-                        [] {
-                            const SymbolicModes m = symbolic_modes(3);
-                            const std::vector<Symbolic> M{m.u[0], m.u[1], m.u[2], m.g[0]}, Psi{m.psi_k[0], m.psi_k[1], m.psi_j[0], m.psi_j[1]};
-                            return paper::damping_matrix<Symbolic>(M, Psi, std::span(m.R).first(2), std::span(m.zeta).first(2));
-                        },
-                    .derived =
-                        [] {
-                            const SymbolicModes m = symbolic_modes(3);
-                            const matrix M{{m.u[0].expression(), m.u[1].expression()}, {m.u[2].expression(), m.g[0].expression()}};
-                            matrix C(2, 2);
-                            for (int i = 0; i < 2; ++i) {
-                                const matrix psi{{m.psi_k[i].expression()}, {m.psi_j[i].expression()}};
-                                const matrix M_psi = M.mul(psi);
-                                C = C.add(M_psi.mul(M_psi.transpose()).mul_scalar(2 * m.zeta[i].expression() * m.R[i].expression()));
-                            }
-                            return expressions(C);
-                        },
-                    .steps = {{"(18) is multiplied from both sides with the inverse of $\\boldsymbol\\Psi$, which by (17) is "
-                               "$\\boldsymbol\\Psi^T\\overline{\\mathbf{M}}$; a diagonal matrix "
-                               "in the middle makes a sum over the modes",
-                               ""}}});
+    list.push_back(
+        {.id = "19/formula",
+         .equations = {"19"},
+         .title = "The sum over the modes, for any mass matrix and any modal matrix, N = 2",
+         .kernel =
+             [] {
+                 const SymbolicModes m = symbolic_modes(3);
+                 const std::vector<Symbolic> M{m.u[0], m.u[1], m.u[2], m.g[0]},
+                     Psi{m.psi_k[0], m.psi_k[1], m.psi_j[0], m.psi_j[1]};
+                 return paper::damping_matrix<Symbolic>(M, Psi, std::span(m.R).first(2), std::span(m.zeta).first(2));
+             },
+         .derived =
+             [] {
+                 const SymbolicModes m = symbolic_modes(3);
+                 const matrix M{{m.u[0].expression(), m.u[1].expression()}, {m.u[2].expression(), m.g[0].expression()}};
+                 matrix C(2, 2);
+                 for (int i = 0; i < 2; ++i) {
+                     const matrix psi{{m.psi_k[i].expression()}, {m.psi_j[i].expression()}};
+                     const matrix M_psi = M.mul(psi);
+                     C = C.add(M_psi.mul(M_psi.transpose()).mul_scalar(2 * m.zeta[i].expression() * m.R[i].expression()));
+                 }
+                 return expressions(C);
+             },
+         .steps = {{"(18) is multiplied from both sides with the inverse of $\\boldsymbol\\Psi$, which by (17) is "
+                    "$\\boldsymbol\\Psi^T\\overline{\\mathbf{M}}$; a diagonal matrix "
+                    "in the middle makes a sum over the modes",
+                    ""}}});
     for (int N = 1; N <= 3; ++N) {
         const std::string of_N = "/N=" + std::to_string(N);
         const std::vector<std::string> system{"M diagonal, positive", "Omega_i > 0", "0 <= zeta_i < 1",
                                               "N = " + std::to_string(N)};
-        list.push_back({.id = "17/orthonormal" + of_N,
-                        .equations = {"13", "14", "15", "17"},
-                        .title = "Mode shapes solve the eigenproblem and diagonalise mass and stiffness",
-                        .assumptions = system,
-                        .kernel =
-                            [N] {
-                                const SymbolicSystem& s = symbolic_system(N);
-                                matrix Omega2(N, N);
-                                for (int i = 0; i < N; ++i) Omega2(i, i) = s.Omega[i] * s.Omega[i];
-                                Values values = all_values(s.K.mul(s.Psi).sub(s.M.mul(s.Psi).mul(Omega2)));
-                                for (const matrix& m : {s.Psi.transpose().mul(s.M).mul(s.Psi), s.Psi.transpose().mul(s.K).mul(s.Psi)})
-                                    for (const Symbolic& entry : all_values(m)) values.push_back(entry);
-                                return values;
-                            },
-                        .derived =
-                            [N] {
-                                const SymbolicSystem& s = symbolic_system(N);
-                                matrix zero(N, N), one(N, N), Omega2(N, N);
-                                for (int i = 0; i < N; ++i) {
-                                    one(i, i) = 1;
-                                    Omega2(i, i) = s.Omega[i] * s.Omega[i];
-                                }
-                                std::vector<ex> values;
-                                for (const matrix& m : {zero, one, Omega2})
-                                    for (const ex& entry : expressions(m)) values.push_back(entry);
-                                return values;
-                            },
-                        .special_case = true});
-        list.push_back({.id = "19/damping-matrix" + of_N,
-                        .equations = {"18", "19"},
-                        .title = "The damping matrix made from the modal damping ratios gives them back, and meets K M^-1 C = C M^-1 K",
-                        .assumptions = system,
-                        .kernel =
-                            [N] {
-                                const SymbolicSystem& s = symbolic_system(N);
-                                const matrix C = shipped_damping_matrix(N), inverse = s.M.inverse();
-                                Values values = all_values(s.Psi.transpose().mul(C).mul(s.Psi));
-                                for (const Symbolic& entry :
-                                     all_values(s.K.mul(inverse).mul(C).sub(C.mul(inverse).mul(s.K))))
-                                    values.push_back(entry);
-                                return values;
-                            },
-                        .derived =
-                            [N] {
-                                const SymbolicSystem& s = symbolic_system(N);
-                                matrix C(N, N), zero(N, N);
-                                for (int i = 0; i < N; ++i) C(i, i) = 2 * s.zeta[i] * s.Omega[i];
-                                std::vector<ex> values = expressions(C);
-                                for (const ex& entry : expressions(zero)) values.push_back(entry);
-                                return values;
-                            },
-                        .special_case = true});
+        list.push_back(
+            {.id = "17/orthonormal" + of_N,
+             .equations = {"13", "14", "15", "17"},
+             .title = "Mode shapes solve the eigenproblem and diagonalise mass and stiffness",
+             .assumptions = system,
+             .kernel =
+                 [N] {
+                     const SymbolicSystem& s = symbolic_system(N);
+                     matrix Omega2(N, N);
+                     for (int i = 0; i < N; ++i) Omega2(i, i) = s.Omega[i] * s.Omega[i];
+                     Values values = all_values(s.K.mul(s.Psi).sub(s.M.mul(s.Psi).mul(Omega2)));
+                     for (const matrix& m : {s.Psi.transpose().mul(s.M).mul(s.Psi), s.Psi.transpose().mul(s.K).mul(s.Psi)})
+                         for (const Symbolic& entry : all_values(m)) values.push_back(entry);
+                     return values;
+                 },
+             .derived =
+                 [N] {
+                     const SymbolicSystem& s = symbolic_system(N);
+                     matrix zero(N, N), one(N, N), Omega2(N, N);
+                     for (int i = 0; i < N; ++i) {
+                         one(i, i) = 1;
+                         Omega2(i, i) = s.Omega[i] * s.Omega[i];
+                     }
+                     std::vector<ex> values;
+                     for (const matrix& m : {zero, one, Omega2})
+                         for (const ex& entry : expressions(m)) values.push_back(entry);
+                     return values;
+                 },
+             .special_case = true});
+        list.push_back(
+            {.id = "19/damping-matrix" + of_N,
+             .equations = {"18", "19"},
+             .title = "The damping matrix made from the modal damping ratios gives them back, and meets K M^-1 C = C M^-1 K",
+             .assumptions = system,
+             .kernel =
+                 [N] {
+                     const SymbolicSystem& s = symbolic_system(N);
+                     const matrix C = shipped_damping_matrix(N), inverse = s.M.inverse();
+                     Values values = all_values(s.Psi.transpose().mul(C).mul(s.Psi));
+                     for (const Symbolic& entry : all_values(s.K.mul(inverse).mul(C).sub(C.mul(inverse).mul(s.K))))
+                         values.push_back(entry);
+                     return values;
+                 },
+             .derived =
+                 [N] {
+                     const SymbolicSystem& s = symbolic_system(N);
+                     matrix C(N, N), zero(N, N);
+                     for (int i = 0; i < N; ++i) C(i, i) = 2 * s.zeta[i] * s.Omega[i];
+                     std::vector<ex> values = expressions(C);
+                     for (const ex& entry : expressions(zero)) values.push_back(entry);
+                     return values;
+                 },
+             .special_case = true});
         list.push_back(
             {.id = "16/modal-coordinates" + of_N,
              .equations = {"16"},

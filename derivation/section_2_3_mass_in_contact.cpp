@@ -18,12 +18,13 @@ namespace {
 ex derived_amplitude() {
     const Symbols& s = symbols();
     const GiNaC::symbol X("X");
-    const ex equation = (GiNaC::pow(X + s.beta * s.G_j, 2) + GiNaC::pow(s.beta * s.U_j, 2) - s.V_jr * s.V_jr - s.V_ji * s.V_ji).expand();
+    const ex equation =
+        (GiNaC::pow(X + s.beta * s.G_j, 2) + GiNaC::pow(s.beta * s.U_j, 2) - s.V_jr * s.V_jr - s.V_ji * s.V_ji).expand();
     const ex a = equation.coeff(X, 2), b = equation.coeff(X, 1), c = equation.coeff(X, 0);
     return (-b + GiNaC::sqrt((b * b - 4 * a * c).expand())) / (2 * a);
 }
 
-const Register registered([] {
+const Register claims_of_section_2_3_mass_in_contact([] {
     const Symbols& s = symbols();
     const ex angle = GiNaC::atan2(s.V_ji, s.V_jr);
     const std::vector<std::string> sliding{"sliding regime, beta |U_dj| <= |V_dj|", "V_dj not zero"};
@@ -45,42 +46,43 @@ const Register registered([] {
                             [N, &s] {
                                 ex sum = 0;
                                 for (const ModalStart& mode : derived_starts(N, GiNaC::cos(s.phi_j), GiNaC::sin(s.phi_j)))
-                                    sum += mode.psi_k * (mode.harmonic_cosine * GiNaC::cos(s.tau) + mode.harmonic_sine * GiNaC::sin(s.tau));
+                                    sum += mode.psi_k *
+                                           (mode.harmonic_cosine * GiNaC::cos(s.tau) + mode.harmonic_sine * GiNaC::sin(s.tau));
                                 return std::vector<ex>{sum};
                             },
                         .steps = {{"The harmonic part of (21), $\\psi_{li}R_i^2\\mathrm{Re}\\{v_{di}e^{i(\\tau+\\phi_j)}\\}$, of "
                                    "each mode is multiplied "
                                    "by $\\psi_{ki}$ and summed; it has to be $\\mathrm{Re}\\{V_{dk}e^{i(\\tau+\\phi_j)}\\}$",
                                    ""}}});
-        list.push_back({.id = "31/contact" + of_N,
-                        .equations = {"30", "31", "32", "34", "35"},
-                        .title = "The relations of the modes, multiplied by psi_ji and summed, give those of the mass in contact",
-                        .assumptions = modes,
-                        .kernel =
-                            [N, &s] {
-                                const SymbolicModes m = symbolic_modes(N);
-                                const auto [X, rate] = derived_start_of_mass(N, Row::contact, GiNaC::cos(s.phi_j), GiNaC::sin(s.phi_j));
-                                const Symbolic G = paper::damping_function_of_mass<Symbolic>(m.psi_j, m.psi_j, m.R, m.g);
-                                const Symbolic U = paper::damping_function_of_mass<Symbolic>(m.psi_j, m.psi_j, m.R, m.u);
-                                return Values{paper::V_cosine(Symbolic(X), G, Symbolic(s.beta)),
-                                              paper::V_sine(U, Symbolic(s.beta)) - Symbolic(rate)};
-                            },
-                        .derived =
-                            [N, &s] {
-                                const auto [re, im] = derived_response(N, Row::contact);
-                                const ex c = GiNaC::cos(s.phi_j), sine = GiNaC::sin(s.phi_j);
-                                return std::vector<ex>{re * c - im * sine, re * sine + im * c};
-                            },
-                        .departure = Departure::convention,
-                        .steps = {{"(26) and (27), solved for the initial values, are multiplied by $\\psi_{ji}$ and summed: "
-                                   "(30). What friction adds is "
-                                   "$\\beta G_j$ and $\\beta U_{dj}$, (34) and (35)",
-                                   ""},
-                                  step("The amplitude", "\\overline{X}_j",
-                                       derived_start_of_mass(N, Row::contact, GiNaC::cos(s.phi_j), GiNaC::sin(s.phi_j)).first),
-                                  step(
-                                      "and the velocity at the maximum, which is to be zero", "\\bar{x}_j'(0)",
-                                      derived_start_of_mass(N, Row::contact, GiNaC::cos(s.phi_j), GiNaC::sin(s.phi_j)).second)}});
+        list.push_back(
+            {.id = "31/contact" + of_N,
+             .equations = {"30", "31", "32", "34", "35"},
+             .title = "The relations of the modes, multiplied by psi_ji and summed, give those of the mass in contact",
+             .assumptions = modes,
+             .kernel =
+                 [N, &s] {
+                     const SymbolicModes m = symbolic_modes(N);
+                     const auto [X, rate] = derived_start_of_mass(N, Row::contact, GiNaC::cos(s.phi_j), GiNaC::sin(s.phi_j));
+                     const Symbolic G = paper::damping_function_of_mass<Symbolic>(m.psi_j, m.psi_j, m.R, m.g);
+                     const Symbolic U = paper::damping_function_of_mass<Symbolic>(m.psi_j, m.psi_j, m.R, m.u);
+                     return Values{paper::V_cosine(Symbolic(X), G, Symbolic(s.beta)),
+                                   paper::V_sine(U, Symbolic(s.beta)) - Symbolic(rate)};
+                 },
+             .derived =
+                 [N, &s] {
+                     const auto [re, im] = derived_response(N, Row::contact);
+                     const ex c = GiNaC::cos(s.phi_j), sine = GiNaC::sin(s.phi_j);
+                     return std::vector<ex>{re * c - im * sine, re * sine + im * c};
+                 },
+             .departure = Departure::convention,
+             .steps = {{"(26) and (27), solved for the initial values, are multiplied by $\\psi_{ji}$ and summed: "
+                        "(30). What friction adds is "
+                        "$\\beta G_j$ and $\\beta U_{dj}$, (34) and (35)",
+                        ""},
+                       step("The amplitude", "\\overline{X}_j",
+                            derived_start_of_mass(N, Row::contact, GiNaC::cos(s.phi_j), GiNaC::sin(s.phi_j)).first),
+                       step("and the velocity at the maximum, which is to be zero", "\\bar{x}_j'(0)",
+                            derived_start_of_mass(N, Row::contact, GiNaC::cos(s.phi_j), GiNaC::sin(s.phi_j)).second)}});
     }
     list.push_back({.id = "36/cosine",
                     .equations = {"36"},
@@ -89,7 +91,8 @@ const Register registered([] {
                     .kernel =
                         [&s] {
                             const ex X = s.V_jr * GiNaC::cos(s.phi_j) - s.V_ji * GiNaC::sin(s.phi_j) - s.beta * s.G_j;
-                            return Values{paper::cosine_of_phase_sum(symbolic_V_j(), Symbolic(X), Symbolic(s.G_j), Symbolic(s.beta))};
+                            return Values{
+                                paper::cosine_of_phase_sum(symbolic_V_j(), Symbolic(X), Symbolic(s.G_j), Symbolic(s.beta))};
                         },
                     .derived = [&s, angle] { return std::vector<ex>{GiNaC::cos(s.phi_j + angle)}; },
                     .steps = {{"(31) says $\\mathrm{Re}\\{V_{dj}e^{i\\phi_j}\\} = \\overline{X}_j+\\beta G_j$; with modulus and "
@@ -109,19 +112,19 @@ const Register registered([] {
                     .steps = {{"(32) says $\\mathrm{Im}\\{V_{dj}e^{i\\phi_j}\\} = -\\beta U_{dj}$; the left side is "
                                "$|V_{dj}|\\sin(\\phi_j+\\angle V_{dj})$",
                                ""}}});
-    list.push_back({.id = "38/amplitude",
-                    .equations = {"38"},
-                    .title = "Amplitude of the mass in contact: the root for which X_j + beta G_j is not negative, as (54)a demands",
-                    .assumptions = sliding,
-                    .kernel =
-                        [&s] {
-                            return Values{paper::displacement_transmissibility_of_contact(symbolic_V_j(), Symbolic(s.U_j), Symbolic(s.G_j),
-                                                                                         Symbolic(s.beta))};
-                        },
-                    .derived = [] { return std::vector<ex>{derived_amplitude()}; },
-                    .steps = {{"The squares of (36) and (37) add up to one",
-                               "(\\overline{X}_j+\\beta G_j)^2+(\\beta U_{dj})^2=|V_{dj}|^2"},
-                              step("A quadratic equation; its larger root is", "\\overline{X}_j", derived_amplitude())}});
+    list.push_back(
+        {.id = "38/amplitude",
+         .equations = {"38"},
+         .title = "Amplitude of the mass in contact: the root for which X_j + beta G_j is not negative, as (54)a demands",
+         .assumptions = sliding,
+         .kernel =
+             [&s] {
+                 return Values{paper::displacement_transmissibility_of_contact(symbolic_V_j(), Symbolic(s.U_j), Symbolic(s.G_j),
+                                                                               Symbolic(s.beta))};
+             },
+         .derived = [] { return std::vector<ex>{derived_amplitude()}; },
+         .steps = {{"The squares of (36) and (37) add up to one", "(\\overline{X}_j+\\beta G_j)^2+(\\beta U_{dj})^2=|V_{dj}|^2"},
+                   step("A quadratic equation; its larger root is", "\\overline{X}_j", derived_amplitude())}});
     list.push_back(
         {.id = "39/phase",
          .equations = {"39"},

@@ -59,7 +59,7 @@ Values displacement_from_start(int N, const FrictionMotionOfMass& friction_motio
 const auto shipped_sum = [](auto&&... arguments) { return paper::friction_motion_of_mass<Symbolic>(arguments...); };
 const auto printed_sum = [](auto&&... arguments) { return as_printed::friction_motion_of_mass<Symbolic>(arguments...); };
 
-const Register registered([] {
+const Register claims_of_section_2_4_time_response([] {
     const Symbols& s = symbols();
     const std::vector<std::string> sliding{"sliding regime, beta |U_dj| <= |V_dj|", "V_dj not zero", "0 <= tau <= pi"};
     const char* const braces = "\\beta\\sum_{i=1}^N\\psi_{ki}\\psi_{ji}R_i^2\\{1-(1+g_i)d_i(\\tau)-u_{di}R_iq_i(\\tau)\\}";
@@ -76,16 +76,18 @@ const Register registered([] {
         };
         const auto steady = [N] { return std::vector<ex>{derived_steady_displacement(N)}; };
         if (N == 1) {
-            list.push_back({.id = "41/printed",
-                            .equations = {"41"},
-                            .role = Role::printed,
-                            .title = "Displacement of a mass with the bracket as printed",
-                            .assumptions = modes,
-                            .kernel = [N] { return displacement_from_start(N, printed_sum); },
-                            .derived = from_start,
-                            .departure = Departure::misprint,
-                            .correction = std::string("\\bar{x}_k = (\\bar{x}_{k0}+\\beta G_k)\\cos\\tau + (\\bar{x}_{k0}'+\\beta "
-                                                      "U_{dk})\\sin\\tau + ") + braces});
+            list.push_back(
+                {.id = "41/printed",
+                 .equations = {"41"},
+                 .role = Role::printed,
+                 .title = "Displacement of a mass with the bracket as printed",
+                 .assumptions = modes,
+                 .kernel = [N] { return displacement_from_start(N, printed_sum); },
+                 .derived = from_start,
+                 .departure = Departure::misprint,
+                 .correction = std::string("\\bar{x}_k = (\\bar{x}_{k0}+\\beta G_k)\\cos\\tau + (\\bar{x}_{k0}'+\\beta "
+                                           "U_{dk})\\sin\\tau + ") +
+                               braces});
             list.push_back({.id = "46/printed",
                             .equations = {"46"},
                             .role = Role::printed,
@@ -96,7 +98,8 @@ const Register registered([] {
                             .departure = Departure::misprint,
                             .correction = std::string("\\bar{x}_k = \\frac{|V_{dk}|}{|V_{dj}|}\\left[\\sqrt{|V_{dj}|^2-(\\beta "
                                                       "U_{dj})^2}\\cos(\\tau+\\angle V_{dk}-\\angle V_{dj}) + \\beta "
-                                                      "U_{dj}\\sin(\\tau+\\angle V_{dk}-\\angle V_{dj})\\right] + ") + braces});
+                                                      "U_{dj}\\sin(\\tau+\\angle V_{dk}-\\angle V_{dj})\\right] + ") +
+                                          braces});
         }
         list.push_back(
             {.id = "41/displacement" + of_N,
@@ -168,8 +171,8 @@ const Register registered([] {
                     .assumptions = sliding,
                     .kernel =
                         [&s] {
-                            return Values{as_printed::initial_displacement(symbolic_V_k(), symbolic_V_j(), Symbolic(s.U_j), Symbolic(s.G_k),
-                                                                           Symbolic(s.beta))};
+                            return Values{as_printed::initial_displacement(symbolic_V_k(), symbolic_V_j(), Symbolic(s.U_j),
+                                                                           Symbolic(s.G_k), Symbolic(s.beta))};
                         },
                     .derived = [] { return std::vector<ex>{derived_initial_state().first}; },
                     .departure = Departure::convention,
@@ -183,7 +186,8 @@ const Register registered([] {
                     .assumptions = sliding,
                     .kernel =
                         [&s] {
-                            return Values{paper::initial_displacement(symbolic_V_k(), symbolic_V_j(), Symbolic(s.U_j), Symbolic(s.G_k), Symbolic(s.beta))};
+                            return Values{paper::initial_displacement(symbolic_V_k(), symbolic_V_j(), Symbolic(s.U_j),
+                                                                      Symbolic(s.G_k), Symbolic(s.beta))};
                         },
                     .derived = [] { return std::vector<ex>{derived_initial_state().first}; },
                     .steps = {{"The phase follows from the mass in contact, (36)-(38)",
@@ -197,13 +201,15 @@ const Register registered([] {
                     .assumptions = sliding,
                     .kernel =
                         [&s] {
-                            return Values{as_printed::initial_velocity(symbolic_V_k(), symbolic_V_j(), Symbolic(s.U_j), Symbolic(s.U_k), Symbolic(s.beta))};
+                            return Values{as_printed::initial_velocity(symbolic_V_k(), symbolic_V_j(), Symbolic(s.U_j),
+                                                                       Symbolic(s.U_k), Symbolic(s.beta))};
                         },
                     .derived = [] { return std::vector<ex>{derived_initial_state().second}; },
                     .departure = Departure::convention,
-                    .correction = "\\bar{x}_{k0}' = -\\beta U_{dk} + \\frac{|V_{dk}|}{|V_{dj}|}\\left[\\beta U_{dj}\\cos\\Delta - "
-                                  "\\sqrt{|V_{dj}|^2-(\\beta U_{dj})^2}\\sin\\Delta\\right],\\quad \\Delta=\\angle "
-                                  "V_{dk}-\\angle V_{dj}"});
+                    .correction =
+                        "\\bar{x}_{k0}' = -\\beta U_{dk} + \\frac{|V_{dk}|}{|V_{dj}|}\\left[\\beta U_{dj}\\cos\\Delta - "
+                        "\\sqrt{|V_{dj}|^2-(\\beta U_{dj})^2}\\sin\\Delta\\right],\\quad \\Delta=\\angle "
+                        "V_{dk}-\\angle V_{dj}"});
     list.push_back({.id = "45/initial-velocity",
                     .equations = {"45"},
                     .role = Role::shipped,
@@ -211,7 +217,8 @@ const Register registered([] {
                     .assumptions = sliding,
                     .kernel =
                         [&s] {
-                            return Values{paper::initial_velocity(symbolic_V_k(), symbolic_V_j(), Symbolic(s.U_j), Symbolic(s.U_k), Symbolic(s.beta))};
+                            return Values{paper::initial_velocity(symbolic_V_k(), symbolic_V_j(), Symbolic(s.U_j),
+                                                                  Symbolic(s.U_k), Symbolic(s.beta))};
                         },
                     .derived = [] { return std::vector<ex>{derived_initial_state().second}; },
                     .steps = {step("The same phase goes into (43)", "\\bar{x}_{k0}'", derived_initial_state().second)}});
@@ -222,8 +229,9 @@ const Register registered([] {
                     .assumptions = sliding,
                     .kernel =
                         [&s] {
-                            const evaluation::InitialState<Symbolic> start = evaluation::initial_state(
-                                symbolic_V_k(), symbolic_V_j(), Symbolic(s.U_j), Symbolic(s.U_k), Symbolic(s.G_k), Symbolic(s.beta));
+                            const evaluation::InitialState<Symbolic> start =
+                                evaluation::initial_state(symbolic_V_k(), symbolic_V_j(), Symbolic(s.U_j), Symbolic(s.U_k),
+                                                          Symbolic(s.G_k), Symbolic(s.beta));
                             return Values{start.x_k0, start.x_prime_k0};
                         },
                     .derived =

@@ -11,7 +11,7 @@ using GiNaC::ex;
 
 namespace {
 
-const Register registered([] {
+const Register claims_of_section_2_5_other_masses([] {
     const Symbols& s = symbols();
     const std::vector<std::string> sliding{"sliding regime, beta |U_dj| <= |V_dj|", "V_dj not zero"};
     return std::vector<Claim>{
@@ -72,7 +72,8 @@ const Register registered([] {
          .assumptions = sliding,
          .kernel =
              [&s] {
-                 return Values{as_printed::monoharmonic_cosine(symbolic_V_k(), symbolic_V_j(), Symbolic(s.U_j), Symbolic(s.G_k), Symbolic(s.beta))};
+                 return Values{as_printed::monoharmonic_cosine(symbolic_V_k(), symbolic_V_j(), Symbolic(s.U_j), Symbolic(s.G_k),
+                                                               Symbolic(s.beta))};
              },
          .derived = [] { return std::vector<ex>{derived_initial_state().first}; },
          .departure = Departure::misprint,
@@ -86,7 +87,8 @@ const Register registered([] {
          .assumptions = sliding,
          .kernel =
              [&s] {
-                 return Values{paper::monoharmonic_cosine(symbolic_V_k(), symbolic_V_j(), Symbolic(s.U_j), Symbolic(s.G_k), Symbolic(s.beta))};
+                 return Values{paper::monoharmonic_cosine(symbolic_V_k(), symbolic_V_j(), Symbolic(s.U_j), Symbolic(s.G_k),
+                                                          Symbolic(s.beta))};
              },
          .derived = [] { return std::vector<ex>{derived_initial_state().first}; },
          .steps = {{"The factor of $\\cos\\tau$ in (48) is (44)", ""}}},
@@ -96,7 +98,8 @@ const Register registered([] {
          .assumptions = sliding,
          .kernel =
              [&s] {
-                 return Values{paper::monoharmonic_sine(symbolic_V_k(), symbolic_V_j(), Symbolic(s.U_j), Symbolic(s.U_k), Symbolic(s.beta))};
+                 return Values{paper::monoharmonic_sine(symbolic_V_k(), symbolic_V_j(), Symbolic(s.U_j), Symbolic(s.U_k),
+                                                        Symbolic(s.beta))};
              },
          .derived = [] { return std::vector<ex>{derived_initial_state().second}; },
          .steps = {{"The factor of $\\sin\\tau$ in (48) is (45)", ""}}},
@@ -107,8 +110,8 @@ const Register registered([] {
          .assumptions = sliding,
          .kernel =
              [&s] {
-                 return Values{square(as_printed::displacement_transmissibility(symbolic_V_k(), symbolic_V_j(), Symbolic(s.U_j), Symbolic(s.U_k),
-                                                                                Symbolic(s.G_k), Symbolic(s.beta)))};
+                 return Values{square(as_printed::displacement_transmissibility(
+                     symbolic_V_k(), symbolic_V_j(), Symbolic(s.U_j), Symbolic(s.U_k), Symbolic(s.G_k), Symbolic(s.beta)))};
              },
          .derived =
              [] {
@@ -126,8 +129,8 @@ const Register registered([] {
          .assumptions = sliding,
          .kernel =
              [&s] {
-                 return Values{square(paper::displacement_transmissibility(symbolic_V_k(), symbolic_V_j(), Symbolic(s.U_j), Symbolic(s.U_k),
-                                                                           Symbolic(s.G_k), Symbolic(s.beta)))};
+                 return Values{square(paper::displacement_transmissibility(symbolic_V_k(), symbolic_V_j(), Symbolic(s.U_j),
+                                                                           Symbolic(s.U_k), Symbolic(s.G_k), Symbolic(s.beta)))};
              },
          .derived =
              [] {
@@ -144,8 +147,8 @@ const Register registered([] {
          .assumptions = sliding,
          .kernel =
              [&s] {
-                 return Values{square(paper::displacement_transmissibility(symbolic_V_j(), symbolic_V_j(), Symbolic(s.U_j), Symbolic(s.U_j),
-                                                                           Symbolic(s.G_j), Symbolic(s.beta)))};
+                 return Values{square(paper::displacement_transmissibility(symbolic_V_j(), symbolic_V_j(), Symbolic(s.U_j),
+                                                                           Symbolic(s.U_j), Symbolic(s.G_j), Symbolic(s.beta)))};
              },
          .derived =
              [&s] {

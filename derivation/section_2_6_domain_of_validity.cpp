@@ -77,10 +77,9 @@ std::vector<Symbolic> integrands(int N, const Integrand& s_d_integrand) {
 
 Values margin(int N) {
     const SymbolicModes m = symbolic_modes(N);
-    return {paper::sliding_margin(Symbolic(derived_amplitude(N)),
-                                  paper::damping_function_of_mass<Symbolic>(m.psi_j, m.psi_j, m.R, m.g),
-                                  paper::sum_over_contact<Symbolic>(m.psi_j, integrands(N, shipped_integrand)),
-                                  Symbolic(symbols().beta))};
+    return {paper::sliding_margin(
+        Symbolic(derived_amplitude(N)), paper::damping_function_of_mass<Symbolic>(m.psi_j, m.psi_j, m.R, m.g),
+        paper::sum_over_contact<Symbolic>(m.psi_j, integrands(N, shipped_integrand)), Symbolic(symbols().beta))};
 }
 
 /// The amount by which the root of (38) exceeds beta S at beta = friction_ratio_limit(S).
@@ -90,7 +89,7 @@ Symbolic excess_at_limit(const Symbolic& S) {
     return Symbolic(paper::contact_root(symbolic_V_j(), U, limit).expression() - limit.expression() * S.expression());
 }
 
-const Register registered([] {
+const Register claims_of_section_2_6_domain_of_validity([] {
     const Symbols& s = symbols();
     const std::vector<std::string> domain{"R_i > 0", "0 <= zeta_i < 1", "0 < tau < pi"};
     const std::vector<std::string> mode_domain{"R_i > 0", "0 <= zeta_i < 1"};
@@ -319,28 +318,28 @@ const Register registered([] {
                         .steps = {{"The velocity of the contact is the sum of the rates of (40), with $\\bar{x}_j'(0)=0$, (30); "
                                    "it is divided by $-\\sin\\tau$",
                                    ""}}});
-        list.push_back({.id = "66/load" + of_N,
-                        .equations = {"64", "66"},
-                        .title = "The load on the contact at tau = 0, over gamma_j r^2: sum of the modes' contributions",
-                        .assumptions = modes,
-                        .kernel =
-                            [N, &s] {
-                                const SymbolicModes m = symbolic_modes(N);
-                                return Values{paper::contact_load_at_start(
-                                    Symbolic(derived_amplitude(N)),
-                                    paper::damping_function_of_mass<Symbolic>(m.psi_j, m.psi_j, m.R, m.g),
-                                    paper::H<Symbolic>(m.psi_j, m.R, m.zeta, m.u, m.g), Symbolic(s.beta))};
-                            },
-                        .derived =
-                            [N, &s] {
-                                const SymbolicModes m = symbolic_modes(N);
-                                ex load = -rate(rate(derived_displacement_of_mass(N, Row::contact, starts_at_rest(N)))).subs(s.tau == 0);
-                                for (const Symbolic& psi : m.psi_j) load += psi.expression() * psi.expression() * s.beta;
-                                return std::vector<ex>{load};
-                            },
-                        .steps = {{"$\\psi_{ji}$ times the loads (63) of the modes are summed, with (64) and $\\overline{X}_j$, "
-                                   "$G_j$ of (30) and (35)",
-                                   ""}}});
+        list.push_back(
+            {.id = "66/load" + of_N,
+             .equations = {"64", "66"},
+             .title = "The load on the contact at tau = 0, over gamma_j r^2: sum of the modes' contributions",
+             .assumptions = modes,
+             .kernel =
+                 [N, &s] {
+                     const SymbolicModes m = symbolic_modes(N);
+                     return Values{paper::contact_load_at_start(
+                         Symbolic(derived_amplitude(N)), paper::damping_function_of_mass<Symbolic>(m.psi_j, m.psi_j, m.R, m.g),
+                         paper::H<Symbolic>(m.psi_j, m.R, m.zeta, m.u, m.g), Symbolic(s.beta))};
+                 },
+             .derived =
+                 [N, &s] {
+                     const SymbolicModes m = symbolic_modes(N);
+                     ex load = -rate(rate(derived_displacement_of_mass(N, Row::contact, starts_at_rest(N)))).subs(s.tau == 0);
+                     for (const Symbolic& psi : m.psi_j) load += psi.expression() * psi.expression() * s.beta;
+                     return std::vector<ex>{load};
+                 },
+             .steps = {{"$\\psi_{ji}$ times the loads (63) of the modes are summed, with (64) and $\\overline{X}_j$, "
+                        "$G_j$ of (30) and (35)",
+                        ""}}});
         list.push_back({.id = "72/sum-at-zero" + of_N,
                         .equations = {"72"},
                         .title = "The sum of (71) over the modes is H_j plus the sum of squares (65)",
@@ -359,49 +358,51 @@ const Register registered([] {
                                 ex sum = 0;
                                 for (int i = 0; i < N; ++i)
                                     sum += GiNaC::pow(m.psi_j[i].expression(), 2) *
-                                           derived_s_d_at_zero().subs(lst{s.R == m.R[i].expression(), s.zeta == m.zeta[i].expression(),
-                                                                          s.u == m.u[i].expression(), s.g == m.g[i].expression()});
+                                           derived_s_d_at_zero().subs(
+                                               lst{s.R == m.R[i].expression(), s.zeta == m.zeta[i].expression(),
+                                                   s.u == m.u[i].expression(), s.g == m.g[i].expression()});
                                 return std::vector<ex>{sum};
                             },
                         .approximation = true,
                         .special_case = N < 3,
                         .steps = {{"(71) is multiplied by $\\psi_{ji}^2$ and summed; (64) and (65) name the sums", ""}}});
         if (N == 3) continue;
-        list.push_back({.id = "54/contact-load" + of_N,
-                        .equations = {"54"},
-                        .role = Role::shipped,
-                        .title = "The load on the contact from the matrices is gamma_j r^2 times the sum of the modes' contributions",
-                        .assumptions = {"diagonal mass matrix", "j = l = 1", "N = " + std::to_string(N)},
-                        .kernel =
-                            [N, &s] {
-                                const SymbolicSystem& system = symbolic_system(N);
-                                std::vector<Symbolic> C_j, K_j, x, x_prime;
-                                for (int k = 0; k < N; ++k) {
-                                    C_j.emplace_back(system.C(0, k));
-                                    K_j.emplace_back(system.K(0, k));
-                                    ex displacement = 0, velocity = 0;
-                                    for (int i = 0; i < N; ++i) {
-                                        displacement += system.Psi(k, i) * starts_at_rest(3)[i].first;
-                                        velocity += system.Psi(k, i) * starts_at_rest(3)[i].second;
-                                    }
-                                    x.emplace_back(displacement);
-                                    x_prime.emplace_back(velocity);
-                                }
-                                return Values{paper::contact_load<Symbolic>(C_j, K_j, x, x_prime, 1, Symbolic(0), Symbolic(s.phi_j))};
-                            },
-                        .derived =
-                            [N, &s] {
-                                const SymbolicSystem& system = symbolic_system(N);
-                                ex load = 0;
-                                for (int i = 0; i < N; ++i) {
-                                    const auto [eta_0, eta_prime_0] = starts_at_rest(3)[i];
-                                    load += system.Psi(0, i) *
-                                            (2 * system.zeta[i] * system.Omega[i] * eta_prime_0 + GiNaC::pow(system.Omega[i], 2) * eta_0 -
-                                             system.Psi(0, i) * GiNaC::cos(s.phi_j));
-                                }
-                                return std::vector<ex>{system.gamma[0] * system.r * system.r * load};
-                            },
-                        .special_case = true});
+        list.push_back(
+            {.id = "54/contact-load" + of_N,
+             .equations = {"54"},
+             .role = Role::shipped,
+             .title = "The load on the contact from the matrices is gamma_j r^2 times the sum of the modes' contributions",
+             .assumptions = {"diagonal mass matrix", "j = l = 1", "N = " + std::to_string(N)},
+             .kernel =
+                 [N, &s] {
+                     const SymbolicSystem& system = symbolic_system(N);
+                     std::vector<Symbolic> C_j, K_j, x, x_prime;
+                     for (int k = 0; k < N; ++k) {
+                         C_j.emplace_back(system.C(0, k));
+                         K_j.emplace_back(system.K(0, k));
+                         ex displacement = 0, velocity = 0;
+                         for (int i = 0; i < N; ++i) {
+                             displacement += system.Psi(k, i) * starts_at_rest(3)[i].first;
+                             velocity += system.Psi(k, i) * starts_at_rest(3)[i].second;
+                         }
+                         x.emplace_back(displacement);
+                         x_prime.emplace_back(velocity);
+                     }
+                     return Values{paper::contact_load<Symbolic>(C_j, K_j, x, x_prime, 1, Symbolic(0), Symbolic(s.phi_j))};
+                 },
+             .derived =
+                 [N, &s] {
+                     const SymbolicSystem& system = symbolic_system(N);
+                     ex load = 0;
+                     for (int i = 0; i < N; ++i) {
+                         const auto [eta_0, eta_prime_0] = starts_at_rest(3)[i];
+                         load +=
+                             system.Psi(0, i) * (2 * system.zeta[i] * system.Omega[i] * eta_prime_0 +
+                                                 GiNaC::pow(system.Omega[i], 2) * eta_0 - system.Psi(0, i) * GiNaC::cos(s.phi_j));
+                     }
+                     return std::vector<ex>{system.gamma[0] * system.r * system.r * load};
+                 },
+             .special_case = true});
     }
     return list;
 });

@@ -49,7 +49,7 @@ Symbolic shipped_load(int N, int l) {
     return paper::dynamic_load_on_contact<Symbolic>(C_j, K_j, x, x_prime, l == 0 ? 1 : 0, Symbolic(symbols().tau));
 }
 
-const Register registered([] {
+const Register claims_of_section_3_1_numerical([] {
     const Symbols& s = symbols();
     std::vector<Claim> list{
         {.id = "74/margin",

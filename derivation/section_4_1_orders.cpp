@@ -265,7 +265,7 @@ Outcome order_of_boundary() {
     return outcome;
 }
 
-const Register registered([] {
+const Register claims_of_section_4_1_orders([] {
     const std::vector<std::string> fall{"R_i = 1, then zeta_i -> 0", "damping ratios of the other modes in proportion to zeta_i",
                                         "no other R_m is 1/n, n odd"};
     return std::vector<Claim>{

@@ -88,7 +88,7 @@ ex derived_peak(const ex& psi_k, const ex& psi_j, const ex& psi_l) {
     return GiNaC::sqrt((V * V).expand()) - symbols().beta * sizes * derived_second_function_at_resonance();
 }
 
-const Register registered([] {
+const Register claims_of_section_4_1_resonance([] {
     const Symbols& s = symbols();
     const std::vector<std::string> resonance{"R_i = 1, then zeta_i -> 0", "psi_ki, psi_ji, psi_li not zero"};
     const std::vector<Step> theta_step{{"At R_i = 1, theta = pi w differs from pi by pi zeta_i^2 / 2: its sine is put to 0, its "

@@ -7,7 +7,7 @@
 #include "denhartog/formulas/high_frequency.hpp"
 #include "denhartog/sliding/boundary.hpp"
 #include "limit_twins.hpp"
-#include "observed_systems.hpp"
+#include "observations/observed_systems.hpp"
 #include "symbols.hpp"
 
 namespace denhartog::derivation {
@@ -244,7 +244,7 @@ Outcome undamped_at_low_frequency() {
     return outcome;
 }
 
-const Register registered([] {
+const Register claims_of_section_4_2_low_high_frequency([] {
     const Symbolic mu(symbols().mu);
     std::vector<Claim> list{
         {.id = "86/printed",

@@ -92,7 +92,7 @@ std::vector<ex> derived_lines_of_88(bool damping_force) {
             limit_of(derived_load(true, damping_force).subs(first_rests).subs(last_rests))};
 }
 
-const Register registered([] {
+const Register claims_of_section_4_3_stuck([] {
     const Symbols& s = symbols();
     const std::vector<std::string> undamped{"all zeta_i = 0: V real, G_k = 0", "V_j, U_k not zero", "beta |U_j| <= |V_j|"};
     const std::vector<std::string> held{"chain, M diagonal", "x_j = 0"};

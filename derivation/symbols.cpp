@@ -123,7 +123,8 @@ SymbolicModes symbolic_modes(int N) {
         SymbolicModes m;
         for (int i = 1; i <= 3; ++i) {
             const std::string n = std::to_string(i);
-            const auto make = [&n](const char* name, const char* latex, const char* index, const numeric& low, const numeric& high) {
+            const auto make = [&n](const char* name, const char* latex, const char* index, const numeric& low,
+                                   const numeric& high) {
                 return Symbolic(new_symbol(name + n, std::string(latex) + "_{" + index + n + "}", low, high));
             };
             m.R.push_back(make("R", "R", "", numeric(1, 3), 3));
@@ -138,11 +139,9 @@ SymbolicModes symbolic_modes(int N) {
         return m;
     }();
     SymbolicModes m = all;
-    for (auto* values : {&m.R, &m.zeta, &m.psi_k, &m.psi_j, &m.psi_l, &m.u, &m.g})
-        values->resize(N);
+    for (auto* values : {&m.R, &m.zeta, &m.psi_k, &m.psi_j, &m.psi_l, &m.u, &m.g}) values->resize(N);
     m.v.resize(N);
     return m;
 }
-
 
 } // namespace denhartog::derivation

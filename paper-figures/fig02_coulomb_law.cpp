@@ -1,9 +1,7 @@
 // Fig. 2: friction force over relative velocity by Coulomb's law, (3).
 #include "figure.hpp"
 
-using namespace denhartog::figures;
-
-namespace {
+namespace denhartog::figures::fig02_coulomb_law {
 
 Record make(Figure& figure) {
     const double mu = 1.5;
@@ -17,6 +15,6 @@ Record make(Figure& figure) {
     return record;
 }
 
-} // namespace
+const Listed listed("fig02_coulomb_law", make);
 
-int main(int argc, char** argv) { return draw("fig02_coulomb_law", argc, argv, make); }
+} // namespace denhartog::figures::fig02_coulomb_law

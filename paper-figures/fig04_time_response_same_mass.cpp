@@ -1,9 +1,7 @@
 // Fig. 4: steady motion of five masses with friction and load on the first, (46) against the paper's algorithm.
 #include "time_response.hpp"
 
-using namespace denhartog::figures;
-
-namespace {
+namespace denhartog::figures::fig04_time_response_same_mass {
 
 Record make(Figure& figure) {
     const std::vector<TimeResponse> panels = time_responses(figure, 1);
@@ -24,6 +22,6 @@ Record make(Figure& figure) {
     return record;
 }
 
-} // namespace
+const Listed listed("fig04_time_response_same_mass", make);
 
-int main(int argc, char** argv) { return draw("fig04_time_response_same_mass", argc, argv, make); }
+} // namespace denhartog::figures::fig04_time_response_same_mass

@@ -1,9 +1,7 @@
 // Fig. 5: steady motion of five masses with friction on the third and load on the first, (46) against the paper's algorithm.
 #include "time_response.hpp"
 
-using namespace denhartog::figures;
-
-namespace {
+namespace denhartog::figures::fig05_time_response_other_mass {
 
 Record make(Figure& figure) {
     const std::vector<TimeResponse> panels = time_responses(figure, 3);
@@ -27,6 +25,6 @@ Record make(Figure& figure) {
     return record;
 }
 
-} // namespace
+const Listed listed("fig05_time_response_other_mass", make);
 
-int main(int argc, char** argv) { return draw("fig05_time_response_other_mass", argc, argv, make); }
+} // namespace denhartog::figures::fig05_time_response_other_mass

@@ -2,10 +2,7 @@
 #include "response_statements.hpp"
 #include "tests/support/paper_systems.hpp"
 
-using namespace denhartog;
-using namespace denhartog::figures;
-
-namespace {
+namespace denhartog::figures::fig06_single_mass_response {
 
 const Mass mass{0};
 
@@ -29,6 +26,6 @@ Record make(Figure& figure) {
     return record;
 }
 
-} // namespace
+const Listed listed("fig06_single_mass_response", make);
 
-int main(int argc, char** argv) { return draw("fig06_single_mass_response", argc, argv, make); }
+} // namespace denhartog::figures::fig06_single_mass_response

@@ -3,10 +3,7 @@
 #include "regime_planes.hpp"
 #include "tests/support/paper_systems.hpp"
 
-using namespace denhartog;
-using namespace denhartog::figures;
-
-namespace {
+namespace denhartog::figures::fig07_single_mass_regimes {
 
 /// Where (69) dips, the contact turns back within the half-period without a stop: the closed form does not hold there, but
 /// nothing sticks.
@@ -75,6 +72,6 @@ Record make(Figure& figure) {
     return record;
 }
 
-} // namespace
+const Listed listed("fig07_single_mass_regimes", make);
 
-int main(int argc, char** argv) { return draw("fig07_single_mass_regimes", argc, argv, make); }
+} // namespace denhartog::figures::fig07_single_mass_regimes

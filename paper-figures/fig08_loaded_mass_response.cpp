@@ -1,10 +1,7 @@
 // Fig. 8: amplitude and phase of the loaded mass of two masses over the frequency ratio at three damping ratios.
 #include "two_masses_response.hpp"
 
-using namespace denhartog;
-using namespace denhartog::figures;
-
-namespace {
+namespace denhartog::figures::fig08_loaded_mass_response {
 
 const Mass mass{0};
 const double last_r = 2.5;
@@ -149,6 +146,6 @@ Record make(Figure& figure) {
     return record;
 }
 
-} // namespace
+const Listed listed("fig08_loaded_mass_response", make);
 
-int main(int argc, char** argv) { return draw("fig08_loaded_mass_response", argc, argv, make); }
+} // namespace denhartog::figures::fig08_loaded_mass_response

@@ -1,10 +1,7 @@
 // Fig. 9: amplitude and phase of the mass in contact of two masses over the frequency ratio at three damping ratios.
 #include "two_masses_response.hpp"
 
-using namespace denhartog;
-using namespace denhartog::figures;
-
-namespace {
+namespace denhartog::figures::fig09_contact_mass_response {
 
 const Mass mass{1};
 
@@ -70,6 +67,6 @@ Record make(Figure& figure) {
     return record;
 }
 
-} // namespace
+const Listed listed("fig09_contact_mass_response", make);
 
-int main(int argc, char** argv) { return draw("fig09_contact_mass_response", argc, argv, make); }
+} // namespace denhartog::figures::fig09_contact_mass_response

@@ -2,10 +2,7 @@
 #include "regime_planes.hpp"
 #include "tests/support/paper_systems.hpp"
 
-using namespace denhartog;
-using namespace denhartog::figures;
-
-namespace {
+namespace denhartog::figures::fig10_two_masses_regimes {
 
 double limit(const RegimePlane& p, double r) { return p.at(r).paper; }
 double sticking(const RegimePlane& p, double r) { return p.at(r).sticking.value(); }
@@ -115,6 +112,6 @@ Record make(Figure& figure) {
     return record;
 }
 
-} // namespace
+const Listed listed("fig10_two_masses_regimes", make);
 
-int main(int argc, char** argv) { return draw("fig10_two_masses_regimes", argc, argv, make); }
+} // namespace denhartog::figures::fig10_two_masses_regimes

@@ -4,10 +4,7 @@
 #include "peak.hpp"
 #include "tests/support/paper_systems.hpp"
 
-using namespace denhartog;
-using namespace denhartog::figures;
-
-namespace {
+namespace denhartog::figures::fig11_resonant_peak {
 
 /// Friction ratio at which (84) has a height: it falls linearly from its value without friction to zero at (85).
 double estimated_friction(double zeta, double height) {
@@ -112,6 +109,6 @@ Record make(Figure& figure) {
     return record;
 }
 
-} // namespace
+const Listed listed("fig11_resonant_peak", make);
 
-int main(int argc, char** argv) { return draw("fig11_resonant_peak", argc, argv, make); }
+} // namespace denhartog::figures::fig11_resonant_peak

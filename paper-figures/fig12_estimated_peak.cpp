@@ -4,10 +4,7 @@
 #include "peak.hpp"
 #include "tests/support/paper_systems.hpp"
 
-using namespace denhartog;
-using namespace denhartog::figures;
-
-namespace {
+namespace denhartog::figures::fig12_estimated_peak {
 
 /// The peaks of a system at a friction ratio, each over the peak without friction by (83).
 struct Heights {
@@ -198,6 +195,6 @@ Record make(Figure& figure) {
     return record;
 }
 
-} // namespace
+const Listed listed("fig12_estimated_peak", make);
 
-int main(int argc, char** argv) { return draw("fig12_estimated_peak", argc, argv, make); }
+} // namespace denhartog::figures::fig12_estimated_peak

@@ -4,10 +4,7 @@
 #include "markers.hpp"
 #include "tests/support/paper_systems.hpp"
 
-using namespace denhartog;
-using namespace denhartog::figures;
-
-namespace {
+namespace denhartog::figures::fig13_quasi_static_response {
 
 /// The motion at a damping ratio: exact, and by the paper's algorithm.
 struct StickSlipMotion {
@@ -95,6 +92,6 @@ Record make(Figure& figure) {
     return record;
 }
 
-} // namespace
+const Listed listed("fig13_quasi_static_response", make);
 
-int main(int argc, char** argv) { return draw("fig13_quasi_static_response", argc, argv, make); }
+} // namespace denhartog::figures::fig13_quasi_static_response

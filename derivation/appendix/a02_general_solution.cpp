@@ -38,8 +38,8 @@ std::pair<ex, ex> derived_harmonic(const ex& C, const ex& S) {
     const Symbols& s = symbols();
     const GiNaC::symbol a("a"), b("b");
     const ex residual = left_side(a * GiNaC::cos(s.tau) + b * GiNaC::sin(s.tau)).expand();
-    const ex solution = GiNaC::lsolve(
-        lst{residual.coeff(GiNaC::cos(s.tau)) == C, residual.coeff(GiNaC::sin(s.tau)) == S}, lst{a, b});
+    const ex solution =
+        GiNaC::lsolve(lst{residual.coeff(GiNaC::cos(s.tau)) == C, residual.coeff(GiNaC::sin(s.tau)) == S}, lst{a, b});
     return {ex(a).subs(solution), ex(b).subs(solution)};
 }
 
@@ -59,8 +59,8 @@ ex derived_general_solution() {
     const ex static_part = GiNaC::lsolve(left_side(constant) == s.psi_ji * s.beta, constant);
     // the load psi_li cos(tau + phi_j) by its addition theorem
     const auto [a, b] = derived_harmonic(s.psi_li * s.c_phi, -s.psi_li * s.s_phi);
-    return GiNaC::exp(decay * s.tau) * (s.A * GiNaC::cos(frequency * s.tau) + s.B * GiNaC::sin(frequency * s.tau)) +
-           static_part + a * GiNaC::cos(s.tau) + b * GiNaC::sin(s.tau);
+    return GiNaC::exp(decay * s.tau) * (s.A * GiNaC::cos(frequency * s.tau) + s.B * GiNaC::sin(frequency * s.tau)) + static_part +
+           a * GiNaC::cos(s.tau) + b * GiNaC::sin(s.tau);
 }
 
 namespace {
@@ -99,7 +99,7 @@ ex in_phi_j(const ex& e) {
 
 namespace {
 
-const Register registered([] {
+const Register claims_of_a02_general_solution([] {
     const Symbols& s = symbols();
     const std::vector<std::string> domain{"R_i > 0", "0 <= zeta_i < 1", "0 <= tau <= pi"};
     return std::vector<Claim>{

@@ -18,7 +18,7 @@ std::pair<ex, ex> derived_constants() {
 
 namespace {
 
-const Register registered([] {
+const Register claims_of_a05_constants([] {
     const Symbols& s = symbols();
     return std::vector<Claim>{
         {.id = "A.5/constants",

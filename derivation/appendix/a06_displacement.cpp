@@ -17,14 +17,14 @@ ex derived_displacement_by_v() {
     // v_cos = Re v c_phi - Im v s_phi, v_sin = Re v s_phi + Im v c_phi, solved for c_phi and s_phi
     const Symbols& s = symbols();
     const auto [re, im] = derived_complex_response();
-    const ex solution = GiNaC::lsolve(lst{re * s.c_phi - im * s.s_phi == s.v_cos, re * s.s_phi + im * s.c_phi == s.v_sin},
-                                      lst{s.c_phi, s.s_phi});
+    const ex solution =
+        GiNaC::lsolve(lst{re * s.c_phi - im * s.s_phi == s.v_cos, re * s.s_phi + im * s.c_phi == s.v_sin}, lst{s.c_phi, s.s_phi});
     return derived_displacement().subs(solution);
 }
 
 namespace {
 
-const Register registered([] {
+const Register claims_of_a06_displacement([] {
     const Symbols& s = symbols();
     const std::vector<std::string> domain{"R_i > 0", "0 <= zeta_i < 1", "0 <= tau <= pi"};
     return std::vector<Claim>{

@@ -11,7 +11,7 @@ namespace {
 
 ex rate(const ex& e) { return e.diff(GiNaC::ex_to<GiNaC::symbol>(symbols().tau)); }
 
-const Register registered([] {
+const Register claims_of_a07_velocity([] {
     const Symbols& s = symbols();
     const std::vector<std::string> domain{"R_i > 0", "0 <= zeta_i < 1", "0 <= tau <= pi"};
     const auto derived = [] { return std::vector<ex>{in_phi_j(rate(derived_displacement()))}; };

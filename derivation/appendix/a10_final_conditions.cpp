@@ -16,7 +16,7 @@ std::pair<ex, ex> derived_final_conditions() {
 
 namespace {
 
-const Register registered([] {
+const Register claims_of_a10_final_conditions([] {
     const Symbols& s = symbols();
     const std::vector<std::string> domain{"R_i > 0", "0 <= zeta_i < 1", "the motion is symmetric, (25)"};
     return std::vector<Claim>{

@@ -31,13 +31,14 @@ ex derived_second_damping_function() { return friction_part(derived_phase().firs
 
 namespace {
 
-const Register registered([] {
+const Register claims_of_a12_phase([] {
     const Symbols& s = symbols();
     const std::vector<std::string> domain{"R_i > 0", "0 <= zeta_i < 1", "psi_li not zero",
                                           "zeta_i > 0 or 1/R_i not an odd integer"};
     const std::vector<std::string> mode_domain{"R_i > 0", "0 <= zeta_i < 1", "zeta_i > 0 or 1/R_i not an odd integer"};
     const auto system = [&s] {
-        return PhaseSystem<Symbolic>{Symbolic(s.PA), Symbolic(s.PB), Symbolic(s.PC), Symbolic(s.PP), Symbolic(s.PQ), Symbolic(s.PR)};
+        return PhaseSystem<Symbolic>{Symbolic(s.PA), Symbolic(s.PB), Symbolic(s.PC),
+                                     Symbolic(s.PP), Symbolic(s.PQ), Symbolic(s.PR)};
     };
     const auto solved = [&s] {
         const ex solution = GiNaC::lsolve(

@@ -18,7 +18,7 @@ ex derived_modal_displacement() {
 
 namespace {
 
-const Register registered([] {
+const Register claims_of_a15_modal_displacement([] {
     const Symbols& s = symbols();
     const std::vector<std::string> domain{"R_i > 0", "0 <= zeta_i < 1", "0 <= tau <= pi"};
     const auto derived = [] { return std::vector<ex>{derived_modal_displacement()}; };
@@ -67,9 +67,8 @@ const Register registered([] {
              },
          .derived =
              [&s] {
-                 const ex friction_alone =
-                     derived_modal_displacement().subs(lst{s.eta_0 == -s.psi_ji * s.R * s.R * s.g * s.beta,
-                                                           s.eta_prime_0 == -s.psi_ji * s.R * s.R * s.u * s.beta});
+                 const ex friction_alone = derived_modal_displacement().subs(
+                     lst{s.eta_0 == -s.psi_ji * s.R * s.R * s.g * s.beta, s.eta_prime_0 == -s.psi_ji * s.R * s.R * s.u * s.beta});
                  return std::vector<ex>{friction_alone.diff(GiNaC::ex_to<GiNaC::symbol>(s.tau)) /
                                         (s.beta * s.psi_ji * s.R * s.R)};
              }},

@@ -53,7 +53,7 @@ std::string figure_section(const FigureRecord& figure) {
     }
     out += "<p>Made by <code>" +
            (chart ? std::string("./verify chart")
-                  : "paper-figures/draw build/verify/bin/figures build/verify/figures " + escaped(figure.name)) +
+                  : "paper-figures/draw build/verify/bin/paper-figures build/verify/figures " + escaped(figure.name)) +
            "</code>, by ";
     out += chart ? "" : "<code>./verify figures</code> with all others, by ";
     out += "the script " + escaped(figure.script);

@@ -6,10 +6,7 @@
 #include "digits_map.hpp"
 #include "markers.hpp"
 
-using namespace denhartog;
-using namespace denhartog::figures;
-
-namespace {
+namespace denhartog::figures::map_of_digits_lost {
 
 void fill(const Figure& figure, Map& map) {
     map.points.resize(map.R.size() * map.zeta.size());
@@ -198,6 +195,6 @@ Record make(Figure& figure) {
     return record;
 }
 
-} // namespace
+const Listed listed("digits_lost", make);
 
-int main(int argc, char** argv) { return draw("digits_lost", argc, argv, make); }
+} // namespace denhartog::figures::map_of_digits_lost

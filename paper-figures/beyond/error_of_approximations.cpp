@@ -6,10 +6,7 @@
 #include "peak.hpp"
 #include "tests/support/paper_systems.hpp"
 
-using namespace denhartog;
-using namespace denhartog::figures;
-
-namespace {
+namespace denhartog::figures::error_of_approximations {
 
 /// Modes and boundary at a point, with the steady state.
 struct Sliding {
@@ -126,6 +123,6 @@ Record make(Figure& figure) {
     return record;
 }
 
-} // namespace
+const Listed listed("error_of_approximations", make);
 
-int main(int argc, char** argv) { return draw("error_of_approximations", argc, argv, make); }
+} // namespace denhartog::figures::error_of_approximations

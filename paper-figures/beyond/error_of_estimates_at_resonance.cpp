@@ -4,10 +4,7 @@
 #include "peak.hpp"
 #include "tests/support/paper_systems.hpp"
 
-using namespace denhartog;
-using namespace denhartog::figures;
-
-namespace {
+namespace denhartog::figures::error_of_estimates_at_resonance {
 
 /// A resonance of a system: what the estimates take, and the modes there.
 struct Resonance {
@@ -131,6 +128,6 @@ Record make(Figure& figure) {
     return record;
 }
 
-} // namespace
+const Listed listed("error_of_estimates_at_resonance", make);
 
-int main(int argc, char** argv) { return draw("error_of_estimates_at_resonance", argc, argv, make); }
+} // namespace denhartog::figures::error_of_estimates_at_resonance

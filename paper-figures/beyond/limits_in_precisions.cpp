@@ -6,10 +6,7 @@
 #include "figure.hpp"
 #include "kept_digits.hpp"
 
-using namespace denhartog;
-using namespace denhartog::figures;
-
-namespace {
+namespace denhartog::figures::limits_in_precisions {
 
 using Real200 = Multiprecision<200>;
 
@@ -134,6 +131,6 @@ Record make(Figure& figure) {
     return record;
 }
 
-} // namespace
+const Listed listed("limits_in_precisions", make);
 
-int main(int argc, char** argv) { return draw("limits_in_precisions", argc, argv, make); }
+} // namespace denhartog::figures::limits_in_precisions

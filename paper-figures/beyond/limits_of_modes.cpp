@@ -8,10 +8,7 @@
 #include "limit_paths.hpp"
 #include "markers.hpp"
 
-using namespace denhartog;
-using namespace denhartog::figures;
-
-namespace {
+namespace denhartog::figures::limits_of_modes {
 
 constexpr std::size_t types = 4;
 const std::array<std::string, types> names_of_types{"float", "double", "long double", "50 digits"};
@@ -135,6 +132,6 @@ Record make(Figure& figure) {
     return record;
 }
 
-} // namespace
+const Listed listed("limits_of_modes", make);
 
-int main(int argc, char** argv) { return draw("limits_of_modes", argc, argv, make); }
+} // namespace denhartog::figures::limits_of_modes

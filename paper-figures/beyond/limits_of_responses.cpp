@@ -7,10 +7,7 @@
 #include "figure.hpp"
 #include "response_paths.hpp"
 
-using namespace denhartog;
-using namespace denhartog::figures;
-
-namespace {
+namespace denhartog::figures::limits_of_responses {
 
 /// Digits at a point: float, double, long double, 50 digits.
 struct Digits {
@@ -198,6 +195,6 @@ Record make(Figure& figure) {
     return record;
 }
 
-} // namespace
+const Listed listed("limits_of_responses", make);
 
-int main(int argc, char** argv) { return draw("limits_of_responses", argc, argv, make); }
+} // namespace denhartog::figures::limits_of_responses

@@ -6,10 +6,7 @@
 #include "denhartog/number/multiprecision.hpp"
 #include "figure.hpp"
 
-using namespace denhartog;
-using namespace denhartog::figures;
-
-namespace {
+namespace denhartog::figures::order_of_limits {
 
 /// A path to R = 1, zeta = 0: x falls to zero.
 struct Path {
@@ -212,6 +209,6 @@ Record make(Figure& figure) {
     return record;
 }
 
-} // namespace
+const Listed listed("order_of_limits", make);
 
-int main(int argc, char** argv) { return draw("order_of_limits", argc, argv, make); }
+} // namespace denhartog::figures::order_of_limits

@@ -5,10 +5,7 @@
 #include "sweep.hpp"
 #include "tests/support/paper_systems.hpp"
 
-using namespace denhartog;
-using namespace denhartog::figures;
-
-namespace {
+namespace denhartog::figures::printed_against_corrected_amplitude {
 
 const double zeta = 0.1;
 const Mass first{0};
@@ -150,6 +147,6 @@ Record make(Figure& figure) {
     return record;
 }
 
-} // namespace
+const Listed listed("printed_against_corrected_amplitude", make);
 
-int main(int argc, char** argv) { return draw("printed_against_corrected_amplitude", argc, argv, make); }
+} // namespace denhartog::figures::printed_against_corrected_amplitude

@@ -4,10 +4,7 @@
 #include "denhartog/formulas/as_printed.hpp"
 #include "tests/support/paper_systems.hpp"
 
-using namespace denhartog;
-using namespace denhartog::figures;
-
-namespace {
+namespace denhartog::figures::printed_against_corrected_boundary {
 
 /// (69) of a single mass with (57) as printed, its maximum taken over a number of instants.
 double limit_by_57_as_printed(const ModeSums<double>& m, int instants) {
@@ -160,6 +157,6 @@ Record make(Figure& figure) {
     return record;
 }
 
-} // namespace
+const Listed listed("printed_against_corrected_boundary", make);
 
-int main(int argc, char** argv) { return draw("printed_against_corrected_boundary", argc, argv, make); }
+} // namespace denhartog::figures::printed_against_corrected_boundary

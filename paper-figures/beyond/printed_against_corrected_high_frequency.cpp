@@ -4,10 +4,7 @@
 #include "denhartog/formulas/high_frequency.hpp"
 #include "tests/support/paper_systems.hpp"
 
-using namespace denhartog;
-using namespace denhartog::figures;
-
-namespace {
+namespace denhartog::figures::printed_against_corrected_high_frequency {
 
 const double far = 1000, near = 20;
 
@@ -94,6 +91,6 @@ Record make(Figure& figure) {
     return record;
 }
 
-} // namespace
+const Listed listed("printed_against_corrected_high_frequency", make);
 
-int main(int argc, char** argv) { return draw("printed_against_corrected_high_frequency", argc, argv, make); }
+} // namespace denhartog::figures::printed_against_corrected_high_frequency

@@ -4,10 +4,7 @@
 #include "markers.hpp"
 #include "tests/support/paper_systems.hpp"
 
-using namespace denhartog;
-using namespace denhartog::figures;
-
-namespace {
+namespace denhartog::figures::printed_against_corrected_motion {
 
 const double r = 0.9, beta = 0.2;
 
@@ -152,6 +149,6 @@ Record make(Figure& figure) {
     return record;
 }
 
-} // namespace
+const Listed listed("printed_against_corrected_motion", make);
 
-int main(int argc, char** argv) { return draw("printed_against_corrected_motion", argc, argv, make); }
+} // namespace denhartog::figures::printed_against_corrected_motion

@@ -2,10 +2,7 @@
 #include "plane_at_mu.hpp"
 #include "tests/support/paper_systems.hpp"
 
-using namespace denhartog;
-using namespace denhartog::figures;
-
-namespace {
+namespace denhartog::figures::regimes_with_mu {
 
 const std::vector<double> mus{1, 1.5, 2, 3};
 
@@ -197,6 +194,6 @@ Record make(Figure& figure) {
     return record;
 }
 
-} // namespace
+const Listed listed("regimes_with_mu", make);
 
-int main(int argc, char** argv) { return draw("regimes_with_mu", argc, argv, make); }
+} // namespace denhartog::figures::regimes_with_mu

@@ -2,10 +2,7 @@
 #include "regimes.hpp"
 #include "tests/support/paper_systems.hpp"
 
-using namespace denhartog;
-using namespace denhartog::figures;
-
-namespace {
+namespace denhartog::figures::stops_per_period {
 
 /// The grid: a column for every frequency ratio, cells of equal height in the friction ratio.
 struct Grid {
@@ -260,6 +257,6 @@ Record make(Figure& figure) {
     return record;
 }
 
-} // namespace
+const Listed listed("stops_per_period", make);
 
-int main(int argc, char** argv) { return draw("stops_per_period", argc, argv, make); }
+} // namespace denhartog::figures::stops_per_period

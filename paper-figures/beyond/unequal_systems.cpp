@@ -3,10 +3,7 @@
 #include "plane_at_mu.hpp"
 #include "tests/support/paper_systems.hpp"
 
-using namespace denhartog;
-using namespace denhartog::figures;
-
-namespace {
+namespace denhartog::figures::unequal_systems {
 
 const double zeta = 0.05;
 const std::vector<double> betas{0.1, 0.3, 0.6};
@@ -279,6 +276,6 @@ Record make(Figure& figure) {
     return record;
 }
 
-} // namespace
+const Listed listed("unequal_systems", make);
 
-int main(int argc, char** argv) { return draw("unequal_systems", argc, argv, make); }
+} // namespace denhartog::figures::unequal_systems

@@ -1,12 +1,10 @@
 #include "figure.hpp"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <fstream>
-#include <iostream>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <unistd.h>
@@ -34,7 +32,7 @@ json to_json(const Record& record) {
             {{"what", a.what}, {"points", a.points}, {"median", a.median}, {"worst", a.worst}, {"where", a.where}});
     for (const Statement& s : record.statements)
         statements.push_back({{"text", s.text}, {"found", s.found}, {"borne_out", s.borne_out}});
-    return {{"title", record.title},       {"equations", record.equations}, {"given", record.given},    {"chosen", record.chosen},
+    return {{"title", record.title},    {"equations", record.equations}, {"given", record.given},    {"chosen", record.chosen},
             {"agreements", agreements}, {"statements", statements},      {"remarks", record.remarks}};
 }
 
@@ -73,30 +71,24 @@ void Figure::write(const Record& record, double seconds) const {
     json entry = to_json(record);
     entry["name"] = name_;
     entry["seconds"] = seconds;
-    write_whole(folder_ / (name_ + ".dat"), data_);
+    const fs::path data = folder_ / (name_ + ".dat");
+    std::ifstream before(data, std::ios::binary);
+    if (!before || std::string(std::istreambuf_iterator<char>(before), {}) != data_) write_whole(data, data_);
     write_whole(folder_ / (name_ + ".json"), entry.dump(1) + "\n");
 }
 
-int draw(const std::string& name, int argc, char** argv, Record (*make)(Figure&)) {
-    CLI::App app{"Computes the data of the figure " + name};
-    std::string folder = ".";
-    app.add_option("--output", folder, "folder for the data")->capture_default_str();
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::ParseError& e) {
-        return app.exit(e) == 0 ? 0 : 2;
-    }
-    try {
-        const std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
-        Figure figure(folder, name);
-        const Record record = make(figure);
-        figure.write(record, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
-        return 0;
-    } catch (const std::exception& e) {
-        std::cerr << name << ": " << e.what() << "\n";
-        return 1;
-    }
+namespace {
+
+std::map<std::string, Make>& figures() {
+    static std::map<std::string, Make> all;
+    return all;
 }
+
+} // namespace
+
+Listed::Listed(const std::string& name, Make make) { figures().emplace(name, make); }
+
+const std::map<std::string, Make>& listed_figures() { return figures(); }
 
 std::string text(double x, const char* format) {
     char buffer[40];

@@ -1,10 +1,10 @@
 // What the observations are measured with, by other routes.
-#include "derivation/observed_systems.hpp"
+#include "derivation/observations/observed_systems.hpp"
 
 #include <cmath>
 
 #include "denhartog/paper_algorithm/paper_algorithm.hpp"
-#include "derivation/contact_motions.hpp"
+#include "derivation/observations/contact_motions.hpp"
 #include "tests/catch.hpp"
 #include "tests/support/paper_systems.hpp"
 

@@ -176,7 +176,7 @@ Outcome regimes_agree() {
     return outcome;
 }
 
-const Register registered([] {
+const Register claims_of_numerical_observations([] {
     const std::vector<std::string> points{"SDOF and 2DOF j=2 l=1", "zeta = 0.001, 0.01, 0.1", "r = 0.1 to 2.5 and r_n,i",
                                           "beta = 0.05 to 0.8", "mu = 1"};
     return std::vector<Claim>{

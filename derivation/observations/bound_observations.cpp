@@ -17,7 +17,11 @@ using GiNaC::ex;
 namespace {
 
 Witness place(const SlidingScene& s) {
-    return {{"scene", s.name}, {"N", std::to_string(s.sums.R.size())}, {"r", text(s.sums.r)}, {"beta", text(s.state.beta)}, {"mu", text(s.mu)}};
+    return {{"scene", s.name},
+            {"N", std::to_string(s.sums.R.size())},
+            {"r", text(s.sums.r)},
+            {"beta", text(s.state.beta)},
+            {"mu", text(s.mu)}};
 }
 
 /// Looks for the scene with the largest excess; refuted with that scene where the excess is above the threshold.
@@ -37,8 +41,9 @@ Outcome refute_by_largest(const std::function<double(const SlidingScene&)>& exce
         }
     }
     Outcome outcome;
-    outcome.steps.push_back({what + ": " + std::to_string(above) + " of " + std::to_string(tried) + " scenes (the paper's and seed " +
-                                 std::to_string(seed_of_scenes) + ") are counterexamples, by more than " + text(threshold),
+    outcome.steps.push_back({what + ": " + std::to_string(above) + " of " + std::to_string(tried) +
+                                 " scenes (the paper's and seed " + std::to_string(seed_of_scenes) +
+                                 ") are counterexamples, by more than " + text(threshold),
                              ""});
     if (worst != nullptr) {
         outcome.verdict = Verdict::refuted;
@@ -110,9 +115,10 @@ Outcome maximum_at_zero() {
             if (peak.zeta > highest.zeta) highest = peak;
         }
     Outcome outcome;
-    outcome.steps.push_back({"R_i = 1/40 to 3 in steps of 1/40, zeta_i = 1/64 to 3/4 in steps of 1/64: the maximum is not at tau = 0 for " +
-                                 std::to_string(elsewhere) + " of " + std::to_string(tried) + " pairs, none of them with zeta_i near zero",
-                             ""});
+    outcome.steps.push_back(
+        {"R_i = 1/40 to 3 in steps of 1/40, zeta_i = 1/64 to 3/4 in steps of 1/64: the maximum is not at tau = 0 for " +
+             std::to_string(elsewhere) + " of " + std::to_string(tried) + " pairs, none of them with zeta_i near zero",
+         ""});
     outcome.witness = {{"pairs tried", std::to_string(tried)}, {"maximum elsewhere", std::to_string(elsewhere)}};
     if (elsewhere > 0) {
         outcome.verdict = Verdict::refuted;
@@ -142,9 +148,10 @@ Outcome not_negative() {
         outcome.steps.push_back({"Identity, " + to_string(decision.verdict), latex(left) + " = " + latex(right)});
         if (decision.verdict != Verdict::proved) outcome.verdict = decision.verdict;
     }
-    outcome.steps.push_back({"|sin theta| <= theta gives |(zeta/w) sin theta| <= delta <= sinh delta, and cosh delta + cos theta > 0, so that g "
-                             "and g + 2 zeta R u are not negative; H_j sums the latter with squares",
-                             "\\left|\\frac{\\zeta_i}{w}\\sin\\theta\\right| \\le \\delta \\le \\sinh\\delta"});
+    outcome.steps.push_back(
+        {"|sin theta| <= theta gives |(zeta/w) sin theta| <= delta <= sinh delta, and cosh delta + cos theta > 0, so that g "
+         "and g + 2 zeta R u are not negative; H_j sums the latter with squares",
+         "\\left|\\frac{\\zeta_i}{w}\\sin\\theta\\right| \\le \\delta \\le \\sinh\\delta"});
     return outcome;
 }
 
@@ -189,7 +196,7 @@ Outcome follows_from(const std::vector<std::string>& ids, const std::string& arg
     return outcome;
 }
 
-const Register registered([] {
+const Register claims_of_bound_observations([] {
     const std::vector<std::string> sliding{"sliding regime"};
     return std::vector<Claim>{
         {.id = "64/not-negative",
@@ -205,12 +212,13 @@ const Register registered([] {
          .assumptions = sliding,
          .check =
              [] {
-                 return refute_by_largest([](const SlidingScene& s) { return s.boundary.S_paper / s.boundary.S_exact - 1; }, 1e-6,
-                                          [](const SlidingScene& s) {
-                                              return with(place(s), {{"sum of maxima", text(s.boundary.S_paper)},
-                                                                     {"maximum of the sum", text(s.boundary.S_exact)}});
-                                          },
-                                          "The modes' maxima lie at different instants, their sum is larger than the maximum of the sum");
+                 return refute_by_largest(
+                     [](const SlidingScene& s) { return s.boundary.S_paper / s.boundary.S_exact - 1; }, 1e-6,
+                     [](const SlidingScene& s) {
+                         return with(place(s), {{"sum of maxima", text(s.boundary.S_paper)},
+                                                {"maximum of the sum", text(s.boundary.S_exact)}});
+                     },
+                     "The modes' maxima lie at different instants, their sum is larger than the maximum of the sum");
              },
          .departure = Departure::substance,
          .correction = "S_{dj} = \\sup_{0<\\tau<\\pi}\\sum_{i=1}^N\\psi_{ji}^2\\,s_i(\\tau) \\;\\le\\; "
@@ -231,8 +239,9 @@ const Register registered([] {
                      "Motions between the two values slide throughout: (69) with (56) is sufficient, not necessary");
              },
          .departure = Departure::substance,
-         .correction = "\\beta < \\sqrt{\\frac{|V_{dj}|^2}{U_{dj}^2+\\left[\\max\\left(\\sup_\\tau\\sum_i\\psi_{ji}^2s_i(\\tau),\\; "
-                       "H_j+\\frac{\\mu}{\\gamma_jr^2}\\right)\\right]^2}}"},
+         .correction =
+             "\\beta < \\sqrt{\\frac{|V_{dj}|^2}{U_{dj}^2+\\left[\\max\\left(\\sup_\\tau\\sum_i\\psi_{ji}^2s_i(\\tau),\\; "
+             "H_j+\\frac{\\mu}{\\gamma_jr^2}\\right)\\right]^2}}"},
         {.id = "59/printed",
          .equations = {"59", "63"},
          .role = Role::printed,
@@ -248,8 +257,9 @@ const Register registered([] {
                      0, place, "(54)b, the sum, is met and a mode's inequality is not");
              },
          .departure = Departure::substance,
-         .correction = "\\left|\\sum_{i=1}^N\\psi_{ji}\\left(2\\zeta_i\\Omega_i\\eta_{i0}'+\\Omega_i^2\\eta_{i0}-\\psi_{li}\\cos\\phi_j"
-                       "\\right)\\right| > \\mu\\beta\\sum_{i=1}^N\\psi_{ji}^2"},
+         .correction =
+             "\\left|\\sum_{i=1}^N\\psi_{ji}\\left(2\\zeta_i\\Omega_i\\eta_{i0}'+\\Omega_i^2\\eta_{i0}-\\psi_{li}\\cos\\phi_j"
+             "\\right)\\right| > \\mu\\beta\\sum_{i=1}^N\\psi_{ji}^2"},
         {.id = "68/printed",
          .equations = {"68"},
          .role = Role::printed,
@@ -275,7 +285,8 @@ const Register registered([] {
                      "Squaring lost a sign: where H_j is below mu / (gamma_j r^2) no beta meets the second branch of (66)");
              },
          .departure = Departure::substance,
-         .correction = "\\beta > \\sqrt{\\frac{|V_{dj}|^2}{U_{dj}^2+\\left(H_j-\\frac{\\mu}{\\gamma_jr^2}\\right)^2}} \\quad\\text{and}\\quad "
+         .correction = "\\beta > \\sqrt{\\frac{|V_{dj}|^2}{U_{dj}^2+\\left(H_j-\\frac{\\mu}{\\gamma_jr^2}\\right)^2}} "
+                       "\\quad\\text{and}\\quad "
                        "H_j > \\frac{\\mu}{\\gamma_jr^2}"},
         {.id = "68/never-with-58/text",
          .equations = {"68", "58"},
@@ -293,8 +304,8 @@ const Register registered([] {
                      1e-6,
                      [](const SlidingScene& s) {
                          const std::size_t j = s.sums.contact.index;
-                         return with(place(s), {{"right side of (58)", text(paper::friction_ratio_limit(s.sums.V[j], s.sums.U[j],
-                                                                                                       s.boundary.S_exact))},
+                         return with(place(s), {{"right side of (58)",
+                                                 text(paper::friction_ratio_limit(s.sums.V[j], s.sums.U[j], s.boundary.S_exact))},
                                                 {"right side of (68)", text(beyond_68(s).limit)}});
                      },
                      "A friction ratio between the right sides of (68) and (58) meets both as printed");
@@ -306,10 +317,11 @@ const Register registered([] {
          .assumptions = {"H_j > mu sum psi_ji^2"},
          .check =
              [] {
-                 return follows_from({"71/limit", "72/sum-at-zero/N=2", "64/not-negative"},
-                                     "The supremum S_dj is at least the limit for tau -> 0, H_j + sum psi_ji^2, which exceeds H_j - mu "
-                                     "sum psi_ji^2 > 0; the right side of (58) is then below that of (68)",
-                                     "S_{dj} \\ge H_j + \\sum_i\\psi_{ji}^2 > H_j - \\mu\\sum_i\\psi_{ji}^2 > 0");
+                 return follows_from(
+                     {"71/limit", "72/sum-at-zero/N=2", "64/not-negative"},
+                     "The supremum S_dj is at least the limit for tau -> 0, H_j + sum psi_ji^2, which exceeds H_j - mu "
+                     "sum psi_ji^2 > 0; the right side of (58) is then below that of (68)",
+                     "S_{dj} \\ge H_j + \\sum_i\\psi_{ji}^2 > H_j - \\mu\\sum_i\\psi_{ji}^2 > 0");
              }},
         {.id = "38/sign-of-root",
          .equations = {"38", "58"},
@@ -318,10 +330,11 @@ const Register registered([] {
          .assumptions = sliding,
          .check =
              [] {
-                 return follows_from({"71/limit", "72/sum-at-zero/N=2", "64/not-negative", "54/velocity/N=2"},
-                                     "S_dj is at least H_j + sum psi_ji^2, which is positive as H_j is not negative; X_j + beta G_j > beta "
-                                     "S_dj > 0 leaves the positive root",
-                                     "S_{dj} \\ge H_j + \\sum_i\\psi_{ji}^2 > 0");
+                 return follows_from(
+                     {"71/limit", "72/sum-at-zero/N=2", "64/not-negative", "54/velocity/N=2"},
+                     "S_dj is at least H_j + sum psi_ji^2, which is positive as H_j is not negative; X_j + beta G_j > beta "
+                     "S_dj > 0 leaves the positive root",
+                     "S_{dj} \\ge H_j + \\sum_i\\psi_{ji}^2 > 0");
              }},
         {.id = "57/maximum-at-zero/text",
          .equations = {"57", "71"},
@@ -344,16 +357,17 @@ const Register registered([] {
                      1e-6,
                      [](const SlidingScene& s) {
                          return with(place(s), {{"S_dj, exact", text(s.boundary.S_exact)},
-                                                {"H_j + mu / (gamma_j r^2)", text(paper::static_friction_demand(
-                                                                                 s.sums.H_j, s.mu, s.sums.sum_of_squares))}});
+                                                {"H_j + mu / (gamma_j r^2)",
+                                                 text(paper::static_friction_demand(s.sums.H_j, s.mu, s.sums.sum_of_squares))}});
                      },
                      "(71) is a lower bound of s_di, so that S_dj can exceed the demand of static friction");
              }},
         {.id = "67/approximation/text",
          .equations = {"67"},
          .role = Role::observation,
-         .title = "Observation in the text: (67) departs from (69) at low r only where the damping ratios are nearly zero; here: by "
-                  "less than 1 percent where every zeta_i is at least 0.02",
+         .title =
+             "Observation in the text: (67) departs from (69) at low r only where the damping ratios are nearly zero; here: by "
+             "less than 1 percent where every zeta_i is at least 0.02",
          .assumptions = sliding,
          .check =
              [] {
@@ -365,27 +379,30 @@ const Register registered([] {
                      },
                      0.01,
                      [](const SlidingScene& s) {
-                         return with(place(s), {{"smallest zeta_i", text(*std::min_element(s.sums.zeta.begin(), s.sums.zeta.end()))},
-                                                {"beta_lim by (67)", text(s.boundary.approximate)},
-                                                {"beta_lim exact", text(s.boundary.exact)}});
+                         return with(place(s),
+                                     {{"smallest zeta_i", text(*std::min_element(s.sums.zeta.begin(), s.sums.zeta.end()))},
+                                      {"beta_lim by (67)", text(s.boundary.approximate)},
+                                      {"beta_lim exact", text(s.boundary.exact)}});
                      },
                      "(67) over-estimates the boundary");
              }},
         {.id = "48/very-good/text",
          .equations = {"48", "52"},
          .role = Role::observation,
-         .title = "Observation in the text: (48) is very good for the masses not in contact; here: within 1 percent of the amplitude",
+         .title =
+             "Observation in the text: (48) is very good for the masses not in contact; here: within 1 percent of the amplitude",
          .assumptions = sliding,
          .check =
              [] {
                  return refute_by_largest(
-                     [](const SlidingScene& s) { return monoharmonic_error(s.sums, s.mu, s.state.beta); },
-                     0.01, place, "The monoharmonic amplitude of a mass not in contact departs from the largest displacement");
+                     [](const SlidingScene& s) { return monoharmonic_error(s.sums, s.mu, s.state.beta); }, 0.01, place,
+                     "The monoharmonic amplitude of a mass not in contact departs from the largest displacement");
              }},
         {.id = "48/damping/text",
          .equations = {"48"},
          .role = Role::observation,
-         .title = "Observation in the text: modal damping further reduces what (48) leaves out; here: twice the damping ratios, same beta, "
+         .title = "Observation in the text: modal damping further reduces what (48) leaves out; here: twice the damping ratios, "
+                  "same beta, "
                   "no larger relative error",
          .assumptions = {"sliding with both"},
          .check =

@@ -130,7 +130,7 @@ Outcome estimate_of_the_boundary() {
     return outcome;
 }
 
-const Register registered([] {
+const Register claims_of_resonant_boundary_observations([] {
     const std::vector<std::string> range{"0 < zeta_i < 1"};
     return std::vector<Claim>{
         observation("85/without-damping/text", {"85"},

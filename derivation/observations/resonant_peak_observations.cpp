@@ -213,7 +213,7 @@ Outcome several_systems() {
     return outcome;
 }
 
-const Register registered([] {
+const Register claims_of_resonant_peak_observations([] {
     const std::vector<std::string> figures{"SDOF and 2DOF j=2 l=1", "zeta = 0.001, 0.01, 0.1", "mu = 1",
                                            "0 <= beta <= beta_lim(r_n,i), the peak in the sliding regime"};
     const std::vector<std::string> single{"SDOF", "zeta = 0.001, 0.01, 0.1", "mu = 1",

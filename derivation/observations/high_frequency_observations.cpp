@@ -133,7 +133,7 @@ Outcome rests_at_high_frequency() {
     return outcome;
 }
 
-const Register registered([] {
+const Register claims_of_high_frequency_observations([] {
     const std::vector<std::string> high{"SDOF and 2DOF j=2 l=1", "r = 3 to 10 in steps of 0.5", "beta = 0.02 to 0.8", "mu = 1",
                                         "sliding"};
     const auto slides = [](const ContactMotion& m) { return m.stops == 0; };

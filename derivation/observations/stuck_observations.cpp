@@ -231,7 +231,7 @@ Outcome exact_amplitude() {
     return outcome;
 }
 
-const Register registered([] {
+const Register claims_of_stuck_observations([] {
     const std::vector<std::string> sweep{"r = 1/200 to 3 in steps of 1/200, and at the stuck resonances", "mu = 1"};
     const auto observed = [](std::string id, std::string equation, std::string title, std::vector<std::string> assumptions,
                              std::function<Outcome()> check) {

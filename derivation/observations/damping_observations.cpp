@@ -171,7 +171,7 @@ Outcome without_damping(bool of_contact, double threshold) {
     return outcome;
 }
 
-const Register registered([] {
+const Register claims_of_damping_observations([] {
     const std::vector<std::string> away{"the paper's systems", "r = 0.1 to 3, a fifth or more from each r_n,i",
                                         "half of the smaller boundary", "mu = 1"};
     return std::vector<Claim>{

@@ -120,7 +120,7 @@ Outcome boundary_of_others() {
     return outcome;
 }
 
-const Register registered([] {
+const Register claims_of_stuck_damping_observations([] {
     return std::vector<Claim>{
         observation("88/amplitude-at-both-ends/text", {"88"},
                     "Observation in the text: damping does not change the amplitude of the stuck configuration for r -> 0 and r "

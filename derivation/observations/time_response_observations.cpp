@@ -108,7 +108,7 @@ Outcome all_phases_differ() {
     return outcome;
 }
 
-const Register registered([] {
+const Register claims_of_time_response_observations([] {
     const std::vector<std::string> figures{"5DOF", "r = 0.9", "beta = 0.2", "mu = 1"};
     return std::vector<Claim>{
         observation("46/time-response/text", {"46"},

@@ -2,9 +2,8 @@
 /// @brief Closed form against second witness on the paper's scenes and on seeded ones.
 #pragma once
 
-#include <functional>
+#include <cstddef>
 #include <nlohmann/json.hpp>
-#include <string>
 
 namespace denhartog::derivation {
 
@@ -12,8 +11,8 @@ namespace denhartog::derivation {
 ///
 /// The error of a scene is the largest of: displacement at 65 instants, initial displacement and velocity and amplitude of every
 /// mass, each over the amplitude of that mass, and the phase of the mass in contact in radians.
-/// @param progress  called with a line of text before each group
-/// @return  an array, an object a group: group, scenes, worst in double with its scene, worst in 50 digits with its scene, faults
-[[nodiscard]] nlohmann::json agreement_with_second_witness(const std::function<void(const std::string&)>& progress);
+/// @param workers  how many processes share the scenes
+/// @return         an array, an object a group: group, scenes, worst in double with its scene, worst in 50 digits with its scene, faults
+[[nodiscard]] nlohmann::json agreement_with_second_witness(std::size_t workers);
 
 } // namespace denhartog::derivation

@@ -82,7 +82,7 @@ Outcome boundary_at_low_frequency() {
     return outcome;
 }
 
-const Register registered([] {
+const Register claims_of_low_frequency_observations([] {
     const std::vector<std::string> low{"SDOF and 2DOF j=2 l=1", "r = 0.02 to 0.3 in steps of 0.02", "beta = 0.02 to 0.8",
                                        "mu = 1"};
     return std::vector<Claim>{

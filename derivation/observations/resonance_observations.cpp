@@ -153,7 +153,7 @@ Outcome friction_reduces_the_contact() {
     return outcome;
 }
 
-const Register registered([] {
+const Register claims_of_resonance_observations([] {
     const std::vector<std::string> range{"0 < zeta_i < 1"};
     return std::vector<Claim>{
         observation("28/at-resonance/text", {"28", "80"}, "Observation in the text: u_di tends to zero for R_i -> 1",

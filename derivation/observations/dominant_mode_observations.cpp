@@ -54,7 +54,7 @@ double first_over_second(const ModeSums<double>& m, std::size_t k, std::size_t) 
     return std::abs(m.U[k]) / std::min(std::abs(m.G[k]), modulus(m.V[k]));
 }
 
-const Register registered([] {
+const Register claims_of_dominant_mode_observations([] {
     const std::vector<std::string> paper{"r = r_n,i", "the paper's systems", "zeta = 0.001, 0.01, 0.1", "mu = 1"};
     return std::vector<Claim>{
         observation("76/dominant-mode/text", {"76", "80"},

@@ -9,13 +9,13 @@ namespace denhartog::derivation {
 
 /// @brief The loss of one printed equation.
 struct Loss {
-    std::string quantity;     ///< which quantity comes out wrong, and relative to what
-    double on_paper = 0;      ///< worst error over the paper's own scenes
-    std::string paper_scene;  ///< where
-    double on_others = 0;     ///< worst error over the asymmetric scenes
-    std::string other_scene;  ///< where
-    long scenes = 0;          ///< how many scenes were computed
-    long without_value = 0;   ///< in how many the printed form has no real value
+    std::string quantity;    ///< which quantity comes out wrong, and relative to what
+    double on_paper = 0;     ///< worst error over the paper's own scenes
+    std::string paper_scene; ///< where
+    double on_others = 0;    ///< worst error over the asymmetric scenes
+    std::string other_scene; ///< where
+    long scenes = 0;         ///< how many scenes were computed
+    long without_value = 0;  ///< in how many the printed form has no real value
 };
 
 /// @brief The loss of an equation.
