@@ -1,5 +1,6 @@
 #include "denhartog/sliding/maximum.hpp"
 
+#include <atomic>
 #include <cmath>
 
 #include "denhartog/number/errors.hpp"
@@ -89,4 +90,75 @@ TEMPLATE_TEST_CASE("a bracketed root has all digits", "[maximum]", double, long 
     const std::function<T(const T&)> f = [](const T& x) { return T(x * x - 2); };
     const T root = bracketed_root<T>(f, T(1), T(2), f(T(1)), f(T(2)));
     CHECK(abs(T(root - sqrt(T(2)))) <= 4 * std::numeric_limits<T>::epsilon());
+}
+
+TEST_CASE("a search works on what is above the error of its samples and no further", "[maximum][effort]") {
+    // A thousandth of a cosine, each sample off by up to 1e-9 with a sign that no search foresees.
+    long samples = 0;
+    const double noise = 1e-9;
+    const auto off = [](double t) { return 1e-9 * std::sin(1e12 * t * t); };
+    Curve<double> curve = smooth<double>(
+        [&, off](double t) {
+            ++samples;
+            return 1e-3 * std::cos(t - 1) + off(t);
+        },
+        [off](double t) { return -1e-3 * std::sin(t - 1) + off(t); },
+        [off](double t) { return -1e-3 * std::cos(t - 1) + off(t); }, 1e-3 + noise);
+    Effort effort{1'000'000};
+    const Maximum<double> best = global_maximum(curve, 0.0, 3.0, noise, &effort);
+    CHECK(best.settled);
+    CHECK(best.value - noise <= 1e-3);
+    CHECK(best.upper >= 1e-3);
+    CHECK(best.upper <= 1e-3 + 4 * noise);
+    CHECK(samples <= 100);
+    CHECK(effort.spent == samples);
+    REQUIRE(best.places.size() == 1);
+    CHECK(best.places[0].from <= 1);
+    CHECK(best.places[0].to >= 1);
+    CHECK(best.places[0].to - best.places[0].from < 0.2);
+}
+
+TEST_CASE("maxima that the samples do not tell apart are all listed", "[maximum]") {
+    const Curve<double> curve =
+        smooth<double>([](double t) { return std::cos(6 * t); }, [](double t) { return -6 * std::sin(6 * t); },
+                       [](double t) { return -36 * std::cos(6 * t); }, 216);
+    const Maximum<double> best = global_maximum(curve, 0.5, 4.0, 1e-12);
+    REQUIRE(best.places.size() == 3);
+    for (int n = 0; n < 3; ++n) {
+        const Place<double>& place = best.places[static_cast<std::size_t>(n)];
+        CHECK(std::abs(place.instant - (n + 1) * pi<double>() / 3) < 1e-6);
+        CHECK(place.from <= place.instant);
+        CHECK(place.instant <= place.to);
+        CHECK(place.value == Approx(1).epsilon(1e-12));
+    }
+}
+
+TEST_CASE("a search whose effort is spent says what is certain until then", "[maximum][effort]") {
+    const Curve<double> curve =
+        smooth<double>([](double t) { return 1 + std::cos(1e6 * t) / 1e3; }, [](double t) { return -1e3 * std::sin(1e6 * t); },
+                       [](double t) { return -1e9 * std::cos(1e6 * t); }, 1e15);
+    Effort effort{5000};
+    const Maximum<double> best = global_maximum(curve, 0.001, 1.0, 0.0, &effort);
+    CHECK_FALSE(best.settled);
+    CHECK(effort.exhausted());
+    CHECK(effort.spent <= 5010);
+    CHECK(best.value <= 1.001);
+    CHECK(best.upper >= 1.001);
+    const std::atomic<bool> cancelled = true;
+    Effort from_outside;
+    from_outside.cancelled = &cancelled;
+    CHECK_FALSE(global_maximum(curve, 0.001, 1.0, 0.0, &from_outside).settled);
+    CHECK(from_outside.spent <= 40);
+}
+
+TEST_CASE("values that are known to be exceeded are passed over", "[maximum][effort]") {
+    const Curve<double> curve =
+        smooth<double>([](double t) { return std::cos(6 * t); }, [](double t) { return -6 * std::sin(6 * t); },
+                       [](double t) { return -36 * std::cos(6 * t); }, 216);
+    Effort effort;
+    const Maximum<double> best = global_maximum(curve, 0.5, 4.0, 0.0, &effort, 2.0);
+    CHECK(best.settled);
+    CHECK(best.value == 2);
+    CHECK(best.places.empty());
+    CHECK(effort.spent <= 100);
 }
