@@ -78,34 +78,44 @@ template <class T>
             start.eta_0 * free.d_prime + start.eta_prime_0 * (R * free.q_prime) - X.re * sine - X.im * cosine};
 }
 
+/// @brief By how much the damped frequency differs from that of the force.
+/// \f[ 1-\frac{w}{R} = \frac{(1-R^{-2}) + \zeta^2R^{-2}}{1+w/R} \f]
+/// @eq{A.8}  @derivation{driven_motion}  @domain{R > 0, 0 <= zeta < 1; keeps its digits next to R = 1, zeta = 0}
+/// @param R     modal frequency ratio, Eq. (22)
+/// @param zeta  modal damping ratio
+/// @param gap   1 - 1/R^2, as near to resonance as it is known
+/// @return      the difference
+template <class T>
+[[nodiscard]] T detuning(const T& R, const T& zeta, const T& gap) {
+    const T w = sqrt(T((1 - zeta) * (1 + zeta)));
+    const T a = zeta / R;
+    return (gap + a * a) / (1 + w / R);
+}
+
 /// @brief The response to \f$ \cos\tau \f$ from rest, next to resonance.
 ///
-/// With \f$ a = \zeta/R \f$, \f$ b = w/R \f$, \f$ \lambda = -a+ib \f$ and the start at \f$ \tau_0 \f$
+/// With \f$ \lambda = -a+ib \f$ and the start at \f$ \tau_0 \f$
 /// \f[ \frac{1}{b}\,\mathrm{Im}\left\{\frac{e^{i\tau_0}}{2}(E_1-E_2)\right\}, \qquad
 ///     E_1 = e^{\lambda t}\,\frac{e^{(i-\lambda)t}-1}{i-\lambda}, \quad E_2 = \frac{e^{it}-e^{\bar\lambda t}}{i-\bar\lambda} \f]
-/// where \f$ 1-b = (1-R^{-2}+a^2)/(1+b) \f$: nothing cancels as R goes to 1 and zeta to 0.
-/// @eq{A.6,A.7}  @derivation{driven_motion}  @domain{R > 0, 0 <= zeta < 1; keeps its digits next to R = 1, zeta = 0}
-/// @param t       time from the start
-/// @param R       modal frequency ratio, Eq. (22)
-/// @param zeta    modal damping ratio
-/// @param gap     1 - 1/R^2, as near to resonance as it is known
-/// @param free    free motions (A.8) over that time
-/// @param cos_0   cosine of tau at the start
-/// @param sin_0   sine of tau at the start
-/// @return        displacement and velocity
+/// where \f$ i-\lambda = a+i(1-b) \f$ comes from `detuning`: as b goes to 1 and a to 0 the error stays some units in
+/// the last place of 1 + t.
+/// @eq{A.6,A.7}  @derivation{driven_motion}  @domain{a >= 0, b > 0; keeps its digits next to a = 0, b = 1}
+/// @param t        time from the start
+/// @param a        decay rate zeta / R
+/// @param b        damped frequency w / R
+/// @param apart    1 - b, as `detuning` has it
+/// @param decayed  exp(lambda t)
+/// @param cos_0    cosine of tau at the start
+/// @param sin_0    sine of tau at the start
+/// @return         displacement and velocity
 template <class T>
-[[nodiscard]] InitialValues<T> response_from_rest(const T& t, const T& R, const T& zeta, const T& gap, const FreeMotion<T>& free,
+[[nodiscard]] InitialValues<T> response_from_rest(const T& t, const T& a, const T& b, const T& apart, const Complex<T>& decayed,
                                                   const T& cos_0, const T& sin_0) {
-    const T w = sqrt(T((1 - zeta) * (1 + zeta)));
-    const T a = zeta / R, b = w / R;
-    const T detuning = (gap + a * a) / (1 + b);
-    const Complex<T> decayed{free.d - zeta * free.q, w * free.q}; // exp(lambda t)
-    const Complex<T> E_1 = t * product(decayed, exp_minus_one_over(Complex<T>{a * t, detuning * t}));
+    const Complex<T> E_1 = t * product(decayed, exp_minus_one_over(Complex<T>{a * t, apart * t}));
     const Complex<T> E_2 = quotient(Complex<T>{cos(t) - decayed.re, sin(t) + decayed.im}, Complex<T>{a, 1 + b});
-    const Complex<T> start{cos_0, sin_0};
     const Complex<T> h{E_1.re - E_2.re, E_1.im - E_2.im};
     const Complex<T> h_prime{-a * h.re - b * (E_1.im + E_2.im), -a * h.im + b * (E_1.re + E_2.re)};
-    return {product(start, h).im / (2 * b), product(start, h_prime).im / (2 * b)};
+    return {(cos_0 * h.im + sin_0 * h.re) / (2 * b), (cos_0 * h_prime.im + sin_0 * h_prime.re) / (2 * b)};
 }
 
 /// @brief The derivative of a coordinate two orders up, by its equation of motion: \f$ f - D - \eta/R^2 \f$.

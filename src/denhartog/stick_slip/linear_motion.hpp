@@ -48,7 +48,7 @@ struct LinearMotion {
 
     /// @brief Sets the number of coordinates. @param n their number
     void resize(std::size_t n) {
-        for (std::vector<T>* v : {&omega_0, &gap, &decay, &F, &G, &R_, &zeta_, &at_rest_}) v->resize(n);
+        for (std::vector<T>* v : {&omega_0, &gap, &decay, &F, &G, &R_, &zeta_, &detuning_, &at_rest_}) v->resize(n);
         for (std::vector<T>& v : q) v.resize(n);
         X_.resize(n);
         free_.resize(n);
@@ -71,6 +71,7 @@ struct LinearMotion {
             R_[i] = 1 / omega_0[i];
             zeta_[i] = decay[i] / omega_0[i];
             resonant_[i] = 64 * (gap[i] * gap[i] + 4 * decay[i] * decay[i]) < 1;
+            if (resonant_[i]) detuning_[i] = evaluation::detuning(R_[i], zeta_[i], gap[i]);
             X_[i] = resonant_[i] ? Complex<T>{T(0), T(0)} : F[i] * evaluation::response_by_R_squared(gap[i], decay[i]);
         }
         if (coupled()) prepare_coupled();
@@ -108,7 +109,10 @@ struct LinearMotion {
             const evaluation::FreeMotion<T> free = evaluation::selected_free_motion(t, R_[i], zeta_[i]);
             InitialValues<T> now = evaluation::driven_motion(free, R_[i], free_[i], at_rest_[i], X_[i], cos_tau_, sin_tau_);
             if (resonant_[i]) {
-                const InitialValues<T> h = evaluation::response_from_rest(t, R_[i], zeta_[i], gap[i], free, cos_0_, sin_0_);
+                const T w = sqrt(T((1 - zeta_[i]) * (1 + zeta_[i])));
+                const Complex<T> decayed{free.d - zeta_[i] * free.q, w * free.q};
+                const InitialValues<T> h =
+                    evaluation::response_from_rest(t, decay[i], T(w * omega_0[i]), detuning_[i], decayed, cos_0_, sin_0_);
                 now = {now.eta_0 + F[i] * h.eta_0, now.eta_prime_0 + F[i] * h.eta_prime_0};
             }
             q[0][i] = now.eta_0;
@@ -240,7 +244,7 @@ private:
     T tau_0_, cos_0_, sin_0_, cos_tau_, sin_tau_;
     bool differentiated_ = false; // whether q holds all derivatives, at the instant at_
     T at_;
-    std::vector<T> R_, zeta_;            // frequency and damping ratios
+    std::vector<T> R_, zeta_, detuning_; // frequency and damping ratios, and what `evaluation::detuning` has
     std::vector<T> at_rest_;             // where the constant force would hold the coordinates
     std::vector<Complex<T>> X_;          // the harmonic part
     std::vector<InitialValues<T>> free_; // the free part at the start
