@@ -1,5 +1,6 @@
 #include "denhartog/sliding/maximum.hpp"
 
+#include <array>
 #include <atomic>
 #include <cmath>
 
@@ -161,4 +162,37 @@ TEST_CASE("values that are known to be exceeded are passed over", "[maximum][eff
     CHECK(best.value == 2);
     CHECK(best.places.empty());
     CHECK(effort.spent <= 100);
+}
+
+TEST_CASE("where the terms of a curve cancel, the search ends at the error that their sum has", "[maximum][effort]") {
+    // cos t - 2 cos(1 + e)t + cos(1 + 2e)t: of the size of e^2 beside terms of 1, as a mass far from the load among nearly equal ones.
+    for (const double e : {1e-3, 1e-6, 1e-8, 1e-10}) {
+        const std::array<std::array<double, 2>, 3> terms{{{1, 1}, {-2, 1 + e}, {1, 1 + 2 * e}}};
+        const auto derivative = [&](double t, int order) {
+            double sum = 0;
+            for (const auto& [a, w] : terms) sum += a * std::pow(w, order) * std::cos(w * t + order * pi<double>() / 2);
+            return sum;
+        };
+        Curve<double> curve =
+            smooth<double>([&](double t) { return std::abs(derivative(t, 0)); }, [&](double t) { return derivative(t, 1); },
+                           [&](double t) { return derivative(t, 2); }, 0);
+        // The Taylor polynomial of the third derivative cancels as the curve does; only its remainder is bounded term by term.
+        curve.rate = [&](double a, double b) {
+            const double h = (b - a) / 2, middle = a + h;
+            double bound = 0, power = 1;
+            for (int n = 3; n < 10; power *= h / (n - 2), ++n) bound += std::abs(derivative(middle, n)) * power;
+            return bound + 4 * std::pow(1 + 2 * e, 10) * power;
+        };
+        Effort effort{default_effort(3)};
+        const double noise = 8 * std::numeric_limits<double>::epsilon();
+        const Maximum<double> best = global_maximum(curve, 0.0, pi<double>(), noise, &effort);
+        double sampled = 0;
+        for (int n = 0; n <= 4000; ++n) sampled = std::max(sampled, curve.sample(pi<double>() * n / 4000).f);
+        INFO("e = " << e << ": " << effort.spent << " samples, value " << best.value << ", at most " << best.upper);
+        CHECK(best.settled);
+        CHECK(best.upper >= sampled - noise);
+        CHECK(best.value <= best.upper);
+        CHECK(best.upper <= best.value + 4 * noise);
+        CHECK(effort.spent <= 2000);
+    }
 }
