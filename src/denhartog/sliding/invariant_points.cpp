@@ -58,13 +58,15 @@ struct Zeros {
     std::vector<Range<T>> undecided;
 };
 
-/// Whether it is known what a part holds; its zero, where there is one, is put down. What is rounding alone is not searched.
+/// Whether it is known what a part holds; its zero, where there is one, is put down. A part that is narrow and rounding alone is
+/// hidden: it is not searched any further.
 template <class T>
 bool is_decided(const TransmissibilityFunction<T>& f, const Part<T>& part, Zeros<T>& zeros, bool& hidden) {
     const std::optional<Factor> factor = f.factor(part);
     if (!factor) return false;
     const RangeWithRate<T> bounds = f.over(part.a, part.b, *factor);
-    hidden = size_of(bounds.value) <= 4 * bounds.rounding;
+    hidden = part.b - part.a <= part.b / 1024 && size_of(bounds.value) <= 4 * bounds.rounding &&
+             f.sign(T(part.a + (part.b - part.a) / 2), *factor) == 0;
     if (certain_sign(bounds.value, T(0)) != 0) return true;
     if (certain_sign(bounds.rate, T(0)) == 0) return false;
     const int at_a = f.sign(part.a, *factor), at_b = f.sign(part.b, *factor);
