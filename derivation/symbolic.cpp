@@ -71,6 +71,10 @@ Symbolic exp_minus_one(const Symbolic& x) { return exp(x) - 1; }
 Symbolic one_minus_w(const Symbolic& zeta) { return 1 - sqrt(1 - zeta * zeta); }
 Symbolic sinhc_minus_one(const Symbolic& x) { return sinh(x) / x - 1; }
 Symbolic one_minus_exp_over(const Symbolic& x) { return (1 - exp(-x)) / x; }
+Complex<Symbolic> exp_minus_one_over(const Complex<Symbolic>& z) {
+    const Symbolic E = exp(z.re), re = E * cos(z.im) - 1, im = E * sin(z.im), size = squared_modulus(z);
+    return {(re * z.re + im * z.im) / size, (im * z.re - re * z.im) / size};
+}
 Symbolic sinc(const Symbolic& x) { return sin(x) / x; }
 Symbolic sinhc_less_sinc_over_square(const Symbolic& q, const Symbolic& zeta) {
     const Symbolic delta = q * zeta, theta = q * sqrt(1 - zeta * zeta);

@@ -139,6 +139,10 @@ Symbolic sinhc_minus_one(const Symbolic& x);
 /// @param x  an expression
 /// @return the expression
 Symbolic one_minus_exp_over(const Symbolic& x);
+/// @brief (exp(z) - 1) / z of a complex number.
+/// @param z  a pair of expressions
+/// @return the pair
+Complex<Symbolic> exp_minus_one_over(const Complex<Symbolic>& z);
 /// @brief sin(x) / x.
 /// @param x  an expression
 /// @return the expression

@@ -38,7 +38,7 @@ struct Waves {
 template <class T>
 std::optional<Crossing<T>> first(Waves<T>& f, const T& from, const T& to, int order = 0) {
     T step(1);
-    return first_crossing(f, from, to, order, step);
+    return first_crossing(f, from, to, order, step, Effort{});
 }
 
 } // namespace
@@ -121,4 +121,38 @@ TEST_CASE("no crossing of a seeded sum of waves is missed that 100 000 instants 
         CHECK(f(zero->t / 2).f[0] > 0);
     }
     CHECK(found >= 15);
+}
+
+TEST_CASE("a function that changes faster than the number type can follow ends the search",
+          "[unit][exact-solver][events][effort]") {
+    for (const double w : {1e19, 1e60, 1e200, std::numeric_limits<double>::infinity()}) {
+        Waves<double> f{1.5, {{1, w, 0}}};
+        Effort effort{1000};
+        const auto counted = [&](const double& t) {
+            effort.spend(1);
+            return f(t);
+        };
+        double step = 1;
+        const auto end = first_crossing(counted, 0.0, 10.0, 0, step, effort);
+        INFO("w = " << w << ", " << f.evaluations << " evaluations");
+        REQUIRE(end);
+        CHECK(end->open);
+        CHECK(end->t < 1e-3);
+        CHECK(f.evaluations <= 1001);
+    }
+}
+
+TEST_CASE("a search for a crossing ends where its effort is spent", "[unit][exact-solver][events][effort]") {
+    Waves<double> f{1.5, {{1, 1e6, 0}}};
+    Effort effort{500};
+    const auto counted = [&](const double& t) {
+        effort.spend(1);
+        return f(t);
+    };
+    double step = 1;
+    const auto end = first_crossing(counted, 0.0, 10.0, 0, step, effort);
+    REQUIRE(end);
+    CHECK(end->open);
+    CHECK(end->t > 0);
+    CHECK(f.evaluations <= 502);
 }

@@ -1,5 +1,7 @@
 #include "denhartog/sliding/maximum.hpp"
 
+#include <array>
+#include <atomic>
 #include <cmath>
 
 #include "denhartog/number/errors.hpp"
@@ -89,4 +91,108 @@ TEMPLATE_TEST_CASE("a bracketed root has all digits", "[maximum]", double, long 
     const std::function<T(const T&)> f = [](const T& x) { return T(x * x - 2); };
     const T root = bracketed_root<T>(f, T(1), T(2), f(T(1)), f(T(2)));
     CHECK(abs(T(root - sqrt(T(2)))) <= 4 * std::numeric_limits<T>::epsilon());
+}
+
+TEST_CASE("a search works on what is above the error of its samples and no further", "[maximum][effort]") {
+    // A thousandth of a cosine, each sample off by up to 1e-9 with a sign that no search foresees.
+    long samples = 0;
+    const double noise = 1e-9;
+    const auto off = [](double t) { return 1e-9 * std::sin(1e12 * t * t); };
+    Curve<double> curve = smooth<double>(
+        [&, off](double t) {
+            ++samples;
+            return 1e-3 * std::cos(t - 1) + off(t);
+        },
+        [off](double t) { return -1e-3 * std::sin(t - 1) + off(t); },
+        [off](double t) { return -1e-3 * std::cos(t - 1) + off(t); }, 1e-3 + noise);
+    Effort effort{1'000'000};
+    const Maximum<double> best = global_maximum(curve, 0.0, 3.0, noise, &effort);
+    CHECK(best.settled);
+    CHECK(best.value - noise <= 1e-3);
+    CHECK(best.upper >= 1e-3);
+    CHECK(best.upper <= 1e-3 + 4 * noise);
+    CHECK(samples <= 100);
+    CHECK(effort.spent == samples);
+    REQUIRE(best.places.size() == 1);
+    CHECK(best.places[0].from <= 1);
+    CHECK(best.places[0].to >= 1);
+    CHECK(best.places[0].to - best.places[0].from < 0.2);
+}
+
+TEST_CASE("maxima that the samples do not tell apart are all listed", "[maximum]") {
+    const Curve<double> curve =
+        smooth<double>([](double t) { return std::cos(6 * t); }, [](double t) { return -6 * std::sin(6 * t); },
+                       [](double t) { return -36 * std::cos(6 * t); }, 216);
+    const Maximum<double> best = global_maximum(curve, 0.5, 4.0, 1e-12);
+    REQUIRE(best.places.size() == 3);
+    for (int n = 0; n < 3; ++n) {
+        const Place<double>& place = best.places[static_cast<std::size_t>(n)];
+        CHECK(std::abs(place.instant - (n + 1) * pi<double>() / 3) < 1e-6);
+        CHECK(place.from <= place.instant);
+        CHECK(place.instant <= place.to);
+        CHECK(place.value == Approx(1).epsilon(1e-12));
+    }
+}
+
+TEST_CASE("a search whose effort is spent says what is certain until then", "[maximum][effort]") {
+    const Curve<double> curve =
+        smooth<double>([](double t) { return 1 + std::cos(1e6 * t) / 1e3; }, [](double t) { return -1e3 * std::sin(1e6 * t); },
+                       [](double t) { return -1e9 * std::cos(1e6 * t); }, 1e15);
+    Effort effort{5000};
+    const Maximum<double> best = global_maximum(curve, 0.001, 1.0, 0.0, &effort);
+    CHECK_FALSE(best.settled);
+    CHECK(effort.exhausted());
+    CHECK(effort.spent <= 5010);
+    CHECK(best.value <= 1.001);
+    CHECK(best.upper >= 1.001);
+    const std::atomic<bool> cancelled = true;
+    Effort from_outside;
+    from_outside.cancelled = &cancelled;
+    CHECK_FALSE(global_maximum(curve, 0.001, 1.0, 0.0, &from_outside).settled);
+    CHECK(from_outside.spent <= 40);
+}
+
+TEST_CASE("values that are known to be exceeded are passed over", "[maximum][effort]") {
+    const Curve<double> curve =
+        smooth<double>([](double t) { return std::cos(6 * t); }, [](double t) { return -6 * std::sin(6 * t); },
+                       [](double t) { return -36 * std::cos(6 * t); }, 216);
+    Effort effort;
+    const Maximum<double> best = global_maximum(curve, 0.5, 4.0, 0.0, &effort, 2.0);
+    CHECK(best.settled);
+    CHECK(best.value == 2);
+    CHECK(best.places.empty());
+    CHECK(effort.spent <= 100);
+}
+
+TEST_CASE("where the terms of a curve cancel, the search ends at the error that their sum has", "[maximum][effort]") {
+    // cos t - 2 cos(1 + e)t + cos(1 + 2e)t: of the size of e^2 beside terms of 1, as a mass far from the load among nearly equal ones.
+    for (const double e : {1e-3, 1e-6, 1e-8, 1e-10}) {
+        const std::array<std::array<double, 2>, 3> terms{{{1, 1}, {-2, 1 + e}, {1, 1 + 2 * e}}};
+        const auto derivative = [&](double t, int order) {
+            double sum = 0;
+            for (const auto& [a, w] : terms) sum += a * std::pow(w, order) * std::cos(w * t + order * pi<double>() / 2);
+            return sum;
+        };
+        Curve<double> curve =
+            smooth<double>([&](double t) { return std::abs(derivative(t, 0)); }, [&](double t) { return derivative(t, 1); },
+                           [&](double t) { return derivative(t, 2); }, 0);
+        // The Taylor polynomial of the third derivative cancels as the curve does; only its remainder is bounded term by term.
+        curve.rate = [&](double a, double b) {
+            const double h = (b - a) / 2, middle = a + h;
+            double bound = 0, power = 1;
+            for (int n = 3; n < 10; power *= h / (n - 2), ++n) bound += std::abs(derivative(middle, n)) * power;
+            return bound + 4 * std::pow(1 + 2 * e, 10) * power;
+        };
+        Effort effort{default_effort(3)};
+        const double noise = 8 * std::numeric_limits<double>::epsilon();
+        const Maximum<double> best = global_maximum(curve, 0.0, pi<double>(), noise, &effort);
+        double sampled = 0;
+        for (int n = 0; n <= 4000; ++n) sampled = std::max(sampled, curve.sample(pi<double>() * n / 4000).f);
+        INFO("e = " << e << ": " << effort.spent << " samples, value " << best.value << ", at most " << best.upper);
+        CHECK(best.settled);
+        CHECK(best.upper >= sampled - noise);
+        CHECK(best.value <= best.upper);
+        CHECK(best.upper <= best.value + 4 * noise);
+        CHECK(effort.spent <= 2000);
+    }
 }

@@ -14,7 +14,8 @@ bool failed(const ExactMotion<double>& run, PaperMotion& motion) {
     motion.phases += static_cast<long>(run.phases.size());
     if (run.status == MotionStatus::complete) return false;
     motion.status = IntegrationStatus::chattering;
-    motion.reason = "phases of no length follow each other";
+    motion.reason = run.status == MotionStatus::open ? "the motion changes faster than the number type can follow"
+                                                     : "phases of no length follow each other";
     return true;
 }
 

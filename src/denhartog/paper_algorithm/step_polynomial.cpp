@@ -1,9 +1,10 @@
 #include "denhartog/paper_algorithm/step_polynomial.hpp"
 
 #include <algorithm>
-#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
-#include <cstdint>
+#include <functional>
+
+#include "denhartog/sliding/maximum.hpp"
 
 namespace denhartog {
 namespace {
@@ -48,12 +49,8 @@ double value(const Coefficients& b, int degree, double theta) {
 
 // The zero of a polynomial with one change of sign, on the side of the end.
 double zero_between(const Coefficients& b, int degree) {
-    const auto f = [&](double theta) { return value(b, degree, theta); };
-    std::uintmax_t evaluations = 100;
-    const boost::math::tools::eps_tolerance<double> rounding(52);
-    const auto [left, right] =
-        boost::math::tools::toms748_solve(f, 0.0, 1.0, b[0], b[static_cast<std::size_t>(degree)], rounding, evaluations);
-    return right;
+    const std::function<double(const double&)> f = [&](double theta) { return value(b, degree, theta); };
+    return root_bracket(f, 0.0, 1.0, b[0], b[static_cast<std::size_t>(degree)]).second;
 }
 
 // Walks over the changes of sign in order; ends where `visit` returns true.

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <boost/math/special_functions/fpclassify.hpp>
-#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <string>
@@ -11,6 +11,7 @@
 #include "denhartog/model/number_text.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/multiprecision.hpp"
+#include "denhartog/sliding/maximum.hpp"
 #include "denhartog/sliding/undamped_curves.hpp"
 
 namespace denhartog {
@@ -57,34 +58,33 @@ struct Zeros {
     std::vector<Range<T>> undecided;
 };
 
+/// Whether it is known what a part holds; its zero, where there is one, is put down. A part that is narrow and rounding alone is
+/// hidden: it is not searched any further.
 template <class T>
-T zero_in(const TransmissibilityFunction<T>& f, const Part<T>& part, const Factor& factor) {
-    std::uintmax_t steps = 400;
-    const auto value = [&](const T& x) { return f.at(x, factor).value.low; };
-    const auto [a, b] = boost::math::tools::toms748_solve(
-        value, part.a, part.b, [](const T& low, const T& high) { return high - low <= 2 * eps<T> * abs(high); }, steps);
-    return a + (b - a) / 2;
-}
-
-/// Whether it is known what a part holds; its zero, where there is one, is put down.
-template <class T>
-bool is_decided(const TransmissibilityFunction<T>& f, const Part<T>& part, Zeros<T>& zeros) {
+bool is_decided(const TransmissibilityFunction<T>& f, const Part<T>& part, Zeros<T>& zeros, bool& hidden) {
     const std::optional<Factor> factor = f.factor(part);
     if (!factor) return false;
     const RangeWithRate<T> bounds = f.over(part.a, part.b, *factor);
-    if (certain_sign(bounds.value, T(f.rounding() * bounds.value_size)) != 0) return true;
-    if (certain_sign(bounds.rate, T(f.rounding() * bounds.rate_size)) == 0) return false;
+    hidden = part.b - part.a <= part.b / 1024 && size_of(bounds.value) <= 4 * bounds.rounding &&
+             f.sign(T(part.a + (part.b - part.a) / 2), *factor) == 0;
+    if (certain_sign(bounds.value, T(0)) != 0) return true;
+    if (certain_sign(bounds.rate, T(0)) == 0) return false;
     const int at_a = f.sign(part.a, *factor), at_b = f.sign(part.b, *factor);
     if (at_a == 0 || at_b == 0) return false;
-    if (at_a != at_b) zeros.x.push_back(zero_in(f, part, *factor));
+    const std::function<T(const T&)> value = [&](const T& x) { return f.at(x, *factor); };
+    if (at_a != at_b) zeros.x.push_back(bracketed_root(value, part.a, part.b, value(part.a), value(part.b)));
     return true;
 }
 
 template <class T>
-void search(const TransmissibilityFunction<T>& f, const Part<T>& part, Zeros<T>& zeros) {
-    if (is_decided(f, part, zeros)) return;
+void search(const TransmissibilityFunction<T>& f, const Part<T>& part, Zeros<T>& zeros, Effort& effort) {
+    bool hidden = effort.exhausted();
+    if (!hidden) {
+        effort.spend(f.cost());
+        if (is_decided(f, part, zeros, hidden)) return;
+    }
     const T least = sqrt(eps<T>) / 1024 * part.b; // below it next to nothing is left of the digits of the rate
-    if (part.b - part.a <= least) {
+    if (hidden || part.b - part.a <= least) {
         if (!zeros.undecided.empty() && zeros.undecided.back().high >= part.a)
             zeros.undecided.back().high = part.b;
         else
@@ -92,25 +92,25 @@ void search(const TransmissibilityFunction<T>& f, const Part<T>& part, Zeros<T>&
         return;
     }
     const T middle = dividing_point(f, part);
-    search(f, Part<T>{part.a, middle, part.pole_a, nullptr}, zeros);
-    search(f, Part<T>{middle, part.b, nullptr, part.pole_b}, zeros);
+    search(f, Part<T>{part.a, middle, part.pole_a, nullptr}, zeros, effort);
+    search(f, Part<T>{middle, part.b, nullptr, part.pole_b}, zeros, effort);
 }
 
 template <class T>
-Zeros<T> zeros_between(const TransmissibilityFunction<T>& f, const T& from, const T& to) {
+Zeros<T> zeros_between(const TransmissibilityFunction<T>& f, const T& from, const T& to, Effort& effort) {
     const std::vector<Pole<T>> poles = f.poles(from, to);
     Zeros<T> zeros;
     Part<T> part{from, to, nullptr, nullptr};
     for (const Pole<T>& pole : poles) {
         part.b = pole.x;
         part.pole_b = &pole;
-        if (part.b > part.a) search(f, part, zeros);
+        if (part.b > part.a) search(f, part, zeros, effort);
         part.a = pole.x;
         part.pole_a = &pole;
     }
     part.b = to;
     part.pole_b = nullptr;
-    if (part.b > part.a) search(f, part, zeros);
+    if (part.b > part.a) search(f, part, zeros, effort);
     return zeros;
 }
 
@@ -148,8 +148,10 @@ void check_arguments(const ModalBasis<T>& basis, Mass contact, Mass load, const 
 
 template <class T>
 std::vector<InvariantPointsOfMass<T>> invariant_points(const ModalBasis<T>& basis, Mass contact, Mass load, const T& r_a,
-                                                       const T& r_b) {
+                                                       const T& r_b, Effort* allowed) {
     check_arguments(basis, contact, load, r_a, r_b);
+    Effort own{default_effort(basis.r_n.size())};
+    Effort& effort = allowed != nullptr ? *allowed : own;
     const T margin = 1024 * eps<T>; // a point at an end of the range is inside
     std::vector<InvariantPointsOfMass<T>> all;
     for (std::size_t k = 0; k < basis.r_n.size(); ++k) {
@@ -162,7 +164,7 @@ std::vector<InvariantPointsOfMass<T>> invariant_points(const ModalBasis<T>& basi
             if (all_zero(weights.V_j) || all_zero(weights.U_k) || (by_87 && (Mass{k} == contact || all_zero(weights.V_k))))
                 continue;
             const TransmissibilityFunction<T> f(basis.r_n, weights, kind);
-            const Zeros<T> zeros = zeros_between(f, T((1 - margin) / r_b), T((1 + margin) / r_a));
+            const Zeros<T> zeros = zeros_between(f, T((1 - margin) / r_b), T((1 + margin) / r_a), effort);
             for (const T& x : zeros.x) {
                 const T r = std::clamp(T(1 / x), r_a, r_b);
                 if (!by_87 || !f.divides_by_zero(x)) found.points.push_back({r, amplitude_at(basis.r_n, weights.V_k, r), kind});
@@ -178,8 +180,8 @@ std::vector<InvariantPointsOfMass<T>> invariant_points(const ModalBasis<T>& basi
 }
 
 template std::vector<InvariantPointsOfMass<double>> invariant_points(const ModalBasis<double>&, Mass, Mass, const double&,
-                                                                     const double&);
+                                                                     const double&, Effort*);
 template std::vector<InvariantPointsOfMass<Real50>> invariant_points(const ModalBasis<Real50>&, Mass, Mass, const Real50&,
-                                                                     const Real50&);
+                                                                     const Real50&, Effort*);
 
 } // namespace denhartog

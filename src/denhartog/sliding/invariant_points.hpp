@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "denhartog/model/modal_basis.hpp"
+#include "denhartog/number/effort.hpp"
 
 namespace denhartog {
 
@@ -22,7 +23,7 @@ struct InvariantPoint {
     InvariantPointKind kind; ///< which factor vanishes
 };
 
-/// @brief A stretch of frequency ratios in which rounding hides whether there is an invariant point.
+/// @brief A stretch of frequency ratios in which it is not known whether there is an invariant point.
 template <class T>
 struct UndecidedStretch {
     T from; ///< its lower end
@@ -34,7 +35,7 @@ template <class T>
 struct InvariantPointsOfMass {
     Mass mass;                                  ///< the mass, k
     std::vector<InvariantPoint<T>> points;      ///< ascending
-    std::vector<UndecidedStretch<T>> undecided; ///< ascending; empty unless poles or points nearly coincide
+    std::vector<UndecidedStretch<T>> undecided; ///< ascending; empty unless rounding hides the points, or the effort was spent
 };
 
 /// @brief All invariant points of every mass, damping left out.
@@ -52,10 +53,11 @@ struct InvariantPointsOfMass {
 /// @param load     the loaded mass, l
 /// @param r_a      least frequency ratio, positive
 /// @param r_b      largest frequency ratio, above r_a
+/// @param effort   the work allowed; null for that of `default_effort`
 /// @return         the points of every mass, N
 /// @throws         InputError where the range, j or l breaks its rule, or there are more than 100000 poles above r_a
 template <class T>
 [[nodiscard]] std::vector<InvariantPointsOfMass<T>> invariant_points(const ModalBasis<T>& basis, Mass contact, Mass load,
-                                                                     const T& r_a, const T& r_b);
+                                                                     const T& r_a, const T& r_b, Effort* effort = nullptr);
 
 } // namespace denhartog

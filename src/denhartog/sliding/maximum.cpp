@@ -2,8 +2,7 @@
 
 #include <algorithm>
 #include <boost/math/tools/toms748_solve.hpp>
-#include <limits>
-#include <vector>
+#include <string>
 
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/multiprecision.hpp"
@@ -12,7 +11,6 @@ namespace denhartog {
 namespace {
 
 constexpr int first_intervals = 16;
-constexpr long most_intervals = 1L << 21;
 
 template <class T>
 struct Node {
@@ -20,9 +18,12 @@ struct Node {
     Sample<T> at;
 };
 
+// No value in it exceeds `highest`; where it is monotone, w has one zero at most.
 template <class T>
 struct Interval {
-    Node<T> left, right;
+    Node<T> left, middle, right;
+    T highest;
+    bool monotone;
 };
 
 template <class T>
@@ -31,77 +32,158 @@ T absolute(const T& x) {
 }
 
 template <class T>
-void improve(Maximum<T>& best, const Node<T>& node) {
-    if (node.at.f > best.value) best = {node.at.f, node.tau};
-}
-
-template <class T>
 bool opposite_signs(const T& a, const T& b) {
     return (a < 0 && b > 0) || (a > 0 && b < 0);
 }
 
+template <class T>
+class Search {
+public:
+    Search(const Curve<T>& curve, const T& a, const T& b, const T& noise, Effort& effort, const T& least)
+        : curve_(curve), noise_(noise), effort_(effort), best_{least, a, least, true, {}} {
+        for (int n = 0; n <= first_intervals; ++n) {
+            const T tau = n == first_intervals ? b : T(a + (b - a) * n / first_intervals);
+            const Node<T> right = node(tau);
+            if (n > 0) open_.push_back({left_, right, right, T(0), false});
+            left_ = right;
+        }
+        for (Interval<T>& each : open_) each = bounded(each.left, each.right);
+        std::stable_sort(open_.begin(), open_.end(),
+                         [](const Interval<T>& x, const Interval<T>& y) { return x.highest < y.highest; });
+    }
+
+    Maximum<T> largest() {
+        while (!open_.empty() && !effort_.exhausted()) {
+            const Interval<T> now = open_.back();
+            open_.pop_back();
+            const bool passed_over = now.highest <= best_.value + noise_ + rounding();
+            if (passed_over || !(now.left.tau < now.middle.tau && now.middle.tau < now.right.tau)) {
+                dismiss(now, now.middle, now.highest);
+            } else if (now.monotone) {
+                const Node<T> top = opposite_signs(now.left.at.w, now.right.at.w) ? at_root(now)
+                                    : now.left.at.f > now.right.at.f              ? now.left
+                                                                                  : now.right;
+                dismiss(now, top, top.at.f);
+            } else {
+                halve(now);
+            }
+        }
+        best_.settled = open_.empty();
+        for (const Interval<T>& each : open_) dismiss(each, each.middle, each.highest);
+        best_.upper = std::max(best_.upper, best_.value) + noise_;
+        gather_places();
+        return std::move(best_);
+    }
+
+private:
+    T rounding() const { return std::numeric_limits<T>::epsilon() * absolute(best_.value); }
+
+    Node<T> node(const T& tau) {
+        effort_.spend(curve_.cost);
+        const Node<T> made{tau, curve_.sample(tau)};
+        if (made.at.f > best_.value) {
+            best_.value = made.at.f;
+            best_.instant = tau;
+        }
+        return made;
+    }
+
+    Interval<T> bounded(const Node<T>& left, const Node<T>& right) {
+        const T &from = left.tau, &to = right.tau;
+        const Node<T> middle = node(T(from + (to - from) / 2));
+        const T spread = curve_.rate(from, to) * (to - from) / 2, size = absolute(middle.at.z);
+        return {left, middle, right, std::max(left.at.f, right.at.f) + curve_.rise(from, to, T(size + spread)), size > spread};
+    }
+
+    // The half that may be the higher one is looked into first.
+    void halve(const Interval<T>& whole) {
+        Interval<T> first = bounded(whole.left, whole.middle), second = bounded(whole.middle, whole.right);
+        if (first.highest > second.highest) std::swap(first, second);
+        open_.push_back(std::move(first));
+        open_.push_back(std::move(second));
+    }
+
+    Node<T> at_root(const Interval<T>& in) {
+        // Near the maximum f is flat: it is looked at in the root alone, else rounding would choose the instant.
+        const std::function<T(const T&)> w = [&](const T& tau) {
+            effort_.spend(curve_.cost);
+            return curve_.sample(tau).w;
+        };
+        return node(bracketed_root(w, in.left.tau, in.right.tau, in.left.at.w, in.right.at.w));
+    }
+
+    void dismiss(const Interval<T>& in, const Node<T>& top, const T& highest) {
+        best_.upper = std::max(best_.upper, highest);
+        if (highest < best_.value - 2 * noise_ - rounding()) return;
+        best_.places.push_back({in.left.tau, in.right.tau, top.tau, top.at.f});
+        highest_.push_back(highest);
+    }
+
+    void gather_places() {
+        std::vector<Place<T>> kept;
+        for (std::size_t n = 0; n < highest_.size(); ++n)
+            if (highest_[n] >= best_.value - 2 * noise_ - rounding()) kept.push_back(best_.places[n]);
+        std::sort(kept.begin(), kept.end(), [](const Place<T>& x, const Place<T>& y) { return x.from < y.from; });
+        best_.places.clear();
+        for (const Place<T>& each : kept) {
+            if (best_.places.empty() || best_.places.back().to < each.from) {
+                best_.places.push_back(each);
+                continue;
+            }
+            Place<T>& last = best_.places.back();
+            last.to = each.to;
+            if (each.value > last.value) {
+                last.instant = each.instant;
+                last.value = each.value;
+            }
+        }
+    }
+
+    const Curve<T>& curve_;
+    T noise_;
+    Effort& effort_;
+    Maximum<T> best_;
+    std::vector<T> highest_; // of each place
+    std::vector<Interval<T>> open_;
+    Node<T> left_;
+};
+
 } // namespace
 
 template <class T>
-T bracketed_root(const std::function<T(const T&)>& f, const T& a, const T& b, const T& f_a, const T& f_b) {
+std::pair<T, T> root_bracket(const std::function<T(const T&)>& f, const T& a, const T& b, const T& f_a, const T& f_b) {
     const boost::math::tools::eps_tolerance<T> tolerance(std::numeric_limits<T>::digits - 1);
     std::uintmax_t steps = 200;
-    const auto bracket = boost::math::tools::toms748_solve(f, a, b, f_a, f_b, tolerance, steps);
-    return (bracket.first + bracket.second) / 2;
+    return boost::math::tools::toms748_solve(f, a, b, f_a, f_b, tolerance, steps);
 }
 
 template <class T>
-Maximum<T> global_maximum(const Curve<T>& curve, const T& a, const T& b) {
-    std::vector<Interval<T>> open;
-    Node<T> left{a, curve.sample(a)};
-    Maximum<T> best{left.at.f, left.tau};
-    for (int n = 1; n <= first_intervals; ++n) {
-        const T tau = n == first_intervals ? b : T(a + (b - a) * n / first_intervals);
-        const Node<T> right{tau, curve.sample(tau)};
-        improve(best, right);
-        open.push_back({left, right});
-        left = right;
-    }
-    for (long count = 0; !open.empty(); ++count) {
-        if (count == most_intervals)
-            throw PrecisionError(
-                "the largest value over the half-period is not settled after " + std::to_string(count) +
-                " intervals: the motion has too many oscillations, or its maximum is too flat for the digits carried");
-        const Interval<T> interval = open.back();
-        open.pop_back();
-        const T& from = interval.left.tau;
-        const T& to = interval.right.tau;
-        const T tau = from + (to - from) / 2;
-        if (!(from < tau && tau < to)) continue;
-        const Node<T> middle{tau, curve.sample(tau)};
-        improve(best, middle);
-        const T spread = curve.rate(from, to) * (to - from) / 2;
-        const T size = absolute(middle.at.z);
-        const T highest = std::max(interval.left.at.f, interval.right.at.f) + curve.rise(from, to, size + spread);
-        if (highest <= best.value + std::numeric_limits<T>::epsilon() * absolute(best.value)) continue;
-        if (size <= spread) {
-            open.push_back({interval.left, middle});
-            open.push_back({middle, interval.right});
-        } else if (opposite_signs(interval.left.at.w, interval.right.at.w)) {
-            const std::function<T(const T&)> w = [&](const T& t) { return curve.sample(t).w; };
-            const T root = bracketed_root(w, from, to, interval.left.at.w, interval.right.at.w);
-            improve(best, {root, curve.sample(root)});
-        }
-    }
-    return best;
+Maximum<T> global_maximum(const Curve<T>& curve, const T& a, const T& b, const T& noise, Effort* effort, const T& least) {
+    Effort own{default_effort(1) / 4}; // a search is one of several that a question needs
+    const Maximum<T> found = Search<T>(curve, a, b, noise, effort != nullptr ? *effort : own, least).largest();
+    if (effort == nullptr && !found.settled)
+        throw PrecisionError("the largest value over the half-period is not settled after " + std::to_string(own.spent) +
+                             " operations: the motion has too many oscillations, or its maximum is too flat for the digits "
+                             "carried");
+    return found;
 }
 
-template Maximum<double> global_maximum(const Curve<double>&, const double&, const double&);
-template Maximum<long double> global_maximum(const Curve<long double>&, const long double&, const long double&);
-template Maximum<Real50> global_maximum(const Curve<Real50>&, const Real50&, const Real50&);
-template Maximum<Real100> global_maximum(const Curve<Real100>&, const Real100&, const Real100&);
-template double bracketed_root(const std::function<double(const double&)>&, const double&, const double&, const double&,
-                               const double&);
-template long double bracketed_root(const std::function<long double(const long double&)>&, const long double&, const long double&,
-                                    const long double&, const long double&);
-template Real50 bracketed_root(const std::function<Real50(const Real50&)>&, const Real50&, const Real50&, const Real50&,
-                               const Real50&);
-template Real100 bracketed_root(const std::function<Real100(const Real100&)>&, const Real100&, const Real100&, const Real100&,
-                                const Real100&);
+template Maximum<double> global_maximum(const Curve<double>&, const double&, const double&, const double&, Effort*,
+                                        const double&);
+template Maximum<long double> global_maximum(const Curve<long double>&, const long double&, const long double&,
+                                             const long double&, Effort*, const long double&);
+template Maximum<Real50> global_maximum(const Curve<Real50>&, const Real50&, const Real50&, const Real50&, Effort*,
+                                        const Real50&);
+template Maximum<Real100> global_maximum(const Curve<Real100>&, const Real100&, const Real100&, const Real100&, Effort*,
+                                         const Real100&);
+template std::pair<double, double> root_bracket(const std::function<double(const double&)>&, const double&, const double&,
+                                                const double&, const double&);
+template std::pair<long double, long double> root_bracket(const std::function<long double(const long double&)>&,
+                                                          const long double&, const long double&, const long double&,
+                                                          const long double&);
+template std::pair<Real50, Real50> root_bracket(const std::function<Real50(const Real50&)>&, const Real50&, const Real50&,
+                                                const Real50&, const Real50&);
+template std::pair<Real100, Real100> root_bracket(const std::function<Real100(const Real100&)>&, const Real100&, const Real100&,
+                                                  const Real100&, const Real100&);
 
 } // namespace denhartog

@@ -1,12 +1,16 @@
 /// @file
 /// @brief The global maximum of a function on an interval, guaranteed by bounds on its derivatives.
 ///
-/// Branch and bound. An interval is done with when no point in it can exceed the best value known by more than rounding; or
-/// when the derivative is seen to be monotone over it, so that it holds one interior extremum at most, found as a bracketed root.
-/// Else it is halved. No maximum can hide between samples: what the function does there is bounded, not sampled.
+/// Branch and bound. An interval is done with when no point in it can exceed the best value known by more than the error of the
+/// samples; or when the derivative is seen to be monotone over it, so that it holds one interior extremum at most, found as a
+/// bracketed root. Else it is halved. No maximum can hide between samples: what the function does there is bounded, not sampled.
 #pragma once
 
 #include <functional>
+#include <utility>
+#include <vector>
+
+#include "denhartog/number/effort.hpp"
 
 namespace denhartog {
 
@@ -25,25 +29,55 @@ struct Curve {
     std::function<T(const T& a, const T& b)> rate; ///< a bound of |z'| on [a, b]
     /// how far f may rise on [a, b] above the larger of its values at a and b, given a bound of |z| there
     std::function<T(const T& a, const T& b, const T& z_bound)> rise;
+    long cost = cost_of_mode<T>(); ///< operations that a sample takes
+};
+
+/// @brief A stretch in which the function may be as large as its largest value.
+template <class T>
+struct Place {
+    T from;    ///< its left end
+    T to;      ///< its right end
+    T instant; ///< where the largest value in it was seen
+    T value;   ///< that value
 };
 
 /// @brief A maximum and where it lies.
 template <class T>
 struct Maximum {
-    T value;   ///< the largest value
-    T instant; ///< where it is taken, or approached at an end of the interval
+    T value;             ///< the largest value seen; the largest value is not below it by more than the error of the samples
+    T instant;           ///< where it is taken, or approached at an end of the interval
+    T upper;             ///< no value is larger
+    bool settled = true; ///< false where the effort was spent before no interval could exceed the best value
+    std::vector<Place<T>> places; ///< ascending: outside of them every value is below the largest one
 };
 
-/// @brief Largest value of f on [a, b], to the rounding of its samples.
-/// @param curve  the function with its bounds
-/// @param a      left end
-/// @param b      right end, larger than a
-/// @return       the maximum
-/// @throws       PrecisionError where 2^21 intervals do not settle it
+/// @brief Largest value of f on [a, b], to the error of its samples.
+///
+/// The places are those where a sample in double leaves open which maximum is the largest: more digits there settle it.
+/// @param curve   the function with its bounds
+/// @param a       left end
+/// @param b       right end, larger than a
+/// @param noise   bound of the absolute error of f at an instant: what is below it is not searched
+/// @param effort  the work allowed; null for that of `default_effort`
+/// @param least   values not above it do not matter: the search passes over them
+/// @return        the maximum; where `least` exceeds all values, `least` at a, without a place
+/// @throws        PrecisionError where no effort was given and the default does not settle it
 template <class T>
-[[nodiscard]] Maximum<T> global_maximum(const Curve<T>& curve, const T& a, const T& b);
+[[nodiscard]] Maximum<T> global_maximum(const Curve<T>& curve, const T& a, const T& b, const T& noise = T(0),
+                                        Effort* effort = nullptr, const T& least = std::numeric_limits<T>::lowest());
 
-/// @brief Root of a continuous function between two points where it has opposite signs.
+/// @brief Two neighbouring numbers between which a continuous function changes its sign.
+/// @param f    the function
+/// @param a    left end
+/// @param b    right end
+/// @param f_a  value at a
+/// @param f_b  value at b, of the other sign
+/// @return     the bracket, to the last digits of the number type
+template <class T>
+[[nodiscard]] std::pair<T, T> root_bracket(const std::function<T(const T&)>& f, const T& a, const T& b, const T& f_a,
+                                           const T& f_b);
+
+/// @brief Root of a continuous function between two points where it has opposite signs: the middle of `root_bracket`.
 /// @param f    the function
 /// @param a    left end
 /// @param b    right end
@@ -51,6 +85,9 @@ template <class T>
 /// @param f_b  value at b, of the other sign
 /// @return     the root, to the last digits of the number type
 template <class T>
-[[nodiscard]] T bracketed_root(const std::function<T(const T&)>& f, const T& a, const T& b, const T& f_a, const T& f_b);
+[[nodiscard]] T bracketed_root(const std::function<T(const T&)>& f, const T& a, const T& b, const T& f_a, const T& f_b) {
+    const auto [left, right] = root_bracket<T>(f, a, b, f_a, f_b);
+    return (left + right) / 2;
+}
 
 } // namespace denhartog

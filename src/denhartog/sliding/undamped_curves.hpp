@@ -10,7 +10,7 @@
 
 #include "denhartog/evaluation/special.hpp"
 #include "denhartog/sliding/invariant_points.hpp"
-#include "denhartog/sliding/range_with_rate.hpp"
+#include "denhartog/sliding/range_series.hpp"
 
 namespace denhartog {
 
@@ -61,32 +61,31 @@ public:
 
     /// @brief Bounds over [a, b] times the factor. @param a lower end @param b upper end @param factor the factor @return bounds
     [[nodiscard]] RangeWithRate<T> over(const T& a, const T& b, const Factor& factor) const {
-        const RangeWithRate<T> U_k = sum(w_.U_k, a, b, factor, &TransmissibilityFunction::u);
-        if (kind_ == InvariantPointKind::friction_leaves_it_alone) return U_k;
-        const RangeWithRate<T> V_j = sum(w_.V_j, a, b, factor, &TransmissibilityFunction::v);
-        const RangeWithRate<T> V_k = sum(w_.V_k, a, b, factor, &TransmissibilityFunction::v);
-        const RangeWithRate<T> U_j = sum(w_.U_j, a, b, factor, &TransmissibilityFunction::u);
-        return V_j * U_k + constant_range(T(-2)) * V_k * U_j;
+        const T half = (b - a) / 2, middle = a + half;
+        return over_interval(series(middle, middle, factor), series(a, b, factor), half, rounding());
     }
-
-    /// @brief The value at x times the factor. @param x 1/r @param factor the factor @return value and rate
-    [[nodiscard]] RangeWithRate<T> at(const T& x, const Factor& factor) const { return over(x, x, factor); }
 
     /// @return what sums may be off by, as a part of the sizes of their terms
     [[nodiscard]] T rounding() const { return 16 * static_cast<int>(r_n_.size()) * std::numeric_limits<T>::epsilon(); }
 
+    /// @return operations that bounds over an interval cost
+    [[nodiscard]] long cost() const { return 16 * cost_of_mode<T>() * static_cast<long>(r_n_.size()); }
+
+    /// @brief The value at x times the factor. @param x 1/r @param factor the factor @return the value
+    [[nodiscard]] T at(const T& x, const Factor& factor) const { return series(x, x, factor).coefficient[0].low; }
+
     /// @brief The sign at x. @param x 1/r @param factor the factor @return 1 or -1, 0 where rounding hides it
     [[nodiscard]] int sign(const T& x, const Factor& factor) const {
-        const RangeWithRate<T> f = at(x, factor);
-        return certain_sign(f.value, T(rounding() * f.value_size));
+        const RangeSeries<T> f = series(x, x, factor);
+        return certain_sign(f.coefficient[0], T(rounding() * f.size[0]));
     }
 
     /// @brief Whether V_j or U_k vanishes: (87) divides by them. @param x 1/r @return true where one has no digit
     [[nodiscard]] bool divides_by_zero(const T& x) const {
         for (const auto& [weights, term] :
              {std::pair(&w_.V_j, &TransmissibilityFunction::v), std::pair(&w_.U_k, &TransmissibilityFunction::u)}) {
-            const RangeWithRate<T> f = sum(*weights, x, x, {}, term);
-            if (certain_sign(f.value, T(64 * rounding() * f.value_size)) == 0) return true;
+            const RangeSeries<T> f = sum(*weights, x, x, {}, term);
+            if (certain_sign(f.coefficient[0], T(64 * rounding() * f.size[0])) == 0) return true;
         }
         return false;
     }
@@ -120,42 +119,72 @@ public:
     }
 
 private:
-    using Term = RangeWithRate<T> (TransmissibilityFunction::*)(std::size_t, const T&, const T&, const Factor&) const;
+    using Term = RangeSeries<T> (TransmissibilityFunction::*)(std::size_t, const T&, const T&, const Factor&) const;
 
-    [[nodiscard]] RangeWithRate<T> sum(const std::vector<T>& weights, const T& a, const T& b, const Factor& factor,
-                                       Term term) const {
-        RangeWithRate<T> total = constant_range(T(0));
+    [[nodiscard]] RangeSeries<T> series(const T& a, const T& b, const Factor& factor) const {
+        const RangeSeries<T> U_k = sum(w_.U_k, a, b, factor, &TransmissibilityFunction::u);
+        if (kind_ == InvariantPointKind::friction_leaves_it_alone) return U_k;
+        const RangeSeries<T> V_j = sum(w_.V_j, a, b, factor, &TransmissibilityFunction::v);
+        const RangeSeries<T> V_k = sum(w_.V_k, a, b, factor, &TransmissibilityFunction::v);
+        const RangeSeries<T> U_j = sum(w_.U_j, a, b, factor, &TransmissibilityFunction::u);
+        return V_j * U_k + T(-2) * (V_k * U_j);
+    }
+
+    [[nodiscard]] RangeSeries<T> sum(const std::vector<T>& weights, const T& a, const T& b, const Factor& factor,
+                                     Term term) const {
+        RangeSeries<T> total = constant_series(T(0));
         for (std::size_t i = 0; i < weights.size(); ++i)
-            if (weights[i] != 0) total = total + constant_range(weights[i]) * (this->*term)(i, a, b, factor);
+            if (weights[i] != 0) total = total + weights[i] * (this->*term)(i, a, b, factor);
         return total;
     }
 
-    /// v_i = 1 / (r_n^2 - 1/x^2) falls between its poles; its rate is -2 v_i^2 / x^3. The factor is r_n^2 - 1/x^2.
-    [[nodiscard]] RangeWithRate<T> v(std::size_t i, const T& a, const T& b, const Factor& factor) const {
-        const Range<T> steep{2 / (b * b * b), 2 / (a * a * a)};
+    static Range<T> between(const T& a, const T& b) { return {std::min(a, b), std::max(a, b)}; }
+
+    /// v_i = 1 / (r_n^2 - 1/x^2) falls between its poles; its n-th Taylor coefficient is
+    /// (-r_n)^n / (2 r_n^2) [(r_n x - 1)^(-n - 1) - (r_n x + 1)^(-n - 1)]. The factor is r_n^2 - 1/x^2.
+    [[nodiscard]] RangeSeries<T> v(std::size_t i, const T& a, const T& b, const Factor& factor) const {
         const auto inverse = [](const T& r_n, const T& x) { return T((r_n - 1 / x) * (r_n + 1 / x)); };
-        if (factor.of_V && factor.mode == i) return constant_range(T(1));
-        const Range<T> value{1 / inverse(r_n_[i], b), 1 / inverse(r_n_[i], a)};
-        const RangeWithRate<T> term = range_with_rate(value, Range<T>{T(-1), T(-1)} * steep * square(value));
+        if (factor.of_V && factor.mode == i) return constant_series(T(1));
+        const T& r_n = r_n_[i];
+        RangeSeries<T> term;
+        T near_a = 1 / (r_n * a - 1), near_b = 1 / (r_n * b - 1), far_a = 1 / (r_n * a + 1), far_b = 1 / (r_n * b + 1);
+        T near_a_n = near_a, near_b_n = near_b, far_a_n = far_a, far_b_n = far_b, power = 1 / (2 * r_n * r_n);
+        for (std::size_t n = 0; n <= term.order; ++n) {
+            const Range<T> near = between(near_a_n, near_b_n), far = between(far_a_n, far_b_n);
+            term.coefficient[n] = Range<T>{power, power} * Range<T>{near.low - far.high, near.high - far.low};
+            term.size[n] = size_of(Range<T>{power, power}) * (size_of(near) + size_of(far));
+            near_a_n *= near_a;
+            near_b_n *= near_b;
+            far_a_n *= far_a;
+            far_b_n *= far_b;
+            power *= -r_n;
+        }
+        term.coefficient[0] = {1 / inverse(r_n, b), 1 / inverse(r_n, a)};
+        term.size[0] = size_of(term.coefficient[0]);
         if (!factor.of_V) return term;
-        return term * range_with_rate(Range<T>{inverse(r_n_[factor.mode], a), inverse(r_n_[factor.mode], b)}, steep);
+        const T& r_p = r_n_[factor.mode];
+        T power_a = 1 / (a * a), power_b = 1 / (b * b); // x^(-n - 2)
+        return term * range_series<T>([&](std::size_t n) {
+                   if (n == 0) return Range<T>{inverse(r_p, a), inverse(r_p, b)};
+                   power_a /= -a;
+                   power_b /= -b;
+                   const int count = -static_cast<int>(n + 1);
+                   return between(T(count * power_a), T(count * power_b));
+               });
     }
 
     /// u_i = tan(pi r_n x / 2) / r_n rises between its poles. The factor is r_n cot(pi r_n x / 2).
-    [[nodiscard]] RangeWithRate<T> u(std::size_t i, const T& a, const T& b, const Factor& factor) const {
+    [[nodiscard]] RangeSeries<T> u(std::size_t i, const T& a, const T& b, const Factor& factor) const {
         const auto tangent = [](const T& y) { return T(evaluation::sin_pi(y) / evaluation::cos_pi(y)); };
         const auto cotangent = [](const T& y) { return T(evaluation::cos_pi(y) / evaluation::sin_pi(y)); };
-        const Range<T> one{T(1), T(1)};
-        if (factor.of_U && factor.mode == i) return constant_range(T(1));
+        if (factor.of_U && factor.mode == i) return constant_series(T(1));
         const T& r_n = r_n_[i];
-        const Range<T> tan{tangent(T(r_n * a / 2)), tangent(T(r_n * b / 2))};
-        const RangeWithRate<T> term =
-            range_with_rate(Range<T>{1 / r_n, 1 / r_n} * tan, Range<T>{pi<T>() / 2, pi<T>() / 2} * (one + square(tan)));
+        const RangeSeries<T> term =
+            T(1 / r_n) * tangent_series(Range<T>{tangent(T(r_n * a / 2)), tangent(T(r_n * b / 2))}, T(pi<T>() * r_n / 2));
         if (!factor.of_U) return term;
         const T& r_p = r_n_[factor.mode];
         const Range<T> cot{cotangent(T(r_p * b / 2)), cotangent(T(r_p * a / 2))};
-        const T steep = -pi<T>() * r_p * r_p / 2;
-        return term * range_with_rate(Range<T>{r_p, r_p} * cot, Range<T>{steep, steep} * (one + square(cot)));
+        return term * (r_p * tangent_series(cot, T(-pi<T>() * r_p / 2)));
     }
 
     const std::vector<T>& r_n_;

@@ -16,22 +16,15 @@
 
 namespace denhartog {
 
-/// @brief Checks frequency and friction. @param e the excitation @throws InputError
-template <class T>
-void check(const Excitation<T>& e) {
-    check_frequency_ratio(e.r);
-    check_friction_ratio(e.beta);
-    check_static_friction(e.mu);
-}
-
 /// @brief How a phase ends.
 template <class T>
 struct Event {
-    T t;        ///< time from the start of the phase
-    int next;   ///< direction of the next phase
-    int order;  ///< order of the zero of its guard function
-    T load;     ///< load on the contact
-    bool found; ///< false where the end of the stretch came first
+    T t;               ///< time from the start of the phase
+    int next;          ///< direction of the next phase
+    int order;         ///< order of the zero of its guard function
+    T load;            ///< load on the contact
+    bool found;        ///< false where the end of the stretch came first
+    bool open = false; ///< no end was found up to t, and what comes after is not known
 };
 
 /// @brief The phases of one system at one excitation, one at a time.
@@ -42,12 +35,12 @@ struct ContactPhases {
     std::size_t N;                  ///< number of masses
     LinearMotion<T> sliding;        ///< the motion while the contact slides
     LinearMotion<T> sticking;       ///< the motion while it sticks
-    std::vector<T> w;               ///< M^-1 e_j / r^2: accelerations that a unit force on the contact makes
+    Column<T> w;                    ///< M^-1 e_j / r^2: accelerations that a unit force on the contact makes
     T inertia;                      ///< 1 / w_j
     Matrix<T> stuck_momentum;       ///< phi^T M of the stuck configuration: its modal coordinates of a state
-    std::vector<T> k_j;             ///< stiffness that the stuck modes bring to the contact
-    std::vector<T> c_j;             ///< damping that they bring
-    std::vector<T> m_j;             ///< inertia that they bring
+    Column<T> k_j;                  ///< stiffness that the stuck modes bring to the contact
+    Column<T> c_j;                  ///< damping that they bring
+    Column<T> m_j;                  ///< inertia that they bring
     T load_per_energy;              ///< bound of a derivative of the load on the contact over the energy norm of that order
     T load_rest;                    ///< what the inertia of the others adds to that bound
     T load_growth;                  ///< how fast the bound grows
@@ -56,22 +49,24 @@ struct ContactPhases {
     std::vector<T> x;               ///< displacements at the start of the phase
     std::vector<T> v;               ///< velocities at the start of the phase
     int touching = 0;               ///< events so tangential that rounding decided them
+    Effort* effort;                 ///< what the evaluations spend
 
     static constexpr int most_tangencies = 64; ///< in one phase; more are a load that lies on the limit to rounding
 
-    /// @param s  the system @param excitation frequency and friction
-    ContactPhases(const ContactSystem<T>& s, const Excitation<T>& excitation) : system(&s), N(s.basis.r_n.size()) {
+    /// @param s the system @param excitation frequency and friction @param allowed the work allowed
+    ContactPhases(const ContactSystem<T>& s, const Excitation<T>& excitation, Effort& allowed)
+        : system(&s), N(s.basis.r_n.size()), effort(&allowed) {
         sliding.resize(N);
         sticking.resize(N - 1);
-        w.resize(N);
-        for (std::vector<T>* each : {&k_j, &c_j, &m_j}) each->resize(N - 1);
         stuck_momentum = s.stuck.phi.transpose() * s.stuck.M;
         set(excitation);
     }
 
     /// @brief Sets frequency and friction anew. @param excitation frequency and friction @throws InputError
     void set(const Excitation<T>& excitation) {
-        check(excitation);
+        check_frequency_ratio(excitation.r);
+        check_friction_ratio(excitation.beta);
+        check_static_friction(excitation.mu);
         e = excitation;
         const ModalBasis<T>& basis = system->basis;
         const T r2 = e.r * e.r;
@@ -80,20 +75,14 @@ struct ContactPhases {
             sliding.F[i] = basis.phi(system->load.index, i) / r2;
         }
         sliding.prepare();
-        for (std::size_t k = 0; k < N; ++k) {
-            w[k] = T(0);
-            for (std::size_t i = 0; i < N; ++i) w[k] += basis.phi(k, i) * basis.phi(system->contact.index, i);
-            w[k] /= r2;
-        }
+        w = basis.phi * basis.phi.row(system->contact.index).transpose() / r2;
         inertia = 1 / w[system->contact.index];
         direct = system->load == system->contact ? T(1) : T(0);
         set_sticking(r2);
         step = T(1);
     }
 
-    /// @brief Sets a mode of a motion at the frequency of the load.
-    /// @param m             the motion
-    /// @param i             the mode
+    /// @brief Sets a mode of a motion at the frequency of the load. @param m the motion @param i the mode
     /// @param r_n           natural frequency ratio
     /// @param half_damping  decay rate over omega_1, zeta r_n
     void set_mode(LinearMotion<T>& m, std::size_t i, const T& r_n, const T& half_damping) {
@@ -105,70 +94,51 @@ struct ContactPhases {
     /// @brief Sets the motion while the contact sticks. @param r2 square of the frequency ratio
     void set_sticking(const T& r2) {
         const StuckConfiguration<T>& s = system->stuck;
+        k_j = s.phi.transpose() * column(s.k_j);
+        c_j = s.phi.transpose() * column(s.c_j) * e.r;
+        m_j = s.phi.transpose() * column(s.m_j) * r2;
+        column(sticking.F).setZero();
         for (std::size_t i = 0; i + 1 < N; ++i) {
             set_mode(sticking, i, s.r_n[i], T(s.damping(i, i) / 2));
-            k_j[i] = c_j[i] = m_j[i] = sticking.F[i] = T(0);
-            for (std::size_t n = 0; n + 1 < N; ++n) {
-                k_j[i] += s.phi(n, i) * s.k_j[n];
-                c_j[i] += s.phi(n, i) * s.c_j[n] * e.r;
-                m_j[i] += s.phi(n, i) * s.m_j[n] * r2;
-                if (s.masses[n] == system->load) sticking.F[i] = s.phi(n, i) / r2;
-            }
+            if (s.masses[i] == system->load) column(sticking.F) = s.phi.row(i).transpose() / r2;
         }
         if (!s.modes_diagonalise_damping) sticking.D = s.damping / e.r;
         sticking.prepare();
-        bound_load();
-    }
-
-    /// @brief Bounds a derivative of the load on the contact by the energy of the stuck modes.
-    void bound_load() {
-        T force(0), stiffness(0), damping(0), inertial(0), fastest(0);
+        T stiffness(0), fastest(0); // for the bound of a derivative of the load by the energy of the stuck modes
         for (std::size_t i = 0; i + 1 < N; ++i) {
             const T k = k_j[i] / sticking.omega_0[i];
-            force += sticking.F[i] * sticking.F[i];
             stiffness += k * k;
-            damping += c_j[i] * c_j[i];
-            inertial += m_j[i] * m_j[i];
             fastest = std::max(fastest, T(sticking.omega_0[i] + 2 * sticking.decay[i]));
         }
         if (sticking.coupled()) fastest += sticking.D.cwiseAbs().rowwise().sum().maxCoeff();
-        load_per_energy = sqrt(stiffness) + sqrt(damping) + fastest * sqrt(inertial);
-        load_rest = sqrt(T(inertial * force));
-        load_growth = load_per_energy * sqrt(force);
+        const T force = column(sticking.F).norm(), inertial = m_j.norm();
+        load_per_energy = sqrt(stiffness) + c_j.norm() + fastest * inertial;
+        load_rest = inertial * force;
+        load_growth = load_per_energy * force;
     }
 
     /// @brief The state at the start of a phase, taken into the coordinates of its motion.
     /// @param direction  1 or -1 as the contact slides, 0 where it sticks
     /// @param tau        instant of the start
     void start_phase(int direction, const T& tau) {
-        if (direction == 0) {
-            const StuckConfiguration<T>& s = system->stuck;
-            const std::size_t j = system->contact.index;
-            for (std::size_t i = 0; i + 1 < N; ++i) {
-                T q(0), p(0);
-                for (std::size_t k = 0; k + 1 < N; ++k) {
-                    q += stuck_momentum(i, k) * x[s.masses[k].index];
-                    p += stuck_momentum(i, k) * v[s.masses[k].index];
-                }
-                sticking.q[0][i] = q;
-                sticking.q[1][i] = p;
-                sticking.G[i] = -k_j[i] * x[j] / (e.r * e.r);
+        LinearMotion<T>& motion = direction == 0 ? sticking : sliding;
+        const std::size_t j = system->contact.index;
+        const T r2 = e.r * e.r;
+        if (direction != 0) {
+            column(sliding.q[0]) = system->momentum * column(x);
+            column(sliding.q[1]) = system->momentum * column(v);
+            column(sliding.G) = -direction * e.beta / r2 * system->basis.phi.row(j).transpose();
+        } else if (N > 1) {
+            Column<T> others_x(N - 1), others_v(N - 1);
+            for (std::size_t n = 0; n + 1 < N; ++n) {
+                others_x(n) = x[system->stuck.masses[n].index];
+                others_v(n) = v[system->stuck.masses[n].index];
             }
-            sticking.start(tau);
-            return;
+            column(sticking.q[0]) = stuck_momentum * others_x;
+            column(sticking.q[1]) = stuck_momentum * others_v;
+            column(sticking.G) = -x[j] / r2 * k_j;
         }
-        const ModalBasis<T>& basis = system->basis;
-        for (std::size_t i = 0; i < N; ++i) {
-            T q(0), p(0);
-            for (std::size_t k = 0; k < N; ++k) {
-                q += system->momentum(i, k) * x[k];
-                p += system->momentum(i, k) * v[k];
-            }
-            sliding.q[0][i] = q;
-            sliding.q[1][i] = p;
-            sliding.G[i] = -direction * e.beta * basis.phi(system->contact.index, i) / (e.r * e.r);
-        }
-        sliding.start(tau);
+        motion.start(tau);
     }
 
     /// @brief Displacement, velocity or acceleration of every mass at the instant last evaluated.
@@ -178,19 +148,13 @@ struct ContactPhases {
     void masses_of(int direction, int order, std::vector<T>& out) const {
         out.resize(N);
         if (direction != 0) {
-            for (std::size_t k = 0; k < N; ++k) {
-                out[k] = T(0);
-                for (std::size_t i = 0; i < N; ++i) out[k] += system->basis.phi(k, i) * sliding.q[order][i];
-            }
+            column(out) = system->basis.phi * column(sliding.q[order]);
             return;
         }
-        const StuckConfiguration<T>& s = system->stuck;
         out[system->contact.index] = order == 0 ? x[system->contact.index] : T(0);
-        for (std::size_t n = 0; n + 1 < N; ++n) {
-            T& each = out[s.masses[n].index];
-            each = T(0);
-            for (std::size_t i = 0; i + 1 < N; ++i) each += s.phi(n, i) * sticking.q[order][i];
-        }
+        if (N == 1) return;
+        const Column<T> others = system->stuck.phi * column(sticking.q[order]);
+        for (std::size_t n = 0; n + 1 < N; ++n) out[system->stuck.masses[n].index] = others(n);
     }
 
     /// @brief Velocity of the contact in the direction of the phase.
@@ -199,6 +163,7 @@ struct ContactPhases {
     /// @return           value, three derivatives and their bounds
     Jet<T> velocity(int direction, const T& t) {
         using std::abs;
+        effort->spend(sliding.cost());
         sliding.differentiate_at(t);
         Jet<T> jet{{T(0), T(0), T(0), T(0)}, T(0), T(0), T(0)};
         for (std::size_t i = 0; i < N; ++i) {
@@ -217,6 +182,7 @@ struct ContactPhases {
     /// @return   value, three derivatives and their bounds
     Jet<T> load(const T& t) {
         using std::abs;
+        effort->spend(sticking.cost());
         sticking.differentiate_at(t);
         const T &c = sticking.cos_tau(), &s = sticking.sin_tau();
         const T& x_j = x[system->contact.index];
@@ -242,8 +208,9 @@ struct ContactPhases {
     /// @return           the event
     Event<T> end_of_sliding(int direction, const T& length, int order) {
         auto at = [&](const T& t) { return velocity(direction, t); };
-        const std::optional<Crossing<T>> zero = first_crossing(at, T(0), length, order, step);
+        const std::optional<Crossing<T>> zero = first_crossing(at, T(0), length, order, step, *effort);
         if (!zero) return {length, direction, 0, T(0), false};
+        if (zero->open) return {zero->t, direction, 0, T(0), false, true};
         const Jet<T> jet = velocity(direction, zero->t);
         touching += zero->touches;
         const T along = e.beta + inertia * jet.f[1]; // load on the contact along the motion
@@ -291,8 +258,12 @@ struct ContactPhases {
             T from(0);
             int order = 0;
             for (int tangencies = 0; from < event.t;) {
-                const std::optional<Crossing<T>> zero = first_crossing(at, from, event.t, order, step);
+                const std::optional<Crossing<T>> zero = first_crossing(at, from, event.t, order, step, *effort);
                 if (!zero) break;
+                if (zero->open) {
+                    event = {zero->t, 0, 0, T(0), false, true};
+                    break;
+                }
                 const Jet<T> jet = at(zero->t);
                 touching += zero->touches;
                 const bool turns_back = zero->touches && jet.f[2] > 0 && zero->t > from;

@@ -31,6 +31,7 @@ struct Deviations {
     /// @param event      how it ends
     void carry(ContactPhases<T>& phases, int direction, const Event<T>& event) {
         const std::size_t j = phases.system->contact.index, N = phases.N;
+        phases.effort->spend(cost_of_mode<T>() * static_cast<long>(N * N * N / 12)); // dense products
         if (direction != 0) {
             dq = phases.system->momentum * dx;
             dp = phases.system->momentum * dv;
@@ -94,9 +95,8 @@ private:
     }
 
     // The acceleration before the event exceeds that after it by jump times w; the event comes d_tau later.
-    void shift(const std::vector<T>& w, const T& jump, const Matrix<T>& d_tau) {
-        if (jump == 0) return;
-        for (std::size_t k = 0; k < w.size(); ++k) dv.row(k) += jump * w[k] * d_tau;
+    void shift(const Column<T>& w, const T& jump, const Matrix<T>& d_tau) {
+        if (jump != 0) dv += jump * w * d_tau;
     }
 };
 

@@ -3,6 +3,7 @@
 #include "denhartog/stick_slip/exact_motion.hpp"
 
 #include <atomic>
+#include <utility>
 
 #include "denhartog/number/multiprecision.hpp"
 #include "denhartog/stick_slip/deviations.hpp"
@@ -40,10 +41,13 @@ ContactSystem<T> contact_system(const System<T>& s) {
 /// @brief What the solver computes with.
 template <class T>
 struct ExactSolver<T>::Work : ContactPhases<T> {
-    using ContactPhases<T>::ContactPhases, ContactPhases<T>::N, ContactPhases<T>::x, ContactPhases<T>::v;
+    using ContactPhases<T>::N, ContactPhases<T>::x, ContactPhases<T>::v, ContactPhases<T>::effort;
     using ContactPhases<T>::sliding, ContactPhases<T>::sticking, ContactPhases<T>::system;
+    Effort own;
     ExactMotion<T> motion;
     Deviations<T> deviations;
+
+    Work(const ContactSystem<T>& s, const Excitation<T>& e) : ContactPhases<T>(s, e, own) {}
 
     void run(const T& tau_0, const T& tau_1, bool with_jacobian) {
         motion.status = MotionStatus::complete;
@@ -54,15 +58,23 @@ struct ExactSolver<T>::Work : ContactPhases<T> {
         auto [direction, order] = this->first_direction(tau);
         if (with_jacobian) deviations.start(N, direction == 0 ? &system->contact : nullptr);
         int without_length = 0;
-        const double most = most_phases_a_period * (1 + static_cast<double>(T((tau_1 - tau_0) / (2 * pi<T>()))));
+        const double periods = static_cast<double>(T((tau_1 - tau_0) / (2 * pi<T>())));
+        if (effort == &own) own = {static_cast<long>(default_effort(N) * std::min(1e6, 1 + periods))};
+        const long cost_of_phase = cost_of_mode<T>() * static_cast<long>(1 + N * N / 50); // of states taken into modes and back
+        const double most = most_phases_a_period * (1 + periods);
         while (tau < tau_1) {
             this->start_phase(direction, tau);
             motion.states.insert(motion.states.end(), x.begin(), x.end());
             motion.states.insert(motion.states.end(), v.begin(), v.end());
             const T length = tau_1 - tau;
+            effort->spend(cost_of_phase);
             const Event<T> event = direction != 0 ? this->end_of_sliding(direction, length, order)
                                    : N == 1       ? this->end_of_sticking_alone(tau, length)
                                                   : this->end_of_sticking(length);
+            if (event.open) {
+                motion.status = MotionStatus::open;
+                break;
+            }
             const T end = event.found ? T(tau + event.t) : tau_1;
             motion.phases.push_back({direction, tau, end});
             phases_so_far.fetch_add(1, std::memory_order_relaxed);
@@ -84,7 +96,7 @@ struct ExactSolver<T>::Work : ContactPhases<T> {
         motion.touching = this->touching;
         motion.end.x = x;
         motion.end.x_prime = v;
-        if (!with_jacobian) return;
+        if (!with_jacobian || motion.status != MotionStatus::complete) return;
         motion.jacobian.resize(2 * N, 2 * N);
         motion.jacobian.topRows(N) = deviations.dx;
         motion.jacobian.bottomRows(N) = deviations.dv;
@@ -111,6 +123,16 @@ ExactSolver<T>::ExactSolver(ExactSolver&&) noexcept = default;
 template <class T>
 void ExactSolver<T>::set(const Excitation<T>& excitation) {
     work_->set(excitation);
+}
+
+template <class T>
+Effort* ExactSolver<T>::allow(Effort* effort) {
+    return std::exchange(work_->effort, effort != nullptr ? effort : &work_->own);
+}
+
+template <class T>
+Effort& ExactSolver<T>::effort() const {
+    return *work_->effort;
 }
 
 template <class T>
@@ -150,10 +172,14 @@ template <class T>
 std::vector<Extremum<T>> ExactSolver<T>::largest_displacements() {
     using std::abs;
     Work& work = *work_;
+    if (work.effort == &work.own) work.own = {default_effort(work.N)};
     const std::size_t j = work.system->contact.index;
-    std::vector<Extremum<T>> largest(work.N, Extremum<T>{T(0), T(0)});
+    std::vector<Extremum<T>> largest(work.N, Extremum<T>{T(0), T(0), T(0)});
     const auto take = [&](std::size_t k, const T& x, const T& tau) {
-        if (abs(x) > abs(largest[k].x)) largest[k] = {x, tau};
+        if (abs(x) > abs(largest[k].x)) {
+            largest[k].x = x;
+            largest[k].instant = tau;
+        }
     };
     for (std::size_t n = 0; n < work.motion.phases.size(); ++n) {
         for (std::size_t k = 0; k < work.N; ++k) take(k, work.motion.states[2 * work.N * n + k], work.motion.phases[n].start);
@@ -163,15 +189,16 @@ std::vector<Extremum<T>> ExactSolver<T>::largest_displacements() {
     for (std::size_t n = 0; n < work.motion.phases.size() && work.N > 1; ++n) {
         const Phase<T>& p = work.motion.phases[n];
         work.stand_at(n);
-        LinearMotion<T>& motion = p.direction == 0 ? work.sticking : work.sliding;
-        for (std::size_t k = 0, other = 0; k < work.N; ++k) {
-            if (k == j) continue;
-            const std::size_t row = p.direction == 0 ? other : k;
-            const Matrix<T>& phi = p.direction == 0 ? work.system->stuck.phi : work.system->basis.phi;
-            largest_within(
-                motion, phi, row, T(p.end - p.start), [&](const T& x, const T& t) { take(k, x, T(p.start + t)); },
-                [&] { return T(abs(largest[k].x)); });
-            ++other;
+        const T length = p.end - p.start;
+        Displacements<T> displacements(p.direction == 0 ? work.sticking : work.sliding,
+                                       p.direction == 0 ? work.system->stuck.phi : work.system->basis.phi, *work.effort);
+        for (std::size_t k = 0; k < work.N; ++k) {
+            if (k == j || !(length > 0)) continue;
+            const auto row = static_cast<Eigen::Index>(p.direction == 0 && k > j ? k - 1 : k);
+            const Maximum<T> found = global_maximum(displacements.size_of(row), T(0), length, displacements.noise(row, T(0)),
+                                                    work.effort, T(abs(largest[k].x)));
+            if (found.value > abs(largest[k].x)) take(k, displacements.of(row, found.instant), T(p.start + found.instant));
+            if (!found.settled) largest[k].unsure = std::max(largest[k].unsure, T(found.upper - abs(largest[k].x)));
         }
     }
     return largest;

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "denhartog/model/stuck_configuration.hpp"
+#include "denhartog/number/effort.hpp"
 #include "denhartog/stick_slip/motion_record.hpp"
 
 namespace denhartog {
@@ -42,8 +43,9 @@ struct Excitation {
 
 /// @brief How a stretch of motion ended.
 enum class MotionStatus : std::uint8_t {
-    complete,  ///< the end asked for was reached
-    chattering ///< more phases than a motion can have: phases of no length follow each other
+    complete,   ///< the end asked for was reached
+    chattering, ///< more phases than a motion can have: phases of no length follow each other
+    open        ///< the effort is spent, or the motion is too fast for the number type; the phases are those before
 };
 
 /// @brief A stretch of motion, phase by phase.
@@ -71,6 +73,12 @@ public:
 
     /// @brief Sets frequency and friction anew. @param excitation frequency and friction
     void set(const Excitation<T>& excitation);
+    /// @brief Allows an amount of work from now on, in place of that of `default_effort` for each period of a call.
+    /// @param effort  the work; null for the default
+    /// @return        what was given before
+    Effort* allow(Effort* effort);
+    /// @brief The work allowed. @return what all calls spend
+    [[nodiscard]] Effort& effort() const;
     /// @brief The system. @return the one given
     [[nodiscard]] const ContactSystem<T>& system() const;
     /// @brief Frequency and friction. @return as set last

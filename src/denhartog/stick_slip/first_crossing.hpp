@@ -12,6 +12,8 @@
 #include <limits>
 #include <optional>
 
+#include "denhartog/number/effort.hpp"
+
 namespace denhartog {
 
 /// @brief A function at an instant with what bounds it ahead.
@@ -23,11 +25,13 @@ struct Jet {
     T noise;            ///< rounding error of f
 };
 
-/// @brief A zero.
+/// @brief A zero, or where the search had to end.
 template <class T>
 struct Crossing {
     T t;          ///< where it is
     bool touches; ///< the function reaches zero there to rounding, but no step is short enough to see it cross
+    /// no zero, and what comes after t is not known: the effort is spent, or no step of the number type is short enough
+    bool open = false;
 };
 
 /// @brief Whether f > 0 on (0, h], where its first `order` derivatives, f included, are zero at the start of the step.
@@ -96,21 +100,28 @@ template <class T, class Function>
 }
 
 /// @brief First zero of a function that is positive after the start.
-/// @param at     jet at an instant
-/// @param t      the start
-/// @param t_end  where the search ends
-/// @param order  order of the zero at the start: 0 where f > 0 there, 1 where f' > 0, 2 where f'' > 0
-/// @param step   first step tried; left as the last one taken
-/// @return       the zero; none up to the end
+///
+/// A step is halved until its bounds decide, and no further than the digits of t go. Between two steps the effort is looked at,
+/// which the function spends: the search ends however fast the function changes.
+/// @param at      jet at an instant; spends the effort
+/// @param t       the start
+/// @param t_end   where the search ends
+/// @param order   order of the zero at the start: 0 where f > 0 there, 1 where f' > 0, 2 where f'' > 0
+/// @param step    first step tried; left as the last one taken
+/// @param effort  the work allowed
+/// @return        the zero; none up to the end
 template <class T, class Function>
-[[nodiscard]] std::optional<Crossing<T>> first_crossing(Function& at, T t, const T& t_end, int order, T& step) {
-    const T shortest = 4 * std::numeric_limits<T>::epsilon();
+[[nodiscard]] std::optional<Crossing<T>> first_crossing(Function& at, T t, const T& t_end, int order, T& step,
+                                                        const Effort& effort) {
+    const T shortest = 4 * std::numeric_limits<T>::epsilon() * std::max(T(1), t_end);
     Jet<T> jet = at(t);
     while (t < t_end) {
         if (order == 0 && jet.f[0] <= 0) return Crossing<T>{t, true};
+        if (effort.exhausted()) return Crossing<T>{t, false, true};
         T h = std::min(step, T(t_end - t));
         for (;;) {
             const T next = t + h < t_end ? T(t + h) : t_end;
+            if (!(next > t) || h < (std::numeric_limits<T>::min)()) return Crossing<T>{t, false, true};
             if (stays_positive(jet, order, h)) {
                 t = next;
                 step = 2 * h;
@@ -126,8 +137,7 @@ template <class T, class Function>
                 break;
             }
             h = h * 3 / 4;
-            if (h <= shortest * std::max(T(1), t_end) && (order > 0 || jet.f[0] <= 8 * jet.noise || t + h == t))
-                return Crossing<T>{t, true};
+            if (h <= shortest && (order > 0 || jet.f[0] <= 8 * jet.noise)) return Crossing<T>{t, true};
         }
     }
     return std::nullopt;

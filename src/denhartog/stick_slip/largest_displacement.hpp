@@ -1,104 +1,79 @@
 /// @file
-/// @brief The largest displacement of a mass within a phase, guaranteed between samples.
-///
-/// Over a step the Taylor polynomial of third order is bounded on both sides by its Bernstein coefficients, the rest by the
-/// bound of the fourth derivative. A step that cannot beat the largest known is passed over; one over which the velocity is
-/// monotone holds one extremum at most, found as a bracketed root; else the step is halved.
+/// @brief Displacements of the masses over a stretch, with the bounds that `global_maximum` asks for.
 #pragma once
 
-#include <algorithm>
+#include <map>
 
+#include "denhartog/sliding/maximum.hpp"
 #include "denhartog/stick_slip/linear_motion.hpp"
 
 namespace denhartog {
 
-/// @brief A displacement at an instant: derivatives 0 to 3 and a bound of the fourth, which grows ahead.
+/// @brief Displacements over a stretch, remembered: the masses share their instants.
 template <class T>
-struct Displacement {
-    std::array<T, 4> f; ///< the displacement and three derivatives
-    T bound;            ///< |f''''| is at most bound + growth h over [t, t + h]
-    T growth;           ///< see `bound`
+class Displacements {
+public:
+    /// @param motion  the stretch, started
+    /// @param phi     mode shapes, mass by coordinate
+    /// @param effort  what the evaluations spend
+    Displacements(LinearMotion<T>& motion, const Matrix<T>& phi, Effort& effort)
+        : motion_(motion), phi_(phi), effort_(effort), sizes_(phi.cwiseAbs()) {
+        const Column<T> F = column(motion_.F);
+        growth_ = motion_.coupled() ? Column<T>(phi_.rowwise().norm() * F.norm()) : Column<T>(sizes_ * F.cwiseAbs());
+    }
+
+    /// @brief The displacement of a mass. @param row the mass @param t time from the start of the stretch @return displacement
+    [[nodiscard]] T of(Eigen::Index row, const T& t) { return at(t)(row, 0); }
+
+    /// @brief What rounding makes of a displacement. @param row the mass @param t an instant @return some units of its terms
+    [[nodiscard]] T noise(Eigen::Index row, const T& t) {
+        motion_.differentiate_at(t);
+        return 4 * std::numeric_limits<T>::epsilon() * sizes_.row(row).dot(column(motion_.q[0]).cwiseAbs());
+    }
+
+    /// @brief The size of the displacement of a mass. @param row the mass @return the curve; refers to this object
+    [[nodiscard]] Curve<T> size_of(Eigen::Index row) {
+        using std::abs;
+        Curve<T> curve;
+        curve.cost = 0; // the effort is spent where an instant is new
+        curve.sample = [this, row](const T& t) {
+            const Matrix<T>& x = at(t);
+            return Sample<T>{abs(x(row, 0)), x(row, 1), x(row, 2)};
+        };
+        // The third derivative by its energy norm, or by a Taylor polynomial and the energy norm of the fifth.
+        curve.rate = [this, row](const T& a, const T& b) {
+            const Matrix<T>& x = at(a);
+            const T h = b - a, growth = growth_(row) * h;
+            return std::min(T(x(row, 5) + growth), T(abs(x(row, 3)) + h * (abs(x(row, 4)) + h * (x(row, 6) + growth) / 2)));
+        };
+        curve.rise = [](const T& a, const T& b, const T& z_bound) { return T(z_bound * (b - a) * (b - a) / 8); };
+        return curve;
+    }
+
+private:
+    // Derivatives 0 to 4 of every mass, then what bounds the third and the fifth ahead, but for the growth.
+    const Matrix<T>& at(const T& t) {
+        const auto found = known_.find(t);
+        if (found != known_.end()) return found->second;
+        effort_.spend(motion_.cost() + cost_of_mode<T>() * static_cast<long>(phi_.size() / 16));
+        motion_.differentiate_at(t);
+        Matrix<T> x(phi_.rows(), 7);
+        for (int m = 0; m < 5; ++m) x.col(m) = phi_ * column(motion_.q[m]);
+        for (const int m : {2, 4}) {
+            Column<T> norms(phi_.cols());
+            for (Eigen::Index i = 0; i < norms.size(); ++i) norms(i) = motion_.energy_norm(m, static_cast<std::size_t>(i));
+            x.col(4 + m / 2) =
+                motion_.coupled() ? Column<T>(phi_.rowwise().norm() * motion_.energy_norm(m)) : Column<T>(sizes_ * norms);
+        }
+        return known_.emplace(t, std::move(x)).first->second;
+    }
+
+    LinearMotion<T>& motion_;
+    const Matrix<T>& phi_;
+    Effort& effort_;
+    Matrix<T> sizes_;
+    Column<T> growth_;
+    std::map<T, Matrix<T>> known_;
 };
-
-/// @brief Displacement of a mass at an instant of a stretch.
-/// @param motion  the stretch
-/// @param phi     mode shapes, mass by coordinate
-/// @param row     the mass
-/// @param t       time from the start of the stretch
-/// @return        the displacement with its bounds
-template <class T>
-[[nodiscard]] Displacement<T> displacement_at(LinearMotion<T>& motion, const Matrix<T>& phi, std::size_t row, const T& t) {
-    using std::abs;
-    motion.differentiate_at(t);
-    Displacement<T> d{{T(0), T(0), T(0), T(0)}, T(0), T(0)};
-    T shapes(0), force(0);
-    for (std::size_t i = 0; i < motion.size(); ++i) {
-        for (int m = 0; m < 4; ++m) d.f[m] += phi(row, i) * motion.q[m][i];
-        if (!motion.coupled()) {
-            d.bound += abs(phi(row, i)) * motion.energy_norm(3, i);
-            d.growth += abs(phi(row, i) * motion.F[i]);
-        }
-        shapes += phi(row, i) * phi(row, i);
-        force += motion.F[i] * motion.F[i];
-    }
-    if (motion.coupled()) {
-        d.bound = sqrt(shapes) * motion.energy_norm(3);
-        d.growth = sqrt(T(shapes * force));
-    }
-    return d;
-}
-
-/// @brief Offers every displacement that may be the largest within a stretch.
-/// @param motion  the stretch, started
-/// @param phi     mode shapes, mass by coordinate
-/// @param row     the mass
-/// @param length  length of the stretch
-/// @param take    takes a displacement and its time
-/// @param best    the largest size known
-template <class T, class Take, class Best>
-void largest_within(LinearMotion<T>& motion, const Matrix<T>& phi, std::size_t row, const T& length, const Take& take,
-                    const Best& best) {
-    using std::abs;
-    const T eps = std::numeric_limits<T>::epsilon();
-    const auto at = [&](const T& t) { return displacement_at(motion, phi, row, t); };
-    T t(0), h = length;
-    Displacement<T> d = at(t);
-    while (t < length) {
-        h = std::min(h, T(length - t));
-        const std::array<T, 4>& f = d.f;
-        const T R = d.bound + d.growth * h;
-        const T b1 = f[0] + f[1] * h / 3, b2 = b1 + f[1] * h / 3 + f[2] * h * h / 6;
-        const T b3 = f[0] + h * (f[1] + h * (f[2] / 2 + f[3] * h / 6));
-        const T reach = std::max({T(abs(f[0])), T(abs(b1)), T(abs(b2)), T(abs(b3))}) + R * h * h * h * h / 24;
-        const bool passed_over = reach <= best() * (1 + 2 * eps);
-        const T a1 = f[2] + f[3] * h, rest = R * h * h / 2;
-        const bool monotone = std::min(f[2], a1) > rest || std::max(f[2], a1) < -rest; // the acceleration keeps its sign
-        if (!passed_over && !monotone && h > 16 * eps * (1 + length)) {
-            h /= 2;
-            continue;
-        }
-        const T next = t + h < length ? T(t + h) : length;
-        const Displacement<T> ahead = at(next);
-        take(ahead.f[0], next);
-        if (!passed_over && monotone && (f[1] > 0) != (ahead.f[1] > 0)) {
-            // Near the extremum the displacement is flat: it is offered at the root alone, else rounding would choose the instant.
-            T a = t, b = next, s = abs(f[1]) < abs(ahead.f[1]) ? t : next;
-            Displacement<T> here = at(s);
-            for (int n = 0; n < 200; ++n) {
-                ((here.f[1] > 0) == (f[1] > 0) ? a : b) = s;
-                T newton = s - here.f[1] / here.f[2];
-                if (!(newton > a && newton < b)) newton = a + (b - a) / 2;
-                const bool last = abs(newton - s) <= 4 * eps * (1 + length) || newton == a || newton == b;
-                s = newton;
-                here = at(s);
-                if (last) break;
-            }
-            take(here.f[0], s);
-        }
-        t = next;
-        d = ahead;
-        h *= 2;
-    }
-}
 
 } // namespace denhartog

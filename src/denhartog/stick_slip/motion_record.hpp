@@ -41,8 +41,9 @@ struct Stop {
 /// @brief The displacement of a mass where it is largest in size.
 template <class T>
 struct Extremum {
-    T x;       ///< the displacement, with its sign
-    T instant; ///< tau there; where the mass rests, the start of the rest
+    T x;             ///< the displacement, with its sign
+    T instant;       ///< tau there; where the mass rests, the start of the rest
+    T unsure = T(0); ///< how much larger a displacement may be, where the effort did not suffice to exclude it; else 0
 };
 
 /// @brief What a mass does over the steady motion.

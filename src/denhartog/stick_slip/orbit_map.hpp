@@ -8,12 +8,9 @@
 
 #include "denhartog/number/number.hpp"
 #include "denhartog/stick_slip/exact_motion.hpp"
+#include "denhartog/stick_slip/linear_motion.hpp"
 
 namespace denhartog {
-
-/// @brief A column of numbers.
-template <class T>
-using Column = Eigen::Matrix<T, Eigen::Dynamic, 1>;
 
 /// @brief A matrix in double. @param A a matrix @return its entries, rounded
 template <class T>

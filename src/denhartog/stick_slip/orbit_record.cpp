@@ -1,7 +1,9 @@
 #include "denhartog/stick_slip/orbit_record.hpp"
 
 #include <algorithm>
+#include <boost/math/special_functions/fpclassify.hpp>
 #include <limits>
+#include <utility>
 
 #include "denhartog/number/multiprecision.hpp"
 #include "denhartog/sliding/steady_state.hpp"
@@ -17,8 +19,7 @@ MassMotion<T> motion_with(const T& x, const T& tau) {
     return {x, wrapped(tau)};
 }
 
-} // namespace
-
+/// Stops within the period, those across the section and the mirror point in one piece; starts ascending in [0, period).
 template <class T>
 std::vector<Stop<T>> stops_of(const OrbitMap<T>& map) {
     const ExactMotion<T>& motion = map.motion();
@@ -55,6 +56,7 @@ std::vector<Stop<T>> stops_of(const OrbitMap<T>& map) {
     return stops;
 }
 
+/// Amplitude and phase of the mass in contact, which is farthest out where it turns back or comes to rest.
 template <class T>
 MassMotion<T> contact_motion(const OrbitMap<T>& map) {
     using std::abs;
@@ -77,15 +79,7 @@ MassMotion<T> contact_motion(const OrbitMap<T>& map) {
     return motion_with(x, tau);
 }
 
-template <class T>
-std::vector<MassMotion<T>> motions_of(const OrbitMap<T>& map) {
-    std::vector<MassMotion<T>> motions;
-    for (const Extremum<T>& extremum : map.solver().largest_displacements())
-        motions.push_back(motion_with(extremum.x, extremum.instant));
-    motions[map.solver().system().contact.index] = contact_motion(map);
-    return motions;
-}
-
+/// Error of the map's Jacobian in the largest sum of a row: some units in the last place for every phase and period of the modes.
 template <class T>
 double jacobian_error(const OrbitMap<T>& map, const Matrix<double>& jacobian) {
     const ContactSystem<T>& s = map.solver().system();
@@ -95,12 +89,7 @@ double jacobian_error(const OrbitMap<T>& map, const Matrix<double>& jacobian) {
     return units * eps * jacobian.cwiseAbs().rowwise().sum().maxCoeff();
 }
 
-template <class T>
-bool attracts(const OrbitMap<T>& map) {
-    const Matrix<double> jacobian = in_double(map.energy_jacobian());
-    return contracts(jacobian, jacobian_error(map, jacobian));
-}
-
+/// Jacobian of the map for the other masses while the contact is held, 2 (N - 1) x 2 (N - 1).
 template <class T>
 Matrix<double> jacobian_of_others(const OrbitMap<T>& map) {
     const auto j = static_cast<Eigen::Index>(map.solver().system().contact.index);
@@ -108,6 +97,15 @@ Matrix<double> jacobian_of_others(const OrbitMap<T>& map) {
     for (Eigen::Index k = 0; k < 2 * map.N; ++k)
         if (k != j && k != map.N + j) others.push_back(k);
     return in_double(map.jacobian())(others, others);
+}
+
+} // namespace
+
+template <class T>
+bool attracts(const OrbitMap<T>& map) {
+    map.solver().effort().spend(4L * map.N * map.N * map.N); // products of whole matrices in `contracts`
+    const Matrix<double> jacobian = in_double(map.energy_jacobian());
+    return contracts(jacobian, jacobian_error(map, jacobian));
 }
 
 template <class T>
@@ -136,21 +134,81 @@ std::optional<T> error_bound_of(const OrbitMap<T>& map) {
     return T(displacement_of_energy(map) * energy + rounding.head(map.N).maxCoeff());
 }
 
+template <class T>
+std::optional<PeriodicOrbit<T>> orbit_of(const OrbitMap<T>& map, const State<T>& z, const OrbitSearch<T>& search) {
+    using boost::math::isfinite;
+    const std::optional<T> bound = error_bound_of(map);
+    if (!bound) return std::nullopt;
+    PeriodicOrbit<T> orbit;
+    orbit.contact = contact_motion(map);
+    if (!map.slides_throughout() && !(*bound < orbit.contact.amplitude)) return std::nullopt; // no sure slip
+    T largest = orbit.contact.amplitude, unsure(0);
+    for (const T& x : z.x) largest = std::max(largest, T(x < 0 ? -x : x));
+    if (!search.contact_only) {
+        for (const Extremum<T>& extremum : map.solver().largest_displacements()) {
+            orbit.masses.push_back(motion_with(extremum.x, extremum.instant));
+            unsure = std::max(unsure, extremum.unsure);
+        }
+        orbit.masses[map.solver().system().contact.index] = orbit.contact;
+    }
+    for (const MassMotion<T>& mass : orbit.masses) largest = std::max(largest, mass.amplitude);
+    orbit.error_bound = *bound + unsure;
+    if (!isfinite(largest) || !(100 * orbit.error_bound < largest)) return std::nullopt; // as at a resonance without damping
+    const int h = map.half_periods();
+    orbit.status = OrbitStatus::periodic;
+    orbit.start = z;
+    orbit.symmetric = h % 2 != 0;
+    orbit.periods = orbit.symmetric ? h : h / 2;
+    orbit.stops = stops_of(map);
+    orbit.touching = map.motion().touching;
+    orbit.residual = largest > 0 ? T(map.difference().cwiseAbs().maxCoeff() / largest) : T(0);
+    if (search.with_stability) {
+        orbit.stable = attracts(map);
+        orbit.multipliers = multipliers_of(in_double(map.jacobian()));
+        if (orbit.symmetric) orbit.multipliers = squared(std::move(orbit.multipliers));
+    }
+    if (orbit.touching > 0)
+        orbit.reason = "the contact grazes rest or break-away: which of two motions follows is decided by rounding";
+    return orbit;
+}
+
+template <class T>
+std::optional<PeriodicOrbit<T>> rest_of(OrbitMap<T>& map, const LastingRest<T>& rest, const T& x_j,
+                                        const OrbitSearch<T>& search) {
+    PeriodicOrbit<T> orbit;
+    orbit.start = rest.steady_state(x_j);
+    if (!map.apply(orbit.start, 2, true) || !map.held()) return std::nullopt;
+    map.measure_rounding();
+    orbit.status = OrbitStatus::permanently_stuck;
+    orbit.symmetric = x_j == 0;
+    orbit.stops = {{T(0), T(2 * pi<T>()), x_j}};
+    for (std::size_t k = 0; k < orbit.start.x.size(); ++k) orbit.masses.push_back(rest.motion(k, x_j));
+    orbit.contact = orbit.masses[map.solver().system().contact.index];
+    T largest(0);
+    for (const MassMotion<T>& mass : orbit.masses) largest = std::max(largest, mass.amplitude);
+    if (search.contact_only) orbit.masses.clear();
+    const T left_over = map.difference().cwiseAbs().maxCoeff();
+    orbit.residual = largest > 0 ? T(left_over / largest) : T(0);
+    orbit.error_bound = map.rounding().maxCoeff() + left_over;
+    if (search.with_stability) {
+        const Matrix<double> others = jacobian_of_others(map);
+        orbit.multipliers = multipliers_of(others);
+        orbit.stable = others.size() == 0 || contracts(others, jacobian_error(map, others));
+    }
+    return orbit;
+}
+
 template double displacement_of_energy(const OrbitMap<double>&);
 template Real50 displacement_of_energy(const OrbitMap<Real50>&);
-template std::vector<Stop<double>> stops_of(const OrbitMap<double>&);
-template std::vector<Stop<Real50>> stops_of(const OrbitMap<Real50>&);
-template MassMotion<double> contact_motion(const OrbitMap<double>&);
-template MassMotion<Real50> contact_motion(const OrbitMap<Real50>&);
-template std::vector<MassMotion<double>> motions_of(const OrbitMap<double>&);
-template std::vector<MassMotion<Real50>> motions_of(const OrbitMap<Real50>&);
-template double jacobian_error(const OrbitMap<double>&, const Matrix<double>&);
-template double jacobian_error(const OrbitMap<Real50>&, const Matrix<double>&);
 template bool attracts(const OrbitMap<double>&);
 template bool attracts(const OrbitMap<Real50>&);
-template Matrix<double> jacobian_of_others(const OrbitMap<double>&);
-template Matrix<double> jacobian_of_others(const OrbitMap<Real50>&);
 template std::optional<double> error_bound_of(const OrbitMap<double>&);
 template std::optional<Real50> error_bound_of(const OrbitMap<Real50>&);
+template std::optional<PeriodicOrbit<double>> orbit_of(const OrbitMap<double>&, const State<double>&, const OrbitSearch<double>&);
+template std::optional<PeriodicOrbit<Real50>> orbit_of(const OrbitMap<Real50>&, const State<Real50>&, const OrbitSearch<Real50>&);
+template std::optional<PeriodicOrbit<double>> rest_of(OrbitMap<double>&, const LastingRest<double>&, const double&,
+                                                      const OrbitSearch<double>&);
+template std::optional<PeriodicOrbit<Real50>> rest_of(OrbitMap<Real50>&, const LastingRest<Real50>&, const Real50&,
+                                                      const OrbitSearch<Real50>&);
 
 } // namespace denhartog

@@ -4,47 +4,17 @@
 
 #include <optional>
 
+#include "denhartog/stick_slip/lasting_rest.hpp"
 #include "denhartog/stick_slip/orbit_map.hpp"
 #include "denhartog/stick_slip/periodic_orbit.hpp"
 
 namespace denhartog {
-
-/// @brief Stops within the period of an orbit, those across the section and the mirror point in one piece.
-/// @param map  the map, applied last to the orbit over its h half-periods: all of it, or half of it where h is odd
-/// @return     the stops, starts ascending in [0, period)
-template <class T>
-[[nodiscard]] std::vector<Stop<T>> stops_of(const OrbitMap<T>& map);
-
-/// @brief Amplitude and phase of the mass in contact, which is farthest out where it turns back or comes to rest.
-/// @param map  the map, applied last to the orbit
-/// @return     its motion
-template <class T>
-[[nodiscard]] MassMotion<T> contact_motion(const OrbitMap<T>& map);
-
-/// @brief Amplitude and phase of every mass.
-/// @param map  the map, applied last to the orbit
-/// @return     their motions
-template <class T>
-[[nodiscard]] std::vector<MassMotion<T>> motions_of(const OrbitMap<T>& map);
-
-/// @brief Error of the map's Jacobian: some units in the last place for every phase and every period of the modes.
-/// @param map       the map, applied last
-/// @param jacobian  its Jacobian in some coordinates
-/// @return          bound of the error, in the largest sum of a row
-template <class T>
-[[nodiscard]] double jacobian_error(const OrbitMap<T>& map, const Matrix<double>& jacobian);
 
 /// @brief Whether the map certainly contracts next to the orbit.
 /// @param map  the map, applied last to the orbit with its Jacobian
 /// @return     true where all its eigenvalues are inside the unit circle by more than their error
 template <class T>
 [[nodiscard]] bool attracts(const OrbitMap<T>& map);
-
-/// @brief Jacobian of the map for the other masses while the contact is held.
-/// @param map  the map, applied last to a motion with the contact held
-/// @return     2 (N - 1) x 2 (N - 1), in double
-template <class T>
-[[nodiscard]] Matrix<double> jacobian_of_others(const OrbitMap<T>& map);
 
 /// @brief The largest displacement of any mass that a unit of the map's energy norm can make.
 /// @param map  the map
@@ -61,5 +31,23 @@ template <class T>
 /// @return           the bound, in units of P / k_1; none where the matrix is singular to rounding
 template <class T>
 [[nodiscard]] std::optional<T> error_bound_of(const OrbitMap<T>& map);
+
+/// @brief Reads the orbit off the map that was applied to it last, with its Jacobian, its rounding measured.
+/// @param map     the map: all of the orbit, or half of it where the number h of its half-periods is odd
+/// @param z       the state at tau = 0
+/// @param search  what is asked of the orbit
+/// @return        the orbit; none where its error is too large for a number, or the contact does not surely slip
+template <class T>
+[[nodiscard]] std::optional<PeriodicOrbit<T>> orbit_of(const OrbitMap<T>& map, const State<T>& z, const OrbitSearch<T>& search);
+
+/// @brief The steady motion with the contact at rest, and what it leaves over as an orbit of the map.
+/// @param map     the map, which is applied to it
+/// @param rest    rest at the system, frequency and friction of the map
+/// @param x_j     where the contact rests
+/// @param search  what is asked of the orbit
+/// @return        the motion; none where the contact does not stay
+template <class T>
+[[nodiscard]] std::optional<PeriodicOrbit<T>> rest_of(OrbitMap<T>& map, const LastingRest<T>& rest, const T& x_j,
+                                                      const OrbitSearch<T>& search);
 
 } // namespace denhartog

@@ -1,9 +1,8 @@
-/// @file
-/// @brief Search for the periodic orbit that a start leads to.
 #include "denhartog/stick_slip/periodic_orbit.hpp"
 
 #include <algorithm>
 #include <boost/math/special_functions/fpclassify.hpp>
+#include <functional>
 #include <optional>
 #include <sstream>
 #include <utility>
@@ -12,34 +11,30 @@
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/multiprecision.hpp"
 #include "denhartog/stick_slip/floquet.hpp"
-#include "denhartog/stick_slip/lasting_rest.hpp"
-#include "denhartog/stick_slip/orbit_map.hpp"
 #include "denhartog/stick_slip/orbit_record.hpp"
 #include "denhartog/stick_slip/shooting.hpp"
 
 namespace denhartog {
 namespace {
 
-constexpr int least_approach =
-    16; // maps that a motion is followed to see that it approaches an orbit, and how much nearer it comes
-constexpr int most_approach = 512;           // maps after which slow approach is enough
-constexpr int half_periods_to_rest = 400;    // after which a rest whose place is known to 1e-3 is an answer
+constexpr int least_approach = 16;        // maps in which an approach to an orbit is seen, and how much nearer the motion comes
+constexpr int most_approach = 512;        // maps after which slow approach is enough
+constexpr int half_periods_to_rest = 400; // after which a rest whose place is known to 1e-3 is an answer
 constexpr int half_periods_to_arrive = 4000; // at rest, or at an orbit that attracts nothing
 
 template <class T>
 void check(const OrbitSearch<T>& search, const State<T>& start, std::size_t N) {
-    using boost::math::isfinite;
     if (search.periods_before < 0)
         throw InputError("periods_before", "must not be negative", std::to_string(search.periods_before));
-    if (search.most_periods < 1) throw InputError("most_periods", "must be at least 1", std::to_string(search.most_periods));
-    if (search.most_subharmonic < 1)
-        throw InputError("most_subharmonic", "must be at least 1", std::to_string(search.most_subharmonic));
+    for (const auto& [name, value] :
+         {std::pair("most_periods", search.most_periods), std::pair("most_subharmonic", search.most_subharmonic)})
+        if (value < 1) throw InputError(name, "must be at least 1", std::to_string(value));
     if (!(search.tolerance >= 0)) throw InputError("tolerance", "must be zero or positive", number_to_text(search.tolerance));
     if (start.x.size() != N || start.x_prime.size() != N)
         throw InputError("start", "must have a displacement and a velocity for each mass", std::to_string(start.x.size()));
     for (const std::vector<T>* part : {&start.x, &start.x_prime})
         for (const T& each : *part)
-            if (!isfinite(each)) throw InputError("start", "must be finite", "");
+            if (!boost::math::isfinite(each)) throw InputError("start", "must be finite", "");
 }
 
 /// The search from one start.
@@ -48,14 +43,15 @@ class Search {
 public:
     Search(ExactSolver<T>& solver, const OrbitSearch<T>& search)
         : search_(search), map_(solver), shooting_(map_, search.tolerance), j_(solver.system().contact.index),
-          no_expansion_(solver.excitation().mu == 1) {
-        for (const T& zeta : solver.system().basis.zeta) damped_ = damped_ && zeta > 0;
-    }
+          no_expansion_(solver.excitation().mu == 1),
+          damped_(std::ranges::all_of(solver.system().basis.zeta, [](const T& zeta) { return zeta > 0; })) {}
 
     PeriodicOrbit<T> from(const State<T>& start) {
+        const long before = map_.solver().effort().spent;
         follow(start);
         orbit_.periods_propagated = static_cast<int>((map_.half_periods_in_all() + 1) / 2);
         orbit_.newton_steps = shooting_.steps();
+        orbit_.effort_spent = map_.solver().effort().spent - before;
         return std::move(orbit_);
     }
 
@@ -95,15 +91,16 @@ private:
     bool settle(const State<T>& z, int done) {
         if (neutral_) {
             const bool arrived = candidate_.h > 0 && map_.norm(difference(z, candidate_.z)) <= 64 * candidate_.rounding;
-            return arrived && map_again(candidate_) && answer(candidate_.z, candidate_.h);
+            return arrived && answer_by_candidate();
         }
         if (done > 0 && only_rest_is_steady()) return tends_to_rest(z, done);
         if (best_step_ < 0 || (last_step_ >= 0 && last_step_ < best_step_)) best_ = z;
-        if (held_ && rest_->exists()) best_ = rest_->steady_state(z.x[j_]); // ahead of the motion: what the others tend to
+        if (held_ && steady_rest().exists())
+            best_ = steady_rest().steady_state(z.x[j_]); // ahead of the motion: what the others tend to
         const bool found = shooting_.fixed_point(best_, 1, true);
         best_step_ = shooting_.residual();
         if (!found) return false;
-        if (damped_ || !search_.follow_start || attracts(map_)) return answer(best_, 1);
+        if (damped_ || !search_.follow_start || attracts(map_)) return answer(orbit_of(map_, best_, search_));
         (void)take(best_, 1);
         neutral_ = true;
         return false;
@@ -111,8 +108,7 @@ private:
 
     bool find_orbit(const State<T>& z) {
         const auto accepted = [&] {
-            if (search_.follow_start && !(candidate_.stable && approached(z))) return false;
-            return map_again(candidate_) && answer(candidate_.z, candidate_.h);
+            return (!search_.follow_start || (candidate_.stable && approached(z))) && answer_by_candidate();
         };
         if (candidate_.h > 0 && accepted()) return true;
         for (const int h : lengths()) {
@@ -134,14 +130,12 @@ private:
                 least = now;
             }
         }
-        closest_ = found.back();
-        closest_recurrence_ = least;
         return found;
     }
 
     T recurrence(int h) const {
-        if (static_cast<std::size_t>(h) >= recent_.size()) return T(0);
-        return map_.norm(difference(recent_.back(), recent_[recent_.size() - 1 - static_cast<std::size_t>(h)]));
+        const auto back = static_cast<std::size_t>(h) + 1;
+        return back > recent_.size() ? T(0) : map_.norm(difference(recent_.back(), recent_[recent_.size() - back]));
     }
 
     // A fixed point, of no more half-periods than it needs.
@@ -167,10 +161,10 @@ private:
         return true;
     }
 
-    bool map_again(const Candidate& c) {
-        if (!map_.apply(c.z, c.h, true)) return false;
+    bool answer_by_candidate() {
+        if (!map_.apply(candidate_.z, candidate_.h, true)) return false;
         map_.measure_rounding();
-        return true;
+        return answer(orbit_of(map_, candidate_.z, search_));
     }
 
     // Whether the motion comes nearer to the candidate for long, as its linearisation tells. A motion of another orbit that
@@ -194,9 +188,8 @@ private:
 
     // The contact rested over the half-period from z, the one after `done` of them, and will for ever.
     bool rests_for_ever(const State<T>& z, int done) {
-        if (!rest_) rest_.emplace(map_.solver().system(), map_.solver().excitation());
         using Verdict = typename LastingRest<T>::Verdict;
-        const Verdict verdict = rest_->verdict(z);
+        const Verdict verdict = steady_rest().verdict(z);
         if (verdict == Verdict::open) return false;
         return rest_at(done % 2 != 0 ? T(-z.x[j_]) : z.x[j_], done, T(0),
                        verdict == Verdict::lasts
@@ -208,18 +201,17 @@ private:
     // With mu = 1 and every mode damped all steady velocities are the same: those of rest, where the contact can rest for ever.
     bool only_rest_is_steady() {
         if (!damped_ || map_.slides_throughout()) return false;
-        if (!rest_) rest_.emplace(map_.solver().system(), map_.solver().excitation());
-        return rest_->reach() > 0;
+        return steady_rest().reach() > 0;
     }
 
     // No two motions move apart, so that the motion stays as near to any steady rest as it is.
     bool tends_to_rest(const State<T>& z, int done) {
-        const T reach = rest_->reach();
+        const T reach = steady_rest().reach();
         const T x_j = std::clamp(z.x[j_], T(-reach), reach);
-        const State<T> rest = rest_->steady_state(x_j);
+        const State<T> rest = steady_rest().steady_state(x_j);
         const T apart = displacement_of_energy(map_) * map_.norm(difference(z, rest));
         T largest(0);
-        for (std::size_t k = 0; k < rest.x.size(); ++k) largest = std::max(largest, rest_->motion(k, x_j).amplitude);
+        for (std::size_t k = 0; k < rest.x.size(); ++k) largest = std::max(largest, steady_rest().motion(k, x_j).amplitude);
         const bool near = apart <= largest / (done < half_periods_to_rest ? 1'000'000'000 : 1000);
         if (!near && done < 2 * search_.most_periods) return false;
         return rest_at(done % 2 != 0 ? T(-x_j) : x_j, done, apart,
@@ -229,87 +221,45 @@ private:
 
     // The answer that the contact rests at x_j, no mass more than `apart` from where it is then.
     bool rest_at(const T& x_j, int done, const T& apart, const char* reason) {
-        const State<T> steady = rest_->steady_state(x_j);
-        if (!map_.apply(steady, 2, true) || !map_.held()) return false;
-        orbit_.status = OrbitStatus::permanently_stuck;
+        if (!answer(rest_of(map_, steady_rest(), x_j, search_))) return false;
         orbit_.reason = reason;
-        orbit_.start = steady;
-        orbit_.symmetric = x_j == 0;
-        orbit_.stops = {{T(0), T(2 * pi<T>()), x_j}};
-        orbit_.contact = rest_->motion(j_, x_j);
-        T largest = orbit_.contact.amplitude;
-        for (std::size_t k = 0; k < steady.x.size(); ++k) {
-            orbit_.masses.push_back(rest_->motion(k, x_j));
-            largest = std::max(largest, orbit_.masses.back().amplitude);
-        }
-        if (search_.contact_only) orbit_.masses.clear();
-        map_.measure_rounding();
-        orbit_.residual = largest > 0 ? T(map_.difference().cwiseAbs().maxCoeff() / largest) : T(0);
-        orbit_.error_bound = apart + (done + 1) * map_.rounding().maxCoeff() + map_.difference().cwiseAbs().maxCoeff();
-        if (search_.with_stability) {
-            const Matrix<double> others = jacobian_of_others(map_);
-            orbit_.multipliers = multipliers_of(others);
-            orbit_.stable = others.size() == 0 || contracts(others, jacobian_error(map_, others));
-        }
+        orbit_.error_bound += apart + done * map_.rounding().maxCoeff();
         return true;
     }
 
-    // The map was applied to z last, over h half-periods and with its Jacobian.
-    bool answer(const State<T>& z, int h) {
-        using boost::math::isfinite;
-        const std::optional<T> bound = error_bound_of(map_);
-        if (!bound) return false;
-        const MassMotion<T> contact = contact_motion(map_);
-        if (!map_.slides_throughout() && !(*bound < contact.amplitude)) return false; // no sure slip
-        T largest = contact.amplitude;
-        for (const T& x : z.x) largest = std::max(largest, T(x < 0 ? -x : x));
-        std::vector<MassMotion<T>> masses;
-        if (!search_.contact_only) masses = motions_of(map_);
-        for (const MassMotion<T>& mass : masses) largest = std::max(largest, mass.amplitude);
-        if (!isfinite(largest) || !(100 * *bound < largest)) return false; // at a resonance without damping: no digits
-        orbit_.start = z;
-        orbit_.symmetric = h % 2 != 0;
-        orbit_.periods = orbit_.symmetric ? h : h / 2;
-        orbit_.stops = stops_of(map_);
-        orbit_.contact = contact;
-        orbit_.masses = std::move(masses);
-        orbit_.touching = map_.motion().touching;
-        orbit_.residual = largest > 0 ? T(map_.difference().cwiseAbs().maxCoeff() / largest) : T(0);
-        orbit_.error_bound = *bound;
-        if (search_.with_stability) {
-            orbit_.stable = attracts(map_);
-            orbit_.multipliers = multipliers_of(in_double(map_.jacobian()));
-            if (orbit_.symmetric) orbit_.multipliers = squared(std::move(orbit_.multipliers));
-        }
-        orbit_.status = OrbitStatus::periodic;
-        if (orbit_.touching > 0)
-            orbit_.reason = "the contact grazes rest or break-away: which of two motions follows is decided by rounding";
-        return true;
+    bool answer(std::optional<PeriodicOrbit<T>> found) {
+        if (found) orbit_ = std::move(*found);
+        return found.has_value();
     }
 
-    void give_up(int done, bool chatters) {
+    LastingRest<T>& steady_rest() {
+        if (!rest_) rest_.emplace(map_.solver().system(), map_.solver().excitation());
+        return *rest_;
+    }
+
+    void give_up(int done, bool failed) {
+        const Effort& effort = map_.solver().effort();
+        const MotionStatus status = failed ? map_.motion().status : MotionStatus::complete;
         std::ostringstream s;
         s.precision(3);
-        if (chatters) {
-            s << "after " << done / 2 << " periods phases of no length follow each other";
-        } else {
-            const double size = static_cast<double>(map_.norm(recent_.back()));
-            bool grows = true;
-            for (std::size_t n = 1; n < recent_.size(); ++n) grows = grows && map_.norm(recent_[n]) > map_.norm(recent_[n - 1]);
-            (void)lengths();
-            s << "no periodic motion within " << done / 2 << " periods from the start: ";
-            if (grows)
-                s << "the motion still grows, to " << size;
-            else
-                s << "it repeats itself best after " << closest_ << " half-periods, to "
-                  << static_cast<double>(closest_recurrence_) / std::max(size, 1e-300) << " of its size";
-            if (candidate_.h > 0)
-                s << "; a periodic motion of " << candidate_.h << " half-periods is there, "
-                  << (candidate_.stable ? "stable" : "not certainly stable") << " with a largest multiplier of "
-                  << candidate_.largest_multiplier << ", but the motion from the start is "
-                  << static_cast<double>(map_.norm(difference(recent_.back(), candidate_.z))) / std::max(size, 1e-300)
-                  << " of its size away from it";
-        }
+        if (effort.exhausted())
+            s << "the work allowed is spent, " << effort.spent << " operations: ";
+        else if (status == MotionStatus::open)
+            s << "the motion changes faster than the number type can follow: ";
+        s << (status == MotionStatus::chattering ? "phases of no length follow each other" : "no periodic motion") << " within "
+          << done / 2 << " periods from the start";
+        const double size = std::max(static_cast<double>(map_.norm(recent_.back())), 1e-300);
+        const auto norm = [&](const State<T>& z) { return map_.norm(z); };
+        if (recent_.size() > 1 && std::ranges::is_sorted(recent_, std::ranges::less_equal{}, norm))
+            s << ": the motion still grows, to " << size;
+        else if (recent_.size() > 1)
+            s << ": it repeats itself best after " << lengths().back() << " half-periods, to "
+              << static_cast<double>(recurrence(lengths().back())) / size << " of its size";
+        if (candidate_.h > 0)
+            s << "; a periodic motion of " << candidate_.h << " half-periods is there, "
+              << (candidate_.stable ? "stable" : "not certainly stable") << " with a largest multiplier of "
+              << candidate_.largest_multiplier << ", but the motion from the start is "
+              << static_cast<double>(map_.norm(difference(recent_.back(), candidate_.z))) / size << " of its size away from it";
         orbit_.reason = s.str();
     }
 
@@ -318,7 +268,7 @@ private:
     Shooting<T> shooting_;
     std::size_t j_;
     bool no_expansion_;    // mu = 1: no two motions move apart
-    bool damped_ = true;   // every mode by itself
+    bool damped_;          // every mode by itself
     bool held_ = false;    // over the last half-period
     bool neutral_ = false; // an orbit was found that nothing tends to
     PeriodicOrbit<T> orbit_;
@@ -328,16 +278,19 @@ private:
     State<T> best_;                // nearest to a fixed point so far, where there is one only
     T best_step_ = T(-1);
     Candidate candidate_;
-    int closest_ = 1;
-    T closest_recurrence_ = T(0);
 };
 
 } // namespace
 
 template <class T>
 PeriodicOrbit<T> periodic_orbit(ExactSolver<T>& solver, const State<T>& start, const OrbitSearch<T>& search) {
-    check(search, start, solver.system().basis.r_n.size());
-    return Search<T>(solver, search).from(start);
+    const std::size_t N = solver.system().basis.r_n.size();
+    check(search, start, N);
+    Effort own{default_effort(N)};
+    Effort* const before = solver.allow(search.effort != nullptr ? search.effort : &own);
+    PeriodicOrbit<T> orbit = Search<T>(solver, search).from(start);
+    (void)solver.allow(before);
+    return orbit;
 }
 
 template PeriodicOrbit<double> periodic_orbit(ExactSolver<double>&, const State<double>&, const OrbitSearch<double>&);

@@ -34,6 +34,7 @@ struct OrbitSearch {
     bool follow_start = true; ///< make sure that the motion from the start tends to the orbit, not another
     bool contact_only = false;  ///< leave `masses` empty: the maxima of the masses that are not in contact cost most
     bool with_stability = true; ///< compute Floquet multipliers and the verdict on stability
+    Effort* effort = nullptr;   ///< the work allowed; null for that of `default_effort`
 };
 
 /// @brief A steady motion.
@@ -54,10 +55,12 @@ struct PeriodicOrbit {
     int touching = 0;                              ///< events so tangential that rounding decided them; multipliers are one-sided
     int newton_steps = 0;                          ///< steps of Newton's method taken
     int periods_propagated = 0;                    ///< periods propagated in all
+    long effort_spent = 0;                         ///< operations that the search took
 };
 
 /// @brief The steady motion that a start leads to.
 ///
+/// The search ends where its effort is spent: `reason` then says how far it came.
 /// With mu = 1 and every damping ratio positive the steady velocities are unique, and the first orbit found is the answer. Else
 /// an orbit is taken only where it is stable and the motion from the start is seen to approach it as its linearisation tells,
 /// unless `follow_start` is off. A contact at rest rests for ever where the load on it in the steady stuck motion, and what the

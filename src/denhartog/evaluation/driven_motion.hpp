@@ -1,0 +1,133 @@
+/// @file
+/// @brief The motion of a coordinate from its start under a constant and a harmonic force: (A.6), (A.7) regrouped.
+///
+/// The paper's terms are gathered by what changes with time: the rest under the constant force, the harmonic motion, and the
+/// free motion of what the start has more than these. Next to resonance the harmonic and the free part are large and cancel;
+/// there their sum, the response from rest, is formed as one. Every form is branch-free and proved.
+#pragma once
+
+#include "denhartog/evaluation/mode.hpp"
+#include "denhartog/formulas/modal_coordinate.hpp"
+
+namespace denhartog::evaluation {
+
+/// @brief Product of two complex numbers. @param a a factor @param b a factor @return a b
+template <class T>
+[[nodiscard]] Complex<T> product(const Complex<T>& a, const Complex<T>& b) {
+    return {a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re};
+}
+
+/// @brief Quotient of two complex numbers. @param a the dividend @param b the divisor @return a / b
+template <class T>
+[[nodiscard]] Complex<T> quotient(const Complex<T>& a, const Complex<T>& b) {
+    const T size = squared_modulus(b);
+    return {(a.re * b.re + a.im * b.im) / size, (a.im * b.re - a.re * b.im) / size};
+}
+
+/// @brief \f$ (e^z-1)/z \f$ of a complex number, which is 1 at 0; `derivation/symbolic.hpp` has it for the symbolic scalar.
+/// @param z  a complex number
+/// @return   the quotient
+template <class T>
+[[nodiscard]] Complex<T> exp_minus_one_over(const Complex<T>& z) {
+    const T nothing = std::numeric_limits<T>::epsilon() / 4;
+    if (squared_modulus(z) < nothing * nothing) return {T(1), T(0)};
+    const T e = exp_minus_one(z.re), s = sin(T(z.im / 2));
+    return quotient(Complex<T>{e * cos(z.im) - 2 * s * s, (e + 1) * sin(z.im)}, z);
+}
+
+/// @brief \f$ R^2v_d \f$ from the gap \f$ 1-1/R^2 \f$ and the decay \f$ a = \zeta/R \f$.
+/// \f[ R^2v_d = -\frac{(1-R^{-2}) + 2ia}{(1-R^{-2})^2+4a^2} \f]
+/// @eq{23}  @derivation{driven_motion}  @domain{R > 0, zeta >= 0; at zeta = 0 a pole at R = 1}
+/// @param gap  1 - 1/R^2, as near to resonance as it is known
+/// @param a    decay rate zeta / R
+/// @return     the response to a unit harmonic force
+template <class T>
+[[nodiscard]] Complex<T> response_by_R_squared(const T& gap, const T& a) {
+    const T size = gap * gap + 4 * a * a;
+    return {-gap / size, -(2 * a) / size};
+}
+
+/// @brief What the start has more than the rest under the constant force and the harmonic motion.
+/// @eq{A.5,A.6}  @derivation{driven_motion}
+/// @param start    displacement and velocity at the start
+/// @param at_rest  displacement at rest under the constant force
+/// @param X        complex amplitude of the harmonic motion, Re{X exp(i tau)}
+/// @param cos_0    cosine of tau at the start
+/// @param sin_0    sine of tau at the start
+/// @return         the start of the free motion
+template <class T>
+[[nodiscard]] InitialValues<T> free_start(const InitialValues<T>& start, const T& at_rest, const Complex<T>& X, const T& cos_0,
+                                          const T& sin_0) {
+    return {start.eta_0 - at_rest - X.re * cos_0 + X.im * sin_0, start.eta_prime_0 + X.re * sin_0 + X.im * cos_0};
+}
+
+/// @brief Displacement and velocity under a constant and a harmonic force.
+/// @eq{A.6,A.7,A.8,A.9}  @derivation{driven_motion}  @domain{R > 0, zeta >= 0}
+/// @param free     free motions (A.8) over the time from the start, their rates (A.9)
+/// @param R        modal frequency ratio, Eq. (22)
+/// @param start    start of the free motion
+/// @param at_rest  displacement at rest under the constant force
+/// @param X        complex amplitude of the harmonic motion
+/// @param cosine   cosine of tau at the instant
+/// @param sine     sine of tau at the instant
+/// @return         displacement and velocity at the instant
+template <class T>
+[[nodiscard]] InitialValues<T> driven_motion(const FreeMotion<T>& free, const T& R, const InitialValues<T>& start,
+                                             const T& at_rest, const Complex<T>& X, const T& cosine, const T& sine) {
+    return {at_rest + X.re * cosine - X.im * sine + start.eta_0 * free.d + start.eta_prime_0 * (R * free.q),
+            start.eta_0 * free.d_prime + start.eta_prime_0 * (R * free.q_prime) - X.re * sine - X.im * cosine};
+}
+
+/// @brief By how much the damped frequency differs from that of the force.
+/// \f[ 1-\frac{w}{R} = \frac{(1-R^{-2}) + \zeta^2R^{-2}}{1+w/R} \f]
+/// @eq{A.8}  @derivation{driven_motion}  @domain{R > 0, 0 <= zeta < 1; keeps its digits next to R = 1, zeta = 0}
+/// @param R     modal frequency ratio, Eq. (22)
+/// @param zeta  modal damping ratio
+/// @param gap   1 - 1/R^2, as near to resonance as it is known
+/// @return      the difference
+template <class T>
+[[nodiscard]] T detuning(const T& R, const T& zeta, const T& gap) {
+    const T w = sqrt(T((1 - zeta) * (1 + zeta)));
+    const T a = zeta / R;
+    return (gap + a * a) / (1 + w / R);
+}
+
+/// @brief The response to \f$ \cos\tau \f$ from rest, next to resonance.
+///
+/// With \f$ \lambda = -a+ib \f$ and the start at \f$ \tau_0 \f$
+/// \f[ \frac{1}{b}\,\mathrm{Im}\left\{\frac{e^{i\tau_0}}{2}(E_1-E_2)\right\}, \qquad
+///     E_1 = e^{\lambda t}\,\frac{e^{(i-\lambda)t}-1}{i-\lambda}, \quad E_2 = \frac{e^{it}-e^{\bar\lambda t}}{i-\bar\lambda} \f]
+/// where \f$ i-\lambda = a+i(1-b) \f$ comes from `detuning`: as b goes to 1 and a to 0 the error stays some units in
+/// the last place of 1 + t.
+/// @eq{A.6,A.7}  @derivation{driven_motion}  @domain{a >= 0, b > 0; keeps its digits next to a = 0, b = 1}
+/// @param t        time from the start
+/// @param a        decay rate zeta / R
+/// @param b        damped frequency w / R
+/// @param apart    1 - b, as `detuning` has it
+/// @param decayed  exp(lambda t)
+/// @param cos_0    cosine of tau at the start
+/// @param sin_0    sine of tau at the start
+/// @return         displacement and velocity
+template <class T>
+[[nodiscard]] InitialValues<T> response_from_rest(const T& t, const T& a, const T& b, const T& apart, const Complex<T>& decayed,
+                                                  const T& cos_0, const T& sin_0) {
+    const Complex<T> E_1 = t * product(decayed, exp_minus_one_over(Complex<T>{a * t, apart * t}));
+    const Complex<T> E_2 = quotient(Complex<T>{cos(t) - decayed.re, sin(t) + decayed.im}, Complex<T>{a, 1 + b});
+    const Complex<T> h{E_1.re - E_2.re, E_1.im - E_2.im};
+    const Complex<T> h_prime{-a * h.re - b * (E_1.im + E_2.im), -a * h.im + b * (E_1.re + E_2.re)};
+    return {(cos_0 * h.im + sin_0 * h.re) / (2 * b), (cos_0 * h_prime.im + sin_0 * h_prime.re) / (2 * b)};
+}
+
+/// @brief The derivative of a coordinate two orders up, by its equation of motion: \f$ f - D - \eta/R^2 \f$.
+/// @eq{20,A.1}  @derivation{driven_motion}
+/// @param eta      a derivative of the coordinate
+/// @param omega    natural frequency 1 / R
+/// @param damping  damping force D at the next derivative
+/// @param force    the derivative f of the force, of the order of eta
+/// @return         the derivative two orders up
+template <class T>
+[[nodiscard]] T acceleration(const T& eta, const T& omega, const T& damping, const T& force) {
+    return force - damping - omega * omega * eta;
+}
+
+} // namespace denhartog::evaluation

@@ -1,0 +1,116 @@
+// Scenes on which a search would run on without end: each ends within its budget, counted in operations, and says what is certain.
+#include <cmath>
+#include <cstdio>
+#include <random>
+
+#include "denhartog/number/number.hpp"
+#include "denhartog/sliding/invariant_points.hpp"
+#include "denhartog/stick_slip/periodic_orbit.hpp"
+#include "tests/catch.hpp"
+#include "tests/support/paper_systems.hpp"
+
+using namespace denhartog;
+using namespace denhartog::tests;
+
+namespace {
+
+System<double> chain_of(const std::vector<double>& gamma, const std::vector<double>& kappa, double zeta, std::size_t j,
+                        std::size_t l) {
+    System<double> s;
+    s.mass_ratios = gamma;
+    s.stiffness_ratios = kappa;
+    s.damping_ratios.assign(gamma.size(), zeta);
+    s.contact = Mass{j - 1};
+    s.load = Mass{l - 1};
+    return s;
+}
+
+PeriodicOrbit<double> orbit_from_rest(const System<double>& s, const Excitation<double>& e, Effort* effort = nullptr) {
+    const ContactSystem<double> system = contact_system(s);
+    ExactSolver<double> solver(system, e);
+    OrbitSearch<double> search;
+    search.effort = effort;
+    return periodic_orbit(solver, at_rest<double>(system.basis.r_n.size()), search);
+}
+
+void say(const char* scene, const PeriodicOrbit<double>& orbit) {
+    std::printf("%s: %ld operations, %d periods; %s\n", scene, orbit.effort_spent, orbit.periods_propagated,
+                orbit.reason.c_str());
+}
+
+} // namespace
+
+TEST_CASE("a force slower than any number of periods has no orbit, and the search says so", "[effort][exact-solver]") {
+    for (const double r : {5e-324, 1e-300, 1e-30, 1e-12}) {
+        const PeriodicOrbit<double> orbit = orbit_from_rest(chain_of({1, 1}, {1, 1}, 0.05, 2, 1), {r, 0.25, 1});
+        say("two masses far below resonance", orbit);
+        CHECK(orbit.status == OrbitStatus::not_converged);
+        CHECK_FALSE(orbit.reason.empty());
+        CHECK(orbit.masses.empty());
+        CHECK(orbit.effort_spent <= default_effort(2) + 100);
+    }
+}
+
+TEST_CASE("friction beyond all measure stops any motion at once", "[effort][exact-solver]") {
+    const ContactSystem<double> system = contact_system(chain_of({1}, {1}, 0.138, 1, 1));
+    std::mt19937_64 random(5);
+    for (const double beta : {1e17, 1e100, 1e200, 1e300}) {
+        ExactSolver<double> solver(system, {1.0 / 3, beta, 1.1});
+        for (int n = 0; n < 20; ++n) {
+            const auto draw = [&] { return std::ldexp(static_cast<double>(random() >> 11), -52) - 1; };
+            const PeriodicOrbit<double> orbit = periodic_orbit(solver, State<double>{{draw()}, {draw()}});
+            INFO("beta " << beta << ": " << orbit.reason);
+            CHECK(orbit.status == OrbitStatus::permanently_stuck);
+            CHECK(orbit.effort_spent <= 1000);
+        }
+    }
+}
+
+TEST_CASE("stuck modes that are heavily damped and coupled cost no more than others", "[effort][exact-solver]") {
+    const System<double> s = chain_of({1, 1, 1, 1}, {1, 1.8e-13, 1, 1}, 1e6, 3, 1);
+    const PeriodicOrbit<double> orbit = orbit_from_rest(s, {3.99, 0.48, 1.1});
+    say("four masses, zeta = 1e6", orbit);
+    CHECK(orbit.effort_spent <= default_effort(4) + 1000);
+    // The motion itself, over one period: few phases, few evaluations.
+    const ContactSystem<double> system = contact_system(s);
+    CHECK_FALSE(system.stuck.modes_diagonalise_damping);
+    ExactSolver<double> solver(system, {3.99, 0.48, 1.1});
+    Effort effort;
+    (void)solver.allow(&effort);
+    const ExactMotion<double>& motion = solver.run(at_rest<double>(4), 0, 2 * pi<double>());
+    std::printf("one period of it: %zu phases, %ld operations\n", motion.phases.size(), effort.spent);
+    CHECK(motion.status == MotionStatus::complete);
+    CHECK(effort.spent <= 200'000);
+}
+
+TEST_CASE("an orbit whose effort is spent says how far it came", "[effort][exact-solver]") {
+    Effort effort{2000};
+    const PeriodicOrbit<double> orbit = orbit_from_rest(two_masses(0.001), {0.3, 0.4, 2.5}, &effort);
+    CHECK(orbit.status == OrbitStatus::not_converged);
+    CHECK_THAT(orbit.reason, Catch::Contains("the work allowed is spent") && Catch::Contains("periods from the start"));
+    CHECK(orbit.effort_spent == effort.spent);
+    CHECK(orbit.effort_spent <= 2100);
+}
+
+TEST_CASE("far above resonance, where the functions of (87) cancel, the invariant points are found all the same",
+          "[effort][invariant][eq:87]") {
+    const System<double> s = chain_of({1, 1, 1}, {1, 1, 1}, 0.05, 1, 1);
+    const ModalBasis<double> basis = modal_basis(s);
+    for (const double r : {20.0, 50.0, 200.0}) {
+        Effort effort{default_effort(3)};
+        const auto found = invariant_points(basis, s.contact, s.load, 1.0, r, &effort);
+        std::size_t points = 0, undecided = 0;
+        for (const InvariantPointsOfMass<double>& mass : found) {
+            points += mass.points.size();
+            undecided += mass.undecided.size();
+            for (const UndecidedStretch<double>& each : mass.undecided) CHECK(each.from > 40);
+        }
+        std::printf("invariant points 1:%g: %ld operations, %zu points, %zu undecided\n", r, effort.spent, points, undecided);
+        CHECK(effort.spent <= 200'000);
+        if (r <= 20) CHECK(undecided == 0);
+    }
+    Effort little{1000};
+    const auto begun = invariant_points(basis, s.contact, s.load, 1.0, 50.0, &little);
+    CHECK(little.spent <= 1100);
+    CHECK_FALSE(begun.back().undecided.empty());
+}
