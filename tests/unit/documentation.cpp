@@ -26,3 +26,10 @@ TEST_CASE("every derivation that a doc comment names is a file", "[documentation
     }
     CHECK(found > 50);
 }
+
+TEST_CASE("the program that the page of the library shows is the one that is compiled", "[documentation]") {
+    const std::filesystem::path root(std::getenv("DENHARTOG_SOURCE_DIR"));
+    const std::string program = text_of(root / "tests/package/first_program.cpp");
+    REQUIRE(program.size() > 100);
+    CHECK(text_of(root / "docs/library.md").find("```cpp\n" + program + "```") != std::string::npos);
+}

@@ -6,15 +6,9 @@
 #include <vector>
 
 #include "denhartog/sliding/mode_sums.hpp"
+#include "denhartog/sliding/regime_at_point.hpp"
 
 namespace denhartog {
-
-/// @brief The condition that ends the sliding regime first.
-enum class BindingCondition {
-    velocity,        ///< (54)a: the contact would turn back within the half-period
-    static_friction, ///< (54)b: static friction would hold it at the end of the half-period
-    both             ///< the two coincide: mu = 1 and the sum over modes is largest for tau -> 0
-};
 
 /// @brief The two friction ratios that part the regimes at one frequency ratio.
 template <class T>

@@ -2,31 +2,11 @@
 /// @brief The regime of the steady state at one point (r, beta), with the reason in a sentence.
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "denhartog/number/bounded.hpp"
 #include "denhartog/sliding/boundary.hpp"
+#include "denhartog/sliding/regime_at_point.hpp"
 
 namespace denhartog {
-
-/// @brief How the contact moves in the steady state.
-enum class Regime {
-    continuous,        ///< it slides throughout, but for its two turning points a period
-    stick_slip,        ///< it moves, and rests for a part of every period
-    permanent_sticking ///< it rests
-};
-
-/// @brief Name of a regime as answers have it. @param regime a regime @return `continuous`, `stick_slip` or `permanent_sticking`
-[[nodiscard]] std::string name(Regime regime);
-
-/// @brief The regime at a point.
-struct RegimeAtPoint {
-    Regime regime;             ///< the regime; `continuous` wherever the closed form holds
-    std::vector<Regime> other; ///< regimes that exist at the same point, from other initial values
-    bool on_boundary = false;  ///< beta equals a boundary to the accuracy of the boundary: the regime could be the neighbour
-    std::string reason;        ///< why, in a sentence
-};
 
 /// @brief Accuracy of the two friction ratios that part the regimes; zero where one is known exactly.
 template <class T>

@@ -14,7 +14,8 @@
 #include <string>
 #include <vector>
 
-#include "denhartog/sliding/regime.hpp"
+#include "denhartog/model/scene.hpp"
+#include "denhartog/sliding/regime_at_point.hpp"
 
 namespace denhartog {
 

@@ -20,13 +20,6 @@ SolvedMass solved_mass(const MassResponse<Bounded<T>>& m, int digits, bool with_
 
 } // namespace
 
-double error_of_displacements(const SolvedMass& m) {
-    if (!m.sliding) return m.amplitude.error;
-    return std::max({m.sliding->x0.error, m.sliding->v0.error, m.amplitude.error, m.sliding->amplitude_monoharmonic.error});
-}
-
-const SolvedMass& mass_of(const Solution& s, Mass k) { return s.only ? s.masses.front() : s.masses[k.index]; }
-
 template <class T>
 void write_point(const Scene<T>& scene, const SlidingPoint<T>& point, int digits, Asked asked, Solution& s) {
     const auto number = [digits](const Bounded<T>& x) { return certified(x, digits); };

@@ -9,7 +9,7 @@
 
 #include "denhartog/model/scene.hpp"
 #include "denhartog/number/certified.hpp"
-#include "denhartog/sliding/regime.hpp"
+#include "denhartog/sliding/regime_at_point.hpp"
 #include "denhartog/stick_slip/motion_record.hpp"
 
 namespace denhartog {
@@ -144,6 +144,13 @@ struct Solution {
     std::optional<Stability> stability;        ///< where the exact solver answered
     std::vector<OtherMotion> motions;          ///< all motions found, where they were looked for
     Work work;                                 ///< what the answer cost
+
+    /// @brief Amplitude of a mass, units of P / k_1. @param k a mass that is listed @return its largest displacement
+    /// @throws DomainError where the answer has no amplitudes
+    [[nodiscard]] const Certified& amplitude(Mass k) const;
+    /// @brief Phase of a mass. @param k a mass that is listed @return its lag behind the force; none where it does not move
+    /// @throws DomainError where the answer has no amplitudes
+    [[nodiscard]] const std::optional<Certified>& phase(Mass k) const;
 };
 
 /// @brief What is known of a mass. @param s an answer @param k a mass, listed in it @return the mass

@@ -106,7 +106,7 @@ struct LinearMotion {
             return;
         }
         for (std::size_t i = 0; i < size(); ++i) {
-            const evaluation::FreeMotion<T> free = evaluation::selected_free_motion(t, R_[i], zeta_[i]);
+            const evaluation::FreeMotion<T> free = evaluation::free_motion(t, R_[i], zeta_[i]);
             InitialValues<T> now = evaluation::driven_motion(free, R_[i], free_[i], at_rest_[i], X_[i], cos_tau_, sin_tau_);
             if (resonant_[i]) {
                 const T w = sqrt(T((1 - zeta_[i]) * (1 + zeta_[i])));
@@ -181,7 +181,7 @@ struct LinearMotion {
             return;
         }
         for (std::size_t i = 0; i < size(); ++i) {
-            const evaluation::FreeMotion<T> free = evaluation::selected_free_motion(t, R_[i], zeta_[i]);
+            const evaluation::FreeMotion<T> free = evaluation::free_motion(t, R_[i], zeta_[i]);
             for (Eigen::Index c = 0; c < dq.cols(); ++c) {
                 const T x = dq(i, c), v = dp(i, c);
                 dq(i, c) = x * free.d + v * (R_[i] * free.q);

@@ -1,0 +1,36 @@
+#include "denhartog/denhartog.hpp"
+
+#include <thread>
+
+#include "denhartog/solve/certify.hpp"
+#include "denhartog/solve/scene_source.hpp"
+#include "denhartog/solve/sliding_solution.hpp"
+#include "denhartog/solve/solve.hpp"
+
+namespace denhartog {
+
+Scene<double> scene(std::string_view json) { return read_scene<double>(json); }
+
+Solution solve(const Scene<double>& scene, const Question& question) { return solve(scene_source(scene), question); }
+
+Limits boundary(const Scene<double>& scene, std::optional<int> digits) {
+    const Solution s = sliding_solution(without_friction_ratio(scene_source(scene)), {Asked::regime, digits, {}});
+    if (digits && !s.digits_reached)
+        throw PrecisionError("the " + std::to_string(*digits) + " digits asked for are not reached, only " +
+                             std::to_string(digits_of(s.relative_error)) + " are sure");
+    return *s.limits;
+}
+
+RegimeMap map(const Scene<double>& scene, const std::vector<double>& r, const std::vector<double>& beta) {
+    MapRequest request{r, beta, {}, MapStart::rest, std::max(1U, std::thread::hardware_concurrency())};
+    for (std::size_t k = 0; k < number_of_masses(scene.system); ++k) request.masses.push_back(Mass{k});
+    const std::atomic<bool> stop{false};
+    return regime_map(scene, request, stop);
+}
+
+SampledSolution motion(const Scene<double>& scene, std::size_t samples) {
+    if (samples < 1) throw InputError("samples", "must be at least 1", std::to_string(samples));
+    return sampled_solution(scene, solve(scene), samples);
+}
+
+} // namespace denhartog
