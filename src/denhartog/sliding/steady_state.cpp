@@ -94,7 +94,12 @@ T instant_of_maximum(const ModeSums<T>& s, FrictionMotions<T>& y, const T& beta,
         return T(harmonic_size + beta * bound);
     };
     curve.rise = [](const T& a, const T& b, const T& z_bound) { return T(z_bound * (b - a) * (b - a) / 8); };
-    return global_maximum(curve, T(0), pi<T>()).instant;
+    // What rounding leaves of the displacement is no reason to look further.
+    const FrictionMotionsAt<T>& start = y.at(T(0));
+    T terms = harmonic_size;
+    for (std::size_t i = 0; i < mass.weights.size(); ++i) terms += beta * size_of_number(mass.weights[i]) * (1 + start.size[i]);
+    curve.cost = static_cast<long>(s.R.size()) * cost_of_mode<T>();
+    return global_maximum(curve, T(0), pi<T>(), T(2 * unit_of<T>() * terms)).instant;
 }
 
 // A step of Newton's method towards the extremum; none where the acceleration is zero.

@@ -7,7 +7,6 @@
 #include "denhartog/evaluation/batch_forms.hpp"
 #include "denhartog/evaluation/mode_arrays.hpp"
 #include "denhartog/evaluation/vector_functions.hpp"
-#include "denhartog/formulas/contact.hpp"
 #include "denhartog/model/point_rules.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/parallel.hpp"
@@ -183,11 +182,12 @@ void contact_phases(const ContactSums& s, const ContactMap& map, const std::vect
 
 void amplitudes_of_contact(const Complex<double>& V_dj, double U_dj, double G_j, std::span<const double> beta,
                            std::span<double> X_j) {
+    const Column column{modulus(V_dj), U_dj, G_j, 0, 0};
     const double* of = beta.data();
     double* X = X_j.data();
     const std::size_t n = std::min(beta.size(), X_j.size());
 #pragma GCC ivdep
-    for (std::size_t i = 0; i < n; ++i) X[i] = paper::displacement_transmissibility_of_contact(V_dj, U_dj, G_j, of[i]);
+    for (std::size_t i = 0; i < n; ++i) X[i] = root(column, of[i]) - of[i] * G_j;
 }
 
 } // namespace denhartog

@@ -77,8 +77,7 @@ void contact_map(const ContactSums& sums, const ContactLimits& limits, const std
 void contact_phases(const ContactSums& sums, const ContactMap& map, const std::vector<double>& beta, unsigned threads,
                     std::vector<double>& phi_j);
 
-/// @brief (38) as printed over an array of friction ratios: every number is that of
-/// `paper::displacement_transmissibility_of_contact`.
+/// @brief (38) over an array of friction ratios, the difference of squares as a product.
 /// @eq{38}
 /// @param V_dj  complex response function of the mass in contact, Eq. (33)
 /// @param U_dj  first damping function, Eq. (34)

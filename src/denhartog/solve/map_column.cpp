@@ -7,6 +7,7 @@
 #include "denhartog/evaluation/contact.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/multiprecision.hpp"
+#include "denhartog/sliding/regime.hpp"
 #include "denhartog/solve/batch_map.hpp"
 #include "denhartog/stick_slip/stuck_response.hpp"
 
