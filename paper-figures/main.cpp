@@ -24,7 +24,11 @@ int main(int argc, char** argv) {
     std::vector<std::string> names;
     app.add_option("--output", folder, "folder for the data")->capture_default_str();
     app.add_option("NAME", names, "the figures; all of them where none is named")->check(CLI::IsMember(listed_figures()));
-    CLI11_PARSE(app, argc, argv);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& e) {
+        return app.exit(e) == 0 ? 0 : 2;
+    }
     if (names.empty())
         for (const auto& [name, make] : listed_figures()) names.push_back(name);
     int status = 0;
