@@ -8,6 +8,7 @@
 #include <thread>
 #include <vector>
 
+#include "denhartog/sliding/steady_state.hpp"
 #include "denhartog/solve/sampled_solution.hpp"
 #include "denhartog/solve/solve.hpp"
 #include "tests/catch.hpp"

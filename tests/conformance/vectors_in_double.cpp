@@ -6,6 +6,7 @@
 #include "denhartog/formulas/high_frequency.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/sliding/steady_state.hpp"
+#include "denhartog/sliding/regime.hpp"
 #include "denhartog/solve/solve.hpp"
 #include "denhartog/stick_slip/exact_motion.hpp"
 #include "denhartog/stick_slip/stuck_response.hpp"

@@ -241,6 +241,10 @@ template SteadyState<Bounded<Real100>> steady_state_without_maxima(const ModeSum
 template Motion<Bounded<Real100>> motion(const ModeSums<Bounded<Real100>>&, const SteadyState<Bounded<Real100>>&,
                                          const Bounded<Real100>&);
 
+template SteadyState<Real100> steady_state_at(const ModeSums<Real100>&, const Real100&, const std::vector<Real100>&,
+                                              std::optional<Mass>);
+template SteadyState<Real50> steady_state_at(const ModeSums<Real50>&, const Real50&, const std::vector<Real50>&,
+                                             std::optional<Mass>);
 template SteadyState<double> steady_state_at(const ModeSums<double>&, const double&, const std::vector<double>&,
                                              std::optional<Mass>);
 template SteadyState<Real50> steady_state_without_maxima(const ModeSums<Real50>&, const Real50&);
