@@ -13,7 +13,8 @@ TEST_CASE("every bound of V, U, G, H, S, beta_lim, X_j, phi_j, x_k and its veloc
     for (const auto& [name, of] : survey.quantities) {
         INFO(name << ", " << of.most_used << " of the bound used at " << of.worst);
         CHECK(of.violations == 0);
-        CHECK(of.over_estimate(0.5) < 30);
+        CHECK(of.over_estimate(0.5) <
+              (name[0] == 'x' ? 40 : 30)); // a displacement sums the terms of all modes, each with its bound
         CHECK(of.count > 1000);
         CHECK(of.most_used > 0.05);
     }

@@ -15,17 +15,30 @@ using std::min;
 using std::sqrt;
 
 constexpr int trust = 8;         // units in the last place a mode that an eigen-solver may be off by
-constexpr int units_of_mode = 8; // the forms of v, u, g are good to 4
+constexpr int units_of_mode = 8; // twice what the forms of v, u, g are good to where they are well conditioned
+constexpr int units_of_form = 4; // elsewhere they are good to what that many units of R and zeta change
 
-// An entry of the damping matrix in modal coordinates from an entry each of sizes: what an error of the shapes can change of it.
+// What an entry of a mode changes by where the mode turns by a unit angle: the root of the entry of the inverse mass matrix, which
+// is that of a sum over all modes. A light mass moves far.
 template <class T>
-T size_of_damping(const System<T>& s, const ModalBasis<T>& basis, std::size_t i) {
-    const auto phi = basis.phi.col(static_cast<Eigen::Index>(i)).cwiseAbs();
-    return phi.dot(s.damping_matrix.cwiseAbs() * phi);
+std::vector<T> reach_of_masses(const System<T>& system, const ModalBasis<T>& basis, const std::vector<Mass>* masses) {
+    std::vector<T> reach;
+    for (Eigen::Index row = 0; row < basis.phi.rows(); ++row) {
+        const std::size_t k = masses ? (*masses)[static_cast<std::size_t>(row)].index : static_cast<std::size_t>(row);
+        reach.push_back(system.mass_ratios.empty() ? T(basis.phi.row(row).norm()) : T(1 / sqrt(system.mass_ratios[k])));
+    }
+    return reach;
 }
 
-// Errors that the solver is trusted with, and those of inputs. A mode of a chain is a unit vector over the roots of the masses,
-// and turns by an angle: this bounds its entries where not all of them are there.
+// An estimate of the condition number of a full mass matrix, by which its factors change the eigenproblem.
+template <class T>
+T condition_of_masses(const System<T>& system, const std::vector<T>& reach) {
+    if (system.mass_matrix.size() == 0) return T(1);
+    const T longest = *std::max_element(reach.begin(), reach.end());
+    return system.mass_matrix.diagonal().maxCoeff() * longest * longest;
+}
+
+// Errors that the solver is trusted with, and those of inputs.
 template <class T>
 ModalBasis<Bounded<T>> bounded(const System<T>& system, const ModalBasis<T>& basis, const std::vector<Mass>* masses) {
     const std::size_t N = basis.r_n.size();
@@ -34,9 +47,11 @@ ModalBasis<Bounded<T>> bounded(const System<T>& system, const ModalBasis<T>& bas
     const T highest = basis.r_n.back();
     ModalBasis<Bounded<T>> bounded;
     bounded.phi.resize(basis.phi.rows(), static_cast<Eigen::Index>(N));
+    const std::vector<T> reach = reach_of_masses(system, basis, masses);
+    const T of_matrix = unit * highest * highest * condition_of_masses(system, reach);
     for (std::size_t i = 0; i < N; ++i) {
         const T r_n = basis.r_n[i];
-        const T of_square = chain ? T(2 * unit * r_n * r_n) : T(unit * highest * highest); // error of the squared frequency
+        const T of_square = chain ? T(2 * unit * r_n * r_n) : of_matrix; // error of the squared frequency
         bounded.r_n.push_back({r_n, T(of_square / (2 * r_n))});
         T nearest = std::numeric_limits<T>::infinity(); // difference of the squares, of the chain's relative to both
         for (const std::size_t n : {i - 1, i + 1}) {
@@ -46,14 +61,18 @@ ModalBasis<Bounded<T>> bounded(const System<T>& system, const ModalBasis<T>& bas
         }
         const T turn = min(T(1), N == 1 ? unit : T(of_square / nearest + unit));
         const auto column = static_cast<Eigen::Index>(i);
-        const T norm = masses ? T(1) : T(basis.phi.col(column).norm());
-        for (Eigen::Index row = 0; row < basis.phi.rows(); ++row) {
-            const T size = masses ? T(norm / sqrt(system.mass_ratios[(*masses)[static_cast<std::size_t>(row)].index])) : norm;
-            bounded.phi(row, column) = {basis.phi(row, column), T(turn * size)};
+        const Eigen::Matrix<T, Eigen::Dynamic, 1> sizes = basis.phi.col(column).cwiseAbs();
+        Eigen::Matrix<T, Eigen::Dynamic, 1> errors(sizes.size());
+        for (Eigen::Index row = 0; row < errors.size(); ++row) {
+            errors(row) = turn * reach[static_cast<std::size_t>(row)];
+            bounded.phi(row, column) = {basis.phi(row, column), errors(row)};
         }
         T of_zeta = of_input * basis.zeta[i];
-        if (system.damping_matrix.size() > 0)
-            of_zeta = (turn + unit) * (size_of_damping(system, basis, i) / r_n + basis.zeta[i] * (1 + of_square / (r_n * r_n)));
+        if (system.damping_matrix.size() > 0) {
+            const Eigen::Matrix<T, Eigen::Dynamic, 1> damping = system.damping_matrix.cwiseAbs() * (sizes + errors);
+            of_zeta = (errors.dot(damping) + unit * sizes.dot(damping)) / r_n +
+                      (turn + unit) * basis.zeta[i] * (1 + of_square / (r_n * r_n));
+        }
         bounded.zeta.push_back({basis.zeta[i], of_zeta});
     }
     return bounded;
@@ -118,12 +137,13 @@ ModeSums<Bounded<double>> in_double(const ModeSums<Bounded<T>>& sums) {
 
 template <class T>
 evaluation::ModeFunctions<Bounded<T>> bounded_mode_functions(const Bounded<T>& R_i, const Bounded<T>& zeta_i) {
-    const T &R = R_i.x, &zeta = zeta_i.x, &dzeta = zeta_i.e, unit = unit_of<T>();
+    const T &R = R_i.x, &zeta = zeta_i.x, unit = unit_of<T>();
+    const T dzeta = zeta_i.e + units_of_form * unit * zeta;
     const T most_change = T(1) / 64,
             higher_orders = T(17) / 16; // of what an error may change, relative, and what that leaves out
     if (zeta + dzeta < 1 && R_i.e < R) {
         const evaluation::ModeFunctions<T> f = evaluation::mode_functions(R, zeta);
-        const T w = sqrt(T((1 - zeta) * (1 + zeta))), dR = R_i.e / R * higher_orders;
+        const T w = sqrt(T((1 - zeta) * (1 + zeta))), dR = (R_i.e / R + units_of_form * unit) * higher_orders;
         const T v = modulus(f.v), change_of_v = 2 * R * v * ((R + zeta) * dR + dzeta);
         const T real = R * w * f.u, imaginary = f.g + zeta * R * f.u, size_2 = real * real + imaginary * imaginary;
         const T change_of_w = dzeta / (w * w), dz = pi<T>() / R * (dR + dzeta / w) * higher_orders;

@@ -55,7 +55,7 @@ SumsAtContact<T> sums_at(const ContactModes<T>& all, const Bounded<T>& r) {
     for (std::size_t i = 0; i < N; ++i) {
         const ContactMode<T>& m = all.modes[i];
         const Bounded<T> R = r / m.r_n;
-        const evaluation::ModeFunctions<Bounded<T>> f = mode_functions_at(*all.basis, i, r);
+        const evaluation::ModeFunctions<Bounded<T>> f = bounded_mode_functions(R, m.zeta);
         V_re.add(m.weights.load, f.v.re);
         V_im.add(m.weights.load, f.v.im);
         U.add(m.weights.contact, f.u);
@@ -67,6 +67,7 @@ SumsAtContact<T> sums_at(const ContactModes<T>& all, const Bounded<T>& r) {
         else
             others += m.weights.square.most() * largest_demand(R, m.zeta, {f.u, f.g});
     }
+    count_mode_evaluations(static_cast<long>(N));
     const Bounded<T> left = Bounded<T>::of(others, T(0), T(static_cast<int>(N) * unit_of<T>() * others));
     const Bounded<T> known = (demand.bounded(N) + left) / (r * r);
     return {

@@ -5,9 +5,9 @@
 
 #include "denhartog/formulas/superposition.hpp"
 #include "denhartog/model/point_rules.hpp"
+#include "denhartog/number/bounded.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/multiprecision.hpp"
-#include "denhartog/sliding/bounded_modes.hpp"
 
 namespace denhartog {
 namespace {
@@ -46,22 +46,12 @@ bool without_a_digit(const ModeSums<T>& s, const Complex<T>& sum, Mass force) {
     return modulus(sum) <= static_cast<int>(s.R.size()) * std::numeric_limits<T>::epsilon() * size;
 }
 
-template <class T>
-evaluation::ModeFunctions<T> functions_of(const T& R, const T& zeta) {
-    return evaluation::mode_functions(R, zeta);
-}
-
-template <class T>
-evaluation::ModeFunctions<Bounded<T>> functions_of(const Bounded<T>& R, const Bounded<T>& zeta) {
-    return bounded_mode_functions(R, zeta);
-}
-
 } // namespace
 
 template <class T>
 evaluation::ModeFunctions<T> mode_functions_at(const ModalBasis<T>& basis, std::size_t i, const T& r) {
     const T R = r / basis.r_n[i];
-    const evaluation::ModeFunctions<T> f = functions_of(R, basis.zeta[i]);
+    const evaluation::ModeFunctions<T> f = evaluation::mode_functions(R, basis.zeta[i]);
     check_pole(f, i, R);
     ++evaluations;
     return f;
