@@ -77,6 +77,48 @@ void set_maximum(MassResponse<T>& m, const T& phi_j, const T& instant, const T& 
     m.phase = wrapped(paper::phase_of_mass(phi_j, instant, displacement < 0 ? 1 : 0));
 }
 
+// A bound of the third derivative of the sum over modes of the friction motions on a stretch of length h. The terms of a mode may
+// exceed the sum by far: far above the natural frequencies the sums of the first derivatives all but vanish. Taylor's formula
+// with more and more of those sums bounds the rest, each derivative of a mode being smaller by R_i than the one before.
+template <class T>
+T rate_of_friction(const ModeSums<T>& s, const std::vector<T>& weights, const FrictionMotionsAt<T>& at, const T& h) {
+    constexpr int most_terms = 16;
+    const std::size_t N = weights.size();
+    std::vector<T> sizes(N), one(N), two(N); // bounds of a derivative of each term, and the two derivatives below it
+    bool oscillates = true;
+    T rest(0);
+    for (std::size_t i = 0; i < N; ++i) {
+        sizes[i] = size_of_number(weights[i]) * at.size[i] / (s.R[i] * s.R[i] * s.R[i]);
+        two[i] = weights[i] * at.y[i].prime;
+        one[i] = weights[i] * at.y[i].double_prime;
+        rest += sizes[i];
+        oscillates = oscillates && s.zeta[i] < 1;
+    }
+    if (!oscillates) return rest; // the sizes are those of this derivative alone
+    T known(0), best = rest, power(1);
+    for (int n = 1; n <= most_terms; ++n) {
+        T sum(0), rounding(0);
+        rest = T(0);
+        for (std::size_t i = 0; i < N; ++i) {
+            const T& R = s.R[i];
+            const T next = -(2 * s.zeta[i] * one[i] + two[i] / R) / R;
+            two[i] = one[i];
+            one[i] = next;
+            sum += next;
+            rounding += sizes[i];
+            sizes[i] = sizes[i] / R;
+            rest += sizes[i];
+        }
+        known += power * (size_of_number(sum) + 16 * unit_of<T>() * rounding);
+        power = power * h / n;
+        const T bound = known + power * rest;
+        const bool halved = 2 * bound < best;
+        best = std::min(best, bound);
+        if (!halved) break;
+    }
+    return best;
+}
+
 template <class T>
 T instant_of_maximum(const ModeSums<T>& s, FrictionMotions<T>& y, const T& beta, std::size_t k) {
     const MassInMotion<T> mass(s, k, beta);
@@ -86,12 +128,8 @@ T instant_of_maximum(const ModeSums<T>& s, FrictionMotions<T>& y, const T& beta,
         const evaluation::MotionOfMass<T> at = mass.at(tau, y.at(tau).y);
         return Sample<T>{at.x < 0 ? T(-at.x) : at.x, at.x_prime, at.x_double_prime};
     };
-    curve.rate = [&](const T& a, const T&) {
-        const FrictionMotionsAt<T>& now = y.at(a);
-        T bound(0);
-        for (std::size_t i = 0; i < mass.weights.size(); ++i)
-            bound += (mass.weights[i] < 0 ? T(-mass.weights[i]) : mass.weights[i]) * now.size[i] / (s.R[i] * s.R[i] * s.R[i]);
-        return T(harmonic_size + beta * bound);
+    curve.rate = [&](const T& a, const T& b) {
+        return T(harmonic_size + beta * rate_of_friction(s, mass.weights, y.at(a), T(b - a)));
     };
     curve.rise = [](const T& a, const T& b, const T& z_bound) { return T(z_bound * (b - a) * (b - a) / 8); };
     // What rounding leaves of the displacement is no reason to look further.
