@@ -1,7 +1,6 @@
 /// @file
 /// @brief The motion of one modal coordinate over the half-period: (20), (21), (26), (27), (40), (60), (62), (A.1)-(A.15).
-///
-/// The half-period \f$ 0 \le \tau \le \pi \f$ runs from a maximum of the displacement of the mass in contact to its minimum.
+/// @details The half-period \f$ 0 \le \tau \le \pi \f$ runs from a maximum of the displacement of the mass in contact to its minimum.
 /// A product of \f$ v_{di} \f$ with \f$ \cos\phi_j \f$ or \f$ \sin\phi_j \f$ is read as in `complex.hpp`.
 #pragma once
 
@@ -33,8 +32,7 @@ struct IntegrationConstants {
 };
 
 /// @brief Coefficients of the two conditions (A.10), Eq. (A.11), with \f$ v_{di} \f$ taken out of the first four.
-///
-/// The unknowns are \f$ v_{di}\cos\phi_j \f$ and \f$ v_{di}\sin\phi_j \f$, so that the system is real.
+/// @details The unknowns are \f$ v_{di}\cos\phi_j \f$ and \f$ v_{di}\sin\phi_j \f$, so that the system is real.
 template <class T>
 struct PhaseSystem {
     T A; ///< factor of v cos(phi_j) in the condition on the displacement

@@ -41,6 +41,7 @@ struct WiderOf<Real50> {
 
 /// @brief Frees, at the end of a thread, the constants that MPFR keeps for it.
 struct ConstantsOfThread {
+    /// @brief Frees them.
     ~ConstantsOfThread() { mpfr_free_cache(); }
 };
 
