@@ -9,8 +9,8 @@
 
 #include "denhartog/number/parallel.hpp"
 #include "denhartog/paper_algorithm/regime_seen.hpp"
-#include "denhartog/solve/map_column.hpp"
-#include "denhartog/solve/regime_map.hpp"
+#include "denhartog/map/map_column.hpp"
+#include "denhartog/map/regime_map.hpp"
 #include "denhartog/stick_slip/stuck_response.hpp"
 #include "markers.hpp"
 

@@ -13,7 +13,7 @@
 #include "denhartog/model/scene_json.hpp"
 #include "denhartog/number/certified.hpp"
 #include "denhartog/number/errors.hpp"
-#include "denhartog/solve/regime_map.hpp"
+#include "denhartog/map/regime_map.hpp"
 #include "denhartog/solve/sampled_solution.hpp"
 #include "denhartog/solve/solution.hpp"
 

@@ -5,7 +5,7 @@
 #include "denhartog/paper_algorithm/exact_cycles.hpp"
 #include "denhartog/sliding/friction_motion.hpp"
 #include "denhartog/solve/few_modes.hpp"
-#include "denhartog/solve/regime_map.hpp"
+#include "denhartog/map/regime_map.hpp"
 #include "denhartog/solve/solve.hpp"
 #include "tests/integration/orbit_scenes.hpp"
 #include "tests/support/second_witness.hpp"

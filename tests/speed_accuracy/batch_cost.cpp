@@ -11,7 +11,7 @@
 
 #include "denhartog/evaluation/mode_arrays.hpp"
 #include "denhartog/number/number.hpp"
-#include "denhartog/solve/batch_map.hpp"
+#include "denhartog/map/contact_amplitudes.hpp"
 
 namespace denhartog::tests {
 namespace {

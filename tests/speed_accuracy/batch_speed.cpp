@@ -12,7 +12,7 @@
 #include "denhartog/evaluation/mode_arrays.hpp"
 #include "denhartog/evaluation/vector_functions.hpp"
 #include "denhartog/number/number.hpp"
-#include "denhartog/solve/batch_map.hpp"
+#include "denhartog/map/contact_amplitudes.hpp"
 #include "tests/speed_accuracy/bare_functions.hpp"
 #include "tests/speed_accuracy/own_functions.hpp"
 #include "tests/support/paper_systems.hpp"

@@ -4,7 +4,7 @@
 #include <map>
 
 #include "denhartog/paper_algorithm/paper_algorithm.hpp"
-#include "denhartog/solve/map_column.hpp"
+#include "denhartog/map/map_column.hpp"
 #include "tests/support/plain_response.hpp"
 
 namespace denhartog::tests {

@@ -1,10 +1,10 @@
-#include "denhartog/solve/regime_map.hpp"
+#include "denhartog/map/regime_map.hpp"
 
 #include <random>
 
 #include "denhartog/evaluation/contact.hpp"
 #include "denhartog/number/errors.hpp"
-#include "denhartog/solve/batch_map.hpp"
+#include "denhartog/map/contact_amplitudes.hpp"
 #include "denhartog/solve/solve.hpp"
 #include "tests/catch.hpp"
 #include "tests/unit/response_fixtures.hpp"

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "denhartog/solve/regime_map.hpp"
+#include "denhartog/map/regime_map.hpp"
 
 namespace denhartog::program {
 

@@ -7,7 +7,7 @@
 #include "denhartog/number/errors.hpp"
 #include "denhartog/solve/certify.hpp"
 #include "denhartog/solve/held_solution.hpp"
-#include "denhartog/solve/map_column.hpp"
+#include "denhartog/map/map_column.hpp"
 #include "denhartog/solve/orbit_solution.hpp"
 
 namespace denhartog {

@@ -1,4 +1,4 @@
-#include "denhartog/solve/batch_map.hpp"
+#include "denhartog/map/contact_amplitudes.hpp"
 
 #include <algorithm>
 #include <cmath>

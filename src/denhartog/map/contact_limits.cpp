@@ -1,4 +1,4 @@
-#include "denhartog/solve/batch_limits.hpp"
+#include "denhartog/map/contact_limits.hpp"
 
 #include <algorithm>
 #include <atomic>

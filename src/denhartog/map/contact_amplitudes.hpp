@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "denhartog/formulas/complex.hpp"
-#include "denhartog/solve/batch_limits.hpp"
-#include "denhartog/solve/batch_sums.hpp"
+#include "denhartog/map/contact_limits.hpp"
+#include "denhartog/map/contact_sums.hpp"
 
 namespace denhartog {
 

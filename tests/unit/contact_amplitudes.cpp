@@ -1,11 +1,11 @@
-#include "denhartog/solve/batch_map.hpp"
+#include "denhartog/map/contact_amplitudes.hpp"
 
 #include <random>
 
 #include "denhartog/evaluation/mode_arrays.hpp"
 #include "denhartog/formulas/contact.hpp"
 #include "denhartog/number/errors.hpp"
-#include "denhartog/solve/regime_map.hpp"
+#include "denhartog/map/regime_map.hpp"
 #include "tests/catch.hpp"
 #include "tests/speed_accuracy/table.hpp"
 #include "tests/unit/response_fixtures.hpp"

@@ -1,4 +1,4 @@
-#include "denhartog/solve/map_column.hpp"
+#include "denhartog/map/map_column.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/multiprecision.hpp"
 #include "denhartog/sliding/regime.hpp"
-#include "denhartog/solve/batch_map.hpp"
+#include "denhartog/map/contact_amplitudes.hpp"
 #include "denhartog/stick_slip/stuck_response.hpp"
 
 namespace denhartog {

@@ -1,4 +1,4 @@
-#include "denhartog/solve/regime_map.hpp"
+#include "denhartog/map/regime_map.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include "denhartog/model/point_rules.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/parallel.hpp"
-#include "denhartog/solve/map_column.hpp"
+#include "denhartog/map/map_column.hpp"
 
 namespace denhartog {
 namespace {

@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-#include "denhartog/solve/batch_sums.hpp"
+#include "denhartog/map/contact_sums.hpp"
 
 namespace denhartog {
 

@@ -1,4 +1,4 @@
-#include "denhartog/solve/batch_sums.hpp"
+#include "denhartog/map/contact_sums.hpp"
 
 #include <algorithm>
 #include <array>

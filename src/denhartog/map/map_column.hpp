@@ -6,7 +6,7 @@
 #include <span>
 
 #include "denhartog/sliding/steady_state.hpp"
-#include "denhartog/solve/regime_map.hpp"
+#include "denhartog/map/regime_map.hpp"
 #include "denhartog/stick_slip/periodic_orbit.hpp"
 
 namespace denhartog {

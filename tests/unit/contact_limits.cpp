@@ -1,11 +1,11 @@
-#include "denhartog/solve/batch_limits.hpp"
+#include "denhartog/map/contact_limits.hpp"
 
 #include <random>
 
 #include "denhartog/number/errors.hpp"
 #include "denhartog/sliding/boundary.hpp"
-#include "denhartog/solve/batch_map.hpp"
-#include "denhartog/solve/regime_map.hpp"
+#include "denhartog/map/contact_amplitudes.hpp"
+#include "denhartog/map/regime_map.hpp"
 #include "tests/catch.hpp"
 #include "tests/speed_accuracy/table.hpp"
 #include "tests/unit/response_fixtures.hpp"
