@@ -5,7 +5,6 @@
 
 #include "claim.hpp"
 #include "denhartog/formulas/boundary.hpp"
-#include "denhartog/formulas/contact.hpp"
 #include "denhartog/formulas/motion.hpp"
 #include "denhartog/formulas/superposition.hpp"
 #include "symbols.hpp"
@@ -153,39 +152,6 @@ const Register claims_of_batch_forms([] {
                  const ex of_mode = Z.subs(GiNaC::lst{s.u == paper::first_damping_function(R, zeta).expression(),
                                                       s.g == paper::second_damping_function(R, zeta).expression()});
                  return std::vector<ex>{s.R * of_mode.subs(s.tau == GiNaC::Pi), s.R * of_mode.subs(s.tau == 0)};
-             }},
-        {.id = "batch/contact-root",
-         .equations = {"36", "38"},
-         .role = Role::shipped,
-         .title = "The square in (38) as a product, which does not cancel at its zero",
-         .assumptions = {"beta >= 0"},
-         .kernel =
-             [&s] {
-                 const Symbolic V(GiNaC::sqrt(s.V_jr * s.V_jr + s.V_ji * s.V_ji));
-                 return Values{evaluation::square_of_contact_root(V, Symbolic(s.U_j), Symbolic(s.beta))};
-             },
-         .derived =
-             [&s] {
-                 const ex root = paper::contact_root(symbolic_V_j(), Symbolic(s.U_j), Symbolic(s.beta)).expression();
-                 return std::vector<ex>{root * root};
-             }},
-        {.id = "batch/half-delay",
-         .equations = {"37", "39"},
-         .role = Role::shipped,
-         .title = "The tangent of half the delay from its sine (37) and cosine (36)",
-         .assumptions = {"beta |U_dj| < |V_dj|"},
-         .kernel =
-             [&s] {
-                 const Symbolic V(GiNaC::sqrt(s.V_jr * s.V_jr + s.V_ji * s.V_ji));
-                 return Values{
-                     evaluation::tangent_of_half_delay(V, Symbolic(s.U_j), Symbolic(s.X + s.beta * s.G_j), Symbolic(s.beta))};
-             },
-         .derived =
-             [&s] {
-                 const ex sine = paper::sine_of_phase_sum(symbolic_V_j(), Symbolic(s.U_j), Symbolic(s.beta)).expression();
-                 const ex cosine =
-                     paper::cosine_of_phase_sum(symbolic_V_j(), Symbolic(s.X), Symbolic(s.G_j), Symbolic(s.beta)).expression();
-                 return std::vector<ex>{-sine / (1 + cosine)};
              }},
     };
 });

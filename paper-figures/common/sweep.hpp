@@ -9,7 +9,7 @@
 
 #include "denhartog/number/parallel.hpp"
 #include "denhartog/paper_algorithm/regime_seen.hpp"
-#include "denhartog/map/map_column.hpp"
+#include "denhartog/stick_slip/at_maximum_of_force.hpp"
 #include "denhartog/map/regime_map.hpp"
 #include "denhartog/stick_slip/stuck_response.hpp"
 #include "markers.hpp"
@@ -54,16 +54,6 @@ struct Sweep {
     std::erase_if(all, [&](double r) { return r < from || r > to; });
     std::ranges::sort(all);
     return all;
-}
-
-/// @brief The state at a maximum of the force while the contact rests at zero. @param stuck the motion @return the state
-[[nodiscard]] inline State<double> at_maximum_of_force(const StuckResponse<double>& stuck) {
-    State<double> state;
-    for (const StuckMass<double>& mass : stuck.masses) {
-        state.x.push_back(mass.X.re);
-        state.x_prime.push_back(-mass.X.im);
-    }
-    return state;
 }
 
 /// @brief Steady motions of a mass over frequency and friction.

@@ -1,6 +1,7 @@
 #include "tests/speed_accuracy/batch_cost.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <cmath>
 #include <ctime>
@@ -11,7 +12,9 @@
 
 #include "denhartog/evaluation/mode_arrays.hpp"
 #include "denhartog/number/number.hpp"
-#include "denhartog/map/contact_amplitudes.hpp"
+#include "tests/support/paper_systems.hpp"
+#include "denhartog/map/contact_limits.hpp"
+#include "denhartog/map/regime_map.hpp"
 
 namespace denhartog::tests {
 namespace {
@@ -86,18 +89,22 @@ std::vector<BatchCost> batch_costs(int repeats) {
     };
     for (const std::size_t N : {1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000}) sums_cost("modes", N, 2000, 1);
     for (const std::size_t ratios : {100, 1000, 10000, 100000, 1000000}) sums_cost("frequency ratios", 5, ratios, 1);
-    const ModalBasis<double> basis = equal_masses(5);
+    Scene<double> scene;
+    scene.system = five_masses<double>(3, 0.02);
+    const Mass contact = scene.system.contact;
     const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
+    const std::atomic<bool> never{false};
     for (const std::size_t side : {100, 200, 500, 1000, 2000, 3200}) {
-        const std::vector<double> r = grid(1, 2.5, side), beta = grid(0, 1.5, side);
+        const std::vector<double> r = grid(1, 2.5, side);
+        double least = std::numeric_limits<double>::infinity(); // below it no motion is to be followed at any r
+        for (const BoundaryPoint& each : boundary_curves(scene, grid(1, 2.5, 3200))) least = std::min(least, each.exact);
+        MapRequest request{r, grid(0, 0.999 * least, side), {contact}, MapStart::rest, 1};
         for (const unsigned threads : cores > 1 ? std::vector<unsigned>{1, cores} : std::vector<unsigned>{1}) {
-            const ContactSums sums = contact_sums(basis, Mass{2}, Mass{0}, r, 1);
-            const ContactLimits limits = contact_limits(basis, Mass{2}, Mass{0}, 1, r, sums, 1);
-            ContactMap map;
+            request.threads = threads;
             const long before = evaluation::array_mode_evaluations();
-            contact_map(sums, limits, beta, threads, map);
+            (void)regime_map(scene, request, never);
             const long evaluations = evaluation::array_mode_evaluations() - before;
-            const double time = least_time(repeats, threads, [&] { contact_map(sums, limits, beta, threads, map); });
+            const double time = least_time(repeats, threads, [&] { (void)regime_map(scene, request, never); });
             costs.push_back({threads == 1 ? "points" : "points on all cores", 5, side, side, threads, time, evaluations});
         }
     }
@@ -116,7 +123,7 @@ double fitted_exponent(const std::vector<BatchCost>& costs, const std::string& s
 
 Table table_of(const std::vector<BatchCost>& costs) {
     Table table{
-        "Cost of a batch after the eigen-solve",
+        "Cost of a batch: sums over modes after the eigen-solve; points of a whole map, its eigen-solves included",
         {"varied", "modes", "frequency ratios", "friction ratios", "threads", "microseconds", "ns an item", "modes evaluated"},
         {},
         "An item is an (r, mode), or an (r, beta) where there are friction ratios; least of the repeats: processor time on one "

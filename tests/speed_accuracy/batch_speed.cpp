@@ -1,6 +1,7 @@
 #include "tests/speed_accuracy/batch_speed.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <cmath>
 #include <ctime>
@@ -13,6 +14,8 @@
 #include "denhartog/evaluation/vector_functions.hpp"
 #include "denhartog/number/number.hpp"
 #include "denhartog/map/contact_amplitudes.hpp"
+#include "denhartog/map/contact_limits.hpp"
+#include "denhartog/map/regime_map.hpp"
 #include "tests/speed_accuracy/bare_functions.hpp"
 #include "tests/speed_accuracy/own_functions.hpp"
 #include "tests/support/paper_systems.hpp"
@@ -117,32 +120,26 @@ Table batch_speed(int repeats) {
     }
     std::vector<double> squares(r.size(), 0.5), roots(r.size());
     const double root = time_of(squares.size(), repeats, [&] { bare_roots(squares, roots); });
-    rates.add("boundary (67), an r", time_of(r.size(), repeats, [&] { (void)approximate_limits(sums, 1); }), "square root", root);
     ContactLimits found;
-    const auto limits_at = [&](const ContactSums& of, const std::vector<double>& where) {
-        contact_limits(basis, five.contact, five.load, 1, where, of, 1, found);
-    };
-    const long left = limits_left_to_search();
-    rates.add("beta_lim (69) and sticking where the arrays tell them, an r",
-              time_of(r.size(), repeats, [&] { limits_at(sums, r); }), "square root", root);
-    table.note += "\nOf these, left to a search: " + std::to_string(limits_left_to_search() - left) + ".";
-    const std::vector<double> low = grid(0.3, 0.9, 100);
-    const ContactSums at_low = contact_sums(basis, five.contact, five.load, low, 1);
-    rates.add("beta_lim (69) and sticking where they are searched, an r",
-              time_of(low.size(), repeats, [&] { limits_at(at_low, low); }), "square root", root);
-    const std::vector<double> few = grid(1, 2.5, 500), beta = grid(0, 0.5, 500);
-    const ContactSums at_few = contact_sums(basis, five.contact, five.load, few, 1);
-    const ContactLimits limits{std::vector<double>(few.size(), 0.25), std::vector<double>(few.size(), 1.0),
-                               std::vector<LimitSource>(few.size(), LimitSource::search)};
-    ContactMap map;
-    std::vector<double> phases;
+    rates.add("beta_lim (69) and sticking, an r", time_of(r.size(), repeats, [&] { contact_limits(sums, 1, 1, found); }),
+              "square root", root);
+    table.note += "\nOf these certain: " + std::to_string(std::ranges::count(found.certain, 1)) + " of " + std::to_string(r.size()) + ".";
+    const std::vector<double> beta = grid(0, 0.5, 1024);
+    std::vector<double> X(beta.size());
+    rates.add("X_j, an (r, beta)", time_of(beta.size(), repeats, [&] { contact_amplitudes({2, 1}, 0.5, 0.25, beta, X); }),
+              "square root", root);
+    Scene<double> scene;
+    scene.system = five;
+    const std::atomic<bool> never{false};
+    MapRequest request{grid(1, 2.5, 500), {}, {five.contact}, MapStart::rest, 1};
+    double least = std::numeric_limits<double>::infinity(); // below it no motion is to be followed at any r
+    for (const BoundaryPoint& each : boundary_curves(scene, request.r)) least = std::min(least, each.exact);
+    request.beta = grid(0, 0.999 * least, 500);
     for (const unsigned each : threads) {
+        request.threads = each;
         const double time = time_of(
-            few.size() * beta.size(), repeats, [&] { contact_map(at_few, limits, beta, each, map); }, each);
-        rates.add("X_j and regime, an (r, beta)" + on(each), time, "square root", root / each);
-        const double phase = time_of(
-            few.size() * beta.size(), repeats, [&] { contact_phases(at_few, map, beta, each, phases); }, each);
-        rates.add("phi_j, an (r, beta)" + on(each), phase, "square root", root / each);
+            request.r.size() * request.beta.size(), repeats, [&] { (void)regime_map(scene, request, never); }, each);
+        rates.add("a whole map of sliding points, an (r, beta)" + on(each), time, "square root", root / each);
     }
     return table;
 }

@@ -6,7 +6,7 @@
 
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/number.hpp"
-#include "denhartog/map/map_column.hpp"
+#include "denhartog/stick_slip/at_maximum_of_force.hpp"
 #include "denhartog/stick_slip/lasting_rest.hpp"
 #include "denhartog/stick_slip/periodic_orbit.hpp"
 #include "tests/support/plain_response.hpp"

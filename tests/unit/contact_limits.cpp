@@ -2,10 +2,10 @@
 
 #include <random>
 
+#include "denhartog/map/regime_map.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/sliding/boundary.hpp"
-#include "denhartog/map/contact_amplitudes.hpp"
-#include "denhartog/map/regime_map.hpp"
+#include "denhartog/sliding/regime.hpp"
 #include "tests/catch.hpp"
 #include "tests/speed_accuracy/table.hpp"
 #include "tests/unit/response_fixtures.hpp"
@@ -40,28 +40,37 @@ std::vector<double> seeded_ratios(std::mt19937_64& random, std::size_t n) {
     return r;
 }
 
-/// The regime that the scalar route has.
-BatchPoint regime_by_search(const Boundary<double>& b, double beta) { return static_cast<BatchPoint>(regime_of(b, beta)); }
+struct Arrays {
+    ContactSums sums;
+    ContactLimits limits;
+};
+
+Arrays arrays_over(const System<double>& system, const ModalBasis<double>& basis, const std::vector<double>& r, double mu,
+                   unsigned threads) {
+    Arrays arrays;
+    contact_sums(basis, system.contact, system.load, r, threads, arrays.sums);
+    contact_limits(arrays.sums, mu, threads, arrays.limits);
+    return arrays;
+}
+
+long count_of(const ContactLimits& limits) { return std::ranges::count(limits.certain, 1); }
 
 } // namespace
 
-TEST_CASE("limits over arrays are those of the boundary, far inside their margin; where it is not certain it is searched",
-          "[eq:69][eq:67][accuracy]") {
+TEST_CASE("limits over arrays that are certain are those of the boundary, far inside their margin", "[eq:69][eq:67][accuracy]") {
     std::mt19937_64 random(20220117);
-    long from_arrays = 0, from_search = 0, at_zero = 0;
+    long certain = 0, left = 0, at_zero = 0;
     Worst worst, worst_sticking;
     for (int n = 0; n < 150; ++n) {
         const System<double> system = seeded_system(random);
         const double mu = n % 3 == 0 ? 1.25 : 1;
         const ModalBasis<double> basis = modal_basis(system);
         const std::vector<double> r = seeded_ratios(random, 60);
-        const ContactSums sums = contact_sums(basis, system.contact, system.load, r, 1);
-        const long before = limits_left_to_search();
-        const ContactLimits limits = contact_limits(basis, system.contact, system.load, mu, r, sums, 2);
-        long searched = 0;
+        const ContactLimits limits = arrays_over(system, basis, r, mu, 2).limits;
+        certain += count_of(limits);
+        left += static_cast<long>(r.size()) - count_of(limits);
         for (std::size_t m = 0; m < r.size(); ++m) {
-            searched += limits.source[m] != LimitSource::arrays;
-            if (limits.source[m] == LimitSource::none) continue;
+            if (limits.certain[m] == 0) continue;
             const ModeSums<double> one = mode_sums(basis, system.contact, system.load, r[m]);
             const Boundary<double> b = boundary(one, mu);
             const std::string at = std::to_string(basis.r_n.size()) + " modes, r = " + hexadecimal(r[m]);
@@ -70,103 +79,132 @@ TEST_CASE("limits over arrays are those of the boundary, far inside their margin
                 ++at_zero;
                 CHECK(b.S_exact <= sliding_demand(one, 0.0) * (1 + 1e-14));
             }
-            if (limits.source[m] == LimitSource::search) {
-                ++from_search;
-                CHECK(limits.exact[m] == Approx(b.exact).epsilon(1e-14));
-                CHECK(limits.sticking[m] == b.sticking.value_or(std::numeric_limits<double>::infinity()));
-                continue;
-            }
-            ++from_arrays;
             REQUIRE(b.sticking);
             worst.note(std::abs(limits.exact[m] / b.exact - 1), at);
             worst_sticking.note(std::abs(limits.sticking[m] / *b.sticking - 1), at);
         }
-        CHECK(limits_left_to_search() - before == searched);
     }
-    INFO(from_arrays << " by arrays, " << from_search << " by search, " << at_zero
-                     << " certain to be largest at the start; worst " << worst.error << " at " << worst.where << ", sticking "
-                     << worst_sticking.error << " at " << worst_sticking.where);
+    INFO(certain << " certain, " << left << " left, " << at_zero << " certain to be largest at the start; worst " << worst.error
+                 << " at " << worst.where << ", sticking " << worst_sticking.error << " at " << worst_sticking.where);
     CHECK(worst.error <= limit_margin() / 256);
     CHECK(worst_sticking.error <= limit_margin() / 256);
-    CHECK(from_arrays > 2000);
-    CHECK(from_search > 2000);
+    CHECK(certain > 2000);
+    CHECK(left > 2000);
 }
 
-TEST_CASE("regimes over arrays are those of the boundary at every point, next to the boundaries too", "[eq:69][map]") {
+TEST_CASE("regimes of a map by arrays are those of the boundary at every point, next to the boundaries too", "[eq:69][map]") {
     std::mt19937_64 random(535);
-    long points = 0, next_to = 0, settled = 0, kinds[4] = {};
+    const std::atomic<bool> never{false};
+    long points = 0, next_to = 0, told = 0, settled = 0, kinds[3] = {};
     for (int n = 0; n < 60; ++n) {
-        const System<double> system = seeded_system(random);
+        Scene<double> scene;
+        scene.system = seeded_system(random);
+        scene.mu = n % 3 == 0 ? 1.25 : 1;
+        const System<double>& system = scene.system;
         const ModalBasis<double> basis = modal_basis(system);
-        const double mu = n % 3 == 0 ? 1.25 : 1;
         const std::vector<double> r = seeded_ratios(random, 24);
-        std::vector<double> beta{0, 0.125, 0.75, 1 / mu, std::nextafter(1 / mu, 0), 2};
+        std::vector<double> beta{0, 0.125};
         std::vector<std::optional<Boundary<double>>> boundaries;
         for (const double each : r) {
             try {
-                boundaries.push_back(boundary(mode_sums(basis, system.contact, system.load, each), mu));
+                boundaries.push_back(boundary(mode_sums(basis, system.contact, system.load, each), scene.mu));
             } catch (const DomainError&) {
                 boundaries.emplace_back();
                 continue;
             }
-            const double exact = boundaries.back()->exact;
-            for (const double factor : {1.0, 1 - 0x1p-53, 1 + 0x1p-52, 1 - 0x1p-48, 1 + 0x1p-48, 1 - 0x1p-34, 1 + 0x1p-34, 1.5})
-                beta.push_back(exact * factor);
+            for (const double factor : {1.0, 1 - 0x1p-53, 1 + 0x1p-52, 1 - 0x1p-48, 1 + 0x1p-48, 1 - 0x1p-34, 1 + 0x1p-34, 1.5}) {
+                beta.push_back(boundaries.back()->exact * factor);
+                if (boundaries.back()->sticking && factor != 1.5) beta.push_back(*boundaries.back()->sticking * factor);
+            }
         }
-        ContactLimits limits =
-            contact_limits(basis, system.contact, system.load, mu, r, contact_sums(basis, system.contact, system.load, r, 1), 1);
-        settled += static_cast<long>(settle_limits(basis, system.contact, system.load, mu, r, beta, limits));
-        const ContactMap map = contact_map(basis, system.contact, system.load, mu, r, beta, 2);
-        for (std::size_t m = 0; m < r.size(); ++m)
-            for (std::size_t k = 0; k < beta.size(); ++k) {
-                const BatchPoint point = map.points[m * beta.size() + k];
-                ++kinds[static_cast<int>(point)];
+        std::vector<double> ascending = beta;
+        std::ranges::sort(ascending);
+        const ContactLimits limits = arrays_over(system, basis, r, scene.mu, 2).limits;
+        for (std::size_t m = 0; m < r.size(); ++m) {
+            settled += limits.certain[m] != 0 && !limits_tell(limits, m, ascending);
+            if (!boundaries[m]) CHECK(limits.certain[m] == 0);
+            // without the friction ratios of this column the arrays may tell its regimes
+            const auto own = [&](double x) {
+                return boundaries[m] && (std::abs(x / boundaries[m]->exact - 1) < 1e-6 ||
+                                         (boundaries[m]->sticking && std::abs(x / *boundaries[m]->sticking - 1) < 1e-6));
+            };
+            std::vector<double> others = ascending;
+            std::erase_if(others, own);
+            if (!limits_tell(limits, m, others)) continue;
+            ++told;
+            for (const double x : others) {
                 ++points;
-                INFO("r = " << hexadecimal(r[m]) << ", beta = " << hexadecimal(beta[k]));
+                const Regime expected = regime_of(*boundaries[m], x);
+                ++kinds[static_cast<int>(expected)];
+                CHECK((x < limits.exact[m]) == (expected == Regime::continuous));
+                CHECK((x >= limits.exact[m] && x >= limits.sticking[m]) == (expected == Regime::permanent_sticking));
+            }
+        }
+        if (scene.mu > 1) continue;
+        scene.r = 1;
+        std::vector<double> sliding; // no motion is to be followed for these
+        for (const double x : beta)
+            if (std::ranges::all_of(boundaries, [&](const auto& b) { return !b || x < b->exact || (b->sticking && x >= *b->sticking); }))
+                sliding.push_back(x);
+        const RegimeMap map = regime_map(scene, {r, sliding, {system.contact}, MapStart::rest, 2}, never);
+        for (std::size_t m = 0; m < r.size(); ++m)
+            for (std::size_t k = 0; k < sliding.size(); ++k) {
+                const MapPoint& point = map.points[m * sliding.size() + k];
+                INFO("r = " << hexadecimal(r[m]) << ", beta = " << hexadecimal(sliding[k]));
                 if (!boundaries[m]) {
-                    CHECK(point == BatchPoint::without_numbers);
+                    CHECK(point.status == PointStatus::at_a_pole);
                     continue;
                 }
-                next_to += std::abs(beta[k] - boundaries[m]->exact) <= 1e-13 * beta[k] ? 1 : 0;
-                CHECK(point == regime_by_search(*boundaries[m], beta[k]));
+                const bool near = on_boundary(*boundaries[m], sliding[k], rounding_of(*boundaries[m]));
+                next_to += near;
+                CHECK(point.status == (near ? PointStatus::on_boundary : PointStatus::answered));
+                CHECK(point.regime == regime_of(*boundaries[m], sliding[k]));
             }
     }
-    INFO(points << " points, " << next_to << " next to a boundary, " << settled << " frequency ratios settled by search; "
-                << kinds[0] << ", " << kinds[1] << ", " << kinds[2] << ", " << kinds[3]);
-    CHECK(next_to > 5000);
-    CHECK(settled > 300);
-    for (int kind = 0; kind < 3; ++kind) CHECK(kinds[kind] > 1000);
+    INFO(points << " points, " << told << " columns told, " << settled << " settled by search, " << next_to
+                << " next to a boundary; " << kinds[0] << ", " << kinds[1] << ", " << kinds[2]);
+    CHECK(told > 300);
+    CHECK(settled > 100);
+    for (const long each : kinds) CHECK(each > 1000);
 }
 
 TEST_CASE("a contact that an absorber holds still is left to the search", "[eq:69]") {
     const System<double> absorber = chain({1, 1}, {1, 1}, {0, 0}, 1, 1, 1, 1).system;
     const ModalBasis<double> basis = modal_basis(absorber);
     const std::vector<double> r{1, 0.999, 1.5};
-    const ContactSums sums = contact_sums(basis, absorber.contact, absorber.load, r, 1);
-    const ContactLimits limits = contact_limits(basis, absorber.contact, absorber.load, 1, r, sums, 1);
+    const ContactLimits limits = arrays_over(absorber, basis, r, 1, 1).limits;
+    CHECK(limits.certain[0] == 0);
     for (std::size_t m = 0; m < r.size(); ++m) {
         INFO("r = " << r[m]);
         const Boundary<double> b = boundary(mode_sums(basis, absorber.contact, absorber.load, r[m]), 1.0);
-        CHECK(limits.exact[m] == Approx(b.exact).epsilon(1e-12));
-        CHECK(std::isinf(limits.sticking[m]) == !b.sticking);
+        if (limits.certain[m] != 0) CHECK(limits.exact[m] == Approx(b.exact).epsilon(1e-12));
     }
-    CHECK(limits.source[0] == LimitSource::search);
 }
 
-TEST_CASE("a map costs no search where (57) is certain to be largest for tau -> 0", "[counter]") {
-    const System<double> system = oscillator(0.0625, 1).system;
+TEST_CASE("a map by arrays costs no search and no mode by itself where (57) is certain to be largest for tau -> 0", "[counter]") {
+    Scene<double> scene;
+    scene.system = oscillator(0.0625, 1).system;
     std::vector<double> r;
     for (int n = 0; n < 100; ++n) r.push_back(0.75 + n / 64.0);
-    const long before = demand_searches(), left = limits_left_to_search();
-    (void)contact_map(modal_basis(system), system.contact, system.load, 1, r, {0.0, 0.3, 0.6}, 1);
-    CHECK(demand_searches() == before);
-    CHECK(limits_left_to_search() == left);
-    Scene<double> scene;
-    scene.system = system;
-    MapRequest request{r, {0.0, 0.125, 1.5}, {system.contact}, MapStart::rest, 1};
     const std::atomic<bool> never{false};
-    CHECK(regime_map(scene, request, never).complete);
-    CHECK(demand_searches() == before);
-    (void)boundary(mode_sums(modal_basis(system), system.contact, system.load, 1.0), 1.0);
-    CHECK(demand_searches() == before + 1);
+    const auto map_at = [&](std::vector<double> beta) {
+        return regime_map(scene, {r, std::move(beta), {scene.system.contact}, MapStart::rest, 1}, never);
+    };
+    const long searches = demand_searches(), modes = mode_evaluations();
+    CHECK(map_at({0.0, 0.125, 1.5}).complete);
+    CHECK(demand_searches() == searches);
+    CHECK(mode_evaluations() == modes);
+    const double limit = regime_boundary(mode_sums(modal_basis(scene.system), scene.system.contact, scene.system.load, r[7]), 1.0).exact;
+    const long before = mode_evaluations();
+    CHECK(map_at({0.0, limit}).points[15].status == PointStatus::on_boundary);
+    CHECK(mode_evaluations() > before);
+    CHECK(demand_searches() == searches);
+    (void)boundary(mode_sums(modal_basis(scene.system), scene.system.contact, scene.system.load, 1.0), 1.0);
+    CHECK(demand_searches() == searches + 1);
+}
+
+TEST_CASE("arguments of limits over arrays are checked", "[domain]") {
+    ContactLimits limits;
+    CHECK_THROWS_AS(contact_limits({}, 0.5, 1, limits), InputError);
+    CHECK_THROWS_WITH(contact_limits({}, 1, 0, limits), "threads must be at least 1, but is 0");
 }

@@ -175,30 +175,4 @@ template <class T>
     return excess < room ? excess : room;
 }
 
-/// @brief Square of the root in (38): \f$ (|V_{dj}|-\beta U_{dj})(|V_{dj}|+\beta U_{dj}) \f$, without cancellation at its zero.
-/// @eq{36,38}  @derivation{batch_forms}
-/// @param V     modulus of V_dj, Eq. (33)
-/// @param U     U_dj, Eq. (34)
-/// @param beta  friction ratio, Eq. (11)
-/// @return      the square
-template <class T>
-[[nodiscard, gnu::always_inline]] inline T square_of_contact_root(const T& V, const T& U, const T& beta) {
-    const T lag = beta * U;
-    return (V - lag) * (V + lag);
-}
-
-/// @brief Tangent of half the angle by which friction delays the mass in contact: \f$ \beta U_{dj}/(|V_{dj}|+\sqrt{\cdot}) \f$.
-///
-/// The phase (39) is \f$ \varphi_j = -2\arctan t - \arg V_{dj} \f$.
-/// @eq{37,39}  @derivation{batch_forms}
-/// @param V     modulus of V_dj, Eq. (33)
-/// @param U     U_dj, Eq. (34)
-/// @param root  the root in (38)
-/// @param beta  friction ratio, Eq. (11)
-/// @return      the tangent, in [-1, 1]
-template <class T>
-[[nodiscard, gnu::always_inline]] inline T tangent_of_half_delay(const T& V, const T& U, const T& root, const T& beta) {
-    return beta * U / (V + root);
-}
-
 } // namespace denhartog::evaluation

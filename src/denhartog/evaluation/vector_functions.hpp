@@ -132,22 +132,4 @@ struct BracketSeries {
            s4 * (cubic(c[4], c[5], c[6], c[7], s, ss) + s4 * cubic(c[8], c[9], c[10], c[11], s, ss));
 }
 
-/// @brief \f$ \arctan t \f$: the angle less the nearest of 0, an eighth and a quarter of half a turn, then its Taylor polynomial.
-/// @param t  a number from -1 to 1
-/// @return   the angle; radians
-[[nodiscard, gnu::always_inline]] inline double arctangent_of_fraction(double t) {
-    constexpr double eighth = 0x1.921fb54442d18p-2;  // pi / 8
-    constexpr double tangent = 0x1.a827999fcef32p-2; // of it, sqrt(2) - 1
-    const double size = __builtin_fabs(t);
-    const bool beyond_1 = size > 0x1.975f5e0553158p-3, beyond_3 = size > 0x1.561b82ab7f990p-1; // of pi / 16, 3 pi / 16
-    const double centre = beyond_3 ? 1.0 : (beyond_1 ? tangent : 0.0);
-    const double base = beyond_3 ? 2 * eighth : (beyond_1 ? eighth : 0.0);
-    const double z = (size - centre) / (1 + centre * size);
-    const double s = z * z, ss = s * s, s4 = ss * ss;
-    const double low = cubic(-1.0 / 3, 1.0 / 5, -1.0 / 7, 1.0 / 9, s, ss);
-    const double high = cubic(-1.0 / 11, 1.0 / 13, -1.0 / 15, 1.0 / 17, s, ss);
-    const double tail = low + s4 * (high + s4 * (-1.0 / 19 + s * (1.0 / 21)));
-    return __builtin_copysign(base + (z + z * s * tail), t);
-}
-
 } // namespace denhartog::evaluation

@@ -93,8 +93,8 @@ std::vector<std::vector<double>*> all_of(ContactSums& s) {
             &s.Y_re, &s.Y_im, &s.size_of_V, &s.size_of_Y, &s.size_of_U, &s.size_of_H};
 }
 
-/// The factors 1 / r^2, and what is beyond the range of a double.
-void finish(const std::vector<double>& r, double sum_of_squares, ContactSums& s, std::size_t start, std::size_t n) {
+/// The factors 1 / r^2; nothing where a sum has no number.
+void finish(std::span<const double> r, double sum_of_squares, ContactSums& s, std::size_t start, std::size_t n) {
     const double* ratio = r.data() + start;
     double *H = s.H.data() + start, *size_of_H = s.size_of_H.data() + start, *squares = s.sum_of_squares.data() + start;
     const double *V_re = s.V_re.data() + start, *V_im = s.V_im.data() + start, *Y_re = s.Y_re.data() + start,
@@ -111,28 +111,27 @@ void finish(const std::vector<double>& r, double sum_of_squares, ContactSums& s,
                             squares[i] * 0 + size_of_V[i] * 0 + size_of_Y[i] * 0 + size_of_U[i] * 0 + size_of_H[i] * 0;
     }
     for (std::size_t i = 0; i < n; ++i) {
-        if (zero_if_finite[i] != 0)
-            throw PrecisionError("at r = " + number_to_text(ratio[i]) + " a sum over the modes is beyond the range of a double");
-        if (s.at_pole[start + i] == 0) continue;
+        if (zero_if_finite[i] == 0 && s.without_numbers[start + i] == 0) continue;
+        s.without_numbers[start + i] = 1;
         for (std::vector<double>* each : all_of(s)) (*each)[start + i] = 0;
         s.certainty[start + i] = 0;
     }
 }
 
-void compute(const std::vector<WeightedMode>& modes, const std::vector<double>& r, ContactSums& s, std::size_t start) {
+void compute(const std::vector<WeightedMode>& modes, std::span<const double> r, ContactSums& s, std::size_t start) {
     const std::size_t n = std::min(block, r.size() - start);
     Block of;
     const auto at = static_cast<std::ptrdiff_t>(start);
     for (std::vector<double>* each : all_of(s)) std::fill_n(each->begin() + at, n, 0.0);
     std::fill_n(s.certainty.begin() + at, n, std::numeric_limits<double>::max());
-    std::fill_n(s.at_pole.begin() + at, n, std::uint8_t(0));
+    std::fill_n(s.without_numbers.begin() + at, n, std::uint8_t(0));
     double sum_of_squares = 0;
     for (const WeightedMode& m : modes) {
         for (std::size_t i = 0; i < n; ++i) of.R[i] = r[start + i] / m.r_n;
         const auto part = [n](std::array<double, block>& a) { return std::span<double>(a.data(), n); };
         (void)evaluation::mode_functions(
             std::span<const double>(of.R.data(), n), m.zeta,
-            {part(of.v_re), part(of.v_im), part(of.u), part(of.g), std::span<std::uint8_t>(s.at_pole.data() + start, n)});
+            {part(of.v_re), part(of.v_im), part(of.u), part(of.g), std::span<std::uint8_t>(s.without_numbers.data() + start, n)});
         add(m, of, s, start, n);
         sum_of_squares += m.weights.square;
     }
@@ -141,14 +140,7 @@ void compute(const std::vector<WeightedMode>& modes, const std::vector<double>& 
 
 } // namespace
 
-ContactSums contact_sums(const ModalBasis<double>& basis, Mass contact, Mass load, const std::vector<double>& r,
-                         unsigned threads) {
-    ContactSums sums;
-    contact_sums(basis, contact, load, r, threads, sums);
-    return sums;
-}
-
-void contact_sums(const ModalBasis<double>& basis, Mass contact, Mass load, const std::vector<double>& r, unsigned threads,
+void contact_sums(const ModalBasis<double>& basis, Mass contact, Mass load, std::span<const double> r, unsigned threads,
                   ContactSums& s) {
     const std::size_t N = basis.r_n.size(), points = r.size();
     const std::string rule = "must be a mass from 1 to " + std::to_string(N);
@@ -158,7 +150,8 @@ void contact_sums(const ModalBasis<double>& basis, Mass contact, Mass load, cons
     for (const double each : r) check_frequency_ratio(each);
     for (std::vector<double>* each : all_of(s)) each->resize(points);
     s.certainty.resize(points);
-    s.at_pole.resize(points);
+    s.modes = N;
+    s.without_numbers.resize(points);
     const std::vector<WeightedMode> modes = modes_of(basis, contact, load);
     parallel_for((points + block - 1) / block, threads, [&](std::size_t b) {
         compute(modes, r, s, b * block);

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "denhartog/model/modal_basis.hpp"
@@ -28,7 +29,9 @@ struct ContactSums {
     std::vector<double> size_of_U;      ///< of U_dj, each term 1 larger than (28)
     std::vector<double> size_of_H;      ///< of H_j, each term 1 larger than in (64)
     std::vector<double> certainty; ///< least of the modes' `evaluation::certainty_of_start`: positive where (57) is largest at 0
-    std::vector<std::uint8_t> at_pole; ///< 1 where a mode without damping resonates: the other entries mean nothing and are 0
+    std::vector<std::uint8_t> without_numbers; ///< 1 where a mode without damping resonates, or a sum is beyond the range of a
+                                               ///< double: the other entries mean nothing and are 0
+    std::size_t modes = 0;                     ///< how many modes were summed
 };
 
 /// @brief Evaluates the modes over an array of frequency ratios and sums them.
@@ -38,21 +41,9 @@ struct ContactSums {
 /// @param load     the loaded mass, l
 /// @param r        frequency ratios, Eq. (10); positive
 /// @param threads  threads, at least 1; the result does not depend on it
-/// @return         the sums
-/// @throws         InputError where an r, j, l or the number of threads breaks its rule; PrecisionError where a sum is beyond the
-///                 range of a double
-[[nodiscard]] ContactSums contact_sums(const ModalBasis<double>& basis, Mass contact, Mass load, const std::vector<double>& r,
-                                       unsigned threads);
-
-/// @brief The same in sums that are there already: their memory serves again.
-/// @param basis    modal basis of the system, N modes
-/// @param contact  the mass in contact, j
-/// @param load     the loaded mass, l
-/// @param r        frequency ratios, Eq. (10); positive
-/// @param threads  threads, at least 1
-/// @param sums     written over
-/// @throws         as above
-void contact_sums(const ModalBasis<double>& basis, Mass contact, Mass load, const std::vector<double>& r, unsigned threads,
+/// @param sums     written over: their memory serves again
+/// @throws         InputError where an r, j, l or the number of threads breaks its rule
+void contact_sums(const ModalBasis<double>& basis, Mass contact, Mass load, std::span<const double> r, unsigned threads,
                   ContactSums& sums);
 
 } // namespace denhartog

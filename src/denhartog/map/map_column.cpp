@@ -4,51 +4,50 @@
 #include <cmath>
 #include <optional>
 
-#include "denhartog/evaluation/contact.hpp"
-#include "denhartog/number/errors.hpp"
-#include "denhartog/number/multiprecision.hpp"
-#include "denhartog/sliding/regime.hpp"
 #include "denhartog/map/contact_amplitudes.hpp"
-#include "denhartog/stick_slip/stuck_response.hpp"
+#include "denhartog/number/errors.hpp"
+#include "denhartog/sliding/regime.hpp"
+#include "denhartog/stick_slip/at_maximum_of_force.hpp"
+#include "denhartog/stick_slip/periodic_orbit.hpp"
 
 namespace denhartog {
 namespace {
 
 class Column {
 public:
-    Column(const MapSystem& map_, double r_, std::span<MapPoint> points_, std::span<double> amplitudes_)
-        : map(map_), r(r_), points(points_), amplitudes(amplitudes_),
-          sums(mode_sums(map.system.basis, map.system.contact, map.system.load, r)), limits(regime_boundary(sums, map.mu)),
-          rounding(rounding_of(limits)),
-          contact_alone(std::ranges::all_of(map.masses, [&](Mass k) { return k == map.system.contact; })) {}
+    Column(const MapSystem& map_, double r_, const std::optional<ColumnByArrays>& arrays_, std::span<MapPoint> points_,
+           std::span<double> amplitudes_)
+        : map(map_), r(r_), arrays(arrays_), points(points_), amplitudes(amplitudes_),
+          contact_alone(std::ranges::all_of(map.masses, [&](Mass k) { return k == map.system.contact; })) {
+        if (!arrays) (void)limits();
+    }
 
     void answer(std::size_t n) {
         const double beta = map.beta[n];
-        const Regime regime = regime_of(limits, beta);
         const bool may_differ = map.mu > 1 && beta > 0;
         if (may_differ && map.start == MapStart::rest)
-            follow(n, at_rest<double>(sums.R.size()));
-        else if (regime == Regime::continuous)
+            follow(n, at_rest<double>(map.system.basis.r_n.size()));
+        else if (slides(beta))
             slide(n);
-        else if (regime == Regime::permanent_sticking && (!may_differ || !last))
+        else if (rests(beta) && (!may_differ || !last))
             stick(n);
         else
             sweep(n);
-        if (points[n].status == PointStatus::answered && on_boundary(limits, beta, rounding))
-            points[n].status = PointStatus::on_boundary;
+        if (points[n].status == PointStatus::answered && near_limit(beta)) points[n].status = PointStatus::on_boundary;
     }
 
     // As many points from n on as the closed form or the rest answer without a motion to follow; the contact's amplitude alone.
     std::size_t answer_together(std::size_t n) {
-        const std::size_t first = n;
         if (!contact_alone || map.masses.size() != 1 || (map.mu > 1 && map.start == MapStart::rest)) return 0;
-        for (; n < points.size() && map.beta[n] < limits.exact; ++n) {
-            const double X_j = amplitude_over_array(n);
-            if (!std::isfinite(X_j)) break;
-            amplitudes[n] = X_j;
-            put(n, Regime::continuous);
-            sliding = n;
+        const std::size_t first = n;
+        while (n < points.size() && slides(map.beta[n])) ++n;
+        contact_amplitudes(V_dj(), U_dj(), G_j(), std::span(map.beta).subspan(first, n - first),
+                           amplitudes.subspan(first, n - first));
+        for (std::size_t m = first; m < n; ++m) {
+            if (!std::isfinite(amplitudes[m])) n = m;
+            else put(m, Regime::continuous);
         }
+        if (n > first) sliding = n - 1;
         for (; n < points.size() && map.mu == 1 && rests(map.beta[n]); ++n) {
             amplitudes[n] = 0;
             put(n, Regime::permanent_sticking);
@@ -58,20 +57,32 @@ public:
     }
 
 private:
-    bool rests(double beta) const { return !(beta < limits.exact) && limits.sticking && beta >= *limits.sticking; }
-
-    void put(std::size_t n, Regime regime) {
-        const bool near = on_boundary(limits, map.beta[n], rounding);
-        points[n] = {near ? PointStatus::on_boundary : PointStatus::answered, regime, 0, 1};
+    const ModeSums<double>& sums() {
+        if (!sums_) sums_ = mode_sums(map.system.basis, map.system.contact, map.system.load, r);
+        return *sums_;
     }
 
-    double amplitude_over_array(std::size_t n) {
-        const std::size_t j = sums.contact.index;
-        if (X.empty()) {
-            X.resize(map.beta.size());
-            amplitudes_of_contact(sums.V[j], sums.U[j], sums.G[j], map.beta, X);
-        }
-        return X[n];
+    const RegimeBoundary<double>& limits() {
+        if (!limits_) limits_ = regime_boundary(sums(), map.mu);
+        return *limits_;
+    }
+
+    Complex<double> V_dj() { return arrays ? arrays->V_dj : sums().V[map.system.contact.index]; }
+    double U_dj() { return arrays ? arrays->U_dj : sums().U[map.system.contact.index]; }
+    double G_j() { return arrays ? arrays->G_j : sums().G[map.system.contact.index]; }
+
+    bool slides(double beta) { return beta < (arrays ? arrays->exact : limits().exact); }
+
+    bool rests(double beta) {
+        if (slides(beta)) return false;
+        return arrays ? beta >= arrays->sticking : limits().sticking && beta >= *limits().sticking;
+    }
+
+    // Whether the regime could be the neighbour's; never where the arrays tell it.
+    bool near_limit(double beta) { return !arrays && on_boundary(limits(), beta, rounding_of(limits())); }
+
+    void put(std::size_t n, Regime regime) {
+        points[n] = {near_limit(map.beta[n]) ? PointStatus::on_boundary : PointStatus::answered, regime, 0, 1};
     }
 
     void write(std::size_t n, std::size_t place, double amplitude) {
@@ -81,12 +92,12 @@ private:
 
     void slide(std::size_t n) {
         const double beta = map.beta[n];
-        const std::size_t j = sums.contact.index;
         if (contact_alone) {
-            const double X_j = evaluation::displacement_transmissibility_of_contact(sums.V[j], sums.U[j], sums.G[j], beta);
+            double X_j = 0;
+            contact_amplitudes(V_dj(), U_dj(), G_j(), {&beta, 1}, {&X_j, 1});
             for (std::size_t m = 0; m < map.masses.size(); ++m) write(n, m, X_j);
         } else {
-            const SteadyState<double> state = steady_state(sums, limits, beta);
+            const SteadyState<double> state = steady_state(sums(), limits(), beta);
             for (std::size_t m = 0; m < map.masses.size(); ++m) write(n, m, state.masses[map.masses[m].index].amplitude);
         }
         points[n] = {PointStatus::answered, Regime::continuous, 0, 1};
@@ -104,9 +115,9 @@ private:
 
     // From the motion at the friction ratio before; where that leads nowhere, from rest.
     void sweep(std::size_t n) {
-        if (!last && sliding) last = at_maximum_of_force(sums, steady_state(sums, limits, map.beta[*sliding]));
+        if (!last && sliding) last = at_maximum_of_force(sums(), steady_state(sums(), limits(), map.beta[*sliding]));
         if (last) follow(n, *last);
-        if (!last || points[n].status != PointStatus::answered) follow(n, at_rest<double>(sums.R.size()));
+        if (!last || points[n].status != PointStatus::answered) follow(n, at_rest<double>(map.system.basis.r_n.size()));
     }
 
     void follow(std::size_t n, const State<double>& start) {
@@ -120,7 +131,7 @@ private:
         search.contact_only = contact_alone;
         search.with_stability = false;
         const PeriodicOrbit<double> orbit = periodic_orbit(*solver, start, search);
-        if (orbit.status == OrbitStatus::permanently_stuck && (map.mu > 1 || limits.sticking == map.beta[n])) return stick(n);
+        if (orbit.status == OrbitStatus::permanently_stuck && (map.mu > 1 || limits().sticking == map.beta[n])) return stick(n);
         points[n].status = PointStatus::not_converged;
         if (orbit.status != OrbitStatus::periodic) return;
         for (std::size_t m = 0; m < map.masses.size(); ++m)
@@ -132,13 +143,12 @@ private:
 
     const MapSystem& map;
     double r;
+    const std::optional<ColumnByArrays>& arrays;
     std::span<MapPoint> points;
     std::span<double> amplitudes;
-    ModeSums<double> sums;
-    RegimeBoundary<double> limits;
-    BoundaryError<double> rounding;
     bool contact_alone;
-    std::vector<double> X;                     // (38) at every friction ratio, found when it is first needed
+    std::optional<ModeSums<double>> sums_;         // evaluated when they are first needed
+    std::optional<RegimeBoundary<double>> limits_; // the same
     std::optional<std::size_t> sliding;        // the last point where the closed form answered
     std::optional<State<double>> last;         // the last periodic orbit
     std::optional<StuckResponse<double>> held; // found when it is first needed
@@ -147,14 +157,8 @@ private:
 
 } // namespace
 
-template <class T>
-State<T> at_maximum_of_force(const ModeSums<T>& sums, const SteadyState<T>& state) {
-    Motion<T> at = motion(sums, state, T(-state.phi_j));
-    return {std::move(at.x), std::move(at.x_prime)};
-}
-
-void compute_column(const MapSystem& map, double r, const std::atomic<bool>& stop, std::span<MapPoint> points,
-                    std::span<double> amplitudes) {
+void compute_column(const MapSystem& map, double r, const std::optional<ColumnByArrays>& arrays, const std::atomic<bool>& stop,
+                    std::span<MapPoint> points, std::span<double> amplitudes) {
     const std::size_t masses = map.masses.size();
     const auto without_numbers = [&](std::size_t n, PointStatus status) {
         points[n] = {status, Regime::continuous, 0, 1};
@@ -163,7 +167,7 @@ void compute_column(const MapSystem& map, double r, const std::atomic<bool>& sto
     std::optional<Column> column;
     PointStatus fault = PointStatus::failed;
     try {
-        column.emplace(map, r, points, amplitudes);
+        column.emplace(map, r, arrays, points, amplitudes);
     } catch (const DomainError&) {
         fault = PointStatus::at_a_pole;
     } catch (const PrecisionError&) {
@@ -187,8 +191,5 @@ void compute_column(const MapSystem& map, double r, const std::atomic<bool>& sto
         }
     }
 }
-
-template State<double> at_maximum_of_force(const ModeSums<double>&, const SteadyState<double>&);
-template State<Real50> at_maximum_of_force(const ModeSums<Real50>&, const SteadyState<Real50>&);
 
 } // namespace denhartog

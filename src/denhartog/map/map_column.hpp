@@ -3,11 +3,12 @@
 #pragma once
 
 #include <atomic>
+#include <optional>
 #include <span>
 
-#include "denhartog/sliding/steady_state.hpp"
+#include "denhartog/formulas/complex.hpp"
 #include "denhartog/map/regime_map.hpp"
-#include "denhartog/stick_slip/periodic_orbit.hpp"
+#include "denhartog/stick_slip/exact_motion.hpp"
 
 namespace denhartog {
 
@@ -20,20 +21,23 @@ struct MapSystem {
     const std::vector<Mass>& masses;     ///< masses whose amplitudes are wanted
 };
 
+/// @brief What the arrays tell of a column: its limits part the friction ratios of the map for certain.
+struct ColumnByArrays {
+    Complex<double> V_dj; ///< complex response function of the mass in contact, Eq. (33)
+    double U_dj;          ///< first damping function, Eq. (34)
+    double G_j;           ///< second damping function, Eq. (35)
+    double exact;         ///< beta_lim, Eq. (69)
+    double sticking;      ///< the contact rests from here on
+};
+
 /// @brief Computes a column.
 /// @param map         what the columns share
 /// @param r           frequency ratio
+/// @param arrays      what the arrays tell of it; without, its modes are evaluated here
 /// @param stop        leaves the rest of the column undone once it is set
 /// @param points      where the points go
 /// @param amplitudes  where the amplitudes go, filled with NaN before
-void compute_column(const MapSystem& map, double r, const std::atomic<bool>& stop, std::span<MapPoint> points,
-                    std::span<double> amplitudes);
-
-/// @brief The state of a sliding motion at a maximum of the force, where the exact solver starts.
-/// @param sums   modes at the frequency ratio
-/// @param state  the sliding motion
-/// @return       displacements and velocities at tau = 0 of the force
-template <class T>
-[[nodiscard]] State<T> at_maximum_of_force(const ModeSums<T>& sums, const SteadyState<T>& state);
+void compute_column(const MapSystem& map, double r, const std::optional<ColumnByArrays>& arrays, const std::atomic<bool>& stop,
+                    std::span<MapPoint> points, std::span<double> amplitudes);
 
 } // namespace denhartog

@@ -4,15 +4,18 @@
 #include <cmath>
 #include <mutex>
 
+#include "denhartog/map/contact_limits.hpp"
+#include "denhartog/map/map_column.hpp"
 #include "denhartog/model/point_rules.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/parallel.hpp"
-#include "denhartog/map/map_column.hpp"
+#include "denhartog/sliding/boundary.hpp"
 
 namespace denhartog {
 namespace {
 
 constexpr std::size_t most_points = std::size_t(1) << 28;
+constexpr std::size_t columns_at_a_time = 4096;
 
 void check_frequencies(const std::vector<double>& r) {
     if (r.empty()) throw InputError("r", "must have at least one value", "none");
@@ -33,6 +36,35 @@ void check_request(const MapRequest& request, std::size_t N) {
                          std::to_string(request.r.size()) + " times " + std::to_string(numbers));
 }
 
+// Sums and limits of many columns at once, where the contact alone is asked for and the limits tell its regime.
+class Arrays {
+public:
+    explicit Arrays(const MapSystem& map_)
+        : map(map_), wanted(map.masses.size() == 1 && map.masses.front() == map.system.contact &&
+                            (map.mu == 1 || map.start == MapStart::sliding)) {
+        if (wanted) ascending = map.beta;
+        std::ranges::sort(ascending);
+    }
+
+    void compute(std::span<const double> r, unsigned threads) {
+        if (!wanted) return;
+        contact_sums(map.system.basis, map.system.contact, map.system.load, r, threads, sums);
+        contact_limits(sums, map.mu, threads, limits);
+    }
+
+    [[nodiscard]] std::optional<ColumnByArrays> at(std::size_t m) const {
+        if (!wanted || !limits_tell(limits, m, ascending)) return std::nullopt;
+        return ColumnByArrays{{sums.V_re[m], sums.V_im[m]}, sums.U[m], sums.G[m], limits.exact[m], limits.sticking[m]};
+    }
+
+private:
+    const MapSystem& map;
+    bool wanted;
+    std::vector<double> ascending;
+    ContactSums sums;
+    ContactLimits limits;
+};
+
 } // namespace
 
 std::string name(PointStatus status) {
@@ -52,23 +84,29 @@ RegimeMap regime_map(const Scene<double>& scene, const MapRequest& request, cons
     check_request(request, number_of_masses(scene.system));
     const ContactSystem<double> system = contact_system(scene.system);
     const MapSystem shared{system, scene.mu, request.start, request.beta, request.masses};
-    const std::size_t rows = request.beta.size(), masses = request.masses.size();
+    Arrays arrays(shared);
+    const std::size_t columns = request.r.size(), rows = request.beta.size(), masses = request.masses.size();
     RegimeMap map;
-    map.points.resize(request.r.size() * rows);
+    map.points.resize(columns * rows);
     map.amplitudes.assign(map.points.size() * masses, std::nan(""));
     std::mutex mutex;
     std::size_t columns_done = 0;
-    parallel_for(request.r.size(), request.threads, [&](std::size_t m) {
-        if (stop) return false;
-        compute_column(shared, request.r[m], stop, std::span(map.points).subspan(m * rows, rows),
-                       std::span(map.amplitudes).subspan(m * rows * masses, rows * masses));
-        if (stop) return false;
-        const std::lock_guard<std::mutex> lock(mutex);
-        ++columns_done;
-        if (done) done(columns_done);
-        return true;
-    });
-    map.complete = columns_done == request.r.size();
+    for (std::size_t start = 0; start < columns && !stop; start += columns_at_a_time) {
+        const std::size_t n = std::min(columns_at_a_time, columns - start);
+        arrays.compute(std::span(request.r).subspan(start, n), request.threads);
+        parallel_for(n, request.threads, [&](std::size_t column) {
+            if (stop) return false;
+            const std::size_t m = start + column;
+            compute_column(shared, request.r[m], arrays.at(column), stop, std::span(map.points).subspan(m * rows, rows),
+                           std::span(map.amplitudes).subspan(m * rows * masses, rows * masses));
+            if (stop) return false;
+            const std::lock_guard<std::mutex> lock(mutex);
+            ++columns_done;
+            if (done) done(columns_done);
+            return true;
+        });
+    }
+    map.complete = columns_done == columns;
     return map;
 }
 
