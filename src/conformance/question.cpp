@@ -256,7 +256,6 @@ Answer answer_from_cell(std::string_view text) {
 }
 
 template Scene<double> scene_of(const Question&);
-template Scene<long double> scene_of(const Question&);
 template Scene<Real50> scene_of(const Question&);
 template Scene<Real100> scene_of(const Question&);
 

@@ -276,19 +276,15 @@ bool slides(const HalfPeriodMotion<T>& motion, const T& mu, const T& beta) {
 }
 
 template Matrix<double> matrix_exponential(const Matrix<double>&);
-template Matrix<long double> matrix_exponential(const Matrix<long double>&);
 template Matrix<Real50> matrix_exponential(const Matrix<Real50>&);
 template Matrix<Real100> matrix_exponential(const Matrix<Real100>&);
 template Matrix<double> augmented_system(const HalfPeriodProblem<double>&);
-template Matrix<long double> augmented_system(const HalfPeriodProblem<long double>&);
 template Matrix<Real50> augmented_system(const HalfPeriodProblem<Real50>&);
 template Matrix<Real100> augmented_system(const HalfPeriodProblem<Real100>&);
 template HalfPeriodMotion<double> half_period_motion(const HalfPeriodProblem<double>&, int);
-template HalfPeriodMotion<long double> half_period_motion(const HalfPeriodProblem<long double>&, int);
 template HalfPeriodMotion<Real50> half_period_motion(const HalfPeriodProblem<Real50>&, int);
 template HalfPeriodMotion<Real100> half_period_motion(const HalfPeriodProblem<Real100>&, int);
 template bool slides(const HalfPeriodMotion<double>&, const double&, const double&);
-template bool slides(const HalfPeriodMotion<long double>&, const long double&, const long double&);
 template bool slides(const HalfPeriodMotion<Real50>&, const Real50&, const Real50&);
 template bool slides(const HalfPeriodMotion<Real100>&, const Real100&, const Real100&);
 

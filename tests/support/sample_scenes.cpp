@@ -222,11 +222,9 @@ double friction_ratio_at(double fraction, double beta_lim) {
 }
 
 template std::vector<NamedScene<double>> paper_scenes();
-template std::vector<NamedScene<long double>> paper_scenes();
 template std::vector<NamedScene<Real50>> paper_scenes();
 template std::vector<NamedScene<Real100>> paper_scenes();
 template std::vector<RandomScene<double>> random_scenes(std::uint64_t);
-template std::vector<RandomScene<long double>> random_scenes(std::uint64_t);
 template std::vector<RandomScene<Real50>> random_scenes(std::uint64_t);
 template std::vector<RandomScene<Real100>> random_scenes(std::uint64_t);
 

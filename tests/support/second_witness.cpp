@@ -190,16 +190,11 @@ Agreement<T> compare_with_second_witness(const Scene<T>& scene, int steps) {
 }
 
 template HalfPeriodProblem<Real50> half_period_problem(const Scene<double>&);
-template HalfPeriodProblem<Real50> half_period_problem(const Scene<long double>&);
 template HalfPeriodProblem<Real100> half_period_problem(const Scene<Real50>&);
 template SampledMotion<double> sampled_motion(const ModeSums<double>&, const SteadyState<double>&, int);
 template double worst(const Agreement<double>&);
 template Agreement<double> compare(const SampledMotion<double>&, const HalfPeriodMotion<Real50>&);
 template Agreement<double> compare_with_second_witness(const Scene<double>&, int);
-template SampledMotion<long double> sampled_motion(const ModeSums<long double>&, const SteadyState<long double>&, int);
-template long double worst(const Agreement<long double>&);
-template Agreement<long double> compare(const SampledMotion<long double>&, const HalfPeriodMotion<Real50>&);
-template Agreement<long double> compare_with_second_witness(const Scene<long double>&, int);
 template SampledMotion<Real50> sampled_motion(const ModeSums<Real50>&, const SteadyState<Real50>&, int);
 template Real50 worst(const Agreement<Real50>&);
 template Agreement<Real50> compare(const SampledMotion<Real50>&, const HalfPeriodMotion<Real100>&);

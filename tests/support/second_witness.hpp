@@ -14,7 +14,7 @@ namespace denhartog {
 /// @brief The number type in which the witness of a closed form in T computes.
 template <class T>
 struct WitnessNumber {
-    using type = Real50; ///< 50 digits against double and long double
+    using type = Real50; ///< 50 digits against double
 };
 
 /// @brief 100 digits against 50.

@@ -180,7 +180,6 @@ TEST_CASE("mode shapes are orthonormal and solve the eigenproblem in every numbe
         require_basis(general, modal_basis(general));
     };
     with(0.0);
-    with(0.0L);
     with(Real50());
     with(Real100());
 }

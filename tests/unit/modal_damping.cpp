@@ -56,7 +56,6 @@ TEST_CASE("damping that is a combination of mass and stiffness has the known dam
         }
     };
     with(0.0);
-    with(0.0L);
     with(Real50());
     with(Real100());
 }

@@ -72,7 +72,6 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 TEST_CASE("a scene that keeps every rule is accepted in every number type", "[scene]") {
     REQUIRE_NOTHROW(check(good<double>()));
-    REQUIRE_NOTHROW(check(good<long double>()));
     REQUIRE_NOTHROW(check(good<Real50>()));
     REQUIRE_NOTHROW(check(good<Real100>()));
     REQUIRE_NOTHROW(check(by_matrices()));

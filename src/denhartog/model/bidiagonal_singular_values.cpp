@@ -242,13 +242,10 @@ SingularValues<T> bidiagonal_singular_values(std::vector<T> d, std::vector<T> e,
 }
 
 template SingularValues<double> bidiagonal_singular_values(std::vector<double>, std::vector<double>);
-template SingularValues<long double> bidiagonal_singular_values(std::vector<long double>, std::vector<long double>);
 template SingularValues<Real50> bidiagonal_singular_values(std::vector<Real50>, std::vector<Real50>);
 template SingularValues<Real100> bidiagonal_singular_values(std::vector<Real100>, std::vector<Real100>);
 template SingularValues<double> bidiagonal_singular_values(std::vector<double>, std::vector<double>,
                                                            const std::vector<std::size_t>&);
-template SingularValues<long double> bidiagonal_singular_values(std::vector<long double>, std::vector<long double>,
-                                                                const std::vector<std::size_t>&);
 template SingularValues<Real50> bidiagonal_singular_values(std::vector<Real50>, std::vector<Real50>,
                                                            const std::vector<std::size_t>&);
 template SingularValues<Real100> bidiagonal_singular_values(std::vector<Real100>, std::vector<Real100>,

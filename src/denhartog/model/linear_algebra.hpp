@@ -1,14 +1,19 @@
 /// @file
-/// @brief Eigenvalues and eigenvectors of a symmetric matrix, and the congruence that makes a general problem one.
+/// @brief Products, linear systems and symmetric eigenproblems: Eigen's, compiled once for the three number types.
 ///
-/// Eigen's solvers, compiled once for the four number types: in multiprecision they take the compiler longer than all else.
+/// In multiprecision they take the compiler longer than all else.
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "denhartog/model/scene.hpp"
 
 namespace denhartog {
+
+/// @brief A column of numbers.
+template <class T>
+using Column = Eigen::Matrix<T, Eigen::Dynamic, 1>;
 
 /// @brief Solution of a symmetric eigenproblem.
 template <class T>
@@ -30,5 +35,48 @@ template <class T>
 /// @return   the matrix in the new coordinates
 template <class T>
 [[nodiscard]] Matrix<T> divide_out(const Matrix<T>& L, const Matrix<T>& X);
+
+/// @brief \f$ L^{-T}X \f$. @param L a lower triangular matrix without a zero on its diagonal @param X a matrix of as many rows
+/// @return the solution of \f$ L^T Y = X \f$
+template <class T>
+[[nodiscard]] Matrix<T> divided_by_transpose(const Matrix<T>& L, const Matrix<T>& X);
+
+/// @brief \f$ AB \f$. @param A a matrix @param B a matrix of as many rows as A has columns @return their product
+template <class T>
+[[nodiscard]] Matrix<T> product(const Matrix<T>& A, const Matrix<T>& B);
+
+/// @brief \f$ X^TA \f$. @param X a matrix @param A a matrix of as many rows @return their product
+template <class T>
+[[nodiscard]] Matrix<T> transpose_times(const Matrix<T>& X, const Matrix<T>& A);
+
+/// @brief \f$ X^TAX \f$: a matrix in the coordinates of which X has the shapes. @param X shapes, a column each
+/// @param A  a square matrix of as many rows
+/// @return   the matrix in the new coordinates
+template <class T>
+[[nodiscard]] Matrix<T> in_coordinates(const Matrix<T>& X, const Matrix<T>& A);
+
+/// @brief A square matrix with its factors, by Gaussian elimination with row exchanges.
+template <class T>
+class LinearSystem {
+public:
+    /// @param A  a square matrix
+    explicit LinearSystem(const Matrix<T>& A);
+    ~LinearSystem();
+    /// @param other  a system, which is left without its factors
+    LinearSystem(LinearSystem&& other) noexcept;
+
+    /// @brief The solution of \f$ Ax=b \f$. @param b the right side @return x
+    [[nodiscard]] Column<T> solve(const Column<T>& b) const;
+    /// @brief The inverse. @return \f$ A^{-1} \f$
+    [[nodiscard]] Matrix<T> inverse() const;
+    /// @brief An estimate of the reciprocal condition number. @return from 0 to 1
+    [[nodiscard]] T reciprocal_condition() const;
+    /// @brief Whether no pivot is rounding of the others. @return true if so
+    [[nodiscard]] bool is_regular() const;
+
+private:
+    struct Factors;
+    std::unique_ptr<Factors> factors_;
+};
 
 } // namespace denhartog

@@ -146,16 +146,12 @@ NonDimensionalMatrices<T> non_dimensional_matrices(const System<T>& s, const Mod
 }
 
 template ModalBasis<double> modal_basis(const System<double>&);
-template ModalBasis<long double> modal_basis(const System<long double>&);
 template ModalBasis<Real50> modal_basis(const System<Real50>&);
 template ModalBasis<Real100> modal_basis(const System<Real100>&);
 template ModalBasis<double> modal_basis_at(const System<double>&, const std::vector<Mass>&);
-template ModalBasis<long double> modal_basis_at(const System<long double>&, const std::vector<Mass>&);
 template ModalBasis<Real50> modal_basis_at(const System<Real50>&, const std::vector<Mass>&);
 template ModalBasis<Real100> modal_basis_at(const System<Real100>&, const std::vector<Mass>&);
 template NonDimensionalMatrices<double> non_dimensional_matrices(const System<double>&, const ModalBasis<double>&, const double&);
-template NonDimensionalMatrices<long double> non_dimensional_matrices(const System<long double>&, const ModalBasis<long double>&,
-                                                                      const long double&);
 template NonDimensionalMatrices<Real50> non_dimensional_matrices(const System<Real50>&, const ModalBasis<Real50>&, const Real50&);
 template NonDimensionalMatrices<Real100> non_dimensional_matrices(const System<Real100>&, const ModalBasis<Real100>&,
                                                                   const Real100&);

@@ -7,9 +7,9 @@
 #include <limits>
 #include <string>
 
+#include "denhartog/model/linear_algebra.hpp"
 #include "denhartog/model/number_text.hpp"
 #include "denhartog/model/scene_rules.hpp"
-#include "denhartog/model/symmetric_eigenproblem.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/multiprecision.hpp"
 
@@ -25,7 +25,7 @@ std::string short_text(const T& x) {
 
 template <class T>
 void check_condition(const Matrix<T>& A, const Matrix<T>& B, const T& tolerance) {
-    const Matrix<T> AB = A * B;
+    const Matrix<T> AB = product(A, B);
     const T sizes = A.norm() * B.norm();
     const T distance = Matrix<T>(AB - AB.transpose()).norm();
     if (distance <= tolerance * sizes) return;
@@ -57,9 +57,9 @@ void turn_coinciding_modes(const Matrix<T>& C, const T& tolerance, const std::ve
         const auto at = static_cast<Eigen::Index>(first);
         const auto count = static_cast<Eigen::Index>(last - first + 1);
         const Matrix<T> columns = phi.middleCols(at, count);
-        const Matrix<T> within = columns.transpose() * C * columns;
+        const Matrix<T> within = in_coordinates(columns, C);
         const SymmetricEigenproblem<T> solved = symmetric_eigenproblem(Matrix<T>((within + within.transpose()) / T(2)));
-        phi.middleCols(at, count) = columns * solved.vectors;
+        phi.middleCols(at, count) = product(columns, solved.vectors);
     }
 }
 
@@ -74,7 +74,7 @@ void set_modal_damping(const Matrix<T>& L, const Matrix<T>& K, const Matrix<T>& 
         check_condition(divide_out(L, K), divide_out(L, C), tolerance);
         turn_coinciding_modes(C, tolerance, basis.r_n, basis.phi);
     }
-    const Matrix<T> D = basis.phi.transpose() * C * basis.phi;
+    const Matrix<T> D = in_coordinates(basis.phi, C);
     const T size = D.cwiseAbs().maxCoeff();
     for (std::size_t i = 0; i < N; ++i)
         for (std::size_t k = 0; k < i; ++k)
@@ -91,13 +91,9 @@ void set_modal_damping(const Matrix<T>& L, const Matrix<T>& K, const Matrix<T>& 
 }
 
 template void turn_coinciding_modes(const Matrix<double>&, const double&, const std::vector<double>&, Matrix<double>&);
-template void turn_coinciding_modes(const Matrix<long double>&, const long double&, const std::vector<long double>&,
-                                    Matrix<long double>&);
 template void turn_coinciding_modes(const Matrix<Real50>&, const Real50&, const std::vector<Real50>&, Matrix<Real50>&);
 template void turn_coinciding_modes(const Matrix<Real100>&, const Real100&, const std::vector<Real100>&, Matrix<Real100>&);
 template void set_modal_damping(const Matrix<double>&, const Matrix<double>&, const Matrix<double>&, ModalBasis<double>&);
-template void set_modal_damping(const Matrix<long double>&, const Matrix<long double>&, const Matrix<long double>&,
-                                ModalBasis<long double>&);
 template void set_modal_damping(const Matrix<Real50>&, const Matrix<Real50>&, const Matrix<Real50>&, ModalBasis<Real50>&);
 template void set_modal_damping(const Matrix<Real100>&, const Matrix<Real100>&, const Matrix<Real100>&, ModalBasis<Real100>&);
 

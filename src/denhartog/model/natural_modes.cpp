@@ -7,9 +7,9 @@
 #include <limits>
 
 #include "denhartog/model/bidiagonal_singular_values.hpp"
+#include "denhartog/model/linear_algebra.hpp"
 #include "denhartog/model/modal_basis.hpp"
 #include "denhartog/model/number_text.hpp"
-#include "denhartog/model/symmetric_eigenproblem.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/multiprecision.hpp"
 
@@ -98,7 +98,7 @@ NaturalModes<T> general_modes(const Matrix<T>& L, const Matrix<T>& K) {
                              number_to_text(lowest));
     NaturalModes<T> modes{std::vector<T>(static_cast<std::size_t>(N)), Matrix<T>(N, N)};
     for (std::size_t i = 0; i < modes.r_n.size(); ++i) modes.r_n[i] = sqrt(solved.values[i]);
-    modes.phi = L.transpose().template triangularView<Eigen::Upper>().solve(solved.vectors);
+    modes.phi = divided_by_transpose(L, solved.vectors);
     return modes;
 }
 
@@ -117,20 +117,15 @@ void count_eigen_solve() { ++eigen_solve_count; }
 long eigen_solves() { return eigen_solve_count; }
 
 template NaturalModes<double> chain_modes(const std::vector<double>&, const std::vector<double>&);
-template NaturalModes<long double> chain_modes(const std::vector<long double>&, const std::vector<long double>&);
 template NaturalModes<Real50> chain_modes(const std::vector<Real50>&, const std::vector<Real50>&);
 template NaturalModes<Real100> chain_modes(const std::vector<Real100>&, const std::vector<Real100>&);
 template NaturalModes<double> chain_modes(const std::vector<double>&, const std::vector<double>&, const std::vector<Mass>&);
-template NaturalModes<long double> chain_modes(const std::vector<long double>&, const std::vector<long double>&,
-                                               const std::vector<Mass>&);
 template NaturalModes<Real50> chain_modes(const std::vector<Real50>&, const std::vector<Real50>&, const std::vector<Mass>&);
 template NaturalModes<Real100> chain_modes(const std::vector<Real100>&, const std::vector<Real100>&, const std::vector<Mass>&);
 template NaturalModes<double> general_modes(const Matrix<double>&, const Matrix<double>&);
-template NaturalModes<long double> general_modes(const Matrix<long double>&, const Matrix<long double>&);
 template NaturalModes<Real50> general_modes(const Matrix<Real50>&, const Matrix<Real50>&);
 template NaturalModes<Real100> general_modes(const Matrix<Real100>&, const Matrix<Real100>&);
 template void fix_signs(Matrix<double>&);
-template void fix_signs(Matrix<long double>&);
 template void fix_signs(Matrix<Real50>&);
 template void fix_signs(Matrix<Real100>&);
 

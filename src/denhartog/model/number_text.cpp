@@ -114,11 +114,9 @@ NumberFault number_from_text(std::string_view text, T& value) {
 }
 
 template std::string number_to_text(const double&);
-template std::string number_to_text(const long double&);
 template std::string number_to_text(const Real50&);
 template std::string number_to_text(const Real100&);
 template NumberFault number_from_text(std::string_view, double&);
-template NumberFault number_from_text(std::string_view, long double&);
 template NumberFault number_from_text(std::string_view, Real50&);
 template NumberFault number_from_text(std::string_view, Real100&);
 

@@ -9,7 +9,7 @@ namespace denhartog {
 
 /// @brief A number as text from which the same number can be read again.
 /// @param x  the number
-/// @return   decimal text: the shortest such text for `double` and `long double`; `inf`, `-inf` or `nan` where it is no number
+/// @return   decimal text: the shortest such text for `double`; `inf`, `-inf` or `nan` where it is no number
 template <class T>
 [[nodiscard]] std::string number_to_text(const T& x);
 

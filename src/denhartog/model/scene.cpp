@@ -180,20 +180,16 @@ Scene<T> converted(const Scene<double>& scene) {
 }
 
 template void check_under_names(const Scene<double>&, const SceneNames&);
-template void check_under_names(const Scene<long double>&, const SceneNames&);
 template void check_under_names(const Scene<Real50>&, const SceneNames&);
 template void check_under_names(const Scene<Real100>&, const SceneNames&);
 template void check(const Scene<double>&);
-template void check(const Scene<long double>&);
 template void check(const Scene<Real50>&);
 template void check(const Scene<Real100>&);
 template void check(const System<double>&);
-template void check(const System<long double>&);
 template void check(const System<Real50>&);
 template void check(const System<Real100>&);
 
 template Scene<double> converted(const Scene<double>&);
-template Scene<long double> converted(const Scene<double>&);
 template Scene<Real50> converted(const Scene<double>&);
 template Scene<Real100> converted(const Scene<double>&);
 

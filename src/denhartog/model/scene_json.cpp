@@ -258,11 +258,9 @@ nlohmann::ordered_json write_scene(const Scene<T>& scene) {
 }
 
 template Scene<double> scene_from_json(const json&);
-template Scene<long double> scene_from_json(const json&);
 template Scene<Real50> scene_from_json(const json&);
 template Scene<Real100> scene_from_json(const json&);
 template nlohmann::ordered_json write_scene(const Scene<double>&);
-template nlohmann::ordered_json write_scene(const Scene<long double>&);
 template nlohmann::ordered_json write_scene(const Scene<Real50>&);
 template nlohmann::ordered_json write_scene(const Scene<Real100>&);
 

@@ -77,15 +77,12 @@ std::vector<SceneOrError<T>> read_scenes(std::string_view text) {
 }
 
 template Scene<double> read_scene(std::string_view);
-template Scene<long double> read_scene(std::string_view);
 template Scene<Real50> read_scene(std::string_view);
 template Scene<Real100> read_scene(std::string_view);
 template SceneOrError<double> read_scene(const SceneText&);
-template SceneOrError<long double> read_scene(const SceneText&);
 template SceneOrError<Real50> read_scene(const SceneText&);
 template SceneOrError<Real100> read_scene(const SceneText&);
 template std::vector<SceneOrError<double>> read_scenes(std::string_view);
-template std::vector<SceneOrError<long double>> read_scenes(std::string_view);
 template std::vector<SceneOrError<Real50>> read_scenes(std::string_view);
 template std::vector<SceneOrError<Real100>> read_scenes(std::string_view);
 

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "denhartog/model/cholesky.hpp"
+#include "denhartog/model/linear_algebra.hpp"
 #include "denhartog/model/modal_damping.hpp"
 #include "denhartog/model/natural_modes.hpp"
 #include "denhartog/number/errors.hpp"
@@ -137,14 +138,13 @@ StuckConfiguration<T> stuck_configuration(const System<T>& s, const ModalBasis<T
     stuck.r_n = std::move(modes.r_n);
     stuck.phi = std::move(modes.phi);
     require_finite(stuck);
-    const Matrix<T> D = stuck.phi.transpose() * stuck.C * stuck.phi;
+    const Matrix<T> D = in_coordinates(stuck.phi, stuck.C);
     stuck.damping = (D + D.transpose()) / T(2);
     set_coupling(stuck, tolerance);
     return stuck;
 }
 
 template StuckConfiguration<double> stuck_configuration(const System<double>&, const ModalBasis<double>&);
-template StuckConfiguration<long double> stuck_configuration(const System<long double>&, const ModalBasis<long double>&);
 template StuckConfiguration<Real50> stuck_configuration(const System<Real50>&, const ModalBasis<Real50>&);
 template StuckConfiguration<Real100> stuck_configuration(const System<Real100>&, const ModalBasis<Real100>&);
 

@@ -8,8 +8,8 @@
 ///  - `pi<T>()`.
 ///
 /// It asks for no comparison and no conversion from a floating-point literal, so that the derivation can instantiate the same
-/// source with a symbolic scalar. `float`, `double` and `long double` are served here, the multiprecision types in
-/// `multiprecision.hpp`, the symbolic scalar in `derivation/symbolic.hpp`.
+/// source with a symbolic scalar. `double` is served here, and so are `float` and `long double`, which only the formulas know;
+/// the multiprecision types are served in `multiprecision.hpp`, the symbolic scalar in `derivation/symbolic.hpp`.
 #pragma once
 
 #include <cmath>

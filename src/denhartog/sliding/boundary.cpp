@@ -251,14 +251,12 @@ Boundary<T> boundary(const ModeSums<T>& s, const T& mu) {
 }
 
 template double sliding_demand(const ModeSums<double>&, const double&);
-template long double sliding_demand(const ModeSums<long double>&, const long double&);
 template Real50 sliding_demand(const ModeSums<Real50>&, const Real50&);
 template Real100 sliding_demand(const ModeSums<Real100>&, const Real100&);
 template Bounded<double> sliding_demand(const ModeSums<Bounded<double>>&, const Bounded<double>&);
 template Bounded<Real50> sliding_demand(const ModeSums<Bounded<Real50>>&, const Bounded<Real50>&);
 template Bounded<Real100> sliding_demand(const ModeSums<Bounded<Real100>>&, const Bounded<Real100>&);
 template double instant_of_largest_demand(const ModeSums<double>&);
-template long double instant_of_largest_demand(const ModeSums<long double>&);
 template Real50 instant_of_largest_demand(const ModeSums<Real50>&);
 template Real100 instant_of_largest_demand(const ModeSums<Real100>&);
 template std::vector<double> instants_of_demands(const ModeSums<double>&);
@@ -272,7 +270,6 @@ template Boundary<Bounded<Real50>> boundary_at(const ModeSums<Bounded<Real50>>&,
 template Boundary<Bounded<Real100>> boundary_at(const ModeSums<Bounded<Real100>>&, const Bounded<Real100>&,
                                                 const Bounded<Real100>&, const std::vector<Bounded<Real100>>&);
 template Boundary<double> boundary(const ModeSums<double>&, const double&);
-template Boundary<long double> boundary(const ModeSums<long double>&, const long double&);
 template Boundary<Real50> boundary(const ModeSums<Real50>&, const Real50&);
 template Boundary<Real100> boundary(const ModeSums<Real100>&, const Real100&);
 

@@ -63,7 +63,6 @@ const FrictionMotionsAt<T>& FrictionMotions<T>::at(const T& tau) {
 }
 
 template class FrictionMotions<double>;
-template class FrictionMotions<long double>;
 template class FrictionMotions<Real50>;
 template class FrictionMotions<Real100>;
 template std::vector<evaluation::FrictionMotion<double>> friction_motions(const ModeSums<double>&, const double&);
@@ -73,7 +72,6 @@ template std::vector<evaluation::FrictionMotion<Bounded<Real50>>> friction_motio
                                                                                    const Bounded<Real50>&);
 template std::vector<evaluation::FrictionMotion<Bounded<Real100>>> friction_motions(const ModeSums<Bounded<Real100>>&,
                                                                                     const Bounded<Real100>&);
-template std::vector<evaluation::FrictionMotion<long double>> friction_motions(const ModeSums<long double>&, const long double&);
 template std::vector<evaluation::FrictionMotion<Real50>> friction_motions(const ModeSums<Real50>&, const Real50&);
 template std::vector<evaluation::FrictionMotion<Real100>> friction_motions(const ModeSums<Real100>&, const Real100&);
 

@@ -170,17 +170,12 @@ Maximum<T> global_maximum(const Curve<T>& curve, const T& a, const T& b, const T
 
 template Maximum<double> global_maximum(const Curve<double>&, const double&, const double&, const double&, Effort*,
                                         const double&);
-template Maximum<long double> global_maximum(const Curve<long double>&, const long double&, const long double&,
-                                             const long double&, Effort*, const long double&);
 template Maximum<Real50> global_maximum(const Curve<Real50>&, const Real50&, const Real50&, const Real50&, Effort*,
                                         const Real50&);
 template Maximum<Real100> global_maximum(const Curve<Real100>&, const Real100&, const Real100&, const Real100&, Effort*,
                                          const Real100&);
 template std::pair<double, double> root_bracket(const std::function<double(const double&)>&, const double&, const double&,
                                                 const double&, const double&);
-template std::pair<long double, long double> root_bracket(const std::function<long double(const long double&)>&,
-                                                          const long double&, const long double&, const long double&,
-                                                          const long double&);
 template std::pair<Real50, Real50> root_bracket(const std::function<Real50(const Real50&)>&, const Real50&, const Real50&,
                                                 const Real50&, const Real50&);
 template std::pair<Real100, Real100> root_bracket(const std::function<Real100(const Real100&)>&, const Real100&, const Real100&,

@@ -117,7 +117,6 @@ long mode_evaluations() { return evaluations; }
 void count_mode_evaluations(long modes) { evaluations += modes; }
 
 template ModeSums<double> mode_sums(const ModalBasis<double>&, Mass, Mass, const double&);
-template ModeSums<long double> mode_sums(const ModalBasis<long double>&, Mass, Mass, const long double&);
 template ModeSums<Real50> mode_sums(const ModalBasis<Real50>&, Mass, Mass, const Real50&);
 template ModeSums<Real100> mode_sums(const ModalBasis<Real100>&, Mass, Mass, const Real100&);
 template ModeSums<Bounded<double>> mode_sums(const ModalBasis<Bounded<double>>&, Mass, Mass, const Bounded<double>&,
@@ -133,14 +132,12 @@ template evaluation::ModeFunctions<Bounded<Real50>> mode_functions_at(const Moda
 template evaluation::ModeFunctions<Bounded<Real100>> mode_functions_at(const ModalBasis<Bounded<Real100>>&, std::size_t,
                                                                        const Bounded<Real100>&);
 template bool contact_is_unmoved(const ModeSums<double>&);
-template bool contact_is_unmoved(const ModeSums<long double>&);
 template bool contact_is_unmoved(const ModeSums<Real50>&);
 template bool contact_is_unmoved(const ModeSums<Real100>&);
 template bool contact_is_unmoved(const ModeSums<Bounded<double>>&);
 template bool contact_is_unmoved(const ModeSums<Bounded<Real50>>&);
 template bool contact_is_unmoved(const ModeSums<Bounded<Real100>>&);
 template bool stuck_system_resonates(const ModeSums<double>&);
-template bool stuck_system_resonates(const ModeSums<long double>&);
 template bool stuck_system_resonates(const ModeSums<Real50>&);
 template bool stuck_system_resonates(const ModeSums<Real100>&);
 template bool stuck_system_resonates(const ModeSums<Bounded<double>>&);

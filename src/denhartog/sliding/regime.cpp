@@ -103,22 +103,18 @@ RegimeAtPoint regime_at(const Boundary<Bounded<T>>& bounded, const T& beta) {
 }
 
 template Regime regime_of(const RegimeBoundary<double>&, const double&);
-template Regime regime_of(const RegimeBoundary<long double>&, const long double&);
 template Regime regime_of(const RegimeBoundary<Real50>&, const Real50&);
 template Regime regime_of(const RegimeBoundary<Real100>&, const Real100&);
 template Regime regime_of(const RegimeBoundary<Bounded<double>>&, const Bounded<double>&);
 template Regime regime_of(const RegimeBoundary<Bounded<Real50>>&, const Bounded<Real50>&);
 template Regime regime_of(const RegimeBoundary<Bounded<Real100>>&, const Bounded<Real100>&);
 template bool on_boundary(const RegimeBoundary<double>&, const double&, const BoundaryError<double>&);
-template bool on_boundary(const RegimeBoundary<long double>&, const long double&, const BoundaryError<long double>&);
 template bool on_boundary(const RegimeBoundary<Real50>&, const Real50&, const BoundaryError<Real50>&);
 template bool on_boundary(const RegimeBoundary<Real100>&, const Real100&, const BoundaryError<Real100>&);
 template BoundaryError<double> rounding_of(const RegimeBoundary<double>&);
-template BoundaryError<long double> rounding_of(const RegimeBoundary<long double>&);
 template BoundaryError<Real50> rounding_of(const RegimeBoundary<Real50>&);
 template BoundaryError<Real100> rounding_of(const RegimeBoundary<Real100>&);
 template RegimeAtPoint regime_at(const Boundary<double>&, const double&, const BoundaryError<double>&);
-template RegimeAtPoint regime_at(const Boundary<long double>&, const long double&, const BoundaryError<long double>&);
 template RegimeAtPoint regime_at(const Boundary<Real50>&, const Real50&, const BoundaryError<Real50>&);
 template RegimeAtPoint regime_at(const Boundary<Real100>&, const Real100&, const BoundaryError<Real100>&);
 

@@ -248,10 +248,6 @@ template double wrapped(const double&);
 template SteadyState<double> steady_state(const ModeSums<double>&, const RegimeBoundary<double>&, const double&,
                                           std::optional<Mass>);
 template Motion<double> motion(const ModeSums<double>&, const SteadyState<double>&, const double&);
-template long double wrapped(const long double&);
-template SteadyState<long double> steady_state(const ModeSums<long double>&, const RegimeBoundary<long double>&,
-                                               const long double&, std::optional<Mass>);
-template Motion<long double> motion(const ModeSums<long double>&, const SteadyState<long double>&, const long double&);
 template Real50 wrapped(const Real50&);
 template SteadyState<Real50> steady_state(const ModeSums<Real50>&, const RegimeBoundary<Real50>&, const Real50&,
                                           std::optional<Mass>);

@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <Eigen/LU>
-
+#include "denhartog/model/linear_algebra.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/solve/certify.hpp"
 #include "denhartog/stick_slip/stuck_response.hpp"
@@ -14,9 +13,6 @@ namespace {
 
 using std::abs;
 using std::asin;
-
-template <class T>
-using Column = Eigen::Matrix<T, Eigen::Dynamic, 1>;
 
 // A number of which no bound is known.
 template <class T>
@@ -63,7 +59,7 @@ HeldErrors<T> errors_of(const Scene<T>& scene, const StuckConfiguration<T>& stuc
     terms << entries * size.head(n), entries * size.tail(n);
     terms += Column<T>::Constant(2 * n, T(damping.cwiseAbs().maxCoeff() * size.sum()));
     const Column<T> left_over = (b - A * X).cwiseAbs() + rounding * (terms + b.cwiseAbs());
-    const Column<T> error = T(2) * (Matrix<T>(Eigen::PartialPivLU<Matrix<T>>(A).inverse()).cwiseAbs() * left_over + eps * size);
+    const Column<T> error = T(2) * (LinearSystem<T>(A).inverse().cwiseAbs() * left_over + eps * size);
     for (Eigen::Index i = 0; i < n; ++i) {
         const auto m = static_cast<std::size_t>(i);
         const T of_mass = error(i) + error(n + i);

@@ -1,17 +1,14 @@
 /// @file
 /// @brief `solve`: the answer in every regime by the cheapest model that is certain to have the digits asked for.
 ///
-/// The models, cheapest first. Where amplitude or phase of the contact alone is asked about, another stands before them: its
-/// closed form in double with bounds at the cost of the modes, see `contact_modes.hpp`, then with the modes of long double, then
-/// with errors measured in 50 and 100 digits. Of any other one mass the same models answer; no other mass must have the digits.
-///  1. the closed form in double with error bounds known beforehand, on the modes that matter where amplitudes or phases alone
-///     are asked for: the others by their static displacement, motions but that of the contact by their first harmonic, all of it
-///     with bounds of what is left out;
-///  2. the closed form in double on all modes with error bounds known beforehand, first with the modes of double, then with those
-///     of long double; V and U of a chain without damping without a sum over modes where that is sharper;
-///  3. the closed form in double, 50 and 100 digits with measured errors, see `answer`;
-///  4. for a contact that rests the stuck response, in double with the bound that its residual gives, else measured;
+/// The models, cheapest first:
+///  1. amplitude or phase of the mass in contact alone, at mu = 1: (38), (39) below a lower bound of (69), see `contact_modes.hpp`;
+///  2. amplitudes or phases at mu = 1 from the modes that matter, with bounds of what is left out, see `few_modes.hpp`;
+///  3. boundary, regime and closed form of all masses, or of the one that is asked about, see `sliding_solution`; V and U of a
+///     chain without damping without a sum over modes where that is sharper;
+///  4. for a contact that rests the stuck response, see `held_solution`;
 ///  5. the exact solver's periodic orbit, in double, then in 50 digits.
+/// Models 1, 3 and 4 run up the rungs of `certify`: double, 50 and 100 digits, each with the bounds of its own numbers.
 /// The boundaries tell the regime where mu = 1. Where mu > 1 more than one motion may exist: the exact solver then follows the
 /// start from rest, and where that leads into the closed form or the stuck response these give the numbers.
 #pragma once

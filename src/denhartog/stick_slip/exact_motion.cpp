@@ -29,7 +29,7 @@ ContactSystem<T> contact_system(const System<T>& s) {
     // phi^T M phi = 1, so that phi^T M is the inverse of phi; the mass matrix keeps it free of an inversion.
     const std::size_t N = out.basis.r_n.size();
     if (s.mass_matrix.size() > 0) {
-        out.momentum = out.basis.phi.transpose() * s.mass_matrix;
+        out.momentum = transpose_times(out.basis.phi, s.mass_matrix);
     } else {
         out.momentum.resize(N, N);
         for (std::size_t i = 0; i < N; ++i)

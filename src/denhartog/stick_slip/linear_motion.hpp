@@ -16,14 +16,11 @@
 #include <vector>
 
 #include "denhartog/evaluation/driven_motion.hpp"
+#include "denhartog/model/linear_algebra.hpp"
 #include "denhartog/model/scene.hpp"
 #include "denhartog/number/effort.hpp"
 
 namespace denhartog {
-
-/// @brief A column of numbers.
-template <class T>
-using Column = Eigen::Matrix<T, Eigen::Dynamic, 1>;
 
 /// @brief A vector of numbers as a column, to be read or written. @param values the numbers @return a view of them
 template <class Values>

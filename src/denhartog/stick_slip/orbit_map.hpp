@@ -2,10 +2,10 @@
 /// @brief The map over half-periods of the force, mirrored after each, with its Jacobian, its rounding and a norm.
 #pragma once
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <limits>
 
+#include "denhartog/model/linear_algebra.hpp"
 #include "denhartog/number/number.hpp"
 #include "denhartog/stick_slip/exact_motion.hpp"
 #include "denhartog/stick_slip/linear_motion.hpp"
@@ -29,15 +29,6 @@ template <class T>
         d(N + k) = a.x_prime[n] - b.x_prime[n];
     }
     return d;
-}
-
-/// @brief Whether a matrix was factored without a pivot that is rounding of the others.
-/// @param factors  its factors
-/// @return         true if so
-template <class T>
-[[nodiscard]] bool is_regular(const Eigen::PartialPivLU<Matrix<T>>& factors) {
-    const auto pivots = factors.matrixLU().diagonal().cwiseAbs();
-    return pivots.minCoeff() > 16 * std::numeric_limits<T>::epsilon() * pivots.maxCoeff();
 }
 
 /// @brief \f$ z \mapsto (-1)^h\Phi_{0\to h\pi}(z) \f$, as it was applied last.

@@ -125,10 +125,10 @@ T displacement_of_energy(const OrbitMap<T>& map) {
 
 template <class T>
 std::optional<T> error_bound_of(const OrbitMap<T>& map) {
-    const Eigen::PartialPivLU<Matrix<T>> factors(map.newton_matrix());
-    if (!is_regular(factors)) return std::nullopt;
+    const LinearSystem<T> system(map.newton_matrix());
+    if (!system.is_regular()) return std::nullopt;
     const Column<T> rounding = map.rounding();
-    const Column<T> at_start = factors.inverse().cwiseAbs() * (map.difference().cwiseAbs() + rounding);
+    const Column<T> at_start = system.inverse().cwiseAbs() * (map.difference().cwiseAbs() + rounding);
     T energy = map.norm_of_bound(at_start);
     if (map.solver().excitation().mu > 1) energy *= std::max(T(1), T(map.energy_jacobian().norm()));
     return T(displacement_of_energy(map) * energy + rounding.head(map.N).maxCoeff());

@@ -65,9 +65,9 @@ private:
         from_ = z;
         image_ = map_->image();
         rests_at_0_ = image_.x_prime[j_] == 0 && map_->motion().phases.back().direction == 0;
-        const Eigen::PartialPivLU<Matrix<T>> factors(map_->newton_matrix());
-        if (!is_regular(factors)) return T(0);
-        step_ = factors.solve(map_->difference());
+        const LinearSystem<T> system(map_->newton_matrix());
+        if (!system.is_regular()) return T(0);
+        step_ = system.solve(map_->difference());
         ++steps_;
         return T(1);
     }

@@ -1,11 +1,11 @@
 #include "denhartog/stick_slip/stuck_response.hpp"
 
-#include <Eigen/LU>
 #include <boost/math/special_functions/fpclassify.hpp>
 #include <limits>
 #include <string>
 
 #include "denhartog/formulas/stuck.hpp"
+#include "denhartog/model/linear_algebra.hpp"
 #include "denhartog/model/natural_modes.hpp"
 #include "denhartog/model/point_rules.hpp"
 #include "denhartog/number/errors.hpp"
@@ -63,9 +63,9 @@ std::vector<Complex<T>> coupled_amplitudes(const StuckConfiguration<T>& stuck, c
     A.topRightCorner(n, n) = -r * stuck.damping;
     A.bottomLeftCorner(n, n) = r * stuck.damping;
     A = scale.asDiagonal() * A * scale.asDiagonal();
-    const Eigen::PartialPivLU<Matrix<T>> factors(A);
-    if (!(factors.rcond() > rounding<T>(p.size()))) resonates();
-    force = scale.cwiseProduct(factors.solve(scale.cwiseProduct(force)));
+    const LinearSystem<T> system(A);
+    if (!(system.reciprocal_condition() > rounding<T>(p.size()))) resonates();
+    force = scale.cwiseProduct(system.solve(scale.cwiseProduct(force)));
     std::vector<Complex<T>> q;
     for (Eigen::Index i = 0; i < n; ++i) q.push_back({force(i), force(n + i)});
     return q;
@@ -191,25 +191,19 @@ std::optional<T> rest_interval(const StuckConfiguration<T>& stuck, const StuckRe
 }
 
 template StuckResponse<double> stuck_response(const StuckConfiguration<double>&, Mass, Mass, const double&);
-template StuckResponse<long double> stuck_response(const StuckConfiguration<long double>&, Mass, Mass, const long double&);
 template StuckResponse<Real50> stuck_response(const StuckConfiguration<Real50>&, Mass, Mass, const Real50&);
 template StuckResponse<Real100> stuck_response(const StuckConfiguration<Real100>&, Mass, Mass, const Real100&);
 template std::optional<StuckChain<double>> stuck_chain(const System<double>&, const StuckConfiguration<double>&);
-template std::optional<StuckChain<long double>> stuck_chain(const System<long double>&, const StuckConfiguration<long double>&);
 template std::optional<StuckChain<Real50>> stuck_chain(const System<Real50>&, const StuckConfiguration<Real50>&);
 template std::optional<StuckChain<Real100>> stuck_chain(const System<Real100>&, const StuckConfiguration<Real100>&);
 template StickingBoundary<double> sticking_boundary(const StuckResponse<double>&, const std::optional<StuckChain<double>>&,
                                                     const double&);
-template StickingBoundary<long double> sticking_boundary(const StuckResponse<long double>&,
-                                                         const std::optional<StuckChain<long double>>&, const long double&);
 template StickingBoundary<Real50> sticking_boundary(const StuckResponse<Real50>&, const std::optional<StuckChain<Real50>>&,
                                                     const Real50&);
 template StickingBoundary<Real100> sticking_boundary(const StuckResponse<Real100>&, const std::optional<StuckChain<Real100>>&,
                                                      const Real100&);
 template std::optional<double> rest_interval(const StuckConfiguration<double>&, const StuckResponse<double>&, const double&,
                                              const double&);
-template std::optional<long double> rest_interval(const StuckConfiguration<long double>&, const StuckResponse<long double>&,
-                                                  const long double&, const long double&);
 template std::optional<Real50> rest_interval(const StuckConfiguration<Real50>&, const StuckResponse<Real50>&, const Real50&,
                                              const Real50&);
 template std::optional<Real100> rest_interval(const StuckConfiguration<Real100>&, const StuckResponse<Real100>&, const Real100&,

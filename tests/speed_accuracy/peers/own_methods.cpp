@@ -25,15 +25,16 @@ Scene<double> scene_of(const System<double>& system, const ChartPoint& point) {
 ModalBasis<double> basis_in_double(const System<double>& system) { return modal_basis(system); }
 ModalBasis<float> basis_in_float(const System<double>& system) { return rounded<float>(modal_basis(system)); }
 ModalBasis<long double> basis_in_long_double(const System<double>& system) {
-    return modal_basis(converted<long double>(scene_of(system, {1, 0})).system);
+    return rounded<long double>(modal_basis(converted<Real50>(scene_of(system, {1, 0})).system));
 }
 
-// In float the boundaries are not built; the forms of the modes are.
-Peer shipped_form_in_float() {
-    return {"closed form as shipped", "float", 0, [](const System<double>& system) {
-                const auto modes = std::make_shared<const ModalBasis<float>>(basis_in_float(system));
+// In float and long double the boundaries are not built; the forms of the modes are.
+template <class T, class Basis>
+Peer shipped_forms_of_modes(const std::string& setting, const Basis& basis) {
+    return {"closed form as shipped", setting, 0, [basis](const System<double>& system) {
+                const auto modes = std::make_shared<const ModalBasis<T>>(basis(system));
                 return [modes, j = system.contact, l = system.load](const ChartPoint& point) {
-                    return closed_form_at(*modes, j, l, point, evaluation::mode_functions<float>);
+                    return closed_form_at(*modes, j, l, point, evaluation::mode_functions<T>);
                 };
             }};
 }
@@ -114,8 +115,8 @@ std::vector<Peer> printed_form_peers() {
 }
 
 std::vector<Peer> shipped_form_peers() {
-    return {shipped_form_in_float(), shipped_form_peer<double>("double", basis_in_double),
-            shipped_form_peer<long double>("long double", basis_in_long_double), closed_form_peers_in_50_digits()[1]};
+    return {shipped_forms_of_modes<float>("float", basis_in_float), shipped_form_peer<double>("double", basis_in_double),
+            shipped_forms_of_modes<long double>("long double", basis_in_long_double), closed_form_peers_in_50_digits()[1]};
 }
 
 std::vector<Peer> exact_solver_peers() {
