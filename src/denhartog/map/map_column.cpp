@@ -13,9 +13,9 @@
 namespace denhartog {
 namespace {
 
-class Column {
+class MapColumn {
 public:
-    Column(const MapSystem& map_, double r_, const std::optional<ColumnByArrays>& arrays_, std::span<MapPoint> points_,
+    MapColumn(const MapSystem& map_, double r_, const std::optional<ColumnByArrays>& arrays_, std::span<MapPoint> points_,
            std::span<double> amplitudes_)
         : map(map_), r(r_), arrays(arrays_), points(points_), amplitudes(amplitudes_),
           contact_alone(std::ranges::all_of(map.masses, [&](Mass k) { return k == map.system.contact; })) {
@@ -164,7 +164,7 @@ void compute_column(const MapSystem& map, double r, const std::optional<ColumnBy
         points[n] = {status, Regime::continuous, 0, 1};
         std::ranges::fill(amplitudes.subspan(n * masses, masses), std::nan(""));
     };
-    std::optional<Column> column;
+    std::optional<MapColumn> column;
     PointStatus fault = PointStatus::failed;
     try {
         column.emplace(map, r, arrays, points, amplitudes);
