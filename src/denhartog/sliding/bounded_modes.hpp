@@ -93,6 +93,8 @@ public:
 
     /// @brief The modal basis. @return frequencies, shapes, damping ratios with their errors
     [[nodiscard]] const ModalBasis<Bounded<T>>& basis() const { return *basis_; }
+    /// @brief The same, to be kept. @return the basis that was given
+    [[nodiscard]] const std::shared_ptr<const ModalBasis<Bounded<T>>>& shared_basis() const { return basis_; }
     /// @brief The frequency ratio. @return r with its error
     [[nodiscard]] const Bounded<T>& r() const { return r_; }
     /// @brief A mode. @param i its index @return (23), (28), (29) @throws DomainError at a pole

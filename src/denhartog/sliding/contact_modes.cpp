@@ -34,44 +34,19 @@ struct Sum {
 // (57) is largest for tau -> 0, see `excess_at_the_end`.
 template <class T>
 bool largest_at_start(const Bounded<T>& R, const ContactMode<T>& m, const evaluation::ModeFunctions<Bounded<T>>& f) {
+    if (!(m.zeta.most() < 1)) return false;
     const Bounded<T> excess = evaluation::excess_at_the_end(m.weights.two_zeta, R, f.u, f.g);
     const Bounded<T> room = 4 * R * R - (1 - m.zeta) * (1 + m.zeta);
     return excess.x > excess.e && room.x > room.e;
 }
 
+// (23), (28), (29) of every mode.
 template <class T>
-struct SumsAtContact {
-    Complex<Bounded<T>> V;
-    Bounded<T> U, G;
-    T demand; // an upper bound of the largest (57)
-    T least;  // its value at the start, a lower bound
-};
-
-template <class T>
-SumsAtContact<T> sums_at(const ContactModes<T>& all, const Bounded<T>& r) {
-    const std::size_t N = all.modes.size();
-    Sum<T> V_re, V_im, U, G, demand, at_start;
-    T others(0);
-    for (std::size_t i = 0; i < N; ++i) {
-        const ContactMode<T>& m = all.modes[i];
-        const Bounded<T> R = r / m.r_n;
-        const evaluation::ModeFunctions<Bounded<T>> f = bounded_mode_functions(R, m.zeta);
-        V_re.add(m.weights.load, f.v.re);
-        V_im.add(m.weights.load, f.v.im);
-        U.add(m.weights.contact, f.u);
-        G.add(m.weights.contact, f.g);
-        const Bounded<T> start = paper::s_d_at_zero(R, m.zeta, f.u, f.g);
-        at_start.add(m.weights.square, start);
-        if (largest_at_start(R, m, f))
-            demand.add(m.weights.square, start);
-        else
-            others += m.weights.square.most() * largest_demand(R, m.zeta, {f.u, f.g});
-    }
-    count_mode_evaluations(static_cast<long>(N));
-    const Bounded<T> left = Bounded<T>::of(others, T(0), T(static_cast<int>(N) * unit_of<T>() * others));
-    const Bounded<T> known = (demand.bounded(N) + left) / (r * r);
-    return {
-        {V_re.bounded(N), V_im.bounded(N)}, U.bounded(N), G.bounded(N), known.most(), (at_start.bounded(N) / (r * r)).least()};
+std::vector<evaluation::ModeFunctions<Bounded<T>>> functions_at(const ContactModes<T>& all, const Bounded<T>& r) {
+    std::vector<evaluation::ModeFunctions<Bounded<T>>> functions;
+    for (const ContactMode<T>& m : all.modes) functions.push_back(bounded_mode_functions(Bounded<T>(r / m.r_n), m.zeta));
+    count_mode_evaluations(static_cast<long>(all.modes.size()));
+    return functions;
 }
 
 // The largest demand by a search, with its bound; twice that, because the instant found is not followed.
@@ -79,7 +54,7 @@ template <class T>
 std::optional<T> demand_by_search(const ContactModes<T>& all, const Bounded<T>& r) {
     try {
         BoundedModes<T> functions(all.basis, r);
-        const ModeSums<Bounded<T>> sums = mode_sums(*all.basis, Mass{0}, all.load, r, functions.all());
+        const ModeSums<Bounded<T>> sums = mode_sums(*all.basis, all.contact, all.load, r, functions.all());
         const T instant = instant_of_largest_demand(values_of(sums));
         const Bounded<T> largest = sliding_demand(sums, Bounded<T>(instant));
         const Bounded<T> held = paper::static_friction_demand(sums.H_j, Bounded<T>(1), sums.sum_of_squares);
@@ -88,6 +63,13 @@ std::optional<T> demand_by_search(const ContactModes<T>& all, const Bounded<T>& 
     } catch (const PrecisionError&) {
     }
     return std::nullopt;
+}
+
+// A lower bound of the boundary (69), from an upper bound of the demand.
+template <class T>
+T least_boundary(const SumsAtContact<T>& s) {
+    const Bounded<T> limit = paper::friction_ratio_limit(s.V, s.U, Bounded<T>(s.demand));
+    return limit.x - limit.e;
 }
 
 } // namespace
@@ -102,51 +84,75 @@ T largest_demand(const Bounded<T>& R, const Bounded<T>& zeta, const evaluation::
 }
 
 template <class T>
-T least_boundary(const Complex<Bounded<T>>& V_dj, const Bounded<T>& U_dj, const T& demand) {
-    const Bounded<T> limit = paper::friction_ratio_limit(V_dj, U_dj, Bounded<T>(demand));
-    return limit.x - limit.e;
-}
-
-template <class T>
-ContactModes<T> contact_modes(ModalBasis<Bounded<T>> basis) {
-    const std::size_t load = basis.phi.rows() > 1 ? 1 : 0;
-    ContactModes<T> all{std::make_shared<const ModalBasis<Bounded<T>>>(std::move(basis)), Mass{load}, {}};
+ContactModes<T> contact_modes(std::shared_ptr<const ModalBasis<Bounded<T>>> basis, Mass contact, Mass load) {
+    ContactModes<T> all{std::move(basis), contact, load, {}};
     for (std::size_t i = 0; i < all.basis->r_n.size(); ++i) {
         const Bounded<T>&r_n = all.basis->r_n[i], &zeta = all.basis->zeta[i];
-        if (!(zeta.x + zeta.e < 1)) {
-            all.modes.clear();
-            return all;
-        }
         const auto mode = static_cast<Eigen::Index>(i);
-        const Bounded<T> phi_j = all.basis->phi(0, mode), phi_l = all.basis->phi(static_cast<Eigen::Index>(load), mode);
+        const Bounded<T> phi_j = all.basis->phi(static_cast<Eigen::Index>(contact.index), mode),
+                         phi_l = all.basis->phi(static_cast<Eigen::Index>(load.index), mode);
         all.modes.push_back({r_n, zeta, evaluation::array_weights(phi_j, phi_l, r_n, zeta)});
     }
     return all;
 }
 
 template <class T>
-std::optional<ContactSolution<T>> contact_solution(const ContactModes<T>& modes, const Bounded<T>& r, const Bounded<T>& beta) {
-    check_frequency_ratio(r.x);
-    check_friction_ratio(beta.x);
-    if (modes.modes.empty()) return std::nullopt;
-    const SumsAtContact<T> s = sums_at(modes, r);
-    T slides_below = least_boundary(s.V, s.U, s.demand);
-    if (!(beta.x + beta.e < slides_below)) {
-        const Bounded<T> highest = paper::friction_ratio_limit(s.V, s.U, Bounded<T>(s.least));
-        if (beta.x - beta.e > highest.most()) return std::nullopt;
-        const std::optional<T> demand = demand_by_search(modes, r);
-        if (!demand) return std::nullopt;
-        slides_below = least_boundary(s.V, s.U, *demand);
-        if (!(beta.x + beta.e < slides_below)) return std::nullopt;
+SumsAtContact<T> sums_at_contact(const ContactModes<T>& all, const Bounded<T>& r,
+                                 const std::vector<evaluation::ModeFunctions<Bounded<T>>>& functions) {
+    const std::size_t N = all.modes.size();
+    Sum<T> V_re, V_im, U, G, demand, at_start;
+    T others(0);
+    for (std::size_t i = 0; i < N; ++i) {
+        const ContactMode<T>& m = all.modes[i];
+        const evaluation::ModeFunctions<Bounded<T>>& f = functions[i];
+        const Bounded<T> R = r / m.r_n;
+        V_re.add(m.weights.load, f.v.re);
+        V_im.add(m.weights.load, f.v.im);
+        U.add(m.weights.contact, f.u);
+        G.add(m.weights.contact, f.g);
+        const Bounded<T> start = paper::s_d_at_zero(R, m.zeta, f.u, f.g);
+        at_start.add(m.weights.square, start);
+        if (largest_at_start(R, m, f))
+            demand.add(m.weights.square, start);
+        else
+            others += m.weights.square.most() * largest_demand(R, m.zeta, {f.u, f.g});
     }
+    const Bounded<T> left = Bounded<T>::of(others, T(0), T(static_cast<int>(N) * unit_of<T>() * others));
+    const Bounded<T> known = (demand.bounded(N) + left) / (r * r);
+    return {
+        {V_re.bounded(N), V_im.bounded(N)}, U.bounded(N), G.bounded(N), known.most(), (at_start.bounded(N) / (r * r)).least()};
+}
+
+template <class T>
+std::optional<ContactSolution<T>> contact_solution(const SumsAtContact<T>& s, const Bounded<T>& beta) {
+    const T slides_below = least_boundary(s);
+    if (!(beta.most() < slides_below)) return std::nullopt;
     const Bounded<T> X_j = evaluation::displacement_transmissibility_of_contact(s.V, s.U, s.G, beta);
     if (!(X_j.x > 0)) return std::nullopt;
     return ContactSolution<T>{X_j, wrapped(evaluation::phase_of_contact(s.V, s.U, beta)), Bounded<T>(slides_below)};
 }
 
-template ContactModes<double> contact_modes(ModalBasis<Bounded<double>>);
-template ContactModes<Real50> contact_modes(ModalBasis<Bounded<Real50>>);
-template ContactModes<Real100> contact_modes(ModalBasis<Bounded<Real100>>);
+template <class T>
+std::optional<ContactSolution<T>> contact_solution(const ContactModes<T>& modes, const Bounded<T>& r, const Bounded<T>& beta) {
+    check_frequency_ratio(r.x);
+    check_friction_ratio(beta.x);
+    SumsAtContact<T> s = sums_at_contact(modes, r, functions_at(modes, r));
+    if (!(beta.most() < least_boundary(s))) {
+        const Bounded<T> highest = paper::friction_ratio_limit(s.V, s.U, Bounded<T>(s.least));
+        if (beta.least() > highest.most()) return std::nullopt;
+        const std::optional<T> demand = demand_by_search(modes, r);
+        if (!demand) return std::nullopt;
+        s.demand = *demand;
+    }
+    return contact_solution(s, beta);
+}
+
+template ContactModes<double> contact_modes(std::shared_ptr<const ModalBasis<Bounded<double>>>, Mass, Mass);
+template ContactModes<Real50> contact_modes(std::shared_ptr<const ModalBasis<Bounded<Real50>>>, Mass, Mass);
+template ContactModes<Real100> contact_modes(std::shared_ptr<const ModalBasis<Bounded<Real100>>>, Mass, Mass);
+template SumsAtContact<double> sums_at_contact(const ContactModes<double>&, const Bounded<double>&,
+                                               const std::vector<evaluation::ModeFunctions<Bounded<double>>>&);
+template std::optional<ContactSolution<double>> contact_solution(const SumsAtContact<double>&, const Bounded<double>&);
 template std::optional<ContactSolution<double>> contact_solution(const ContactModes<double>&, const Bounded<double>&,
                                                                  const Bounded<double>&);
 template std::optional<ContactSolution<Real50>> contact_solution(const ContactModes<Real50>&, const Bounded<Real50>&,
@@ -155,6 +161,5 @@ template std::optional<ContactSolution<Real100>> contact_solution(const ContactM
                                                                   const Bounded<Real100>&);
 template double largest_demand(const Bounded<double>&, const Bounded<double>&,
                                const evaluation::DampingFunctions<Bounded<double>>&);
-template double least_boundary(const Complex<Bounded<double>>&, const Bounded<double>&, const double&);
 
 } // namespace denhartog

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "denhartog/evaluation/batch_forms.hpp"
+#include "denhartog/evaluation/mode.hpp"
 #include "denhartog/model/modal_basis.hpp"
 #include "denhartog/number/bounded.hpp"
 
@@ -20,23 +21,46 @@ namespace denhartog {
 template <class T>
 struct ContactMode {
     Bounded<T> r_n;                                 ///< natural frequency ratio
-    Bounded<T> zeta;                                ///< damping ratio, below 1
+    Bounded<T> zeta;                                ///< damping ratio
     evaluation::ArrayWeights<Bounded<T>> weights{}; ///< in the sums
 };
 
 /// @brief The modes of a system as the contact has them.
 template <class T>
 struct ContactModes {
-    std::shared_ptr<const ModalBasis<Bounded<T>>> basis; ///< shapes at the contact and, below, at the loaded mass if another
+    std::shared_ptr<const ModalBasis<Bounded<T>>> basis; ///< frequencies, damping ratios, and a row of shapes a mass that is kept
+    Mass contact;                                        ///< the row of the mass in contact
     Mass load;                                           ///< the row of the loaded mass
-    std::vector<ContactMode<T>> modes;                   ///< N; empty where a mode is not underdamped
+    std::vector<ContactMode<T>> modes;                   ///< N
 };
 
 /// @brief Prepares the modes for many frequency ratios.
-/// @param basis  shapes at the contact and, where that is another mass, at the loaded mass
-/// @return       the modes
+/// @param basis    a modal basis with errors
+/// @param contact  the row of its shapes that the mass in contact has
+/// @param load     the row that the loaded mass has
+/// @return         the modes
 template <class T>
-[[nodiscard]] ContactModes<T> contact_modes(ModalBasis<Bounded<T>> basis);
+[[nodiscard]] ContactModes<T> contact_modes(std::shared_ptr<const ModalBasis<Bounded<T>>> basis, Mass contact, Mass load);
+
+/// @brief The sums over modes that the contact needs.
+template <class T>
+struct SumsAtContact {
+    Complex<Bounded<T>> V; ///< complex response function, Eq. (33)
+    Bounded<T> U;          ///< first damping function, Eq. (34)
+    Bounded<T> G;          ///< second damping function, Eq. (35)
+    T demand;              ///< what the largest (57) does not exceed
+    T least;               ///< what it is not below: its value at the start
+};
+
+/// @brief The sums over modes, each as it is known: evaluated, or static with a bound of what that leaves out.
+/// @eq{33,34,35,57}
+/// @param all        the modes
+/// @param r          frequency ratio with its error
+/// @param functions  (23), (28), (29) of every mode at r, N values
+/// @return           the sums
+template <class T>
+[[nodiscard]] SumsAtContact<T> sums_at_contact(const ContactModes<T>& all, const Bounded<T>& r,
+                                               const std::vector<evaluation::ModeFunctions<Bounded<T>>>& functions);
 
 /// @brief What the contact does in the sliding regime.
 template <class T>
@@ -46,7 +70,14 @@ struct ContactSolution {
     Bounded<T> slides_below; ///< the boundary (69) is not below it
 };
 
-/// @brief Amplitude and phase of the contact in the sliding regime, mu = 1. @eq{33,34,35,38,39,69}
+/// @brief Amplitude and phase of the contact in the sliding regime, mu = 1, from sums. @eq{38,39,69}
+/// @param sums  sums over modes
+/// @param beta  friction ratio with its error
+/// @return      the solution; none where their bound of (57) leaves open whether the contact slides
+template <class T>
+[[nodiscard]] std::optional<ContactSolution<T>> contact_solution(const SumsAtContact<T>& sums, const Bounded<T>& beta);
+
+/// @brief The same on all modes; where the bound leaves it open the largest (57) is searched for. @eq{33,34,35,38,39,69}
 /// @param modes  the modes
 /// @param r      frequency ratio with its error
 /// @param beta   friction ratio with its error
@@ -67,13 +98,5 @@ template <class T>
 /// @return      the bound
 template <class T>
 [[nodiscard]] T largest_demand(const Bounded<T>& R, const Bounded<T>& zeta, const evaluation::DampingFunctions<Bounded<T>>& f);
-
-/// @brief A lower bound of the boundary (69), from an upper bound of the demand. @eq{69}
-/// @param V_dj    complex response function of the mass in contact, Eq. (33)
-/// @param U_dj    first damping function of the mass in contact, Eq. (34)
-/// @param demand  what (56) does not exceed
-/// @return        what beta_lim is not below
-template <class T>
-[[nodiscard]] T least_boundary(const Complex<Bounded<T>>& V_dj, const Bounded<T>& U_dj, const T& demand);
 
 } // namespace denhartog

@@ -1,14 +1,10 @@
 /// @file
 /// @brief Amplitudes and phases in the sliding regime from the modes that matter, with a bound of what is left out.
 ///
-/// A mode far above the frequency of the force follows it statically: v = 1, u = 0, g = 1 up to
-/// \f[ |v-1| = R\sqrt{\frac{R^2+4\zeta^2}{(1-R^2)^2+4\zeta^2R^2}}, \qquad |u| \le \frac{1}{R\,w\,(\cosh\delta-1)}, \qquad
-///     |g-1| \le \frac{e^{-\delta}+1+\zeta/w}{\cosh\delta-1}, \f]
-/// from (23), (28), (29) with \f$ \delta=\pi\zeta/R \f$. The motion of the contact needs no more than these: (38), (39). The
-/// others move by the first harmonic of load and friction up to the higher harmonics of friction, \f$ 4\beta/(n\pi) \f$ for odd n
-/// from 3 on, each times the response of every mode to it. That the contact slides is certain below the boundary (69) with
-/// \f$ \frac{\pi}{2}\left(|c_i| + R_i^2|u_i|\right) \f$ in place of the largest value of the expression (57) of each mode,
-/// \f$ c_i \f$ being the size of its free motion in (40).
+/// A mode far above the frequency of the force counts by `static_mode_functions`, with the bounds of what that leaves out, in the
+/// same sums as a mode that is evaluated. The motion of the contact needs no more: see `contact_modes.hpp`. The others move by the
+/// first harmonic of load and friction up to the higher harmonics of friction, \f$ 4\beta/(n\pi) \f$ for odd n from 3 on, each times
+/// the response of every mode to it.
 #pragma once
 
 #include "denhartog/sliding/bounded_modes.hpp"

@@ -30,8 +30,9 @@ bool asks_for_contact(const Question& question, Mass contact) {
 template <class T>
 ContactModes<T> contact_modes_of(const SceneSource& source) {
     const System<T> s = scene_in<T>(source).system;
-    return contact_modes(
-        bounded_basis_at(s, s.contact == s.load ? std::vector<Mass>{s.contact} : std::vector<Mass>{s.contact, s.load}));
+    const bool same = s.contact == s.load;
+    const std::vector<Mass> rows = same ? std::vector<Mass>{s.contact} : std::vector<Mass>{s.contact, s.load};
+    return contact_modes(std::make_shared<const ModalBasis<Bounded<T>>>(bounded_basis_at(s, rows)), Mass{0}, Mass{same ? 0U : 1U});
 }
 
 PreparedSystem prepare(const SceneSource& source, const Question& question, Prepared points) {

@@ -24,13 +24,6 @@ double relative(const Bounded<T>& a) {
     return a.e == 0 ? 0 : a.x == 0 ? 1 : as_error(T(a.e / size_of_number(a.x)));
 }
 
-// Where the maxima lie; noise of each value there, from a search in a narrower type.
-template <class T>
-struct Instants {
-    std::vector<T> demands; // of the sum over modes first, then of each mode
-    std::vector<T> masses;
-};
-
 template <class T>
 std::vector<Bounded<T>> as_bounded(const std::vector<T>& numbers) {
     return {numbers.begin(), numbers.end()};
