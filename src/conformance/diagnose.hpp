@@ -18,7 +18,7 @@
 #include <string_view>
 #include <vector>
 
-#include "conformance/mistake.hpp"
+#include "conformance/mistakes/mistake.hpp"
 #include "conformance/verdict.hpp"
 
 namespace denhartog::conformance {

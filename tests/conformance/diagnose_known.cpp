@@ -3,7 +3,7 @@
 
 #include "conformance/diagnose.hpp"
 #include "conformance/grade.hpp"
-#include "conformance/plain_closed_form.hpp"
+#include "conformance/plain/closed_form.hpp"
 #include "tests/catch.hpp"
 #include "tests/conformance/runner_fixtures.hpp"
 #include "tests/conformance/seeded_questions.hpp"

@@ -1,10 +1,10 @@
-#include "conformance/mistake.hpp"
+#include "conformance/mistakes/mistake.hpp"
 
 #include <cmath>
 #include <map>
 #include <set>
 
-#include "conformance/plain_closed_form.hpp"
+#include "conformance/plain/closed_form.hpp"
 #include "denhartog/number/errors.hpp"
 #include "tests/catch.hpp"
 #include "tests/conformance/seeded_questions.hpp"

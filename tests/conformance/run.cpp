@@ -1,5 +1,5 @@
 // `denhartog conform` as a user meets it.
-#include "conformance/mistake.hpp"
+#include "conformance/mistakes/mistake.hpp"
 #include "tests/catch.hpp"
 #include "tests/conformance/runner_fixtures.hpp"
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <random>
 
-#include "conformance/plain_closed_form.hpp"
+#include "conformance/plain/closed_form.hpp"
 
 namespace denhartog::tests {
 namespace {

@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "conformance/mistake.hpp"
-#include "conformance/plain_closed_form.hpp"
+#include "conformance/mistakes/mistake.hpp"
+#include "conformance/plain/closed_form.hpp"
 
 namespace denhartog::conformance {
 

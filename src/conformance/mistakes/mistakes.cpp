@@ -2,7 +2,7 @@
 #include <cmath>
 #include <iterator>
 
-#include "conformance/mistake_definition.hpp"
+#include "conformance/mistakes/mistake_definition.hpp"
 #include "denhartog/number/errors.hpp"
 
 namespace denhartog::conformance {

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "conformance/mistake_definition.hpp"
+#include "conformance/mistakes/mistake_definition.hpp"
 #include "denhartog/number/errors.hpp"
 
 namespace denhartog::conformance {

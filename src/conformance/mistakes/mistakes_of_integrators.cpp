@@ -1,5 +1,5 @@
-#include "conformance/mistake_definition.hpp"
-#include "conformance/plain_integration.hpp"
+#include "conformance/mistakes/mistake_definition.hpp"
+#include "conformance/plain/integration.hpp"
 
 namespace denhartog::conformance {
 namespace {

@@ -1,6 +1,6 @@
 #include <numeric>
 
-#include "conformance/mistake_definition.hpp"
+#include "conformance/mistakes/mistake_definition.hpp"
 #include "denhartog/number/number.hpp"
 
 namespace denhartog::conformance {

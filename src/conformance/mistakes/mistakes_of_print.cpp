@@ -1,4 +1,4 @@
-#include "conformance/mistake_definition.hpp"
+#include "conformance/mistakes/mistake_definition.hpp"
 
 namespace denhartog::conformance {
 namespace {

@@ -1,9 +1,9 @@
-#include "conformance/plain_closed_form.hpp"
+#include "conformance/plain/closed_form.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "conformance/plain_integration.hpp"
+#include "conformance/plain/integration.hpp"
 #include "denhartog/formulas/as_printed.hpp"
 #include "denhartog/formulas/contact.hpp"
 #include "denhartog/formulas/high_frequency.hpp"

@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "conformance/plain_modes.hpp"
+#include "conformance/plain/modes.hpp"
 
 namespace denhartog::conformance {
 

@@ -1,4 +1,4 @@
-#include "conformance/plain_integration.hpp"
+#include "conformance/plain/integration.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "conformance/plain_modes.hpp"
+#include "conformance/plain/modes.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "denhartog/program/derive_command.hpp"
+#include "denhartog/program/commands.hpp"
 
 #include <CLI/CLI.hpp>
 #include <cstdlib>

@@ -4,17 +4,8 @@
 #include <iostream>
 
 #include "denhartog/number/errors.hpp"
-#include "denhartog/program/boundary_command.hpp"
-#include "denhartog/program/conform_command.hpp"
-#include "denhartog/program/derive_command.hpp"
-#include "denhartog/program/equations_command.hpp"
+#include "denhartog/program/commands.hpp"
 #include "denhartog/program/files.hpp"
-#include "denhartog/program/functions_command.hpp"
-#include "denhartog/program/integrate_command.hpp"
-#include "denhartog/program/map_command.hpp"
-#include "denhartog/program/motion_command.hpp"
-#include "denhartog/program/response_command.hpp"
-#include "denhartog/program/solve_command.hpp"
 
 namespace {
 

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "conformance/mistake.hpp"
+#include "conformance/mistakes/mistake.hpp"
 #include "tests/conformance/generator/certify.hpp"
 
 namespace denhartog::conformance::generator {

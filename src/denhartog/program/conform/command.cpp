@@ -1,4 +1,4 @@
-#include "denhartog/program/conform_command.hpp"
+#include "denhartog/program/commands.hpp"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -8,8 +8,8 @@
 #include <nlohmann/json.hpp>
 
 #include "denhartog/number/errors.hpp"
-#include "denhartog/program/conform_number.hpp"
-#include "denhartog/program/conform_run.hpp"
+#include "denhartog/program/conform/number.hpp"
+#include "denhartog/program/conform/run.hpp"
 #include "denhartog/program/files.hpp"
 #include "denhartog/program/table.hpp"
 

@@ -2,8 +2,8 @@
 #include <nlohmann/json.hpp>
 
 #include "conformance/score.hpp"
-#include "denhartog/program/conform_number.hpp"
-#include "denhartog/program/conform_report.hpp"
+#include "denhartog/program/conform/number.hpp"
+#include "denhartog/program/conform/report.hpp"
 
 namespace denhartog::program {
 namespace {

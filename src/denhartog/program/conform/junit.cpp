@@ -1,7 +1,7 @@
 #include <map>
 
 #include "conformance/score.hpp"
-#include "denhartog/program/conform_report.hpp"
+#include "denhartog/program/conform/report.hpp"
 
 namespace denhartog::program {
 namespace {

@@ -1,6 +1,6 @@
 #include "conformance/score.hpp"
-#include "denhartog/program/conform_number.hpp"
-#include "denhartog/program/conform_report.hpp"
+#include "denhartog/program/conform/number.hpp"
+#include "denhartog/program/conform/report.hpp"
 
 namespace denhartog::program {
 namespace {

@@ -1,4 +1,4 @@
-#include "denhartog/program/conform_number.hpp"
+#include "denhartog/program/conform/number.hpp"
 
 #include <array>
 #include <cstdio>

@@ -1,4 +1,4 @@
-#include "denhartog/program/conform_options.hpp"
+#include "denhartog/program/conform/options.hpp"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "conformance/diagnose.hpp"
-#include "denhartog/program/conform_track.hpp"
+#include "denhartog/program/conform/track.hpp"
 
 namespace denhartog::program {
 

@@ -2,8 +2,8 @@
 
 #include "conformance/grade.hpp"
 #include "denhartog/number/errors.hpp"
-#include "denhartog/program/conform_report.hpp"
-#include "denhartog/program/conform_run.hpp"
+#include "denhartog/program/conform/report.hpp"
+#include "denhartog/program/conform/run.hpp"
 #include "denhartog/program/files.hpp"
 
 namespace denhartog::program {

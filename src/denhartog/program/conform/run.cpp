@@ -1,4 +1,4 @@
-#include "denhartog/program/conform_run.hpp"
+#include "denhartog/program/conform/run.hpp"
 
 #include <unistd.h>
 
@@ -9,7 +9,7 @@
 #include "conformance/score.hpp"
 #include "conformance/smoke.hpp"
 #include "denhartog/number/errors.hpp"
-#include "denhartog/program/conform_report.hpp"
+#include "denhartog/program/conform/report.hpp"
 #include "denhartog/program/files.hpp"
 #include "denhartog/program/interruptible.hpp"
 #include "denhartog/program/table.hpp"

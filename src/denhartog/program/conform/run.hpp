@@ -2,7 +2,7 @@
 /// @brief What the subcommands of `denhartog conform` do.
 #pragma once
 
-#include "denhartog/program/conform_options.hpp"
+#include "denhartog/program/conform/options.hpp"
 #include "denhartog/program/exit_status.hpp"
 
 namespace denhartog::program {

@@ -2,8 +2,8 @@
 
 #include "conformance/score.hpp"
 #include "denhartog/model/number_text.hpp"
-#include "denhartog/program/conform_number.hpp"
-#include "denhartog/program/conform_report.hpp"
+#include "denhartog/program/conform/number.hpp"
+#include "denhartog/program/conform/report.hpp"
 #include "denhartog/program/table.hpp"
 
 namespace denhartog::program {
