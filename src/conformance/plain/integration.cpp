@@ -20,15 +20,34 @@ double displacement_at(ExactSolver<double>& solver, const std::vector<Phase<doub
     return solver.state_at(n, tau).x[k];
 }
 
+// Where the contact turns or comes to rest as far from zero as it gets, but for rounding: it may rest there at both ends of the
+// stretch as well, where it does not arrive.
+Extremum<double> largest_of_contact(const ExactMotion<double>& motion, std::size_t contact, Extremum<double> largest) {
+    const std::size_t N = motion.end.x.size();
+    const double least = std::abs(largest.x) * (1 - 1e-12);
+    bool arrives = false;
+    for (std::size_t n = 1; n < motion.phases.size(); ++n) {
+        const double x = motion.states[2 * N * n + contact];
+        const bool rested = motion.phases[n - 1].direction == 0;
+        if (rested || (arrives ? std::abs(x) <= std::abs(largest.x) : std::abs(x) < least)) continue;
+        largest = {x, motion.phases[n].start, 0};
+        arrives = true;
+    }
+    return largest;
+}
+
 std::optional<Value> read_off(ExactSolver<double>& solver, const State<double>& start, const Question& q) {
-    const std::size_t k = q.mass > 0 ? static_cast<std::size_t>(q.mass - 1) : solver.system().contact.index;
-    const std::vector<Phase<double>> phases = solver.run(start, 0.0, period).phases;
+    const std::size_t contact = solver.system().contact.index;
+    const std::size_t k = q.mass > 0 ? static_cast<std::size_t>(q.mass - 1) : contact;
+    const ExactMotion<double>& motion = solver.run(start, 0.0, period);
+    const std::vector<Phase<double>> phases = motion.phases;
     if (q.quantity == "motion_under_force") {
         Value value;
         for (int n = 0; n < q.samples; ++n) value.numbers.push_back(displacement_at(solver, phases, period * n / q.samples, k));
         return value;
     }
-    const Extremum<double> largest = solver.largest_displacements()[k];
+    Extremum<double> largest = solver.largest_displacements()[k];
+    if (k == contact) largest = largest_of_contact(motion, k, largest);
     if (q.quantity == "amplitude") return Value{{std::abs(largest.x)}, ""};
     if (q.quantity == "phase") return Value{{std::remainder(largest.instant + (largest.x < 0 ? pi<double>() : 0), period)}, ""};
     return std::nullopt;
