@@ -1,5 +1,7 @@
 #include "denhartog/solve/scene_source.hpp"
 
+#include <memory>
+
 namespace denhartog {
 namespace {
 
@@ -25,11 +27,17 @@ SceneSource changed(const SceneSource& source, const Change& change) {
 } // namespace
 
 SceneSource scene_source(const SceneText& part) {
-    return source_of([text = std::string(part.text), line = part.line, alone = part.alone]<class T>(T) {
+    SceneSource source = source_of([text = std::string(part.text), line = part.line, alone = part.alone]<class T>(T) {
         SceneOrError<T> read = read_scene<T>(SceneText{text, line, alone});
         if (read.error) throw *read.error;
         return *read.scene;
     });
+    // In double it is asked for more than once: it is read once.
+    source.in_double = [read = std::make_shared<const SceneOrError<double>>(read_scene<double>(part))] {
+        if (read->error) throw *read->error;
+        return *read->scene;
+    };
+    return source;
 }
 
 SceneSource scene_source(const Scene<double>& scene) {
