@@ -142,7 +142,7 @@ bool write_text(const std::string& directory, const std::string& name, const std
 
 Outcome bounds(long scenes, std::uint64_t seed) {
     const BoundsSurvey survey = survey_bounds(scenes, seed);
-    return {tables_of(survey), survey.violations() == 0 && survey.largest_median() < 30};
+    return {tables_of(survey), survey.violations() == 0 && survey.largest_median() < 40};
 }
 
 /// Prints and writes the tables.

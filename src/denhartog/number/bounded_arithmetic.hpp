@@ -52,7 +52,7 @@ struct Bounded {
     /// @param error     what the errors of the operands make of it
     /// @param rounding  how far its own rounding may have moved it
     /// @return          the number with both
-    [[nodiscard]] static Bounded of(const T& value, const T& error, const T& rounding) {
+    [[nodiscard, gnu::always_inline]] static Bounded of(const T& value, const T& error, const T& rounding) {
         const T bound = (error + rounding) * (1 + 8 * unit_of<T>()) + (std::numeric_limits<T>::min)();
         return {value, bound >= 0 && value - value == 0 ? bound : std::numeric_limits<T>::infinity()};
     }
@@ -94,7 +94,7 @@ struct Bounded {
             return wide_opposite(a);
     }
     /// @brief Sum: the errors add up, and its rounding is known. @param a a number @param b a number @return a + b
-    [[nodiscard]] friend Bounded operator+(const Bounded& a, const Bounded& b) {
+    [[nodiscard, gnu::always_inline]] friend Bounded operator+(const Bounded& a, const Bounded& b) {
         if constexpr (std::floating_point<T>) {
             const T sum = a.x + b.x, of_b = sum - a.x;
             return of(sum, a.e + b.e, std::abs((a.x - (sum - of_b)) + (b.x - of_b)));
@@ -105,7 +105,7 @@ struct Bounded {
     /// @brief Difference, bounded as a sum is. @param a a number @param b a number @return a - b
     [[nodiscard]] friend Bounded operator-(const Bounded& a, const Bounded& b) { return a + -b; }
     /// @brief Product; its rounding is known from a fused product. @param a a number @param b a number @return a b
-    [[nodiscard]] friend Bounded operator*(const Bounded& a, const Bounded& b) {
+    [[nodiscard, gnu::always_inline]] friend Bounded operator*(const Bounded& a, const Bounded& b) {
         if constexpr (std::floating_point<T>) {
             const T product = a.x * b.x;
             return of(product, std::abs(a.x) * b.e + std::abs(b.x) * a.e + a.e * b.e, std::abs(std::fma(a.x, b.x, -product)));
@@ -114,7 +114,7 @@ struct Bounded {
         }
     }
     /// @brief Quotient; unbounded where the divisor may be zero. @param a a number @param b a number @return a / b
-    [[nodiscard]] friend Bounded operator/(const Bounded& a, const Bounded& b) {
+    [[nodiscard, gnu::always_inline]] friend Bounded operator/(const Bounded& a, const Bounded& b) {
         if constexpr (std::floating_point<T>) {
             const T q = a.x / b.x, least = std::abs(b.x) - b.e;
             return of(q, least > 0 ? (a.e + std::abs(q) * b.e) / least : std::numeric_limits<T>::infinity(),

@@ -44,6 +44,7 @@ bool largest_at_start(const Bounded<T>& R, const ContactMode<T>& m, const evalua
 template <class T>
 std::vector<evaluation::ModeFunctions<Bounded<T>>> functions_at(const ContactModes<T>& all, const Bounded<T>& r) {
     std::vector<evaluation::ModeFunctions<Bounded<T>>> functions;
+    functions.reserve(all.modes.size());
     for (const ContactMode<T>& m : all.modes) functions.push_back(bounded_mode_functions(Bounded<T>(r / m.r_n), m.zeta));
     count_mode_evaluations(static_cast<long>(all.modes.size()));
     return functions;

@@ -10,7 +10,7 @@
 namespace denhartog {
 namespace {
 
-constexpr int first_intervals = 16;
+constexpr int first_intervals = 8; // each is looked at in its middle too
 
 template <class T>
 struct Node {
@@ -41,6 +41,7 @@ class Search {
 public:
     Search(const Curve<T>& curve, const T& a, const T& b, const T& noise, Effort& effort, const T& least)
         : curve_(curve), noise_(noise), effort_(effort), best_{least, a, least, true, {}} {
+        open_.reserve(2 * first_intervals);
         for (int n = 0; n <= first_intervals; ++n) {
             const T tau = n == first_intervals ? b : T(a + (b - a) * n / first_intervals);
             const Node<T> right = node(tau);
@@ -48,8 +49,9 @@ public:
             left_ = right;
         }
         for (Interval<T>& each : open_) each = bounded(each.left, each.right);
-        std::stable_sort(open_.begin(), open_.end(),
-                         [](const Interval<T>& x, const Interval<T>& y) { return x.highest < y.highest; });
+        std::sort(open_.begin(), open_.end(), [](const Interval<T>& x, const Interval<T>& y) {
+            return x.highest != y.highest ? x.highest < y.highest : x.left.tau < y.left.tau;
+        });
     }
 
     Maximum<T> largest() {

@@ -88,7 +88,7 @@ SlidingPoint<T> point_at(const Scene<T>& scene, const ModeSums<Bounded<T>>& sums
         b.exact.e += T(narrow.exact.e);
         b.paper.e += T(narrow.paper.e);
     }
-    point.attempted = errors_of_boundary(b);
+    if (wish.limits || !scene.beta) point.attempted = errors_of_boundary(b);
     if (!scene.beta) return point;
     point.regime = regime_at(b, *scene.beta);
     point.attempted.decided = !point.regime->on_boundary;

@@ -61,7 +61,8 @@ Solution sliding_solution(const SceneSource& source, const SlidingQuestion& ques
         }
         // Where mu > 1 the motion from rest may be the sliding one.
         const bool motion = question.asked != Asked::regime || scene.mu > 1;
-        const SlidingPoint<T> point = sliding_point(in.scene, *modes, {motion, question.only, aim.digits});
+        const bool limits = question.asked == Asked::motion || question.asked == Asked::regime;
+        const SlidingPoint<T> point = sliding_point(in.scene, *modes, {motion, limits, question.only, aim.digits});
         s.r = exactly(*in.scene.r, aim.digits);
         s.mu = exactly(in.scene.mu, aim.digits);
         if (in.scene.beta) s.beta = exactly(*in.scene.beta, aim.digits);

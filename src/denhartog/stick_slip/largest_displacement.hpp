@@ -58,12 +58,12 @@ private:
         effort_.spend(motion_.cost() + cost_of_mode<T>() * static_cast<long>(phi_.size() / 16));
         motion_.differentiate_at(t);
         Matrix<T> x(phi_.rows(), 7);
-        for (int m = 0; m < 5; ++m) x.col(m) = phi_ * column(motion_.q[m]);
+        for (int m = 0; m < 5; ++m) x.col(m).noalias() = phi_.lazyProduct(column(motion_.q[m]));
         for (const int m : {2, 4}) {
             Column<T> norms(phi_.cols());
             for (Eigen::Index i = 0; i < norms.size(); ++i) norms(i) = motion_.energy_norm(m, static_cast<std::size_t>(i));
             x.col(4 + m / 2) =
-                motion_.coupled() ? Column<T>(phi_.rowwise().norm() * motion_.energy_norm(m)) : Column<T>(sizes_ * norms);
+                motion_.coupled() ? Column<T>(phi_.rowwise().norm() * motion_.energy_norm(m)) : Column<T>(sizes_.lazyProduct(norms));
         }
         return known_.emplace(t, std::move(x)).first->second;
     }
