@@ -14,6 +14,7 @@ numbers nearly so, as their last digits differ from machine to machine; errors a
 numbers of digits that agree, with their one decimal, to one digit.
 """
 import argparse
+import importlib.util
 import os
 import pathlib
 import re
@@ -62,6 +63,8 @@ def main():
     parser.add_argument("--programs", required=True, type=pathlib.Path, help="folder of the built programs")
     parser.add_argument("--check", action="store_true", help="write nothing; status 1 where a page is out of date")
     options = parser.parse_args()
+    if importlib.util.find_spec("numpy") is None:
+        parser.error(f"the adapters that the pages run need numpy, which {sys.executable} has not; take a python3 that has it")
     source = pathlib.Path(__file__).resolve().parents[2]
     programs = options.programs.resolve()
     faults = commands = 0
