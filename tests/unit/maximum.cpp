@@ -116,7 +116,7 @@ TEST_CASE("a search works on what is above the error of its samples and no furth
     REQUIRE(best.places.size() == 1);
     CHECK(best.places[0].from <= 1);
     CHECK(best.places[0].to >= 1);
-    CHECK(best.places[0].to - best.places[0].from < 0.2);
+    CHECK(best.places[0].to - best.places[0].from <= 3.0 / 8); // one of the first intervals: noise hides all within it
 }
 
 TEST_CASE("maxima that the samples do not tell apart are all listed", "[maximum]") {
