@@ -2,10 +2,10 @@
 // modes: the half-period as a matrix exponential, the paper's Runge-Kutta algorithm, events from phase to phase.
 #include <cmath>
 
+#include "denhartog/map/regime_map.hpp"
 #include "denhartog/paper_algorithm/exact_cycles.hpp"
 #include "denhartog/sliding/friction_motion.hpp"
 #include "denhartog/solve/few_modes.hpp"
-#include "denhartog/map/regime_map.hpp"
 #include "denhartog/solve/solve.hpp"
 #include "tests/integration/orbit_scenes.hpp"
 #include "tests/support/second_witness.hpp"

@@ -165,7 +165,7 @@ TEST_CASE("plain sums of 200 masses lose digits with the load at the other end a
           "[eq:33][limit][form]") {
     const Scene<double> far = chain_of(200, 0, 3, 0), near = chain_of(200, 1, 0.75, 0.125);
     const ModesAtContact<Real100> far_modes = response_paths::modes_of_chain(far),
-                                near_modes = response_paths::modes_of_chain(near);
+                                  near_modes = response_paths::modes_of_chain(near);
     const Real100 far_X = amplitude_of_contact(far_modes, Forms::printed),
                   near_X = amplitude_of_contact(near_modes, Forms::printed);
     const Sums far_digits = digits_in<double>(far, far_modes, far_X), near_digits = digits_in<double>(near, near_modes, near_X);

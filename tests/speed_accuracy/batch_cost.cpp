@@ -11,10 +11,10 @@
 #include <thread>
 
 #include "denhartog/evaluation/mode_arrays.hpp"
-#include "denhartog/number/number.hpp"
-#include "tests/support/paper_systems.hpp"
 #include "denhartog/map/contact_limits.hpp"
 #include "denhartog/map/regime_map.hpp"
+#include "denhartog/number/number.hpp"
+#include "tests/support/paper_systems.hpp"
 
 namespace denhartog::tests {
 namespace {
@@ -73,6 +73,12 @@ std::string processor() {
 
 } // namespace
 
+double least_boundary(const Scene<double>& scene, const std::vector<double>& r) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const BoundaryPoint& each : boundary_curves(scene, r)) least = std::min(least, each.exact);
+    return least;
+}
+
 double BatchCost::items() const { return static_cast<double>(ratios) * static_cast<double>(rows == 0 ? modes : rows); }
 
 std::vector<BatchCost> batch_costs(int repeats) {
@@ -94,10 +100,9 @@ std::vector<BatchCost> batch_costs(int repeats) {
     const Mass contact = scene.system.contact;
     const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
     const std::atomic<bool> never{false};
+    const double least = least_boundary(scene, grid(1, 2.5, 3200));
     for (const std::size_t side : {100, 200, 500, 1000, 2000, 3200}) {
         const std::vector<double> r = grid(1, 2.5, side);
-        double least = std::numeric_limits<double>::infinity(); // below it no motion is to be followed at any r
-        for (const BoundaryPoint& each : boundary_curves(scene, grid(1, 2.5, 3200))) least = std::min(least, each.exact);
         MapRequest request{r, grid(0, 0.999 * least, side), {contact}, MapStart::rest, 1};
         for (const unsigned threads : cores > 1 ? std::vector<unsigned>{1, cores} : std::vector<unsigned>{1}) {
             request.threads = threads;

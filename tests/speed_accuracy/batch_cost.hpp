@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "denhartog/model/scene.hpp"
 #include "tests/speed_accuracy/table.hpp"
 
 namespace denhartog::tests {
@@ -20,6 +21,12 @@ struct BatchCost {
     long evaluations;                   ///< modes evaluated over arrays
     [[nodiscard]] double items() const; ///< modes times frequency ratios, or points of the grid
 };
+
+/// @brief The least beta_lim over frequency ratios: below it no point of a map needs a motion to be followed.
+/// @param scene  system and mu
+/// @param r      frequency ratios
+/// @return       the friction ratio
+[[nodiscard]] double least_boundary(const Scene<double>& scene, const std::vector<double>& r);
 
 /// @brief Batches after the eigen-solve: N from 1 to 2000 at 2000 frequency ratios, then grids of 100 to 10^6 frequency ratios
 /// and of 10^4 to 10^7 points (r, beta) for five masses.

@@ -12,11 +12,12 @@
 
 #include "denhartog/evaluation/mode_arrays.hpp"
 #include "denhartog/evaluation/vector_functions.hpp"
-#include "denhartog/number/number.hpp"
 #include "denhartog/map/contact_amplitudes.hpp"
 #include "denhartog/map/contact_limits.hpp"
 #include "denhartog/map/regime_map.hpp"
+#include "denhartog/number/number.hpp"
 #include "tests/speed_accuracy/bare_functions.hpp"
+#include "tests/speed_accuracy/batch_cost.hpp"
 #include "tests/speed_accuracy/own_functions.hpp"
 #include "tests/support/paper_systems.hpp"
 
@@ -123,18 +124,21 @@ Table batch_speed(int repeats) {
     ContactLimits found;
     rates.add("beta_lim (69) and sticking, an r", time_of(r.size(), repeats, [&] { contact_limits(sums, 1, 1, found); }),
               "square root", root);
-    table.note += "\nOf these certain: " + std::to_string(std::ranges::count(found.certain, 1)) + " of " + std::to_string(r.size()) + ".";
+    table.note +=
+        "\nOf these certain: " + std::to_string(std::ranges::count(found.certain, 1)) + " of " + std::to_string(r.size()) + ".";
     const std::vector<double> beta = grid(0, 0.5, 1024);
     std::vector<double> X(beta.size());
-    rates.add("X_j, an (r, beta)", time_of(beta.size(), repeats, [&] { contact_amplitudes({2, 1}, 0.5, 0.25, beta, X); }),
+    rates.add("X_j, an (r, beta)",
+              time_of(beta.size(), repeats,
+                      [&] {
+                          contact_amplitudes({2, 1}, 0.5, 0.25, beta, X);
+                      }),
               "square root", root);
     Scene<double> scene;
     scene.system = five;
     const std::atomic<bool> never{false};
     MapRequest request{grid(1, 2.5, 500), {}, {five.contact}, MapStart::rest, 1};
-    double least = std::numeric_limits<double>::infinity(); // below it no motion is to be followed at any r
-    for (const BoundaryPoint& each : boundary_curves(scene, request.r)) least = std::min(least, each.exact);
-    request.beta = grid(0, 0.999 * least, 500);
+    request.beta = grid(0, 0.999 * least_boundary(scene, request.r), 500);
     for (const unsigned each : threads) {
         request.threads = each;
         const double time = time_of(

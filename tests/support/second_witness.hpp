@@ -6,8 +6,8 @@
 #pragma once
 
 #include "denhartog/number/multiprecision.hpp"
-#include "tests/support/plain_response.hpp"
 #include "tests/support/half_period.hpp"
+#include "tests/support/plain_response.hpp"
 
 namespace denhartog {
 

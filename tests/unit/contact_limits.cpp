@@ -141,10 +141,10 @@ TEST_CASE("regimes of a map by arrays are those of the boundary at every point, 
             }
         }
         if (scene.mu > 1) continue;
-        scene.r = 1;
         std::vector<double> sliding; // no motion is to be followed for these
         for (const double x : beta)
-            if (std::ranges::all_of(boundaries, [&](const auto& b) { return !b || x < b->exact || (b->sticking && x >= *b->sticking); }))
+            if (std::ranges::all_of(boundaries,
+                                    [&](const auto& b) { return !b || x < b->exact || (b->sticking && x >= *b->sticking); }))
                 sliding.push_back(x);
         const RegimeMap map = regime_map(scene, {r, sliding, {system.contact}, MapStart::rest, 2}, never);
         for (std::size_t m = 0; m < r.size(); ++m)
@@ -194,7 +194,8 @@ TEST_CASE("a map by arrays costs no search and no mode by itself where (57) is c
     CHECK(map_at({0.0, 0.125, 1.5}).complete);
     CHECK(demand_searches() == searches);
     CHECK(mode_evaluations() == modes);
-    const double limit = regime_boundary(mode_sums(modal_basis(scene.system), scene.system.contact, scene.system.load, r[7]), 1.0).exact;
+    const double limit =
+        regime_boundary(mode_sums(modal_basis(scene.system), scene.system.contact, scene.system.load, r[7]), 1.0).exact;
     const long before = mode_evaluations();
     CHECK(map_at({0.0, limit}).points[15].status == PointStatus::on_boundary);
     CHECK(mode_evaluations() > before);

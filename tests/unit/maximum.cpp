@@ -25,8 +25,7 @@ Curve<T> smooth(std::function<T(const T&)> f, std::function<T(const T&)> w, std:
 
 } // namespace
 
-TEMPLATE_TEST_CASE("the maximum of a cosine lies where it is known to, to all digits", "[maximum]", double, Real50,
-                   Real100) {
+TEMPLATE_TEST_CASE("the maximum of a cosine lies where it is known to, to all digits", "[maximum]", double, Real50, Real100) {
     using T = TestType;
     const T shift = T(5) / 7;
     const Curve<T> curve =

@@ -40,10 +40,10 @@ std::optional<Value> read_off(ExactSolver<double>& solver, const State<double>& 
     const std::size_t contact = solver.system().contact.index;
     const std::size_t k = q.mass > 0 ? static_cast<std::size_t>(q.mass - 1) : contact;
     const ExactMotion<double>& motion = solver.run(start, 0.0, period);
-    const std::vector<Phase<double>> phases = motion.phases;
     if (q.quantity == "motion_under_force") {
         Value value;
-        for (int n = 0; n < q.samples; ++n) value.numbers.push_back(displacement_at(solver, phases, period * n / q.samples, k));
+        for (int n = 0; n < q.samples; ++n)
+            value.numbers.push_back(displacement_at(solver, motion.phases, period * n / q.samples, k));
         return value;
     }
     Extremum<double> largest = solver.largest_displacements()[k];

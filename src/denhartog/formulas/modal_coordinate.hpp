@@ -93,8 +93,8 @@ template <class T>
 /// @param phi_j  phase of the force at tau = 0; radians
 /// @return       A_i and B_i
 template <class T>
-[[nodiscard]] IntegrationConstants<T> integration_constants(const ModeInScene<T>& m, const InitialValues<T>& start,
-                                                            const T& beta, const T& phi_j) {
+[[nodiscard]] IntegrationConstants<T> integration_constants(const ModeInScene<T>& m, const InitialValues<T>& start, const T& beta,
+                                                            const T& phi_j) {
     const T w = sqrt(1 - m.zeta * m.zeta);
     const Complex<T> v = complex_response(m.R, m.zeta);
     const T A = start.eta_0 - m.psi_ji * m.R * m.R * beta - m.psi_li * m.R * m.R * times_cosine(v, phi_j);
@@ -113,8 +113,8 @@ template <class T>
 /// @param phi_j  phase of the force at tau = 0; radians
 /// @return       eta_i(tau)
 template <class T>
-[[nodiscard]] T modal_displacement_from_start(const T& tau, const ModeInScene<T>& m, const InitialValues<T>& start,
-                                              const T& beta, const T& phi_j) {
+[[nodiscard]] T modal_displacement_from_start(const T& tau, const ModeInScene<T>& m, const InitialValues<T>& start, const T& beta,
+                                              const T& phi_j) {
     const Complex<T> v = complex_response(m.R, m.zeta);
     const T d_i = d(tau, m.R, m.zeta);
     const T q_i = q(tau, m.R, m.zeta);

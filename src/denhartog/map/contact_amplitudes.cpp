@@ -11,8 +11,7 @@ namespace {
 [[gnu::always_inline]] inline void compute_any(const Complex<double>& V_dj, double U_dj, double G_j, const double* beta,
                                                double* X_j, std::size_t n) {
 #pragma GCC ivdep
-    for (std::size_t i = 0; i < n; ++i)
-        X_j[i] = evaluation::displacement_transmissibility_of_contact(V_dj, U_dj, G_j, beta[i]);
+    for (std::size_t i = 0; i < n; ++i) X_j[i] = evaluation::displacement_transmissibility_of_contact(V_dj, U_dj, G_j, beta[i]);
 }
 
 #if defined(__x86_64__)

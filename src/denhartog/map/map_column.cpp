@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
+#include <limits>
 
 #include "denhartog/map/contact_amplitudes.hpp"
 #include "denhartog/number/errors.hpp"
@@ -15,12 +15,11 @@ namespace {
 
 class MapColumn {
 public:
-    MapColumn(const MapSystem& map_, double r_, const std::optional<ColumnByArrays>& arrays_, std::span<MapPoint> points_,
-           std::span<double> amplitudes_)
-        : map(map_), r(r_), arrays(arrays_), points(points_), amplitudes(amplitudes_),
-          contact_alone(std::ranges::all_of(map.masses, [&](Mass k) { return k == map.system.contact; })) {
-        if (!arrays) (void)limits();
-    }
+    MapColumn(const MapSystem& map_, double r_, const std::optional<ContactColumn>& arrays, std::span<MapPoint> points_,
+              std::span<double> amplitudes_)
+        : map(map_), r(r_), by_arrays(arrays.has_value()), column(arrays ? *arrays : evaluated()), points(points_),
+          amplitudes(amplitudes_),
+          contact_alone(std::ranges::all_of(map.masses, [&](Mass k) { return k == map.system.contact; })) {}
 
     void answer(std::size_t n) {
         const double beta = map.beta[n];
@@ -38,14 +37,16 @@ public:
 
     // As many points from n on as the closed form or the rest answer without a motion to follow; the contact's amplitude alone.
     std::size_t answer_together(std::size_t n) {
-        if (!contact_alone || map.masses.size() != 1 || (map.mu > 1 && map.start == MapStart::rest)) return 0;
+        if (!answers_together(map)) return 0;
         const std::size_t first = n;
         while (n < points.size() && slides(map.beta[n])) ++n;
-        contact_amplitudes(V_dj(), U_dj(), G_j(), std::span(map.beta).subspan(first, n - first),
+        contact_amplitudes(column.V_dj, column.U_dj, column.G_j, std::span(map.beta).subspan(first, n - first),
                            amplitudes.subspan(first, n - first));
         for (std::size_t m = first; m < n; ++m) {
-            if (!std::isfinite(amplitudes[m])) n = m;
-            else put(m, Regime::continuous);
+            if (std::isfinite(amplitudes[m]))
+                put(m, Regime::continuous);
+            else
+                n = m;
         }
         if (n > first) sliding = n - 1;
         for (; n < points.size() && map.mu == 1 && rests(map.beta[n]); ++n) {
@@ -67,19 +68,17 @@ private:
         return *limits_;
     }
 
-    Complex<double> V_dj() { return arrays ? arrays->V_dj : sums().V[map.system.contact.index]; }
-    double U_dj() { return arrays ? arrays->U_dj : sums().U[map.system.contact.index]; }
-    double G_j() { return arrays ? arrays->G_j : sums().G[map.system.contact.index]; }
-
-    bool slides(double beta) { return beta < (arrays ? arrays->exact : limits().exact); }
-
-    bool rests(double beta) {
-        if (slides(beta)) return false;
-        return arrays ? beta >= arrays->sticking : limits().sticking && beta >= *limits().sticking;
+    ContactColumn evaluated() {
+        const std::size_t j = map.system.contact.index;
+        const double never = std::numeric_limits<double>::infinity();
+        return {sums().V[j], sums().U[j], sums().G[j], limits().exact, limits().sticking.value_or(never)};
     }
 
+    bool slides(double beta) const { return beta < column.exact; }
+    bool rests(double beta) const { return !slides(beta) && beta >= column.sticking; }
+
     // Whether the regime could be the neighbour's; never where the arrays tell it.
-    bool near_limit(double beta) { return !arrays && on_boundary(limits(), beta, rounding_of(limits())); }
+    bool near_limit(double beta) { return !by_arrays && on_boundary(limits(), beta, rounding_of(limits())); }
 
     void put(std::size_t n, Regime regime) {
         points[n] = {near_limit(map.beta[n]) ? PointStatus::on_boundary : PointStatus::answered, regime, 0, 1};
@@ -94,7 +93,7 @@ private:
         const double beta = map.beta[n];
         if (contact_alone) {
             double X_j = 0;
-            contact_amplitudes(V_dj(), U_dj(), G_j(), {&beta, 1}, {&X_j, 1});
+            contact_amplitudes(column.V_dj, column.U_dj, column.G_j, {&beta, 1}, {&X_j, 1});
             for (std::size_t m = 0; m < map.masses.size(); ++m) write(n, m, X_j);
         } else {
             const SteadyState<double> state = steady_state(sums(), limits(), beta);
@@ -131,7 +130,7 @@ private:
         search.contact_only = contact_alone;
         search.with_stability = false;
         const PeriodicOrbit<double> orbit = periodic_orbit(*solver, start, search);
-        if (orbit.status == OrbitStatus::permanently_stuck && (map.mu > 1 || limits().sticking == map.beta[n])) return stick(n);
+        if (orbit.status == OrbitStatus::permanently_stuck && (map.mu > 1 || column.sticking == map.beta[n])) return stick(n);
         points[n].status = PointStatus::not_converged;
         if (orbit.status != OrbitStatus::periodic) return;
         for (std::size_t m = 0; m < map.masses.size(); ++m)
@@ -143,12 +142,13 @@ private:
 
     const MapSystem& map;
     double r;
-    const std::optional<ColumnByArrays>& arrays;
+    std::optional<ModeSums<double>> sums_;         // evaluated when they are first needed
+    std::optional<RegimeBoundary<double>> limits_; // the same
+    bool by_arrays;                                // whether `column` comes from the arrays
+    ContactColumn column;
     std::span<MapPoint> points;
     std::span<double> amplitudes;
     bool contact_alone;
-    std::optional<ModeSums<double>> sums_;         // evaluated when they are first needed
-    std::optional<RegimeBoundary<double>> limits_; // the same
     std::optional<std::size_t> sliding;        // the last point where the closed form answered
     std::optional<State<double>> last;         // the last periodic orbit
     std::optional<StuckResponse<double>> held; // found when it is first needed
@@ -157,7 +157,11 @@ private:
 
 } // namespace
 
-void compute_column(const MapSystem& map, double r, const std::optional<ColumnByArrays>& arrays, const std::atomic<bool>& stop,
+bool answers_together(const MapSystem& map) {
+    return map.masses.size() == 1 && map.masses.front() == map.system.contact && (map.mu == 1 || map.start == MapStart::sliding);
+}
+
+void compute_column(const MapSystem& map, double r, const std::optional<ContactColumn>& arrays, const std::atomic<bool>& stop,
                     std::span<MapPoint> points, std::span<double> amplitudes) {
     const std::size_t masses = map.masses.size();
     const auto without_numbers = [&](std::size_t n, PointStatus status) {

@@ -21,23 +21,28 @@ struct MapSystem {
     const std::vector<Mass>& masses;     ///< masses whose amplitudes are wanted
 };
 
-/// @brief What the arrays tell of a column: its limits part the friction ratios of the map for certain.
-struct ColumnByArrays {
+/// @brief Whether the contact alone is asked for, and no point but one of stick-slip needs a motion to be followed.
+/// @param map  what the columns share
+/// @return     true where the closed form and the rest answer many points of a column together
+[[nodiscard]] bool answers_together(const MapSystem& map);
+
+/// @brief What a column has of its frequency ratio.
+struct ContactColumn {
     Complex<double> V_dj; ///< complex response function of the mass in contact, Eq. (33)
     double U_dj;          ///< first damping function, Eq. (34)
     double G_j;           ///< second damping function, Eq. (35)
     double exact;         ///< beta_lim, Eq. (69)
-    double sticking;      ///< the contact rests from here on
+    double sticking;      ///< the contact rests from here on; infinite where no friction can hold it
 };
 
 /// @brief Computes a column.
 /// @param map         what the columns share
 /// @param r           frequency ratio
-/// @param arrays      what the arrays tell of it; without, its modes are evaluated here
+/// @param arrays      what the arrays tell of it, where its limits part the friction ratios for certain; else it is evaluated here
 /// @param stop        leaves the rest of the column undone once it is set
 /// @param points      where the points go
 /// @param amplitudes  where the amplitudes go, filled with NaN before
-void compute_column(const MapSystem& map, double r, const std::optional<ColumnByArrays>& arrays, const std::atomic<bool>& stop,
+void compute_column(const MapSystem& map, double r, const std::optional<ContactColumn>& arrays, const std::atomic<bool>& stop,
                     std::span<MapPoint> points, std::span<double> amplitudes);
 
 } // namespace denhartog

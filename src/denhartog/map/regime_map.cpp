@@ -39,9 +39,7 @@ void check_request(const MapRequest& request, std::size_t N) {
 // Sums and limits of many columns at once, where the contact alone is asked for and the limits tell its regime.
 class Arrays {
 public:
-    explicit Arrays(const MapSystem& map_)
-        : map(map_), wanted(map.masses.size() == 1 && map.masses.front() == map.system.contact &&
-                            (map.mu == 1 || map.start == MapStart::sliding)) {
+    explicit Arrays(const MapSystem& map_) : map(map_), wanted(answers_together(map)) {
         if (wanted) ascending = map.beta;
         std::ranges::sort(ascending);
     }
@@ -52,9 +50,9 @@ public:
         contact_limits(sums, map.mu, threads, limits);
     }
 
-    [[nodiscard]] std::optional<ColumnByArrays> at(std::size_t m) const {
+    [[nodiscard]] std::optional<ContactColumn> at(std::size_t m) const {
         if (!wanted || !limits_tell(limits, m, ascending)) return std::nullopt;
-        return ColumnByArrays{{sums.V_re[m], sums.V_im[m]}, sums.U[m], sums.G[m], limits.exact[m], limits.sticking[m]};
+        return ContactColumn{{sums.V_re[m], sums.V_im[m]}, sums.U[m], sums.G[m], limits.exact[m], limits.sticking[m]};
     }
 
 private:

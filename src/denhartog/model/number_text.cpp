@@ -85,7 +85,6 @@ std::string number_to_text(const T& x) {
     }
 }
 
-
 std::string number_rule(NumberFault fault) {
     switch (fault) {
     case NumberFault::none: return "is a number";

@@ -66,13 +66,6 @@ std::optional<T> demand_by_search(const ContactModes<T>& all, const Bounded<T>& 
     return std::nullopt;
 }
 
-// A lower bound of the boundary (69), from an upper bound of the demand.
-template <class T>
-T least_boundary(const SumsAtContact<T>& s) {
-    const Bounded<T> limit = paper::friction_ratio_limit(s.V, s.U, Bounded<T>(s.demand));
-    return limit.x - limit.e;
-}
-
 } // namespace
 
 template <class T>
@@ -126,7 +119,8 @@ SumsAtContact<T> sums_at_contact(const ContactModes<T>& all, const Bounded<T>& r
 
 template <class T>
 std::optional<ContactSolution<T>> contact_solution(const SumsAtContact<T>& s, const Bounded<T>& beta) {
-    const T slides_below = least_boundary(s);
+    const Bounded<T> limit = paper::friction_ratio_limit(s.V, s.U, Bounded<T>(s.demand));
+    const T slides_below = limit.x - limit.e;
     if (!(beta.most() < slides_below)) return std::nullopt;
     const Bounded<T> X_j = evaluation::displacement_transmissibility_of_contact(s.V, s.U, s.G, beta);
     if (!(X_j.x > 0)) return std::nullopt;
@@ -138,13 +132,12 @@ std::optional<ContactSolution<T>> contact_solution(const ContactModes<T>& modes,
     check_frequency_ratio(r.x);
     check_friction_ratio(beta.x);
     SumsAtContact<T> s = sums_at_contact(modes, r, functions_at(modes, r));
-    if (!(beta.most() < least_boundary(s))) {
-        const Bounded<T> highest = paper::friction_ratio_limit(s.V, s.U, Bounded<T>(s.least));
-        if (beta.least() > highest.most()) return std::nullopt;
-        const std::optional<T> demand = demand_by_search(modes, r);
-        if (!demand) return std::nullopt;
-        s.demand = *demand;
-    }
+    if (const std::optional<ContactSolution<T>> found = contact_solution(s, beta)) return found;
+    const Bounded<T> highest = paper::friction_ratio_limit(s.V, s.U, Bounded<T>(s.least));
+    if (beta.least() > highest.most()) return std::nullopt;
+    const std::optional<T> demand = demand_by_search(modes, r);
+    if (!demand) return std::nullopt;
+    s.demand = *demand;
     return contact_solution(s, beta);
 }
 

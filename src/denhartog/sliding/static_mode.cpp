@@ -10,7 +10,7 @@
 namespace denhartog {
 namespace {
 
-constexpr double above_rounding = 1 + 1e-9; // of the bounds' own evaluation
+constexpr double above_rounding = 1 + 1e-9;                     // of the bounds' own evaluation
 constexpr double smallest = std::numeric_limits<double>::min(); // below it their digits are lost
 
 struct Errors {

@@ -71,12 +71,17 @@ public:
 private:
     [[nodiscard]] std::size_t N() const { return basis.r_n.size(); }
 
-    // psi_k psi_m R^2 of a mode.
-    [[nodiscard]] Bounded<double> weight(std::size_t k, std::size_t m, std::size_t i) const {
-        const auto column = static_cast<Eigen::Index>(i);
-        return evaluation::array_weights(basis.phi(static_cast<Eigen::Index>(k), column),
-                                         basis.phi(static_cast<Eigen::Index>(m), column), basis.r_n[i], basis.zeta[i])
-            .load;
+    // psi_k psi_m R^2 of every mode.
+    [[nodiscard]] std::vector<Bounded<double>> weights(std::size_t k, std::size_t m) const {
+        std::vector<Bounded<double>> all;
+        for (std::size_t i = 0; i < N(); ++i) {
+            const auto column = static_cast<Eigen::Index>(i);
+            const auto of_mode =
+                evaluation::array_weights(basis.phi(static_cast<Eigen::Index>(k), column),
+                                          basis.phi(static_cast<Eigen::Index>(m), column), basis.r_n[i], basis.zeta[i]);
+            all.push_back(of_mode.load);
+        }
+        return all;
     }
 
     // The modes by what leaving each out would cost the contact, largest first.
@@ -91,9 +96,9 @@ private:
         return order;
     }
 
-    [[nodiscard]] Complex<Bounded<double>> response_to(std::size_t k, std::size_t m) const {
+    [[nodiscard]] Complex<Bounded<double>> response_by(const std::vector<Bounded<double>>& weights) const {
         Complex<Bounded<double>> V{Bounded<double>(0), Bounded<double>(0)};
-        for (std::size_t i = 0; i < N(); ++i) V = V + weight(k, m, i) * functions[i].v;
+        for (std::size_t i = 0; i < N(); ++i) V = V + weights[i] * functions[i].v;
         return V;
     }
 
@@ -113,13 +118,14 @@ private:
                 continue;
             }
             // Friction is beta on the half-period from the maximum of x_j on: its first harmonic is 4 beta / pi sin(tau - phi_j).
+            const std::vector<Bounded<double>> of_friction = weights(k, j);
             const Bounded<double> friction = 4 * beta / pi<Bounded<double>>();
-            const Complex<Bounded<double>> Y = response_to(k, j), V = response_to(k, l);
+            const Complex<Bounded<double>> Y = response_by(of_friction), V = response_by(weights(k, l));
             const Bounded<double> C = friction * cos(phi_j), S = friction * sin(phi_j);
             const Complex<Bounded<double>> H{V.re - S * Y.re + C * Y.im, V.im - C * Y.re - S * Y.im};
             double left_out = 0, velocity_left_out = 0;
             for (std::size_t i = 0; i < N(); ++i) {
-                const double size = Bounded<double>(beta * weight(k, j, i)).most();
+                const double size = Bounded<double>(beta * of_friction[i]).most();
                 left_out += size * harmonics[i].displacement;
                 velocity_left_out += size * harmonics[i].velocity;
             }

@@ -7,8 +7,8 @@
 #include "denhartog/number/errors.hpp"
 #include "denhartog/solve/certify.hpp"
 #include "denhartog/solve/held_solution.hpp"
-#include "denhartog/stick_slip/at_maximum_of_force.hpp"
 #include "denhartog/solve/orbit_solution.hpp"
+#include "denhartog/stick_slip/at_maximum_of_force.hpp"
 
 namespace denhartog {
 namespace {

@@ -32,7 +32,8 @@ ContactModes<T> contact_modes_of(const SceneSource& source) {
     const System<T> s = scene_in<T>(source).system;
     const bool same = s.contact == s.load;
     const std::vector<Mass> rows = same ? std::vector<Mass>{s.contact} : std::vector<Mass>{s.contact, s.load};
-    return contact_modes(std::make_shared<const ModalBasis<Bounded<T>>>(bounded_basis_at(s, rows)), Mass{0}, Mass{same ? 0U : 1U});
+    return contact_modes(std::make_shared<const ModalBasis<Bounded<T>>>(bounded_basis_at(s, rows)), Mass{0},
+                         Mass{same ? 0U : 1U});
 }
 
 PreparedSystem prepare(const SceneSource& source, const Question& question, Prepared points) {

@@ -40,9 +40,9 @@ struct SlidingPoint {
 
 /// @brief What is asked of a point.
 struct PointWish {
-    bool motion = true;             ///< whether the steady state is wanted too, or boundary and regime alone
-    bool limits = true;             ///< whether the friction ratios of the boundary must have the digits, or the regime be certain
-    std::optional<Mass> only{};     ///< the one mass that must have the digits: no other has a maximum; none for all
+    bool motion = true;         ///< whether the steady state is wanted too, or boundary and regime alone
+    bool limits = true;         ///< whether the friction ratios of the boundary must have the digits, or the regime be certain
+    std::optional<Mass> only{}; ///< the one mass that must have the digits: no other has a maximum; none for all
     int digits = digits_by_default; ///< significant digits wanted
 };
 

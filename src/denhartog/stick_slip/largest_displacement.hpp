@@ -62,8 +62,8 @@ private:
         for (const int m : {2, 4}) {
             Column<T> norms(phi_.cols());
             for (Eigen::Index i = 0; i < norms.size(); ++i) norms(i) = motion_.energy_norm(m, static_cast<std::size_t>(i));
-            x.col(4 + m / 2) =
-                motion_.coupled() ? Column<T>(phi_.rowwise().norm() * motion_.energy_norm(m)) : Column<T>(sizes_.lazyProduct(norms));
+            x.col(4 + m / 2) = motion_.coupled() ? Column<T>(phi_.rowwise().norm() * motion_.energy_norm(m))
+                                                 : Column<T>(sizes_.lazyProduct(norms));
         }
         return known_.emplace(t, std::move(x)).first->second;
     }
