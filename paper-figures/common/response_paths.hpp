@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "denhartog/answer/sliding_solution.hpp"
 #include "denhartog/formulas/contact.hpp"
 #include "denhartog/formulas/response_limits.hpp"
 #include "denhartog/formulas/superposition.hpp"
-#include "denhartog/solve/sliding_solution.hpp"
 #include "denhartog/solve/solve.hpp"
 #include "kept_digits.hpp"
 

@@ -9,9 +9,9 @@
 #include <optional>
 #include <sstream>
 
-#include "denhartog/model/number_text.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/multiprecision.hpp"
+#include "denhartog/number/number_text.hpp"
 
 namespace denhartog::conformance {
 namespace {

@@ -9,7 +9,7 @@
 #include <variant>
 #include <vector>
 
-#include "denhartog/model/scene.hpp"
+#include "denhartog/scene/scene.hpp"
 
 namespace denhartog::conformance {
 

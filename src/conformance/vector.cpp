@@ -9,8 +9,8 @@
 #include <set>
 #include <sstream>
 
-#include "denhartog/model/number_text.hpp"
 #include "denhartog/number/errors.hpp"
+#include "denhartog/number/number_text.hpp"
 
 namespace denhartog::conformance {
 namespace {

@@ -2,9 +2,9 @@
 
 #include <thread>
 
-#include "denhartog/solve/certify.hpp"
-#include "denhartog/solve/scene_source.hpp"
-#include "denhartog/solve/sliding_solution.hpp"
+#include "denhartog/answer/certify.hpp"
+#include "denhartog/answer/scene_source.hpp"
+#include "denhartog/answer/sliding_solution.hpp"
 #include "denhartog/solve/solve.hpp"
 
 namespace denhartog {

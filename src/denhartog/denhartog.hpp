@@ -9,13 +9,13 @@
 #include <string_view>
 #include <vector>
 
+#include "denhartog/answer/solution.hpp"
 #include "denhartog/map/regime_map.hpp"
-#include "denhartog/model/scene.hpp"
-#include "denhartog/model/scene_json.hpp"
 #include "denhartog/number/certified.hpp"
 #include "denhartog/number/errors.hpp"
+#include "denhartog/scene/scene.hpp"
+#include "denhartog/scene/scene_json.hpp"
 #include "denhartog/solve/sampled_solution.hpp"
-#include "denhartog/solve/solution.hpp"
 
 namespace denhartog {
 

@@ -7,9 +7,9 @@
 // digits.
 #include "tests/accuracy/witness_survey.hpp"
 
+#include "denhartog/answer/sliding_solution.hpp"
 #include "denhartog/formulas/as_printed.hpp"
 #include "denhartog/formulas/motion.hpp"
-#include "denhartog/solve/sliding_solution.hpp"
 
 using namespace denhartog;
 using namespace denhartog::tests;

@@ -8,9 +8,9 @@
 #include <thread>
 #include <vector>
 
+#include "denhartog/answer/sliding_solution.hpp"
 #include "denhartog/sliding/steady_state.hpp"
 #include "denhartog/solve/sampled_solution.hpp"
-#include "denhartog/solve/sliding_solution.hpp"
 #include "denhartog/solve/solve.hpp"
 #include "tests/catch.hpp"
 #include "tests/conformance/c_fixtures.hpp"

@@ -7,9 +7,9 @@
 #include <cstdio>
 #include <vector>
 
-#include "denhartog/model/number_text.hpp"
-#include "denhartog/sliding/chain_sums.hpp"
+#include "denhartog/number/number_text.hpp"
 #include "denhartog/sliding/steady_state.hpp"
+#include "denhartog/sums/chain_sums.hpp"
 #include "tests/catch.hpp"
 #include "tests/conformance/c_fixtures.hpp"
 #include "tests/conformance/shell.hpp"

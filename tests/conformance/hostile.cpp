@@ -5,7 +5,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "conformance/session.hpp"
+#include "conformance/session/session.hpp"
 #include "tests/catch.hpp"
 #include "tests/conformance/runner_fixtures.hpp"
 

@@ -4,9 +4,9 @@
 
 #include "denhartog/map/regime_map.hpp"
 #include "denhartog/paper_algorithm/exact_cycles.hpp"
-#include "denhartog/sliding/friction_motion.hpp"
 #include "denhartog/solve/few_modes.hpp"
 #include "denhartog/solve/solve.hpp"
+#include "denhartog/sums/friction_motion.hpp"
 #include "tests/integration/orbit_scenes.hpp"
 #include "tests/support/second_witness.hpp"
 #include "tests/unit/response_fixtures.hpp"

@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "denhartog/number/errors.hpp"
-#include "denhartog/sliding/chain_sums.hpp"
 #include "denhartog/solve/quantities.hpp"
+#include "denhartog/sums/chain_sums.hpp"
 #include "tests/speed_accuracy/bounds_scenes.hpp"
 
 namespace denhartog::tests {

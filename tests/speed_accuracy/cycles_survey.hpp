@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "denhartog/model/scene.hpp"
+#include "denhartog/scene/scene.hpp"
 #include "tests/speed_accuracy/table.hpp"
 
 namespace denhartog::tests {

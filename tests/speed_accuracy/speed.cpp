@@ -6,10 +6,10 @@
 #include <ctime>
 #include <functional>
 
+#include "denhartog/answer/scene_source.hpp"
 #include "denhartog/map/regime_map.hpp"
 #include "denhartog/number/multiprecision.hpp"
 #include "denhartog/paper_algorithm/paper_algorithm.hpp"
-#include "denhartog/solve/scene_source.hpp"
 #include "denhartog/solve/solve.hpp"
 #include "denhartog/stick_slip/periodic_orbit.hpp"
 #include "tests/support/paper_systems.hpp"

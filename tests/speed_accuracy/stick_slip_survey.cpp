@@ -4,10 +4,10 @@
 #include <cmath>
 #include <random>
 
+#include "denhartog/answer/scene_source.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/multiprecision.hpp"
 #include "denhartog/paper_algorithm/paper_algorithm.hpp"
-#include "denhartog/solve/scene_source.hpp"
 #include "denhartog/stick_slip/periodic_orbit.hpp"
 #include "tests/support/plain_response.hpp"
 #include "tests/support/sample_scenes.hpp"

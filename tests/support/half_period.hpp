@@ -7,7 +7,7 @@
 /// \f$ \bar{x}_j' = 0 \f$, Eq. (30). Nothing here knows of modes, nor includes anything of `formulas/` or `evaluation/`.
 #pragma once
 
-#include "denhartog/model/scene.hpp"
+#include "denhartog/scene/scene.hpp"
 
 namespace denhartog {
 

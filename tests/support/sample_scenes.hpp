@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "denhartog/model/scene.hpp"
+#include "denhartog/scene/scene.hpp"
 
 namespace denhartog {
 

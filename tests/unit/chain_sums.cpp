@@ -1,7 +1,7 @@
-#include "denhartog/sliding/chain_sums.hpp"
+#include "denhartog/sums/chain_sums.hpp"
 
+#include "denhartog/answer/sliding_solution.hpp"
 #include "denhartog/solve/quantities.hpp"
-#include "denhartog/solve/sliding_solution.hpp"
 #include "denhartog/solve/solve.hpp"
 #include "tests/catch.hpp"
 #include "tests/unit/response_fixtures.hpp"

@@ -33,3 +33,19 @@ TEST_CASE("the program that the page of the library shows is the one that is com
     REQUIRE(program.size() > 100);
     CHECK(text_of(root / "docs/library.md").find("```cpp\n" + program + "```") != std::string::npos);
 }
+
+TEST_CASE("the lines of C++ that README shows are lines of that program", "[documentation]") {
+    const std::filesystem::path root(std::getenv("DENHARTOG_SOURCE_DIR"));
+    const std::string program = text_of(root / "tests/package/first_program.cpp"), readme = text_of(root / "README.md");
+    const std::size_t from = readme.find("```cpp\n") + 7;
+    std::istringstream shown(readme.substr(from, readme.find("```", from) - from));
+    int found = 0;
+    for (std::string line; std::getline(shown, line);) {
+        line = line.substr(0, line.find(" //"));
+        if (line.find("scene(text)") != std::string::npos) line.erase(line.find("(text)")); // its own scene stands there
+        INFO(line);
+        CHECK(program.find(line) != std::string::npos);
+        found += !line.empty();
+    }
+    CHECK(found > 3);
+}

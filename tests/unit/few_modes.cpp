@@ -1,6 +1,6 @@
 #include "denhartog/solve/few_modes.hpp"
 
-#include "denhartog/solve/scene_source.hpp"
+#include "denhartog/answer/scene_source.hpp"
 #include "tests/catch.hpp"
 #include "tests/support/sample_scenes.hpp"
 #include "tests/unit/response_fixtures.hpp"

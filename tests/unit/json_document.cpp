@@ -1,4 +1,4 @@
-#include "denhartog/model/json_document.hpp"
+#include "denhartog/scene/json_document.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -9,8 +9,8 @@
 #include "denhartog/formulas/mode.hpp"
 #include "denhartog/formulas/system.hpp"
 #include "denhartog/model/modal_basis.hpp"
-#include "denhartog/model/scene_json.hpp"
 #include "denhartog/number/errors.hpp"
+#include "denhartog/scene/scene_json.hpp"
 #include "tests/catch.hpp"
 
 using namespace denhartog;

@@ -1,4 +1,4 @@
-#include "denhartog/model/number_text.hpp"
+#include "denhartog/number/number_text.hpp"
 
 #include <cstdlib>
 #include <limits>

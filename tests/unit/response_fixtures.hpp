@@ -9,7 +9,7 @@
 #include "denhartog/model/stuck_configuration.hpp"
 #include "denhartog/number/certified.hpp"
 #include "denhartog/number/multiprecision.hpp"
-#include "denhartog/sliding/bounded_modes.hpp"
+#include "denhartog/sums/bounded_modes.hpp"
 #include "tests/support/plain_response.hpp"
 
 namespace denhartog::tests {

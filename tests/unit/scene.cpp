@@ -1,4 +1,4 @@
-#include "denhartog/model/scene.hpp"
+#include "denhartog/scene/scene.hpp"
 
 #include <functional>
 #include <limits>

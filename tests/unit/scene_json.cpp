@@ -1,4 +1,4 @@
-#include "denhartog/model/scene_json.hpp"
+#include "denhartog/scene/scene_json.hpp"
 
 #include <algorithm>
 #include <cmath>

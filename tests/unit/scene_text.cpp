@@ -1,6 +1,6 @@
 #include <nlohmann/json.hpp>
 
-#include "denhartog/model/scene_json.hpp"
+#include "denhartog/scene/scene_json.hpp"
 #include "tests/catch.hpp"
 
 using namespace denhartog;

@@ -1,7 +1,7 @@
-#include "denhartog/solve/sliding_point.hpp"
+#include "denhartog/answer/sliding_point.hpp"
 
+#include "denhartog/answer/scene_source.hpp"
 #include "denhartog/number/errors.hpp"
-#include "denhartog/solve/scene_source.hpp"
 #include "tests/catch.hpp"
 #include "tests/support/sample_scenes.hpp"
 #include "tests/unit/response_fixtures.hpp"

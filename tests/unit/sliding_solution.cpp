@@ -1,4 +1,4 @@
-#include "denhartog/solve/sliding_solution.hpp"
+#include "denhartog/answer/sliding_solution.hpp"
 
 #include "denhartog/number/errors.hpp"
 #include "tests/catch.hpp"

@@ -1,4 +1,4 @@
-#include "denhartog/sliding/static_mode.hpp"
+#include "denhartog/sums/static_mode.hpp"
 
 #include <random>
 

@@ -3,11 +3,11 @@
 #include <array>
 #include <memory>
 
+#include "denhartog/answer/sliding_solution.hpp"
 #include "denhartog/c/handles.hpp"
 #include "denhartog/formulas/high_frequency.hpp"
-#include "denhartog/model/point_rules.hpp"
+#include "denhartog/scene/point_rules.hpp"
 #include "denhartog/solve/quantities.hpp"
-#include "denhartog/solve/sliding_solution.hpp"
 
 using namespace denhartog;
 using namespace denhartog::c_interface;

@@ -4,7 +4,7 @@
 
 #include "denhartog/c/denhartog.h"
 #include "denhartog/c/handles.hpp"
-#include "denhartog/model/point_rules.hpp"
+#include "denhartog/scene/point_rules.hpp"
 
 using namespace denhartog;
 using namespace denhartog::c_interface;

@@ -5,7 +5,7 @@
 
 #include "denhartog/c/denhartog.h"
 #include "denhartog/c/handles.hpp"
-#include "denhartog/model/point_rules.hpp"
+#include "denhartog/scene/point_rules.hpp"
 #include "denhartog/solve/sampled_solution.hpp"
 
 using namespace denhartog;

@@ -7,9 +7,9 @@
 
 #include "denhartog/evaluation/batch_forms.hpp"
 #include "denhartog/evaluation/mode_arrays.hpp"
-#include "denhartog/model/point_rules.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/parallel.hpp"
+#include "denhartog/scene/point_rules.hpp"
 
 namespace denhartog {
 namespace {

@@ -6,9 +6,9 @@
 
 #include "denhartog/map/contact_limits.hpp"
 #include "denhartog/map/map_column.hpp"
-#include "denhartog/model/point_rules.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/parallel.hpp"
+#include "denhartog/scene/point_rules.hpp"
 #include "denhartog/sliding/boundary.hpp"
 
 namespace denhartog {

@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "denhartog/model/scene.hpp"
+#include "denhartog/scene/scene.hpp"
 #include "denhartog/sliding/regime_at_point.hpp"
 
 namespace denhartog {

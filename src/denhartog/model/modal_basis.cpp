@@ -6,12 +6,12 @@
 #include <span>
 
 #include "denhartog/formulas/system.hpp"
-#include "denhartog/model/cholesky.hpp"
 #include "denhartog/model/modal_damping.hpp"
 #include "denhartog/model/natural_modes.hpp"
-#include "denhartog/model/point_rules.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/multiprecision.hpp"
+#include "denhartog/scene/cholesky.hpp"
+#include "denhartog/scene/point_rules.hpp"
 
 namespace denhartog {
 namespace {

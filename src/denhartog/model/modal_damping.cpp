@@ -8,10 +8,10 @@
 #include <string>
 
 #include "denhartog/model/linear_algebra.hpp"
-#include "denhartog/model/number_text.hpp"
-#include "denhartog/model/scene_rules.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/multiprecision.hpp"
+#include "denhartog/number/number_text.hpp"
+#include "denhartog/scene/scene_rules.hpp"
 
 namespace denhartog {
 namespace {

@@ -9,9 +9,9 @@
 #include "denhartog/model/bidiagonal_singular_values.hpp"
 #include "denhartog/model/linear_algebra.hpp"
 #include "denhartog/model/modal_basis.hpp"
-#include "denhartog/model/number_text.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/multiprecision.hpp"
+#include "denhartog/number/number_text.hpp"
 
 namespace denhartog {
 namespace {

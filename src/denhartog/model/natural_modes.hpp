@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "denhartog/model/scene.hpp"
+#include "denhartog/scene/scene.hpp"
 
 namespace denhartog {
 

@@ -7,12 +7,12 @@
 #include <limits>
 #include <string>
 
-#include "denhartog/model/cholesky.hpp"
 #include "denhartog/model/linear_algebra.hpp"
 #include "denhartog/model/modal_damping.hpp"
 #include "denhartog/model/natural_modes.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/multiprecision.hpp"
+#include "denhartog/scene/cholesky.hpp"
 
 namespace denhartog {
 namespace {

@@ -6,8 +6,8 @@
 #include <string>
 
 #include "denhartog/formulas/stuck.hpp"
-#include "denhartog/model/number_text.hpp"
 #include "denhartog/number/errors.hpp"
+#include "denhartog/number/number_text.hpp"
 
 namespace denhartog {
 namespace {

@@ -6,9 +6,9 @@
 #include <limits>
 
 #include "denhartog/formulas/stuck.hpp"
-#include "denhartog/model/number_text.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/number.hpp"
+#include "denhartog/number/number_text.hpp"
 #include "denhartog/paper_algorithm/last_period.hpp"
 
 namespace denhartog {

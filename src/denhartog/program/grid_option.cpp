@@ -3,8 +3,8 @@
 #include <cmath>
 #include <cstdint>
 
-#include "denhartog/model/number_text.hpp"
 #include "denhartog/number/errors.hpp"
+#include "denhartog/number/number_text.hpp"
 
 namespace denhartog::program {
 namespace {

@@ -4,7 +4,7 @@
 #include <iostream>
 
 #include "denhartog/number/errors.hpp"
-#include "denhartog/program/commands.hpp"
+#include "denhartog/program/commands/commands.hpp"
 #include "denhartog/program/files.hpp"
 
 namespace {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "denhartog/model/number_text.hpp"
+#include "denhartog/number/number_text.hpp"
 #include "denhartog/program/npy.hpp"
 
 namespace denhartog::program {

@@ -2,8 +2,8 @@
 /// @brief Answers as JSON objects, the keys in the order of the documentation, and as tables.
 #pragma once
 
+#include "denhartog/answer/solution.hpp"
 #include "denhartog/program/number_json.hpp"
-#include "denhartog/solve/solution.hpp"
 
 namespace denhartog::program {
 

@@ -11,12 +11,12 @@
 #include "denhartog/formulas/boundary.hpp"
 #include "denhartog/formulas/stuck.hpp"
 #include "denhartog/formulas/superposition.hpp"
-#include "denhartog/model/point_rules.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/multiprecision.hpp"
-#include "denhartog/sliding/bounded_modes.hpp"
-#include "denhartog/sliding/friction_motion.hpp"
+#include "denhartog/scene/point_rules.hpp"
 #include "denhartog/sliding/maximum.hpp"
+#include "denhartog/sums/bounded_modes.hpp"
+#include "denhartog/sums/friction_motion.hpp"
 
 namespace denhartog {
 namespace {

@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "denhartog/sliding/mode_sums.hpp"
 #include "denhartog/sliding/regime_at_point.hpp"
+#include "denhartog/sums/mode_sums.hpp"
 
 namespace denhartog {
 

@@ -5,12 +5,12 @@
 #include "denhartog/evaluation/contact.hpp"
 #include "denhartog/formulas/boundary.hpp"
 #include "denhartog/formulas/mode.hpp"
-#include "denhartog/model/point_rules.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/multiprecision.hpp"
+#include "denhartog/scene/point_rules.hpp"
 #include "denhartog/sliding/boundary.hpp"
-#include "denhartog/sliding/bounded_modes.hpp"
 #include "denhartog/sliding/steady_state.hpp"
+#include "denhartog/sums/bounded_modes.hpp"
 
 namespace denhartog {
 namespace {

@@ -8,9 +8,9 @@
 #include <optional>
 #include <string>
 
-#include "denhartog/model/number_text.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/multiprecision.hpp"
+#include "denhartog/number/number_text.hpp"
 #include "denhartog/sliding/maximum.hpp"
 #include "denhartog/sliding/undamped_curves.hpp"
 

@@ -3,9 +3,9 @@
 #include <limits>
 #include <sstream>
 
-#include "denhartog/model/point_rules.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/multiprecision.hpp"
+#include "denhartog/scene/point_rules.hpp"
 
 namespace denhartog {
 namespace {

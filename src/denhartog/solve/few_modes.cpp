@@ -7,9 +7,9 @@
 
 #include "denhartog/number/errors.hpp"
 #include "denhartog/sliding/contact_modes.hpp"
-#include "denhartog/sliding/static_mode.hpp"
 #include "denhartog/sliding/steady_state.hpp"
 #include "denhartog/solve/solve_task.hpp"
+#include "denhartog/sums/static_mode.hpp"
 
 namespace denhartog {
 namespace {

@@ -7,8 +7,8 @@
 /// the response of every mode to it.
 #pragma once
 
-#include "denhartog/sliding/bounded_modes.hpp"
-#include "denhartog/solve/solution.hpp"
+#include "denhartog/answer/solution.hpp"
+#include "denhartog/sums/bounded_modes.hpp"
 
 namespace denhartog {
 

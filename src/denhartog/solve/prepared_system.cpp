@@ -1,7 +1,7 @@
 #include "denhartog/solve/prepared_system.hpp"
 
+#include "denhartog/answer/sliding_point.hpp"
 #include "denhartog/number/errors.hpp"
-#include "denhartog/solve/sliding_point.hpp"
 
 namespace denhartog {
 namespace {

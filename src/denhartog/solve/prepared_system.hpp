@@ -5,10 +5,10 @@
 #include <memory>
 #include <optional>
 
+#include "denhartog/answer/certify.hpp"
+#include "denhartog/answer/scene_source.hpp"
+#include "denhartog/answer/solution.hpp"
 #include "denhartog/sliding/contact_modes.hpp"
-#include "denhartog/solve/certify.hpp"
-#include "denhartog/solve/scene_source.hpp"
-#include "denhartog/solve/solution.hpp"
 #include "denhartog/stick_slip/exact_motion.hpp"
 
 namespace denhartog {

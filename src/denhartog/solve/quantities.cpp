@@ -5,10 +5,10 @@
 #include <limits>
 
 #include "denhartog/formulas/boundary.hpp"
-#include "denhartog/model/number_text.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/multiprecision.hpp"
-#include "denhartog/sliding/chain_sums.hpp"
+#include "denhartog/number/number_text.hpp"
+#include "denhartog/sums/chain_sums.hpp"
 
 namespace denhartog {
 namespace {

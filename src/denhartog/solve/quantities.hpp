@@ -10,10 +10,10 @@
 #include <optional>
 #include <span>
 
-#include "denhartog/sliding/bounded_modes.hpp"
+#include "denhartog/answer/sliding_point.hpp"
 #include "denhartog/sliding/steady_state.hpp"
 #include "denhartog/solve/prepared_system.hpp"
-#include "denhartog/solve/sliding_point.hpp"
+#include "denhartog/sums/bounded_modes.hpp"
 
 namespace denhartog {
 

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "denhartog/model/number_text.hpp"
 #include "denhartog/number/errors.hpp"
+#include "denhartog/number/number_text.hpp"
 #include "denhartog/solve/quantities.hpp"
 #include "denhartog/stick_slip/exact_motion.hpp"
 

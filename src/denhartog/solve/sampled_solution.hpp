@@ -2,7 +2,7 @@
 /// @brief The motion that an answer describes, sampled over its period.
 #pragma once
 
-#include "denhartog/solve/solution.hpp"
+#include "denhartog/answer/solution.hpp"
 
 namespace denhartog {
 

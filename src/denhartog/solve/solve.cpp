@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "denhartog/model/point_rules.hpp"
+#include "denhartog/answer/held_solution.hpp"
+#include "denhartog/answer/orbit_solution.hpp"
+#include "denhartog/answer/other_motions.hpp"
 #include "denhartog/number/errors.hpp"
-#include "denhartog/solve/held_solution.hpp"
-#include "denhartog/solve/orbit_solution.hpp"
-#include "denhartog/solve/other_motions.hpp"
+#include "denhartog/scene/point_rules.hpp"
 #include "denhartog/solve/solve_task.hpp"
 
 namespace denhartog {

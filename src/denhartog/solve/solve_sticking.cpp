@@ -1,8 +1,8 @@
 #include <algorithm>
 
+#include "denhartog/answer/held_solution.hpp"
+#include "denhartog/answer/orbit_solution.hpp"
 #include "denhartog/number/errors.hpp"
-#include "denhartog/solve/held_solution.hpp"
-#include "denhartog/solve/orbit_solution.hpp"
 #include "denhartog/solve/solve_task.hpp"
 
 namespace denhartog {

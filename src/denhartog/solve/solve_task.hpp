@@ -5,9 +5,9 @@
 #include <memory>
 #include <optional>
 
+#include "denhartog/answer/sliding_solution.hpp"
 #include "denhartog/solve/few_modes.hpp"
 #include "denhartog/solve/prepared_system.hpp"
-#include "denhartog/solve/sliding_solution.hpp"
 #include "denhartog/stick_slip/periodic_orbit.hpp"
 
 namespace denhartog {

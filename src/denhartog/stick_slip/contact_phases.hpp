@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "denhartog/model/point_rules.hpp"
+#include "denhartog/scene/point_rules.hpp"
 #include "denhartog/stick_slip/exact_motion.hpp"
 #include "denhartog/stick_slip/first_crossing.hpp"
 #include "denhartog/stick_slip/linear_motion.hpp"

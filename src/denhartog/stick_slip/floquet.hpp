@@ -5,7 +5,7 @@
 #include <complex>
 #include <vector>
 
-#include "denhartog/model/scene.hpp"
+#include "denhartog/scene/scene.hpp"
 
 namespace denhartog {
 

@@ -17,8 +17,8 @@
 
 #include "denhartog/evaluation/driven_motion.hpp"
 #include "denhartog/model/linear_algebra.hpp"
-#include "denhartog/model/scene.hpp"
 #include "denhartog/number/effort.hpp"
+#include "denhartog/scene/scene.hpp"
 
 namespace denhartog {
 

@@ -7,9 +7,9 @@
 #include <sstream>
 #include <utility>
 
-#include "denhartog/model/number_text.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/multiprecision.hpp"
+#include "denhartog/number/number_text.hpp"
 #include "denhartog/stick_slip/floquet.hpp"
 #include "denhartog/stick_slip/orbit_record.hpp"
 #include "denhartog/stick_slip/shooting.hpp"

@@ -3,7 +3,7 @@
 /// algorithm, `solve`.
 #pragma once
 
-#include "denhartog/solve/solution.hpp"
+#include "denhartog/answer/solution.hpp"
 #include "tests/speed_accuracy/peers/peer.hpp"
 
 namespace denhartog::tests {

@@ -1,5 +1,5 @@
+#include "denhartog/answer/scene_source.hpp"
 #include "denhartog/number/multiprecision.hpp"
-#include "denhartog/solve/scene_source.hpp"
 #include "tests/speed_accuracy/peers/closed_form_peers.hpp"
 #include "tests/speed_accuracy/peers/exact_solver_peer.hpp"
 

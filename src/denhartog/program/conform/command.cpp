@@ -1,4 +1,4 @@
-#include "denhartog/program/commands.hpp"
+#include "denhartog/program/commands/commands.hpp"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>

@@ -3,7 +3,7 @@
 #include <array>
 #include <cstdio>
 
-#include "denhartog/model/number_text.hpp"
+#include "denhartog/number/number_text.hpp"
 
 namespace denhartog::program {
 namespace {

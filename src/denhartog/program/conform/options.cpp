@@ -5,8 +5,8 @@
 #include <cmath>
 #include <regex>
 
-#include "denhartog/model/number_text.hpp"
 #include "denhartog/number/errors.hpp"
+#include "denhartog/number/number_text.hpp"
 
 namespace denhartog::program {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "conformance/session.hpp"
+#include "conformance/session/session.hpp"
 
 namespace CLI {
 class App;

@@ -7,7 +7,7 @@
 #include "conformance/answers_file.hpp"
 #include "conformance/grade.hpp"
 #include "conformance/score.hpp"
-#include "conformance/smoke.hpp"
+#include "conformance/session/smoke.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/program/conform/report.hpp"
 #include "denhartog/program/files.hpp"

@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include "conformance/score.hpp"
-#include "denhartog/model/number_text.hpp"
+#include "denhartog/number/number_text.hpp"
 #include "denhartog/program/conform/number.hpp"
 #include "denhartog/program/conform/report.hpp"
 #include "denhartog/program/table.hpp"

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "denhartog/model/scene.hpp"
+#include "denhartog/scene/scene.hpp"
 #include "denhartog/stick_slip/motion_record.hpp"
 
 namespace denhartog::tests {

@@ -1,0 +1,289 @@
+#include "conformance/session/process.hpp"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+#ifdef __linux__
+#include <sys/prctl.h>
+#endif
+
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstring>
+#include <mutex>
+#include <system_error>
+
+#include "conformance/session/process_time.hpp"
+
+extern char** environ;
+
+namespace denhartog::conformance {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+// How long one wait in the system lasts at most: interruptions and the program's end are looked for in between.
+constexpr int slice_milliseconds = 20;
+
+// Below this share of the processor a program counts as waiting.
+constexpr double share_of_a_waiting_program = 0.02;
+
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+[[noreturn]] void fail(int fault, const std::string& what) { throw std::system_error(fault, std::generic_category(), what); }
+
+void no_fault(int fault, const char* what) {
+    if (fault != 0) fail(fault, what);
+}
+
+// A pipe that no other program inherits.
+struct Pipe {
+    std::array<int, 2> ends{-1, -1};
+
+    Pipe() {
+        if (::pipe(ends.data()) != 0) fail(errno, "pipe");
+        for (const int end : ends) ::fcntl(end, F_SETFD, FD_CLOEXEC);
+    }
+    ~Pipe() {
+        for (const int end : ends)
+            if (end >= 0) ::close(end);
+    }
+    Pipe(const Pipe&) = delete;
+    Pipe& operator=(const Pipe&) = delete;
+
+    int keep(std::size_t end) {
+        const int kept = ends[end];
+        ends[end] = -1;
+        ::fcntl(kept, F_SETFL, ::fcntl(kept, F_GETFL) | O_NONBLOCK);
+        return kept;
+    }
+};
+
+// A group of its own, no signal blocked, none ignored that a program expects to end it.
+struct Attributes {
+    posix_spawnattr_t attributes{};
+
+    Attributes() {
+        no_fault(::posix_spawnattr_init(&attributes), "posix_spawnattr_init");
+        sigset_t none, usual;
+        ::sigemptyset(&none);
+        ::sigemptyset(&usual);
+        for (const int signal : {SIGPIPE, SIGINT, SIGTERM, SIGHUP, SIGQUIT}) ::sigaddset(&usual, signal);
+        ::posix_spawnattr_setpgroup(&attributes, 0);
+        ::posix_spawnattr_setsigmask(&attributes, &none);
+        ::posix_spawnattr_setsigdefault(&attributes, &usual);
+        ::posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
+    }
+    ~Attributes() { ::posix_spawnattr_destroy(&attributes); }
+    Attributes(const Attributes&) = delete;
+    Attributes& operator=(const Attributes&) = delete;
+};
+
+struct FileActions {
+    posix_spawn_file_actions_t actions{};
+
+    FileActions(int input, int output) {
+        no_fault(::posix_spawn_file_actions_init(&actions), "posix_spawn_file_actions_init");
+        ::posix_spawn_file_actions_adddup2(&actions, input, STDIN_FILENO);
+        ::posix_spawn_file_actions_adddup2(&actions, output, STDOUT_FILENO);
+    }
+    ~FileActions() { ::posix_spawn_file_actions_destroy(&actions); }
+    FileActions(const FileActions&) = delete;
+    FileActions& operator=(const FileActions&) = delete;
+};
+
+// Whether the program has ended; it stays there to be waited for, so that the number of its group is nobody else's.
+bool has_ended(pid_t program) {
+    siginfo_t info{};
+    return ::waitid(P_PID, static_cast<id_t>(program), &info, WEXITED | WNOHANG | WNOWAIT) == 0 && info.si_pid == program;
+}
+
+// Children that a program leaves behind come to this process to be waited for, where the system has that; else to the first one.
+void adopt_orphans() {
+#ifdef __linux__
+    ::prctl(PR_SET_CHILD_SUBREAPER, 1, 0, 0, 0);
+#endif
+}
+
+// Waits for the processes of a group that has been killed, as far as they are children of this process by then.
+void wait_for_all_of(pid_t group) {
+    while (::waitpid(-group, nullptr, 0) > 0 || errno == EINTR) continue;
+}
+
+std::string end_of(int status) {
+    if (WIFSIGNALED(status)) {
+        const int signal = WTERMSIG(status);
+        const char* name = ::strsignal(signal);
+        return "it was ended by signal " + std::to_string(signal) + (name != nullptr ? " (" + std::string(name) + ")" : "");
+    }
+    return "it ended with status " + std::to_string(WEXITSTATUS(status));
+}
+
+} // namespace
+
+std::atomic<bool>& interruption() {
+    static std::atomic<bool> set{false};
+    return set;
+}
+
+WithoutBrokenPipeSignal::WithoutBrokenPipeSignal() : earlier(std::signal(SIGPIPE, SIG_IGN)) {}
+WithoutBrokenPipeSignal::~WithoutBrokenPipeSignal() { std::signal(SIGPIPE, earlier); }
+
+Process::Process(const std::vector<std::string>& command) {
+    std::vector<std::string> words = command;
+    std::vector<char*> arguments;
+    for (std::string& word : words) arguments.push_back(word.data());
+    arguments.push_back(nullptr);
+    adopt_orphans();
+    // One at a time, or a program could inherit the other's pipe before it is closed to it.
+    static std::mutex starting;
+    const std::lock_guard<std::mutex> lock(starting);
+    Pipe in, out;
+    const Attributes attributes;
+    const FileActions files(in.ends[0], out.ends[1]);
+    const int fault =
+        ::posix_spawnp(&group, arguments.front(), &files.actions, &attributes.attributes, arguments.data(), environ);
+    if (fault != 0) fail(fault, words.front());
+    to = in.keep(1);
+    from = out.keep(0);
+}
+
+Process::~Process() {
+    kill_group();
+    if (to >= 0) ::close(to);
+    if (from >= 0) ::close(from);
+}
+
+void Process::kill_group() {
+    if (group < 0) return;
+    ::kill(-group, SIGKILL);
+    wait_for_all_of(group);
+    group = -1;
+}
+
+// Reads what is there; whether anything was.
+bool Process::receive(bool& at_end) {
+    std::array<char, 65536> piece;
+    const ssize_t size = ::read(from, piece.data(), piece.size());
+    at_end = size == 0 || (size < 0 && errno != EAGAIN && errno != EINTR);
+    if (size <= 0) return false;
+    received.append(piece.data(), static_cast<std::size_t>(size));
+    return true;
+}
+
+// Writes what fits; a program that does not read any more is left to answer all the same.
+void Process::send(std::string_view& rest) {
+    const ssize_t size = ::write(to, rest.data(), rest.size());
+    if (size >= 0)
+        rest.remove_prefix(static_cast<std::size_t>(size));
+    else if (errno != EAGAIN && errno != EINTR)
+        rest = {};
+}
+
+// Puts what was not asked for on its own account; false where there is no end of it.
+bool Process::set_aside() {
+    bool at_end = false;
+    std::size_t size = received.size();
+    while (size <= longest_line && receive(at_end)) {
+        size = received.size();
+    }
+    for (std::size_t start = 0; start < received.size();) {
+        const std::size_t end = std::min(received.find('\n', start), received.size());
+        if (extra.lines++ == 0) extra.first = received.substr(start, std::min<std::size_t>(end - start, 200));
+        start = end + 1;
+    }
+    received.clear();
+    return size <= longest_line;
+}
+
+Reply Process::ask(std::string_view line, double seconds) {
+    // What comes before the first line is sent is read as the reply to it: whether it comes before or after is chance.
+    if (asked && !set_aside()) return {Heard::broken, "", "it wrote more than a megabyte without being asked"};
+    asked = true;
+    const std::string text = std::string(line) + '\n';
+    std::string_view rest = text;
+    const Clock::time_point start = Clock::now();
+    double at_half = -1;
+    std::size_t searched = 0;
+    bool ended = false;
+    while (true) {
+        const std::size_t end = received.find('\n', searched);
+        if (end != std::string::npos && end <= longest_line) {
+            Reply reply{Heard::line, received.substr(0, end), ""};
+            received.erase(0, end + 1);
+            return reply;
+        }
+        if (received.size() > longest_line) return {Heard::broken, "", "it wrote a line of more than a megabyte"};
+        searched = received.size();
+        if (ended) return broken_off();
+        if (interruption()) return {Heard::interrupted, "", "the runner was interrupted"};
+        const double waited = seconds_since(start);
+        if (waited >= seconds) return no_line(waited - seconds / 2, at_half);
+        if (at_half < 0 && waited >= seconds / 2) {
+            const auto activity = group_activity(group);
+            if (activity) at_half = activity->processor_seconds;
+        }
+        std::array<pollfd, 2> ends{{{from, POLLIN, 0}, {rest.empty() ? -1 : to, POLLOUT, 0}}};
+        ::poll(ends.data(), ends.size(), slice_milliseconds);
+        if (ends[1].revents != 0) send(rest);
+        bool at_end = false;
+        const bool leader_gone = has_ended(group);
+        // After the program's end one more reading: another process may hold the pipe open.
+        while (receive(at_end) && received.size() <= longest_line && received.find('\n', searched) == std::string::npos) continue;
+        ended = at_end || leader_gone;
+    }
+}
+
+Reply Process::no_line(double second_half, double processor_time_at_half) {
+    const auto activity = group_activity(group);
+    const std::string part = received.empty() ? "" : "; it has written half a line";
+    if (!activity || processor_time_at_half < 0) return {Heard::timeout, "", "it did not answer in time" + part};
+    if (activity->stopped) return {Heard::stall, "", "it is stopped by a signal" + part};
+    const double used = activity->processor_seconds - processor_time_at_half;
+    if (used > share_of_a_waiting_program * second_half) return {Heard::timeout, "", "it was still computing" + part};
+    return {Heard::stall, "", "it waits and computes nothing: does it flush its output after each line?" + part};
+}
+
+Reply Process::broken_off() {
+    constexpr double patience = 0.2;
+    const std::string half = received.empty() ? "" : ", in the middle of a line";
+    const Clock::time_point start = Clock::now();
+    while (!has_ended(group) && seconds_since(start) < patience) ::poll(nullptr, 0, 1);
+    if (!has_ended(group)) return {Heard::broken, "", "it closed its standard output" + half};
+    return {Heard::broken, "", how_it_ended(0) + half};
+}
+
+// Waits for the end of the program and kills what is left of its group.
+std::string Process::how_it_ended(double seconds) {
+    const Clock::time_point start = Clock::now();
+    while (!has_ended(group)) {
+        if (seconds_since(start) >= seconds || interruption()) {
+            kill_group();
+            return "it did not end when its standard input was closed";
+        }
+        bool at_end = false;
+        static_cast<void>(receive(at_end));
+        if (received.size() > longest_line) received.resize(1);
+        ::poll(nullptr, 0, 2);
+    }
+    ::kill(-group, SIGKILL);
+    int status = 0;
+    while (::waitpid(group, &status, 0) < 0 && errno == EINTR) continue;
+    wait_for_all_of(group);
+    group = -1;
+    return end_of(status);
+}
+
+std::string Process::finish(double seconds) {
+    ::close(to);
+    to = -1;
+    const std::string end = how_it_ended(seconds);
+    static_cast<void>(set_aside());
+    return end == "it ended with status 0" ? "" : end;
+}
+
+} // namespace denhartog::conformance

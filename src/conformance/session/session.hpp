@@ -1,0 +1,84 @@
+/// @file
+/// @brief A conversation with a program under test by the protocol: handshake, questions, answers, and what to do about crashes.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "conformance/session/process.hpp"
+#include "conformance/verdict.hpp"
+
+namespace denhartog::conformance {
+
+/// @brief The program cannot be started, or does not answer the handshake as the protocol has it.
+struct BrokenProgram : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+/// @brief How often a program that breaks is started again without an answer in between, before the rest is skipped.
+inline constexpr int most_restarts = 5;
+
+/// @brief The handshake may take this many times as long as an answer: interpreters start slowly.
+inline constexpr double patience_at_start = 3;
+
+/// @brief How a program is run.
+struct RunSettings {
+    std::vector<std::string> command; ///< the program and its arguments
+    double seconds = 10;              ///< time for an answer
+    unsigned jobs = 1;                ///< processes side by side
+};
+
+/// @brief A program that answered the handshake.
+struct Partner {
+    std::unique_ptr<Process> process; ///< the program
+    bool plain = false;               ///< its dialect
+    std::string name;                 ///< its name
+};
+
+/// @brief Starts a program and shakes hands.
+/// @param settings  how it is run
+/// @return          the program, ready for questions
+/// @throws          BrokenProgram
+[[nodiscard]] Partner shake_hands(const RunSettings& settings);
+
+/// @brief A question in the dialect of a program. @param partner the program @param q the question @return the line
+[[nodiscard]] std::string line_for(const Partner& partner, const Question& q);
+
+/// @brief The answer in a line of a program. @param partner the program @param line the line @param id the question's
+/// @return the answer
+[[nodiscard]] Answer answer_in(const Partner& partner, std::string_view line, std::string_view id);
+
+/// @brief What came of a question.
+struct Exchange {
+    Answer answer = Skipped{"it was not asked"}; ///< the answer
+    std::optional<Verdict> trouble;              ///< `crash`, `timeout` or `stall` in place of an answer
+    std::string told;                            ///< what happened
+};
+
+/// @brief A whole conversation.
+struct Conversation {
+    std::vector<Exchange> exchanges; ///< one a question, in their order
+    std::string name;                ///< of the program
+    std::string dialect;             ///< `json` or `plain`
+    std::vector<std::string> notes;  ///< breaches of the protocol that decide no verdict
+    bool broken = false;             ///< the program broke at every question, or too often in a row
+};
+
+/// @brief Asks a program all questions.
+/// @param settings   how it is run
+/// @param questions  the questions; those of one process come in their order
+/// @param progress   told how many questions are done, from any thread but never twice at a time
+/// @return           the conversation, the same for any number of jobs if the program answers each question by itself
+/// @throws           BrokenProgram where it cannot be started in the first place
+[[nodiscard]] Conversation converse(const RunSettings& settings, std::span<const Question* const> questions,
+                                    const std::function<void(std::size_t)>& progress);
+
+/// @brief The verdict on what came of a question. @param v the vector @param exchange what came of it @return the verdict
+[[nodiscard]] Judged judge(const Vector& v, const Exchange& exchange);
+
+} // namespace denhartog::conformance

@@ -1,0 +1,132 @@
+/// @file
+/// @brief The ladder of precisions: a question is asked in double, in 50 and in 100 digits, until the digits are certain.
+///
+/// Every rung evaluates the same templates on numbers that carry a bound of their error, `Bounded<T>`. No error is measured by
+/// computing twice. The first rung whose bounds leave the digits asked for answers.
+#pragma once
+
+#include <cmath>
+#include <string>
+#include <type_traits>
+
+#include "denhartog/answer/solution.hpp"
+#include "denhartog/number/bounded.hpp"
+#include "denhartog/number/certified.hpp"
+#include "denhartog/number/errors.hpp"
+#include "denhartog/number/multiprecision.hpp"
+
+namespace denhartog {
+
+/// @brief Digits that a question aims at.
+struct Aim {
+    int digits;       ///< asked for, or aimed at where none are
+    bool asked_for;   ///< which of the two
+    double tolerance; ///< ten to the minus that
+};
+
+/// @brief What a number of digits aims at. @param digits asked for; none for `digits_by_default` @return the aim
+/// @throws InputError where they are not from 1 to `most_digits`
+[[nodiscard]] Aim aim_of(std::optional<int> digits);
+
+/// @brief The same in words. @param aim the aim @return e.g. `6 digits aimed at`
+[[nodiscard]] std::string in_words(const Aim& aim);
+
+/// @brief How many digits an error leaves. @param error relative @return from 0 to `most_digits`
+[[nodiscard]] int digits_of(double error);
+
+/// @brief The rungs of the ladder.
+enum class Precision : std::uint8_t {
+    in_double,     ///< double
+    in_50_digits,  ///< 50 decimal digits
+    in_100_digits, ///< 100 decimal digits
+};
+
+/// @brief Name of a rung. @param precision the rung @return `double`, `50 digits` or `100 digits`
+[[nodiscard]] std::string name(Precision precision);
+
+/// @brief The most digits that are tried for on a rung. @param precision the rung @return the digits
+[[nodiscard]] int most_digits_in(Precision precision);
+
+/// @brief What an attempt on one rung came to.
+struct Attempted {
+    double relative;     ///< largest error of what must have the digits, relative as they count
+    bool decided = true; ///< whether its regime is certain
+};
+
+/// @brief The rung that answers.
+struct Certainty {
+    Precision precision = Precision::in_double; ///< the rung
+    bool settled = false;                       ///< whether its bounds leave the digits
+    double relative = 0;                        ///< what it came to
+    std::string why;                            ///< what the rungs before left open, and its own verdict
+};
+
+/// @brief Counts a rung that did not have the digits, for `precision_steps`.
+void count_precision_step();
+
+/// @brief What is said of an attempt. @param attempted what it came to @param aim the digits @return a clause
+[[nodiscard]] std::string verdict(const Attempted& attempted, const Aim& aim);
+
+/// @brief Runs up the rungs until one has the digits. The last one answers in any case.
+/// @param aim      the digits
+/// @param attempt  called with `std::type_identity<T>` for T of double, 50 and 100 digits; keeps its own result
+/// @param highest  the last rung
+/// @return         the rung that answers
+/// @throws         what the last rung throws
+template <class Attempt>
+Certainty certify(const Aim& aim, const Attempt& attempt, Precision highest = Precision::in_100_digits) {
+    Certainty found;
+    const auto has_digits = [&]<class T>(std::type_identity<T> type, Precision precision) {
+        if (aim.digits > most_digits_in(precision) && precision != highest) return false;
+        found.precision = precision;
+        const auto leave_open = [&](const std::string& words) {
+            found.why += "in " + name(precision) + ": " + words + "; ";
+            count_precision_step();
+            return false;
+        };
+        try {
+            const Attempted attempted = attempt(type);
+            found.relative = attempted.relative;
+            found.settled = attempted.relative <= aim.tolerance && attempted.decided;
+            const std::string words = verdict(attempted, aim);
+            if (!found.settled && precision != highest) return leave_open(words);
+            found.why += words;
+            return true;
+        } catch (const DomainError& e) {
+            if (precision == highest) throw;
+            return leave_open(e.what());
+        } catch (const PrecisionError& e) {
+            if (precision == highest) throw;
+            return leave_open(e.what());
+        }
+    };
+    (void)(has_digits(std::type_identity<double>{}, Precision::in_double) || highest == Precision::in_double ||
+           has_digits(std::type_identity<Real50>{}, Precision::in_50_digits) || highest == Precision::in_50_digits ||
+           has_digits(std::type_identity<Real100>{}, Precision::in_100_digits));
+    return found;
+}
+
+/// @brief A number of an answer from one with a bound, the rounding of what is handed out included.
+/// @param a       the number
+/// @param digits  significant digits asked for: above 15 its decimals are written
+/// @return        the number
+template <class T>
+[[nodiscard]] Certified certified(const Bounded<T>& a, int digits) {
+    const Bounded<double> rounded = in_double(a);
+    Certified number{rounded.x, rounded.e, {}};
+    if constexpr (!std::same_as<T, double>) {
+        if (digits > most_digits_of_a_double && a.x - a.x == 0) {
+            number.decimal = a.x == 0 ? "0" : a.x.str(digits - 1, std::ios_base::scientific);
+            number.error = static_cast<double>(T(a.e + size_of_number(T(T(number.decimal) - a.x)))) * (1 + unit_of<double>());
+        }
+    }
+    return number;
+}
+
+/// @brief A number that is exact. @param x the number @param digits significant digits asked for @return the number
+template <class T>
+[[nodiscard]] Certified exactly(const T& x, int digits) {
+    return certified(Bounded<T>(x), digits);
+}
+
+} // namespace denhartog

@@ -1,0 +1,124 @@
+#include "denhartog/answer/held_solution.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "denhartog/answer/certify.hpp"
+#include "denhartog/model/linear_algebra.hpp"
+#include "denhartog/number/errors.hpp"
+#include "denhartog/stick_slip/stuck_response.hpp"
+
+namespace denhartog {
+namespace {
+
+using std::abs;
+using std::asin;
+
+// A number of which no bound is known.
+template <class T>
+Certified without_bound(const T& x, int digits) {
+    Certified number = exactly(x, digits);
+    number.error = std::numeric_limits<double>::infinity();
+    return number;
+}
+
+template <class T>
+std::optional<Certified> limit_by_88(const Scene<T>& scene, const StuckConfiguration<T>& stuck, const StuckResponse<T>& response,
+                                     int digits) {
+    const std::optional<T> paper = sticking_boundary(response, stuck_chain(scene.system, stuck), scene.mu).paper;
+    return paper ? std::optional(without_bound(*paper, digits)) : std::nullopt;
+}
+
+// Bounds of the errors of the complex amplitudes, and of the load that they bring to the contact. The equations of motion with
+// the contact held are taken as real ones of twice the size.
+template <class T>
+struct HeldErrors {
+    std::vector<T> masses; // of those that move, in the order of the stuck configuration
+    T load;
+};
+
+template <class T>
+HeldErrors<T> errors_of(const Scene<T>& scene, const StuckConfiguration<T>& stuck, const StuckResponse<T>& response) {
+    const auto n = static_cast<Eigen::Index>(stuck.masses.size());
+    const T r = *scene.r, eps = unit_of<T>(), rounding = 8 * static_cast<int>(n + 1) * eps;
+    HeldErrors<T> errors{{}, T(eps + rounding * scene.mu * *scene.beta)};
+    if (n == 0) return errors;
+    const Matrix<T> stiffness = stuck.K - r * r * stuck.M, damping = r * stuck.C;
+    Matrix<T> A(2 * n, 2 * n);
+    A << stiffness, -damping, damping, stiffness;
+    Column<T> X(2 * n), b = Column<T>::Zero(2 * n);
+    for (Eigen::Index i = 0; i < n; ++i) {
+        const Mass k = stuck.masses[static_cast<std::size_t>(i)];
+        X(i) = response.masses[k.index].X.re;
+        X(n + i) = response.masses[k.index].X.im;
+        if (k == scene.system.load) b(i) = T(1);
+    }
+    const Column<T> size = X.cwiseAbs();
+    const Matrix<T> entries = stuck.K.cwiseAbs() + r * r * stuck.M.cwiseAbs();
+    Column<T> terms(2 * n);
+    terms << entries * size.head(n), entries * size.tail(n);
+    terms += Column<T>::Constant(2 * n, T(damping.cwiseAbs().maxCoeff() * size.sum()));
+    const Column<T> left_over = (b - A * X).cwiseAbs() + rounding * (terms + b.cwiseAbs());
+    const Column<T> error = T(2) * (LinearSystem<T>(A).inverse().cwiseAbs() * left_over + eps * size);
+    for (Eigen::Index i = 0; i < n; ++i) {
+        const auto m = static_cast<std::size_t>(i);
+        const T of_mass = error(i) + error(n + i);
+        if (!(of_mass - of_mass == 0)) throw DomainError("the load excites a resonance of the system with the contact held");
+        errors.masses.push_back(of_mass);
+        errors.load += (abs(stuck.k_j[m]) + r * abs(stuck.c_j[m]) + r * r * abs(stuck.m_j[m])) *
+                       (of_mass + rounding * (size(i) + size(n + i)));
+    }
+    return errors;
+}
+
+} // namespace
+
+template <class T>
+HeldSolution held_solution(const Scene<T>& scene, const StuckConfiguration<T>& stuck, int digits, std::optional<Mass> only) {
+    const System<T>& s = scene.system;
+    const StuckResponse<T> response = stuck_response(stuck, s.contact, s.load, *scene.r);
+    const HeldErrors<T> errors = errors_of(scene, stuck, response);
+    HeldSolution solution;
+    T largest(0);
+    for (const StuckMass<T>& mass : response.masses) {
+        largest = std::max(largest, mass.amplitude);
+        solution.masses.push_back({exactly(mass.amplitude, digits), std::nullopt, std::nullopt});
+    }
+    for (std::size_t n = 0; n < stuck.masses.size(); ++n) {
+        const std::size_t k = stuck.masses[n].index;
+        const StuckMass<T>& mass = response.masses[k];
+        const T& error = errors.masses[n];
+        solution.masses[k].amplitude = certified(Bounded<T>(mass.amplitude, error), digits);
+        if (mass.amplitude <= error && error <= largest * 1024 * unit_of<T>()) continue; // it does not move
+        const T of_phase = error < mass.amplitude ? T(asin(T(error / mass.amplitude)) + 4 * unit_of<T>()) : pi<T>();
+        solution.masses[k].phase = certified(Bounded<T>(mass.phase.value_or(T(0)), of_phase), digits);
+        if (only && k != only->index) continue;
+        const T relative = mass.amplitude > 0 ? T(error / mass.amplitude) : T(1);
+        solution.relative = std::max({solution.relative, static_cast<double>(relative), static_cast<double>(of_phase)});
+    }
+    // On the boundary rounding may leave less than nothing of the interval.
+    const T to = rest_interval(stuck, response, scene.mu, *scene.beta).value_or(T(0)), error = errors.load / stuck.k_contact;
+    solution.rest_interval = {certified(Bounded<T>(T(-to), error), digits), certified(Bounded<T>(to, error), digits),
+                              std::nullopt};
+    solution.sticking_by_88 = limit_by_88(scene, stuck, response, digits);
+    return solution;
+}
+
+template <class T>
+std::optional<Certified> sticking_by_88(const Scene<T>& scene, int digits) {
+    try {
+        const StuckConfiguration<T> stuck = stuck_configuration(scene.system, modal_basis(scene.system));
+        return limit_by_88(scene, stuck, stuck_response(stuck, scene.system.contact, scene.system.load, *scene.r), digits);
+    } catch (const DomainError&) {
+        return std::nullopt;
+    }
+}
+
+template HeldSolution held_solution(const Scene<double>&, const StuckConfiguration<double>&, int, std::optional<Mass>);
+template HeldSolution held_solution(const Scene<Real50>&, const StuckConfiguration<Real50>&, int, std::optional<Mass>);
+template HeldSolution held_solution(const Scene<Real100>&, const StuckConfiguration<Real100>&, int, std::optional<Mass>);
+template std::optional<Certified> sticking_by_88(const Scene<double>&, int);
+template std::optional<Certified> sticking_by_88(const Scene<Real50>&, int);
+template std::optional<Certified> sticking_by_88(const Scene<Real100>&, int);
+
+} // namespace denhartog

@@ -1,0 +1,41 @@
+/// @file
+/// @brief The answer where the contact rests for ever: the stuck response with its error, and where the contact may rest.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "denhartog/answer/solution.hpp"
+#include "denhartog/model/stuck_configuration.hpp"
+
+namespace denhartog {
+
+/// @brief The stuck response with its error.
+struct HeldSolution {
+    std::vector<SolvedMass> masses;          ///< N; the contact's amplitude is zero
+    RestInterval rest_interval;              ///< where the contact may rest
+    std::optional<Certified> sticking_by_88; ///< the boundary of permanent sticking by (88) as printed, for chains; no bound
+    double relative = 0;                     ///< largest error, relative to amplitudes, absolute for phases
+};
+
+/// @brief The stuck response; its error is bounded by what it leaves over in the equations of motion.
+/// @eq{88}
+/// @param scene   the scene, with r and beta at or above the boundary of permanent sticking
+/// @param stuck   its stuck configuration
+/// @param digits  significant digits asked for
+/// @param only    the one mass whose errors count; none for all
+/// @return        the response for rest at zero
+/// @throws        DomainError where the load excites the resonance of an undamped stuck mode
+template <class T>
+[[nodiscard]] HeldSolution held_solution(const Scene<T>& scene, const StuckConfiguration<T>& stuck, int digits,
+                                         std::optional<Mass> only = std::nullopt);
+
+/// @brief The boundary of permanent sticking by (88) as printed. No bound of its error is known.
+/// @eq{88}
+/// @param scene   the scene, with r
+/// @param digits  significant digits asked for
+/// @return        the boundary; none for a system that is no chain, or at a resonance
+template <class T>
+[[nodiscard]] std::optional<Certified> sticking_by_88(const Scene<T>& scene, int digits);
+
+} // namespace denhartog

@@ -1,0 +1,103 @@
+#include "denhartog/answer/orbit_solution.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "denhartog/answer/certify.hpp"
+
+namespace denhartog {
+namespace {
+
+using std::abs;
+
+// Displacement and velocity of a mass on the orbit that the solver moved along last.
+template <class T>
+class OnOrbit {
+public:
+    OnOrbit(ExactSolver<T>& solver_, const ExactMotion<T>& motion, const T& period_) : solver(solver_), period(period_) {
+        for (const Phase<T>& p : motion.phases) ends.push_back(p.end);
+    }
+
+    State<T> at(T tau) {
+        while (tau < 0) tau += period;
+        while (tau > period) tau -= period;
+        const auto found = std::lower_bound(ends.begin(), ends.end(), tau);
+        const auto last = static_cast<std::ptrdiff_t>(ends.size()) - 1;
+        return solver.state_at(static_cast<std::size_t>(std::min(found - ends.begin(), last)), tau);
+    }
+
+private:
+    ExactSolver<T>& solver;
+    T period;
+    std::vector<T> ends;
+};
+
+// Acceleration next to the extremum of a mass: the larger of both sides, because a contact that comes to rest has one only.
+template <class T>
+T acceleration_at_extremum(OnOrbit<T>& orbit, std::size_t k, const MassMotion<T>& mass, int periods) {
+    T nearest(-1), instant(0);
+    for (int n = 0; n < 2 * periods; ++n) {
+        const T tau = mass.phase + n * pi<T>();
+        const T apart = abs(T(abs(orbit.at(tau).x[k]) - mass.amplitude));
+        if (nearest >= 0 && apart >= nearest) continue;
+        nearest = apart;
+        instant = tau;
+    }
+    const T step = T(1) / 1024;
+    const T before = abs(orbit.at(T(instant - step)).x_prime[k]), after = abs(orbit.at(T(instant + step)).x_prime[k]);
+    return std::max(before, after) / step;
+}
+
+} // namespace
+
+template <class T>
+OrbitSolution orbit_solution(ExactSolver<T>& solver, const PeriodicOrbit<T>& orbit, int digits, std::optional<Mass> only) {
+    const T period = 2 * orbit.periods * pi<T>();
+    OnOrbit<T> on_orbit(solver, solver.run(orbit.start, T(0), period), period);
+    const T fastest = std::max(T(1), T(solver.system().basis.r_n.back() / solver.excitation().r));
+    const std::size_t N = orbit.start.x.size(), j = solver.system().contact.index;
+    T largest = orbit.contact.amplitude; // of the other masses the state at the start, where their maxima were not sought
+    for (const T& x : orbit.start.x) largest = std::max(largest, T(abs(x)));
+    for (const MassMotion<T>& mass : orbit.masses) largest = std::max(largest, mass.amplitude);
+    const auto number = [digits](const T& x, const T& error) { return certified(Bounded<T>(x, error), digits); };
+    OrbitSolution solution;
+    for (const Stop<T>& stop : orbit.stops) {
+        const T unknown = std::numeric_limits<T>::infinity();
+        solution.stops.push_back({number(stop.start, unknown), number(stop.end, unknown), number(stop.x, orbit.error_bound)});
+    }
+    for (std::size_t k = 0; k < N; ++k) {
+        if (only && k != only->index) {
+            solution.masses.push_back({});
+            continue;
+        }
+        const MassMotion<T>& mass = k == j ? orbit.contact : orbit.masses[k];
+        const T rounding = std::numeric_limits<T>::epsilon() * (16 * largest);
+        if (mass.amplitude <= orbit.error_bound + rounding && orbit.error_bound <= 64 * rounding) {
+            solution.masses.push_back(
+                {number(mass.amplitude, orbit.error_bound), std::nullopt, std::nullopt}); // it does not move
+            continue;
+        }
+        const T acceleration = acceleration_at_extremum(on_orbit, k, mass, orbit.periods);
+        const T velocity_error = fastest * (orbit.error_bound + rounding / 16);
+        const T phase_error = acceleration > 0 ? std::min(pi<T>(), T(velocity_error / acceleration)) : pi<T>();
+        solution.masses.push_back({number(mass.amplitude, orbit.error_bound), number(mass.phase, phase_error), std::nullopt});
+        const T relative = mass.amplitude > 0 ? T(orbit.error_bound / mass.amplitude) : T(1);
+        solution.relative_amplitude = std::max(solution.relative_amplitude, static_cast<double>(relative));
+        solution.phase_error = std::max(solution.phase_error, static_cast<double>(phase_error));
+    }
+    return solution;
+}
+
+template <class T>
+Stability stability_of(const PeriodicOrbit<T>& orbit) {
+    Stability stability{orbit.stable, {}};
+    for (const std::complex<double>& each : orbit.multipliers) stability.multipliers.push_back(std::abs(each));
+    return stability;
+}
+
+template OrbitSolution orbit_solution(ExactSolver<double>&, const PeriodicOrbit<double>&, int, std::optional<Mass>);
+template OrbitSolution orbit_solution(ExactSolver<Real50>&, const PeriodicOrbit<Real50>&, int, std::optional<Mass>);
+template Stability stability_of(const PeriodicOrbit<double>&);
+template Stability stability_of(const PeriodicOrbit<Real50>&);
+
+} // namespace denhartog

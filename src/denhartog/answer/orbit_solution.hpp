@@ -1,0 +1,37 @@
+/// @file
+/// @brief The answer that a periodic orbit gives: amplitudes and phases of all masses with their errors.
+#pragma once
+
+#include "denhartog/answer/solution.hpp"
+#include "denhartog/stick_slip/periodic_orbit.hpp"
+
+namespace denhartog {
+
+/// @brief A periodic orbit as an answer.
+struct OrbitSolution {
+    std::vector<SolvedMass> masses; ///< N; zero where not asked about
+    std::vector<SolvedStop> stops;  ///< stops of the contact; of their instants no bound is known
+    double relative_amplitude = 0;  ///< largest error of an amplitude, relative
+    double phase_error = 0;         ///< largest error of a phase
+};
+
+/// @brief Amplitudes and phases of an orbit with their errors.
+///
+/// The error of a phase is that of the velocity at the extremum over the acceleration there; the velocity is allowed the bound of
+/// the displacements times the highest natural frequency.
+/// @param solver  the solver that found the orbit; moved along the orbit once more
+/// @param orbit   a periodic orbit with its masses
+/// @param digits  significant digits asked for
+/// @param only    the one mass that is asked about; for the contact the orbit needs no other. None for all
+/// @return        the masses with their errors
+template <class T>
+[[nodiscard]] OrbitSolution orbit_solution(ExactSolver<T>& solver, const PeriodicOrbit<T>& orbit, int digits,
+                                           std::optional<Mass> only = std::nullopt);
+
+/// @brief Sizes of the multipliers and the verdict.
+/// @param orbit  an orbit whose stability was computed
+/// @return       its stability
+template <class T>
+[[nodiscard]] Stability stability_of(const PeriodicOrbit<T>& orbit);
+
+} // namespace denhartog

@@ -1,0 +1,181 @@
+#include "denhartog/answer/other_motions.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "denhartog/answer/certify.hpp"
+#include "denhartog/answer/held_solution.hpp"
+#include "denhartog/answer/orbit_solution.hpp"
+#include "denhartog/number/errors.hpp"
+#include "denhartog/stick_slip/at_maximum_of_force.hpp"
+
+namespace denhartog {
+namespace {
+
+constexpr int seeded_starts = 12;
+constexpr int sweep_steps = 6;
+constexpr double sweep_reach = 0.15; // of r and of beta, to either side
+constexpr int most_periods_followed = 3000;
+
+State<double> scaled(State<double> z, double factor) {
+    for (std::vector<double>* part : {&z.x, &z.x_prime})
+        for (double& each : *part) each *= factor;
+    return z;
+}
+
+class Explorer {
+public:
+    explicit Explorer(const Scene<double>& scene_)
+        : scene(scene_), system(contact_system(scene.system)), solver(system, at(*scene.r, *scene.beta)),
+          N(system.basis.r_n.size()), size(N, 1) {
+        try {
+            const ModeSums<double> sums = mode_sums(system.basis, system.contact, system.load, *scene.r);
+            for (std::size_t k = 0; k < N; ++k) size[k] = std::max(modulus(sums.V[k]), 1e-3);
+            const Boundary<double> limits = boundary(sums, scene.mu);
+            if (*scene.beta < limits.exact) sliding = at_maximum_of_force(sums, steady_state(sums, limits, *scene.beta));
+        } catch (const DomainError&) {
+        } catch (const PrecisionError&) {
+        }
+    }
+
+    std::vector<OtherMotion> all() {
+        follow(at_rest<double>(N), "start from rest");
+        const bool damped = std::ranges::all_of(system.basis.zeta, [](double zeta) { return zeta > 0; });
+        if (scene.mu == 1 && damped) return motions;
+        from_displaced_contact();
+        from_sliding();
+        from_seeds();
+        for (const double side : {-1.0, 1.0}) {
+            sweep(side * sweep_reach, 0, side < 0 ? "sweep of r upwards" : "sweep of r downwards");
+            sweep(0, side * 2 * sweep_reach, side < 0 ? "sweep of beta upwards" : "sweep of beta downwards");
+        }
+        return motions;
+    }
+
+private:
+    [[nodiscard]] Excitation<double> at(double r, double beta) const { return {r, beta, scene.mu}; }
+
+    void from_sliding() {
+        if (!sliding) return;
+        for (const double factor : {1.0, 0.5, 2.0})
+            try_start(scaled(*sliding, factor), "sliding motion times " + std::to_string(factor).substr(0, 3));
+    }
+
+    void from_displaced_contact() {
+        const std::size_t j = system.contact.index;
+        for (const double x : {0.5, 1.0, -1.0, 3.0}) {
+            State<double> z = at_rest<double>(N);
+            z.x[j] = x * size[j];
+            try_start(z, "contact displaced, all at rest");
+        }
+    }
+
+    void from_seeds() {
+        std::mt19937_64 generator(20220535);
+        const auto uniform = [&] { return static_cast<double>(generator() >> 11) * 0x1p-52 - 1; };
+        for (int n = 0; n < seeded_starts; ++n) {
+            State<double> z = at_rest<double>(N);
+            const double scale = std::ldexp(1.0, n % 4 - 2);
+            for (std::size_t k = 0; k < N; ++k) {
+                z.x[k] = scale * size[k] * uniform();
+                z.x_prime[k] = scale * size[k] * uniform();
+            }
+            try_start(z, "random start " + std::to_string(n + 1));
+        }
+    }
+
+    // Orbits of points on the way to the scene's, each started from the one before.
+    void sweep(double r_away, double beta_away, const std::string& found) {
+        std::optional<State<double>> z = sliding && beta_away < 0 ? *sliding : at_rest<double>(N);
+        for (int n = 0; n < sweep_steps; ++n) {
+            const double left = 1 - static_cast<double>(n) / sweep_steps;
+            solver.set(at(*scene.r * (1 + r_away * left), *scene.beta * (1 + beta_away * left)));
+            const PeriodicOrbit<double> orbit = periodic_orbit(solver, *z, search(true));
+            if (orbit.status == OrbitStatus::not_converged) break;
+            z = orbit.start;
+        }
+        solver.set(at(*scene.r, *scene.beta));
+        try_start(*z, found);
+    }
+
+    [[nodiscard]] static OrbitSearch<double> search(bool follow_start) {
+        OrbitSearch<double> how;
+        how.most_periods = follow_start ? most_periods_followed : 8;
+        how.follow_start = follow_start;
+        return how;
+    }
+
+    void try_start(const State<double>& start, const std::string& found) {
+        follow(start, found);
+        const PeriodicOrbit<double> orbit = periodic_orbit(solver, start, search(false));
+        if (orbit.status == OrbitStatus::periodic) add(orbit, orbit.start, "Newton's method from: " + found);
+    }
+
+    void follow(const State<double>& start, const std::string& found) {
+        const PeriodicOrbit<double> orbit = periodic_orbit(solver, start, search(true));
+        if (orbit.status != OrbitStatus::not_converged) add(orbit, start, found);
+    }
+
+    void add(const PeriodicOrbit<double>& orbit, const State<double>& from, const std::string& found) {
+        const bool rests = orbit.status == OrbitStatus::permanently_stuck;
+        for (const OtherMotion& known : motions)
+            if (rests ? known.regime == Regime::permanent_sticking : same(known, orbit)) return;
+        OtherMotion motion{rests                 ? Regime::permanent_sticking
+                           : orbit.stops.empty() ? Regime::continuous
+                                                 : Regime::stick_slip,
+                           from,
+                           found,
+                           orbit.periods,
+                           orbit.symmetric,
+                           stability_of(orbit),
+                           {},
+                           {},
+                           orbit.start,
+                           std::nullopt};
+        if (rests) {
+            const HeldSolution held = held_solution(scene, system.stuck, digits_by_default);
+            motion.masses = held.masses;
+            motion.rest_interval = held.rest_interval;
+            motion.rest_interval->rests_at =
+                certified(Bounded<double>(orbit.start.x[system.contact.index], orbit.error_bound), digits_by_default);
+        } else {
+            const OrbitSolution found_orbit = orbit_solution(solver, orbit, digits_by_default);
+            motion.masses = found_orbit.masses;
+            motion.stops = found_orbit.stops;
+        }
+        motions.push_back(std::move(motion));
+    }
+
+    // The same motion, or one that is some periods of the force behind.
+    bool same(const OtherMotion& known, const PeriodicOrbit<double>& orbit) {
+        if (known.regime == Regime::permanent_sticking || known.periods != orbit.periods) return false;
+        double scale = 0;
+        for (const std::vector<double>* part : {&orbit.start.x, &orbit.start.x_prime})
+            for (const double each : *part) scale = std::max(scale, std::abs(each));
+        const double near = 1e-6 * scale + 4 * orbit.error_bound;
+        State<double> z = orbit.start;
+        for (int n = 0; n < orbit.periods; ++n) {
+            double apart = 0;
+            for (std::size_t k = 0; k < N; ++k)
+                apart = std::max({apart, std::abs(z.x[k] - known.start.x[k]), std::abs(z.x_prime[k] - known.start.x_prime[k])});
+            if (apart <= near) return true;
+            z = State<double>(solver.run(z, 0, 2 * pi<double>()).end);
+        }
+        return false;
+    }
+
+    const Scene<double>& scene;
+    ContactSystem<double> system;
+    ExactSolver<double> solver;
+    std::size_t N;
+    std::vector<double> size; // of the motion without friction
+    std::optional<State<double>> sliding;
+    std::vector<OtherMotion> motions;
+};
+
+} // namespace
+
+std::vector<OtherMotion> other_motions(const Scene<double>& scene) { return Explorer(scene).all(); }
+
+} // namespace denhartog

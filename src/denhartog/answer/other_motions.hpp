@@ -1,0 +1,22 @@
+/// @file
+/// @brief Steady motions of one scene from many starts: seeded ones, and orbits met on sweeps in r and beta.
+///
+/// With mu > 1 the motion depends on the start. What is listed was found; what was not found may still exist. The starts are the
+/// same in every run.
+#pragma once
+
+#include "denhartog/answer/solution.hpp"
+
+namespace denhartog {
+
+/// @brief Distinct steady motions, the one from rest first.
+///
+/// Starts: rest; the sliding motion of the closed form, and larger and smaller ones; the contact displaced to either side; random
+/// states in the size of the motion without friction; the orbits of neighbouring r and beta, from both sides. Unstable orbits
+/// are those that Newton's method finds from the same starts. Where the motion is known to be unique the start from rest alone
+/// is followed.
+/// @param scene  the scene, with r and beta
+/// @return       the motions; none where no start leads to one
+[[nodiscard]] std::vector<OtherMotion> other_motions(const Scene<double>& scene);
+
+} // namespace denhartog

@@ -1,0 +1,155 @@
+#include "denhartog/answer/sliding_point.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "denhartog/sums/chain_sums.hpp"
+
+namespace denhartog {
+namespace {
+
+constexpr int most_digits_searched_in_double = 13;
+
+template <class T>
+constexpr bool is_double = std::same_as<T, double>;
+
+// An error that is no number is unbounded.
+template <class T>
+double as_error(const T& error) {
+    return error >= 0 ? static_cast<double>(error) : std::numeric_limits<double>::infinity();
+}
+
+template <class T>
+double relative(const Bounded<T>& a) {
+    return a.e == 0 ? 0 : a.x == 0 ? 1 : as_error(T(a.e / size_of_number(a.x)));
+}
+
+template <class T>
+std::vector<Bounded<T>> as_bounded(const std::vector<T>& numbers) {
+    return {numbers.begin(), numbers.end()};
+}
+
+// Instants in a wider type; the end of the half-period stays the end.
+template <class T>
+std::vector<T> widened(const std::vector<double>& instants) {
+    std::vector<T> wide;
+    for (const double tau : instants) wide.push_back(tau >= pi<double>() ? pi<T>() : T(tau));
+    return wide;
+}
+
+template <class T>
+Boundary<Bounded<T>> boundary_with(const ModeSums<Bounded<T>>& sums, const Bounded<T>& mu, const std::vector<T>& demands) {
+    const std::vector<Bounded<T>> instants = as_bounded(demands);
+    return boundary_at(sums, mu, instants.front(), std::vector<Bounded<T>>(instants.begin() + 1, instants.end()));
+}
+
+template <class T>
+Attempted errors_of_boundary(const Boundary<Bounded<T>>& b) {
+    // The load does not reach the contact: in 50 digits this is believed.
+    if (!is_double<T> && b.exact.x == 0 && b.paper.x == 0) return {0};
+    Attempted all{std::max({relative(b.exact), relative(b.paper), relative(b.approximate)})};
+    if (b.sticking) all.relative = std::max(all.relative, relative(*b.sticking));
+    return all;
+}
+
+template <class T>
+double error_of_masses(const SteadyState<Bounded<T>>& state, std::optional<Mass> only) {
+    T largest(0);
+    for (const auto& m : state.masses) largest = std::max(largest, m.amplitude.x);
+    double error = 0;
+    for (std::size_t k = 0; k < state.masses.size(); ++k) {
+        if (only && k != only->index) continue;
+        const MassResponse<Bounded<T>>& m = state.masses[k];
+        const T of_mass = std::max({m.x0.e, m.v0.e, m.amplitude.e, m.amplitude_monoharmonic.e});
+        // A mass that does not move; of the one that is asked about double cannot tell.
+        if ((!only || !is_double<T>)&&m.amplitude.x <= of_mass && of_mass <= largest * unit_of<T>() * 1024) continue;
+        error = std::max(
+            {error, relative(Bounded<T>{m.amplitude.x, of_mass}), as_error(m.phase.e), as_error(m.phase_monoharmonic.e)});
+    }
+    return error;
+}
+
+// The point with the instants known from a search on the values of `searched`: the sums themselves, or rounded to double.
+template <class T, class Searched>
+SlidingPoint<T> point_at(const Scene<T>& scene, const ModeSums<Bounded<T>>& sums, const PointWish& wish,
+                         const ModeSums<Bounded<Searched>>& searched) {
+    const ModeSums<Searched> values = values_of(searched);
+    const auto in_type = [](const std::vector<Searched>& instants) {
+        if constexpr (std::same_as<T, Searched>)
+            return instants;
+        else
+            return widened<T>(instants);
+    };
+    const std::vector<Searched> demands = instants_of_demands(values);
+    SlidingPoint<T> point{sums, boundary_with(sums, as_input(scene.mu), in_type(demands)), std::nullopt, std::nullopt};
+    Boundary<Bounded<T>>& b = point.boundary;
+    if constexpr (!std::same_as<T, Searched>) { // a larger value elsewhere is larger by no more than the search could tell
+        const Boundary<Bounded<double>> narrow = boundary_with(searched, as_input(static_cast<double>(scene.mu)), demands);
+        b.exact.e += T(narrow.exact.e);
+        b.paper.e += T(narrow.paper.e);
+    }
+    if (wish.limits || !scene.beta) point.attempted = errors_of_boundary(b);
+    if (!scene.beta) return point;
+    point.regime = regime_at(b, *scene.beta);
+    point.attempted.decided = !point.regime->on_boundary;
+    if (point.regime->regime != Regime::continuous || !wish.motion) return point;
+    const Bounded<Searched> beta = as_input(static_cast<Searched>(*scene.beta));
+    const std::vector<Searched> maxima = instants_of_maxima(values, beta.x, wish.only);
+    point.state = steady_state_at(sums, as_input(*scene.beta), as_bounded(in_type(maxima)), wish.only);
+    if constexpr (!std::same_as<T, Searched>) {
+        const SteadyState<Bounded<double>> narrow = steady_state_at(searched, beta, as_bounded(maxima), wish.only);
+        for (std::size_t k = 0; k < maxima.size(); ++k)
+            if (k != sums.contact.index) point.state->masses[k].amplitude.e += T(narrow.masses[k].amplitude.e);
+    }
+    point.attempted.relative = std::max(point.attempted.relative, error_of_masses(*point.state, wish.only));
+    return point;
+}
+
+} // namespace
+
+template <class T>
+SceneIn<T> scene_with_modes(const SceneSource& source) {
+    Scene<T> scene = scene_in<T>(source);
+    const auto with = [&] {
+        return std::make_shared<const ModalBasis<Bounded<T>>>(with_errors(scene.system, modal_basis(scene.system)));
+    };
+    if (is_double<T> || scene.system.damping_matrix.size() == 0) {
+        auto basis = with();
+        return {std::move(scene), std::move(basis)};
+    }
+    try {
+        auto basis = with();
+        return {std::move(scene), std::move(basis)};
+    } catch (const InputError&) {
+        const std::vector<double> zeta = modal_basis(source.in_double().system).zeta;
+        scene.system.damping_ratios.assign(zeta.begin(), zeta.end());
+        scene.system.damping_matrix.resize(0, 0);
+        auto basis = with();
+        return {std::move(scene), std::move(basis)};
+    }
+}
+
+template <class T>
+SlidingPoint<T> sliding_point(const Scene<T>& scene, BoundedModes<T>& modes, const PointWish& wish) {
+    const ModeSums<Bounded<T>> sums = bounded_sums(scene.system, modes);
+    if constexpr (!is_double<T>) {
+        if (wish.digits <= most_digits_searched_in_double) {
+            try {
+                SlidingPoint<T> point = point_at(scene, sums, wish, in_double(sums));
+                if (point.attempted.decided && point.attempted.relative <= std::pow(10.0, -wish.digits)) return point;
+            } catch (const DomainError&) {
+            } catch (const PrecisionError&) {
+            }
+        }
+    }
+    return point_at(scene, sums, wish, sums);
+}
+
+template SceneIn<double> scene_with_modes(const SceneSource&);
+template SceneIn<Real50> scene_with_modes(const SceneSource&);
+template SceneIn<Real100> scene_with_modes(const SceneSource&);
+template SlidingPoint<double> sliding_point(const Scene<double>&, BoundedModes<double>&, const PointWish&);
+template SlidingPoint<Real50> sliding_point(const Scene<Real50>&, BoundedModes<Real50>&, const PointWish&);
+template SlidingPoint<Real100> sliding_point(const Scene<Real100>&, BoundedModes<Real100>&, const PointWish&);
+
+} // namespace denhartog

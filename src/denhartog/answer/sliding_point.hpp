@@ -1,0 +1,63 @@
+/// @file
+/// @brief Boundary, regime and, where the contact slides throughout, the steady state of one point, every number with its bound.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "denhartog/answer/certify.hpp"
+#include "denhartog/answer/scene_source.hpp"
+#include "denhartog/sliding/regime.hpp"
+#include "denhartog/sliding/steady_state.hpp"
+#include "denhartog/sums/bounded_modes.hpp"
+
+namespace denhartog {
+
+/// @brief A scene in one number type with its modal basis.
+template <class T>
+struct SceneIn {
+    Scene<T> scene;                                      ///< the scene
+    std::shared_ptr<const ModalBasis<Bounded<T>>> basis; ///< its modes with bounds of their errors
+};
+
+/// @brief A scene in a number type. A damping matrix that is rounded to double need not decouple the modes to more digits than
+/// those: it then counts as the damping ratios that it has in double.
+/// @param source  the scene
+/// @return        the scene with its basis
+/// @throws        InputError where the scene breaks a rule; PrecisionError as `modal_basis`
+template <class T>
+[[nodiscard]] SceneIn<T> scene_with_modes(const SceneSource& source);
+
+/// @brief What is known of a point.
+template <class T>
+struct SlidingPoint {
+    ModeSums<Bounded<T>> sums;                    ///< modes at the frequency ratio
+    Boundary<Bounded<T>> boundary;                ///< the boundary there
+    std::optional<RegimeAtPoint> regime;          ///< the regime; none without a friction ratio
+    std::optional<SteadyState<Bounded<T>>> state; ///< the steady state, in the sliding regime and where it was asked for
+    Attempted attempted{0};                       ///< the largest error, and whether the regime is certain
+};
+
+/// @brief What is asked of a point.
+struct PointWish {
+    bool motion = true;         ///< whether the steady state is wanted too, or boundary and regime alone
+    bool limits = true;         ///< whether the friction ratios of the boundary must have the digits, or the regime be certain
+    std::optional<Mass> only{}; ///< the one mass that must have the digits: no other has a maximum; none for all
+    int digits = digits_by_default; ///< significant digits wanted
+};
+
+/// @brief The point of a scene.
+///
+/// The instants of the maxima are searched for on values alone, in double where that settles them to the digits wanted, and the
+/// formulas are then evaluated there with bounds. Errors count relative to amplitudes and friction ratios, absolute for phases. A
+/// mass that does not move, and a contact that the load does not reach, have none.
+/// @eq{38,39,44,45,47,52,53,69}
+/// @param scene  the scene, with r; without beta the boundary alone is computed
+/// @param modes  its modes at r
+/// @param wish   what is asked
+/// @return       the point
+/// @throws       DomainError at a pole of a mode without damping; PrecisionError where a maximum is not settled
+template <class T>
+[[nodiscard]] SlidingPoint<T> sliding_point(const Scene<T>& scene, BoundedModes<T>& modes, const PointWish& wish);
+
+} // namespace denhartog

@@ -1,0 +1,86 @@
+#include "denhartog/answer/sliding_solution.hpp"
+
+#include <algorithm>
+
+namespace denhartog {
+namespace {
+
+constexpr std::size_t most_masses_to_step_up = 40;
+
+template <class T>
+SolvedMass solved_mass(const MassResponse<Bounded<T>>& m, int digits, bool with_motion) {
+    const auto number = [digits](const Bounded<T>& x) { return certified(x, digits); };
+    SolvedMass mass{number(m.amplitude), std::nullopt, std::nullopt};
+    if (m.amplitude.x > m.amplitude.e) mass.phase = number(m.phase);
+    if (with_motion)
+        mass.sliding = SlidingOfMass{number(m.x0), number(m.v0), number(m.instant), number(m.amplitude_monoharmonic),
+                                     number(m.phase_monoharmonic)};
+    return mass;
+}
+
+} // namespace
+
+template <class T>
+void write_point(const Scene<T>& scene, const SlidingPoint<T>& point, int digits, Asked asked, Solution& s) {
+    const auto number = [digits](const Bounded<T>& x) { return certified(x, digits); };
+    const Boundary<Bounded<T>>& b = point.boundary;
+    s.limits = Limits{number(b.exact), number(b.paper), number(b.approximate), std::nullopt, b.binding};
+    if (b.sticking) s.limits->sticking = number(*b.sticking);
+    if (!point.regime) return;
+    s.regime = *point.regime;
+    RegimeBoundary<Bounded<T>> by_56 = b;
+    by_56.exact = b.paper;
+    const Bounded<T> beta(*scene.beta);
+    const Regime other = regime_of(by_56, beta);
+    s.regime_by_56 =
+        other != regime_of(static_cast<const RegimeBoundary<Bounded<T>>&>(b), beta) ? std::optional(other) : std::nullopt;
+    s.masses.clear();
+    if (!point.state) return;
+    for (const MassResponse<Bounded<T>>& m : point.state->masses)
+        s.masses.push_back(solved_mass(m, digits, asked == Asked::motion));
+}
+
+Solution sliding_solution(const SceneSource& source, const SlidingQuestion& question) {
+    const Aim aim = aim_of(question.digits);
+    const Scene<double> scene = source.in_double();
+    check(scene);
+    if (!scene.r) throw InputError("r", "must be given", "");
+    Solution s;
+    s.asked = question.asked;
+    s.contact = scene.system.contact;
+    const auto attempt = [&]<class T>(std::type_identity<T>) {
+        SceneIn<T> in;
+        std::optional<BoundedModes<T>> own;
+        BoundedModes<T>* modes = nullptr;
+        if constexpr (std::same_as<T, double>) modes = question.modes;
+        if (modes != nullptr) {
+            in.scene = scene_in<T>(source);
+        } else {
+            in = scene_with_modes<T>(source);
+            modes = &own.emplace(in.basis, as_input(*in.scene.r));
+        }
+        // Where mu > 1 the motion from rest may be the sliding one.
+        const bool motion = question.asked != Asked::regime || scene.mu > 1;
+        const bool limits = question.asked == Asked::motion || question.asked == Asked::regime;
+        const SlidingPoint<T> point = sliding_point(in.scene, *modes, {motion, limits, question.only, aim.digits});
+        s.r = exactly(*in.scene.r, aim.digits);
+        s.mu = exactly(in.scene.mu, aim.digits);
+        if (in.scene.beta) s.beta = exactly(*in.scene.beta, aim.digits);
+        write_point(in.scene, point, aim.digits, question.asked, s);
+        s.method.model = point.state ? "closed form" : "boundary of the sliding regime";
+        return point.attempted;
+    };
+    const bool stays = number_of_masses(scene.system) > most_masses_to_step_up && !question.digits;
+    const Certainty found = certify(aim, attempt, stays ? Precision::in_double : Precision::in_100_digits);
+    s.method.precision = name(found.precision);
+    s.method.why = found.why;
+    s.relative_error = found.relative;
+    s.digits_reached = found.relative <= aim.tolerance;
+    return s;
+}
+
+template void write_point(const Scene<double>&, const SlidingPoint<double>&, int, Asked, Solution&);
+template void write_point(const Scene<Real50>&, const SlidingPoint<Real50>&, int, Asked, Solution&);
+template void write_point(const Scene<Real100>&, const SlidingPoint<Real100>&, int, Asked, Solution&);
+
+} // namespace denhartog

@@ -1,0 +1,26 @@
+#include "denhartog/answer/solution.hpp"
+
+#include <algorithm>
+
+#include "denhartog/number/errors.hpp"
+
+namespace denhartog {
+
+double error_of_displacements(const SolvedMass& m) {
+    if (!m.sliding) return m.amplitude.error;
+    return std::max({m.sliding->x0.error, m.sliding->v0.error, m.amplitude.error, m.sliding->amplitude_monoharmonic.error});
+}
+
+const SolvedMass& mass_of(const Solution& s, Mass k) {
+    const std::size_t n = s.only == k ? 0 : k.index;
+    if (n >= s.masses.size() || (s.only && s.only != k))
+        throw DomainError("the answer has no amplitude of mass " + std::to_string(k.index + 1) +
+                          (s.masses.empty() ? ": the closed form does not hold, or the regime alone was asked for" : ""));
+    return s.masses[n];
+}
+
+const Certified& Solution::amplitude(Mass k) const { return mass_of(*this, k).amplitude; }
+
+const std::optional<Certified>& Solution::phase(Mass k) const { return mass_of(*this, k).phase; }
+
+} // namespace denhartog

@@ -1,0 +1,122 @@
+/// @file
+/// @brief Numbers as decimal text.
+#include "denhartog/number/number_text.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <concepts>
+#include <limits>
+
+#include "denhartog/number/multiprecision.hpp"
+
+namespace denhartog {
+namespace {
+
+constexpr std::size_t longest_text = 5000;
+constexpr int largest_exponent = 5000;
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+/// The parts of a text that is written as a JSON number.
+struct Parts {
+    bool valid = false;        ///< written as JSON writes a number
+    bool zero = true;          ///< no digit but 0 before the exponent
+    std::string_view exponent; ///< what follows the e, without a plus sign
+};
+
+Parts take_apart(std::string_view text) {
+    Parts parts;
+    std::size_t at = 0;
+    const auto digits = [&] {
+        const std::size_t from = at;
+        for (; at < text.size() && is_digit(text[at]); ++at) parts.zero = parts.zero && text[at] == '0';
+        return at - from;
+    };
+    if (at < text.size() && text[at] == '-') ++at;
+    const std::size_t whole_from = at;
+    const std::size_t whole = digits();
+    if (whole == 0 || (whole > 1 && text[whole_from] == '0')) return parts;
+    if (at < text.size() && text[at] == '.') {
+        ++at;
+        if (digits() == 0) return parts;
+    }
+    if (at < text.size() && (text[at] == 'e' || text[at] == 'E')) {
+        ++at;
+        if (at < text.size() && text[at] == '+') ++at;
+        const std::size_t from = at;
+        if (at < text.size() && text[at] == '-' && text[at - 1] != '+') ++at;
+        const std::size_t digits_from = at;
+        while (at < text.size() && is_digit(text[at])) ++at;
+        if (at == digits_from) return parts;
+        parts.exponent = text.substr(from, at - from);
+    }
+    parts.valid = at == text.size();
+    return parts;
+}
+
+template <std::floating_point T>
+T convert(std::string_view text) {
+    T x = 0;
+    const auto result = std::from_chars(text.data(), text.data() + text.size(), x);
+    if (result.ec != std::errc::result_out_of_range) return x;
+    const bool small = text.find("e-") != text.npos || text.find("E-") != text.npos;
+    return small ? T(0) : std::numeric_limits<T>::infinity();
+}
+
+template <class T>
+T convert(std::string_view text) {
+    return T(std::string(text));
+}
+
+} // namespace
+
+template <class T>
+std::string number_to_text(const T& x) {
+    using std::isfinite;
+    using std::isnan;
+    if (isnan(x)) return "nan";
+    if (!isfinite(x)) return x > 0 ? "inf" : "-inf";
+    if constexpr (std::floating_point<T>) {
+        char text[64];
+        return {text, std::to_chars(text, text + sizeof text, x).ptr};
+    } else {
+        return x.str(std::numeric_limits<T>::max_digits10);
+    }
+}
+
+std::string number_rule(NumberFault fault) {
+    switch (fault) {
+    case NumberFault::none: return "is a number";
+    case NumberFault::no_number: return "must be written as a number";
+    case NumberFault::too_large: return "must not be beyond the largest number of this precision";
+    case NumberFault::too_small: return "must be zero or not below the smallest number of this precision";
+    case NumberFault::too_long: return "must have at most 5000 characters and an exponent of at most 5000";
+    }
+    return {};
+}
+
+template <class T>
+NumberFault number_from_text(std::string_view text, T& value) {
+    if (text.size() > longest_text) return NumberFault::too_long;
+    const Parts parts = take_apart(text);
+    if (!parts.valid) return NumberFault::no_number;
+    int exponent = 0;
+    const auto read = std::from_chars(parts.exponent.data(), parts.exponent.data() + parts.exponent.size(), exponent);
+    if (read.ec == std::errc::result_out_of_range || std::abs(exponent) > largest_exponent) return NumberFault::too_long;
+    const T x = convert<T>(text);
+    using std::isfinite;
+    if (!isfinite(x)) return NumberFault::too_large;
+    if (x == 0 && !parts.zero) return NumberFault::too_small;
+    value = x;
+    return NumberFault::none;
+}
+
+template std::string number_to_text(const double&);
+template std::string number_to_text(const Real50&);
+template std::string number_to_text(const Real100&);
+template NumberFault number_from_text(std::string_view, double&);
+template NumberFault number_from_text(std::string_view, Real50&);
+template NumberFault number_from_text(std::string_view, Real100&);
+
+} // namespace denhartog

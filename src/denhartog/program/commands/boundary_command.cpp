@@ -1,0 +1,114 @@
+#include "denhartog/program/commands/commands.hpp"
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "denhartog/number/number_text.hpp"
+#include "denhartog/program/commands/scene_command.hpp"
+#include "denhartog/program/solution_json.hpp"
+#include "denhartog/program/table.hpp"
+#include "denhartog/sliding/invariant_points.hpp"
+
+namespace denhartog::program {
+namespace {
+
+std::string boundary_table(const Json& a) {
+    const Json& b = a.at("beta_lim");
+    std::string text = aligned({{"r", in_table(a.at("r"))},
+                                {"mu", in_table(a.at("mu"))},
+                                {"beta_lim exact", in_table(b.at("exact"))},
+                                {"beta_lim paper (56)", in_table(b.at("paper"))},
+                                {"beta_lim approximate (67)", in_table(b.at("approximate"))},
+                                {"permanent sticking from", b.contains("sticking") ? in_table(b.at("sticking")) : "-"},
+                                {"binding condition", a.at("binding_condition").get<std::string>()}});
+    if (a.contains("reason")) text += a.at("reason").get<std::string>() + "\n";
+    return text + "\n";
+}
+
+struct BoundaryOptions : SceneOptions {
+    std::string range; ///< A:B, where invariant points are asked for; else empty
+};
+
+constexpr const char* range_name = "--invariant-points";
+
+template <class T>
+T end_of_range(const std::string& text, const std::string& range) {
+    T value{};
+    if (number_from_text(text, value) != NumberFault::none) throw InputError(range_name, "must be A:B, two numbers", range);
+    return value;
+}
+
+template <class T>
+Json invariant_points_json(const Scene<T>& scene, const std::string& range, const NumberWriter& write) {
+    const int digits = write.digits.value_or(1);
+    const std::size_t colon = range.find(':');
+    if (colon == std::string::npos) throw InputError(range_name, "must be A:B, two numbers", range);
+    const T r_a = end_of_range<T>(range.substr(0, colon), range), r_b = end_of_range<T>(range.substr(colon + 1), range);
+    Json all = Json::array();
+    for (const InvariantPointsOfMass<T>& mass :
+         invariant_points(modal_basis(scene.system), scene.system.contact, scene.system.load, r_a, r_b)) {
+        Json points = Json::array();
+        for (const InvariantPoint<T>& p : mass.points)
+            points.push_back({{"r", write(exactly(p.r, digits))},
+                              {"amplitude", write(exactly(p.amplitude, digits))},
+                              {"kind", p.kind == InvariantPointKind::two_effects_cancel ? "87" : "U_k = 0"}});
+        all.push_back({{"mass", mass.mass.index + 1}, {"points", points}});
+        for (const UndecidedStretch<T>& u : mass.undecided)
+            all.back()["undecided"].push_back({write(exactly(u.from, digits)), write(exactly(u.to, digits))});
+    }
+    return all;
+}
+
+std::string invariant_points_table(const Json& masses) {
+    std::vector<std::vector<std::string>> rows{{"mass", "invariant at r", "amplitude", "where"}};
+    for (const Json& mass : masses) {
+        for (const Json& p : mass.at("points"))
+            rows.push_back(
+                {in_table(mass.at("mass")), in_table(p.at("r")), in_table(p.at("amplitude")), p.at("kind").get<std::string>()});
+        if (mass.contains("undecided"))
+            for (const Json& u : mass.at("undecided"))
+                rows.push_back({in_table(mass.at("mass")), in_table(u[0]) + " to " + in_table(u[1]), "-", "undecided"});
+    }
+    return aligned(rows) + "\n";
+}
+
+std::string bound(const SceneText& part, const BoundaryOptions& options) {
+    const SceneSource source = without_friction_ratio(scene_source(part));
+    const NumberWriter write{options.digits};
+    Json answer = boundary_json(answer_or_reason(source, options.digits), write);
+    if (!options.range.empty()) {
+        if (options.digits.value_or(0) > 45)
+            throw InputError("--digits", "must be at most 45 for invariant points", std::to_string(*options.digits));
+        answer["invariant_points"] = options.digits ? invariant_points_json(source.in_50_digits(), options.range, write)
+                                                    : invariant_points_json(source.in_double(), options.range, write);
+    }
+    if (options.json) return answer.dump() + "\n";
+    return boundary_table(answer) + (options.range.empty() ? "" : invariant_points_table(answer.at("invariant_points")));
+}
+
+} // namespace
+
+void add_boundary_command(CLI::App& app, ExitStatus& status) {
+    CLI::App* command =
+        app.add_subcommand("boundary", "The friction ratio at which continuous sliding ends, four ways (beta is not needed)");
+    const auto options = std::make_shared<BoundaryOptions>();
+    add_scene_options(*command, *options);
+    add_digits_option(*command, *options);
+    command->add_option(
+        range_name, options->range,
+        "A:B lists the frequency ratios from A to B at which the amplitude of a mass does not depend on friction, (87)");
+    command->footer(
+        "exact: (69) with the maximum over tau of the sum over modes; paper: (69) with the sum of the modes' maxima, (56);\n"
+        "approximate: (67); sticking: the smallest beta at which the contact never moves, absent where there is none.\n"
+        "binding_condition: 54a, the contact would turn back within the half-period; 54b, static friction would hold it at\n"
+        "the end of the half-period.\n"
+        "invariant_points: every mass with its points, damping left out: r, the monoharmonic amplitude (52) there at every\n"
+        "friction ratio, and kind: 87, a root of (87); U_k = 0, the factor that (87) divides out. undecided: stretches of r in\n"
+        "which rounding hides whether there is a point. With --digits they are computed in 50 digits.");
+    command->callback([options, &status] {
+        answer_scenes(
+            *options, [&](const SceneText& part) { return bound(part, *options); }, status);
+    });
+}
+
+} // namespace denhartog::program

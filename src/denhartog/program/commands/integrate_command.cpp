@@ -1,0 +1,188 @@
+#include "denhartog/program/commands/commands.hpp"
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <vector>
+
+#include "denhartog/answer/scene_source.hpp"
+#include "denhartog/number/number_text.hpp"
+#include "denhartog/paper_algorithm/exact_cycles.hpp"
+#include "denhartog/paper_algorithm/paper_algorithm.hpp"
+#include "denhartog/paper_algorithm/regime_seen.hpp"
+#include "denhartog/program/commands/scene_command.hpp"
+#include "denhartog/program/files.hpp"
+#include "denhartog/program/number_json.hpp"
+#include "denhartog/program/table.hpp"
+
+namespace denhartog::program {
+namespace {
+
+struct IntegrateOptions {
+    SceneOptions scene;
+    std::string method = "paper";
+    std::string start;
+    PaperSettings settings;
+};
+
+std::string name(IntegrationStatus status) {
+    switch (status) {
+    case IntegrationStatus::complete: return "complete";
+    case IntegrationStatus::chattering: return "chattering";
+    case IntegrationStatus::step_limit: return "step_limit";
+    case IntegrationStatus::overflow: return "overflow";
+    }
+    return {};
+}
+
+Json mass_json(std::size_t k, const PaperMassMotion& m) {
+    const NumberWriter write;
+    Json all{{"mass", k + 1}, {"amplitude", write(m.amplitude)}};
+    if (m.phase) all["phase"] = write(*m.phase);
+    return all;
+}
+
+Json motion_json(const PaperMotion& m, const Scene<double>& scene, const IntegrateOptions& options) {
+    const NumberWriter write;
+    const bool paper = options.method == "paper";
+    Json all{{"method", options.method}, {"status", name(m.status)}};
+    if (m.status != IntegrationStatus::complete) all["reason"] = m.reason;
+    all["r"] = write(*scene.r);
+    all["beta"] = write(*scene.beta);
+    all["cycles"] = options.settings.cycles;
+    if (paper) {
+        const double absolute = options.settings.absolute_tolerance;
+        all["absolute_tolerance"] = write(absolute);
+        all["relative_tolerance"] = write(options.settings.relative_tolerance.value_or(absolute));
+    }
+    if (m.status == IntegrationStatus::complete) {
+        const std::size_t j = scene.system.contact.index;
+        all["regime"] = denhartog::name(regime_seen(m));
+        all["contact"] = mass_json(j, m.masses[j]);
+        all["masses"] = Json::array();
+        for (std::size_t k = 0; k < m.masses.size(); ++k) all["masses"].push_back(mass_json(k, m.masses[k]));
+        if (!m.rests) {
+            all["stops_per_period"] = m.stops.size();
+            all["stops"] = Json::array();
+            for (const Stop<double>& stop : m.stops)
+                all["stops"].push_back({{"start", write(stop.start)}, {"end", write(stop.end)}, {"x", write(stop.x)}});
+        }
+    }
+    Json counters = Json::object();
+    if (paper) counters = {{"steps", m.steps}, {"rejected_steps", m.rejected_steps}, {"right_hand_sides", m.right_hand_sides}};
+    counters["phases"] = m.phases;
+    all["counters"] = counters;
+    return all;
+}
+
+std::string rows_of(const Json& objects, const std::vector<const char*>& keys) {
+    std::vector<std::vector<std::string>> rows{{keys.begin(), keys.end()}};
+    for (const Json& object : objects) {
+        rows.emplace_back();
+        for (const char* key : keys) rows.back().push_back(cell(object, key));
+    }
+    return aligned(rows);
+}
+
+std::string as_table(const Json& a) {
+    std::string text = "status: " + cell(a, "status") + (a.contains("reason") ? ": " + cell(a, "reason") : "") + "\n";
+    if (a.contains("masses")) {
+        text += "regime over the last period: " + cell(a, "regime") + "\n";
+        text += rows_of(a.at("masses"), {"mass", "amplitude", "phase"});
+        text += "contact: mass " + cell(a.at("contact"), "mass") +
+                "; displacements in units of P / k_1, phases in radians behind the force\n";
+        if (a.contains("stops") && !a.at("stops").empty())
+            text +=
+                "stops in the last period, tau from a maximum of the force:\n" + rows_of(a.at("stops"), {"start", "end", "x"});
+    }
+    std::string counters;
+    for (const auto& item : a.at("counters").items())
+        counters += (counters.empty() ? "" : ", ") + item.key() + " " + in_table(item.value());
+    return text + "method: " + cell(a, "method") + ", " + cell(a, "cycles") + " cycles; " + counters + "\n\n";
+}
+
+std::string as_csv(const PaperMotion& m) {
+    std::string csv = "tau";
+    for (const char* letter : {"x", "v"})
+        for (std::size_t k = 1; k <= m.masses.size(); ++k) csv += std::string(",") + letter + "_" + std::to_string(k);
+    csv += "\n";
+    for (std::size_t n = 0; n < m.samples.size(); ++n) {
+        csv += number_to_text(m.sample_times[n]);
+        for (const std::vector<double>* each : {&m.samples[n].x, &m.samples[n].x_prime})
+            for (const double x : *each) csv += "," + number_to_text(x == 0 ? 0.0 : x);
+        csv += "\n";
+    }
+    return csv;
+}
+
+State<double> start_from(const std::string& text, std::size_t N) {
+    std::vector<double> numbers;
+    for (std::size_t from = 0, to = 0; to != std::string::npos; from = to + 1) {
+        to = text.find(',', from);
+        const std::string part = text.substr(from, to == std::string::npos ? to : to - from);
+        const NumberFault fault = number_from_text(part, numbers.emplace_back());
+        if (fault != NumberFault::none) throw InputError("start", number_rule(fault), part);
+    }
+    if (numbers.size() != 2 * N)
+        throw InputError("start", "must have " + std::to_string(2 * N) + " numbers, displacements then velocities",
+                         std::to_string(numbers.size()));
+    const auto middle = numbers.begin() + static_cast<std::ptrdiff_t>(N);
+    return {{numbers.begin(), middle}, {middle, numbers.end()}};
+}
+
+std::string integrated(const SceneText& part, const IntegrateOptions& options, ExitStatus& status) {
+    const Scene<double> scene = scene_source(part).in_double();
+    PaperSettings settings = options.settings;
+    if (!options.start.empty()) settings.start = start_from(options.start, number_of_masses(scene.system));
+    const PaperMotion motion = options.method == "paper" ? paper_algorithm(scene, settings) : exact_cycles(scene, settings);
+    if (motion.status != IntegrationStatus::complete) {
+        status.digits_missing = true;
+        report(motion.reason + (part.alone ? "" : " (line " + std::to_string(part.line) + ")"));
+    }
+    if (settings.samples > 0) return motion.status == IntegrationStatus::complete ? as_csv(motion) : std::string();
+    const Json json = motion_json(motion, scene, options);
+    return options.scene.json ? json.dump() + "\n" : as_table(json);
+}
+
+void answer(const IntegrateOptions& options, ExitStatus& status) {
+    if (options.method != "paper" && options.method != "exact")
+        throw InputError("method", "must be paper or exact", options.method);
+    if (options.settings.samples > 0 && options.scene.json)
+        throw InputError("samples", "must not be given with --json: samples are CSV", "");
+    answer_scenes(
+        options.scene,
+        [&](const SceneText& part) {
+            if (options.settings.samples > 0 && !part.alone)
+                throw InputError("the input", "must be one scene where samples are asked for", "");
+            return integrated(part, options, status);
+        },
+        status);
+}
+
+} // namespace
+
+void add_integrate_command(CLI::App& app, ExitStatus& status) {
+    CLI::App* command =
+        app.add_subcommand("integrate", "Motion from a start over a number of periods: by the paper's algorithm or exactly");
+    const auto options = std::make_shared<IntegrateOptions>();
+    PaperSettings& settings = options->settings;
+    add_scene_options(*command, options->scene);
+    command
+        ->add_option("--method", options->method,
+                     "paper: Runge-Kutta with events, Section 3.1; exact: closed form between events")
+        ->capture_default_str();
+    command->add_option("--cycles", settings.cycles, "periods of the force, N_cyc")->capture_default_str();
+    command->add_option("--absolute-tolerance", settings.absolute_tolerance, "of displacements and velocities in a step")
+        ->capture_default_str();
+    command->add_option("--relative-tolerance", settings.relative_tolerance,
+                        "the same relative; the absolute one where it is missing");
+    command->add_option("--start", options->start, "N displacements, then N velocities, with commas; rest at zero where missing");
+    command->add_option("--samples", settings.samples,
+                        "print this many instants of the last period as CSV: tau, x_1..x_N, v_1..v_N");
+    command->footer(
+        "Amplitudes are the largest |x_k| over the last period. The phase is the instant of the largest displacement after a\n"
+        "maximum of the force, where the contact does not stop. Stops are those that end in the last period. The exact method\n"
+        "has no tolerances. Exit status 3 where the final time is not reached: status and reason then stand in the answer.");
+    command->callback([options, &status] { answer(*options, status); });
+}
+
+} // namespace denhartog::program

@@ -1,0 +1,140 @@
+#include "denhartog/program/commands/commands.hpp"
+
+#include <CLI/CLI.hpp>
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cstdio>
+#include <memory>
+#include <thread>
+
+#include "denhartog/program/files.hpp"
+#include "denhartog/program/grid_option.hpp"
+#include "denhartog/program/interruptible.hpp"
+#include "denhartog/program/map_file.hpp"
+#include "denhartog/scene/scene_json.hpp"
+
+namespace denhartog::program {
+namespace {
+
+struct MapOptions {
+    std::string scene, r, beta, output;
+    std::vector<long> masses;
+    std::string start = "rest";
+    bool boundaries = false;
+    unsigned threads = 0;
+};
+
+std::atomic<bool> stop{false};
+
+void show_columns(std::size_t done, std::size_t columns) {
+    static const bool on_terminal = ::isatty(STDERR_FILENO) != 0;
+    if (!on_terminal) return;
+    const std::size_t percent = 100 * done / columns;
+    if (done != columns && percent == 100 * (done - 1) / columns) return;
+    std::fprintf(stderr, "\r%3zu %% of %zu columns%s", percent, columns, done == columns ? "\n" : "");
+}
+
+Scene<double> scene_of(const std::string& path) {
+    const std::string text = read_input(path);
+    const std::vector<SceneText> parts = split_scenes(text);
+    if (parts.size() > 1) throw InputError("the input", "must be one scene", std::to_string(parts.size()) + " scenes");
+    const SceneOrError<double> read = read_scene<double>(parts.front());
+    if (read.error) throw *read.error;
+    return *read.scene;
+}
+
+std::vector<Mass> masses_of(const std::vector<long>& numbers, const Scene<double>& scene) {
+    if (numbers.empty()) return {scene.system.contact};
+    const std::size_t N = number_of_masses(scene.system);
+    std::vector<Mass> masses;
+    for (const long k : numbers) {
+        if (k < 1 || static_cast<std::size_t>(k) > N)
+            throw InputError("mass", "must be a mass from 1 to " + std::to_string(N), std::to_string(k));
+        const Mass mass{static_cast<std::size_t>(k) - 1};
+        if (std::ranges::find(masses, mass) != masses.end())
+            throw InputError("mass", "must not be given twice", std::to_string(k));
+        masses.push_back(mass);
+    }
+    return masses;
+}
+
+bool as_npy(const std::string& output) {
+    if (output.empty() || output.ends_with(".csv")) return false;
+    if (output.ends_with(".npy")) return true;
+    throw InputError("output", "must end in .csv or .npy", output);
+}
+
+void write(const MapOptions& options, const std::string& content) {
+    if (options.output.empty())
+        write_standard_output(content);
+    else
+        write_file(options.output, content);
+}
+
+void answer(const MapOptions& options, ExitStatus& status) {
+    const bool npy = as_npy(options.output);
+    const Scene<double> scene = scene_of(options.scene);
+    MapRequest request;
+    request.r = grid_values("r", options.r);
+    if (options.boundaries) {
+        const std::vector<BoundaryPoint> curves = boundary_curves(scene, request.r);
+        return write(options, npy ? curves_npy(request.r, curves) : curves_csv(request.r, curves));
+    }
+    if (options.beta.empty()) throw InputError("beta", "must be given as FROM:TO:COUNT", "nothing");
+    request.beta = grid_values("beta", options.beta);
+    request.masses = masses_of(options.masses, scene);
+    request.start = options.start == "sliding" ? MapStart::sliding : MapStart::rest;
+    request.threads = options.threads != 0 ? options.threads : std::max(1U, std::thread::hardware_concurrency());
+    if (!options.output.empty()) check_writable(options.output);
+    const Interruptible interruptible(stop);
+    const auto progress = [&](std::size_t done) { show_columns(done, request.r.size()); };
+    const RegimeMap map = regime_map(scene, request, stop, progress);
+    if (map.complete) return write(options, npy ? map_npy(request, map) : map_csv(request, map));
+    status.signal = interruptible.caught();
+    report("interrupted: nothing is written");
+}
+
+} // namespace
+
+void add_map_command(CLI::App& app, ExitStatus& status) {
+    CLI::App* command = app.add_subcommand("map", "Regime, amplitudes and stops per period over a grid of (r, beta)");
+    const auto options = std::make_shared<MapOptions>();
+    command->add_option("SCENE", options->scene, "file with one scene as JSON; standard input where it is - or missing");
+    command->add_option("--r", options->r, "frequency ratios, FROM:TO:COUNT with both ends")->required();
+    command->add_option("--beta", options->beta,
+                        "friction ratios, FROM:TO:COUNT with both ends; ascending values help each other");
+    command->add_option("--mass", options->masses,
+                        "mass whose amplitude is wanted, may be repeated; default the mass in contact");
+    command->add_option("--start", options->start, "which motion, where there is more than one")
+        ->check(CLI::IsMember({"rest", "sliding"}))
+        ->capture_default_str();
+    command->add_flag("--boundaries", options->boundaries, "the four boundaries over r, without a grid of beta");
+    command->add_option("--output", options->output,
+                        "file to write, .csv or .npy; it appears when it is complete. Default: CSV on standard output");
+    command->add_option("--threads", options->threads,
+                        "threads, default as many as the machine has; the map is the same for any");
+    command->footer(
+        "r and beta of the scene are not used. CSV, a line a point, beta running fastest: r, beta, regime (continuous,\n"
+        "stick_slip, permanent_sticking), stops_per_period, periods (of the force in a period of the motion), amplitude_K of\n"
+        "each mass K in units of P / k_1, status. status: answered; on_boundary, beta equals a boundary to rounding and the\n"
+        "regime could be the neighbour; not_converged, no steady motion was found; at_a_pole, a mode without damping\n"
+        "resonates; failed, double has not the digits. In the last three the numbers are nan and there is no regime.\n"
+        "NPY: an array of records (r by beta) with the same fields; regime is 0, 1, 2 in the order above and -1 for none,\n"
+        "status 0 to 4, whole numbers -1 where they are not known. A contact that rests is taken to rest at zero.\n"
+        "With mu = 1 and damping in every mode the velocities do not depend on the start. Else: --start rest follows the\n"
+        "start from rest at every point, as solve does; sliding takes the sliding motion as far as it exists and from there\n"
+        "the motion met as beta rises. With mu = 1 both take the motion from the boundaries.\n"
+        "--boundaries: r, exact, paper, approximate, sticking as `boundary` has them, status; sticking is nan where no\n"
+        "friction holds the contact. An interruption leaves no file; the exit status is then 128 plus the signal.");
+    command->callback([options, &status] {
+        try {
+            answer(*options, status);
+        } catch (const DomainError& e) {
+            throw InputError("r", std::string("must not be at a pole: ") + e.what(), "");
+        }
+    });
+}
+
+} // namespace denhartog::program

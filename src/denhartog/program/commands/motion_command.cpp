@@ -1,0 +1,98 @@
+#include "denhartog/program/commands/commands.hpp"
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "denhartog/number/number_text.hpp"
+#include "denhartog/program/commands/scene_command.hpp"
+#include "denhartog/program/files.hpp"
+#include "denhartog/solve/quantities.hpp"
+
+namespace denhartog::program {
+namespace {
+
+struct MotionOptions {
+    std::string scene;
+    std::string output;
+    long samples = 400;
+    int digits = 10;
+};
+
+std::string in_column(double x) { return "," + number_to_text(x == 0 ? 0.0 : x); }
+
+std::string as_csv(const std::vector<double>& tau, const Quantities<Bounded<double>>& q) {
+    const std::size_t N = q.x_size.size();
+    std::string csv = "tau";
+    for (const char* letter : {"x", "v"})
+        for (std::size_t k = 1; k <= N; ++k) csv += std::string(",") + letter + "_" + std::to_string(k);
+    csv += "\n";
+    for (std::size_t n = 0; n < tau.size(); ++n) {
+        csv += number_to_text(tau[n]);
+        for (const std::vector<Bounded<double>>* values : {&q.x, &q.x_prime})
+            for (std::size_t k = 0; k < N; ++k) csv += in_column((*values)[n * N + k].x);
+        csv += "\n";
+    }
+    return csv;
+}
+
+std::string sampled(const SceneText& part, const MotionOptions& options) {
+    const SceneSource source = scene_source(part);
+    const Scene<double> scene = source.in_double();
+    if (!scene.r) throw InputError("r", "must be given", "nothing", "/r");
+    if (!scene.beta) throw InputError("beta", "must be given", "nothing", "/beta");
+    std::vector<double> tau;
+    for (long n = 0; n < options.samples; ++n)
+        tau.push_back(2 * pi<double>() * static_cast<double>(n) / static_cast<double>(options.samples));
+    try {
+        const QuantitiesAnswer found = quantities(source, tau, options.digits, PointNumbers::motion);
+        if (!found.numbers.X_j)
+            throw InputError("beta",
+                             "must be below beta_lim = " + number_to_text(found.numbers.beta_lim.x) +
+                                 ", Eq. (69), for the motion to be known",
+                             number_to_text(*scene.beta), "/beta");
+        if (found.method.precision == "50 digits") report("computed in 50 digits: " + found.method.why);
+        return as_csv(tau, found.numbers);
+    } catch (const DomainError& e) {
+        throw at_a_pole(e);
+    }
+}
+
+void answer(const MotionOptions& options) {
+    if (options.samples < 1 || options.samples > most_samples)
+        throw InputError("samples", "must be from 1 to " + std::to_string(most_samples), std::to_string(options.samples));
+    const std::string text = read_input(options.scene);
+    const std::vector<SceneText> parts = split_scenes(text);
+    if (parts.size() > 1) throw InputError("the input", "must be one scene", std::to_string(parts.size()) + " scenes");
+    const std::string csv = sampled(parts.front(), options);
+    if (options.output.empty())
+        write_standard_output(csv);
+    else
+        write_file(options.output, csv);
+}
+
+} // namespace
+
+void add_motion_command(CLI::App& app, ExitStatus& status) {
+    CLI::App* command = app.add_subcommand("motion", "Displacement and velocity of every mass over one period, as CSV");
+    const auto options = std::make_shared<MotionOptions>();
+    command->add_option("SCENE", options->scene, "file with one scene as JSON; standard input where it is - or missing");
+    command->add_option("--samples", options->samples, "instants in a period")->capture_default_str();
+    command->add_option("--digits", options->digits, "significant digits of every displacement and velocity, 1 to 15")
+        ->capture_default_str();
+    command->add_option("--output", options->output, "file to write; it appears when it is complete");
+    command->footer(
+        "Columns: tau from 0 to below 2 pi, 0 at the maximum of the mass in contact; x_1..x_N in units of P / k_1; v_1..v_N,\n"
+        "the derivatives with respect to tau. Only where the contact slides throughout. Digits are relative to the amplitude "
+        "(52)\n"
+        "of the mass; where double does not have them 50 digits are taken, and standard error says so.");
+    command->callback([options, &status] {
+        try {
+            answer(*options);
+        } catch (const PrecisionError& e) {
+            status.digits_missing = true;
+            report(e.what());
+        }
+    });
+}
+
+} // namespace denhartog::program

@@ -1,0 +1,66 @@
+#include "denhartog/program/commands/commands.hpp"
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "denhartog/program/commands/scene_command.hpp"
+#include "denhartog/program/solution_json.hpp"
+#include "denhartog/program/table.hpp"
+
+namespace denhartog::program {
+namespace {
+
+std::string response_table(const Json& a) {
+    std::string text = "regime: " + a.at("regime").get<std::string>() + "\n";
+    if (a.contains("reason")) text += a.at("reason").get<std::string>() + "\n";
+    text += aligned({{"r", cell(a, "r")},
+                     {"beta", cell(a, "beta")},
+                     {"beta_lim exact", cell(a.at("beta_lim"), "exact")},
+                     {"beta_lim paper (56)", cell(a.at("beta_lim"), "paper")},
+                     {"beta_lim approximate (67)", cell(a.at("beta_lim"), "approximate")},
+                     {"permanent sticking from", cell(a.at("beta_lim"), "sticking")}});
+    if (a.contains("masses")) {
+        const std::vector<const char*> keys{"mass", "amplitude", "phase",      "amplitude_monoharmonic", "phase_monoharmonic",
+                                            "x0",   "v0",        "error_bound"};
+        std::vector<std::vector<std::string>> rows{
+            {"mass", "amplitude", "phase", "monoharmonic", "phase", "x0", "v0", "error bound"}};
+        for (const Json& m : a.at("masses")) {
+            rows.emplace_back();
+            for (const char* key : keys) rows.back().push_back(cell(m, key));
+        }
+        text += aligned(rows) + "contact: mass " + cell(a.at("contact"), "mass") +
+                "; displacements in units of P / k_1, phases in radians behind the force\n";
+    }
+    const Json& m = a.at("method");
+    return text + "method: " + m.at("model").get<std::string>() + " in " + m.at("precision").get<std::string>() + "; " +
+           m.at("why").get<std::string>() + "\n\n";
+}
+
+std::string respond(const SceneText& part, const SceneOptions& options) {
+    const SceneSource source = scene_source(part);
+    if (!source.in_double().beta) throw InputError("beta", "must be given", "nothing", "/beta");
+    const Json answer = response_json(answer_or_reason(source, options.digits), NumberWriter{options.digits});
+    return options.json ? answer.dump() + "\n" : response_table(answer);
+}
+
+} // namespace
+
+void add_response_command(CLI::App& app, ExitStatus& status) {
+    CLI::App* command =
+        app.add_subcommand("response", "Regime, amplitude and phase of every mass at the point (r, beta) of a scene");
+    const auto options = std::make_shared<SceneOptions>();
+    add_scene_options(*command, *options);
+    add_digits_option(*command, *options);
+    command->footer(
+        "In the regimes stick_slip and permanent_sticking there is a reason and no amplitude; `solve` answers there too.\n"
+        "other_regimes: regimes that exist at the same point from other initial values; on_boundary: beta equals a boundary\n"
+        "to the accuracy computed. error_bound is absolute and covers x0, v0 and both amplitudes of the mass: it is measured\n"
+        "against the same answer in more digits. A mass that does not move has no phase. Without --digits 6 digits are aimed\n"
+        "at, and more precision is taken where double has not got them.");
+    command->callback([options, &status] {
+        answer_scenes(
+            *options, [&](const SceneText& part) { return respond(part, *options); }, status);
+    });
+}
+
+} // namespace denhartog::program

@@ -1,0 +1,80 @@
+#include "denhartog/program/commands/scene_command.hpp"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+
+#include "denhartog/program/files.hpp"
+
+namespace denhartog::program {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string as_json(const InputError& e) {
+    return Json{{"error",
+                 {{"quantity", e.quantity}, {"rule", e.rule}, {"value", e.value}, {"place", e.place}, {"message", e.what()}}}}
+               .dump() +
+           "\n";
+}
+
+/// A fault of a scene's key that was found after reading has its place there too.
+InputError with_place(const InputError& e) {
+    const bool is_key = std::ranges::find(scene_keys(), e.quantity) != scene_keys().end();
+    return e.place.empty() && is_key ? InputError(e.quantity, e.rule, e.value, "/" + e.quantity) : e;
+}
+
+std::string in_place(const SceneText& part, const InputError& e) {
+    const bool has_line = e.place.find("line ") != std::string::npos;
+    return std::string(e.what()) + (part.alone || has_line ? "" : " (line " + std::to_string(part.line) + ")");
+}
+
+} // namespace
+
+void add_scene_options(CLI::App& command, SceneOptions& options) {
+    command.add_option(
+        "SCENE", options.scene,
+        "file with a scene as JSON, or with many, one a line (JSON Lines); standard input where it is - or missing");
+    command.add_flag("--json", options.json, "one JSON object a scene, one a line, in order, in place of tables");
+}
+
+void add_digits_option(CLI::App& command, SceneOptions& options) {
+    command.add_option("--digits", options.digits,
+                       "significant digits to be reached, 1 to " + std::to_string(most_digits) +
+                           "; above 15 numbers in JSON are text. Where they cannot be reached the exit status is 3");
+}
+
+void answer_scenes(const SceneOptions& options, const std::function<std::string(const SceneText&)>& answer, ExitStatus& status) {
+    const std::string text = read_input(options.scene);
+    for (const SceneText& part : split_scenes(text)) {
+        std::string output;
+        try {
+            output = answer(part);
+        } catch (const InputError& fault) {
+            const InputError e = with_place(fault);
+            status.bad_input = true;
+            report(in_place(part, e));
+            if (options.json && !part.alone) output = as_json(e);
+        } catch (const PrecisionError& e) {
+            status.digits_missing = true;
+            report(std::string(e.what()) + (part.alone ? "" : " (line " + std::to_string(part.line) + ")"));
+            if (options.json && !part.alone) output = as_json(InputError("digits", e.what(), ""));
+        }
+        write_standard_output(output);
+    }
+}
+
+InputError at_a_pole(const DomainError& e) { return InputError("r", std::string("must not be at a pole: ") + e.what(), ""); }
+
+Solution answer_or_reason(const SceneSource& source, std::optional<int> digits) {
+    try {
+        Solution found = sliding_solution(source, {Asked::motion, digits, {}});
+        if (!digits || found.digits_reached) return found;
+        throw PrecisionError("the " + std::to_string(*digits) + " digits asked for are not reached, only " +
+                             std::to_string(digits_of(found.relative_error)) + " are sure");
+    } catch (const DomainError& e) {
+        throw at_a_pole(e);
+    }
+}
+
+} // namespace denhartog::program

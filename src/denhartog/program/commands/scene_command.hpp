@@ -1,0 +1,62 @@
+/// @file
+/// @brief What the subcommands that answer scenes share: options, the walk over the scenes, errors in their place.
+#pragma once
+
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+
+#include "denhartog/answer/sliding_solution.hpp"
+#include "denhartog/number/errors.hpp"
+#include "denhartog/program/exit_status.hpp"
+#include "denhartog/scene/scene_json.hpp"
+
+namespace CLI {
+class App;
+} // namespace CLI
+
+namespace denhartog::program {
+
+/// @brief Most samples of a motion that are given.
+inline constexpr long most_samples = 10'000'000;
+
+/// @brief Options of a subcommand that answers scenes.
+struct SceneOptions {
+    std::string scene;         ///< path; empty or `-` for standard input
+    bool json = false;         ///< JSON in place of tables
+    std::optional<int> digits; ///< significant digits asked for
+};
+
+/// @brief Adds SCENE and `--json` to a subcommand.
+/// @param command  the subcommand
+/// @param options  where they go; must outlive the parse
+void add_scene_options(CLI::App& command, SceneOptions& options);
+
+/// @brief Adds `--digits`.
+/// @param command  the subcommand
+/// @param options  where it goes; must outlive the parse
+void add_digits_option(CLI::App& command, SceneOptions& options);
+
+/// @brief Answers every scene of the input in order, each written when it is complete.
+///
+/// A fault of a scene is a line on standard error; among JSON Lines it is also an object `{"error": {...}}` in the scene's place.
+/// @param options  the options
+/// @param answer   from the text of a scene to what is printed, its line end included
+/// @param status   where faults are noted
+/// @throws         InputError where the input cannot be read or the output not be written
+void answer_scenes(const SceneOptions& options, const std::function<std::string(const SceneText&)>& answer, ExitStatus& status);
+
+/// @brief The answer to a scene, with what makes it none put in words for its author.
+/// @param source  the scene
+/// @param digits  significant digits asked for
+/// @return        the answer, to the digits asked for
+/// @throws        InputError; PrecisionError where the digits asked for are not reached
+[[nodiscard]] Solution answer_or_reason(const SceneSource& source, std::optional<int> digits);
+
+/// @brief A formula asked for at a pole, as a fault of the scene's r.
+/// @param e  the error
+/// @return   the same as bad input
+[[nodiscard]] InputError at_a_pole(const DomainError& e);
+
+} // namespace denhartog::program

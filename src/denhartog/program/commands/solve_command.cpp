@@ -1,0 +1,110 @@
+#include "denhartog/program/commands/commands.hpp"
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "denhartog/number/number_text.hpp"
+#include "denhartog/program/commands/scene_command.hpp"
+#include "denhartog/program/solution_json.hpp"
+#include "denhartog/solve/sampled_solution.hpp"
+#include "denhartog/solve/solve.hpp"
+
+namespace denhartog::program {
+namespace {
+
+struct SolveOptions {
+    SceneOptions scene;
+    std::string ask = "motion";
+    bool all = false;
+    std::optional<long> mass;
+    long samples = 0;
+};
+
+Asked asked(const std::string& text) {
+    if (text == "amplitude") return Asked::amplitude;
+    if (text == "phase") return Asked::phase;
+    if (text == "regime") return Asked::regime;
+    return Asked::motion;
+}
+
+// The question; masses count from 1 here and from 0 there.
+Question question_of(const SolveOptions& options, std::size_t N) {
+    Question question{asked(options.ask), options.scene.digits, options.all};
+    if (!options.mass) return question;
+    if (*options.mass < 1 || static_cast<std::size_t>(*options.mass) > N)
+        throw InputError("mass", "must be a mass from 1 to " + std::to_string(N), std::to_string(*options.mass));
+    question.mass = Mass{static_cast<std::size_t>(*options.mass - 1)};
+    return question;
+}
+
+std::string as_csv(const SampledSolution& motion) {
+    const auto cell = [](double x) { return "," + number_to_text(x == 0 ? 0.0 : x); };
+    std::string csv = "tau";
+    for (const char* letter : {"x", "v"})
+        for (std::size_t k = 1; k <= motion.states.front().x.size(); ++k)
+            csv += std::string(",") + letter + "_" + std::to_string(k);
+    csv += "\n";
+    for (std::size_t n = 0; n < motion.tau.size(); ++n) {
+        csv += number_to_text(motion.tau[n]);
+        for (const double x : motion.states[n].x) csv += cell(x);
+        for (const double v : motion.states[n].x_prime) csv += cell(v);
+        csv += "\n";
+    }
+    return csv;
+}
+
+std::string solved(const SceneText& part, const SolveOptions& options) {
+    if (options.samples < 0 || options.samples > most_samples)
+        throw InputError("samples", "must be from 1 to " + std::to_string(most_samples), std::to_string(options.samples));
+    if (options.samples > 0 && options.ask != "motion")
+        throw InputError("samples", "must be given with --ask motion only", options.ask);
+    if (options.samples > 0 && options.mass) throw InputError("samples", "must be given without --mass", "both");
+    try {
+        const SceneSource source = scene_source(part);
+        const Solution solution = solve(source, question_of(options, number_of_masses(source.in_double().system)));
+        if (options.samples > 0)
+            return as_csv(sampled_solution(source.in_double(), solution, static_cast<std::size_t>(options.samples)));
+        const Json answer = solution_json(solution, NumberWriter{options.scene.digits});
+        return options.scene.json ? answer.dump() + "\n" : solution_table(answer);
+    } catch (const DomainError& e) {
+        throw at_a_pole(e);
+    }
+}
+
+} // namespace
+
+void add_solve_command(CLI::App& app, ExitStatus& status) {
+    CLI::App* command = app.add_subcommand("solve", "The steady motion at the point (r, beta) of a scene, in every regime");
+    const auto options = std::make_shared<SolveOptions>();
+    add_scene_options(*command, options->scene);
+    add_digits_option(*command, options->scene);
+    command->add_option("--ask", options->ask, "what is wanted; less is cheaper")
+        ->check(CLI::IsMember({"amplitude", "phase", "motion", "regime"}))
+        ->capture_default_str();
+    command->add_option("--mass", options->mass,
+                        "the one mass that is asked about, counted from 1: only it must have the digits, only it is listed");
+    command->add_flag("--all", options->all, "look for other motions too, from seeded starts and from sweeps in r and beta");
+    command->add_option(
+        "--samples", options->samples,
+        "print the motion as CSV, this many instants in its period: tau from the maximum of the force, x_1..x_N,\n"
+        "v_1..v_N (derivatives with respect to tau)");
+    command->footer(
+        "The answer is that of `response` where the contact slides throughout. Where it sticks and slips, amplitudes and phases\n"
+        "come from a periodic orbit of the exact solver; stops lists start and end of each stop, tau from the maximum of the\n"
+        "force, within the period of the motion (periods, in periods of the force), and where the contact rests; start is the\n"
+        "state at tau = 0. Where it rests for ever, rest_interval is where it may rest, and amplitudes are for rest at zero.\n"
+        "method says which model answers, in which precision, and why: the cheapest that is certain to have the digits.\n"
+        "unique: whether the velocities are known not to depend on the start. If not, the answer is the motion that the start\n"
+        "from rest leads to. stable: all Floquet multipliers are inside the unit circle; multipliers are their sizes.\n"
+        "regime_by_56: the regime by the paper's condition, where it differs. beta_lim.at_least: a bound that was enough.\n"
+        "error_bound is absolute, in units of P / k_1; phase_error_bound in radians. counters: what the answer cost.\n"
+        "--all: motions lists each motion found, with its stability, from, a state at the maximum of the force that leads to\n"
+        "it, and found, where that start comes from. A motion that is not listed may still exist.\n"
+        "Where no steady motion is found, or not to the digits asked for, there is a reason and the exit status is 3.");
+    command->callback([options, &status] {
+        answer_scenes(
+            options->scene, [&](const SceneText& part) { return solved(part, *options); }, status);
+    });
+}
+
+} // namespace denhartog::program

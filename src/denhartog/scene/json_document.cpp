@@ -1,0 +1,144 @@
+/// @file
+/// @brief JSON text with nothing silently repaired.
+#include "denhartog/scene/json_document.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "denhartog/number/errors.hpp"
+
+namespace denhartog {
+namespace {
+
+using nlohmann::json;
+
+/// A scene is an object of arrays of arrays of numbers.
+constexpr std::size_t deepest = 3;
+
+/// What the parser found wrong, without its own positions.
+std::string complaint(std::string_view message) {
+    const std::size_t reason = message.find(" - ");
+    if (reason == message.npos) return printable(message);
+    std::string_view rest = message.substr(reason + 3);
+    rest = rest.substr(0, rest.find("; last read"));
+    const std::size_t expected = rest.find("; expected");
+    return std::string(rest.substr(0, expected)) + (expected == rest.npos ? "" : "," + std::string(rest.substr(expected + 1)));
+}
+
+/// Builds the value from the parser's events and refuses what the parser lets pass.
+class Builder : public nlohmann::json_sax<json> {
+public:
+    Builder(std::string_view text, std::size_t line) : text_(text), line_(line) {}
+
+    json result;
+
+    bool null() override { return put(nullptr); }
+    bool boolean(bool x) override { return put(x); }
+    bool number_integer(json::number_integer_t x) override { return put(x); }
+    bool number_unsigned(json::number_unsigned_t x) override { return put(x); }
+    bool number_float(json::number_float_t x, const std::string& raw) override {
+        const std::string_view mantissa = std::string_view(raw).substr(0, raw.find_first_of("eE"));
+        if (x == 0 && mantissa.find_first_of("123456789") != mantissa.npos) refuse_number(raw);
+        return put(x);
+    }
+    bool string(std::string& x) override { return put(std::move(x)); }
+    bool binary(json::binary_t&) override { return false; }
+    bool start_object(std::size_t) override { return open(json::object()); }
+    bool start_array(std::size_t) override { return open(json::array()); }
+    bool key(std::string& k) override {
+        keys_.back() = k;
+        if (open_.back()->contains(k)) throw InputError(printable(k), "must be given once", "given twice", pointer());
+        return true;
+    }
+    bool end_object() override { return close(); }
+    bool end_array() override { return close(); }
+    bool parse_error(std::size_t position, const std::string& token, const json::exception& fault) override {
+        if (fault.id == 406) refuse_number(token);
+        const std::string_view before = text_.substr(0, std::min(text_.size(), position > 0 ? position - 1 : 0));
+        const std::size_t line = line_ + static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n'));
+        const std::size_t start = before.rfind('\n') == before.npos ? 0 : before.rfind('\n') + 1;
+        throw InputError("scene", "must be JSON (" + complaint(fault.what()) + ")",
+                         token.empty() ? "nothing" : "'" + printable(token) + "'",
+                         "line " + std::to_string(line) + ", column " + std::to_string(before.size() - start + 1));
+    }
+
+private:
+    std::string pointer() const {
+        std::string out;
+        for (std::size_t i = 0; i < open_.size(); ++i)
+            out += open_[i]->is_object() ? pointer_step(keys_[i])
+                                         : pointer_step(std::to_string(open_[i]->size() - (i + 1 < open_.size() ? 1 : 0)));
+        return out;
+    }
+    std::string quantity() const {
+        return open_.empty() || !open_.front()->is_object() ? std::string("scene") : printable(keys_.front());
+    }
+    [[noreturn]] void refuse_number(const std::string& raw) const {
+        throw InputError(quantity(), "must be a number that a double holds (or be given as text in quotes)", printable(raw),
+                         pointer());
+    }
+    json* place(json&& value) {
+        if (open_.empty()) return &(result = std::move(value));
+        if (open_.back()->is_object()) return &((*open_.back())[keys_.back()] = std::move(value));
+        open_.back()->push_back(std::move(value));
+        return &open_.back()->back();
+    }
+    template <class X>
+    bool put(X&& x) {
+        place(json(std::forward<X>(x)));
+        return true;
+    }
+    bool open(json&& empty) {
+        if (open_.size() == deepest)
+            throw InputError(quantity(), "must not be nested deeper than rows of numbers", "an array or object within a row",
+                             pointer());
+        open_.push_back(place(std::move(empty)));
+        keys_.emplace_back();
+        return true;
+    }
+    bool close() {
+        open_.pop_back();
+        keys_.pop_back();
+        return true;
+    }
+
+    std::string_view text_;
+    std::size_t line_;
+    std::vector<json*> open_;
+    std::vector<std::string> keys_;
+};
+
+} // namespace
+
+std::string printable(std::string_view text) {
+    std::string out;
+    for (const char c : text.substr(0, 40)) {
+        char escaped[5] = {c, 0, 0, 0, 0};
+        if (c < ' ' || c > '~') std::snprintf(escaped, sizeof escaped, "\\x%02X", static_cast<unsigned char>(c));
+        out += escaped;
+    }
+    return text.size() > 40 ? out + "..." : out;
+}
+
+std::string pointer_step(std::string_view key) {
+    std::string out = "/";
+    for (const char c : key) {
+        if (c == '~')
+            out += "~0";
+        else if (c == '/')
+            out += "~1";
+        else
+            out += c;
+    }
+    return out;
+}
+
+json read_json(std::string_view text, std::size_t line) {
+    Builder builder(text, line);
+    json::sax_parse(text, &builder);
+    return std::move(builder.result);
+}
+
+} // namespace denhartog

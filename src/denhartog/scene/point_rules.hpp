@@ -1,0 +1,31 @@
+/// @file
+/// @brief The rules of the numbers that make a point: r, beta and mu.
+#pragma once
+
+#include <boost/math/special_functions/fpclassify.hpp>
+
+#include "denhartog/number/errors.hpp"
+#include "denhartog/number/number_text.hpp"
+
+namespace denhartog {
+
+/// @brief Checks a frequency ratio. @param r frequency ratio, Eq. (10) @throws InputError where it is not positive and finite
+template <class T>
+void check_frequency_ratio(const T& r) {
+    if (!(r > 0) || !boost::math::isfinite(r)) throw InputError("r", "must be positive and finite", number_to_text(r));
+}
+
+/// @brief Checks a friction ratio. @param beta friction ratio, Eq. (11) @throws InputError where it is negative or not finite
+template <class T>
+void check_friction_ratio(const T& beta) {
+    if (!(beta >= 0) || !boost::math::isfinite(beta))
+        throw InputError("beta", "must be zero or positive, and finite", number_to_text(beta));
+}
+
+/// @brief Checks static over kinetic friction. @param mu the ratio, Eq. (3) @throws InputError where it is below 1 or not finite
+template <class T>
+void check_static_friction(const T& mu) {
+    if (!(mu >= 1) || !boost::math::isfinite(mu)) throw InputError("mu", "must be at least 1, and finite", number_to_text(mu));
+}
+
+} // namespace denhartog

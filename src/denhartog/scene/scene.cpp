@@ -1,0 +1,196 @@
+/// @file
+/// @brief The rules of a scene.
+#include "denhartog/scene/scene.hpp"
+
+#include <cmath>
+
+#include "denhartog/number/errors.hpp"
+#include "denhartog/number/multiprecision.hpp"
+#include "denhartog/number/number_text.hpp"
+#include "denhartog/scene/cholesky.hpp"
+#include "denhartog/scene/scene_rules.hpp"
+
+namespace denhartog {
+namespace {
+
+/// Throws with the place `/quantity/index...` where places are asked for; indices of the place count from 0, as JSON pointers do.
+[[noreturn]] void fail(const SceneNames& names, const std::string& quantity, std::string rule, std::string value,
+                       const std::string& within = {}) {
+    throw InputError(quantity, std::move(rule), std::move(value),
+                     names.places ? std::string("/").append(quantity).append(within) : "");
+}
+
+template <class T>
+bool finite(const T& x) {
+    using std::isfinite;
+    return isfinite(x);
+}
+
+std::string at(std::size_t i) { return std::string("/").append(std::to_string(i)); }
+std::string at(std::size_t i, std::size_t k) { return at(i) + at(k); }
+std::string number(std::size_t index) { return std::to_string(index + 1); }
+
+template <class T>
+void check_given_once(const std::vector<T>& ratios, const Matrix<T>& matrix, const SceneNames& names,
+                      const std::string& ratios_name, const std::string& matrix_name) {
+    if (!ratios.empty() && matrix.size() > 0) fail(names, matrix_name, "must not be given together with " + ratios_name, "");
+    if (ratios.empty() && matrix.size() == 0)
+        throw InputError(ratios_name, "must have at least one value (or " + matrix_name + " be given)", "");
+}
+
+/// Ratios of masses or springs: `of` is `mass` or `spring`.
+template <class T>
+void check_ratios(const std::vector<T>& x, std::size_t N, const SceneNames& names, const std::string& name,
+                  const std::string& of) {
+    if (x.size() != N)
+        fail(names, name, "must have as many values as there are masses (" + std::to_string(N) + ")", std::to_string(x.size()));
+    for (std::size_t i = 0; i < N; ++i) {
+        if (!finite(x[i])) fail(names, name, "of " + of + " " + number(i) + " must be finite", number_to_text(x[i]), at(i));
+        if (!(x[i] > 0)) fail(names, name, "of " + of + " " + number(i) + " must be positive", number_to_text(x[i]), at(i));
+    }
+    if (x[0] != 1) fail(names, name, "of " + of + " 1 must be 1, its own unit", number_to_text(x[0]), at(0));
+}
+
+template <class T>
+void check_symmetric(const Matrix<T>& A, std::size_t N, const SceneNames& names, const std::string& name) {
+    const auto n = static_cast<Eigen::Index>(N);
+    if (A.rows() != n || A.cols() != n)
+        fail(names, name, "must have " + std::to_string(N) + " rows and columns",
+             std::to_string(A.rows()) + " by " + std::to_string(A.cols()));
+    for (std::size_t i = 0; i < N; ++i)
+        for (std::size_t k = 0; k < N; ++k)
+            if (!finite(A(i, k)))
+                fail(names, name, "in row " + number(i) + ", column " + number(k) + " must be finite", number_to_text(A(i, k)),
+                     at(i, k));
+    for (std::size_t i = 0; i < N; ++i)
+        for (std::size_t k = 0; k < i; ++k)
+            if (A(i, k) != A(k, i))
+                fail(names, name,
+                     "must be symmetric: in row " + number(i) + ", column " + number(k) + " must be " + number_to_text(A(k, i)) +
+                         " as in row " + number(k) + ", column " + number(i),
+                     number_to_text(A(i, k)), at(i, k));
+}
+
+template <class T>
+void check_positive_definite(const Matrix<T>& A, const SceneNames& names, const std::string& name) {
+    const Cholesky<T> factor = cholesky(A);
+    if (factor.failed_order == 0) return;
+    const std::string order = std::to_string(factor.failed_order);
+    fail(names, name, "must be positive definite",
+         factor.singular ? "singular: its leading minor of order " + order + " is zero to working precision"
+                         : "not: its leading minor of order " + order + " is negative");
+}
+
+template <class T>
+void check_damping_ratios(const std::vector<T>& zeta, std::size_t N, const SceneNames& names) {
+    const std::string name = "damping_ratios";
+    if (zeta.size() != N)
+        fail(names, name, "must have as many values as there are masses (" + std::to_string(N) + ")",
+             std::to_string(zeta.size()));
+    for (std::size_t i = 0; i < N; ++i) {
+        const std::string of = std::string("of mode ").append(number(i));
+        const std::string within = names.one_zeta ? "" : at(i);
+        if (!finite(zeta[i])) fail(names, name, of + " must be finite", number_to_text(zeta[i]), within);
+        if (zeta[i] < 0) fail(names, name, of + " must not be negative", number_to_text(zeta[i]), within);
+        if (zeta[i] > largest_damping_ratio) fail(names, name, of + " must be at most 1e300", number_to_text(zeta[i]), within);
+    }
+}
+
+template <class T>
+void check_system(const System<T>& s, const SceneNames& names) {
+    check_given_once(s.mass_ratios, s.mass_matrix, names, names.masses, "mass_matrix");
+    check_given_once(s.stiffness_ratios, s.stiffness_matrix, names, names.stiffnesses, "stiffness_matrix");
+    check_given_once(s.damping_ratios, s.damping_matrix, names, "damping_ratios", "damping_matrix");
+    const std::size_t N = number_of_masses(s);
+    if (s.mass_matrix.size() > 0) {
+        check_symmetric(s.mass_matrix, N, names, "mass_matrix");
+        check_positive_definite(s.mass_matrix, names, "mass_matrix");
+    } else {
+        check_ratios(s.mass_ratios, N, names, names.masses, "mass");
+    }
+    if (s.stiffness_matrix.size() > 0) {
+        check_symmetric(s.stiffness_matrix, N, names, "stiffness_matrix");
+        check_positive_definite(s.stiffness_matrix, names, "stiffness_matrix");
+    } else {
+        check_ratios(s.stiffness_ratios, N, names, names.stiffnesses, "spring");
+    }
+    if (s.damping_matrix.size() > 0)
+        check_symmetric(s.damping_matrix, N, names, "damping_matrix");
+    else
+        check_damping_ratios(s.damping_ratios, N, names);
+    const std::string which = "must be a mass from 1 to " + std::to_string(N);
+    if (s.contact.index >= N) fail(names, "contact", which, number(s.contact.index));
+    if (s.load.index >= N) fail(names, "load", which, number(s.load.index));
+}
+
+template <class T>
+Matrix<T> converted(const Matrix<double>& A) {
+    return A.unaryExpr([](double x) { return T(x); });
+}
+
+template <class T>
+std::vector<T> converted(const std::vector<double>& x) {
+    return std::vector<T>(x.begin(), x.end());
+}
+
+} // namespace
+
+template <class T>
+void check_under_names(const Scene<T>& scene, const SceneNames& names) {
+    check_system(scene.system, names);
+    if (!finite(scene.mu)) fail(names, "mu", "must be finite", number_to_text(scene.mu));
+    if (scene.mu < 1)
+        fail(names, "mu", "must be at least 1 (static friction is not below kinetic friction)", number_to_text(scene.mu));
+    if (scene.r) {
+        if (!finite(*scene.r)) fail(names, names.r, "must be finite", number_to_text(*scene.r));
+        if (!(*scene.r > 0)) fail(names, names.r, "must be positive", number_to_text(*scene.r));
+    }
+    if (scene.beta) {
+        if (!finite(*scene.beta)) fail(names, names.beta, "must be finite", number_to_text(*scene.beta));
+        if (*scene.beta < 0) fail(names, names.beta, "must not be negative", number_to_text(*scene.beta));
+    }
+}
+
+template <class T>
+void check(const Scene<T>& scene) {
+    check_under_names(scene, SceneNames{});
+}
+
+template <class T>
+void check(const System<T>& system) {
+    check_system(system, SceneNames{});
+}
+
+template <class T>
+Scene<T> converted(const Scene<double>& scene) {
+    const System<double>& s = scene.system;
+    Scene<T> out;
+    out.system = {converted<T>(s.mass_ratios),
+                  converted<T>(s.stiffness_ratios),
+                  converted<T>(s.mass_matrix),
+                  converted<T>(s.stiffness_matrix),
+                  converted<T>(s.damping_ratios),
+                  converted<T>(s.damping_matrix),
+                  s.contact,
+                  s.load};
+    out.mu = T(scene.mu);
+    if (scene.r) out.r = T(*scene.r);
+    if (scene.beta) out.beta = T(*scene.beta);
+    return out;
+}
+
+template void check_under_names(const Scene<double>&, const SceneNames&);
+template void check_under_names(const Scene<Real50>&, const SceneNames&);
+template void check_under_names(const Scene<Real100>&, const SceneNames&);
+template void check(const Scene<double>&);
+template void check(const Scene<Real50>&);
+template void check(const Scene<Real100>&);
+template void check(const System<double>&);
+template void check(const System<Real50>&);
+template void check(const System<Real100>&);
+
+template Scene<double> converted(const Scene<double>&);
+template Scene<Real50> converted(const Scene<double>&);
+template Scene<Real100> converted(const Scene<double>&);
+
+} // namespace denhartog

@@ -1,0 +1,31 @@
+/// @file
+/// @brief The rules of a scene under the names that its author used.
+#pragma once
+
+#include <string>
+
+#include "denhartog/scene/scene.hpp"
+
+namespace denhartog {
+
+/// @brief Largest modal damping ratio: beyond, rates and their products leave the range of a double.
+inline constexpr double largest_damping_ratio = 1e300;
+
+/// @brief What the author of a scene calls its quantities, and whether messages point into a JSON text.
+struct SceneNames {
+    std::string masses = "mass_ratios";           ///< `masses` in a dimensional scene
+    std::string stiffnesses = "stiffness_ratios"; ///< `stiffnesses` in a dimensional scene
+    std::string r = "r";                          ///< `frequency` in a dimensional scene
+    std::string beta = "beta";                    ///< `friction` in a dimensional scene
+    bool one_zeta = false;                        ///< one damping ratio was given for all modes
+    bool places = false;                          ///< errors carry the JSON pointer
+};
+
+/// @brief Checks every rule of a scene.
+/// @param scene  the scene
+/// @param names  the names that errors use
+/// @throws InputError naming quantity, rule, value and, if asked for, place of the first rule that is broken
+template <class T>
+void check_under_names(const Scene<T>& scene, const SceneNames& names);
+
+} // namespace denhartog

@@ -1,0 +1,177 @@
+#include "denhartog/sums/bounded_modes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "denhartog/evaluation/mode.hpp"
+#include "denhartog/number/multiprecision.hpp"
+
+namespace denhartog {
+namespace {
+
+using std::abs;
+using std::min;
+using std::sqrt;
+
+constexpr int trust = 8;         // units in the last place a mode that an eigen-solver may be off by
+constexpr int units_of_mode = 8; // twice what the forms of v, u, g are good to where they are well conditioned
+constexpr int units_of_form = 4; // elsewhere they are good to what that many units of R and zeta change
+
+// What an entry of a mode changes by where the mode turns by a unit angle: the root of the entry of the inverse mass matrix, which
+// is that of a sum over all modes. A light mass moves far.
+template <class T>
+std::vector<T> reach_of_masses(const System<T>& system, const ModalBasis<T>& basis, const std::vector<Mass>* masses) {
+    std::vector<T> reach;
+    for (Eigen::Index row = 0; row < basis.phi.rows(); ++row) {
+        const std::size_t k = masses ? (*masses)[static_cast<std::size_t>(row)].index : static_cast<std::size_t>(row);
+        reach.push_back(system.mass_ratios.empty() ? T(basis.phi.row(row).norm()) : T(1 / sqrt(system.mass_ratios[k])));
+    }
+    return reach;
+}
+
+// An estimate of the condition number of a full mass matrix, by which its factors change the eigenproblem.
+template <class T>
+T condition_of_masses(const System<T>& system, const std::vector<T>& reach) {
+    if (system.mass_matrix.size() == 0) return T(1);
+    const T longest = *std::max_element(reach.begin(), reach.end());
+    return system.mass_matrix.diagonal().maxCoeff() * longest * longest;
+}
+
+// Errors that the solver is trusted with, and those of inputs.
+template <class T>
+ModalBasis<Bounded<T>> bounded(const System<T>& system, const ModalBasis<T>& basis, const std::vector<Mass>* masses) {
+    const std::size_t N = basis.r_n.size();
+    const T of_input = unit_of<T>(), unit = (trust * static_cast<int>(N) + 4) * of_input;
+    const bool chain = !system.stiffness_ratios.empty() && !system.mass_ratios.empty();
+    const T highest = basis.r_n.back();
+    ModalBasis<Bounded<T>> bounded;
+    bounded.phi.resize(basis.phi.rows(), static_cast<Eigen::Index>(N));
+    const std::vector<T> reach = reach_of_masses(system, basis, masses);
+    const T of_matrix = unit * highest * highest * condition_of_masses(system, reach);
+    for (std::size_t i = 0; i < N; ++i) {
+        const T r_n = basis.r_n[i];
+        const T of_square = chain ? T(2 * unit * r_n * r_n) : of_matrix; // error of the squared frequency
+        bounded.r_n.push_back({r_n, T(of_square / (2 * r_n))});
+        T nearest = std::numeric_limits<T>::infinity(); // difference of the squares, of the chain's relative to both
+        for (const std::size_t n : {i - 1, i + 1}) {
+            if (n >= N) continue;
+            const T apart = abs(T(basis.r_n[n] - r_n)) * (basis.r_n[n] + r_n);
+            nearest = min(nearest, chain ? T(apart * r_n / std::max(basis.r_n[n], r_n)) : apart);
+        }
+        const T turn = min(T(1), N == 1 ? unit : T(of_square / nearest + unit));
+        const auto column = static_cast<Eigen::Index>(i);
+        const Eigen::Matrix<T, Eigen::Dynamic, 1> sizes = basis.phi.col(column).cwiseAbs();
+        Eigen::Matrix<T, Eigen::Dynamic, 1> errors(sizes.size());
+        for (Eigen::Index row = 0; row < errors.size(); ++row) {
+            errors(row) = turn * reach[static_cast<std::size_t>(row)];
+            bounded.phi(row, column) = {basis.phi(row, column), errors(row)};
+        }
+        T of_zeta = of_input * basis.zeta[i];
+        if (system.damping_matrix.size() > 0) {
+            const Eigen::Matrix<T, Eigen::Dynamic, 1> damping = system.damping_matrix.cwiseAbs() * (sizes + errors);
+            of_zeta = (errors.dot(damping) + unit * sizes.dot(damping)) / r_n +
+                      (turn + unit) * basis.zeta[i] * (1 + of_square / (r_n * r_n));
+        }
+        bounded.zeta.push_back({basis.zeta[i], of_zeta});
+    }
+    return bounded;
+}
+
+template <class To, class From, class Change>
+std::vector<To> changed(const std::vector<From>& numbers, const Change& change) {
+    std::vector<To> out;
+    out.reserve(numbers.size());
+    for (const From& number : numbers) out.push_back(change(number));
+    return out;
+}
+
+template <class To, class From, class Change>
+ModeSums<To> changed(const ModeSums<From>& s, const Change& change) {
+    const auto of_pair = [&](const Complex<From>& z) { return Complex<To>{change(z.re), change(z.im)}; };
+    return {change(s.r),
+            s.contact,
+            s.load,
+            changed<To>(s.R, change),
+            changed<To>(s.zeta, change),
+            changed<To>(s.psi, change),
+            changed<Complex<To>>(s.v, of_pair),
+            changed<To>(s.u, change),
+            changed<To>(s.g, change),
+            changed<Complex<To>>(s.V, of_pair),
+            changed<To>(s.U, change),
+            changed<To>(s.G, change),
+            of_pair(s.Y_jj),
+            change(s.H_j),
+            change(s.sum_of_squares)};
+}
+
+} // namespace
+
+template <class T>
+ModalBasis<Bounded<T>> with_errors(const System<T>& system, const ModalBasis<T>& basis) {
+    return bounded(system, basis, nullptr);
+}
+
+template <class T>
+ModalBasis<Bounded<T>> bounded_basis_at(const System<T>& system, const std::vector<Mass>& masses) {
+    if (!system.stiffness_ratios.empty() && !system.mass_ratios.empty() && system.damping_matrix.size() == 0)
+        return bounded(system, modal_basis_at(system, masses), &masses);
+    ModalBasis<Bounded<T>> all = with_errors(system, modal_basis(system));
+    Matrix<Bounded<T>> rows(static_cast<Eigen::Index>(masses.size()), all.phi.cols());
+    for (std::size_t n = 0; n < masses.size(); ++n)
+        rows.row(static_cast<Eigen::Index>(n)) = all.phi.row(static_cast<Eigen::Index>(masses[n].index));
+    all.phi = std::move(rows);
+    return all;
+}
+
+template <class T>
+ModeSums<T> values_of(const ModeSums<Bounded<T>>& sums) {
+    return changed<T>(sums, [](const Bounded<T>& a) { return a.x; });
+}
+
+template <class T>
+ModeSums<Bounded<double>> in_double(const ModeSums<Bounded<T>>& sums) {
+    return changed<Bounded<double>>(sums, [](const Bounded<T>& a) { return in_double(a); });
+}
+
+template <class T>
+evaluation::ModeFunctions<Bounded<T>> bounded_mode_functions(const Bounded<T>& R_i, const Bounded<T>& zeta_i) {
+    const T &R = R_i.x, &zeta = zeta_i.x, unit = unit_of<T>();
+    const T dzeta = zeta_i.e + units_of_form * unit * zeta;
+    const T most_change = T(1) / 64,
+            higher_orders = T(17) / 16; // of what an error may change, relative, and what that leaves out
+    if (zeta + dzeta < 1 && R_i.e < R) {
+        const evaluation::ModeFunctions<T> f = evaluation::mode_functions(R, zeta);
+        const T w = sqrt(T((1 - zeta) * (1 + zeta))), dR = (R_i.e / R + units_of_form * unit) * higher_orders;
+        const T v = modulus(f.v), change_of_v = 2 * R * v * ((R + zeta) * dR + dzeta);
+        const T real = R * w * f.u, imaginary = f.g + zeta * R * f.u, size_2 = real * real + imaginary * imaginary;
+        const T change_of_w = dzeta / (w * w), dz = pi<T>() / R * (dR + dzeta / w) * higher_orders;
+        if (change_of_v <= most_change && dz * (1 + size_2) <= most_change && change_of_w <= most_change) {
+            const T u = abs(f.u), change_of_tangent = higher_orders * dz * (1 + size_2) / 2, own = units_of_mode * unit;
+            const T of_v = v * (higher_orders * change_of_v + own);
+            const T of_u = higher_orders * (change_of_tangent / (R * w) + u * (dR + zeta * change_of_w + own));
+            const T of_g = higher_orders * (change_of_tangent * (1 + zeta / w) + abs(real) * change_of_w / w + abs(f.g) * own);
+            return {{{f.v.re, of_v}, {f.v.im, of_v}}, {f.u, of_u}, {f.g, of_g}};
+        }
+    }
+    return evaluation::mode_functions(R_i, zeta_i);
+}
+
+template ModalBasis<Bounded<double>> with_errors(const System<double>&, const ModalBasis<double>&);
+template ModalBasis<Bounded<Real50>> with_errors(const System<Real50>&, const ModalBasis<Real50>&);
+template ModalBasis<Bounded<Real100>> with_errors(const System<Real100>&, const ModalBasis<Real100>&);
+template ModalBasis<Bounded<double>> bounded_basis_at(const System<double>&, const std::vector<Mass>&);
+template ModalBasis<Bounded<Real50>> bounded_basis_at(const System<Real50>&, const std::vector<Mass>&);
+template ModalBasis<Bounded<Real100>> bounded_basis_at(const System<Real100>&, const std::vector<Mass>&);
+template ModeSums<double> values_of(const ModeSums<Bounded<double>>&);
+template ModeSums<Real50> values_of(const ModeSums<Bounded<Real50>>&);
+template ModeSums<Real100> values_of(const ModeSums<Bounded<Real100>>&);
+template ModeSums<Bounded<double>> in_double(const ModeSums<Bounded<double>>&);
+template ModeSums<Bounded<double>> in_double(const ModeSums<Bounded<Real50>>&);
+template ModeSums<Bounded<double>> in_double(const ModeSums<Bounded<Real100>>&);
+template evaluation::ModeFunctions<Bounded<double>> bounded_mode_functions(const Bounded<double>&, const Bounded<double>&);
+template evaluation::ModeFunctions<Bounded<Real50>> bounded_mode_functions(const Bounded<Real50>&, const Bounded<Real50>&);
+template evaluation::ModeFunctions<Bounded<Real100>> bounded_mode_functions(const Bounded<Real100>&, const Bounded<Real100>&);
+
+} // namespace denhartog

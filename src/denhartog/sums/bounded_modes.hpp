@@ -1,0 +1,118 @@
+/// @file
+/// @brief The modal basis with bounds of its errors, and the functions of its modes with theirs.
+///
+/// The bounds of a basis come from what the eigen-solvers are trusted with: an error of each natural frequency of 8 N eps of
+/// itself on a chain, else of its square of 8 N eps of the highest square, times the condition number of a full mass matrix; of a
+/// mode shape an angle of 8 N eps over the relative distance of its frequency from the next one, which moves a light mass far.
+/// They cost no eigen-solve. Every number of a scene is taken to be off by a unit in its last place, as a decimal fraction or a
+/// quotient is.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "denhartog/model/modal_basis.hpp"
+#include "denhartog/number/bounded.hpp"
+#include "denhartog/sums/mode_sums.hpp"
+
+namespace denhartog {
+
+/// @brief A modal basis with bounds of its errors.
+/// @param system  the system
+/// @param basis   its basis
+/// @return        the basis with errors
+template <class T>
+[[nodiscard]] ModalBasis<Bounded<T>> with_errors(const System<T>& system, const ModalBasis<T>& basis);
+
+/// @brief The same with the shapes at a few masses alone, see `modal_basis_at`: one eigen-solve.
+/// @eq{14,15}
+/// @param system  the system
+/// @param masses  the masses wanted
+/// @return        frequencies and damping ratios with errors; shapes with a row a mass wanted
+/// @throws        as `modal_basis`
+template <class T>
+[[nodiscard]] ModalBasis<Bounded<T>> bounded_basis_at(const System<T>& system, const std::vector<Mass>& masses);
+
+/// @brief Modes and sums without their bounds. @param sums modes and sums with bounds @return their values
+template <class T>
+[[nodiscard]] ModeSums<T> values_of(const ModeSums<Bounded<T>>& sums);
+
+/// @brief Modes and sums rounded to double, the rounding in their bounds. @param sums modes and sums @return the same in double
+template <class T>
+[[nodiscard]] ModeSums<Bounded<double>> in_double(const ModeSums<Bounded<T>>& sums);
+
+/// @brief (23), (28), (29) of one mode with bounds of what the errors of \f$ R_i \f$ and \f$ \zeta_i \f$ make of them.
+///
+/// The functions are evaluated on values alone, and all errors are bounded at once. With
+/// \f$ z = \theta + \mathrm{i}\delta = \pi(w + \mathrm{i}\zeta)/R \f$, of size \f$ \pi/R \f$,
+/// \f[ R\,w\,u_d = \mathrm{Re}\tan\frac{z}{2}, \qquad g + \zeta R\,u_d = \mathrm{Im}\tan\frac{z}{2}, \qquad
+///     \left|\frac{d}{dz}\tan\frac{z}{2}\right| \le \frac{1}{2}\left(1+\left|\tan\frac{z}{2}\right|^2\right), \f]
+/// from (28), (29), and from (23) \f$ |R\,v_d'| \le 2R(R+\zeta)\,|v_d|^2 \f$, \f$ |dv_d/d\zeta| = 2R|v_d|^2 \f$. Where the change
+/// is not small, and without oscillations, every operation carries its own bound.
+/// @eq{23,28,29}
+/// @param R     modal frequency ratio with its error
+/// @param zeta  modal damping ratio with its error
+/// @return      the functions
+template <class T>
+[[nodiscard]] evaluation::ModeFunctions<Bounded<T>> bounded_mode_functions(const Bounded<T>& R, const Bounded<T>& zeta);
+
+/// @brief The larger of two numbers. @param a a number @param b a number @return the larger value; of bounds the larger too
+template <class T>
+[[nodiscard]] T larger(const T& a, const T& b) {
+    return a < b ? b : a;
+}
+/// @brief The same with bounds. @param a a number @param b a number @return the larger value with the larger bound
+template <class T>
+[[nodiscard]] Bounded<T> larger(const Bounded<T>& a, const Bounded<T>& b) {
+    return {std::max(a.x, b.x), std::max(a.e, b.e)};
+}
+
+/// @brief A largest value as a search found it. @param value the value @return the same
+template <class T>
+[[nodiscard]] T found_by_search(const T& value) {
+    return value;
+}
+/// @brief The same with a bound. The search compares rounded values: the true maximum exceeds what it found by no more than the
+/// error where that lies, which is taken to be at most half again of the error where the search ended, and a unit or two.
+/// @param value  the value where the search ended
+/// @return       the value with that bound
+template <class T>
+[[nodiscard]] Bounded<T> found_by_search(const Bounded<T>& value) {
+    return Bounded<T>::rounded(value.x, T(value.e + value.e / 2), 2);
+}
+
+/// @brief The modes of a system at a frequency ratio, each evaluated with its error when it is first needed.
+template <class T>
+class BoundedModes {
+public:
+    /// @param basis  a modal basis with errors, shared with others
+    /// @param r      frequency ratio with its error
+    BoundedModes(std::shared_ptr<const ModalBasis<Bounded<T>>> basis, const Bounded<T>& r)
+        : basis_(std::move(basis)), r_(r), known_(basis_->r_n.size()) {}
+
+    /// @brief The modal basis. @return frequencies, shapes, damping ratios with their errors
+    [[nodiscard]] const ModalBasis<Bounded<T>>& basis() const { return *basis_; }
+    /// @brief The same, to be kept. @return the basis that was given
+    [[nodiscard]] const std::shared_ptr<const ModalBasis<Bounded<T>>>& shared_basis() const { return basis_; }
+    /// @brief The frequency ratio. @return r with its error
+    [[nodiscard]] const Bounded<T>& r() const { return r_; }
+    /// @brief A mode. @param i its index @return (23), (28), (29) @throws DomainError at a pole
+    const evaluation::ModeFunctions<Bounded<T>>& at(std::size_t i) {
+        if (!known_[i]) known_[i] = mode_functions_at(*basis_, i, r_);
+        return *known_[i];
+    }
+    /// @brief All modes. @return (23), (28), (29) of each @throws DomainError at a pole
+    std::vector<evaluation::ModeFunctions<Bounded<T>>> all() {
+        std::vector<evaluation::ModeFunctions<Bounded<T>>> functions;
+        for (std::size_t i = 0; i < known_.size(); ++i) functions.push_back(at(i));
+        return functions;
+    }
+
+private:
+    std::shared_ptr<const ModalBasis<Bounded<T>>> basis_;
+    Bounded<T> r_;
+    std::vector<std::optional<evaluation::ModeFunctions<Bounded<T>>>> known_;
+};
+
+} // namespace denhartog

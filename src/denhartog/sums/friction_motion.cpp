@@ -1,0 +1,78 @@
+#include "denhartog/sums/friction_motion.hpp"
+
+#include <algorithm>
+
+#include "denhartog/number/bounded.hpp"
+#include "denhartog/number/multiprecision.hpp"
+
+namespace denhartog {
+namespace {
+
+constexpr std::size_t most_remembered = std::size_t(1) << 22; // modes times instants
+
+template <class T>
+std::vector<evaluation::FrictionMotion<T>> friction_motions_in(const ModeSums<T>& sums, const T& tau, std::size_t first,
+                                                               std::size_t last) {
+    std::vector<evaluation::FrictionMotion<T>> y;
+    y.reserve(last - first);
+    for (std::size_t i = first; i < last; ++i)
+        y.push_back(evaluation::friction_motion(tau, sums.R[i], sums.zeta[i], sums.u[i], sums.g[i]));
+    return y;
+}
+
+} // namespace
+
+template <class T>
+std::vector<evaluation::FrictionMotion<T>> friction_motions(const ModeSums<T>& sums, const T& tau) {
+    return friction_motions_in(sums, tau, 0, sums.R.size());
+}
+
+template <class T>
+FrictionMotions<T>::FrictionMotions(const ModeSums<T>& sums_, std::size_t first_, std::size_t last_)
+    : sums(sums_), first(first_), last(last_) {
+    for (std::size_t i = first; i < last; ++i) {
+        const T& zeta = sums.zeta[i];
+        if (zeta >= 1) {
+            c.push_back(T(0)); // what bounds it does not come from two amplitudes, which are infinite at zeta = 1
+            continue;
+        }
+        const T w = sqrt(T((1 - zeta) * (1 + zeta)));
+        const T cosine = 1 + sums.g[i];
+        const T sine = (cosine * zeta + sums.u[i] * sums.R[i]) / w;
+        c.push_back(modulus(Complex<T>{cosine, sine}));
+    }
+}
+
+template <class T>
+T FrictionMotions<T>::size_of(const evaluation::FrictionMotion<T>& y, std::size_t i, const T& tau) const {
+    const T &R = sums.R[i], &zeta = sums.zeta[i];
+    if (zeta < 1) return c[i - first] * exp(T(-zeta * tau / R));
+    const T y_1 = R * y.prime, y_2 = R * R * y.double_prime;
+    const T y_3 = -(2 * zeta * y_2 + y_1), y_4 = -(2 * zeta * y_3 + y_2);
+    return std::max(modulus(Complex<T>{y_2, y_3}), modulus(Complex<T>{y_3, y_4}));
+}
+
+template <class T>
+const FrictionMotionsAt<T>& FrictionMotions<T>::at(const T& tau) {
+    const auto found = known.find(tau);
+    if (found != known.end()) return found->second;
+    if (known.size() * c.size() >= most_remembered) known.clear();
+    FrictionMotionsAt<T> now{friction_motions_in(sums, tau, first, last), {}};
+    for (std::size_t i = first; i < last; ++i) now.size.push_back(size_of(now.y[i - first], i, tau));
+    return known.emplace(tau, std::move(now)).first->second;
+}
+
+template class FrictionMotions<double>;
+template class FrictionMotions<Real50>;
+template class FrictionMotions<Real100>;
+template std::vector<evaluation::FrictionMotion<double>> friction_motions(const ModeSums<double>&, const double&);
+template std::vector<evaluation::FrictionMotion<Bounded<double>>> friction_motions(const ModeSums<Bounded<double>>&,
+                                                                                   const Bounded<double>&);
+template std::vector<evaluation::FrictionMotion<Bounded<Real50>>> friction_motions(const ModeSums<Bounded<Real50>>&,
+                                                                                   const Bounded<Real50>&);
+template std::vector<evaluation::FrictionMotion<Bounded<Real100>>> friction_motions(const ModeSums<Bounded<Real100>>&,
+                                                                                    const Bounded<Real100>&);
+template std::vector<evaluation::FrictionMotion<Real50>> friction_motions(const ModeSums<Real50>&, const Real50&);
+template std::vector<evaluation::FrictionMotion<Real100>> friction_motions(const ModeSums<Real100>&, const Real100&);
+
+} // namespace denhartog

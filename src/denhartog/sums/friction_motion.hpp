@@ -1,0 +1,56 @@
+/// @file
+/// @brief The braces of (40) of all modes at one instant, and bounds of their derivatives.
+///
+/// Where \f$ \zeta_i < 1 \f$ the braces are \f$ 1 - \mathrm{Re}\{c_i e^{\rho_i\tau}\} \f$ with \f$ |\rho_i| = 1/R_i \f$, so that
+/// from an instant a on their n-th derivative is at most \f$ |c_i|\,e^{-\zeta_i a/R_i}/R_i^n \f$. Where \f$ \zeta_i \ge 1 \f$ the
+/// derivatives \f$ y_n \f$ in \f$ \tau/R_i \f$ follow from one another, \f$ y_{n+2} = -2\zeta_iy_{n+1} - y_n \f$, n of 1 and
+/// more, and no \f$ y_n^2 + y_{n+1}^2 \f$ ever grows: what it is at a bounds both from there on.
+#pragma once
+
+#include <map>
+#include <vector>
+
+#include "denhartog/evaluation/friction_motion.hpp"
+#include "denhartog/sums/mode_sums.hpp"
+
+namespace denhartog {
+
+/// @brief The braces of (40) at an instant, and what bounds their derivatives from there on.
+template <class T>
+struct FrictionMotionsAt {
+    std::vector<evaluation::FrictionMotion<T>> y; ///< braces and derivatives, one entry a mode of the range
+    std::vector<T> size;                          ///< over R_i^n it bounds the n-th derivative from there on, n = 2, 3, 4
+};
+
+/// @brief Braces of (40) at instants of the half-period, remembered: the masses of a system share their instants.
+template <class T>
+class FrictionMotions {
+public:
+    /// @param sums   modes at a frequency ratio; must outlive the object
+    /// @param first  the first mode of the range
+    /// @param last   one past the last mode of the range
+    FrictionMotions(const ModeSums<T>& sums, std::size_t first, std::size_t last);
+
+    /// @brief Braces, derivatives and bounds at an instant.
+    /// @param tau  non-dimensional time in [0, pi]
+    /// @return     valid until the next call
+    const FrictionMotionsAt<T>& at(const T& tau);
+
+private:
+    const ModeSums<T>& sums;
+    std::size_t first, last;
+    std::vector<T> c;
+    std::map<T, FrictionMotionsAt<T>> known;
+
+    [[nodiscard]] T size_of(const evaluation::FrictionMotion<T>& y, std::size_t i, const T& tau) const;
+};
+
+/// @brief Braces of (40) of every mode and their derivatives at an instant.
+/// @eq{40}
+/// @param sums  modes at a frequency ratio
+/// @param tau   non-dimensional time in [0, pi]
+/// @return      one entry a mode
+template <class T>
+[[nodiscard]] std::vector<evaluation::FrictionMotion<T>> friction_motions(const ModeSums<T>& sums, const T& tau);
+
+} // namespace denhartog

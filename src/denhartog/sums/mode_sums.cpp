@@ -1,0 +1,147 @@
+#include "denhartog/sums/mode_sums.hpp"
+
+#include <atomic>
+#include <boost/math/special_functions/fpclassify.hpp>
+
+#include "denhartog/formulas/superposition.hpp"
+#include "denhartog/number/bounded.hpp"
+#include "denhartog/number/errors.hpp"
+#include "denhartog/number/multiprecision.hpp"
+#include "denhartog/scene/point_rules.hpp"
+
+namespace denhartog {
+namespace {
+
+std::atomic<long> evaluations{0};
+
+template <class T>
+void check_arguments(const ModalBasis<T>& basis, Mass contact, Mass load, const T& r) {
+    const auto N = static_cast<std::size_t>(basis.phi.rows());
+    check_frequency_ratio(r);
+    const std::string rule = "must be a mass from 1 to " + std::to_string(N);
+    if (contact.index >= N) throw InputError("contact", rule, std::to_string(contact.index + 1));
+    if (load.index >= N) throw InputError("load", rule, std::to_string(load.index + 1));
+}
+
+template <class T>
+void check_pole(const evaluation::ModeFunctions<T>& f, std::size_t i, const T& R) {
+    const bool v_finite = boost::math::isfinite(f.v.re) && boost::math::isfinite(f.v.im);
+    if (v_finite && boost::math::isfinite(f.u) && boost::math::isfinite(f.g)) return;
+    throw DomainError("mode " + std::to_string(i + 1) + " has no damping and R = " + number_to_text(R) + ": its " +
+                      (v_finite
+                           ? "first damping function (28) is infinite there, and the boundary (69) falls to zero in the limit"
+                           : "complex response function (23) is infinite there, and so is the amplitude in the limit"));
+}
+
+// Whether a sum over modes is smaller than the rounding errors of its terms.
+template <class T>
+bool without_a_digit(const ModeSums<T>& s, const Complex<T>& sum, Mass force) {
+    const auto psi_j = mode_shapes_at(s, s.contact);
+    const auto psi_force = mode_shapes_at(s, force);
+    T size(0);
+    for (std::size_t i = 0; i < s.R.size(); ++i) {
+        const T factor = psi_j[i] * psi_force[i] * s.R[i] * s.R[i];
+        size += (factor < 0 ? T(-factor) : factor) * modulus(s.v[i]);
+    }
+    return modulus(sum) <= static_cast<int>(s.R.size()) * std::numeric_limits<T>::epsilon() * size;
+}
+
+} // namespace
+
+template <class T>
+evaluation::ModeFunctions<T> mode_functions_at(const ModalBasis<T>& basis, std::size_t i, const T& r) {
+    const T R = r / basis.r_n[i];
+    const evaluation::ModeFunctions<T> f = evaluation::mode_functions(R, basis.zeta[i]);
+    check_pole(f, i, R);
+    ++evaluations;
+    return f;
+}
+
+template <class T>
+ModeSums<T> mode_sums(const ModalBasis<T>& basis, Mass contact, Mass load, const T& r) {
+    check_arguments(basis, contact, load, r);
+    std::vector<evaluation::ModeFunctions<T>> functions;
+    for (std::size_t i = 0; i < basis.r_n.size(); ++i) functions.push_back(mode_functions_at(basis, i, r));
+    return mode_sums(basis, contact, load, r, functions);
+}
+
+template <class T>
+ModeSums<T> mode_sums(const ModalBasis<T>& basis, Mass contact, Mass load, const T& r,
+                      const std::vector<evaluation::ModeFunctions<T>>& functions) {
+    check_arguments(basis, contact, load, r);
+    const std::size_t N = basis.r_n.size();
+    ModeSums<T> s;
+    s.r = r;
+    s.contact = contact;
+    s.load = load;
+    s.zeta = basis.zeta;
+    const auto masses = static_cast<std::size_t>(basis.phi.rows());
+    s.psi.reserve(masses * N);
+    for (std::size_t k = 0; k < masses; ++k)
+        for (std::size_t i = 0; i < N; ++i) s.psi.push_back(basis.phi(k, i) / r);
+    for (std::size_t i = 0; i < N; ++i) {
+        s.R.push_back(r / basis.r_n[i]);
+        s.v.push_back(functions[i].v);
+        s.u.push_back(functions[i].u);
+        s.g.push_back(functions[i].g);
+    }
+    const auto psi_j = mode_shapes_at(s, contact);
+    const auto psi_l = mode_shapes_at(s, load);
+    const std::span<const T> R(s.R), zeta(s.zeta), u(s.u), g(s.g);
+    const std::span<const Complex<T>> v(s.v);
+    for (std::size_t k = 0; k < masses; ++k) {
+        const auto psi_k = mode_shapes_at(s, Mass{k});
+        s.V.push_back(paper::complex_response_of_mass(psi_k, psi_l, R, v));
+        s.U.push_back(paper::damping_function_of_mass(psi_k, psi_j, R, u));
+        s.G.push_back(paper::damping_function_of_mass(psi_k, psi_j, R, g));
+    }
+    s.Y_jj = paper::complex_response_of_mass(psi_j, psi_j, R, v);
+    s.H_j = paper::H(psi_j, R, zeta, u, g);
+    const std::vector<T> ones(N, T(1));
+    s.sum_of_squares = paper::sum_over_contact(psi_j, std::span<const T>(ones));
+    return s;
+}
+
+template <class T>
+bool contact_is_unmoved(const ModeSums<T>& sums) {
+    return without_a_digit(sums, sums.V[sums.contact.index], sums.load);
+}
+
+template <class T>
+bool stuck_system_resonates(const ModeSums<T>& sums) {
+    return without_a_digit(sums, sums.Y_jj, sums.contact);
+}
+
+long mode_evaluations() { return evaluations; }
+
+void count_mode_evaluations(long modes) { evaluations += modes; }
+
+template ModeSums<double> mode_sums(const ModalBasis<double>&, Mass, Mass, const double&);
+template ModeSums<Real50> mode_sums(const ModalBasis<Real50>&, Mass, Mass, const Real50&);
+template ModeSums<Real100> mode_sums(const ModalBasis<Real100>&, Mass, Mass, const Real100&);
+template ModeSums<Bounded<double>> mode_sums(const ModalBasis<Bounded<double>>&, Mass, Mass, const Bounded<double>&,
+                                             const std::vector<evaluation::ModeFunctions<Bounded<double>>>&);
+template ModeSums<Bounded<Real50>> mode_sums(const ModalBasis<Bounded<Real50>>&, Mass, Mass, const Bounded<Real50>&,
+                                             const std::vector<evaluation::ModeFunctions<Bounded<Real50>>>&);
+template ModeSums<Bounded<Real100>> mode_sums(const ModalBasis<Bounded<Real100>>&, Mass, Mass, const Bounded<Real100>&,
+                                              const std::vector<evaluation::ModeFunctions<Bounded<Real100>>>&);
+template evaluation::ModeFunctions<Bounded<double>> mode_functions_at(const ModalBasis<Bounded<double>>&, std::size_t,
+                                                                      const Bounded<double>&);
+template evaluation::ModeFunctions<Bounded<Real50>> mode_functions_at(const ModalBasis<Bounded<Real50>>&, std::size_t,
+                                                                      const Bounded<Real50>&);
+template evaluation::ModeFunctions<Bounded<Real100>> mode_functions_at(const ModalBasis<Bounded<Real100>>&, std::size_t,
+                                                                       const Bounded<Real100>&);
+template bool contact_is_unmoved(const ModeSums<double>&);
+template bool contact_is_unmoved(const ModeSums<Real50>&);
+template bool contact_is_unmoved(const ModeSums<Real100>&);
+template bool contact_is_unmoved(const ModeSums<Bounded<double>>&);
+template bool contact_is_unmoved(const ModeSums<Bounded<Real50>>&);
+template bool contact_is_unmoved(const ModeSums<Bounded<Real100>>&);
+template bool stuck_system_resonates(const ModeSums<double>&);
+template bool stuck_system_resonates(const ModeSums<Real50>&);
+template bool stuck_system_resonates(const ModeSums<Real100>&);
+template bool stuck_system_resonates(const ModeSums<Bounded<double>>&);
+template bool stuck_system_resonates(const ModeSums<Bounded<Real50>>&);
+template bool stuck_system_resonates(const ModeSums<Bounded<Real100>>&);
+
+} // namespace denhartog
