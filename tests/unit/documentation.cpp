@@ -1,6 +1,8 @@
 // What the doc comments point at is there.
 #include <cstdlib>
 #include <filesystem>
+#include <sstream>
+#include <string>
 
 #include "derivation/source_text.hpp"
 #include "tests/catch.hpp"
