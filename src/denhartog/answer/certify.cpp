@@ -1,12 +1,29 @@
 #include "denhartog/answer/certify.hpp"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
+#include <cmath>
 
 namespace denhartog {
 namespace {
 
 std::atomic<long> steps{0};
+
+// Ten to the minus n.
+double tolerance_of(int digits) {
+    static const std::array<double, most_digits + 1> powers = [] {
+        std::array<double, most_digits + 1> all{};
+        for (int n = 0; n <= most_digits; ++n) all[static_cast<std::size_t>(n)] = std::pow(10.0, -n);
+        return all;
+    }();
+    return powers[static_cast<std::size_t>(digits)];
+}
+
+void append_in_words(std::string& words, const Aim& aim) {
+    words.append(std::to_string(aim.digits)).append(aim.digits == 1 ? " digit" : " digits");
+    words.append(aim.asked_for ? " asked for" : " aimed at");
+}
 
 } // namespace
 
@@ -14,11 +31,13 @@ Aim aim_of(std::optional<int> digits) {
     if (digits && (*digits < 1 || *digits > most_digits))
         throw InputError("digits", "must be from 1 to " + std::to_string(most_digits), std::to_string(*digits));
     const int aimed_at = digits.value_or(digits_by_default);
-    return {aimed_at, digits.has_value(), std::pow(10.0, -aimed_at)};
+    return {aimed_at, digits.has_value(), tolerance_of(aimed_at)};
 }
 
 std::string in_words(const Aim& aim) {
-    return std::to_string(aim.digits) + (aim.digits == 1 ? " digit" : " digits") + (aim.asked_for ? " asked for" : " aimed at");
+    std::string words;
+    append_in_words(words, aim);
+    return words;
 }
 
 int digits_of(double error) {
@@ -44,9 +63,12 @@ int most_digits_in(Precision precision) {
 }
 
 std::string verdict(const Attempted& attempted, const Aim& aim) {
-    const bool reached = attempted.relative <= aim.tolerance;
-    return (reached ? "the error bound leaves the " : "the error bound does not leave the ") + in_words(aim) +
-           (attempted.decided ? "" : ", but beta lies on a boundary");
+    std::string words;
+    words.reserve(64); // one allocation: a point of a map costs little more
+    words = attempted.relative <= aim.tolerance ? "the error bound leaves the " : "the error bound does not leave the ";
+    append_in_words(words, aim);
+    if (!attempted.decided) words += ", but beta lies on a boundary";
+    return words;
 }
 
 long precision_steps() { return steps; }

@@ -88,9 +88,9 @@ Certainty certify(const Aim& aim, const Attempt& attempt, Precision highest = Pr
             const Attempted attempted = attempt(type);
             found.relative = attempted.relative;
             found.settled = attempted.relative <= aim.tolerance && attempted.decided;
-            const std::string words = verdict(attempted, aim);
+            std::string words = verdict(attempted, aim);
             if (!found.settled && precision != highest) return leave_open(words);
-            found.why += words;
+            found.why = found.why.empty() ? std::move(words) : found.why + words;
             return true;
         } catch (const DomainError& e) {
             if (precision == highest) throw;

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "denhartog/number/certified.hpp"
@@ -138,7 +139,7 @@ struct Solution {
     double relative_error = 0;                 ///< what is sure of them: the largest error, as digits count
     bool digits_reached = true;                ///< whether the digits asked for, or aimed at, are there
     bool unique = false;                       ///< whether the steady velocities are known not to depend on the start
-    std::string unique_because;                ///< why, or why it is not known
+    std::string_view unique_because;           ///< why, or why it is not known
     int periods = 1;                           ///< period of the motion in periods of the force
     bool symmetric = true;                     ///< whether the motion mirrors itself after half its period, Eq. (25)
     std::optional<Stability> stability;        ///< where the exact solver answered

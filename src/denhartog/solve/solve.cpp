@@ -15,8 +15,8 @@ namespace {
 
 Work work_so_far() { return {eigen_solves(), mode_evaluations(), phases_propagated()}; }
 
-void say_whether_unique(const std::vector<double>& damping_ratios, double mu, Solution& s) {
-    const bool damped = std::ranges::all_of(damping_ratios, [](double zeta) { return zeta > 0; });
+void say_whether_unique(const ModalBasis<Bounded<double>>& basis, double mu, Solution& s) {
+    const bool damped = std::ranges::all_of(basis.zeta, [](const Bounded<double>& zeta) { return zeta.x > 0; });
     s.unique = mu == 1 && damped;
     if (s.unique)
         s.unique_because =
@@ -119,24 +119,18 @@ void keep_asked_mass(const Question& question, Solution& s) {
     for (OtherMotion& motion : s.motions) motion.masses = {motion.masses[question.mass->index]};
 }
 
-std::vector<double> damping_ratios(const ModalBasis<Bounded<double>>& basis) {
-    std::vector<double> zeta;
-    for (const Bounded<double>& each : basis.zeta) zeta.push_back(each.x);
-    return zeta;
-}
-
 Solution solve_at(const PreparedSystem& p, const SolvePoint& at, const Question& question, const Work& before) {
     Solution s;
     s.asked = question.asked;
     if (answer_by_contact(p, at, question, s)) {
-        say_whether_unique(damping_ratios(*p.contact->basis), p.scene.mu, s);
+        say_whether_unique(*p.contact->basis, p.scene.mu, s);
     } else {
         SolveTask task{source_at(p, at), question, p.scene, aim_of(question.digits), p.bounded, p.moving};
         task.scene.r = at.r;
         task.scene.beta = at.beta;
         if (!task.basis) task.basis = scene_with_modes<double>(task.source).basis;
         task.modes.emplace(task.basis, as_input(at.r));
-        say_whether_unique(damping_ratios(*task.basis), p.scene.mu, s);
+        say_whether_unique(*task.basis, p.scene.mu, s);
         s.r = exactly(at.r, 1);
         s.beta = exactly(at.beta, 1);
         s.contact = p.scene.system.contact;

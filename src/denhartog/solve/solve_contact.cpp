@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <utility>
 
 #include "denhartog/solve/solve_task.hpp"
 
@@ -38,9 +39,9 @@ bool answer_by_contact(const PreparedSystem& p, const SolvePoint& at, const Ques
         return Attempted{question.asked == Asked::phase ? std::max(relative, static_cast<double>(found->phase.e)) : relative};
     };
     try {
-        const Certainty found = certify(aim, attempt);
+        Certainty found = certify(aim, attempt);
         if (!slides || !found.settled) return false;
-        s.method = {"closed form", name(found.precision), found.why};
+        s.method = {"closed form", name(found.precision), std::move(found.why)};
         s.relative_error = found.relative;
     } catch (const DomainError&) {
         return false; // the next model says where the pole is

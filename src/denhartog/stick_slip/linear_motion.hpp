@@ -3,9 +3,7 @@
 /// \f$ q_i'' + \sum_m D_{im} q_m' + \omega_i^2 q_i = F_i\cos\tau + G_i \f$.
 ///
 /// Where D is diagonal each coordinate has its closed form, that of `evaluation/driven_motion.hpp`. Where it is not, which happens
-/// only while the contact sticks, the state is carried by exponentials of the system over \f$ 2^k \f$ times a step that is one
-/// over its largest rate: the work grows as the logarithm of rate times time. Each exponential is kept less the identity, so that
-/// slow motions keep their digits beside fast ones.
+/// only while the contact sticks, they are carried together, as `coupled_motion.hpp` has it.
 #pragma once
 
 #include <algorithm>
@@ -19,6 +17,7 @@
 #include "denhartog/model/linear_algebra.hpp"
 #include "denhartog/number/effort.hpp"
 #include "denhartog/scene/scene.hpp"
+#include "denhartog/stick_slip/coupled_motion.hpp"
 
 namespace denhartog {
 
@@ -86,8 +85,9 @@ struct LinearMotion {
             free_[i] = evaluation::free_start(InitialValues<T>{q[0][i], q[1][i]}, at_rest_[i], X_[i], cos_0_, sin_0_);
         }
         if (!coupled()) return;
-        state_.resize(rows(), 1);
-        state_ << column(q[0]) - column(at_rest_), column(q[1]), cos_0_, sin_0_;
+        Column<T> z(rows());
+        z << column(q[0]) - column(at_rest_), column(q[1]), cos_0_, sin_0_;
+        together_.start(std::move(z));
     }
 
     /// @brief Coordinates and velocities at an instant, into q[0], q[1]. @param t the time from the start
@@ -96,10 +96,10 @@ struct LinearMotion {
         cos_tau_ = cos(T(tau_0_ + t));
         sin_tau_ = sin(T(tau_0_ + t));
         if (coupled()) {
-            const Matrix<T> z = carried(t, state_);
+            const Column<T> z = together_.at(t);
             const auto n = static_cast<Eigen::Index>(size());
-            column(q[0]) = column(at_rest_) + z.topRows(n);
-            column(q[1]) = z.middleRows(n, n);
+            column(q[0]) = column(at_rest_) + z.head(n);
+            column(q[1]) = z.segment(n, n);
             return;
         }
         for (std::size_t i = 0; i < size(); ++i) {
@@ -172,7 +172,7 @@ struct LinearMotion {
         if (coupled()) {
             Matrix<T> z(rows(), dq.cols());
             z << dq, dp, Matrix<T>::Zero(2, dq.cols());
-            z = carried(t, z);
+            z = together_.carried(t, z);
             dq = z.topRows(dq.rows());
             dp = z.middleRows(dq.rows(), dq.rows());
             return;
@@ -193,51 +193,22 @@ private:
 
     void prepare_coupled() {
         const auto n = static_cast<Eigen::Index>(size());
-        A_ = Matrix<T>::Zero(rows(), rows());
-        rate_ = T(1);
+        Matrix<T> A = Matrix<T>::Zero(rows(), rows());
+        T rate(1);
         for (Eigen::Index i = 0; i < n; ++i) {
             const T& omega = omega_0[static_cast<std::size_t>(i)];
-            A_(i, n + i) = T(1);
-            A_(n + i, i) = -omega * omega;
-            A_(n + i, 2 * n) = F[static_cast<std::size_t>(i)];
-            rate_ = std::max(rate_, omega);
+            A(i, n + i) = T(1);
+            A(n + i, i) = -omega * omega;
+            A(n + i, 2 * n) = F[static_cast<std::size_t>(i)];
+            rate = std::max(rate, omega);
         }
-        A_.block(n, n, n, n) = -D;
-        A_(2 * n, 2 * n + 1) = T(-1);
-        A_(2 * n + 1, 2 * n) = T(1);
-        rate_ += D.cwiseAbs().rowwise().sum().maxCoeff();
-        leaps_.clear();
+        A.block(n, n, n, n) = -D;
+        A(2 * n, 2 * n + 1) = T(-1);
+        A(2 * n + 1, 2 * n) = T(1);
+        rate += D.cwiseAbs().rowwise().sum().maxCoeff();
+        together_ = CoupledMotion<T>(std::move(A), rate);
     }
 
-    // exp(B) z - z by its series; no entry of B is much larger than 1 once its rows are scaled.
-    static Matrix<T> growth(const Matrix<T>& B, Matrix<T> z) {
-        Matrix<T> sum = Matrix<T>::Zero(z.rows(), z.cols());
-        for (int k = 1; k <= most_terms; ++k) {
-            z = B * z / T(k);
-            Matrix<T> next = sum + z;
-            if (next == sum) break;
-            sum.swap(next);
-        }
-        return sum;
-    }
-
-    // exp(A 2^k / rate) less the identity.
-    const Matrix<T>& leap(std::size_t k) {
-        if (leaps_.empty()) leaps_.push_back(growth(A_ / rate_, Matrix<T>::Identity(rows(), rows())));
-        while (leaps_.size() <= k) leaps_.push_back(leaps_.back() * leaps_.back() + T(2) * leaps_.back());
-        return leaps_[k];
-    }
-
-    Matrix<T> carried(const T& t, Matrix<T> z) {
-        const double steps = std::floor(static_cast<double>(T(t * rate_)));
-        if (!(steps < 0x1p53)) return z * std::numeric_limits<T>::quiet_NaN(); // nothing is left of the time's digits
-        const auto n = static_cast<std::uint64_t>(steps);
-        for (std::size_t k = 0; n >> k != 0; ++k)
-            if ((n >> k & 1) != 0) z += leap(k) * z;
-        return z + growth(A_ * T(t - T(steps) / rate_), z);
-    }
-
-    static constexpr int most_terms = 200;
     T tau_0_, cos_0_, sin_0_, cos_tau_, sin_tau_;
     bool differentiated_ = false; // whether q holds all derivatives, at the instant at_
     T at_;
@@ -246,9 +217,7 @@ private:
     std::vector<Complex<T>> X_;          // the harmonic part
     std::vector<InitialValues<T>> free_; // the free part at the start
     std::vector<char> resonant_;         // harmonic and free part are taken together
-    T rate_ = T(1);                      // no rate of the coupled system is faster
-    Matrix<T> A_, state_;                // the coupled system, and its state at the start
-    std::vector<Matrix<T>> leaps_;       // as `leap` has them
+    CoupledMotion<T> together_;          // all coordinates where D couples them
 };
 
 } // namespace denhartog

@@ -1,0 +1,134 @@
+/// @file
+/// @brief A linear system \f$ z' = A z \f$ from a start, at any instants in any order.
+///
+/// The state is carried by exponentials of the system over \f$ 2^k \f$ times a step that is one over its largest rate: the work
+/// grows as the logarithm of rate times time. Each exponential is kept less the identity, so that slow motions keep their digits
+/// beside fast ones. Within a step the state is a power series in time, kept for other instants.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "denhartog/scene/scene.hpp"
+
+namespace denhartog {
+
+/// @brief The motion of a linear system.
+template <class T>
+class CoupledMotion {
+public:
+    CoupledMotion() = default;
+    /// @param A     the system
+    /// @param rate  no rate of it is faster: its entries over it are not much larger than 1 once its rows are scaled
+    CoupledMotion(Matrix<T> A, const T& rate) : A_(std::move(A)), rate_(rate) {}
+
+    /// @brief Starts at t = 0. @param z the state
+    void start(Column<T> z) {
+        state_ = std::move(z);
+        series_.clear();
+    }
+
+    /// @brief The state at an instant. @param t time from the start @return z; not a number where t has no digits left for a step
+    [[nodiscard]] Column<T> at(const T& t) {
+        const std::optional<std::uint64_t> n = steps_in(t);
+        if (!n) return state_ * std::numeric_limits<T>::quiet_NaN();
+        return sum_of(series_after(*n), part_after(*n, t));
+    }
+
+    /// @brief Other states of the same system, carried over a time. @param t the time @param z the states, a column each
+    /// @return them then; not numbers where t has no digits left for a step
+    Matrix<T> carried(const T& t, Matrix<T> z) {
+        const std::optional<std::uint64_t> n = steps_in(t);
+        if (!n) return z * std::numeric_limits<T>::quiet_NaN();
+        leap_over(*n, z);
+        return z + growth(A_ * T(part_after(*n, t) / rate_), z);
+    }
+
+private:
+    // exp(B) z - z by its series; no entry of B is much larger than 1 once its rows are scaled.
+    static Matrix<T> growth(const Matrix<T>& B, Matrix<T> z) {
+        Matrix<T> sum = Matrix<T>::Zero(z.rows(), z.cols());
+        for (int k = 1; k <= most_terms; ++k) {
+            z = B * z / T(k);
+            Matrix<T> next = sum + z;
+            if (next == sum) break;
+            sum.swap(next);
+        }
+        return sum;
+    }
+
+    // exp(A 2^k / rate) less the identity.
+    const Matrix<T>& leap(std::size_t k) {
+        if (leaps_.empty()) leaps_.push_back(growth(A_ / rate_, Matrix<T>::Identity(A_.rows(), A_.rows())));
+        while (leaps_.size() <= k) leaps_.push_back(leaps_.back() * leaps_.back() + T(2) * leaps_.back());
+        return leaps_[k];
+    }
+
+    // Whole steps in a time; none where nothing is left of the time's digits.
+    [[nodiscard]] std::optional<std::uint64_t> steps_in(const T& t) const {
+        const double steps = std::floor(static_cast<double>(T(t * rate_)));
+        if (!(steps < 0x1p53)) return std::nullopt;
+        return static_cast<std::uint64_t>(steps);
+    }
+
+    // What is left of a time after n steps, as a part of a step.
+    [[nodiscard]] T part_after(std::uint64_t n, const T& t) const { return (t - T(static_cast<double>(n)) / rate_) * rate_; }
+
+    template <class Numbers>
+    void leap_over(std::uint64_t n, Numbers& z) {
+        for (std::size_t k = 0; n >> k != 0; ++k)
+            if ((n >> k & 1) != 0) z += leap(k) * z;
+    }
+
+    // The terms of exp(A s / rate) z for s up to 1, a column each, as many as s = 1 needs.
+    [[nodiscard]] Matrix<T> terms_from(const Column<T>& z) const {
+        std::vector<Column<T>> terms{z};
+        Column<T> sum = z;
+        for (int k = 1; k <= most_terms; ++k) {
+            terms.push_back(A_ * terms.back() / T(k * rate_));
+            const Column<T> next = sum + terms.back();
+            if (next == sum) break;
+            sum = next;
+        }
+        Matrix<T> columns(z.size(), static_cast<Eigen::Index>(terms.size()));
+        for (std::size_t k = 0; k < terms.size(); ++k) columns.col(static_cast<Eigen::Index>(k)) = terms[k];
+        return columns;
+    }
+
+    static Column<T> sum_of(const Matrix<T>& terms, const T& s) {
+        Column<T> sum = terms.col(terms.cols() - 1);
+        for (Eigen::Index k = terms.cols() - 2; k >= 0; --k) sum = terms.col(k) + s * sum;
+        return sum;
+    }
+
+    // The series over the step after n of them: the first few step by step, without the exponentials, which are dear.
+    const Matrix<T>& series_after(std::uint64_t n) {
+        const auto known = series_.find(n);
+        if (known != series_.end()) return known->second;
+        if (series_.size() >= most_series) series_.clear();
+        if (n == 0 || n > most_single_steps) {
+            Column<T> z = state_;
+            leap_over(n, z);
+            return series_.emplace(n, terms_from(z)).first->second;
+        }
+        const Column<T> z = sum_of(series_after(n - 1), T(1));
+        return series_.emplace(n, terms_from(z)).first->second;
+    }
+
+    static constexpr int most_terms = 200;
+    static constexpr std::uint64_t most_single_steps = 16;
+    static constexpr std::size_t most_series = 64; // kept at a time
+
+    Matrix<T> A_;
+    T rate_ = T(1);
+    Column<T> state_;                           // at the start
+    std::vector<Matrix<T>> leaps_;              // as `leap` has them
+    std::map<std::uint64_t, Matrix<T>> series_; // as `series_after` has them
+};
+
+} // namespace denhartog
