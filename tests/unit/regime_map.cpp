@@ -2,6 +2,7 @@
 
 #include <random>
 
+#include "denhartog/answer/sliding_solution.hpp"
 #include "denhartog/evaluation/contact.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/solve/solve.hpp"
@@ -56,6 +57,20 @@ TEST_CASE("every point of a map is what solve answers there", "[map]") {
         CHECK(met[1] > 3);
         CHECK(met[2] > 3);
     }
+}
+
+TEST_CASE("a little above the boundary, where no stop can be seen, solve, response and map have one word", "[map][solve][eq:69]") {
+    Scene<double> scene = chain({1, 2.0946804396078478}, {1, 0.7414127923646818}, {0, 0}, 1, 2, 1, 0.143491911752667);
+    scene.beta = 1.2404035292865214e-06;
+    const Solution solved = solve(scene_source(scene)), responded = sliding_solution(scene_source(scene), {});
+    CHECK(responded.regime.regime == Regime::stick_slip);
+    CHECK(solved.regime.regime == Regime::stick_slip);
+    CHECK(solved.regime.reason.find("is not below beta_lim") != std::string::npos);
+    CHECK(solved.regime.reason.find("no stop was seen") != std::string::npos);
+    CHECK(solved.stops.empty());
+    const RegimeMap map = regime_map(scene, {{*scene.r}, {*scene.beta}, {Mass{0}, Mass{1}}, MapStart::rest, 1}, never);
+    CHECK(map.points.front().regime == Regime::stick_slip);
+    CHECK(map.points.front().stops == 0);
 }
 
 TEST_CASE("a map is the same to the last bit for any number of threads", "[map]") {

@@ -135,7 +135,8 @@ private:
         if (orbit.status != OrbitStatus::periodic) return;
         for (std::size_t m = 0; m < map.masses.size(); ++m)
             write(n, m, contact_alone ? orbit.contact.amplitude : orbit.masses[map.masses[m].index].amplitude);
-        const Regime regime = orbit.stops.empty() ? Regime::continuous : Regime::stick_slip;
+        // With mu = 1 the boundary tells the regime, also where it is so near that no stop is seen.
+        const Regime regime = orbit.stops.empty() && map.mu > 1 ? Regime::continuous : Regime::stick_slip;
         points[n] = {PointStatus::answered, regime, static_cast<std::int32_t>(orbit.stops.size()), orbit.periods};
         last = orbit.start;
     }

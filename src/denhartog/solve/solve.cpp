@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
+#include <sstream>
 
 #include "denhartog/answer/held_solution.hpp"
 #include "denhartog/answer/orbit_solution.hpp"
@@ -44,6 +46,12 @@ void set_regime(const SolveTask& task, Regime met, const std::string& reason, So
     if (task.scene.mu > 1 || task.pole || met == Regime::continuous) s.regime.reason += "; " + reason;
 }
 
+std::string short_text(double x) {
+    std::ostringstream text;
+    text << std::setprecision(2) << x;
+    return text.str();
+}
+
 void answer_by_boundaries(const SolveTask& task, const std::string& model, Solution& s) {
     s.masses.clear();
     s.method.model = model;
@@ -73,6 +81,8 @@ void answer_from_rest(const SolveTask& task, Solution& s) {
         set_regime(task, Regime::permanent_sticking, "from the start from rest " + orbit.reason, s);
     else if (slides)
         set_regime(task, Regime::continuous, "the motion from rest is the sliding motion", s);
+    else if (orbit.stops.empty() && task.scene.mu == 1 && s.regime.regime == Regime::stick_slip)
+        s.regime.reason += "; no stop was seen in the motion, which is known to " + short_text(orbit.error_bound);
     else if (orbit.stops.empty())
         set_regime(task, Regime::continuous, "the contact does not stop, but the motion is not that of the closed form", s);
     else
