@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "conformance/grade.hpp"
+#include "denhartog/number/legible.hpp"
 
 namespace denhartog::conformance {
 namespace {
@@ -122,7 +123,8 @@ Partner shake_hands(const RunSettings& settings) {
     try {
         partner.process = std::make_unique<Process>(settings.command);
     } catch (const std::system_error& e) {
-        throw BrokenProgram("the program cannot be started: " + settings.command.front() + " (" + e.code().message() + ")");
+        throw BrokenProgram("the program cannot be started: " + legible(settings.command.front()) + " (" + e.code().message() +
+                            ")");
     }
     const Reply reply = partner.process->ask(greeting, patience_at_start * settings.seconds);
     if (reply.heard != Heard::line)

@@ -23,7 +23,7 @@ struct CallError : std::invalid_argument {
 };
 
 /// @brief The longest message, with its ending zero; longer ones are cut.
-inline constexpr std::size_t message_size = 512;
+inline constexpr std::size_t message_size = 1300;
 
 /// @brief Where the text of the calling thread's last fault stands. @return its bytes
 inline char* message() noexcept {
@@ -54,13 +54,13 @@ int guarded(Body&& body) noexcept {
     } catch (const PrecisionError& e) {
         return fault(DH_ERROR_PRECISION, e.what());
     } catch (const std::length_error& e) {
-        return fault(DH_ERROR_SIZE, e.what());
-    } catch (const std::bad_alloc&) {
-        return fault(DH_ERROR_MEMORY, "memory is short");
+        return fault(DH_ERROR_SIZE, in_own_words(e));
+    } catch (const std::bad_alloc& e) {
+        return fault(DH_ERROR_MEMORY, in_own_words(e));
     } catch (const std::exception& e) {
-        return fault(DH_ERROR_INTERNAL, e.what());
+        return fault(is_beyond_range(e) ? DH_ERROR_PRECISION : DH_ERROR_INTERNAL, in_own_words(e));
     } catch (...) {
-        return fault(DH_ERROR_INTERNAL, "an exception without a text");
+        return fault(DH_ERROR_INTERNAL, in_own_words(std::exception()));
     }
 }
 

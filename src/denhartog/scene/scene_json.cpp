@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "denhartog/formulas/system.hpp"
+#include "denhartog/number/legible.hpp"
 #include "denhartog/number/multiprecision.hpp"
 #include "denhartog/number/number_text.hpp"
 #include "denhartog/scene/json_document.hpp"
@@ -24,7 +25,7 @@ constexpr auto dimensional_keys = std::to_array<const char*>({"masses", "stiffne
 constexpr auto ratio_keys =
     std::to_array<const char*>({"mass_ratios", "stiffness_ratios", "mass_matrix", "stiffness_matrix", "r", "beta"});
 
-std::string value_text(const json& x) { return printable(x.dump(-1, ' ', true, json::error_handler_t::replace)); }
+std::string value_text(const json& x) { return legible(x.dump(-1, ' ', true, json::error_handler_t::replace), most_of_a_value); }
 
 /// A value of the scene with its key and its place.
 struct Item {
@@ -110,7 +111,7 @@ void check_keys(const json& object) {
     if (!object.is_object()) throw InputError("scene", "must be a JSON object", value_text(object));
     for (const auto& entry : object.items())
         if (std::find(keys.begin(), keys.end(), entry.key()) == keys.end())
-            throw InputError(printable(entry.key()), "is no key of a scene", "", pointer_step(entry.key()));
+            throw InputError(entry.key(), "is no key of a scene", "", pointer_step(entry.key()));
     const char* dimensional = first_of(object, dimensional_keys);
     const char* ratio = first_of(object, ratio_keys);
     if (dimensional && ratio)
