@@ -75,6 +75,13 @@ inline void need_count(std::size_t count, std::size_t right) {
     throw CallError(DH_ERROR_SIZE, "count must be " + std::to_string(right) + ", but is " + std::to_string(count));
 }
 
+/// @brief Checks a length against a limit. @param length as given @param most the limit @param name what the header calls it
+/// @throws CallError where it is 0 or beyond the limit
+inline void need_length(std::size_t length, std::size_t most, const std::string& name) {
+    if (length >= 1 && length <= most) return;
+    throw CallError(DH_ERROR_SIZE, name + " must be from 1 to " + std::to_string(most) + ", but is " + std::to_string(length));
+}
+
 /// @brief Checks that numbers are fit to be handed out. @param numbers they @throws PrecisionError where one is not finite
 inline void need_finite(std::span<const double> numbers) {
     for (const double x : numbers)

@@ -39,6 +39,11 @@ struct Item {
 
 Item item(const json& object, const char* key) { return {object.at(key), key, pointer_step(key)}; }
 
+// Before anything as large is made of it.
+void check_length(const Item& x, const std::string& of) {
+    if (x.value.size() > most_masses) throw InputError(x.key, most_masses_rule(of), std::to_string(x.value.size()), x.place);
+}
+
 template <class T>
 T read_number(const Item& x) {
     if (x.value.is_number()) return T(x.value.get<double>());
@@ -60,6 +65,7 @@ template <class T>
 std::vector<T> read_list(const Item& x) {
     if (!x.value.is_array()) x.fail("must be an array of numbers");
     if (x.value.empty()) x.fail("must have at least one value");
+    check_length(x, "values");
     std::vector<T> list;
     for (std::size_t i = 0; i < x.value.size(); ++i) list.push_back(read_number<T>(x[i]));
     return list;
@@ -69,6 +75,7 @@ template <class T>
 Matrix<T> read_matrix(const Item& x) {
     if (!x.value.is_array()) x.fail("must be an array of rows");
     if (x.value.empty()) x.fail("must have at least one row");
+    check_length(x, "rows");
     const std::size_t N = x.value.size();
     Matrix<T> matrix(static_cast<Eigen::Index>(N), static_cast<Eigen::Index>(N));
     for (std::size_t i = 0; i < N; ++i) {
