@@ -79,7 +79,7 @@ TEST_CASE("messages hold printable characters and not many of them", "[scene][js
 
 TEST_CASE("a zero byte is refused where it stands, not taken for the end", "[scene][json][bad-input]") {
     using namespace std::string_literals;
-    for (const std::string text : {"{}\0"s, "{}\0{}"s, "{}\0garbage {"s, "{\"a\0\": 1}"s, "\0{}"s, "{\"a\": 1\0}"s, "{} \0"s}) {
+    for (const std::string& text : {"{}\0"s, "{}\0{}"s, "{}\0garbage {"s, "{\"a\0\": 1}"s, "\0{}"s, "{\"a\": 1\0}"s, "{} \0"s}) {
         const InputError fault = refusal(text);
         REQUIRE(fault.quantity == "scene");
         REQUIRE(fault.value == "a zero byte");

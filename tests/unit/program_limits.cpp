@@ -99,3 +99,19 @@ TEST_CASE("what the system or memory refuse is told in words of the program", "[
     refused(run, 3, "memory must hold the scene and what is asked of it");
     CHECK(run.error.find("bad_alloc") == std::string::npos);
 }
+
+TEST_CASE("a number that leaves every range is told with its quantities, and among JSON Lines in its place",
+          "[program][input][limits]") {
+    const std::string stiff =
+        R"({"mass_ratios": [1, 2], "stiffness_ratios": [1, 1e300], "damping_ratios": [1, 1], "contact": 2, )"
+        R"("load": 2, "r": 3, "beta": 0})";
+    refused(run_program("functions", stiff), 3, "exp(pi zeta_i / R_i) is where r is too small or a damping ratio too large");
+    CHECK(run_program("functions", stiff).error.find("boost") == std::string::npos);
+    const Run among = run_program("functions --json", plain_scene + "\n" + stiff + "\n" + plain_scene + "\n");
+    CHECK(among.status == 3);
+    const std::vector<std::string> lines = lines_of(among.output);
+    REQUIRE(lines.size() == 3);
+    CHECK(lines[0] == lines[2]);
+    CHECK(
+        nlohmann::json::parse(lines[1]).at("error").at("rule").get<std::string>().starts_with("the numbers of the computation"));
+}

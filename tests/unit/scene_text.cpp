@@ -63,7 +63,7 @@ TEST_CASE("the places of a scene alone have no line", "[scene][json][bad-input]"
 
 TEST_CASE("a zero byte makes no end of a scene, alone or among others", "[scene][json][bad-input]") {
     using namespace std::string_literals;
-    for (const std::string text : {scene + "\0"s + scene, scene + "\0garbage {"s, scene + "\0"s}) {
+    for (const std::string& text : {scene + "\0"s + scene, scene + "\0garbage {"s, scene + "\0"s}) {
         const auto scenes = read_scenes<double>(text);
         REQUIRE(scenes.size() == 1);
         REQUIRE(scenes[0].error);

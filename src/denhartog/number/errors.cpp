@@ -36,8 +36,8 @@ const char* in_own_words(const std::exception& fault) noexcept {
     if (is_one_of<std::bad_alloc, std::length_error>(fault))
         return "memory must hold the scene and what is asked of it, but is short: ask for fewer masses, samples or points";
     if (is_beyond_range(fault))
-        return "the numbers of the computation must be within the range of their type, but are beyond it: r, the "
-               "damping ratios or the ratios of masses and stiffnesses are too far from 1";
+        return "the numbers of the computation must be within the range of their type, but are beyond it, as exp(pi zeta_i / R_i)"
+               " is where r is too small or a damping ratio too large for the natural frequencies";
     if (is_one_of<std::system_error>(fault))
         return "the system must grant what the computation needs (files, threads, memory), but has refused it";
     return "the computation must end with an answer or a reason, but has met a fault of its own: this is a defect of the library";

@@ -91,12 +91,19 @@ private:
     sigset_t before{};
 };
 
+// A folder whose list of files may not be read can be written into all the same.
+#ifdef O_PATH
+constexpr int only_to_be_found = O_PATH;
+#else
+constexpr int only_to_be_found = O_RDONLY;
+#endif
+
 // A new file beside the one whose place it takes, under a name that nobody can guess; gone again unless it took that place.
 class NewFile {
 public:
     explicit NewFile(const std::string& name_) : name(name_), target(followed(name_)) {
         const fs::path parent = target.parent_path();
-        folder = ::open(parent.empty() ? "." : parent.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+        folder = ::open(parent.empty() ? "." : parent.c_str(), only_to_be_found | O_DIRECTORY | O_CLOEXEC);
         if (folder < 0) cannot_be_written(name, last_fault());
         std::random_device random;
         do {
