@@ -39,9 +39,9 @@ void check_decimal(const std::string& text) {
     if (fault == NumberFault::no_number || fault == NumberFault::too_long) throw InputError("value", number_rule(fault), text);
 }
 
-// The word of a vector's that stands in a report as it is.
-void check_word(const std::string& name, const std::string& word) {
-    if (word.empty() || word != legible(word)) throw InputError(name, "must be a short text without control characters", word);
+// What stands in reports as it is.
+void check_text(const std::string& name, const std::string& text) {
+    if (text != legible(text)) throw InputError(name, "must be a short text without control characters", text);
 }
 
 std::string text_of(double x) { return number_to_text(x); }
@@ -97,14 +97,18 @@ Vector vector_from_json(const nlohmann::json& object) {
         v.group = object.at("group");
         v.equation = object.at("equation");
         v.tier = object.at("tier");
-        check_word("id", v.question.id);
-        check_word("group", v.group);
+        check_text("id", v.question.id);
+        check_text("group", v.group);
+        check_text("equation", v.equation);
+        check_text("tier", v.tier);
         v.regime = object.value("regime", "");
         if (object.contains("margin")) v.margin = object["margin"].get<double>();
         object.at("flags").get_to(v.flags);
+        for (const std::string& flag : v.flags) check_text("flags", flag);
         object.at("catches").get_to(v.catches);
         if (object.contains("reject")) {
             v.reject = object["reject"];
+            check_text("reject", v.reject);
             return v;
         }
         object.at("routes").get_to(v.routes);

@@ -110,6 +110,9 @@ TEST_CASE("the texts of vectors and the words of a command reach no terminal as 
     const Run bad = conform("list " + with_vectors(folder, ""));
     CHECK(bad.status == 2);
     CHECK(contains(bad.error, "id must be a short text without control characters, but is a-1\\x1B[2J"));
+    Vector flagged = vector_of("a-1", "amplitude", {1});
+    flagged.flags = {"\x1b[2J"};
+    CHECK(contains(conform("list " + with_vectors(folder_of("flagged", {flagged}), "")).error, "flags must be a short text"));
     const std::string program = table_program("obeyed", right_answers) + " '\x1b[2J\xFF'";
     for (const std::string format : {"text", "json", "junit", "markdown"}) {
         const Run r = conform("run --format " + format + " " + with_vectors(six(), "") + "-- " + program);
