@@ -5,6 +5,8 @@
 
 #include "conformance/verdict.hpp"
 #include "denhartog/number/errors.hpp"
+#include "denhartog/number/legible.hpp"
+#include "denhartog/scene/json_document.hpp"
 
 namespace denhartog::conformance {
 namespace {
@@ -77,7 +79,7 @@ std::map<std::string, Answer> from_json_lines(std::string_view text, const std::
         const std::string_view one = text.substr(start, end - start);
         start = end + 1;
         if (one.find_first_not_of(" \t\r") == std::string_view::npos) continue;
-        const nlohmann::json object = nlohmann::json::parse(one, nullptr, false);
+        const nlohmann::json object = json_or_nothing(one);
         if (!object.is_object() || !object.contains("id") || !object["id"].is_string())
             throw InputError("answers", "must hold a JSON object with an id in every line", legible(one), place(line));
         const std::string id = object["id"];
@@ -91,6 +93,7 @@ std::map<std::string, Answer> from_json_lines(std::string_view text, const std::
 std::map<std::string, Answer> answers_in(std::string_view text, const std::set<std::string>& known) {
     constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
     if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
+    refuse_zero_byte("answers", text);
     const std::size_t first = text.find_first_not_of(" \t\r\n");
     return first != std::string_view::npos && text[first] == '{' ? from_json_lines(text, known) : from_csv(text, known);
 }

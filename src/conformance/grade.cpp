@@ -6,6 +6,7 @@
 
 #include "conformance/beyond_boundary.hpp"
 #include "conformance/curve.hpp"
+#include "denhartog/number/legible.hpp"
 #include "denhartog/number/number.hpp"
 
 namespace denhartog::conformance {

@@ -10,8 +10,10 @@
 #include <sstream>
 
 #include "denhartog/number/errors.hpp"
+#include "denhartog/number/legible.hpp"
 #include "denhartog/number/multiprecision.hpp"
 #include "denhartog/number/number_text.hpp"
+#include "denhartog/scene/json_document.hpp"
 
 namespace denhartog::conformance {
 namespace {
@@ -50,7 +52,7 @@ std::optional<double> finite_number(std::string_view text) {
     if (copy.empty() || copy.front() == ' ') return std::nullopt;
     char* end = nullptr;
     const double x = std::strtod(copy.c_str(), &end);
-    if (*end != '\0' || !std::isfinite(x)) return std::nullopt;
+    if (end != copy.c_str() + copy.size() || !std::isfinite(x)) return std::nullopt;
     return x;
 }
 
@@ -58,9 +60,7 @@ bool is_regime(std::string_view text) { return text == "continuous" || text == "
 
 std::string in_quotes(std::string_view text) {
     constexpr std::size_t most = 60;
-    std::string shown;
-    for (const char c : text.substr(0, most)) shown += c >= ' ' && c <= '~' ? c : '?';
-    return "'" + shown + (text.size() > most ? "...'" : "'");
+    return "'" + legible(text, most) + "'";
 }
 
 // As text whatever bytes its strings hold.
@@ -213,7 +213,7 @@ Question question_from_json(const nlohmann::json& object) {
 
 Answer answer_from_json(std::string_view line, std::string_view id) {
     if (nested_too_deeply(line)) return Unusable{in_quotes(line) + " is nested too deeply"};
-    const nlohmann::json object = nlohmann::json::parse(line, nullptr, false);
+    const nlohmann::json object = json_or_nothing(line);
     if (!object.is_object()) return Unusable{in_quotes(line) + " is no JSON object"};
     const auto text = [&](const char* key) {
         return object[key].is_string() ? object[key].get<std::string>() : dumped(object[key]);

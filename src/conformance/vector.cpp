@@ -10,7 +10,9 @@
 #include <sstream>
 
 #include "denhartog/number/errors.hpp"
+#include "denhartog/number/legible.hpp"
 #include "denhartog/number/number_text.hpp"
+#include "denhartog/scene/json_document.hpp"
 
 namespace denhartog::conformance {
 namespace {
@@ -26,8 +28,20 @@ std::vector<std::string> all_hexadecimal(const std::vector<double>& numbers) {
 double from_hexadecimal(const std::string& text) {
     char* end = nullptr;
     const double x = std::strtod(text.c_str(), &end);
-    if (text.empty() || *end != '\0') throw InputError("hex", "must hold hexadecimal floats", text);
+    if (text.empty() || end != text.c_str() + text.size()) throw InputError("hex", "must hold hexadecimal floats", text);
     return x;
+}
+
+// Forty digits, of which only those of a double are looked at here.
+void check_decimal(const std::string& text) {
+    double x = 0;
+    const NumberFault fault = number_from_text(text, x);
+    if (fault == NumberFault::no_number || fault == NumberFault::too_long) throw InputError("value", number_rule(fault), text);
+}
+
+// What stands in reports as it is.
+void check_text(const std::string& name, const std::string& text) {
+    if (text != legible(text)) throw InputError(name, "must be a short text without control characters", text);
 }
 
 std::string text_of(double x) { return number_to_text(x); }
@@ -83,12 +97,18 @@ Vector vector_from_json(const nlohmann::json& object) {
         v.group = object.at("group");
         v.equation = object.at("equation");
         v.tier = object.at("tier");
+        check_text("id", v.question.id);
+        check_text("group", v.group);
+        check_text("equation", v.equation);
+        check_text("tier", v.tier);
         v.regime = object.value("regime", "");
         if (object.contains("margin")) v.margin = object["margin"].get<double>();
         object.at("flags").get_to(v.flags);
+        for (const std::string& flag : v.flags) check_text("flags", flag);
         object.at("catches").get_to(v.catches);
         if (object.contains("reject")) {
             v.reject = object["reject"];
+            check_text("reject", v.reject);
             return v;
         }
         object.at("routes").get_to(v.routes);
@@ -98,6 +118,7 @@ Vector vector_from_json(const nlohmann::json& object) {
             return v;
         }
         object.at("value").get_to(v.value);
+        for (const std::string& x : v.value) check_decimal(x);
         for (const std::string& x : object.at("hex").get<std::vector<std::string>>()) v.nearest.push_back(from_hexadecimal(x));
         v.scale = from_hexadecimal(object.at("scale"));
         for (const auto& [input, number] : object.at("condition").items()) v.condition.emplace_back(input, number.get<double>());
@@ -147,9 +168,10 @@ std::vector<Vector> read_vectors(const std::filesystem::path& folder) {
         std::size_t number = 0;
         for (std::string line; std::getline(stream, line);) {
             ++number;
-            const nlohmann::json object = nlohmann::json::parse(line, nullptr, false);
+            const nlohmann::json object = json_or_nothing(line);
             if (!object.is_object())
-                throw InputError("vector", "must be a JSON object", "", file.string() + ", line " + std::to_string(number));
+                throw InputError("vector", "must be a JSON object", legible(line, most_of_a_value),
+                                 file.string() + ", line " + std::to_string(number));
             vectors.push_back(vector_from_json(object));
             if (!ids.insert(vectors.back().question.id).second)
                 throw InputError("id", "must be given once", vectors.back().question.id, file.string());

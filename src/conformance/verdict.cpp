@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 namespace denhartog::conformance {
 namespace {
@@ -52,22 +51,6 @@ double digits(double error) {
     constexpr double most = 17;
     if (!(error > 0)) return most;
     return error < 1 ? std::min(-std::log10(error), most) : 0;
-}
-
-std::string legible(std::string_view text) {
-    constexpr std::size_t most = 200;
-    // The JSON library replaces what is no UTF-8.
-    const std::string quoted =
-        nlohmann::json(std::string(text.substr(0, most))).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
-    const std::string valid = nlohmann::json::parse(quoted).get<std::string>();
-    std::string shown;
-    for (std::size_t n = 0; n < valid.size(); ++n) {
-        const auto byte = static_cast<unsigned char>(valid[n]);
-        const bool second_control_block = byte == 0xC2 && n + 1 < valid.size() && static_cast<unsigned char>(valid[n + 1]) < 0xA0;
-        if (second_control_block) ++n;
-        shown += byte < 0x20 || byte == 0x7F || second_control_block ? '?' : valid[n];
-    }
-    return shown + (text.size() > most ? "..." : "");
 }
 
 } // namespace denhartog::conformance

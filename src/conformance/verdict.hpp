@@ -63,9 +63,4 @@ struct Judged {
 /// @brief Digits that an error leaves. @param error relative error @return at least 0, at most 17
 [[nodiscard]] double digits(double error);
 
-/// @brief Text of a program under test, fit to be printed: valid UTF-8, no control characters, not too long.
-/// @param text  any bytes
-/// @return      the text
-[[nodiscard]] std::string legible(std::string_view text);
-
 } // namespace denhartog::conformance

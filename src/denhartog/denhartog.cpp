@@ -1,5 +1,6 @@
 #include "denhartog/denhartog.hpp"
 
+#include <algorithm>
 #include <thread>
 
 #include "denhartog/answer/certify.hpp"
@@ -29,7 +30,7 @@ RegimeMap map(const Scene<double>& scene, const std::vector<double>& r, const st
 }
 
 SampledSolution motion(const Scene<double>& scene, std::size_t samples) {
-    if (samples < 1) throw InputError("samples", "must be at least 1", std::to_string(samples));
+    check_samples("samples", samples, std::max<std::size_t>(number_of_masses(scene.system), 1));
     return sampled_solution(scene, solve(scene), samples);
 }
 

@@ -13,6 +13,7 @@
 #include "denhartog/map/regime_map.hpp"
 #include "denhartog/number/certified.hpp"
 #include "denhartog/number/errors.hpp"
+#include "denhartog/scene/limits.hpp"
 #include "denhartog/scene/scene.hpp"
 #include "denhartog/scene/scene_json.hpp"
 #include "denhartog/solve/sampled_solution.hpp"
@@ -49,7 +50,7 @@ namespace denhartog {
 
 /// @brief The steady motion at equally spaced instants of its period, from the maximum of the force.
 /// @param scene    the scene, with r and beta
-/// @param samples  instants in a period, at least 1
+/// @param samples  instants in a period, from 1 to `most_samples_of` the number of masses
 /// @return         displacements and velocities of all masses
 /// @throws         as `solve`
 [[nodiscard]] SampledSolution motion(const Scene<double>& scene, std::size_t samples);

@@ -53,6 +53,17 @@ TEST_CASE("a file that is none is refused with quantity, rule, value and line", 
     CHECK(fault("{\"id\":\"a-1\",\"value\":1}\n{\"id\":\"a-1\",\"value\":1}\n").find("given once") != std::string::npos);
 }
 
+TEST_CASE("a zero byte ends neither a file nor an answer", "[conformance]") {
+    using namespace std::string_literals;
+    CHECK(fault("id,value\na-1,1\0junk\n"s) == "answers must be text, but is a zero byte (at line 2, column 6)");
+    CHECK(fault("{\"id\":\"a-1\",\"value\":1}\n\n{\"id\":\"a-2\",\"value\":1}\0{\n"s) ==
+          "answers must be text, but is a zero byte (at line 3, column 23)");
+    CHECK(std::holds_alternative<Unusable>(answer_from_json("{\"id\":\"a-1\",\"value\":1}\0{"s, "a-1")));
+    CHECK(std::holds_alternative<Unusable>(answer_from_json("{\"id\":\"a-1\",\"value\":\"1\\u00002\"}", "a-1")));
+    CHECK(std::holds_alternative<Unusable>(answer_from_plain("a-1 value 1\0junk"s, "a-1")));
+    CHECK(std::holds_alternative<Unusable>(answer_from_cell("1\0"s)));
+}
+
 TEST_CASE("an answer that is nested without an end is unusable and does no harm", "[conformance]") {
     const std::string deep = "{\"id\":\"a-1\",\"value\":" + std::string(400000, '[') + std::string(400000, ']') + "}";
     const Answer answer = answer_from_json(deep, "a-1");

@@ -1,6 +1,7 @@
 // Programs that do everything but answer: each is survived, in time, with the verdict that says what it did.
 #include <csignal>
 
+#include <array>
 #include <chrono>
 #include <fstream>
 #include <sstream>
@@ -25,6 +26,8 @@ struct Hostile {
 
 const std::string greet = "read -r greeting; echo 'denhartog-conform 1 plain Hostile'; ";
 
+// Lines that have to arrive together are written by one call of `env printf`: a shell's own printf may write each by itself, and
+// then it is chance whether a line comes before or after the next question, as docs/protocol.md has it.
 // Verdicts are those on the first of three questions; "none" where there is no handshake.
 std::vector<Hostile> hostile_programs() {
     return {
@@ -53,6 +56,8 @@ std::vector<Hostile> hostile_programs() {
         {"infinity", greet + "while read -r id q; do echo \"$id value 1e999\"; done", "wrong", "'1e999' is neither", 1},
         {"three lines an answer", greet + "while read -r id q; do env printf \"$id value 1\\nso\\nthere\\n\"; done", "pass",
          "lines written without being asked, the first 'so'", 0},
+        {"a line before each answer", greet + "while read -r id q; do env printf \"so\\n$id value 1\\n\"; done", "wrong",
+         "the answer is to 'so'", 1},
         {"writes before the handshake", "echo 'GNU something 7.1'; " + greet + "sleep 1000", "none",
          "but wrote 'GNU something 7.1'", 3},
         {"another version", "echo 'denhartog-conform 2 json New'; sleep 1000", "none", "must speak version 1", 3},
@@ -188,4 +193,58 @@ TEST_CASE("an interruption of the runner takes the program under test with it", 
     CHECK(WEXITSTATUS(status) == 128 + SIGTERM);
     CHECK(left_of(name) == 0);
     CHECK_FALSE(std::filesystem::exists(report));
+}
+
+TEST_CASE("standard error without an end costs the runner no memory, and the answers count", "[conformance][hostile]") {
+    const char* runner = std::getenv("DENHARTOG_PROGRAM");
+    REQUIRE(runner != nullptr);
+    const std::vector<std::array<std::string, 2>> programs{
+        {greet + "read -r q; cat /dev/zero >&2", "timeout"},
+        {"cat /dev/zero >&2 & " + greet + "while read -r id q; do echo \"$id value 1\"; done; kill $!", "pass"}};
+    int number = 0;
+    for (const auto& [text, verdict] : programs) {
+        const std::string name = "flooding-" + std::to_string(::getpid()) + "-" + std::to_string(++number) + ".sh";
+        // In memory that the flood would fill at once if it were kept.
+        const Run run = run_program("--version >/dev/null; ( ulimit -v 500000; exec '" + std::string(runner) +
+                                    "' conform run --format json --timeout " + std::to_string(patience) + " --vectors '" +
+                                    three() + "' -- " + script(name, text + "\n") + " 2>/dev/null )");
+        INFO(run.output);
+        CHECK(run.status == (verdict == "pass" ? 0 : 3));
+        const std::string output = run.output.substr(std::min(run.output.find('{'), run.output.size()));
+        CHECK(nlohmann::json::parse(output).at("results").at(0).at("verdict") == verdict);
+        CHECK(left_of(name) == 0);
+    }
+}
+
+TEST_CASE("a runner that hangs up or is killed leaves no program that computes for ever", "[conformance][hostile]") {
+    const char* runner = std::getenv("DENHARTOG_PROGRAM");
+    REQUIRE(runner != nullptr);
+    const auto report = scratch() / "killed-report";
+    for (const int signal : {SIGHUP, SIGKILL})
+        for (const std::string jobs : {"1", "3"}) {
+            const std::string name = "orphan-" + std::to_string(::getpid()) + "-" + std::to_string(signal) + "-" + jobs + ".sh";
+            const auto started = scratch() / (name + ".started");
+            const std::string program = script(name, greet + "echo >'" + started.string() + "'; while :; do :; done\n");
+            const std::string caller =
+                script("killing.sh", "'" + std::string(runner) + "' conform run --timeout 60 --jobs " + jobs + " --output '" +
+                                         report.string() + "' --vectors '" + three() + "' -- " + program +
+                                         " 2>/dev/null & for n in $(seq 500); do [ -e '" + started.string() +
+                                         "' ] && break; sleep 0.02; done; kill -" + std::to_string(signal) + " $!; wait $!\n");
+            const int status = std::system((caller + " 2>/dev/null").c_str());
+            INFO("signal " << signal << ", " << jobs << " at a time");
+            CHECK(WEXITSTATUS(status) == 128 + signal);
+            for (int n = 0; n < 200 && left_of(name) > 0; ++n) ::usleep(10'000);
+            CHECK(left_of(name) == 0);
+            CHECK_FALSE(std::filesystem::exists(report));
+        }
+}
+
+TEST_CASE("a hang-up that the runner was told to ignore, as nohup does, ends nothing", "[conformance][hostile]") {
+    const char* runner = std::getenv("DENHARTOG_PROGRAM");
+    REQUIRE(runner != nullptr);
+    const std::string program = script("slow.sh", greet + "while read -r id q; do sleep 0.3; echo \"$id value 1\"; done\n");
+    const std::string caller =
+        script("ignoring.sh", "trap '' HUP; '" + std::string(runner) + "' conform run --vectors '" + three() + "' -- " + program +
+                                  " >/dev/null & sleep 0.3; kill -HUP $!; wait $!\n");
+    CHECK(WEXITSTATUS(std::system(caller.c_str())) == 0);
 }

@@ -84,3 +84,41 @@ TEST_CASE("bad usage is one line with quantity, rule and value, status 2, and le
     CHECK(conform("run --vectors '" + six() + "'").status == 2);
     CHECK(conform("show nobody --vectors '" + six() + "'").status == 2);
 }
+
+TEST_CASE("a zero byte ends neither answers, vectors nor verdicts of earlier runs", "[conformance][program]") {
+    using namespace std::string_literals;
+    const auto refused_with = [](const Run& r, const std::string& message) {
+        INFO(r.error);
+        CHECK(r.status == 2);
+        CHECK(r.output.empty());
+        CHECK(lines_of(r.error).size() == 1);
+        CHECK(contains(r.error, message));
+    };
+    const std::string answers = file_with("zero.csv", "id,value\namplitude-1,0.25\0junk\n"s).string();
+    refused_with(conform("grade " + with_vectors(six(), "") + "'" + answers + "'"), "a zero byte (at line 2, column 17)");
+    const std::string folder = folder_of("zero", {vector_of("a-1", "amplitude", {1})});
+    std::ofstream(folder + "/a.jsonl", std::ios::binary | std::ios::app)
+        << vector_json(vector_of("a-2", "amplitude", {1})).dump() << "\0{\n"s;
+    refused_with(conform("list " + with_vectors(folder, "")), "a.jsonl, line 2");
+    const std::string track = file_with("zero.track", "{\"format\":1,\"verdicts\":{}}\0{"s).string();
+    refused_with(conform("run " + with_vectors(six(), "") + "--track '" + track + "' -- " + table_program("zero", right_answers)),
+                 "track must be a file that --track has written");
+}
+
+TEST_CASE("the texts of vectors and the words of a command reach no terminal as they are", "[conformance][program]") {
+    const std::string folder = folder_of("obeyed", {vector_of("a-1\x1b[2J", "amplitude", {1})});
+    const Run bad = conform("list " + with_vectors(folder, ""));
+    CHECK(bad.status == 2);
+    CHECK(contains(bad.error, "id must be a short text without control characters, but is a-1\\x1B[2J"));
+    Vector flagged = vector_of("a-1", "amplitude", {1});
+    flagged.flags = {"\x1b[2J"};
+    CHECK(contains(conform("list " + with_vectors(folder_of("flagged", {flagged}), "")).error, "flags must be a short text"));
+    const std::string program = table_program("obeyed", right_answers) + " '\x1b[2J\xFF'";
+    for (const std::string format : {"text", "json", "junit", "markdown"}) {
+        const Run r = conform("run --format " + format + " " + with_vectors(six(), "") + "-- " + program);
+        INFO(r.error);
+        CHECK(r.status == 0);
+        CHECK_FALSE(contains(r.output, "\x1b"));
+        CHECK_FALSE(contains(r.output, "\xFF"));
+    }
+}

@@ -69,7 +69,25 @@ TEST_CASE("values nested deeper than a scene's are refused", "[scene][json][bad-
 }
 
 TEST_CASE("messages hold printable characters and not many of them", "[scene][json]") {
-    REQUIRE(printable("a\tb\xFF") == "a\\x09b\\xFF");
-    REQUIRE(printable(std::string(1000, 'a')).size() == 43);
     for (const char c : refusal("{\"\xC3\x28\x01").value) REQUIRE((c >= ' ' && c <= '~'));
+    const InputError twice = refusal("{\"\\u001b[31m\": 1, \"\\u001b[31m\": 1}");
+    REQUIRE(twice.quantity == "\\x1B[31m");
+    REQUIRE(twice.place == "/\\x1B[31m");
+    const std::string key(1'000'000, 'k');
+    REQUIRE(std::string(refusal("{\"" + key + "\": 1, \"" + key + "\": 1}").what()).size() < 1000);
+}
+
+TEST_CASE("a zero byte is refused where it stands, not taken for the end", "[scene][json][bad-input]") {
+    using namespace std::string_literals;
+    for (const std::string& text : {"{}\0"s, "{}\0{}"s, "{}\0garbage {"s, "{\"a\0\": 1}"s, "\0{}"s, "{\"a\": 1\0}"s, "{} \0"s}) {
+        const InputError fault = refusal(text);
+        REQUIRE(fault.quantity == "scene");
+        REQUIRE(fault.value == "a zero byte");
+        REQUIRE(fault.place == "line 1, column " + std::to_string(text.find('\0') + 1));
+        REQUIRE_FALSE(is_json(text));
+        REQUIRE_FALSE(json_or_nothing(text).is_object());
+    }
+    REQUIRE(refusal("{\"a\":\n 1}\n\0"s).place == "line 3, column 1");
+    REQUIRE(is_json("{}"));
+    REQUIRE(json_or_nothing("{}").is_object());
 }

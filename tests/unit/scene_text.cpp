@@ -60,3 +60,21 @@ TEST_CASE("the places of a scene alone have no line", "[scene][json][bad-input]"
         "contact": 1, "load": 1})");
     REQUIRE(scenes[0].error->place == "/mass_ratios/1");
 }
+
+TEST_CASE("a zero byte makes no end of a scene, alone or among others", "[scene][json][bad-input]") {
+    using namespace std::string_literals;
+    for (const std::string& text : {scene + "\0"s + scene, scene + "\0garbage {"s, scene + "\0"s}) {
+        const auto scenes = read_scenes<double>(text);
+        REQUIRE(scenes.size() == 1);
+        REQUIRE(scenes[0].error);
+        REQUIRE(scenes[0].error->place == "line 1, column " + std::to_string(scene.size() + 1));
+    }
+    const auto three = read_scenes<double>(scene + "\n" + scene + "\0{}\n"s + scene);
+    REQUIRE(three.size() == 3);
+    REQUIRE(three[0].scene);
+    REQUIRE(three[1].error->place == "line 2, column " + std::to_string(scene.size() + 1));
+    REQUIRE(three[2].scene);
+    const auto after = read_scenes<double>(scene + "\n\0"s);
+    REQUIRE(after.size() == 2);
+    REQUIRE(after[1].error->place == "line 2, column 1");
+}

@@ -1,25 +1,17 @@
 #include "conformance/session/process.hpp"
 
-#include <fcntl.h>
 #include <poll.h>
-#include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
-#ifdef __linux__
-#include <sys/prctl.h>
-#endif
 
 #include <array>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
 #include <cstring>
-#include <mutex>
-#include <system_error>
 
 #include "conformance/session/process_time.hpp"
-
-extern char** environ;
+#include "conformance/session/started_program.hpp"
 
 namespace denhartog::conformance {
 namespace {
@@ -34,79 +26,10 @@ constexpr double share_of_a_waiting_program = 0.02;
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
-[[noreturn]] void fail(int fault, const std::string& what) { throw std::system_error(fault, std::generic_category(), what); }
-
-void no_fault(int fault, const char* what) {
-    if (fault != 0) fail(fault, what);
-}
-
-// A pipe that no other program inherits.
-struct Pipe {
-    std::array<int, 2> ends{-1, -1};
-
-    Pipe() {
-        if (::pipe(ends.data()) != 0) fail(errno, "pipe");
-        for (const int end : ends) ::fcntl(end, F_SETFD, FD_CLOEXEC);
-    }
-    ~Pipe() {
-        for (const int end : ends)
-            if (end >= 0) ::close(end);
-    }
-    Pipe(const Pipe&) = delete;
-    Pipe& operator=(const Pipe&) = delete;
-
-    int keep(std::size_t end) {
-        const int kept = ends[end];
-        ends[end] = -1;
-        ::fcntl(kept, F_SETFL, ::fcntl(kept, F_GETFL) | O_NONBLOCK);
-        return kept;
-    }
-};
-
-// A group of its own, no signal blocked, none ignored that a program expects to end it.
-struct Attributes {
-    posix_spawnattr_t attributes{};
-
-    Attributes() {
-        no_fault(::posix_spawnattr_init(&attributes), "posix_spawnattr_init");
-        sigset_t none, usual;
-        ::sigemptyset(&none);
-        ::sigemptyset(&usual);
-        for (const int signal : {SIGPIPE, SIGINT, SIGTERM, SIGHUP, SIGQUIT}) ::sigaddset(&usual, signal);
-        ::posix_spawnattr_setpgroup(&attributes, 0);
-        ::posix_spawnattr_setsigmask(&attributes, &none);
-        ::posix_spawnattr_setsigdefault(&attributes, &usual);
-        ::posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
-    }
-    ~Attributes() { ::posix_spawnattr_destroy(&attributes); }
-    Attributes(const Attributes&) = delete;
-    Attributes& operator=(const Attributes&) = delete;
-};
-
-struct FileActions {
-    posix_spawn_file_actions_t actions{};
-
-    FileActions(int input, int output) {
-        no_fault(::posix_spawn_file_actions_init(&actions), "posix_spawn_file_actions_init");
-        ::posix_spawn_file_actions_adddup2(&actions, input, STDIN_FILENO);
-        ::posix_spawn_file_actions_adddup2(&actions, output, STDOUT_FILENO);
-    }
-    ~FileActions() { ::posix_spawn_file_actions_destroy(&actions); }
-    FileActions(const FileActions&) = delete;
-    FileActions& operator=(const FileActions&) = delete;
-};
-
 // Whether the program has ended; it stays there to be waited for, so that the number of its group is nobody else's.
 bool has_ended(pid_t program) {
     siginfo_t info{};
     return ::waitid(P_PID, static_cast<id_t>(program), &info, WEXITED | WNOHANG | WNOWAIT) == 0 && info.si_pid == program;
-}
-
-// Children that a program leaves behind come to this process to be waited for, where the system has that; else to the first one.
-void adopt_orphans() {
-#ifdef __linux__
-    ::prctl(PR_SET_CHILD_SUBREAPER, 1, 0, 0, 0);
-#endif
 }
 
 // Waits for the processes of a group that has been killed, as far as they are children of this process by then.
@@ -134,22 +57,10 @@ WithoutBrokenPipeSignal::WithoutBrokenPipeSignal() : earlier(std::signal(SIGPIPE
 WithoutBrokenPipeSignal::~WithoutBrokenPipeSignal() { std::signal(SIGPIPE, earlier); }
 
 Process::Process(const std::vector<std::string>& command) {
-    std::vector<std::string> words = command;
-    std::vector<char*> arguments;
-    for (std::string& word : words) arguments.push_back(word.data());
-    arguments.push_back(nullptr);
-    adopt_orphans();
-    // One at a time, or a program could inherit the other's pipe before it is closed to it.
-    static std::mutex starting;
-    const std::lock_guard<std::mutex> lock(starting);
-    Pipe in, out;
-    const Attributes attributes;
-    const FileActions files(in.ends[0], out.ends[1]);
-    const int fault =
-        ::posix_spawnp(&group, arguments.front(), &files.actions, &attributes.attributes, arguments.data(), environ);
-    if (fault != 0) fail(fault, words.front());
-    to = in.keep(1);
-    from = out.keep(0);
+    const StartedProgram program = start(command);
+    group = program.group;
+    to = program.to;
+    from = program.from;
 }
 
 Process::~Process() {

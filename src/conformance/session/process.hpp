@@ -2,7 +2,8 @@
 /// @brief A program under test behind two pipes: one line to it, one line back, whatever the program does instead.
 ///
 /// Nothing here waits without an end: reads and writes do not block, a clock ends them. The program runs in a process group of
-/// its own, which is killed as a whole. A process that leaves the group is not followed.
+/// its own, which is killed as a whole. A process that leaves the group is not followed. Where the runner itself is killed, the
+/// system kills the program.
 #pragma once
 
 #include <sys/types.h>

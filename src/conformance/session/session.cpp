@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "conformance/grade.hpp"
+#include "denhartog/number/legible.hpp"
 
 namespace denhartog::conformance {
 namespace {
@@ -122,7 +123,8 @@ Partner shake_hands(const RunSettings& settings) {
     try {
         partner.process = std::make_unique<Process>(settings.command);
     } catch (const std::system_error& e) {
-        throw BrokenProgram("the program cannot be started: " + settings.command.front() + " (" + e.code().message() + ")");
+        throw BrokenProgram("the program cannot be started: " + legible(settings.command.front()) + " (" + e.code().message() +
+                            ")");
     }
     const Reply reply = partner.process->ask(greeting, patience_at_start * settings.seconds);
     if (reply.heard != Heard::line)
@@ -163,13 +165,18 @@ Conversation converse(const RunSettings& settings, std::span<const Question* con
     Shared shared;
     const std::size_t jobs = std::clamp<std::size_t>(settings.jobs, 1, std::max<std::size_t>(questions.size(), 1));
     std::vector<std::thread> others;
-    for (std::size_t n = 1; n < jobs; ++n)
-        others.emplace_back([&] { Worker(settings, questions, conversation, shared, progress).work(Partner{}); });
+    try {
+        others.reserve(jobs);
+        for (std::size_t n = 1; n < jobs; ++n)
+            others.emplace_back([&] { Worker(settings, questions, conversation, shared, progress).work(Partner{}); });
+    } catch (const std::system_error&) {
+        // The system grants no more threads: those that there are ask all the questions.
+    }
     Worker(settings, questions, conversation, shared, progress).work(std::move(first));
     for (std::thread& other : others) other.join();
     const auto has_trouble = [](const Exchange& exchange) { return exchange.trouble.has_value(); };
-    conversation.broken =
-        shared.given_up == jobs || std::all_of(conversation.exchanges.begin(), conversation.exchanges.end(), has_trouble);
+    conversation.broken = shared.given_up == others.size() + 1 ||
+                          std::all_of(conversation.exchanges.begin(), conversation.exchanges.end(), has_trouble);
     const std::string reason = interruption() ? "the runner was interrupted"
                                               : "the program broke " + std::to_string(most_restarts + 1) + " times in a row";
     for (std::size_t n = shared.next; n < questions.size(); ++n) conversation.exchanges[n].answer = Skipped{reason};

@@ -2,6 +2,7 @@
 
 #include <string_view>
 
+#include "denhartog/number/legible.hpp"
 #include "denhartog/number/number_text.hpp"
 
 namespace denhartog::conformance {

@@ -6,6 +6,7 @@
 #include "denhartog/answer/sliding_solution.hpp"
 #include "denhartog/c/handles.hpp"
 #include "denhartog/formulas/high_frequency.hpp"
+#include "denhartog/scene/limits.hpp"
 #include "denhartog/scene/point_rules.hpp"
 #include "denhartog/solve/quantities.hpp"
 
@@ -110,7 +111,7 @@ const char* dh_status_text(int status) noexcept {
     switch (status) {
     case DH_OK: return "done";
     case DH_ERROR_NULL: return "a pointer that is needed is null";
-    case DH_ERROR_SIZE: return "an array or a struct has not the size that it must have";
+    case DH_ERROR_SIZE: return "an array or a struct has not the size that it must have, or one beyond a limit";
     case DH_ERROR_INPUT: return "a number or a text breaks a rule";
     case DH_ERROR_DOMAIN: return "a formula was asked for where it does not hold";
     case DH_ERROR_PRECISION: return "the digits asked for were not reached, or a result is no finite double";
@@ -127,7 +128,7 @@ int dh_system_from_ratios(size_t N, const double* mass_ratios, const double* sti
         need(stiffness_ratios, "stiffness_ratios");
         need(damping_ratios, "damping_ratios");
         need(system, "system");
-        if (N == 0) throw CallError(DH_ERROR_SIZE, "N must be at least 1, but is 0");
+        need_length(N, most_masses, "N");
         Scene<double> scene;
         scene.system.contact = mass_from(contact, N, "contact");
         scene.system.load = mass_from(load, N, "load");
@@ -278,6 +279,7 @@ int dh_displacement(const dh_system* system, double r, double beta, double mu, s
         const Mass k = mass_from(mass, masses_of(system), "mass");
         need(tau, "tau");
         need(x, "x");
+        if (count > 0) need_length(count, most_samples_of(masses_of(system)), "count");
         const Quantities<Bounded<double>> q = quantities(system->prepared, point_of(system, r, beta, mu), std::span(tau, count),
                                                          digits_without_bound, PointNumbers::motion)
                                                   .numbers;

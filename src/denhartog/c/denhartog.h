@@ -27,6 +27,16 @@
 /// @brief Version of the ABI that this header describes; compare with dh_abi_version().
 #define DH_ABI_VERSION 0
 
+/// @brief Most masses of a system. The eigenproblem is dense: a boundary of so many takes about a second and 60 megabytes in
+/// double, some minutes and 400 megabytes in 50 digits; a motion with stops takes far longer.
+#define DH_MOST_MASSES 1000
+
+/// @brief Most instants at which a motion is given by one call.
+#define DH_MOST_SAMPLES 10000000
+
+/// @brief Most displacements in one answer, instants times masses.
+#define DH_MOST_DISPLACEMENTS 100000000
+
 /// @brief What C++ is told of every function: no exception leaves it.
 #ifdef __cplusplus
 #define DH_NOEXCEPT noexcept
@@ -39,7 +49,7 @@ extern "C" {
 enum dh_status {
     DH_OK = 0,              ///< done
     DH_ERROR_NULL = 1,      ///< a pointer that is needed is null
-    DH_ERROR_SIZE = 2,      ///< an array or a struct has not the size that it must have
+    DH_ERROR_SIZE = 2,      ///< an array or a struct has not the size that it must have, or one beyond a limit
     DH_ERROR_INPUT = 3,     ///< a number or a text breaks a rule; the message names quantity, rule and value
     DH_ERROR_DOMAIN = 4,    ///< a formula was asked for where it does not hold, e.g. the sliding motion where the contact sticks
     DH_ERROR_PRECISION = 5, ///< the digits asked for were not reached, or a result is no finite double
@@ -122,7 +132,7 @@ DH_EXPORT const char* dh_status_text(int status) DH_NOEXCEPT;
 DH_EXPORT const char* dh_last_message(void) DH_NOEXCEPT;
 
 /// @brief A chain of N masses from ratios, each the same binary fraction in every precision.
-/// @param N                 number of masses
+/// @param N                 number of masses, from 1 to #DH_MOST_MASSES
 /// @param mass_ratios       m_i / m_1, Eq. (9), N values, positive, the first 1
 /// @param stiffness_ratios  k_i / k_1, Eq. (73), N values, positive, the first 1
 /// @param damping_ratios    zeta_i by ascending natural frequency, Eq. (18), N values, not negative
@@ -236,7 +246,7 @@ DH_EXPORT int dh_sliding_motion(const dh_system* system, double r, double beta, 
 /// @param beta    friction ratio, Eq. (11), not negative
 /// @param mu      static over kinetic friction, Eq. (3), at least 1
 /// @param mass    k, from 1 to N
-/// @param count   number of instants
+/// @param count   number of instants, at most #DH_MOST_SAMPLES, times N at most #DH_MOST_DISPLACEMENTS
 /// @param tau     `count` instants, finite; zero at the maximum of the contact's displacement
 /// @param x       receives `count` displacements x_k(tau); may be the array of tau
 /// @return        as dh_sliding_motion()
@@ -283,7 +293,7 @@ DH_EXPORT int dh_solution_stops(const dh_solution* solution, size_t count, doubl
 /// Where the contact slides throughout, to 10 digits as dh_displacement(), but placed under the force by the solution's phase,
 /// which has the digits that dh_solve() was asked for; else in double. A contact that rests for ever is taken to rest at zero.
 /// @param solution  a solution
-/// @param samples   instants, at least 1
+/// @param samples   instants, from 1 to #DH_MOST_SAMPLES, times N at most #DH_MOST_DISPLACEMENTS
 /// @param count     samples times N
 /// @param x         receives x_k at instant n at position n N + k - 1
 /// @param x_prime   receives d x_k / d tau likewise; may be null
@@ -302,7 +312,8 @@ DH_EXPORT int dh_solution_motion(const dh_solution* solution, size_t samples, si
 /// @param mu      static over kinetic friction, Eq. (3), at least 1
 /// @param mass    k, from 1 to N; not looked at where the quantity is of no mass
 /// @param tau     for `displacement`; not looked at otherwise
-/// @param size    length of `values`: at least as many as the quantity has, and for `motion_under_force` the number of samples
+/// @param size    length of `values`: at least as many as the quantity has, and for `motion_under_force` the number of samples,
+///                with the limits of dh_solution_motion()
 /// @param values  receives the numbers
 /// @param count   receives how many; 0 only where there is no stop to give a duration of
 /// @return        #DH_OK, #DH_ERROR_NULL, #DH_ERROR_SIZE, #DH_ERROR_INPUT, #DH_ERROR_DOMAIN where the quantity does not exist,

@@ -23,7 +23,7 @@ struct CallError : std::invalid_argument {
 };
 
 /// @brief The longest message, with its ending zero; longer ones are cut.
-inline constexpr std::size_t message_size = 512;
+inline constexpr std::size_t message_size = 1300;
 
 /// @brief Where the text of the calling thread's last fault stands. @return its bytes
 inline char* message() noexcept {
@@ -54,13 +54,13 @@ int guarded(Body&& body) noexcept {
     } catch (const PrecisionError& e) {
         return fault(DH_ERROR_PRECISION, e.what());
     } catch (const std::length_error& e) {
-        return fault(DH_ERROR_SIZE, e.what());
-    } catch (const std::bad_alloc&) {
-        return fault(DH_ERROR_MEMORY, "memory is short");
+        return fault(DH_ERROR_SIZE, in_own_words(e));
+    } catch (const std::bad_alloc& e) {
+        return fault(DH_ERROR_MEMORY, in_own_words(e));
     } catch (const std::exception& e) {
-        return fault(DH_ERROR_INTERNAL, e.what());
+        return fault(is_beyond_range(e) ? DH_ERROR_PRECISION : DH_ERROR_INTERNAL, in_own_words(e));
     } catch (...) {
-        return fault(DH_ERROR_INTERNAL, "an exception without a text");
+        return fault(DH_ERROR_INTERNAL, in_own_words(std::exception()));
     }
 }
 
@@ -73,6 +73,13 @@ inline void need(const void* pointer, const char* name) {
 inline void need_count(std::size_t count, std::size_t right) {
     if (count == right) return;
     throw CallError(DH_ERROR_SIZE, "count must be " + std::to_string(right) + ", but is " + std::to_string(count));
+}
+
+/// @brief Checks a length against a limit. @param length as given @param most the limit @param name what the header calls it
+/// @throws CallError where it is 0 or beyond the limit
+inline void need_length(std::size_t length, std::size_t most, const std::string& name) {
+    if (length >= 1 && length <= most) return;
+    throw CallError(DH_ERROR_SIZE, name + " must be from 1 to " + std::to_string(most) + ", but is " + std::to_string(length));
 }
 
 /// @brief Checks that numbers are fit to be handed out. @param numbers they @throws PrecisionError where one is not finite

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "denhartog/c/guarded.hpp"
+#include "denhartog/scene/limits.hpp"
 #include "denhartog/solve/solve.hpp"
 
 /// @brief A system prepared for every regime at mu = 1, with its modes. Nothing in it changes.
@@ -18,6 +19,8 @@ struct dh_solution {
 };
 
 namespace denhartog::c_interface {
+
+static_assert(DH_MOST_MASSES == most_masses && DH_MOST_SAMPLES == most_samples && DH_MOST_DISPLACEMENTS == most_displacements);
 
 /// @brief A mass or its number from C. @param mass counted from 1 @param N number of masses @param name what it is called
 /// @return counted from 0 @throws InputError where there is no such mass

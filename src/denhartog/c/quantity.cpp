@@ -4,6 +4,7 @@
 
 #include "denhartog/c/denhartog.h"
 #include "denhartog/c/handles.hpp"
+#include "denhartog/scene/limits.hpp"
 #include "denhartog/scene/point_rules.hpp"
 
 using namespace denhartog;
@@ -102,7 +103,7 @@ Numbers stop_durations(const AtPoint& a) {
 }
 
 Numbers motion_under_force(const AtPoint& a) {
-    if (a.samples == 0) throw CallError(DH_ERROR_SIZE, "size must be the number of samples, at least 1, but is 0");
+    need_length(a.samples, most_samples_of(a.N), "size, the number of samples,");
     const Steady steady(a);
     if (steady.all.periods != 1) throw DomainError("the motion has not the period of the force");
     Numbers x(a.samples * a.N), of_mass;

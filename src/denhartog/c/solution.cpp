@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <memory>
 
 #include "denhartog/c/denhartog.h"
 #include "denhartog/c/handles.hpp"
+#include "denhartog/scene/limits.hpp"
 #include "denhartog/scene/point_rules.hpp"
 #include "denhartog/solve/sampled_solution.hpp"
 
@@ -104,8 +104,7 @@ int dh_solution_motion(const dh_solution* solution, size_t samples, size_t count
         need(solution, "solution");
         need(x, "x");
         const std::size_t N = number_of_masses(solution->scene.system);
-        if (samples == 0 || samples > std::numeric_limits<std::size_t>::max() / N)
-            throw CallError(DH_ERROR_SIZE, "samples must be at least 1, and times N within the range of size_t");
+        need_length(samples, most_samples_of(N), "samples");
         need_count(count, samples * N);
         const SampledSolution motion = sampled_solution(solution->scene, solution->solution, samples);
         for (const State<double>& state : motion.states) {

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 
 #include "denhartog/number/errors.hpp"
 
@@ -68,9 +69,11 @@ void check_entries(const Json& entries, const std::string& file) {
 Json read_array(const std::string& file, const std::string& what) {
     std::ifstream stream(file);
     if (!stream || std::filesystem::is_directory(file)) throw InputError(what, "must be a file that can be read", "", file);
+    const std::string text(std::istreambuf_iterator<char>(stream), {});
+    if (text.find('\0') != std::string::npos) throw InputError(what, "must be text", "a zero byte", file);
     Json array;
     try {
-        array = Json::parse(stream);
+        array = Json::parse(text);
     } catch (const Json::parse_error& error) {
         throw InputError(what, "must be JSON: " + std::string(error.what()), "", file);
     }

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <exception>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -25,7 +26,12 @@ void parallel_for(std::size_t count, unsigned threads, const std::function<bool(
         }
     };
     std::vector<std::thread> others;
-    for (unsigned n = 1; n < std::min<std::size_t>(threads, count); ++n) others.emplace_back(work);
+    try {
+        others.reserve(std::min<std::size_t>(threads, count));
+        for (unsigned n = 1; n < std::min<std::size_t>(threads, count); ++n) others.emplace_back(work);
+    } catch (const std::system_error&) {
+        // The system grants no more threads: those that there are do all the pieces.
+    }
     work();
     for (std::thread& other : others) other.join();
     if (fault) std::rethrow_exception(fault);

@@ -10,12 +10,12 @@
 #include "denhartog/number/number.hpp"
 #include "denhartog/number/number_text.hpp"
 #include "denhartog/paper_algorithm/last_period.hpp"
+#include "denhartog/scene/limits.hpp"
 
 namespace denhartog {
 namespace {
 
 constexpr int most_cycles = 1'000'000;
-constexpr int most_samples = 10'000'000;
 constexpr int most_phases_of_no_length = 16; // one after the other
 constexpr int most_restarts = 12;            // of a phase with a shorter first step
 
@@ -238,7 +238,8 @@ void check(const PaperSettings& s, std::size_t N) {
         if (!holds || !std::isfinite(x)) throw InputError(name, rule, number_to_text(x));
     };
     count("cycles", s.cycles, 1, most_cycles);
-    count("samples", s.samples, 0, most_samples);
+    count("samples", s.samples, 0, static_cast<long>(most_samples));
+    if (s.samples > 0) check_samples("samples", static_cast<std::size_t>(s.samples), N);
     count("most_steps", s.most_steps, 1, 1'000'000'000'000);
     count("most_phases_per_cycle", s.most_phases_per_cycle, 1, 1'000'000'000'000);
     number("absolute_tolerance", s.absolute_tolerance, "must be positive and below 1",

@@ -17,8 +17,11 @@ namespace denhartog::program {
 /// @throws      InputError where it cannot be written
 void write_standard_output(const std::string& text);
 
-/// @brief Writes a file: into a temporary file beside it, which takes its place when it is complete. What is no regular file is
-/// written directly.
+/// @brief Writes a file: into a new file beside it, which takes its place when it is complete.
+///
+/// The new file has a name that cannot be guessed and is opened by nobody else. A symbolic link stays, and the file that it leads
+/// to is replaced. The permissions are those of the file that was there, else those of any new file. Interruptions wait until the
+/// file is whole. What is no regular file, such as a pipe, is written directly.
 /// @param path  the file
 /// @param text  its content
 /// @throws      InputError where it cannot be written; an earlier file is then left as it was

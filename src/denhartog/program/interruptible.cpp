@@ -21,11 +21,14 @@ Interruptible::Interruptible(std::atomic<bool>& stop) {
     flag = &stop;
     interrupt = std::signal(SIGINT, catch_signal);
     terminate = std::signal(SIGTERM, catch_signal);
+    hang_up = std::signal(SIGHUP, catch_signal);
+    if (hang_up == SIG_IGN) std::signal(SIGHUP, SIG_IGN);
 }
 
 Interruptible::~Interruptible() {
     std::signal(SIGINT, interrupt);
     std::signal(SIGTERM, terminate);
+    std::signal(SIGHUP, hang_up);
 }
 
 int Interruptible::caught() const { return signal_caught; }

@@ -1,12 +1,13 @@
 /// @file
-/// @brief A long computation that SIGINT and SIGTERM end in good order.
+/// @brief A long computation that SIGINT, SIGTERM and SIGHUP end in good order.
 #pragma once
 
 #include <atomic>
 
 namespace denhartog::program {
 
-/// @brief While it lives an interruption sets a flag. One at a time.
+/// @brief While it lives an interruption sets a flag. One at a time. A SIGHUP that the caller ignores, as `nohup` does, stays
+/// ignored.
 class Interruptible {
 public:
     /// @param stop  the flag; must outlive the object
@@ -21,6 +22,7 @@ public:
 private:
     void (*interrupt)(int);
     void (*terminate)(int);
+    void (*hang_up)(int);
 };
 
 } // namespace denhartog::program

@@ -53,7 +53,7 @@ int main(int argc, char** argv) {
         report(e.what());
     } catch (const std::exception& e) {
         status.digits_missing = true;
-        report(e.what());
+        report(denhartog::in_own_words(e));
     }
     return status.value();
 }

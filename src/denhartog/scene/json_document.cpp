@@ -3,11 +3,11 @@
 #include "denhartog/scene/json_document.hpp"
 
 #include <algorithm>
-#include <cstdio>
 #include <nlohmann/json.hpp>
 #include <vector>
 
 #include "denhartog/number/errors.hpp"
+#include "denhartog/number/legible.hpp"
 
 namespace denhartog {
 namespace {
@@ -20,11 +20,19 @@ constexpr std::size_t deepest = 3;
 /// What the parser found wrong, without its own positions.
 std::string complaint(std::string_view message) {
     const std::size_t reason = message.find(" - ");
-    if (reason == message.npos) return printable(message);
+    if (reason == message.npos) return std::string(message);
     std::string_view rest = message.substr(reason + 3);
     rest = rest.substr(0, rest.find("; last read"));
     const std::size_t expected = rest.find("; expected");
     return std::string(rest.substr(0, expected)) + (expected == rest.npos ? "" : "," + std::string(rest.substr(expected + 1)));
+}
+
+/// Line and column of a position, both from 1.
+std::string place_of(std::string_view text, std::size_t position, std::size_t first_line) {
+    const std::string_view before = text.substr(0, position);
+    const auto line = first_line + static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n'));
+    const std::size_t start = before.rfind('\n') == before.npos ? 0 : before.rfind('\n') + 1;
+    return "line " + std::to_string(line) + ", column " + std::to_string(before.size() - start + 1);
 }
 
 /// Builds the value from the parser's events and refuses what the parser lets pass.
@@ -49,19 +57,16 @@ public:
     bool start_array(std::size_t) override { return open(json::array()); }
     bool key(std::string& k) override {
         keys_.back() = k;
-        if (open_.back()->contains(k)) throw InputError(printable(k), "must be given once", "given twice", pointer());
+        if (open_.back()->contains(k)) throw InputError(k, "must be given once", "given twice", pointer());
         return true;
     }
     bool end_object() override { return close(); }
     bool end_array() override { return close(); }
     bool parse_error(std::size_t position, const std::string& token, const json::exception& fault) override {
         if (fault.id == 406) refuse_number(token);
-        const std::string_view before = text_.substr(0, std::min(text_.size(), position > 0 ? position - 1 : 0));
-        const std::size_t line = line_ + static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n'));
-        const std::size_t start = before.rfind('\n') == before.npos ? 0 : before.rfind('\n') + 1;
         throw InputError("scene", "must be JSON (" + complaint(fault.what()) + ")",
-                         token.empty() ? "nothing" : "'" + printable(token) + "'",
-                         "line " + std::to_string(line) + ", column " + std::to_string(before.size() - start + 1));
+                         token.empty() ? "nothing" : "'" + legible(token, most_of_a_value) + "'",
+                         place_of(text_, position > 0 ? position - 1 : 0, line_));
     }
 
 private:
@@ -72,12 +77,10 @@ private:
                                          : pointer_step(std::to_string(open_[i]->size() - (i + 1 < open_.size() ? 1 : 0)));
         return out;
     }
-    std::string quantity() const {
-        return open_.empty() || !open_.front()->is_object() ? std::string("scene") : printable(keys_.front());
-    }
+    std::string quantity() const { return open_.empty() || !open_.front()->is_object() ? std::string("scene") : keys_.front(); }
     [[noreturn]] void refuse_number(const std::string& raw) const {
-        throw InputError(quantity(), "must be a number that a double holds (or be given as text in quotes)", printable(raw),
-                         pointer());
+        throw InputError(quantity(), "must be a number that a double holds (or be given as text in quotes)",
+                         legible(raw, most_of_a_value), pointer());
     }
     json* place(json&& value) {
         if (open_.empty()) return &(result = std::move(value));
@@ -112,15 +115,17 @@ private:
 
 } // namespace
 
-std::string printable(std::string_view text) {
-    std::string out;
-    for (const char c : text.substr(0, 40)) {
-        char escaped[5] = {c, 0, 0, 0, 0};
-        if (c < ' ' || c > '~') std::snprintf(escaped, sizeof escaped, "\\x%02X", static_cast<unsigned char>(c));
-        out += escaped;
-    }
-    return text.size() > 40 ? out + "..." : out;
+void refuse_zero_byte(const std::string& quantity, std::string_view text, std::size_t line) {
+    const std::size_t zero = text.find('\0');
+    if (zero != text.npos) throw InputError(quantity, "must be text", "a zero byte", place_of(text, zero, line));
 }
+
+json json_or_nothing(std::string_view text) {
+    if (text.find('\0') != text.npos) return {json::value_t::discarded};
+    return json::parse(text, nullptr, false);
+}
+
+bool is_json(std::string_view text) { return text.find('\0') == text.npos && json::accept(text); }
 
 std::string pointer_step(std::string_view key) {
     std::string out = "/";
@@ -136,6 +141,7 @@ std::string pointer_step(std::string_view key) {
 }
 
 json read_json(std::string_view text, std::size_t line) {
+    refuse_zero_byte("scene", text, line);
     Builder builder(text, line);
     json::sax_parse(text, &builder);
     return std::move(builder.result);

@@ -13,8 +13,8 @@ namespace denhartog {
 /// @param text  the text
 /// @param line  number of its first line, for messages
 /// @return      the value
-/// @throws InputError with line and column where the text is no JSON (NaN and Infinity are none), with the JSON pointer where a
-///         key is given twice, a number is beyond a double, or values are nested deeper than a scene's
+/// @throws InputError with line and column where the text is no JSON (NaN and Infinity are none) or holds a zero byte, with the
+///         JSON pointer where a key is given twice, a number is beyond a double, or values are nested deeper than a scene's
 [[nodiscard]] nlohmann::json read_json(std::string_view text, std::size_t line = 1);
 
 /// @brief One step of a JSON pointer.
@@ -22,9 +22,22 @@ namespace denhartog {
 /// @return     `/key` with the two reserved characters escaped
 [[nodiscard]] std::string pointer_step(std::string_view key);
 
-/// @brief Text fit for an error message.
-/// @param text  any bytes
-/// @return      printable characters, at most 40 of them
-[[nodiscard]] std::string printable(std::string_view text);
+/// @brief Refuses a zero byte, at which the JSON library takes a text to end: what follows would be lost without a word.
+/// @param quantity  what the text is, e.g. `scene`
+/// @param text      the text
+/// @param line      number of its first line
+/// @throws          InputError with line and column of the first zero byte
+void refuse_zero_byte(const std::string& quantity, std::string_view text, std::size_t line = 1);
+
+/// @brief Whether a text is JSON as a whole. @param text the text @return false also where it holds a zero byte
+[[nodiscard]] bool is_json(std::string_view text);
+
+/// @brief The value of a text of which the caller says what is wrong with it.
+/// @param text  the text
+/// @return      the value; a discarded one, which is no object, where the text is no JSON as a whole or holds a zero byte
+[[nodiscard]] nlohmann::json json_or_nothing(std::string_view text);
+
+/// @brief The most bytes of a value that a message shows.
+inline constexpr std::size_t most_of_a_value = 43;
 
 } // namespace denhartog

@@ -102,6 +102,10 @@ void check_system(const System<T>& s, const SceneNames& names) {
     check_given_once(s.stiffness_ratios, s.stiffness_matrix, names, names.stiffnesses, "stiffness_matrix");
     check_given_once(s.damping_ratios, s.damping_matrix, names, "damping_ratios", "damping_matrix");
     const std::size_t N = number_of_masses(s);
+    if (N > most_masses) {
+        const bool matrix = s.mass_matrix.size() > 0;
+        fail(names, matrix ? "mass_matrix" : names.masses, most_masses_rule(matrix ? "rows" : "values"), std::to_string(N));
+    }
     if (s.mass_matrix.size() > 0) {
         check_symmetric(s.mass_matrix, N, names, "mass_matrix");
         check_positive_definite(s.mass_matrix, names, "mass_matrix");

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "denhartog/formulas/system.hpp"
+#include "denhartog/number/legible.hpp"
 #include "denhartog/number/multiprecision.hpp"
 #include "denhartog/number/number_text.hpp"
 #include "denhartog/scene/json_document.hpp"
@@ -24,7 +25,7 @@ constexpr auto dimensional_keys = std::to_array<const char*>({"masses", "stiffne
 constexpr auto ratio_keys =
     std::to_array<const char*>({"mass_ratios", "stiffness_ratios", "mass_matrix", "stiffness_matrix", "r", "beta"});
 
-std::string value_text(const json& x) { return printable(x.dump(-1, ' ', true, json::error_handler_t::replace)); }
+std::string value_text(const json& x) { return legible(x.dump(-1, ' ', true, json::error_handler_t::replace), most_of_a_value); }
 
 /// A value of the scene with its key and its place.
 struct Item {
@@ -37,6 +38,11 @@ struct Item {
 };
 
 Item item(const json& object, const char* key) { return {object.at(key), key, pointer_step(key)}; }
+
+// Before anything as large is made of it.
+void check_length(const Item& x, const std::string& of) {
+    if (x.value.size() > most_masses) throw InputError(x.key, most_masses_rule(of), std::to_string(x.value.size()), x.place);
+}
 
 template <class T>
 T read_number(const Item& x) {
@@ -59,6 +65,7 @@ template <class T>
 std::vector<T> read_list(const Item& x) {
     if (!x.value.is_array()) x.fail("must be an array of numbers");
     if (x.value.empty()) x.fail("must have at least one value");
+    check_length(x, "values");
     std::vector<T> list;
     for (std::size_t i = 0; i < x.value.size(); ++i) list.push_back(read_number<T>(x[i]));
     return list;
@@ -68,6 +75,7 @@ template <class T>
 Matrix<T> read_matrix(const Item& x) {
     if (!x.value.is_array()) x.fail("must be an array of rows");
     if (x.value.empty()) x.fail("must have at least one row");
+    check_length(x, "rows");
     const std::size_t N = x.value.size();
     Matrix<T> matrix(static_cast<Eigen::Index>(N), static_cast<Eigen::Index>(N));
     for (std::size_t i = 0; i < N; ++i) {
@@ -110,7 +118,7 @@ void check_keys(const json& object) {
     if (!object.is_object()) throw InputError("scene", "must be a JSON object", value_text(object));
     for (const auto& entry : object.items())
         if (std::find(keys.begin(), keys.end(), entry.key()) == keys.end())
-            throw InputError(printable(entry.key()), "is no key of a scene", "", pointer_step(entry.key()));
+            throw InputError(entry.key(), "is no key of a scene", "", pointer_step(entry.key()));
     const char* dimensional = first_of(object, dimensional_keys);
     const char* ratio = first_of(object, ratio_keys);
     if (dimensional && ratio)

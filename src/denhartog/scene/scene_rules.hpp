@@ -4,12 +4,18 @@
 
 #include <string>
 
+#include "denhartog/scene/limits.hpp"
 #include "denhartog/scene/scene.hpp"
 
 namespace denhartog {
 
 /// @brief Largest modal damping ratio: beyond, rates and their products leave the range of a double.
 inline constexpr double largest_damping_ratio = 1e300;
+
+/// @brief The rule of the largest number of masses. @param of `values` or `rows` @return the rule in words
+[[nodiscard]] inline std::string most_masses_rule(const std::string& of) {
+    return "must have at most " + std::to_string(most_masses) + " " + of + ", one a mass";
+}
 
 /// @brief What the author of a scene calls its quantities, and whether messages point into a JSON text.
 struct SceneNames {

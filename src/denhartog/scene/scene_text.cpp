@@ -10,8 +10,6 @@
 namespace denhartog {
 namespace {
 
-using nlohmann::json;
-
 constexpr std::string_view blanks = " \t\r";
 
 /// The lines that are not blank, each as if it were a scene among many.
@@ -34,7 +32,7 @@ bool one_scene_a_line(const std::vector<SceneText>& lines) {
     if (lines.size() < 2) return false;
     if (std::count_if(lines.begin(), lines.end(), opens_object) > 1) return true;
     return std::any_of(lines.begin(), lines.end(),
-                       [](const SceneText& line) { return opens_object(line) && json::accept(line.text); });
+                       [](const SceneText& line) { return opens_object(line) && is_json(line.text); });
 }
 
 } // namespace
@@ -42,7 +40,7 @@ bool one_scene_a_line(const std::vector<SceneText>& lines) {
 std::vector<SceneText> split_scenes(std::string_view text) {
     constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
     if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
-    if (json::accept(text)) return {{text, 1, true}};
+    if (is_json(text)) return {{text, 1, true}};
     std::vector<SceneText> lines = lines_of(text);
     if (one_scene_a_line(lines)) return lines;
     return {{text, 1, true}};

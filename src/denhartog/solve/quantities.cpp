@@ -8,6 +8,7 @@
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/multiprecision.hpp"
 #include "denhartog/number/number_text.hpp"
+#include "denhartog/scene/limits.hpp"
 #include "denhartog/sums/chain_sums.hpp"
 
 namespace denhartog {
@@ -131,6 +132,7 @@ QuantitiesAnswer quantities_at(const SceneSource& asked_source, std::shared_ptr<
     check(scene);
     if (!scene.r) throw InputError("r", "must be given", "nothing");
     if (!scene.beta && asked != PointNumbers::sums) throw InputError("beta", "must be given", "nothing");
+    if (!tau.empty()) check_samples("the number of instants tau", tau.size(), number_of_masses(scene.system));
     for (const double instant : tau)
         if (!std::isfinite(instant)) throw InputError("tau", "must be finite", number_to_text(instant));
     const Aim aim = aim_of(digits);

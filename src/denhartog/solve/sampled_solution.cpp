@@ -4,6 +4,7 @@
 
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/number_text.hpp"
+#include "denhartog/scene/limits.hpp"
 #include "denhartog/solve/quantities.hpp"
 #include "denhartog/stick_slip/exact_motion.hpp"
 
@@ -60,6 +61,7 @@ std::vector<State<double>> of_closed_form(const Scene<double>& scene, double phi
 } // namespace
 
 SampledSolution sampled_solution(const Scene<double>& scene, const Solution& solution, std::size_t samples) {
+    check_samples("samples", samples, number_of_masses(scene.system));
     const double period = 2 * pi<double>() * solution.periods;
     SampledSolution all;
     for (std::size_t n = 0; n < samples; ++n) all.tau.push_back(period * static_cast<double>(n) / static_cast<double>(samples));

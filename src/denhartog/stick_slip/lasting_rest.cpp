@@ -1,6 +1,7 @@
 #include "denhartog/stick_slip/lasting_rest.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "denhartog/number/errors.hpp"
@@ -18,6 +19,7 @@ LastingRest<T>::LastingRest(const ContactSystem<T>& system, const Excitation<T>&
     } catch (const DomainError&) {
         response_.reset();
     }
+    using std::abs;
     const std::size_t n = s.masses.size();
     follows_.assign(n, T(0));
     T stiffness(0), damping(0), inertia(0), fastest(0);

@@ -6,6 +6,7 @@
 #include "denhartog/number/number_text.hpp"
 #include "denhartog/program/commands/scene_command.hpp"
 #include "denhartog/program/files.hpp"
+#include "denhartog/scene/limits.hpp"
 #include "denhartog/solve/quantities.hpp"
 
 namespace denhartog::program {
@@ -40,6 +41,7 @@ std::string sampled(const SceneText& part, const MotionOptions& options) {
     const Scene<double> scene = source.in_double();
     if (!scene.r) throw InputError("r", "must be given", "nothing", "/r");
     if (!scene.beta) throw InputError("beta", "must be given", "nothing", "/beta");
+    check_samples("samples", static_cast<std::size_t>(options.samples), number_of_masses(scene.system));
     std::vector<double> tau;
     for (long n = 0; n < options.samples; ++n)
         tau.push_back(2 * pi<double>() * static_cast<double>(n) / static_cast<double>(options.samples));
@@ -58,7 +60,7 @@ std::string sampled(const SceneText& part, const MotionOptions& options) {
 }
 
 void answer(const MotionOptions& options) {
-    if (options.samples < 1 || options.samples > most_samples)
+    if (options.samples < 1 || options.samples > static_cast<long>(most_samples))
         throw InputError("samples", "must be from 1 to " + std::to_string(most_samples), std::to_string(options.samples));
     const std::string text = read_input(options.scene);
     const std::vector<SceneText> parts = split_scenes(text);

@@ -55,10 +55,12 @@ void answer_scenes(const SceneOptions& options, const std::function<std::string(
             status.bad_input = true;
             report(in_place(part, e));
             if (options.json && !part.alone) output = as_json(e);
-        } catch (const PrecisionError& e) {
+        } catch (const std::exception& e) {
+            const bool short_of_digits = dynamic_cast<const PrecisionError*>(&e) != nullptr;
+            const std::string why = in_own_words(e);
             status.digits_missing = true;
-            report(std::string(e.what()) + (part.alone ? "" : " (line " + std::to_string(part.line) + ")"));
-            if (options.json && !part.alone) output = as_json(InputError("digits", e.what(), ""));
+            report(why + (part.alone ? "" : " (line " + std::to_string(part.line) + ")"));
+            if (options.json && !part.alone) output = as_json(InputError(short_of_digits ? "digits" : "the answer", why, ""));
         }
         write_standard_output(output);
     }

@@ -18,9 +18,6 @@ class App;
 
 namespace denhartog::program {
 
-/// @brief Most samples of a motion that are given.
-inline constexpr long most_samples = 10'000'000;
-
 /// @brief Options of a subcommand that answers scenes.
 struct SceneOptions {
     std::string scene;         ///< path; empty or `-` for standard input

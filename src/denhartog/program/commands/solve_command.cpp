@@ -6,6 +6,7 @@
 #include "denhartog/number/number_text.hpp"
 #include "denhartog/program/commands/scene_command.hpp"
 #include "denhartog/program/solution_json.hpp"
+#include "denhartog/scene/limits.hpp"
 #include "denhartog/solve/sampled_solution.hpp"
 #include "denhartog/solve/solve.hpp"
 
@@ -54,14 +55,16 @@ std::string as_csv(const SampledSolution& motion) {
 }
 
 std::string solved(const SceneText& part, const SolveOptions& options) {
-    if (options.samples < 0 || options.samples > most_samples)
+    if (options.samples < 0 || options.samples > static_cast<long>(most_samples))
         throw InputError("samples", "must be from 1 to " + std::to_string(most_samples), std::to_string(options.samples));
     if (options.samples > 0 && options.ask != "motion")
         throw InputError("samples", "must be given with --ask motion only", options.ask);
     if (options.samples > 0 && options.mass) throw InputError("samples", "must be given without --mass", "both");
     try {
         const SceneSource source = scene_source(part);
-        const Solution solution = solve(source, question_of(options, number_of_masses(source.in_double().system)));
+        const std::size_t N = number_of_masses(source.in_double().system);
+        if (options.samples > 0) check_samples("samples", static_cast<std::size_t>(options.samples), N);
+        const Solution solution = solve(source, question_of(options, N));
         if (options.samples > 0)
             return as_csv(sampled_solution(source.in_double(), solution, static_cast<std::size_t>(options.samples)));
         const Json answer = solution_json(solution, NumberWriter{options.scene.digits});

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "denhartog/number/errors.hpp"
+#include "denhartog/number/legible.hpp"
 #include "denhartog/program/conform/number.hpp"
 #include "denhartog/program/conform/run.hpp"
 #include "denhartog/program/files.hpp"
@@ -49,7 +50,7 @@ void list(const SelectionOptions& options, bool summary) {
 void show(const SelectionOptions& options, const std::string& id) {
     const std::vector<Vector> all = conformance::read_vectors(options.vectors);
     const auto found = std::find_if(all.begin(), all.end(), [&](const Vector& v) { return v.question.id == id; });
-    if (found == all.end()) throw InputError("id", "must be a vector's", conformance::legible(id));
+    if (found == all.end()) throw InputError("id", "must be a vector's", legible(id));
     write_standard_output("json   " + conformance::question_json(found->question).dump() + "\nplain  " +
                           conformance::question_plain(found->question) + "\n" + conformance::vector_json(*found).dump(1) + "\n");
 }

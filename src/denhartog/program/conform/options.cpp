@@ -6,6 +6,7 @@
 #include <regex>
 
 #include "denhartog/number/errors.hpp"
+#include "denhartog/number/legible.hpp"
 #include "denhartog/number/number_text.hpp"
 
 namespace denhartog::program {
@@ -18,7 +19,15 @@ std::regex filter_of(const std::string& text) {
     try {
         return std::regex(text, std::regex::ECMAScript);
     } catch (const std::regex_error&) {
-        throw InputError("filter", "must be a regular expression", conformance::legible(text));
+        throw InputError("filter", "must be a regular expression", legible(text));
+    }
+}
+
+bool matches(const std::string& id, const std::regex& filter, const std::string& text) {
+    try {
+        return std::regex_search(id, filter);
+    } catch (const std::regex_error&) {
+        throw InputError("filter", "must be a regular expression that can be tried in reasonable time", text);
     }
 }
 
@@ -90,7 +99,7 @@ std::vector<const conformance::Vector*> selected(const SelectionOptions& options
     std::vector<const conformance::Vector*> chosen;
     for (const conformance::Vector& v : all)
         if (is_wanted(options.tiers, v.tier) && is_wanted(options.groups, v.group) &&
-            !(options.skip_must_fail && !v.reject.empty()) && std::regex_search(v.question.id, filter))
+            !(options.skip_must_fail && !v.reject.empty()) && matches(v.question.id, filter, options.filter))
             chosen.push_back(&v);
     if (chosen.empty()) throw InputError("the selection", "must leave at least one vector", "0 of " + std::to_string(all.size()));
     return chosen;

@@ -1,7 +1,9 @@
+#include <cstdio>
 #include <filesystem>
 
 #include "conformance/grade.hpp"
 #include "denhartog/number/errors.hpp"
+#include "denhartog/number/legible.hpp"
 #include "denhartog/program/conform/report.hpp"
 #include "denhartog/program/conform/run.hpp"
 #include "denhartog/program/files.hpp"
@@ -14,7 +16,7 @@ using conformance::Vector;
 const Vector& vector_named(const std::string& id, const std::vector<Vector>& all) {
     for (const Vector& v : all)
         if (v.question.id == id) return v;
-    throw InputError("id", "must be a vector's", conformance::legible(id));
+    throw InputError("id", "must be a vector's", legible(id));
 }
 
 std::string this_program() {
@@ -35,11 +37,26 @@ std::string pipe_command(const ConformOptions& options, const std::string& line)
     return "printf '%s\\n' " + shell_text({"denhartog-conform 1", line}) + " | " + shell_text(options.command);
 }
 
+std::string in_escapes(const std::string& word) {
+    std::string quoted = "$'";
+    for (const char c : word) {
+        char escaped[5] = {c, 0, 0, 0, 0};
+        if (c < ' ' || c > '~' || c == '\'' || c == '\\')
+            std::snprintf(escaped, sizeof escaped, "\\x%02X", static_cast<unsigned char>(c));
+        quoted += escaped;
+    }
+    return quoted + "'";
+}
+
 } // namespace
 
 std::string shell_text(const std::vector<std::string>& words) {
     std::string text;
     for (const std::string& word : words) {
+        if (word != legible(word, word.size() + 8)) { // bytes that a terminal would obey
+            text += (text.empty() ? "" : " ") + in_escapes(word);
+            continue;
+        }
         const bool plain = !word.empty() && word.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
                                                                    "0123456789_-+=./:,@%") == std::string::npos;
         std::string quoted;
@@ -65,7 +82,7 @@ void conform_repro(const ConformOptions& options, ExitStatus& status) {
     if (answered) {
         judged = conformance::grade(v, conformance::answer_in(partner, reply.line, v.question.id));
         const conformance::Diagnosis d = conformance::diagnose({&judged, 1}, conformance::known_signatures());
-        told = conformance::legible(reply.line) + "\n" + answer_text(judged, "");
+        told = legible(reply.line) + "\n" + answer_text(judged, "");
         for (const conformance::Finding& finding : d.findings)
             told += "  it is the answer of the mistake " + finding.mistake->name + ": " + finding.mistake->told + "\n";
     }

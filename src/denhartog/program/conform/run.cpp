@@ -9,6 +9,7 @@
 #include "conformance/score.hpp"
 #include "conformance/session/smoke.hpp"
 #include "denhartog/number/errors.hpp"
+#include "denhartog/number/legible.hpp"
 #include "denhartog/program/conform/report.hpp"
 #include "denhartog/program/files.hpp"
 #include "denhartog/program/interruptible.hpp"
@@ -81,7 +82,7 @@ void conform_run(const ConformOptions& options, ExitStatus& status) {
         return report("interrupted: nothing is written");
     }
     ConformReport report;
-    report.subject = conversation.name.empty() ? options.command.front() : conversation.name;
+    report.subject = conversation.name.empty() ? legible(options.command.front()) : conversation.name;
     report.command = shell_text(options.command);
     report.dialect = conversation.dialect;
     report.notes = conversation.notes;
@@ -100,7 +101,7 @@ void conform_grade(const ConformOptions& options, ExitStatus& status) {
     const std::map<std::string, conformance::Answer> answers = conformance::answers_in(read_input(options.answers), ids);
     const std::optional<Verdicts> earlier = earlier_verdicts(options);
     ConformReport report;
-    report.subject = options.answers;
+    report.subject = legible(options.answers);
     for (const Vector* v : chosen) {
         const auto answer = answers.find(v->question.id);
         report.judged.push_back(

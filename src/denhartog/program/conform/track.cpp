@@ -5,6 +5,7 @@
 
 #include "denhartog/number/errors.hpp"
 #include "denhartog/program/files.hpp"
+#include "denhartog/scene/json_document.hpp"
 
 namespace denhartog::program {
 
@@ -14,7 +15,7 @@ using conformance::Verdict;
 std::optional<Verdicts> tracked_verdicts(const std::string& path) {
     std::error_code fault;
     if (!std::filesystem::exists(path, fault)) return std::nullopt;
-    const nlohmann::json file = nlohmann::json::parse(read_input(path), nullptr, false);
+    const nlohmann::json file = json_or_nothing(read_input(path));
     const InputError no_such_file("track", "must be a file that --track has written", path);
     if (!file.is_object() || file.value("format", nlohmann::json()) != 1 || !file.contains("verdicts") ||
         !file["verdicts"].is_object())
