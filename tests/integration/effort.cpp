@@ -1,10 +1,12 @@
 // Scenes on which a search would run on without end: each ends within its budget, counted in operations, and says what is certain.
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <random>
 
 #include "denhartog/number/number.hpp"
 #include "denhartog/sliding/invariant_points.hpp"
+#include "denhartog/solve/solve.hpp"
 #include "denhartog/stick_slip/periodic_orbit.hpp"
 #include "tests/catch.hpp"
 #include "tests/support/paper_systems.hpp"
@@ -113,4 +115,41 @@ TEST_CASE("far above resonance, where the functions of (87) cancel, the invarian
     const auto begun = invariant_points(basis, s.contact, s.load, 1.0, 50.0, &little);
     CHECK(little.spent <= 1100);
     CHECK_FALSE(begun.back().undecided.empty());
+}
+
+TEST_CASE("a question has one budget for all its searches, and the outermost scope counts", "[effort]") {
+    {
+        const QuestionEffort question(3, 1000);
+        {
+            SearchEffort first(10);
+            CHECK(first.left() == 1000); // the user's choice, all of it
+            first.spend(900);
+            const QuestionEffort inner(3);
+            CHECK_FALSE(QuestionEffort::exhausted());
+        }
+        SearchEffort second(10);
+        CHECK(second.left() == 100);
+        second.spend(200);
+        CHECK(second.exhausted());
+        CHECK_FALSE(QuestionEffort::exhausted()); // not before the search ends
+    }
+    CHECK_FALSE(QuestionEffort::exhausted());
+    const QuestionEffort by_default(3);
+    const SearchEffort search(10);
+    CHECK(search.left() == 10); // its share
+    const QuestionEffort of_more_modes(24);
+    const SearchEffort large(std::numeric_limits<long>::max());
+    CHECK(large.left() == default_effort(24));
+}
+
+TEST_CASE("solve ends where its work is spent and says what is certain until then", "[effort][solve]") {
+    Scene<double> scene;
+    scene.system = two_masses(0.001);
+    scene.mu = 2.5;
+    scene.r = 0.3;
+    scene.beta = 0.4;
+    const Question question{Asked::motion, std::nullopt, false};
+    const QuestionEffort little(2, 2000);
+    CHECK_THROWS_WITH(solve(scene_source(scene), question),
+                      Catch::Contains("the work allowed is spent") && Catch::Contains("certain until then"));
 }

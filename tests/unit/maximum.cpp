@@ -144,7 +144,7 @@ TEST_CASE("a search whose effort is spent says what is certain until then", "[ma
     CHECK(effort.spent <= 5010);
     CHECK(best.value <= 1.001);
     CHECK(best.upper >= 1.001);
-    const std::atomic<bool> cancelled = true;
+    const std::function<bool()> cancelled = [] { return true; };
     Effort from_outside;
     from_outside.cancelled = &cancelled;
     CHECK_FALSE(global_maximum(curve, 0.001, 1.0, 0.0, &from_outside).settled);

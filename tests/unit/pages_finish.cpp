@@ -76,7 +76,7 @@ TEST_CASE("a broken link, a missing place and an address elsewhere are faults of
     CHECK(sound.documents == 1);
     CHECK(std::filesystem::exists(site.path / "search-documents.js"));
 
-    for (const std::string& wrong :
+    for (const char* wrong :
          {"<a href=\"none.html\">x</a>", "<a href=\"b.html#nowhere\">x</a>", "<a href=\"#nowhere\">x</a>",
           "<img src=\"none.svg\">", "<a href=\"https://example.org\">x</a>"}) {
         site.write("c.html", wrong);

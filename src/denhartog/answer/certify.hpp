@@ -12,6 +12,7 @@
 #include "denhartog/answer/solution.hpp"
 #include "denhartog/number/bounded.hpp"
 #include "denhartog/number/certified.hpp"
+#include "denhartog/number/effort.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/multiprecision.hpp"
 
@@ -96,7 +97,7 @@ Certainty certify(const Aim& aim, const Attempt& attempt, Precision highest = Pr
             if (precision == highest) throw;
             return leave_open(e.what());
         } catch (const PrecisionError& e) {
-            if (precision == highest) throw;
+            if (precision == highest || QuestionEffort::exhausted()) throw;
             return leave_open(e.what());
         }
     };

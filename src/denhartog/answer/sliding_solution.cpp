@@ -45,6 +45,7 @@ Solution sliding_solution(const SceneSource& source, const SlidingQuestion& ques
     const Scene<double> scene = source.in_double();
     check(scene);
     if (!scene.r) throw InputError("r", "must be given", "");
+    const QuestionEffort effort(number_of_masses(scene.system));
     Solution s;
     s.asked = question.asked;
     s.contact = scene.system.contact;

@@ -7,7 +7,8 @@
 /// Every function that can fail returns a status, #DH_OK or one of the others, and the text of the fault is kept for the calling
 /// thread, see dh_last_message(). On a fault no output is written. No exception leaves a function. Numbers handed out are finite.
 /// A handle does not change once it is made: any number of threads may use one at the same time; one of them destroys it, after
-/// all are done. Apart from the text of the last fault, which each thread has for itself, the interface keeps nothing.
+/// all are done. Apart from the text of the last fault and what dh_set_effort() was told, which each thread has for itself, the
+/// interface keeps nothing. No call works on without end: its work is counted, see dh_set_effort().
 ///
 /// A struct that may grow has its size as its first member; the caller sets it to `sizeof` before the call, and no more than that
 /// many bytes are written. Names are added and never changed or taken away as long as the number in the name of the shared
@@ -252,6 +253,20 @@ DH_EXPORT int dh_sliding_motion(const dh_system* system, double r, double beta, 
 /// @return        as dh_sliding_motion()
 DH_EXPORT int dh_displacement(const dh_system* system, double r, double beta, double mu, size_t mass, size_t count,
                               const double* tau, double* x) DH_NOEXCEPT;
+
+/// @brief Asked now and then while a question is worked on, by the thread that asked it.
+/// @param context  as given to dh_set_effort()
+/// @return         not 0 where the question is to end
+typedef int (*dh_cancelled)(void* context);
+
+/// @brief What each further call of the calling thread may cost. A call that has spent it, or is cancelled, returns
+/// #DH_ERROR_PRECISION and says so.
+/// @param operations  of about a tenth of a microsecond, the evaluation of a mode at an instant in double; 1 to 1e18, or 0 for the
+///                    default: 1e7, for more than 12 masses 8e5 a mass
+/// @param cancelled   may be null; must return fast, and not by an exception
+/// @param context     handed to it
+/// @return            #DH_OK, #DH_ERROR_INPUT
+DH_EXPORT int dh_set_effort(double operations, dh_cancelled cancelled, void* context) DH_NOEXCEPT;
 
 /// @brief The steady motion at a point, in every regime, by the cheapest model that is certain to have the digits.
 /// @param system    a system

@@ -5,11 +5,13 @@
 #include <cmath>
 #include <cstdio>
 #include <new>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <string>
 
 #include "denhartog/c/denhartog.h"
+#include "denhartog/number/effort.hpp"
 #include "denhartog/number/errors.hpp"
 
 namespace denhartog::c_interface {
@@ -37,12 +39,31 @@ inline int fault(dh_status status, const char* text) noexcept {
     return status;
 }
 
+/// @brief What the questions of a thread may cost, as dh_set_effort() was told.
+struct Allowance {
+    std::optional<long> operations;   ///< none for the default
+    dh_cancelled cancelled = nullptr; ///< null where nobody cancels
+    void* context = nullptr;          ///< what it is called with
+};
+
+/// @brief That of the calling thread. @return it, to be read or set
+inline Allowance& allowance() noexcept {
+    static thread_local Allowance of_thread;
+    return of_thread;
+}
+
 /// @brief Runs the body of a function.
 /// @param body  called once
 /// @return      DH_OK, or the code of what it threw, whose text is kept
 template <class Body>
 int guarded(Body&& body) noexcept {
     try {
+        const Allowance& allowed = allowance();
+        std::optional<QuestionEffort> effort;
+        if (allowed.cancelled != nullptr)
+            effort.emplace(0, allowed.operations, [&allowed] { return allowed.cancelled(allowed.context) != 0; });
+        else if (allowed.operations)
+            effort.emplace(0, allowed.operations);
         body();
         return DH_OK;
     } catch (const CallError& e) {

@@ -4,6 +4,7 @@
 
 #include "denhartog/c/denhartog.h"
 #include "denhartog/c/handles.hpp"
+#include "denhartog/number/number_text.hpp"
 #include "denhartog/scene/limits.hpp"
 #include "denhartog/scene/point_rules.hpp"
 #include "denhartog/solve/sampled_solution.hpp"
@@ -22,6 +23,15 @@ dh_mass to_c(const SolvedMass& m) {
 } // namespace
 
 extern "C" {
+
+int dh_set_effort(double operations, dh_cancelled cancelled, void* context) noexcept {
+    return guarded([&] {
+        const bool by_default = operations == 0;
+        if (!by_default && !(operations >= 1 && operations <= 1e18))
+            throw InputError("operations", "must be from 1 to 1e18, or 0", number_to_text(operations));
+        allowance() = {by_default ? std::nullopt : std::optional(static_cast<long>(operations)), cancelled, context};
+    });
+}
 
 int dh_solve(const dh_system* system, double r, double beta, double mu, int digits, dh_solution** solution) noexcept {
     return guarded([&] {

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 #include "denhartog/map/contact_amplitudes.hpp"
+#include "denhartog/number/effort.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/sliding/regime.hpp"
 #include "denhartog/stick_slip/at_maximum_of_force.hpp"
@@ -169,9 +171,12 @@ void compute_column(const MapSystem& map, double r, const std::optional<ContactC
         points[n] = {status, Regime::continuous, 0, 1};
         std::ranges::fill(amplitudes.subspan(n * masses, masses), std::nan(""));
     };
+    const std::size_t modes = map.system.basis.r_n.size();
+    const std::function<bool()> stopped = [&stop] { return stop.load(std::memory_order_relaxed); };
     std::optional<MapColumn> column;
     PointStatus fault = PointStatus::failed;
     try {
+        const QuestionEffort effort(modes, map.effort, stopped);
         column.emplace(map, r, arrays, points, amplitudes);
     } catch (const DomainError&) {
         fault = PointStatus::at_a_pole;
@@ -187,6 +192,7 @@ void compute_column(const MapSystem& map, double r, const std::optional<ContactC
             continue;
         }
         try {
+            const QuestionEffort effort(modes, map.effort, stopped);
             column->answer(n);
             if (points[n].status == PointStatus::not_converged) without_numbers(n, PointStatus::not_converged);
         } catch (const DomainError&) {

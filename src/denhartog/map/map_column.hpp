@@ -19,6 +19,7 @@ struct MapSystem {
     MapStart start;                      ///< which motion, where there are several
     const std::vector<double>& beta;     ///< friction ratios
     const std::vector<Mass>& masses;     ///< masses whose amplitudes are wanted
+    std::optional<long> effort{};        ///< operations allowed a point
 };
 
 /// @brief Whether the contact alone is asked for, and no point but one of stick-slip needs a motion to be followed.

@@ -81,7 +81,7 @@ RegimeMap regime_map(const Scene<double>& scene, const MapRequest& request, cons
     check(scene);
     check_request(request, number_of_masses(scene.system));
     const ContactSystem<double> system = contact_system(scene.system);
-    const MapSystem shared{system, scene.mu, request.start, request.beta, request.masses};
+    const MapSystem shared{system, scene.mu, request.start, request.beta, request.masses, request.effort};
     Arrays arrays(shared);
     const std::size_t columns = request.r.size(), rows = request.beta.size(), masses = request.masses.size();
     RegimeMap map;

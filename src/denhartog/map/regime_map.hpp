@@ -52,6 +52,7 @@ struct MapRequest {
     std::vector<Mass> masses;        ///< masses whose amplitudes are wanted
     MapStart start = MapStart::rest; ///< which motion, where there are several
     unsigned threads = 1;            ///< threads, at least 1
+    std::optional<long> effort{};    ///< operations allowed a point; without, what `QuestionEffort` has
 };
 
 /// @brief A map.

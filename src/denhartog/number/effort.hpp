@@ -3,9 +3,12 @@
 #pragma once
 
 #include <algorithm>
-#include <atomic>
 #include <cstddef>
+#include <functional>
 #include <limits>
+#include <optional>
+#include <string>
+#include <utility>
 
 namespace denhartog {
 
@@ -14,15 +17,21 @@ namespace denhartog {
 /// One operation is the evaluation of one mode at one instant in double: an exponential, a sine, a cosine and what goes with
 /// them, about a tenth of a microsecond. A search that finds its budget spent ends and gives what is certain until then.
 struct Effort {
-    long allowed = std::numeric_limits<long>::max(); ///< operations allowed
-    long spent = 0;                                  ///< operations spent
-    const std::atomic<bool>* cancelled = nullptr;    ///< ends the search from outside once it is true; null: nobody does
+    long allowed = std::numeric_limits<long>::max();  ///< operations allowed
+    long spent = 0;                                   ///< operations spent
+    const std::function<bool()>* cancelled = nullptr; ///< ends the search from outside once it gives true; null: nobody does
 
     /// @brief Counts operations. @param operations how many
     void spend(long operations) { spent += operations; }
+    /// @brief Operations still allowed. @return their number, not negative
+    [[nodiscard]] long left() const { return std::max(0L, allowed - spent); }
     /// @brief Whether a search has to end. @return true where the budget is spent or somebody cancelled
-    [[nodiscard]] bool exhausted() const {
-        return spent >= allowed || (cancelled != nullptr && cancelled->load(std::memory_order_relaxed));
+    [[nodiscard]] bool exhausted() const { return spent >= allowed || is_cancelled(); }
+    /// @brief Whether somebody cancelled. @return true where somebody did
+    [[nodiscard]] bool is_cancelled() const { return cancelled != nullptr && (*cancelled)(); }
+    /// @brief Why a search ended that has exhausted it. @return a clause
+    [[nodiscard]] std::string ending() const {
+        return is_cancelled() ? "cancelled" : "the work allowed is spent, " + std::to_string(spent) + " operations";
     }
 };
 
@@ -39,5 +48,65 @@ template <class T>
 [[nodiscard]] constexpr long default_effort(std::size_t modes) {
     return 10'000'000 / 12 * static_cast<long>(std::max<std::size_t>(modes, 12));
 }
+
+/// @brief The budget of all that this thread does for one question, until the end of the scope. Scopes may be nested: the
+/// outermost one counts.
+class QuestionEffort {
+public:
+    /// @param modes      number of modes, for the budget where none is chosen
+    /// @param chosen     operations, as `Effort` counts them, that the user allows: one search may spend all of them
+    /// @param cancelled  asked now and then; the question ends once it gives true
+    explicit QuestionEffort(std::size_t modes, std::optional<long> chosen = {}, std::function<bool()> cancelled = {})
+        : cancelled_(std::move(cancelled)), chosen_(chosen.has_value()), outermost_(current() == nullptr) {
+        effort_.allowed = chosen.value_or(default_effort(modes));
+        if (cancelled_) effort_.cancelled = &cancelled_;
+        if (outermost_)
+            current() = this;
+        else if (!current()->chosen_)
+            current()->effort_.allowed = std::max(current()->effort_.allowed, effort_.allowed);
+    }
+    ~QuestionEffort() {
+        if (outermost_) current() = nullptr;
+    }
+    QuestionEffort(const QuestionEffort&) = delete;
+    QuestionEffort& operator=(const QuestionEffort&) = delete;
+
+    /// @brief Whether the question of this thread has spent its budget, or was cancelled. @return false where there is none
+    [[nodiscard]] static bool exhausted() { return current() != nullptr && current()->effort_.exhausted(); }
+
+private:
+    friend class SearchEffort;
+
+    static QuestionEffort*& current() {
+        thread_local QuestionEffort* question = nullptr;
+        return question;
+    }
+
+    Effort effort_;
+    std::function<bool()> cancelled_;
+    bool chosen_;    // by the user
+    bool outermost_; // and so the one that counts
+};
+
+/// @brief What one search may spend: a share of the budget of its question, from which it is taken at the end of the scope.
+class SearchEffort : public Effort {
+public:
+    /// @param share  operations, where the user has not chosen the budget of the question
+    explicit SearchEffort(long share) : question_(QuestionEffort::current()) {
+        allowed = share;
+        if (question_ == nullptr) return;
+        const Effort& whole = question_->effort_;
+        allowed = question_->chosen_ ? whole.left() : std::min(share, whole.left());
+        cancelled = whole.cancelled;
+    }
+    ~SearchEffort() {
+        if (question_ != nullptr) question_->effort_.spend(spent);
+    }
+    SearchEffort(const SearchEffort&) = delete;
+    SearchEffort& operator=(const SearchEffort&) = delete;
+
+private:
+    QuestionEffort* question_;
+};
 
 } // namespace denhartog

@@ -150,7 +150,7 @@ template <class T>
 std::vector<InvariantPointsOfMass<T>> invariant_points(const ModalBasis<T>& basis, Mass contact, Mass load, const T& r_a,
                                                        const T& r_b, Effort* allowed) {
     check_arguments(basis, contact, load, r_a, r_b);
-    Effort own{default_effort(basis.r_n.size())};
+    SearchEffort own(default_effort(basis.r_n.size()));
     Effort& effort = allowed != nullptr ? *allowed : own;
     const T margin = 1024 * eps<T>; // a point at an end of the range is inside
     std::vector<InvariantPointsOfMass<T>> all;

@@ -161,12 +161,12 @@ std::pair<T, T> root_bracket(const std::function<T(const T&)>& f, const T& a, co
 
 template <class T>
 Maximum<T> global_maximum(const Curve<T>& curve, const T& a, const T& b, const T& noise, Effort* effort, const T& least) {
-    Effort own{default_effort(1) / 4}; // a search is one of several that a question needs
+    SearchEffort own(default_effort(1) / 4); // a search is one of several that a question needs
     const Maximum<T> found = Search<T>(curve, a, b, noise, effort != nullptr ? *effort : own, least).largest();
     if (effort == nullptr && !found.settled)
-        throw PrecisionError("the largest value over the half-period is not settled after " + std::to_string(own.spent) +
-                             " operations: the motion has too many oscillations, or its maximum is too flat for the digits "
-                             "carried");
+        throw PrecisionError(
+            "the largest value over the half-period is not settled: " + (own.exhausted() ? own.ending() + "; " : "") +
+            "the motion has too many oscillations, or its maximum is too flat for the digits carried");
     return found;
 }
 

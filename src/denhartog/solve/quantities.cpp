@@ -136,6 +136,7 @@ QuantitiesAnswer quantities_at(const SceneSource& asked_source, std::shared_ptr<
     for (const double instant : tau)
         if (!std::isfinite(instant)) throw InputError("tau", "must be finite", number_to_text(instant));
     const Aim aim = aim_of(digits);
+    const QuestionEffort effort(number_of_masses(scene.system));
     QuantitiesAnswer answer;
     Largest largest;
     bool has_zeros = false;

@@ -8,6 +8,7 @@
 #include "denhartog/answer/held_solution.hpp"
 #include "denhartog/answer/orbit_solution.hpp"
 #include "denhartog/answer/other_motions.hpp"
+#include "denhartog/number/effort.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/scene/point_rules.hpp"
 #include "denhartog/solve/solve_task.hpp"
@@ -73,7 +74,8 @@ void answer_from_rest(const SolveTask& task, Solution& s) {
     const PeriodicOrbit<double> orbit = periodic_orbit(solver, at_rest<double>(system.basis.r_n.size()), how);
     if (orbit.status == OrbitStatus::not_converged) {
         if (task.pole) throw DomainError(*task.pole + "; " + orbit.reason);
-        throw PrecisionError("no steady motion was found from the start from rest: " + orbit.reason);
+        throw PrecisionError("no steady motion was found from the start from rest: " + orbit.reason +
+                             "; certain until then: " + s.regime.reason);
     }
     const bool rests = orbit.status == OrbitStatus::permanently_stuck;
     const bool slides = !task.pole && !rests && is_closed_form(orbit, s);
@@ -165,6 +167,7 @@ Solution solve_at(const PreparedSystem& p, const SolvePoint& at, const Question&
 Solution solve(const SceneSource& source, const Question& question) {
     const Work before = work_so_far();
     const PreparedSystem p = prepare(source, question);
+    const QuestionEffort effort(number_of_masses(p.scene.system));
     if (!p.scene.r) throw InputError("r", "must be given", "nothing");
     if (!p.scene.beta) throw InputError("beta", "must be given", "nothing");
     return solve_at(p, {*p.scene.r, *p.scene.beta, &source}, question, before);
@@ -174,6 +177,7 @@ Solution solve(const PreparedSystem& system, double r, double beta, const Questi
     check(question, number_of_masses(system.scene.system));
     check_frequency_ratio(r);
     check_friction_ratio(beta);
+    const QuestionEffort effort(number_of_masses(system.scene.system));
     return solve_at(system, {r, beta, nullptr}, question, work_so_far());
 }
 

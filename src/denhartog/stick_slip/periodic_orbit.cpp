@@ -243,7 +243,7 @@ private:
         std::ostringstream s;
         s.precision(3);
         if (effort.exhausted())
-            s << "the work allowed is spent, " << effort.spent << " operations: ";
+            s << effort.ending() << ": ";
         else if (status == MotionStatus::open)
             s << "the motion changes faster than the number type can follow: ";
         s << (status == MotionStatus::chattering ? "phases of no length follow each other" : "no periodic motion") << " within "
@@ -286,7 +286,7 @@ template <class T>
 PeriodicOrbit<T> periodic_orbit(ExactSolver<T>& solver, const State<T>& start, const OrbitSearch<T>& search) {
     const std::size_t N = solver.system().basis.r_n.size();
     check(search, start, N);
-    Effort own{default_effort(N)};
+    SearchEffort own(default_effort(N));
     Effort* const before = solver.allow(search.effort != nullptr ? search.effort : &own);
     PeriodicOrbit<T> orbit = Search<T>(solver, search).from(start);
     (void)solver.allow(before);

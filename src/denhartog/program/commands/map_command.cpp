@@ -9,6 +9,7 @@
 #include <memory>
 #include <thread>
 
+#include "denhartog/program/commands/scene_command.hpp"
 #include "denhartog/program/files.hpp"
 #include "denhartog/program/grid_option.hpp"
 #include "denhartog/program/interruptible.hpp"
@@ -24,6 +25,7 @@ struct MapOptions {
     std::string start = "rest";
     bool boundaries = false;
     unsigned threads = 0;
+    std::optional<double> effort;
 };
 
 std::atomic<bool> stop{false};
@@ -86,6 +88,7 @@ void answer(const MapOptions& options, ExitStatus& status) {
     request.beta = grid_values("beta", options.beta);
     request.masses = masses_of(options.masses, scene);
     request.start = options.start == "sliding" ? MapStart::sliding : MapStart::rest;
+    request.effort = allowed_operations(options.effort);
     request.threads = options.threads != 0 ? options.threads : std::max(1U, std::thread::hardware_concurrency());
     if (!options.output.empty()) check_writable(options.output);
     const Interruptible interruptible(stop);
@@ -115,6 +118,7 @@ void add_map_command(CLI::App& app, ExitStatus& status) {
                         "file to write, .csv or .npy; it appears when it is complete. Default: CSV on standard output");
     command->add_option("--threads", options->threads,
                         "threads, default as many as the machine has; the map is the same for any");
+    add_effort_option(*command, options->effort);
     command->footer(
         "r and beta of the scene are not used. CSV, a line a point, beta running fastest: r, beta, regime (continuous,\n"
         "stick_slip, permanent_sticking), stops_per_period, periods (of the force in a period of the motion), amplitude_K of\n"

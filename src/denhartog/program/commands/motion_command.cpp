@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
+#include "denhartog/number/effort.hpp"
 #include "denhartog/number/number_text.hpp"
 #include "denhartog/program/commands/scene_command.hpp"
 #include "denhartog/program/files.hpp"
@@ -17,6 +18,7 @@ struct MotionOptions {
     std::string output;
     long samples = 400;
     int digits = 10;
+    std::optional<double> effort;
 };
 
 std::string in_column(double x) { return "," + number_to_text(x == 0 ? 0.0 : x); }
@@ -62,6 +64,9 @@ std::string sampled(const SceneText& part, const MotionOptions& options) {
 void answer(const MotionOptions& options) {
     if (options.samples < 1 || options.samples > static_cast<long>(most_samples))
         throw InputError("samples", "must be from 1 to " + std::to_string(most_samples), std::to_string(options.samples));
+    const std::optional<long> allowed = allowed_operations(options.effort);
+    std::optional<QuestionEffort> effort;
+    if (allowed) effort.emplace(0, allowed);
     const std::string text = read_input(options.scene);
     const std::vector<SceneText> parts = split_scenes(text);
     if (parts.size() > 1) throw InputError("the input", "must be one scene", std::to_string(parts.size()) + " scenes");
@@ -81,6 +86,7 @@ void add_motion_command(CLI::App& app, ExitStatus& status) {
     command->add_option("--samples", options->samples, "instants in a period")->capture_default_str();
     command->add_option("--digits", options->digits, "significant digits of every displacement and velocity, 1 to 15")
         ->capture_default_str();
+    add_effort_option(*command, options->effort);
     command->add_option("--output", options->output, "file to write; it appears when it is complete");
     command->footer(
         "Columns: tau from 0 to below 2 pi, 0 at the maximum of the mass in contact; x_1..x_N in units of P / k_1; v_1..v_N,\n"

@@ -54,8 +54,8 @@ void add_response_command(CLI::App& app, ExitStatus& status) {
     command->footer(
         "In the regimes stick_slip and permanent_sticking there is a reason and no amplitude; `solve` answers there too.\n"
         "other_regimes: regimes that exist at the same point from other initial values; on_boundary: beta equals a boundary\n"
-        "to the accuracy computed. error_bound is absolute and covers x0, v0 and both amplitudes of the mass: it is measured\n"
-        "against the same answer in more digits. A mass that does not move has no phase. Without --digits 6 digits are aimed\n"
+        "to the accuracy computed. error_bound is absolute and covers x0, v0 and both amplitudes of the mass: it is computed\n"
+        "with the answer. A mass that does not move has no phase. Without --digits 6 digits are aimed\n"
         "at, and more precision is taken where double has not got them.");
     command->callback([options, &status] {
         answer_scenes(

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "denhartog/number/effort.hpp"
+#include "denhartog/number/number_text.hpp"
 #include "denhartog/program/files.hpp"
 
 namespace denhartog::program {
@@ -36,6 +38,7 @@ void add_scene_options(CLI::App& command, SceneOptions& options) {
         "SCENE", options.scene,
         "file with a scene as JSON, or with many, one a line (JSON Lines); standard input where it is - or missing");
     command.add_flag("--json", options.json, "one JSON object a scene, one a line, in order, in place of tables");
+    add_effort_option(command, options.effort);
 }
 
 void add_digits_option(CLI::App& command, SceneOptions& options) {
@@ -44,11 +47,28 @@ void add_digits_option(CLI::App& command, SceneOptions& options) {
                            "; above 15 numbers in JSON are text. Where they cannot be reached the exit status is 3");
 }
 
+void add_effort_option(CLI::App& command, std::optional<double>& effort) {
+    command.add_option(
+        "--effort", effort,
+        "work allowed a question, in operations of about a tenth of a microsecond: the evaluation of a mode at an "
+        "instant in double. Where it is spent the exit status is 3. Default: 1e7, for more than 12 masses 8e5 a mass");
+}
+
+std::optional<long> allowed_operations(const std::optional<double>& effort) {
+    if (!effort) return std::nullopt;
+    if (!(*effort >= 1 && *effort <= 1e18))
+        throw InputError("effort", "must be from 1 to 1e18 operations", number_to_text(*effort));
+    return static_cast<long>(*effort);
+}
+
 void answer_scenes(const SceneOptions& options, const std::function<std::string(const SceneText&)>& answer, ExitStatus& status) {
+    const std::optional<long> allowed = allowed_operations(options.effort);
     const std::string text = read_input(options.scene);
     for (const SceneText& part : split_scenes(text)) {
         std::string output;
         try {
+            std::optional<QuestionEffort> effort;
+            if (allowed) effort.emplace(0, allowed);
             output = answer(part);
         } catch (const InputError& fault) {
             const InputError e = with_place(fault);

@@ -20,9 +20,10 @@ namespace denhartog::program {
 
 /// @brief Options of a subcommand that answers scenes.
 struct SceneOptions {
-    std::string scene;         ///< path; empty or `-` for standard input
-    bool json = false;         ///< JSON in place of tables
-    std::optional<int> digits; ///< significant digits asked for
+    std::string scene;            ///< path; empty or `-` for standard input
+    bool json = false;            ///< JSON in place of tables
+    std::optional<int> digits;    ///< significant digits asked for
+    std::optional<double> effort; ///< operations allowed a scene
 };
 
 /// @brief Adds SCENE and `--json` to a subcommand.
@@ -34,6 +35,15 @@ void add_scene_options(CLI::App& command, SceneOptions& options);
 /// @param command  the subcommand
 /// @param options  where it goes; must outlive the parse
 void add_digits_option(CLI::App& command, SceneOptions& options);
+
+/// @brief Adds `--effort`.
+/// @param command  the subcommand
+/// @param effort   where it goes; must outlive the parse
+void add_effort_option(CLI::App& command, std::optional<double>& effort);
+
+/// @brief The work that a user allows. @param effort of the command line @return operations; none where none are given
+/// @throws InputError where it is no such number
+[[nodiscard]] std::optional<long> allowed_operations(const std::optional<double>& effort);
 
 /// @brief Answers every scene of the input in order, each written when it is complete.
 ///

@@ -1,0 +1,86 @@
+// Work from C: what a call may cost, and how it is cancelled.
+#include <denhartog.h>
+
+#include <limits>
+#include <string>
+#include <thread>
+
+#include "tests/catch.hpp"
+#include "tests/conformance/c_fixtures.hpp"
+
+using namespace denhartog;
+using namespace denhartog::tests;
+
+namespace {
+
+// A contact that stops: its motion is followed from event to event.
+int solve_stopping(dh_solution** solution) {
+    static const Handle system = handle_of(system_of({1, 2.5}, {1, 0.625}, {0.0625, 0.125}, 2, 1));
+    return dh_solve(system.get(), 1.125, 0.5, 1.25, 0, solution);
+}
+
+struct Effort {
+    Effort(double operations, dh_cancelled cancelled = nullptr, void* context = nullptr) {
+        REQUIRE(dh_set_effort(operations, cancelled, context) == DH_OK);
+    }
+    ~Effort() { (void)dh_set_effort(0, nullptr, nullptr); }
+};
+
+// Ends the question when it was asked as often as the number says.
+int after(void* context) {
+    int& calls = *static_cast<int*>(context);
+    return --calls <= 0;
+}
+
+bool says(const char* words) { return std::string(dh_last_message()).find(words) != std::string::npos; }
+
+} // namespace
+
+TEST_CASE("a call that has spent its work says so and writes nothing", "[c][effort]") {
+    dh_solution* solution = nullptr;
+    REQUIRE(solve_stopping(&solution) == DH_OK);
+    dh_solution_destroy(solution);
+    solution = nullptr;
+    {
+        const Effort little(50);
+        CHECK(solve_stopping(&solution) == DH_ERROR_PRECISION);
+        CHECK(says("the work allowed is spent"));
+        CHECK(solution == nullptr);
+        int status = DH_OK;
+        std::thread([&] { // which was told nothing
+            dh_solution* own = nullptr;
+            status = solve_stopping(&own);
+            dh_solution_destroy(own);
+        })
+            .join();
+        CHECK(status == DH_OK);
+    }
+    CHECK(solve_stopping(&solution) == DH_OK);
+    dh_solution_destroy(solution);
+}
+
+TEST_CASE("a call can be cancelled from inside, at any time", "[c][effort]") {
+    for (int calls : {1, 5, 40}) {
+        dh_solution* solution = nullptr;
+        int left = calls;
+        const Effort cancelled(0, after, &left);
+        CHECK(solve_stopping(&solution) == DH_ERROR_PRECISION);
+        CHECK(says("cancelled"));
+        CHECK(solution == nullptr);
+        CHECK(left <= 0);
+        CHECK(left > -20); // few calls after the first that says so
+    }
+    int never = std::numeric_limits<int>::max();
+    dh_solution* solution = nullptr;
+    const Effort watched(0, after, &never);
+    CHECK(solve_stopping(&solution) == DH_OK);
+    CHECK(never < std::numeric_limits<int>::max());
+    dh_solution_destroy(solution);
+}
+
+TEST_CASE("work that is no number of operations is refused", "[c][effort]") {
+    for (const double wrong : {-1.0, 0.5, 1e19, std::numeric_limits<double>::quiet_NaN()}) {
+        CHECK(dh_set_effort(wrong, nullptr, nullptr) == DH_ERROR_INPUT);
+        CHECK(says("operations must be from 1 to 1e18, or 0"));
+    }
+}
