@@ -19,11 +19,11 @@ int solve_stopping(dh_solution** solution) {
     return dh_solve(system.get(), 1.125, 0.5, 1.25, 0, solution);
 }
 
-struct Effort {
-    Effort(double operations, dh_cancelled cancelled = nullptr, void* context = nullptr) {
+struct AllowedWork {
+    AllowedWork(double operations, dh_cancelled cancelled = nullptr, void* context = nullptr) {
         REQUIRE(dh_set_effort(operations, cancelled, context) == DH_OK);
     }
-    ~Effort() { (void)dh_set_effort(0, nullptr, nullptr); }
+    ~AllowedWork() { (void)dh_set_effort(0, nullptr, nullptr); }
 };
 
 // Ends the question when it was asked as often as the number says.
@@ -42,7 +42,7 @@ TEST_CASE("a call that has spent its work says so and writes nothing", "[c][effo
     dh_solution_destroy(solution);
     solution = nullptr;
     {
-        const Effort little(50);
+        const AllowedWork little(50);
         CHECK(solve_stopping(&solution) == DH_ERROR_PRECISION);
         CHECK(says("the work allowed is spent"));
         CHECK(solution == nullptr);
@@ -63,7 +63,7 @@ TEST_CASE("a call can be cancelled from inside, at any time", "[c][effort]") {
     for (int calls : {1, 5, 40}) {
         dh_solution* solution = nullptr;
         int left = calls;
-        const Effort cancelled(0, after, &left);
+        const AllowedWork cancelled(0, after, &left);
         CHECK(solve_stopping(&solution) == DH_ERROR_PRECISION);
         CHECK(says("cancelled"));
         CHECK(solution == nullptr);
@@ -72,7 +72,7 @@ TEST_CASE("a call can be cancelled from inside, at any time", "[c][effort]") {
     }
     int never = std::numeric_limits<int>::max();
     dh_solution* solution = nullptr;
-    const Effort watched(0, after, &never);
+    const AllowedWork watched(0, after, &never);
     CHECK(solve_stopping(&solution) == DH_OK);
     CHECK(never < std::numeric_limits<int>::max());
     dh_solution_destroy(solution);

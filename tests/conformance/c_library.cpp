@@ -50,6 +50,7 @@ TEST_CASE("the shared library exports the names of its list and no other", "[c_i
                                         "dh_mode_shapes",
                                         "dh_natural_frequency_ratios",
                                         "dh_quantity",
+                                        "dh_set_effort",
                                         "dh_sliding_motion",
                                         "dh_solution_destroy",
                                         "dh_solution_mass",

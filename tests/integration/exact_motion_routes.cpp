@@ -19,7 +19,7 @@ struct Given {
 };
 
 template <class T>
-Prepared<T> prepared(const Given<T>& g, const T& r, const T& beta, const T& mu) {
+tests::Prepared<T> prepared(const Given<T>& g, const T& r, const T& beta, const T& mu) {
     System<T> s;
     s.mass_matrix = g.M;
     s.damping_matrix = g.C;
@@ -94,7 +94,7 @@ void check_phases(const Given<T>& g, const T& r, double tolerance) {
     }
     for (const int direction : {1, -1}) {
         start.x_prime[j] = T(8 * direction); // fast enough not to turn round
-        const Prepared<T> p = prepared(g, r, T(T(1) / 4), T(1));
+        const tests::Prepared<T> p = prepared(g, r, T(T(1) / 4), T(1));
         ExactSolver<T> solver(p.system, p.excitation);
         const T tau_0 = T(3) / 8, t = std::min(T(1), r) * 3 / 8;
         const ExactMotion<T>& motion = solver.run(start, tau_0, T(tau_0 + t));
@@ -103,7 +103,7 @@ void check_phases(const Given<T>& g, const T& r, double tolerance) {
         CHECK(largest_difference(motion.end, by_exponential(g, p.excitation, direction, start, tau_0, t)) < tolerance);
     }
     start.x_prime[j] = T(0);
-    const Prepared<T> p = prepared(g, r, T(1000), T(1)); // held
+    const tests::Prepared<T> p = prepared(g, r, T(1000), T(1)); // held
     ExactSolver<T> solver(p.system, p.excitation);
     const T tau_0 = T(3) / 8, t = T(11) / 2;
     const ExactMotion<T>& motion = solver.run(start, tau_0, T(tau_0 + t));
@@ -138,7 +138,7 @@ Given<T> chain_of(std::size_t N, std::size_t j, std::size_t l, const T& a, const
 }
 
 /// The Jacobian of a stretch from the largest to the smallest entry against central differences, in 50 digits.
-void check_jacobian(const Prepared<Real50>& p, const State<Real50>& start, int directions_seen) {
+void check_jacobian(const tests::Prepared<Real50>& p, const State<Real50>& start, int directions_seen) {
     ExactSolver<Real50> solver(p.system, p.excitation);
     const std::size_t N = start.x.size();
     const Real50 tau_0 = Real50(1) / 16, tau_1 = 6, h("1e-18");
