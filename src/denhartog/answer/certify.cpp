@@ -62,6 +62,11 @@ int most_digits_in(Precision precision) {
     return 0;
 }
 
+Precision highest_precision(const Aim& aim, std::size_t masses, Precision last) {
+    constexpr std::size_t most_masses_to_step_up = 40;
+    return masses > most_masses_to_step_up && !aim.asked_for ? Precision::in_double : last;
+}
+
 std::string verdict(const Attempted& attempted, const Aim& aim) {
     std::string words;
     words.reserve(64); // one allocation: a point of a map costs little more

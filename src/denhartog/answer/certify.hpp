@@ -48,6 +48,13 @@ enum class Precision : std::uint8_t {
 /// @brief The most digits that are tried for on a rung. @param precision the rung @return the digits
 [[nodiscard]] int most_digits_in(Precision precision);
 
+/// @brief The last rung of a question. A system of more than 40 masses stays in double where no digits are asked for.
+/// @param aim    the digits
+/// @param masses N
+/// @param last   the last rung that there is
+/// @return       the rung
+[[nodiscard]] Precision highest_precision(const Aim& aim, std::size_t masses, Precision last = Precision::in_100_digits);
+
 /// @brief What an attempt on one rung came to.
 struct Attempted {
     double relative;     ///< largest error of what must have the digits, relative as they count

@@ -5,8 +5,6 @@
 namespace denhartog {
 namespace {
 
-constexpr std::size_t most_masses_to_step_up = 40;
-
 template <class T>
 SolvedMass solved_mass(const MassResponse<Bounded<T>>& m, int digits, bool with_motion) {
     const auto number = [digits](const Bounded<T>& x) { return certified(x, digits); };
@@ -71,8 +69,7 @@ Solution sliding_solution(const SceneSource& source, const SlidingQuestion& ques
         s.method.model = point.state ? "closed form" : "boundary of the sliding regime";
         return point.attempted;
     };
-    const bool stays = number_of_masses(scene.system) > most_masses_to_step_up && !question.digits;
-    const Certainty found = certify(aim, attempt, stays ? Precision::in_double : Precision::in_100_digits);
+    const Certainty found = certify(aim, attempt, highest_precision(aim, number_of_masses(scene.system)));
     s.method.precision = name(found.precision);
     s.method.why = found.why;
     s.relative_error = found.relative;

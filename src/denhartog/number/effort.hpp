@@ -42,6 +42,13 @@ template <class T>
     return std::numeric_limits<T>::digits <= 64 ? 1 : std::numeric_limits<T>::digits / 3;
 }
 
+/// @brief Operations that products of matrices cost in a number type. @param multiplications in them, all told
+/// @return the operations: of doubles many are done at a time
+template <class T>
+[[nodiscard]] constexpr long cost_of_products(long multiplications) {
+    return std::numeric_limits<T>::digits <= 64 ? multiplications / 512 : cost_of_mode<T>() * (multiplications / 64);
+}
+
 /// @brief The budget of a question where none is asked for: about two seconds for twelve modes and fewer.
 /// @param modes  number of modes
 /// @return       the operations

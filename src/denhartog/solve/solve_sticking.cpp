@@ -86,14 +86,15 @@ void answer_by_orbit(const SolveTask& task, ExactSolver<double>& solver, const P
     };
     s.method.model = "exact solver";
     try {
-        const Certainty found = certify(task.aim, attempt, Precision::in_50_digits);
+        const std::size_t N = number_of_masses(task.scene.system);
+        const Certainty found = certify(task.aim, attempt, highest_precision(task.aim, N, Precision::in_50_digits));
         s.method.precision = name(found.precision);
         s.method.why = "its residual bounds the error: " + found.why;
     } catch (const PrecisionError& e) {
         if (task.question.digits)
             throw PrecisionError("the " + in_words(task.aim) + " are not reached by the exact solver, which has at most " +
                                  std::to_string(most_digits_in(Precision::in_50_digits)) + ": in double " +
-                                 std::to_string(digits_of(error)) + " are sure");
+                                 std::to_string(digits_of(error)) + " are sure; " + e.what());
         write_orbit(task, orbit, in_double, s);
         s.method.precision = name(Precision::in_double);
         s.method.why = "its residual bounds the error: " + verdict({error}, task.aim) + "; in 50 digits: " + e.what();

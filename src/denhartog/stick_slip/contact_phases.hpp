@@ -58,6 +58,7 @@ struct ContactPhases {
         : system(&s), N(s.basis.r_n.size()), effort(&allowed) {
         sliding.resize(N);
         sticking.resize(N - 1);
+        sticking.effort = &effort;
         stuck_momentum = transpose_times(s.stuck.phi, s.stuck.M);
         set(excitation);
     }

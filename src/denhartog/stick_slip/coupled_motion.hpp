@@ -14,6 +14,8 @@
 #include <utility>
 #include <vector>
 
+#include "denhartog/number/effort.hpp"
+#include "denhartog/number/errors.hpp"
 #include "denhartog/scene/scene.hpp"
 
 namespace denhartog {
@@ -23,9 +25,10 @@ template <class T>
 class CoupledMotion {
 public:
     CoupledMotion() = default;
-    /// @param A     the system
-    /// @param rate  no rate of it is faster: its entries over it are not much larger than 1 once its rows are scaled
-    CoupledMotion(Matrix<T> A, const T& rate) : A_(std::move(A)), rate_(rate) {}
+    /// @param A       the system
+    /// @param rate    no rate of it is faster: its entries over it are not much larger than 1 once its rows are scaled
+    /// @param effort  what its exponentials spend; null: nothing
+    CoupledMotion(Matrix<T> A, const T& rate, Effort* const* effort) : A_(std::move(A)), rate_(rate), effort_(effort) {}
 
     /// @brief Starts at t = 0. @param z the state
     void start(Column<T> z) {
@@ -50,10 +53,18 @@ public:
     }
 
 private:
+    // A product of the system with some columns is to be formed.
+    void spend_product(Eigen::Index columns) const {
+        if (effort_ == nullptr) return;
+        (*effort_)->spend(cost_of_products<T>(static_cast<long>(A_.size() * columns)));
+        if ((*effort_)->exhausted()) throw PrecisionError((*effort_)->ending());
+    }
+
     // exp(B) z - z by its series; no entry of B is much larger than 1 once its rows are scaled.
-    static Matrix<T> growth(const Matrix<T>& B, Matrix<T> z) {
+    Matrix<T> growth(const Matrix<T>& B, Matrix<T> z) const {
         Matrix<T> sum = Matrix<T>::Zero(z.rows(), z.cols());
         for (int k = 1; k <= most_terms; ++k) {
+            spend_product(z.cols());
             z = B * z / T(k);
             Matrix<T> next = sum + z;
             if (next == sum) break;
@@ -62,10 +73,22 @@ private:
         return sum;
     }
 
-    // exp(A 2^k / rate) less the identity.
+    // From exp(B) less the identity the same of 2 B.
+    [[nodiscard]] Matrix<T> doubled(const Matrix<T>& grown) const {
+        spend_product(A_.cols());
+        return grown * grown + T(2) * grown;
+    }
+
+    // exp(A 2^k / rate) less the identity. The first is doubled up from a part of the step, whose series has fewer terms.
     const Matrix<T>& leap(std::size_t k) {
-        if (leaps_.empty()) leaps_.push_back(growth(A_ / rate_, Matrix<T>::Identity(A_.rows(), A_.rows())));
-        while (leaps_.size() <= k) leaps_.push_back(leaps_.back() * leaps_.back() + T(2) * leaps_.back());
+        constexpr int doublings = std::numeric_limits<T>::digits / 32;
+        if (leaps_.empty()) {
+            const Matrix<T> part = A_ / T(rate_ * (1 << doublings));
+            Matrix<T> grown = growth(part, Matrix<T>::Identity(A_.rows(), A_.cols()));
+            for (int n = 0; n < doublings; ++n) grown = doubled(grown);
+            leaps_.push_back(std::move(grown));
+        }
+        while (leaps_.size() <= k) leaps_.push_back(doubled(leaps_.back()));
         return leaps_[k];
     }
 
@@ -126,6 +149,7 @@ private:
 
     Matrix<T> A_;
     T rate_ = T(1);
+    Effort* const* effort_ = nullptr;
     Column<T> state_;                           // at the start
     std::vector<Matrix<T>> leaps_;              // as `leap` has them
     std::map<std::uint64_t, Matrix<T>> series_; // as `series_after` has them

@@ -31,7 +31,7 @@ struct Deviations {
     /// @param event      how it ends
     void carry(ContactPhases<T>& phases, int direction, const Event<T>& event) {
         const std::size_t j = phases.system->contact.index, N = phases.N;
-        phases.effort->spend(cost_of_mode<T>() * static_cast<long>(N * N * N / 12)); // dense products
+        phases.effort->spend(cost_of_products<T>(static_cast<long>(8 * N * N * N)));
         if (direction != 0) {
             dq = phases.system->momentum * dx;
             dp = phases.system->momentum * dv;

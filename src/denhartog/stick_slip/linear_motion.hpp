@@ -41,6 +41,7 @@ struct LinearMotion {
     std::vector<T> F;                     ///< amplitudes of the harmonic force
     std::vector<T> G;                     ///< constant force
     std::array<std::vector<T>, orders> q; ///< coordinates and derivatives at the instant last evaluated
+    Effort* const* effort = nullptr;      ///< where the budget stands that exponentials of a coupled system spend; null: none
 
     /// @brief Sets the number of coordinates. @param n their number
     void resize(std::size_t n) {
@@ -206,7 +207,7 @@ private:
         A(2 * n, 2 * n + 1) = T(-1);
         A(2 * n + 1, 2 * n) = T(1);
         rate += D.cwiseAbs().rowwise().sum().maxCoeff();
-        together_ = CoupledMotion<T>(std::move(A), rate);
+        together_ = CoupledMotion<T>(std::move(A), rate, effort);
     }
 
     T tau_0_, cos_0_, sin_0_, cos_tau_, sin_tau_;
