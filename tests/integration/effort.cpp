@@ -153,3 +153,50 @@ TEST_CASE("solve ends where its work is spent and says what is certain until the
     CHECK_THROWS_WITH(solve(scene_source(scene), question),
                       Catch::Contains("the work allowed is spent") && Catch::Contains("certain until then"));
 }
+
+TEST_CASE("questions that had no end have one within their budget, counted", "[effort][solve]") {
+    struct Hard {
+        const char* what;
+        std::string scene;
+        Question question;
+    };
+    const auto chain = [](std::size_t N, const char* zeta, const char* rest) {
+        std::string ones = "1";
+        for (std::size_t i = 1; i < N; ++i) ones += ",1";
+        return R"({"mass_ratios":[)" + ones + R"(],"stiffness_ratios":[)" + ones + R"(],"damping_ratios":)" + zeta + "," + rest +
+               "}";
+    };
+    const std::string stiff = R"({"mass_ratios":[1,2,1.5,0.7],"stiffness_ratios":[1,1.8e-13,1.2,0.8],
+        "damping_ratios":[1e6,1e6,1e6,1e6],"contact":2,"load":1,"mu":1.1,"r":3.99,"beta":0.48})";
+    const std::string nearly_apart = R"({"mass_matrix":[[1,0,0],[0,1,0],[0,0,1]],
+        "stiffness_matrix":[[1.0000000001,-1e-10,0],[-1e-10,1.0000000002,-1e-10],[0,-1e-10,1.0000000001]],
+        "damping_ratios":[0.007,0.03,0.07],"contact":3,"load":3,"mu":1,"r":1.3,"beta":0.5})";
+    const Question motion{Asked::motion, std::nullopt, false}, all{Asked::motion, std::nullopt, true},
+        to_30{Asked::motion, 30, false};
+    const Hard questions[] = {
+        {"far masses", chain(12, "0", R"("contact":7,"load":10,"mu":1,"r":1e6,"beta":1e-37)"), motion},
+        {"masses that hardly feel each other", nearly_apart, to_30},
+        {"beta of 1e300", R"({"mass_ratios":[1],"stiffness_ratios":[1],"damping_ratios":[0.138],"contact":1,"load":1,"mu":1.1,
+                              "r":0.3333333333333333,"beta":1e300})",
+         all},
+        {"dampers of a million", stiff, to_30},
+        {"two masses, slow and hardly damped", R"({"mass_ratios":[1,1],"stiffness_ratios":[1,1],"damping_ratios":[1e-6,1e-6],
+                              "contact":1,"load":2,"mu":1.1,"r":1e-5,"beta":0.1})",
+         motion},
+        {"a chain of 60", chain(60, "0.03", R"("contact":20,"load":1,"mu":1,"r":0.7,"beta":0.4)"), motion}};
+    for (const Hard& each : questions) {
+        const SceneSource source = scene_source(split_scenes(each.scene).front());
+        const std::size_t N = number_of_masses(source.in_double().system);
+        const QuestionEffort effort(N);
+        std::string ending = "answered";
+        try {
+            (void)solve(source, each.question);
+        } catch (const PrecisionError& e) {
+            ending = e.what();
+        }
+        std::printf("%s: %ld operations; %s\n", each.what, effort.spent(), ending.c_str());
+        INFO(each.what << ": " << ending);
+        CHECK(effort.spent() > 0);
+        CHECK(effort.spent() <= default_effort(N) + default_effort(N) / 10);
+    }
+}

@@ -115,3 +115,19 @@ TEST_CASE("a number that leaves every range is told with its quantities, and amo
     CHECK(
         nlohmann::json::parse(lines[1]).at("error").at("rule").get<std::string>().starts_with("the numbers of the computation"));
 }
+
+TEST_CASE("work that is spent is told with status 3, and work that is no number of operations with status 2",
+          "[program][effort]") {
+    const std::string stops =
+        R"({"mass_ratios":[1,1],"stiffness_ratios":[1,1],"damping_ratios":[0.001,0.001],"contact":2,"load":1,)"
+        R"("mu":2.5,"r":0.3,"beta":0.4})";
+    CHECK(run_program("solve", stops).status == 0);
+    CHECK(run_program("solve --effort 1e8", stops).status == 0);
+    refused(run_program("solve --effort 2000", stops), 3, "the work allowed is spent");
+    for (const std::string command : {"solve", "response", "boundary", "functions", "motion"})
+        for (const std::string wrong : {"0", "-1", "1e19", "nan"})
+            refused(run_program(command + " --effort " + wrong, plain_scene), 2, "effort must be from 1 to 1e18 operations");
+    const Run map = run_program("map --r 0.3:0.3:1 --beta 0.4:0.4:1 --effort 2000", stops);
+    CHECK(map.status == 0);
+    CHECK(map.output.find("not_converged") != std::string::npos);
+}

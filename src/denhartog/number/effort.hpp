@@ -78,6 +78,8 @@ public:
     QuestionEffort(const QuestionEffort&) = delete;
     QuestionEffort& operator=(const QuestionEffort&) = delete;
 
+    /// @brief What was spent so far, if this is the outermost scope. @return operations
+    [[nodiscard]] long spent() const { return effort_.spent; }
     /// @brief Whether the question of this thread has spent its budget, or was cancelled. @return false where there is none
     [[nodiscard]] static bool exhausted() { return current() != nullptr && current()->effort_.exhausted(); }
 
