@@ -51,3 +51,21 @@ TEST_CASE("the lines of C++ that README shows are lines of that program", "[docu
     }
     CHECK(found > 3);
 }
+
+TEST_CASE("every promise names a test that is there", "[documentation]") {
+    const std::filesystem::path root(std::getenv("DENHARTOG_SOURCE_DIR"));
+    std::string tests;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(root / "tests"))
+        if (entry.path().extension() == ".cpp") tests += text_of(entry.path());
+    std::istringstream page(text_of(root / "docs/promises.md"));
+    int found = 0;
+    for (std::string line; std::getline(page, line);) {
+        const std::size_t from = line.rfind("| *"), to = line.rfind("* |");
+        if (from == std::string::npos || to == std::string::npos) continue;
+        const std::string name = line.substr(from + 3, to - from - 3);
+        INFO(name);
+        CHECK(tests.find("TEST_CASE(\"" + name + "\"") != std::string::npos);
+        ++found;
+    }
+    CHECK(found > 10);
+}
