@@ -322,6 +322,38 @@ AskedQuestion from_json(const nlohmann::json& j) {
     return a;
 }
 
+// Asks from a place on; says where it is before each question and what came of it after.
+void ask_from(Place& place, const AdversarialRun& run, const std::function<void(AskedQuestion&&)>& tell,
+              const std::function<void()>& begin_question) {
+    const std::vector<NamedQuestion> questions = all_questions(run);
+    AdversarialScenes random(run.seed, run.range);
+    for (std::size_t n = 0; n < run.scenes; ++n) {
+        const AdversarialScene drawn = random.next();
+        if (n < place.scene) continue;
+        const std::size_t first = n == place.scene ? place.question : 0;
+        Scene<double> scene = drawn.scene;
+        const auto one = [&](const NamedQuestion& question, std::size_t number) {
+            place.scene = n;
+            place.question = number;
+            begin_question();
+            AskedQuestion result = asked(question, scene);
+            result.scene = n;
+            result.json = json_of(scene);
+            tell(std::move(result));
+        };
+        const auto place_it = [&](const Scene<double>&) {
+            const Scene<double> at = placed(drawn);
+            check(at);
+            scene = at;
+            return Faults{};
+        };
+        one({"placing", place_it}, 0);
+        if (!scene.beta) scene.beta = 0.25; // where the boundary is out of reach the scene stays as it was drawn
+        for (std::size_t q = std::max<std::size_t>(first, 1); q <= questions.size(); ++q)
+            if (n % questions[q - 1].one_scene_in == 0) one(questions[q - 1], q);
+    }
+}
+
 std::string without_numbers(const std::string& text) {
     std::string short_text;
     for (const char c : text) {
