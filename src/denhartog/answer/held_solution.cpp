@@ -71,6 +71,21 @@ HeldErrors<T> errors_of(const Scene<T>& scene, const StuckConfiguration<T>& stuc
     return errors;
 }
 
+// The static compliance of the contact, (K^-1)_jj, with its bound: by what a solution of the equations of rest leaves over.
+template <class T>
+Bounded<T> compliance_of(const StuckConfiguration<T>& stuck) {
+    const auto n = static_cast<Eigen::Index>(stuck.masses.size());
+    Matrix<T> K(n + 1, n + 1);
+    K.topLeftCorner(n, n) = stuck.K;
+    for (Eigen::Index i = 0; i < n; ++i) K(i, n) = K(n, i) = stuck.k_j[static_cast<std::size_t>(i)];
+    K(n, n) = stuck.k_jj;
+    const T rounding = 8 * static_cast<int>(n + 1) * unit_of<T>();
+    const Matrix<T> inverse = LinearSystem<T>(K).inverse();
+    const Column<T> x = inverse.col(n), unit = Column<T>::Unit(n + 1, n);
+    const Column<T> left_over = (unit - K * x).cwiseAbs() + rounding * (K.cwiseAbs() * x.cwiseAbs() + unit);
+    return {x(n), T(2 * inverse.row(n).cwiseAbs().dot(left_over))};
+}
+
 } // namespace
 
 template <class T>
@@ -97,7 +112,10 @@ HeldSolution held_solution(const Scene<T>& scene, const StuckConfiguration<T>& s
         solution.relative = std::max({solution.relative, static_cast<double>(relative), static_cast<double>(of_phase)});
     }
     // On the boundary rounding may leave less than nothing of the interval.
-    const T to = rest_interval(stuck, response, scene.mu, *scene.beta).value_or(T(0)), error = errors.load / stuck.k_contact;
+    const T to = rest_interval(stuck, response, scene.mu, *scene.beta).value_or(T(0));
+    const Bounded<T> compliance = compliance_of(stuck);
+    const T of_compliance = T(abs(T(compliance.x * stuck.k_contact - 1))) + compliance.e * stuck.k_contact;
+    const T error = errors.load * compliance.most() + abs(to) * (of_compliance + 4 * unit_of<T>());
     solution.rest_interval = {certified(Bounded<T>(T(-to), error), digits), certified(Bounded<T>(to, error), digits),
                               std::nullopt};
     solution.sticking_by_88 = limit_by_88(scene, stuck, response, digits);
