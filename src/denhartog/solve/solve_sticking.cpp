@@ -56,13 +56,13 @@ void answer_by_stuck_response(const SolveTask& task, const std::optional<Certifi
     const auto attempt = [&]<class T>(std::type_identity<T>) {
         HeldSolution held;
         if constexpr (std::same_as<T, double>) {
-            held = task.moving ? held_solution(task.scene, task.moving->stuck, task.aim.digits, task.question.mass)
-                               : held_solution(task.scene, stuck_configuration(task.scene.system, modal_basis(task.scene.system)),
-                                               task.aim.digits, task.question.mass);
+            const StuckConfiguration<T> stuck =
+                task.moving ? task.moving->stuck : stuck_configuration(task.scene.system, modal_basis(task.scene.system));
+            held = held_solution(task.scene, stuck, *task.basis, task.aim.digits, task.question.mass);
         } else {
-            const Scene<T> scene = scene_with_modes<T>(task.source).scene;
-            held = held_solution(scene, stuck_configuration(scene.system, modal_basis(scene.system)), task.aim.digits,
-                                 task.question.mass);
+            const SceneIn<T> in = scene_with_modes<T>(task.source);
+            held = held_solution(in.scene, stuck_configuration(in.scene.system, modal_basis(in.scene.system)), *in.basis,
+                                 task.aim.digits, task.question.mass);
         }
         s.masses = held.masses;
         s.rest_interval = held.rest_interval;

@@ -152,6 +152,7 @@ public:
         const auto n = static_cast<std::size_t>(N);
         const auto j = static_cast<Eigen::Index>(s.contact.index);
         std::vector<T> amplitudes;
+        turned_ = Column<T>::Zero(N);
         for (Eigen::Index i = 0; i < N; ++i) {
             const T& r_n = s.basis.r_n[static_cast<std::size_t>(i)];
             T largest(0), largest_sum(0); // amplitude of the mode; the same with the sums over masses of sizes
@@ -180,7 +181,7 @@ public:
                 const T angle = std::min(T(1), T(s.turned[i] + s.turned[k])) / 8;
                 const T r_i = s.basis.r_n[i], r_k = s.basis.r_n[k];
                 const T of_damping = 2 * abs(T(s.basis.zeta[i] * r_i - s.basis.zeta[k] * r_k)) * r_k / r_i;
-                modal_(static_cast<Eigen::Index>(i)) += h_ * pi_ * angle * of_damping / e.r * amplitudes[k];
+                turned_(static_cast<Eigen::Index>(i)) += h_ * pi_ * angle * of_damping / e.r * amplitudes[k];
             }
     }
 
@@ -195,14 +196,16 @@ public:
         return sqrt(sum);
     }
 
-    /// @brief The rounding measured last, mass by mass. @return bounds for displacements, then velocities
-    [[nodiscard]] Column<T> rounding() const {
+    /// @brief The rounding measured last, mass by mass.
+    /// @param of_modes  whether with what turned modes make of it
+    /// @return          bounds for displacements, then velocities
+    [[nodiscard]] Column<T> rounding(bool of_modes = false) const {
         using std::abs;
         const ContactSystem<T>& s = solver_->system();
         Column<T> bound = Column<T>::Zero(2 * N);
         for (Eigen::Index k = 0; k < N; ++k)
             for (Eigen::Index i = 0; i < N; ++i) {
-                const T x = abs(s.basis.phi(k, i)) * modal_(i);
+                const T x = abs(s.basis.phi(k, i)) * (of_modes ? T(modal_(i) + turned_(i)) : modal_(i));
                 bound(k) += x;
                 bound(N + k) += x * s.basis.r_n[static_cast<std::size_t>(i)] / solver_->excitation().r;
             }
@@ -230,7 +233,8 @@ private:
     const ExactMotion<T>* motion_ = nullptr;
     int h_ = 1;
     long half_periods_in_all_ = 0;
-    Column<T> modal_; // rounding of the modal displacements
+    Column<T> modal_;  // rounding of the modal displacements
+    Column<T> turned_; // what turned modes make of them
 };
 
 } // namespace denhartog
