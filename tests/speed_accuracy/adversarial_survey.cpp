@@ -214,17 +214,18 @@ Found compared_map(const Scene<double>& scene) {
     return comparer.found;
 }
 
-std::vector<NamedQuestion> comparing_questions() {
-    return {{"compare solutions", compared_solutions},
-            {"compare boundaries", compared_boundaries},
-            {"compare quantities", compared_quantities},
-            {"compare map", compared_map}};
+std::vector<NamedQuestion> comparing_questions(bool without_bounds) {
+    std::vector<NamedQuestion> all{{"compare solutions", compared_solutions},
+                                   {"compare boundaries", compared_boundaries},
+                                   {"compare quantities", compared_quantities}};
+    if (without_bounds) all.push_back({"compare map", compared_map});
+    return all;
 }
 
 std::vector<NamedQuestion> all_questions(const AdversarialRun& run) {
     std::vector<NamedQuestion> all;
     if (run.contradictions)
-        for (NamedQuestion& each : comparing_questions()) all.push_back(std::move(each));
+        for (NamedQuestion& each : comparing_questions(run.without_bounds)) all.push_back(std::move(each));
     if (!run.questions) return all;
     const auto solve_for = [&all](const std::string& name, Asked asked, std::optional<int> digits, bool contact) {
         all.push_back({name, [=](const Scene<double>& scene) {
@@ -512,6 +513,10 @@ std::vector<Table> tables_of(const AdversarialSurvey& survey) {
             table.rows.push_back({std::to_string(of.first), key, of.second.question, of.second.text, of.second.json});
         return table;
     };
+    outcomes.note = "Of one question at most " + std::to_string(survey.most_eigen_solves) + " eigen-solves and " +
+                    std::to_string(survey.most_mode_evaluations) + " evaluations of modes.";
+    for (const auto& [question, most] : survey.most_phases)
+        outcomes.note += " " + question + ": at most " + std::to_string(most.first) + " phases.";
     Table compared{"Numbers of two answers to the same question",
                    {"number", "compared", "violations", "worst ratio", "difference", "scene", "shortest with a violation"},
                    {},

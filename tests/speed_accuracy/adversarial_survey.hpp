@@ -61,7 +61,7 @@ struct AdversarialSurvey {
     std::map<std::string, std::pair<long, std::string>> most_phases; ///< by question: the most phases propagated, and the scene
     std::map<std::string, ContradictedQuantity> quantities;          ///< by quantity, or by quantity and questions
     long most_eigen_solves = 0;                                      ///< of one question
-    long most_mode_evaluations = 0;                                  ///< of one question to at most twelve masses
+    long most_mode_evaluations = 0;                                  ///< of one question
 
     /// @brief Adds what came of a question. @param asked the question
     void add(AskedQuestion asked);
@@ -74,7 +74,8 @@ struct AdversarialRun {
     AdversarialRange range = everything; ///< what they are drawn from
     bool questions = true;               ///< whether every question is asked
     bool contradictions = true;          ///< whether answers are compared with each other
-    bool all_motions = true;        ///< whether `solve` is asked for all motions, which takes seconds where there may be many
+    bool without_bounds = true; ///< whether numbers that carry no bound are compared too, to 6 digits: those of maps and curves
+    bool all_motions = true;    ///< whether `solve` is asked for all motions, which takes seconds where there may be many
     double seconds_a_question = 10; ///< processor time after which a question is said not to end
 };
 

@@ -180,8 +180,9 @@ public:
             for (std::size_t k = 0; k < n; ++k) {
                 const T angle = std::min(T(1), T(s.turned[i] + s.turned[k])) / 8;
                 const T r_i = s.basis.r_n[i], r_k = s.basis.r_n[k];
-                const T of_damping = 2 * abs(T(s.basis.zeta[i] * r_i - s.basis.zeta[k] * r_k)) * r_k / r_i;
-                turned_(static_cast<Eigen::Index>(i)) += h_ * pi_ * angle * of_damping / e.r * amplitudes[k];
+                const T of_damping = h_ * pi_ * 2 * abs(T(s.basis.zeta[i] * r_i - s.basis.zeta[k] * r_k)) / e.r;
+                const T of_others = angle * r_k / r_i * amplitudes[k], of_itself = angle * angle * amplitudes[i];
+                turned_(static_cast<Eigen::Index>(i)) += of_damping * (of_others + of_itself);
             }
     }
 
