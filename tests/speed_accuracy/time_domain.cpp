@@ -5,7 +5,9 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <map>
 
+#include "tests/speed_accuracy/adversarial_survey.hpp"
 #include "tests/speed_accuracy/batch_cost.hpp"
 #include "tests/speed_accuracy/batch_speed.hpp"
 #include "tests/speed_accuracy/bounds_survey.hpp"
@@ -145,6 +147,11 @@ Outcome bounds(long scenes, std::uint64_t seed) {
     return {tables_of(survey), survey.violations() == 0 && survey.largest_median() < 40};
 }
 
+Outcome adversarial(AdversarialRun run) {
+    const AdversarialSurvey survey = survey_in_children(run);
+    return {tables_of(survey), survey.faults.empty() && contradictions_of(survey) == 0};
+}
+
 /// Prints and writes the tables.
 bool publish(const std::string& name, const Outcome& outcome, const std::string& directory) {
     std::string text;
@@ -189,6 +196,25 @@ int main(int argc, char** argv) {
         add("bounds", "Bounds of rounding errors in double against 50 digits", [&] { return bounds(bounded_scenes, seed); });
     of_bounds->add_option("--scenes", bounded_scenes, "How many scenes")->check(CLI::PositiveNumber);
     of_bounds->add_option("--seed", seed, "Seed of the scenes");
+    AdversarialRun run;
+    const std::map<std::string, AdversarialRange> ranges{{"everything", everything}, {"contrasts", contrasts}, {"mild", mild}};
+    std::string range = "everything";
+    const auto add_adversarial = [&](const char* name, const char* what, bool questions) {
+        CLI::App* sub = add(name, what, [&run, &range, &ranges, questions] {
+            run.range = ranges.at(range);
+            run.questions = questions;
+            run.contradictions = !questions;
+            return adversarial(run);
+        });
+        sub->add_option("--scenes", run.scenes, "How many scenes")->check(CLI::PositiveNumber);
+        sub->add_option("--seed", run.seed, "Seed of the scenes");
+        sub->add_option("--range", range, "What they are drawn from")->check(CLI::IsMember(ranges));
+        sub->add_option("--seconds", run.seconds_a_question, "Processor time that a question may take")
+            ->check(CLI::PositiveNumber);
+        sub->add_flag("!--without-all", run.all_motions, "Whether all motions are asked for");
+    };
+    add_adversarial("adversarial", "Every question to scenes from the corners of what a scene may be", true);
+    add_adversarial("contradictions", "Answers of few digits beside those of many, number by number", false);
     add("speed", "Time and digits against the paper's algorithm",
         [&] {
             return Outcome{{exact_solver_speed(repeats), usual_questions_speed(repeats)}, true};

@@ -6,31 +6,10 @@
 
 #include "denhartog/number/multiprecision.hpp"
 #include "tests/support/paper_systems.hpp"
+#include "tests/support/split_mix.hpp"
 
 namespace denhartog {
 namespace {
-
-/// Steele, Lea and Flood's SplitMix64: a counter and a mixing function, the same on every platform.
-class SplitMix64 {
-public:
-    explicit SplitMix64(std::uint64_t seed) : state_(seed) {}
-
-    std::uint64_t next() {
-        state_ += 0x9E3779B97F4A7C15u;
-        std::uint64_t z = state_;
-        z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9u;
-        z = (z ^ (z >> 27)) * 0x94D049BB133111EBu;
-        return z ^ (z >> 31);
-    }
-
-    /// An integer between two bounds, both included.
-    int integer(int low, int high) { // called once an expression: the order within one is the compiler's
-        return low + static_cast<int>(next() % static_cast<std::uint64_t>(high - low + 1));
-    }
-
-private:
-    std::uint64_t state_;
-};
 
 /// A fraction with an integer numerator, correctly rounded in T.
 template <class T>

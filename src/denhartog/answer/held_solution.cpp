@@ -37,8 +37,33 @@ struct HeldErrors {
     T load;
 };
 
+// Bounds of what turned modes make of the damping matrix (19): modes of nearly one frequency, damped differently, are turned
+// towards each other by rounding.
 template <class T>
-HeldErrors<T> errors_of(const Scene<T>& scene, const StuckConfiguration<T>& stuck, const StuckResponse<T>& response) {
+Matrix<T> errors_of_damping(const Scene<T>& scene, const ModalBasis<Bounded<T>>& basis) {
+    const System<T>& s = scene.system;
+    const auto N = static_cast<Eigen::Index>(basis.r_n.size());
+    if (s.damping_matrix.size() > 0) return Matrix<T>::Zero(N, N);
+    const Matrix<T> phi = basis.phi.unaryExpr([](const Bounded<T>& entry) { return T(abs(entry.x)); });
+    const T reach = phi.row(0).norm(); // of the first mass where a mode turns by a unit angle
+    Matrix<T> in_modes = Matrix<T>::Zero(N, N);
+    for (Eigen::Index i = 0; i < N; ++i)
+        for (Eigen::Index k = 0; k < N; ++k) {
+            const auto a = static_cast<std::size_t>(i), b = static_cast<std::size_t>(k);
+            const T angle = std::min(T(1), T((basis.phi(0, i).e + basis.phi(0, k).e) / reach));
+            const T apart = 2 * abs(T(basis.zeta[a].x * basis.r_n[a].x - basis.zeta[b].x * basis.r_n[b].x));
+            in_modes(i, k) += angle * apart;
+            in_modes(i, i) += angle * angle * apart; // a mode turned by a right angle has the other's damping
+        }
+    Matrix<T> momentum = s.mass_matrix.size() > 0 ? Matrix<T>(s.mass_matrix.cwiseAbs() * phi) : phi;
+    if (s.mass_matrix.size() == 0)
+        for (Eigen::Index k = 0; k < N; ++k) momentum.row(k) *= s.mass_ratios[static_cast<std::size_t>(k)];
+    return momentum * in_modes * momentum.transpose();
+}
+
+template <class T>
+HeldErrors<T> errors_of(const Scene<T>& scene, const StuckConfiguration<T>& stuck, const ModalBasis<Bounded<T>>& basis,
+                        const StuckResponse<T>& response) {
     const auto n = static_cast<Eigen::Index>(stuck.masses.size());
     const T r = *scene.r, eps = unit_of<T>(), rounding = 8 * static_cast<int>(n + 1) * eps;
     HeldErrors<T> errors{{}, T(eps + rounding * scene.mu * *scene.beta)};
@@ -58,7 +83,15 @@ HeldErrors<T> errors_of(const Scene<T>& scene, const StuckConfiguration<T>& stuc
     Column<T> terms(2 * n);
     terms << entries * size.head(n), entries * size.tail(n);
     terms += Column<T>::Constant(2 * n, T(damping.cwiseAbs().maxCoeff() * size.sum()));
-    const Column<T> left_over = (b - A * X).cwiseAbs() + rounding * (terms + b.cwiseAbs());
+    const Matrix<T> of_damping = r * errors_of_damping(scene, basis);
+    Column<T> moving = Column<T>::Zero(n + 1), of_C(2 * n); // sizes of all masses, the contact's among them
+    for (Eigen::Index i = 0; i < n; ++i)
+        moving(static_cast<Eigen::Index>(stuck.masses[static_cast<std::size_t>(i)].index)) = size(i) + size(n + i);
+    const Column<T> forces = of_damping * moving;
+    for (Eigen::Index i = 0; i < n; ++i)
+        of_C(i) = of_C(n + i) = forces(static_cast<Eigen::Index>(stuck.masses[static_cast<std::size_t>(i)].index));
+    errors.load += forces(static_cast<Eigen::Index>(scene.system.contact.index));
+    const Column<T> left_over = (b - A * X).cwiseAbs() + rounding * (terms + b.cwiseAbs()) + of_C;
     const Column<T> error = T(2) * (LinearSystem<T>(A).inverse().cwiseAbs() * left_over + eps * size);
     for (Eigen::Index i = 0; i < n; ++i) {
         const auto m = static_cast<std::size_t>(i);
@@ -71,13 +104,29 @@ HeldErrors<T> errors_of(const Scene<T>& scene, const StuckConfiguration<T>& stuc
     return errors;
 }
 
+// The static compliance of the contact, (K^-1)_jj, with its bound: by what a solution of the equations of rest leaves over.
+template <class T>
+Bounded<T> compliance_of(const StuckConfiguration<T>& stuck) {
+    const auto n = static_cast<Eigen::Index>(stuck.masses.size());
+    Matrix<T> K(n + 1, n + 1);
+    K.topLeftCorner(n, n) = stuck.K;
+    for (Eigen::Index i = 0; i < n; ++i) K(i, n) = K(n, i) = stuck.k_j[static_cast<std::size_t>(i)];
+    K(n, n) = stuck.k_jj;
+    const T rounding = 8 * static_cast<int>(n + 1) * unit_of<T>();
+    const Matrix<T> inverse = LinearSystem<T>(K).inverse();
+    const Column<T> x = inverse.col(n), unit = Column<T>::Unit(n + 1, n);
+    const Column<T> left_over = (unit - K * x).cwiseAbs() + rounding * (K.cwiseAbs() * x.cwiseAbs() + unit);
+    return {x(n), T(2 * inverse.row(n).cwiseAbs().dot(left_over))};
+}
+
 } // namespace
 
 template <class T>
-HeldSolution held_solution(const Scene<T>& scene, const StuckConfiguration<T>& stuck, int digits, std::optional<Mass> only) {
+HeldSolution held_solution(const Scene<T>& scene, const StuckConfiguration<T>& stuck, const ModalBasis<Bounded<T>>& basis,
+                           int digits, std::optional<Mass> only) {
     const System<T>& s = scene.system;
     const StuckResponse<T> response = stuck_response(stuck, s.contact, s.load, *scene.r);
-    const HeldErrors<T> errors = errors_of(scene, stuck, response);
+    const HeldErrors<T> errors = errors_of(scene, stuck, basis, response);
     HeldSolution solution;
     T largest(0);
     for (const StuckMass<T>& mass : response.masses) {
@@ -97,7 +146,10 @@ HeldSolution held_solution(const Scene<T>& scene, const StuckConfiguration<T>& s
         solution.relative = std::max({solution.relative, static_cast<double>(relative), static_cast<double>(of_phase)});
     }
     // On the boundary rounding may leave less than nothing of the interval.
-    const T to = rest_interval(stuck, response, scene.mu, *scene.beta).value_or(T(0)), error = errors.load / stuck.k_contact;
+    const T to = rest_interval(stuck, response, scene.mu, *scene.beta).value_or(T(0));
+    const Bounded<T> compliance = compliance_of(stuck);
+    const T of_compliance = T(abs(T(compliance.x * stuck.k_contact - 1))) + compliance.e * stuck.k_contact;
+    const T error = errors.load * compliance.most() + abs(to) * (of_compliance + 4 * unit_of<T>());
     solution.rest_interval = {certified(Bounded<T>(T(-to), error), digits), certified(Bounded<T>(to, error), digits),
                               std::nullopt};
     solution.sticking_by_88 = limit_by_88(scene, stuck, response, digits);
@@ -114,9 +166,12 @@ std::optional<Certified> sticking_by_88(const Scene<T>& scene, int digits) {
     }
 }
 
-template HeldSolution held_solution(const Scene<double>&, const StuckConfiguration<double>&, int, std::optional<Mass>);
-template HeldSolution held_solution(const Scene<Real50>&, const StuckConfiguration<Real50>&, int, std::optional<Mass>);
-template HeldSolution held_solution(const Scene<Real100>&, const StuckConfiguration<Real100>&, int, std::optional<Mass>);
+template HeldSolution held_solution(const Scene<double>&, const StuckConfiguration<double>&, const ModalBasis<Bounded<double>>&,
+                                    int, std::optional<Mass>);
+template HeldSolution held_solution(const Scene<Real50>&, const StuckConfiguration<Real50>&, const ModalBasis<Bounded<Real50>>&,
+                                    int, std::optional<Mass>);
+template HeldSolution held_solution(const Scene<Real100>&, const StuckConfiguration<Real100>&,
+                                    const ModalBasis<Bounded<Real100>>&, int, std::optional<Mass>);
 template std::optional<Certified> sticking_by_88(const Scene<double>&, int);
 template std::optional<Certified> sticking_by_88(const Scene<Real50>&, int);
 template std::optional<Certified> sticking_by_88(const Scene<Real100>&, int);

@@ -6,7 +6,9 @@
 #include <vector>
 
 #include "denhartog/answer/solution.hpp"
+#include "denhartog/model/modal_basis.hpp"
 #include "denhartog/model/stuck_configuration.hpp"
+#include "denhartog/number/bounded.hpp"
 
 namespace denhartog {
 
@@ -22,12 +24,14 @@ struct HeldSolution {
 /// @eq{88}
 /// @param scene   the scene, with r and beta at or above the boundary of permanent sticking
 /// @param stuck   its stuck configuration
+/// @param basis   its modes with the bounds of their errors: damping ratios mean the damping matrix that these make
 /// @param digits  significant digits asked for
 /// @param only    the one mass whose errors count; none for all
 /// @return        the response for rest at zero
 /// @throws        DomainError where the load excites the resonance of an undamped stuck mode
 template <class T>
-[[nodiscard]] HeldSolution held_solution(const Scene<T>& scene, const StuckConfiguration<T>& stuck, int digits,
+[[nodiscard]] HeldSolution held_solution(const Scene<T>& scene, const StuckConfiguration<T>& stuck,
+                                         const ModalBasis<Bounded<T>>& basis, int digits,
                                          std::optional<Mass> only = std::nullopt);
 
 /// @brief The boundary of permanent sticking by (88) as printed. No bound of its error is known.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "denhartog/answer/certify.hpp"
 
@@ -32,9 +33,11 @@ private:
     std::vector<T> ends;
 };
 
-// Acceleration next to the extremum of a mass: the larger of both sides, because a contact that comes to rest has one only.
+// How far the extremum of a mass may be from where it was found: to either side as far as the velocity is within its error, a
+// stretch that is doubled until it is left. A contact that comes to rest leaves it on one side only, and by twice the error: what
+// is left of the true velocity then ends within as much again.
 template <class T>
-T acceleration_at_extremum(OnOrbit<T>& orbit, std::size_t k, const MassMotion<T>& mass, int periods) {
+T error_of_extremum(OnOrbit<T>& orbit, std::size_t k, const MassMotion<T>& mass, int periods, const T& velocity_error) {
     T nearest(-1), instant(0);
     for (int n = 0; n < 2 * periods; ++n) {
         const T tau = mass.phase + n * pi<T>();
@@ -43,9 +46,18 @@ T acceleration_at_extremum(OnOrbit<T>& orbit, std::size_t k, const MassMotion<T>
         nearest = apart;
         instant = tau;
     }
-    const T step = T(1) / 1024;
-    const T before = abs(orbit.at(T(instant - step)).x_prime[k]), after = abs(orbit.at(T(instant + step)).x_prime[k]);
-    return std::max(before, after) / step;
+    const auto velocities = [&](const T& apart) {
+        const T before = abs(orbit.at(T(instant - apart)).x_prime[k]), after = abs(orbit.at(T(instant + apart)).x_prime[k]);
+        return std::pair{std::min(before, after), std::max(before, after)};
+    };
+    const T step = T(1) / 1024, acceleration = velocities(step).second / step;
+    T apart = acceleration > 0 ? T(velocity_error / acceleration) : step;
+    for (; apart < pi<T>(); apart *= 2) {
+        const auto [less, more] = velocities(apart);
+        if (less >= velocity_error) return apart;
+        if (less == 0 && more >= 2 * velocity_error) return 2 * apart;
+    }
+    return pi<T>();
 }
 
 } // namespace
@@ -77,9 +89,9 @@ OrbitSolution orbit_solution(ExactSolver<T>& solver, const PeriodicOrbit<T>& orb
                 {number(mass.amplitude, orbit.error_bound), std::nullopt, std::nullopt}); // it does not move
             continue;
         }
-        const T acceleration = acceleration_at_extremum(on_orbit, k, mass, orbit.periods);
         const T velocity_error = fastest * (orbit.error_bound + rounding / 16);
-        const T phase_error = acceleration > 0 ? std::min(pi<T>(), T(velocity_error / acceleration)) : pi<T>();
+        const T of_instant = error_of_extremum(on_orbit, k, mass, orbit.periods, velocity_error);
+        const T phase_error = std::min(pi<T>(), T(of_instant + 4 * unit_of<T>()));
         solution.masses.push_back({number(mass.amplitude, orbit.error_bound), number(mass.phase, phase_error), std::nullopt});
         const T relative = mass.amplitude > 0 ? T(orbit.error_bound / mass.amplitude) : T(1);
         solution.relative_amplitude = std::max(solution.relative_amplitude, static_cast<double>(relative));

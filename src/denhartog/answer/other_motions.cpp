@@ -9,6 +9,7 @@
 #include "denhartog/answer/orbit_solution.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/stick_slip/at_maximum_of_force.hpp"
+#include "denhartog/sums/bounded_modes.hpp"
 
 namespace denhartog {
 namespace {
@@ -134,7 +135,8 @@ private:
                            orbit.start,
                            std::nullopt};
         if (rests) {
-            const HeldSolution held = held_solution(scene, system.stuck, digits_by_default);
+            const HeldSolution held =
+                held_solution(scene, system.stuck, with_errors(scene.system, system.basis), digits_by_default);
             motion.masses = held.masses;
             motion.rest_interval = held.rest_interval;
             motion.rest_interval->rests_at =

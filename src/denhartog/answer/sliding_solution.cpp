@@ -10,8 +10,9 @@ SolvedMass solved_mass(const MassResponse<Bounded<T>>& m, int digits, bool with_
     const auto number = [digits](const Bounded<T>& x) { return certified(x, digits); };
     SolvedMass mass{number(m.amplitude), std::nullopt, std::nullopt};
     if (m.amplitude.x > m.amplitude.e) mass.phase = number(m.phase);
+    const Bounded<T> instant(m.instant.x, mass.phase ? m.instant.e : pi<T>()); // a mass that does not move has none
     if (with_motion)
-        mass.sliding = SlidingOfMass{number(m.x0), number(m.v0), number(m.instant), number(m.amplitude_monoharmonic),
+        mass.sliding = SlidingOfMass{number(m.x0), number(m.v0), number(instant), number(m.amplitude_monoharmonic),
                                      number(m.phase_monoharmonic)};
     return mass;
 }

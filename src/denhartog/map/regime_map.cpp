@@ -116,7 +116,10 @@ std::vector<BoundaryPoint> boundary_curves(const Scene<double>& scene, const std
     for (std::size_t n = 0; n < r.size(); ++n) {
         try {
             const Boundary<double> b = boundary(mode_sums(basis, scene.system.contact, scene.system.load, r[n]), scene.mu);
-            curves[n] = {PointStatus::answered, b.exact, b.paper, b.approximate, b.sticking};
+            bool finite = true; // far off in frequency numbers leave the range of a double
+            for (const double limit : {b.exact, b.paper, b.approximate, b.sticking.value_or(0)})
+                finite = finite && limit >= 0 && std::isfinite(limit);
+            if (finite) curves[n] = {PointStatus::answered, b.exact, b.paper, b.approximate, b.sticking};
         } catch (const DomainError&) {
             curves[n].status = PointStatus::at_a_pole;
         } catch (const PrecisionError&) {

@@ -33,12 +33,19 @@ template <class T>
     else
         return Bounded<T>::rounded_correctly(root, error);
 }
+/// @brief What the error of an exponent makes of an exponential. @param a the exponent @param value exp(a.x) @return the error
+template <class T>
+[[nodiscard]] T error_of_exponential(const Bounded<T>& a, const T& value) {
+    using std::exp;
+    // Boost's function throws where the result leaves the number type; a large error is bounded by the largest value.
+    return a.e < T(1) / 2 ? T(value * boost::math::expm1(a.e)) : T(exp(T(a.x + a.e)));
+}
 /// @brief Exponential. @param a a number @return exp(a)
 template <class T>
 [[nodiscard, gnu::noinline]] Bounded<T> exp(const Bounded<T>& a) {
     using std::exp;
     const T value = exp(a.x);
-    return Bounded<T>::rounded(value, T(value * boost::math::expm1(a.e)), library_units);
+    return Bounded<T>::rounded(value, error_of_exponential(a, value), library_units);
 }
 /// @brief Sine. @param a radians @return sin(a)
 template <class T>
@@ -101,7 +108,9 @@ template <class T>
 template <class T>
 [[nodiscard, gnu::noinline]] Bounded<T> exp_minus_one(const Bounded<T>& a) {
     using std::exp;
-    return Bounded<T>::rounded(boost::math::expm1(a.x), T(exp(a.x) * boost::math::expm1(a.e)), composed_units);
+    const T power = exp(a.x);
+    const T value = a.x > 1 ? T(power - 1) : T(boost::math::expm1(a.x));
+    return Bounded<T>::rounded(value, error_of_exponential(a, power), composed_units);
 }
 /// @brief Sine and cosine of \f$ \pi\,[1/(2R) - y] \f$. @param R a positive number @param y a number
 /// @return both, with what the errors of R and y make of them

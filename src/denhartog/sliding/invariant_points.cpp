@@ -166,8 +166,12 @@ std::vector<InvariantPointsOfMass<T>> invariant_points(const ModalBasis<T>& basi
             const TransmissibilityFunction<T> f(basis.r_n, weights, kind);
             const Zeros<T> zeros = zeros_between(f, T((1 - margin) / r_b), T((1 + margin) / r_a), effort);
             for (const T& x : zeros.x) {
-                const T r = std::clamp(T(1 / x), r_a, r_b);
-                if (!by_87 || !f.divides_by_zero(x)) found.points.push_back({r, amplitude_at(basis.r_n, weights.V_k, r), kind});
+                const T r = std::clamp(T(1 / x), r_a, r_b), amplitude = amplitude_at(basis.r_n, weights.V_k, r);
+                if (by_87 && f.divides_by_zero(x)) continue;
+                if (boost::math::isfinite(amplitude))
+                    found.points.push_back({r, amplitude, kind});
+                else
+                    found.undecided.push_back({r, r}); // a natural frequency to the last digit: no number tells which of the two
             }
             for (const Range<T>& part : zeros.undecided)
                 found.undecided.push_back({std::max(T(1 / part.high), r_a), std::min(T(1 / part.low), r_b)});

@@ -140,13 +140,23 @@ T instant_of_maximum(const ModeSums<T>& s, FrictionMotions<T>& y, const T& beta,
     return global_maximum(curve, T(0), pi<T>(), T(2 * unit_of<T>() * terms)).instant;
 }
 
+// The terms of the third derivative of a mass at an instant, in size.
+template <class T>
+T size_of_jerk(const ModeSums<T>& s, const MassInMotion<T>& mass, const std::vector<evaluation::FrictionMotion<T>>& y) {
+    T sum(0);
+    for (std::size_t i = 0; i < y.size(); ++i)
+        sum += size_of_number(mass.weights[i]) *
+               (2 * s.zeta[i] * size_of_number(y[i].double_prime) + size_of_number(y[i].prime) / s.R[i]) / s.R[i];
+    return size_of_number(mass.h.A) + size_of_number(mass.h.B) + mass.beta * sum;
+}
+
 // A step of Newton's method towards the extremum; none where the acceleration is zero.
 template <class T>
 T newton_step(const evaluation::MotionOfMass<T>& at) {
     return at.x_double_prime == 0 ? T(0) : T(-(at.x_prime / at.x_double_prime));
 }
 
-// The maximum next to an instant, one step of Newton's method on. The motion goes on mirrored at both ends of the half-period: a
+// The maximum next to an instant, one step of Newton's method on, with what the step neglects. The motion goes on mirrored at both ends of the half-period: a
 // step out of it is one into it at the other end, and an end that both lead out of is the maximum.
 template <class T>
 void settle_maximum(const ModeSums<T>& s, SteadyState<T>& state, std::size_t k, T instant) {
@@ -167,7 +177,11 @@ void settle_maximum(const ModeSums<T>& s, SteadyState<T>& state, std::size_t k, 
             step = from_there;
         }
     }
-    set_maximum(state.masses[k], state.phi_j, T(instant + step), found_by_search(T(now.x + now.x_prime * step / 2)));
+    const T largest = found_by_search(T(now.x + now.x_prime * step / 2));
+    const T of_displacement = step * step * size_of_jerk(s, mass, friction_motions(s, instant)); // over the step it is neglected
+    const T of_instant = now.x_double_prime == T(0) ? of_displacement : size_of_number(T(of_displacement / now.x_double_prime));
+    set_maximum(state.masses[k], state.phi_j, with_neglected(T(instant + step), of_instant),
+                with_neglected(largest, T(of_displacement * step)));
 }
 
 } // namespace

@@ -106,16 +106,24 @@ std::size_t tell_zeros(Quantities<Bounded<double>>& q, double tolerance) {
 }
 
 template <class T>
-Quantities<Bounded<T>> quantities_in(const SceneIn<T>& in, std::span<const double> tau) {
+Quantities<Bounded<T>> quantities_in(const SceneIn<T>& in, std::span<const double> tau, double tolerance) {
     const Scene<T>& scene = in.scene;
     BoundedModes<T> modes(in.basis, as_input(*scene.r));
     const ModeSums<Bounded<T>> sums = bounded_sums(scene.system, modes);
+    const Bounded<T> mu = as_input(scene.mu);
     // The search works on values in double; elsewhere (57) is larger by no more than it could tell.
     const ModeSums<Bounded<double>> searched = in_double(sums);
     const double instant = instant_of_largest_demand(values_of(searched));
     const T at = instant >= pi<double>() ? pi<T>() : T(instant);
-    Quantities<Bounded<T>> q = quantities_without_motion(sums, as_input(scene.mu), Bounded<T>(at));
-    if constexpr (!std::same_as<T, double>) q.S.e += T(sliding_demand(searched, Bounded<double>(instant)).e);
+    Quantities<Bounded<T>> q;
+    if constexpr (std::same_as<T, double>) {
+        q = quantities_without_motion(sums, mu, Bounded<T>(at));
+    } else {
+        const Bounded<T> unsure(T(sliding_demand(searched, Bounded<double>(instant)).e));
+        q = quantities_without_motion(sums, mu, Bounded<T>(at), unsure);
+        if (!(q.S.e <= T(tolerance) * size_of_number(q.S.x))) // the search on values of this type tells more
+            q = quantities_without_motion(sums, mu, Bounded<T>(instant_of_largest_demand(values_of(sums))));
+    }
     if (!scene.beta) return q;
     std::vector<Bounded<T>> instants;
     for (const double each : tau) instants.push_back(as_input(T(each)));
@@ -146,7 +154,7 @@ QuantitiesAnswer quantities_at(const SceneSource& asked_source, std::shared_ptr<
             if (basis) in = {scene, basis};
         }
         if (!in.basis) in = scene_with_modes<T>(source);
-        const Quantities<Bounded<T>> q = quantities_in(in, tau);
+        const Quantities<Bounded<T>> q = quantities_in(in, tau, aim.tolerance);
         answer.numbers = all_in_double(q);
         // What 50 digits cannot tell from zero is told as zero.
         has_zeros = !std::same_as<T, double> && tell_zeros(answer.numbers, aim.tolerance) > 0;
@@ -189,7 +197,7 @@ void list(const Quantities<T>& q, const QuantityReader<T>& read) {
 }
 
 template <class T>
-Quantities<T> quantities_without_motion(const ModeSums<T>& s, const T& mu, const T& instant) {
+Quantities<T> quantities_without_motion(const ModeSums<T>& s, const T& mu, const T& instant, const T& unsure) {
     const std::size_t j = s.contact.index;
     Quantities<T> q;
     q.V = s.V;
@@ -197,7 +205,7 @@ Quantities<T> quantities_without_motion(const ModeSums<T>& s, const T& mu, const
     q.G = s.G;
     q.H_j = s.H_j;
     q.instant = instant;
-    q.S = found_by_search(sliding_demand(s, instant));
+    q.S = with_neglected(found_by_search(sliding_demand(s, instant)), unsure);
     q.beta_lim =
         paper::friction_ratio_limit(s.V[j], s.U[j], larger(q.S, paper::static_friction_demand(s.H_j, mu, s.sum_of_squares)));
     return q;
@@ -229,9 +237,9 @@ QuantitiesAnswer quantities(const PreparedSystem& system, const SceneSource& poi
 template void list(const Quantities<Bounded<double>>&, const QuantityReader<Bounded<double>>&);
 template void list(const Quantities<Real50>&, const QuantityReader<Real50>&);
 template Quantities<Bounded<double>> quantities_without_motion(const ModeSums<Bounded<double>>&, const Bounded<double>&,
-                                                               const Bounded<double>&);
-template Quantities<Real50> quantities_without_motion(const ModeSums<Real50>&, const Real50&, const Real50&);
-template Quantities<Real100> quantities_without_motion(const ModeSums<Real100>&, const Real100&, const Real100&);
+                                                               const Bounded<double>&, const Bounded<double>&);
+template Quantities<Real50> quantities_without_motion(const ModeSums<Real50>&, const Real50&, const Real50&, const Real50&);
+template Quantities<Real100> quantities_without_motion(const ModeSums<Real100>&, const Real100&, const Real100&, const Real100&);
 template void add_motion(Quantities<Bounded<double>>&, const ModeSums<Bounded<double>>&, const Bounded<double>&,
                          const std::vector<Bounded<double>>&);
 template void add_motion(Quantities<Real50>&, const ModeSums<Real50>&, const Real50&, const std::vector<Real50>&);

@@ -49,9 +49,11 @@ void list(const Quantities<T>& q, const QuantityReader<T>& read);
 /// @param sums     modes at the frequency ratio
 /// @param mu       static over kinetic friction, Eq. (3)
 /// @param instant  where the sum over modes of (57)'s expression is largest; 0 stands for the limit
+/// @param unsure   how much larger that sum may be elsewhere
 /// @return         the numbers, without X_j, phi_j and x
 template <class T>
-[[nodiscard]] Quantities<T> quantities_without_motion(const ModeSums<T>& sums, const T& mu, const T& instant);
+[[nodiscard]] Quantities<T> quantities_without_motion(const ModeSums<T>& sums, const T& mu, const T& instant,
+                                                      const T& unsure = T(0));
 
 /// @brief Adds the motion, where the friction ratio is below the boundary.
 /// @eq{38,39,41,52}

@@ -14,16 +14,18 @@ double relative_error(const SolveTask& task, const OrbitSolution& solution) {
 }
 
 template <class T>
-void write_orbit(const SolveTask& task, const PeriodicOrbit<T>& orbit, OrbitSolution solution, Solution& s) {
-    const auto all = [&](const std::vector<T>& numbers) {
+void write_orbit(const SolveTask& task, ExactSolver<T>& solver, const PeriodicOrbit<T>& orbit, OrbitSolution solution,
+                 Solution& s) {
+    const auto all = [&](const std::vector<T>& numbers, const T& error) {
         std::vector<Certified> out;
-        for (const T& x : numbers) out.push_back(certified(Bounded<T>(x, orbit.error_bound), task.aim.digits));
+        for (const T& x : numbers) out.push_back(certified(Bounded<T>(x, error), task.aim.digits));
         return out;
     };
+    const T fastest = std::max(T(1), T(solver.system().basis.r_n.back() / solver.excitation().r)); // velocity over displacement
     s.relative_error = relative_error(task, solution);
     s.masses = std::move(solution.masses);
     s.stops = std::move(solution.stops);
-    s.start = SolvedState{all(orbit.start.x), all(orbit.start.x_prime)};
+    s.start = SolvedState{all(orbit.start.x, orbit.error_bound), all(orbit.start.x_prime, T(fastest * orbit.error_bound))};
     s.periods = orbit.periods;
     s.symmetric = orbit.symmetric;
 }
@@ -45,7 +47,7 @@ void orbit_in_50_digits(const SolveTask& task, const PeriodicOrbit<double>& near
     if (orbit.status != OrbitStatus::periodic || orbit.periods != near.periods || orbit.symmetric != near.symmetric ||
         orbit.stops.size() != near.stops.size())
         throw PrecisionError("the motion of double is not found again");
-    write_orbit(task, orbit, orbit_solution(solver, orbit, task.aim.digits, task.question.mass), s);
+    write_orbit(task, solver, orbit, orbit_solution(solver, orbit, task.aim.digits, task.question.mass), s);
 }
 
 } // namespace
@@ -54,13 +56,13 @@ void answer_by_stuck_response(const SolveTask& task, const std::optional<Certifi
     const auto attempt = [&]<class T>(std::type_identity<T>) {
         HeldSolution held;
         if constexpr (std::same_as<T, double>) {
-            held = task.moving ? held_solution(task.scene, task.moving->stuck, task.aim.digits, task.question.mass)
-                               : held_solution(task.scene, stuck_configuration(task.scene.system, modal_basis(task.scene.system)),
-                                               task.aim.digits, task.question.mass);
+            const StuckConfiguration<T> stuck =
+                task.moving ? task.moving->stuck : stuck_configuration(task.scene.system, modal_basis(task.scene.system));
+            held = held_solution(task.scene, stuck, *task.basis, task.aim.digits, task.question.mass);
         } else {
-            const Scene<T> scene = scene_with_modes<T>(task.source).scene;
-            held = held_solution(scene, stuck_configuration(scene.system, modal_basis(scene.system)), task.aim.digits,
-                                 task.question.mass);
+            const SceneIn<T> in = scene_with_modes<T>(task.source);
+            held = held_solution(in.scene, stuck_configuration(in.scene.system, modal_basis(in.scene.system)), *in.basis,
+                                 task.aim.digits, task.question.mass);
         }
         s.masses = held.masses;
         s.rest_interval = held.rest_interval;
@@ -79,7 +81,7 @@ void answer_by_orbit(const SolveTask& task, ExactSolver<double>& solver, const P
     const double error = relative_error(task, in_double);
     const auto attempt = [&]<class T>(std::type_identity<T>) {
         if constexpr (std::same_as<T, double>)
-            write_orbit(task, orbit, in_double, s);
+            write_orbit(task, solver, orbit, in_double, s);
         else if constexpr (std::same_as<T, Real50>)
             orbit_in_50_digits(task, orbit, s);
         return Attempted{s.relative_error};
@@ -95,7 +97,7 @@ void answer_by_orbit(const SolveTask& task, ExactSolver<double>& solver, const P
             throw PrecisionError("the " + in_words(task.aim) + " are not reached by the exact solver, which has at most " +
                                  std::to_string(most_digits_in(Precision::in_50_digits)) + ": in double " +
                                  std::to_string(digits_of(error)) + " are sure; " + e.what());
-        write_orbit(task, orbit, in_double, s);
+        write_orbit(task, solver, orbit, in_double, s);
         s.method.precision = name(Precision::in_double);
         s.method.why = "its residual bounds the error: " + verdict({error}, task.aim) + "; in 50 digits: " + e.what();
     }

@@ -24,6 +24,8 @@ struct ContactSystem {
     ModalBasis<T> basis;         ///< modes while the contact slides
     Matrix<T> momentum;          ///< phi^T M in units of m_1: modal coordinates of a state, mode by mass
     StuckConfiguration<T> stuck; ///< modes while the contact sticks
+    std::vector<T> detuned{};    ///< by what part of itself each natural frequency may be off
+    std::vector<T> turned{};     ///< by what angle each mode may be turned towards others; 0 where C itself fixes the modes
 };
 
 /// @brief Prepares a system for the exact solver.

@@ -13,6 +13,7 @@ namespace denhartog {
 template <class T>
 LastingRest<T>::LastingRest(const ContactSystem<T>& system, const Excitation<T>& excitation)
     : system_(&system), e_(excitation), weight_(0) {
+    using std::abs;
     const StuckConfiguration<T>& s = system.stuck;
     try {
         response_ = stuck_response(s, system.contact, system.load, e_.r);

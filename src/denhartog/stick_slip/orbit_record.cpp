@@ -124,10 +124,10 @@ T displacement_of_energy(const OrbitMap<T>& map) {
 }
 
 template <class T>
-std::optional<T> error_bound_of(const OrbitMap<T>& map) {
+std::optional<T> error_bound_of(const OrbitMap<T>& map, bool of_modes) {
     const LinearSystem<T> system(map.newton_matrix());
     if (!system.is_regular()) return std::nullopt;
-    const Column<T> rounding = map.rounding();
+    const Column<T> rounding = map.rounding(of_modes);
     const Column<T> at_start = system.inverse().cwiseAbs() * (map.difference().cwiseAbs() + rounding);
     T energy = map.norm_of_bound(at_start);
     if (map.solver().excitation().mu > 1) energy *= std::max(T(1), T(map.energy_jacobian().norm()));
@@ -154,6 +154,7 @@ std::optional<PeriodicOrbit<T>> orbit_of(const OrbitMap<T>& map, const State<T>&
     for (const MassMotion<T>& mass : orbit.masses) largest = std::max(largest, mass.amplitude);
     orbit.error_bound = *bound + unsure;
     if (!isfinite(largest) || !(100 * orbit.error_bound < largest)) return std::nullopt; // as at a resonance without damping
+    orbit.error_bound = error_bound_of(map, true).value_or(*bound) + unsure;
     const int h = map.half_periods();
     orbit.status = OrbitStatus::periodic;
     orbit.start = z;
@@ -189,7 +190,7 @@ std::optional<PeriodicOrbit<T>> rest_of(OrbitMap<T>& map, const LastingRest<T>& 
     if (search.contact_only) orbit.masses.clear();
     const T left_over = map.difference().cwiseAbs().maxCoeff();
     orbit.residual = largest > 0 ? T(left_over / largest) : T(0);
-    orbit.error_bound = map.rounding().maxCoeff() + left_over;
+    orbit.error_bound = map.rounding(true).maxCoeff() + left_over;
     if (search.with_stability) {
         const Matrix<double> others = jacobian_of_others(map);
         orbit.multipliers = multipliers_of(others);
@@ -202,8 +203,8 @@ template double displacement_of_energy(const OrbitMap<double>&);
 template Real50 displacement_of_energy(const OrbitMap<Real50>&);
 template bool attracts(const OrbitMap<double>&);
 template bool attracts(const OrbitMap<Real50>&);
-template std::optional<double> error_bound_of(const OrbitMap<double>&);
-template std::optional<Real50> error_bound_of(const OrbitMap<Real50>&);
+template std::optional<double> error_bound_of(const OrbitMap<double>&, bool);
+template std::optional<Real50> error_bound_of(const OrbitMap<Real50>&, bool);
 template std::optional<PeriodicOrbit<double>> orbit_of(const OrbitMap<double>&, const State<double>&, const OrbitSearch<double>&);
 template std::optional<PeriodicOrbit<Real50>> orbit_of(const OrbitMap<Real50>&, const State<Real50>&, const OrbitSearch<Real50>&);
 template std::optional<PeriodicOrbit<double>> rest_of(OrbitMap<double>&, const LastingRest<double>&, const double&,

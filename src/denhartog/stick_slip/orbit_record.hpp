@@ -28,9 +28,10 @@ template <class T>
 /// the rounding of the map. Along the orbit it is bounded by its energy norm, which friction with mu = 1 does not let grow; for
 /// mu > 1 the largest growth that the Jacobian shows is allowed for.
 /// @param map        the map, applied last to the orbit with its Jacobian, its rounding measured
+/// @param of_modes   whether with what turned modes make of it, as a bound that is handed out needs
 /// @return           the bound, in units of P / k_1; none where the matrix is singular to rounding
 template <class T>
-[[nodiscard]] std::optional<T> error_bound_of(const OrbitMap<T>& map);
+[[nodiscard]] std::optional<T> error_bound_of(const OrbitMap<T>& map, bool of_modes = false);
 
 /// @brief Reads the orbit off the map that was applied to it last, with its Jacobian, its rounding measured.
 /// @param map     the map: all of the orbit, or half of it where the number h of its half-periods is odd

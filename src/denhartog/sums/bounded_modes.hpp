@@ -82,6 +82,21 @@ template <class T>
     return Bounded<T>::rounded(value.x, T(value.e + value.e / 2), 2);
 }
 
+/// @brief A number with something neglected in it. @param value the number @param neglected its size @return the same
+template <class T>
+[[nodiscard]] T with_neglected(const T& value, const T& neglected) {
+    (void)neglected;
+    return value;
+}
+/// @brief The same with a bound, which takes in what was neglected.
+/// @param value      the number
+/// @param neglected  its size
+/// @return           the number with that bound
+template <class T>
+[[nodiscard]] Bounded<T> with_neglected(const Bounded<T>& value, const Bounded<T>& neglected) {
+    return {value.x, T(value.e + neglected.most())};
+}
+
 /// @brief The modes of a system at a frequency ratio, each evaluated with its error when it is first needed.
 template <class T>
 class BoundedModes {

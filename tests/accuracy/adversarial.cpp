@@ -1,0 +1,109 @@
+// Scenes from the corners of what a scene may be; the full surveys are `speed-accuracy adversarial` and `contradictions`.
+#include "tests/speed_accuracy/adversarial_survey.hpp"
+
+#include <algorithm>
+
+#include "denhartog/denhartog.hpp"
+#include "tests/catch.hpp"
+
+using namespace denhartog;
+using namespace denhartog::tests;
+
+namespace {
+
+AdversarialSurvey sample(std::size_t scenes, std::uint64_t seed, bool questions) {
+    AdversarialRun run;
+    run.scenes = scenes;
+    run.seed = seed;
+    run.range = mild;
+    run.questions = questions;
+    run.contradictions = !questions;
+    run.without_bounds = false;
+    run.all_motions = false;
+    return survey_in_process(run);
+}
+
+long most_phases(const AdversarialSurvey& survey) {
+    long most = 0;
+    for (const auto& [question, of] : survey.most_phases) most = std::max(most, of.first);
+    return most;
+}
+
+void check_without_faults(const AdversarialSurvey& survey) {
+    for (const auto& [what, of] : survey.faults) {
+        INFO(what << ", " << of.second.text << ", at " << of.second.json);
+        CHECK(of.first == 0);
+    }
+}
+
+bool is_answered_or_refused(const std::string& json) {
+    try {
+        (void)solve(scene(json));
+    } catch (const DomainError&) {
+    } catch (const PrecisionError&) {
+    }
+    return true;
+}
+
+} // namespace
+
+TEST_CASE("every question to seeded scenes is answered by finite numbers or refused by an error of the project's own",
+          "[accuracy]") {
+    const AdversarialSurvey survey = sample(6, 2, true);
+    check_without_faults(survey);
+    CHECK(survey.questions > 150);
+    CHECK(survey.most_eigen_solves <= 12);
+    CHECK(survey.most_mode_evaluations <= 30);
+    CHECK(most_phases(survey) <= 10000);
+}
+
+TEST_CASE("answers of few digits and of many contradict each other in no number on seeded scenes", "[accuracy]") {
+    const AdversarialSurvey survey = sample(12, 3, false);
+    check_without_faults(survey);
+    long compared = 0;
+    for (const auto& [number, of] : survey.quantities) {
+        INFO(number << " of " << of.worst.between << ": " << of.worst.ratio << " of both bounds at " << of.json);
+        CHECK(of.violations == 0);
+        compared += of.count;
+    }
+    CHECK(compared > 3000);
+    CHECK(survey.quantities.size() > 20);
+    CHECK(survey.most_eigen_solves <= 134);
+    CHECK(survey.most_mode_evaluations <= 344);
+}
+
+TEST_CASE("a point at the end of a double's range is answered or refused by an error of the project's own", "[accuracy]") {
+    for (const std::string r : {"5e-324", "1e300"})
+        for (const std::string beta : {"0", "0.5", "1e300"}) {
+            INFO("r = " << r << ", beta = " << beta);
+            CHECK(is_answered_or_refused(R"({"mass_ratios": [1, 1], "stiffness_ratios": [1, 1], "damping_ratios": [0.05, 0.05],
+                "contact": 1, "load": 1, "r": )" +
+                                         r + R"(, "beta": )" + beta + "}"));
+        }
+}
+
+TEST_CASE("modes of nearly one frequency, a stop without deceleration and a weak spring widen the bounds they make wide",
+          "[accuracy]") {
+    // Each of these had a number whose error was 4 to 10000 times its bound.
+    const std::string chain =
+        R"({"mass_ratios": [1, 1.157251219317279], "stiffness_ratios": [1, 1.9586561810150112], "damping_ratios":
+            [0.0009968711124831863, 7.161726662108899e-06], "contact": 1, "load": 2, "r": 9.291014134935727, "beta": 0.010895909958133146})";
+    const std::string pair =
+        R"({"mass_ratios": [1, 1], "stiffness_matrix": [[1.000001017422192, -6.062467090397835e-09],
+            [-6.062467090397835e-09, 1.000000012901482]], "damping_ratios": [0.0014052799853100585, 0.09949757655848342],
+            "contact": 2, "load": 1, "r": 1.0000000064309804, "beta": 64})";
+    for (const std::string& json : {chain, pair}) {
+        const Scene<double> at = scene(json);
+        const Solution few = solve(at), many = solve(at, {Asked::motion, 25});
+        for (std::size_t k = 0; k < 2; ++k) {
+            const SolvedMass &a = few.masses[k], &b = many.masses[k];
+            INFO("mass " << k + 1 << " at " << json);
+            CHECK(std::abs(a.amplitude.value - b.amplitude.value) <=
+                  a.amplitude.error + b.amplitude.error + 1e-16 * b.amplitude.value);
+            if (a.phase) CHECK(std::abs(a.phase->value - b.phase->value) <= a.phase->error + b.phase->error + 4e-16);
+        }
+        if (few.rest_interval)
+            CHECK(std::abs(few.rest_interval->to.value - many.rest_interval->to.value) <=
+                  few.rest_interval->to.error + 1e-15 * many.rest_interval->to.value);
+    }
+}

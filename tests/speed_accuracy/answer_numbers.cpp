@@ -1,0 +1,166 @@
+#include "tests/speed_accuracy/answer_numbers.hpp"
+
+#include <cmath>
+#include <map>
+#include <utility>
+
+namespace denhartog::tests {
+namespace {
+
+class Numbers {
+public:
+    void size(const std::string& name, const Certified& number, std::size_t place = 0) {
+        all.push_back({name, place, number, 0, false});
+    }
+    void any(const std::string& name, const Certified& number, std::size_t place = 0) { all.push_back({name, place, number}); }
+    void angle(const std::string& name, const Certified& number, std::size_t place, double period) {
+        all.push_back({name, place, number, period});
+    }
+
+    void masses(const Solution& s) {
+        for (std::size_t n = 0; n < s.masses.size(); ++n) {
+            const SolvedMass& m = s.masses[n];
+            const std::size_t k = s.only ? s.only->index + 1 : n + 1;
+            size("amplitude", m.amplitude, k);
+            if (m.phase) angle("phase", *m.phase, k, 2 * pi<double>());
+            if (!m.sliding) continue;
+            any("x0", m.sliding->x0, k);
+            any("v0", m.sliding->v0, k);
+            angle("instant", m.sliding->instant, k, pi<double>());
+            size("amplitude_monoharmonic", m.sliding->amplitude_monoharmonic, k);
+            angle("phase_monoharmonic", m.sliding->phase_monoharmonic, k, 2 * pi<double>());
+        }
+    }
+
+    std::vector<NamedNumber> all;
+};
+
+Real100 value_of(const Certified& a) { return a.decimal.empty() ? Real100(a.value) : Real100(a.decimal); }
+
+} // namespace
+
+std::vector<NamedNumber> numbers_of(const Limits& limits) {
+    Numbers n;
+    n.size("beta_lim exact", limits.exact);
+    n.size("beta_lim paper", limits.paper);
+    n.size("beta_lim approximate", limits.approximate);
+    if (limits.sticking) n.size("beta_lim sticking", *limits.sticking);
+    return n.all;
+}
+
+std::vector<NamedNumber> numbers_of(const Solution& s) {
+    Numbers n;
+    n.size("r", s.r);
+    n.size("mu", s.mu);
+    if (s.beta) n.size("beta", *s.beta);
+    if (s.limits)
+        n.all = [&] {
+            std::vector<NamedNumber> limits = numbers_of(*s.limits);
+            limits.insert(limits.begin(), n.all.begin(), n.all.end());
+            return limits;
+        }();
+    if (s.sticking_by_88) n.size("sticking by (88)", *s.sticking_by_88);
+    n.masses(s);
+    const double period = 2 * pi<double>() * s.periods;
+    for (std::size_t i = 0; i < s.stops.size(); ++i) {
+        n.angle("stop's start", s.stops[i].start, i + 1, period);
+        n.angle("stop's end", s.stops[i].end, i + 1, period);
+        n.any("stop's place", s.stops[i].x, i + 1);
+    }
+    if (s.start)
+        for (std::size_t k = 0; k < s.start->x.size(); ++k) {
+            n.any("x at the maximum of the force", s.start->x[k], k + 1);
+            n.any("x' at the maximum of the force", s.start->x_prime[k], k + 1);
+        }
+    if (s.rest_interval) {
+        n.any("rest interval from", s.rest_interval->from);
+        n.any("rest interval to", s.rest_interval->to);
+        if (s.rest_interval->rests_at) n.any("rests at", *s.rest_interval->rests_at);
+    }
+    return n.all;
+}
+
+std::vector<NamedNumber> numbers_of(const Quantities<Bounded<double>>& q) {
+    Numbers n;
+    const auto certified = [](const Bounded<double>& a) { return Certified{a.x, a.e, {}}; };
+    for (std::size_t k = 0; k < q.V.size(); ++k) {
+        n.any("Re V", certified(q.V[k].re), k + 1);
+        n.any("Im V", certified(q.V[k].im), k + 1);
+        n.any("U", certified(q.U[k]), k + 1);
+        n.any("G", certified(q.G[k]), k + 1);
+    }
+    n.any("H", certified(q.H_j));
+    n.any("S", certified(q.S));
+    n.size("beta_lim of quantities", certified(q.beta_lim));
+    if (q.X_j) n.size("X_j", certified(*q.X_j));
+    if (q.phi_j) n.angle("phi_j", certified(*q.phi_j), 0, 2 * pi<double>());
+    for (std::size_t i = 0; i < q.x.size(); ++i) {
+        n.any("x", certified(q.x[i]), i + 1);
+        n.any("x'", certified(q.x_prime[i]), i + 1);
+    }
+    for (std::size_t k = 0; k < q.x_size.size(); ++k) n.size("(52)", certified(q.x_size[k]), k + 1);
+    return n.all;
+}
+
+std::vector<std::string> faults_of(const std::vector<NamedNumber>& numbers) {
+    std::vector<std::string> faults;
+    for (const NamedNumber& n : numbers) {
+        const auto fault = [&](const char* what) { faults.push_back(n.name + what); };
+        if (!std::isfinite(n.number.value)) fault(" is not finite");
+        if (n.number.value < 0 && !n.negative) fault(" is negative");
+        if (!(n.number.error >= 0)) fault(" has a bound that is none");
+        if (n.number.decimal.empty()) continue;
+        try {
+            if (!isfinite(value_of(n.number))) fault(" has decimals that are not finite");
+        } catch (const std::exception&) {
+            fault(" has decimals that are no number");
+        }
+    }
+    return faults;
+}
+
+std::vector<std::string> faults_of(const Solution& s) {
+    std::vector<std::string> faults = faults_of(numbers_of(s));
+    const auto add = [&faults](const std::vector<std::string>& more, const std::string& of) {
+        for (const std::string& each : more) faults.push_back(of + each);
+    };
+    const auto multipliers = [&faults](const Stability& stability, const std::string& of) {
+        for (const double each : stability.multipliers)
+            if (!std::isfinite(each) || each < 0) faults.push_back(of + "multiplier is negative or not finite");
+    };
+    if (s.stability) multipliers(*s.stability, "");
+    if (s.slides_below) add(faults_of({{"slides below", 0, *s.slides_below, 0, false}}), "");
+    if (!(s.relative_error >= 0)) faults.emplace_back("the largest error is no number");
+    for (const OtherMotion& motion : s.motions) {
+        Solution as_answer;
+        as_answer.masses = motion.masses;
+        as_answer.stops = motion.stops;
+        as_answer.rest_interval = motion.rest_interval;
+        add(faults_of(numbers_of(as_answer)), "another motion's ");
+        multipliers(motion.stability, "another motion's ");
+        for (const std::vector<double>* numbers : {&motion.start.x, &motion.start.x_prime, &motion.from.x, &motion.from.x_prime})
+            for (const double x : *numbers)
+                if (!std::isfinite(x)) faults.emplace_back("another motion's state is not finite");
+    }
+    return faults;
+}
+
+std::vector<Comparison> compared(const std::vector<NamedNumber>& a, const std::vector<NamedNumber>& b) {
+    std::map<std::pair<std::string, std::size_t>, const NamedNumber*> others;
+    for (const NamedNumber& n : b) others[{n.name, n.place}] = &n;
+    std::vector<Comparison> all;
+    for (const NamedNumber& n : a) {
+        const auto found = others.find({n.name, n.place});
+        if (found == others.end()) continue;
+        const Certified &mine = n.number, &other = found->second->number;
+        Real100 difference = value_of(mine) - value_of(other);
+        if (n.period > 0) {
+            const Real100 period = pi<Real100>() * static_cast<int>(std::lround(n.period / pi<double>()));
+            difference -= period * round(Real100(difference / period));
+        }
+        all.push_back({n.name, static_cast<double>(Real100(abs(difference))), mine.error + other.error});
+    }
+    return all;
+}
+
+} // namespace denhartog::tests

@@ -1,0 +1,171 @@
+#include "tests/support/adversarial_scenes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "denhartog/denhartog.hpp"
+#include "denhartog/model/modal_basis.hpp"
+
+namespace denhartog {
+namespace {
+
+/// The stiffness matrix of a chain.
+Matrix<double> matrix_of_chain(const std::vector<double>& k) {
+    const auto N = static_cast<Eigen::Index>(k.size());
+    Matrix<double> K = Matrix<double>::Zero(N, N);
+    for (Eigen::Index i = 0; i < N; ++i) {
+        K(i, i) += k[static_cast<std::size_t>(i)];
+        if (i == 0) continue;
+        K(i - 1, i - 1) += k[static_cast<std::size_t>(i)];
+        K(i, i - 1) = K(i - 1, i) = -k[static_cast<std::size_t>(i)];
+    }
+    return K;
+}
+
+} // namespace
+
+std::size_t AdversarialScenes::masses() {
+    const int kind = random_.integer(0, 99);
+    const auto up_to = [this](int low, int high) {
+        const auto N = static_cast<std::size_t>(random_.integer(low, high));
+        return std::min(N, range_.most);
+    };
+    return kind < 20 ? 1 : kind < 75 ? up_to(2, 4) : kind < 94 ? up_to(5, 12) : kind < 99 ? up_to(13, 40) : up_to(41, 200);
+}
+
+// A ratio of masses or springs: all the same, mild, nearly the same, or at the ends of the contrast.
+double AdversarialScenes::ratio(int kind) {
+    if (kind == 0) return 1;
+    if (kind == 1) return random_.over_octaves(-2, 1);
+    if (kind == 2) return random_.near_one(-52, -8);
+    if (kind == 3) return random_.over_octaves(-range_.contrast, range_.contrast - 1);
+    const int end = random_.integer(-1, 1);
+    return std::ldexp(1, end * range_.contrast);
+}
+
+void AdversarialScenes::chain(System<double>& s, std::size_t N) {
+    const int of_masses = random_.integer(0, 4), of_springs = random_.integer(0, 4);
+    for (std::size_t i = 0; i < N; ++i) {
+        s.mass_ratios.push_back(i == 0 ? 1 : ratio(of_masses));
+        s.stiffness_ratios.push_back(i == 0 ? 1 : ratio(of_springs));
+    }
+}
+
+// Every mass on a spring to the ground of its own, nearly the same for all or not, and weak springs between some of them.
+void AdversarialScenes::coupled(System<double>& s, std::size_t N) {
+    const int of_masses = random_.integer(0, 2), of_springs = random_.integer(0, 4);
+    const int weak = random_.integer(-60, 0);
+    const auto n = static_cast<Eigen::Index>(N);
+    Matrix<double> K = Matrix<double>::Zero(n, n);
+    for (Eigen::Index i = 0; i < n; ++i) {
+        s.mass_ratios.push_back(i == 0 ? 1 : ratio(of_masses));
+        K(i, i) += ratio(of_springs);
+        for (Eigen::Index k = 0; k < i; ++k) {
+            if (k + 1 < i && !random_.one_in(3)) continue;
+            const double spring = random_.over_octaves(weak, weak + 3);
+            K(i, i) += spring;
+            K(k, k) += spring;
+            K(i, k) = K(k, i) = -spring;
+        }
+    }
+    s.stiffness_matrix = K;
+}
+
+// A mass matrix in place of mass ratios, with couplings that leave it positive definite.
+void AdversarialScenes::mass_matrix(System<double>& s) {
+    const auto n = static_cast<Eigen::Index>(s.mass_ratios.size());
+    Matrix<double> M = Matrix<double>::Zero(n, n);
+    for (Eigen::Index i = 0; i < n; ++i) {
+        M(i, i) = s.mass_ratios[static_cast<std::size_t>(i)];
+        if (i > 0) M(i, i - 1) = M(i - 1, i) = std::min(M(i, i), M(i - 1, i - 1)) * random_.over_octaves(-40, -3);
+    }
+    s.mass_matrix = M;
+    s.mass_ratios.clear();
+}
+
+void AdversarialScenes::damping(System<double>& s, std::size_t N) {
+    const int kind = random_.integer(0, 9);
+    if (kind == 9) { // C = a M + b K
+        const double a = random_.over_octaves(-20, 2), b = random_.over_octaves(-20, 2);
+        const auto n = static_cast<Eigen::Index>(N);
+        Matrix<double> M = s.mass_matrix;
+        if (M.size() == 0) M = Eigen::Map<const Eigen::VectorXd>(s.mass_ratios.data(), n).asDiagonal();
+        s.damping_matrix = a * M + b * (s.stiffness_matrix.size() > 0 ? s.stiffness_matrix : matrix_of_chain(s.stiffness_ratios));
+        return;
+    }
+    const double same = random_.over_octaves(range_.zeta_low, range_.zeta_high);
+    for (std::size_t i = 0; i < N; ++i) {
+        const double own = random_.over_octaves(range_.zeta_low, range_.zeta_high), usual = random_.over_octaves(-10, -4);
+        const double critical = random_.near_one(-52, -4);
+        const double mixed = random_.one_in(3) ? 0 : own;
+        s.damping_ratios.push_back(kind == 0   ? 0
+                                   : kind < 3  ? same
+                                   : kind < 6  ? usual
+                                   : kind == 6 ? critical
+                                   : kind == 7 ? mixed
+                                               : own);
+    }
+}
+
+void AdversarialScenes::frequency(AdversarialScene& made, std::size_t N) {
+    const int kind = random_.integer(0, 9);
+    const double any = random_.over_octaves(range_.r_low, range_.r_high), usual = random_.over_octaves(-4, 1);
+    const double near = random_.near_one(-52, -3);
+    const int odd = 2 * random_.integer(0, 10) + 1;
+    if (kind >= 7) made.mode = static_cast<std::size_t>(random_.integer(0, static_cast<int>(N) - 1));
+    made.scene.r = kind < 3 ? any : kind < 7 ? usual : kind < 9 ? near : near / odd;
+}
+
+void AdversarialScenes::friction(AdversarialScene& made) {
+    const int kind = random_.integer(0, 19);
+    const double any = random_.over_octaves(range_.beta_low, range_.beta_high), usual = random_.over_octaves(-6, 1);
+    const double near = random_.near_one(-52, -3), part = random_.over_octaves(-20, 1);
+    if (kind < 2) {
+        made.scene.beta = 0;
+    } else if (kind < 4) {
+        made.scene.beta = any;
+    } else if (kind < 9) {
+        made.scene.beta = usual;
+    } else if (kind == 9) {
+        made.scene.beta = std::ldexp(1, range_.beta_high);
+    } else {
+        made.of_limit = kind == 10 ? 1 : kind < 15 ? near : part;
+    }
+    const int of_mu = random_.integer(0, 9);
+    const double much = random_.over_octaves(0, range_.mu_high), little = random_.over_octaves(-52, 0);
+    made.scene.mu = of_mu < 6 ? 1 : of_mu < 9 ? 1 + little : much;
+}
+
+AdversarialScene AdversarialScenes::next() {
+    AdversarialScene made;
+    System<double>& s = made.scene.system;
+    const std::size_t N = masses();
+    s.contact = Mass{static_cast<std::size_t>(random_.integer(0, static_cast<int>(N) - 1))};
+    s.load = Mass{static_cast<std::size_t>(random_.integer(0, static_cast<int>(N) - 1))};
+    const bool as_matrix = random_.one_in(4);
+    if (as_matrix)
+        coupled(s, N);
+    else
+        chain(s, N);
+    if (as_matrix) s.stiffness_ratios.clear();
+    if (random_.one_in(8)) mass_matrix(s);
+    damping(s, N);
+    frequency(made, N);
+    friction(made);
+    return made;
+}
+
+Scene<double> placed(const AdversarialScene& drawn) {
+    Scene<double> scene = drawn.scene;
+    if (drawn.mode) {
+        check(scene);
+        *scene.r *= modal_basis(scene.system).r_n[*drawn.mode];
+    }
+    if (drawn.of_limit) scene.beta = *drawn.of_limit * boundary(scene, 12).exact.value;
+    return scene;
+}
+
+std::string json_of(const Scene<double>& scene) { return write_scene(scene).dump(); }
+
+} // namespace denhartog

@@ -1,0 +1,77 @@
+/// @file
+/// @brief Seeded scenes from the corners of what a scene may be, to find what breaks there.
+///
+/// Frequencies that coincide to the last bits, contrasts of masses and springs, masses far from contact and load in long chains,
+/// friction at the boundary of the regimes, damping from none to a million times critical, frequency ratios over all that a double
+/// holds. Every number is drawn in binary, so that a seed gives the same scenes on every platform. Where a scene is to stand at a
+/// natural frequency or at the boundary, that is said as a multiple, and `placed` asks the library where these are.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "denhartog/scene/scene.hpp"
+#include "tests/support/split_mix.hpp"
+
+namespace denhartog {
+
+/// @brief Ranges that scenes are drawn from: exponents of two.
+struct AdversarialRange {
+    int r_low;        ///< of the least frequency ratio
+    int r_high;       ///< of the largest
+    int beta_low;     ///< of the least friction ratio that is not zero
+    int beta_high;    ///< of the largest
+    int contrast;     ///< of the largest ratio of masses and springs, and of the least
+    int zeta_low;     ///< of the least damping ratio that is not zero
+    int zeta_high;    ///< of the largest
+    int mu_high;      ///< of the largest mu
+    std::size_t most; ///< masses
+};
+
+/// @brief All that a scene may be: r from 5e-324 to 1e300, contrasts to 1e15, damping ratios to 1e6, up to 200 masses.
+inline constexpr AdversarialRange everything{-1074, 996, -1074, 996, 50, -60, 19, 19, 200};
+/// @brief What a user may meet: r from 1e-9 to 10, contrasts to 1e12, damping ratios to 30, up to 12 masses.
+inline constexpr AdversarialRange contrasts{-30, 3, -30, 6, 40, -40, 4, 6, 12};
+/// @brief What a user does meet: r from 0.03 to 10, contrasts to 8, damping ratios from 1e-6 to 1, up to 8 masses.
+inline constexpr AdversarialRange mild{-5, 3, -8, 1, 3, -20, -1, 2, 8};
+
+/// @brief A scene, and where it is to stand.
+struct AdversarialScene {
+    Scene<double> scene;             ///< with r, and with beta where no part of the boundary is wanted
+    std::optional<std::size_t> mode; ///< its natural frequency times r is the frequency ratio that is meant
+    std::optional<double> of_limit;  ///< the multiple of the boundary (69) that beta is to be
+};
+
+/// @brief Draws scenes.
+class AdversarialScenes {
+public:
+    /// @param seed   any number
+    /// @param range  what they are drawn from
+    AdversarialScenes(std::uint64_t seed, const AdversarialRange& range) : random_(seed), range_(range) {}
+
+    /// @brief The next scene. @return the scene; it may break a rule of scenes, which is for the library to say
+    AdversarialScene next();
+
+private:
+    std::size_t masses();
+    double ratio(int kind);
+    void chain(System<double>& s, std::size_t N);
+    void coupled(System<double>& s, std::size_t N);
+    void mass_matrix(System<double>& s);
+    void damping(System<double>& s, std::size_t N);
+    void frequency(AdversarialScene& made, std::size_t N);
+    void friction(AdversarialScene& made);
+
+    SplitMix64 random_;
+    AdversarialRange range_;
+};
+
+/// @brief The scene where it is to stand. @param drawn a scene @return the scene with r and beta
+/// @throws what the library throws where natural frequency or boundary are not to be had
+[[nodiscard]] Scene<double> placed(const AdversarialScene& drawn);
+
+/// @brief The text of a scene as the program reads it. @param scene a scene @return JSON on one line
+[[nodiscard]] std::string json_of(const Scene<double>& scene);
+
+} // namespace denhartog
