@@ -45,13 +45,15 @@ Matrix<T> errors_of_damping(const Scene<T>& scene, const ModalBasis<Bounded<T>>&
     const auto N = static_cast<Eigen::Index>(basis.r_n.size());
     if (s.damping_matrix.size() > 0) return Matrix<T>::Zero(N, N);
     const Matrix<T> phi = basis.phi.unaryExpr([](const Bounded<T>& entry) { return T(abs(entry.x)); });
-    const T reach = phi.row(0).norm(); // of the first mass where a mode turns by a unit angle
     Matrix<T> in_modes = Matrix<T>::Zero(N, N);
     for (Eigen::Index i = 0; i < N; ++i)
         for (Eigen::Index k = 0; k < N; ++k) {
             const auto a = static_cast<std::size_t>(i), b = static_cast<std::size_t>(k);
-            const T angle = std::min(T(1), T((basis.phi(0, i).e + basis.phi(0, k).e) / reach));
-            const T apart = 2 * abs(T(basis.zeta[a].x * basis.r_n[a].x - basis.zeta[b].x * basis.r_n[b].x));
+            if (k == i) continue;
+            const Bounded<T>&r_i = basis.r_n[a], &r_k = basis.r_n[b];
+            const T of_squares = 2 * (r_i.x * r_i.e + r_k.x * r_k.e);
+            const T angle = of_squares / std::max(of_squares, T(abs(T(r_i.x - r_k.x)) * (r_i.x + r_k.x)));
+            const T apart = 2 * abs(T(basis.zeta[a].x * r_i.x - basis.zeta[b].x * r_k.x));
             in_modes(i, k) += angle * apart;
             in_modes(i, i) += angle * angle * apart; // a mode turned by a right angle has the other's damping
         }

@@ -27,13 +27,8 @@ ContactSystem<T> contact_system(const System<T>& s) {
     out.load = s.load;
     out.basis = modal_basis(s);
     out.stuck = stuck_configuration(s, out.basis);
-    const ModalBasis<Bounded<T>> bounds = with_errors(s, out.basis);
-    const T reach = out.basis.phi.row(0).norm(); // of the first mass where a mode turns by a unit angle
-    for (std::size_t i = 0; i < out.basis.r_n.size(); ++i) {
-        const bool fixed = s.damping_matrix.size() > 0;
-        out.detuned.push_back(bounds.r_n[i].e / bounds.r_n[i].x);
-        out.turned.push_back(fixed ? T(0) : T(bounds.phi(0, static_cast<Eigen::Index>(i)).e / reach));
-    }
+    for (const Bounded<T>& r_n : with_errors(s, out.basis).r_n) out.detuned.push_back(r_n.e / r_n.x);
+    out.damping_fixes_modes = s.damping_matrix.size() > 0;
     // phi^T M phi = 1, so that phi^T M is the inverse of phi; the mass matrix keeps it free of an inversion.
     const std::size_t N = out.basis.r_n.size();
     if (s.mass_matrix.size() > 0) {

@@ -25,7 +25,7 @@ struct ContactSystem {
     Matrix<T> momentum;          ///< phi^T M in units of m_1: modal coordinates of a state, mode by mass
     StuckConfiguration<T> stuck; ///< modes while the contact sticks
     std::vector<T> detuned{};    ///< by what part of itself each natural frequency may be off
-    std::vector<T> turned{};     ///< by what angle each mode may be turned towards others; 0 where C itself fixes the modes
+    bool damping_fixes_modes{};  ///< a damping matrix was given: modes of one frequency are those that it does not couple
 };
 
 /// @brief Prepares a system for the exact solver.

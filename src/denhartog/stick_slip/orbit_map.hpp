@@ -176,10 +176,12 @@ public:
                 std::numeric_limits<T>::epsilon() * (static_cast<int>(motion_->phases.size()) * (largest_sum + friction)) +
                 h_ * pi_ * s.detuned[static_cast<std::size_t>(i)] / 8 * r_n / e.r * amplitudes.back();
         }
-        for (std::size_t i = 0; i < n; ++i)
+        for (std::size_t i = 0; i < n && !s.damping_fixes_modes; ++i)
             for (std::size_t k = 0; k < n; ++k) {
-                const T angle = std::min(T(1), T(s.turned[i] + s.turned[k])) / 8;
+                if (k == i) continue;
                 const T r_i = s.basis.r_n[i], r_k = s.basis.r_n[k];
+                const T of_squares = 2 * (r_i * r_i * s.detuned[i] + r_k * r_k * s.detuned[k]);
+                const T angle = of_squares / std::max(of_squares, T(abs(T(r_i - r_k)) * (r_i + r_k))) / 8;
                 const T of_damping = h_ * pi_ * 2 * abs(T(s.basis.zeta[i] * r_i - s.basis.zeta[k] * r_k)) / e.r;
                 const T of_others = angle * r_k / r_i * amplitudes[k], of_itself = angle * angle * amplitudes[i];
                 turned_(static_cast<Eigen::Index>(i)) += of_damping * (of_others + of_itself);
