@@ -99,7 +99,7 @@ Faults faults_of_invariant_points(const Scene<double>& scene) {
 }
 
 // Numbers of answers with few digits beside those of an answer with many.
-class Comparer {
+class AnswerComparer {
 public:
     void reference(std::vector<NamedNumber> numbers) { many_ = std::move(numbers); }
 
@@ -128,7 +128,7 @@ private:
 };
 
 Found compared_solutions(const Scene<double>& scene) {
-    Comparer comparer;
+    AnswerComparer comparer;
     const Solution many = solve(scene, {Asked::motion, 30});
     comparer.reference(numbers_of(many));
     const auto ask = [&](const std::string& name, const Question& question) {
@@ -159,7 +159,7 @@ Found compared_solutions(const Scene<double>& scene) {
 }
 
 Found compared_boundaries(const Scene<double>& scene) {
-    Comparer comparer;
+    AnswerComparer comparer;
     comparer.reference(numbers_of(sliding_solution(scene_source(scene), {Asked::motion, 30})));
     for (const std::optional<int> digits : {std::optional<int>(), std::optional<int>(10), std::optional<int>(14)}) {
         const std::string words = digits ? ", " + std::to_string(*digits) + " digits" : "";
@@ -172,7 +172,7 @@ Found compared_boundaries(const Scene<double>& scene) {
 }
 
 Found compared_quantities(const Scene<double>& scene) {
-    Comparer comparer;
+    AnswerComparer comparer;
     const std::array<double, 3> tau{0, 1, 4};
     const auto ask = [&](int digits, PointNumbers asked) {
         return numbers_of(quantities(scene_source(scene), tau, digits, asked).numbers);
@@ -188,7 +188,7 @@ Found compared_quantities(const Scene<double>& scene) {
 
 // Numbers without a bound: of a map and of the curves of the boundary, which are meant to have the digits of double.
 Found compared_map(const Scene<double>& scene) {
-    Comparer comparer;
+    AnswerComparer comparer;
     const auto in_double = [](double x) { return Certified{x, 1e-6 * std::abs(x), {}}; };
     const Solution many = solve(scene, {Asked::motion, 15});
     comparer.reference(numbers_of(many));
