@@ -178,9 +178,11 @@ public:
         }
         for (std::size_t i = 0; i < n && !s.damping_fixes_modes; ++i)
             for (std::size_t k = 0; k < n; ++k) {
-                if (k == i) continue;
                 const T r_i = s.basis.r_n[i], r_k = s.basis.r_n[k];
-                const T of_squares = 2 * (r_i * r_i * s.detuned[i] + r_k * r_k * s.detuned[k]);
+                if (k == i || 64 * abs(T(r_i - r_k)) > r_i + r_k) continue; // farther apart the units above take it in
+                const T of_i = s.detuned[i], of_k = s.detuned[k];
+                // The modes of a chain keep their digits however far they are apart; those of other systems do not.
+                const T of_squares = std::min(T(r_i * r_k * (of_i + of_k)), T(r_i * r_i * of_i + r_k * r_k * of_k));
                 const T angle = of_squares / std::max(of_squares, T(abs(T(r_i - r_k)) * (r_i + r_k))) / 8;
                 const T of_damping = h_ * pi_ * 2 * abs(T(s.basis.zeta[i] * r_i - s.basis.zeta[k] * r_k)) / e.r;
                 const T of_others = angle * r_k / r_i * amplitudes[k], of_itself = angle * angle * amplitudes[i];
