@@ -127,7 +127,7 @@ T instant_of_largest(const ModeSums<T>& s, std::size_t first, const std::vector<
     curve.sample = [&](const T& tau) { return demand(tau); };
     curve.rate = [&](const T& a, const T&) { return demand.rate(a); };
     curve.rise = [](const T& a, const T& b, const T& z_bound) { return rise_of_demand(a, b, z_bound); };
-    curve.cost = static_cast<long>(weights.size()) * cost_of_mode<T>();
+    curve.cost = static_cast<long>(weights.size() + 2) * cost_of_mode<T>(); // two for the search itself
     const T found = global_maximum(curve, T(0), pi<T>()).instant;
     // Next to the start the sampled quotient is of two small numbers, and its rounding can look like a maximum.
     const auto demanded = [&](const T& tau) {

@@ -136,7 +136,7 @@ T instant_of_maximum(const ModeSums<T>& s, FrictionMotions<T>& y, const T& beta,
     const FrictionMotionsAt<T>& start = y.at(T(0));
     T terms = harmonic_size;
     for (std::size_t i = 0; i < mass.weights.size(); ++i) terms += beta * size_of_number(mass.weights[i]) * (1 + start.size[i]);
-    curve.cost = static_cast<long>(s.R.size()) * cost_of_mode<T>();
+    curve.cost = static_cast<long>(s.R.size() + 2) * cost_of_mode<T>(); // two for the search itself
     return global_maximum(curve, T(0), pi<T>(), T(2 * unit_of<T>() * terms)).instant;
 }
 

@@ -142,7 +142,7 @@ public:
     /// @brief What rounding makes of the map's image: a bound of each modal coordinate's error that is kept until the next call.
     ///
     /// Every phase adds some units in the last place of what the coordinate is summed from. A natural frequency that is some units
-    /// off turns the mode by that part of its phase angle, which is the larger the more of its periods fit in the stretch. Modes of
+    /// off, at least N, turns the mode by that part of its phase angle, which is the larger the more of its periods fit in the stretch. Modes of
     /// nearly one frequency are turned towards each other by rounding; where they are damped differently, that damps each of them by
     /// some of the other's damping. Both errors are taken as an eighth of the bounds that the closed form is given.
     void measure_rounding() {
@@ -172,9 +172,11 @@ public:
             }
             const T friction = e.beta * abs(s.basis.phi(j, i)) / (r_n * r_n);
             amplitudes.push_back(sqrt(largest) + friction);
+            const T eps = std::numeric_limits<T>::epsilon(), of_frequency = h_ * pi_ * r_n / e.r * amplitudes.back();
             modal_(i) =
-                std::numeric_limits<T>::epsilon() * (static_cast<int>(motion_->phases.size()) * (largest_sum + friction)) +
-                h_ * pi_ * s.detuned[static_cast<std::size_t>(i)] / 8 * r_n / e.r * amplitudes.back();
+                eps * (static_cast<int>(motion_->phases.size()) * (largest_sum + friction) + static_cast<int>(N) * of_frequency);
+            // No step of Newton's method mends what a frequency is off by beyond that.
+            turned_(i) = std::max(T(0), T(s.detuned[static_cast<std::size_t>(i)] / 8 - static_cast<int>(N) * eps)) * of_frequency;
         }
         for (std::size_t i = 0; i < n && !s.damping_fixes_modes; ++i)
             for (std::size_t k = 0; k < n; ++k) {
