@@ -72,6 +72,7 @@ public:
         else if (!current()->chosen_)
             current()->effort_.allowed = std::max(current()->effort_.allowed, effort_.allowed);
     }
+    /// @brief Ends the scope.
     ~QuestionEffort() {
         if (outermost_) current() = nullptr;
     }
@@ -108,6 +109,7 @@ public:
         allowed = question_->chosen_ ? whole.left() : std::min(share, whole.left());
         cancelled = whole.cancelled;
     }
+    /// @brief Takes what was spent from the budget of the question.
     ~SearchEffort() {
         if (question_ != nullptr) question_->effort_.spend(spent);
     }

@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "denhartog/model/linear_algebra.hpp"
 #include "denhartog/number/effort.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/scene/scene.hpp"
