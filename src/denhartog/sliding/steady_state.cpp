@@ -156,8 +156,8 @@ T newton_step(const evaluation::MotionOfMass<T>& at) {
     return at.x_double_prime == 0 ? T(0) : T(-(at.x_prime / at.x_double_prime));
 }
 
-// The maximum next to an instant, one step of Newton's method on, with what the step neglects. The motion goes on mirrored at both ends of the half-period: a
-// step out of it is one into it at the other end, and an end that both lead out of is the maximum.
+// The maximum next to an instant, one step of Newton's method on, with what the step neglects. The motion goes on mirrored at both
+// ends of the half-period: a step out of it is one into it at the other end, and an end that both lead out of is the maximum.
 template <class T>
 void settle_maximum(const ModeSums<T>& s, SteadyState<T>& state, std::size_t k, T instant) {
     const MassInMotion<T> mass(s, k, state.beta);
