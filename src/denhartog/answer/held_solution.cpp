@@ -7,6 +7,7 @@
 #include "denhartog/model/linear_algebra.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/stick_slip/stuck_response.hpp"
+#include "denhartog/sums/bounded_modes.hpp"
 
 namespace denhartog {
 namespace {
@@ -51,9 +52,7 @@ Matrix<T> errors_of_damping(const Scene<T>& scene, const ModalBasis<Bounded<T>>&
             const auto a = static_cast<std::size_t>(i), b = static_cast<std::size_t>(k);
             if (k == i) continue;
             const Bounded<T>&r_i = basis.r_n[a], &r_k = basis.r_n[b];
-            const T of_squares =
-                std::min(T(r_k.x * r_i.e + r_i.x * r_k.e), T(r_i.x * r_i.e + r_k.x * r_k.e)); // the first of chains
-            const T angle = of_squares / std::max(of_squares, T(abs(T(r_i.x - r_k.x)) * (r_i.x + r_k.x)));
+            const T angle = angle_of_turn(r_i, r_k);
             const T apart = 2 * abs(T(basis.zeta[a].x * r_i.x - basis.zeta[b].x * r_k.x));
             in_modes(i, k) += angle * apart;
             in_modes(i, i) += angle * angle * apart; // a mode turned by a right angle has the other's damping

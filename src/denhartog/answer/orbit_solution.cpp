@@ -66,7 +66,7 @@ template <class T>
 OrbitSolution orbit_solution(ExactSolver<T>& solver, const PeriodicOrbit<T>& orbit, int digits, std::optional<Mass> only) {
     const T period = 2 * orbit.periods * pi<T>();
     OnOrbit<T> on_orbit(solver, solver.run(orbit.start, T(0), period), period);
-    const T fastest = std::max(T(1), T(solver.system().basis.r_n.back() / solver.excitation().r));
+    const T fastest = velocity_over_displacement(solver);
     const std::size_t N = orbit.start.x.size(), j = solver.system().contact.index;
     T largest = orbit.contact.amplitude; // of the other masses the state at the start, where their maxima were not sought
     for (const T& x : orbit.start.x) largest = std::max(largest, T(abs(x)));

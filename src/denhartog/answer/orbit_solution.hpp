@@ -2,6 +2,8 @@
 /// @brief The answer that a periodic orbit gives: amplitudes and phases of all masses with their errors.
 #pragma once
 
+#include <algorithm>
+
 #include "denhartog/answer/solution.hpp"
 #include "denhartog/stick_slip/periodic_orbit.hpp"
 
@@ -14,6 +16,14 @@ struct OrbitSolution {
     double relative_amplitude = 0;  ///< largest error of an amplitude, relative
     double phase_error = 0;         ///< largest error of a phase
 };
+
+/// @brief What a bound of displacements is multiplied by for velocities: the highest natural frequency over that of the force.
+/// @param solver  the solver of the orbit
+/// @return        the factor, at least 1
+template <class T>
+[[nodiscard]] T velocity_over_displacement(const ExactSolver<T>& solver) {
+    return std::max(T(1), T(solver.system().basis.r_n.back() / solver.excitation().r));
+}
 
 /// @brief Amplitudes and phases of an orbit with their errors.
 ///

@@ -21,7 +21,7 @@ void write_orbit(const SolveTask& task, ExactSolver<T>& solver, const PeriodicOr
         for (const T& x : numbers) out.push_back(certified(Bounded<T>(x, error), task.aim.digits));
         return out;
     };
-    const T fastest = std::max(T(1), T(solver.system().basis.r_n.back() / solver.excitation().r)); // velocity over displacement
+    const T fastest = velocity_over_displacement(solver);
     s.relative_error = relative_error(task, solution);
     s.masses = std::move(solution.masses);
     s.stops = std::move(solution.stops);

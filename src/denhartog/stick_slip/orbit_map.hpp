@@ -9,6 +9,7 @@
 #include "denhartog/number/number.hpp"
 #include "denhartog/stick_slip/exact_motion.hpp"
 #include "denhartog/stick_slip/linear_motion.hpp"
+#include "denhartog/sums/bounded_modes.hpp"
 
 namespace denhartog {
 
@@ -142,9 +143,9 @@ public:
     /// @brief What rounding makes of the map's image: a bound of each modal coordinate's error that is kept until the next call.
     ///
     /// Every phase adds some units in the last place of what the coordinate is summed from. A natural frequency that is some units
-    /// off, at least N, turns the mode by that part of its phase angle, which is the larger the more of its periods fit in the stretch. Modes of
-    /// nearly one frequency are turned towards each other by rounding; where they are damped differently, that damps each of them by
-    /// some of the other's damping. Both errors are taken as an eighth of the bounds that the closed form is given.
+    /// off, at least N, turns the mode by that part of its phase angle, which is the larger the more of its periods fit in the
+    /// stretch. Modes of nearly one frequency are turned towards each other by rounding; where they are damped differently, that
+    /// damps each of them by some of the other's damping. Both errors are taken as an eighth of the bounds that the closed form is given.
     void measure_rounding() {
         using std::abs;
         const ContactSystem<T>& s = solver_->system();
@@ -182,10 +183,7 @@ public:
             for (std::size_t k = 0; k < n; ++k) {
                 const T r_i = s.basis.r_n[i], r_k = s.basis.r_n[k];
                 if (k == i || 64 * abs(T(r_i - r_k)) > r_i + r_k) continue; // farther apart the units above take it in
-                const T of_i = s.detuned[i], of_k = s.detuned[k];
-                // The modes of a chain keep their digits however far they are apart; those of other systems do not.
-                const T of_squares = std::min(T(r_i * r_k * (of_i + of_k)), T(r_i * r_i * of_i + r_k * r_k * of_k));
-                const T angle = of_squares / std::max(of_squares, T(abs(T(r_i - r_k)) * (r_i + r_k))) / 8;
+                const T angle = angle_of_turn(Bounded<T>(r_i, T(r_i * s.detuned[i])), Bounded<T>(r_k, T(r_k * s.detuned[k]))) / 8;
                 const T of_damping = h_ * pi_ * 2 * abs(T(s.basis.zeta[i] * r_i - s.basis.zeta[k] * r_k)) / e.r;
                 const T of_others = angle * r_k / r_i * amplitudes[k], of_itself = angle * angle * amplitudes[i];
                 turned_(static_cast<Eigen::Index>(i)) += of_damping * (of_others + of_itself);

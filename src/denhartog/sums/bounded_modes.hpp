@@ -82,6 +82,17 @@ template <class T>
     return Bounded<T>::rounded(value.x, T(value.e + value.e / 2), 2);
 }
 
+/// @brief The angle by which errors of two natural frequencies may turn their modes towards each other: that of the squares over
+/// their distance. The modes of a chain keep their digits however far they are apart; those of other systems do not.
+/// @param r_i  a natural frequency ratio with its error
+/// @param r_k  another one
+/// @return     radians, at most 1
+template <class T>
+[[nodiscard]] T angle_of_turn(const Bounded<T>& r_i, const Bounded<T>& r_k) {
+    const T of_squares = std::min(T(r_k.x * r_i.e + r_i.x * r_k.e), T(r_i.x * r_i.e + r_k.x * r_k.e)); // the first of chains
+    return of_squares / std::max(of_squares, T(size_of_number(T(r_i.x - r_k.x)) * (r_i.x + r_k.x)));
+}
+
 /// @brief A number with something neglected in it. @param value the number @param neglected its size @return the same
 template <class T>
 [[nodiscard]] T with_neglected(const T& value, const T& neglected) {
