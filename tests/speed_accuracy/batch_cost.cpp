@@ -49,8 +49,8 @@ std::vector<double> grid(double from, double to, std::size_t n) {
 }
 
 /// Modes of N equal masses and springs in closed form: no eigenproblem stands before the batch.
-ModalBasis<double> equal_masses(std::size_t N) {
-    ModalBasis<double> basis;
+ModalBasis<Bounded<double>> equal_masses(std::size_t N) {
+    ModalBasis<Bounded<double>> basis;
     const double quarter = pi<double>() / 2, width = static_cast<double>(2 * N + 1);
     basis.phi.resize(static_cast<Eigen::Index>(N), static_cast<Eigen::Index>(N));
     for (std::size_t i = 0; i < N; ++i) {
@@ -84,7 +84,7 @@ double BatchCost::items() const { return static_cast<double>(ratios) * static_ca
 std::vector<BatchCost> batch_costs(int repeats) {
     std::vector<BatchCost> costs;
     const auto sums_cost = [&](const std::string& series, std::size_t N, std::size_t ratios, unsigned threads) {
-        const ModalBasis<double> basis = equal_masses(N);
+        const ModalBasis<Bounded<double>> basis = equal_masses(N);
         const std::vector<double> r = grid(0.1, 2.5, ratios);
         ContactSums sums;
         const auto run = [&] { contact_sums(basis, Mass{N / 2}, Mass{0}, r, threads, sums); };

@@ -16,6 +16,7 @@
 #include "denhartog/map/contact_limits.hpp"
 #include "denhartog/map/regime_map.hpp"
 #include "denhartog/number/number.hpp"
+#include "denhartog/sums/bounded_modes.hpp"
 #include "tests/speed_accuracy/bare_functions.hpp"
 #include "tests/speed_accuracy/batch_cost.hpp"
 #include "tests/speed_accuracy/own_functions.hpp"
@@ -108,7 +109,7 @@ Table batch_speed(int repeats) {
         rates.add(std::string("v, u, g, R ") + name + ", an (r, mode), scalar forms", scalar, of_library, library);
     }
     const System<double> five = five_masses<double>(3, 0.01);
-    const ModalBasis<double> basis = modal_basis(five);
+    const ModalBasis<Bounded<double>> basis = with_errors(five, modal_basis(five));
     const std::vector<double> r = grid(1, 2.5, 10000);
     std::vector<unsigned> threads{1};
     if (cores > 1) threads.push_back(cores);

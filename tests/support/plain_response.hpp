@@ -2,6 +2,7 @@
 /// @brief The closed form at one point on any plain number type, without bounds: what answers are compared with.
 #pragma once
 
+#include <limits>
 #include <optional>
 
 #include "denhartog/number/errors.hpp"
@@ -21,6 +22,15 @@ struct Response {
     std::optional<RegimeAtPoint> regime;        ///< the regime at beta
     std::optional<SteadyState<T>> steady_state; ///< the steady state, in the sliding regime only
 };
+
+/// @brief What rounding alone does to a boundary, where nothing better is known.
+/// @param boundary  the boundary
+/// @return          16 units in the last place
+template <class T>
+[[nodiscard]] BoundaryError<T> rounding_of(const RegimeBoundary<T>& boundary) {
+    const T few = 16 * std::numeric_limits<T>::epsilon();
+    return {few * boundary.exact, boundary.sticking ? T(few * *boundary.sticking) : T(0)};
+}
 
 /// @brief The response at the point of a scene, as the number type rounds it.
 /// @eq{38,39,44,45,47,52,53,69}

@@ -20,7 +20,7 @@ TEST_CASE("over an array X_j has the digits of the form for one friction ratio, 
         for (int m = 1; m <= 100; ++m) {
             const double r = m / 33.0;
             const ModeSums<double> sums = mode_sums(basis, scene.system.contact, scene.system.load, r);
-            const double limit = regime_boundary(sums, scene.mu).exact;
+            const double limit = boundary(sums, scene.mu).exact;
             const std::size_t j = sums.contact.index;
             std::vector<double> beta{0, std::nextafter(limit, 0)};
             for (int n = 1; n < 30; ++n) beta.push_back(limit * n / 30.0);

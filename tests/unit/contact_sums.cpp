@@ -57,7 +57,7 @@ double difference(double a, double b, double size) { return a == b ? 0 : std::ab
 
 ContactSums sums_over(const System<double>& system, const std::vector<double>& r, unsigned threads) {
     ContactSums sums;
-    contact_sums(modal_basis(system), system.contact, system.load, r, threads, sums);
+    contact_sums(with_errors(system, modal_basis(system)), system.contact, system.load, r, threads, sums);
     return sums;
 }
 
@@ -110,7 +110,7 @@ TEST_CASE("the number of threads changes nothing in sums over arrays", "[eq:33][
 
 TEST_CASE("sums that are written over keep nothing of what they were", "[eq:33]") {
     const System<double> system = three_masses().system;
-    const ModalBasis<double> basis = modal_basis(system);
+    const ModalBasis<Bounded<double>> basis = with_errors(system, modal_basis(system));
     ContactSums sums;
     contact_sums(basis, system.contact, system.load, std::vector<double>{1e-200, 0.5, 1.5}, 1, sums);
     CHECK(sums.without_numbers == std::vector<std::uint8_t>{1, 0, 0});
@@ -127,7 +127,8 @@ TEST_CASE("a sum beyond the range of a double is none", "[domain]") {
 }
 
 TEST_CASE("arguments of sums over arrays are checked", "[domain]") {
-    const ModalBasis<double> basis = modal_basis(three_masses().system);
+    const System<double> system = three_masses().system;
+    const ModalBasis<Bounded<double>> basis = with_errors(system, modal_basis(system));
     const auto over = [&](Mass contact, const std::vector<double>& r, unsigned threads) {
         ContactSums sums;
         contact_sums(basis, contact, Mass{0}, r, threads, sums);

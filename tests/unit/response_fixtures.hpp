@@ -6,6 +6,7 @@
 #include <complex>
 #include <vector>
 
+#include "denhartog/answer/scene_source.hpp"
 #include "denhartog/model/stuck_configuration.hpp"
 #include "denhartog/number/certified.hpp"
 #include "denhartog/number/multiprecision.hpp"
@@ -54,6 +55,12 @@ StuckConfiguration<T> stuck_of(const System<T>& s) {
 template <class T>
 ModeSums<T> sums_of(const Scene<T>& scene) {
     return mode_sums(modal_basis(scene.system), scene.system.contact, scene.system.load, *scene.r);
+}
+
+/// @brief A scene at a frequency ratio in 50 digits: the same binary fractions.
+inline Scene<Real50> in_50_digits(Scene<double> scene, double r) {
+    scene.r = r;
+    return scene_in<Real50>(scene_source(scene));
 }
 
 /// @brief Matrices of (6) of a scene.

@@ -45,8 +45,8 @@ Boundary<Bounded<T>> boundary_with(const ModeSums<Bounded<T>>& sums, const Bound
 
 template <class T>
 Attempted errors_of_boundary(const Boundary<Bounded<T>>& b) {
-    // The load does not reach the contact: in 50 digits this is believed.
-    if (!is_double<T> && b.exact.x == 0 && b.paper.x == 0) return {0};
+    // The load does not reach the contact: in 50 digits this is believed, as far as they can tell.
+    if (!is_double<T> && b.exact.x == 0 && b.paper.x == 0 && b.exact.e <= 0x1p20 * unit_of<T>()) return {0};
     Attempted all{std::max({relative(b.exact), relative(b.paper), relative(b.approximate)})};
     if (b.sticking) all.relative = std::max(all.relative, relative(*b.sticking));
     return all;

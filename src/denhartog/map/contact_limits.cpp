@@ -25,7 +25,7 @@ constexpr std::size_t block = 1024;
     const double *U = s.U.data() + start, *size_of_U = s.size_of_U.data() + start, *certainty = s.certainty.data() + start;
     const double *H = s.H.data() + start, *size_of_H = s.size_of_H.data() + start, *squares = s.sum_of_squares.data() + start;
     double *exact = limits.exact.data() + start, *sticking = limits.sticking.data() + start;
-    const double most = limit_margin() / (0x1p-40 * static_cast<double>(s.modes)); // 2^-40: a thousand times a few eps
+    const double most = limit_margin() / (error_of_size() * static_cast<double>(s.modes));
     const double largest = std::numeric_limits<double>::max();
     double doubts[block];
 #pragma GCC ivdep

@@ -26,13 +26,26 @@ struct WeightedMode {
     double r_n;                               ///< natural frequency ratio
     double zeta;                              ///< damping ratio
     evaluation::ArrayWeights<double> weights; ///< in the sums
+    evaluation::ArrayWeights<double> sizes;   ///< in the sizes of their terms
+    double sharpness; ///< what the error of R makes of (23), (28), (29): a size of the function grows by so many of its square
 };
 
-std::vector<WeightedMode> modes_of(const ModalBasis<double>& basis, Mass contact, Mass load) {
+// The weight that a term counts with in the sizes, the error of its own among them.
+double size_of_weight(const Bounded<double>& weight) { return std::abs(weight.x) + weight.e / error_of_size(); }
+
+// Of v an error of R makes at most 2 R^2 |v|^2 of its relative size, of u and g about as much; R^2 is below 9/4 or |v| below 1.
+double sharpness_of(const Bounded<double>& r_n) { return 5 * r_n.e / r_n.x / error_of_size(); }
+
+std::vector<WeightedMode> modes_of(const ModalBasis<Bounded<double>>& basis, Mass contact, Mass load) {
     std::vector<WeightedMode> all;
     for (std::size_t i = 0; i < basis.r_n.size(); ++i) {
-        const double phi_j = basis.phi(contact.index, i), phi_l = basis.phi(load.index, i);
-        all.push_back({basis.r_n[i], basis.zeta[i], evaluation::array_weights(phi_j, phi_l, basis.r_n[i], basis.zeta[i])});
+        const evaluation::ArrayWeights<Bounded<double>> w =
+            evaluation::array_weights(basis.phi(contact.index, i), basis.phi(load.index, i), basis.r_n[i], basis.zeta[i]);
+        all.push_back({basis.r_n[i].x,
+                       basis.zeta[i].x,
+                       {w.load.x, w.contact.x, w.square.x, w.two_zeta.x},
+                       {size_of_weight(w.load), size_of_weight(w.contact), size_of_weight(w.square), w.two_zeta.x},
+                       sharpness_of(basis.r_n[i])});
     }
     return all;
 }
@@ -42,7 +55,8 @@ std::vector<WeightedMode> modes_of(const ModalBasis<double>& basis, Mass contact
 [[gnu::always_inline]] inline void add_any(const WeightedMode& mode, const Block& of, ContactSums& s, std::size_t start,
                                            std::size_t n) {
     const evaluation::ArrayWeights<double> m = mode.weights;
-    const double zeta = mode.zeta, load_size = absolute(m.load);
+    const evaluation::ArrayWeights<double> size = mode.sizes;
+    const double zeta = mode.zeta, sharpness = mode.sharpness;
     double *V_re = s.V_re.data() + start, *V_im = s.V_im.data() + start, *size_of_V = s.size_of_V.data() + start;
     double *Y_re = s.Y_re.data() + start, *Y_im = s.Y_im.data() + start, *size_of_Y = s.size_of_Y.data() + start;
     double *U = s.U.data() + start, *G = s.G.data() + start, *H = s.H.data() + start;
@@ -51,7 +65,8 @@ std::vector<WeightedMode> modes_of(const ModalBasis<double>& basis, Mass contact
 #pragma GCC ivdep
     for (std::size_t i = 0; i < n; ++i) {
         const double R = of.R[i], v_re = of.v_re[i], v_im = of.v_im[i], u = of.u[i], g = of.g[i];
-        const double size_of_v = absolute(v_re) + absolute(v_im);
+        const double modulus = absolute(v_re) + absolute(v_im), size_of_v = modulus * (1 + sharpness * modulus);
+        const double of_u = absolute(u) + 1, grown = 1 + sharpness * of_u;
         V_re[i] += m.load * v_re;
         V_im[i] += m.load * v_im;
         Y_re[i] += m.contact * v_re;
@@ -59,10 +74,10 @@ std::vector<WeightedMode> modes_of(const ModalBasis<double>& basis, Mass contact
         U[i] += m.contact * u;
         G[i] += m.contact * g;
         H[i] += evaluation::term_of_H(m, R, u, g);
-        size_of_V[i] += load_size * size_of_v;
-        size_of_Y[i] += m.contact * size_of_v;
-        size_of_U[i] += m.contact * (absolute(u) + 1);
-        size_of_H[i] += m.square * (absolute(g) + m.two_zeta * R * absolute(u) + 1);
+        size_of_V[i] += size.load * size_of_v;
+        size_of_Y[i] += size.contact * size_of_v;
+        size_of_U[i] += size.contact * of_u * grown;
+        size_of_H[i] += size.square * (absolute(g) + size.two_zeta * R * absolute(u) + 1) * grown;
         const double of_mode = evaluation::certainty_of_start(R, zeta, u, g);
         certainty[i] = of_mode < certainty[i] ? of_mode : certainty[i];
     }
@@ -123,7 +138,8 @@ void compute(const std::vector<WeightedMode>& modes, std::span<const double> r, 
     Block of;
     const auto at = static_cast<std::ptrdiff_t>(start);
     for (std::vector<double>* each : all_of(s)) std::fill_n(each->begin() + at, n, 0.0);
-    std::fill_n(s.certainty.begin() + at, n, std::numeric_limits<double>::max());
+    const bool known = std::ranges::all_of(modes, [](const WeightedMode& m) { return m.sharpness <= 1; });
+    std::fill_n(s.certainty.begin() + at, n, known ? std::numeric_limits<double>::max() : 0.0);
     std::fill_n(s.without_numbers.begin() + at, n, std::uint8_t(0));
     double sum_of_squares = 0;
     for (const WeightedMode& m : modes) {
@@ -140,7 +156,7 @@ void compute(const std::vector<WeightedMode>& modes, std::span<const double> r, 
 
 } // namespace
 
-void contact_sums(const ModalBasis<double>& basis, Mass contact, Mass load, std::span<const double> r, unsigned threads,
+void contact_sums(const ModalBasis<Bounded<double>>& basis, Mass contact, Mass load, std::span<const double> r, unsigned threads,
                   ContactSums& s) {
     const std::size_t N = basis.r_n.size(), points = r.size();
     const std::string rule = "must be a mass from 1 to " + std::to_string(N);

@@ -3,7 +3,8 @@
 ///
 /// Each mode is evaluated once a frequency ratio. With \f$ \psi_i=\phi_i/r \f$ and \f$ R_i=r/r_{n,i} \f$ the weights
 /// \f$ \psi_{ki}\psi_{li}R_i^2 \f$ of (33)-(35) are \f$ \phi_{ki}\phi_{li}/r_{n,i}^2 \f$: nothing of them depends on r. Memory is
-/// that of the results and a few blocks.
+/// that of the results and a few blocks. Each sum comes with the size of its terms: what rounding and the errors of the modes make
+/// of a term is below `error_of_size()` of that.
 #pragma once
 
 #include <cstdint>
@@ -11,8 +12,12 @@
 #include <vector>
 
 #include "denhartog/model/modal_basis.hpp"
+#include "denhartog/number/bounded.hpp"
 
 namespace denhartog {
+
+/// @brief What errors make of a term, in units of its size. @return 2^-40: a thousand times a few units in the last place
+[[nodiscard]] constexpr double error_of_size() { return 0x1p-40; }
 
 /// @brief Sums over modes at the mass in contact, an entry a frequency ratio.
 struct ContactSums {
@@ -28,7 +33,8 @@ struct ContactSums {
     std::vector<double> size_of_Y;      ///< of Y_jj
     std::vector<double> size_of_U;      ///< of U_dj, each term 1 larger than (28)
     std::vector<double> size_of_H;      ///< of H_j, each term 1 larger than in (64)
-    std::vector<double> certainty; ///< least of the modes' `evaluation::certainty_of_start`: positive where (57) is largest at 0
+    std::vector<double> certainty; ///< least of the modes' `evaluation::certainty_of_start`: positive where (57) is largest at 0;
+                                   ///< none is positive where a natural frequency has too few digits for `error_of_size()`
     std::vector<std::uint8_t> without_numbers; ///< 1 where a mode without damping resonates, or a sum is beyond the range of a
                                                ///< double: the other entries mean nothing and are 0
     std::size_t modes = 0;                     ///< how many modes were summed
@@ -36,14 +42,14 @@ struct ContactSums {
 
 /// @brief Evaluates the modes over an array of frequency ratios and sums them.
 /// @eq{22,23,28,29,33,34,35,64,65}
-/// @param basis    modal basis of the system, N modes
+/// @param basis    modal basis of the system with its errors, N modes
 /// @param contact  the mass in contact, j
 /// @param load     the loaded mass, l
 /// @param r        frequency ratios, Eq. (10); positive
 /// @param threads  threads, at least 1; the result does not depend on it
 /// @param sums     written over: their memory serves again
 /// @throws         InputError where an r, j, l or the number of threads breaks its rule
-void contact_sums(const ModalBasis<double>& basis, Mass contact, Mass load, std::span<const double> r, unsigned threads,
+void contact_sums(const ModalBasis<Bounded<double>>& basis, Mass contact, Mass load, std::span<const double> r, unsigned threads,
                   ContactSums& sums);
 
 } // namespace denhartog

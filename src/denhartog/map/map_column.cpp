@@ -3,17 +3,21 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
 
+#include "denhartog/answer/held_solution.hpp"
+#include "denhartog/evaluation/contact.hpp"
 #include "denhartog/map/contact_amplitudes.hpp"
 #include "denhartog/number/effort.hpp"
 #include "denhartog/number/errors.hpp"
-#include "denhartog/sliding/regime.hpp"
+#include "denhartog/solve/solve.hpp"
 #include "denhartog/stick_slip/at_maximum_of_force.hpp"
 #include "denhartog/stick_slip/periodic_orbit.hpp"
+#include "denhartog/sums/chain_sums.hpp"
 
 namespace denhartog {
 namespace {
+
+constexpr double least_accuracy = 1e-6; // relative to an amplitude: what has less is left to `solve`
 
 class MapColumn {
 public:
@@ -21,147 +25,202 @@ public:
               std::span<double> amplitudes_)
         : map(map_), r(r_), by_arrays(arrays.has_value()), column(arrays ? *arrays : evaluated()), points(points_),
           amplitudes(amplitudes_),
-          contact_alone(std::ranges::all_of(map.masses, [&](Mass k) { return k == map.system.contact; })) {}
+          contact_alone(std::ranges::all_of(map.masses, [&](Mass k) { return k == map.system().contact; })) {}
 
+    // The point in double; by `solve`, where the bounds do not tell the regime or leave an amplitude too few digits. Where `solve`
+    // finds no more, the point is next to a boundary and has the numbers that double has.
     void answer(std::size_t n) {
-        const double beta = map.beta[n];
-        const bool may_differ = map.mu > 1 && beta > 0;
-        if (may_differ && map.start == MapStart::rest)
-            follow(n, at_rest<double>(map.system.basis.r_n.size()));
-        else if (slides(beta))
-            slide(n);
-        else if (rests(beta) && (!may_differ || !last))
-            stick(n);
-        else
-            sweep(n);
-        if (points[n].status == PointStatus::answered && near_limit(beta)) points[n].status = PointStatus::on_boundary;
+        try {
+            if (answer_in_double(n)) return;
+        } catch (const DomainError&) {
+        } catch (const PrecisionError&) {
+        }
+        try {
+            return answer_by_solve(n);
+        } catch (const PrecisionError&) {
+            if (is_told(n)) throw;
+        }
+        is_near = true;
+        const bool has_numbers = answer_in_double(n);
+        is_near = false;
+        if (!has_numbers) throw PrecisionError("an amplitude is beyond the range of a double");
+        if (points[n].status == PointStatus::answered) points[n].status = PointStatus::on_boundary;
     }
 
     // As many points from n on as the closed form or the rest answer without a motion to follow; the contact's amplitude alone.
     std::size_t answer_together(std::size_t n) {
         if (!answers_together(map)) return 0;
         const std::size_t first = n;
-        while (n < points.size() && slides(map.beta[n])) ++n;
-        contact_amplitudes(column.V_dj, column.U_dj, column.G_j, std::span(map.beta).subspan(first, n - first),
+        while (n < points.size() && slides(map.beta[n]) && is_told(n)) ++n;
+        contact_amplitudes(values(column.V_dj), column.U_dj.x, column.G_j.x, std::span(map.beta).subspan(first, n - first),
                            amplitudes.subspan(first, n - first));
         for (std::size_t m = first; m < n; ++m) {
-            if (std::isfinite(amplitudes[m]))
-                put(m, Regime::continuous);
+            if (is_accurate(contact_amplitude(m)))
+                points[m] = {PointStatus::answered, Regime::continuous, 0, 1};
             else
                 n = m;
         }
         if (n > first) sliding = n - 1;
-        for (; n < points.size() && map.mu == 1 && rests(map.beta[n]); ++n) {
+        for (; n < points.size() && map.mu == 1 && rests(map.beta[n]) && is_told(n); ++n) {
             amplitudes[n] = 0;
-            put(n, Regime::permanent_sticking);
+            points[n] = {PointStatus::answered, Regime::permanent_sticking, 0, 1};
         }
         if (n > first) last.reset();
         return n - first;
     }
 
 private:
-    const ModeSums<double>& sums() {
-        if (!sums_) sums_ = mode_sums(map.system.basis, map.system.contact, map.system.load, r);
+    static Complex<double> values(const Complex<Bounded<double>>& z) { return {z.re.x, z.im.x}; }
+    static bool is_accurate(const Bounded<double>& amplitude) { return amplitude.e <= least_accuracy * amplitude.x; }
+
+    const ModeSums<Bounded<double>>& sums() {
+        if (!sums_) {
+            BoundedModes<double> modes(map.prepared.bounded, as_input(r));
+            sums_ = bounded_sums(map.prepared.scene.system, modes);
+        }
         return *sums_;
     }
 
-    const RegimeBoundary<double>& limits() {
-        if (!limits_) limits_ = regime_boundary(sums(), map.mu);
-        return *limits_;
-    }
-
     ContactColumn evaluated() {
-        const std::size_t j = map.system.contact.index;
-        const double never = std::numeric_limits<double>::infinity();
-        return {sums().V[j], sums().U[j], sums().G[j], limits().exact, limits().sticking.value_or(never)};
+        const std::size_t j = map.system().contact.index;
+        return {sums().V[j], sums().U[j], sums().G[j], regime_boundary(sums(), as_input(map.mu))};
     }
 
-    bool slides(double beta) const { return beta < column.exact; }
-    bool rests(double beta) const { return !slides(beta) && beta >= column.sticking; }
+    bool slides(double beta) const { return beta < column.boundary.exact.x; }
+    bool rests(double beta) const { return !slides(beta) && column.boundary.sticking && beta >= column.boundary.sticking->x; }
 
-    // Whether the regime could be the neighbour's; never where the arrays tell it.
-    bool near_limit(double beta) { return !by_arrays && on_boundary(limits(), beta, rounding_of(limits())); }
-
-    void put(std::size_t n, Regime regime) {
-        points[n] = {near_limit(map.beta[n]) ? PointStatus::on_boundary : PointStatus::answered, regime, 0, 1};
+    // Whether the regime is no other for what the limits may be off by.
+    bool is_told(std::size_t n) const {
+        if (is_near) return true;
+        const auto apart = [beta = map.beta[n]](const Bounded<double>& limit) { return std::abs(beta - limit.x) >= limit.e; };
+        return apart(column.boundary.exact) && (!column.boundary.sticking || apart(*column.boundary.sticking));
     }
 
-    void write(std::size_t n, std::size_t place, double amplitude) {
-        if (!std::isfinite(amplitude)) throw PrecisionError("the amplitude is beyond the range of a double");
-        amplitudes[n * map.masses.size() + place] = amplitude;
+    // The amplitude of the contact with its bound; what the arrays tell is far inside of what is asked.
+    Bounded<double> contact_amplitude(std::size_t n) const {
+        if (by_arrays) return Bounded<double>(amplitudes[n]);
+        return evaluation::displacement_transmissibility_of_contact(column.V_dj, column.U_dj, column.G_j, as_input(map.beta[n]));
     }
 
-    void slide(std::size_t n) {
+    bool answer_in_double(std::size_t n) {
         const double beta = map.beta[n];
-        if (contact_alone) {
-            double X_j = 0;
-            contact_amplitudes(column.V_dj, column.U_dj, column.G_j, {&beta, 1}, {&X_j, 1});
-            for (std::size_t m = 0; m < map.masses.size(); ++m) write(n, m, X_j);
-        } else {
-            const SteadyState<double> state = steady_state(sums(), limits(), beta);
-            for (std::size_t m = 0; m < map.masses.size(); ++m) write(n, m, state.masses[map.masses[m].index].amplitude);
+        const bool may_differ = map.mu > 1 && beta > 0;
+        if (may_differ && map.start == MapStart::rest) return follow(n, at_rest<double>(map.system().basis.r_n.size()));
+        if (slides(beta)) return is_told(n) && slide(n);
+        if (rests(beta) && (!may_differ || !last)) return is_told(n) && stick(n);
+        return is_told(n) && sweep(n);
+    }
+
+    // Writes the amplitudes, of which `number` gives each; false where one has too few digits.
+    bool write(std::size_t n, const std::function<Bounded<double>(std::size_t k)>& number) {
+        for (std::size_t m = 0; m < map.masses.size(); ++m) {
+            const Bounded<double> amplitude = number(map.masses[m].index);
+            if (!std::isfinite(amplitude.x) || !(is_near || is_accurate(amplitude))) return false;
+            amplitudes[n * map.masses.size() + m] = amplitude.x;
         }
+        return true;
+    }
+
+    bool slide(std::size_t n) {
+        const Bounded<double> beta = as_input(map.beta[n]);
+        const std::optional<Mass> only = map.masses.size() == 1 ? std::optional(map.masses.front()) : std::nullopt;
+        const std::vector<double> instants = instants_of_maxima(values_of(sums()), beta.x, only);
+        const SteadyState<Bounded<double>> state =
+            steady_state_at(sums(), beta, std::vector<Bounded<double>>(instants.begin(), instants.end()), only);
+        if (!write(n, [&](std::size_t k) { return state.masses[k].amplitude; })) return false;
         points[n] = {PointStatus::answered, Regime::continuous, 0, 1};
         sliding = n;
         last.reset();
+        return true;
     }
 
-    void stick(std::size_t n) {
-        if (!contact_alone && !held) held = stuck_response(map.system.stuck, map.system.contact, map.system.load, r);
-        for (std::size_t m = 0; m < map.masses.size(); ++m)
-            write(n, m, map.masses[m] == map.system.contact ? 0 : held->masses[map.masses[m].index].amplitude);
+    bool stick(std::size_t n) {
+        if (!contact_alone && !held) {
+            Scene<double> scene = map.prepared.scene;
+            scene.r = r;
+            scene.beta = map.beta[n];
+            held = held_solution(scene, map.system().stuck, *map.prepared.bounded, 6);
+        }
+        const auto number = [&](std::size_t k) {
+            if (k == map.system().contact.index) return Bounded<double>(0);
+            return Bounded<double>(held->masses[k].amplitude.value, held->masses[k].amplitude.error);
+        };
+        if (!write(n, number)) return false;
         points[n] = {PointStatus::answered, Regime::permanent_sticking, 0, 1};
         last.reset();
+        return true;
     }
 
     // From the motion at the friction ratio before; where that leads nowhere, from rest.
-    void sweep(std::size_t n) {
-        if (!last && sliding) last = at_maximum_of_force(sums(), steady_state(sums(), limits(), map.beta[*sliding]));
-        if (last) follow(n, *last);
-        if (!last || points[n].status != PointStatus::answered) follow(n, at_rest<double>(map.system.basis.r_n.size()));
+    bool sweep(std::size_t n) {
+        if (!last && sliding) {
+            const ModeSums<double> here = values_of(sums());
+            last = at_maximum_of_force(here, steady_state_without_maxima(here, map.beta[*sliding]));
+        }
+        if (last && follow(n, *last) && points[n].status == PointStatus::answered) return true;
+        return follow(n, at_rest<double>(map.system().basis.r_n.size()));
     }
 
-    void follow(std::size_t n, const State<double>& start) {
+    bool follow(std::size_t n, const State<double>& start) {
         const Excitation<double> excitation{r, map.beta[n], map.mu};
         if (solver)
             solver->set(excitation);
         else
-            solver.emplace(map.system, excitation);
+            solver.emplace(map.system(), excitation);
         OrbitSearch<double> search;
         search.follow_start = map.mu > 1 && map.start == MapStart::rest;
         search.contact_only = contact_alone;
         search.with_stability = false;
         const PeriodicOrbit<double> orbit = periodic_orbit(*solver, start, search);
-        if (orbit.status == OrbitStatus::permanently_stuck && (map.mu > 1 || column.sticking == map.beta[n])) return stick(n);
+        if (orbit.status == OrbitStatus::permanently_stuck && map.mu > 1) return is_told(n) && stick(n);
         points[n].status = PointStatus::not_converged;
-        if (orbit.status != OrbitStatus::periodic) return;
-        for (std::size_t m = 0; m < map.masses.size(); ++m)
-            write(n, m, contact_alone ? orbit.contact.amplitude : orbit.masses[map.masses[m].index].amplitude);
+        if (orbit.status != OrbitStatus::periodic) return true;
+        const auto number = [&](std::size_t k) {
+            return Bounded<double>(contact_alone ? orbit.contact.amplitude : orbit.masses[k].amplitude, orbit.error_bound);
+        };
+        if (!is_told(n) || !write(n, number)) return false;
         // With mu = 1 the boundary tells the regime, also where it is so near that no stop is seen.
         const Regime regime = orbit.stops.empty() && map.mu > 1 ? Regime::continuous : Regime::stick_slip;
         points[n] = {PointStatus::answered, regime, static_cast<std::int32_t>(orbit.stops.size()), orbit.periods};
         last = orbit.start;
+        return true;
+    }
+
+    // As users ask: it follows the start from rest where there is more than one motion, and no other.
+    void answer_by_solve(std::size_t n) {
+        if (map.mu > 1 && map.start == MapStart::sliding && map.beta[n] > 0)
+            throw PrecisionError("double does not tell the regime, or has too few digits of an amplitude");
+        Question question;
+        question.asked = Asked::amplitude;
+        if (map.masses.size() == 1) question.mass = map.masses.front();
+        const Solution s = solve(map.prepared, r, map.beta[n], question);
+        if (!s.digits_reached) throw PrecisionError("an amplitude has too few digits");
+        for (std::size_t m = 0; m < map.masses.size(); ++m)
+            amplitudes[n * map.masses.size() + m] = s.amplitude(map.masses[m]).value;
+        points[n] = {s.regime.on_boundary ? PointStatus::on_boundary : PointStatus::answered, s.regime.regime,
+                     static_cast<std::int32_t>(s.stops.size()), s.periods};
     }
 
     const MapSystem& map;
     double r;
-    std::optional<ModeSums<double>> sums_;         // evaluated when they are first needed
-    std::optional<RegimeBoundary<double>> limits_; // the same
-    bool by_arrays;                                // whether `column` comes from the arrays
+    std::optional<ModeSums<Bounded<double>>> sums_; // evaluated when they are first needed
+    bool by_arrays;                                 // whether `column` comes from the arrays
     ContactColumn column;
     std::span<MapPoint> points;
     std::span<double> amplitudes;
     bool contact_alone;
+    bool is_near = false;                      // whether the point is taken as double has it
     std::optional<std::size_t> sliding;        // the last point where the closed form answered
     std::optional<State<double>> last;         // the last periodic orbit
-    std::optional<StuckResponse<double>> held; // found when it is first needed
+    std::optional<HeldSolution> held;          // found when it is first needed
     std::optional<ExactSolver<double>> solver; // set up when it is first needed
 };
 
 } // namespace
 
 bool answers_together(const MapSystem& map) {
-    return map.masses.size() == 1 && map.masses.front() == map.system.contact && (map.mu == 1 || map.start == MapStart::sliding);
+    return map.masses.size() == 1 && map.masses.front() == map.system().contact &&
+           (map.mu == 1 || map.start == MapStart::sliding);
 }
 
 void compute_column(const MapSystem& map, double r, const std::optional<ContactColumn>& arrays, const std::atomic<bool>& stop,
@@ -171,7 +230,7 @@ void compute_column(const MapSystem& map, double r, const std::optional<ContactC
         points[n] = {status, Regime::continuous, 0, 1};
         std::ranges::fill(amplitudes.subspan(n * masses, masses), std::nan(""));
     };
-    const std::size_t modes = map.system.basis.r_n.size();
+    const std::size_t modes = map.system().basis.r_n.size();
     const std::function<bool()> stopped = [&stop] { return stop.load(std::memory_order_relaxed); };
     std::optional<MapColumn> column;
     PointStatus fault = PointStatus::failed;

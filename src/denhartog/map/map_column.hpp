@@ -6,20 +6,23 @@
 #include <optional>
 #include <span>
 
-#include "denhartog/formulas/complex.hpp"
 #include "denhartog/map/regime_map.hpp"
-#include "denhartog/stick_slip/exact_motion.hpp"
+#include "denhartog/sliding/boundary.hpp"
+#include "denhartog/solve/prepared_system.hpp"
 
 namespace denhartog {
 
 /// @brief What the columns of a map share.
 struct MapSystem {
-    const ContactSystem<double>& system; ///< modes, sliding and stuck
-    double mu;                           ///< static over kinetic friction
-    MapStart start;                      ///< which motion, where there are several
-    const std::vector<double>& beta;     ///< friction ratios
-    const std::vector<Mass>& masses;     ///< masses whose amplitudes are wanted
-    std::optional<long> effort{};        ///< operations allowed a point
+    PreparedSystem prepared;         ///< the system, for every regime
+    double mu;                       ///< static over kinetic friction
+    MapStart start;                  ///< which motion, where there are several
+    const std::vector<double>& beta; ///< friction ratios
+    const std::vector<Mass>& masses; ///< masses whose amplitudes are wanted
+    std::optional<long> effort{};    ///< operations allowed a point
+
+    /// @brief The system as the exact solver needs it. @return modes, sliding and stuck
+    [[nodiscard]] const ContactSystem<double>& system() const { return *prepared.moving; }
 };
 
 /// @brief Whether the contact alone is asked for, and no point but one of stick-slip needs a motion to be followed.
@@ -27,13 +30,12 @@ struct MapSystem {
 /// @return     true where the closed form and the rest answer many points of a column together
 [[nodiscard]] bool answers_together(const MapSystem& map);
 
-/// @brief What a column has of its frequency ratio.
+/// @brief What a column has of its frequency ratio, with bounds where it was evaluated; what the arrays tell has none.
 struct ContactColumn {
-    Complex<double> V_dj; ///< complex response function of the mass in contact, Eq. (33)
-    double U_dj;          ///< first damping function, Eq. (34)
-    double G_j;           ///< second damping function, Eq. (35)
-    double exact;         ///< beta_lim, Eq. (69)
-    double sticking;      ///< the contact rests from here on; infinite where no friction can hold it
+    Complex<Bounded<double>> V_dj;            ///< complex response function of the mass in contact, Eq. (33)
+    Bounded<double> U_dj;                     ///< first damping function, Eq. (34)
+    Bounded<double> G_j;                      ///< second damping function, Eq. (35)
+    RegimeBoundary<Bounded<double>> boundary; ///< where the regimes part
 };
 
 /// @brief Computes a column.

@@ -4,12 +4,12 @@
 #include <cmath>
 #include <mutex>
 
+#include "denhartog/answer/sliding_solution.hpp"
 #include "denhartog/map/contact_limits.hpp"
 #include "denhartog/map/map_column.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/parallel.hpp"
 #include "denhartog/scene/point_rules.hpp"
-#include "denhartog/sliding/boundary.hpp"
 
 namespace denhartog {
 namespace {
@@ -20,6 +20,13 @@ constexpr std::size_t columns_at_a_time = 4096;
 void check_frequencies(const std::vector<double>& r) {
     if (r.empty()) throw InputError("r", "must have at least one value", "none");
     for (const double each : r) check_frequency_ratio(each);
+}
+
+// A scene at a frequency ratio, its boundary asked for.
+Scene<double> at_frequency(Scene<double> scene, double r) {
+    scene.r = r;
+    scene.beta = std::nullopt;
+    return scene;
 }
 
 void check_request(const MapRequest& request, std::size_t N) {
@@ -46,13 +53,13 @@ public:
 
     void compute(std::span<const double> r, unsigned threads) {
         if (!wanted) return;
-        contact_sums(map.system.basis, map.system.contact, map.system.load, r, threads, sums);
+        contact_sums(*map.prepared.bounded, map.system().contact, map.system().load, r, threads, sums);
         contact_limits(sums, map.mu, threads, limits);
     }
 
     [[nodiscard]] std::optional<ContactColumn> at(std::size_t m) const {
         if (!wanted || !limits_tell(limits, m, ascending)) return std::nullopt;
-        return ContactColumn{{sums.V_re[m], sums.V_im[m]}, sums.U[m], sums.G[m], limits.exact[m], limits.sticking[m]};
+        return ContactColumn{{sums.V_re[m], sums.V_im[m]}, sums.U[m], sums.G[m], {limits.exact[m], limits.sticking[m]}};
     }
 
 private:
@@ -80,8 +87,12 @@ RegimeMap regime_map(const Scene<double>& scene, const MapRequest& request, cons
                      const std::function<void(std::size_t done)>& done) {
     check(scene);
     check_request(request, number_of_masses(scene.system));
-    const ContactSystem<double> system = contact_system(scene.system);
-    const MapSystem shared{system, scene.mu, request.start, request.beta, request.masses, request.effort};
+    const MapSystem shared{prepare(scene_source(scene), {}, Prepared::every_regime),
+                           scene.mu,
+                           request.start,
+                           request.beta,
+                           request.masses,
+                           request.effort};
     Arrays arrays(shared);
     const std::size_t columns = request.r.size(), rows = request.beta.size(), masses = request.masses.size();
     RegimeMap map;
@@ -111,15 +122,22 @@ RegimeMap regime_map(const Scene<double>& scene, const MapRequest& request, cons
 std::vector<BoundaryPoint> boundary_curves(const Scene<double>& scene, const std::vector<double>& r) {
     check(scene);
     check_frequencies(r);
-    const ModalBasis<double> basis = modal_basis(scene.system);
+    SlidingQuestion question;
+    question.asked = Asked::regime;
+    const auto basis = std::make_shared<const ModalBasis<Bounded<double>>>(with_errors(scene.system, modal_basis(scene.system)));
     std::vector<BoundaryPoint> curves(r.size());
     for (std::size_t n = 0; n < r.size(); ++n) {
         try {
-            const Boundary<double> b = boundary(mode_sums(basis, scene.system.contact, scene.system.load, r[n]), scene.mu);
-            bool finite = true; // far off in frequency numbers leave the range of a double
-            for (const double limit : {b.exact, b.paper, b.approximate, b.sticking.value_or(0)})
-                finite = finite && limit >= 0 && std::isfinite(limit);
-            if (finite) curves[n] = {PointStatus::answered, b.exact, b.paper, b.approximate, b.sticking};
+            BoundedModes<double> modes(basis, as_input(r[n]));
+            question.modes = &modes;
+            const Solution s = sliding_solution(scene_source(at_frequency(scene, r[n])), question);
+            const Limits& b = *s.limits;
+            bool finite = s.digits_reached; // far off in frequency numbers leave the range of a double
+            for (const Certified& limit : {b.exact, b.paper, b.approximate})
+                finite = finite && limit.value >= 0 && std::isfinite(limit.value);
+            if (!finite) continue;
+            curves[n] = {PointStatus::answered, b.exact.value, b.paper.value, b.approximate.value, std::nullopt};
+            if (b.sticking) curves[n].sticking = b.sticking->value;
         } catch (const DomainError&) {
             curves[n].status = PointStatus::at_a_pole;
         } catch (const PrecisionError&) {

@@ -1,10 +1,10 @@
 /// @file
-/// @brief The regime, the amplitudes and the stops per period over a grid of (r, beta).
+/// @brief The regime, the amplitudes and the stops per period over a grid of (r, beta), in double as far as that is certain.
 ///
 /// A column is a frequency ratio: one evaluation of the modes and one boundary serve all its friction ratios. Where the contact
 /// slides throughout the closed form answers, where it rests the stuck response; where it sticks and slips the periodic orbit is
-/// found from that of the friction ratio before it. Columns know nothing of each other, so that the map is the same for any
-/// number of threads.
+/// found from that of the friction ratio before it. Where the bounds of double do not tell the regime, or leave an amplitude fewer
+/// than 6 digits, `solve` answers. Columns know nothing of each other, so that the map is the same for any number of threads.
 #pragma once
 
 #include <atomic>
@@ -31,7 +31,7 @@ enum class PointStatus : std::int8_t {
     on_boundary = 1,   ///< all numbers are there; beta equals a boundary to rounding, the regime could be the neighbour
     not_converged = 2, ///< no steady motion was found: no regime, no number
     at_a_pole = 3,     ///< a mode without damping resonates: no number
-    failed = 4         ///< the digits of double do not suffice: no number
+    failed = 4         ///< the digits of the number types do not suffice: no number
 };
 
 /// @brief Name of a status as files have it. @param status a status @return e.g. `not_converged`

@@ -227,10 +227,11 @@ bool largest_at_start(const ModeSums<double>& s) {
     return true;
 }
 
-RegimeBoundary<double> regime_boundary(const ModeSums<double>& s, double mu) {
+RegimeBoundary<Bounded<double>> regime_boundary(const ModeSums<Bounded<double>>& s, const Bounded<double>& mu) {
     check_static_friction(mu);
-    const double instant = largest_at_start(s) ? 0 : instant_of_largest_demand(s);
-    return regime_boundary_at(s, mu, sliding_demand(s, instant));
+    const ModeSums<double> values = values_of(s);
+    const double instant = largest_at_start(values) ? 0 : instant_of_largest_demand(values);
+    return regime_boundary_at(s, mu, found_by_search(sliding_demand(s, Bounded<double>(instant))));
 }
 
 long demand_searches() { return searches; }

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "denhartog/number/bounded.hpp"
 #include "denhartog/sliding/regime_at_point.hpp"
 #include "denhartog/sums/mode_sums.hpp"
 
@@ -47,9 +48,9 @@ template <class T>
 /// @eq{54,57,58,67,69,71,72}
 /// @param sums  modes at the frequency ratio
 /// @param mu    static over kinetic friction, Eq. (3); at least 1
-/// @return      the same numbers as `boundary`
-/// @throws      InputError where mu is below 1 or not finite
-[[nodiscard]] RegimeBoundary<double> regime_boundary(const ModeSums<double>& sums, double mu);
+/// @return      the same numbers as `boundary`, with bounds of their errors
+/// @throws      InputError where mu is below 1 or not finite; PrecisionError where the maximum is not settled
+[[nodiscard]] RegimeBoundary<Bounded<double>> regime_boundary(const ModeSums<Bounded<double>>& sums, const Bounded<double>& mu);
 
 /// @brief Whether (57) of every mode is certain to be largest for tau -> 0, by `evaluation::excess_at_the_end`: so is the sum.
 /// @eq{57,71}

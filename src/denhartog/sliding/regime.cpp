@@ -62,12 +62,6 @@ bool on_boundary(const RegimeBoundary<T>& b, const T& beta, const BoundaryError<
 }
 
 template <class T>
-BoundaryError<T> rounding_of(const RegimeBoundary<T>& b) {
-    const T few = 16 * std::numeric_limits<T>::epsilon();
-    return {few * b.exact, b.sticking ? T(few * *b.sticking) : T(0)};
-}
-
-template <class T>
 RegimeAtPoint regime_at(const Boundary<T>& b, const T& beta, const BoundaryError<T>& error) {
     check_friction_ratio(beta);
     const bool can_rest = b.sticking && beta >= *b.sticking;
@@ -111,9 +105,6 @@ template Regime regime_of(const RegimeBoundary<Bounded<Real100>>&, const Bounded
 template bool on_boundary(const RegimeBoundary<double>&, const double&, const BoundaryError<double>&);
 template bool on_boundary(const RegimeBoundary<Real50>&, const Real50&, const BoundaryError<Real50>&);
 template bool on_boundary(const RegimeBoundary<Real100>&, const Real100&, const BoundaryError<Real100>&);
-template BoundaryError<double> rounding_of(const RegimeBoundary<double>&);
-template BoundaryError<Real50> rounding_of(const RegimeBoundary<Real50>&);
-template BoundaryError<Real100> rounding_of(const RegimeBoundary<Real100>&);
 template RegimeAtPoint regime_at(const Boundary<double>&, const double&, const BoundaryError<double>&);
 template RegimeAtPoint regime_at(const Boundary<Real50>&, const Real50&, const BoundaryError<Real50>&);
 template RegimeAtPoint regime_at(const Boundary<Real100>&, const Real100&, const BoundaryError<Real100>&);

@@ -31,12 +31,6 @@ template <class T>
 template <class T>
 [[nodiscard]] bool on_boundary(const RegimeBoundary<T>& boundary, const T& beta, const BoundaryError<T>& error);
 
-/// @brief What rounding alone does to a boundary, where nothing better was measured.
-/// @param boundary  the boundary
-/// @return          16 units in the last place
-template <class T>
-[[nodiscard]] BoundaryError<T> rounding_of(const RegimeBoundary<T>& boundary);
-
 /// @brief The regime at a friction ratio: sliding below (69), permanent sticking from `sticking` on, stick-slip between.
 ///
 /// With mu > 1 the sliding regime can reach beyond `sticking`: the contact then slides if it is moving, and rests if it rests.

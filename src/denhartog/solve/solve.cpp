@@ -78,6 +78,9 @@ void answer_from_rest(const SolveTask& task, Solution& s) {
                              "; certain until then: " + s.regime.reason);
     }
     const bool rests = orbit.status == OrbitStatus::permanently_stuck;
+    // With mu = 1 the boundaries tell that it never rests for ever: only rounding does not see it move.
+    if (rests && task.scene.mu == 1 && !task.pole && s.regime.regime == Regime::stick_slip && !s.regime.on_boundary)
+        throw PrecisionError("double does not tell the motion from a rest; certain until then: " + s.regime.reason);
     const bool slides = !task.pole && !rests && is_closed_form(orbit, s);
     if (rests)
         set_regime(task, Regime::permanent_sticking, "from the start from rest " + orbit.reason, s);

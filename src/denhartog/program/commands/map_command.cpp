@@ -122,9 +122,10 @@ void add_map_command(CLI::App& app, ExitStatus& status) {
     command->footer(
         "r and beta of the scene are not used. CSV, a line a point, beta running fastest: r, beta, regime (continuous,\n"
         "stick_slip, permanent_sticking), stops_per_period, periods (of the force in a period of the motion), amplitude_K of\n"
-        "each mass K in units of P / k_1, status. status: answered; on_boundary, beta equals a boundary to rounding and the\n"
-        "regime could be the neighbour; not_converged, no steady motion was found; at_a_pole, a mode without damping\n"
-        "resonates; failed, double has not the digits. In the last three the numbers are nan and there is no regime.\n"
+        "each mass K in units of P / k_1, status. Where double does not tell the regime or has fewer than 6 digits of an\n"
+        "amplitude, the point is answered as by `solve`. status: answered; on_boundary, beta equals a boundary to rounding\n"
+        "and the regime could be the neighbour; not_converged, no steady motion was found; at_a_pole, a mode without damping\n"
+        "resonates; failed, the digits do not suffice. In the last three the numbers are nan and there is no regime.\n"
         "NPY: an array of records (r by beta) with the same fields; regime is 0, 1, 2 in the order above and -1 for none,\n"
         "status 0 to 4, whole numbers -1 where they are not known. A contact that rests is taken to rest at zero.\n"
         "With mu = 1 and damping in every mode the velocities do not depend on the start. Else: --start rest follows the\n"
