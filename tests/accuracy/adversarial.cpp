@@ -18,7 +18,6 @@ AdversarialSurvey sample(std::size_t scenes, std::uint64_t seed, bool questions)
     run.range = mild;
     run.questions = questions;
     run.contradictions = !questions;
-    run.without_bounds = false;
     run.all_motions = false;
     return survey_in_process(run);
 }

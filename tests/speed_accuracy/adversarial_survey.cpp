@@ -186,10 +186,15 @@ Found compared_quantities(const Scene<double>& scene) {
     return comparer.found;
 }
 
-// Numbers without a bound: of a map and of the curves of the boundary, which are meant to have the digits of double.
+// Numbers that are handed out without their bounds, to 6 digits: of a map and of the curves of the boundary. A mass that does not
+// move by double is none.
 Found compared_map(const Scene<double>& scene) {
     AnswerComparer comparer;
     const auto in_double = [](double x) { return Certified{x, 1e-6 * std::abs(x), {}}; };
+    const auto amplitude = [&](const RegimeMap& map, std::size_t k) {
+        const double largest = *std::ranges::max_element(map.amplitudes);
+        return Certified{map.amplitudes[k], 1e-6 * map.amplitudes[k] + 0x1p-48 * (map.amplitudes[k] == 0 ? largest : 0), {}};
+    };
     const Solution many = solve(scene, {Asked::motion, 15});
     comparer.reference(numbers_of(many));
     comparer.compare("map", [&] {
@@ -200,8 +205,7 @@ Found compared_map(const Scene<double>& scene) {
         std::vector<NamedNumber> numbers;
         if (map.points[0].status == PointStatus::answered) {
             comparer.same("regime of a map", "map", map.points[0].regime == many.regime.regime);
-            for (std::size_t k = 0; k < map.amplitudes.size(); ++k)
-                numbers.push_back({"amplitude", k + 1, in_double(map.amplitudes[k])});
+            for (std::size_t k = 0; k < map.amplitudes.size(); ++k) numbers.push_back({"amplitude", k + 1, amplitude(map, k)});
         }
         return numbers;
     });
@@ -214,18 +218,17 @@ Found compared_map(const Scene<double>& scene) {
     return comparer.found;
 }
 
-std::vector<NamedQuestion> comparing_questions(bool without_bounds) {
-    std::vector<NamedQuestion> all{{"compare solutions", compared_solutions},
-                                   {"compare boundaries", compared_boundaries},
-                                   {"compare quantities", compared_quantities}};
-    if (without_bounds) all.push_back({"compare map", compared_map});
-    return all;
+std::vector<NamedQuestion> comparing_questions() {
+    return {{"compare solutions", compared_solutions},
+            {"compare boundaries", compared_boundaries},
+            {"compare quantities", compared_quantities},
+            {"compare map", compared_map}};
 }
 
 std::vector<NamedQuestion> all_questions(const AdversarialRun& run) {
     std::vector<NamedQuestion> all;
     if (run.contradictions)
-        for (NamedQuestion& each : comparing_questions(run.without_bounds)) all.push_back(std::move(each));
+        for (NamedQuestion& each : comparing_questions()) all.push_back(std::move(each));
     if (!run.questions) return all;
     const auto solve_for = [&all](const std::string& name, Asked asked, std::optional<int> digits, bool contact) {
         all.push_back({name, [=](const Scene<double>& scene) {

@@ -74,8 +74,7 @@ struct AdversarialRun {
     AdversarialRange range = everything; ///< what they are drawn from
     bool questions = true;               ///< whether every question is asked
     bool contradictions = true;          ///< whether answers are compared with each other
-    bool without_bounds = true; ///< whether numbers that carry no bound are compared too, to 6 digits: those of maps and curves
-    bool all_motions = true;    ///< whether `solve` is asked for all motions, which takes seconds where there may be many
+    bool all_motions = true;        ///< whether `solve` is asked for all motions, which takes seconds where there may be many
     double seconds_a_question = 10; ///< processor time after which a question is said not to end
 };
 
