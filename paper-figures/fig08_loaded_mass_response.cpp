@@ -120,7 +120,8 @@ void inversions(Figure& figure, Record& record, const std::vector<Damped>& all) 
     };
     look(WithModes(two_masses(0.0)), 0);
     for (const Damped& d : all) look(d.modes, d.zeta);
-    record.statements.push_back({"(52) has invariant points without damping alone",
+    record.statements.push_back({"Here (52) has invariant points without damping alone (in general it has them with damping too: "
+                                 "claim 87/only-without-damping)",
                                  "largest distance of a crossing from its point of (87): " + spreads, only_without_damping});
 }
 

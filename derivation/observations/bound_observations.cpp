@@ -6,6 +6,7 @@
 #include "denhartog/evaluation/mode.hpp"
 #include "denhartog/formulas/boundary.hpp"
 #include "denhartog/formulas/contact.hpp"
+#include "limits.hpp"
 #include "sliding_scenes.hpp"
 #include "symbols.hpp"
 #include "witness.hpp"
@@ -13,6 +14,7 @@
 namespace denhartog::derivation {
 
 using GiNaC::ex;
+using GiNaC::numeric;
 
 namespace {
 
@@ -345,7 +347,27 @@ const Register claims_of_bound_observations([] {
         {.id = "72/larger/text",
          .equations = {"72"},
          .role = Role::observation,
-         .title = "Observation in the text: for mu > 1 the demand of (67) is larger than S_dj",
+         .title = "Observation in the text: for mu > 1 the demand of (67) is larger than S_dj, by (72)",
+         .assumptions = {"mu > 1"},
+         .check =
+             [] {
+                 const ex H = new_symbol("H_j", "H_j", 0, 2),
+                          squares = new_symbol("sum_psi_2", "\\sum_i\\psi_{ji}^2", numeric(1, 10), 2),
+                          above = new_symbol("mu_less_1", "(\\mu-1)", numeric(1, 10), 2);
+                 const auto demand = [&](const ex& mu) {
+                     return paper::static_friction_demand(Symbolic(H), Symbolic(mu), Symbolic(squares)).expression();
+                 };
+                 const ex left = demand(1 + above) - demand(1), right = above * squares;
+                 Outcome outcome;
+                 add_statement(outcome, decide_equal(left, right, domain_of({left, right})).verdict,
+                               "With S_dj by (72) the two differ by (mu - 1) sum psi_ji^2, which is positive",
+                               "(\\mu-1)\\sum_i\\psi_{ji}^2>0");
+                 return outcome;
+             }},
+        {.id = "72/larger",
+         .equations = {"72"},
+         .role = Role::observation,
+         .title = "For mu > 1 the demand of (67) is larger than the exact S_dj",
          .assumptions = {"mu > 1"},
          .check =
              [] {

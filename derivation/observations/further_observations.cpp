@@ -1,0 +1,158 @@
+// Statements of the text, from all over the paper, that are decided by a search for a system in which they fail.
+#include <algorithm>
+#include <cmath>
+
+#include "contact_motions.hpp"
+#include "denhartog/formulas/boundary.hpp"
+#include "denhartog/stick_slip/stuck_response.hpp"
+#include "limits.hpp"
+#include "observed_systems.hpp"
+#include "symbols.hpp"
+#include "tests/support/paper_systems.hpp"
+
+namespace denhartog::derivation {
+
+using GiNaC::ex;
+
+namespace {
+
+double degrees_from_multiple_of_pi(double angle) { return std::abs(wrapped(2 * angle)) / 2 * 180 / pi<double>(); }
+
+/// The largest departure from phase and phase-opposition in equal chains, the load on the contact, next to no damping: a grid of
+/// frequencies, then closer round its worst place.
+Outcome in_phase_in_chains() {
+    Outcome outcome;
+    Worst worst;
+    ObservedSystem worst_system;
+    double r_of_worst = 0, beta_of_worst = 0;
+    const auto look = [&](const ObservedSystem& s, double r, double fraction) {
+        const ModeSums<double> m = sums_at(s, r);
+        const Boundary<double> limit = boundary(m, 1.0);
+        const double beta = fraction * limit.exact;
+        if (!(beta > 0)) return;
+        const SteadyState<double> state = steady_state(m, limit, beta);
+        for (std::size_t k = 0; k < state.masses.size(); ++k) {
+            const double angle = degrees_from_multiple_of_pi(state.masses[k].phase - state.phi_j);
+            if (!(angle > worst.error)) continue;
+            worst.take(angle, [&] {
+                return Witness{{"system", s.name}, {"mass", std::to_string(k + 1)}, {"r", text(r)}, {"beta", text(beta)}};
+            });
+            worst_system = s;
+            r_of_worst = r;
+            beta_of_worst = fraction;
+        }
+    };
+    for (const std::size_t N : {2, 3, 4, 5}) {
+        const std::string name = std::to_string(N) + " equal masses and springs, j = l = 1, zeta =";
+        const ObservedSystem s = observed_system(name, 1e-6, equal_chain<double>(N, 1, 1, std::vector<double>(N, 1e-6)));
+        for (int n = 61; n <= 251; ++n)
+            for (const double fraction : {0.25, 0.75}) look(s, n / 100.0 + 0.00317, fraction);
+    }
+    for (double width = 0.01; width > 1e-6; width /= 10)
+        for (int n = -10; n <= 10; ++n) look(ObservedSystem(worst_system), r_of_worst + n * width / 10, beta_of_worst);
+    if (worst.error > 15) outcome.verdict = Verdict::refuted;
+    outcome.witness = with(worst.place, {{"degrees from a multiple of 180", text(worst.error)}});
+    return outcome;
+}
+
+/// A contact on another mass than the load that slides at a high frequency ratio, by the boundary and by the exact solver.
+Outcome another_mass_slides() {
+    Outcome outcome;
+    const ObservedSystem s = observed_system("2DOF j=2 l=1", 0.001, two_masses(0.001));
+    const double r = 10, beta = 0.001, limit = boundary(sums_at(s, r), 1.0).exact;
+    ExactSolver<double> solver(contact_system(s.system), {r, beta, 1});
+    const ContactMotion motion = motion_of_contact(solver, r, beta);
+    if (beta < limit && motion.stops == 0 && !motion.rests) outcome.verdict = Verdict::refuted;
+    outcome.witness = {{"system", s.name},
+                       {"r", text(r)},
+                       {"beta", text(beta)},
+                       {"beta_lim", text(limit)},
+                       {"stops a period, exact solver", std::to_string(motion.stops)}};
+    for (const double higher : {10.0, 100.0, 1000.0})
+        outcome.steps.push_back(
+            {"beta_lim at r = " + rounded(higher) + ": " + rounded(boundary(sums_at(s, higher), 1.0).exact), ""});
+    outcome.steps.push_back({"At a friction ratio that does not change the statement holds from some frequency on", ""});
+    return outcome;
+}
+
+/// The other modes over the resonant one in (35), at the natural frequencies of the paper's systems.
+Outcome dominant_in_second_function() {
+    Outcome outcome;
+    Worst worst;
+    for (const ObservedSystem& s : systems_of_the_paper())
+        for (std::size_t i = 0; i < s.basis.r_n.size(); ++i) {
+            const ModeSums<double> m = sums_at(s, s.basis.r_n[i]);
+            for (std::size_t k = 0; k < s.basis.r_n.size(); ++k) {
+                const double term = mode_shapes_at(m, Mass{k})[i] * mode_shapes_at(m, m.contact)[i] * m.R[i] * m.R[i] * m.g[i];
+                worst.take(std::abs((m.G[k] - term) / term), [&] { return place(s, k, i); });
+            }
+        }
+    if (worst.error > 0.1) outcome.verdict = Verdict::refuted;
+    outcome.witness = with(worst.place, {{"other modes over the resonant one in (35)", text(worst.error)}});
+    return outcome;
+}
+
+/// (69) squared has its demand in the denominator alone, as a square: whatever makes the demand larger makes (69) smaller.
+Outcome static_friction_reduces() {
+    Outcome outcome;
+    const ex V_re = new_symbol("V_re", "V'", GiNaC::numeric(-2), GiNaC::numeric(2)),
+             V_im = new_symbol("V_im", "V''", GiNaC::numeric(-2), GiNaC::numeric(2)),
+             U = new_symbol("U_j", "U_j", GiNaC::numeric(-2), GiNaC::numeric(2)),
+             demand = new_symbol("demand", "S", GiNaC::numeric(1, 10), GiNaC::numeric(2));
+    const ex limit = paper::friction_ratio_limit(Complex<Symbolic>{Symbolic(V_re), Symbolic(V_im)}, Symbolic(U), Symbolic(demand))
+                         .expression();
+    const ex left = limit * limit * (U * U + demand * demand), right = V_re * V_re + V_im * V_im;
+    add_statement(outcome, decide_equal(left, right, domain_of({left, right})).verdict,
+                  "(69) squared, times the sum of the squares of U_j and of the demand, does not depend on the demand",
+                  "\\beta_{\\lim}^2\\left(U_{dj}^2+S^2\\right)=|V_{dj}|^2");
+    return outcome;
+}
+
+/// The stuck response of every mass where the load acts on the contact.
+Outcome all_masses_rest() {
+    Outcome outcome;
+    Worst worst;
+    for (const std::size_t N : {1, 2, 3, 5})
+        for (std::size_t j = 1; j <= N; ++j) {
+            const System<double> system = equal_chain<double>(N, j, j, std::vector<double>(N, 0.01));
+            const ContactSystem<double> s = contact_system(system);
+            for (int n = 1; n <= 60; ++n) {
+                const StuckResponse<double> held = stuck_response(s.stuck, s.contact, s.load, n / 20.0);
+                for (const StuckMass<double>& mass : held.masses)
+                    worst.take(mass.amplitude, [&] {
+                        return Witness{{"masses", std::to_string(N)}, {"j = l", std::to_string(j)}, {"r", text(n / 20.0)}};
+                    });
+            }
+        }
+    if (worst.error > 0) outcome.verdict = Verdict::refuted;
+    outcome.witness = with(worst.place, {{"largest amplitude", text(worst.error)}});
+    return outcome;
+}
+
+const Register claims_of_further_observations([] {
+    return std::vector<Claim>{
+        observation("53/in-phase-in-chains/text", {"53"},
+                    "Observation in the text: without damping and with the load on the contact all masses are in phase or in "
+                    "phase-opposition; here: in equal chains of two to five masses, to 15 degrees",
+                    {"zeta_i = 1e-6", "r = 0.61 to 2.51", "a quarter and three quarters of beta_lim"}, in_phase_in_chains),
+        observation(
+            "86/only-loaded-mass/text", {"69", "86"},
+            "Observation in the text: at high frequencies only a contact on the loaded mass can slide throughout; here: at "
+            "r = 10",
+            {"mu = 1"}, another_mass_slides),
+        observation("80/dominant-mode/text", {"35", "80"},
+                    "Observation in the text: next to a resonance its mode is much larger than the sum of the others, in (35) as "
+                    "in (33); here: ten times as large",
+                    {"r = r_n,i", "the paper's systems", "zeta = 0.001, 0.01, 0.1"}, dominant_in_second_function),
+        observation(
+            "69/static-friction/text", {"69"},
+            "Observation in the text: a larger ratio of static to kinetic friction reduces the region of continuous motion",
+            {"H_j + mu / (gamma_j r^2) grows with mu"}, static_friction_reduces),
+        observation("88/fully-stuck/text", {"88"},
+                    "Observation in the text: with the load on the contact a stuck contact means that every mass is at rest",
+                    {"chains of 1, 2, 3 and 5 equal masses", "r = 0.05 to 3"}, all_masses_rest),
+    };
+});
+
+} // namespace
+} // namespace denhartog::derivation
