@@ -20,12 +20,12 @@ using evaluation::ArrayWeights;
 
 evaluation::Exponential<Symbolic> exponential_of(const Symbolic& x, const ArrayMode<Symbolic>& m) {
     const Symbolic delta = m.two_pi_zeta * x, half = exp(-delta / 2);
-    return {half, half, exp_minus_one(-delta)};
+    return {half, half, evaluation::exp_minus_one(Symbolic(-delta))};
 }
 
 // Products of sine and cosine of pi w / (2 R), the angle as a difference.
 evaluation::HalfAngleProducts<Symbolic> products_of_difference(const Symbolic& x, const Symbolic& zeta) {
-    const Symbolic angle = pi<Symbolic>() * ((1 - one_minus_w(zeta)) * x);
+    const Symbolic angle = pi<Symbolic>() * ((1 - evaluation::one_minus_w(zeta)) * x);
     const Symbolic s = sin(angle), c = cos(angle);
     return {s * c, c * c};
 }

@@ -24,11 +24,18 @@ std::string text(const GiNaC::numeric& n) {
     return out.str();
 }
 
-Decision decide_component(const Symbolic& kernel, const GiNaC::ex& derived) {
-    return decide_equal(kernel.expression(), derived, domain_of({kernel.expression(), derived}));
+} // namespace
+
+Decision decide_component(const Symbolic& kernel, const GiNaC::ex& derived, const std::vector<GiNaC::ex>& real) {
+    std::vector<GiNaC::ex> all = real;
+    all.insert(all.end(), {kernel.expression(), derived});
+    return decide_equal(kernel.expression(), derived, domain_of(all), real);
 }
 
-} // namespace
+long& altered_statements_refuted() {
+    static long count = 0;
+    return count;
+}
 
 Register::Register(std::function<std::vector<Claim>()> made) { makers().push_back(std::move(made)); }
 
@@ -53,7 +60,9 @@ Result decide(const Claim& claim) {
     Result result;
     result.steps = claim.steps;
     if (claim.check) {
+        altered_statements_refuted() = 0;
         Outcome outcome = claim.check();
+        result.altered = altered_statements_refuted();
         result.verdict = outcome.verdict;
         result.witness = std::move(outcome.witness);
         for (Step& step : outcome.steps) result.steps.push_back(std::move(step));
@@ -64,9 +73,10 @@ Result decide(const Claim& claim) {
             throw std::logic_error("claim " + claim.id + " compares " + std::to_string(kernel.size()) + " values with " +
                                    std::to_string(derived.size()));
         result.verdict = Verdict::proved;
+        const std::vector<GiNaC::ex> real = roots_in(derived);
         std::vector<Decision> decisions;
         for (std::size_t i = 0; i < kernel.size(); ++i) {
-            const Decision decision = decide_component(kernel[i], derived[i]);
+            const Decision decision = decide_component(kernel[i], derived[i], real);
             decisions.push_back(decision);
             if (i == 0 || decision.verdict != Verdict::proved) result.decision = decision;
             if (decision.verdict == Verdict::proved) continue;
@@ -90,69 +100,6 @@ Result decide(const Claim& claim) {
         result.steps.insert(result.steps.begin(), {"Abbreviations", legend});
     result.milliseconds = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
     return result;
-}
-
-namespace {
-
-/// Puts one twin through the zero test.
-void try_twin(const Claim& claim, const std::string& twin, const Values& kernel, const std::vector<GiNaC::ex>& derived,
-              MutantCount& count) {
-    Verdict verdict = Verdict::proved;
-    std::string reason;
-    for (std::size_t i = 0; i < kernel.size() && verdict != Verdict::refuted; ++i) {
-        const Decision decision = decide_component(kernel[i], derived[i]);
-        if (decision.verdict == Verdict::proved) continue;
-        verdict = decision.verdict;
-        reason = decision.reason;
-    }
-    if (verdict == Verdict::refuted) {
-        ++count.refuted;
-        return;
-    }
-    ++(verdict == Verdict::proved ? count.proved : count.unknown);
-    count.holes.push_back(claim.id + ": " + twin + ", " + to_string(verdict) + (reason.empty() ? "" : ": " + reason));
-}
-
-} // namespace
-
-MutantCount mutate(const Claim& claim) {
-    MutantCount count;
-    if (!claim.kernel) return count;
-    const std::vector<GiNaC::ex> derived = claim.derived();
-    if (claim.special_case) {
-        const Values kernel = claim.kernel();
-        for (std::size_t i = 0; i < derived.size(); ++i) {
-            std::vector<GiNaC::ex> altered = derived;
-            altered[i] = derived[i] + 1;
-            try_twin(claim, "one added", kernel, altered, count);
-            if (derived[i].is_zero()) continue;
-            altered[i] = -derived[i];
-            try_twin(claim, "sign changed", kernel, altered, count);
-            altered[i] = 2 * derived[i];
-            try_twin(claim, "doubled", kernel, altered, count);
-        }
-        return count;
-    }
-    long operations = 0;
-    {
-        const Mutation none(-1);
-        const Values kernel = claim.kernel();
-        operations = none.operations();
-    }
-    for (long position = 0; position < operations; ++position) {
-        Values kernel;
-        std::string replaced;
-        try {
-            const Mutation mutation(position);
-            kernel = claim.kernel();
-            replaced = mutation.replaced();
-        } catch (const std::exception&) {
-            ++count.without_value;
-            continue;
-        }
-        try_twin(claim, "operation " + std::to_string(position) + ", " + replaced, kernel, derived, count);
-    }
-    return count;
 }
 
 } // namespace denhartog::derivation

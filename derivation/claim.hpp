@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "stand_ins.hpp"
 #include "symbolic.hpp"
 #include "zero_test.hpp"
 
@@ -82,7 +83,15 @@ struct Result {
     std::vector<std::pair<std::string, std::string>> witness; ///< names and values of the refuting point
     std::vector<Step> steps;                                  ///< derivation, kernel and outcome
     double milliseconds = 0;                                  ///< time taken
+    long altered = 0;                                         ///< altered statements that a check of its own has refuted
 };
+
+/// @brief How many altered statements the check of a claim has refuted so far: twins of what it proves. @return the count
+[[nodiscard]] long& altered_statements_refuted();
+
+/// @brief Decides one component of a claim. @param kernel the formula under test @param derived what it has to be
+/// @param real  roots in the derived side, real wherever the claim is made @return the decision
+[[nodiscard]] Decision decide_component(const Symbolic& kernel, const GiNaC::ex& derived, const std::vector<GiNaC::ex>& real);
 
 /// @brief Decides a claim.
 /// @param claim  the claim
@@ -100,8 +109,10 @@ struct MutantCount {
 
 /// @brief Runs every mutated twin of a claim through the zero test.
 ///
-/// A twin has one operation of the kernel replaced. Where the claim is a special case, in which operations of the kernel meet
-/// a zero and do not matter, its twins have the derived side altered instead: one added, the sign changed, doubled.
+/// A twin has one operation of the kernel replaced or a term dropped, two of its symbols exchanged (the contact's mode shapes for
+/// those of the load, u for g, the mass k for j), or the first or last mode left out. Further twins have the derived side altered:
+/// one added, the sign changed, doubled, a term dropped. Where the claim is a special case, in which operations of the kernel meet
+/// a zero and do not matter, operations are left alone.
 /// @param claim  a claim whose kernel is proved
 /// @return       the counts
 [[nodiscard]] MutantCount mutate(const Claim& claim);

@@ -27,6 +27,9 @@ const Register claims_of_evaluation_forms([] {
     const auto values = [](const evaluation::DampingFunctions<Symbolic>& f) { return Values{f.u, f.g}; };
     const std::vector<std::string> sliding{"sliding regime, beta |U_dj| <= |V_dj|", "V_dj not zero"};
     const Symbolic U_j(s.U_j), beta(s.beta);
+    const auto root = [&s] {
+        return std::vector<ex>{GiNaC::sqrt(s.V_jr * s.V_jr + s.V_ji * s.V_ji - s.beta * s.beta * s.U_j * s.U_j)};
+    };
     const auto any = [](const char* name, const char* latex) { return Symbolic(new_symbol(name, latex, -1, 1)); };
     const evaluation::RootParts<Symbolic> as_rounded{any("b", "b"),     any("re_2", "a_1"), any("im_2", "a_2"),
                                                      any("b_2", "a_3"), any("d", "a_4"),    any("all", "a_5")};
@@ -91,6 +94,26 @@ const Register claims_of_evaluation_forms([] {
                  return values(evaluation::damping_functions_small_argument(R, zeta, evaluation::half_angle(R, zeta), scale));
              },
          .derived = damping},
+        {.id = "evaluation/without-damping",
+         .equations = {"28", "29"},
+         .role = Role::shipped,
+         .title = "Both forms that the selection takes at zeta = 0: the limits of (28) and (29) there",
+         .assumptions = {"R_i > 0, not 1/n, n odd", "zeta_i = 0"},
+         .kernel =
+             [=] {
+                 const Symbolic none(ex(0));
+                 const evaluation::HalfAngle<Symbolic> h = evaluation::half_angle(R, none);
+                 Values both = values(evaluation::damping_functions_slight_damping(R, none, h, scale));
+                 for (const Symbolic& value : values(evaluation::damping_functions_small_argument(R, none, h, scale)))
+                     both.push_back(value);
+                 return both;
+             },
+         .derived =
+             [&s] {
+                 const ex theta = GiNaC::Pi / s.R, u = GiNaC::sin(theta) / (s.R * (1 + GiNaC::cos(theta)));
+                 return std::vector<ex>{u, 0, u, 0};
+             },
+         .special_case = true},
         {.id = "evaluation/at-resonance",
          .equations = {"28", "29"},
          .role = Role::shipped,
@@ -137,8 +160,33 @@ const Register claims_of_evaluation_forms([] {
          .role = Role::shipped,
          .title = "The square of the root of (38) from products and sums with any rounding, what each took given back",
          .assumptions = sliding,
-         .kernel = [=] { return Values{evaluation::square_of_root(symbolic_V_j(), U_j, beta, as_rounded)}; },
+         .kernel = [=] { return Values{evaluation::square_of_root<true>(symbolic_V_j(), U_j, beta, as_rounded)}; },
          .derived = [&s] { return std::vector<ex>{s.V_jr * s.V_jr + s.V_ji * s.V_ji - s.beta * s.beta * s.U_j * s.U_j}; }},
+        {.id = "evaluation/rest-of-a-sum",
+         .equations = {"36", "38"},
+         .role = Role::shipped,
+         .title = "What the rounding of a sum took, in exact arithmetic: the sum less what it was rounded to",
+         .kernel = [=] { return Values{evaluation::sum_error<Symbolic>(as_rounded.b, as_rounded.re_2, as_rounded.im_2)}; },
+         .derived =
+             [=] {
+                 return std::vector<ex>{as_rounded.b.expression() + as_rounded.re_2.expression() - as_rounded.im_2.expression()};
+             },
+         .special_case = true}, // an operation may be exchanged there and the rest stays: it matters to roundings alone
+        {.id = "evaluation/root-with-rests",
+         .equations = {"36", "38"},
+         .role = Role::shipped,
+         .title = "The root of (38) in number types that have the rests of their roundings",
+         .assumptions = sliding,
+         .kernel = [=] { return Values{evaluation::contact_root<Symbolic, true>(symbolic_V_j(), U_j, beta)}; },
+         .derived = root,
+         .special_case = true}, // the parts may be anything: what they lack is given back
+        {.id = "evaluation/root-without-rests",
+         .equations = {"36", "38"},
+         .role = Role::shipped,
+         .title = "The root of (38) in number types without",
+         .assumptions = sliding,
+         .kernel = [=] { return Values{evaluation::contact_root<Symbolic, false>(symbolic_V_j(), U_j, beta)}; },
+         .derived = root},
         {.id = "evaluation/amplitude-of-contact",
          .equations = {"38"},
          .role = Role::shipped,

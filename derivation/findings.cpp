@@ -33,9 +33,21 @@ json record_of(const Claim& claim, const Result& result) {
             {"witness", witness},   {"verdict", verdict_of(claim, result)}, {"milliseconds", result.milliseconds}};
 }
 
+/// Why a claim has no twin; empty where it ought to have one.
+std::string why_no_twin(const Claim& claim, const Result& result) {
+    if (result.verdict == Verdict::refuted) return "refuted: nothing is proved of which a twin could be proved as well";
+    if (claim.role == Role::observation)
+        return "an observation: decided by a search with its witness, or by claims that have twins";
+    return "";
+}
+
 json finding_of(const Claim& claim) {
     const Result result = decide(claim);
-    json finding{{"record", record_of(claim, result)}, {"twins", nullptr}, {"fault", ""}};
+    json finding{
+        {"record", record_of(claim, result)}, {"twins", nullptr}, {"fault", ""}, {"why_no_twin", why_no_twin(claim, result)}};
+    if (result.altered > 0)
+        finding["twins"] = {
+            {"refuted", result.altered}, {"without_value", 0}, {"unknown", 0}, {"proved", 0}, {"holes", json::array()}};
     if (result.verdict == Verdict::proved && claim.kernel) {
         const MutantCount twins = mutate(claim);
         finding["twins"] = {{"refuted", twins.refuted},
@@ -66,9 +78,11 @@ Findings findings_of(const std::vector<Claim>& claims, Findings known, std::size
     const auto task = [&open](std::size_t i) { return finding_of(*open[i]).dump(); };
     in_processes(open.size(), workers, task, [&](std::size_t i, const Delivery& delivery) {
         json& finding = known[open[i]->id];
-        finding = delivery.fault.empty()
-                      ? json::parse(delivery.text)
-                      : json{{"record", record_of(*open[i], {})}, {"twins", nullptr}, {"fault", delivery.fault}};
+        finding = delivery.fault.empty() ? json::parse(delivery.text)
+                                         : json{{"record", record_of(*open[i], {})},
+                                                {"twins", nullptr},
+                                                {"fault", delivery.fault},
+                                                {"why_no_twin", "not decided"}};
         tell(*open[i], finding, out);
     });
     return known;

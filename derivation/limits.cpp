@@ -42,7 +42,7 @@ Verdict decide_leading_term(const ex& e, const ex& x, const LeadingTerm& expecte
     std::erase_if(others, [&x](const Range& range) { return range.symbol.is_equal(x); });
     for (const Point& point : sample_points(others, 3)) {
         numeric last = 1;
-        for (const numeric& small : {numeric(1, 10000), numeric(1, 1000000), numeric(1, 100000000)}) {
+        for (const numeric& small : {numeric(1, 1000000), numeric(1, 100000000), numeric("1/10000000000")}) {
             Point at = point;
             at.emplace_back(x, small);
             const numeric error = abs(evaluate(e, at) / evaluate(term, at) - 1);

@@ -51,7 +51,8 @@ ReportParts join(const fs::path& folder, const fs::path& source, const fs::path&
     parts.results = read_test_results(results);
     parts.claims = claims_from_json(found.at("claims"));
     const JoinedLedger ledger = join_ledger(parts);
-    ReportParts report{ledger.entries, ledger.summary, found.at("mutants"), found.at("agreement"), found.at("faults")};
+    ReportParts report{ledger.entries,        ledger.summary,     found.at("mutants"),
+                       found.at("agreement"), found.at("faults"), found.at("stand_ins")};
     for (const std::string& fault : faults_of_rows(parts.rows)) report.faults.push_back(fault);
     for (const std::string& fault : ledger.faults) report.faults.push_back(fault);
     for (const std::string& fault : add_figures(report.entries, figure_records(figures))) report.faults.push_back(fault);
@@ -73,10 +74,14 @@ void run(const fs::path& folder, const fs::path& proofs) {
         if (!group.at("agrees").get<bool>())
             found.faults.push_back("closed form and second witness disagree on " + group.at("group").get<std::string>());
     write(folder / "derivation.json", found.record.dump(1) + "\n");
-    write(folder / "run.json",
-          json{{"claims", to_json(found.claims)}, {"mutants", found.mutants}, {"agreement", agreement}, {"faults", found.faults}}
-                  .dump(1) +
-              "\n");
+    json listed = json::array();
+    for (const StandIn& s : stand_ins()) listed.push_back({{"name", s.name}, {"header", s.header}, {"theorem", s.theorem}});
+    const json record{{"claims", to_json(found.claims)},
+                      {"mutants", found.mutants},
+                      {"agreement", agreement},
+                      {"faults", found.faults},
+                      {"stand_ins", listed}};
+    write(folder / "run.json", record.dump(1) + "\n");
 }
 
 /// What a command prints.

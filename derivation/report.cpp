@@ -119,7 +119,13 @@ std::string report_markdown(const ReportParts& p) {
         for (const json& fault : p.faults) out << "- " << fault.get<std::string>() << "\n";
         out << "\n";
     }
-    out << "## Refuted as printed\n\n";
+    out << "## Stand-ins\n\nThese shipped functions compare numbers, sum a series or reduce an argument. The proofs take them by "
+           "what they compute without rounding; every other function in a proof is the shipped text.\n\n"
+           "| function | header | stands for |\n|---|---|---|\n";
+    for (const json& s : p.stand_ins)
+        out << "| `" << s.at("name").get<std::string>() << "` | `" << s.at("header").get<std::string>() << "` | $"
+            << s.at("theorem").get<std::string>() << "$ |\n";
+    out << "\n## Refuted as printed\n\n";
     for (const json& entry : p.entries) {
         if (entry.at("printed") != "refuted") continue;
         out << "### (" << entry.at("equation").get<std::string>() << "), Section " << entry.at("section").get<std::string>()

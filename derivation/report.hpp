@@ -14,6 +14,7 @@ struct ReportParts {
     nlohmann::json mutants;   ///< counts of the mutated twins
     nlohmann::json agreement; ///< closed form against second witness
     nlohmann::json faults;    ///< sentences; empty where all is green
+    nlohmann::json stand_ins; ///< shipped functions that the proofs take by their theorem: name, header, theorem
 };
 
 /// @brief The summary for a terminal. @param parts the parts @return lines of text

@@ -85,7 +85,11 @@ Run run_of(const std::vector<Claim>& claims, const Findings& findings) {
         for (ClaimResult& entry : results_of(claim, finding.at("record"))) run.claims.push_back(std::move(entry));
         for (std::string& fault : faults_of(claim, finding)) run.faults.push_back(std::move(fault));
         const json& twins = finding.at("twins");
-        if (twins.is_null()) continue;
+        if (twins.is_null()) {
+            if (finding.value("why_no_twin", "").empty())
+                run.faults.push_back("claim " + claim.id + " is proved and has neither a mutated twin nor a reason why not");
+            continue;
+        }
         ++with_mutants;
         for (auto& [what, count] : counts) count += twins.at(what).get<long>();
         if (twins.at("refuted") == 0) run.faults.push_back("claim " + claim.id + " has no mutated twin that is refuted");

@@ -6,24 +6,26 @@
 ///
 /// The operators count themselves. With a `Mutation` in force the k-th operation is replaced by a wrong one; that is how the
 /// derivation makes a mutated twin of a formula without a second copy of it.
+///
+/// The scalar has a namespace of its own, in which argument-dependent lookup finds its elementary functions and the stand-ins of
+/// `stand_ins.hpp`, nothing else: a function of that name elsewhere in the derivation never takes the place of a shipped body.
 #pragma once
 
 #include <concepts>
 #include <ginac/ginac.h>
 #include <string>
 
-#include "denhartog/formulas/complex.hpp"
 #include "denhartog/number/number.hpp"
-#include "denhartog/number/reduced_angle.hpp"
 
-namespace denhartog::derivation {
+namespace denhartog::derivation::scalar {
 
 class Symbolic;
 
 /// @brief Replaces one operation while it lives: the `position`-th that the symbolic scalar carries out, counted from 0.
 ///
-/// Sum and difference are exchanged, product and quotient, sine and cosine, hyperbolic sine and cosine, the arguments of atan2;
-/// an exponential gets the opposite sign, a root and a unary minus are left out, an integer grows by one.
+/// Sum and difference are exchanged or lose their second term; product and quotient are exchanged, sine and cosine, hyperbolic sine
+/// and cosine, the arguments of atan2; an exponential gets the opposite sign, a root and a unary minus are left out, an integer
+/// grows by one, pi is 3.
 class Mutation {
 public:
     /// @param position  which operation to replace; negative: none, count only
@@ -115,102 +117,25 @@ Symbolic cosh(const Symbolic& x);
 /// @param x  an expression
 /// @return the expression
 Symbolic atan2(const Symbolic& y, const Symbolic& x);
-/// @brief sin(pi x).
-/// @param x  an expression
-/// @return the expression
-Symbolic sin_pi(const Symbolic& x);
-/// @brief cos(pi x).
-/// @param x  an expression
-/// @return the expression
-Symbolic cos_pi(const Symbolic& x);
 /// @brief exp(x) - 1.
 /// @param x  an expression
 /// @return the expression
-Symbolic exp_minus_one(const Symbolic& x);
-/// @brief 1 - sqrt(1 - zeta^2).
-/// @param zeta  an expression
-/// @return the expression
-Symbolic one_minus_w(const Symbolic& zeta);
-/// @brief sinh(x) / x - 1.
-/// @param x  an expression
-/// @return the expression
-Symbolic sinhc_minus_one(const Symbolic& x);
-/// @brief (1 - exp(-x)) / x.
-/// @param x  an expression
-/// @return the expression
-Symbolic one_minus_exp_over(const Symbolic& x);
-/// @brief (exp(z) - 1) / z of a complex number.
-/// @param z  a pair of expressions
-/// @return the pair
-Complex<Symbolic> exp_minus_one_over(const Complex<Symbolic>& z);
-/// @brief sin(x) / x.
-/// @param x  an expression
-/// @return the expression
-Symbolic sinc(const Symbolic& x);
-/// @brief [sinh(q zeta) / (q zeta) - sin(q w) / (q w)] / q^2.
-/// @param q  an expression
-/// @param zeta  an expression
-/// @return the expression
-Symbolic sinhc_less_sinc_over_square(const Symbolic& q, const Symbolic& zeta);
-/// @brief What `product_error` of the evaluation forms stands for.
+Symbolic expm1(const Symbolic& x);
+/// @brief x y + z; what a type that rounds does in one rounding.
 /// @param x  an expression
 /// @param y  an expression
-/// @param xy  an expression
+/// @param z  an expression
 /// @return the expression
-Symbolic product_error(const Symbolic& x, const Symbolic& y, const Symbolic& xy);
-/// @brief What `sum_error` of the evaluation forms stands for.
-/// @param x  an expression
-/// @param y  an expression
-/// @param sum  an expression
-/// @return the expression
-Symbolic sum_error(const Symbolic& x, const Symbolic& y, const Symbolic& sum);
-/// @brief What `contact_root` of the evaluation forms stands for.
-/// @param V_dj  an expression
-/// @param U_dj  an expression
-/// @param beta  an expression
-/// @return the expression
-Symbolic contact_root(const Complex<Symbolic>& V_dj, const Symbolic& U_dj, const Symbolic& beta);
-/// @brief What `overdamped_w` of the evaluation forms stands for.
-/// @param zeta  an expression
-/// @return the expression
-Symbolic overdamped_w(const Symbolic& zeta);
-/// @brief What `slow_rate` of the evaluation forms stands for.
-/// @param zeta  an expression
-/// @return the expression
-Symbolic slow_rate(const Symbolic& zeta);
-/// @brief What `overdamped_sinc` of the evaluation forms stands for.
-/// @param zeta  an expression
-/// @param x  an expression
-/// @return the expression
-Symbolic overdamped_sinc(const Symbolic& zeta, const Symbolic& x);
-/// @brief What `overdamped_cosine` of the evaluation forms stands for.
-/// @param zeta  an expression
-/// @param x  an expression
-/// @return the expression
-Symbolic overdamped_cosine(const Symbolic& zeta, const Symbolic& x);
-/// @brief What `overdamped_difference` of the evaluation forms stands for.
-/// @param zeta  an expression
-/// @param x  an expression
-/// @return the expression
-Symbolic overdamped_difference(const Symbolic& zeta, const Symbolic& x);
-/// @brief What `sinhc_less_sinhc_over_square` of the evaluation forms stands for.
-/// @param q  an expression
-/// @param zeta  an expression
-/// @return the expression
-Symbolic sinhc_less_sinhc_over_square(const Symbolic& q, const Symbolic& zeta);
-/// @brief What `product_over` of the evaluation forms stands for.
-/// @param p  an expression
-/// @param K  an expression
-/// @param R  an expression
-/// @return the expression
-Symbolic product_over(const Symbolic& p, const Symbolic& K, const Symbolic& R);
-/// @brief What `sine_cosine_of_half_period` of the evaluation forms stands for.
-/// @param R  an expression
-/// @param y  an expression
-/// @return the expression
-SineCosine<Symbolic> sine_cosine_of_half_period(const Symbolic& R, const Symbolic& y);
+Symbolic fma(const Symbolic& x, const Symbolic& y, const Symbolic& z);
 
 /// @}
+
+} // namespace denhartog::derivation::scalar
+
+namespace denhartog::derivation {
+
+using scalar::Mutation;
+using scalar::Symbolic;
 
 /// @brief Square of what a kernel returns, where a claim is on the square; no operation of the kernel, so that no twin alters it.
 /// @param x a symbolic number @return its square
@@ -223,8 +148,10 @@ namespace denhartog {
 /// @brief pi as a symbol.
 template <>
 struct PiOf<derivation::Symbolic> {
-    /// @return GiNaC's Pi
-    static derivation::Symbolic value() { return derivation::Symbolic(GiNaC::Pi); }
+    /// @return GiNaC's Pi; 3 in a twin
+    static derivation::Symbolic value() {
+        return derivation::Symbolic(derivation::Mutation::here("pi -> 3") ? GiNaC::ex(3) : GiNaC::ex(GiNaC::Pi));
+    }
 };
 
 } // namespace denhartog

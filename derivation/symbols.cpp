@@ -2,6 +2,7 @@
 
 #include <map>
 #include <sstream>
+#include <stdexcept>
 
 namespace denhartog::derivation {
 
@@ -23,8 +24,14 @@ void collect(const ex& e, std::map<ex, Range, GiNaC::ex_is_less>& found) {
 } // namespace
 
 ex new_symbol(const std::string& name, const std::string& latex, const numeric& low, const numeric& high) {
-    const ex s = low >= 0 ? ex(GiNaC::possymbol(name, latex)) : ex(GiNaC::realsymbol(name, latex));
-    known_ranges().emplace(s, Range{s, low, high});
+    return new_symbol(name, latex, low, high, low >= 0 ? Bounds{numeric(0), {}} : Bounds{});
+}
+
+ex new_symbol(const std::string& name, const std::string& latex, const numeric& low, const numeric& high, const Bounds& bounds) {
+    if ((bounds.lower && low < *bounds.lower) || (bounds.upper && high > *bounds.upper))
+        throw std::logic_error("the samples of " + name + " leave its bounds");
+    const ex s = bounds.lower && *bounds.lower >= 0 ? ex(GiNaC::possymbol(name, latex)) : ex(GiNaC::realsymbol(name, latex));
+    known_ranges().emplace(s, Range{s, low, high, bounds, low.is_negative() && high.is_positive() ? 2 : 1});
     return s;
 }
 
@@ -50,10 +57,11 @@ const Symbols& symbols() {
     static const Symbols s = [] {
         const auto positive = [](const char* name, const char* latex) { return new_symbol(name, latex, numeric(1, 5), 2); };
         const auto any = [](const char* name, const char* latex) { return new_symbol(name, latex, -1, 1); };
+        const numeric nearly_pi(333, 106); // less than pi
         Symbols n;
-        n.tau = new_symbol("tau", "\\tau", numeric(1, 10), 3);
-        n.R = new_symbol("R", "R_i", numeric(1, 3), 3);
-        n.zeta = new_symbol("zeta", "\\zeta_i", numeric(1, 20), numeric(9, 10));
+        n.tau = new_symbol("tau", "\\tau", numeric(1, 100), nearly_pi);
+        n.R = new_symbol("R", "R_i", numeric(1, 5), 8);
+        n.zeta = new_symbol("zeta", "\\zeta_i", numeric(1, 100), numeric(99, 100), {numeric(0), numeric(1)});
         n.w = GiNaC::sqrt(1 - n.zeta * n.zeta);
         n.beta = new_symbol("beta", "\\beta", numeric(1, 20), numeric(1, 2));
         n.mu = new_symbol("mu", "\\mu", 1, 3);
@@ -62,7 +70,8 @@ const Symbols& symbols() {
         n.psi_li = any("psi_li", "\\psi_{li}");
         n.eta_0 = any("eta_0", "\\eta_{i0}");
         n.eta_prime_0 = any("eta_prime_0", "\\eta'_{i0}");
-        n.phi_j = new_symbol("phi_j", "\\phi_j", numeric(1, 10), 3);
+        n.phi_j = new_symbol("phi_j", "\\phi_j", -nearly_pi, nearly_pi);
+        known_ranges().at(n.phi_j).parts = 4; // the quadrants
         n.u = any("u", "u_{di}");
         n.g = positive("g", "g_i");
         n.A = any("A", "A_i");
@@ -74,7 +83,7 @@ const Symbols& symbols() {
         n.V_kr = any("V_kr", "V_{kr}");
         n.V_ki = any("V_ki", "V_{ki}");
         n.V_jr = new_symbol("V_jr", "V_{jr}", -2, 2);
-        n.V_ji = new_symbol("V_ji", "V_{ji}", -2, -1);
+        n.V_ji = new_symbol("V_ji", "V_{ji}", -2, 2);
         n.U_k = any("U_k", "U_{dk}");
         n.U_j = any("U_j", "U_{dj}");
         n.G_k = any("G_k", "G_k");
@@ -127,14 +136,15 @@ SymbolicModes symbolic_modes(int N) {
                                    const numeric& high) {
                 return Symbolic(new_symbol(name + n, std::string(latex) + "_{" + index + n + "}", low, high));
             };
-            m.R.push_back(make("R", "R", "", numeric(1, 3), 3));
-            m.zeta.push_back(make("zeta", "\\zeta", "", numeric(1, 20), numeric(9, 10)));
+            m.R.push_back(make("R", "R", "", numeric(1, 5), 8));
+            m.zeta.push_back(Symbolic(
+                new_symbol("zeta" + n, "\\zeta_{" + n + "}", numeric(1, 100), numeric(99, 100), {numeric(0), numeric(1)})));
             m.psi_k.push_back(make("psi_k", "\\psi", "k", -1, 1));
             m.psi_j.push_back(make("psi_j", "\\psi", "j", -1, 1));
             m.psi_l.push_back(make("psi_l", "\\psi", "l", -1, 1));
             m.u.push_back(make("u", "u", "d", -1, 1));
             m.g.push_back(make("g", "g", "", numeric(1, 10), 2));
-            m.v.push_back({make("v_r", "\\mathrm{Re}v", "d", -2, 2), make("v_i", "\\mathrm{Im}v", "d", -2, 0)});
+            m.v.push_back({make("v_r", "\\mathrm{Re}v", "d", -2, 2), make("v_i", "\\mathrm{Im}v", "d", -2, 2)});
         }
         return m;
     }();
@@ -142,6 +152,19 @@ SymbolicModes symbolic_modes(int N) {
     for (auto* values : {&m.R, &m.zeta, &m.psi_k, &m.psi_j, &m.psi_l, &m.u, &m.g}) values->resize(N);
     m.v.resize(N);
     return m;
+}
+
+const PartialSums& partial_sums() {
+    static const PartialSums all = [] {
+        const auto sum = [](const char* name, const std::string& latex) {
+            return new_symbol(std::string(name) + "_so_far", latex + "^{(N)}", -1, 1);
+        };
+        return PartialSums{sum("V_r", "V_{dkr}"),    sum("V_i", "V_{dki}"),     sum("U", "U_{dk}"), sum("G", "G_k"),
+                           sum("x", "x_{k0}"),       sum("x_prime", "x'_{k0}"), sum("F", "F_k"),    sum("F_prime", "F'_k"),
+                           sum("F_second", "F''_k"), sum("S", "S_{dj}"),        sum("H", "H_j"),    sum("squares", "s"),
+                           sum("entry", "c")};
+    }();
+    return all;
 }
 
 } // namespace denhartog::derivation

@@ -12,9 +12,16 @@
 
 namespace denhartog::derivation {
 
-/// @brief Makes a symbol known with its range. @param name name @param latex LaTeX @param low least @param high largest value
+/// @brief Makes a symbol known with the range of its samples; it is not negative anywhere where no sample is.
+/// @param name name @param latex LaTeX @param low least @param high largest sample
 /// @return the symbol
 GiNaC::ex new_symbol(const std::string& name, const std::string& latex, const GiNaC::numeric& low, const GiNaC::numeric& high);
+
+/// @brief The same with bounds on all of its values.
+/// @param name name @param latex LaTeX @param low least @param high largest sample @param bounds of all its values
+/// @return the symbol
+GiNaC::ex new_symbol(const std::string& name, const std::string& latex, const GiNaC::numeric& low, const GiNaC::numeric& high,
+                     const Bounds& bounds);
 
 /// @brief The ranges of the symbols that occur in some expressions.
 /// @param expressions  the expressions
@@ -108,6 +115,26 @@ struct SymbolicModes {
 
 /// @brief Symbols of N modes. @param N  1, 2 or 3 @return the symbols
 [[nodiscard]] SymbolicModes symbolic_modes(int N);
+
+/// @brief Sums over any number of modes, as symbols: what the loops have when one more mode comes. (N) marks them.
+struct PartialSums {
+    GiNaC::ex V_r;      ///< real part of the complex response of a mass, (33)
+    GiNaC::ex V_i;      ///< its imaginary part
+    GiNaC::ex U;        ///< first damping function of the mass, (34)
+    GiNaC::ex G;        ///< second damping function of the mass, (35)
+    GiNaC::ex x;        ///< displacement of the mass at tau = 0
+    GiNaC::ex x_prime;  ///< its velocity there
+    GiNaC::ex F;        ///< sum in (41)
+    GiNaC::ex F_prime;  ///< its rate
+    GiNaC::ex F_second; ///< the rate of that
+    GiNaC::ex S;        ///< sum (56) at one tau
+    GiNaC::ex H;        ///< sum (64)
+    GiNaC::ex squares;  ///< sum (65)
+    GiNaC::ex entry;    ///< an entry of a matrix
+};
+
+/// @brief The symbols of partial sums. @return the symbols
+[[nodiscard]] const PartialSums& partial_sums();
 
 /// @brief LaTeX of an expression in one line, in its readable form. @param e the expression @return LaTeX
 [[nodiscard]] std::string latex(const GiNaC::ex& e);

@@ -5,7 +5,8 @@
 /// angles. These are replaced by generators, each with one relation:
 ///  - a root y of a, \f$ y^2 = a \f$;
 ///  - for an angle \f$ \alpha \f$ its cosine c and sine s, \f$ s^2 = 1 - c^2 \f$; multiples and sums of angles by the addition
-///    theorems; `atan2(y, x)` is an angle with \f$ c = x/\rho, s = y/\rho, \rho^2 = x^2+y^2 \f$;
+///    theorems; `atan2(y, x)` is an angle with \f$ c = x/\rho, s = y/\rho, \rho^2 = x^2+y^2 \f$, and half of it has the cosine
+///    \f$ \sqrt{(1+x/\rho)/2} \f$;
 ///  - an exponential e of a real quantity, without relation; hyperbolic functions through it.
 ///
 /// The result is brought over one denominator and its numerator reduced by the relations. Remainder zero proves that the
@@ -14,15 +15,20 @@
 /// clearly not zero refutes it, with that point as witness. What is neither is unknown. Points where the second expression has
 /// no real value lie outside the domain and are passed over.
 ///
-/// Signs of roots are the one thing that the relations do not carry: the root of a fraction is taken as the quotient of two
-/// roots, numerator and denominator made positive at a point of the domain. A proof therefore also asks that the expression be zero
-/// with 50 digits at the sample points; a remainder of zero with a value that is not zero is an error of the base, and throws.
+/// Signs of roots are the one thing that the relations do not carry. A root is therefore taken apart, as the quotient of two or
+/// as a product, only where bounds make the signs certain on all of the domain (`signs.hpp`). The radicand of a root of the first
+/// expression must be certain not to be negative, unless the second has the same root; the reasons are kept with the proof. A
+/// proof also asks that the expression be zero with 50 digits at the sample points: 24 at least, every combination of the signs
+/// of six symbols among them, and 16 at least with values. A remainder of zero with a value that is not zero is an error of the
+/// base, and throws.
 #pragma once
 
 #include <ginac/ginac.h>
 #include <string>
 #include <utility>
 #include <vector>
+
+#include "generators.hpp"
 
 namespace denhartog::derivation {
 
@@ -36,20 +42,13 @@ enum class Verdict {
 /// @brief The word for a verdict. @param v a verdict @return proved, refuted or unknown
 [[nodiscard]] std::string to_string(Verdict v);
 
-/// @brief A generator and the value of its square.
-using SquareRelation = std::pair<GiNaC::ex, GiNaC::ex>;
-
-/// @brief A polynomial in which every square of a generator is replaced by its value, newest generator first, until none is left.
-/// @param polynomial  a polynomial in the generators
-/// @param relations   generators with their squares, each in older generators alone; newest last
-/// @return            its remainder, of degree one at most in each generator
-[[nodiscard]] GiNaC::ex reduced(const GiNaC::ex& polynomial, const std::vector<SquareRelation>& relations);
-
-/// @brief A symbol and the values it may take.
+/// @brief A symbol, the values at which it is sampled, and the bounds that it has on all of the domain.
 struct Range {
     GiNaC::ex symbol;    ///< the symbol
-    GiNaC::numeric low;  ///< least value, rational
-    GiNaC::numeric high; ///< largest value, rational
+    GiNaC::numeric low;  ///< least sample, rational
+    GiNaC::numeric high; ///< largest sample, rational
+    Bounds bounds;       ///< of all its values
+    int parts;           ///< into how many parts of one width the samples fall, each in its turn: 2 where zero is between
 };
 
 /// @brief Values for symbols.
@@ -60,18 +59,24 @@ struct Decision {
     Verdict verdict = Verdict::unknown;                      ///< the verdict
     std::vector<GiNaC::ex> denominators;                     ///< what must not be zero, in generators
     std::vector<std::pair<GiNaC::ex, GiNaC::ex>> generators; ///< generators and what they stand for
+    std::vector<RootReason> roots;                           ///< roots in the proof, with what their signs rest on
     Point witness;                                           ///< the point that refutes; empty otherwise
     std::string left;                                        ///< first value at the witness
     std::string right;                                       ///< second value at the witness
     std::string reason;                                      ///< why unknown; or why an expression has no value
 };
 
-/// @brief Decides whether two expressions are equal on a domain.
+/// @brief Decides whether two expressions are equal on a domain, where the second has a real value.
 /// @param left    an expression
 /// @param right   another
 /// @param domain  the symbols that occur, with their ranges; sample points are drawn from it by a fixed seed
+/// @param real    roots that are real wherever the statement is made, next to those of the second expression
 /// @return        the decision
-[[nodiscard]] Decision decide_equal(const GiNaC::ex& left, const GiNaC::ex& right, const std::vector<Range>& domain);
+[[nodiscard]] Decision decide_equal(const GiNaC::ex& left, const GiNaC::ex& right, const std::vector<Range>& domain,
+                                    const std::vector<GiNaC::ex>& real = {});
+
+/// @brief The roots that stand in some expressions. @param expressions the expressions @return each root once
+[[nodiscard]] std::vector<GiNaC::ex> roots_in(const std::vector<GiNaC::ex>& expressions);
 
 /// @brief The remainder of an expression after reduction by the relations; zero for an identity.
 /// @param e       an expression

@@ -152,4 +152,20 @@ Page errata_page(const Book& book) {
     return {"errata", out};
 }
 
+Page stand_ins_page(const Book& book) {
+    std::string out = page_head("stand_ins", "What the proofs take by its theorem");
+    out +=
+        "<p>The proofs instantiate the shipped functions with symbols. The functions below compare numbers, sum a series or "
+        "reduce "
+        "an argument, which symbols cannot do; in their place the proofs have what they compute without rounding. This is the "
+        "whole list: any other function that compares numbers does not compile for the proofs. What the listed functions make of "
+        "their theorems in double is measured by the tests.</p>\n"
+        "<div class=\"table-box\" tabindex=\"0\">\n<table class=\"doxtable\">\n<tr><th>function</th><th>header</th><th>stands "
+        "for</th></tr>\n";
+    for (const Json& s : book.run.run.at("stand_ins"))
+        out += "<tr><td><code>" + s.at("name").get<std::string>() + "</code></td><td><code>" + s.at("header").get<std::string>() +
+               "</code></td><td>\\f$" + s.at("theorem").get<std::string>() + "\\f$</td></tr>\n";
+    return {"stand_ins", out + "</table>\n</div>\n"};
+}
+
 } // namespace denhartog::pages

@@ -19,6 +19,10 @@ namespace denhartog::pages {
 /// @return the page `equation_graph`
 [[nodiscard]] Page graph_page(const Book& book);
 
+/// @brief The shipped functions that the proofs take by their theorem and not by their text. @param book the run
+/// @return the page `stand_ins`
+[[nodiscard]] Page stand_ins_page(const Book& book);
+
 /// @brief An equation's place in the picture of the graph.
 struct Node {
     std::string equation; ///< its number

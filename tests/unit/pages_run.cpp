@@ -38,6 +38,8 @@ public:
         entry["tests"].push_back("the amplitude is right");
         entry["functions"].push_back({{"name", "denhartog::paper::amplitude"}, {"file", "src/f.hpp"}, {"line", 5}});
         run.run["agreement"] = Json::array();
+        run.run["stand_ins"] =
+            Json::array({{{"name", "sinc"}, {"header", "evaluation/special.hpp"}, {"theorem", "x \\mapsto \\sin(x)/x"}}});
         add_claim(0, "37/sine");
         add_claim(1, "38/amplitude");
     }
@@ -163,6 +165,9 @@ TEST_CASE("departures and the index count what the ledger has", "[pages]") {
     const std::string errata = errata_page(book).text;
     CHECK(has(errata, "Of 2 equations 1 depart"));
     CHECK(has(errata, "\\ref claim_38_amplitude"));
+    const std::string stand_ins = stand_ins_page(book).text;
+    CHECK(has(stand_ins, "<code>sinc</code>"));
+    CHECK(has(stand_ins, "\\f$x \\mapsto \\sin(x)/x\\f$"));
     const std::string index = index_page(book).text;
     CHECK(has(index, "2 equations"));
     CHECK(has(index, "1 refuted"));

@@ -3,7 +3,7 @@
 ///
 /// Where \f$ \beta|U_{dj}| \f$ comes near \f$ |V_{dj}| \f$ the squares under the root cancel: what their roundings took is all
 /// that is left. Here every product comes with what its rounding took, and is summed with it: the root is as exact as V, U and
-/// beta are. In number types without a fused multiply-add the products stand as they are.
+/// beta are. In number types without a fused multiply-add the products stand as they are; the root is proved with both.
 #pragma once
 
 #include <cmath>
@@ -15,25 +15,19 @@ namespace denhartog::evaluation {
 
 /// @brief What the rounding of a product took: \f$ xy - \mathrm{fl}(xy) \f$. @param x a number @param y a number
 /// @param xy  their product as rounded
-/// @return    the rest, exact in binary floating-point types with a fused multiply-add; 0 in others
+/// @return    the rest, exact in binary floating-point types
 template <class T>
 [[nodiscard]] T product_error(const T& x, const T& y, const T& xy) {
-    if constexpr (std::floating_point<T>)
-        return std::fma(x, y, -xy);
-    else
-        return T(0);
+    using std::fma;
+    return fma(x, y, T(-xy));
 }
 
 /// @brief What the rounding of a sum took. @param x a number @param y a number @param sum their sum as rounded
-/// @return the rest, exact in binary floating-point types; 0 in others
+/// @return the rest, exact in binary floating-point types
 template <class T>
 [[nodiscard]] T sum_error(const T& x, const T& y, const T& sum) {
-    if constexpr (std::floating_point<T>) {
-        const T of_y = sum - x;
-        return (x - (sum - of_y)) + (y - of_y);
-    } else {
-        return T(0);
-    }
+    const T of_y = sum - x;
+    return (x - (sum - of_y)) + (y - of_y);
 }
 
 /// @brief What the root is made of, each number as it was rounded.
@@ -47,20 +41,25 @@ struct RootParts {
     T all;           ///< that and im_2
 };
 
-/// @brief The square of the root from its parts, whatever their roundings: what each took is given back.
+/// @brief The square of the root from its parts; where rests are given back, whatever the roundings of the parts.
 /// @eq{36,38}  @derivation{evaluation_forms}  @domain{sliding regime, Eq. (69): |V_dj| >= beta |U_dj|}
 /// @param V_dj  complex response function of the mass in contact, Eq. (33)
 /// @param U_dj  first damping function of the mass in contact, Eq. (34)
 /// @param beta  friction ratio, Eq. (11)
 /// @param p     the parts as rounded
+/// @tparam      rests_given_back  whether what each rounding took is added
 /// @return      |V|^2 - (beta U)^2
-template <class T>
+template <bool rests_given_back, class T>
 [[nodiscard]] T square_of_root(const Complex<T>& V_dj, const T& U_dj, const T& beta, const RootParts<T>& p) {
-    const T b_rest = product_error(beta, U_dj, p.b);
-    const T squares =
-        product_error(V_dj.re, V_dj.re, p.re_2) + product_error(V_dj.im, V_dj.im, p.im_2) - product_error(p.b, p.b, p.b_2);
-    const T sums = sum_error(p.re_2, T(-p.b_2), p.re_2_less_b_2) + sum_error(p.re_2_less_b_2, p.im_2, p.all);
-    return p.all + (squares + sums - b_rest * (2 * p.b + b_rest));
+    if constexpr (rests_given_back) {
+        const T b_rest = product_error(beta, U_dj, p.b);
+        const T squares =
+            product_error(V_dj.re, V_dj.re, p.re_2) + product_error(V_dj.im, V_dj.im, p.im_2) - product_error(p.b, p.b, p.b_2);
+        const T sums = sum_error(p.re_2, T(-p.b_2), p.re_2_less_b_2) + sum_error(p.re_2_less_b_2, p.im_2, p.all);
+        return p.all + (squares + sums - b_rest * (2 * p.b + b_rest));
+    } else {
+        return p.all;
+    }
 }
 
 /// @brief \f$ \sqrt{|V_{dj}|^2-(\beta U_{dj})^2} \f$ with the roundings of the products made good.
@@ -68,13 +67,15 @@ template <class T>
 /// @param V_dj  complex response function of the mass in contact, Eq. (33)
 /// @param U_dj  first damping function of the mass in contact, Eq. (34)
 /// @param beta  friction ratio, Eq. (11)
+/// @tparam      rests_given_back  whether the number type has the exact rests of its products and sums; both are proved
 /// @return      the root for V, U and beta as they are; not a number beyond the domain
-template <class T>
+template <class T, bool rests_given_back = std::floating_point<T>>
 [[nodiscard]] T contact_root(const Complex<T>& V_dj, const T& U_dj, const T& beta) {
     const T b = beta * U_dj;
     const T re_2 = V_dj.re * V_dj.re, im_2 = V_dj.im * V_dj.im, b_2 = b * b;
     const T difference = re_2 - b_2;
-    return sqrt(square_of_root(V_dj, U_dj, beta, RootParts<T>{b, re_2, im_2, b_2, difference, T(difference + im_2)}));
+    const RootParts<T> parts{b, re_2, im_2, b_2, difference, T(difference + im_2)};
+    return sqrt(square_of_root<rests_given_back>(V_dj, U_dj, beta, parts));
 }
 
 /// @brief (38) with the root above. @eq{38}  @derivation{evaluation_forms}  @domain{sliding regime, Eq. (69)}

@@ -24,7 +24,7 @@ template <class T>
     return {(a.re * b.re + a.im * b.im) / size, (a.im * b.re - a.re * b.im) / size};
 }
 
-/// @brief \f$ (e^z-1)/z \f$ of a complex number, which is 1 at 0; `derivation/symbolic.hpp` has it for the symbolic scalar.
+/// @brief \f$ (e^z-1)/z \f$ of a complex number, which is 1 at 0; `derivation/stand_ins.hpp` has its stand-in.
 /// @param z  a complex number
 /// @return   the quotient
 template <class T>

@@ -71,12 +71,14 @@ template <class T>
 /// @param beta  friction ratio, Eq. (11)
 /// @param w     weights psi_ki psi_ji R_i^2 of the modes in (40)
 /// @param y     braces of (40) of the modes at tau, and their derivatives
+/// @param so_far  weighted sums over the modes before these
 /// @return      displacement, velocity, acceleration, in units of P / k_1
 template <class T>
 [[nodiscard]] MotionOfMass<T> motion_of_mass(const T& tau, const HarmonicPart<T>& h, const T& beta, std::span<const T> w,
-                                             std::span<const FrictionMotion<T>> y) {
+                                             std::span<const FrictionMotion<T>> y,
+                                             const FrictionMotion<T>& so_far = {T(0), T(0), T(0)}) {
     const T C = cos(tau), S = sin(tau);
-    T F_k(0), F_prime(0), F_double_prime(0);
+    T F_k = so_far.value, F_prime = so_far.prime, F_double_prime = so_far.double_prime;
     for (std::size_t i = 0; i < y.size(); ++i) {
         F_k = F_k + w[i] * y[i].value;
         F_prime = F_prime + w[i] * y[i].prime;

@@ -76,7 +76,7 @@ template <class T>
     if (R >= 2) return zeta >= 1 ? overdamped_response(R, zeta) : complex_response_high_frequency(R, zeta);
     const T a = (1 - R) * (1 + R);
     const T b = 2 * zeta * R;
-    if ((a < 0 ? T(-a) : a) < b || (R == 1 && zeta > 0)) return complex_response_near_resonance(R, zeta);
+    if ((a < 0 ? T(-a) : a) < b) return complex_response_near_resonance(R, zeta);
     return complex_response_off_resonance(R, zeta, zeta >= 1 ? T(1) : T(1 / T(std::numeric_limits<T>::epsilon())));
 }
 

@@ -1,7 +1,8 @@
 /// @file
 /// @brief Elementary functions in forms that keep their digits: of pi times x, and without their leading term.
 ///
-/// Each has an overload for the symbolic scalar in `derivation/symbolic.hpp`, so that the forms built on them can be proved.
+/// Those that compare numbers have a stand-in in `derivation/stand_ins.hpp`, so that the forms built on them can be proved; the
+/// others are proved as they stand.
 #pragma once
 
 #include <boost/math/special_functions/cos_pi.hpp>

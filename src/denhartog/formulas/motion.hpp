@@ -23,11 +23,13 @@ namespace denhartog::paper {
 /// @param zeta   modal damping ratios, N values
 /// @param u      first damping functions of the modes, Eq. (28), N values
 /// @param g      second damping functions of the modes, Eq. (29), N values
+/// @param so_far sum over the modes before these
 /// @return       the sum
 template <class T>
 [[nodiscard]] T friction_motion_of_mass(const T& tau, std::span<const T> psi_k, std::span<const T> psi_j, std::span<const T> R,
-                                        std::span<const T> zeta, std::span<const T> u, std::span<const T> g) {
-    T sum(0);
+                                        std::span<const T> zeta, std::span<const T> u, std::span<const T> g,
+                                        const T& so_far = T(0)) {
+    T sum = so_far;
     for (std::size_t i = 0; i < R.size(); ++i)
         sum = sum + psi_k[i] * psi_j[i] * R[i] * R[i] * friction_motion(tau, R[i], zeta[i], u[i], g[i]);
     return sum;
@@ -84,11 +86,9 @@ template <class T>
 /// @param beta  friction ratio, Eq. (11)
 /// @return      the displacement at tau = 0, in units of P / k_1
 template <class T>
-[[nodiscard]] T initial_displacement(const Complex<T>& V_dk, const Complex<T>& V_dj, const T& U_dj, const T& G_k,
-                                     const T& beta) {
+[[nodiscard]] T initial_displacement(const Complex<T>& V_dk, const Complex<T>& V_dj, const T& U_dj, const T& G_k, const T& beta) {
     const T Delta = argument(V_dk) - argument(V_dj);
-    return -beta * G_k +
-           modulus(V_dk) / modulus(V_dj) * (contact_root(V_dj, U_dj, beta) * cos(Delta) + beta * U_dj * sin(Delta));
+    return -beta * G_k + modulus(V_dk) / modulus(V_dj) * (contact_root(V_dj, U_dj, beta) * cos(Delta) + beta * U_dj * sin(Delta));
 }
 
 /// @brief Velocity of a mass at the maximum of the displacement of the mass in contact.
@@ -123,8 +123,7 @@ template <class T>
 [[nodiscard]] T steady_displacement(const T& tau, const Complex<T>& V_dk, const Complex<T>& V_dj, const T& U_dj, const T& beta,
                                     const T& F_k) {
     const T Delta = argument(V_dk) - argument(V_dj);
-    return modulus(V_dk) / modulus(V_dj) *
-               (contact_root(V_dj, U_dj, beta) * cos(tau + Delta) + beta * U_dj * sin(tau + Delta)) +
+    return modulus(V_dk) / modulus(V_dj) * (contact_root(V_dj, U_dj, beta) * cos(tau + Delta) + beta * U_dj * sin(tau + Delta)) +
            beta * F_k;
 }
 

@@ -1,7 +1,8 @@
 /// @file
 /// @brief Sums over modes: (33)-(35), (56), (64), (65).
 ///
-/// Rows of the modal matrix are given as arrays over the modes: `psi_k[i]` is \f$ \psi_{ki} \f$, normalised by (17).
+/// Rows of the modal matrix are given as arrays over the modes: `psi_k[i]` is \f$ \psi_{ki} \f$, normalised by (17). Each sum
+/// goes on from a sum over other modes, so that what one more mode adds is proved of the loop that runs, for any sum before it.
 #pragma once
 
 #include <cstddef>
@@ -17,11 +18,12 @@ namespace denhartog::paper {
 /// @param psi_l  mode shapes at the loaded mass, N values
 /// @param R      modal frequency ratios, Eq. (22), N values
 /// @param v      complex response functions of the modes, Eq. (23), N values
+/// @param so_far sum over the modes before these
 /// @return       V_dk, complex; dimensionless
 template <class T>
 [[nodiscard]] Complex<T> complex_response_of_mass(std::span<const T> psi_k, std::span<const T> psi_l, std::span<const T> R,
-                                                  std::span<const Complex<T>> v) {
-    Complex<T> V{T(0), T(0)};
+                                                  std::span<const Complex<T>> v, const Complex<T>& so_far = {T(0), T(0)}) {
+    Complex<T> V = so_far;
     for (std::size_t i = 0; i < v.size(); ++i) V = V + T(psi_k[i] * psi_l[i] * R[i] * R[i]) * v[i];
     return V;
 }
@@ -34,11 +36,12 @@ template <class T>
 /// @param psi_j  mode shapes at the mass in contact, N values
 /// @param R      modal frequency ratios, Eq. (22), N values
 /// @param u      damping functions of the modes, Eq. (28) or (29), N values
+/// @param so_far sum over the modes before these
 /// @return       U_dk or G_k; dimensionless
 template <class T>
 [[nodiscard]] T damping_function_of_mass(std::span<const T> psi_k, std::span<const T> psi_j, std::span<const T> R,
-                                         std::span<const T> u) {
-    T U(0);
+                                         std::span<const T> u, const T& so_far = T(0)) {
+    T U = so_far;
     for (std::size_t i = 0; i < u.size(); ++i) U = U + psi_k[i] * psi_j[i] * R[i] * R[i] * u[i];
     return U;
 }
@@ -50,10 +53,11 @@ template <class T>
 /// @eq{56}  @derivation{section_2_6_domain_of_validity}  @domain{arrays of one length N}
 /// @param psi_j  mode shapes at the mass in contact, N values
 /// @param s      values of the modes, N values
+/// @param so_far sum over the modes before these
 /// @return       the sum; dimensionless
 template <class T>
-[[nodiscard]] T sum_over_contact(std::span<const T> psi_j, std::span<const T> s) {
-    T S(0);
+[[nodiscard]] T sum_over_contact(std::span<const T> psi_j, std::span<const T> s, const T& so_far = T(0)) {
+    T S = so_far;
     for (std::size_t i = 0; i < s.size(); ++i) S = S + psi_j[i] * psi_j[i] * s[i];
     return S;
 }
@@ -65,11 +69,12 @@ template <class T>
 /// @param zeta   modal damping ratios, N values
 /// @param u      first damping functions of the modes, Eq. (28), N values
 /// @param g      second damping functions of the modes, Eq. (29), N values
+/// @param so_far sum over the modes before these
 /// @return       H_j; dimensionless
 template <class T>
 [[nodiscard]] T H(std::span<const T> psi_j, std::span<const T> R, std::span<const T> zeta, std::span<const T> u,
-                  std::span<const T> g) {
-    T sum(0);
+                  std::span<const T> g, const T& so_far = T(0)) {
+    T sum = so_far;
     for (std::size_t i = 0; i < u.size(); ++i) sum = sum + psi_j[i] * psi_j[i] * (g[i] + 2 * zeta[i] * R[i] * u[i]);
     return sum;
 }

@@ -133,6 +133,36 @@ template <class T>
     return F / P;
 }
 
+/// @brief An entry of a product of two matrices, one more factor pair after the other.
+/// @eq{19}  @derivation{section_2_1_formulation}
+/// @param row     of the first, N values
+/// @param column  of the second, N values
+/// @param so_far  sum over the pairs before these
+/// @return        the sum over all
+template <class T>
+[[nodiscard]] T entry_of_product(std::span<const T> row, std::span<const T> column, const T& so_far = T(0)) {
+    T entry = so_far;
+    for (std::size_t n = 0; n < row.size(); ++n) entry = entry + row[n] * column[n];
+    return entry;
+}
+
+/// @brief An entry of the damping matrix, mode by mode.
+/// \f[ \overline{C}_{kn} = \sum_i 2\zeta_i\Omega_i(\overline{M}\psi_i)_k(\overline{M}\psi_i)_n \f]
+/// @eq{19}  @derivation{section_2_1_formulation}
+/// @param Omega    non-dimensional natural frequencies, N values, Eq. (15)
+/// @param zeta     modal damping ratios, N values, Eq. (18)
+/// @param M_psi_k  entries k of mass matrix times mode shape, N values
+/// @param M_psi_n  entries n of the same, N values
+/// @param so_far   sum over the modes before these
+/// @return         the sum over all
+template <class T>
+[[nodiscard]] T entry_of_damping(std::span<const T> Omega, std::span<const T> zeta, std::span<const T> M_psi_k,
+                                 std::span<const T> M_psi_n, const T& so_far = T(0)) {
+    T entry = so_far;
+    for (std::size_t i = 0; i < Omega.size(); ++i) entry = entry + 2 * zeta[i] * Omega[i] * M_psi_k[i] * M_psi_n[i];
+    return entry;
+}
+
 /// @brief Non-dimensional damping matrix from modal damping ratios.
 /// \f[ \overline{C} = \sum_i 2\zeta_i\Omega_i(\overline{M}\psi_i)(\overline{M}\psi_i)^T \f]
 /// @eq{19}  @derivation{section_2_1_formulation}  @domain{mode shapes normalised by (17)}
@@ -145,15 +175,16 @@ template <class T>
 [[nodiscard]] std::vector<T> damping_matrix(std::span<const T> M, std::span<const T> Psi, std::span<const T> Omega,
                                             std::span<const T> zeta) {
     const std::size_t N = Omega.size();
-    std::vector<T> M_Psi(N * N); // entries start at zero
+    std::vector<T> M_Psi(N * N), column(N);
+    for (std::size_t i = 0; i < N; ++i) {
+        for (std::size_t n = 0; n < N; ++n) column[n] = Psi[n * N + i];
+        for (std::size_t k = 0; k < N; ++k) M_Psi[k * N + i] = entry_of_product(M.subspan(k * N, N), std::span<const T>(column));
+    }
+    std::vector<T> C(N * N);
+    const std::span<const T> rows(M_Psi);
     for (std::size_t k = 0; k < N; ++k)
         for (std::size_t n = 0; n < N; ++n)
-            for (std::size_t i = 0; i < N; ++i) M_Psi[k * N + i] = M_Psi[k * N + i] + M[k * N + n] * Psi[n * N + i];
-    std::vector<T> C(N * N); // entries start at zero
-    for (std::size_t k = 0; k < N; ++k)
-        for (std::size_t n = 0; n < N; ++n)
-            for (std::size_t i = 0; i < N; ++i)
-                C[k * N + n] = C[k * N + n] + 2 * zeta[i] * Omega[i] * M_Psi[k * N + i] * M_Psi[n * N + i];
+            C[k * N + n] = entry_of_damping(Omega, zeta, rows.subspan(k * N, N), rows.subspan(n * N, N));
     return C;
 }
 

@@ -1,0 +1,288 @@
+#include "generators.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <stdexcept>
+
+namespace denhartog::derivation {
+
+using GiNaC::ex;
+using GiNaC::numeric;
+using GiNaC::symbol;
+
+ex reduced(const ex& polynomial, const std::vector<SquareRelation>& relations) {
+    ex p = polynomial.expand();
+    for (auto relation = relations.rbegin(); relation != relations.rend(); ++relation) {
+        const auto& [y, square] = *relation;
+        while (p.degree(y) >= 2) {
+            ex next = 0;
+            for (int k = p.ldegree(y); k <= p.degree(y); ++k)
+                next += p.coeff(y, k) * GiNaC::pow(square, k / 2) * GiNaC::pow(y, k % 2);
+            p = next.expand();
+        }
+    }
+    return p;
+}
+
+namespace {
+
+using Terms = std::vector<std::pair<ex, numeric>>; // monomial, rational coefficient
+
+/// An angle or exponent as a sum of rational multiples of monomials.
+Terms linear_terms(const ex& argument) {
+    Terms terms;
+    const ex expanded = argument.expand();
+    const auto add = [&terms](const ex& term) {
+        numeric coefficient(1);
+        ex monomial(1);
+        if (GiNaC::is_a<numeric>(term)) {
+            coefficient = GiNaC::ex_to<numeric>(term);
+        } else if (GiNaC::is_a<GiNaC::mul>(term)) {
+            for (const ex& factor : term)
+                if (GiNaC::is_a<numeric>(factor))
+                    coefficient = coefficient.mul(GiNaC::ex_to<numeric>(factor));
+                else
+                    monomial = monomial * factor;
+        } else {
+            monomial = term;
+        }
+        if (!coefficient.is_rational()) throw std::domain_error("an angle with a coefficient that is not rational");
+        terms.emplace_back(monomial, coefficient);
+    };
+    if (GiNaC::is_a<GiNaC::add>(expanded))
+        for (const ex& term : expanded) add(term);
+    else if (!expanded.is_zero())
+        add(expanded);
+    return terms;
+}
+
+bool is_circular(const ex& e) {
+    return GiNaC::is_the_function<GiNaC::sin_SERIAL>(e) || GiNaC::is_the_function<GiNaC::cos_SERIAL>(e);
+}
+bool is_exponential(const ex& e) {
+    return GiNaC::is_the_function<GiNaC::exp_SERIAL>(e) || GiNaC::is_the_function<GiNaC::sinh_SERIAL>(e) ||
+           GiNaC::is_the_function<GiNaC::cosh_SERIAL>(e);
+}
+
+void collect_symbols(const ex& e, std::map<ex, bool, GiNaC::ex_is_less>& seen) {
+    if (GiNaC::is_a<symbol>(e) || e.is_equal(GiNaC::Pi)) seen.emplace(e, e.info(GiNaC::info_flags::positive));
+    for (const ex& part : e) collect_symbols(part, seen);
+}
+
+} // namespace
+
+void Generators::collect(const ex& e, bool real_there) {
+    real_there_ = real_there;
+    collect(e);
+}
+
+void Generators::collect(const ex& e) {
+    for (const ex& part : e) collect(part);
+    if (is_circular(e) || is_exponential(e)) {
+        auto& units = is_circular(e) ? angle_unit_ : exponent_unit_;
+        for (const auto& [monomial, coefficient] : linear_terms(rationalised(replace(e.op(0))))) {
+            auto [place, fresh] = units.emplace(monomial, numeric(1));
+            place->second = lcm(place->second, coefficient.denom());
+        }
+    }
+}
+
+ex Generators::rewrite(const ex& e, bool real_there) {
+    real_there_ = real_there;
+    return replace(e);
+}
+
+ex Generators::reduced_numerator(const ex& rational) {
+    const ex fraction = rational.normal();
+    ex numerator = reduced(fraction.numer(), relations_);
+    note_denominator(fraction.denom());
+    return numerator;
+}
+
+/// The same with no root in its denominator, so that the sum in an angle shows: multiplied by the conjugates.
+ex Generators::rationalised(const ex& argument) const {
+    const auto has_root = [](const ex& e) { return [&e](const Root& root) { return e.has(root.generator); }; };
+    if (std::none_of(roots_.begin(), roots_.end(), has_root(argument))) return argument;
+    const ex fraction = argument.normal();
+    ex n = fraction.numer(), d = reduced(fraction.denom(), relations_);
+    if (std::none_of(roots_.begin(), roots_.end(), has_root(d))) return argument;
+    for (auto root = roots_.rbegin(); root != roots_.rend(); ++root) {
+        if (!d.has(root->generator)) continue;
+        const ex conjugate = d.coeff(root->generator, 0) - d.coeff(root->generator, 1) * root->generator;
+        n = reduced(n * conjugate, relations_);
+        d = reduced(d * conjugate, relations_);
+        if (d.is_zero()) throw std::domain_error("a denominator that has no conjugate");
+    }
+    return (n / d).normal();
+}
+
+ex Generators::new_generator(const std::string& name, const ex& stands_for, const Bounds& bounds) {
+    const std::string number = std::to_string(names.size() + 1);
+    const symbol g(name + number, name + "_{" + number + "}");
+    meaning_[g] = stands_for.subs(meaning_);
+    names.emplace_back(g, meaning_[g]);
+    known_.emplace(g, bounds);
+    return g;
+}
+
+/// A product or a quotient of roots that are known, where all signs are certain; otherwise the root of the same polynomial.
+ex Generators::known_root(const ex& a, bool certain) const {
+    for (const Root& root : roots_)
+        if ((root.square - a).expand().is_zero()) return root.generator;
+    if (!certain) return 0;
+    for (const Root& one : roots_)
+        for (const Root& other : roots_) {
+            if (!one.certain || !other.certain) continue;
+            if ((one.square * other.square - a).expand().is_zero()) return one.generator * other.generator;
+            if ((one.square - a * other.square).expand().is_zero()) return one.generator / other.generator;
+        }
+    return 0;
+}
+
+/// The principal root of a polynomial: squares of positive symbols come out, the rest is one generator.
+ex Generators::root(const ex& polynomial, const std::string& reason) {
+    ex a = reduced(polynomial, relations_);
+    ex outside = 1;
+    std::map<ex, bool, GiNaC::ex_is_less> seen;
+    collect_symbols(a, seen);
+    for (const auto& [symbol, positive] : seen)
+        while (positive && a.ldegree(symbol) >= 2) {
+            outside *= symbol;
+            a = (a / (symbol * symbol)).expand();
+        }
+    if (!a.is_zero()) {
+        const numeric content = a.integer_content();
+        const numeric whole = GiNaC::isqrt(content.numer()) / GiNaC::isqrt(content.denom());
+        if (whole * whole == content) {
+            outside *= whole;
+            a = (a / content).expand();
+        }
+    }
+    if (GiNaC::is_a<numeric>(a)) return outside * GiNaC::sqrt(a);
+    const std::string why = reason.empty() ? why_not_negative(a, known_) : reason;
+    if (const ex known = known_root(a, !why.empty()); !known.is_zero()) return outside * known;
+    if (why.empty() && !real_there_) throw std::domain_error("a root of what may be negative");
+    const ex y = new_generator("y", GiNaC::sqrt(a), {numeric(0), {}});
+    roots.push_back({names.back().second.op(0), why.empty() ? "the statement is made where the root is real" : why});
+    roots_.push_back({y, a, !why.empty()});
+    relations_.emplace_back(y, a);
+    return outside * y;
+}
+
+ex Generators::root_of_fraction(const ex& radicand, const std::string& reason) {
+    const ex fraction = radicand.normal();
+    const ex denominator = fraction.denom();
+    note_denominator(denominator);
+    if (!why_not_negative(denominator, known_).empty()) return root(fraction.numer(), reason) / root(denominator);
+    if (!why_not_negative((-denominator).expand(), known_).empty()) return root(-fraction.numer(), reason) / root(-denominator);
+    throw std::domain_error("a root of a fraction whose denominator may have either sign");
+}
+
+/// An arc of atan2, in (-pi, pi], or half of it, of which the cosine is not negative.
+Generators::Circular Generators::unit_angle_of_arc(const ex& arc, const numeric& unit) {
+    const ex y = replace(arc.op(0)), x = replace(arc.op(1));
+    const ex rho = root_of_fraction(x * x + y * y);
+    if (unit == 1) return {x / rho, y / rho, unit};
+    if (unit != 2) throw std::domain_error("a fraction of an arc other than its half");
+    const ex c = root_of_fraction((1 + x / rho) / 2, "a coordinate is not larger than the modulus");
+    return {c, y / (2 * rho * c), unit};
+}
+
+/// Cosine and sine of the unit angle of a monomial.
+Generators::Circular Generators::unit_angle(const ex& monomial) {
+    const numeric unit = angle_unit_.at(monomial);
+    if (const auto known = angles_.find(monomial); known != angles_.end()) {
+        if (known->second.unit != unit) throw std::domain_error("an angle within an angle and again outside it, finer");
+        return known->second;
+    }
+    for (const auto& [arc, angle] : arcs_)
+        if (angle.is_equal(monomial)) return angles_.emplace(monomial, unit_angle_of_arc(arc, unit)).first->second;
+    const ex fraction = monomial / unit;
+    const Bounds bounds{numeric(-1), numeric(1)};
+    const ex c = new_generator("c", GiNaC::cos(fraction), bounds), s = new_generator("s", GiNaC::sin(fraction), bounds);
+    relations_.emplace_back(s, 1 - c * c);
+    return angles_.emplace(monomial, Circular{c, s, unit}).first->second;
+}
+
+/// Cosine and sine of a sum of multiples of unit angles.
+Generators::Pair Generators::angle(const ex& argument) {
+    ex c = 1, s = 0;
+    for (const auto& [monomial, coefficient] : linear_terms(argument)) {
+        if (monomial.is_equal(GiNaC::Pi)) { // a fixed angle: the quarter turns are exact
+            const ex c1 = GiNaC::cos(coefficient * GiNaC::Pi), s1 = GiNaC::sin(coefficient * GiNaC::Pi);
+            const ex next = c * c1 - s * s1;
+            s = s * c1 + c * s1;
+            c = next;
+            continue;
+        }
+        const auto [c1, s1, unit] = unit_angle(monomial);
+        const int n = coefficient.mul(unit).to_int();
+        for (int k = 0; k < std::abs(n); ++k) {
+            const ex next = c * c1 - (n > 0 ? s * s1 : ex(-s * s1));
+            s = s * c1 + (n > 0 ? c * s1 : ex(-c * s1));
+            c = next;
+        }
+    }
+    return {c, s};
+}
+
+ex Generators::exponential(const ex& argument) {
+    ex product = 1;
+    for (const auto& [monomial, coefficient] : linear_terms(argument)) {
+        const numeric unit = exponent_unit_.at(monomial);
+        auto known = exponentials_.find(monomial);
+        if (known == exponentials_.end()) {
+            const ex e = new_generator("e", GiNaC::exp(monomial / unit), {numeric(0), {}});
+            known = exponentials_.emplace(monomial, Exponential{e, unit}).first;
+        }
+        if (known->second.unit != unit) throw std::domain_error("an exponent within an exponent and again outside it, finer");
+        product = product * GiNaC::pow(known->second.generator, coefficient.mul(unit));
+    }
+    return product;
+}
+
+ex Generators::replace(const ex& e) {
+    if (is_circular(e)) {
+        const auto [c, s] = angle(rationalised(replace(e.op(0))));
+        return GiNaC::is_the_function<GiNaC::cos_SERIAL>(e) ? c : s;
+    }
+    if (is_exponential(e)) {
+        const ex grown = exponential(rationalised(replace(e.op(0))));
+        if (GiNaC::is_the_function<GiNaC::exp_SERIAL>(e)) return grown;
+        return GiNaC::is_the_function<GiNaC::sinh_SERIAL>(e) ? (grown - 1 / grown) / 2 : (grown + 1 / grown) / 2;
+    }
+    if (GiNaC::is_the_function<GiNaC::atan2_SERIAL>(e)) {
+        const auto known = arcs_.find(e);
+        if (known != arcs_.end()) return known->second;
+        const ex arc = new_generator("a", e, {numeric(-4), numeric(4)});
+        angle_unit_.emplace(arc, numeric(1));
+        return arcs_.emplace(e, arc).first->second;
+    }
+    if (GiNaC::is_a<GiNaC::function>(e)) throw std::domain_error("a function that the zero test does not know");
+    if (GiNaC::is_a<GiNaC::power>(e)) {
+        if (!GiNaC::is_a<numeric>(e.op(1))) throw std::domain_error("a power with a symbolic exponent");
+        const numeric exponent = GiNaC::ex_to<numeric>(e.op(1));
+        const ex base = replace(e.op(0));
+        if (exponent.is_integer()) return GiNaC::pow(base, exponent);
+        if (!exponent.mul(2).is_integer()) throw std::domain_error("a root that is not square");
+        return GiNaC::pow(root_of_fraction(base), exponent.mul(2));
+    }
+    if (GiNaC::is_a<numeric>(e) && !GiNaC::ex_to<numeric>(e).is_rational())
+        throw std::domain_error("a number that is not rational");
+    if (GiNaC::is_a<GiNaC::add>(e) || GiNaC::is_a<GiNaC::mul>(e)) {
+        ex result = GiNaC::is_a<GiNaC::add>(e) ? 0 : 1;
+        for (const ex& part : e) result = GiNaC::is_a<GiNaC::add>(e) ? result + replace(part) : result * replace(part);
+        return result;
+    }
+    return e;
+}
+
+void Generators::note_denominator(const ex& d) {
+    if (GiNaC::is_a<numeric>(d)) return;
+    if (reduced(d, relations_).is_zero()) throw std::domain_error("a denominator that is zero everywhere");
+    for (const ex& known : denominators)
+        if ((known - d).expand().is_zero() || (known + d).expand().is_zero()) return;
+    denominators.push_back(d);
+}
+
+} // namespace denhartog::derivation
