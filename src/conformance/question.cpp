@@ -66,23 +66,6 @@ std::string in_quotes(std::string_view text) {
 // As text whatever bytes its strings hold.
 std::string dumped(const nlohmann::json& x) { return x.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace); }
 
-// Whether brackets are nested deeper than in any answer: the JSON library would write them back by recursion.
-bool nested_too_deeply(std::string_view line) {
-    constexpr int most = 16;
-    int depth = 0;
-    bool in_text = false;
-    for (std::size_t n = 0; n < line.size(); ++n) {
-        const char c = line[n];
-        if (in_text && c == '\\') ++n;
-        if (c == '"') in_text = !in_text;
-        if (in_text) continue;
-        if (c == '[' || c == '{') ++depth;
-        if (c == ']' || c == '}') --depth;
-        if (depth > most) return true;
-    }
-    return false;
-}
-
 Answer value_of_words(const std::vector<std::string>& words) {
     Value value;
     if (words.size() == 1 && is_regime(words.front())) {
@@ -133,9 +116,12 @@ T member(const nlohmann::json& object, const char* key) {
     }
 }
 
-template <class T>
-T member_or(const nlohmann::json& object, const char* key, const T& without) {
-    return object.contains(key) ? member<T>(object, key) : without;
+// The JSON library would cut a number to an int without a word.
+int whole(const nlohmann::json& object, const char* key) {
+    const auto x = member<double>(object, key);
+    if (!(std::abs(x) < 1e9) || x != std::floor(x))
+        throw InputError(key, "must be a whole number of at most nine digits", number_to_text(x));
+    return static_cast<int>(x);
 }
 
 } // namespace
@@ -200,14 +186,14 @@ Question question_from_json(const nlohmann::json& object) {
     q.mass_ratios = member<std::vector<double>>(scene, "mass_ratios");
     q.stiffness_ratios = member<std::vector<double>>(scene, "stiffness_ratios");
     q.damping_ratios = member<std::vector<double>>(scene, "damping_ratios");
-    q.contact = member<int>(scene, "contact");
-    q.load = member<int>(scene, "load");
+    q.contact = whole(scene, "contact");
+    q.load = whole(scene, "load");
     q.mu = member<double>(scene, "mu");
     q.r = member<double>(scene, "r");
     q.beta = member<double>(scene, "beta");
-    q.mass = member_or(object, "mass", 0);
-    q.tau = member_or(object, "tau", 0.0);
-    q.samples = member_or(object, "samples", 0);
+    if (object.contains("mass")) q.mass = whole(object, "mass");
+    if (object.contains("tau")) q.tau = member<double>(object, "tau");
+    if (object.contains("samples")) q.samples = whole(object, "samples");
     return q;
 }
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
@@ -28,7 +30,8 @@ std::vector<std::string> all_hexadecimal(const std::vector<double>& numbers) {
 double from_hexadecimal(const std::string& text) {
     char* end = nullptr;
     const double x = std::strtod(text.c_str(), &end);
-    if (text.empty() || end != text.c_str() + text.size()) throw InputError("hex", "must hold hexadecimal floats", text);
+    if (text.empty() || end != text.c_str() + text.size() || !std::isfinite(x))
+        throw InputError("hex", "must hold finite hexadecimal floats", text);
     return x;
 }
 
@@ -52,6 +55,29 @@ std::string joined(const List& list) {
     std::string text;
     for (const auto& x : list) text += (text.empty() ? "" : " ") + text_of(x);
     return text;
+}
+
+// The first word of a question in the plain dialect.
+void check_id(const std::string& id) {
+    check_text("id", id);
+    const auto is_allowed = [](unsigned char c) { return std::isalnum(c) != 0 || c == '-'; };
+    if (id.empty() || !std::all_of(id.begin(), id.end(), is_allowed))
+        throw InputError("id", "must be letters, digits and hyphens", id);
+}
+
+void check_regime(const std::string& name, const std::string& word) {
+    if (word != "continuous" && word != "stick_slip" && word != "permanent_sticking")
+        throw InputError(name, "must be a regime", word);
+}
+
+// What answers are judged by must be there for each of their numbers.
+void check_numbers(const Vector& v) {
+    const std::string count = std::to_string(v.value.size());
+    if (v.nearest.size() != v.value.size())
+        throw InputError("hex", "must have as many numbers as value (" + count + ")", std::to_string(v.nearest.size()));
+    if (quantity(v.question.quantity).shape == Shape::samples && static_cast<std::size_t>(v.question.samples) != v.value.size())
+        throw InputError("samples", "must be as many as value has numbers (" + count + ")", std::to_string(v.question.samples));
+    if (!(v.scale > 0)) throw InputError("scale", "must be positive", text_of(v.scale));
 }
 
 } // namespace
@@ -97,11 +123,12 @@ Vector vector_from_json(const nlohmann::json& object) {
         v.group = object.at("group");
         v.equation = object.at("equation");
         v.tier = object.at("tier");
-        check_text("id", v.question.id);
+        check_id(v.question.id);
         check_text("group", v.group);
         check_text("equation", v.equation);
         check_text("tier", v.tier);
         v.regime = object.value("regime", "");
+        if (!v.regime.empty()) check_regime("regime", v.regime);
         if (object.contains("margin")) v.margin = object["margin"].get<double>();
         object.at("flags").get_to(v.flags);
         for (const std::string& flag : v.flags) check_text("flags", flag);
@@ -109,12 +136,17 @@ Vector vector_from_json(const nlohmann::json& object) {
         if (object.contains("reject")) {
             v.reject = object["reject"];
             check_text("reject", v.reject);
+            if (v.reject.empty()) throw InputError("reject", "must name the rule that is broken", "nothing");
             return v;
         }
+        static_cast<void>(scene_of<double>(v.question));
         object.at("routes").get_to(v.routes);
+        for (const nlohmann::json& number : object.at("digits"))
+            if (!number.is_number_integer()) throw InputError("digits", "must be whole numbers", number.dump());
         object.at("digits").get_to(v.digits);
         if (object.at("value").is_string()) {
             v.word = object["value"];
+            check_regime("value", v.word);
             return v;
         }
         object.at("value").get_to(v.value);
@@ -123,6 +155,7 @@ Vector vector_from_json(const nlohmann::json& object) {
         v.scale = from_hexadecimal(object.at("scale"));
         for (const auto& [input, number] : object.at("condition").items()) v.condition.emplace_back(input, number.get<double>());
         v.tolerance = {object.at("tolerance").at("pass"), object["tolerance"].at("loose"), object["tolerance"].at("inaccurate")};
+        check_numbers(v);
     } catch (const nlohmann::json::exception& e) {
         throw InputError("vector " + v.question.id, "must have the members of the format", e.what());
     }

@@ -77,6 +77,17 @@ TEST_CASE("messages hold printable characters and not many of them", "[scene][js
     REQUIRE(std::string(refusal("{\"" + key + "\": 1, \"" + key + "\": 1}").what()).size() < 1000);
 }
 
+TEST_CASE("a key without a letter is named all the same", "[scene][json][bad-input]") {
+    REQUIRE(refusal(R"({"": 1, "": 2})").quantity == "\"\"");
+    REQUIRE(std::string(refusal(R"({"": 1, "": 2})").what()) == "\"\" must be given once, but is given twice (at /)");
+}
+
+TEST_CASE("a value that is nested without an end is none", "[scene][json][bad-input]") {
+    REQUIRE(json_or_nothing(std::string(16, '[') + std::string(16, ']')).is_array());
+    REQUIRE(json_or_nothing(std::string(17, '[') + std::string(17, ']')).is_discarded());
+    REQUIRE(json_or_nothing(R"({"a": "[[[[[[[[[[[[[[[[[[[\"[["})").is_object());
+}
+
 TEST_CASE("a zero byte is refused where it stands, not taken for the end", "[scene][json][bad-input]") {
     using namespace std::string_literals;
     for (const std::string& text : {"{}\0"s, "{}\0{}"s, "{}\0garbage {"s, "{\"a\0\": 1}"s, "\0{}"s, "{\"a\": 1\0}"s, "{} \0"s}) {

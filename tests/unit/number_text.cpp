@@ -80,6 +80,23 @@ TEST_CASE("a number beyond the type is refused and not rounded to zero or infini
     REQUIRE(y == 3);
 }
 
+TEST_CASE("a number of many digits is refused where its own text would have an exponent that is not read", "[scene][number]") {
+    const auto in_50_and_100_digits = [](std::string_view text) {
+        Real50 x = 3;
+        Real100 y = 3;
+        const NumberFault fault = number_from_text(text, x);
+        REQUIRE(number_from_text(text, y) == fault);
+        REQUIRE((fault == NumberFault::none) == (x != 3));
+        return fault;
+    };
+    REQUIRE(in_50_and_100_digits("123456e4999") == NumberFault::too_large);
+    REQUIRE(in_50_and_100_digits("-0.00011e-5000") == NumberFault::too_small);
+    for (const char* text : {"9.9e4996", "-1.1e-4996"}) {
+        REQUIRE(in_50_and_100_digits(text) == NumberFault::none);
+        REQUIRE(read<Real50>(number_to_text(read<Real50>(text))) == read<Real50>(text));
+    }
+}
+
 TEST_CASE("numbers that are none are named", "[scene][number]") {
     REQUIRE(number_to_text(std::numeric_limits<double>::quiet_NaN()) == "nan");
     REQUIRE(number_to_text(-std::numeric_limits<double>::infinity()) == "-inf");

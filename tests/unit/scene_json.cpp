@@ -246,6 +246,13 @@ TEST_CASE("a dimensional scene breaks rules under its own names", "[scene][json]
                  "masses", "of mass 2 must be finite", "inf", "/masses/1"));
 }
 
+TEST_CASE("a quotient beyond the numbers that are read is refused, so that what is written is read", "[scene][json][bad-input]") {
+    const std::string text = R"({"masses": ["1e4000"], "stiffnesses": ["1e-4000"], "damping_ratios": 0.1, "contact": 1, "load": 1,
+                                 "frequency": "1e4000"})";
+    REQUIRE_THROWS_WITH(read_scene<Real50>(text),
+                        Catch::Matchers::StartsWith("frequency must be from 1e-4997 to 1e4997 in size, but is"));
+}
+
 TEST_CASE("the schema has the keys that the reader accepts", "[scene][json][docs]") {
     const char* root = std::getenv("DENHARTOG_SOURCE_DIR");
     REQUIRE(root != nullptr);

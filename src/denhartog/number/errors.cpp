@@ -10,8 +10,11 @@ namespace {
 
 constexpr std::size_t most_of_a_rule = 600; // the reason of an answer that fails in 100 digits is long
 
+// A key of a file may be empty.
+std::string named(const std::string& quantity) { return quantity.empty() ? "\"\"" : legible(quantity); }
+
 std::string message_of(const std::string& quantity, const std::string& rule, const std::string& value, const std::string& place) {
-    return legible(quantity) + " " + legible(rule, most_of_a_rule) + (value.empty() ? "" : ", but is " + legible(value)) +
+    return named(quantity) + " " + legible(rule, most_of_a_rule) + (value.empty() ? "" : ", but is " + legible(value)) +
            (place.empty() ? "" : " (at " + legible(place) + ")");
 }
 
@@ -24,7 +27,7 @@ bool is_one_of(const std::exception& fault) noexcept {
 
 InputError::InputError(const std::string& quantity_, const std::string& rule_, const std::string& value_,
                        const std::string& place_)
-    : std::invalid_argument(message_of(quantity_, rule_, value_, place_)), quantity(legible(quantity_)),
+    : std::invalid_argument(message_of(quantity_, rule_, value_, place_)), quantity(named(quantity_)),
       rule(legible(rule_, most_of_a_rule)), value(legible(value_)), place(legible(place_)) {}
 
 bool is_beyond_range(const std::exception& fault) noexcept {

@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "denhartog/number/multiprecision.hpp"
+#include "denhartog/number/number_range.hpp"
 
 namespace denhartog {
 namespace {
@@ -105,9 +106,11 @@ NumberFault number_from_text(std::string_view text, T& value) {
     const auto read = std::from_chars(parts.exponent.data(), parts.exponent.data() + parts.exponent.size(), exponent);
     if (read.ec == std::errc::result_out_of_range || std::abs(exponent) > largest_exponent) return NumberFault::too_long;
     const T x = convert<T>(text);
+    using std::abs;
     using std::isfinite;
     if (!isfinite(x)) return NumberFault::too_large;
     if (x == 0 && !parts.zero) return NumberFault::too_small;
+    if (!in_range_of_text(x)) return abs(x) < 1 ? NumberFault::too_small : NumberFault::too_large;
     value = x;
     return NumberFault::none;
 }

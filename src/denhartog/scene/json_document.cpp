@@ -120,8 +120,24 @@ void refuse_zero_byte(const std::string& quantity, std::string_view text, std::s
     if (zero != text.npos) throw InputError(quantity, "must be text", "a zero byte", place_of(text, zero, line));
 }
 
+bool nested_too_deeply(std::string_view text) {
+    constexpr int most = 16;
+    int depth = 0;
+    bool in_text = false;
+    for (std::size_t n = 0; n < text.size(); ++n) {
+        const char c = text[n];
+        if (in_text && c == '\\') ++n;
+        if (c == '"') in_text = !in_text;
+        if (in_text) continue;
+        if (c == '[' || c == '{') ++depth;
+        if (c == ']' || c == '}') --depth;
+        if (depth > most) return true;
+    }
+    return false;
+}
+
 json json_or_nothing(std::string_view text) {
-    if (text.find('\0') != text.npos) return {json::value_t::discarded};
+    if (text.find('\0') != text.npos || nested_too_deeply(text)) return json(json::value_t::discarded);
     return json::parse(text, nullptr, false);
 }
 

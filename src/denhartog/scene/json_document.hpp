@@ -32,9 +32,14 @@ void refuse_zero_byte(const std::string& quantity, std::string_view text, std::s
 /// @brief Whether a text is JSON as a whole. @param text the text @return false also where it holds a zero byte
 [[nodiscard]] bool is_json(std::string_view text);
 
+/// @brief Whether brackets are nested deeper than in any text of this library: the JSON library copies and writes values by
+/// recursion, which has an end. @param text the text @return whether they are, more than 16 deep
+[[nodiscard]] bool nested_too_deeply(std::string_view text);
+
 /// @brief The value of a text of which the caller says what is wrong with it.
 /// @param text  the text
-/// @return      the value; a discarded one, which is no object, where the text is no JSON as a whole or holds a zero byte
+/// @return      the value; a discarded one, which is no object, where the text is no JSON as a whole, holds a zero byte, or is
+///              nested too deeply
 [[nodiscard]] nlohmann::json json_or_nothing(std::string_view text);
 
 /// @brief The most bytes of a value that a message shows.

@@ -6,6 +6,7 @@
 
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/multiprecision.hpp"
+#include "denhartog/number/number_range.hpp"
 #include "denhartog/number/number_text.hpp"
 #include "denhartog/scene/cholesky.hpp"
 #include "denhartog/scene/scene_rules.hpp"
@@ -20,10 +21,12 @@ namespace {
                      names.places ? std::string("/").append(quantity).append(within) : "");
 }
 
+/// The rule of every number that one breaks; null where it keeps it. Quotients of numbers may leave the range that is read.
 template <class T>
-bool finite(const T& x) {
+const char* broken_rule(const T& x) {
     using std::isfinite;
-    return isfinite(x);
+    if (!isfinite(x)) return "must be finite";
+    return in_range_of_text(x) ? nullptr : "must be from 1e-4997 to 1e4997 in size";
 }
 
 std::string at(std::size_t i) { return std::string("/").append(std::to_string(i)); }
@@ -45,7 +48,8 @@ void check_ratios(const std::vector<T>& x, std::size_t N, const SceneNames& name
     if (x.size() != N)
         fail(names, name, "must have as many values as there are masses (" + std::to_string(N) + ")", std::to_string(x.size()));
     for (std::size_t i = 0; i < N; ++i) {
-        if (!finite(x[i])) fail(names, name, "of " + of + " " + number(i) + " must be finite", number_to_text(x[i]), at(i));
+        if (const char* rule = broken_rule(x[i]))
+            fail(names, name, "of " + of + " " + number(i) + " " + rule, number_to_text(x[i]), at(i));
         if (!(x[i] > 0)) fail(names, name, "of " + of + " " + number(i) + " must be positive", number_to_text(x[i]), at(i));
     }
     if (x[0] != 1) fail(names, name, "of " + of + " 1 must be 1, its own unit", number_to_text(x[0]), at(0));
@@ -59,8 +63,8 @@ void check_symmetric(const Matrix<T>& A, std::size_t N, const SceneNames& names,
              std::to_string(A.rows()) + " by " + std::to_string(A.cols()));
     for (std::size_t i = 0; i < N; ++i)
         for (std::size_t k = 0; k < N; ++k)
-            if (!finite(A(i, k)))
-                fail(names, name, "in row " + number(i) + ", column " + number(k) + " must be finite", number_to_text(A(i, k)),
+            if (const char* rule = broken_rule(A(i, k)))
+                fail(names, name, "in row " + number(i) + ", column " + number(k) + " " + rule, number_to_text(A(i, k)),
                      at(i, k));
     for (std::size_t i = 0; i < N; ++i)
         for (std::size_t k = 0; k < i; ++k)
@@ -90,7 +94,7 @@ void check_damping_ratios(const std::vector<T>& zeta, std::size_t N, const Scene
     for (std::size_t i = 0; i < N; ++i) {
         const std::string of = std::string("of mode ").append(number(i));
         const std::string within = names.one_zeta ? "" : at(i);
-        if (!finite(zeta[i])) fail(names, name, of + " must be finite", number_to_text(zeta[i]), within);
+        if (const char* rule = broken_rule(zeta[i])) fail(names, name, of + " " + rule, number_to_text(zeta[i]), within);
         if (zeta[i] < 0) fail(names, name, of + " must not be negative", number_to_text(zeta[i]), within);
         if (zeta[i] > largest_damping_ratio) fail(names, name, of + " must be at most 1e300", number_to_text(zeta[i]), within);
     }
@@ -142,15 +146,15 @@ std::vector<T> converted(const std::vector<double>& x) {
 template <class T>
 void check_under_names(const Scene<T>& scene, const SceneNames& names) {
     check_system(scene.system, names);
-    if (!finite(scene.mu)) fail(names, "mu", "must be finite", number_to_text(scene.mu));
+    if (const char* rule = broken_rule(scene.mu)) fail(names, "mu", rule, number_to_text(scene.mu));
     if (scene.mu < 1)
         fail(names, "mu", "must be at least 1 (static friction is not below kinetic friction)", number_to_text(scene.mu));
     if (scene.r) {
-        if (!finite(*scene.r)) fail(names, names.r, "must be finite", number_to_text(*scene.r));
+        if (const char* rule = broken_rule(*scene.r)) fail(names, names.r, rule, number_to_text(*scene.r));
         if (!(*scene.r > 0)) fail(names, names.r, "must be positive", number_to_text(*scene.r));
     }
     if (scene.beta) {
-        if (!finite(*scene.beta)) fail(names, names.beta, "must be finite", number_to_text(*scene.beta));
+        if (const char* rule = broken_rule(*scene.beta)) fail(names, names.beta, rule, number_to_text(*scene.beta));
         if (*scene.beta < 0) fail(names, names.beta, "must not be negative", number_to_text(*scene.beta));
     }
 }

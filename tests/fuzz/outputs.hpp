@@ -1,0 +1,94 @@
+/// @file
+/// @brief Outputs of the C interface: after a fault they are as they were, else all of them are written, with finite numbers.
+#pragma once
+
+#include <denhartog.h>
+
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <initializer_list>
+#include <vector>
+
+#include "tests/fuzz/choices.hpp"
+#include "tests/fuzz/claims.hpp"
+
+namespace denhartog::fuzz {
+
+/// @brief Bits of a NaN that no computation makes: a number that has not been written.
+inline constexpr std::uint64_t unwritten = 0x7ff8'dead'beef'1234;
+
+/// @brief An array for numbers, rarely a null pointer.
+class Output {
+public:
+    /// @param choices  whether it is null
+    /// @param size     how many numbers it has room for
+    Output(Choices& choices, std::size_t size)
+        : numbers(size, std::bit_cast<double>(unwritten)), pointer(choices.rarely() ? nullptr : numbers.data()) {}
+    /// @brief The array. @return its start; null where there is none
+    [[nodiscard]] double* data() { return pointer; }
+    /// @brief Checks it after a call. @param ok whether the call answered @param written how many numbers it then writes
+    void check(bool ok, std::size_t written) const {
+        for (std::size_t n = 0; n < numbers.size(); ++n) {
+            const bool is_unwritten = std::bit_cast<std::uint64_t>(numbers[n]) == unwritten;
+            const bool expected = pointer != nullptr && ok && n < written;
+            claim(is_unwritten != expected, expected ? "every number is written" : "what is not asked for is untouched");
+            claim(!expected || std::isfinite(numbers[n]), "a number handed out is finite");
+        }
+    }
+
+private:
+    std::vector<double> numbers;
+    double* pointer;
+};
+
+/// @brief A struct that receives an answer: null, too small, as it is, or larger than the library knows.
+template <class Struct>
+class StructOutput {
+public:
+    /// @param choices  its size, and whether it is null
+    explicit StructOutput(Choices& choices) : bytes(sizeof(Struct) + 16, filler) {
+        const std::size_t sizes[] = {sizeof(Struct), sizeof(Struct) + 16, sizeof(Struct) - 1, 0};
+        const std::size_t size = sizes[choices.rarely() ? choices.of(4) : 0];
+        std::memcpy(bytes.data(), &size, sizeof size);
+        before = bytes;
+        pointer = choices.rarely() ? nullptr : reinterpret_cast<Struct*>(bytes.data());
+    }
+    /// @brief The struct. @return it; null where there is none
+    [[nodiscard]] Struct* data() { return pointer; }
+    /// @brief Checks it after a call. @param ok whether the call answered @param numbers its numbers
+    void check(bool ok, std::initializer_list<double Struct::*> numbers) const {
+        if (!ok) return claim(bytes == before, "after a fault a struct is untouched");
+        claim(std::memcmp(bytes.data(), before.data(), sizeof(std::size_t)) == 0, "the size of a struct is the caller's");
+        claim(std::memcmp(bytes.data() + sizeof(Struct), before.data() + sizeof(Struct), 16) == 0,
+              "no more than the struct is written");
+        double unwritten_number = 0;
+        std::memcpy(&unwritten_number, before.data() + sizeof(std::size_t), sizeof unwritten_number);
+        for (const auto number : numbers) {
+            const double x = pointer->*number;
+            claim(std::isfinite(x) && x != unwritten_number, "every number of a struct is written and finite");
+        }
+    }
+
+private:
+    static constexpr unsigned char filler = 0xA5;
+    std::vector<unsigned char> bytes, before;
+    Struct* pointer = nullptr;
+};
+
+/// @brief Checks the status of a call, and the message that a fault leaves.
+/// @param status   what the call returned
+/// @param allowed  what the header says that it may return, but for #DH_OK
+/// @param what     its name
+/// @return         whether it answered
+inline bool answered(int status, std::initializer_list<int> allowed, const char* what) {
+    if (status == DH_OK) return true;
+    bool documented = false;
+    for (const int each : allowed) documented = documented || each == status;
+    claim(documented, "the status is one of the header's",
+          std::string(what) + ": " + dh_status_text(status) + ": " + dh_last_message());
+    claim_message(dh_last_message());
+    return false;
+}
+
+} // namespace denhartog::fuzz
