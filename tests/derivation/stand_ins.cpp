@@ -7,17 +7,22 @@
 #include "tests/catch.hpp"
 
 namespace denhartog::derivation {
-Symbolic not_on_the_list(const Symbolic& x); // declared next to the claims, as `contact_root` once was
-}
+/// @brief Declared next to the claims, as `contact_root` once was. @param x a number @return a number
+Symbolic not_on_the_list(const Symbolic& x);
+} // namespace denhartog::derivation
 
 // As in a shipped template: a function of that name is in sight, and what is found besides is found by the arguments.
 namespace shipped_elsewhere {
+/// @brief In sight, and of no argument.
 void sinc();
+/// @brief In sight, and of no argument.
 void not_on_the_list();
+/// @brief Whether a sinc is found by the argument. @tparam T a number type
 template <class T>
 concept HasSinc = requires(const T& x) {
     sinc(x);
 };
+/// @brief Whether what is not on the list is found by the argument. @tparam T a number type
 template <class T>
 concept HasUnlisted = requires(const T& x) {
     not_on_the_list(x);
