@@ -58,10 +58,15 @@ inline Placed operator*(const Placed& a, const Placed& b) { return {a.symbolic()
 inline Placed operator/(const Placed& a, const Placed& b) { return {a.symbolic() / b.symbolic(), a.value() / b.value()}; }
 /// @brief Opposite. @param a a number @return -a
 inline Placed operator-(const Placed& a) { return {-a.symbolic(), -a.value()}; }
+/// @brief Whether one place is less than another; the comparison is kept. @param a a number @param b a number @return the outcome
 inline bool operator<(const Placed& a, const Placed& b) { return noted(a, b, false, a.value() < b.value()); }
+/// @brief Whether one place is greater than another; the comparison is kept. @param a a number @param b a number @return the outcome
 inline bool operator>(const Placed& a, const Placed& b) { return noted(a, b, false, a.value() > b.value()); }
+/// @brief Whether one place is less than or equal to another; the comparison is kept. @param a a number @param b a number @return the outcome
 inline bool operator<=(const Placed& a, const Placed& b) { return noted(a, b, false, a.value() <= b.value()); }
+/// @brief Whether one place is greater than or equal to another; the comparison is kept. @param a a number @param b a number @return the outcome
 inline bool operator>=(const Placed& a, const Placed& b) { return noted(a, b, false, a.value() >= b.value()); }
+/// @brief Whether one place is equal to another; the comparison is kept. @param a a number @param b a number @return the outcome
 inline bool operator==(const Placed& a, const Placed& b) { return noted(a, b, true, a.value() == b.value()); }
 
 /// @brief Square root. @param x a number @return its root
@@ -129,13 +134,17 @@ struct PiOf<derivation::scalar::Placed> {
 
 } // namespace denhartog
 
+namespace std {
+
 /// @brief The limits of double, which the selections ask for.
 template <>
-class std::numeric_limits<denhartog::derivation::scalar::Placed> {
+class numeric_limits<denhartog::derivation::scalar::Placed> {
 public:
     static constexpr bool is_specialized = true; ///< there are limits
-    /// @return 2^-52
+    /// @brief The distance of 1 and the next number. @return 2^-52
     static denhartog::derivation::scalar::Placed epsilon();
-    /// @return 2^-1022
+    /// @brief The least normal number. @return 2^-1022
     static denhartog::derivation::scalar::Placed(min)();
 };
+
+} // namespace std

@@ -78,6 +78,13 @@ bool vanishes(const ex& e, const Place& place) {
     return subnormal ? value.is_zero() : abs(value) < numeric("1e-45");
 }
 
+/// Whether anything in an expression is divided by what vanishes at a place, be it that it cancels in the end.
+bool divides_by_zero(const ex& e, const Place& place) {
+    const bool quotient = GiNaC::is_a<GiNaC::power>(e) && e.op(1).info(GiNaC::info_flags::negative);
+    if (quotient && vanishes(e.op(0), place)) return true;
+    return std::any_of(e.begin(), e.end(), [&place](const ex& part) { return divides_by_zero(part, place); });
+}
+
 /// What a selection takes at a place, with these coordinates in the expressions.
 std::vector<ex> form_taken(const Selection& selection, const Place& place, const Coordinates& at) {
     scalar::comparisons().clear();
@@ -145,7 +152,7 @@ private:
         return decisions_.emplace(std::pair(left, right), made).first->second;
     }
 
-    static bool divides_by_zero(const Decision& d, const Place& place) {
+    static bool meets_pole(const Decision& d, const Place& place) {
         const GiNaC::exmap stand_for(d.generators.begin(), d.generators.end());
         return std::any_of(d.denominators.begin(), d.denominators.end(),
                            [&](const ex& denominator) { return vanishes(denominator.subs(stand_for), place); });
@@ -156,7 +163,7 @@ private:
         bool pole = false;
         for (const ex& meaning : selection_.meaning(at.tau, at.R, at.zeta)) {
             const std::size_t before = decisions_.size();
-            pole = divides_by_zero(decision(meaning, meaning), place) || pole;
+            pole = meets_pole(decision(meaning, meaning), place) || pole;
             meanings_ += decisions_.size() - before;
         }
         return pole;
@@ -169,7 +176,7 @@ private:
             for (std::size_t i = 0; i < form.size(); ++i) {
                 const Decision& d = decision(form[i], meaning[i]);
                 if (d.verdict != Verdict::proved) return "a form is " + to_string(d.verdict) + " " + d.reason;
-                if (divides_by_zero(d, place)) return "a form divides by zero";
+                if (divides_by_zero(form[i], place)) return "a form divides by zero";
             }
             return "";
         } catch (const GiNaC::pole_error&) {

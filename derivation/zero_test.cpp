@@ -100,6 +100,37 @@ std::string text(const numeric& n) {
     return out.str();
 }
 
+bool refute_by_samples(Decision& decision, const ex& left, const ex& right, const std::vector<Range>& domain,
+                       const std::vector<ex>& real, int& evaluated) {
+    const std::vector<Range> ordered = where_signs_matter_first(domain, left, right);
+    Samples samples(ordered);
+    const int enough = std::max(least_samples, samples.patterns());
+    evaluated = 0;
+    for (int drawn = 0; drawn < enough || (drawn < 4 * enough && evaluated < least_evaluated); ++drawn) {
+        const Point point = samples.next();
+        numeric l, r;
+        try {
+            r = evaluate(right, point);
+            bool inside = is_real_value(r);
+            for (const ex& e : real) inside = inside && is_real_value(evaluate(e, point));
+            if (!inside) throw std::domain_error("no real value at a point of the domain");
+            l = evaluate(left, point);
+        } catch (const std::exception& e) {
+            decision.reason = e.what();
+            continue;
+        }
+        ++evaluated;
+        if (abs(l - r) > (abs(l) + abs(r) + 1) * numeric("1e-35")) {
+            decision.verdict = Verdict::refuted;
+            decision.witness = point;
+            decision.left = text(l);
+            decision.right = text(r);
+            return true;
+        }
+    }
+    return false;
+}
+
 } // namespace
 
 ex remainder(const ex& e, const std::vector<Range>& domain) {
@@ -130,6 +161,12 @@ std::vector<ex> roots_in(const std::vector<ex>& expressions) {
     return {found.begin(), found.end()};
 }
 
+bool differs_at_samples(const ex& left, const ex& right, const std::vector<Range>& domain, const std::vector<ex>& real) {
+    Decision decision;
+    int evaluated = 0;
+    return refute_by_samples(decision, left, right, domain, real, evaluated);
+}
+
 Decision decide_equal(const ex& left, const ex& right, const std::vector<Range>& domain, const std::vector<ex>& real) {
     Decision decision;
     bool zero = false;
@@ -150,32 +187,10 @@ Decision decide_equal(const ex& left, const ex& right, const std::vector<Range>&
         decision.reason = e.what();
         zero = false;
     }
-    const std::vector<Range> ordered = where_signs_matter_first(domain, left, right);
-    Samples samples(ordered);
-    const int enough = std::max(least_samples, samples.patterns());
     int evaluated = 0;
-    for (int drawn = 0; drawn < enough || (drawn < 4 * enough && evaluated < least_evaluated); ++drawn) {
-        const Point point = samples.next();
-        numeric l, r;
-        try {
-            r = evaluate(right, point);
-            bool inside = is_real_value(r);
-            for (const ex& e : real) inside = inside && is_real_value(evaluate(e, point));
-            if (!inside) throw std::domain_error("no real value at a point of the domain");
-            l = evaluate(left, point);
-        } catch (const std::exception& e) {
-            decision.reason = e.what();
-            continue;
-        }
-        ++evaluated;
-        if (abs(l - r) > (abs(l) + abs(r) + 1) * numeric("1e-35")) {
-            if (zero) throw std::logic_error("reduced to zero, yet not zero: " + text(l) + " against " + text(r));
-            decision.verdict = Verdict::refuted;
-            decision.witness = point;
-            decision.left = text(l);
-            decision.right = text(r);
-            return decision;
-        }
+    if (refute_by_samples(decision, left, right, domain, real, evaluated)) {
+        if (zero) throw std::logic_error("reduced to zero, yet not zero: " + decision.left + " against " + decision.right);
+        return decision;
     }
     if (zero && evaluated >= least_evaluated)
         decision.verdict = Verdict::proved;

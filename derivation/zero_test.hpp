@@ -75,6 +75,13 @@ struct Decision {
 [[nodiscard]] Decision decide_equal(const GiNaC::ex& left, const GiNaC::ex& right, const std::vector<Range>& domain,
                                     const std::vector<GiNaC::ex>& real = {});
 
+/// @brief Whether two expressions differ at a sample point: what refutes, without the reduction.
+/// @param left    an expression @param right another @param domain the symbols that occur, with their ranges
+/// @param real    roots that are real wherever the statement is made
+/// @return        true where they differ clearly
+[[nodiscard]] bool differs_at_samples(const GiNaC::ex& left, const GiNaC::ex& right, const std::vector<Range>& domain,
+                                      const std::vector<GiNaC::ex>& real = {});
+
 /// @brief The roots that stand in some expressions. @param expressions the expressions @return each root once
 [[nodiscard]] std::vector<GiNaC::ex> roots_in(const std::vector<GiNaC::ex>& expressions);
 

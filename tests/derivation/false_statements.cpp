@@ -96,7 +96,9 @@ TEST_CASE("a proof says on what the signs of its roots rest", "[zero_test]") {
     for (const RootReason& root : decision.roots)
         CHECK(root.reason ==
               (root.radicand.degree(s.V_jr) == 2 ? "the bounds of its terms" : "the statement is made where the root is real"));
-    CHECK(decide_equal(pow(uncertain, 2), s.V_jr - s.psi_ji, domain_of({uncertain})).verdict != Verdict::proved);
+    const ex square_less_one = (uncertain + 1) * (uncertain - 1), without_root = s.V_jr - s.psi_ji - 1;
+    CHECK(decide_equal(square_less_one, without_root, domain_of({uncertain})).verdict != Verdict::proved);
+    CHECK(decide_equal(square_less_one, without_root, domain_of({uncertain}), {uncertain}).verdict == Verdict::proved);
 }
 
 TEST_CASE("polynomials that are never negative are told from those that may be", "[zero_test]") {

@@ -6,13 +6,32 @@
 #include "denhartog/evaluation/driven_motion.hpp"
 #include "tests/catch.hpp"
 
+namespace denhartog::derivation {
+/// @brief Declared next to the claims, as `contact_root` once was. @param x a number @return a number
+Symbolic not_on_the_list(const Symbolic& x);
+} // namespace denhartog::derivation
+
+// As in a shipped template: a function of that name is in sight, and what is found besides is found by the arguments.
+namespace shipped_elsewhere {
+/// @brief In sight, and of no argument.
+void sinc();
+/// @brief In sight, and of no argument.
+void not_on_the_list();
+/// @brief Whether a sinc is found by the argument. @tparam T a number type
+template <class T>
+concept HasSinc = requires(const T& x) {
+    sinc(x);
+};
+/// @brief Whether what is not on the list is found by the argument. @tparam T a number type
+template <class T>
+concept HasUnlisted = requires(const T& x) {
+    not_on_the_list(x);
+};
+} // namespace shipped_elsewhere
+
 using namespace denhartog::derivation;
 using denhartog::Complex;
 using GiNaC::numeric;
-
-namespace denhartog::derivation {
-Symbolic not_on_the_list(const Symbolic& x); // declared next to the claims, as `contact_root` once was
-}
 
 namespace {
 
@@ -24,15 +43,6 @@ template <class T>
 concept Compared = requires(const T& x) {
     x == x;
 };
-template <class T>
-concept HasSinc = requires(const T& x) {
-    sinc(x);
-};
-template <class T>
-concept HasUnlisted = requires(const T& x) {
-    not_on_the_list(x);
-};
-
 double value(const Symbolic& s) {
     const GiNaC::ex v = s.expression().evalf();
     return GiNaC::ex_to<numeric>(v).to_double();
@@ -55,7 +65,7 @@ double apart(const std::vector<double>& places, const Body& body, const Theorem&
 
 // What compares numbers does not compile for the proofs, and an overload that is not on the list is not found.
 static_assert(!Ordered<Symbolic> && !Compared<Symbolic>);
-static_assert(HasSinc<Symbolic> && !HasUnlisted<Symbolic>);
+static_assert(shipped_elsewhere::HasSinc<Symbolic> && !shipped_elsewhere::HasUnlisted<Symbolic>);
 
 TEST_CASE("the shipped bodies compute what the stand-ins of the proofs say", "[stand_in]") {
     namespace shipped = denhartog::evaluation;

@@ -59,7 +59,10 @@ TEST_CASE("a task that throws or dies is at fault, and no other") {
 }
 
 TEST_CASE("a claim whose worker is killed is unknown and makes the run fail") {
-    const auto proved = [] { return Outcome{Verdict::proved, {}, {}}; };
+    const auto proved = [] {
+        ++altered_statements_refuted();
+        return Outcome{Verdict::proved, {}, {}};
+    };
     const auto killed = [] {
         std::raise(SIGKILL);
         return Outcome{Verdict::proved, {}, {}};
@@ -75,6 +78,14 @@ TEST_CASE("a claim whose worker is killed is unknown and makes the run fail") {
     CHECK(run.faults[0].find("claim second was not decided: its process was ended by a signal") == 0);
     CHECK(run.faults[1] == "claim second is needed and unknown");
     CHECK(lines.str().find("second: its process was ended") != std::string::npos);
+}
+
+TEST_CASE("a claim that is proved without a twin, and without a reason why it has none, makes the run fail") {
+    const std::vector<Claim> claims{needed("bare", [] { return Outcome{Verdict::proved, {}, {}}; })};
+    std::ostringstream lines;
+    const Run run = run_of(claims, findings_of(claims, {}, 1, lines));
+    REQUIRE(run.faults.size() == 1);
+    CHECK(run.faults[0] == "claim bare is proved and has neither a mutated twin nor a reason why not");
 }
 
 TEST_CASE("what is known already is not decided again") {
