@@ -4,9 +4,6 @@
 /// Each has an overload for the symbolic scalar in `derivation/symbolic.hpp`, so that the forms built on them can be proved.
 #pragma once
 
-#include <boost/math/special_functions/cos_pi.hpp>
-#include <boost/math/special_functions/sin_pi.hpp>
-
 #include "denhartog/number/number.hpp"
 #include "denhartog/number/reduced_angle.hpp"
 
@@ -15,13 +12,13 @@ namespace denhartog::evaluation {
 /// @brief \f$ \sin(\pi x) \f$, the argument reduced before it is multiplied. @param x a number @return sin(pi x)
 template <class T>
 [[nodiscard]] T sin_pi(const T& x) {
-    return boost::math::sin_pi(x);
+    return sine_of_half_turns(x);
 }
 
 /// @brief \f$ \cos(\pi x) \f$, the argument reduced before it is multiplied. @param x a number @return cos(pi x)
 template <class T>
 [[nodiscard]] T cos_pi(const T& x) {
-    return boost::math::cos_pi(x);
+    return cosine_of_half_turns(x);
 }
 
 /// @brief \f$ e^x - 1 \f$. @param x a number @return exp(x) - 1 without cancellation near 0
