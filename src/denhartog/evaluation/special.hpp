@@ -5,9 +5,6 @@
 /// others are proved as they stand.
 #pragma once
 
-#include <boost/math/special_functions/cos_pi.hpp>
-#include <boost/math/special_functions/sin_pi.hpp>
-
 #include "denhartog/number/number.hpp"
 #include "denhartog/number/reduced_angle.hpp"
 
@@ -16,13 +13,13 @@ namespace denhartog::evaluation {
 /// @brief \f$ \sin(\pi x) \f$, the argument reduced before it is multiplied. @param x a number @return sin(pi x)
 template <class T>
 [[nodiscard]] T sin_pi(const T& x) {
-    return boost::math::sin_pi(x);
+    return sine_of_half_turns(x);
 }
 
 /// @brief \f$ \cos(\pi x) \f$, the argument reduced before it is multiplied. @param x a number @return cos(pi x)
 template <class T>
 [[nodiscard]] T cos_pi(const T& x) {
-    return boost::math::cos_pi(x);
+    return cosine_of_half_turns(x);
 }
 
 /// @brief \f$ e^x - 1 \f$. @param x a number @return exp(x) - 1 without cancellation near 0

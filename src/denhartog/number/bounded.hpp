@@ -3,9 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <boost/math/special_functions/cos_pi.hpp>
 #include <boost/math/special_functions/expm1.hpp>
-#include <boost/math/special_functions/sin_pi.hpp>
 #include <cmath>
 #include <concepts>
 #include <limits>
@@ -97,12 +95,12 @@ template <class T>
 /// @brief \f$ \sin(\pi x) \f$. @param a a number @return sin(pi a)
 template <class T>
 [[nodiscard, gnu::noinline]] Bounded<T> sin_pi(const Bounded<T>& a) {
-    return Bounded<T>::rounded(boost::math::sin_pi(a.x), std::min(T(2), T(4 * a.e)), composed_units);
+    return Bounded<T>::rounded(sine_of_half_turns(a.x), std::min(T(2), T(4 * a.e)), composed_units);
 }
 /// @brief \f$ \cos(\pi x) \f$. @param a a number @return cos(pi a)
 template <class T>
 [[nodiscard, gnu::noinline]] Bounded<T> cos_pi(const Bounded<T>& a) {
-    return Bounded<T>::rounded(boost::math::cos_pi(a.x), std::min(T(2), T(4 * a.e)), composed_units);
+    return Bounded<T>::rounded(cosine_of_half_turns(a.x), std::min(T(2), T(4 * a.e)), composed_units);
 }
 /// @brief \f$ e^x - 1 \f$. @param a a number @return exp(a) - 1
 template <class T>

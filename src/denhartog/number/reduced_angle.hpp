@@ -1,10 +1,37 @@
 /// @file
-/// @brief Sine and cosine of half the angle of (28) and (29), reduced exactly before it is multiplied by pi.
+/// @brief Sines and cosines of angles in half turns, reduced exactly before they are multiplied by pi.
 #pragma once
+
+#include <boost/math/special_functions/cos_pi.hpp>
+#include <boost/math/special_functions/sin_pi.hpp>
 
 #include "denhartog/number/number.hpp"
 
 namespace denhartog {
+
+/// @brief An angle in half turns without whole turns, where there are many: Boost counts half turns in an int.
+/// @param x  a number
+/// @return   x, or its remainder after division by 2, exact; NaN where x is not finite
+template <class T>
+[[nodiscard]] T without_many_turns(const T& x) {
+    constexpr double many = 1e9;
+    using std::fmod;
+    return x > -many && x < many ? x : T(fmod(x, T(2)));
+}
+
+/// @brief \f$ \sin(\pi x) \f$. @param x an angle in half turns @return its sine; NaN where x is not finite
+template <class T>
+[[nodiscard]] T sine_of_half_turns(const T& x) {
+    const T reduced = without_many_turns(x);
+    return reduced == reduced ? T(boost::math::sin_pi(reduced)) : reduced;
+}
+
+/// @brief \f$ \cos(\pi x) \f$. @param x an angle in half turns @return its cosine; NaN where x is not finite
+template <class T>
+[[nodiscard]] T cosine_of_half_turns(const T& x) {
+    const T reduced = without_many_turns(x);
+    return reduced == reduced ? T(boost::math::cos_pi(reduced)) : reduced;
+}
 
 /// @brief Remainder of 1 after division by m, of the least size: exact, whatever the quotient.
 /// @param m  a positive number
