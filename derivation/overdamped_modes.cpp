@@ -6,6 +6,7 @@
 #include "denhartog/evaluation/demand.hpp"
 
 #include "derived.hpp"
+#include "provenance.hpp"
 #include "symbols.hpp"
 
 namespace denhartog::derivation {
@@ -30,6 +31,7 @@ const ex& heavy() {
 
 /// Sum and product of the rates sigma for which exp(sigma tau) solves (20) without its right side, both times their power of R.
 std::pair<ex, ex> derived_sum_and_product(const ex& zeta) {
+    from_premise(); // (20)
     const Symbols& s = symbols();
     const GiNaC::symbol sigma("sigma");
     const ex eta = GiNaC::exp(sigma * s.tau);

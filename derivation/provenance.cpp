@@ -10,12 +10,10 @@ Watch::Watch() : before_(watching) { watching = this; }
 
 Watch::~Watch() { watching = before_; }
 
-bool Watch::template_called() const { return none_.operations() > 0; }
+bool Watch::premise_called() const { return premise_; }
 
-bool Watch::equation_of_motion_called() const { return equation_of_motion_; }
-
-void from_equation_of_motion() {
-    if (watching != nullptr) watching->equation_of_motion_ = true;
+void from_premise() {
+    if (watching != nullptr) watching->premise_ = true;
 }
 
 } // namespace denhartog::derivation

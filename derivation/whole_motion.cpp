@@ -81,7 +81,7 @@ ex left_side_of_12(const WholeSystem& s, const std::vector<ex>& x, int n) {
 
 /// Row n of the right side of (12): (6) where x_j' < 0, the sign that friction has.
 ex right_side_of_12(int n, int j, int l, const ex& beta, const ex& load) {
-    from_equation_of_motion();
+    from_premise();
     const ex sgn = -1;
     return (n == l ? load : ex(0)) - (n == j ? beta * sgn : ex(0));
 }
@@ -134,7 +134,7 @@ ex motion_of_any_mass(const SymbolicModes& m) {
 
 /// What (25) and (30) set to zero.
 std::vector<ex> zeros_by_condition(std::size_t count) {
-    from_equation_of_motion();
+    from_premise();
     return std::vector<ex>(count, 0);
 }
 
