@@ -95,10 +95,9 @@ std::set<std::string> derived_equations(const std::vector<ClaimResult>& claims) 
     return found;
 }
 
-/// Whether a claim is a proof of its equations: it derives them, or refines a formula that is derived, and says what no other has said.
+/// Whether a claim is a proof: it derives its equations or refines a formula that is derived, and says what no other has said.
 bool is_proof(const ClaimResult& claim, const std::set<std::string>& derived) {
-    if (!claim.same_as.empty()) return false;
-    if (claim.kind == "derived") return true;
+    if (claim.kind == "derived" || !claim.same_as.empty()) return claim.same_as.empty();
     return claim.kind == "refinement" && !claim.refines.empty() &&
            std::ranges::all_of(claim.refines, [&](const std::string& equation) { return derived.contains(equation); });
 }

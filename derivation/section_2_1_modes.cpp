@@ -1,4 +1,4 @@
-// Section 2.1, (13)-(20): the modes, the equation of motion in modal coordinates, the damping matrix. (65), which follows from (17).
+// Section 2.1, (13)-(20): the modes, the equation of motion in modal coordinates, the damping matrix; (65), by (17).
 #include "claim.hpp"
 #include "denhartog/formulas/boundary.hpp"
 #include "denhartog/formulas/superposition.hpp"

@@ -26,12 +26,12 @@ std::pair<Symbolic, Symbolic> printed_real_parts() {
 }
 
 /// (44) and (45) as printed; exp(i Delta) is V_dk V_dj* over the product of the moduli.
-std::pair<ex, ex> printed_complex_start() {
+/// @param root  a real symbol for the root of (38)
+std::pair<ex, ex> printed_complex_start(const ex& root) {
     const Symbols& s = symbols();
     const ex V_j_squared = s.V_jr * s.V_jr + s.V_ji * s.V_ji;
     const ex turned = (s.V_kr + GiNaC::I * s.V_ki) * (s.V_jr - GiNaC::I * s.V_ji) / V_j_squared;
-    const Symbolic root = paper::contact_root(symbolic_V_j(), Symbolic(s.U_j), Symbolic(s.beta));
-    return {-s.beta * s.G_k + root.expression() * turned, s.beta * (s.U_j * turned - s.U_k)};
+    return {-s.beta * s.G_k + root * turned, s.beta * (s.U_j * turned - s.U_k)};
 }
 
 /// (48) with the displacement and the velocity at tau = 0.
@@ -101,9 +101,12 @@ const Register claims_of_section_2_5_other_masses([] {
          .assumptions = sliding,
          .kernel =
              [] {
-                 const auto [x_k0, x_prime_k0] = printed_complex_start();
+                 const GiNaC::realsymbol y("y");
+                 const auto [x_k0, x_prime_k0] = printed_complex_start(y);
                  const ex rotation = GiNaC::cos(symbols().tau) + GiNaC::I * GiNaC::sin(symbols().tau);
-                 return Values{Symbolic(((x_k0 - GiNaC::I * x_prime_k0) * rotation).expand().real_part())};
+                 const ex real = ((x_k0 - GiNaC::I * x_prime_k0) * rotation).expand().real_part();
+                 const Symbolic root = paper::contact_root(symbolic_V_j(), Symbolic(symbols().U_j), Symbolic(symbols().beta));
+                 return Values{Symbolic(real.subs(y == root.expression()))};
              },
          .derived = [] { return std::vector<ex>{derived_monoharmonic_motion()}; },
          .approximation = true,

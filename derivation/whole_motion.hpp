@@ -11,8 +11,8 @@ namespace denhartog::derivation {
 
 /// @brief A system with any modal matrix; the mass matrix is any positive one, diagonal or not.
 ///
-/// With \f$ \Psi^T\overline{M}\Psi = 1 \f$, (17), the matrices follow from the modal matrix, the frequencies and the damping ratios of
-/// `symbolic_modes`.
+/// With \f$ \Psi^T\overline{M}\Psi = 1 \f$, (17), the matrices follow from the modal matrix, and from the frequencies and damping
+/// ratios of `symbolic_modes`.
 struct WholeSystem {
     GiNaC::matrix Psi; ///< modal matrix, every entry a symbol
     GiNaC::matrix M;   ///< non-dimensional mass matrix
