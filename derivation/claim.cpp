@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <chrono>
+#include <iomanip>
 #include <sstream>
 
 #include "comparison_steps.hpp"
 #include "equation_order.hpp"
+#include "provenance.hpp"
 #include "readable.hpp"
 #include "symbols.hpp"
 
@@ -22,6 +24,47 @@ std::string text(const GiNaC::numeric& n) {
     std::ostringstream out;
     out << n;
     return out.str();
+}
+
+/// Both sides at a point, in digits: two claims that say the same have the same.
+std::string fingerprint_of(const Symbolic& kernel, const GiNaC::ex& derived) {
+    std::string found;
+    try {
+        const Point point = sample_points(domain_of({kernel.expression(), derived}), 1).front();
+        for (const GiNaC::ex& side : {kernel.expression(), derived}) {
+            std::ostringstream out;
+            out << std::setprecision(30) << evaluate(side, point).to_double();
+            found += out.str() + ";";
+        }
+    } catch (const std::exception&) {
+        return {}; // no value there, and nothing to compare by
+    }
+    return found;
+}
+
+/// Both sides of a claim, and its kind: what was called to make them says how the claim bears on its equations. Only formula
+/// templates carry out operations of the symbolic scalar.
+std::pair<Values, std::vector<GiNaC::ex>> sides(const Claim& claim, std::string& kind) {
+    const Watch watch;
+    Values kernel = claim.kernel();
+    const Mutation none(-1);
+    std::vector<GiNaC::ex> derived = claim.derived();
+    kind = watch.premise_called() ? "derived" : none.operations() > 0 ? "refinement" : "restated";
+    return {std::move(kernel), std::move(derived)};
+}
+
+/// What holds, printed from the derived side.
+std::string correction_of(const Claim& claim, const std::vector<GiNaC::ex>& derived) {
+    std::string lines;
+    for (std::size_t i = 0; i < claim.correction_left.size(); ++i)
+        lines += (i == 0 ? "" : " \\\\ ") + claim.correction_left[i] + " &= " + latex(derived.at(i));
+    return lines.empty() ? "" : "\\begin{aligned} " + lines + " \\end{aligned}";
+}
+
+std::string kind_of_check(const Claim& claim, const Outcome& outcome, const Watch& watch) {
+    if (outcome.argued) return "argument";
+    if (claim.role == Role::observation) return "observation";
+    return watch.premise_called() ? "derived" : "consequence";
 }
 
 } // namespace
@@ -61,23 +104,30 @@ Result decide(const Claim& claim) {
     result.steps = claim.steps;
     if (claim.check) {
         altered_statements_refuted() = 0;
+        const Watch watch;
         Outcome outcome = claim.check();
         result.altered = altered_statements_refuted();
         result.verdict = outcome.verdict;
+        result.kind = kind_of_check(claim, outcome, watch);
         result.witness = std::move(outcome.witness);
         for (Step& step : outcome.steps) result.steps.push_back(std::move(step));
     } else {
-        const Values kernel = claim.kernel();
-        const std::vector<GiNaC::ex> derived = claim.derived();
+        const auto [kernel, derived] = sides(claim, result.kind);
         if (kernel.size() != derived.size() || kernel.empty())
             throw std::logic_error("claim " + claim.id + " compares " + std::to_string(kernel.size()) + " values with " +
                                    std::to_string(derived.size()));
         result.verdict = Verdict::proved;
         const std::vector<GiNaC::ex> real = roots_in(derived);
+        result.correction = correction_of(claim, derived);
         std::vector<Decision> decisions;
         for (std::size_t i = 0; i < kernel.size(); ++i) {
             const Decision decision = decide_component(kernel[i], derived[i], real);
             decisions.push_back(decision);
+            result.fingerprint += fingerprint_of(kernel[i], derived[i]);
+            if (!claim.by_component.empty()) {
+                Verdict& verdict = result.by_equation.try_emplace(claim.by_component.at(i), Verdict::proved).first->second;
+                if (verdict != Verdict::refuted && decision.verdict != Verdict::proved) verdict = decision.verdict;
+            }
             if (i == 0 || decision.verdict != Verdict::proved) result.decision = decision;
             if (decision.verdict == Verdict::proved) continue;
             if (result.verdict == Verdict::refuted) continue;

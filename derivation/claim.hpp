@@ -6,6 +6,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -44,6 +45,7 @@ struct Outcome {
     Verdict verdict = Verdict::unknown;                       ///< the verdict
     std::vector<std::pair<std::string, std::string>> witness; ///< names and values
     std::vector<Step> steps;                                  ///< the argument, or what was searched
+    bool argued = false;                                      ///< a step of it is an argument that a person gave
 };
 
 /// @brief Values of a kernel, component by component.
@@ -51,16 +53,19 @@ using Values = std::vector<Symbolic>;
 
 /// @brief A claim.
 struct Claim {
-    std::string id = {};                                  ///< unique name, e.g. `A.7/velocity`
-    std::vector<std::string> equations = {};              ///< equations it decides, e.g. `A.7`
-    Role role = Role::both;                               ///< what it speaks of
-    std::string title = {};                               ///< one sentence
-    std::vector<std::string> assumptions = {};            ///< under which it holds
-    std::function<Values()> kernel = {};                  ///< the formula under test
+    std::string id = {};                        ///< unique name, e.g. `A.7/velocity`
+    std::vector<std::string> equations = {};    ///< equations it decides, e.g. `A.7`
+    std::vector<std::string> by_component = {}; ///< the equation that each component decides; empty: all of them decide each
+    Role role = Role::both;                     ///< what it speaks of
+    std::string title = {};                     ///< one sentence
+    std::vector<std::string> assumptions = {};  ///< under which it holds
+    std::function<Values()> kernel = {};        ///< the formula under test
     std::function<std::vector<GiNaC::ex>()> derived = {}; ///< what the derivation made, component by component
     std::function<Outcome()> check = {};                  ///< in place of kernel and derived
     Departure departure = Departure::none;                ///< for Role::printed and Role::both
-    std::string correction = {};                          ///< LaTeX of what holds instead, for a printed form that does not
+    std::string correction = {};                          ///< LaTeX of what holds instead, written by a person
+    std::vector<std::string> correction_left = {};        ///< instead: left sides; the run prints the derived side next to them
+    std::vector<std::string> refines = {};                ///< equations whose formulas the derived side calls, other than its own
     bool approximation = false;                           ///< proved means: the order of the error is proved
     bool special_case = false;    ///< the kernel at special values, where some of its operations do not matter
     std::vector<Step> steps = {}; ///< how the derived side was made
@@ -79,6 +84,10 @@ struct Register {
 /// @brief What became of a claim.
 struct Result {
     Verdict verdict = Verdict::unknown;                       ///< the worst over its components
+    std::string kind;                                         ///< how it bears on its equations, by `kind_of`
+    std::map<std::string, Verdict> by_equation;               ///< of each equation, where the components are told apart
+    std::string correction;                                   ///< printed by the run from the derived side; empty where it is not
+    std::string fingerprint;                                  ///< values of both sides; the same for claims that say the same
     Decision decision;                                        ///< of the component that decided
     std::vector<std::pair<std::string, std::string>> witness; ///< names and values of the refuting point
     std::vector<Step> steps;                                  ///< derivation, kernel and outcome

@@ -37,6 +37,9 @@ namespace denhartog::derivation {
 /// @brief Solution of the conditions (A.4). @return v_cos, v_sin in the initial values
 [[nodiscard]] std::pair<GiNaC::ex, GiNaC::ex> derived_phase();
 
+/// @brief The same with the parts that friction makes named by the symbols u and g. @return v_cos, v_sin
+[[nodiscard]] std::pair<GiNaC::ex, GiNaC::ex> derived_phase_by_functions();
+
 /// @brief First damping function: the part of `v_sin` that friction makes. @return u
 [[nodiscard]] GiNaC::ex derived_first_damping_function();
 

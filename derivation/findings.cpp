@@ -15,6 +15,7 @@ namespace {
 
 /// The verdict in a word. What the text has observed and a search has not refuted is `measured`; its witness has the worst case.
 std::string verdict_of(const Claim& claim, const Result& result) {
+    if (result.verdict == Verdict::proved && result.kind == "argument") return "argued";
     if (result.verdict == Verdict::proved && claim.approximation) return "approximation";
     const bool searched = claim.role == Role::observation && result.verdict == Verdict::unknown && !result.witness.empty();
     return searched ? "measured" : to_string(result.verdict);
@@ -28,9 +29,12 @@ json record_of(const Claim& claim, const Result& result) {
     }
     for (const auto& [name, value] : result.witness)
         witness.push_back({{"name", name}, {"name_latex", latex_of_name(name)}, {"value", value}});
-    return {{"claim", claim.id},    {"equation", claim.equations.front()},  {"equations", claim.equations},
-            {"title", claim.title}, {"assumptions", claim.assumptions},     {"steps", steps},
-            {"witness", witness},   {"verdict", verdict_of(claim, result)}, {"milliseconds", result.milliseconds}};
+    json by_equation = json::object();
+    for (const auto& [equation, verdict] : result.by_equation) by_equation[equation] = to_string(verdict);
+    return {{"claim", claim.id},          {"equation", claim.equations.front()},  {"equations", claim.equations},
+            {"title", claim.title},       {"assumptions", claim.assumptions},     {"steps", steps},
+            {"witness", witness},         {"verdict", verdict_of(claim, result)}, {"kind", result.kind},
+            {"by_equation", by_equation}, {"correction", result.correction},      {"milliseconds", result.milliseconds}};
 }
 
 /// Why a claim has no twin; empty where it ought to have one.
@@ -43,8 +47,11 @@ std::string why_no_twin(const Claim& claim, const Result& result) {
 
 json finding_of(const Claim& claim) {
     const Result result = decide(claim);
-    json finding{
-        {"record", record_of(claim, result)}, {"twins", nullptr}, {"fault", ""}, {"why_no_twin", why_no_twin(claim, result)}};
+    json finding{{"record", record_of(claim, result)},
+                 {"fingerprint", result.fingerprint},
+                 {"twins", nullptr},
+                 {"fault", ""},
+                 {"why_no_twin", why_no_twin(claim, result)}};
     if (result.altered > 0)
         finding["twins"] = {
             {"refuted", result.altered}, {"without_value", 0}, {"unknown", 0}, {"proved", 0}, {"holes", json::array()}};
@@ -61,8 +68,8 @@ json finding_of(const Claim& claim) {
 
 /// One line of a claim, e.g. `proved         (A.7)   A.7/velocity, 34 mutated twins refuted`.
 void tell(const Claim& claim, const json& finding, std::ostream& out) {
-    out << std::left << std::setw(15) << finding.at("record").at("verdict").get<std::string>() << std::setw(8)
-        << "(" + claim.equations.front() + ")" << claim.id;
+    out << std::left << std::setw(15) << finding.at("record").at("verdict").get<std::string>() << std::setw(12)
+        << finding.at("record").at("kind").get<std::string>() << std::setw(8) << "(" + claim.equations.front() + ")" << claim.id;
     if (const json& twins = finding.at("twins"); !twins.is_null())
         out << ", " << twins.at("refuted").get<long>() << " mutated twins refuted";
     if (const std::string fault = finding.at("fault"); !fault.empty()) out << ": " << fault;
@@ -80,6 +87,7 @@ Findings findings_of(const std::vector<Claim>& claims, Findings known, std::size
         json& finding = known[open[i]->id];
         finding = delivery.fault.empty() ? json::parse(delivery.text)
                                          : json{{"record", record_of(*open[i], {})},
+                                                {"fingerprint", ""},
                                                 {"twins", nullptr},
                                                 {"fault", delivery.fault},
                                                 {"why_no_twin", "not decided"}};

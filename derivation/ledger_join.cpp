@@ -11,10 +11,12 @@ using ledger::Json;
 
 namespace {
 
-// From the best to the worst.
-const std::vector<std::string> verdicts = {"not_applicable", "definition", "proved", "approximation", "unknown", "refuted"};
+const std::vector<std::string> verdicts = {"not_applicable", "definition", "assumption", "proved",
+                                           "approximation",  "unknown",    "illegible",  "refuted"};
+// Both from the best to the worst.
 const std::vector<std::string> departures = {"none", "scan", "convention", "misprint", "substance"};
 const std::set<std::string> roles = {"both", "printed", "shipped", "step", "observation"};
+const std::set<std::string> claim_kinds = {"derived", "refinement", "restated", "consequence", "argument", "observation"};
 
 std::size_t rank(const std::vector<std::string>& words, const std::string& word) {
     return std::find(words.begin(), words.end(), word) - words.begin();
@@ -34,7 +36,7 @@ struct Gathered {
     std::vector<const ClaimResult*> shipped; ///< claims on what is shipped
     bool function = false;                   ///< whether a formula is shipped
     int paper_functions = 0;                 ///< how many formulas are in the paper's own form
-    bool definition = false;                 ///< definition or assumption
+    std::string unproved = "unknown"; ///< what it is without a proof: definition or assumption, which have nothing to prove
 };
 
 using Faults = std::vector<std::string>;
@@ -54,57 +56,89 @@ void check_claims(const std::vector<ClaimResult>& claims, Faults& faults) {
         if (claim.verdict == "measured") {
             if (claim.role != "observation" || claim.witness.empty())
                 faults.push_back(name + " is measured and no observation that says what was searched");
+        } else if (claim.verdict == "argued") {
+            if (!aside(claim)) faults.push_back(name + " is argued and no step");
         } else if (!has(verdicts, claim.verdict)) {
             faults.push_back(name + " has the verdict " + claim.verdict + ", which is no verdict");
         }
         if (!has(departures, claim.departure))
             faults.push_back(name + " has the departure " + claim.departure + ", which is none");
         if (!roles.contains(claim.role)) faults.push_back(name + " has the role " + claim.role + ", which is no role");
+        if (!claim_kinds.contains(claim.kind)) faults.push_back(name + " has the kind " + claim.kind + ", which is none");
         if (claim.verdict == "unknown") faults.push_back(name + " is unknown");
         if (claim.loss && !std::isfinite(*claim.loss)) faults.push_back(name + " has a loss that is not finite");
     }
 }
 
-Json claim_entry(const ClaimResult& claim) {
-    Json entry = {{"id", claim.id},
-                  {"role", claim.role},
-                  {"verdict", claim.verdict},
-                  {"what", claim.what},
-                  {"assumptions", claim.assumptions}};
+/// What a claim says of one equation.
+std::string verdict_on(const ClaimResult& claim, const std::string& equation) {
+    const auto found = claim.by_equation.find(equation);
+    return found == claim.by_equation.end() ? claim.verdict : found->second;
+}
+
+Json claim_entry(const ClaimResult& claim, const std::string& equation) {
+    Json entry = {{"id", claim.id},     {"role", claim.role},
+                  {"kind", claim.kind}, {"verdict", verdict_on(claim, equation)},
+                  {"what", claim.what}, {"assumptions", claim.assumptions}};
+    if (!claim.same_as.empty()) entry["same_as"] = claim.same_as;
     if (!claim.witness.empty()) entry["witness"] = claim.witness;
     if (claim.loss && std::isfinite(*claim.loss)) entry["loss"] = *claim.loss;
     return entry;
 }
 
-/// Worst verdict among claims; empty where there is none.
-std::string worst(const std::vector<const ClaimResult*>& claims) {
-    std::string found;
-    for (const ClaimResult* claim : claims) found = found.empty() ? claim->verdict : worse(verdicts, found, claim->verdict);
+/// Equations with a claim that derives them, on what is shipped.
+std::set<std::string> derived_equations(const std::vector<ClaimResult>& claims) {
+    std::set<std::string> found;
+    for (const ClaimResult& claim : claims)
+        if (claim.kind == "derived" && !aside(claim) && claim.verdict != "refuted" && claim.same_as.empty())
+            found.insert(claim.equations.begin(), claim.equations.end());
     return found;
 }
 
-std::string printed_verdict(const Gathered& all) {
-    if (!all.printed.empty()) return worst(all.printed);
-    return all.definition ? "definition" : "unknown";
+/// Whether a claim is a proof: it derives its equations or refines a formula that is derived, and says what no other has said.
+bool is_proof(const ClaimResult& claim, const std::set<std::string>& derived) {
+    if (claim.kind == "derived" || !claim.same_as.empty()) return claim.same_as.empty();
+    return claim.kind == "refinement" && !claim.refines.empty() &&
+           std::ranges::all_of(claim.refines, [&](const std::string& equation) { return derived.contains(equation); });
 }
 
-std::string shipped_verdict(const Gathered& all, const std::string& printed) {
-    if (!all.shipped.empty()) return worst(all.shipped);
-    if (!all.function) return "not_applicable";
-    return all.definition && printed != "refuted" ? "definition" : "unknown";
+/// Worst verdict of claims on an equation. What is not refuted and has no proof among them stays what it is without one.
+std::string worst(const std::vector<const ClaimResult*>& claims, const std::string& equation, const Gathered& all,
+                  const std::set<std::string>& derived) {
+    std::string found = "not_applicable";
+    for (const ClaimResult* claim : claims) found = worse(verdicts, found, verdict_on(*claim, equation));
+    if (found == "refuted" || found == "unknown") return found;
+    const bool proof = std::ranges::any_of(claims, [&](const ClaimResult* c) { return is_proof(*c, derived); });
+    return proof ? found : all.unproved;
+}
+
+std::string printed_verdict(const Gathered& all, const std::string& equation, const std::set<std::string>& derived) {
+    if (all.printed.empty()) return all.unproved;
+    const std::string found = worst(all.printed, equation, all, derived);
+    const bool scan = std::ranges::all_of(all.printed, [](const ClaimResult* c) { return c->departure == "scan"; });
+    return found == "refuted" && scan ? "illegible" : found;
+}
+
+std::string shipped_verdict(const Gathered& all, const Json& entry, const std::set<std::string>& derived) {
+    if (!all.shipped.empty()) return worst(all.shipped, entry.at("equation"), all, derived);
+    return !all.function ? "not_applicable" : entry.at("printed") == "refuted" ? "unknown" : all.unproved;
 }
 
 /// Departure, correction, witness, loss and consequence of the printed form.
 void judge_printed(Json& entry, const Gathered& all, const std::string& name, Faults& faults) {
     std::string departure = entry.at("departure");
-    const bool refuted = entry.at("printed") == "refuted";
+    const bool refuted = entry.at("printed") == "refuted" || entry.at("printed") == "illegible";
     std::string refuted_as = "none";
     for (const ClaimResult* claim : all.printed) {
         departure = worse(departures, departure, claim->departure);
-        if (claim->verdict == "refuted") refuted_as = worse(departures, refuted_as, claim->departure);
-        if (!claim->correction_latex.empty() && (claim->verdict == "refuted" || !refuted))
+        const std::string verdict = verdict_on(*claim, entry.at("equation"));
+        if (verdict == "refuted") refuted_as = worse(departures, refuted_as, claim->departure);
+        if (!claim->correction_latex.empty() && (verdict == "refuted" || !refuted)) {
             entry["correction"] = claim->correction_latex;
-        if (entry.at("witness").empty() && claim->verdict == entry.at("printed")) entry["witness"] = claim->witness;
+            entry["correction_by"] = claim->correction_by;
+        }
+        const bool decisive = verdict == (refuted ? Json("refuted") : entry.at("printed"));
+        if (entry.at("witness").empty() && decisive) entry["witness"] = claim->witness;
         if (claim->loss && std::isfinite(*claim->loss))
             entry["loss"] = entry.at("loss").is_null() ? *claim->loss : std::max(entry.at("loss").get<double>(), *claim->loss);
         if (!claim->consequence.empty())
@@ -119,16 +153,19 @@ void judge_printed(Json& entry, const Gathered& all, const std::string& name, Fa
     }
     if (refuted_as == "none") faults.push_back("the printed form of " + name + " is refuted, but its departure is not said");
     if (entry.at("correction") == "") faults.push_back("the printed form of " + name + " is refuted without a correction");
-    if (entry.at("shipped") != "proved" && entry.at("shipped") != "approximation")
+    if (!(entry.at("printed") == "illegible" && all.unproved != "unknown") && entry.at("shipped") != "proved" &&
+        entry.at("shipped") != "approximation")
         faults.push_back("the printed form of " + name + " is refuted and no correction is proved");
 }
 
 void judge_verdicts(const Json& entry, const Gathered& all, const std::string& name, Faults& faults) {
     const std::string printed = entry.at("printed");
     const std::string shipped = entry.at("shipped");
-    if (printed == "unknown") faults.push_back(name + (all.printed.empty() ? " has no verdict" : " is unknown as printed"));
+    if (printed == "unknown")
+        faults.push_back(name + (all.printed.empty() ? " has no verdict" : " is unknown as printed: no claim derives it"));
     if (shipped == "unknown")
-        faults.push_back(name + (all.shipped.empty() ? " has a formula and no claim on it" : " is unknown as shipped"));
+        faults.push_back(
+            name + (all.shipped.empty() ? " has a formula and no claim on it" : " is unknown as shipped: no claim derives it"));
     if (shipped == "refuted") faults.push_back(name + " is refuted as shipped");
 }
 
@@ -188,26 +225,29 @@ Json summary_of(const Json& entries, const LedgerParts& parts) {
     }
     summary["departure"] = Json::object();
     for (const std::string& departure : departures) summary["departure"][departure] = 0;
-    for (const char* key : {"refuted", "refuted_without_loss", "refuted_steps"}) summary[key] = Json::array();
+    for (const char* key : {"refuted", "illegible", "refuted_without_loss", "refuted_steps"}) summary[key] = Json::array();
     int with_function = 0, with_test = 0;
     for (const Json& entry : entries) {
         for (const char* key : {"printed", "shipped", "departure"}) {
             Json& count = summary[key][entry.at(key).get<std::string>()];
             count = (count.is_null() ? 0 : count.get<int>()) + 1;
         }
-        if (entry.at("printed") == "refuted") summary["refuted"].push_back(entry.at("equation"));
+        for (const char* verdict : {"refuted", "illegible"})
+            if (entry.at("printed") == verdict) summary[verdict].push_back(entry.at("equation"));
         if (entry.at("printed") == "refuted" && entry.at("loss").is_null())
             summary["refuted_without_loss"].push_back(entry.at("equation"));
         with_function += !entry.at("functions").empty();
         with_test += !entry.at("tests").empty();
     }
-    std::map<std::string, int> claims, observations;
+    std::map<std::string, int> claims, observations, kinds;
     for (const ClaimResult& claim : parts.claims) {
         ++(claim.id.ends_with("/text") ? observations : claims)[claim.verdict];
+        ++kinds[claim.same_as.empty() ? claim.kind : "repeated"];
         if (aside(claim) && claim.verdict == "refuted") summary["refuted_steps"].push_back(claim.id);
     }
     summary["claims"] = claims;
     summary["observations"] = observations;
+    summary["kinds"] = kinds;
     summary["with_function"] = with_function;
     summary["with_test"] = parts.results.found ? Json(with_test) : Json();
     return summary;
@@ -225,22 +265,22 @@ JoinedLedger join_ledger(const LedgerParts& parts) {
                              function.equation + "}, which is not in the paper");
     check_tests(parts, faults);
     joined.entries = Json::array();
-    std::set<std::string> present;
+    std::set<std::string> present, derived = derived_equations(parts.claims);
     for (const Json& row : parts.rows) {
         Json entry = ledger::entry_without_run(row);
         const std::string number = entry.at("equation");
         const std::string name = "equation " + number;
         Gathered all;
-        all.definition = entry.at("kind") == "definition" || entry.at("kind") == "assumption";
+        if (entry.at("kind") == "definition" || entry.at("kind") == "assumption") all.unproved = entry.at("kind");
         add_functions(entry, parts.functions, all);
         for (const ClaimResult& claim : parts.claims) {
             if (!has(claim.equations, number)) continue;
-            entry["claims"].push_back(claim_entry(claim));
+            entry["claims"].push_back(claim_entry(claim, number));
             if (claim.role == "printed" || claim.role == "both") all.printed.push_back(&claim);
             if (claim.role == "shipped" || claim.role == "both") all.shipped.push_back(&claim);
         }
-        entry["printed"] = printed_verdict(all);
-        entry["shipped"] = shipped_verdict(all, entry.at("printed"));
+        entry["printed"] = printed_verdict(all, number, derived);
+        entry["shipped"] = shipped_verdict(all, entry, derived);
         judge_verdicts(entry, all, name, faults);
         judge_printed(entry, all, name, faults);
         if (!all.function && entry.at("no_function") == "")

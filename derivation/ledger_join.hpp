@@ -30,17 +30,21 @@ struct JoinedLedger {
 
 /// @brief Brings the parts together.
 ///
-/// As printed: the worst verdict of the claims on the printed form. Without a claim a definition or an assumption is a
-/// `definition`; anything else is `unknown`, a fault. As shipped: the worst verdict of the claims on the formula, `definition`
-/// for a definition with one, `not_applicable` where none is shipped. Functions are listed with the paper's form first, then the
-/// evaluation forms, then what makes use of the equation elsewhere in the library.
+/// As printed: the worst verdict of the claims on the printed form, of each on this equation. As shipped: the worst verdict of
+/// the claims on the formula, `not_applicable` where none is shipped. Neither is proved without a claim of the kind `derived`, or
+/// of the kind `refinement` where what it refines is derived, that says what no other claim has said: without one a definition is
+/// a `definition`, an assumption an `assumption`, and anything else `unknown`, a fault. A printed form that is refuted by claims
+/// on slips of the scan alone is `illegible`. Functions are listed with the paper's form first, then the evaluation forms, then
+/// what makes use of the equation elsewhere in the library.
 ///
 /// Faults: an equation without a verdict or with an unknown one; a formula without a claim or without a test that ran and
 /// passed; neither a formula nor a reason why not, or both; a refuted printed form without its kind of departure, without a
 /// correction or without a shipped form that is proved; a refuted shipped form; a loss that is not finite; a tagged test that
 /// did not run or failed; a claim, a function or a test that speaks of no equation.
-/// A step or an observation decides no equation. An observation may be `measured`: a range was searched without a
-/// counterexample, and the witness has the largest departure from what the text says.
+///
+/// A step or an observation decides no equation. Either may be `argued`: a part of it is the argument of a person. An observation
+/// may be `measured`: a range was searched without a counterexample, and the witness has the largest departure from what the text
+/// says.
 /// @param parts  what the run found
 /// @return       entries, summary and faults
 [[nodiscard]] JoinedLedger join_ledger(const LedgerParts& parts);

@@ -16,7 +16,7 @@ namespace {
 const std::set<std::string> kinds = {"definition", "assumption", "result", "approximation", "quoted"};
 const std::set<std::string> sections = {"2.1", "2.2", "2.3", "2.4", "2.5", "2.6", "3.1", "4.1", "4.2", "4.3", "Appendix"};
 const std::vector<std::string> required = {"equation", "section", "kind", "statement", "rests_on"};
-const std::set<std::string> optional_keys = {"printed_note", "read_as", "no_function"};
+const std::set<std::string> optional_keys = {"printed_note", "read_as", "in_print", "remark", "no_function"};
 
 std::vector<std::string> faults_of_keys(const Json& row, const std::string& name) {
     std::vector<std::string> faults;
@@ -39,12 +39,14 @@ void check_content(const Json& row, const std::string& name, std::vector<std::st
     if (!kinds.contains(row.at("kind").get<std::string>())) faults.push_back(name + ": unknown kind " + row.at("kind").dump());
     if (!sections.contains(row.at("section").get<std::string>()))
         faults.push_back(name + ": unknown section " + row.at("section").dump());
-    for (const char* key : {"statement", "read_as"}) {
+    for (const char* key : {"statement", "read_as", "in_print"}) {
         const std::string fault = latex_fault(row.value(key, ""));
         if (!fault.empty()) faults.push_back(name + ": " + key + ": " + fault);
     }
     if (row.contains("read_as") != row.contains("printed_note"))
         faults.push_back(name + ": printed_note and read_as belong together");
+    if (row.contains("in_print") && !row.contains("printed_note"))
+        faults.push_back(name + ": in_print belongs to a printed_note");
     if (row.contains("read_as") && row.at("read_as") == row.at("statement"))
         faults.push_back(name + ": read_as says the same as statement");
 }

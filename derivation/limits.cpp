@@ -75,6 +75,11 @@ void add_statement(Outcome& outcome, Verdict verdict, const std::string& what, c
     outcome.steps.push_back({what + ", " + to_string(verdict), latex});
 }
 
+void add_argument(Outcome& outcome, const std::string& what, const std::string& latex) {
+    outcome.steps.push_back({"Argument, given by a person: " + what, latex});
+    outcome.argued = true;
+}
+
 void add_claim(Outcome& outcome, const std::string& id, const std::string& what) {
     for (const Claim& claim : claims())
         if (claim.id == id) return add_statement(outcome, decide(claim).verdict, "Rests on " + id + ": " + what, "");

@@ -51,6 +51,11 @@ struct LeadingTerm {
 /// @param latex    its formula; may be empty
 void add_statement(Outcome& outcome, Verdict verdict, const std::string& what, const std::string& latex);
 
+/// @brief Adds an argument that a person gave; the claim is then no machine's proof. @param outcome gets the step
+/// @param what   the argument
+/// @param latex  its formula; may be empty
+void add_argument(Outcome& outcome, const std::string& what, const std::string& latex);
+
 /// @brief Adds a claim that the outcome rests on. @param outcome gets the step @param id the claim @param what what it says
 void add_claim(Outcome& outcome, const std::string& id, const std::string& what);
 

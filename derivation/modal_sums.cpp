@@ -1,6 +1,7 @@
 #include "modal_sums.hpp"
 
 #include "derived.hpp"
+#include "provenance.hpp"
 #include "symbols.hpp"
 
 namespace denhartog::derivation {
@@ -14,16 +15,31 @@ ex shape(const SymbolicModes& m, Row row, int i) { return (row == Row::contact ?
 
 } // namespace
 
+std::pair<ex, ex> derived_start(const ex& re, const ex& im, const ex& c, const ex& s) {
+    from_premise(); // (25), by which v cos(phi) and v sin(phi) are tied to the initial values
+    const Symbols& n = symbols();
+    const auto [v_cos, v_sin] = derived_phase_by_functions();
+    const ex solution = GiNaC::lsolve(lst{v_cos == n.v_cos, v_sin == n.v_sin}, lst{n.eta_0, n.eta_prime_0});
+    const auto of_phase = [&](const ex& e) {
+        return e.subs(solution).expand().subs(lst{n.v_cos == re * c - im * s, n.v_sin == re * s + im * c});
+    };
+    return {of_phase(n.eta_0), of_phase(n.eta_prime_0)};
+}
+
 std::vector<ModalStart> derived_starts(int N, const ex& c, const ex& s) {
     const SymbolicModes m = symbolic_modes(N);
-    const ex beta = symbols().beta;
+    const Symbols& n = symbols();
     std::vector<ModalStart> starts;
     for (int i = 0; i < N; ++i) {
-        const ex R = m.R[i].expression(), psi_l = m.psi_l[i].expression(), psi_j = m.psi_j[i].expression();
         const ex re = m.v[i].re.expression(), im = m.v[i].im.expression();
-        const ex cosine = psi_l * R * R * (re * c - im * s), sine = -psi_l * R * R * (re * s + im * c);
-        starts.push_back({m.psi_k[i].expression(), psi_j, cosine, sine, cosine - psi_j * R * R * m.g[i].expression() * beta,
-                          sine - psi_j * R * R * m.u[i].expression() * beta});
+        const auto [eta_0, eta_prime_0] = derived_start(re, im, c, s);
+        const auto [eta_f, eta_prime_f] = derived_start(re, im, 0, 0); // what friction alone makes of them
+        const auto of_mode = [&](const ex& e) {
+            return e.subs(lst{n.R == m.R[i].expression(), n.psi_ji == m.psi_j[i].expression(),
+                              n.psi_li == m.psi_l[i].expression(), n.u == m.u[i].expression(), n.g == m.g[i].expression()});
+        };
+        starts.push_back({m.psi_k[i].expression(), m.psi_j[i].expression(), of_mode(eta_0 - eta_f),
+                          of_mode(eta_prime_0 - eta_prime_f), of_mode(eta_0), of_mode(eta_prime_0)});
     }
     return starts;
 }
@@ -64,15 +80,20 @@ ex derived_displacement_of_mass(int N, Row row, const std::vector<std::pair<ex, 
 }
 
 std::pair<ex, ex> derived_phase_of_contact(const ex& re, const ex& im, const ex& c, const ex& s) {
+    from_premise(); // (30)
     const GiNaC::symbol cosine("cosine"), sine("sine");
     const ex solution = GiNaC::lsolve(lst{re * cosine - im * sine == c, re * sine + im * cosine == s}, lst{cosine, sine});
     return {ex(cosine).subs(solution), ex(sine).subs(solution)};
 }
 
 std::pair<ex, ex> derived_steady_phase(const ex& re, const ex& im, const ex& U) {
+    const GiNaC::symbol root("root");
     const ex beta = symbols().beta;
-    const ex root = GiNaC::sqrt(re * re + im * im - beta * beta * U * U);
-    return derived_phase_of_contact(re, im, root, -beta * U);
+    // Im{V exp(i phi)} = -beta U, as the contact has no velocity at tau = 0, (30); then cos^2 + sin^2 = 1 gives Re{V exp(i phi)}
+    const auto [c, s] = derived_phase_of_contact(re, im, root, -beta * U);
+    const ex unit = ((c * c + s * s - 1) * (re * re + im * im)).normal().expand();
+    const ex square = (-unit.coeff(root, 0) / unit.coeff(root, 2)).normal();
+    return {c.subs(root == GiNaC::sqrt(square)), s.subs(root == GiNaC::sqrt(square))};
 }
 
 std::pair<ex, ex> derived_initial_state() {

@@ -21,6 +21,11 @@ struct ModalStart {
     GiNaC::ex eta_prime_0;     ///< initial velocity by (27)
 };
 
+/// @brief Initial values of the mode i, (26) and (27) solved for them. @param re, im v_di @param c cos(phi_j) @param s sin(phi_j)
+/// @return  eta_0, eta'_0 in the symbols of one mode
+[[nodiscard]] std::pair<GiNaC::ex, GiNaC::ex> derived_start(const GiNaC::ex& re, const GiNaC::ex& im, const GiNaC::ex& c,
+                                                            const GiNaC::ex& s);
+
 /// @brief The modes' initial values. @param N number of modes @param c cos(phi_j) @param s sin(phi_j) @return one a mode
 [[nodiscard]] std::vector<ModalStart> derived_starts(int N, const GiNaC::ex& c, const GiNaC::ex& s);
 

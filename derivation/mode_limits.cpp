@@ -156,7 +156,7 @@ Outcome low_frequency_in_proportion() {
         add_path(outcome, odd ? "zeta = c R, R = 1/n, n odd" : "zeta = c R, R = 1/n, n even",
                  {squared_v, at_harmonics(u), at_harmonics(g)}, limits::at_low_frequency_in_proportion(odd, Symbolic(c)));
     }
-    outcome.steps.push_back({"tanh and coth differ: along zeta = c R neither u nor g has a limit", ""});
+    add_argument(outcome, "tanh and coth differ: along zeta = c R neither u nor g has a limit", "");
     return outcome;
 }
 

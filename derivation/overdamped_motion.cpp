@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "provenance.hpp"
 #include "symbols.hpp"
 
 namespace denhartog::derivation {
@@ -15,6 +16,7 @@ ex rate(const ex& e) { return e.diff(GiNaC::ex_to<GiNaC::symbol>(symbols().tau))
 
 /// Sum and product of the rates sigma for which exp(sigma tau) solves (20) without its right side, both times their power of R.
 std::pair<ex, ex> derived_sum_and_product(const ex& zeta) {
+    from_premise(); // (20)
     const Symbols& s = symbols();
     const GiNaC::symbol sigma("sigma");
     const ex eta = GiNaC::exp(sigma * s.tau);

@@ -30,6 +30,13 @@ std::string counts(const json& counted) {
     return text;
 }
 
+/// Equations with brackets, one after the other.
+std::string listed(const json& equations) {
+    std::string text;
+    for (const json& equation : equations) text += (text.empty() ? "(" : ", (") + equation.get<std::string>() + ")";
+    return text.empty() ? "none" : text;
+}
+
 std::string loss_text(const json& entry) {
     return entry.at("loss").is_null() ? "no loss to measure" : "loss " + scientific(entry.at("loss"));
 }
@@ -85,6 +92,7 @@ std::string summary_text(const ReportParts& p) {
         << "  as shipped: " << counts(p.summary.at("shipped")) << "\n"
         << "  departures: " << counts(p.summary.at("departure")) << "\n"
         << "  claims:     " << counts(p.summary.at("claims")) << "\n"
+        << "  by kind:    " << counts(p.summary.at("kinds")) << "\n"
         << "  the text:   " << counts(p.summary.at("observations")) << "\n"
         << "  mutants:    " << mutants_text(p.mutants) << "\n\nRefuted as printed:\n";
     for (const json& entry : p.entries)
@@ -92,7 +100,8 @@ std::string summary_text(const ReportParts& p) {
             out << "  (" << entry.at("equation").get<std::string>() << ") " << entry.at("departure").get<std::string>() << ", "
                 << loss_text(entry) << "; shipped form " << entry.at("shipped").get<std::string>()
                 << "\n      holds: " << entry.at("correction").get<std::string>() << "\n";
-    out << "\nObservations of the text:\n";
+    out << "\nIllegible in the text at hand, where what stands there cannot be meant: " << listed(p.summary.at("illegible"))
+        << "\n\nObservations of the text:\n";
     for (const json& claim : observations(p.entries))
         out << "  " << claim.at("verdict").get<std::string>() << ": " << claim.at("what").get<std::string>() << "\n";
     out << "\nClosed form against second witness, largest relative difference:\n";
@@ -111,9 +120,9 @@ std::string report_markdown(const ReportParts& p) {
     out << "# What the derivation found\n\nWritten by `./verify paper`.\n\n"
         << "| | |\n|---|---|\n| numbered equations | " << p.summary.at("equations") << " |\n| as printed | "
         << counts(p.summary.at("printed")) << " |\n| as shipped | " << counts(p.summary.at("shipped")) << " |\n| departures | "
-        << counts(p.summary.at("departure")) << " |\n| claims | " << counts(p.summary.at("claims"))
-        << " |\n| observations of the text | " << counts(p.summary.at("observations")) << " |\n| mutated twins | "
-        << mutants_text(p.mutants) << " |\n\n";
+        << counts(p.summary.at("departure")) << " |\n| claims | " << counts(p.summary.at("claims")) << " |\n| claims by kind | "
+        << counts(p.summary.at("kinds")) << " |\n| observations of the text | " << counts(p.summary.at("observations"))
+        << " |\n| mutated twins | " << mutants_text(p.mutants) << " |\n\n";
     if (!p.faults.empty()) {
         out << "## Red\n\n";
         for (const json& fault : p.faults) out << "- " << fault.get<std::string>() << "\n";
@@ -125,7 +134,12 @@ std::string report_markdown(const ReportParts& p) {
     for (const json& s : p.stand_ins)
         out << "| `" << s.at("name").get<std::string>() << "` | `" << s.at("header").get<std::string>() << "` | $"
             << s.at("theorem").get<std::string>() << "$ |\n";
-    out << "\n## Refuted as printed\n\n";
+    out << "\n";
+    out << "## Illegible\n\nThe text at hand is a scan. What stands there in these equations cannot be meant, and says nothing "
+           "of the "
+           "printed paper: "
+        << listed(p.summary.at("illegible")) << ". Whoever has the paper can tell: see `in_print` in docs/ledger/README.md.\n\n"
+        << "## Refuted as printed\n\n";
     for (const json& entry : p.entries) {
         if (entry.at("printed") != "refuted") continue;
         out << "### (" << entry.at("equation").get<std::string>() << "), Section " << entry.at("section").get<std::string>()
@@ -162,11 +176,7 @@ std::string status_markdown(const ReportParts& p) {
         << counts(p.summary.at("printed")) << " |\n| as shipped | " << counts(p.summary.at("shipped")) << " |\n| departures | "
         << counts(p.summary.at("departure")) << " |\n| observations of the text | " << counts(p.summary.at("observations"))
         << " |\n| mutated twins | " << mutants_text(p.mutants) << " |\n| refuted as printed | ";
-    bool first = true;
-    for (const json& equation : p.summary.at("refuted")) {
-        out << (first ? "" : ", ") << "(" << equation.get<std::string>() << ")";
-        first = false;
-    }
+    out << listed(p.summary.at("refuted")) << " |\n| illegible in the text at hand | " << listed(p.summary.at("illegible"));
     long scenes = 0;
     double in_double = 0, in_50 = 0;
     for (const json& group : p.agreement) {

@@ -166,10 +166,11 @@ Outcome long_chain() {
     add_statement(outcome,
                   decide_zero_and_twin(GiNaC::sin(A + theta) - GiNaC::sin(A - theta) - 2 * GiNaC::cos(A) * GiNaC::sin(theta)),
                   "The sum of their squares telescopes, A = 2 k theta", "\\sum_k\\sin^2k\\theta_i = \\frac{2N+1}{4}");
-    outcome.steps.push_back(
-        {"(33)-(35) with load and contact on mass 1 are sums by the midpoint rule, with 2 pi / (2N+1) from point to point",
-         "\\sum_i\\frac{4\\sin^2\\theta_i}{2N+1}f(\\lambda_i) \\to \\frac{2}{\\pi}\\int_0^\\pi\\sin^2\\theta\\,f(2-2\\cos\\theta)"
-         "\\,\\mathrm{d}\\theta"});
+    add_argument(
+        outcome,
+        "(33)-(35) with load and contact on mass 1 are sums by the midpoint rule, with 2 pi / (2N+1) from point to point",
+        "\\sum_i\\frac{4\\sin^2\\theta_i}{2N+1}f(\\lambda_i) \\to \\frac{2}{\\pi}\\int_0^\\pi\\sin^2\\theta\\,f(2-2\\cos\\theta)"
+        "\\,\\mathrm{d}\\theta");
     return outcome;
 }
 

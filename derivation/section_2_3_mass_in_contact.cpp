@@ -18,10 +18,19 @@ namespace {
 ex derived_amplitude() {
     const Symbols& s = symbols();
     const GiNaC::symbol X("X");
-    const ex equation =
-        (GiNaC::pow(X + s.beta * s.G_j, 2) + GiNaC::pow(s.beta * s.U_j, 2) - s.V_jr * s.V_jr - s.V_ji * s.V_ji).expand();
+    // (31) and (32) as linear equations for cosine and sine of the phase
+    const auto [cosine, sine] = derived_phase_of_contact(s.V_jr, s.V_ji, X + s.beta * s.G_j, -s.beta * s.U_j);
+    const ex equation = ((cosine * cosine + sine * sine - 1) * (s.V_jr * s.V_jr + s.V_ji * s.V_ji)).normal().expand();
     const ex a = equation.coeff(X, 2), b = equation.coeff(X, 1), c = equation.coeff(X, 0);
     return (-b + GiNaC::sqrt((b * b - 4 * a * c).expand())) / (2 * a);
+}
+
+/// Cosine and sine of phi_j plus the argument of V_dj in the steady state.
+std::pair<ex, ex> derived_phase_sum() {
+    const Symbols& s = symbols();
+    const auto [c, sine] = derived_steady_phase(s.V_jr, s.V_ji, s.U_j);
+    const ex angle = GiNaC::atan2(s.V_ji, s.V_jr);
+    return {c * GiNaC::cos(angle) - sine * GiNaC::sin(angle), sine * GiNaC::cos(angle) + c * GiNaC::sin(angle)};
 }
 
 const Register claims_of_section_2_3_mass_in_contact([] {
@@ -56,7 +65,8 @@ const Register claims_of_section_2_3_mass_in_contact([] {
                                    ""}}});
         list.push_back(
             {.id = "31/contact" + of_N,
-             .equations = {"30", "31", "32", "34", "35"},
+             .equations = {"31", "32"},
+             .by_component = {"31", "32"},
              .title = "The relations of the modes, multiplied by psi_ji and summed, give those of the mass in contact",
              .assumptions = modes,
              .kernel =
@@ -90,28 +100,24 @@ const Register claims_of_section_2_3_mass_in_contact([] {
                     .assumptions = sliding,
                     .kernel =
                         [&s] {
-                            const ex X = s.V_jr * GiNaC::cos(s.phi_j) - s.V_ji * GiNaC::sin(s.phi_j) - s.beta * s.G_j;
-                            return Values{
-                                paper::cosine_of_phase_sum(symbolic_V_j(), Symbolic(X), Symbolic(s.G_j), Symbolic(s.beta))};
+                            return Values{paper::cosine_of_phase_sum(symbolic_V_j(), Symbolic(derived_amplitude()),
+                                                                     Symbolic(s.G_j), Symbolic(s.beta))};
                         },
-                    .derived = [&s, angle] { return std::vector<ex>{GiNaC::cos(s.phi_j + angle)}; },
+                    .derived = [] { return std::vector<ex>{derived_phase_sum().first}; },
                     .steps = {{"(31) says $\\mathrm{Re}\\{V_{dj}e^{i\\phi_j}\\} = \\overline{X}_j+\\beta G_j$; with modulus and "
                                "argument of $V_{dj}$ the left "
                                "side is $|V_{dj}|\\cos(\\phi_j+\\angle V_{dj})$",
                                ""}}});
-    list.push_back({.id = "37/sine",
-                    .equations = {"37"},
-                    .title = "Sine of the phase with the argument of V_dj",
-                    .assumptions = sliding,
-                    .kernel =
-                        [&s] {
-                            const ex U = -(s.V_jr * GiNaC::sin(s.phi_j) + s.V_ji * GiNaC::cos(s.phi_j)) / s.beta;
-                            return Values{paper::sine_of_phase_sum(symbolic_V_j(), Symbolic(U), Symbolic(s.beta))};
-                        },
-                    .derived = [&s, angle] { return std::vector<ex>{GiNaC::sin(s.phi_j + angle)}; },
-                    .steps = {{"(32) says $\\mathrm{Im}\\{V_{dj}e^{i\\phi_j}\\} = -\\beta U_{dj}$; the left side is "
-                               "$|V_{dj}|\\sin(\\phi_j+\\angle V_{dj})$",
-                               ""}}});
+    list.push_back(
+        {.id = "37/sine",
+         .equations = {"37"},
+         .title = "Sine of the phase with the argument of V_dj",
+         .assumptions = sliding,
+         .kernel = [&s] { return Values{paper::sine_of_phase_sum(symbolic_V_j(), Symbolic(s.U_j), Symbolic(s.beta))}; },
+         .derived = [] { return std::vector<ex>{derived_phase_sum().second}; },
+         .steps = {{"(32) says $\\mathrm{Im}\\{V_{dj}e^{i\\phi_j}\\} = -\\beta U_{dj}$; the left side is "
+                    "$|V_{dj}|\\sin(\\phi_j+\\angle V_{dj})$",
+                    ""}}});
     list.push_back(
         {.id = "38/amplitude",
          .equations = {"38"},

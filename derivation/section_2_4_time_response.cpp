@@ -123,6 +123,7 @@ const Register claims_of_section_2_4_time_response([] {
                                    ""}}});
         list.push_back({.id = "42/mass" + of_N,
                         .equations = {"42", "43"},
+                        .by_component = {"42", "43"},
                         .title = "The relations of the modes, multiplied by psi_ki and summed, give those of the mass k",
                         .assumptions = modes,
                         .kernel =

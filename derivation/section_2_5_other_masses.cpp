@@ -11,6 +11,35 @@ using GiNaC::ex;
 
 namespace {
 
+/// The motion from x_k0 and x'_k0 of a mass with one mode; psi is 1 so that x_k0 = eta_0.
+ex derived_motion_from_start() {
+    const Symbols& s = symbols();
+    return derived_displacement_of_mass(1, Row::mass, {{s.x_k0, s.x_prime_k0}})
+        .subs(symbolic_modes(1).psi_k[0].expression() == 1);
+}
+
+/// The real parts of (44) and (45) as printed.
+std::pair<Symbolic, Symbolic> printed_real_parts() {
+    const Symbols& s = symbols();
+    return {as_printed::initial_displacement(symbolic_V_k(), symbolic_V_j(), Symbolic(s.U_j), Symbolic(s.G_k), Symbolic(s.beta)),
+            as_printed::initial_velocity(symbolic_V_k(), symbolic_V_j(), Symbolic(s.U_j), Symbolic(s.U_k), Symbolic(s.beta))};
+}
+
+/// (44) and (45) as printed; exp(i Delta) is V_dk V_dj* over the product of the moduli.
+/// @param root  a real symbol for the root of (38)
+std::pair<ex, ex> printed_complex_start(const ex& root) {
+    const Symbols& s = symbols();
+    const ex V_j_squared = s.V_jr * s.V_jr + s.V_ji * s.V_ji;
+    const ex turned = (s.V_kr + GiNaC::I * s.V_ki) * (s.V_jr - GiNaC::I * s.V_ji) / V_j_squared;
+    return {-s.beta * s.G_k + root * turned, s.beta * (s.U_j * turned - s.U_k)};
+}
+
+/// (48) with the displacement and the velocity at tau = 0.
+ex derived_monoharmonic_motion() {
+    const auto [x, rate] = derived_initial_state();
+    return x * GiNaC::cos(symbols().tau) + rate * GiNaC::sin(symbols().tau);
+}
+
 const Register claims_of_section_2_5_other_masses([] {
     const Symbols& s = symbols();
     const std::vector<std::string> sliding{"sliding regime, beta |U_dj| <= |V_dj|", "V_dj not zero"};
@@ -31,7 +60,7 @@ const Register claims_of_section_2_5_other_masses([] {
              },
          .special_case = true},
         {.id = "48/first-order",
-         .equations = {"48", "49"},
+         .equations = {"48"},
          .title = "The monoharmonic motion equals the motion without friction, and the motion itself at tau = 0: the error is of "
                   "first order in beta",
          .assumptions = sliding,
@@ -43,9 +72,7 @@ const Register claims_of_section_2_5_other_masses([] {
              },
          .derived =
              [&s] {
-                 // the motion with eta_0, eta'_0 of one mode; psi is 1 so that x_k0 = eta_0
-                 const ex motion = derived_displacement_of_mass(1, Row::mass, {{s.x_k0, s.x_prime_k0}})
-                                       .subs(symbolic_modes(1).psi_k[0].expression() == 1);
+                 const ex motion = derived_motion_from_start();
                  if (motion.diff(GiNaC::ex_to<GiNaC::symbol>(s.beta)).subs(s.beta == 0).normal().is_zero())
                      throw std::logic_error("the error of (48) has no term of first order");
                  return std::vector<ex>{motion.subs(s.beta == 0), motion.subs(s.tau == 0)};
@@ -53,18 +80,52 @@ const Register claims_of_section_2_5_other_masses([] {
          .approximation = true,
          .special_case = true,
          .steps = {{"(41) without its braces, which are of first order in $\\beta$ and vanish at $\\tau=0$", ""}}},
+        {.id = "49/printed",
+         .equations = {"49"},
+         .role = Role::printed,
+         .title = "First equality: the real parts of (44) and (45) as printed, complex, as factors of cos(tau) and sin(tau)",
+         .assumptions = sliding,
+         .kernel =
+             [&s] {
+                 const auto [x_k0, x_prime_k0] = printed_real_parts();
+                 return Values{paper::monoharmonic_displacement(Symbolic(s.tau), x_k0, x_prime_k0)};
+             },
+         .derived = [] { return std::vector<ex>{derived_monoharmonic_motion()}; },
+         .departure = Departure::misprint,
+         .correction = "\\bar{x}_k \\cong \\mathrm{Re}\\{(\\bar{x}_{k0}-i\\bar{x}_{k0}')(\\cos\\tau+i\\sin\\tau)\\} = "
+                       "\\overline{X}_{k_C}\\cos\\tau+\\overline{X}_{k_S}\\sin\\tau"},
         {.id = "49/real-part",
          .equations = {"49"},
-         .title = "With real initial values the real part of (x_k0 - i x'_k0) exp(i tau) is (48)",
+         .role = Role::shipped,
+         .title = "Second equality: the real part of (x_k0 - i x'_k0) exp(i tau) with (44) and (45) as printed, complex",
+         .assumptions = sliding,
          .kernel =
-             [&s] { return Values{paper::monoharmonic_displacement(Symbolic(s.tau), Symbolic(s.x_k0), Symbolic(s.x_prime_k0))}; },
-         .derived =
-             [&s] {
-                 const ex product =
-                     ((s.x_k0 - GiNaC::I * s.x_prime_k0) * (GiNaC::cos(s.tau) + GiNaC::I * GiNaC::sin(s.tau))).expand();
-                 return std::vector<ex>{product.real_part()};
+             [] {
+                 const GiNaC::realsymbol y("y");
+                 const auto [x_k0, x_prime_k0] = printed_complex_start(y);
+                 const ex rotation = GiNaC::cos(symbols().tau) + GiNaC::I * GiNaC::sin(symbols().tau);
+                 const ex real = ((x_k0 - GiNaC::I * x_prime_k0) * rotation).expand().real_part();
+                 const Symbolic root = paper::contact_root(symbolic_V_j(), Symbolic(symbols().U_j), Symbolic(symbols().beta));
+                 return Values{Symbolic(real.subs(y == root.expression()))};
              },
-         .departure = Departure::convention},
+         .derived = [] { return std::vector<ex>{derived_monoharmonic_motion()}; },
+         .approximation = true,
+         .special_case = true},
+        {.id = "49/monoharmonic",
+         .equations = {"49"},
+         .role = Role::shipped,
+         .title = "The motion with the factors (50) and (51)",
+         .assumptions = sliding,
+         .kernel =
+             [&s] {
+                 const Symbolic cosine = paper::monoharmonic_cosine(symbolic_V_k(), symbolic_V_j(), Symbolic(s.U_j),
+                                                                    Symbolic(s.G_k), Symbolic(s.beta));
+                 const Symbolic sine =
+                     paper::monoharmonic_sine(symbolic_V_k(), symbolic_V_j(), Symbolic(s.U_j), Symbolic(s.U_k), Symbolic(s.beta));
+                 return Values{paper::monoharmonic_displacement(Symbolic(s.tau), cosine, sine)};
+             },
+         .derived = [] { return std::vector<ex>{derived_monoharmonic_motion()}; },
+         .approximation = true},
         {.id = "50/printed",
          .equations = {"50"},
          .role = Role::printed,
@@ -137,6 +198,7 @@ const Register claims_of_section_2_5_other_masses([] {
                  const auto [x, rate] = derived_initial_state();
                  return std::vector<ex>{x * x + rate * rate};
              },
+         .approximation = true,
          .steps = {{"The squares of (50) and (51) are added; $\\cos^2\\Delta+\\sin^2\\Delta=1$ with $\\Delta=\\angle "
                     "V_{dk}-\\angle V_{dj}$",
                     ""}}},
@@ -166,7 +228,8 @@ const Register claims_of_section_2_5_other_masses([] {
                  const ex X = GiNaC::sqrt(s.x_k0 * s.x_k0 + s.x_prime_k0 * s.x_prime_k0);
                  return Values{Symbolic(X * GiNaC::cos(s.tau - phi_kj))};
              },
-         .derived = [&s] { return std::vector<ex>{s.x_k0 * GiNaC::cos(s.tau) + s.x_prime_k0 * GiNaC::sin(s.tau)}; },
+         .derived = [&s] { return std::vector<ex>{derived_motion_from_start().subs(s.beta == 0)}; },
+         .approximation = true,
          .steps = {{"$\\overline{X}_{k_C}\\cos\\tau+\\overline{X}_{k_S}\\sin\\tau$ is $\\overline{X}_k\\cos(\\tau-\\phi_{kj})$ "
                     "for the angle with this cosine and sine",
                     ""}}},

@@ -1,4 +1,5 @@
-// Section 2.6, (54)-(72): where the sliding solution holds. The bounds and observations of the text are in observations.cpp.
+// Section 2.6, (54)-(66), (70)-(72): what the sliding solution asks for. The limits are in section_2_6_limits.cpp, the bounds and
+// observations of the text in observations/bound_observations.cpp.
 #include "claim.hpp"
 #include "denhartog/formulas/as_printed.hpp"
 #include "denhartog/formulas/boundary.hpp"
@@ -7,7 +8,6 @@
 #include "derived.hpp"
 #include "modal_sums.hpp"
 #include "symbols.hpp"
-#include "system_matrices.hpp"
 
 namespace denhartog::derivation {
 
@@ -82,13 +82,6 @@ Values margin(int N) {
         paper::sum_over_contact<Symbolic>(m.psi_j, integrands(N, shipped_integrand)), Symbolic(symbols().beta))};
 }
 
-/// The amount by which the root of (38) exceeds beta S at beta = friction_ratio_limit(S).
-Symbolic excess_at_limit(const Symbolic& S) {
-    const Symbolic U(symbols().U_j);
-    const Symbolic limit = paper::friction_ratio_limit(symbolic_V_j(), U, S);
-    return Symbolic(paper::contact_root(symbolic_V_j(), U, limit).expression() - limit.expression() * S.expression());
-}
-
 const Register claims_of_section_2_6_domain_of_validity([] {
     const Symbols& s = symbols();
     const std::vector<std::string> domain{"R_i > 0", "0 <= zeta_i < 1", "0 < tau < pi"};
@@ -161,9 +154,7 @@ const Register claims_of_section_2_6_domain_of_validity([] {
          .kernel =
              [&s] {
                  const Complex<Symbolic> v{Symbolic(s.V_jr), Symbolic(s.V_ji)};
-                 const ex c = GiNaC::cos(s.phi_j), sine = GiNaC::sin(s.phi_j);
-                 const ex eta_0 = s.psi_li * s.R * s.R * (s.V_jr * c - s.V_ji * sine) - s.psi_ji * s.R * s.R * s.g * s.beta;
-                 const ex rate_0 = -s.psi_li * s.R * s.R * (s.V_jr * sine + s.V_ji * c) - s.psi_ji * s.R * s.R * s.u * s.beta;
+                 const auto [eta_0, rate_0] = derived_start(s.V_jr, s.V_ji, GiNaC::cos(s.phi_j), GiNaC::sin(s.phi_j));
                  const InitialValues<Symbolic> start{Symbolic(eta_0), Symbolic(rate_0)};
                  return Values{paper::v_cosine(symbolic_mode(), start, Symbolic(s.g), Symbolic(s.beta)) / modulus(v),
                                paper::v_sine(symbolic_mode(), start, Symbolic(s.u), Symbolic(s.beta)) / modulus(v)};
@@ -199,9 +190,7 @@ const Register claims_of_section_2_6_domain_of_validity([] {
          .kernel =
              [&s] {
                  const auto [re, im] = derived_complex_response();
-                 const ex c = GiNaC::cos(s.phi_j), sine = GiNaC::sin(s.phi_j);
-                 const ex eta_0 = s.psi_li * s.R * s.R * (re * c - im * sine) - s.psi_ji * s.R * s.R * s.g * s.beta;
-                 const ex rate_0 = -s.psi_li * s.R * s.R * (re * sine + im * c) - s.psi_ji * s.R * s.R * s.u * s.beta;
+                 const auto [eta_0, rate_0] = derived_start(re, im, GiNaC::cos(s.phi_j), GiNaC::sin(s.phi_j));
                  return Values{paper::cosine_of_phase(symbolic_mode(), InitialValues<Symbolic>{Symbolic(eta_0), Symbolic(rate_0)},
                                                       Symbolic(s.u), Symbolic(s.g), Symbolic(s.beta))};
              },
@@ -246,42 +235,6 @@ const Register claims_of_section_2_6_domain_of_validity([] {
              },
          .steps = {{"By (20) damping, stiffness and load of a mode together are $\\psi_{ji}\\beta-\\eta_i''(0)$; $\\eta_i''$ is "
                     "taken from (A.6)",
-                    ""}}},
-        {.id = "58/limit",
-         .equations = {"58"},
-         .title = "At the limit the root of (38) equals beta S_dj",
-         .assumptions = {"S_dj > 0"},
-         .kernel = [&s] { return Values{excess_at_limit(Symbolic(s.S))}; },
-         .derived = [] { return std::vector<ex>{0}; },
-         .steps = {{"(55) with (38) asks that the root exceed $\\beta S_{dj}$; squared and solved for $\\beta$ this is (58), and "
-                    "at the limit both are equal",
-                    ""}}},
-        {.id = "67/limit",
-         .equations = {"67"},
-         .title =
-             "The load (66) reaches mu beta sum psi_ji^2 where the root of (38) equals beta times H + mu sum psi_ji^2, as at the "
-             "limit",
-         .assumptions = {"H_j >= 0", "mu >= 1"},
-         .kernel =
-             [&s] {
-                 return Values{paper::static_friction_demand(Symbolic(s.H), Symbolic(s.mu), Symbolic(s.x)),
-                               excess_at_limit(Symbolic(s.S))};
-             },
-         .derived =
-             [&s] {
-                 return std::vector<ex>{s.H + s.mu * s.x, 0};
-             },
-         .steps = {{"(66) with (38) and (65) asks that the root exceed $\\beta(H_j+\\mu/(\\gamma_jr^2))$; squared and solved for "
-                    "$\\beta$ this is (67)",
-                    ""}}},
-        {.id = "69/limit",
-         .equations = {"68", "69"},
-         .role = Role::shipped,
-         .title = "One formula for (58), (67), (68) and (69): where the root of (38) equals beta S, S > 0",
-         .assumptions = {"S > 0"},
-         .kernel = [&s] { return Values{excess_at_limit(Symbolic(s.S))}; },
-         .derived = [] { return std::vector<ex>{0}; },
-         .steps = {{"(58) and (67) both ask that the root of (38) exceed $\\beta$ times a number; the larger number decides",
                     ""}}},
     };
     for (int N = 1; N <= 2; ++N) { // for every N: one_more_mode.cpp
@@ -366,42 +319,6 @@ const Register claims_of_section_2_6_domain_of_validity([] {
                         .approximation = true,
                         .special_case = true,
                         .steps = {{"(71) is multiplied by $\\psi_{ji}^2$ and summed; (64) and (65) name the sums", ""}}});
-        list.push_back(
-            {.id = "54/contact-load" + of_N,
-             .equations = {"54"},
-             .role = Role::shipped,
-             .title = "The load on the contact from the matrices is gamma_j r^2 times the sum of the modes' contributions",
-             .assumptions = {"diagonal mass matrix", "j = l = 1", "N = " + std::to_string(N)},
-             .kernel =
-                 [N, &s] {
-                     const SymbolicSystem& system = symbolic_system(N);
-                     std::vector<Symbolic> C_j, K_j, x, x_prime;
-                     for (int k = 0; k < N; ++k) {
-                         C_j.emplace_back(system.C(0, k));
-                         K_j.emplace_back(system.K(0, k));
-                         ex displacement = 0, velocity = 0;
-                         for (int i = 0; i < N; ++i) {
-                             displacement += system.Psi(k, i) * starts_at_rest(3)[i].first;
-                             velocity += system.Psi(k, i) * starts_at_rest(3)[i].second;
-                         }
-                         x.emplace_back(displacement);
-                         x_prime.emplace_back(velocity);
-                     }
-                     return Values{paper::contact_load<Symbolic>(C_j, K_j, x, x_prime, 1, Symbolic(0), Symbolic(s.phi_j))};
-                 },
-             .derived =
-                 [N, &s] {
-                     const SymbolicSystem& system = symbolic_system(N);
-                     ex load = 0;
-                     for (int i = 0; i < N; ++i) {
-                         const auto [eta_0, eta_prime_0] = starts_at_rest(3)[i];
-                         load +=
-                             system.Psi(0, i) * (2 * system.zeta[i] * system.Omega[i] * eta_prime_0 +
-                                                 GiNaC::pow(system.Omega[i], 2) * eta_0 - system.Psi(0, i) * GiNaC::cos(s.phi_j));
-                     }
-                     return std::vector<ex>{system.gamma[0] * system.r * system.r * load};
-                 },
-             .special_case = true});
     }
     return list;
 });

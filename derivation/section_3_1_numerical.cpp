@@ -1,6 +1,7 @@
 // Section 3.1, (74), (75): when the contact sticks. (73) is in section_2_1_formulation.cpp.
 #include "claim.hpp"
 #include "denhartog/formulas/stuck.hpp"
+#include "provenance.hpp"
 #include "symbols.hpp"
 #include "system_matrices.hpp"
 
@@ -29,6 +30,7 @@ HeldMotion held_motion(int N) {
 
 /// What (6) leaves for beta times the member of (3)'s set: row 1 of the load less inertia, damping and stiffness forces.
 ex friction_needed(int N, int l) {
+    from_premise();
     const SymbolicSystem& s = symbolic_system(N);
     const HeldMotion motion = held_motion(N);
     matrix load(N, 1);

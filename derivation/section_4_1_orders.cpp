@@ -115,11 +115,11 @@ Outcome paths_of_boundary() {
     add_statement(outcome, decide_term_and_twins(denominator, rho, {Pi * Pi / 2 * all, 2}),
                   "The denominator of u_di and g_i is of second order in every direction",
                   "\\cosh\\delta+\\cos\\theta \\sim \\frac{\\pi^2}{2}(1+t^2)^2\\rho^2");
-    add_statement(
-        outcome, decide_term_and_twins(1 / squared_response(R, zeta), rho, {4 * all, 2}),
-        "and so is that of the response: (67) is analytic in distance and angle, its limit the same for all angles alike, "
-        "and a path may turn as it likes",
-        "|v_{di}|^{-2} \\sim 4(1+t^2)^2\\rho^2");
+    add_statement(outcome, decide_term_and_twins(1 / squared_response(R, zeta), rho, {4 * all, 2}),
+                  "and so is that of the response", "|v_{di}|^{-2} \\sim 4(1+t^2)^2\\rho^2");
+    add_argument(
+        outcome,
+        "(67) is analytic in distance and angle, its limit the same for all angles alike, and a path may turn as it likes", "");
     return outcome;
 }
 
@@ -231,9 +231,9 @@ Outcome place_of_peak() {
         outcome, decide_zero_and_twin(difference - GiNaC::pow(1 - b * b, 2)),
         "f' > 0 says that the slope of the radicand exceeds 2 b times the root; the squares differ by a positive number",
         "(1-b^2+2b^2y)^2 - 4b^2[(1-b^2)y+b^2y^2] = (1-b^2)^2");
-    add_statement(outcome, decide_zero_and_twin(radicand.subs(y == 1) - 1),
-                  "f grows up to y = 1: the peak lies at r = 1 but for a shift of higher order than zeta; the root is 1 there",
+    add_statement(outcome, decide_zero_and_twin(radicand.subs(y == 1) - 1), "The root is 1 at y = 1",
                   "\\zeta\\overline{X} \\to \\frac{1}{2}-\\frac{2\\beta}{\\pi}");
+    add_argument(outcome, "f grows up to y = 1: the peak lies at r = 1 but for a shift of higher order than zeta", "");
     return outcome;
 }
 

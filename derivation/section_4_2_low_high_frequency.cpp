@@ -73,8 +73,7 @@ Outcome velocity_at_high_frequency() {
     const ex numerator = tau - Pi / 2 * (1 - GiNaC::cos(tau));
     Outcome outcome;
     add_ends_of_half_period(outcome);
-    outcome.steps.push_back(
-        {"The quotient is analytic in tau from 0 to pi and in x = 1/R_i next to 0: its limit is uniform", ""});
+    add_argument(outcome, "The quotient is analytic in tau from 0 to pi and in x = 1/R_i next to 0: its limit is uniform", "");
     add_statement(outcome, decide_term_and_twins(s_of_mode(1 / x, zeta), x, {numerator / GiNaC::sin(tau), 0}),
                   "(57) for R_i = 1/x, x -> 0",
                   "s_i(\\tau) \\to f(\\tau) = \\frac{\\tau-\\frac{\\pi}{2}(1-\\cos\\tau)}{\\sin\\tau}");
@@ -87,9 +86,10 @@ Outcome velocity_at_high_frequency() {
     add_statement(outcome, decide_zero_and_twin(slope.diff(t) - (tau - Pi / 2) * GiNaC::sin(tau)),
                   "and falls to pi/2 and rises after it, so that it is negative between",
                   "h' = \\left(\\tau-\\frac{\\pi}{2}\\right)\\sin\\tau");
-    outcome.steps.push_back({"f falls from its limit 1 at tau = 0: the largest sum over the modes tends to the sum of squares, "
-                             "which is at most mu times that sum, what static friction asks",
-                             "S_{dj} \\to \\sum_i\\psi_{ji}^2 \\le \\mu\\sum_i\\psi_{ji}^2"});
+    add_argument(outcome,
+                 "f falls from its limit 1 at tau = 0: the largest sum over the modes tends to the sum of squares, "
+                 "which is at most mu times that sum, what static friction asks",
+                 "S_{dj} \\to \\sum_i\\psi_{ji}^2 \\le \\mu\\sum_i\\psi_{ji}^2");
     return outcome;
 }
 
@@ -212,13 +212,14 @@ Outcome velocity_at_low_frequency() {
         "up to 2/pi at pi/2: for R at most pi zeta / 2 the first term is at most 2 there, its value for tau -> 0",
         "\\frac{2R_iq_i}{\\sin\\tau} \\le 2\\exp\\left[\\left(\\frac{2}{\\pi}-\\frac{\\zeta_i}{R_i}\\right)\\tau\\right]");
     add_ends_of_half_period(outcome);
-    outcome.steps.push_back({"From pi/2 on the numerator has a slope of the order of sqrt(E), and sin(tau) is at least "
-                             "2 (pi - tau) / pi: s is of that order there",
-                             ""});
-    outcome.steps.push_back(
-        {"The largest sum over the modes is the sum of 2 psi_ji^2 but for terms of the order of the E_i, what (67) asks "
-         "for mu = 1",
-         "S_{dj} = 2\\sum_i\\psi_{ji}^2+O(E) \\le (1+\\mu)\\sum_i\\psi_{ji}^2+O(E)"});
+    add_argument(outcome,
+                 "From pi/2 on the numerator has a slope of the order of sqrt(E), and sin(tau) is at least "
+                 "2 (pi - tau) / pi: s is of that order there",
+                 "");
+    add_argument(outcome,
+                 "The largest sum over the modes is the sum of 2 psi_ji^2 but for terms of the order of the E_i, what (67) asks "
+                 "for mu = 1",
+                 "S_{dj} = 2\\sum_i\\psi_{ji}^2+O(E) \\le (1+\\mu)\\sum_i\\psi_{ji}^2+O(E)");
     for (const ObservedSystem& of : systems_of_the_paper(0.1)) {
         std::string line = of.name + ": S_dj over the sum of squares at r = 0.1, 0.05, 0.02:";
         for (const double r : {0.1, 0.05, 0.02}) {
@@ -238,9 +239,10 @@ Outcome undamped_at_low_frequency() {
     Outcome outcome;
     add_statement(outcome, decide_zero_and_twin(squared_limit_of_single_mass(r, 0) - shown), "(67) of a single mass, mu = 1",
                   "\\beta_{\\lim} = \\frac{r^2}{(1-r^2)\\sqrt{1+r^2\\tan^2\\frac{\\pi}{2r}}}");
-    outcome.steps.push_back({"Along r = 1/(2n) the tangent is zero and the boundary over r^2 tends to 1; at r = 1/(2n+1) it "
-                             "has a pole and the boundary is zero: over r^2 it has no limit for r -> 0",
-                             "\\limsup\\frac{\\beta_{\\lim}}{r^2} = 1, \\qquad \\liminf\\frac{\\beta_{\\lim}}{r^2} = 0"});
+    add_argument(outcome,
+                 "Along r = 1/(2n) the tangent is zero and the boundary over r^2 tends to 1; at r = 1/(2n+1) it "
+                 "has a pole and the boundary is zero: over r^2 it has no limit for r -> 0",
+                 "\\limsup\\frac{\\beta_{\\lim}}{r^2} = 1, \\qquad \\liminf\\frac{\\beta_{\\lim}}{r^2} = 0");
     return outcome;
 }
 
@@ -303,6 +305,7 @@ const Register claims_of_section_4_2_low_high_frequency([] {
                         .assumptions = {"r -> infinity", "j = l", "N = " + std::to_string(N) + " modes"},
                         .kernel = [mu] { return Values{square(paper::friction_ratio_limit_at_high_frequency(mu))}; },
                         .derived = [N] { return std::vector<ex>{derived_squared_limit(N)}; },
+                        .refines = {"23", "28", "29"},
                         .steps = {{"For R_i -> infinity the parts of each mode have one limit",
                                    "R_i^2v_{di} \\to -1, \\quad R_i^2u_{di} \\to \\frac{\\pi}{2}, \\quad "
                                    "g_i+2\\zeta_iR_iu_{di} \\to 0"}}});

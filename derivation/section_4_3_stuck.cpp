@@ -5,6 +5,7 @@
 #include "denhartog/formulas/other_masses.hpp"
 #include "denhartog/formulas/stuck.hpp"
 #include "modal_sums.hpp"
+#include "provenance.hpp"
 #include "symbols.hpp"
 
 namespace denhartog::derivation {
@@ -45,6 +46,7 @@ const HeldChain& held_chain() {
 /// Load on the held contact as a function of tau, by row 2 of (6): x_2 = 0, x_k = Re{X_k exp(i tau)}. The stiffnesses come from
 /// the energy of the chain's springs.
 ex derived_load(bool load_on_contact, bool damping_force) {
+    from_premise();
     const HeldChain& c = held_chain();
     const ex tau = symbols().tau;
     const GiNaC::symbol x_1("x1"), x_2("x2"), x_3("x3");
@@ -178,6 +180,25 @@ const Register claims_of_section_4_3_stuck([] {
                         derived_load(true, true)),
                    {"Friction of at most mu beta balances it at every tau where its amplitude is not larger",
                     "\\max_\\tau|\\Sigma_j(\\tau)| \\le \\mu\\beta"}}},
+        {.id = "88/side",
+         .equations = {"88"},
+         .role = Role::step,
+         .title = "Friction balances the load at every tau where beta is not below the limit: below it, as printed, the contact "
+                  "slides",
+         .assumptions = held,
+         .kernel =
+             [&s] {
+                 const ex limit = square(paper::sticking_limit(shipped_load(true), Symbolic(s.mu))).expression();
+                 return Values{Symbolic(s.mu * s.mu * (s.beta * s.beta - limit))};
+             },
+         .derived =
+             [&s] {
+                 const auto [re, im] = complex_amplitude(derived_load(true, true));
+                 return std::vector<ex>{GiNaC::pow(s.mu * s.beta, 2) - re * re - im * im};
+             },
+         .steps =
+             {{"What friction can carry, squared, less the square of the load's amplitude: not negative where the contact rests",
+               ""}}},
         {.id = "88/by-responses",
          .equations = {"88"},
          .role = Role::shipped,

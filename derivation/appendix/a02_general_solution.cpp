@@ -3,6 +3,7 @@
 // Equation (20) is linear with constant coefficients. Its solution is the sum of a free motion, a constant and a harmonic
 // motion; each is found here from an ansatz by comparing coefficients.
 #include "derived.hpp"
+#include "provenance.hpp"
 #include "symbols.hpp"
 
 namespace denhartog::derivation {
@@ -14,6 +15,7 @@ namespace {
 
 /// Left side of (20) for a motion eta(tau).
 ex left_side(const ex& eta) {
+    from_premise();
     const Symbols& s = symbols();
     return eta.diff(GiNaC::ex_to<GiNaC::symbol>(s.tau), 2) + 2 * s.zeta / s.R * eta.diff(GiNaC::ex_to<GiNaC::symbol>(s.tau)) +
            eta / (s.R * s.R);

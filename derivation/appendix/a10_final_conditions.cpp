@@ -21,7 +21,7 @@ const Register claims_of_a10_final_conditions([] {
     const std::vector<std::string> domain{"R_i > 0", "0 <= zeta_i < 1", "the motion is symmetric, (25)"};
     return std::vector<Claim>{
         {.id = "A.10/conditions",
-         .equations = {"25", "A.4", "A.10"},
+         .equations = {"A.10"},
          .title = "The conditions at tau = pi as linear equations for v cos(phi_j) and v sin(phi_j)",
          .assumptions = domain,
          .kernel =
@@ -35,6 +35,9 @@ const Register claims_of_a10_final_conditions([] {
                  const auto [displacement, velocity] = derived_final_conditions();
                  return std::vector<ex>{displacement, velocity};
              },
+         .departure = Departure::convention,
+         .correction = "\\begin{cases}\\mathcal{A}[v_{di}\\cos\\phi_j]+\\mathcal{B}[v_{di}\\sin\\phi_j]+\\mathcal{C}=0\\\\"
+                       "\\mathcal{P}[v_{di}\\cos\\phi_j]+\\mathcal{Q}[v_{di}\\sin\\phi_j]+\\mathcal{R}=0\\end{cases}",
          .steps = {{"Symmetry: half a period later the motion is its mirror image",
                     "\\eta_i(\\pi)+\\eta_{i0}=0,\\qquad \\eta_i'(\\pi)+\\eta_{i0}'=0"},
                    {"$\\cos\\phi_j$ and $\\sin\\phi_j$ are written through the real and imaginary part of $v_{di}e^{i\\phi_j}$, "
@@ -65,6 +68,7 @@ const Register claims_of_a10_final_conditions([] {
                                         velocity.diff(v_cos),     velocity.diff(v_sin),     velocity.subs(none)};
              },
          .departure = Departure::convention,
+         .correction_left = {"\\mathcal{A}", "\\mathcal{B}", "\\mathcal{C}", "\\mathcal{P}", "\\mathcal{Q}", "\\mathcal{R}"},
          .steps = {{"The coefficients of $[v_{di}\\cos\\phi_j]$ and $[v_{di}\\sin\\phi_j]$ in the two conditions (A.10), and "
                     "what is left without "
                     "them, in the order A, B, C, P, Q, R",

@@ -25,6 +25,13 @@ ex friction_part(const ex& v_times) {
 
 } // namespace
 
+std::pair<ex, ex> derived_phase_by_functions() {
+    // (A.13) and (A.14): the claims A.13/cosine and A.14/sine prove that `derived_phase` is this for the u and g below
+    const Symbols& s = symbols();
+    const ex unit = s.psi_li * s.R * s.R, friction = s.psi_ji * s.R * s.R * s.beta;
+    return {(s.eta_0 + friction * s.g) / unit, -(s.eta_prime_0 + friction * s.u) / unit};
+}
+
 ex derived_first_damping_function() { return -friction_part(derived_phase().second); }
 
 ex derived_second_damping_function() { return friction_part(derived_phase().first); }
@@ -40,9 +47,11 @@ const Register claims_of_a12_phase([] {
         return PhaseSystem<Symbolic>{Symbolic(s.PA), Symbolic(s.PB), Symbolic(s.PC),
                                      Symbolic(s.PP), Symbolic(s.PQ), Symbolic(s.PR)};
     };
-    const auto solved = [&s] {
-        const ex solution = GiNaC::lsolve(
-            lst{s.PA * s.v_cos + s.PB * s.v_sin + s.PC == 0, s.PP * s.v_cos + s.PQ * s.v_sin + s.PR == 0}, lst{s.v_cos, s.v_sin});
+    const auto solved = [&s, system] {
+        const Symbolic v_cos(s.v_cos), v_sin(s.v_sin);
+        const ex displacement = paper::final_displacement_residual(system(), v_cos, v_sin).expression();
+        const ex velocity = paper::final_velocity_residual(system(), v_cos, v_sin).expression();
+        const ex solution = GiNaC::lsolve(lst{displacement == 0, velocity == 0}, lst{s.v_cos, s.v_sin});
         return std::vector<ex>{s.v_cos.subs(solution), s.v_sin.subs(solution)};
     };
     return std::vector<Claim>{
@@ -54,8 +63,8 @@ const Register claims_of_a12_phase([] {
          .kernel = [system, &s] { return Values{as_printed::v_cosine_from_system(system(), Symbolic(1 / s.R))}; },
          .derived = [solved] { return std::vector<ex>{solved().front()}; },
          .departure = Departure::scan,
-         .correction = "v_{di}\\cos\\phi_j = \\frac{\\mathcal{BR}-\\mathcal{CQ}}{\\mathcal{AQ}-\\mathcal{BP}}, \\quad "
-                       "v_{di}\\sin\\phi_j = \\frac{\\mathcal{CP}-\\mathcal{AR}}{\\mathcal{AQ}-\\mathcal{BP}}"},
+         .correction = "[v_{di}\\cos\\phi_j] = \\frac{\\mathcal{BR}-\\mathcal{CQ}}{\\mathcal{AQ}-\\mathcal{BP}}, \\quad "
+                       "[v_{di}\\sin\\phi_j] = \\frac{\\mathcal{CP}-\\mathcal{AR}}{\\mathcal{AQ}-\\mathcal{BP}}"},
         {.id = "A.12/solution",
          .equations = {"A.12"},
          .role = Role::shipped,
@@ -66,11 +75,14 @@ const Register claims_of_a12_phase([] {
                  return Values{paper::v_cosine_from_system(system()), paper::v_sine_from_system(system())};
              },
          .derived = solved,
-         .steps = {{"Two linear equations (A.10) with the coefficients (A.11); the unknowns by elimination",
-                    "\\mathcal{A}[v_{di}\\cos\\phi_j]+\\mathcal{B}[v_{di}\\sin\\phi_j]+\\mathcal{C}=0,\\quad "
-                    "\\mathcal{P}[v_{di}\\cos\\phi_j]+\\mathcal{Q}[v_{di}\\sin\\phi_j]+\\mathcal{R}=0"},
-                   step("The cosine", "[v_{di}\\cos\\phi_j]", solved().front()),
-                   step("The sine", "[v_{di}\\sin\\phi_j]", solved().back())}},
+         .refines = {"A.10"},
+         .steps =
+             {{"Two linear equations (A.10) with the coefficients (A.11), $v_{di}$ taken out of $\\mathcal{A}$, $\\mathcal{B}$, "
+               "$\\mathcal{P}$ and $\\mathcal{Q}$; the unknowns by elimination",
+               "\\mathcal{A}[v_{di}\\cos\\phi_j]+\\mathcal{B}[v_{di}\\sin\\phi_j]+\\mathcal{C}=0,\\quad "
+               "\\mathcal{P}[v_{di}\\cos\\phi_j]+\\mathcal{Q}[v_{di}\\sin\\phi_j]+\\mathcal{R}=0"},
+              step("The cosine", "[v_{di}\\cos\\phi_j]", solved().front()),
+              step("The sine", "[v_{di}\\sin\\phi_j]", solved().back())}},
         {.id = "28/first-damping-function",
          .equations = {"28"},
          .title = "First damping function from the conditions at tau = pi",

@@ -9,10 +9,9 @@ using GiNaC::ex;
 using GiNaC::lst;
 
 ex derived_modal_displacement() {
-    // (A.13) and (A.14), proved, put into the displacement; u and g stay symbols
+    // the solution of the final conditions put into the displacement; the parts of it that friction makes keep the names u and g
     const Symbols& s = symbols();
-    const ex v_cos = (s.eta_0 + s.psi_ji * s.R * s.R * s.g * s.beta) / (s.psi_li * s.R * s.R);
-    const ex v_sin = -(s.eta_prime_0 + s.psi_ji * s.R * s.R * s.u * s.beta) / (s.psi_li * s.R * s.R);
+    const auto [v_cos, v_sin] = derived_phase_by_functions();
     return derived_displacement_by_v().subs(lst{s.v_cos == v_cos, s.v_sin == v_sin});
 }
 

@@ -113,9 +113,8 @@ Outcome finite_with_damping() {
                       .verdict,
                   "Denominator of the response", "|v_{di}|^{-2} = (R_i^2-1+2\\zeta_i^2)^2+(2\\zeta_iw)^2");
     add_claim(outcome, "64/not-negative", "g_i is not negative");
-    outcome.steps.push_back(
-        {"(38) is at most |V_dj|, because G_j sums g_i with squares; every |v_di| is at most 1 / (2 zeta_i w)",
-         "\\overline{X}_j \\le |V_{dj}| \\le \\sum_i\\frac{|\\psi_{ji}\\psi_{li}|R_i^2}{2\\zeta_iw}"});
+    add_argument(outcome, "(38) is at most |V_dj|, because G_j sums g_i with squares; every |v_di| is at most 1 / (2 zeta_i w)",
+                 "\\overline{X}_j \\le |V_{dj}| \\le \\sum_i\\frac{|\\psi_{ji}\\psi_{li}|R_i^2}{2\\zeta_iw}");
     return outcome;
 }
 

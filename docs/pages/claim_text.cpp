@@ -20,6 +20,17 @@ std::string role_text(const std::string& role) {
     return "a step of the argument";
 }
 
+/// How a claim bears on its equations, as the run found.
+std::string kind_text(const Json& claim) {
+    const std::string kind = claim.value("kind", ""), same_as = claim.value("same_as", "");
+    const std::string again = same_as.empty() ? "" : " (it says the same as " + escaped(same_as) + ")";
+    if (kind == "refinement") return "a refinement of a shipped formula" + again;
+    if (kind == "restated") return "a definition restated" + again;
+    if (kind == "consequence") return "a consequence of shipped formulas" + again;
+    if (kind == "argument") return "with an argument that a person gave";
+    return (kind == "observation" ? "observed" : "derived") + again;
+}
+
 /// The sentence of a step; the generators of the zero test, which follow "zero with", stay as the run wrote them.
 std::string step_sentence(const std::string& text) {
     const std::string head = "reduces to zero with ";
@@ -91,8 +102,8 @@ std::string claim_text(const Book& book, const Json& claim, const std::string& e
     std::string out = "<div class=\"claim\">\n";
     if (here) out += "\\anchor " + claim_label(record) + "\n";
     out += "<p class=\"claim-title\"><strong>" + prose(claim.at("what")) + "</strong></p>\n";
-    out += "<p>" + verdict_mark(claim.at("verdict")) + " " + role_text(claim.at("role")) + "; claim <code>" + escaped(id) +
-           "</code>, made in " + source_link(place.file, place.line, place.file) + "</p>\n";
+    out += "<p>" + verdict_mark(claim.at("verdict")) + ", " + kind_text(claim) + ", " + role_text(claim.at("role")) +
+           "; claim <code>" + escaped(id) + "</code>, made in " + source_link(place.file, place.line, place.file) + "</p>\n";
     if (!claim.at("assumptions").empty()) {
         out += "<p>Assumed: ";
         bool first = true;

@@ -142,7 +142,8 @@ Page graph_page(const Book& book) {
         "<p>An equation stands below everything that it rests on; a line leads from an equation down to each that rests on it. " +
         counted(book.run.ledger.size(), "equation", "equations") + ", " + counted(lines, "line", "lines") +
         ". The colour is the verdict on the printed form: " + verdict_mark("proved") + " " + verdict_mark("approximation") + " " +
-        verdict_mark("definition") + " " + verdict_mark("refuted") + ". The table below says the same in words.</p>\n";
+        verdict_mark("definition") + " " + verdict_mark("assumption") + " " + verdict_mark("illegible") + " " +
+        verdict_mark("refuted") + ". The table below says the same in words.</p>\n";
     out += "\\htmlonly[block]\n<div class=\"graph-box\" tabindex=\"0\" style=\"overflow-x:auto\">\n" +
            picture(book.run.ledger, layout(book.run.ledger, 20)) + "</div>\n\\endhtmlonly\n";
     out += "\n<div class=\"table-box\" tabindex=\"0\">\n<table class=\"doxtable rests-on\">\n<tr><th>equation</th><th>as "

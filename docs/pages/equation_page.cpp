@@ -67,21 +67,27 @@ std::string boxed(const std::string& verdict, const std::string& head, const std
 std::string statement(const Book& book, const Json& entry) {
     const std::string correction = entry.at("correction"), note = entry.at("printed_note");
     const std::string printed = entry.at("printed");
-    std::string out = boxed(printed, "As printed: " + verdict_text(printed), entry.at("statement"));
+    std::string out =
+        boxed(printed, (printed == "illegible" ? "" : "As printed: ") + verdict_text(printed), entry.at("statement"));
     if (!note.empty()) out += "<p>The text at hand is a scan. " + sentence(note) + "</p>\n";
+    const std::string remark = entry.at("remark"), in_print = entry.at("in_print");
+    if (!remark.empty()) out += "<p>" + sentence(remark) + "</p>\n";
+    if (!in_print.empty()) out += "<p>The printed paper has:</p>\n" + displayed(in_print);
     if (!correction.empty()) {
-        const bool refuted = printed == "refuted";
+        const bool refuted = fails(printed);
+        if (entry.value("correction_by", "") == "hand")
+            out += "<p>A person wrote the formula that follows, and not the run.</p>\n";
         out += boxed(entry.at("shipped"),
                      std::string(refuted ? "What holds: " : "As it is read: ") + verdict_text(entry.at("shipped")), correction);
     }
     const std::string consequence = entry.at("consequence");
     if (!consequence.empty())
         out += "<p>Coded as printed: " + prose(consequence) + ".</p>\n";
-    else if (printed == "refuted")
+    else if (fails(printed))
         out += "<p>Coded as printed: no loss to measure.</p>\n";
     if (!entry.at("witness").empty())
-        out += "<p>A point where " + std::string(printed == "refuted" ? "the printed form fails:" : "it was evaluated:") +
-               "</p>\n" + witness_text(book.run, entry.at("witness"));
+        out += "<p>A point where " + std::string(fails(printed) ? "what stands there fails:" : "it was evaluated:") + "</p>\n" +
+               witness_text(book.run, entry.at("witness"));
     return out;
 }
 

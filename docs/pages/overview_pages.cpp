@@ -44,8 +44,9 @@ std::string counts(const Json& ledger, const char* key) {
 std::string fair_words(const std::string& kind) {
     if (kind == "scan")
         return "A glyph came out wrong in the scanned text at hand and the sentences around it set it right. It says nothing of "
-               "the "
-               "journal's own page.";
+               "the journal's own page, and none of these is counted as refuted. Whoever has the printed paper can settle a "
+               "case: "
+               "docs/ledger/README.md says how.";
     if (kind == "misprint")
         return "A sign, a function or a factor is wrong in a formula that can be read, and other equations of the paper "
                "contradict it. "
@@ -58,7 +59,7 @@ std::string fair_words(const std::string& kind) {
 
 std::string departure_of(const Book& book, const Json& entry) {
     const std::string equation = entry.at("equation"), correction = entry.at("correction"), note = entry.at("printed_note");
-    const bool refuted = entry.at("printed") == "refuted";
+    const bool refuted = fails(entry.at("printed"));
     std::string out = "\n\\subsection errata_" + equation_label(equation) + " Equation (" + equation +
                       ")\n\n<div class=\"erratum\">\n<p>" + equation_link(equation) +
                       " as printed: " + verdict_mark(entry.at("printed")) + "</p>\n" + displayed(entry.at("statement"));
@@ -133,16 +134,17 @@ Page errata_page(const Book& book) {
                                                                     {"substance", "What does not hold as it is meant"},
                                                                     {"convention", "Conventions left unsaid"}};
     out += "<div class=\"table-box\" tabindex=\"0\">\n<table class=\"doxtable\">\n<tr><th>kind</th><th>equations</th><th>of them "
-           "refuted as printed</th><th>which</th></tr>\n";
+           "refuted as printed</th><th>illegible</th><th>which</th></tr>\n";
     for (const auto& [kind, title] : order) {
         std::string links;
-        std::size_t refuted = 0;
+        std::size_t refuted = 0, illegible = 0;
         for (const Json* entry : kinds[kind]) {
             links += (links.empty() ? "" : ", ") + equation_link(entry->at("equation"));
             refuted += entry->at("printed") == "refuted" ? 1 : 0;
+            illegible += entry->at("printed") == "illegible" ? 1 : 0;
         }
         out += "<tr><td>\\ref errata_" + kind + " \"" + title + "\"</td><td>" + std::to_string(kinds[kind].size()) + "</td><td>" +
-               std::to_string(refuted) + "</td><td>" + links + "</td></tr>\n";
+               std::to_string(refuted) + "</td><td>" + std::to_string(illegible) + "</td><td>" + links + "</td></tr>\n";
     }
     out += "</table>\n</div>\n";
     for (const auto& [kind, title] : order) {

@@ -109,7 +109,10 @@ std::string statement_that_holds(const Json& entry) {
     return correction.empty() ? entry.at("statement").get<std::string>() : correction;
 }
 
-std::string verdict_text(const std::string& verdict) { return verdict == "not_applicable" ? "not applicable" : verdict; }
+std::string verdict_text(const std::string& verdict) {
+    if (verdict == "illegible") return "illegible in the text at hand";
+    return verdict == "not_applicable" ? "not applicable" : verdict;
+}
 
 std::string verdict_mark(const std::string& verdict) {
     const std::string name = verdict == "not_applicable" ? "not-applicable" : verdict;

@@ -59,6 +59,10 @@ struct RunRecord {
 /// @return LaTeX
 [[nodiscard]] std::string statement_that_holds(const Json& entry);
 
+/// @brief Whether a printed form does not hold as it stands: refuted, or illegible in the text at hand. @param verdict its verdict
+/// @return  true where another form holds
+[[nodiscard]] inline bool fails(const std::string& verdict) { return verdict == "refuted" || verdict == "illegible"; }
+
 /// @brief A verdict as a reader reads it. @param verdict as the ledger has it @return e.g. `not applicable`
 [[nodiscard]] std::string verdict_text(const std::string& verdict);
 

@@ -92,7 +92,7 @@ TEST_CASE("verdicts without claims follow from the kind and the function", "[led
     CHECK(entry_of(joined, "10").at("printed") == "definition");
     CHECK(entry_of(joined, "10").at("shipped") == "definition");
     CHECK(entry_of(joined, "10").at("loss") == 0.0);
-    CHECK(entry_of(joined, "25").at("printed") == "definition");
+    CHECK(entry_of(joined, "25").at("printed") == "assumption");
     CHECK(entry_of(joined, "25").at("shipped") == "not_applicable");
     CHECK(entry_of(joined, "73").at("printed") == "definition");
     CHECK(entry_of(joined, "74").at("printed") == "definition");
@@ -131,6 +131,76 @@ TEST_CASE("a refuted printed form with a proved correction is no fault", "[ledge
     CHECK(entry.at("claims").size() == 2);
     CHECK(joined.summary.at("refuted") == Json({"46"}));
     CHECK(joined.summary.at("refuted_without_loss").empty());
+}
+
+TEST_CASE("what the scan made illegible is not counted among the paper's faults", "[ledger]") {
+    LedgerParts parts = complete_parts();
+    claim_of(parts, "16/claim").role = "shipped";
+    parts.claims.push_back(claim("16/printed", "16", "printed", "refuted"));
+    parts.claims.back().departure = "scan";
+    parts.claims.back().correction_latex = "x";
+    parts.claims.back().witness = {{"R", "2"}};
+    JoinedLedger joined = join_ledger(parts);
+    CHECK(joined.faults.empty());
+    CHECK(entry_of(joined, "16").at("printed") == "illegible");
+    CHECK(entry_of(joined, "16").at("shipped") == "proved");
+    CHECK(entry_of(joined, "16").at("witness").at("R") == "2");
+    CHECK(joined.summary.at("refuted").empty());
+    CHECK(joined.summary.at("illegible") == Json({"16"}));
+    claim_of(parts, "16/printed").departure = "misprint";
+    joined = join_ledger(parts);
+    CHECK(entry_of(joined, "16").at("printed") == "refuted");
+    CHECK(joined.summary.at("illegible").empty());
+}
+
+TEST_CASE("an equation is proved by a claim that derives it, or that refines one that is derived", "[ledger]") {
+    LedgerParts parts = complete_parts();
+    ClaimResult& only = claim_of(parts, "36/claim");
+    for (const char* kind : {"restated", "consequence", "refinement"}) {
+        only.kind = kind;
+        CHECK(entry_of(join_ledger(parts), "36").at("printed") == "unknown");
+        CHECK(tells(join_ledger(parts).faults, "equation 36 is unknown as printed: no claim derives it"));
+    }
+    only.refines = {"31"};
+    CHECK(entry_of(join_ledger(parts), "36").at("printed") == "proved");
+    CHECK(entry_of(join_ledger(parts), "36").at("claims").at(0).at("kind") == "refinement");
+    only.refines = {"31", "10"}; // a definition, without a claim
+    CHECK(entry_of(join_ledger(parts), "36").at("printed") == "unknown");
+    only.kind = "derived";
+    only.same_as = "31/claim";
+    CHECK(entry_of(join_ledger(parts), "36").at("printed") == "unknown");
+    CHECK(join_ledger(parts).summary.at("kinds").at("repeated") == 1);
+    only.same_as.clear();
+    only.kind = "guessed";
+    CHECK(tells(join_ledger(parts).faults, "has the kind guessed"));
+}
+
+TEST_CASE("a definition with claims that only restate it stays a definition", "[ledger]") {
+    LedgerParts parts = complete_parts();
+    parts.claims.push_back(claim("17/orthonormal", "17", "both", "proved"));
+    CHECK(entry_of(join_ledger(parts), "17").at("printed") == "proved");
+    parts.claims.back().kind = "restated";
+    CHECK(entry_of(join_ledger(parts), "17").at("printed") == "definition");
+    CHECK(join_ledger(parts).faults.empty());
+}
+
+TEST_CASE("a claim on several equations has a verdict on each", "[ledger]") {
+    LedgerParts parts = complete_parts();
+    parts.claims.push_back(claim("31/both", "31", "both", "refuted"));
+    parts.claims.back().equations = {"31", "32"};
+    parts.claims.back().by_equation = {{"31", "proved"}, {"32", "refuted"}};
+    const JoinedLedger joined = join_ledger(parts);
+    CHECK(entry_of(joined, "31").at("printed") == "proved");
+    CHECK(entry_of(joined, "32").at("printed") == "refuted");
+}
+
+TEST_CASE("what a person argued is a step and never a verdict on an equation", "[ledger]") {
+    LedgerParts parts = complete_parts();
+    parts.claims.push_back(claim("86/velocity", "86", "step", "argued"));
+    parts.claims.back().kind = "argument";
+    CHECK(join_ledger(parts).faults.empty());
+    parts.claims.back().role = "shipped";
+    CHECK(tells(join_ledger(parts).faults, "claim 86/velocity is argued and no step"));
 }
 
 TEST_CASE("the worst claim decides", "[ledger]") {

@@ -88,7 +88,7 @@ std::string derivation_as_text(const Json& claims, const std::string& equation) 
     for (const Json& claim : claims) {
         text += (text.empty() ? "(" : "\n(") + claim.at("equation").get<std::string>() + ")  " +
                 claim.at("title").get<std::string>() + "\n    claim " + claim.at("claim").get<std::string>() + ": " +
-                claim.at("verdict").get<std::string>() + "\n";
+                claim.at("verdict").get<std::string>() + with_kind(claim) + "\n";
         for (const Json& assumption : claim.at("assumptions")) text += "    where " + assumption.get<std::string>() + "\n";
         int count = 0;
         for (const Json& step : claim.at("steps")) {

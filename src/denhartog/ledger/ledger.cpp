@@ -148,6 +148,8 @@ std::string card(const Json& entry) {
     text += line("statement", entry.at("statement"));
     text += line("note", entry.value("printed_note", ""));
     text += line("as printed", printed + (departure == "none" ? "" : ", departure: " + departure));
+    text += line("remark", entry.value("remark", ""));
+    text += line("in print", entry.value("in_print", ""));
     text += line(departure == "scan" && printed != "refuted" ? "read as" : "correction", entry.at("correction"));
     text += line("as shipped", entry.at("shipped"));
     if (entry.contains("witness") && !entry.at("witness").empty()) text += line("witness", entry.at("witness").dump());
@@ -161,7 +163,8 @@ std::string card(const Json& entry) {
                                      function.at("line").dump());
     text += line("no formula", entry.value("no_function", ""));
     for (const Json& claim : entry.at("claims"))
-        text += line("claim", claim.value("id", "") + "  " + claim.value("verdict", "") + "  " + claim.value("what", ""));
+        text += line("claim", claim.value("id", "") + "  " + claim.value("verdict", "") + with_kind(claim) + "  " +
+                                  claim.value("what", ""));
     for (const Json& test : entry.at("tests")) text += line("test", test.get<std::string>());
     for (const Json& figure : entry.value("figures", Json::array())) text += line("figure", figure.get<std::string>());
     return text;

@@ -56,16 +56,24 @@ using Json = nlohmann::ordered_json;
     entry["printed"] = "unknown";
     entry["departure"] = row.contains("read_as") ? "scan" : "none";
     entry["correction"] = row.value("read_as", "");
+    entry["correction_by"] = row.contains("read_as") ? "hand" : "";
     entry["shipped"] = "unknown";
     entry["witness"] = Json::object();
     entry["loss"] = nullptr;
     for (const char* key : {"functions", "claims", "tests", "figures"}) entry[key] = Json::array();
     entry["rests_on"] = row.at("rests_on");
     entry["used_by"] = Json::array();
-    entry["printed_note"] = row.value("printed_note", "");
+    for (const char* key : {"printed_note", "in_print", "remark"}) entry[key] = row.value(key, "");
     entry["consequence"] = "";
     entry["no_function"] = row.value("no_function", "");
     return entry;
+}
+
+/// @brief How a claim bears on its equations, to stand after its verdict. @param claim a claim of an entry or of the record
+/// @return  a comma and its kind; empty where none is known
+[[nodiscard]] inline std::string with_kind(const Json& claim) {
+    const std::string kind = claim.value("kind", "");
+    return kind.empty() ? "" : ", " + kind;
 }
 
 /// @brief Where each equation is used: `rests_on` turned round.
