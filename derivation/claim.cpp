@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <iomanip>
 #include <sstream>
 
@@ -26,14 +27,16 @@ std::string text(const GiNaC::numeric& n) {
     return out.str();
 }
 
-/// Both sides at a point, in digits: two claims that say the same have the same.
+/// Both sides at a point, in digits; empty where nothing can be told from them.
 std::string fingerprint_of(const Symbolic& kernel, const GiNaC::ex& derived) {
     std::string found;
     try {
         const Point point = sample_points(domain_of({kernel.expression(), derived}), 1).front();
         for (const GiNaC::ex& side : {kernel.expression(), derived}) {
+            const double value = evaluate(side, point).to_double();
+            if (std::abs(value) < 1e-30) return {}; // every zero looks like every other
             std::ostringstream out;
-            out << std::setprecision(30) << evaluate(side, point).to_double();
+            out << std::setprecision(30) << value;
             found += out.str() + ";";
         }
     } catch (const std::exception&) {
@@ -44,13 +47,21 @@ std::string fingerprint_of(const Symbolic& kernel, const GiNaC::ex& derived) {
 
 /// Both sides of a claim, and its kind: what was called to make them says how the claim bears on its equations. Only formula
 /// templates carry out operations of the symbolic scalar.
-std::pair<Values, std::vector<GiNaC::ex>> sides(const Claim& claim, std::string& kind) {
+std::pair<Values, std::vector<GiNaC::ex>> sides(const Claim& claim, Result& result) {
     const Watch watch;
-    Values kernel = claim.kernel();
-    const Mutation none(-1);
-    std::vector<GiNaC::ex> derived = claim.derived();
-    kind = watch.premise_called() ? "derived" : none.operations() > 0 ? "refinement" : "restated";
-    return {std::move(kernel), std::move(derived)};
+    const auto operations = [](const auto& make, auto& made) {
+        const Mutation none(-1);
+        made = make();
+        return none.operations();
+    };
+    std::pair<Values, std::vector<GiNaC::ex>> both;
+    const long of_kernel = operations(claim.kernel, both.first), of_derived = operations(claim.derived, both.second);
+    result.kind = watch.premise_called() ? "derived" : of_derived > 0 ? "refinement" : "restated";
+    // two formulas of equal value are told apart by how they are written
+    for (std::size_t i = 0; i < std::min(both.first.size(), both.second.size()); ++i)
+        result.fingerprint += fingerprint_of(both.first[i], both.second[i]);
+    if (!result.fingerprint.empty()) result.fingerprint += std::to_string(of_kernel) + " operations";
+    return both;
 }
 
 /// What holds, printed from the derived side.
@@ -112,7 +123,7 @@ Result decide(const Claim& claim) {
         result.witness = std::move(outcome.witness);
         for (Step& step : outcome.steps) result.steps.push_back(std::move(step));
     } else {
-        const auto [kernel, derived] = sides(claim, result.kind);
+        const auto [kernel, derived] = sides(claim, result);
         if (kernel.size() != derived.size() || kernel.empty())
             throw std::logic_error("claim " + claim.id + " compares " + std::to_string(kernel.size()) + " values with " +
                                    std::to_string(derived.size()));
@@ -123,7 +134,6 @@ Result decide(const Claim& claim) {
         for (std::size_t i = 0; i < kernel.size(); ++i) {
             const Decision decision = decide_component(kernel[i], derived[i], real);
             decisions.push_back(decision);
-            result.fingerprint += fingerprint_of(kernel[i], derived[i]);
             if (!claim.by_component.empty()) {
                 Verdict& verdict = result.by_equation.try_emplace(claim.by_component.at(i), Verdict::proved).first->second;
                 if (verdict != Verdict::refuted && decision.verdict != Verdict::proved) verdict = decision.verdict;

@@ -87,7 +87,7 @@ struct Result {
     std::string kind;                                         ///< how it bears on its equations, by `kind_of`
     std::map<std::string, Verdict> by_equation;               ///< of each equation, where the components are told apart
     std::string correction;                                   ///< printed by the run from the derived side; empty where it is not
-    std::string fingerprint;                                  ///< values of both sides; the same for claims that say the same
+    std::string fingerprint;                                  ///< both sides' values, and the kernel's operations
     Decision decision;                                        ///< of the component that decided
     std::vector<std::pair<std::string, std::string>> witness; ///< names and values of the refuting point
     std::vector<Step> steps;                                  ///< derivation, kernel and outcome
