@@ -35,7 +35,7 @@ std::vector<Selection> shipped_selections() {
         if (!is_paper(zeta)) return at_ratio(derived_damping_functions(beyond_paper(zeta)), R);
         return std::vector<ex>{first_function(R, zeta), second_function(R, zeta)};
     };
-    const auto free = [](const ex& tau, const ex& R, const ex& zeta) {
+    const auto free = [](const ex&, const ex& R, const ex& zeta) {
         if (!is_paper(zeta)) return at_ratio(derived_free_motions(beyond_paper(zeta)), R);
         const Symbolic t(symbols().tau), r(R), z(zeta);
         const ex q_prime = paper::q_prime(t, r, z).expression();
