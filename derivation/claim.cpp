@@ -5,6 +5,7 @@
 #include <cmath>
 #include <iomanip>
 #include <sstream>
+#include <utility>
 
 #include "comparison_steps.hpp"
 #include "equation_order.hpp"
@@ -114,10 +115,11 @@ Result decide(const Claim& claim) {
     Result result;
     result.steps = claim.steps;
     if (claim.check) {
-        altered_statements_refuted() = 0;
+        const long before = std::exchange(altered_statements_refuted(), 0); // a check may decide other claims
         const Watch watch;
         Outcome outcome = claim.check();
-        result.altered = altered_statements_refuted();
+        result.altered = std::exchange(altered_statements_refuted(), before);
+        result.why_no_twin = outcome.why_no_twin;
         result.verdict = outcome.verdict;
         result.kind = kind_of_check(claim, outcome, watch);
         result.witness = std::move(outcome.witness);

@@ -46,6 +46,7 @@ struct Outcome {
     std::vector<std::pair<std::string, std::string>> witness; ///< names and values
     std::vector<Step> steps;                                  ///< the argument, or what was searched
     bool argued = false;                                      ///< a step of it is an argument that a person gave
+    std::string why_no_twin = {};                             ///< of a check that refutes no altered statement
 };
 
 /// @brief Values of a kernel, component by component.
@@ -92,6 +93,7 @@ struct Result {
     std::vector<std::pair<std::string, std::string>> witness; ///< names and values of the refuting point
     std::vector<Step> steps;                                  ///< derivation, kernel and outcome
     double milliseconds = 0;                                  ///< time taken
+    std::string why_no_twin;                                  ///< the reason that the check gives
     long altered = 0;                                         ///< altered statements that a check of its own has refuted
 };
 

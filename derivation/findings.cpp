@@ -42,7 +42,7 @@ std::string why_no_twin(const Claim& claim, const Result& result) {
     if (result.verdict == Verdict::refuted) return "refuted: nothing is proved of which a twin could be proved as well";
     if (claim.role == Role::observation)
         return "an observation: decided by a search with its witness, or by claims that have twins";
-    return "";
+    return result.why_no_twin;
 }
 
 json finding_of(const Claim& claim) {

@@ -149,6 +149,7 @@ Outcome not_negative() {
         const Decision decision = decide_equal(left, right, domain_of({left, right}));
         outcome.steps.push_back({"Identity, " + to_string(decision.verdict), latex(left) + " = " + latex(right)});
         if (decision.verdict != Verdict::proved) outcome.verdict = decision.verdict;
+        if (differs_at_samples(left, right + 1, domain_of({left, right}))) ++altered_statements_refuted();
     }
     outcome.steps.push_back(
         {"|sin theta| <= theta gives |(zeta/w) sin theta| <= delta <= sinh delta, and cosh delta + cos theta > 0, so that g "
@@ -196,6 +197,7 @@ Outcome follows_from(const std::vector<std::string>& ids, const std::string& arg
     }
     outcome.steps.push_back({argument, formula});
     outcome.argued = true;
+    outcome.why_no_twin = "an argument from claims that have twins";
     return outcome;
 }
 
@@ -333,7 +335,7 @@ const Register claims_of_bound_observations([] {
          .check =
              [] {
                  return follows_from(
-                     {"71/limit", "72/sum-at-zero/N=2", "64/not-negative"},
+                     {"71/limit", "72/one-more-mode", "64/not-negative"},
                      "The supremum S_dj is at least the limit for tau -> 0, H_j + sum psi_ji^2, which exceeds H_j - mu "
                      "sum psi_ji^2 > 0; the right side of (58) is then below that of (68)",
                      "S_{dj} \\ge H_j + \\sum_i\\psi_{ji}^2 > H_j - \\mu\\sum_i\\psi_{ji}^2 > 0");
@@ -346,7 +348,7 @@ const Register claims_of_bound_observations([] {
          .check =
              [] {
                  return follows_from(
-                     {"71/limit", "72/sum-at-zero/N=2", "64/not-negative", "54/velocity/N=2"},
+                     {"71/limit", "72/one-more-mode", "64/not-negative", "54/one-more-mode"},
                      "S_dj is at least H_j + sum psi_ji^2, which is positive as H_j is not negative; X_j + beta G_j > beta "
                      "S_dj > 0 leaves the positive root",
                      "S_{dj} \\ge H_j + \\sum_i\\psi_{ji}^2 > 0");

@@ -60,7 +60,8 @@ Outcome another_mass_slides() {
     Outcome outcome;
     const ObservedSystem s = observed_system("2DOF j=2 l=1", 0.001, two_masses(0.001));
     const double r = 10, beta = 0.001, limit = boundary(sums_at(s, r), 1.0).exact;
-    ExactSolver<double> solver(contact_system(s.system), {r, beta, 1});
+    const ContactSystem<double> system = contact_system(s.system);
+    ExactSolver<double> solver(system, {r, beta, 1});
     const ContactMotion motion = motion_of_contact(solver, r, beta);
     if (beta < limit && motion.stops == 0 && !motion.rests) outcome.verdict = Verdict::refuted;
     outcome.witness = {{"system", s.name},

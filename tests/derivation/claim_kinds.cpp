@@ -74,7 +74,7 @@ TEST_CASE("a claim that says what one before it has said is known by its values"
           other = claim_of([] { return Values{Symbolic(symbols().R)}; }, [] { return std::vector<ex>{symbols().R}; });
     second.id = "23/again";
     other.id = "23/other";
-    const Claim zero = compared([] { return Values{Symbolic(ex(0))}; }, [] { return std::vector<ex>{0}; });
+    const Claim zero = claim_of([] { return Values{Symbolic(ex(0))}; }, [] { return std::vector<ex>{0}; });
     CHECK(decide(zero).fingerprint.empty());
     const std::vector<Claim> claims{first, second, other};
     Findings findings;
