@@ -36,7 +36,7 @@ bool says(const char* words) { return std::string(dh_last_message()).find(words)
 
 } // namespace
 
-TEST_CASE("a call that has spent its work says so and writes nothing", "[c][effort]") {
+TEST_CASE("a call that has spent its work says so and writes nothing", "[c][effort][threads]") {
     dh_solution* solution = nullptr;
     REQUIRE(solve_stopping(&solution) == DH_OK);
     dh_solution_destroy(solution);

@@ -180,7 +180,7 @@ TEST_CASE("the children of a program are gone with it, and none is left to be wa
     }
 }
 
-TEST_CASE("an interruption of the runner takes the program under test with it", "[conformance][hostile]") {
+TEST_CASE("an interruption of the runner takes the program under test with it", "[conformance][hostile][threads]") {
     const std::string name = "interrupted-" + std::to_string(::getpid()) + ".sh";
     const std::string program = script(name, greet + "sleep 1000");
     const auto report = scratch() / "interrupted-report";

@@ -61,7 +61,7 @@ TEST_CASE("a wrong should or stress is told and no failure; a needed quantity mu
     CHECK(run("", table_program("nothing", "")).status == 1);
 }
 
-TEST_CASE("several processes give the same verdicts as one", "[conformance][program]") {
+TEST_CASE("several processes give the same verdicts as one", "[conformance][program][threads]") {
     std::vector<Vector> vectors;
     std::string answers;
     for (int n = 0; n < 60; ++n) {

@@ -100,7 +100,7 @@ TEST_CASE("over arrays each mode is evaluated once an r", "[counter]") {
     CHECK(mode_evaluations() == scalar);
 }
 
-TEST_CASE("the number of threads changes nothing in sums over arrays", "[eq:33][eq:34][eq:64]") {
+TEST_CASE("the number of threads changes nothing in sums over arrays", "[threads][eq:33][eq:34][eq:64]") {
     const std::vector<double> r = frequency_ratios(3000);
     const ContactSums one = sums_over(three_masses().system, r, 1), three = sums_over(three_masses().system, r, 3);
     CHECK(one.V_re == three.V_re);

@@ -195,3 +195,35 @@ TEST_CASE("where the terms of a curve cancel, the search ends at the error that 
         CHECK(effort.spent <= 2000);
     }
 }
+
+TEST_CASE("a peak that is lower by less than the error may be the largest", "[maximum]") {
+    // |sin 2t| - d [t > pi / 2], two peaks: at pi / 4, and d lower at 3 pi / 4.
+    const double d = 1e-9;
+    const auto lower = [d](double t) { return t > pi<double>() / 2 ? d : 0; };
+    const auto sign = [](double t) { return std::sin(2 * t) < 0 ? -1 : 1; };
+    const Curve<double> curve = smooth<double>([&](double t) { return std::abs(std::sin(2 * t)) - lower(t); },
+                                               [&](double t) { return 2 * sign(t) * std::cos(2 * t); },
+                                               [&](double t) { return -4 * sign(t) * std::sin(2 * t); }, 8);
+    const auto rivals_with = [&](double error) {
+        const Maximum<double> best =
+            global_maximum(curve, 0.0, pi<double>(), 1e-15, nullptr, std::numeric_limits<double>::lowest(), error);
+        CHECK(std::abs(best.instant - pi<double>() / 4) < 1e-7);
+        return rivals(best.places, 0.0, pi<double>());
+    };
+    CHECK(rivals_with(0).empty());
+    CHECK(rivals_with(0.49e-9).empty());
+    const std::vector<Place<double>> others = rivals_with(0.51e-9);
+    REQUIRE(others.size() == 1);
+    CHECK(std::abs(others[0].instant - 3 * pi<double>() / 4) < 1e-7);
+    CHECK(others[0].reach == 0);
+}
+
+TEST_CASE("the two ends of a half-period are one instant", "[maximum]") {
+    const Curve<double> curve = smooth<double>([](double t) { return std::abs(std::cos(t)); },
+                                               [](double t) { return std::cos(t) < 0 ? std::sin(t) : -std::sin(t); },
+                                               [](double t) { return -std::abs(std::cos(t)); }, 1);
+    const Maximum<double> best = global_maximum(curve, 0.0, pi<double>());
+    REQUIRE(best.places.size() == 2);
+    CHECK(rivals(best.places, 0.0, pi<double>()).empty());
+    CHECK(rivals(best.places, 0.0, 4.0).size() == 1);
+}

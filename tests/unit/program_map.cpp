@@ -26,7 +26,7 @@ double number_at(const std::string& bytes, std::size_t place) {
 
 } // namespace
 
-TEST_CASE("a map is a table, a line a point", "[program][map]") {
+TEST_CASE("a map is a table, a line a point", "[program][map][threads]") {
     const Run run = run_program("map --r 0.5:2:4 --beta 0:1:3", scene);
     REQUIRE(run.status == 0);
     CHECK(run.error.empty());
@@ -108,7 +108,7 @@ TEST_CASE("a bad grid, mass or output gives status 2, one line and no file", "[p
     CHECK_FALSE(std::filesystem::exists(file));
 }
 
-TEST_CASE("an interruption leaves no file and says so", "[program][map]") {
+TEST_CASE("an interruption leaves no file and says so", "[program][map][threads]") {
     const auto folder = scratch() / "interrupted";
     std::filesystem::create_directories(folder);
     const auto input = file_with("map_scene", scene);

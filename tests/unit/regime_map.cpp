@@ -93,7 +93,7 @@ TEST_CASE("a last digit below permanent sticking no rest is taken for the motion
     CHECK(map.amplitudes[1] > 0);
 }
 
-TEST_CASE("a map is the same to the last bit for any number of threads", "[map]") {
+TEST_CASE("a map is the same to the last bit for any number of threads", "[map][threads]") {
     MapRequest grid = request(9, 12);
     const RegimeMap one = regime_map(two_masses(1), grid, never);
     for (const unsigned threads : {2U, 5U}) {

@@ -1,6 +1,8 @@
 #include "denhartog/answer/sliding_solution.hpp"
 
 #include "denhartog/number/errors.hpp"
+#include "denhartog/number/number_text.hpp"
+#include "denhartog/sliding/instants_of_maxima.hpp"
 #include "tests/catch.hpp"
 #include "tests/unit/response_fixtures.hpp"
 
@@ -153,4 +155,51 @@ TEST_CASE("a damping matrix rounded to double counts in more digits as the dampi
     CHECK(more.digits_reached);
     for (std::size_t k = 0; k < 3; ++k)
         CHECK(std::abs(found.masses[k].amplitude.value - more.masses[k].amplitude.value) <= found.masses[k].amplitude.error);
+}
+
+TEST_CASE("next to a friction ratio at which a phase jumps, its bound holds or reaches to the other maximum",
+          "[accuracy][eq:47]") {
+    // Mass 1 has two largest displacements at some 0.17523764091237618; their phases are 2.709 and 0.944.
+    Scene<double> scene = three_masses(0.28);
+    scene.system.mass_ratios = {1, 1, 1.25, 3.25};
+    scene.system.stiffness_ratios = {1, 0.5, 0.5, 2};
+    scene.system.damping_ratios = {0.02, 0.02, 0.02, 0.02};
+    scene.system.contact = Mass{3};
+    scene.system.load = Mass{1};
+    const double jump = 0.17523764091237618;
+    for (const double apart : {-1e-6, -1e-14, -1e-16, 1e-16, 1e-14, 1e-6}) {
+        scene.beta = jump * (1 + apart);
+        const Solution low = answer(scene_source(scene), 10), high = answer(scene_source(scene), 40);
+        INFO("beta = " << hexadecimal(*scene.beta) << ", phase " << low.masses[0].phase->value << ", to 40 digits "
+                       << high.masses[0].phase->value);
+        CHECK(std::abs(low.masses[0].phase->value - high.masses[0].phase->value) <= low.masses[0].phase->error);
+        CHECK(low.masses[0].phase->error < 1e-10);
+        CHECK(std::abs(low.masses[0].amplitude.value - high.masses[0].amplitude.value) <= low.masses[0].amplitude.error);
+        CHECK(std::abs(low.masses[0].amplitude.value - 0.3469650429) < 1e-6);
+    }
+    scene.beta = jump * (1 - 1e-6);
+    CHECK(std::abs(answer(scene_source(scene), 10).masses[0].phase->value - 2.709) < 1e-3);
+    CHECK(answer(scene_source(scene), 10).method.precision == "double");
+    scene.beta = jump * (1 + 1e-6);
+    CHECK(std::abs(answer(scene_source(scene), 10).masses[0].phase->value - 0.944) < 1e-3);
+
+    // The same to all digits of 50: those of 100 tell.
+    const auto instant = [&](const Real50& beta) {
+        const Scene<Real50> wide = scene_source(scene).in_50_digits();
+        const ModeSums<Real50> sums = mode_sums(modal_basis(wide.system), wide.system.contact, wide.system.load, *wide.r);
+        return instants_of_maxima(sums, beta, Mass{0}).instants[0];
+    };
+    Real50 below = Real50(jump) * (1 - Real50(1e-12)), above = Real50(jump) * (1 + Real50(1e-12));
+    const Real50 left = instant(below);
+    CHECK(abs(Real50(instant(above) - left)) > 1);
+    for (int n = 0; n < 115; ++n) {
+        const Real50 middle = (below + above) / 2;
+        (abs(Real50(instant(middle) - left)) < Real50(0.1) ? below : above) = middle;
+    }
+    const std::string text = R"({"mass_ratios": [1, 1, 1.25, 3.25], "stiffness_ratios": [1, 0.5, 0.5, 2], "r": 0.28,
+                                 "damping_ratios": [0.02, 0.02, 0.02, 0.02], "contact": 4, "load": 2, "beta": ")" +
+                             number_to_text(below) + "\"}";
+    const Solution closest = answer(scene_source(SceneText{text}), 10);
+    CHECK(closest.method.precision == "100 digits");
+    CHECK(closest.digits_reached);
 }

@@ -85,11 +85,31 @@ TEST_CASE("between the boundaries the exact solver answers, to 30 digits as well
         CHECK(a.stops[n].end.value > a.stops[n].start.value);
     }
     for (std::size_t k = 0; k < 2; ++k) {
-        CHECK(abs(Real100(decimals_of(a.masses[k].amplitude) - decimals_of(b.masses[k].amplitude))) <= Real100(a.masses[k].amplitude.error));
-        CHECK(abs(wrapped(Real100(decimals_of(*a.masses[k].phase) - decimals_of(*b.masses[k].phase)))) <= Real100(a.masses[k].phase->error));
+        CHECK(abs(Real100(decimals_of(a.masses[k].amplitude) - decimals_of(b.masses[k].amplitude))) <=
+              Real100(a.masses[k].amplitude.error));
+        CHECK(abs(wrapped(Real100(decimals_of(*a.masses[k].phase) - decimals_of(*b.masses[k].phase)))) <=
+              Real100(a.masses[k].phase->error));
         CHECK(b.masses[k].amplitude.error < 1e-29 * b.masses[k].amplitude.value); // the rounding of 30 decimals is in it
     }
     CHECK_THROWS_AS(asking(scene, Asked::motion, 60), PrecisionError);
+}
+
+TEST_CASE("in stick-slip next to a friction ratio at which a phase jumps, its bound holds", "[solve][accuracy]") {
+    // Mass 1 has two largest displacements at some 0.29621107496888; their phases are -2.992 and 1.691.
+    Scene<double> scene = three_masses(0.32);
+    scene.system.mass_ratios = {1, 1, 1.75, 3};
+    scene.system.stiffness_ratios = {1, 0.75, 2.25, 1.5};
+    scene.system.damping_ratios = {0.02, 0.02, 0.02, 0.02};
+    scene.system.contact = Mass{2};
+    scene.system.load = Mass{1};
+    for (const double beta : {0.2962, 0.29621107496887694, 0.29621107496888466, 0.2963}) {
+        scene.beta = beta;
+        const Solution low = asking(scene, Asked::motion, 8), high = asking(scene, Asked::motion, 20);
+        INFO("beta = " << hexadecimal(beta) << ", phase " << low.masses[0].phase->value << ", to 20 digits "
+                       << high.masses[0].phase->value);
+        CHECK(std::abs(low.masses[0].phase->value - high.masses[0].phase->value) <= low.masses[0].phase->error);
+        CHECK(low.masses[0].phase->error < 1e-8);
+    }
 }
 
 TEST_CASE("a contact that rests gives the stuck response and the interval of rest", "[solve][eq:88]") {

@@ -6,10 +6,10 @@
 #include <set>
 #include <sstream>
 #include <system_error>
-#include <thread>
 
 #include "conformance/grade.hpp"
 #include "denhartog/number/legible.hpp"
+#include "denhartog/number/parallel.hpp"
 
 namespace denhartog::conformance {
 namespace {
@@ -164,19 +164,13 @@ Conversation converse(const RunSettings& settings, std::span<const Question* con
     conversation.dialect = first.plain ? "plain" : "json";
     Shared shared;
     const std::size_t jobs = std::clamp<std::size_t>(settings.jobs, 1, std::max<std::size_t>(questions.size(), 1));
-    std::vector<std::thread> others;
-    try {
-        others.reserve(jobs);
-        for (std::size_t n = 1; n < jobs; ++n)
-            others.emplace_back([&] { Worker(settings, questions, conversation, shared, progress).work(Partner{}); });
-    } catch (const std::system_error&) {
-        // The system grants no more threads: those that there are ask all the questions.
-    }
-    Worker(settings, questions, conversation, shared, progress).work(std::move(first));
-    for (std::thread& other : others) other.join();
+    parallel_for(jobs, static_cast<unsigned>(jobs), [&](std::size_t n) {
+        Worker(settings, questions, conversation, shared, progress).work(n == 0 ? std::move(first) : Partner{});
+        return true;
+    });
     const auto has_trouble = [](const Exchange& exchange) { return exchange.trouble.has_value(); };
-    conversation.broken = shared.given_up == others.size() + 1 ||
-                          std::all_of(conversation.exchanges.begin(), conversation.exchanges.end(), has_trouble);
+    conversation.broken =
+        shared.given_up == jobs || std::all_of(conversation.exchanges.begin(), conversation.exchanges.end(), has_trouble);
     const std::string reason = interruption() ? "the runner was interrupted"
                                               : "the program broke " + std::to_string(most_restarts + 1) + " times in a row";
     for (std::size_t n = shared.next; n < questions.size(); ++n) conversation.exchanges[n].answer = Skipped{reason};

@@ -91,7 +91,7 @@ OrbitSolution orbit_solution(ExactSolver<T>& solver, const PeriodicOrbit<T>& orb
         }
         const T velocity_error = fastest * (orbit.error_bound + rounding / 16);
         const T of_instant = error_of_extremum(on_orbit, k, mass, orbit.periods, velocity_error);
-        const T phase_error = std::min(pi<T>(), T(of_instant + 4 * unit_of<T>()));
+        const T phase_error = std::min(pi<T>(), T(of_instant + mass.spread + 4 * unit_of<T>()));
         solution.masses.push_back({number(mass.amplitude, orbit.error_bound), number(mass.phase, phase_error), std::nullopt});
         const T relative = mass.amplitude > 0 ? T(orbit.error_bound / mass.amplitude) : T(1);
         solution.relative_amplitude = std::max(solution.relative_amplitude, static_cast<double>(relative));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "denhartog/sliding/instants_of_maxima.hpp"
 #include "denhartog/sums/chain_sums.hpp"
 
 namespace denhartog {
@@ -69,6 +70,14 @@ double error_of_masses(const SteadyState<Bounded<T>>& state, std::optional<Mass>
     return error;
 }
 
+// What the errors of the sums make of displacements over the half-period: some times that of displacement and velocity at its start.
+template <class T>
+std::vector<T> errors_of_displacements(const SteadyState<Bounded<T>>& state) {
+    std::vector<T> errors;
+    for (const MassResponse<Bounded<T>>& m : state.masses) errors.push_back(T(4 * std::max(m.x0.e, m.v0.e)));
+    return errors;
+}
+
 // The point with the instants known from a search on the values of `searched`: the sums themselves, or rounded to double.
 template <class T, class Searched>
 SlidingPoint<T> point_at(const Scene<T>& scene, const ModeSums<Bounded<T>>& sums, const PointWish& wish,
@@ -94,12 +103,19 @@ SlidingPoint<T> point_at(const Scene<T>& scene, const ModeSums<Bounded<T>>& sums
     point.attempted.decided = !point.regime->on_boundary;
     if (point.regime->regime != Regime::continuous || !wish.motion) return point;
     const Bounded<Searched> beta = as_input(static_cast<Searched>(*scene.beta));
-    const std::vector<Searched> maxima = instants_of_maxima(values, beta.x, wish.only);
-    point.state = steady_state_at(sums, as_input(*scene.beta), as_bounded(in_type(maxima)), wish.only);
+    const std::vector<Searched> errors = errors_of_displacements(steady_state_without_maxima(searched, beta));
+    const InstantsOfMaxima<Searched> maxima = instants_of_maxima(values, beta.x, wish.only, errors);
+    point.state = steady_state_at(sums, as_input(*scene.beta), as_bounded(in_type(maxima.instants)), wish.only);
     if constexpr (!std::same_as<T, Searched>) {
-        const SteadyState<Bounded<double>> narrow = steady_state_at(searched, beta, as_bounded(maxima), wish.only);
-        for (std::size_t k = 0; k < maxima.size(); ++k)
+        const SteadyState<Bounded<double>> narrow = steady_state_at(searched, beta, as_bounded(maxima.instants), wish.only);
+        for (std::size_t k = 0; k < errors.size(); ++k)
             if (k != sums.contact.index) point.state->masses[k].amplitude.e += T(narrow.masses[k].amplitude.e);
+    }
+    for (std::size_t k = 0; k < errors.size(); ++k) {
+        MassResponse<Bounded<T>>& m = point.state->masses[k];
+        if (!(maxima.spreads[k] > 0)) continue;
+        m.phase.e += T(maxima.spreads[k]);
+        m.instant.e = pi<T>();
     }
     point.attempted.relative = std::max(point.attempted.relative, error_of_masses(*point.state, wish.only));
     return point;

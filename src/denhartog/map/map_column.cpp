@@ -9,6 +9,7 @@
 #include "denhartog/map/contact_amplitudes.hpp"
 #include "denhartog/number/effort.hpp"
 #include "denhartog/number/errors.hpp"
+#include "denhartog/sliding/instants_of_maxima.hpp"
 #include "denhartog/solve/solve.hpp"
 #include "denhartog/stick_slip/at_maximum_of_force.hpp"
 #include "denhartog/stick_slip/periodic_orbit.hpp"
@@ -124,7 +125,7 @@ private:
     bool slide(std::size_t n) {
         const Bounded<double> beta = as_input(map.beta[n]);
         const std::optional<Mass> only = map.masses.size() == 1 ? std::optional(map.masses.front()) : std::nullopt;
-        const std::vector<double> instants = instants_of_maxima(values_of(sums()), beta.x, only);
+        const std::vector<double> instants = instants_of_maxima(values_of(sums()), beta.x, only).instants;
         const SteadyState<Bounded<double>> state =
             steady_state_at(sums(), beta, std::vector<Bounded<double>>(instants.begin(), instants.end()), only);
         if (!write(n, [&](std::size_t k) { return state.masses[k].amplitude; })) return false;

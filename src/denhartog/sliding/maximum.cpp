@@ -37,10 +37,10 @@ bool opposite_signs(const T& a, const T& b) {
 }
 
 template <class T>
-class Search {
+class MaximumSearch {
 public:
-    Search(const Curve<T>& curve, const T& a, const T& b, const T& noise, Effort& effort, const T& least)
-        : curve_(curve), noise_(noise), effort_(effort), best_{least, a, least, true, {}} {
+    MaximumSearch(const Curve<T>& curve, const T& a, const T& b, const T& noise, Effort& effort, const T& least, const T& error)
+        : curve_(curve), noise_(noise), error_(std::max(noise, error)), effort_(effort), best_{least, a, least, true, {}} {
         open_.reserve(2 * first_intervals);
         for (int n = 0; n <= first_intervals; ++n) {
             const T tau = n == first_intervals ? b : T(a + (b - a) * n / first_intervals);
@@ -60,18 +60,18 @@ public:
             open_.pop_back();
             const bool passed_over = now.highest <= best_.value + noise_ + rounding();
             if (passed_over || !(now.left.tau < now.middle.tau && now.middle.tau < now.right.tau)) {
-                dismiss(now, now.middle, now.highest);
+                dismiss(now, now.middle, now.highest, T(now.right.tau - now.left.tau));
             } else if (now.monotone) {
                 const Node<T> top = opposite_signs(now.left.at.w, now.right.at.w) ? at_root(now)
                                     : now.left.at.f > now.right.at.f              ? now.left
                                                                                   : now.right;
-                dismiss(now, top, top.at.f);
+                dismiss(now, top, top.at.f, T(0));
             } else {
                 halve(now);
             }
         }
         best_.settled = open_.empty();
-        for (const Interval<T>& each : open_) dismiss(each, each.middle, each.highest);
+        for (const Interval<T>& each : open_) dismiss(each, each.middle, each.highest, T(each.right.tau - each.left.tau));
         best_.upper = std::max(best_.upper, best_.value) + noise_;
         gather_places();
         return std::move(best_);
@@ -114,43 +114,64 @@ private:
         return node(bracketed_root(w, in.left.tau, in.right.tau, in.left.at.w, in.right.at.w));
     }
 
-    void dismiss(const Interval<T>& in, const Node<T>& top, const T& highest) {
+    // Below it no value can be the largest.
+    T level() const { return best_.value - 2 * error_ - rounding(); }
+
+    void dismiss(const Interval<T>& in, const Node<T>& top, const T& highest, const T& reach) {
         best_.upper = std::max(best_.upper, highest);
-        if (highest < best_.value - 2 * noise_ - rounding()) return;
-        best_.places.push_back({in.left.tau, in.right.tau, top.tau, top.at.f});
-        highest_.push_back(highest);
+        if (highest < level()) return;
+        best_.places.push_back({in.left.tau, in.right.tau, top.tau, top.at.f, highest, reach});
     }
 
     void gather_places() {
-        std::vector<Place<T>> kept;
-        for (std::size_t n = 0; n < highest_.size(); ++n)
-            if (highest_[n] >= best_.value - 2 * noise_ - rounding()) kept.push_back(best_.places[n]);
-        std::sort(kept.begin(), kept.end(), [](const Place<T>& x, const Place<T>& y) { return x.from < y.from; });
-        best_.places.clear();
-        for (const Place<T>& each : kept) {
-            if (best_.places.empty() || best_.places.back().to < each.from) {
-                best_.places.push_back(each);
-                continue;
-            }
-            Place<T>& last = best_.places.back();
-            last.to = each.to;
-            if (each.value > last.value) {
-                last.instant = each.instant;
-                last.value = each.value;
-            }
-        }
+        std::erase_if(best_.places, [this](const Place<T>& each) { return each.upper < level(); });
+        best_.places = joined(std::move(best_.places));
     }
 
     const Curve<T>& curve_;
-    T noise_;
+    T noise_, error_;
     Effort& effort_;
     Maximum<T> best_;
-    std::vector<T> highest_; // of each place
     std::vector<Interval<T>> open_;
     Node<T> left_;
 };
 
 } // namespace
+
+template <class T>
+std::vector<Place<T>> joined(std::vector<Place<T>> places) {
+    std::sort(places.begin(), places.end(), [](const Place<T>& x, const Place<T>& y) { return x.from < y.from; });
+    std::vector<Place<T>> kept;
+    for (Place<T>& each : places) {
+        if (kept.empty() || kept.back().to < each.from) {
+            kept.push_back(std::move(each));
+            continue;
+        }
+        Place<T>& last = kept.back();
+        last.to = std::max(last.to, each.to);
+        last.upper = std::max(last.upper, each.upper);
+        if (each.value > last.value) {
+            last.instant = each.instant;
+            last.value = each.value;
+            last.reach = each.reach;
+        }
+    }
+    return kept;
+}
+
+template <class T>
+std::vector<Place<T>> rivals(const std::vector<Place<T>>& places, const T& a, const T& b) {
+    const auto largest =
+        std::max_element(places.begin(), places.end(), [](const Place<T>& x, const Place<T>& y) { return x.value < y.value; });
+    const bool across = !places.empty() && !(a < places.front().from) && !(places.back().to < b);
+    std::vector<Place<T>> others;
+    for (auto each = places.begin(); each != places.end(); ++each) {
+        const bool is_end = each == places.begin() || each + 1 == places.end();
+        const bool is_largest_end = largest == places.begin() || largest + 1 == places.end();
+        if (each != largest && !(across && is_end && is_largest_end)) others.push_back(*each);
+    }
+    return others;
+}
 
 template <class T>
 std::pair<T, T> root_bracket(const std::function<T(const T&)>& f, const T& a, const T& b, const T& f_a, const T& f_b) {
@@ -160,9 +181,10 @@ std::pair<T, T> root_bracket(const std::function<T(const T&)>& f, const T& a, co
 }
 
 template <class T>
-Maximum<T> global_maximum(const Curve<T>& curve, const T& a, const T& b, const T& noise, Effort* effort, const T& least) {
+Maximum<T> global_maximum(const Curve<T>& curve, const T& a, const T& b, const T& noise, Effort* effort, const T& least,
+                          const T& error) {
     SearchEffort own(default_effort(1) / 4); // a search is one of several that a question needs
-    const Maximum<T> found = Search<T>(curve, a, b, noise, effort != nullptr ? *effort : own, least).largest();
+    const Maximum<T> found = MaximumSearch<T>(curve, a, b, noise, effort != nullptr ? *effort : own, least, error).largest();
     if (effort == nullptr && !found.settled)
         throw PrecisionError(
             "the largest value over the half-period is not settled: " + (own.exhausted() ? own.ending() + "; " : "") +
@@ -170,16 +192,22 @@ Maximum<T> global_maximum(const Curve<T>& curve, const T& a, const T& b, const T
     return found;
 }
 
-template Maximum<double> global_maximum(const Curve<double>&, const double&, const double&, const double&, Effort*,
+template Maximum<double> global_maximum(const Curve<double>&, const double&, const double&, const double&, Effort*, const double&,
                                         const double&);
-template Maximum<Real50> global_maximum(const Curve<Real50>&, const Real50&, const Real50&, const Real50&, Effort*,
+template Maximum<Real50> global_maximum(const Curve<Real50>&, const Real50&, const Real50&, const Real50&, Effort*, const Real50&,
                                         const Real50&);
 template Maximum<Real100> global_maximum(const Curve<Real100>&, const Real100&, const Real100&, const Real100&, Effort*,
-                                         const Real100&);
+                                         const Real100&, const Real100&);
+template std::vector<Place<double>> joined(std::vector<Place<double>>);
+template std::vector<Place<double>> rivals(const std::vector<Place<double>>&, const double&, const double&);
 template std::pair<double, double> root_bracket(const std::function<double(const double&)>&, const double&, const double&,
                                                 const double&, const double&);
+template std::vector<Place<Real50>> joined(std::vector<Place<Real50>>);
+template std::vector<Place<Real50>> rivals(const std::vector<Place<Real50>>&, const Real50&, const Real50&);
 template std::pair<Real50, Real50> root_bracket(const std::function<Real50(const Real50&)>&, const Real50&, const Real50&,
                                                 const Real50&, const Real50&);
+template std::vector<Place<Real100>> joined(std::vector<Place<Real100>>);
+template std::vector<Place<Real100>> rivals(const std::vector<Place<Real100>>&, const Real100&, const Real100&);
 template std::pair<Real100, Real100> root_bracket(const std::function<Real100(const Real100&)>&, const Real100&, const Real100&,
                                                   const Real100&, const Real100&);
 

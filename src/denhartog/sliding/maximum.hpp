@@ -39,6 +39,8 @@ struct Place {
     T to;      ///< its right end
     T instant; ///< where the largest value in it was seen
     T value;   ///< that value
+    T upper;   ///< no value in it is larger, but for the error of a sample
+    T reach;   ///< how far from there its largest value may be; zero where it was found as a root of w
 };
 
 /// @brief A maximum and where it lies.
@@ -60,11 +62,28 @@ struct Maximum {
 /// @param noise   bound of the absolute error of f at an instant: what is below it is not searched
 /// @param effort  the work allowed; null for that of `default_effort`
 /// @param least   values not above it do not matter: the search passes over them
+/// @param error   bound of an error of f that the search cannot lessen: a value below the largest by no more than twice that much
+///                may be the largest, and has a place
 /// @return        the maximum; where `least` exceeds all values, `least` at a, without a place
 /// @throws        PrecisionError where no effort was given and the default does not settle it
 template <class T>
 [[nodiscard]] Maximum<T> global_maximum(const Curve<T>& curve, const T& a, const T& b, const T& noise = T(0),
-                                        Effort* effort = nullptr, const T& least = std::numeric_limits<T>::lowest());
+                                        Effort* effort = nullptr, const T& least = std::numeric_limits<T>::lowest(),
+                                        const T& error = T(0));
+
+/// @brief The places with those that touch made one.
+/// @param places  places of one function, in any order
+/// @return        ascending, no two touch
+template <class T>
+[[nodiscard]] std::vector<Place<T>> joined(std::vector<Place<T>> places);
+
+/// @brief The places besides that of the largest value, of a function that goes on at a as it ends at b.
+/// @param places  ascending, no two touch
+/// @param a       start of the stretch
+/// @param b       its end
+/// @return        where else the function may be largest; empty where there is one place alone
+template <class T>
+[[nodiscard]] std::vector<Place<T>> rivals(const std::vector<Place<T>>& places, const T& a, const T& b);
 
 /// @brief Two neighbouring numbers between which a continuous function changes its sign.
 /// @param f    the function

@@ -10,7 +10,8 @@
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/multiprecision.hpp"
 #include "denhartog/scene/point_rules.hpp"
-#include "denhartog/sliding/maximum.hpp"
+#include "denhartog/sliding/instants_of_maxima.hpp"
+#include "denhartog/sliding/mass_in_motion.hpp"
 #include "denhartog/sums/bounded_modes.hpp"
 #include "denhartog/sums/friction_motion.hpp"
 
@@ -18,38 +19,6 @@ namespace denhartog {
 namespace {
 
 using std::floor;
-
-template <class T>
-evaluation::HarmonicPart<T> harmonic_part(const ModeSums<T>& s, std::size_t k, const T& beta) {
-    const std::size_t j = s.contact.index;
-    return evaluation::harmonic_part(s.V[k], s.V[j], s.U[j], beta);
-}
-
-// Factors of the braces in (41), without beta.
-template <class T>
-std::vector<T> friction_weights(const ModeSums<T>& s, std::size_t k) {
-    const auto psi_k = mode_shapes_at(s, Mass{k});
-    const auto psi_j = mode_shapes_at(s, s.contact);
-    std::vector<T> weights;
-    weights.reserve(s.R.size());
-    for (std::size_t i = 0; i < s.R.size(); ++i) weights.push_back(psi_k[i] * psi_j[i] * s.R[i] * s.R[i]);
-    return weights;
-}
-
-// A mass at instants of the half-period.
-template <class T>
-struct MassInMotion {
-    evaluation::HarmonicPart<T> h;
-    T beta;
-    std::vector<T> weights;
-
-    MassInMotion(const ModeSums<T>& s, std::size_t k, const T& beta_)
-        : h(harmonic_part(s, k, beta_)), beta(beta_), weights(friction_weights(s, k)) {}
-    [[nodiscard]] evaluation::MotionOfMass<T> at(const T& tau, const std::vector<evaluation::FrictionMotion<T>>& y) const {
-        return evaluation::motion_of_mass(tau, h, beta, std::span<const T>(weights),
-                                          std::span<const evaluation::FrictionMotion<T>>(y));
-    }
-};
 
 template <class T>
 void check_sliding(const RegimeBoundary<T>& boundary, const T& beta) {
@@ -75,69 +44,6 @@ void set_maximum(MassResponse<T>& m, const T& phi_j, const T& instant, const T& 
     m.instant = instant;
     m.amplitude = displacement < 0 ? T(-displacement) : displacement;
     m.phase = wrapped(paper::phase_of_mass(phi_j, instant, displacement < 0 ? 1 : 0));
-}
-
-// A bound of the third derivative of the sum over modes of the friction motions on a stretch of length h. The terms of a mode may
-// exceed the sum by far: far above the natural frequencies the sums of the first derivatives all but vanish. Taylor's formula
-// with more and more of those sums bounds the rest, each derivative of a mode being smaller by R_i than the one before.
-template <class T>
-T rate_of_friction(const ModeSums<T>& s, const std::vector<T>& weights, const FrictionMotionsAt<T>& at, const T& h) {
-    constexpr int most_terms = 16;
-    const std::size_t N = weights.size();
-    std::vector<T> sizes(N), one(N), two(N); // bounds of a derivative of each term, and the two derivatives below it
-    bool oscillates = true;
-    T rest(0);
-    for (std::size_t i = 0; i < N; ++i) {
-        sizes[i] = size_of_number(weights[i]) * at.size[i] / (s.R[i] * s.R[i] * s.R[i]);
-        two[i] = weights[i] * at.y[i].prime;
-        one[i] = weights[i] * at.y[i].double_prime;
-        rest += sizes[i];
-        oscillates = oscillates && s.zeta[i] < 1;
-    }
-    if (!oscillates) return rest; // the sizes are those of this derivative alone
-    T known(0), best = rest, power(1);
-    for (int n = 1; n <= most_terms; ++n) {
-        T sum(0), rounding(0);
-        rest = T(0);
-        for (std::size_t i = 0; i < N; ++i) {
-            const T& R = s.R[i];
-            const T next = -(2 * s.zeta[i] * one[i] + two[i] / R) / R;
-            two[i] = one[i];
-            one[i] = next;
-            sum += next;
-            rounding += sizes[i];
-            sizes[i] = sizes[i] / R;
-            rest += sizes[i];
-        }
-        known += power * (size_of_number(sum) + 16 * unit_of<T>() * rounding);
-        power = power * h / n;
-        const T bound = known + power * rest;
-        const bool halved = 2 * bound < best;
-        best = std::min(best, bound);
-        if (!halved) break;
-    }
-    return best;
-}
-
-template <class T>
-T instant_of_maximum(const ModeSums<T>& s, FrictionMotions<T>& y, const T& beta, std::size_t k) {
-    const MassInMotion<T> mass(s, k, beta);
-    const T harmonic_size = modulus(Complex<T>{mass.h.A, mass.h.B});
-    Curve<T> curve;
-    curve.sample = [&](const T& tau) {
-        const evaluation::MotionOfMass<T> at = mass.at(tau, y.at(tau).y);
-        return Sample<T>{at.x < 0 ? T(-at.x) : at.x, at.x_prime, at.x_double_prime};
-    };
-    curve.rate = [&](const T& a, const T& b) {
-        return T(harmonic_size + beta * rate_of_friction(s, mass.weights, y.at(a), T(b - a)));
-    };
-    curve.rise = [](const T& a, const T& b, const T& z_bound) { return T(z_bound * (b - a) * (b - a) / 8); };
-    // What rounding leaves of the displacement is no reason to look further.
-    const FrictionMotionsAt<T>& start = y.at(T(0));
-    T terms = harmonic_size;
-    for (std::size_t i = 0; i < mass.weights.size(); ++i) terms += beta * size_of_number(mass.weights[i]) * (1 + start.size[i]);
-    curve.cost = static_cast<long>(s.R.size() + 2) * cost_of_mode<T>(); // two for the search itself
-    return global_maximum(curve, T(0), pi<T>(), T(2 * unit_of<T>() * terms)).instant;
 }
 
 // The terms of the third derivative of a mass at an instant, in size.
@@ -221,18 +127,9 @@ SteadyState<T> steady_state_without_maxima(const ModeSums<T>& s, const T& beta) 
 }
 
 template <class T>
-std::vector<T> instants_of_maxima(const ModeSums<T>& s, const T& beta, std::optional<Mass> only) {
-    FrictionMotions<T> y(s, 0, s.R.size());
-    std::vector<T> instants(s.V.size(), T(0));
-    for (std::size_t k = 0; k < instants.size(); ++k)
-        if (k != s.contact.index && (!only || k == only->index)) instants[k] = instant_of_maximum(s, y, beta, k);
-    return instants;
-}
-
-template <class T>
 SteadyState<T> steady_state(const ModeSums<T>& s, const RegimeBoundary<T>& boundary, const T& beta, std::optional<Mass> only) {
     check_sliding(boundary, beta);
-    return steady_state_at(s, beta, instants_of_maxima(s, beta, only), only);
+    return steady_state_at(s, beta, instants_of_maxima(s, beta, only).instants, only);
 }
 
 template <class T>
@@ -270,9 +167,6 @@ template Real100 wrapped(const Real100&);
 template SteadyState<Real100> steady_state(const ModeSums<Real100>&, const RegimeBoundary<Real100>&, const Real100&,
                                            std::optional<Mass>);
 template Motion<Real100> motion(const ModeSums<Real100>&, const SteadyState<Real100>&, const Real100&);
-template std::vector<double> instants_of_maxima(const ModeSums<double>&, const double&, std::optional<Mass>);
-template std::vector<Real50> instants_of_maxima(const ModeSums<Real50>&, const Real50&, std::optional<Mass>);
-template std::vector<Real100> instants_of_maxima(const ModeSums<Real100>&, const Real100&, std::optional<Mass>);
 template SteadyState<Bounded<double>> steady_state_at(const ModeSums<Bounded<double>>&, const Bounded<double>&,
                                                       const std::vector<Bounded<double>>&, std::optional<Mass>);
 template SteadyState<Bounded<double>> steady_state_without_maxima(const ModeSums<Bounded<double>>&, const Bounded<double>&);

@@ -58,15 +58,6 @@ template <class T>
 template <class T>
 [[nodiscard]] SteadyState<T> steady_state_without_maxima(const ModeSums<T>& sums, const T& beta);
 
-/// @brief Where the displacements of the masses are largest, guaranteed by `global_maximum`.
-/// @eq{46}
-/// @param sums  modes at a frequency ratio
-/// @param beta  friction ratio, Eq. (11), in the sliding regime
-/// @param only  the one mass whose maximum is wanted besides that of the contact; none for all
-/// @return      N instants in [0, pi]; 0 for the contact and for those not wanted
-template <class T>
-[[nodiscard]] std::vector<T> instants_of_maxima(const ModeSums<T>& sums, const T& beta, std::optional<Mass> only = std::nullopt);
-
 /// @brief The same steady state with the instants of the maxima known, also in another number type.
 /// @param sums      modes at a frequency ratio
 /// @param beta      friction ratio, Eq. (11), in the sliding regime

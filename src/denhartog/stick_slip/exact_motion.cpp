@@ -2,10 +2,12 @@
 /// @brief The motion from phase to phase.
 #include "denhartog/stick_slip/exact_motion.hpp"
 
+#include <algorithm>
 #include <atomic>
 #include <utility>
 
 #include "denhartog/number/multiprecision.hpp"
+#include "denhartog/sliding/steady_state.hpp"
 #include "denhartog/stick_slip/deviations.hpp"
 #include "denhartog/stick_slip/largest_displacement.hpp"
 #include "denhartog/sums/bounded_modes.hpp"
@@ -172,14 +174,17 @@ State<T> ExactSolver<T>::state_at(std::size_t phase, const T& tau) {
 }
 
 template <class T>
-std::vector<Extremum<T>> ExactSolver<T>::largest_displacements() {
+std::vector<Extremum<T>> ExactSolver<T>::largest_displacements(const T& error) {
     using std::abs;
     Work& work = *work_;
     if (work.effort == &work.own) work.own = {default_effort(work.N)};
     const std::size_t j = work.system->contact.index;
-    std::vector<Extremum<T>> largest(work.N, Extremum<T>{T(0), T(0), T(0)});
+    std::vector<Extremum<T>> largest(work.N, Extremum<T>{T(0), T(0)});
+    std::vector<std::vector<Place<T>>> places(work.N);
     const auto take = [&](std::size_t k, const T& x, const T& tau) {
-        if (abs(x) > abs(largest[k].x)) {
+        const T size = abs(x);
+        if (size >= abs(largest[k].x) - 2 * error) places[k].push_back({tau, tau, tau, size, size, T(0)});
+        if (size > abs(largest[k].x)) {
             largest[k].x = x;
             largest[k].instant = tau;
         }
@@ -199,9 +204,27 @@ std::vector<Extremum<T>> ExactSolver<T>::largest_displacements() {
             if (k == j || !(length > 0)) continue;
             const auto row = static_cast<Eigen::Index>(p.direction == 0 && k > j ? k - 1 : k);
             const Maximum<T> found = global_maximum(displacements.size_of(row), T(0), length, displacements.noise(row, T(0)),
-                                                    work.effort, T(abs(largest[k].x)));
+                                                    work.effort, T(abs(largest[k].x) - 2 * error), error);
+            for (const Place<T>& place : found.places)
+                places[k].push_back({T(p.start + place.from), place.to < length ? T(p.start + place.to) : p.end,
+                                     T(p.start + place.instant), place.value, place.upper, place.reach});
             if (found.value > abs(largest[k].x)) take(k, displacements.of(row, found.instant), T(p.start + found.instant));
             if (!found.settled) largest[k].unsure = std::max(largest[k].unsure, T(found.upper - abs(largest[k].x)));
+        }
+    }
+    const auto is_negative = [&](std::size_t k, const T& tau) {
+        std::size_t n = 0;
+        while (n + 1 < work.motion.phases.size() && work.motion.phases[n].end < tau) ++n;
+        return state_at(n, tau).x[k] < 0;
+    };
+    for (std::size_t k = 0; k < work.N; ++k) {
+        if (k == j || places[k].empty()) continue;
+        std::erase_if(places[k], [&](const Place<T>& place) { return place.upper < abs(largest[k].x) - 2 * error; });
+        for (const Place<T>& rival :
+             rivals(joined(std::move(places[k])), work.motion.phases.front().start, work.motion.phases.back().end)) {
+            const bool opposite = is_negative(k, rival.instant) != (largest[k].x < 0);
+            const T apart = wrapped(T(rival.instant - largest[k].instant + (opposite ? pi<T>() : T(0))));
+            largest[k].spread = std::max(largest[k].spread, T(abs(apart) + rival.reach));
         }
     }
     return largest;

@@ -101,8 +101,9 @@ public:
     [[nodiscard]] State<T> state_at(std::size_t phase, const T& tau);
 
     /// @brief Largest size of every displacement over the last motion, guaranteed between samples.
-    /// @return  the extremum of every mass
-    [[nodiscard]] std::vector<Extremum<T>> largest_displacements();
+    /// @param error  bound of the errors of the displacements: one that is smaller by less than twice that much may be the largest
+    /// @return       the extremum of every mass; of the contact without what else may be the largest
+    [[nodiscard]] std::vector<Extremum<T>> largest_displacements(const T& error = T(0));
 
 private:
     struct Work;

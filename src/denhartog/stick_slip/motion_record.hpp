@@ -44,6 +44,7 @@ struct Extremum {
     T x;             ///< the displacement, with its sign
     T instant;       ///< tau there; where the mass rests, the start of the rest
     T unsure = T(0); ///< how much larger a displacement may be, where the effort did not suffice to exclude it; else 0
+    T spread = T(0); ///< how far the phase of another instant is, where the displacement may be the largest as well; else 0
 };
 
 /// @brief What a mass does over the steady motion.
@@ -52,6 +53,7 @@ struct MassMotion {
     T amplitude; ///< largest |x_k| over the motion
     /// tau of the extremum as a lag behind the force, half a period later where x_k is negative there; in (-pi, pi]
     T phase;
+    T spread = T(0); ///< how far the phase of another instant is, where |x_k| may be the largest as well; else 0
 };
 
 } // namespace denhartog

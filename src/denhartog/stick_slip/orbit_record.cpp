@@ -14,9 +14,9 @@ namespace {
 
 /// A displacement of its largest size as amplitude and phase.
 template <class T>
-MassMotion<T> motion_with(const T& x, const T& tau) {
-    if (x < 0) return {T(-x), wrapped(T(tau + pi<T>()))};
-    return {x, wrapped(tau)};
+MassMotion<T> motion_with(const T& x, const T& tau, const T& spread = T(0)) {
+    if (x < 0) return {T(-x), wrapped(T(tau + pi<T>())), spread};
+    return {x, wrapped(tau), spread};
 }
 
 /// Stops within the period, those across the section and the mirror point in one piece; starts ascending in [0, period).
@@ -56,9 +56,10 @@ std::vector<Stop<T>> stops_of(const OrbitMap<T>& map) {
     return stops;
 }
 
-/// Amplitude and phase of the mass in contact, which is farthest out where it turns back or comes to rest.
+/// Amplitude and phase of the mass in contact, which is farthest out where it turns back or comes to rest. A place where it is out
+/// by no less than the error of the displacements can tell may be the farthest as well.
 template <class T>
-MassMotion<T> contact_motion(const OrbitMap<T>& map) {
+MassMotion<T> contact_motion(const OrbitMap<T>& map, const T& error) {
     using std::abs;
     const ExactMotion<T>& motion = map.motion();
     const auto N = static_cast<std::size_t>(map.N);
@@ -76,7 +77,14 @@ MassMotion<T> contact_motion(const OrbitMap<T>& map) {
             tau = motion.phases[n].start;
         }
     }
-    return motion_with(x, tau);
+    MassMotion<T> contact = motion_with(x, tau);
+    for (std::size_t n = 1; n < motion.phases.size(); ++n) {
+        const T& x_j = motion.states[2 * N * n + j];
+        if (motion.phases[n - 1].direction == 0 || abs(x_j) < contact.amplitude - 2 * error) continue;
+        const T apart = wrapped(T(motion_with(x_j, motion.phases[n].start).phase - contact.phase));
+        contact.spread = std::max(contact.spread, T(abs(apart)));
+    }
+    return contact;
 }
 
 /// Error of the map's Jacobian in the largest sum of a row: some units in the last place for every phase and period of the modes.
@@ -140,13 +148,13 @@ std::optional<PeriodicOrbit<T>> orbit_of(const OrbitMap<T>& map, const State<T>&
     const std::optional<T> bound = error_bound_of(map);
     if (!bound) return std::nullopt;
     PeriodicOrbit<T> orbit;
-    orbit.contact = contact_motion(map);
+    orbit.contact = contact_motion(map, *bound);
     if (!map.slides_throughout() && !(*bound < orbit.contact.amplitude)) return std::nullopt; // no sure slip
     T largest = orbit.contact.amplitude, unsure(0);
     for (const T& x : z.x) largest = std::max(largest, T(x < 0 ? -x : x));
     if (!search.contact_only) {
-        for (const Extremum<T>& extremum : map.solver().largest_displacements()) {
-            orbit.masses.push_back(motion_with(extremum.x, extremum.instant));
+        for (const Extremum<T>& extremum : map.solver().largest_displacements(*bound)) {
+            orbit.masses.push_back(motion_with(extremum.x, extremum.instant, extremum.spread));
             unsure = std::max(unsure, extremum.unsure);
         }
         orbit.masses[map.solver().system().contact.index] = orbit.contact;

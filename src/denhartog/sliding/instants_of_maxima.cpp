@@ -1,0 +1,117 @@
+#include "denhartog/sliding/instants_of_maxima.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <limits>
+#include <tuple>
+#include <utility>
+
+#include "denhartog/number/multiprecision.hpp"
+#include "denhartog/sliding/mass_in_motion.hpp"
+#include "denhartog/sliding/maximum.hpp"
+#include "denhartog/sliding/steady_state.hpp"
+#include "denhartog/sums/friction_motion.hpp"
+
+namespace denhartog {
+namespace {
+
+// A bound of the third derivative of the sum over modes of the friction motions on a stretch of length h. The terms of a mode may
+// exceed the sum by far: far above the natural frequencies the sums of the first derivatives all but vanish. Taylor's formula
+// with more and more of those sums bounds the rest, each derivative of a mode being smaller by R_i than the one before.
+template <class T>
+T rate_of_friction(const ModeSums<T>& s, const std::vector<T>& weights, const FrictionMotionsAt<T>& at, const T& h) {
+    constexpr int most_terms = 16;
+    const std::size_t N = weights.size();
+    std::vector<T> sizes(N), one(N), two(N); // bounds of a derivative of each term, and the two derivatives below it
+    bool oscillates = true;
+    T rest(0);
+    for (std::size_t i = 0; i < N; ++i) {
+        sizes[i] = size_of_number(weights[i]) * at.size[i] / (s.R[i] * s.R[i] * s.R[i]);
+        two[i] = weights[i] * at.y[i].prime;
+        one[i] = weights[i] * at.y[i].double_prime;
+        rest += sizes[i];
+        oscillates = oscillates && s.zeta[i] < 1;
+    }
+    if (!oscillates) return rest; // the sizes are those of this derivative alone
+    T known(0), best = rest, power(1);
+    for (int n = 1; n <= most_terms; ++n) {
+        T sum(0), rounding(0);
+        rest = T(0);
+        for (std::size_t i = 0; i < N; ++i) {
+            const T& R = s.R[i];
+            const T next = -(2 * s.zeta[i] * one[i] + two[i] / R) / R;
+            two[i] = one[i];
+            one[i] = next;
+            sum += next;
+            rounding += sizes[i];
+            sizes[i] = sizes[i] / R;
+            rest += sizes[i];
+        }
+        known += power * (size_of_number(sum) + 16 * unit_of<T>() * rounding);
+        power = power * h / n;
+        const T bound = known + power * rest;
+        const bool halved = 2 * bound < best;
+        best = std::min(best, bound);
+        if (!halved) break;
+    }
+    return best;
+}
+
+// How far the phases of the rivals are from that of the maximum; zero without a rival.
+template <class T>
+T spread_of_phases(const Maximum<T>& found, const std::function<T(const T&)>& displacement) {
+    const bool negative = displacement(found.instant) < 0;
+    T spread(0);
+    for (const Place<T>& rival : rivals(found.places, T(0), pi<T>())) {
+        const bool opposite = (displacement(rival.instant) < 0) != negative;
+        const T apart = wrapped(T(rival.instant - found.instant + (opposite ? pi<T>() : T(0))));
+        spread = std::max(spread, T(size_of_number(apart) + rival.reach));
+    }
+    return spread;
+}
+
+template <class T>
+std::pair<T, T> instant_and_spread(const ModeSums<T>& s, FrictionMotions<T>& y, const T& beta, std::size_t k, const T& error) {
+    const MassInMotion<T> mass(s, k, beta);
+    const T harmonic_size = modulus(Complex<T>{mass.h.A, mass.h.B});
+    Curve<T> curve;
+    curve.sample = [&](const T& tau) {
+        const evaluation::MotionOfMass<T> at = mass.at(tau, y.at(tau).y);
+        return Sample<T>{at.x < 0 ? T(-at.x) : at.x, at.x_prime, at.x_double_prime};
+    };
+    curve.rate = [&](const T& a, const T& b) {
+        return T(harmonic_size + beta * rate_of_friction(s, mass.weights, y.at(a), T(b - a)));
+    };
+    curve.rise = [](const T& a, const T& b, const T& z_bound) { return T(z_bound * (b - a) * (b - a) / 8); };
+    // What rounding leaves of the displacement is no reason to look further.
+    const FrictionMotionsAt<T>& start = y.at(T(0));
+    T terms = harmonic_size;
+    for (std::size_t i = 0; i < mass.weights.size(); ++i) terms += beta * size_of_number(mass.weights[i]) * (1 + start.size[i]);
+    curve.cost = static_cast<long>(s.R.size() + 2) * cost_of_mode<T>(); // two for the search itself
+    const Maximum<T> found =
+        global_maximum<T>(curve, T(0), pi<T>(), T(2 * unit_of<T>() * terms), nullptr, std::numeric_limits<T>::lowest(), error);
+    return {found.instant, spread_of_phases<T>(found, [&](const T& tau) { return mass.at(tau, y.at(tau).y).x; })};
+}
+
+} // namespace
+
+template <class T>
+InstantsOfMaxima<T> instants_of_maxima(const ModeSums<T>& s, const T& beta, std::optional<Mass> only,
+                                       const std::vector<T>& errors) {
+    FrictionMotions<T> y(s, 0, s.R.size());
+    InstantsOfMaxima<T> all{std::vector<T>(s.V.size(), T(0)), std::vector<T>(s.V.size(), T(0))};
+    for (std::size_t k = 0; k < s.V.size(); ++k) {
+        if (k == s.contact.index || (only && k != only->index)) continue;
+        std::tie(all.instants[k], all.spreads[k]) = instant_and_spread(s, y, beta, k, errors.empty() ? T(0) : errors[k]);
+    }
+    return all;
+}
+
+template InstantsOfMaxima<double> instants_of_maxima(const ModeSums<double>&, const double&, std::optional<Mass>,
+                                                     const std::vector<double>&);
+template InstantsOfMaxima<Real50> instants_of_maxima(const ModeSums<Real50>&, const Real50&, std::optional<Mass>,
+                                                     const std::vector<Real50>&);
+template InstantsOfMaxima<Real100> instants_of_maxima(const ModeSums<Real100>&, const Real100&, std::optional<Mass>,
+                                                      const std::vector<Real100>&);
+
+} // namespace denhartog
