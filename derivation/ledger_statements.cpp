@@ -90,8 +90,8 @@ Statements join_statements(const Json& rows, const std::vector<ClaimResult>& cla
                       {"statement", statement},
                       {"verdict", ""},
                       {"claims", Json::array()},
-                      {"remark", row.value("remark", row.value("left", ""))}};
-        std::string verdict = row.contains("left") ? "not decided" : "";
+                      {"remark", row.value("remark", row.value("assumed", row.value("left", "")))}};
+        std::string verdict = row.contains("left") ? "not decided" : row.contains("assumed") ? "assumption" : "";
         for (const Json& id : row.value("claims", Json::array())) {
             const std::vector<const ClaimResult*> found = claims_named(claims, id);
             if (found.empty())

@@ -24,7 +24,8 @@ struct Statements {
 /// A claim that is named stands for all claims whose ids begin with it and a slash, as `19/damping-matrix` for those of each N.
 /// A verdict is one of `proved`, `argued`, `measured`, `refuted at a threshold of ours`, `refuted`; a reference to the wrong
 /// equation is a `slip of reference` where the equations cited lack the symbol in question and those meant have it, or where the
-/// figures cited do not draw the equation in question and those meant do; what nothing decides is `not decided`, with the reason.
+/// figures cited do not draw the equation in question and those meant do; what the paper sets out from is an
+/// `assumption`; what nothing decides is `not decided`, with the reason.
 ///
 /// Faults: a claim that does not exist; an observation of the text that stands in no row; a row that nothing decides and that
 /// does not say why; a reference that is no slip.
