@@ -123,6 +123,7 @@ Result decide(const Claim& claim) {
         result.verdict = outcome.verdict;
         result.kind = kind_of_check(claim, outcome, watch);
         result.witness = std::move(outcome.witness);
+        result.thresholds = std::move(outcome.thresholds);
         for (Step& step : outcome.steps) result.steps.push_back(std::move(step));
     } else {
         const auto [kernel, derived] = sides(claim, result);

@@ -12,6 +12,7 @@
 
 #include "stand_ins.hpp"
 #include "symbolic.hpp"
+#include "threshold.hpp"
 #include "zero_test.hpp"
 
 namespace denhartog::derivation {
@@ -47,6 +48,7 @@ struct Outcome {
     std::vector<Step> steps;                                  ///< the argument, or what was searched
     bool argued = false;                                      ///< a step of it is an argument that a person gave
     std::string why_no_twin = {};                             ///< of a check that refutes no altered statement
+    std::vector<Threshold> thresholds = {};                   ///< numbers that vague words were taken to be
 };
 
 /// @brief Values of a kernel, component by component.
@@ -95,6 +97,7 @@ struct Result {
     double milliseconds = 0;                                  ///< time taken
     std::string why_no_twin;                                  ///< the reason that the check gives
     long altered = 0;                                         ///< altered statements that a check of its own has refuted
+    std::vector<Threshold> thresholds;                        ///< numbers that vague words of an observation were taken to be
 };
 
 /// @brief How many altered statements the check of a claim has refuted so far: twins of what it proves. @return the count

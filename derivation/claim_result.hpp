@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "derivation/threshold.hpp"
+
 namespace denhartog::derivation {
 
 /// @brief One claim after the run.
@@ -28,8 +30,9 @@ struct ClaimResult {
     std::string correction_latex;                      ///< of a printed form that does not hold: what holds instead
     std::string correction_by = "hand";                ///< who wrote it: hand, or run where it is printed from the derived side
     nlohmann::json witness = nlohmann::json::object(); ///< the point that refutes it, or the cases that were searched
-    std::optional<double> loss;                        ///< worst relative error for who codes the printed form; dimensionless
-    std::string consequence;                           ///< the loss in words, with the scene it was found on
+    std::vector<Threshold> thresholds; ///< of an observation: numbers that vague words of the text were taken to be
+    std::optional<double> loss;        ///< worst relative error for who codes the printed form; dimensionless
+    std::string consequence;           ///< the loss in words, with the scene it was found on
 };
 
 } // namespace denhartog::derivation

@@ -31,10 +31,19 @@ json record_of(const Claim& claim, const Result& result) {
         witness.push_back({{"name", name}, {"name_latex", latex_of_name(name)}, {"value", value}});
     json by_equation = json::object();
     for (const auto& [equation, verdict] : result.by_equation) by_equation[equation] = to_string(verdict);
-    return {{"claim", claim.id},          {"equation", claim.equations.front()},  {"equations", claim.equations},
-            {"title", claim.title},       {"assumptions", claim.assumptions},     {"steps", steps},
-            {"witness", witness},         {"verdict", verdict_of(claim, result)}, {"kind", result.kind},
-            {"by_equation", by_equation}, {"correction", result.correction},      {"milliseconds", result.milliseconds}};
+    return {{"claim", claim.id},
+            {"equation", claim.equations.front()},
+            {"equations", claim.equations},
+            {"title", claim.title},
+            {"assumptions", claim.assumptions},
+            {"steps", steps},
+            {"witness", witness},
+            {"verdict", verdict_of(claim, result)},
+            {"kind", result.kind},
+            {"by_equation", by_equation},
+            {"correction", result.correction},
+            {"milliseconds", result.milliseconds},
+            {"thresholds", thresholds_to_json(result.thresholds)}};
 }
 
 /// Why a claim has no twin; empty where it ought to have one.

@@ -38,10 +38,24 @@ std::string link(const json& record, const std::string& pictures) {
     return "[" + name + "](" + pictures + "/" + name + ".svg)";
 }
 
+/// Whether a statement is not borne out by a number of ours that stands for a vague word of the text.
+bool not_to_measure(const json& statement) {
+    return !statement.at("borne_out").get<bool>() && !statement.value("measure", "").empty();
+}
+
 std::string borne_out(const json& record) {
     const json& statements = record.at("statements");
+    if (statements.empty()) return {};
     const auto holds = std::ranges::count_if(statements, [](const json& s) { return s.at("borne_out").get<bool>(); });
-    return statements.empty() ? "" : std::to_string(holds) + " of " + std::to_string(statements.size());
+    const auto measured = std::ranges::count_if(statements, not_to_measure);
+    return std::to_string(holds) + " of " + std::to_string(statements.size()) +
+           (measured > 0 ? ", " + std::to_string(measured) + " not to a threshold of ours" : "");
+}
+
+/// Yes, no, or `not to 1 percent` where a number of ours decides.
+std::string answer(const json& statement) {
+    if (not_to_measure(statement)) return "not " + statement.at("measure").get<std::string>();
+    return statement.at("borne_out").get<bool>() ? "yes" : "no";
 }
 
 std::string list(const std::string& head, const json& lines) {
@@ -124,8 +138,7 @@ std::string figures_markdown(const std::vector<json>& records, const std::string
                                          : "| statement | the data say | holds |\n";
             text += "|---|---|---|\n";
             for (const json& s : record.at("statements"))
-                text += "| " + cell(s.at("text")) + " | " + cell(s.at("found")) + " | " +
-                        (s.at("borne_out").get<bool>() ? "yes" : "no") + " |\n";
+                text += "| " + cell(s.at("text")) + " | " + cell(s.at("found")) + " | " + answer(s) + " |\n";
             text += "\n";
         }
         text += list("Besides:\n", record.at("remarks"));

@@ -5,16 +5,15 @@
 #include <map>
 #include <set>
 
+#include "derivation/ledger_summary.hpp"
+
 namespace denhartog::derivation {
 
 using ledger::Json;
 
 namespace {
 
-const std::vector<std::string> verdicts = {"not_applicable", "definition", "assumption", "proved",
-                                           "approximation",  "unknown",    "illegible",  "refuted"};
-// Both from the best to the worst.
-const std::vector<std::string> departures = {"none", "scan", "convention", "misprint", "substance"};
+const std::vector<std::string>&verdicts = verdict_words(), &departures = departure_words();
 const std::set<std::string> roles = {"both", "printed", "shipped", "step", "observation"};
 const std::set<std::string> claim_kinds = {"derived", "refinement", "restated", "consequence", "argument", "observation"};
 
@@ -40,9 +39,6 @@ struct Gathered {
 };
 
 using Faults = std::vector<std::string>;
-
-/// Whether a claim speaks of neither the printed nor the shipped form.
-bool aside(const ClaimResult& claim) { return claim.role == "step" || claim.role == "observation"; }
 
 void check_claims(const std::vector<ClaimResult>& claims, Faults& faults) {
     std::set<std::string> ids;
@@ -82,6 +78,7 @@ Json claim_entry(const ClaimResult& claim, const std::string& equation) {
                   {"what", claim.what}, {"assumptions", claim.assumptions}};
     if (!claim.same_as.empty()) entry["same_as"] = claim.same_as;
     if (!claim.witness.empty()) entry["witness"] = claim.witness;
+    if (!claim.thresholds.empty()) entry["thresholds"] = thresholds_to_json(claim.thresholds);
     if (claim.loss && std::isfinite(*claim.loss)) entry["loss"] = *claim.loss;
     return entry;
 }
@@ -217,42 +214,6 @@ void check_tests(const LedgerParts& parts, Faults& faults) {
     }
 }
 
-Json summary_of(const Json& entries, const LedgerParts& parts) {
-    Json summary = {{"equations", entries.size()}};
-    for (const char* key : {"printed", "shipped"}) {
-        summary[key] = Json::object();
-        for (const std::string& verdict : verdicts) summary[key][verdict] = 0;
-    }
-    summary["departure"] = Json::object();
-    for (const std::string& departure : departures) summary["departure"][departure] = 0;
-    for (const char* key : {"refuted", "illegible", "refuted_without_loss", "refuted_steps"}) summary[key] = Json::array();
-    int with_function = 0, with_test = 0;
-    for (const Json& entry : entries) {
-        for (const char* key : {"printed", "shipped", "departure"}) {
-            Json& count = summary[key][entry.at(key).get<std::string>()];
-            count = (count.is_null() ? 0 : count.get<int>()) + 1;
-        }
-        for (const char* verdict : {"refuted", "illegible"})
-            if (entry.at("printed") == verdict) summary[verdict].push_back(entry.at("equation"));
-        if (entry.at("printed") == "refuted" && entry.at("loss").is_null())
-            summary["refuted_without_loss"].push_back(entry.at("equation"));
-        with_function += !entry.at("functions").empty();
-        with_test += !entry.at("tests").empty();
-    }
-    std::map<std::string, int> claims, observations, kinds;
-    for (const ClaimResult& claim : parts.claims) {
-        ++(claim.id.ends_with("/text") ? observations : claims)[claim.verdict];
-        ++kinds[claim.same_as.empty() ? claim.kind : "repeated"];
-        if (aside(claim) && claim.verdict == "refuted") summary["refuted_steps"].push_back(claim.id);
-    }
-    summary["claims"] = claims;
-    summary["observations"] = observations;
-    summary["kinds"] = kinds;
-    summary["with_function"] = with_function;
-    summary["with_test"] = parts.results.found ? Json(with_test) : Json();
-    return summary;
-}
-
 } // namespace
 
 JoinedLedger join_ledger(const LedgerParts& parts) {
@@ -293,7 +254,7 @@ JoinedLedger join_ledger(const LedgerParts& parts) {
     for (const std::string& number : ledger::equation_numbers())
         if (!present.contains(number)) faults.push_back("equation " + number + " has no row");
     ledger::fill_used_by(joined.entries);
-    joined.summary = summary_of(joined.entries, parts);
+    joined.summary = summary_of(joined.entries, parts.claims, parts.results.found);
     return joined;
 }
 

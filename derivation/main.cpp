@@ -11,6 +11,7 @@
 #include "derivation/ledger_figures.hpp"
 #include "derivation/ledger_join.hpp"
 #include "derivation/ledger_rows.hpp"
+#include "derivation/ledger_statements.hpp"
 #include "observations/agreement.hpp"
 #include "report.hpp"
 #include "run.hpp"
@@ -53,10 +54,17 @@ ReportParts join(const fs::path& folder, const fs::path& source, const fs::path&
     const JoinedLedger ledger = join_ledger(parts);
     ReportParts report{ledger.entries,        ledger.summary,     found.at("mutants"),
                        found.at("agreement"), found.at("faults"), found.at("stand_ins")};
+    const std::vector<json> records = figure_records(figures);
+    const Statements statements = join_statements(denhartog::ledger::Json::parse(read(source / "docs/ledger/statements.json")),
+                                                  parts.claims, parts.rows, records);
+    report.statements = statements.rows;
+    report.statement_counts = statements.counts;
+    for (const std::string& fault : statements.faults) report.faults.push_back(fault);
     for (const std::string& fault : faults_of_rows(parts.rows)) report.faults.push_back(fault);
     for (const std::string& fault : ledger.faults) report.faults.push_back(fault);
-    for (const std::string& fault : add_figures(report.entries, figure_records(figures))) report.faults.push_back(fault);
+    for (const std::string& fault : add_figures(report.entries, records)) report.faults.push_back(fault);
     write(folder / "ledger.json", report.entries.dump(1) + "\n");
+    write(folder / "statements.json", report.statements.dump(1) + "\n");
     write(folder / "report.md", report_markdown(report));
     write(folder / "status.md", status_markdown(report));
     std::cout << summary_text(report) << "The report is in " << (folder / "report.md").string() << "\n";

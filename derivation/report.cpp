@@ -8,6 +8,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "threshold.hpp"
+
 namespace denhartog::derivation {
 
 using nlohmann::json;
@@ -28,6 +30,24 @@ std::string counts(const json& counted) {
     for (const auto& [word, number] : counted.items())
         if (number != 0) text += (text.empty() ? "" : ", ") + std::to_string(number.get<long>()) + " " + word;
     return text;
+}
+
+/// How the observations of the text came out, the refuted ones by what refutes them.
+std::string observation_counts(const json& summary) {
+    const json& refuted = summary.at("refuted_observations");
+    return counts(summary.at("observations")) + "; of those refuted " + refuted.at("whatever_the_threshold").dump() +
+           " whatever the threshold, " + refuted.at("at_a_threshold_of_ours").dump() + " at a threshold of ours";
+}
+
+/// The verdict on an observation, with what its vague words were taken to be.
+std::string observed(const json& claim, const std::string& mark) {
+    const std::string verdict = claim.at("verdict");
+    const std::vector<Threshold> thresholds = thresholds_from_json(claim.value("thresholds", json::array()));
+    std::string text = mark + verdict + mark;
+    if (verdict == "refuted" && refuted_whatever_the_threshold(thresholds)) text += " whatever the threshold";
+    std::string taken;
+    for (const Threshold& threshold : thresholds) taken += (taken.empty() ? "" : "; ") + sentence(threshold);
+    return taken.empty() ? text : text + " (" + taken + ")";
 }
 
 /// Equations with brackets, one after the other.
@@ -83,6 +103,20 @@ std::vector<json> observations(const json& entries) {
     return found;
 }
 
+/// A row of the table of statements.
+std::string statement_row(const json& row) {
+    std::string by;
+    for (const json& claim : row.at("claims")) {
+        const std::string id = claim.at("id"), verdict = claim.at("verdict");
+        by += (by.empty() ? "`" : ", `") + id + "`" + (verdict == row.at("verdict") ? "" : " (" + verdict + ")");
+    }
+    const std::string remark = row.at("remark");
+    std::string statement;
+    for (const char c : row.at("statement").get<std::string>()) statement += c == '|' ? std::string("\\|") : std::string(1, c);
+    return "| " + row.at("section").get<std::string>() + " | " + statement + " | " + row.at("verdict").get<std::string>() +
+           " | " + by + (by.empty() || remark.empty() ? "" : "; ") + remark + " |\n";
+}
+
 } // namespace
 
 std::string summary_text(const ReportParts& p) {
@@ -93,7 +127,8 @@ std::string summary_text(const ReportParts& p) {
         << "  departures: " << counts(p.summary.at("departure")) << "\n"
         << "  claims:     " << counts(p.summary.at("claims")) << "\n"
         << "  by kind:    " << counts(p.summary.at("kinds")) << "\n"
-        << "  the text:   " << counts(p.summary.at("observations")) << "\n"
+        << "  statements: " << counts(p.statement_counts) << "\n"
+        << "  the text:   " << observation_counts(p.summary) << "\n"
         << "  mutants:    " << mutants_text(p.mutants) << "\n\nRefuted as printed:\n";
     for (const json& entry : p.entries)
         if (entry.at("printed") == "refuted")
@@ -103,7 +138,7 @@ std::string summary_text(const ReportParts& p) {
     out << "\nIllegible in the text at hand, where what stands there cannot be meant: " << listed(p.summary.at("illegible"))
         << "\n\nObservations of the text:\n";
     for (const json& claim : observations(p.entries))
-        out << "  " << claim.at("verdict").get<std::string>() << ": " << claim.at("what").get<std::string>() << "\n";
+        out << "  " << observed(claim, "") << ": " << claim.at("what").get<std::string>() << "\n";
     out << "\nClosed form against second witness, largest relative difference:\n";
     for (const json& group : p.agreement)
         out << "  " << std::left << std::setw(34) << group.at("group").get<std::string>() << std::right << std::setw(5)
@@ -121,7 +156,7 @@ std::string report_markdown(const ReportParts& p) {
         << "| | |\n|---|---|\n| numbered equations | " << p.summary.at("equations") << " |\n| as printed | "
         << counts(p.summary.at("printed")) << " |\n| as shipped | " << counts(p.summary.at("shipped")) << " |\n| departures | "
         << counts(p.summary.at("departure")) << " |\n| claims | " << counts(p.summary.at("claims")) << " |\n| claims by kind | "
-        << counts(p.summary.at("kinds")) << " |\n| observations of the text | " << counts(p.summary.at("observations"))
+        << counts(p.summary.at("kinds")) << " |\n| observations of the text | " << observation_counts(p.summary)
         << " |\n| mutated twins | " << mutants_text(p.mutants) << " |\n\n";
     if (!p.faults.empty()) {
         out << "## Red\n\n";
@@ -149,10 +184,22 @@ std::string report_markdown(const ReportParts& p) {
         const std::string consequence = entry.value("consequence", "");
         out << "Coded as printed: " << (consequence.empty() ? "no loss to measure" : consequence) << ".\n\n";
     }
-    out << "## Observations of the text\n\n";
+    out << "## Observations of the text\n\n"
+           "Where the text has a vague word, a number of ours stands for it: the number taken, and the number from which on "
+           "nothing "
+           "was found that refutes the statement. Refuted whatever the threshold are those that no number which leaves the "
+           "statement "
+           "a meaning would save. What is called largest was found at the places that are named with the observation; between "
+           "them "
+           "it may be larger.\n\n";
     for (const json& claim : observations(p.entries))
-        out << "- **" << claim.at("verdict").get<std::string>() << "**: " << claim.at("what").get<std::string>() << ". "
+        out << "- " << observed(claim, "**") << ": " << claim.at("what").get<std::string>() << ". "
             << witness_text(claim.value("witness", json::object())) << "\n";
+    out << "\n## What the text says\n\nEvery statement of the paper's text that is neither a definition nor a description of a "
+           "method, "
+           "in the words of this project, with the worst verdict of the claims that decide it: "
+        << counts(p.statement_counts) << ".\n\n| section | statement | verdict | decided by |\n|---|---|---|---|\n";
+    for (const json& row : p.statements) out << statement_row(row);
     out << "\n## Closed form against second witness\n\nLargest difference of displacements, initial values, amplitudes "
            "(relative) and "
            "phase (radians).\n\n| system | scenes | double | 50 digits | worst scene in double |\n|---|---|---|---|---|\n";
@@ -174,8 +221,9 @@ std::string status_markdown(const ReportParts& p) {
     std::ostringstream out;
     out << "| | |\n|---|---|\n| numbered equations | " << p.summary.at("equations") << " |\n| as printed | "
         << counts(p.summary.at("printed")) << " |\n| as shipped | " << counts(p.summary.at("shipped")) << " |\n| departures | "
-        << counts(p.summary.at("departure")) << " |\n| observations of the text | " << counts(p.summary.at("observations"))
-        << " |\n| mutated twins | " << mutants_text(p.mutants) << " |\n| refuted as printed | ";
+        << counts(p.summary.at("departure")) << " |\n| statements of the text | " << counts(p.statement_counts)
+        << " |\n| observations of the text | " << observation_counts(p.summary) << " |\n| mutated twins | "
+        << mutants_text(p.mutants) << " |\n| refuted as printed | ";
     out << listed(p.summary.at("refuted")) << " |\n| illegible in the text at hand | " << listed(p.summary.at("illegible"));
     long scenes = 0;
     double in_double = 0, in_50 = 0;

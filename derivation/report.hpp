@@ -15,6 +15,8 @@ struct ReportParts {
     nlohmann::json agreement; ///< closed form against second witness
     nlohmann::json faults;    ///< sentences; empty where all is green
     nlohmann::json stand_ins; ///< shipped functions that the proofs take by their theorem: name, header, theorem
+    nlohmann::json statements = nlohmann::json::array();        ///< what the text says, statement by statement, with verdicts
+    nlohmann::json statement_counts = nlohmann::json::object(); ///< how many have which verdict
 };
 
 /// @brief The summary for a terminal. @param parts the parts @return lines of text

@@ -47,6 +47,7 @@ std::vector<ClaimResult> results_of(const Claim& claim, const json& record, cons
     const std::string printed = record.at("correction");
     entry.correction_latex = printed.empty() ? claim.correction : printed;
     entry.correction_by = printed.empty() ? "hand" : "run";
+    entry.thresholds = thresholds_from_json(record.value("thresholds", json::array()));
     for (const json& value : record.at("witness")) entry.witness[value.at("name").get<std::string>()] = value.at("value");
     if (entry.verdict != "refuted" || claim.role != Role::printed) return {entry};
     std::vector<ClaimResult> entries;
@@ -56,7 +57,7 @@ std::vector<ClaimResult> results_of(const Claim& claim, const json& record, cons
         entry.loss.reset();
         entry.consequence.clear();
         if (const std::optional<Loss> loss = loss_of(equation)) {
-            entry.loss = loss->on_paper;
+            entry.loss = loss->worst();
             entry.consequence = sentence(*loss);
         }
         entries.push_back(entry);
@@ -136,6 +137,7 @@ json to_json(const std::vector<ClaimResult>& claims) {
                         {"correction_latex", c.correction_latex},
                         {"correction_by", c.correction_by},
                         {"witness", c.witness},
+                        {"thresholds", thresholds_to_json(c.thresholds)},
                         {"loss", c.loss ? json(*c.loss) : json()},
                         {"consequence", c.consequence}});
     return list;
@@ -159,6 +161,7 @@ std::vector<ClaimResult> claims_from_json(const json& list) {
         claim.correction_latex = c.at("correction_latex");
         claim.correction_by = c.at("correction_by");
         claim.witness = c.at("witness");
+        claim.thresholds = thresholds_from_json(c.at("thresholds"));
         if (!c.at("loss").is_null()) claim.loss = c.at("loss").get<double>();
         claim.consequence = c.at("consequence");
         claims.push_back(std::move(claim));

@@ -1,5 +1,5 @@
 // Section 2.6, (54)-(66), (70)-(72): what the sliding solution asks for. The limits are in section_2_6_limits.cpp, the bounds and
-// observations of the text in observations/bound_observations.cpp.
+// observations of the text in observations/.
 #include "claim.hpp"
 #include "denhartog/formulas/as_printed.hpp"
 #include "denhartog/formulas/boundary.hpp"

@@ -15,7 +15,7 @@ Record make(Figure& figure) {
          "0.01; "
          "here: to 15 degrees",
          "largest departure " + text(departure.degrees, "%.3g") + " degrees, mass " + std::to_string(departure.mass),
-         departure.degrees < 15},
+         departure.degrees < 15, "to 15 degrees"},
         every_phase_differs(b),
         damping_matters_late(a, b, 1),
     };

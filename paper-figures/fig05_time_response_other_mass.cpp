@@ -15,10 +15,10 @@ Record make(Figure& figure) {
          "0.01; "
          "here: to 15 degrees",
          "largest departure " + text(beyond.degrees, "%.3g") + " degrees, mass " + std::to_string(beyond.mass),
-         beyond.degrees < 15},
+         beyond.degrees < 15, "to 15 degrees"},
         {"The masses before the contact, 1 and 2, have other phases; here: each by more than 15 degrees at 0.01",
          "mass 1 departs by " + text(first.degrees, "%.3g") + " degrees, mass 2 by " + text(second.degrees, "%.3g"),
-         first.degrees > 15 && second.degrees > 15},
+         first.degrees > 15 && second.degrees > 15, "by 15 degrees"},
         every_phase_differs(b),
         damping_matters_late(a, b, 3),
     };

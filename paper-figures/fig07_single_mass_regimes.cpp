@@ -66,7 +66,7 @@ Record make(Figure& figure) {
          "(86) is " + text(limit) + "; (69) at r = 3 " +
              for_each_zeta(planes, [](const RegimePlane& p) { return p.at(3).paper; }) + ", at r = 100 " +
              for_each_zeta(planes, [](const RegimePlane& p) { return p.at(100).paper; }),
-         off < 1e-3},
+         off < 1e-3, "to 0.001 at r = 100"},
     };
     record.remarks = {boundaries_compared(planes), turning_without_stop(figure, planes.front())};
     return record;

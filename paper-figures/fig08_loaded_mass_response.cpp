@@ -60,7 +60,7 @@ void stuck_statements(Record& record, const std::vector<Damped>& all) {
         worst_spread = std::max(worst_spread, most - least);
     }
     record.statements.push_back({"The onset of the resonant peak of the stuck configuration is not heavily affected by damping",
-                                 onsets + " for the three damping ratios", worst_spread <= 0.1});
+                                 onsets + " for the three damping ratios", worst_spread <= 0.1, "by less than 0.1 in r"});
     const StuckCurve least = stuck_curve(all.front()), most = stuck_curve(all.back());
     const auto change = [&](double r) { return std::abs(most.X(r) / least.X(r) - 1); };
     const double r_n = least.stuck.r_n[0];
@@ -70,7 +70,8 @@ void stuck_statements(Record& record, const std::vector<Damped>& all) {
                                      text(100 * change(r_n), "%.3g") + " % at r = " + text(r_n, "%.3f") + ", " +
                                      text(100 * change(2), "%.2g") + " % at r = 2, " + text(100 * change(100), "%.1g") +
                                      " % at r = 100",
-                                 change(0.05) < 0.01 && change(100) < 0.01 && change(1) < 0.05 && change(2) < 0.05});
+                                 change(0.05) < 0.01 && change(100) < 0.01 && change(1) < 0.05 && change(2) < 0.05,
+                                 "by less than 1 percent at the ends and 5 percent between"});
 }
 
 // Largest difference from the stuck configuration where the algorithm starts on it.
@@ -116,7 +117,7 @@ void inversions(Figure& figure, Record& record, const std::vector<Damped>& all) 
         if (zeta > 0)
             record.statements.push_back(
                 {"Curves of different friction ratios invert close to the invariant points of (87); here zeta = " + plain(zeta),
-                 "pairs of neighbouring curves that cross, " + found, crossed == pairs});
+                 "pairs of neighbouring curves that cross, " + found, crossed == pairs, "within 0.1 of r"});
     };
     look(WithModes(two_masses(0.0)), 0);
     for (const Damped& d : all) look(d.modes, d.zeta);

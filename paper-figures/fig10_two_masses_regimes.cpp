@@ -14,7 +14,7 @@ Statement zero_at_high_frequency(const std::vector<RegimePlane>& planes) {
             "at r = 3 " + for_each_zeta(planes, [](const RegimePlane& p) { return limit(p, 3); }) + ", at r = 10 " +
                 for_each_zeta(planes, [](const RegimePlane& p) { return limit(p, 10); }) + ", at r = 100 " +
                 for_each_zeta(planes, [](const RegimePlane& p) { return limit(p, 100); }),
-            largest < 1e-4};
+            largest < 1e-4, "to 1e-4 at r = 100"};
 }
 
 /// The boundary of permanent sticking tends to zero as (69) does: at a given friction ratio the contact rests.
@@ -44,7 +44,7 @@ Statement sticking_at_both_ends(const std::vector<RegimePlane>& planes) {
             "by less than 2 percent for r < 0.5 and r > 2.5",
             "for r < 0.5 at zeta = 0.01 and 0.1 " + as_text(low) + "; for r > 2.5 " + as_text(high) + "; at r = 1.414 it is " +
                 for_each_zeta(planes, [](const RegimePlane& p) { return sticking(p, std::sqrt(2.0)); }),
-            least > 0.98 && largest < 1.02};
+            least > 0.98 && largest < 1.02, "by less than 2 percent"};
 }
 
 Statement limit_without_damping(const RegimePlane& p) {

@@ -88,19 +88,19 @@ Record make(Figure& figure) {
                      "boundary (69) at r = 1 besides (85)"};
     record.statements = {
         {"The peak depends on zeta and beta as (84) has it; here: to 1 percent at half the boundary (69)",
-         "at zeta = 0.001, 0.01, 0.1 (84) is off by " + at_half + " percent", half_worst < 0.01},
+         "at zeta = 0.001, 0.01, 0.1 (84) is off by " + at_half + " percent", half_worst < 0.01, "to 1 percent"},
         {"(85) stays about constant for zeta up to 0.01; here: within 0.1 percent of pi / 4",
          "at zeta = 0.001, 0.01, 0.1 it is " + printed + "; at 0.01 it is " + text(100 * fall_light, "%.2g") +
              " percent below pi / 4",
-         fall_light < 0.001},
+         fall_light < 0.001, "to 0.1 percent"},
         {"(85) decreases significantly for larger zeta; here: by 1 percent at least up to 0.1, the end of the usual range",
          "by " + text(100 * fall_heavy, "%.2g") + " percent at zeta = 0.1, by " +
              text(100 * (1 - estimated_limit(0.5) / pi_4), "%.3g") + " percent at 0.5",
-         fall_heavy >= 0.01},
+         fall_heavy >= 0.01, "by 1 percent up to zeta = 0.1"},
         {"In lightly damped systems pi / 4 estimates well the least friction ratio with stick-slip at resonance; here: within 5 "
          "percent of (69) at r = 1 for zeta up to 0.01",
-         "(69) at r = 1 is " + bounds + " at zeta = 0.001, 0.01, 0.1; pi / 4 is off by " + apart + " percent",
-         light_apart < 0.05}};
+         "(69) at r = 1 is " + bounds + " at zeta = 0.001, 0.01, 0.1; pi / 4 is off by " + apart + " percent", light_apart < 0.05,
+         "to 5 percent"}};
     const double edge = (estimated_limit(0.1) + limit_at_resonance(0.1)) / 2;
     record.remarks = {
         "Between (69) at r = 1 and (85) the contact sticks, though (84) still gives a height: at zeta = 0.1 it is " +

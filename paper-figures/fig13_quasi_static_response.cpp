@@ -24,7 +24,8 @@ StickSlipMotion motion_at(const Figure& figure, double zeta, double r, double be
     scene.r = r;
     scene.beta = beta;
     const Solution solution = solve(scene_source(scene), {});
-    StickSlipMotion motion{zeta, sampled_solution(scene, solution, samples), solution.masses.front().amplitude.value, 0, 0, 0, {}};
+    StickSlipMotion motion{zeta, sampled_solution(scene, solution, samples), solution.masses.front().amplitude.value, 0, 0, 0,
+                           {}};
     motion.stops = static_cast<int>(solution.stops.size()) / solution.periods;
     for (const SolvedStop& stop : solution.stops)
         motion.resting += (stop.end.value - stop.start.value) / (2 * pi<double>() * solution.periods);
@@ -85,9 +86,10 @@ Record make(Figure& figure) {
              (same_stops ? "; the paper's algorithm counts the same" : "; the paper's algorithm counts otherwise"),
          fewer && motions.back().stops < motions.front().stops && same_stops},
         {"Damping does not change the amplitude significantly; here: by less than 5 percent",
-         "amplitude " + amplitudes + ": by " + text(100 * (largest / least - 1), "%.3g") + " percent", largest / least < 1.05},
+         "amplitude " + amplitudes + ": by " + text(100 * (largest / least - 1), "%.3g") + " percent", largest / least < 1.05,
+         "by less than 5 percent"},
         {"Damping smooths the motion, most of all at zeta = 0.1; here: the largest velocity falls by a tenth at least",
-         "largest velocity " + speeds + " at zeta = 0.001, 0.01, 0.1", slower < 0.9}};
+         "largest velocity " + speeds + " at zeta = 0.001, 0.01, 0.1", slower < 0.9, "by a tenth"}};
     record.remarks = {"The contact rests " + resting + " percent of the time at zeta = 0.001, 0.01, 0.1."};
     return record;
 }

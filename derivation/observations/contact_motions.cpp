@@ -72,7 +72,7 @@ Outcome change_with_damping(const std::vector<GridPoint>& grid, const std::funct
                                      ""});
             worst.take(here.error, [&] { return here.place; });
         }
-    if (worst.error > threshold) outcome.verdict = Verdict::refuted;
+    refute_above(outcome, worst.error, {.what = "relative change of the amplitude", .taken = threshold, .empty = 1});
     outcome.witness = with(worst.place, {{"relative change", text(worst.error)},
                                          {"pairs compared", std::to_string(tried)},
                                          {"changed by more", std::to_string(above)}});

@@ -8,9 +8,21 @@ namespace denhartog::derivation {
 
 namespace {
 
+using NumberAtResonance = std::function<double(const ModeSums<double>&, std::size_t, std::size_t)>;
+
+/// Largest of a number over all masses and modes of the paper's systems at a damping ratio.
+double largest_at(double zeta, const NumberAtResonance& error) {
+    double largest = 0;
+    for (const ObservedSystem& s : systems_of_the_paper(zeta))
+        for (std::size_t i = 0; i < s.basis.r_n.size(); ++i) {
+            const ModeSums<double> m = sums_at(s, s.basis.r_n[i]);
+            for (std::size_t k = 0; k < s.basis.r_n.size(); ++k) largest = std::fmax(largest, error(m, k, i));
+        }
+    return largest;
+}
+
 /// Worst of a number over all masses and modes of the paper's systems, each at its natural frequency ratio.
-Outcome at_resonances(const std::function<double(const ModeSums<double>&, std::size_t, std::size_t)>& error, double threshold,
-                      const std::string& what) {
+Outcome at_resonances(const NumberAtResonance& error, double threshold, const std::string& what) {
     Outcome outcome;
     Worst worst;
     long tried = 0, above = 0;
@@ -32,7 +44,10 @@ Outcome at_resonances(const std::function<double(const ModeSums<double>&, std::s
                                  ""});
         worst.take(here.error, [&] { return here.place; });
     }
-    outcome.verdict = worst.error > threshold ? Verdict::refuted : Verdict::unknown;
+    refute_above(outcome, worst.error, {.what = what + ", zeta up to 0.1", .taken = threshold, .empty = 1});
+    if (outcome.verdict == Verdict::refuted)
+        refute_below(outcome, damping_ratio_up_to([&](double zeta) { return largest_at(zeta, error); }, threshold),
+                     {.what = "damping ratio up to which it is met", .taken = 0.1, .empty = 0});
     outcome.witness = with(
         worst.place, {{what, text(worst.error)}, {"cases", std::to_string(tried)}, {"above the bound", std::to_string(above)}});
     return outcome;

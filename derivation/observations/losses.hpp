@@ -1,5 +1,6 @@
 /// @file
-/// @brief What somebody loses who codes an equation as printed: the worst relative error over the sliding scenes.
+/// @brief What you lose by coding an equation as printed: the worst relative error on the grid of the sliding scenes, and for the
+///        boundary (69) the worst that a search over the frequency ratio finds.
 #pragma once
 
 #include <optional>
@@ -10,12 +11,16 @@ namespace denhartog::derivation {
 /// @brief The loss of one printed equation.
 struct Loss {
     std::string quantity;    ///< which quantity comes out wrong, and relative to what
-    double on_paper = 0;     ///< worst error over the paper's own scenes
+    double on_paper = 0;     ///< worst error on the grid of the paper's own scenes
     std::string paper_scene; ///< where
     double on_others = 0;    ///< worst error over the asymmetric scenes
     std::string other_scene; ///< where
     long scenes = 0;         ///< how many scenes were computed
     long without_value = 0;  ///< in how many the printed form has no real value
+    double searched = 0;    ///< worst error over all frequency ratios of the paper's systems; 0 where only the grid was looked at
+    std::string place = {}; ///< where
+    /// @return the worst error known for the paper's systems
+    [[nodiscard]] double worst() const { return searched > on_paper ? searched : on_paper; }
 };
 
 /// @brief The loss of an equation.

@@ -1,6 +1,7 @@
 #include "observation.hpp"
 
 #include <cstdio>
+#include <utility>
 
 namespace denhartog::derivation {
 
@@ -12,6 +13,18 @@ Claim observation(std::string id, std::vector<std::string> equations, std::strin
             .title = std::move(title),
             .assumptions = std::move(assumptions),
             .check = std::move(check)};
+}
+
+void refute_above(Outcome& outcome, double found, Threshold threshold) {
+    if (found > threshold.taken) outcome.verdict = Verdict::refuted;
+    threshold.turns = found;
+    outcome.thresholds.push_back(std::move(threshold));
+}
+
+void refute_below(Outcome& outcome, double found, Threshold threshold) {
+    if (found < threshold.taken) outcome.verdict = Verdict::refuted;
+    threshold.turns = found;
+    outcome.thresholds.push_back(std::move(threshold));
 }
 
 std::string rounded(double x) {

@@ -24,6 +24,18 @@ namespace denhartog::derivation {
 [[nodiscard]] Claim observation(std::string id, std::vector<std::string> equations, std::string title,
                                 std::vector<std::string> assumptions, std::function<Outcome()> check);
 
+/// @brief Refutes a statement that nothing exceeds a threshold, where something does.
+/// @param outcome    gets the verdict and the threshold
+/// @param found      the largest that was found
+/// @param threshold  what is compared, the number taken, and the one at which the statement is empty; it turns at what was found
+void refute_above(Outcome& outcome, double found, Threshold threshold);
+
+/// @brief The same for a statement that nothing falls below a threshold.
+/// @param outcome    gets the verdict and the threshold
+/// @param found      the least that was found
+/// @param threshold  what is compared, the number taken, and the one at which the statement is empty
+void refute_below(Outcome& outcome, double found, Threshold threshold);
+
 /// @brief A number in a sentence. @param x a number @return three digits
 [[nodiscard]] std::string rounded(double x);
 

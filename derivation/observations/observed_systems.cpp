@@ -48,6 +48,17 @@ const std::vector<ObservedSystem>& systems_of_the_paper() {
     return all;
 }
 
+double damping_ratio_up_to(const std::function<double(double zeta)>& largest, double bound) {
+    double low = 1e-6, high = 0.1;
+    if (largest(low) > bound) return 0;
+    if (largest(high) <= bound) return high;
+    for (int n = 0; n < 30; ++n) {
+        const double middle = std::sqrt(low * high);
+        (largest(middle) > bound ? high : low) = middle;
+    }
+    return low;
+}
+
 ModeSums<double> sums_at(const ObservedSystem& s, double r) { return mode_sums(s.basis, s.system.contact, s.system.load, r); }
 
 double monoharmonic_amplitude(const ModeSums<double>& m, std::size_t k, double beta) {

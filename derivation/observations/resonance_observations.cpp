@@ -118,6 +118,25 @@ Outcome finite_with_damping() {
     return outcome;
 }
 
+/// The functions of a mode over all R: none has a denominator that vanishes.
+Outcome finite_with_damping_elsewhere() {
+    const Symbols& s = symbols();
+    const ex theta = Pi * s.w / s.R, denominator = GiNaC::cosh(Pi * s.zeta / s.R) + GiNaC::cos(theta);
+    const ex left = first_function(s.R, s.zeta) * denominator, right = GiNaC::sin(theta) / (s.R * s.w);
+    Outcome outcome;
+    add_statement(outcome, decide_equal(left, right, domain_of({left, right})).verdict,
+                  "The first damping function and its denominator", latex(denominator));
+    add_claim(outcome, "64/not-negative", "the second has the same denominator");
+    add_claim(outcome, "38/finite-damped/text", "every |v_di| is finite, and so is the amplitude of the contact");
+    add_argument(
+        outcome,
+        "the denominator is at least 1 where R_i >= 2 w, and elsewhere at least cosh(pi zeta_i / (2 w)) - 1; the motion "
+        "(46) of every mass is a finite sum of these functions, of sines, cosines and decaying exponentials, each with a "
+        "bounded factor, as long as beta is below beta_lim",
+        "\\cosh\\frac{\\pi\\zeta_i}{R_i}+\\cos\\theta\\ge\\cosh\\frac{\\pi\\zeta_i}{R_i}-1");
+    return outcome;
+}
+
 /// The size of the slope of (84) over beta, its first and second rate over zeta.
 Outcome slope_over_damping() {
     const ex z = symbols().zeta;
@@ -170,6 +189,10 @@ const Register claims_of_resonance_observations([] {
         observation("38/finite-damped/text", {"38", "23"},
                     "Observation in the text: with damping, the peaks of the contact are finite while it slides",
                     {"sliding regime", "0 < zeta_i < 1"}, finite_with_damping),
+        observation(
+            "52/finite-damped/text", {"46", "52"},
+            "Observation in the text: with damping, the peaks of all other masses are finite too while the contact slides",
+            {"sliding regime", "0 < zeta_i < 1"}, finite_with_damping_elsewhere),
         observation("38/friction-reduces/text", {"38", "83"},
                     "Observation in the text: friction lowers the amplitude of the contact without a stop", {"sliding regime"},
                     friction_reduces_the_contact),

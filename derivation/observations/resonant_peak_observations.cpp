@@ -59,7 +59,8 @@ Outcome linear_in_friction() {
                                          ""});
                 worst.take(here.error, [&] { return here.place; });
             }
-    if (worst.error > 0.01) outcome.verdict = Verdict::refuted;
+    refute_above(outcome, worst.error,
+                 {.what = "departure from a line over the peak without friction", .taken = 0.01, .empty = 1});
     outcome.witness = with(worst.place, {{"departure over the peak without friction", text(worst.error)}});
     return outcome;
 }
@@ -98,7 +99,9 @@ Outcome against_84(const std::function<std::optional<double>(const ObservedSyste
                                  ""});
         worst.take(here.error, [&] { return here.place; });
     }
-    if (worst.error > threshold || (only_larger && below > 0)) outcome.verdict = Verdict::refuted;
+    refute_above(outcome, worst.error,
+                 {.what = only_larger ? "peak over (84), less 1" : "relative error of (84)", .taken = threshold, .empty = 1});
+    if (only_larger && below > 0) outcome.verdict = Verdict::refuted, outcome.thresholds.clear();
     outcome.witness = with(worst.place, {{"largest", text(worst.error)},
                                          {"friction ratios tried", std::to_string(tried)},
                                          {"of them below (84)", std::to_string(below)}});
@@ -205,7 +208,7 @@ Outcome several_systems() {
                                                     zeta, tuned_pair(ratio, j, l, zeta)));
         judge("close modes" + with_zeta, pairs);
     }
-    if (worst.error > 0.01) outcome.verdict = Verdict::refuted;
+    refute_above(outcome, worst.error, {.what = "relative error of (83) at half of (85)", .taken = 0.01, .empty = 1});
     outcome.witness = with(worst.place, {{"relative error", text(worst.error)},
                                          {"peaks", std::to_string(tried)},
                                          {"above 1 percent", std::to_string(above)},

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "denhartog/number/errors.hpp"
+#include "derivation/threshold.hpp"
 #include "text.hpp"
 
 namespace denhartog::pages {
@@ -29,6 +30,16 @@ std::string kind_text(const Json& claim) {
     if (kind == "consequence") return "a consequence of shipped formulas" + again;
     if (kind == "argument") return "with an argument that a person gave";
     return (kind == "observation" ? "observed" : "derived") + again;
+}
+
+/// The numbers that stand for vague words of the text, and where the verdict turns; empty where none does.
+std::string thresholds_text(const Json& claim) {
+    if (!claim.contains("thresholds")) return {};
+    const std::vector<derivation::Threshold> thresholds = derivation::thresholds_from_json(claim.at("thresholds"));
+    std::string out = "<p>A number of ours stands for a vague word: ";
+    for (std::size_t i = 0; i < thresholds.size(); ++i) out += (i > 0 ? "; " : "") + prose(sentence(thresholds[i]));
+    const bool whatever = claim.at("verdict") == "refuted" && refuted_whatever_the_threshold(thresholds);
+    return out + (whatever ? ". The statement is refuted whatever number is taken.</p>\n" : ".</p>\n");
 }
 
 /// The sentence of a step; the generators of the zero test, which follow "zero with", stay as the run wrote them.
@@ -113,6 +124,7 @@ std::string claim_text(const Book& book, const Json& claim, const std::string& e
         }
         out += ".</p>\n";
     }
+    out += thresholds_text(claim);
     if (claim.contains("witness") && !claim.at("witness").empty() &&
         claim.at("witness") != entry_of(book.run, equation).at("witness")) // which stands at the head of the page
         out += "<p>" + std::string(claim.at("verdict") == "refuted" ? "Witness:" : "Found:") + "</p>\n" +

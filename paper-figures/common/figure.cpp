@@ -31,7 +31,7 @@ json to_json(const Record& record) {
         agreements.push_back(
             {{"what", a.what}, {"points", a.points}, {"median", a.median}, {"worst", a.worst}, {"where", a.where}});
     for (const Statement& s : record.statements)
-        statements.push_back({{"text", s.text}, {"found", s.found}, {"borne_out", s.borne_out}});
+        statements.push_back({{"text", s.text}, {"found", s.found}, {"borne_out", s.borne_out}, {"measure", s.measure}});
     return {{"title", record.title},    {"equations", record.equations}, {"given", record.given},    {"chosen", record.chosen},
             {"agreements", agreements}, {"statements", statements},      {"remarks", record.remarks}};
 }

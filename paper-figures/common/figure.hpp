@@ -11,11 +11,13 @@
 
 namespace denhartog::figures {
 
-/// @brief A statement of the paper's text that the figure's data bear out, or do not.
+/// @brief A statement of the paper's text that the figure's data bear out, or do not; in a figure beyond the paper one of ours.
 struct Statement {
     std::string text;  ///< what the text says, in words of ours
     std::string found; ///< what the data say, with its number
     bool borne_out;    ///< whether they bear it out
+    std::string
+        measure{}; ///< the number of ours that decides where the text has none, e.g. `to 1 percent`; empty where none does
 };
 
 /// @brief How far markers are from lines.

@@ -52,7 +52,7 @@ inline void peak_statements(Record& record, const std::vector<Damped>& all, Mass
     record.statements.push_back({"Peaks estimated by (83) and actual ones agree very well",
                                  "at friction ratios up to half of (85) (83) is at most " + text(100 * worst_to_half, "%.2g") +
                                      " % off, at all up to (85) at most " + text(100 * worst, "%.2g") + " %",
-                                 worst < 0.05});
+                                 worst < 0.05, "to 5 percent"});
 }
 
 /// @brief Whether damping changes amplitudes.
@@ -68,7 +68,7 @@ inline void peak_statements(Record& record, const std::vector<Damped>& all, Mass
             range + ": " + std::to_string(little) + " of " + std::to_string(a.points) +
                 " amplitudes change by less than 5 %, median " + text(100 * a.median, "%.2g") + " %, largest " +
                 text(100 * a.worst, "%.2g") + " % at " + a.where,
-            10 * little >= 9 * a.points};
+            10 * little >= 9 * a.points, "by less than 5 percent at nine points in ten"};
 }
 
 /// @brief Changes of amplitudes from one damping ratio to another.

@@ -95,7 +95,7 @@ struct TimeResponse {
 /// @return        the statement
 [[nodiscard]] inline Statement excellent_agreement(const std::vector<TimeResponse>& panels) {
     Statement s{"Numerical and analytical time responses agree excellently; here: to 1 percent of the amplitude of each mass", "",
-                true};
+                true, "to 1 percent"};
     const std::vector<Agreement> all = agreements(panels);
     for (std::size_t p = 0; p < panels.size(); ++p) {
         const Agreement& displacements = all[3 * p];
@@ -113,7 +113,7 @@ struct TimeResponse {
 /// @return        the statement
 [[nodiscard]] inline Statement steady_early(const std::vector<TimeResponse>& panels) {
     Statement s{"Most motions are steady long before 200 periods; here: amplitude of the contact within 1 percent after 100", "",
-                true};
+                true, "after 100 periods"};
     for (std::size_t p = 0; p < panels.size(); ++p) {
         std::size_t last = 0;
         const std::vector<ContactPeriod>& history = panels[p].numerical.history;
@@ -153,7 +153,7 @@ struct Departure {
             if (apart < nearest) nearest = apart, pair = std::to_string(a + 1) + " and " + std::to_string(b + 1);
         }
     return {"With modal damping ratios of 0.1 each mass has a phase of its own; here: no two phases within 15 degrees",
-            "nearest are masses " + pair + ", " + text(nearest, "%.3g") + " degrees apart", nearest >= 15};
+            "nearest are masses " + pair + ", " + text(nearest, "%.3g") + " degrees apart", nearest >= 15, "by 15 degrees"};
 }
 
 /// @brief The text on damping: the change of the phases matters only where damping is significant; here: at 0.1 above 15 degrees,
@@ -169,7 +169,7 @@ struct Departure {
             "from phase or phase-opposition with the contact at the most " + text(light.degrees, "%.3g") + " degrees (mass " +
                 std::to_string(light.mass) + ") at 0.01 and " + text(heavy.degrees, "%.3g") + " (mass " +
                 std::to_string(heavy.mass) + ") at 0.1",
-            light.degrees < 15 && heavy.degrees > 15};
+            light.degrees < 15 && heavy.degrees > 15, "by 15 degrees"};
 }
 
 /// @brief Phases of the masses behind the contact as a remark. @param p a panel @return e.g. `(a) .. 0, 179, ..`
