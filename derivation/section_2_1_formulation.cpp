@@ -74,8 +74,8 @@ const Register claims_of_section_2_1_formulation([] {
     std::vector<Claim> list{
         {.id = "1/chain",
          .equations = {"1"},
-         .title = "Stiffness matrix of the chain from the energy of its springs, N = 1 to 4",
-         .assumptions = {"k_i > 0"},
+         .title = "Stiffness matrix of the chain from the energy of its springs",
+         .assumptions = {"k_i > 0", "N = 1 to 4"},
          .kernel =
              [] {
                  Values values;
