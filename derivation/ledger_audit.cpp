@@ -68,10 +68,10 @@ bool goes_on_to_every_number(const json& entry) {
 
 std::string masses_of(const json& entry, const std::vector<const json*>& claims) {
     std::set<std::string> numbers;
-    bool of_every = false; // a claim that does not name a number of masses speaks of one mode, or of any number of masses
+    bool of_every = false; // a derived claim that names no number of masses speaks of one mode, or of any number of masses
     for (const json* claim : claims) {
         const std::set<std::string> named = numbers_of_masses(*claim);
-        of_every = of_every || named.empty();
+        of_every = of_every || (named.empty() && claim->at("kind") == "derived");
         numbers.insert(named.begin(), named.end());
     }
     if (numbers.empty()) return {};
@@ -82,7 +82,7 @@ std::string masses_of(const json& entry, const std::vector<const json*>& claims)
 }
 
 void add_new(std::vector<std::string>& list, const std::string& item) {
-    if (std::ranges::find(list, item) == list.end()) list.push_back(item);
+    if (!item.empty() && std::ranges::find(list, item) == list.end()) list.push_back(item);
 }
 
 std::string joined_by(const std::vector<std::string>& list, const std::string& between, const std::string& open = "",
@@ -90,6 +90,15 @@ std::string joined_by(const std::vector<std::string>& list, const std::string& b
     std::string text;
     for (const std::string& item : list) text += (text.empty() ? "" : between) + open + item + close;
     return text;
+}
+
+/// The assumptions of a claim without the number of masses.
+std::string domain_of_claim(const json& claim) {
+    std::vector<std::string> list;
+    for (const std::string assumption : claim.at("assumptions"))
+        if (!assumption.starts_with("N = ")) list.push_back(assumption);
+    std::ranges::sort(list); // the same whatever their order in the claim
+    return joined_by(list, ", ");
 }
 
 } // namespace
@@ -110,14 +119,11 @@ std::vector<AuditRow> audit_of(const json& entries) {
             return a.size() != b.size() ? a.size() < b.size() : a < b;
         });
         const std::vector<const json*> in_use = claims_in_use(entry);
-        for (const json* claim : in_use)
-            for (const std::string assumption : claim->at("assumptions"))
-                if (!assumption.starts_with("N = ")) add_new(row.domain, assumption);
+        for (const json* claim : in_use) add_new(row.domains, domain_of_claim(*claim));
         row.masses = masses_of(entry, in_use);
         for (const json& claim : entry.at("claims"))
-            if (claim.at("verdict") == "argued") row.by_hand.push_back("argued: " + claim.at("id").get<std::string>());
-        if (entry.at("correction") != "" && entry.at("correction_by") == "hand")
-            row.by_hand.emplace_back("the formula shown as what holds is typed");
+            if (claim.at("verdict") == "argued" && claim.at("role") == "step") row.argued.push_back(claim.at("id"));
+        row.typed = entry.at("correction") != "" && entry.at("correction_by") == "hand";
         rows.push_back(std::move(row));
     }
     return rows;
@@ -126,9 +132,10 @@ std::vector<AuditRow> audit_of(const json& entries) {
 std::string remaining(const AuditRow& row) {
     std::vector<std::string> parts;
     if (!row.premises.empty()) parts.push_back("premises " + joined_by(row.premises, ", ", "(", ")"));
-    if (!row.domain.empty()) parts.push_back("where " + joined_by(row.domain, ", "));
+    if (!row.domains.empty()) parts.push_back("claims made where " + joined_by(row.domains, ", or where "));
     if (!row.masses.empty()) parts.push_back(row.masses);
-    if (!row.by_hand.empty()) parts.push_back("by a person: " + joined_by(row.by_hand, ", "));
+    if (!row.argued.empty()) parts.push_back("argued beside it: " + joined_by(row.argued, ", "));
+    if (row.typed) parts.emplace_back("the formula shown as what holds was typed by a person");
     return parts.empty() ? "nothing" : joined_by(parts, "; ");
 }
 
@@ -138,8 +145,8 @@ std::string audit_summary(const std::vector<AuditRow>& rows) {
     for (const AuditRow& row : rows) {
         premises.insert(row.premises.begin(), row.premises.end());
         few_masses += row.masses.ends_with(" only");
-        argued += std::ranges::any_of(row.by_hand, [](const std::string& s) { return s.starts_with("argued"); });
-        typed += std::ranges::any_of(row.by_hand, [](const std::string& s) { return s.ends_with("typed"); });
+        argued += !row.argued.empty();
+        typed += row.typed;
     }
     std::vector<std::string> ordered(premises.begin(), premises.end());
     std::ranges::sort(

@@ -15,9 +15,10 @@ struct AuditRow {
     std::string printed;               ///< verdict as printed
     std::string shipped;               ///< verdict as shipped
     std::vector<std::string> premises; ///< the paper's assumptions that it rests on, by number, however far
-    std::vector<std::string> domain;   ///< where the claims that prove it hold
+    std::vector<std::string> domains;  ///< where the claims that prove it are made, each domain once
     std::string masses;                ///< for how many masses; empty where the number does not matter
-    std::vector<std::string> by_hand;  ///< what a person argued or typed
+    std::vector<std::string> argued;   ///< steps beside it that a person argued; they decide nothing
+    bool typed = false;                ///< whether a person typed the formula that is shown as what holds
 };
 
 /// @brief The audit of a ledger.

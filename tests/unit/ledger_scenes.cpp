@@ -69,9 +69,10 @@ TEST_CASE("the audit says by which claims an equation is decided and what remain
     CHECK(rows[0].premises == std::vector<std::string>{"4"});
     CHECK(rows[2].kinds == "3 derived");
     CHECK(rows[2].premises == std::vector<std::string>{"4"});
-    CHECK(rows[2].domain == std::vector<std::string>{"R_i > 0"});
+    CHECK(rows[2].domains == std::vector<std::string>{"R_i > 0"});
     CHECK(rows[2].masses == "N = 1, 2 only");
-    CHECK(rows[2].by_hand.size() == 2);
+    CHECK(rows[2].argued == std::vector<std::string>{"46/thought"});
+    CHECK(rows[2].typed);
     CHECK(audit_summary(rows).find("(4)") != std::string::npos);
     CHECK(audit_markdown(rows).find("| (46) | 3 derived | refuted | proved |") != std::string::npos);
     CHECK(rows[0].kinds == "none: assumption");
