@@ -116,7 +116,7 @@ struct AngleOfMode {
 };
 
 /// @brief The half angle as a difference where zeta is below 1/2, so that a small zeta is not rounded away, else as a product.
-/// @eq{28,29}  @derivation{shipped_selections}  @domain{0 <= zeta < 1}
+/// @eq{28,29}  @derivation{solver_selections}  @domain{0 <= zeta < 1}
 /// @param zeta  modal damping ratio
 /// @return      w and \f$ \lambda \f$
 template <class T>
@@ -154,7 +154,7 @@ template <class T>
 }
 
 /// @brief (23), (28), (29) of a mode as the arrays have them.
-/// @eq{23,28,29}  @derivation{shipped_selections}  @domain{0 < R <= 2^200; zeta = 0 or 2^-500 <= zeta < 1}
+/// @eq{23,28,29}  @derivation{solver_selections}  @domain{0 < R <= 2^200; zeta = 0 or 2^-500 <= zeta < 1}
 /// @param R       modal frequency ratio, Eq. (22)
 /// @param m       the mode
 /// @param x       1 / (2 R)
@@ -221,6 +221,7 @@ template <class T>
 /// ends and of which the derivative is Z sin, Z = N'' + N. Z is a damped sine with zeros \f$ \pi R/w \f$ apart. The expression is
 /// \f$ R\,Z(\pi) \f$, and \f$ R\,Z(0) \f$ is its opposite less \f$ 4\zeta \f$. Where it is positive and 2 R > w, Z therefore goes
 /// from negative to positive once in the half-period: W is nowhere positive, and (57) is largest for tau -> 0.
+/// (`derivation/section_2_6_largest_at_start.cpp` shows that 2 R >= w suffices by itself; this condition is stricter than need be.)
 /// @eq{57,71}  @derivation{batch_forms}  @domain{R > 0, 0 <= zeta < 1}
 /// @param two_zeta  2 zeta
 /// @param R         modal frequency ratio, Eq. (22)

@@ -132,7 +132,7 @@ struct DrivenCoordinate {
 };
 
 /// @brief A coordinate under a harmonic force: next to resonance, where \f$ R^2|v_d| > 8 \f$, harmonic and free part together.
-/// @eq{A.5,A.6}  @derivation{shipped_selections}  @domain{R > 0, zeta >= 0}
+/// @eq{A.5,A.6}  @derivation{solver_selections}  @domain{R > 0, zeta >= 0}
 /// @param omega  natural frequency 1 / R
 /// @param gap    1 - 1/R^2, as near to resonance as it is known
 /// @param decay  decay rate zeta / R
@@ -156,7 +156,7 @@ struct DrivenStart {
 };
 
 /// @brief Displacement and velocity of a driven coordinate, in the form that it is prepared for.
-/// @eq{A.6,A.7}  @derivation{shipped_selections}  @domain{t >= 0, R > 0, zeta >= 0}
+/// @eq{A.6,A.7}  @derivation{solver_selections}  @domain{t >= 0, R > 0, zeta >= 0}
 /// @param t       time from the start
 /// @param c       the coordinate
 /// @param start   the start
