@@ -8,13 +8,16 @@
 #include <sstream>
 #include <thread>
 
+#include "derivation/ledger_audit.hpp"
 #include "derivation/ledger_figures.hpp"
 #include "derivation/ledger_join.hpp"
 #include "derivation/ledger_rows.hpp"
+#include "derivation/ledger_scenes.hpp"
 #include "derivation/ledger_statements.hpp"
 #include "observations/agreement.hpp"
 #include "report.hpp"
 #include "run.hpp"
+#include "scenes/refutation_scene.hpp"
 
 using namespace denhartog::derivation;
 using nlohmann::json;
@@ -62,11 +65,14 @@ ReportParts join(const fs::path& folder, const fs::path& source, const fs::path&
     for (const std::string& fault : statements.faults) report.faults.push_back(fault);
     for (const std::string& fault : faults_of_rows(parts.rows)) report.faults.push_back(fault);
     for (const std::string& fault : ledger.faults) report.faults.push_back(fault);
+    for (const std::string& fault : add_scenes(report.entries, found.at("scenes"))) report.faults.push_back(fault);
     for (const std::string& fault : add_figures(report.entries, records)) report.faults.push_back(fault);
     write(folder / "ledger.json", report.entries.dump(1) + "\n");
     write(folder / "statements.json", report.statements.dump(1) + "\n");
     write(folder / "report.md", report_markdown(report));
     write(folder / "status.md", status_markdown(report));
+    const std::vector<AuditRow> audit = audit_of(report.entries);
+    write(folder / "audit.md", audit_summary(audit) + "\n\n" + audit_markdown(audit));
     std::cout << summary_text(report) << "The report is in " << (folder / "report.md").string() << "\n";
     return report;
 }
@@ -84,11 +90,8 @@ void run(const fs::path& folder, const fs::path& proofs) {
     write(folder / "derivation.json", found.record.dump(1) + "\n");
     json listed = json::array();
     for (const StandIn& s : stand_ins()) listed.push_back({{"name", s.name}, {"header", s.header}, {"theorem", s.theorem}});
-    const json record{{"claims", to_json(found.claims)},
-                      {"mutants", found.mutants},
-                      {"agreement", agreement},
-                      {"faults", found.faults},
-                      {"stand_ins", listed}};
+    const json record{{"claims", to_json(found.claims)}, {"mutants", found.mutants}, {"agreement", agreement},
+                      {"faults", found.faults},          {"stand_ins", listed},      {"scenes", scenes_of_refutations()}};
     write(folder / "run.json", record.dump(1) + "\n");
 }
 

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "denhartog/evaluation/demand.hpp"
+#include "denhartog/evaluation/driven_motion.hpp"
 #include "stand_ins.hpp"
 
 namespace denhartog::derivation::scalar {
@@ -99,6 +100,12 @@ inline Placed sinc(const Placed& x) { return {sinc(x.symbolic()), evaluation::si
 /// @brief (1 - exp(-x)) / x. @param x a number @return the value
 inline Placed one_minus_exp_over(const Placed& x) {
     return {one_minus_exp_over(x.symbolic()), evaluation::one_minus_exp_over(x.value())};
+}
+/// @brief (exp(z) - 1) / z of a complex number. @param z a pair of numbers @return the value
+inline Complex<Placed> exp_minus_one_over(const Complex<Placed>& z) {
+    const Complex<Symbolic> e = exp_minus_one_over(Complex<Symbolic>{z.re.symbolic(), z.im.symbolic()});
+    const Complex<double> v = evaluation::exp_minus_one_over(Complex<double>{z.re.value(), z.im.value()});
+    return {{e.re, v.re}, {e.im, v.im}};
 }
 /// @brief The series of `special.hpp`. @param s a number @return the value
 inline Placed odd_series_without_leading_term(const Placed& s) {

@@ -8,6 +8,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "derivation/ledger_audit.hpp"
+#include "derivation/ledger_scenes.hpp"
 #include "threshold.hpp"
 
 namespace denhartog::derivation {
@@ -129,12 +131,14 @@ std::string summary_text(const ReportParts& p) {
         << "  by kind:    " << counts(p.summary.at("kinds")) << "\n"
         << "  statements: " << counts(p.statement_counts) << "\n"
         << "  the text:   " << observation_counts(p.summary) << "\n"
-        << "  mutants:    " << mutants_text(p.mutants) << "\n\nRefuted as printed:\n";
+        << "  mutants:    " << mutants_text(p.mutants) << "\n\n"
+        << audit_summary(audit_of(p.entries)) << "\n\nRefuted as printed:\n";
     for (const json& entry : p.entries)
         if (entry.at("printed") == "refuted")
             out << "  (" << entry.at("equation").get<std::string>() << ") " << entry.at("departure").get<std::string>() << ", "
                 << loss_text(entry) << "; shipped form " << entry.at("shipped").get<std::string>()
-                << "\n      holds: " << entry.at("correction").get<std::string>() << "\n";
+                << "\n      holds: " << entry.at("correction").get<std::string>() << "\n      "
+                << scene_markdown(entry.at("scene")) << "\n";
     out << "\nIllegible in the text at hand, where what stands there cannot be meant: " << listed(p.summary.at("illegible"))
         << "\n\nObservations of the text:\n";
     for (const json& claim : observations(p.entries))
@@ -182,7 +186,8 @@ std::string report_markdown(const ReportParts& p) {
             << entry.at("statement").get<std::string>() << "$$\n\nHolds (" << entry.at("shipped").get<std::string>() << "):\n\n$$"
             << entry.at("correction").get<std::string>() << "$$\n\nWitness: " << witness_text(entry.at("witness")) << "\n\n";
         const std::string consequence = entry.value("consequence", "");
-        out << "Coded as printed: " << (consequence.empty() ? "no loss to measure" : consequence) << ".\n\n";
+        out << scene_markdown(entry.at("scene")) << ".\n\n"
+            << "Coded as printed: " << (consequence.empty() ? "no loss to measure" : consequence) << ".\n\n";
     }
     out << "## Observations of the text\n\n"
            "Where the text has a vague word, a number of ours stands for it: the number taken, and the number from which on "
@@ -207,6 +212,8 @@ std::string report_markdown(const ReportParts& p) {
         out << "| " << group.at("group").get<std::string>() << " | " << group.at("scenes") << " | "
             << scientific(group.at("double").at("worst")) << " | " << scientific(group.at("50 digits").at("worst")) << " | "
             << group.at("double").at("scene").get<std::string>() << " |\n";
+    const std::vector<AuditRow> audit = audit_of(p.entries);
+    out << "\n## What remains assumed\n\n" << audit_summary(audit) << "\n\n" << audit_markdown(audit);
     out << "\n## All equations\n\n| equation | section | kind | printed | shipped | departure | claims "
            "|\n|---|---|---|---|---|---|---|\n";
     for (const json& entry : p.entries)

@@ -74,8 +74,8 @@ const Register claims_of_section_2_1_formulation([] {
     std::vector<Claim> list{
         {.id = "1/chain",
          .equations = {"1"},
-         .title = "Stiffness matrix of the chain from the energy of its springs, N = 1 to 4",
-         .assumptions = {"k_i > 0"},
+         .title = "Stiffness matrix of the chain from the energy of its springs",
+         .assumptions = {"k_i > 0", "N = 1 to 4"},
          .kernel =
              [] {
                  Values values;
@@ -129,7 +129,7 @@ const Register claims_of_section_2_1_formulation([] {
          .kernel = [&s] { return Values{as_printed::non_dimensional_displacement(Symbolic(s.x), Symbolic(1), Symbolic(s.P))}; },
          .derived = [&s] { return std::vector<ex>{s.k_1 * s.x / s.P}; },
          .departure = Departure::scan,
-         .correction = "\\tau = \\omega t, \\qquad \\bar{\\mathbf{x}} = \\frac{k_1}{P}\\mathbf{x}"},
+         .correction_left = {"\\tau = \\omega t, \\quad \\bar{x}"}},
         {.id = "6/non-dimensional",
          .equations = {"6", "7", "11"},
          .title = "The non-dimensional equation with the matrices (7) and the friction ratio (11)",

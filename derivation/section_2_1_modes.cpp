@@ -109,7 +109,8 @@ const Register claims_of_section_2_1_modes([] {
     list.push_back(
         {.id = "19/formula",
          .equations = {"19"},
-         .title = "The sum over the modes, for any mass matrix and any modal matrix, N = 2",
+         .title = "The sum over the modes, for any mass matrix and any modal matrix",
+         .assumptions = {"N = 2"},
          .kernel =
              [] {
                  const SymbolicModes m = symbolic_modes(3);

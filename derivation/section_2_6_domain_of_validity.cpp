@@ -103,8 +103,7 @@ const Register claims_of_section_2_6_domain_of_validity([] {
          .kernel = [kernel_arguments] { return kernel_arguments(printed_integrand); },
          .derived = s_d,
          .departure = Departure::misprint,
-         .correction = "s_{di} = \\sup_{0<\\tau<\\pi}\\frac{1}{\\sin\\tau}\\left\\{(1+g_i)R_iq_i(\\tau) - "
-                       "u_{di}R_i^2\\left[R_iq_i'(\\tau)-\\cos\\tau\\right]\\right\\}"},
+         .correction_left = {"s_{di} = \\sup_{0<\\tau<\\pi} s_i(\\tau), \\quad s_i(\\tau)"}},
         {.id = "57/integrand",
          .equations = {"57"},
          .role = Role::shipped,

@@ -67,15 +67,18 @@ Coordinates with_ends(const Place& place) {
 
 Point point_at(const Place& place) {
     const Symbols& s = symbols();
-    return {{s.tau, place.tau},    {s.R, place.R},       {s.zeta, place.zeta},
-            {heavy(), place.zeta}, {s.u, numeric(1, 3)}, {s.g, numeric(1, 7)}};
+    Point point{{s.tau, place.tau}, {s.R, place.R}, {s.zeta, place.zeta}, {heavy(), place.zeta}};
+    int n = 2; // any values do for the others
+    for (const ex& other : {s.u, s.g, s.psi_ji, s.psi_li, s.beta, s.eta_0, s.eta_prime_0, s.phi_j})
+        point.emplace_back(other, numeric(1, ++n));
+    return point;
 }
 
 /// Whether an expression vanishes at a place; a number that is merely small does not.
 bool vanishes(const ex& e, const Place& place) {
     const numeric value = evaluate(e, point_at(place));
-    const bool subnormal = !place.zeta.is_zero() && place.zeta < numeric("1e-40");
-    return subnormal ? value.is_zero() : abs(value) < numeric("1e-45");
+    const bool extreme = (!place.zeta.is_zero() && place.zeta < numeric("1e-40")) || place.R > numeric("1e20");
+    return extreme ? value.is_zero() : abs(value) < numeric("1e-45");
 }
 
 /// Whether anything in an expression is divided by what vanishes at a place, be it that it cancels in the end.
@@ -234,7 +237,7 @@ Outcome check_selection(const Selection& selection) {
     const Symbols& s = symbols();
     Checker checker(selection);
     Axis tau{numeric(1, 100), numeric(1), numeric(3)};
-    Axis R{numeric(1, 10), numeric(1, 3), numeric(1), numeric(10)};
+    Axis R{numeric(1, 10), numeric(1, 3), numeric(63, 64), numeric(1), numeric(10)};
     Axis zeta{numeric(0), numeric(1, 100), numeric(1), numeric(5)};
     std::string fault;
     int places = 0;
@@ -257,6 +260,7 @@ Outcome check_selection(const Selection& selection) {
         tau.insert(end_of_half_period());
     }
     add_edges(R, s.R, conditions);
+    R.insert({*R.begin() / 2, *R.rbegin() * 2});
     add_edges(zeta, s.zeta, conditions);
     places = checker.poles = 0;
     visit();

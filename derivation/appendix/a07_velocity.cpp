@@ -28,8 +28,7 @@ const Register claims_of_a07_velocity([] {
              },
          .derived = derived,
          .departure = Departure::misprint,
-         .correction = "\\eta_i' = d_i'\\eta_{i0} + R_iq_i'\\eta_{i0}' - \\psi_{ji}R_i^2d_i'\\beta - \\psi_{li}R_i^2v_{di}"
-                       "[(\\sin\\tau+d_i')\\cos\\phi_j + (\\cos\\tau-R_iq_i')\\sin\\phi_j]"},
+         .correction_left = {"\\eta_i'"}},
         {.id = "A.7/velocity",
          .equations = {"A.7"},
          .role = Role::shipped,

@@ -34,9 +34,7 @@ const Register claims_of_a15_modal_displacement([] {
              },
          .derived = derived,
          .departure = Departure::misprint,
-         .correction =
-             "\\eta_i = (\\eta_{i0}+\\psi_{ji}R_i^2g_i\\beta)\\cos\\tau + (\\eta_{i0}'+\\psi_{ji}R_i^2u_{di}\\beta)\\sin\\tau + "
-             "\\beta\\psi_{ji}R_i^2\\{1-(1+g_i)d_i(\\tau)-u_{di}R_iq_i(\\tau)\\}"},
+         .correction_left = {"\\eta_i"}},
         {.id = "A.15/displacement",
          .equations = {"40", "A.15"},
          .role = Role::shipped,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "denhartog/ledger/scene_sentence.hpp"
 #include "denhartog/number/errors.hpp"
 #include "derivation/threshold.hpp"
 #include "text.hpp"
@@ -101,6 +102,15 @@ std::string witness_text(const RunRecord& run, const Json& witness) {
         out += (out.empty() ? "" : ", ") + shown + " = " + witness_value(value.get<std::string>());
     }
     return "<p class=\"witness\">" + out + "</p>\n";
+}
+
+std::string scene_text(const Json& entry) {
+    const Json scene = entry.value("scene", Json::object());
+    if (scene.empty()) return {};
+    if (scene.contains("none")) return "<p>No scene shows it: " + prose(scene.at("none")) + ".</p>\n";
+    return "<p>To be seen on " + prose(ledger::scene_sentence(scene)) +
+           ". The scene, for <code>denhartog solve</code>:</p>\n<p><code>" + escaped(scene.at("scene").get<std::string>()) +
+           "</code></p>\n";
 }
 
 std::string claim_text(const Book& book, const Json& claim, const std::string& equation) {

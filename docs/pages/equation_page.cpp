@@ -85,6 +85,7 @@ std::string statement(const Book& book, const Json& entry) {
         out += "<p>Coded as printed: " + prose(consequence) + ".</p>\n";
     else if (fails(printed))
         out += "<p>Coded as printed: no loss to measure.</p>\n";
+    out += scene_text(entry);
     if (!entry.at("witness").empty())
         out += "<p>A point where " + std::string(fails(printed) ? "what stands there fails:" : "it was evaluated:") + "</p>\n" +
                witness_text(book.run, entry.at("witness"));

@@ -2,6 +2,7 @@
 
 #include <map>
 
+#include "derivation/ledger_audit.hpp"
 #include "text.hpp"
 
 namespace denhartog::pages {
@@ -76,6 +77,7 @@ std::string departure_of(const Book& book, const Json& entry) {
     }
     if (!refutations.empty()) out += "<p>The printed form is decided by " + refutations + ".</p>\n";
     if (!proofs.empty()) out += "<p>The form that holds is decided by " + proofs + ".</p>\n";
+    out += scene_text(entry);
     if (refuted && !entry.at("witness").empty()) out += "<p>Witness:</p>\n" + witness_text(book.run, entry.at("witness"));
     const std::string consequence = entry.at("consequence");
     if (refuted || !consequence.empty())
@@ -168,6 +170,25 @@ Page stand_ins_page(const Book& book) {
         out += "<tr><td><code>" + s.at("name").get<std::string>() + "</code></td><td><code>" + s.at("header").get<std::string>() +
                "</code></td><td>\\f$" + s.at("theorem").get<std::string>() + "\\f$</td></tr>\n";
     return {"stand_ins", out + "</table>\n</div>\n"};
+}
+
+Page audit_page(const Book& book) {
+    const std::vector<derivation::AuditRow> rows = derivation::audit_of(nlohmann::json(book.run.ledger));
+    std::string out = page_head("audit", "What remains assumed");
+    out +=
+        "<p>" + prose(derivation::audit_summary(rows)) +
+        "</p>\n<p>A claim is derived if one of its sides was built from the equation of motion or a condition set to it, and a "
+        "refinement if its other side is a shipped formula; what is restated was typed by hand on one side. The premises are the "
+        "paper's own assumptions that an equation rests on, however far. Roundings are no part of the proofs: they are measured "
+        "on \\ref accuracy_page.</p>\n"
+        "<div class=\"table-box\" tabindex=\"0\">\n<table class=\"doxtable\">\n<tr><th>equation</th><th>claims by "
+        "kind</th><th>as "
+        "printed</th><th>as shipped</th><th>what remains assumed</th></tr>\n";
+    for (const derivation::AuditRow& row : rows)
+        out += "<tr><td>" + equation_link(row.equation) + "</td><td>" + escaped(row.kinds) + "</td><td>" +
+               verdict_mark(row.printed) + "</td><td>" + verdict_mark(row.shipped) + "</td><td>" +
+               prose(derivation::remaining(row)) + "</td></tr>\n";
+    return {"audit", out + "</table>\n</div>\n"};
 }
 
 } // namespace denhartog::pages

@@ -23,6 +23,9 @@ namespace denhartog::pages {
 /// @return the page `stand_ins`
 [[nodiscard]] Page stand_ins_page(const Book& book);
 
+/// @brief The audit: how each equation was decided, and what remains assumed. @param book the run @return the page `audit`
+[[nodiscard]] Page audit_page(const Book& book);
+
 /// @brief An equation's place in the picture of the graph.
 struct Node {
     std::string equation; ///< its number

@@ -27,8 +27,8 @@ Site make_site(const RunRecord& run, const Sources& sources, const fs::path& cha
         }
     };
     for (const std::string& equation : ledger::equation_numbers()) add([&] { return equation_page(book, equation); });
-    for (Page (*page)(const Book&) :
-         {index_page, errata_page, stand_ins_page, graph_page, figures_page, accuracy_page, speed_page, conformance_page})
+    for (Page (*page)(const Book&) : {index_page, errata_page, audit_page, stand_ins_page, graph_page, figures_page,
+                                      accuracy_page, speed_page, conformance_page})
         add([&] { return page(book); });
     for (Page& page : chapter_pages(book, read_chapter(chapter), site.faults)) site.pages.push_back(std::move(page));
     if (site.faults.empty())

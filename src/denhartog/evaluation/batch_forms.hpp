@@ -108,6 +108,78 @@ template <class T>
     return 2 * (e.head * e.tail) * (square * series) * inverse * delta;
 }
 
+/// @brief How the half angle of a mode is written: \f$ \pi\,(w-\lambda)/(2R) \f$.
+template <class T>
+struct AngleOfMode {
+    T w;    ///< 1 where the angle is a difference, else sqrt(1 - zeta^2)
+    T late; ///< \f$ \lambda \f$: 1 - sqrt(1 - zeta^2) where it is a difference, else 0
+};
+
+/// @brief The half angle as a difference where zeta is below 1/2, so that a small zeta is not rounded away, else as a product.
+/// @eq{28,29}  @derivation{solver_selections}  @domain{0 <= zeta < 1}
+/// @param zeta  modal damping ratio
+/// @return      w and \f$ \lambda \f$
+template <class T>
+[[nodiscard]] AngleOfMode<T> angle_of_mode(const T& zeta) {
+    if (2 * zeta >= 1) return {sqrt(T((1 - zeta) * (1 + zeta))), T(0)};
+    return {T(1), one_minus_w(zeta)};
+}
+
+/// @brief What the arrays compute with vectors; what is beyond is left to the scalar forms.
+template <class T>
+struct VectorRange {
+    T least_ratio;   ///< least R
+    T largest_ratio; ///< largest R
+    T least_damping; ///< least zeta beside 0
+};
+
+/// @brief Whether a mode is left to the scalar forms by its damping ratio. @param zeta modal damping ratio @param range the range
+/// @return  whether it is
+template <class T>
+[[nodiscard]] bool damping_beyond_vectors(const T& zeta, const VectorRange<T>& range) {
+    return zeta >= 1 || (zeta > 0 && zeta < range.least_damping);
+}
+
+/// @brief Whether a mode is left to the scalar forms by its frequency ratio. @param R modal frequency ratio @param range the range
+/// @return  whether it is
+template <class T>
+[[nodiscard, gnu::always_inline]] inline bool ratio_beyond_vectors(const T& R, const VectorRange<T>& range) {
+    return !(R >= range.least_ratio && R <= range.largest_ratio);
+}
+
+/// @brief Whether (29) is taken in its second form. @param R modal frequency ratio, Eq. (22) @return whether R is 5/4 and more
+template <class T>
+[[nodiscard, gnu::always_inline]] inline bool of_large_ratio(const T& R) {
+    return 4 * R >= 5;
+}
+
+/// @brief (23), (28), (29) of a mode as the arrays have them.
+/// @eq{23,28,29}  @derivation{solver_selections}  @domain{0 < R <= 2^200; zeta = 0 or 2^-500 <= zeta < 1}
+/// @param R       modal frequency ratio, Eq. (22)
+/// @param m       the mode
+/// @param x       1 / (2 R)
+/// @param e       exponential of -delta
+/// @param h       products of the half angle
+/// @param series  of the second form of (29), the bracket over q^2
+/// @tparam        large_ratios  whether R may be 5/4 and more
+/// @return        v, u, g
+template <bool large_ratios, class T>
+[[nodiscard, gnu::always_inline]] inline ModeFunctions<T> array_mode_functions(const T& R, const ArrayMode<T>& m, const T& x,
+                                                                               const Exponential<T>& e,
+                                                                               const HalfAngleProducts<T>& h, const T& series) {
+    const T inverse = inverse_denominator(e, h);
+    const T u = array_first_damping_function(x, m, e, h, inverse);
+    const T g = array_second_damping_function(m, e, h, inverse);
+    const Complex<T> v = array_response(R, m);
+    if constexpr (large_ratios) {
+        const T q = 2 * pi<T>() * x;
+        const T of_large = array_second_damping_function_of_large_ratio(T(m.two_pi_zeta * x), T(q * q), series, e, inverse);
+        return {v, u, of_large_ratio(R) ? of_large : g};
+    } else {
+        return {v, u, g};
+    }
+}
+
 /// @brief What of a mode's part in the sums over modes does not depend on r:
 /// \f$ \psi_{ki}\psi_{li}R_i^2=\phi_{ki}\phi_{li}/r_{n,i}^2 \f$.
 template <class T>
@@ -149,6 +221,7 @@ template <class T>
 /// ends and of which the derivative is Z sin, Z = N'' + N. Z is a damped sine with zeros \f$ \pi R/w \f$ apart. The expression is
 /// \f$ R\,Z(\pi) \f$, and \f$ R\,Z(0) \f$ is its opposite less \f$ 4\zeta \f$. Where it is positive and 2 R > w, Z therefore goes
 /// from negative to positive once in the half-period: W is nowhere positive, and (57) is largest for tau -> 0.
+/// (`derivation/section_2_6_largest_at_start.cpp` shows that 2 R >= w suffices by itself; this condition is stricter than need be.)
 /// @eq{57,71}  @derivation{batch_forms}  @domain{R > 0, 0 <= zeta < 1}
 /// @param two_zeta  2 zeta
 /// @param R         modal frequency ratio, Eq. (22)

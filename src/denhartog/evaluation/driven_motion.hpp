@@ -118,6 +118,63 @@ template <class T>
     return {(cos_0 * h.im + sin_0 * h.re) / (2 * b), (cos_0 * h_prime.im + sin_0 * h_prime.re) / (2 * b)};
 }
 
+/// @brief What of a driven coordinate does not depend on its start.
+template <class T>
+struct DrivenCoordinate {
+    T omega;       ///< natural frequency 1 / R, in units of that of the force
+    T decay;       ///< decay rate zeta / R
+    T R;           ///< modal frequency ratio, Eq. (22)
+    T zeta;        ///< modal damping ratio
+    T F;           ///< amplitude of the harmonic force
+    bool together; ///< whether the harmonic and the free part are taken together
+    T apart;       ///< 1 - w / R where they are
+    Complex<T> X;  ///< complex amplitude of the harmonic motion where they are not, else zero
+};
+
+/// @brief A coordinate under a harmonic force: next to resonance, where \f$ R^2|v_d| > 8 \f$, harmonic and free part together.
+/// @eq{A.5,A.6}  @derivation{solver_selections}  @domain{R > 0, zeta >= 0}
+/// @param omega  natural frequency 1 / R
+/// @param gap    1 - 1/R^2, as near to resonance as it is known
+/// @param decay  decay rate zeta / R
+/// @param F      amplitude of the harmonic force
+/// @return       the coordinate
+template <class T>
+[[nodiscard]] DrivenCoordinate<T> driven_coordinate(const T& omega, const T& gap, const T& decay, const T& F) {
+    const T R = 1 / omega, zeta = decay / omega;
+    if (64 * (gap * gap + 4 * decay * decay) < 1)
+        return {omega, decay, R, zeta, F, true, detuning(R, zeta, gap), Complex<T>{T(0), T(0)}};
+    return {omega, decay, R, zeta, F, false, T(0), F * response_by_R_squared(gap, decay)};
+}
+
+/// @brief The start of a stretch of motion.
+template <class T>
+struct DrivenStart {
+    InitialValues<T> free; ///< start of the free motion, by `free_start`
+    T at_rest;             ///< displacement at rest under the constant force
+    T cos_0;               ///< cosine of tau at the start
+    T sin_0;               ///< sine of tau at the start
+};
+
+/// @brief Displacement and velocity of a driven coordinate, in the form that it is prepared for.
+/// @eq{A.6,A.7}  @derivation{solver_selections}  @domain{t >= 0, R > 0, zeta >= 0}
+/// @param t       time from the start
+/// @param c       the coordinate
+/// @param start   the start
+/// @param cosine  cosine of tau at the instant
+/// @param sine    sine of tau at the instant
+/// @return        displacement and velocity
+template <class T>
+[[nodiscard]] InitialValues<T> motion_of_coordinate(const T& t, const DrivenCoordinate<T>& c, const DrivenStart<T>& start,
+                                                    const T& cosine, const T& sine) {
+    const FreeMotion<T> free = free_motion(t, c.R, c.zeta);
+    const InitialValues<T> now = driven_motion(free, c.R, start.free, start.at_rest, c.X, cosine, sine);
+    if (!c.together) return now;
+    const T w = sqrt(T((1 - c.zeta) * (1 + c.zeta)));
+    const Complex<T> decayed{free.d - c.zeta * free.q, w * free.q};
+    const InitialValues<T> h = response_from_rest(t, c.decay, T(w * c.omega), c.apart, decayed, start.cos_0, start.sin_0);
+    return {now.eta_0 + c.F * h.eta_0, now.eta_prime_0 + c.F * h.eta_prime_0};
+}
+
 /// @brief The derivative of a coordinate two orders up, by its equation of motion: \f$ f - D - \eta/R^2 \f$.
 /// @eq{20,A.1}  @derivation{driven_motion}
 /// @param eta      a derivative of the coordinate

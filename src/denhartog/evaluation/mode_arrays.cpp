@@ -25,11 +25,11 @@ struct ModeConstants {
     BracketSeries series;
 };
 
-/// The half angle as a difference where zeta is below 1/2, so that a small zeta is not rounded away, else as a product.
+constexpr VectorRange<double> vector_range{least_vector_ratio(), largest_vector_ratio(), least_vector_damping()};
+
 ModeConstants constants_of(double zeta) {
-    const bool heavy = zeta >= 0.5;
-    return {array_mode(zeta), heavy ? std::sqrt((1 - zeta) * (1 + zeta)) : 1.0, heavy ? 0.0 : one_minus_w(zeta),
-            zeta > 0 ? 2.0 : 0.5, bracket_series(zeta)};
+    const AngleOfMode<double> angle = angle_of_mode(zeta);
+    return {array_mode(zeta), angle.w, angle.late, zeta > 0 ? 2.0 : 0.5, bracket_series(zeta)};
 }
 
 struct Pointers {
@@ -55,23 +55,19 @@ template <bool large_ratios>
         const double R = p.R[i];
         const double x = 0.5 / R;
         const double delta = m.mode.two_pi_zeta * x;
-        const Complex<double> v = array_response(R, m.mode);
         const HalfAngleProducts<double> h = half_angle_products(R, x, m.w, m.late);
         const Exponential<double> e = exponential_of_negative(-delta);
-        const double inverse = inverse_denominator(e, h);
-        const double u = array_first_damping_function(x, m.mode, e, h, inverse);
-        double g = array_second_damping_function(m.mode, e, h, inverse);
+        double series = 0;
         if constexpr (large_ratios) {
-            const double q = 2 * pi<double>() * x, square = q * q;
-            const double series = bracket_over_square(m.series, square);
-            const double of_large = array_second_damping_function_of_large_ratio(delta, square, series, e, inverse);
-            g = R < 1.25 ? g : of_large;
+            const double q = 2 * pi<double>() * x;
+            series = bracket_over_square(m.series, q * q);
         }
-        p.v_re[i] = v.re;
-        p.v_im[i] = v.im;
-        p.u[i] = u;
-        p.g[i] = g;
-        const double zero_if_finite = v.re * 0 + v.im * 0 + u * 0 + g * 0;
+        const ModeFunctions<double> f = array_mode_functions<large_ratios>(R, m.mode, x, e, h, series);
+        p.v_re[i] = f.v.re;
+        p.v_im[i] = f.v.im;
+        p.u[i] = f.u;
+        p.g[i] = f.g;
+        const double zero_if_finite = f.v.re * 0 + f.v.im * 0 + f.u * 0 + f.g * 0;
         poles += (zero_if_finite == 0 ? 0 : 1) + (__builtin_fabs(x - nearest_whole(x)) == m.pole_distance ? 1 : 0);
         outside += (R >= least_vector_ratio() ? 0 : 1) + (R <= largest_vector_ratio() ? 0 : 1);
     }
@@ -80,7 +76,7 @@ template <bool large_ratios>
 
 [[gnu::always_inline]] inline std::int64_t number_of_large(const double* R, std::size_t n) {
     std::int64_t large = 0;
-    for (std::size_t i = 0; i < n; ++i) large += R[i] >= 1.25 ? 1 : 0;
+    for (std::size_t i = 0; i < n; ++i) large += of_large_ratio(R[i]) ? 1 : 0;
     return large;
 }
 
@@ -165,7 +161,7 @@ std::size_t mode_functions(std::span<const double> R, double zeta, const ModeArr
     check_arguments(R, zeta, out, vectors);
     evaluated += static_cast<long>(R.size());
     const ModeConstants m = constants_of(zeta);
-    const bool without_vectors = zeta >= 1 || (zeta > 0 && zeta < least_vector_damping());
+    const bool without_vectors = damping_beyond_vectors(zeta, vector_range);
     const Compute compute_block = compute_with(vectors);
     std::size_t scalar = 0;
     for (std::size_t start = 0; start < R.size(); start += block) {
@@ -175,7 +171,7 @@ std::size_t mode_functions(std::span<const double> R, double zeta, const ModeArr
         const Left left = compute_block(m, p, n);
         if (left.outside == 0 && left.poles == 0 && !without_vectors) continue;
         for (std::size_t i = start; i < start + n; ++i) {
-            const bool outside = without_vectors || !(R[i] >= least_vector_ratio() && R[i] <= largest_vector_ratio());
+            const bool outside = without_vectors || ratio_beyond_vectors(R[i], vector_range);
             if (outside || !finite(out, i) || (zeta == 0 && at_undamped_pole(R[i]))) {
                 if (!(R[i] > 0) || !std::isfinite(R[i])) throw InputError("R", "must be positive and finite", text(R[i]));
                 const ModeFunctions<double> f = mode_functions(R[i], zeta);

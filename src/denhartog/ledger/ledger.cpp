@@ -6,6 +6,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "denhartog/ledger/scene_sentence.hpp"
 #include "denhartog/number/errors.hpp"
 
 namespace denhartog::ledger {
@@ -156,6 +157,9 @@ std::string card(const Json& entry) {
     if (printed == "refuted" && entry.contains("loss") && entry.at("loss").is_number())
         text += line("loss", "worst relative error " + number_text(entry.at("loss")) + " for who codes the printed form");
     text += line("consequence", entry.value("consequence", ""));
+    const Json scene = entry.value("scene", Json::object());
+    if (scene.contains("none")) text += line("no scene", scene.at("none"));
+    if (scene.contains("scene")) text += line("to be seen on", scene_sentence(scene)) + line("scene", scene.at("scene"));
     text += line("rests on", joined(entry.at("rests_on"), "(", ")"));
     text += line("used by", joined(entry.at("used_by"), "(", ")"));
     for (const Json& function : entry.at("functions"))

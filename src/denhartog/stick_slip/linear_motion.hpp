@@ -45,11 +45,10 @@ struct LinearMotion {
 
     /// @brief Sets the number of coordinates. @param n their number
     void resize(std::size_t n) {
-        for (std::vector<T>* v : {&omega_0, &gap, &decay, &F, &G, &R_, &zeta_, &detuning_, &at_rest_}) v->resize(n);
+        for (std::vector<T>* v : {&omega_0, &gap, &decay, &F, &G, &at_rest_}) v->resize(n);
         for (std::vector<T>& v : q) v.resize(n);
-        X_.resize(n);
-        free_.resize(n);
-        resonant_.resize(n);
+        coordinates_.resize(n);
+        starts_.resize(n);
     }
 
     /// @brief Number of coordinates. @return their number
@@ -64,13 +63,8 @@ struct LinearMotion {
 
     /// @brief To be called when omega_0, gap, decay, D or F have changed.
     void prepare() {
-        for (std::size_t i = 0; i < size(); ++i) {
-            R_[i] = 1 / omega_0[i];
-            zeta_[i] = decay[i] / omega_0[i];
-            resonant_[i] = 64 * (gap[i] * gap[i] + 4 * decay[i] * decay[i]) < 1;
-            if (resonant_[i]) detuning_[i] = evaluation::detuning(R_[i], zeta_[i], gap[i]);
-            X_[i] = resonant_[i] ? Complex<T>{T(0), T(0)} : F[i] * evaluation::response_by_R_squared(gap[i], decay[i]);
-        }
+        for (std::size_t i = 0; i < size(); ++i)
+            coordinates_[i] = evaluation::driven_coordinate(omega_0[i], gap[i], decay[i], F[i]);
         if (coupled()) prepare_coupled();
     }
 
@@ -78,16 +72,16 @@ struct LinearMotion {
     /// @param tau  the instant
     void start(const T& tau) {
         tau_0_ = tau;
-        cos_0_ = cos(tau);
-        sin_0_ = sin(tau);
+        const T cos_0 = cos(tau), sin_0 = sin(tau);
         differentiated_ = false;
         for (std::size_t i = 0; i < size(); ++i) {
             at_rest_[i] = G[i] / (omega_0[i] * omega_0[i]);
-            free_[i] = evaluation::free_start(InitialValues<T>{q[0][i], q[1][i]}, at_rest_[i], X_[i], cos_0_, sin_0_);
+            const InitialValues<T> now{q[0][i], q[1][i]};
+            starts_[i] = {evaluation::free_start(now, at_rest_[i], coordinates_[i].X, cos_0, sin_0), at_rest_[i], cos_0, sin_0};
         }
         if (!coupled()) return;
         Column<T> z(rows());
-        z << column(q[0]) - column(at_rest_), column(q[1]), cos_0_, sin_0_;
+        z << column(q[0]) - column(at_rest_), column(q[1]), cos_0, sin_0;
         together_.start(std::move(z));
     }
 
@@ -104,15 +98,7 @@ struct LinearMotion {
             return;
         }
         for (std::size_t i = 0; i < size(); ++i) {
-            const evaluation::FreeMotion<T> free = evaluation::free_motion(t, R_[i], zeta_[i]);
-            InitialValues<T> now = evaluation::driven_motion(free, R_[i], free_[i], at_rest_[i], X_[i], cos_tau_, sin_tau_);
-            if (resonant_[i]) {
-                const T w = sqrt(T((1 - zeta_[i]) * (1 + zeta_[i])));
-                const Complex<T> decayed{free.d - zeta_[i] * free.q, w * free.q};
-                const InitialValues<T> h =
-                    evaluation::response_from_rest(t, decay[i], T(w * omega_0[i]), detuning_[i], decayed, cos_0_, sin_0_);
-                now = {now.eta_0 + F[i] * h.eta_0, now.eta_prime_0 + F[i] * h.eta_prime_0};
-            }
+            const InitialValues<T> now = evaluation::motion_of_coordinate(t, coordinates_[i], starts_[i], cos_tau_, sin_tau_);
             q[0][i] = now.eta_0;
             q[1][i] = now.eta_prime_0;
         }
@@ -179,11 +165,12 @@ struct LinearMotion {
             return;
         }
         for (std::size_t i = 0; i < size(); ++i) {
-            const evaluation::FreeMotion<T> free = evaluation::free_motion(t, R_[i], zeta_[i]);
+            const evaluation::DrivenCoordinate<T>& c_i = coordinates_[i];
+            const evaluation::FreeMotion<T> free = evaluation::free_motion(t, c_i.R, c_i.zeta);
             for (Eigen::Index c = 0; c < dq.cols(); ++c) {
                 const T x = dq(i, c), v = dp(i, c);
-                dq(i, c) = x * free.d + v * (R_[i] * free.q);
-                dp(i, c) = x * free.d_prime + v * (R_[i] * free.q_prime);
+                dq(i, c) = x * free.d + v * (c_i.R * free.q);
+                dp(i, c) = x * free.d_prime + v * (c_i.R * free.q_prime);
             }
         }
     }
@@ -210,15 +197,13 @@ private:
         together_ = CoupledMotion<T>(std::move(A), rate, effort);
     }
 
-    T tau_0_, cos_0_, sin_0_, cos_tau_, sin_tau_;
+    T tau_0_, cos_tau_, sin_tau_;
     bool differentiated_ = false; // whether q holds all derivatives, at the instant at_
     T at_;
-    std::vector<T> R_, zeta_, detuning_; // frequency and damping ratios, and what `evaluation::detuning` has
-    std::vector<T> at_rest_;             // where the constant force would hold the coordinates
-    std::vector<Complex<T>> X_;          // the harmonic part
-    std::vector<InitialValues<T>> free_; // the free part at the start
-    std::vector<char> resonant_;         // harmonic and free part are taken together
-    CoupledMotion<T> together_;          // all coordinates where D couples them
+    std::vector<T> at_rest_;                                   // where the constant force would hold the coordinates
+    std::vector<evaluation::DrivenCoordinate<T>> coordinates_; // prepared for any start
+    std::vector<evaluation::DrivenStart<T>> starts_;           // the last start
+    CoupledMotion<T> together_;                                // all coordinates where D couples them
 };
 
 } // namespace denhartog
