@@ -180,7 +180,7 @@ Page audit_page(const Book& book) {
         "</p>\n<p>A claim is derived if one of its sides was built from the equation of motion or a condition set to it, and a "
         "refinement if its other side is a shipped formula; what is restated was typed by hand on one side. The premises are the "
         "paper's own assumptions that an equation rests on, however far. Roundings are no part of the proofs: they are measured "
-        "on \\ref accuracy_page.</p>\n"
+        "on \\ref accuracy_page \"the page on accuracy\".</p>\n"
         "<div class=\"table-box\" tabindex=\"0\">\n<table class=\"doxtable\">\n<tr><th>equation</th><th>claims by "
         "kind</th><th>as "
         "printed</th><th>as shipped</th><th>what remains assumed</th></tr>\n";
