@@ -17,6 +17,19 @@
 
 namespace denhartog::tests {
 
+/// @brief Whether the programs are built under the address sanitizer.
+#if defined(__SANITIZE_ADDRESS__)
+inline constexpr bool with_address_sanitizer = true;
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer)
+inline constexpr bool with_address_sanitizer = true;
+#else
+inline constexpr bool with_address_sanitizer = false;
+#endif
+#else
+inline constexpr bool with_address_sanitizer = false;
+#endif
+
 /// @brief What a run left.
 struct Run {
     int status;         ///< exit status
