@@ -27,7 +27,9 @@ struct RefutationScene {
     std::string equation;                                  ///< the number of the equation
     std::string where;                                     ///< which system it is, in words
     System<double> system;                                 ///< the system
-    double mu, r, beta;                                    ///< static over kinetic friction, frequency ratio, friction ratio
+    double mu;                                             ///< static over kinetic friction, Eq. (3)
+    double r;                                              ///< frequency ratio, Eq. (10)
+    double beta;                                           ///< friction ratio, Eq. (11)
     bool slides;                                           ///< whether the contact is to slide throughout
     std::function<Compared(const SlidingScene&)> compared; ///< the comparison; without a state where the contact does not slide
 };
