@@ -160,12 +160,7 @@ TEST_CASE("a damping matrix rounded to double counts in more digits as the dampi
 TEST_CASE("next to a friction ratio at which a phase jumps, its bound holds or reaches to the other maximum",
           "[accuracy][eq:47]") {
     // Mass 1 has two largest displacements at some 0.17523764091237618; their phases are 2.709 and 0.944.
-    Scene<double> scene = three_masses(0.28);
-    scene.system.mass_ratios = {1, 1, 1.25, 3.25};
-    scene.system.stiffness_ratios = {1, 0.5, 0.5, 2};
-    scene.system.damping_ratios = {0.02, 0.02, 0.02, 0.02};
-    scene.system.contact = Mass{3};
-    scene.system.load = Mass{1};
+    Scene<double> scene = chain({1, 1, 1.25, 3.25}, {1, 0.5, 0.5, 2}, {0.02, 0.02, 0.02, 0.02}, 4, 2, 1, 0.28);
     const double jump = 0.17523764091237618;
     for (const double apart : {-1e-6, -1e-14, -1e-16, 1e-16, 1e-14, 1e-6}) {
         scene.beta = jump * (1 + apart);

@@ -96,12 +96,7 @@ TEST_CASE("between the boundaries the exact solver answers, to 30 digits as well
 
 TEST_CASE("in stick-slip next to a friction ratio at which a phase jumps, its bound holds", "[solve][accuracy]") {
     // Mass 1 has two largest displacements at some 0.29621107496888; their phases are -2.992 and 1.691.
-    Scene<double> scene = three_masses(0.32);
-    scene.system.mass_ratios = {1, 1, 1.75, 3};
-    scene.system.stiffness_ratios = {1, 0.75, 2.25, 1.5};
-    scene.system.damping_ratios = {0.02, 0.02, 0.02, 0.02};
-    scene.system.contact = Mass{2};
-    scene.system.load = Mass{1};
+    Scene<double> scene = chain({1, 1, 1.75, 3}, {1, 0.75, 2.25, 1.5}, {0.02, 0.02, 0.02, 0.02}, 3, 2, 1, 0.32);
     for (const double beta : {0.2962, 0.29621107496887694, 0.29621107496888466, 0.2963}) {
         scene.beta = beta;
         const Solution low = asking(scene, Asked::motion, 8), high = asking(scene, Asked::motion, 20);

@@ -1,15 +1,12 @@
 #include "denhartog/sliding/instants_of_maxima.hpp"
 
 #include <algorithm>
-#include <functional>
 #include <limits>
 #include <tuple>
 #include <utility>
 
 #include "denhartog/number/multiprecision.hpp"
 #include "denhartog/sliding/mass_in_motion.hpp"
-#include "denhartog/sliding/maximum.hpp"
-#include "denhartog/sliding/steady_state.hpp"
 #include "denhartog/sums/friction_motion.hpp"
 
 namespace denhartog {
@@ -57,19 +54,6 @@ T rate_of_friction(const ModeSums<T>& s, const std::vector<T>& weights, const Fr
     return best;
 }
 
-// How far the phases of the rivals are from that of the maximum; zero without a rival.
-template <class T>
-T spread_of_phases(const Maximum<T>& found, const std::function<T(const T&)>& displacement) {
-    const bool negative = displacement(found.instant) < 0;
-    T spread(0);
-    for (const Place<T>& rival : rivals(found.places, T(0), pi<T>())) {
-        const bool opposite = (displacement(rival.instant) < 0) != negative;
-        const T apart = wrapped(T(rival.instant - found.instant + (opposite ? pi<T>() : T(0))));
-        spread = std::max(spread, T(size_of_number(apart) + rival.reach));
-    }
-    return spread;
-}
-
 template <class T>
 std::pair<T, T> instant_and_spread(const ModeSums<T>& s, FrictionMotions<T>& y, const T& beta, std::size_t k, const T& error) {
     const MassInMotion<T> mass(s, k, beta);
@@ -90,7 +74,8 @@ std::pair<T, T> instant_and_spread(const ModeSums<T>& s, FrictionMotions<T>& y, 
     curve.cost = static_cast<long>(s.R.size() + 2) * cost_of_mode<T>(); // two for the search itself
     const Maximum<T> found =
         global_maximum<T>(curve, T(0), pi<T>(), T(2 * unit_of<T>() * terms), nullptr, std::numeric_limits<T>::lowest(), error);
-    return {found.instant, spread_of_phases<T>(found, [&](const T& tau) { return mass.at(tau, y.at(tau).y).x; })};
+    const auto is_negative = [&](const T& tau) { return mass.at(tau, y.at(tau).y).x < 0; };
+    return {found.instant, spread_of_phases(found.places, T(0), pi<T>(), found.instant, is_negative)};
 }
 
 } // namespace

@@ -2,13 +2,35 @@
 /// @brief Where the masses are farthest out while the contact slides.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
 #include "denhartog/scene/scene.hpp"
+#include "denhartog/sliding/maximum.hpp"
+#include "denhartog/sliding/steady_state.hpp"
 #include "denhartog/sums/mode_sums.hpp"
 
 namespace denhartog {
+
+/// @brief How far the phase of a displacement may be from that of its maximum.
+/// @param places       where the displacement may be the largest, in the order of time; no two touch
+/// @param a            start of the stretch
+/// @param b            its end, where the motion goes on as at a, or mirrored
+/// @param instant      the instant of the maximum
+/// @param is_negative  whether the displacement is negative at an instant
+/// @return             radians; zero where there is one place alone
+template <class T, class Sign>
+[[nodiscard]] T spread_of_phases(const std::vector<Place<T>>& places, const T& a, const T& b, const T& instant,
+                                 const Sign& is_negative) {
+    T spread(0);
+    for (const Place<T>& rival : rivals(places, a, b)) {
+        const bool opposite = is_negative(rival.instant) != is_negative(instant);
+        const T apart = wrapped(T(rival.instant - instant + (opposite ? pi<T>() : T(0))));
+        spread = std::max(spread, T(size_of_number(apart) + rival.reach));
+    }
+    return spread;
+}
 
 /// @brief Where the displacements of the masses are largest.
 template <class T>

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "denhartog/number/multiprecision.hpp"
-#include "denhartog/sliding/steady_state.hpp"
+#include "denhartog/sliding/instants_of_maxima.hpp"
 #include "denhartog/stick_slip/deviations.hpp"
 #include "denhartog/stick_slip/largest_displacement.hpp"
 #include "denhartog/sums/bounded_modes.hpp"
@@ -220,12 +220,9 @@ std::vector<Extremum<T>> ExactSolver<T>::largest_displacements(const T& error) {
     for (std::size_t k = 0; k < work.N; ++k) {
         if (k == j || places[k].empty()) continue;
         std::erase_if(places[k], [&](const Place<T>& place) { return place.upper < abs(largest[k].x) - 2 * error; });
-        for (const Place<T>& rival :
-             rivals(joined(std::move(places[k])), work.motion.phases.front().start, work.motion.phases.back().end)) {
-            const bool opposite = is_negative(k, rival.instant) != (largest[k].x < 0);
-            const T apart = wrapped(T(rival.instant - largest[k].instant + (opposite ? pi<T>() : T(0))));
-            largest[k].spread = std::max(largest[k].spread, T(abs(apart) + rival.reach));
-        }
+        largest[k].spread =
+            spread_of_phases(joined(std::move(places[k])), work.motion.phases.front().start, work.motion.phases.back().end,
+                             largest[k].instant, [&](const T& tau) { return is_negative(k, tau); });
     }
     return largest;
 }
