@@ -80,25 +80,7 @@ double monoharmonic_error(const SlidingScene& s, const std::function<double(std:
 
 /// Relative error of a boundary, with a sum S of one's own in (69).
 double boundary_error(const SlidingScene& s, double S, double correct) {
-    const ModeSums<double>& m = s.sums;
-    const std::size_t j = m.contact.index;
-    const double demand = std::max(S, paper::static_friction_demand(m.H_j, s.mu, m.sum_of_squares));
-    return std::abs(paper::friction_ratio_limit(m.V[j], m.U[j], demand) - correct) / correct;
-}
-
-/// Whether every mode of the scene meets (63) on its own at a friction ratio.
-bool every_mode_meets_63(const SlidingScene& s, double beta) {
-    SlidingScene at = s;
-    const ModeSums<double>& m = s.sums;
-    const std::size_t j = m.contact.index;
-    at.state.beta = beta;
-    at.state.phi_j = paper::phase_of_contact(m.V[j], m.U[j], beta);
-    for (std::size_t i = 0; i < m.R.size(); ++i) {
-        const ModeInScene<double> mode = mode_of(at, i);
-        const double load = paper::modal_contact_load_by_functions(mode, start_of_mode(at, i).eta_0, m.u[i], m.g[i], beta);
-        if (std::abs(load) <= mode.psi_ji * s.mu * beta) return false;
-    }
-    return true;
+    return std::abs(limit_with_sum(s, S) - correct) / correct;
 }
 
 /// Relative error of the boundary (67) where (63) is asked of every mode: the first friction ratio, in steps of 1/256 of (67), at

@@ -1,5 +1,9 @@
 #include "sliding_scenes.hpp"
 
+#include <algorithm>
+#include <cmath>
+
+#include "denhartog/formulas/boundary.hpp"
 #include "denhartog/formulas/modal_coordinate.hpp"
 #include "denhartog/model/modal_basis.hpp"
 #include "denhartog/number/errors.hpp"
@@ -48,6 +52,27 @@ InitialValues<double> start_of_mode(const SlidingScene& scene, std::size_t i) {
     return {
         m.psi_li * m.R * m.R * times_cosine(scene.sums.v[i], scene.state.phi_j) - m.psi_ji * m.R * m.R * scene.sums.g[i] * beta,
         -m.psi_li * m.R * m.R * times_sine(scene.sums.v[i], scene.state.phi_j) - m.psi_ji * m.R * m.R * scene.sums.u[i] * beta};
+}
+
+double limit_with_sum(const SlidingScene& scene, double S) {
+    const ModeSums<double>& m = scene.sums;
+    const std::size_t j = m.contact.index;
+    return paper::friction_ratio_limit(m.V[j], m.U[j],
+                                       std::max(S, paper::static_friction_demand(m.H_j, scene.mu, m.sum_of_squares)));
+}
+
+bool every_mode_meets_63(const SlidingScene& scene, double beta) {
+    SlidingScene at = scene;
+    const ModeSums<double>& m = scene.sums;
+    const std::size_t j = m.contact.index;
+    at.state.beta = beta;
+    at.state.phi_j = paper::phase_of_contact(m.V[j], m.U[j], beta);
+    for (std::size_t i = 0; i < m.R.size(); ++i) {
+        const ModeInScene<double> mode = mode_of(at, i);
+        const double load = paper::modal_contact_load_by_functions(mode, start_of_mode(at, i).eta_0, m.u[i], m.g[i], beta);
+        if (std::abs(load) <= mode.psi_ji * scene.mu * beta) return false;
+    }
+    return true;
 }
 
 } // namespace denhartog::derivation

@@ -19,13 +19,6 @@ Compared compared_limits(const SlidingScene& s, double printed) {
     return {slides_up_to, printed, s.boundary.exact, s.boundary.exact};
 }
 
-/// The boundary (69) with a sum S_dj of one's own.
-double limit_with_sum(const SlidingScene& s, double S) {
-    const ModeSums<double>& m = s.sums;
-    const std::size_t j = m.contact.index;
-    return paper::friction_ratio_limit(m.V[j], m.U[j], std::max(S, paper::static_friction_demand(m.H_j, s.mu, m.sum_of_squares)));
-}
-
 Compared sums_of_maxima(const SlidingScene& s) {
     return {"S_dj, what X_j + beta G_j has to exceed over beta", s.boundary.S_paper, s.boundary.S_exact, s.boundary.S_exact};
 }
@@ -55,26 +48,11 @@ Compared limit_with_70(const SlidingScene& s) {
     return compared_limits(s, paper::friction_ratio_limit(s.sums.V[s.sums.contact.index], s.sums.U[s.sums.contact.index], S));
 }
 
-/// Whether (63), which is (59) with (62) in it, holds for every mode on its own.
-bool every_mode_bears(const SlidingScene& s, double beta) {
-    SlidingScene at = s;
-    const ModeSums<double>& m = s.sums;
-    const std::size_t j = m.contact.index;
-    at.state.beta = beta;
-    at.state.phi_j = paper::phase_of_contact(m.V[j], m.U[j], beta);
-    for (std::size_t i = 0; i < m.R.size(); ++i) {
-        const ModeInScene<double> mode = mode_of(at, i);
-        const double load = paper::modal_contact_load_by_functions(mode, start_of_mode(at, i).eta_0, m.u[i], m.g[i], beta);
-        if (!(std::abs(load) > mode.psi_ji * s.mu * beta)) return false;
-    }
-    return true;
-}
-
 /// The first friction ratio at which a mode fails, in steps of 1/1024 of the boundary.
 Compared limit_mode_by_mode(const SlidingScene& s) {
     const int steps = 1024;
     int n = 1;
-    while (n < steps && every_mode_bears(s, s.boundary.exact * n / steps)) ++n;
+    while (n < steps && every_mode_meets_63(s, s.boundary.exact * n / steps)) ++n;
     return compared_limits(s, s.boundary.exact * n / steps);
 }
 
