@@ -36,6 +36,7 @@ struct PeerAnswer {
     bool sticks = false;              ///< it saw the contact at rest for part of the period or always
     long evaluations = 0;             ///< its own unit of work: right-hand sides, iterations, modes
     std::array<double, 3> beyond{};   ///< what a wider number has beyond `amplitude`, largest part first
+    std::function<double(double tau)> motion{}; ///< x_j at an instant, where the method has it for nothing; else empty
 };
 
 /// @brief Gives an answer its amplitude, all digits of a wider number kept.
