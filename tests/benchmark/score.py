@@ -129,7 +129,7 @@ def score_file(path, scenes):
             raise Refused(f"{path}, line {n}: {reason}") from None
     if not rows:
         raise Refused(f"{path}: there is no scene in it")
-    return rows
+    return rows + [[*head, name, "no", "", "", "", "", ""] for name in scenes if name not in seen]  # left out: not answered
 
 
 def read_scores(path):
@@ -162,13 +162,18 @@ def summary(rows):
     return errors, statistics.median(seconds) if seconds else None, told
 
 
+def worst(rows):
+    answered = [row for row in rows if row["error"] is not None]
+    return "{error:.0e} {scene}".format(**max(answered, key=lambda row: row["error"])) if answered else "-"
+
+
 def table(groups):
     lines = [["method", "setting", "answered", "within 1e-3", "1e-6", "1e-9", "median", "worst", "stops right", "seconds"]]
     for (method, setting), rows in groups.items():
         errors, seconds, told = summary(rows)
         lines.append([method, setting, f"{len(errors)} of {len(rows)}"] +
                      [str(sum(e <= limit for e in errors)) for limit in (1e-3, 1e-6, 1e-9)] +
-                     [f"{statistics.median(errors):.0e}" if errors else "-", f"{errors[-1]:.0e}" if errors else "-",
+                     [f"{statistics.median(errors):.0e}" if errors else "-", worst(rows),
                       f"{told.count('right')} of {len(told)}" if told else "-", f"{seconds:.1g}" if seconds is not None else "-"])
     return laid_out(lines)
 
@@ -190,7 +195,8 @@ def picture(groups):
     seconds a scene, share of scenes within 1e-3."""
     methods, text = {}, []
     for (method, setting), rows in groups.items():
-        methods.setdefault(method, []).append((setting, rows))
+        bounded = " and max_step" if "max_step" in setting else ""
+        methods.setdefault(method + bounded, []).append((setting, rows))
     for n, (method, settings) in enumerate(methods.items(), 1):
         text += [f"# name {n} {method}", f"# method={n};"]
         for _, rows in settings:

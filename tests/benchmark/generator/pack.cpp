@@ -130,6 +130,16 @@ std::string manifest(const std::vector<CertifiedScene>& scenes, const std::map<s
         "x_i = x_i' = 0 at t = 0; the motion given is the one that this start leads to; its t = 0 is a maximum of the force"};
     m["bound"] =
         "every number is correctly rounded to 17 significant digits: its error is at most half a unit of the last of them";
+    m["rules"] = {
+        {"creep", "the contact rests for more than a quarter of the period"},
+        {"missed event",
+         "a rest or a slide is shorter than 1/32 of the period, or there are more than four of them, or nothing moves in a rest"},
+        {"trapped event", "F is within 1/1000 of the friction that parts two regimes"},
+        {"transient", "from rest more than 50 periods to 1e-6 of the settled motion"},
+        {"static friction", "F_static is above F"},
+        {"hard", "F within 1/1000 of a boundary, or a rest or slide below 1/128 of the period, or more than 400 periods to 1e-6"},
+        {"easy", "F not within 1/64 of a boundary, none below 1/32, at most 50 periods, F_static = F"},
+        {"medium", "else"}};
     for (const char* of : {"difficulty", "regime"}) {
         std::map<std::string, int> counts;
         for (const CertifiedScene& s : scenes) ++counts[std::string(of) == "regime" ? s.regime : s.difficulty];

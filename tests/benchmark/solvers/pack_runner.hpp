@@ -20,9 +20,9 @@ struct Ran {
 
 /// @brief A solver at one setting.
 struct PackSolver {
-    std::string method;                                 ///< e.g. `SUNDIALS CVODE`
-    std::string setting;                                ///< e.g. `tolerance 1e-06`
-    std::function<Ran(const Scene<double>&)> solve{};   ///< solves a scene; whatever it throws is its failure
+    std::string method;                               ///< e.g. `SUNDIALS CVODE`
+    std::string setting;                              ///< e.g. `tolerance 1e-06`
+    std::function<Ran(const Scene<double>&)> solve{}; ///< solves a scene; whatever it throws is its failure
 };
 
 /// @brief Instants of a period that the pack has.

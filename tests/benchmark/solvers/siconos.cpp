@@ -5,6 +5,7 @@
 int main(int argc, char** argv) {
     using namespace denhartog::tests;
     return run_pack(argc, argv, [](const std::string& steps, double budget) {
-        return settled("Siconos, Moreau-Jean", steps + " steps a period", siconos_time_integrator(static_cast<int>(positive(steps))), budget);
+        return settled("Siconos, Moreau-Jean", steps + " steps a period",
+                       siconos_time_integrator(static_cast<int>(positive(steps))), budget);
     });
 }

@@ -1,5 +1,7 @@
 #!/usr/bin/env python3
-"""scipy's solve_ivp with events over the pack: solve_ivp.py RTOL PACK [BUDGET] [EVERY]. Results to standard output.
+"""scipy's solve_ivp with events over the pack: solve_ivp.py RTOL PARTS PACK [BUDGET] [EVERY]. Results to standard output.
+
+A step is at most a PARTS-th of a period; 0: as long as the integrator likes, which is scipy's own setting.
 
 As people write it: sliding until the contact's velocity is zero, then friction decides whether it sticks; sticking until the load
 on the contact reaches static friction. From rest, for as many periods as the pack says bring transients down to RTOL.
@@ -13,9 +15,9 @@ import numpy as np
 import scipy
 from scipy.integrate import solve_ivp
 
-RTOL, PACK = float(sys.argv[1]), sys.argv[2]
-BUDGET = float(sys.argv[3]) if len(sys.argv) > 3 else 10.0
-EVERY = int(sys.argv[4]) if len(sys.argv) > 4 else 1
+RTOL, PARTS, PACK = float(sys.argv[1]), int(sys.argv[2]), sys.argv[3]
+BUDGET = float(sys.argv[4]) if len(sys.argv) > 4 else 10.0
+EVERY = int(sys.argv[5]) if len(sys.argv) > 5 else 1
 MOST_EVENTS = 200  # in a period
 
 
@@ -62,7 +64,8 @@ def settled(scene, start):
         while t < period:
             event = breaks if chain.direction == 0 else turns
             turns.direction = -chain.direction
-            run = solve_ivp(chain, (t, period), y, rtol=RTOL, atol=RTOL * 1e-3, events=event, dense_output=last)
+            run = solve_ivp(chain, (t, period), y, rtol=RTOL, atol=RTOL * 1e-3, events=event, dense_output=last,
+                            max_step=period / PARTS if PARTS else np.inf)
             if last:
                 inside = (instants >= t) & (instants <= run.t[-1])
                 samples[:, inside] = run.sol(instants[inside])[:chain.N] if inside.any() else samples[:, inside]
@@ -92,7 +95,7 @@ def settled(scene, start):
     return samples, stops
 
 
-print(json.dumps({"method": "scipy solve_ivp with events, RK45", "setting": f"rtol {RTOL:.0e}", "version": scipy.__version__}))
+print(json.dumps({"method": "scipy solve_ivp with events, RK45", "setting": f"rtol {RTOL:.0e}" + (f", max_step T/{PARTS}" if PARTS else ""), "version": scipy.__version__}))
 with open(PACK, encoding="utf-8") as file:
     scenes = json.load(file)
 for scene in scenes[::EVERY]:

@@ -43,7 +43,9 @@ PeriodRecord paper_period(const ContactProblem& problem, double tolerance, const
 
 std::vector<Stage> paper_stages(const Scene<double>& scene, double tolerance) {
     const ContactProblem problem = contact_problem(scene);
-    const auto period = [problem, tolerance](const std::vector<double>& y, int nodes) { return paper_period(problem, tolerance, y, nodes); };
+    const auto period = [problem, tolerance](const std::vector<double>& y, int nodes) {
+        return paper_period(problem, tolerance, y, nodes);
+    };
     return {{period, 10 * tolerance, 1000, 16384}};
 }
 
