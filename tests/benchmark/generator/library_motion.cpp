@@ -26,6 +26,8 @@ Motion library_motion(const Scene<double>& in_double) {
     const std::size_t N = in_double.system.mass_ratios.size(), j = scene.system.contact.index;
     OrbitSearch<Real50> search;
     search.most_periods = most_periods;
+    search.with_stability = false;
+    search.contact_only = true;
     const PeriodicOrbit<Real50> orbit = periodic_orbit(solver, at_rest<Real50>(N), search);
     if (orbit.status == OrbitStatus::not_converged || orbit.periods != 1 || orbit.touching > 0)
         throw DomainError("no motion of one period from rest: " + orbit.reason);
@@ -33,8 +35,6 @@ Motion library_motion(const Scene<double>& in_double) {
     Motion motion;
     motion.rests = orbit.status == OrbitStatus::permanently_stuck;
     if (motion.rests && abs(orbit.start.x[j]) > no_motion) throw DomainError("the contact does not come to rest at zero");
-    motion.error_bound = static_cast<double>(orbit.error_bound);
-    motion.largest_multiplier = orbit.multipliers.empty() ? 0 : std::abs(orbit.multipliers.front());
     const Real50 period = 2 * pi<Real50>();
     const ExactMotion<Real50> run = solver.run(orbit.start, Real50(0), period);
     motion.at_start = run.phases.front().direction;

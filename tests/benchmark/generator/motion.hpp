@@ -31,8 +31,6 @@ struct Motion {
     std::vector<State<Real50>> samples;       ///< at tau = 2 pi n / instants
     std::vector<Real50> amplitude;            ///< of each mass: largest |x_k|
     std::vector<std::optional<Real50>> phase; ///< lag behind the force in (-pi, pi]; none where the mass does not move
-    double error_bound = 0;                   ///< of displacements, by the library; 0 where the route has none
-    std::optional<double> largest_multiplier; ///< of what is left of transients after a period; the library's route alone
     bool rests = false;                       ///< the contact rests for ever
 };
 
