@@ -1,9 +1,9 @@
 # Work against precision on the benchmark of forced scenes: processor seconds a scene against digits of the displacements; a line
 # is a method, a point a setting, filled where every scene is within 1e-3. `./verify chart` measures anew; until then the data are
-# those of the repository.
+# those beside this script.
 width = 1240; height = 560
 load '../style.gp'
-if (system("test -s '".data."' && echo yes") ne 'yes') data = '../../tests/benchmark/work_precision.dat'
+if (system("test -s '".data."' && echo yes") ne 'yes') data = 'benchmark_work_precision.dat'
 names = int(system("grep -c '^# name ' ".data))
 entry(n) = system(sprintf("sed -n 's/^# name %d //p' %s", n, data))
 array open_mark[8] = [6, 4, 8, 10, 12, 14, 6, 4]

@@ -163,7 +163,7 @@ TEST_CASE("the scores in the repository are what the solvers give") {
         {"'" + solver + "' harmonic-balance 15" + scenes + " --every 9", "harmonic balance", "15 harmonics"}};
     const std::string python = run_shell("python3 -c 'import scipy'").status == 0 ? "python3" : "/usr/bin/python3";
     if (run_shell(python + " -c 'import scipy'").status == 0)
-        samples.push_back({python + " '" + source_file("tests/benchmark/solvers/solve_ivp.py") + "' 1e-6 16" + scenes + " 60 13",
+        samples.push_back({python + " '" + source_file("tests/benchmark/solvers/solve_ivp.py") + "' 1e-6 16" + scenes + " 60 12",
                            "scipy solve_ivp with events, RK45", "rtol 1e-06, max_step T/16"});
     else
         WARN("scipy is not there: its scores have not been compared");
@@ -194,7 +194,7 @@ TEST_CASE("the picture of the benchmark is drawn from the scores in the reposito
     }
     const std::string benchmark = source_file("tests/benchmark");
     const Run run = run_shell("python3 '" + benchmark + "/score.py' picture '" + benchmark + "/scores.csv'");
-    CHECK(run.output == content_of(benchmark + "/work_precision.dat"));
+    CHECK(run.output == content_of(source_file("paper-figures/beyond/benchmark_work_precision.dat")));
 }
 
 } // namespace denhartog::tests

@@ -49,7 +49,10 @@ struct Motion {
 [[nodiscard]] Motion physical_motion(const Scene<double>& scene, const Motion& seen);
 
 /// @brief Decimal digits on which two motions agree, counted to 40: of displacements and velocities against the largest of all,
-/// of instants and phases in radians. @param a a motion @param b the same by another route @return the least; -1 where they differ in kind
+/// of instants and phases in radians.
+/// @param a  a motion
+/// @param b  the same by another route
+/// @return   the least; -1 where they differ in kind
 [[nodiscard]] int agreement(const Motion& a, const Motion& b);
 
 /// @brief Periods from rest at zero until all displacements and velocities at the maximum of the force are those of the settled

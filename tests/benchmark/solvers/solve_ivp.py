@@ -95,7 +95,8 @@ def settled(scene, start):
     return samples, stops
 
 
-print(json.dumps({"method": "scipy solve_ivp with events, RK45", "setting": f"rtol {RTOL:.0e}" + (f", max_step T/{PARTS}" if PARTS else ""), "version": scipy.__version__}))
+setting = f"rtol {RTOL:.0e}" + (f", max_step T/{PARTS}" if PARTS else "")
+print(json.dumps({"method": "scipy solve_ivp with events, RK45", "setting": setting, "version": scipy.__version__}))
 with open(PACK, encoding="utf-8") as file:
     scenes = json.load(file)
 for scene in scenes[::EVERY]:
