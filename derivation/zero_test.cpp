@@ -92,6 +92,32 @@ private:
     int drawn_ = 0;
 };
 
+/// The symbols in which two expressions are polynomials and which stand in no generator.
+std::vector<ex> free_symbols(const ex& left, const ex& right, const std::vector<Range>& domain, const Generators& generators) {
+    std::vector<ex> free;
+    for (const Range& range : domain) {
+        const ex& x = range.symbol;
+        const auto in_meaning = [&x](const auto& generator) { return generator.second.has(x); };
+        if (left.is_polynomial(x) && right.is_polynomial(x) &&
+            std::none_of(generators.names.begin(), generators.names.end(), in_meaning))
+            free.push_back(x);
+    }
+    return free;
+}
+
+/// The coefficients of an expression by the powers of its free symbols: it is zero where each of them is.
+std::vector<ex> coefficients(const ex& e, const std::vector<ex>& free) {
+    std::vector<ex> parts{e.expand()};
+    for (const ex& x : free) {
+        std::vector<ex> finer;
+        for (const ex& part : parts)
+            for (int n = part.ldegree(x); n <= part.degree(x); ++n)
+                if (const ex c = part.coeff(x, n); !c.is_zero()) finer.push_back(c);
+        parts = std::move(finer);
+    }
+    return parts;
+}
+
 bool is_real_value(const numeric& n) { return abs(n.imag()) <= abs(n.real()) * numeric("1e-50"); }
 
 std::string text(const numeric& n) {
@@ -177,9 +203,11 @@ Decision decide_equal(const ex& left, const ex& right, const std::vector<Range>&
         generators.collect(left, false);
         for (const ex& e : real) (void)generators.rewrite(e, true);
         const ex r = generators.rewrite(right, true), l = generators.rewrite(left, false);
-        zero = generators.reduced_numerator(l - r).is_zero();
-        generators.note_divisions(l);
-        generators.note_divisions(r);
+        const std::vector<ex> free = free_symbols(l, r, domain, generators);
+        zero = true;
+        for (const ex& c : coefficients(l - r, free)) zero = zero && generators.reduced_numerator(c).is_zero();
+        for (const ex& side : {l, r})
+            for (const ex& c : coefficients(side, free)) generators.note_divisions(c);
         decision.denominators = generators.denominators;
         decision.generators = generators.names;
         decision.roots = generators.roots;

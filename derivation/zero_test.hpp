@@ -9,7 +9,8 @@
 ///    \f$ \sqrt{(1+x/\rho)/2} \f$;
 ///  - an exponential e of a real quantity, without relation; hyperbolic functions through it.
 ///
-/// The result is brought over one denominator and its numerator reduced by the relations. Remainder zero proves that the
+/// A polynomial of symbols that stand in no generator is zero where each of its coefficients is, so that these are tried one by
+/// one: a sum over modes falls apart into its modes. Each is brought over one denominator and its numerator reduced by the relations. Remainder zero proves that the
 /// expression is zero wherever the denominators are not, and these are reported with the proof. A remainder that is not zero
 /// proves nothing: the expression is then evaluated with 50 digits at points of the declared domain, and a value that is
 /// clearly not zero refutes it, with that point as witness. What is neither is unknown. Points where the second expression has

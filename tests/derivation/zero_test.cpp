@@ -1,6 +1,8 @@
 // The trusted base: what is zero is proved, what is not is refuted with a witness, near misses included.
 #include "zero_test.hpp"
 
+#include <algorithm>
+
 #include "claim.hpp"
 #include "symbols.hpp"
 #include "tests/catch.hpp"
@@ -31,6 +33,24 @@ TEST_CASE("known identities are proved", "[zero_test]") {
     CHECK(verdict((R * R - 1) / (R - 1), R + 1) == Verdict::proved);
 }
 
+TEST_CASE("a polynomial is zero where its coefficients are, and they are divided by what it is divided by", "[zero_test]") {
+    const Symbols& s = symbols();
+    const ex a = s.tau, R = s.R, zeta = s.zeta, beta = s.beta, U = s.U_j;
+    const ex one = pow(sin(a), 2) + pow(cos(a), 2);
+    CHECK(verdict(beta * beta * one + U * one, beta * beta + U) == Verdict::proved);
+    CHECK(verdict(beta * beta * one + U * one, beta * beta + 2 * U) == Verdict::refuted);
+    CHECK(verdict(beta * beta * one + U * one, beta * beta + U + numeric("1/1000000000000000000000000") * U) == Verdict::refuted);
+    // zeta stands under the root too, so that its coefficients alone are not zero
+    CHECK(verdict(zeta * zeta + sqrt(1 - zeta * zeta) * sqrt((1 - zeta) * (1 + zeta)), 1) == Verdict::proved);
+
+    const ex left = beta / (R - 1) + U / (R + 1), right = (beta * (R + 1) + U * (R - 1)) / (R * R - 1);
+    const Decision decision = decide_equal(left, right, domain_of({left, right}));
+    CHECK(decision.verdict == Verdict::proved);
+    for (const int pole : {1, -1})
+        CHECK(std::any_of(decision.denominators.begin(), decision.denominators.end(),
+                          [&](const ex& d) { return d.subs(R == pole).is_zero(); }));
+}
+
 TEST_CASE("near identities are refuted with a witness", "[zero_test]") {
     const Symbols& s = symbols();
     const ex a = s.tau, tiny = numeric("1/1000000000000000000000000");
@@ -47,8 +67,9 @@ TEST_CASE("near identities are refuted with a witness", "[zero_test]") {
 
 TEST_CASE("what cannot be decided is unknown, never proved", "[zero_test]") {
     const Symbols& s = symbols();
-    CHECK(verdict(sqrt(2 * s.R) * sqrt(2 * s.R + 2), 2 * sqrt(s.R * s.R + s.R)) != Verdict::refuted); // true, whatever the base makes of it
-    CHECK(verdict(tan(s.tau), sin(s.tau) / cos(s.tau)) == Verdict::unknown);                        // a function it does not know
+    CHECK(verdict(sqrt(2 * s.R) * sqrt(2 * s.R + 2), 2 * sqrt(s.R * s.R + s.R)) !=
+          Verdict::refuted);                                                 // true, whatever the base makes of it
+    CHECK(verdict(tan(s.tau), sin(s.tau) / cos(s.tau)) == Verdict::unknown); // a function it does not know
     CHECK(verdict(sqrt(-1 - s.R), sqrt(-1 - s.R)) != Verdict::refuted);
     CHECK(verdict(sqrt(-1 - s.R), sqrt(-1 - s.R)) != Verdict::proved); // no real value anywhere in the domain
 }
