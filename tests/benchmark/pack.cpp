@@ -35,6 +35,20 @@ TEST_CASE("the benchmark's pack comes out the same to the last byte when both ro
     CHECK(there == files.size());
 }
 
+TEST_CASE("the two routes to a motion of the benchmark tell a friction from one that is 1e-12 larger", "[eq:6]") {
+    for (const std::size_t n : {0, 5, 17, 30, 43}) {
+        const benchmark::Design d = benchmark::designs()[n];
+        const double F = scenes()[n].at("F");
+        INFO(d.id);
+        const benchmark::Motion motion = benchmark::library_motion(benchmark::scene_of(d, F));
+        CHECK(benchmark::agreement(motion, benchmark::physical_motion(benchmark::scene_of(d, F), motion)) > 30);
+        const int digits =
+            benchmark::agreement(motion, benchmark::physical_motion(benchmark::scene_of(d, F * (1 + 1e-12)), motion));
+        CHECK(digits >= 6); // next to the onset of stops their instants go with the root of the distance
+        CHECK(digits <= 13);
+    }
+}
+
 TEST_CASE("the paper's Runge-Kutta from rest comes to the motions of the benchmark", "[eq:6][eq:74][eq:75]") {
     const auto designs = benchmark::designs();
     REQUIRE(designs.size() == scenes().size());
