@@ -119,6 +119,10 @@ markdown {
     if (!code) {
         if (/^# / && !/\{#/ && !titled++ && page_label(FILENAME) != "index") $0 = $0 " {#" page_label(FILENAME) "}"
         gsub(/\]\(\.\.\/paper-figures\/README\.md\)/, "](@ref figures_page)")
+        if (match($0, /^!\[.*\]\(\.\.\/build\/verify\/figures\/[a-z_]+\.svg\)$/)) { # a picture, alone on its line
+            split(substr($0, 3, length($0) - 3), picture, /\]\(\.\.\/build\/verify\//)
+            $0 = "<p><a href=\"" picture[2] "\"><img src=\"" picture[2] "\" alt=\"" picture[1] "\"></a></p>"
+        }
         $0 = sources(/^#/ ? formulas($0) : numbers(formulas($0)))
     }
     print

@@ -125,6 +125,15 @@ public:
         return largest;
     }
 
+    /// x_j at an instant.
+    [[nodiscard]] std::function<double(double)> motion() const {
+        return [X = displacement(lambda_), n = transform_.n](double tau) {
+            double x = 0;
+            for (Eigen::Index k = 0; k < X.size(); ++k) x += (X(k) * std::polar(1.0, n(k) * tau)).real();
+            return x;
+        };
+    }
+
     /// Whether the contact rests: where its velocity is zero, what acts on it but friction is less than friction can be.
     [[nodiscard]] bool rests() const {
         const Eigen::VectorXcd X = displacement(lambda_);
@@ -225,6 +234,7 @@ PeerAnswer answer(const ContactReceptance& system, const Transform& transform, c
     }
     found.amplitude = balance.largest_displacement();
     found.sticks = balance.rests();
+    found.motion = balance.motion();
     return found;
 }
 

@@ -31,11 +31,12 @@ enum class Ending { answered, did_not_finish, stalled, not_a_number, outside_dom
 
 /// @brief What a method says at a point.
 struct PeerAnswer {
-    Ending ending = Ending::answered; ///< how it ended
-    double amplitude = 0;             ///< X_j, where it answered
-    bool sticks = false;              ///< it saw the contact at rest for part of the period or always
-    long evaluations = 0;             ///< its own unit of work: right-hand sides, iterations, modes
-    std::array<double, 3> beyond{};   ///< what a wider number has beyond `amplitude`, largest part first
+    Ending ending = Ending::answered;           ///< how it ended
+    double amplitude = 0;                       ///< X_j, where it answered
+    bool sticks = false;                        ///< it saw the contact at rest for part of the period or always
+    long evaluations = 0;                       ///< its own unit of work: right-hand sides, iterations, modes
+    std::array<double, 3> beyond{};             ///< what a wider number has beyond `amplitude`, largest part first
+    std::function<double(double tau)> motion{}; ///< x_j at an instant, where the method has it for nothing; else empty
 };
 
 /// @brief Gives an answer its amplitude, all digits of a wider number kept.

@@ -54,4 +54,7 @@ struct TimeIntegrator {
     std::function<std::string(const Scene<double>&)> declines = [](const Scene<double>&) { return std::string(); };
 };
 
+/// @brief A number as names and sentences have it. @param x the number @return its first figure and its exponent, e.g. `1e-12`
+[[nodiscard]] std::string brief(double x);
+
 } // namespace denhartog::tests

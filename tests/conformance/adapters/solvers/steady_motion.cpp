@@ -74,12 +74,6 @@ private:
     std::vector<Vector> states_;
 };
 
-std::string brief(double x) {
-    std::array<char, 16> text{};
-    std::snprintf(text.data(), text.size(), "%.0e", x);
-    return text.data();
-}
-
 struct Settled {
     std::string why_not; // empty where it has
     std::vector<double> y;
@@ -208,6 +202,12 @@ double wrapped(double angle) {
 }
 
 } // namespace
+
+std::string brief(double x) {
+    std::array<char, 16> text{};
+    std::snprintf(text.data(), text.size(), "%.0e", x);
+    return text.data();
+}
 
 SteadyMotion steady_motion(const Scene<double>& scene, const TimeIntegrator& integrator) {
     const std::vector<Stage> stages = integrator.prepare(scene);

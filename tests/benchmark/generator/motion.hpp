@@ -1,0 +1,67 @@
+/// @file
+/// @brief The settled motion of a scene by two routes in 50 digits: the library's periodic orbit, and the physical coordinates.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "denhartog/number/multiprecision.hpp"
+#include "denhartog/scene/scene.hpp"
+#include "denhartog/stick_slip/motion_record.hpp"
+
+namespace denhartog::benchmark {
+
+/// @brief Instants of a period at which the motion is given.
+inline constexpr int instants = 64;
+/// @brief What is smaller is rounding: the number is zero.
+inline constexpr double no_motion = 1e-30;
+
+/// @brief Where the contact's motion changes: it comes to rest, breaks away, or turns without a rest.
+struct Event {
+    Real50 tau; ///< instant, from the maximum of the force, in [0, 2 pi)
+    int before; ///< sign of the contact's velocity before it, 0 where it rests
+    int after;  ///< the same after it
+    Real50 x;   ///< displacement of the contact there
+};
+
+/// @brief A settled motion.
+struct Motion {
+    int at_start = 0;                         ///< sign of the contact's velocity at the maximum of the force, 0 where it rests
+    std::vector<Event> events;                ///< within a period, ascending
+    std::vector<State<Real50>> samples;       ///< at tau = 2 pi n / instants
+    std::vector<Real50> amplitude;            ///< of each mass: largest |x_k|
+    std::vector<std::optional<Real50>> phase; ///< lag behind the force in (-pi, pi]; none where the mass does not move
+    bool rests = false;                       ///< the contact rests for ever
+};
+
+/// @brief The motion from rest at zero by the library: Newton shooting on the exact solver.
+/// @param scene  the scene
+/// @return       the motion
+/// @throws       DomainError where it is not one period of the force long, or an event is decided by rounding
+[[nodiscard]] Motion library_motion(const Scene<double>& scene);
+
+/// @brief The same motion as one boundary-value problem on physical coordinates: the state at the maximum of the force and the
+/// instants of all events by Newton's method, phases by matrix exponentials. Nothing here knows of modes.
+/// @param scene  the scene
+/// @param seen   the motion by another route: its order of phases is taken over, its numbers rounded to doubles are the start
+/// @return       the motion
+/// @throws       DomainError where Newton's method does not converge or a phase does not move as it should
+[[nodiscard]] Motion physical_motion(const Scene<double>& scene, const Motion& seen);
+
+/// @brief Decimal digits on which two motions agree, counted to 40: of displacements and velocities against the largest of all,
+/// of instants and phases in radians.
+/// @param a  a motion
+/// @param b  the same by another route
+/// @return   the least; -1 where they differ in kind
+[[nodiscard]] int agreement(const Motion& a, const Motion& b);
+
+/// @brief Periods from rest at zero until all displacements and velocities at the maximum of the force are those of the settled
+/// motion to a tolerance times the largest of them; counted in double.
+/// @param scene       the scene
+/// @param settled     its settled motion
+/// @param tolerances  tolerances, descending
+/// @return            periods; 0 for one that was not reached
+[[nodiscard]] std::vector<int> periods_to_settle(const Scene<double>& scene, const Motion& settled,
+                                                 const std::vector<double>& tolerances);
+
+} // namespace denhartog::benchmark
