@@ -12,17 +12,24 @@ namespace {
 
 constexpr double nearer_than_truth = 0.1;
 constexpr std::size_t least_explained = 3;
-constexpr double least_consistency = 0.9;
+constexpr double least_consistency = 0.95; // of what it explains and what contradicts it
+constexpr double least_share = 0.5;        // of all that it would have made wrong
+constexpr std::size_t least_words = 17;    // 2^-17 times the number of mistakes is below a thousandth
 
 // What an answer says about a mistake.
 enum class Says { nothing, agrees, contradicts };
 
-// Whether the mistake's answer would be judged wrong.
-bool is_wrong(const Vector& v, const Value& mistaken) {
+// Whether the mistake's answer would be judged wrong, and the answer of a program that makes it as well.
+bool is_wrong(const Vector& v, const Value& mistaken, double near) {
     if (!v.word.empty() || !mistaken.word.empty()) return mistaken.word != v.word;
     if (mistaken.numbers.size() != v.nearest.size()) return true;
     const double apart = difference(quantity(v.question.quantity), mistaken.numbers, v.nearest).size;
-    return apart > v.tolerance.inaccurate * v.scale;
+    return apart > std::max(v.tolerance.inaccurate * v.scale, near / nearer_than_truth * size_of(mistaken.numbers));
+}
+
+// Answers that a guess may hit: names of regimes, and numbers of stops.
+bool is_word(const Vector& v) {
+    return !v.word.empty() || v.question.quantity == "stops_per_period" || v.question.quantity == "stop_durations";
 }
 
 bool agrees(const Vector& v, const Value& given, const Value& mistaken, double near) {
@@ -65,46 +72,91 @@ private:
         const std::optional<Value> value = mistaken(n);
         if (!value) return Says::nothing;
         if (is_wrong_value(one.verdict) && agrees(*one.vector, one.given, *value, mistake.agreement)) return Says::agrees;
-        return is_wrong(*one.vector, *value) ? Says::contradicts : Says::nothing;
+        return is_wrong(*one.vector, *value, mistake.agreement) ? Says::contradicts : Says::nothing;
     }
 };
 
-Finding weigh(std::span<Judged> judged, Evidence& evidence, const std::vector<std::size_t>& left,
-              const std::set<std::size_t>& set_aside) {
+// A mistake with all that speaks for it and against it.
+struct Weighed {
     Finding finding;
+    std::size_t numbers = 0;    // of those explained
+    std::size_t made_wrong = 0; // all answers that it would make wrong
+    bool numbers_asked = false; // whether a number is among these
+};
+
+bool counts_against(const Judged& one, const std::set<std::string>& explained) {
+    return is_right(one.verdict) || explained.contains(one.vector->question.quantity);
+}
+
+Weighed weigh(std::span<Judged> judged, Evidence& evidence, const std::vector<std::size_t>& left,
+              const std::set<std::size_t>& set_aside) {
+    Weighed weighed;
+    Finding& finding = weighed.finding;
     finding.mistake = &evidence.about();
     std::set<std::string> of;
     std::optional<std::size_t> example;
     for (const std::size_t n : left) {
         if (evidence.says(n) != Says::agrees) continue;
         ++finding.explained;
+        weighed.numbers += !is_word(*judged[n].vector);
         of.insert(judged[n].vector->question.quantity);
         if (!example || judged[n].error.value_or(0) > judged[*example].error.value_or(0)) example = n;
     }
-    if (!example) return finding;
+    if (!example || finding.explained < std::min(least_explained, left.size())) return weighed;
     finding.example = &judged[*example];
     finding.mistaken = evidence.mistaken(*example).value_or(Value{});
-    for (std::size_t n = 0; n < judged.size(); ++n)
-        if (of.contains(judged[n].vector->question.quantity) && !set_aside.contains(n) && evidence.says(n) == Says::contradicts)
-            ++finding.contradicted;
+    for (std::size_t n = 0; n < judged.size(); ++n) {
+        if (set_aside.contains(n) || evidence.says(n) == Says::nothing) continue;
+        ++weighed.made_wrong;
+        weighed.numbers_asked = weighed.numbers_asked || !is_word(*judged[n].vector);
+        if (evidence.says(n) == Says::contradicts && counts_against(judged[n], of)) ++finding.contradicted;
+    }
     finding.quantities.assign(of.begin(), of.end());
-    return finding;
+    finding.weak = finding.explained < least_explained;
+    return weighed;
 }
 
-bool is_accepted(const Finding& finding, std::size_t left) {
-    const auto explained = static_cast<double>(finding.explained);
-    const double consistency = explained / (explained + static_cast<double>(finding.contradicted));
-    return finding.explained >= std::min(least_explained, left) && consistency >= least_consistency;
+double share(std::size_t part, std::size_t whole) { return static_cast<double>(part) / static_cast<double>(whole); }
+
+bool is_accepted(const Weighed& weighed, std::size_t wrong) {
+    const Finding& finding = weighed.finding;
+    if (finding.explained < std::min(least_explained, wrong)) return false;
+    if (weighed.numbers_asked ? weighed.numbers == 0 : finding.explained < std::min(least_words, wrong)) return false;
+    return share(finding.explained, finding.explained + finding.contradicted) >= least_consistency &&
+           share(finding.explained, weighed.made_wrong) >= least_share;
+}
+
+// Some answers to every quantity, wrong ones that are left and right ones, from all over the list.
+std::vector<std::size_t> some_answers(std::span<const Judged> judged, const std::vector<std::size_t>& left) {
+    constexpr std::size_t wrong_ones = 8, right_ones = 4;
+    std::map<std::string, std::vector<std::size_t>> wrong, right;
+    for (const std::size_t n : left) wrong[judged[n].vector->question.quantity].push_back(n);
+    for (std::size_t n = 0; n < judged.size(); ++n)
+        if (judged[n].answered && is_right(judged[n].verdict)) right[judged[n].vector->question.quantity].push_back(n);
+    std::vector<std::size_t> some;
+    for (const auto& [all, most] : {std::pair(&wrong, wrong_ones), std::pair(&right, right_ones)})
+        for (const auto& [quantity, of_one] : *all)
+            for (std::size_t n = 0; n < std::min(most, of_one.size()); ++n)
+                some.push_back(of_one[n * of_one.size() / std::min(most, of_one.size())]);
+    return some;
+}
+
+// Whether a mistake may explain what is wrong, by some answers: most mistakes do not, and need no look at all the others.
+bool is_possible(std::span<const Judged> judged, Evidence& evidence, const std::vector<std::size_t>& some) {
+    std::size_t agrees = 0, contradicts = 0;
+    for (const std::size_t n : some) {
+        agrees += evidence.says(n) == Says::agrees;
+        contradicts += evidence.says(n) == Says::contradicts && is_right(judged[n].verdict);
+    }
+    return agrees > 0 && contradicts <= agrees;
 }
 
 long balance(const Finding& finding) { return static_cast<long>(finding.explained) - static_cast<long>(finding.contradicted); }
 
-// Answers to whatever quantity that a mistake contradicts: of two that explain the same, the one with fewer is meant.
-std::size_t contradicted_anywhere(std::size_t count, Evidence& evidence, const std::set<std::size_t>& set_aside) {
-    std::size_t contradicted = 0;
-    for (std::size_t n = 0; n < count; ++n)
-        if (!set_aside.contains(n) && evidence.says(n) == Says::contradicts) ++contradicted;
-    return contradicted;
+// Of two mistakes, the one that is told first.
+bool is_before(const Weighed& a, const Weighed& b) {
+    if (balance(a.finding) != balance(b.finding)) return balance(a.finding) > balance(b.finding);
+    return a.made_wrong < b.made_wrong;
 }
 
 void call_as_printed(Judged& one, const Mistake& mistake) {
@@ -128,32 +180,26 @@ Diagnosis diagnose(std::span<Judged> judged, const Signatures& signatures) {
     for (const Mistake& mistake : signatures.mistakes) candidates.emplace_back(judged, mistake, signatures);
     std::set<std::size_t> set_aside;
     while (!left.empty()) {
-        Finding best;
+        Weighed best;
         Evidence* of_best = nullptr;
+        const std::vector<std::size_t> some = some_answers(judged, left);
         for (Evidence& candidate : candidates) {
-            Finding finding = weigh(judged, candidate, left, set_aside);
-            if (finding.explained == 0 || !is_accepted(finding, left.size())) continue;
-            if (of_best != nullptr && balance(finding) < balance(best)) continue;
-            if (of_best != nullptr && balance(finding) == balance(best) &&
-                contradicted_anywhere(judged.size(), candidate, set_aside) >=
-                    contradicted_anywhere(judged.size(), *of_best, set_aside))
-                continue;
-            best = std::move(finding);
+            if (!is_possible(judged, candidate, some)) continue;
+            Weighed weighed = weigh(judged, candidate, left, set_aside);
+            if (weighed.finding.explained == 0 || !is_accepted(weighed, diagnosis.wrong)) continue;
+            if (of_best != nullptr && !is_before(weighed, best)) continue;
+            best = std::move(weighed);
             of_best = &candidate;
         }
         if (of_best == nullptr) break;
         std::erase_if(left, [&](std::size_t n) {
             if (of_best->says(n) != Says::agrees) return false;
-            call_as_printed(judged[n], *best.mistake);
+            call_as_printed(judged[n], *best.finding.mistake);
             return set_aside.insert(n).second;
         });
-        diagnosis.findings.push_back(std::move(best));
+        diagnosis.findings.push_back(std::move(best.finding));
     }
-    for (const std::size_t n : left) {
-        for (Evidence& candidate : candidates)
-            if (candidate.about().as_printed && candidate.says(n) == Says::agrees) call_as_printed(judged[n], candidate.about());
-        diagnosis.unexplained.push_back(&judged[n]);
-    }
+    for (const std::size_t n : left) diagnosis.unexplained.push_back(&judged[n]);
     diagnosis.by_quantity = by_quantity(diagnosis.unexplained, judged);
     diagnosis.in_common = properties_in_common(diagnosis.unexplained, judged);
     return diagnosis;

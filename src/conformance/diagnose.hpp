@@ -3,11 +3,17 @@
 /// wrong ones have in common.
 ///
 /// A mistake is a signature. It explains a wrong answer that agrees with the answer of the mistake, to the mistake's own
-/// `agreement`, and is at least ten times nearer to it than to the truth. It is contradicted where it would make an answer
-/// wrong, to a quantity in which it explains something, but the answer given is another. The mistake with the most explained
-/// minus contradicted is told first; of two that have as many, the one that answers to all quantities contradict less. What it
-/// explains is set aside; and so on while one explains three answers, or all wrong ones that are left, and is contradicted by
-/// at most one answer in ten.
+/// `agreement`, and is at least ten times nearer to it than to the truth. It is contradicted by every right answer, to whatever
+/// quantity, that it would have made wrong, and by every wrong one, to a quantity in which it explains something, that is another
+/// than its own. A mistake gets its name
+/// - where it explains three answers, or all where fewer are wrong in the whole: it is then called weak;
+/// - and contradictions are at most one in twenty of what it explains and what contradicts it;
+/// - and it explains half of all answers, to whatever quantity, that it would have made wrong;
+/// - and it explains a number, where it would have made a number wrong. Words and counts alone, which agree by chance, have to
+///   be more than chance explains: seventeen, each by chance with one in two.
+///
+/// The mistake with the most explained minus contradicted is told first; of two that have as many, the one that other answers
+/// contradict less. What it explains is set aside; and so on while one is left.
 #pragma once
 
 #include <functional>
@@ -29,14 +35,18 @@ struct Signatures {
     std::function<std::optional<Value>(std::string_view name, const Question& question)> answer; ///< as `answer_with_mistake`
 };
 
-/// @brief The mistakes of `mistake.hpp`. @return them with their answers
-[[nodiscard]] Signatures known_signatures();
+/// @brief The mistakes of `mistake.hpp`; those with a number of their own, as a grid of instants, with the number that
+/// fits some answers best.
+/// @param judged  the answers
+/// @return        the mistakes with their answers
+[[nodiscard]] Signatures known_signatures(std::span<const Judged> judged = {});
 
 /// @brief A mistake found.
 struct Finding {
     const Mistake* mistake = nullptr;    ///< which
     std::size_t explained = 0;           ///< wrong answers that are its answers
-    std::size_t contradicted = 0;        ///< answers that it would make wrong, but that are others
+    std::size_t contradicted = 0;        ///< answers that it would make wrong, but that are right or others
+    bool weak = false;                   ///< whether fewer than three answers are all that it rests on
     std::vector<std::string> quantities; ///< of the answers that it explains
     const Judged* example = nullptr;     ///< the answer explained whose error is the largest
     Value mistaken;                      ///< what the mistake answers there

@@ -48,7 +48,7 @@ std::optional<Verdicts> earlier_verdicts(const ConformOptions& options) {
 
 // Diagnosis, comparison, and the report where it belongs. Where something got worse the file of verdicts is left as it was.
 void finish(ConformReport& report, const ConformOptions& options, const std::optional<Verdicts>& earlier, ExitStatus& status) {
-    report.diagnosis = conformance::diagnose(report.judged, conformance::known_signatures());
+    report.diagnosis = conformance::diagnose(report.judged, conformance::known_signatures(report.judged));
     report.needed = options.needed;
     report.verbose = options.verbose;
     report.conforms = conformance::conforms(report.judged, needed_quantities(options));
