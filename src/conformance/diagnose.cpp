@@ -5,6 +5,7 @@
 #include <set>
 
 #include "conformance/grade.hpp"
+#include "conformance/guesses.hpp"
 #include "conformance/in_common.hpp"
 
 namespace denhartog::conformance {
@@ -12,9 +13,6 @@ namespace {
 
 constexpr double nearer_than_truth = 0.1;
 constexpr std::size_t least_explained = 3;
-constexpr double least_consistency = 0.95; // of what it explains and what contradicts it
-constexpr double least_share = 0.5;        // of all that it would have made wrong
-constexpr std::size_t least_words = 17;    // 2^-17 times the number of mistakes is below a thousandth
 
 // What an answer says about a mistake.
 enum class Says { nothing, agrees, contradicts };
@@ -81,6 +79,7 @@ struct Weighed {
     Finding finding;
     std::size_t numbers = 0;    // of those explained
     std::size_t made_wrong = 0; // all answers that it would make wrong
+    std::size_t wrong = 0;      // wrong answers in the links of the chain in which it explains something
     bool numbers_asked = false; // whether a number is among these
 };
 
@@ -94,15 +93,18 @@ Weighed weigh(std::span<Judged> judged, Evidence& evidence, const std::vector<st
     Finding& finding = weighed.finding;
     finding.mistake = &evidence.about();
     std::set<std::string> of;
+    std::set<std::size_t> links;
     std::optional<std::size_t> example;
     for (const std::size_t n : left) {
         if (evidence.says(n) != Says::agrees) continue;
         ++finding.explained;
         weighed.numbers += !is_word(*judged[n].vector);
         of.insert(judged[n].vector->question.quantity);
+        links.insert(place_in_chain(judged[n].vector->question));
         if (!example || judged[n].error.value_or(0) > judged[*example].error.value_or(0)) example = n;
     }
     if (!example || finding.explained < std::min(least_explained, left.size())) return weighed;
+    for (const std::size_t n : left) weighed.wrong += links.contains(place_in_chain(judged[n].vector->question));
     finding.example = &judged[*example];
     finding.mistaken = evidence.mistaken(*example).value_or(Value{});
     for (std::size_t n = 0; n < judged.size(); ++n) {
@@ -118,12 +120,13 @@ Weighed weigh(std::span<Judged> judged, Evidence& evidence, const std::vector<st
 
 double share(std::size_t part, std::size_t whole) { return static_cast<double>(part) / static_cast<double>(whole); }
 
-bool is_accepted(const Weighed& weighed, std::size_t wrong) {
+bool is_accepted(const Weighed& weighed, std::size_t wrong, const Thresholds& least) {
     const Finding& finding = weighed.finding;
     if (finding.explained < std::min(least_explained, wrong)) return false;
-    if (weighed.numbers_asked ? weighed.numbers == 0 : finding.explained < std::min(least_words, wrong)) return false;
-    return share(finding.explained, finding.explained + finding.contradicted) >= least_consistency &&
-           share(finding.explained, weighed.made_wrong) >= least_share;
+    if (weighed.numbers_asked ? weighed.numbers == 0 : finding.explained < std::min(least.words, wrong)) return false;
+    return share(finding.explained, finding.explained + finding.contradicted) >= least.consistency &&
+           share(finding.explained, weighed.made_wrong) >= least.of_its_own &&
+           share(finding.explained, weighed.wrong) >= least.of_the_wrong;
 }
 
 // Some answers to every quantity, wrong ones that are left and right ones, from all over the list.
@@ -159,6 +162,47 @@ bool is_before(const Weighed& a, const Weighed& b) {
     return a.made_wrong < b.made_wrong;
 }
 
+// The mistake that is told next, with its evidence.
+struct Told {
+    Weighed weighed;
+    Evidence* evidence;
+};
+
+std::optional<Told> most_telling(std::span<Judged> judged, std::vector<Evidence>& candidates,
+                                 const std::vector<std::size_t>& left, const std::set<std::size_t>& set_aside, std::size_t wrong,
+                                 const Thresholds& least) {
+    std::optional<Told> best;
+    if (left.empty()) return best;
+    const std::vector<std::size_t> some = some_answers(judged, left);
+    for (Evidence& candidate : candidates) {
+        if (!is_possible(judged, candidate, some)) continue;
+        Weighed weighed = weigh(judged, candidate, left, set_aside);
+        if (weighed.finding.explained == 0 || !is_accepted(weighed, wrong, least)) continue;
+        if (!best || is_before(weighed, best->weighed)) best = Told{std::move(weighed), &candidate};
+    }
+    return best;
+}
+
+// Simple explanations are weighed as known mistakes are, one after the other.
+std::vector<Simple> simple_explanations(std::span<Judged> judged, std::span<const Judged* const> wrong,
+                                        std::vector<std::size_t> left, std::set<std::size_t> set_aside, const Thresholds& least) {
+    std::vector<Simple> found;
+    if (left.size() < least_explained) return found;
+    const std::vector<Guess> guesses = guesses_at(wrong);
+    std::vector<Mistake> told;
+    for (std::size_t n = 0; n < guesses.size(); ++n) told.push_back({std::to_string(n), "", false, guesses[n].told, ""});
+    const Signatures signatures{
+        told, [&](std::string_view name, const Question& q) { return guesses[std::stoul(std::string(name))].answers(q); }};
+    std::vector<Evidence> candidates;
+    for (const Mistake& each : told) candidates.emplace_back(judged, each, signatures);
+    while (const std::optional<Told> best = most_telling(judged, candidates, left, set_aside, left.size(), least)) {
+        const Finding& finding = best->weighed.finding;
+        found.push_back({finding.mistake->told, finding.explained, finding.contradicted, finding.quantities});
+        std::erase_if(left, [&](std::size_t n) { return best->evidence->says(n) == Says::agrees && set_aside.insert(n).second; });
+    }
+    return found;
+}
+
 void call_as_printed(Judged& one, const Mistake& mistake) {
     if (one.verdict != Verdict::wrong || !mistake.as_printed) return;
     one.verdict = Verdict::as_printed;
@@ -168,7 +212,7 @@ void call_as_printed(Judged& one, const Mistake& mistake) {
 
 } // namespace
 
-Diagnosis diagnose(std::span<Judged> judged, const Signatures& signatures) {
+Diagnosis diagnose(std::span<Judged> judged, const Signatures& signatures, const Thresholds& least, bool guess) {
     Diagnosis diagnosis;
     std::vector<std::size_t> left;
     for (std::size_t n = 0; n < judged.size(); ++n) {
@@ -179,27 +223,17 @@ Diagnosis diagnose(std::span<Judged> judged, const Signatures& signatures) {
     std::vector<Evidence> candidates;
     for (const Mistake& mistake : signatures.mistakes) candidates.emplace_back(judged, mistake, signatures);
     std::set<std::size_t> set_aside;
-    while (!left.empty()) {
-        Weighed best;
-        Evidence* of_best = nullptr;
-        const std::vector<std::size_t> some = some_answers(judged, left);
-        for (Evidence& candidate : candidates) {
-            if (!is_possible(judged, candidate, some)) continue;
-            Weighed weighed = weigh(judged, candidate, left, set_aside);
-            if (weighed.finding.explained == 0 || !is_accepted(weighed, diagnosis.wrong)) continue;
-            if (of_best != nullptr && !is_before(weighed, best)) continue;
-            best = std::move(weighed);
-            of_best = &candidate;
-        }
-        if (of_best == nullptr) break;
+    while (std::optional<Told> best = most_telling(judged, candidates, left, set_aside, diagnosis.wrong, least)) {
         std::erase_if(left, [&](std::size_t n) {
-            if (of_best->says(n) != Says::agrees) return false;
-            call_as_printed(judged[n], *best.finding.mistake);
+            if (best->evidence->says(n) != Says::agrees) return false;
+            call_as_printed(judged[n], *best->weighed.finding.mistake);
             return set_aside.insert(n).second;
         });
-        diagnosis.findings.push_back(std::move(best.finding));
+        diagnosis.findings.push_back(std::move(best->weighed.finding));
     }
     for (const std::size_t n : left) diagnosis.unexplained.push_back(&judged[n]);
+    diagnosis.chain = chain_of(diagnosis.unexplained, judged);
+    if (guess) diagnosis.simple = simple_explanations(judged, diagnosis.unexplained, left, set_aside, least);
     diagnosis.by_quantity = by_quantity(diagnosis.unexplained, judged);
     diagnosis.in_common = properties_in_common(diagnosis.unexplained, judged);
     return diagnosis;

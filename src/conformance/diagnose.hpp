@@ -5,12 +5,9 @@
 /// A mistake is a signature. It explains a wrong answer that agrees with the answer of the mistake, to the mistake's own
 /// `agreement`, and is at least ten times nearer to it than to the truth. It is contradicted by every right answer, to whatever
 /// quantity, that it would have made wrong, and by every wrong one, to a quantity in which it explains something, that is another
-/// than its own. A mistake gets its name
-/// - where it explains three answers, or all where fewer are wrong in the whole: it is then called weak;
-/// - and contradictions are at most one in twenty of what it explains and what contradicts it;
-/// - and it explains half of all answers, to whatever quantity, that it would have made wrong;
-/// - and it explains a number, where it would have made a number wrong. Words and counts alone, which agree by chance, have to
-///   be more than chance explains: seventeen, each by chance with one in two.
+/// than its own. A mistake gets its name where it explains three answers, or all where fewer are wrong in the whole, which is
+/// then called weak; where the shares of `Thresholds` are reached; and where it explains a number, if it would have made a number
+/// wrong. Words and counts alone, which agree by chance, have to be more than chance explains.
 ///
 /// The mistake with the most explained minus contradicted is told first; of two that have as many, the one that other answers
 /// contradict less. What it explains is set aside; and so on while one is left.
@@ -24,6 +21,7 @@
 #include <string_view>
 #include <vector>
 
+#include "conformance/chain.hpp"
 #include "conformance/mistakes/mistake.hpp"
 #include "conformance/verdict.hpp"
 
@@ -40,6 +38,15 @@ struct Signatures {
 /// @param judged  the answers
 /// @return        the mistakes with their answers
 [[nodiscard]] Signatures known_signatures(std::span<const Judged> judged = {});
+
+/// @brief What a mistake must reach to get its name. docs/diagnosis.md shows what happens without each of them.
+struct Thresholds {
+    double consistency = 0.95; ///< of what it explains and what contradicts it, the share that it explains
+    double of_its_own = 0.5; ///< of all answers, to whatever quantity, that it would have made wrong, the share that it explains
+    double of_the_wrong =
+        0.5; ///< of the wrong answers in the links of the chain in which it explains something, the share explained
+    std::size_t words = 17; ///< words and counts where it explains nothing else: 2^-17 times the mistakes is below 1/1000
+};
 
 /// @brief A mistake found.
 struct Finding {
@@ -61,11 +68,21 @@ struct InCommon {
     std::size_t all_asked = 0; ///< answers to the same quantities
 };
 
+/// @brief A simple explanation of answers that no known mistake explains; it names no culprit.
+struct Simple {
+    std::string told;                    ///< in words: `beta times 1.414`
+    std::size_t explained = 0;           ///< wrong answers that are as it says
+    std::size_t contradicted = 0;        ///< answers that it would make wrong, but that are right or others
+    std::vector<std::string> quantities; ///< of the answers that it explains
+};
+
 /// @brief What was found.
 struct Diagnosis {
     std::size_t wrong = 0;                       ///< answers that are wrong or inaccurate
     std::vector<Finding> findings;               ///< most telling first
     std::vector<const Judged*> unexplained;      ///< wrong answers of no mistake found
+    std::vector<Link> chain;                     ///< where these stand along the chain of quantities
+    std::vector<Simple> simple;                  ///< simple explanations of these, most telling first
     std::vector<InCommon> by_quantity;           ///< these by quantity; `asked` counts the answers to the quantity
     std::vector<InCommon> in_common;             ///< what these have in common and the right ones have less often
     std::map<std::string, std::size_t> accepted; ///< broken rules of questions that were answered, with their number
@@ -74,7 +91,10 @@ struct Diagnosis {
 /// @brief Looks for known mistakes.
 /// @param judged      the answers; wrong ones that are an equation's print become `as-printed`
 /// @param signatures  the mistakes
+/// @param least       what a name needs
+/// @param guess       whether simple explanations are sought as well
 /// @return            what was found; refers to the answers
-[[nodiscard]] Diagnosis diagnose(std::span<Judged> judged, const Signatures& signatures);
+[[nodiscard]] Diagnosis diagnose(std::span<Judged> judged, const Signatures& signatures, const Thresholds& least = {},
+                                 bool guess = true);
 
 } // namespace denhartog::conformance

@@ -87,11 +87,11 @@ std::optional<double> most_common(std::vector<double> numbers) {
     return most > 1 ? std::optional(numbers[best]) : std::nullopt;
 }
 
-std::size_t agreeing(const std::vector<Observed>& all, const Choices& c) {
+std::size_t agreeing(std::span<const Observed> all, const Choices& c) {
     std::size_t count = 0;
     for (const Observed& one : all) {
-        const PlainLimits limits = plain_limits(one.question, one.modes, c);
         const std::string& asked = one.question.quantity;
+        const PlainLimits limits = plain_limits(one.question, one.modes, c, needed_for(asked));
         const double x = asked == "S_j" ? limits.S : asked == "beta_lim_exact" ? limits.exact : limits.paper;
         if (std::abs(x - one.given) <= of_instants * std::abs(x)) ++count;
     }
@@ -109,6 +109,8 @@ std::optional<Choices> best_of(const std::vector<Observed>& all, bool as_printed
             c.instants = each;
             c.maximum_of_each_mode = variant % 2 == 1;
             c.without_load_condition = variant / 2 == 1;
+            constexpr std::size_t first_look = 6;
+            if (agreeing(std::span(all).first(std::min(first_look, all.size())), c) == 0) continue;
             const std::size_t count = agreeing(all, c);
             if (count <= most) continue;
             most = count;

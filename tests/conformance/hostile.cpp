@@ -192,7 +192,21 @@ TEST_CASE("an interruption of the runner takes the program under test with it", 
     const int status = std::system(caller.c_str());
     CHECK(WEXITSTATUS(status) == 128 + SIGTERM);
     CHECK(left_of(name) == 0);
-    CHECK_FALSE(std::filesystem::exists(report));
+    std::ifstream written(report);
+    const std::string text{std::istreambuf_iterator<char>(written), {}};
+    CHECK(contains(text, "Cut short: the runner was interrupted after"));
+    CHECK_FALSE(contains(text, "Conforms."));
+}
+
+TEST_CASE("after the total time the report tells what was answered until then", "[conformance][hostile]") {
+    const std::string slow = script("slow.sh", greet + "while read -r id q; do sleep 0.6; echo \"$id value 1\"; done\n");
+    const Run run = conform("run --total-timeout 1 --format json " + with_vectors(three(), "-- " + slow));
+    CHECK(run.status == 1);
+    const nlohmann::json report = nlohmann::json::parse(run.output.substr(run.output.find('{')));
+    CHECK(report.at("cut_short") == "the total time was over after 2 of 3 questions");
+    CHECK_FALSE(report.at("conforms"));
+    CHECK(report.at("results").at(2).at("verdict") == "skipped");
+    CHECK(conform("run --total-timeout -1 " + with_vectors(three(), "-- " + slow)).status == 2);
 }
 
 TEST_CASE("standard error without an end costs the runner no memory, and the answers count", "[conformance][hostile]") {

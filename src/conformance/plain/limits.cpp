@@ -120,14 +120,25 @@ double sticking_limit(const Question& q, const PlainModes& m, const Choices& c) 
 
 } // namespace
 
-PlainLimits plain_limits(const Question& q, const PlainModes& m, const Choices& c) {
+Needed needed_for(std::string_view quantity) {
+    const bool regime = quantity == "regime";
+    return {regime || quantity == "S_j" || quantity == "beta_lim_exact", quantity == "beta_lim_paper",
+            regime || quantity == "beta_lim_sticking"};
+}
+
+PlainLimits plain_limits(const Question& q, const PlainModes& m, const Choices& c, const Needed& needed) {
     const Complex<double>& V_j = m.V[m.j];
     const double U_j = m.U[m.j];
     const double at_rest = paper::static_friction_demand(m.H_j, double(c.sign_of_mu * m.mu), m.sum_of_squares);
     const auto limit = [&](double S) { return paper::friction_ratio_limit(V_j, U_j, S); };
     PlainLimits limits;
-    const double S_paper = c.demand_at_start ? m.H_j + m.sum_of_squares : sum_of_maxima(m, c);
-    limits.S = c.maximum_of_each_mode || c.demand_at_start ? S_paper : maximum_of_sum(m, c);
+    const bool is_paper = c.maximum_of_each_mode || c.demand_at_start;
+    double S_paper = 0;
+    if (c.demand_at_start)
+        S_paper = m.H_j + m.sum_of_squares;
+    else if (needed.paper || (needed.S && is_paper))
+        S_paper = sum_of_maxima(m, c);
+    if (needed.S) limits.S = is_paper ? S_paper : maximum_of_sum(m, c);
     limits.approximate = limit(at_rest);
     if (c.load_of_each_mode) limits.approximate = limit_mode_by_mode(m, limits.approximate);
     const double by_68 = limit(m.H_j - m.mu * m.sum_of_squares);
@@ -136,9 +147,9 @@ PlainLimits plain_limits(const Question& q, const PlainModes& m, const Choices& 
         if (c.without_load_condition) return limit(S);
         return c.load_of_each_mode ? std::min(limit(S), limits.approximate) : limit(std::max(S, at_rest));
     };
-    limits.exact = ends(limits.S);
-    limits.paper = ends(S_paper);
-    limits.sticking = sticking_limit(q, m, c);
+    if (needed.S) limits.exact = ends(limits.S);
+    if (needed.paper) limits.paper = ends(S_paper);
+    if (needed.sticking) limits.sticking = sticking_limit(q, m, c);
     return limits;
 }
 

@@ -60,6 +60,7 @@ struct Choices {
     bool argument_in_half_plane = false;                      ///< the argument of V_dj by the arcus tangent of a quotient
     bool no_half_period_for_minima = false;                   ///< (47) without the half-period where the mass is at a minimum
     bool beyond_the_boundary = false;                         ///< the closed form in every regime
+    bool closed_form_alone = false;                           ///< no answer to the motion beyond the sliding regime
     double factor_in_23 = 2;                                  ///< of zeta R in (23)
     double sign_of_mu = 1;                                    ///< of mu / (gamma_j r^2) in (67)
     double power_of_r_in_65 = 2;                              ///< of r in (65)
