@@ -81,6 +81,7 @@ struct Weighed {
     std::size_t made_wrong = 0; // all answers that it would make wrong
     std::size_t wrong = 0;      // wrong answers in the links of the chain in which it explains something
     bool numbers_asked = false; // whether a number is among these
+    bool has_core = false;      // whether it explains a quantity of its own equation
 };
 
 bool counts_against(const Judged& one, const std::set<std::string>& explained) {
@@ -107,12 +108,18 @@ Weighed weigh(std::span<Judged> judged, Evidence& evidence, const std::vector<st
     for (const std::size_t n : left) weighed.wrong += links.contains(place_in_chain(judged[n].vector->question));
     finding.example = &judged[*example];
     finding.mistaken = evidence.mistaken(*example).value_or(Value{});
+    const std::vector<std::string>& core = finding.mistake->core;
+    const auto reaches = [&](const std::string& quantity) {
+        return core.empty() || of.contains(quantity) || std::find(core.begin(), core.end(), quantity) != core.end();
+    };
     for (std::size_t n = 0; n < judged.size(); ++n) {
-        if (set_aside.contains(n) || evidence.says(n) == Says::nothing) continue;
+        if (set_aside.contains(n) || !reaches(judged[n].vector->question.quantity) || evidence.says(n) == Says::nothing) continue;
         ++weighed.made_wrong;
         weighed.numbers_asked = weighed.numbers_asked || !is_word(*judged[n].vector);
         if (evidence.says(n) == Says::contradicts && counts_against(judged[n], of)) ++finding.contradicted;
     }
+    weighed.has_core =
+        core.empty() || std::any_of(core.begin(), core.end(), [&](const std::string& q) { return of.contains(q); });
     finding.quantities.assign(of.begin(), of.end());
     finding.weak = finding.explained < least_explained;
     return weighed;
@@ -122,9 +129,11 @@ double share(std::size_t part, std::size_t whole) { return static_cast<double>(p
 
 bool is_accepted(const Weighed& weighed, std::size_t wrong, const Thresholds& least) {
     const Finding& finding = weighed.finding;
-    if (finding.explained < std::min(least_explained, wrong)) return false;
+    if (finding.explained < std::min(least_explained, wrong) || !weighed.has_core) return false;
     if (weighed.numbers_asked ? weighed.numbers == 0 : finding.explained < std::min(least.words, wrong)) return false;
-    return share(finding.explained, finding.explained + finding.contradicted) >= least.consistency &&
+    constexpr double rough = 1e-4;
+    const double consistency = finding.mistake->agreement > rough ? least.of_solvers : least.consistency;
+    return share(finding.explained, finding.explained + finding.contradicted) >= consistency &&
            share(finding.explained, weighed.made_wrong) >= least.of_its_own &&
            share(finding.explained, weighed.wrong) >= least.of_the_wrong;
 }
@@ -149,7 +158,7 @@ bool is_possible(std::span<const Judged> judged, Evidence& evidence, const std::
     std::size_t agrees = 0, contradicts = 0;
     for (const std::size_t n : some) {
         agrees += evidence.says(n) == Says::agrees;
-        contradicts += evidence.says(n) == Says::contradicts && is_right(judged[n].verdict);
+        contradicts += evidence.says(n) == Says::contradicts && is_right(judged[n].verdict) && evidence.about().core.empty();
     }
     return agrees > 0 && contradicts <= agrees;
 }

@@ -7,7 +7,8 @@
 /// quantity, that it would have made wrong, and by every wrong one, to a quantity in which it explains something, that is another
 /// than its own. A mistake gets its name where it explains three answers, or all where fewer are wrong in the whole, which is
 /// then called weak; where the shares of `Thresholds` are reached; and where it explains a number, if it would have made a number
-/// wrong. Words and counts alone, which agree by chance, have to be more than chance explains.
+/// wrong. One that says of what equation it is has to explain a quantity of that equation; others it need not reach. Words and
+/// counts alone, which agree by chance, have to be more than chance explains.
 ///
 /// The mistake with the most explained minus contradicted is told first; of two that have as many, the one that other answers
 /// contradict less. What it explains is set aside; and so on while one is left.
@@ -42,6 +43,7 @@ struct Signatures {
 /// @brief What a mistake must reach to get its name. docs/diagnosis.md shows what happens without each of them.
 struct Thresholds {
     double consistency = 0.95; ///< of what it explains and what contradicts it, the share that it explains
+    double of_solvers = 0.9;   ///< the same for a mistake of solvers, whose answers are near to its own in some digits only
     double of_its_own = 0.5; ///< of all answers, to whatever quantity, that it would have made wrong, the share that it explains
     double of_the_wrong =
         0.5; ///< of the wrong answers in the links of the chain in which it explains something, the share explained

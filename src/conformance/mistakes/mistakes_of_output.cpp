@@ -182,6 +182,8 @@ std::vector<MistakeDefinition> of_quantities() {
 std::vector<MistakeDefinition> mistakes_of_output() {
     std::vector<MistakeDefinition> all = of_angles();
     for (const auto& part : {of_displacements(), of_quantities()}) all.insert(all.end(), part.begin(), part.end());
+    for (MistakeDefinition& each : all)
+        if (each.mistake.name == "tau-from-force") each.mistake.core = {"displacement"};
     return all;
 }
 

@@ -1,3 +1,5 @@
+#include <map>
+
 #include "conformance/mistakes/mistake_definition.hpp"
 #include "denhartog/number/number.hpp"
 
@@ -14,6 +16,16 @@ MistakeDefinition printed(std::string equation, std::string told, std::string lo
         return is_overdamped(q) ? std::nullopt : vibrating(q);
     };
     return definition;
+}
+
+// What the equations are printed for.
+void add_cores(std::vector<MistakeDefinition>& all) {
+    const std::map<std::string, std::vector<std::string>> cores{{"44", {"initial_displacement"}},
+                                                                {"45", {"initial_velocity"}},
+                                                                {"50", {"phase_monoharmonic"}},
+                                                                {"63", {"beta_lim_approximate"}}};
+    for (MistakeDefinition& each : all)
+        if (const auto found = cores.find(each.mistake.equation); found != cores.end()) each.mistake.core = found->second;
 }
 
 std::vector<MistakeDefinition> of_printed_motion() {
@@ -82,6 +94,7 @@ std::vector<MistakeDefinition> mistakes_of_print() {
     std::vector<MistakeDefinition> all = of_printed_motion();
     for (const MistakeDefinition& each : of_printed_boundaries()) all.push_back(each);
     all.push_back(printed_demand());
+    add_cores(all);
     return all;
 }
 
