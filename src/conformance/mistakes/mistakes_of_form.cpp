@@ -1,4 +1,5 @@
 #include "conformance/mistakes/mistake_definition.hpp"
+#include "denhartog/number/number.hpp"
 
 namespace denhartog::conformance {
 namespace {
@@ -28,7 +29,7 @@ std::vector<MistakeDefinition> of_boundaries() {
             "how the maximum over tau is found: refine it around the largest sample",
             {"S_j", "beta_lim_exact", "beta_lim_paper", "regime"},
             [](Choices& c) {
-                c.instants = Instants{0, 0, 14};
+                c.instants = Instants{pi<double>() / 15, pi<double>() / 15, 14};
             }),
         own("sign-of-mu-in-67", "67", "mu / (gamma_j r^2) has the other sign in (67) and (69), which is (68).",
             "H_j + mu / (gamma_j r^2) in (67)", {"beta_lim_approximate", "beta_lim_exact", "beta_lim_paper", "regime"},
