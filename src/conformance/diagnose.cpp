@@ -5,6 +5,7 @@
 #include <set>
 
 #include "conformance/grade.hpp"
+#include "conformance/guesses.hpp"
 #include "conformance/in_common.hpp"
 
 namespace denhartog::conformance {
@@ -12,17 +13,21 @@ namespace {
 
 constexpr double nearer_than_truth = 0.1;
 constexpr std::size_t least_explained = 3;
-constexpr double least_consistency = 0.9;
 
 // What an answer says about a mistake.
 enum class Says { nothing, agrees, contradicts };
 
-// Whether the mistake's answer would be judged wrong.
-bool is_wrong(const Vector& v, const Value& mistaken) {
+// Whether the mistake's answer would be judged wrong, and the answer of a program that makes it as well.
+bool is_wrong(const Vector& v, const Value& mistaken, double near) {
     if (!v.word.empty() || !mistaken.word.empty()) return mistaken.word != v.word;
     if (mistaken.numbers.size() != v.nearest.size()) return true;
     const double apart = difference(quantity(v.question.quantity), mistaken.numbers, v.nearest).size;
-    return apart > v.tolerance.inaccurate * v.scale;
+    return apart > std::max(v.tolerance.inaccurate * v.scale, near / nearer_than_truth * size_of(mistaken.numbers));
+}
+
+// Answers that a guess may hit: names of regimes, and numbers of stops.
+bool is_word(const Vector& v) {
+    return !v.word.empty() || v.question.quantity == "stops_per_period" || v.question.quantity == "stop_durations";
 }
 
 bool agrees(const Vector& v, const Value& given, const Value& mistaken, double near) {
@@ -65,46 +70,146 @@ private:
         const std::optional<Value> value = mistaken(n);
         if (!value) return Says::nothing;
         if (is_wrong_value(one.verdict) && agrees(*one.vector, one.given, *value, mistake.agreement)) return Says::agrees;
-        return is_wrong(*one.vector, *value) ? Says::contradicts : Says::nothing;
+        return is_wrong(*one.vector, *value, mistake.agreement) ? Says::contradicts : Says::nothing;
     }
 };
 
-Finding weigh(std::span<Judged> judged, Evidence& evidence, const std::vector<std::size_t>& left,
-              const std::set<std::size_t>& set_aside) {
+// A mistake with all that speaks for it and against it.
+struct Weighed {
     Finding finding;
+    std::size_t numbers = 0;    // of those explained
+    std::size_t made_wrong = 0; // all answers that it would make wrong
+    std::size_t wrong = 0;      // wrong answers in the links of the chain in which it explains something
+    bool numbers_asked = false; // whether a number is among these
+    bool has_core = false;      // whether it explains a quantity of its own equation
+};
+
+bool counts_against(const Judged& one, const std::set<std::string>& explained) {
+    return is_right(one.verdict) || explained.contains(one.vector->question.quantity);
+}
+
+Weighed weigh(std::span<Judged> judged, Evidence& evidence, const std::vector<std::size_t>& left,
+              const std::set<std::size_t>& set_aside) {
+    Weighed weighed;
+    Finding& finding = weighed.finding;
     finding.mistake = &evidence.about();
     std::set<std::string> of;
+    std::set<std::size_t> links;
     std::optional<std::size_t> example;
     for (const std::size_t n : left) {
         if (evidence.says(n) != Says::agrees) continue;
         ++finding.explained;
+        weighed.numbers += !is_word(*judged[n].vector);
         of.insert(judged[n].vector->question.quantity);
+        links.insert(place_in_chain(judged[n].vector->question));
         if (!example || judged[n].error.value_or(0) > judged[*example].error.value_or(0)) example = n;
     }
-    if (!example) return finding;
+    if (!example || finding.explained < std::min(least_explained, left.size())) return weighed;
+    for (const std::size_t n : left) weighed.wrong += links.contains(place_in_chain(judged[n].vector->question));
     finding.example = &judged[*example];
     finding.mistaken = evidence.mistaken(*example).value_or(Value{});
-    for (std::size_t n = 0; n < judged.size(); ++n)
-        if (of.contains(judged[n].vector->question.quantity) && !set_aside.contains(n) && evidence.says(n) == Says::contradicts)
-            ++finding.contradicted;
+    const std::vector<std::string>& core = finding.mistake->core;
+    const auto reaches = [&](const std::string& quantity) {
+        return core.empty() || of.contains(quantity) || std::find(core.begin(), core.end(), quantity) != core.end();
+    };
+    for (std::size_t n = 0; n < judged.size(); ++n) {
+        if (set_aside.contains(n) || !reaches(judged[n].vector->question.quantity) || evidence.says(n) == Says::nothing) continue;
+        ++weighed.made_wrong;
+        weighed.numbers_asked = weighed.numbers_asked || !is_word(*judged[n].vector);
+        if (evidence.says(n) == Says::contradicts && counts_against(judged[n], of)) ++finding.contradicted;
+    }
+    weighed.has_core =
+        core.empty() || std::any_of(core.begin(), core.end(), [&](const std::string& q) { return of.contains(q); });
     finding.quantities.assign(of.begin(), of.end());
-    return finding;
+    finding.weak = finding.explained < least_explained;
+    return weighed;
 }
 
-bool is_accepted(const Finding& finding, std::size_t left) {
-    const auto explained = static_cast<double>(finding.explained);
-    const double consistency = explained / (explained + static_cast<double>(finding.contradicted));
-    return finding.explained >= std::min(least_explained, left) && consistency >= least_consistency;
+double share(std::size_t part, std::size_t whole) { return static_cast<double>(part) / static_cast<double>(whole); }
+
+bool is_accepted(const Weighed& weighed, std::size_t wrong, const Thresholds& least) {
+    const Finding& finding = weighed.finding;
+    if (finding.explained < std::min(least_explained, wrong) || !weighed.has_core) return false;
+    if (weighed.numbers_asked ? weighed.numbers == 0 : finding.explained < std::min(least.words, wrong)) return false;
+    constexpr double rough = 1e-4;
+    const double consistency = finding.mistake->agreement > rough ? least.of_solvers : least.consistency;
+    return share(finding.explained, finding.explained + finding.contradicted) >= consistency &&
+           share(finding.explained, weighed.made_wrong) >= least.of_its_own &&
+           share(finding.explained, weighed.wrong) >= least.of_the_wrong;
+}
+
+// Some answers to every quantity, wrong ones that are left and right ones, from all over the list.
+std::vector<std::size_t> some_answers(std::span<const Judged> judged, const std::vector<std::size_t>& left) {
+    constexpr std::size_t wrong_ones = 8, right_ones = 4;
+    std::map<std::string, std::vector<std::size_t>> wrong, right;
+    for (const std::size_t n : left) wrong[judged[n].vector->question.quantity].push_back(n);
+    for (std::size_t n = 0; n < judged.size(); ++n)
+        if (judged[n].answered && is_right(judged[n].verdict)) right[judged[n].vector->question.quantity].push_back(n);
+    std::vector<std::size_t> some;
+    for (const auto& [all, most] : {std::pair(&wrong, wrong_ones), std::pair(&right, right_ones)})
+        for (const auto& [quantity, of_one] : *all)
+            for (std::size_t n = 0; n < std::min(most, of_one.size()); ++n)
+                some.push_back(of_one[n * of_one.size() / std::min(most, of_one.size())]);
+    return some;
+}
+
+// Whether a mistake may explain what is wrong, by some answers: most mistakes do not, and need no look at all the others.
+bool is_possible(std::span<const Judged> judged, Evidence& evidence, const std::vector<std::size_t>& some) {
+    std::size_t agrees = 0, contradicts = 0;
+    for (const std::size_t n : some) {
+        agrees += evidence.says(n) == Says::agrees;
+        contradicts += evidence.says(n) == Says::contradicts && is_right(judged[n].verdict) && evidence.about().core.empty();
+    }
+    return agrees > 0 && contradicts <= agrees;
 }
 
 long balance(const Finding& finding) { return static_cast<long>(finding.explained) - static_cast<long>(finding.contradicted); }
 
-// Answers to whatever quantity that a mistake contradicts: of two that explain the same, the one with fewer is meant.
-std::size_t contradicted_anywhere(std::size_t count, Evidence& evidence, const std::set<std::size_t>& set_aside) {
-    std::size_t contradicted = 0;
-    for (std::size_t n = 0; n < count; ++n)
-        if (!set_aside.contains(n) && evidence.says(n) == Says::contradicts) ++contradicted;
-    return contradicted;
+// Of two mistakes, the one that is told first.
+bool is_before(const Weighed& a, const Weighed& b) {
+    if (balance(a.finding) != balance(b.finding)) return balance(a.finding) > balance(b.finding);
+    return a.made_wrong < b.made_wrong;
+}
+
+// The mistake that is told next, with its evidence.
+struct Told {
+    Weighed weighed;
+    Evidence* evidence;
+};
+
+std::optional<Told> most_telling(std::span<Judged> judged, std::vector<Evidence>& candidates,
+                                 const std::vector<std::size_t>& left, const std::set<std::size_t>& set_aside, std::size_t wrong,
+                                 const Thresholds& least) {
+    std::optional<Told> best;
+    if (left.empty()) return best;
+    const std::vector<std::size_t> some = some_answers(judged, left);
+    for (Evidence& candidate : candidates) {
+        if (!is_possible(judged, candidate, some)) continue;
+        Weighed weighed = weigh(judged, candidate, left, set_aside);
+        if (weighed.finding.explained == 0 || !is_accepted(weighed, wrong, least)) continue;
+        if (!best || is_before(weighed, best->weighed)) best = Told{std::move(weighed), &candidate};
+    }
+    return best;
+}
+
+// Simple explanations are weighed as known mistakes are, one after the other.
+std::vector<Simple> simple_explanations(std::span<Judged> judged, std::span<const Judged* const> wrong,
+                                        std::vector<std::size_t> left, std::set<std::size_t> set_aside, const Thresholds& least) {
+    std::vector<Simple> found;
+    if (left.size() < least_explained) return found;
+    const std::vector<Guess> guesses = guesses_at(wrong);
+    std::vector<Mistake> told;
+    for (std::size_t n = 0; n < guesses.size(); ++n) told.push_back({std::to_string(n), "", false, guesses[n].told, ""});
+    const Signatures signatures{
+        told, [&](std::string_view name, const Question& q) { return guesses[std::stoul(std::string(name))].answers(q); }};
+    std::vector<Evidence> candidates;
+    for (const Mistake& each : told) candidates.emplace_back(judged, each, signatures);
+    while (const std::optional<Told> best = most_telling(judged, candidates, left, set_aside, left.size(), least)) {
+        const Finding& finding = best->weighed.finding;
+        found.push_back({finding.mistake->told, finding.explained, finding.contradicted, finding.quantities});
+        std::erase_if(left, [&](std::size_t n) { return best->evidence->says(n) == Says::agrees && set_aside.insert(n).second; });
+    }
+    return found;
 }
 
 void call_as_printed(Judged& one, const Mistake& mistake) {
@@ -116,7 +221,7 @@ void call_as_printed(Judged& one, const Mistake& mistake) {
 
 } // namespace
 
-Diagnosis diagnose(std::span<Judged> judged, const Signatures& signatures) {
+Diagnosis diagnose(std::span<Judged> judged, const Signatures& signatures, const Thresholds& least, bool guess) {
     Diagnosis diagnosis;
     std::vector<std::size_t> left;
     for (std::size_t n = 0; n < judged.size(); ++n) {
@@ -127,33 +232,17 @@ Diagnosis diagnose(std::span<Judged> judged, const Signatures& signatures) {
     std::vector<Evidence> candidates;
     for (const Mistake& mistake : signatures.mistakes) candidates.emplace_back(judged, mistake, signatures);
     std::set<std::size_t> set_aside;
-    while (!left.empty()) {
-        Finding best;
-        Evidence* of_best = nullptr;
-        for (Evidence& candidate : candidates) {
-            Finding finding = weigh(judged, candidate, left, set_aside);
-            if (finding.explained == 0 || !is_accepted(finding, left.size())) continue;
-            if (of_best != nullptr && balance(finding) < balance(best)) continue;
-            if (of_best != nullptr && balance(finding) == balance(best) &&
-                contradicted_anywhere(judged.size(), candidate, set_aside) >=
-                    contradicted_anywhere(judged.size(), *of_best, set_aside))
-                continue;
-            best = std::move(finding);
-            of_best = &candidate;
-        }
-        if (of_best == nullptr) break;
+    while (std::optional<Told> best = most_telling(judged, candidates, left, set_aside, diagnosis.wrong, least)) {
         std::erase_if(left, [&](std::size_t n) {
-            if (of_best->says(n) != Says::agrees) return false;
-            call_as_printed(judged[n], *best.mistake);
+            if (best->evidence->says(n) != Says::agrees) return false;
+            call_as_printed(judged[n], *best->weighed.finding.mistake);
             return set_aside.insert(n).second;
         });
-        diagnosis.findings.push_back(std::move(best));
+        diagnosis.findings.push_back(std::move(best->weighed.finding));
     }
-    for (const std::size_t n : left) {
-        for (Evidence& candidate : candidates)
-            if (candidate.about().as_printed && candidate.says(n) == Says::agrees) call_as_printed(judged[n], candidate.about());
-        diagnosis.unexplained.push_back(&judged[n]);
-    }
+    for (const std::size_t n : left) diagnosis.unexplained.push_back(&judged[n]);
+    diagnosis.chain = chain_of(diagnosis.unexplained, judged);
+    if (guess) diagnosis.simple = simple_explanations(judged, diagnosis.unexplained, left, set_aside, least);
     diagnosis.by_quantity = by_quantity(diagnosis.unexplained, judged);
     diagnosis.in_common = properties_in_common(diagnosis.unexplained, judged);
     return diagnosis;

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "conformance/beyond_boundary.hpp"
 #include "conformance/curve.hpp"
+#include "conformance/mistakes/mistake_definition.hpp"
 #include "denhartog/number/legible.hpp"
 #include "denhartog/number/number.hpp"
 
@@ -41,6 +41,16 @@ Verdict verdict_of(double error, const Tolerance& allowed) {
     if (error <= allowed.loose) return Verdict::pass_loose;
     if (error <= allowed.inaccurate) return Verdict::inaccurate;
     return Verdict::wrong;
+}
+
+// What one computes who forgets the boundary; none where the quantity is not of the steady motion.
+std::optional<Value> closed_form_beyond_boundary(const Question& q) {
+    if (!asks_for(q, {"amplitude", "phase", "amplitude_monoharmonic", "phase_monoharmonic", "initial_displacement",
+                      "initial_velocity", "displacement", "motion_under_force"}))
+        return std::nullopt;
+    Choices c;
+    c.beyond_the_boundary = true;
+    return plain_answer(q, c);
 }
 
 // Whether a wrong answer is the one of another regime, and how that shows.

@@ -4,8 +4,8 @@
 #include <functional>
 #include <limits>
 
-#include "conformance/beyond_boundary.hpp"
 #include "conformance/curve.hpp"
+#include "conformance/plain/closed_form.hpp"
 #include "conformance/score.hpp"
 #include "denhartog/number/number.hpp"
 #include "denhartog/sliding/boundary.hpp"
@@ -90,7 +90,9 @@ TEST_CASE("the closed form continued beyond its boundary is the answer of anothe
             v.nearest.assign(16, 0.125);
             v.value.assign(16, "0.125");
         }
-        const std::optional<Value> beyond = closed_form_beyond_boundary(v.question);
+        Choices forgetful;
+        forgetful.beyond_the_boundary = true;
+        const std::optional<Value> beyond = plain_answer(v.question, forgetful);
         INFO(quantity);
         REQUIRE(beyond);
         CHECK(verdict_on(v, *beyond) == Verdict::wrong_regime);

@@ -192,7 +192,21 @@ TEST_CASE("an interruption of the runner takes the program under test with it", 
     const int status = std::system(caller.c_str());
     CHECK(WEXITSTATUS(status) == 128 + SIGTERM);
     CHECK(left_of(name) == 0);
-    CHECK_FALSE(std::filesystem::exists(report));
+    std::ifstream written(report);
+    const std::string text{std::istreambuf_iterator<char>(written), {}};
+    CHECK(contains(text, "Cut short: the runner was interrupted after"));
+    CHECK_FALSE(contains(text, "Conforms."));
+}
+
+TEST_CASE("after the total time the report tells what was answered until then", "[conformance][hostile]") {
+    const std::string slow = script("slow.sh", greet + "while read -r id q; do sleep 0.6; echo \"$id value 1\"; done\n");
+    const Run run = conform("run --total-timeout 1 --format json " + with_vectors(three(), "-- " + slow));
+    CHECK(run.status == 1);
+    const nlohmann::json report = nlohmann::json::parse(run.output.substr(run.output.find('{')));
+    CHECK(report.at("cut_short") == "the total time was over after 2 of 3 questions");
+    CHECK_FALSE(report.at("conforms"));
+    CHECK(report.at("results").at(2).at("verdict") == "skipped");
+    CHECK(conform("run --total-timeout -1 " + with_vectors(three(), "-- " + slow)).status == 2);
 }
 
 TEST_CASE("standard error without an end costs the runner no memory, and the answers count", "[conformance][hostile]") {
@@ -235,7 +249,8 @@ TEST_CASE("a runner that hangs up or is killed leaves no program that computes f
             CHECK(WEXITSTATUS(status) == 128 + signal);
             for (int n = 0; n < 200 && left_of(name) > 0; ++n) ::usleep(10'000);
             CHECK(left_of(name) == 0);
-            CHECK_FALSE(std::filesystem::exists(report));
+            CHECK(std::filesystem::exists(report) == (signal == SIGHUP)); // the report tells what was answered until then
+            std::filesystem::remove(report);
         }
 }
 

@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "conformance/question.hpp"
 
@@ -21,6 +22,9 @@ struct Mistake {
     /// How near, relative to its size, answers of implementations that make it come to `answer_with_mistake`: rounding where it
     /// is one formula for another, the steps in time or the harmonics of a solver where the mistake is a solver's.
     double agreement = 1e-6;
+    /// The quantities of its own equation, where it need not reach the others that it says something of: a program that has
+    /// (44) as printed may take the motion from (46). Empty where it reaches all.
+    std::vector<std::string> core = {};
 };
 
 /// @brief All known mistakes, by name. @return the mistakes

@@ -1,4 +1,5 @@
 #include "conformance/mistakes/mistake_definition.hpp"
+#include "denhartog/number/number.hpp"
 
 namespace denhartog::conformance {
 namespace {
@@ -18,6 +19,18 @@ std::vector<MistakeDefinition> of_boundaries() {
         own("approximate-limit", "67", "(67) is taken for the boundary (69): (72) stands in place of the maximum over tau.",
             "whether the maximum over tau of the sum over modes is sought at all",
             {"S_j", "beta_lim_exact", "beta_lim_paper", "regime"}, [](Choices& c) { c.demand_at_start = true; }),
+        own("load-condition-left-out", "67",
+            "The boundary (69) is taken from the maximum over tau alone; the load condition (67) may end the sliding before.",
+            "whether the larger of S_j and H_j + mu / (gamma_j r^2) stands in (69)",
+            {"beta_lim_exact", "beta_lim_paper", "regime"}, [](Choices& c) { c.without_load_condition = true; }),
+        // The number of instants is found from the answers by `fitted_answers`.
+        own("coarse-grid-of-tau", "57",
+            "The maximum over tau is that of a few instants, 14 for example; the true one lies between two of them.",
+            "how the maximum over tau is found: refine it around the largest sample",
+            {"S_j", "beta_lim_exact", "beta_lim_paper", "regime"},
+            [](Choices& c) {
+                c.instants = Instants{pi<double>() / 15, pi<double>() / 15, 14};
+            }),
         own("sign-of-mu-in-67", "67", "mu / (gamma_j r^2) has the other sign in (67) and (69), which is (68).",
             "H_j + mu / (gamma_j r^2) in (67)", {"beta_lim_approximate", "beta_lim_exact", "beta_lim_paper", "regime"},
             [](Choices& c) { c.sign_of_mu = -1; }),
@@ -45,6 +58,8 @@ std::vector<MistakeDefinition> of_modes() {
             [](Choices& c) { c.descending = true; }),
         own("no-2-in-23", "23", "The 2 of 2 zeta_i R_i is missing in (23).", "the imaginary part of (23)", {},
             [](Choices& c) { c.factor_in_23 = 1; }),
+        own("hysteretic-damping", "23", "Damping is hysteretic: (23) has 2 zeta_i in place of 2 zeta_i R_i.",
+            "the imaginary part of (23): a viscous force grows with the frequency", {}, [](Choices& c) { c.hysteretic = true; }),
         own("argument-by-arctangent", "39",
             "The argument of V_dj is taken as the arcus tangent of a quotient, which loses the half-plane.",
             "the argument of V_dj in (39): atan2 of imaginary and real part",

@@ -3,6 +3,7 @@
 
 #include "conformance/mistakes/mistake_definition.hpp"
 #include "denhartog/number/errors.hpp"
+#include "denhartog/number/number.hpp"
 
 namespace denhartog::conformance {
 namespace {
@@ -50,6 +51,12 @@ std::vector<MistakeDefinition> of_the_system() {
                 [](Question& q) {
                     for (double& x : q.damping_ratios) x /= 2;
                 }),
+        reading("damping-as-logarithmic-decrement", "18",
+                "The damping ratios are taken for logarithmic decrements: zeta_i of (18) is divided by 2 pi.",
+                "what is made of damping_ratios: they are zeta_i, not delta_i = 2 pi zeta_i / sqrt(1 - zeta_i^2)",
+                [](Question& q) {
+                    for (double& x : q.damping_ratios) x /= 2 * pi<double>();
+                }),
         reading("damping-ratios-reversed", "18",
                 "The damping ratios are given to the modes by descending natural frequency; the list goes by ascending.",
                 "the order in which the eigenvalue routine returns the modes; sort them before damping ratios are attached",
@@ -91,6 +98,13 @@ std::vector<MistakeDefinition> of_the_point() {
                 "beta is taken as static friction over the load, so that kinetic friction is beta / mu.",
                 "the meaning of beta: (11) has kinetic friction F; static friction is mu times that",
                 [](Question& q) { q.beta /= q.mu; }),
+        reading("friction-by-effective-value", "11", "beta is taken for an effective value: friction is sqrt(2) times as large.",
+                "the meaning of beta: (11) has the friction force itself over the amplitude of the load",
+                [](Question& q) { q.beta *= std::sqrt(2.0); }),
+        reading("friction-by-first-harmonic", "11",
+                "Friction is 4 / pi times as large: the first harmonic of a square wave is taken for its height.",
+                "the meaning of beta: (11) has the friction force itself over the amplitude of the load",
+                [](Question& q) { q.beta *= 4 / pi<double>(); }),
         reading("r-over-first-natural-frequency", "10",
                 "r is taken as omega over the first natural frequency; (10) has omega sqrt(m_1 / k_1).",
                 "the definition of r: no eigenvalue is in it", [](Question& q) { q.r *= lowest_natural_frequency_ratio(q); }),

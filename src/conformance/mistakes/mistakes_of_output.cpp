@@ -128,12 +128,41 @@ std::vector<MistakeDefinition> of_displacements() {
     };
 }
 
+// Displacement of a mass behind the mass before it, the ground before the first.
+std::optional<Value> elongation(const Question& q) {
+    if (!asks_for(q, {"displacement", "initial_displacement", "initial_velocity", "motion_under_force"})) return std::nullopt;
+    std::optional<Value> value = plain_answer(q);
+    if (!value || q.mass < 2) return value;
+    Question before = q;
+    --before.mass;
+    const std::optional<Value> of_neighbour = plain_answer(before);
+    if (!of_neighbour) return std::nullopt;
+    for (std::size_t n = 0; n < value->numbers.size(); ++n) value->numbers[n] -= of_neighbour->numbers[n];
+    return value;
+}
+
+// The response to sin(tau) is a quarter of a period late.
+std::optional<Value> under_a_sine(const Question& q) {
+    std::optional<Value> value = plain_answer(q);
+    if (!value || !asks_for(q, {"phase", "phase_monoharmonic", "motion_under_force"})) return std::nullopt;
+    if (q.quantity != "motion_under_force") return Value{{wrapped_angle(value->numbers.front() + pi<double>() / 2)}, ""};
+    if (q.samples % 4 != 0) return std::nullopt;
+    std::rotate(value->numbers.begin(), value->numbers.end() - q.samples / 4, value->numbers.end());
+    return value;
+}
+
 std::vector<MistakeDefinition> of_quantities() {
     return {
         other_quantity("monoharmonic-taken-for-exact", "52",
                        "(52) and (53) are given for amplitude and phase; (46) has more than one harmonic.",
                        "how the maximum of (46) over tau is found",
                        {{"amplitude", "amplitude_monoharmonic"}, {"phase", "phase_monoharmonic"}}),
+        elsewhere("elongation-for-displacement", "5",
+                  "The elongation of the spring before a mass is given for the displacement of the mass.",
+                  "the coordinates: x_k is measured from the place of rest of mass k", elongation),
+        elsewhere("force-as-sine", "1",
+                  "The load is taken as a sine of tau; the protocol has a cosine: the load is largest at tau = 0.",
+                  "the origin of tau, and a phase of pi / 2", under_a_sine),
         elsewhere("amplitude-at-contact-maximum", "44",
                   "The amplitude of a mass is taken as its displacement at the maximum of the contact.",
                   "how the maximum of (46) over tau is found",
@@ -153,6 +182,8 @@ std::vector<MistakeDefinition> of_quantities() {
 std::vector<MistakeDefinition> mistakes_of_output() {
     std::vector<MistakeDefinition> all = of_angles();
     for (const auto& part : {of_displacements(), of_quantities()}) all.insert(all.end(), part.begin(), part.end());
+    for (MistakeDefinition& each : all)
+        if (each.mistake.name == "tau-from-force") each.mistake.core = {"displacement"};
     return all;
 }
 

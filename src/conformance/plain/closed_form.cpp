@@ -78,7 +78,7 @@ bool slides(const Question& q, const PlainModes& m, const Choices& c) {
     if (c.beyond_the_boundary || c.harmonics > 0) return true;
     const double V = modulus(m.V[m.j]), root = std::sqrt(V * V - m.beta * m.U[m.j] * (m.beta * m.U[m.j]));
     if (!(root > m.beta * (m.H_j + m.mu * m.sum_of_squares))) return false; // (67), which costs no search
-    return m.beta < plain_limits(q, m, {}).exact;
+    return m.beta < plain_limits(q, m, {}, {true, false, false}).exact;
 }
 
 std::vector<double> samples_of_motion(const Question& q, const PlainModes& m, const Choices& c, std::size_t k) {
@@ -90,7 +90,7 @@ std::vector<double> samples_of_motion(const Question& q, const PlainModes& m, co
 
 Value regime(const Question& q, const PlainModes& m, const Choices& c) {
     if (c.beyond_the_boundary) return {{}, "continuous"};
-    const PlainLimits limits = plain_limits(q, m, c);
+    const PlainLimits limits = plain_limits(q, m, c, needed_for(q.quantity));
     if (m.beta < limits.exact) return {{}, "continuous"};
     return {{}, m.beta >= limits.sticking ? "permanent_sticking" : "stick_slip"};
 }
@@ -113,11 +113,11 @@ std::optional<std::vector<double>> without_motion(const Question& q, const Plain
     if (name == "first_damping_function") return std::vector{m.U[k]};
     if (name == "second_damping_function") return std::vector{m.G[k]};
     if (name == "H_j") return std::vector{m.H_j};
-    if (name == "S_j") return std::vector{plain_limits(q, m, c).S};
-    if (name == "beta_lim_exact") return std::vector{plain_limits(q, m, c).exact};
-    if (name == "beta_lim_paper") return std::vector{plain_limits(q, m, c).paper};
-    if (name == "beta_lim_approximate") return std::vector{plain_limits(q, m, c).approximate};
-    if (name == "beta_lim_sticking") return std::vector{plain_limits(q, m, c).sticking};
+    if (name == "S_j") return std::vector{plain_limits(q, m, c, needed_for(q.quantity)).S};
+    if (name == "beta_lim_exact") return std::vector{plain_limits(q, m, c, needed_for(q.quantity)).exact};
+    if (name == "beta_lim_paper") return std::vector{plain_limits(q, m, c, needed_for(q.quantity)).paper};
+    if (name == "beta_lim_approximate") return std::vector{plain_limits(q, m, c, needed_for(q.quantity)).approximate};
+    if (name == "beta_lim_sticking") return std::vector{plain_limits(q, m, c, needed_for(q.quantity)).sticking};
     if (name == "beta_lim_high_frequency")
         return std::vector{c.mu_at_high_frequency ? as_printed::friction_ratio_limit_at_high_frequency(m.mu)
                                                   : paper::friction_ratio_limit_at_high_frequency(m.mu)};
@@ -148,7 +148,7 @@ std::optional<Value> computed(const Question& q, const Choices& c) {
     const std::size_t k = of_mass ? static_cast<std::size_t>(q.mass - 1) : 0;
     if (q.quantity == "regime") return regime(q, m, c);
     if (const std::optional<std::vector<double>> numbers = without_motion(q, m, c, k)) return Value{*numbers, ""};
-    if (is_of_motion(q.quantity) && !slides(q, m, c)) return answer_of_steady_motion(q);
+    if (is_of_motion(q.quantity) && !slides(q, m, c)) return c.closed_form_alone ? std::nullopt : answer_of_steady_motion(q);
     if (q.quantity == "rest_interval") return std::nullopt;
     return Value{of_motion(q, m, c, k), ""};
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <string_view>
 
 #include "conformance/plain/modes.hpp"
 
@@ -17,12 +18,23 @@ struct PlainLimits {
     double sticking = 0;    ///< the smallest beta at which the contact never moves
 };
 
+/// @brief Which boundaries are computed; searches for a maximum cost most.
+struct Needed {
+    bool S = true;        ///< S and `exact`
+    bool paper = true;    ///< `paper`
+    bool sticking = true; ///< `sticking`
+};
+
+/// @brief The boundaries that a quantity needs. @param quantity its name @return what is needed
+[[nodiscard]] Needed needed_for(std::string_view quantity);
+
 /// @brief The boundaries at a question's frequency ratio.
 /// @param q  the question
 /// @param m  its modes
 /// @param c  the points of variation
-/// @return   the boundaries
-[[nodiscard]] PlainLimits plain_limits(const Question& q, const PlainModes& m, const Choices& c);
+/// @param needed  which of them
+/// @return   the boundaries; 0 where one is not needed
+[[nodiscard]] PlainLimits plain_limits(const Question& q, const PlainModes& m, const Choices& c, const Needed& needed = {});
 
 /// @brief The answer of the plain closed form to a question; beyond the sliding regime that of the exact solver in double.
 /// @param q  the question; it may break the rules that friction has, and is then answered by the formulas as they stand

@@ -38,44 +38,45 @@ double largest_over_half_period(const std::function<double(double)>& f, int step
     return best;
 }
 
+// The largest value at some instants.
+double largest_at(const Instants& at, const std::function<double(double)>& f) {
+    const double from = at.first, to = pi<double>() - at.before_end;
+    double best = -1e300;
+    for (std::size_t n = 0; n < at.count; ++n)
+        best = std::max(
+            best, f(n + 1 == at.count ? to : from + static_cast<double>(n) * (to - from) / static_cast<double>(at.count - 1)));
+    return best;
+}
+
 double demand_of_mode(const PlainModes& m, std::size_t i, double tau) {
     return evaluation::s_d_integrand_of(tau, m.R[i], m.zeta[i], evaluation::DampingFunctions<double>{m.u[i], m.g[i]});
 }
 
-// (56): the sum of the maxima of the modes; (57) as printed has none, and is taken at instants inside the half-period.
+double printed_demand_of_mode(const PlainModes& m, std::size_t i, double tau) {
+    return as_printed::s_d_integrand(tau, m.R[i], m.zeta[i], m.u[i], m.g[i]);
+}
+
+// Largest value over the half-period, or at the instants tried: (57) as printed has none but those.
+double largest(const PlainModes& m, const Choices& c, const std::function<double(double)>& f) {
+    return c.instants ? largest_at(*c.instants, f) : largest_over_half_period(f, plain_steps(m));
+}
+
+// (56): the sum of the maxima of the modes.
 double sum_of_maxima(const PlainModes& m, const Choices& c) {
+    const auto of_mode = c.demand_as_printed ? printed_demand_of_mode : demand_of_mode;
     std::vector<double> s;
-    for (std::size_t i = 0; i < m.R.size(); ++i) {
-        if (c.printed_demand == 0) {
-            s.push_back(largest_over_half_period([&](double tau) { return demand_of_mode(m, i, tau); }, plain_steps(m)));
-            continue;
-        }
-        double largest = -1e300;
-        for (int n = 1; n <= c.printed_demand; ++n)
-            largest = std::max(
-                largest, as_printed::s_d_integrand(n * pi<double>() / (c.printed_demand + 1), m.R[i], m.zeta[i], m.u[i], m.g[i]));
-        s.push_back(largest);
-    }
+    for (std::size_t i = 0; i < m.R.size(); ++i) s.push_back(largest(m, c, [&](double tau) { return of_mode(m, i, tau); }));
     return paper::sum_over_contact<double>(m.psi[m.j], s);
 }
 
-// (57) as printed in the sum over the modes, at the same instants.
+// The maximum of the sum over the modes.
 double maximum_of_sum(const PlainModes& m, const Choices& c) {
-    const auto demand = [&](double tau, const auto& of_mode) {
+    const auto of_mode = c.demand_as_printed ? printed_demand_of_mode : demand_of_mode;
+    return largest(m, c, [&](double tau) {
         double S = 0;
-        for (std::size_t i = 0; i < m.R.size(); ++i) S += m.psi[m.j][i] * m.psi[m.j][i] * of_mode(i, tau);
+        for (std::size_t i = 0; i < m.R.size(); ++i) S += m.psi[m.j][i] * m.psi[m.j][i] * of_mode(m, i, tau);
         return S;
-    };
-    if (c.printed_demand == 0)
-        return largest_over_half_period(
-            [&](double tau) { return demand(tau, [&](std::size_t i, double t) { return demand_of_mode(m, i, t); }); },
-            plain_steps(m));
-    double largest = -1e300;
-    for (int n = 1; n <= c.printed_demand; ++n)
-        largest = std::max(largest, demand(n * pi<double>() / (c.printed_demand + 1), [&](std::size_t i, double t) {
-                               return as_printed::s_d_integrand(t, m.R[i], m.zeta[i], m.u[i], m.g[i]);
-                           }));
-    return largest;
+    });
 }
 
 // Whether every mode meets (63) on its own.
@@ -119,24 +120,36 @@ double sticking_limit(const Question& q, const PlainModes& m, const Choices& c) 
 
 } // namespace
 
-PlainLimits plain_limits(const Question& q, const PlainModes& m, const Choices& c) {
+Needed needed_for(std::string_view quantity) {
+    const bool regime = quantity == "regime";
+    return {regime || quantity == "S_j" || quantity == "beta_lim_exact", quantity == "beta_lim_paper",
+            regime || quantity == "beta_lim_sticking"};
+}
+
+PlainLimits plain_limits(const Question& q, const PlainModes& m, const Choices& c, const Needed& needed) {
     const Complex<double>& V_j = m.V[m.j];
     const double U_j = m.U[m.j];
     const double at_rest = paper::static_friction_demand(m.H_j, double(c.sign_of_mu * m.mu), m.sum_of_squares);
     const auto limit = [&](double S) { return paper::friction_ratio_limit(V_j, U_j, S); };
     PlainLimits limits;
-    const double S_paper = c.demand_at_start ? m.H_j + m.sum_of_squares : sum_of_maxima(m, c);
-    limits.S = c.maximum_of_each_mode || c.demand_at_start ? S_paper : maximum_of_sum(m, c);
+    const bool is_paper = c.maximum_of_each_mode || c.demand_at_start;
+    double S_paper = 0;
+    if (c.demand_at_start)
+        S_paper = m.H_j + m.sum_of_squares;
+    else if (needed.paper || (needed.S && is_paper))
+        S_paper = sum_of_maxima(m, c);
+    if (needed.S) limits.S = is_paper ? S_paper : maximum_of_sum(m, c);
     limits.approximate = limit(at_rest);
     if (c.load_of_each_mode) limits.approximate = limit_mode_by_mode(m, limits.approximate);
     const double by_68 = limit(m.H_j - m.mu * m.sum_of_squares);
     const auto ends = [&](double S) {
         if (c.sliding_beyond_68 && by_68 < limit(S)) return limit(S);
+        if (c.without_load_condition) return limit(S);
         return c.load_of_each_mode ? std::min(limit(S), limits.approximate) : limit(std::max(S, at_rest));
     };
-    limits.exact = ends(limits.S);
-    limits.paper = ends(S_paper);
-    limits.sticking = sticking_limit(q, m, c);
+    if (needed.S) limits.exact = ends(limits.S);
+    if (needed.paper) limits.paper = ends(S_paper);
+    if (needed.sticking) limits.sticking = sticking_limit(q, m, c);
     return limits;
 }
 

@@ -34,6 +34,13 @@ double factor_of_shape(Normalisation normalisation, double r, const Eigen::Vecto
 // The response of a mode to the n-th harmonic, (23) at n R.
 Complex<double> response_to_harmonic(int n, double R, double zeta) { return paper::complex_response(double(n * R), zeta); }
 
+// (23) with a damping force in phase with the velocity but of the size of the displacement.
+Complex<double> hysteretic_response(double R, double zeta) {
+    const double stiffness = (1 - R) * (1 + R), damping = 2 * zeta;
+    const double square = stiffness * stiffness + damping * damping;
+    return {stiffness / square, -damping / square};
+}
+
 // What (28), (29) and the braces of (40) become where friction is a square wave cut off after some harmonics.
 evaluation::DampingFunctions<double> truncated_functions(int highest, double R, double zeta) {
     evaluation::DampingFunctions<double> f{0, 0};
@@ -111,11 +118,14 @@ PlainModes plain_modes(const Question& q, const Choices& c) {
             c.harmonics > 0 ? truncated_functions(c.harmonics, R, zeta) : evaluation::damping_functions(R, zeta);
         m.u.push_back(f.u);
         m.g.push_back(f.g);
-        m.v.push_back(c.factor_in_23 == 2 ? evaluation::complex_response(R, zeta)
-                                          : paper::complex_response(R, double(zeta * c.factor_in_23 / 2)));
+        m.v.push_back(c.hysteretic          ? hysteretic_response(R, zeta)
+                      : c.factor_in_23 == 2 ? evaluation::complex_response(R, zeta)
+                                            : paper::complex_response(R, double(zeta * c.factor_in_23 / 2)));
     }
     m.sum_of_squares = 1 / (q.mass_ratios[m.j] * std::pow(q.r, c.power_of_r_in_65));
+    if (c.change_modes) c.change_modes(m);
     sum_modes(m);
+    if (c.change_sums) c.change_sums(m);
     return m;
 }
 

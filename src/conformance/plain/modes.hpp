@@ -6,6 +6,9 @@
 /// numbers are right to the accuracy of double.
 #pragma once
 
+#include <cstddef>
+#include <functional>
+#include <optional>
 #include <vector>
 
 #include "conformance/question.hpp"
@@ -28,6 +31,15 @@ enum class StickingForm {
     without_damping_load ///< the damping forces of the moving masses on the contact left out, all else exact
 };
 
+/// @brief Equally spaced instants in the half-period.
+struct Instants {
+    double first = 0;       ///< the first
+    double before_end = 0;  ///< how long before pi the last is
+    std::size_t count = 14; ///< number of instants
+};
+
+struct PlainModes;
+
 /// @brief The points of variation of the plain closed form.
 struct Choices {
     Normalisation normalisation = Normalisation::mass_matrix; ///< of the mode shapes
@@ -48,11 +60,17 @@ struct Choices {
     bool argument_in_half_plane = false;                      ///< the argument of V_dj by the arcus tangent of a quotient
     bool no_half_period_for_minima = false;                   ///< (47) without the half-period where the mass is at a minimum
     bool beyond_the_boundary = false;                         ///< the closed form in every regime
+    bool closed_form_alone = false;                           ///< no answer to the motion beyond the sliding regime
     double factor_in_23 = 2;                                  ///< of zeta R in (23)
     double sign_of_mu = 1;                                    ///< of mu / (gamma_j r^2) in (67)
     double power_of_r_in_65 = 2;                              ///< of r in (65)
-    int printed_demand = 0; ///< (57) as printed, on so many equally spaced instants inside (0, pi); 0: as corrected
-    int harmonics = 0;      ///< highest harmonic of friction kept; 0: all
+    bool demand_as_printed = false;                           ///< (57) as printed, which needs `instants`
+    std::optional<Instants> instants;                         ///< where the maximum of (57) is sought; none: everywhere
+    bool without_load_condition = false;                      ///< (69) from the maximum alone, without the load condition (67)
+    bool hysteretic = false;                                  ///< 2 zeta in place of 2 zeta R in (23)
+    int harmonics = 0;                                        ///< highest harmonic of friction kept; 0: all
+    std::function<void(PlainModes&)> change_modes;            ///< changes the modes before they are summed; empty: leaves them
+    std::function<void(PlainModes&)> change_sums;             ///< changes the sums over the modes; empty: leaves them
 };
 
 /// @brief Modes and sums over modes of a question's scene.

@@ -1,6 +1,7 @@
 #include "conformance/session/session.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <mutex>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -30,6 +31,7 @@ struct Shared {
     std::string first_unasked;
     std::set<std::string> ends;
     std::size_t given_up = 0;
+    std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
 };
 
 class Worker {
@@ -42,7 +44,7 @@ public:
     void work(Partner first) {
         partner = std::move(first);
         int broken = 0;
-        while (broken <= most_restarts && !interruption()) {
+        while (broken <= most_restarts && !interruption() && !is_late()) {
             const std::size_t n = take();
             if (n >= questions.size()) break;
             Exchange& exchange = conversation.exchanges[n];
@@ -63,6 +65,11 @@ private:
     Shared& shared;
     const std::function<void(std::size_t)>& progress;
     Partner partner;
+
+    [[nodiscard]] bool is_late() const {
+        const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - shared.start;
+        return settings.total_seconds > 0 && passed.count() >= settings.total_seconds;
+    }
 
     std::size_t take() {
         const std::lock_guard<std::mutex> hold(shared.lock);
@@ -171,8 +178,14 @@ Conversation converse(const RunSettings& settings, std::span<const Question* con
     const auto has_trouble = [](const Exchange& exchange) { return exchange.trouble.has_value(); };
     conversation.broken =
         shared.given_up == jobs || std::all_of(conversation.exchanges.begin(), conversation.exchanges.end(), has_trouble);
+    const std::size_t asked = std::min(shared.done, questions.size());
+    const bool given_up = shared.given_up == jobs;
     const std::string reason = interruption() ? "the runner was interrupted"
-                                              : "the program broke " + std::to_string(most_restarts + 1) + " times in a row";
+                               : given_up     ? "the program broke " + std::to_string(most_restarts + 1) + " times in a row"
+                                              : "the total time was over";
+    if (!given_up && shared.next < questions.size())
+        conversation.cut_short =
+            reason + " after " + std::to_string(asked) + " of " + std::to_string(questions.size()) + " questions";
     for (std::size_t n = shared.next; n < questions.size(); ++n) conversation.exchanges[n].answer = Skipped{reason};
     note_breaches(conversation, shared);
     return conversation;

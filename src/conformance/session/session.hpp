@@ -31,6 +31,7 @@ struct RunSettings {
     std::vector<std::string> command; ///< the program and its arguments
     double seconds = 10;              ///< time for an answer
     unsigned jobs = 1;                ///< processes side by side
+    double total_seconds = 0;         ///< time for all answers, after which nothing more is asked; 0: no end
 };
 
 /// @brief A program that answered the handshake.
@@ -67,6 +68,7 @@ struct Conversation {
     std::string dialect;             ///< `json` or `plain`
     std::vector<std::string> notes;  ///< breaches of the protocol that decide no verdict
     bool broken = false;             ///< the program broke at every question, or too often in a row
+    std::string cut_short;           ///< why not every question was asked, and how many were; empty where all were
 };
 
 /// @brief Asks a program all questions.

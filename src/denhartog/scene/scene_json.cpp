@@ -63,6 +63,7 @@ T read_positive(const Item& x) {
 
 template <class T>
 std::vector<T> read_list(const Item& x) {
+    if (x.value.is_number()) return {read_number<T>(x)}; // Octave writes an array of one so
     if (!x.value.is_array()) x.fail("must be an array of numbers");
     if (x.value.empty()) x.fail("must have at least one value");
     check_length(x, "values");

@@ -19,7 +19,7 @@ from pathlib import Path
 HERE = Path(__file__).resolve().parent
 ADAPTER = HERE.parent / "adapters" / "python"
 WRONG = ("wrong", "as-printed", "wrong-regime")
-MOST_CAUGHT = 30  # vectors that claim to catch the mistake
+MOST_CAUGHT = 24  # vectors that claim to catch the mistake
 MOST_A_QUANTITY = 3  # vectors besides, of every quantity
 
 

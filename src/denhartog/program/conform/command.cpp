@@ -7,6 +7,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "conformance/mistakes/mistake.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/legible.hpp"
 #include "denhartog/program/conform/number.hpp"
@@ -47,6 +48,14 @@ void list(const SelectionOptions& options, bool summary) {
     write_standard_output(aligned(rows));
 }
 
+void list_mistakes() {
+    std::vector<std::vector<std::string>> rows{{"mistake", "equation", "what it is; what to look at"}};
+    for (const conformance::Mistake& mistake : conformance::mistakes())
+        rows.push_back(
+            {mistake.name, mistake.equation.empty() ? "." : mistake.equation, mistake.told + " Look at: " + mistake.look_at});
+    write_standard_output(aligned(rows));
+}
+
 void show(const SelectionOptions& options, const std::string& id) {
     const std::vector<Vector> all = conformance::read_vectors(options.vectors);
     const auto found = std::find_if(all.begin(), all.end(), [&](const Vector& v) { return v.question.id == id; });
@@ -56,12 +65,14 @@ void show(const SelectionOptions& options, const std::string& id) {
 }
 
 void add_list(CLI::App& conform) {
-    CLI::App* command = conform.add_subcommand("list", "The vectors");
+    CLI::App* command = conform.add_subcommand("list", "The vectors, or the known mistakes");
     const auto options = std::make_shared<SelectionOptions>();
     const auto summary = std::make_shared<bool>(false);
     add_selection_options(*command, *options);
     command->add_flag("--summary", *summary, "number of vectors a group and tier");
-    command->callback([options, summary] { list(*options, *summary); });
+    const auto known = std::make_shared<bool>(false);
+    command->add_flag("--mistakes", *known, "the known mistakes, with their equations and what to look at");
+    command->callback([options, summary, known] { *known ? list_mistakes() : list(*options, *summary); });
 }
 
 void add_show(CLI::App& conform) {
@@ -108,6 +119,10 @@ void add_run(CLI::App& conform, ExitStatus& status, const std::vector<std::strin
     add_selection_options(*command, options->selection);
     add_program_options(*command, *options);
     command->add_option("--jobs", options->jobs, "processes of the program side by side")->capture_default_str();
+    command
+        ->add_option("--total-timeout", options->total_seconds,
+                     "seconds for all answers; then the report tells those given until then; 0 is no end")
+        ->capture_default_str();
     command->add_option("--repro", options->repro, "id of the one question to repeat: it is shown as a command, and asked");
     add_report_options(*command, *options);
     command->footer("The protocol is docs/protocol.md, the formats of the report are docs/conformance-output.md.");

@@ -61,6 +61,7 @@ Json finding_json(const conformance::Finding& f) {
             {"look_at", f.mistake->look_at},
             {"explained", f.explained},
             {"contradicted", f.contradicted},
+            {"weak", f.weak},
             {"quantities", f.quantities},
             {"example",
              {{"id", f.example->vector->question.id},
@@ -80,6 +81,15 @@ Json diagnosis_json(const conformance::Diagnosis& d) {
     Json object = {{"wrong", d.wrong}, {"findings", Json::array()}, {"unexplained", Json::array()}};
     for (const conformance::Finding& finding : d.findings) object["findings"].push_back(finding_json(finding));
     for (const Judged* one : d.unexplained) object["unexplained"].push_back(one->vector->question.id);
+    object["chain"] = Json::array();
+    for (const conformance::Link& link : d.chain)
+        object["chain"].push_back({{"link", link.name}, {"answers", link.answered}, {"wrong", link.wrong}});
+    object["simple"] = Json::array();
+    for (const conformance::Simple& one : d.simple)
+        object["simple"].push_back({{"told", one.told},
+                                    {"explained", one.explained},
+                                    {"contradicted", one.contradicted},
+                                    {"quantities", one.quantities}});
     object["by_quantity"] = in_common_json(d.by_quantity);
     object["in_common"] = in_common_json(d.in_common);
     object["accepted"] = d.accepted;
@@ -101,6 +111,7 @@ std::string report_json(const ConformReport& report) {
     object["status"] = report.status();
     object["conforms"] = report.conforms;
     object["broken"] = report.broken;
+    if (!report.cut_short.empty()) object["cut_short"] = report.cut_short;
     object["needed"] = report.needed;
     object["counts"] = counts_json(conformance::counts_of(report.judged));
     object["scores"] = Json::array();

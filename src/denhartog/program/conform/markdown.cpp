@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "conformance/score.hpp"
 #include "denhartog/program/conform/number.hpp"
 #include "denhartog/program/conform/report.hpp"
@@ -73,6 +75,12 @@ std::string diagnosis_rows(const conformance::Diagnosis& d) {
                 " wrong answers, contradicted by " + std::to_string(f.contradicted) + ", for example " +
                 f.example->vector->question.id + ". Look at: " + markdown_cell(f.mistake->look_at) + "\n";
     if (!d.unexplained.empty()) text += "- " + std::to_string(d.unexplained.size()) + " match no known mistake.\n";
+    const auto first = std::find_if(d.chain.begin(), d.chain.end(), [](const conformance::Link& link) { return link.wrong > 0; });
+    if (first != d.chain.end())
+        text += "  - first wrong along the chain: " + markdown_cell(first->name) + " (" + std::to_string(first->wrong) + " of " +
+                std::to_string(first->answered) + ")\n";
+    for (const conformance::Simple& simple : d.simple)
+        text += "  - as if: " + markdown_cell(simple.told) + " (explains " + std::to_string(simple.explained) + ")\n";
     for (const conformance::InCommon& one : d.in_common)
         text += "  - in common: " + markdown_cell(one.property) + " (" + std::to_string(one.wrong) + " of " +
                 std::to_string(one.all_wrong) + ")\n";
@@ -94,6 +102,7 @@ std::string report_markdown(const ConformReport& report) {
             text += "- better: " + c.id + ", " + std::string(name(c.before)) + " to " + std::string(name(c.now)) + "\n";
         if (report.changes->worse.empty() && report.changes->better.empty()) text += "Nothing changed.\n";
     }
+    if (!report.cut_short.empty()) text += "\nCut short: " + markdown_cell(report.cut_short) + ".\n";
     const bool good = report.status() == 0;
     return text + (report.broken ? "\nThe program broke.\n" : good ? "\nConforms.\n" : "\nDoes not conform.\n");
 }

@@ -13,6 +13,7 @@ namespace denhartog::program {
 namespace {
 
 constexpr double longest_wait = 3600;
+constexpr double longest_run = 7 * 24 * 3600.0;
 constexpr int most_jobs = 256;
 
 std::regex filter_of(const std::string& text) {
@@ -74,7 +75,10 @@ conformance::RunSettings run_settings(const ConformOptions& options) {
                          number_to_text(options.seconds));
     if (options.jobs < 1 || options.jobs > most_jobs)
         throw InputError("jobs", "must be from 1 to " + std::to_string(most_jobs), std::to_string(options.jobs));
-    return {options.command, options.seconds, static_cast<unsigned>(options.jobs)};
+    if (!(options.total_seconds >= 0 && options.total_seconds <= longest_run))
+        throw InputError("total-timeout", "must be from 0, which is no end, to " + number_to_text(longest_run) + " seconds",
+                         number_to_text(options.total_seconds));
+    return {options.command, options.seconds, static_cast<unsigned>(options.jobs), options.total_seconds};
 }
 
 std::set<std::string> needed_quantities(const ConformOptions& options) {

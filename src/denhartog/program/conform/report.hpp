@@ -24,6 +24,7 @@ struct ConformReport {
     bool conforms = false;                   ///< nothing is to be said against it
     bool broken = false;                     ///< the program broke over and over
     bool verbose = false;                    ///< every answer is told
+    std::string cut_short;                   ///< why not every question was asked; empty where all were
 
     /// @return the exit status
     [[nodiscard]] int status() const { return broken ? 3 : conforms && (!changes || changes->worse.empty()) ? 0 : 1; }

@@ -2,6 +2,8 @@
 
 #include <unistd.h>
 
+#include <chrono>
+#include <cmath>
 #include <cstdio>
 
 #include "conformance/answers_file.hpp"
@@ -21,13 +23,22 @@ namespace {
 using conformance::Judged;
 using conformance::Vector;
 
-// How many questions are done, on a terminal, at every percent.
+std::string time_text(double seconds) {
+    const long whole = std::lround(seconds);
+    return whole < 120 ? std::to_string(whole) + " s" : std::to_string((whole + 30) / 60) + " min";
+}
+
+// How many questions are done and how long the rest may take, on a terminal, at every percent.
 void show_answered(std::size_t done, std::size_t all) {
+    static const auto start = std::chrono::steady_clock::now();
     static const bool on_terminal = ::isatty(STDERR_FILENO) != 0;
     if (!on_terminal) return;
     const std::size_t percent = 100 * done / all;
     if (done != all && percent == 100 * (done - 1) / all) return;
-    std::fprintf(stderr, "\r%3zu %% of %zu questions%s", percent, all, done == all ? "\n" : "");
+    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
+    const std::string left =
+        time_text(passed.count() * static_cast<double>(all - done) / static_cast<double>(done > 1 ? done - 1 : 1));
+    std::fprintf(stderr, "\r%3zu %% of %zu questions, %s left   %s", percent, all, left.c_str(), done == all ? "\n" : "");
 }
 
 std::string text_in_format(const ConformReport& report, const std::string& format) {
@@ -48,17 +59,17 @@ std::optional<Verdicts> earlier_verdicts(const ConformOptions& options) {
 
 // Diagnosis, comparison, and the report where it belongs. Where something got worse the file of verdicts is left as it was.
 void finish(ConformReport& report, const ConformOptions& options, const std::optional<Verdicts>& earlier, ExitStatus& status) {
-    report.diagnosis = conformance::diagnose(report.judged, conformance::known_signatures());
+    report.diagnosis = conformance::diagnose(report.judged, conformance::known_signatures(report.judged));
     report.needed = options.needed;
     report.verbose = options.verbose;
-    report.conforms = conformance::conforms(report.judged, needed_quantities(options));
+    report.conforms = report.cut_short.empty() && conformance::conforms(report.judged, needed_quantities(options));
     if (earlier) report.changes = compare(*earlier, report.judged);
     const std::string text = text_in_format(report, options.format);
     if (options.output.empty())
         write_standard_output(text);
     else
         write_file(options.output, text);
-    if (!options.track.empty() && (!report.changes || report.changes->worse.empty()))
+    if (!options.track.empty() && report.cut_short.empty() && (!report.changes || report.changes->worse.empty()))
         write_file(options.track, tracked_text(earlier.value_or(Verdicts{}), report.judged));
     status.broken = report.broken;
     status.failed = report.status() == 1;
@@ -79,9 +90,10 @@ void conform_run(const ConformOptions& options, ExitStatus& status) {
         conformance::converse(settings, questions, [&](std::size_t done) { show_answered(done, chosen.size()); });
     if (interruptible.caught() != 0) {
         status.signal = interruptible.caught();
-        return report("interrupted: nothing is written");
+        report("interrupted: the report tells what was answered until then");
     }
     ConformReport report;
+    report.cut_short = conversation.cut_short;
     report.subject = conversation.name.empty() ? legible(options.command.front()) : conversation.name;
     report.command = shell_text(options.command);
     report.dialect = conversation.dialect;

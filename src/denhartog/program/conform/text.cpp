@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <map>
 
 #include "conformance/score.hpp"
 #include "denhartog/number/number_text.hpp"
@@ -53,24 +54,77 @@ std::string score_table(const ConformReport& report) {
     return aligned(rows);
 }
 
+// What several answers share: the reason where there is one, and what their scenes are.
+std::string group_of(const Judged& one) {
+    const std::vector<double>& zeta = one.vector->question.damping_ratios;
+    const bool overdamped = std::any_of(zeta.begin(), zeta.end(), [](double z) { return z >= 1; });
+    const std::string reason = one.reason.find("finite") != std::string::npos ? "not finite" : std::string(name(one.verdict));
+    return reason + (overdamped ? ", overdamped" : "") + (one.vector->regime.empty() ? "" : ", " + one.vector->regime);
+}
+
+std::string groups_text(const std::vector<const Judged*>& worst) {
+    std::map<std::string, std::size_t> groups;
+    for (const Judged* one : worst) ++groups[group_of(*one)];
+    std::string text;
+    for (const auto& [group, count] : groups) text += "  " + std::to_string(count) + " " + group + "\n";
+    return text;
+}
+
+// Right in kind everywhere: no mistake is to be looked for.
+std::string digits_text(const ConformReport& report) {
+    std::size_t inaccurate = 0;
+    const Judged* worst = nullptr;
+    for (const Judged& one : report.judged) {
+        if (one.verdict != Verdict::inaccurate) continue;
+        ++inaccurate;
+        if (worst == nullptr || one.error.value_or(0) > worst->error.value_or(0)) worst = &one;
+    }
+    if (worst == nullptr || inaccurate != report.diagnosis.wrong) return "";
+    return "\nDigits are missing in " + std::to_string(inaccurate) +
+           " answers, and nothing else is wrong: " + digits_cell(conformance::digits(*worst->error)) + " digits at the worst, " +
+           worst->vector->question.id + ", " + worst->vector->question.quantity + ".\n";
+}
+
 std::string worst_text(const ConformReport& report) {
     const std::vector<const Judged*> worst = conformance::worst_first(report.judged);
     if (worst.empty()) return "";
     const std::size_t told = report.verbose ? worst.size() : std::min(worst.size(), worst_told);
     std::string text = "\nWorst answers" +
                        (told < worst.size() ? ", " + std::to_string(told) + " of " + std::to_string(worst.size()) : "") + ":\n";
+    if (told < worst.size()) text += groups_text(worst);
     for (std::size_t n = 0; n < told; ++n) text += answer_text(*worst[n], "  ");
     return text;
 }
 
 std::string finding_text(const conformance::Finding& f, std::size_t number, std::size_t wrong) {
     const std::string equation = f.mistake->equation.empty() ? "" : ", Eq. (" + f.mistake->equation + ")";
-    return "  " + std::to_string(number) + ". " + f.mistake->name + equation + ": " + f.mistake->told + "\n     explains " +
-           std::to_string(f.explained) + " of " + std::to_string(wrong) + " wrong answers (" + joined(f.quantities) +
-           "); contradicted by " + std::to_string(f.contradicted) + "\n     look at: " + f.mistake->look_at +
+    return "  " + std::to_string(number) + ". " + f.mistake->name + equation + ": " + f.mistake->told +
+           (f.weak ? "\n     weak, for few answers are wrong: explains " : "\n     explains ") + std::to_string(f.explained) +
+           " of " + std::to_string(wrong) + " wrong answers (" + joined(f.quantities) + "); contradicted by " +
+           std::to_string(f.contradicted) + "\n     look at: " + f.mistake->look_at +
+           (f.mistake->equation.empty() ? ""
+                                        : "\n     its statement and correction: denhartog equations " + f.mistake->equation) +
            "\n     for example " + f.example->vector->question.id + "\n       answer        " + value_text(f.example->given) +
            "\n       this mistake  " + value_text(f.mistaken) + "\n       true          " +
            value_text(truth_of(*f.example->vector)) + "\n";
+}
+
+// What is right along the chain of quantities, and the first that is wrong.
+std::string chain_text(const std::vector<conformance::Link>& chain) {
+    std::string right;
+    for (const conformance::Link& link : chain) {
+        if (link.wrong > 0)
+            return (right.empty() ? "    along the chain " : "    right along the chain: " + right + "; ") +
+                   "first wrong: " + link.name + ", " + std::to_string(link.wrong) + " of " + std::to_string(link.answered) +
+                   " answers\n";
+        right += (right.empty() ? "" : ", ") + link.name;
+    }
+    return "";
+}
+
+std::string simple_text(const conformance::Simple& simple) {
+    return "    as if: " + simple.told + "; that explains " + std::to_string(simple.explained) + " (" +
+           joined(simple.quantities) + "), contradicted by " + std::to_string(simple.contradicted) + "\n";
 }
 
 std::string diagnosis_text(const conformance::Diagnosis& d) {
@@ -78,14 +132,15 @@ std::string diagnosis_text(const conformance::Diagnosis& d) {
     if (d.wrong > 0) text += "\nDiagnosis, of " + std::to_string(d.wrong) + " answers that are wrong or inaccurate:\n";
     for (std::size_t n = 0; n < d.findings.size(); ++n) text += finding_text(d.findings[n], n + 1, d.wrong);
     if (!d.unexplained.empty()) {
-        text += "  " + std::to_string(d.unexplained.size()) + " match no known mistake.\n";
+        text += "  " + std::to_string(d.unexplained.size()) + " match no known mistake.\n" + chain_text(d.chain);
+        for (const conformance::Simple& simple : d.simple) text += simple_text(simple);
         for (const conformance::InCommon& one : d.by_quantity)
             text +=
                 "    " + one.property + ": " + std::to_string(one.wrong) + " of the " + std::to_string(one.asked) + " answers\n";
         for (const conformance::InCommon& one : d.in_common)
             text += "    in common: " + one.property + ", " + std::to_string(one.wrong) + " of the " +
-                    std::to_string(one.all_wrong) + "; of " + std::to_string(one.asked) + " answers with it " +
-                    std::to_string(one.wrong) + " are among them\n";
+                    std::to_string(one.all_wrong) + "; of all answers to these quantities " + std::to_string(one.asked) + " of " +
+                    std::to_string(one.all_asked) + " have it\n";
     }
     for (const auto& [rule, count] : d.accepted)
         text += (text.empty() ? "\n" : "") + std::string("  Answered although it breaks a rule (") + std::to_string(count) +
@@ -107,6 +162,7 @@ std::string changes_text(const Comparison& changes) {
 
 std::string end_text(const ConformReport& report) {
     if (report.broken) return "\nThe program broke.\n";
+    if (!report.cut_short.empty()) return "\nCut short: " + report.cut_short + ". No verdict on the whole.\n";
     if (!report.conforms) return "\nDoes not conform.\n";
     return report.status() == 0 ? "\nConforms.\n" : "\nConforms, but something got worse.\n";
 }
@@ -132,7 +188,7 @@ std::string answer_text(const Judged& one, const std::string& indent) {
 std::string report_text(const ConformReport& report) {
     std::string text = report.subject + (report.dialect.empty() ? "" : " (" + report.dialect + ")") + ": " +
                        std::to_string(report.judged.size()) + " questions\n\n" + score_table(report) + worst_text(report) +
-                       diagnosis_text(report.diagnosis);
+                       digits_text(report) + diagnosis_text(report.diagnosis);
     if (report.verbose) {
         text += "\nAll other answers:\n";
         for (const Judged& one : report.judged)

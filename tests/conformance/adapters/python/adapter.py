@@ -3,8 +3,7 @@ import json
 import math
 import sys
 
-import numpy as np
-from closed_form import ClosedForm, broken_rule
+from closed_form import ClosedForm, broken_rule, np
 
 QUANTITIES = {  # c: the closed form of the scene; k: the mass, from 0; q: the question
     "natural_frequency_ratios": lambda c, k, q: c.r_n,

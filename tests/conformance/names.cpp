@@ -1,0 +1,297 @@
+// The second kill matrix: mistakes that nobody knows, and pairs, must get no name; known ones keep theirs.
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <map>
+#include <set>
+
+#include "conformance/diagnose.hpp"
+#include "conformance/fitted.hpp"
+#include "conformance/grade.hpp"
+#include "tests/catch.hpp"
+#include "tests/conformance/unknown_mistakes.hpp"
+#include "tests/conformance/vector_folder.hpp"
+
+using namespace denhartog;
+using namespace denhartog::conformance;
+using namespace denhartog::tests;
+
+namespace {
+
+constexpr std::size_t every = 14;   // vectors of each quantity; of stick-slip motion one in three of these
+constexpr std::size_t catching = 4; // vectors besides that catch a known mistake by numbers
+
+bool is_hard(const Vector& v) { return v.regime == "stick_slip" && v.question.quantity != "regime"; }
+
+// Certified vectors: some of every quantity, and some that catch each known mistake.
+const std::vector<Vector>& some_vectors() {
+    static const std::vector<Vector> some = [] {
+        std::set<std::string> chosen;
+        std::map<std::string, std::size_t> seen;
+        for (const Vector& v : vectors())
+            if (v.reject.empty() &&
+                seen[v.question.quantity + (is_hard(v) ? " stick-slip" : "")]++ % (is_hard(v) ? 3 * every : every) == 0)
+                chosen.insert(v.question.id);
+        for (const Mistake& mistake : mistakes()) {
+            std::vector<std::string> caught_by;
+            for (const Vector& v : vectors())
+                if (v.word.empty() && !v.question.quantity.starts_with("stop") &&
+                    std::find(v.catches.begin(), v.catches.end(), mistake.name) != v.catches.end())
+                    caught_by.push_back(v.question.id);
+            for (std::size_t n = 0; n < std::min(catching, caught_by.size()); ++n)
+                chosen.insert(caught_by[n * caught_by.size() / std::min(catching, caught_by.size())]);
+        }
+        std::vector<Vector> all;
+        std::copy_if(vectors().begin(), vectors().end(), std::back_inserter(all),
+                     [&](const Vector& v) { return chosen.contains(v.question.id); });
+        return all;
+    }();
+    return some;
+}
+
+using Answers = std::map<std::string, std::optional<Value>>; // by the id of the question
+
+// What known mistakes answer: computed once for all programs.
+const std::map<std::string, Answers>& known_answers() {
+    static const std::map<std::string, Answers> all = [] {
+        std::map<std::string, Answers> answers;
+        for (const Mistake& mistake : mistakes())
+            for (const Vector& v : some_vectors())
+                answers[mistake.name][v.question.id] = answer_with_mistake(mistake.name, v.question);
+        return answers;
+    }();
+    return all;
+}
+
+struct Program {
+    std::string rule, told;
+    std::vector<std::string> allowed; // names that it may get; the first it has to get
+    bool second_half = false;         // on which the thresholds are shown, not chosen
+    std::vector<Judged> judged;
+    FittedAnswers fitted;
+};
+
+template <class Answering>
+Program program(std::string rule, std::string told, std::vector<std::string> allowed, bool second_half,
+                const Answering& answering) {
+    Program p{std::move(rule), std::move(told), std::move(allowed), second_half, {}, {}};
+    for (const Vector& v : some_vectors()) {
+        const std::optional<Value> value = answering(v);
+        p.judged.push_back(value ? grade(v, *value) : grade(v, Skipped{"not in the closed form"}));
+    }
+    p.fitted = fitted_answers(p.judged);
+    return p;
+}
+
+Value right(const Vector& v) { return {v.nearest, v.word}; }
+
+// A known mistake; right where it says nothing.
+std::optional<Value> known_answer(const std::string& name, const Vector& v) {
+    return known_answers().at(name).at(v.question.id).value_or(right(v));
+}
+
+bool is_wrong_there(const std::string& name, const Vector& v) {
+    const std::optional<Value>& value = known_answers().at(name).at(v.question.id);
+    return value && is_wrong_value(grade(v, *value).verdict);
+}
+
+const std::vector<Program>& programs() {
+    static const std::vector<Program> all = [] {
+        std::vector<Program> made;
+        const std::span<const Mistake> known = mistakes();
+        for (std::size_t n = 0; n < known.size(); ++n)
+            made.push_back(program("a known mistake", known[n].name, {known[n].name}, n % 2 == 1,
+                                   [&](const Vector& v) { return known_answer(known[n].name, v); }));
+        // Two known ones in different functions of a program: the second where it makes a difference.
+        for (std::size_t n = 0; n + 7 < known.size(); n += 3) {
+            const std::string &a = known[n].name, &b = known[n + 7].name;
+            made.push_back(program("two known ones", a + "; " + b, {"", a, b}, n % 2 == 1, [&](const Vector& v) {
+                return is_wrong_there(b, v) ? known_answer(b, v) : known_answer(a, v);
+            }));
+        }
+        const std::vector<UnknownMistake> unknown = unknown_mistakes(2022);
+        for (std::size_t n = 0; n < unknown.size(); ++n)
+            made.push_back(program(unknown[n].rule, unknown[n].told, {}, n % 2 == 1,
+                                   [&](const Vector& v) { return answer_of(unknown[n], v.question); }));
+        for (std::size_t n = 0; n + 11 < unknown.size(); n += 3) {
+            const UnknownMistake pair = both(unknown[n], unknown[n + 11]);
+            made.push_back(
+                program(pair.rule, pair.told, {}, n / 3 % 2 == 1, [&](const Vector& v) { return answer_of(pair, v.question); }));
+        }
+        return made;
+    }();
+    return all;
+}
+
+Diagnosis diagnosis_of(const Program& p, std::vector<Judged>& judged, const Thresholds& least, bool guess) {
+    const Signatures signatures{mistakes(), [&](std::string_view name, const Question& q) {
+                                    const auto found = p.fitted.find(std::string(name));
+                                    return found != p.fitted.end() ? found->second(q)
+                                                                   : known_answers().at(std::string(name)).at(q.id);
+                                }};
+    return diagnose(judged, signatures, least, guess);
+}
+
+// What came of a program.
+struct Outcome {
+    std::size_t wrong = 0;
+    std::vector<std::string> names;
+    std::string first_wrong, simple;
+    bool false_name = false, lost_name = false;
+};
+
+Outcome outcome_of(const Program& p, const Thresholds& least, bool guess) {
+    std::vector<Judged> judged = p.judged;
+    const Diagnosis d = diagnosis_of(p, judged, least, guess);
+    Outcome o;
+    o.wrong = d.wrong;
+    for (const Finding& f : d.findings) {
+        o.names.push_back(f.mistake->name);
+        if (std::find(p.allowed.begin(), p.allowed.end(), f.mistake->name) == p.allowed.end()) o.false_name = true;
+    }
+    o.lost_name = !p.allowed.empty() && !p.allowed.front().empty() && (o.names.empty() || o.names.front() != p.allowed.front());
+    for (const Link& link : d.chain)
+        if (link.wrong > 0 && o.first_wrong.empty()) o.first_wrong = link.name;
+    if (!d.simple.empty()) o.simple = d.simple.front().told;
+    return o;
+}
+
+std::string joined(const std::vector<std::string>& words) {
+    std::string text;
+    for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
+    return text;
+}
+
+std::string cell(std::size_t count) { return std::to_string(count); }
+
+// A row of the table of thresholds: false names and lost ones, in each half.
+std::string threshold_row(const std::string& title, const Thresholds& least) {
+    std::size_t named[2] = {0, 0}, lost[2] = {0, 0};
+    for (const Program& p : programs()) {
+        const Outcome o = outcome_of(p, least, false);
+        named[p.second_half] += o.false_name;
+        lost[p.second_half] += o.lost_name;
+    }
+    return "| " + title + " | " + cell(named[0]) + " | " + cell(lost[0]) + " | " + cell(named[1]) + " | " + cell(lost[1]) +
+           " |\n";
+}
+
+Thresholds without(double Thresholds::*share) {
+    Thresholds least;
+    least.*share = 0;
+    return least;
+}
+
+std::string thresholds_text() {
+    Thresholds without_words;
+    without_words.words = 0;
+    return "| thresholds | first half: false names | lost names | second half: false names | lost names "
+           "|\n|---|--:|--:|--:|--:|\n" +
+           threshold_row("as they are", {}) + threshold_row("any number contradicted", without(&Thresholds::consistency)) +
+           threshold_row("any share of what it would make wrong", without(&Thresholds::of_its_own)) +
+           threshold_row("any share of the wrong answers", without(&Thresholds::of_the_wrong)) +
+           threshold_row("any number of words", without_words);
+}
+
+struct Row {
+    std::size_t programs = 0, wrong = 0, own = 0, none = 0, other = 0;
+};
+
+std::string confusion_text(const std::vector<Outcome>& outcomes) {
+    std::vector<std::string> order;
+    std::map<std::string, Row> rows;
+    for (std::size_t n = 0; n < outcomes.size(); ++n) {
+        const std::string key = programs()[n].rule;
+        if (!rows.contains(key)) order.push_back(key);
+        Row& row = rows[key];
+        ++row.programs;
+        row.wrong += outcomes[n].wrong > 0;
+        row.other += outcomes[n].false_name;
+        (outcomes[n].names.empty() ? row.none : row.own) += !outcomes[n].false_name;
+    }
+    std::string text =
+        "| rule | programs | found wrong | its own name | no name | a name that is not its own |\n|---|--:|--:|--:|--:|--:|\n";
+    for (const std::string& rule : order) {
+        const Row& row = rows[rule];
+        text += "| " + rule + " | " + cell(row.programs) + " | " + cell(row.wrong) + " | " + cell(row.own) + " | " +
+                cell(row.none) + " | " + cell(row.other) + " |\n";
+    }
+    return text;
+}
+
+std::string unknown_text(const std::vector<Outcome>& outcomes) {
+    std::string text =
+        "| rule | mistake | wrong answers | name | first wrong | simple explanation |\n|---|---|--:|---|---|---|\n";
+    for (std::size_t n = 0; n < outcomes.size(); ++n) {
+        const Program& p = programs()[n];
+        if (!p.allowed.empty()) continue;
+        text += "| " + p.rule + " | " + p.told + " | " + cell(outcomes[n].wrong) + " | " + joined(outcomes[n].names) + " | " +
+                outcomes[n].first_wrong + " | " + outcomes[n].simple + " |\n";
+    }
+    return text;
+}
+
+const std::vector<Outcome>& outcomes() {
+    static const std::vector<Outcome> all = [] {
+        std::vector<Outcome> found;
+        for (const Program& p : programs()) found.push_back(outcome_of(p, {}, true));
+        return found;
+    }();
+    return all;
+}
+
+// The tables of docs/diagnosis.md.
+std::string tables() {
+    return std::to_string(programs().size()) + " programs were asked " + std::to_string(some_vectors().size()) +
+           " vectors each.\n\n" + confusion_text(outcomes()) + "\n" + thresholds_text() + "\n" + unknown_text(outcomes());
+}
+
+} // namespace
+
+TEST_CASE("no mistake that is not known gets a name, nor a pair of them, and known ones keep theirs",
+          "[conformance][diagnosis][names]") {
+    std::size_t unknown = 0;
+    for (std::size_t n = 0; n < outcomes().size(); ++n) {
+        const Program& p = programs()[n];
+        const Outcome& o = outcomes()[n];
+        INFO(p.rule << ": " << p.told << ": " << o.wrong << " wrong; named " << joined(o.names) << "; first wrong "
+                    << o.first_wrong << "; " << o.simple);
+        CHECK_FALSE(o.false_name);
+        CHECK_FALSE(o.lost_name);
+        if (p.rule == "a known mistake" || p.rule == "two known ones") continue;
+        CHECK(o.wrong > 0);
+        CHECK_FALSE(o.first_wrong.empty());
+        unknown += p.rule != "two of them";
+    }
+    CHECK(unknown >= 60);
+}
+
+TEST_CASE("a mistake in one input is guessed from the answers", "[conformance][diagnosis][names]") {
+    std::size_t scaled = 0, guessed = 0;
+    for (std::size_t n = 0; n < outcomes().size(); ++n) {
+        const Program& p = programs()[n];
+        if (p.rule != "scale an input" || p.told.find("number") != std::string::npos) continue;
+        ++scaled;
+        const std::string factor = p.told.substr(p.told.rfind(' ') + 1, 4);
+        guessed += outcomes()[n].simple.find(factor) != std::string::npos;
+    }
+    CHECK(scaled >= 12);
+    CHECK(guessed + 2 >= scaled);
+}
+
+TEST_CASE("the page on the diagnosis has the tables of this run", "[conformance][diagnosis][names]") {
+    const std::filesystem::path page = std::filesystem::path(std::getenv("DENHARTOG_SOURCE_DIR")) / "docs" / "diagnosis.md";
+    std::ifstream file(page);
+    std::string text{std::istreambuf_iterator<char>(file), {}};
+    const std::string start = "<!-- written by a run: names -->\n", end = "<!-- end -->";
+    const std::size_t from = text.find(start), to = text.find(end, from);
+    REQUIRE(from != std::string::npos);
+    REQUIRE(to != std::string::npos);
+    const std::string written = text.substr(from + start.size(), to - from - start.size());
+    if (std::getenv("DENHARTOG_WRITE_PAGES") != nullptr) {
+        text.replace(from + start.size(), written.size(), tables());
+        std::ofstream(page) << text;
+    } else {
+        CHECK(written == tables());
+    }
+}
