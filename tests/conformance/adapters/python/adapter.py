@@ -2,7 +2,9 @@
 import json
 import math
 import sys
+from importlib.util import find_spec
 
+find_spec("numpy") or sys.exit(f"numpy is missing: {sys.executable} does not have it; install it there, or start another Python")
 from closed_form import ClosedForm, broken_rule, np
 
 QUANTITIES = {  # c: the closed form of the scene; k: the mass, from 0; q: the question

@@ -4,13 +4,8 @@ Numbers in brackets are its equations, with the corrections that the ledger of d
 equal them and keep their digits. Modes with zeta >= 1, which the paper leaves out, obey them with w = i w_1: all stays real.
 """
 import math
-import sys
 from functools import cached_property
-
-try:
-    import numpy as np
-except ImportError:
-    sys.exit(f"numpy is missing: {sys.executable} does not have it; install it there, or start another Python")
+import numpy as np
 
 def natural_modes(gamma, kappa):
     """r_i = omega_i sqrt(m_1/k_1), ascending, and phi with phi^T diag(gamma) phi = 1, (15), (17): psi = phi / r."""
