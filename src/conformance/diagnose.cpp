@@ -7,6 +7,7 @@
 #include "conformance/grade.hpp"
 #include "conformance/guesses.hpp"
 #include "conformance/in_common.hpp"
+#include "conformance/spread.hpp"
 
 namespace denhartog::conformance {
 namespace {
@@ -148,8 +149,7 @@ std::vector<std::size_t> some_answers(std::span<const Judged> judged, const std:
     std::vector<std::size_t> some;
     for (const auto& [all, most] : {std::pair(&wrong, wrong_ones), std::pair(&right, right_ones)})
         for (const auto& [quantity, of_one] : *all)
-            for (std::size_t n = 0; n < std::min(most, of_one.size()); ++n)
-                some.push_back(of_one[n * of_one.size() / std::min(most, of_one.size())]);
+            for (const std::size_t n : spread(of_one, most)) some.push_back(n);
     return some;
 }
 

@@ -5,8 +5,8 @@
 
 #include "conformance/mistakes/mistake_definition.hpp"
 #include "conformance/plain/closed_form.hpp"
+#include "conformance/spread.hpp"
 #include "denhartog/formulas/as_printed.hpp"
-#include "denhartog/number/errors.hpp"
 
 namespace denhartog::conformance {
 namespace {
@@ -40,12 +40,10 @@ std::optional<Observed> observed(const Judged& one) {
 
 // Some of them, from all over the list.
 std::vector<Observed> all_observed(std::span<const Judged> judged) {
-    std::vector<Observed> all, some;
+    std::vector<Observed> all;
     for (const Judged& one : judged)
         if (std::optional<Observed> seen = observed(one)) all.push_back(std::move(*seen));
-    const std::size_t count = std::min(all.size(), most_observed);
-    for (std::size_t n = 0; n < count; ++n) some.push_back(all[n * all.size() / count]);
-    return some;
+    return spread(all, most_observed);
 }
 
 double printed_of_mode(const PlainModes& m, std::size_t i, double tau) {

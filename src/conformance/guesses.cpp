@@ -7,6 +7,7 @@
 
 #include "conformance/chain.hpp"
 #include "conformance/plain/closed_form.hpp"
+#include "conformance/spread.hpp"
 #include "denhartog/number/number.hpp"
 
 namespace denhartog::conformance {
@@ -74,15 +75,6 @@ void add_changes(std::vector<Guess>& all, const std::string& asked, const std::v
         all.push_back(changed(asked + " times " + short_text(factor), asked, [=](double x) { return factor * x; }));
 }
 
-// A few answers from all over the list.
-std::vector<const Judged*> some_of(const std::vector<const Judged*>& all) {
-    constexpr std::size_t most = 6;
-    std::vector<const Judged*> some;
-    const std::size_t count = std::min(all.size(), most);
-    for (std::size_t n = 0; n < count; ++n) some.push_back(all[n * all.size() / count]);
-    return some;
-}
-
 struct Input {
     const char* name;
     void (*scale)(Question&, double);
@@ -100,13 +92,17 @@ constexpr Input inputs[] = {
     {"every mass ratio but the first", [](Question& q, double f) { scale_all(q.mass_ratios, f, 1); }},
     {"every stiffness ratio but the first", [](Question& q, double f) { scale_all(q.stiffness_ratios, f, 1); }}};
 
+Choices closed_form_alone() {
+    Choices c;
+    c.closed_form_alone = true;
+    return c;
+}
+
 Guess read_as(std::string told, std::function<void(Question&)> change) {
     return {std::move(told), [change = std::move(change)](const Question& q) {
                 Question other = q;
                 change(other);
-                Choices c;
-                c.closed_form_alone = true;
-                return plain_answer(other, c);
+                return plain_answer(other, closed_form_alone());
             }};
 }
 
@@ -130,8 +126,7 @@ bool fits_some(const Guess& guess, std::span<const Judged* const> answers) {
 void add_factors(std::vector<Guess>& all, const Input& input, std::span<const Judged* const> answers, const Judged& one) {
     constexpr int pieces = 48;
     const double reach = std::log(12.0);
-    Choices c;
-    c.closed_form_alone = true;
+    const Choices c = closed_form_alone();
     const auto apart = [&](double factor) {
         Question q = one.vector->question;
         input.scale(q, factor);
@@ -157,8 +152,7 @@ void add_factors(std::vector<Guess>& all, const Input& input, std::span<const Ju
 
 Guess with(std::string told, std::function<void(Choices&)> choose) {
     return {std::move(told), [choose = std::move(choose)](const Question& q) {
-                Choices c;
-                c.closed_form_alone = true;
+                Choices c = closed_form_alone();
                 choose(c);
                 return plain_answer(q, c);
             }};
@@ -201,7 +195,7 @@ void add_others(std::vector<Guess>& all) {
 } // namespace
 
 std::vector<Guess> guesses_at(std::span<const Judged* const> wrong) {
-    constexpr std::size_t least = 3, probes = 2;
+    constexpr std::size_t least = 3, most_probed = 6, probes = 2;
     std::vector<Guess> all;
     std::map<std::string, std::vector<const Judged*>> of = numbers_by_quantity(wrong);
     for (const auto& [asked, answers] : of)
@@ -210,9 +204,9 @@ std::vector<Guess> guesses_at(std::span<const Judged* const> wrong) {
     for (const Quantity& each : quantities()) {
         const auto found = of.find(std::string(each.name));
         if (found == of.end() || found->second.size() < least || each.shape == Shape::samples) continue;
-        const std::vector<const Judged*> probed = some_of(found->second);
+        const std::vector<const Judged*> probed = spread(found->second, most_probed);
         for (const Input& input : inputs)
-            for (std::size_t n = 0; n < probes; ++n) add_factors(all, input, probed, *probed[n * probed.size() / probes]);
+            for (const Judged* probe : spread(probed, probes)) add_factors(all, input, probed, *probe);
         std::vector<Guess> others;
         add_others(others);
         for (Guess& guess : others)

@@ -26,9 +26,8 @@ std::set<std::string> properties(const Vector& v) {
     all.insert(q.r > 1 ? "r > 1" : "r <= 1");
     if (!v.regime.empty()) all.insert("regime " + v.regime);
     const auto undamped = [](double zeta) { return zeta == 0; };
-    const auto overdamped = [](double zeta) { return zeta >= 1; };
     if (std::any_of(q.damping_ratios.begin(), q.damping_ratios.end(), undamped)) all.insert("a zeta of 0");
-    if (std::any_of(q.damping_ratios.begin(), q.damping_ratios.end(), overdamped)) all.insert("a zeta of 1 or more");
+    if (is_overdamped(q)) all.insert("a zeta of 1 or more");
     return all;
 }
 

@@ -134,6 +134,10 @@ const Quantity& quantity(std::string_view name) {
     return *found;
 }
 
+bool is_overdamped(const Question& q) {
+    return std::any_of(q.damping_ratios.begin(), q.damping_ratios.end(), [](double zeta) { return zeta >= 1; });
+}
+
 template <class T>
 Scene<T> scene_of(const Question& q) {
     Scene<T> scene;

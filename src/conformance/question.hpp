@@ -58,6 +58,9 @@ struct Question {
     int samples = 0;                      ///< instants, for `motion_under_force`
 };
 
+/// @brief Whether a mode of a question's scene does not vibrate. @param q the question @return whether a zeta_i is 1 or more
+[[nodiscard]] bool is_overdamped(const Question& q);
+
 /// @brief The scene of a question, its numbers taken as exact.
 /// @param q  the question
 /// @return   the scene, checked

@@ -43,7 +43,4 @@ struct MistakeDefinition {
 /// @return       whether it does
 [[nodiscard]] bool asks_for(const Question& q, std::initializer_list<std::string_view> names);
 
-/// @brief Whether a mode of a question's scene does not vibrate. @param q the question @return whether a zeta_i is 1 or more
-[[nodiscard]] bool is_overdamped(const Question& q);
-
 } // namespace denhartog::conformance

@@ -29,10 +29,6 @@ bool asks_for(const Question& q, std::initializer_list<std::string_view> names) 
     return std::find(names.begin(), names.end(), q.quantity) != names.end();
 }
 
-bool is_overdamped(const Question& q) {
-    return std::any_of(q.damping_ratios.begin(), q.damping_ratios.end(), [](double zeta) { return zeta >= 1; });
-}
-
 MistakeDefinition by_formulas(Mistake mistake, std::vector<std::string_view> touched, std::function<void(Choices&)> choose) {
     return {std::move(mistake), [touched = std::move(touched), choose = std::move(choose)](const Question& q) {
                 if (!touched.empty() && std::find(touched.begin(), touched.end(), q.quantity) == touched.end())

@@ -40,8 +40,10 @@ MistakeDefinition other_quantity(std::string name, std::string equation, std::st
 }
 
 MistakeDefinition elsewhere(std::string name, std::string equation, std::string told, std::string look_at,
-                            std::function<std::optional<Value>(const Question&)> answer) {
-    return {{std::move(name), std::move(equation), false, std::move(told), std::move(look_at)}, std::move(answer)};
+                            std::function<std::optional<Value>(const Question&)> answer, std::vector<std::string> core = {}) {
+    Mistake mistake{std::move(name), std::move(equation), false, std::move(told), std::move(look_at)};
+    mistake.core = std::move(core);
+    return {std::move(mistake), std::move(answer)};
 }
 
 const Names angles{"phase", "phase_monoharmonic"};
@@ -108,7 +110,8 @@ std::vector<MistakeDefinition> of_displacements() {
                       other.tau = (q.quantity == "displacement" ? q.tau : 0) - phase_of_contact(q);
                       other.quantity = "displacement";
                       return plain_answer(other);
-                  }),
+                  },
+                  {"displacement"}),
         elsewhere("motion-from-contact", "46",
                   "The motion is sampled from the maximum of the contact on; motion_under_force starts at that of the force.",
                   "the origin of tau: the contact is at its maximum at tau = phi_j",
@@ -182,8 +185,6 @@ std::vector<MistakeDefinition> of_quantities() {
 std::vector<MistakeDefinition> mistakes_of_output() {
     std::vector<MistakeDefinition> all = of_angles();
     for (const auto& part : {of_displacements(), of_quantities()}) all.insert(all.end(), part.begin(), part.end());
-    for (MistakeDefinition& each : all)
-        if (each.mistake.name == "tau-from-force") each.mistake.core = {"displacement"};
     return all;
 }
 

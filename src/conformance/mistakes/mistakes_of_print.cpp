@@ -1,31 +1,20 @@
-#include <map>
-
 #include "conformance/mistakes/mistake_definition.hpp"
 #include "denhartog/number/number.hpp"
 
 namespace denhartog::conformance {
 namespace {
 
-// The paper prints nothing for a mode that does not vibrate.
+// The paper prints nothing for a mode that does not vibrate. The core: what the equation is printed for.
 MistakeDefinition printed(std::string equation, std::string told, std::string look_at, std::vector<std::string_view> touched,
-                          std::function<void(Choices&)> choose) {
+                          std::function<void(Choices&)> choose, std::vector<std::string> core = {}) {
     std::string name = equation + "-as-printed";
     MistakeDefinition definition = by_formulas({std::move(name), std::move(equation), true, std::move(told), std::move(look_at)},
                                                std::move(touched), std::move(choose));
+    definition.mistake.core = std::move(core);
     definition.answer = [vibrating = std::move(definition.answer)](const Question& q) {
         return is_overdamped(q) ? std::nullopt : vibrating(q);
     };
     return definition;
-}
-
-// What the equations are printed for.
-void add_cores(std::vector<MistakeDefinition>& all) {
-    const std::map<std::string, std::vector<std::string>> cores{{"44", {"initial_displacement"}},
-                                                                {"45", {"initial_velocity"}},
-                                                                {"50", {"phase_monoharmonic"}},
-                                                                {"63", {"beta_lim_approximate"}}};
-    for (MistakeDefinition& each : all)
-        if (const auto found = cores.find(each.mistake.equation); found != cores.end()) each.mistake.core = found->second;
 }
 
 std::vector<MistakeDefinition> of_printed_motion() {
@@ -39,16 +28,16 @@ std::vector<MistakeDefinition> of_printed_motion() {
                 "x_k0: the phase phi_j is not zero in V_dk cos(phi_j), read as Re{V_dk exp(i phi_j)}",
                 {"initial_displacement", "displacement", "amplitude", "phase", "motion_under_force", "amplitude_monoharmonic",
                  "phase_monoharmonic"},
-                [](Choices& c) { c.initial_displacement_as_printed = c.motion_from_start = true; }),
+                [](Choices& c) { c.initial_displacement_as_printed = c.motion_from_start = true; }, {"initial_displacement"}),
         printed("45", "(45) as printed: the real part lacks the root times sin(Delta).",
                 "x'_k0: V_dk sin(phi_j) is read as Im{V_dk exp(i phi_j)}, whose real part alone is not enough",
                 {"initial_velocity", "displacement", "amplitude", "phase", "motion_under_force", "amplitude_monoharmonic",
                  "phase_monoharmonic"},
-                [](Choices& c) { c.initial_velocity_as_printed = c.motion_from_start = true; }),
+                [](Choices& c) { c.initial_velocity_as_printed = c.motion_from_start = true; }, {"initial_velocity"}),
         printed("50", "(50) as printed: the ratio of the moduli multiplies its first term only.",
                 "X_kC: |V_dk| / |V_dj| multiplies the root and beta U_dj sin(Delta)",
                 {"phase_monoharmonic", "amplitude_monoharmonic"},
-                [](Choices& c) { c.cosine_as_printed = c.amplitude_from_parts = true; }),
+                [](Choices& c) { c.cosine_as_printed = c.amplitude_from_parts = true; }, {"phase_monoharmonic"}),
         printed("52", "(52) as printed: U_dk sin(Delta) has the other sign.",
                 "the first bracket of (52): G_k cos(Delta) - U_dk sin(Delta)", {"amplitude_monoharmonic"},
                 [](Choices& c) { c.monoharmonic_as_printed = true; }),
@@ -63,7 +52,7 @@ std::vector<MistakeDefinition> of_printed_boundaries() {
         printed("63", "The load condition is asked of every mode on its own, as (59) and (63) print it; it holds for the sum.",
                 "(59) and (63): sum over the modes with psi_ji before comparing with mu beta",
                 {"beta_lim_approximate", "beta_lim_exact", "beta_lim_paper", "regime"},
-                [](Choices& c) { c.load_of_each_mode = true; }),
+                [](Choices& c) { c.load_of_each_mode = true; }, {"beta_lim_approximate"}),
         printed("68", "The contact is said to slide beyond (68) as printed, which also needs H_j > mu / (gamma_j r^2).",
                 "the condition (68): drop it, since (58) and (68) never hold at once",
                 {"beta_lim_exact", "beta_lim_paper", "regime"}, [](Choices& c) { c.sliding_beyond_68 = true; }),
@@ -94,7 +83,6 @@ std::vector<MistakeDefinition> mistakes_of_print() {
     std::vector<MistakeDefinition> all = of_printed_motion();
     for (const MistakeDefinition& each : of_printed_boundaries()) all.push_back(each);
     all.push_back(printed_demand());
-    add_cores(all);
     return all;
 }
 

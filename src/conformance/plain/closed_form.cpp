@@ -102,6 +102,7 @@ std::optional<std::vector<double>> without_motion(const Question& q, const Plain
         if (c.descending) std::reverse(modes.begin(), modes.end());
         return modes;
     };
+    const auto limits = [&] { return plain_limits(q, m, c, needed_for(name)); };
     if (name == "natural_frequency_ratios") return listed(m.r_n);
     if (name == "modal_frequency_ratios") return listed(m.R);
     if (name == "mode_shape_products") {
@@ -113,11 +114,11 @@ std::optional<std::vector<double>> without_motion(const Question& q, const Plain
     if (name == "first_damping_function") return std::vector{m.U[k]};
     if (name == "second_damping_function") return std::vector{m.G[k]};
     if (name == "H_j") return std::vector{m.H_j};
-    if (name == "S_j") return std::vector{plain_limits(q, m, c, needed_for(q.quantity)).S};
-    if (name == "beta_lim_exact") return std::vector{plain_limits(q, m, c, needed_for(q.quantity)).exact};
-    if (name == "beta_lim_paper") return std::vector{plain_limits(q, m, c, needed_for(q.quantity)).paper};
-    if (name == "beta_lim_approximate") return std::vector{plain_limits(q, m, c, needed_for(q.quantity)).approximate};
-    if (name == "beta_lim_sticking") return std::vector{plain_limits(q, m, c, needed_for(q.quantity)).sticking};
+    if (name == "S_j") return std::vector{limits().S};
+    if (name == "beta_lim_exact") return std::vector{limits().exact};
+    if (name == "beta_lim_paper") return std::vector{limits().paper};
+    if (name == "beta_lim_approximate") return std::vector{limits().approximate};
+    if (name == "beta_lim_sticking") return std::vector{limits().sticking};
     if (name == "beta_lim_high_frequency")
         return std::vector{c.mu_at_high_frequency ? as_printed::friction_ratio_limit_at_high_frequency(m.mu)
                                                   : paper::friction_ratio_limit_at_high_frequency(m.mu)};

@@ -4,22 +4,14 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 
+#include "tests/conformance/generator/number_digits.hpp"
 #include "tests/conformance/generator/sha256.hpp"
 
 namespace denhartog::benchmark {
 namespace {
 
 // 17 significant digits, zeros at their end left out. What is below the accuracy of both routes is zero.
-std::string digits_17(const Real50& x) {
-    if (abs(x) < no_motion) return "0";
-    const std::string text = x.str(16, std::ios_base::scientific);
-    const std::size_t e = text.find('e');
-    std::string mantissa = text.substr(0, e);
-    while (mantissa.back() == '0') mantissa.pop_back();
-    if (mantissa.back() == '.') mantissa.pop_back();
-    const int exponent = std::atoi(text.c_str() + e + 1);
-    return exponent == 0 ? mantissa : mantissa + "e" + std::to_string(exponent);
-}
+std::string digits_17(const Real50& x) { return abs(x) < no_motion ? "0" : conformance::generator::text_of_digits(x, 17); }
 
 std::string exact(double x) { return nlohmann::json(x).dump(); }
 

@@ -4,6 +4,7 @@
 
 #include "denhartog/number/errors.hpp"
 #include "tests/benchmark/generator/motion.hpp"
+#include "tests/support/contact_phase.hpp"
 #include "tests/support/second_witness.hpp"
 
 namespace denhartog::benchmark {
@@ -19,7 +20,9 @@ class PhysicalMotion {
 public:
     PhysicalMotion(const Scene<double>& scene, const Motion& seen)
         : p_(half_period_problem(scene)), N_(p_.M.rows()), j_(static_cast<Index>(p_.contact.index)),
-          mu_beta_(T(scene.mu) * p_.beta), rests_(seen.rests), directions_{seen.at_start}, A_{system(-1), system(0), system(1)},
+          mu_beta_(T(scene.mu) * p_.beta),
+          rests_(seen.rests), directions_{seen.at_start}, A_{system_of_phase(p_, -1), system_of_phase(p_, 0),
+                                                             system_of_phase(p_, 1)},
           z_0_(2 * N_ + 3) {
         for (Index k = 0; k < N_; ++k) {
             const auto n = static_cast<std::size_t>(k);
@@ -87,29 +90,13 @@ private:
     Vector<T> z_0_;
     std::vector<Extremum<T>> furthest_;
 
-    Matrix<T> system(int direction) const {
-        Matrix<T> A = augmented_system(p_);
-        if (direction == 0) A.row(N_ + j_).setZero();
-        if (direction > 0) A(N_ + j_, 2 * N_ + 2) *= T(-1);
-        return A;
-    }
     const Matrix<T>& of(std::size_t n) const { return A_[static_cast<std::size_t>(directions_[n] + 1)]; }
     Vector<T> moved(std::size_t n, const Vector<T>& z, const T& dt) const {
         return matrix_exponential(Matrix<T>(of(n) * dt)) * z;
     }
 
-    // What is zero at the end of a phase: the contact's velocity, or the load on it less static friction.
-    Eigen::Matrix<T, 1, Eigen::Dynamic> event(std::size_t n) const {
-        Eigen::Matrix<T, 1, Eigen::Dynamic> row = Eigen::Matrix<T, 1, Eigen::Dynamic>::Zero(2 * N_ + 3);
-        if (directions_[n] != 0) {
-            row(N_ + j_) = T(1);
-            return row;
-        }
-        row.head(N_) = p_.K.row(j_);
-        row.segment(N_, N_) = p_.C.row(j_);
-        if (p_.load == p_.contact) row(2 * N_) = T(-1);
-        row(2 * N_ + 2) = mu_beta_ * (n + 1 < directions_.size() ? directions_[n + 1] : 0);
-        return row;
+    StateRow<T> event(std::size_t n) const {
+        return end_of_phase(p_, mu_beta_, directions_[n], n + 1 < directions_.size() ? directions_[n + 1] : 0);
     }
 
     // A step of Newton's method; how long it was. A contact that rests for ever may do so anywhere: it stays where it is.
@@ -147,7 +134,7 @@ private:
 
     void moves_as_said(std::size_t n, const Vector<T>& middle) const {
         const int direction = directions_[n];
-        Eigen::Matrix<T, 1, Eigen::Dynamic> row = event(n);
+        StateRow<T> row = event(n);
         row(2 * N_ + 2) = T(0);
         if (direction != 0 && !(middle(N_ + j_) * direction > T(0))) throw DomainError("the contact slides back");
         if (direction == 0 && !(abs(T(row.dot(middle))) < mu_beta_)) throw DomainError("friction does not hold the contact");

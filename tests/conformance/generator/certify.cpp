@@ -130,7 +130,7 @@ void certify_numbers(Vector& v, SceneRoutes& routes, Certified& all, const Case&
     for (const Real100& x : in_100) {
         const Real100 counts = abs(x) < zero ? Real100(0) : x;
         if (counts != 0 && abs(counts) < Real100("1e-290")) throw Undecided("a number is below the range of double");
-        v.value.push_back(text_of_40_digits(counts));
+        v.value.push_back(text_of_digits(counts, 40));
         v.nearest.push_back(std::strtod(v.value.back().c_str(), nullptr));
         v.scale = std::max(v.scale, std::abs(v.nearest.back()));
     }

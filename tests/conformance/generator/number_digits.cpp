@@ -5,9 +5,10 @@
 
 namespace denhartog::conformance::generator {
 
-std::string text_of_40_digits(const Real100& x) {
+template <class T>
+std::string text_of_digits(const T& x, int digits) {
     if (x == 0) return "0";
-    const std::string text = x.str(39, std::ios_base::scientific); // 39 after the point
+    const std::string text = x.str(digits - 1, std::ios_base::scientific); // so many after the point
     const std::size_t e = text.find('e');
     std::string mantissa = text.substr(0, e);
     while (mantissa.back() == '0') mantissa.pop_back();
@@ -43,6 +44,8 @@ std::optional<int> agreement(const std::vector<T>& a, const std::vector<T>& b, b
     return std::clamp(static_cast<int>(floor(-log10(worst))), 0, std::numeric_limits<T>::digits10);
 }
 
+template std::string text_of_digits(const Real50&, int);
+template std::string text_of_digits(const Real100&, int);
 template Real50 scale_of(const std::vector<Real50>&);
 template Real100 scale_of(const std::vector<Real100>&);
 template std::optional<int> agreement(const std::vector<Real50>&, const std::vector<Real50>&, bool);

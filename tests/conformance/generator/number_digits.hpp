@@ -10,8 +10,10 @@
 
 namespace denhartog::conformance::generator {
 
-/// @brief A number rounded to 40 significant digits, zeros at their end left out. @param x the number @return the text
-[[nodiscard]] std::string text_of_40_digits(const Real100& x);
+/// @brief A number rounded to some significant digits, zeros at their end left out. @param x the number
+/// @param digits  how many @return the text
+template <class T>
+[[nodiscard]] std::string text_of_digits(const T& x, int digits);
 
 /// @brief A number rounded to 2 significant digits. @param x the number @return the double nearest to them
 [[nodiscard]] double two_digits(const Real50& x);

@@ -6,6 +6,7 @@
 #include "tests/conformance/generator/linear_half_period.hpp"
 #include "tests/conformance/generator/physical_problem.hpp"
 #include "tests/conformance/generator/route.hpp"
+#include "tests/support/contact_phase.hpp"
 
 namespace denhartog::conformance::generator {
 namespace {
@@ -20,7 +21,7 @@ class PhaseProblem : public Route<T> {
 public:
     PhaseProblem(const Question& q, const OrbitSeen& seen)
         : p_(problem_of<T>(q)), N_(p_.M.rows()), j_(static_cast<Index>(p_.contact.index)),
-          mu_beta_(T(q.mu) * p_.beta), A_{system(-1), system(0), system(1)} {
+          mu_beta_(T(q.mu) * p_.beta), A_{system_of_phase(p_, -1), system_of_phase(p_, 0), system_of_phase(p_, 1)} {
         for (const Phase<double>& phase : seen.phases) {
             directions_.push_back(phase.direction);
             starts_.push_back(T(phase.start));
@@ -65,13 +66,6 @@ private:
     Vector<T> x_;
     std::vector<Vector<T>> states_; ///< at the starts of the phases
 
-    Matrix<T> system(int direction) const {
-        Matrix<T> A = augmented_system(p_);
-        if (direction == 0) A.row(N_ + j_).setZero();
-        if (direction > 0) A(N_ + j_, 2 * N_ + 2) *= T(-1);
-        return A;
-    }
-
     const Matrix<T>& of(std::size_t n) const { return A_[static_cast<std::size_t>(directions_[n] + 1)]; }
     T end_of(std::size_t n) const { return n + 1 < starts_.size() ? starts_[n + 1] : T(starts_.front() + pi<T>()); }
 
@@ -81,19 +75,8 @@ private:
         return z;
     }
 
-    // What is zero at the end of a phase, as a row over the state: the contact's velocity, or the load on it less friction.
-    Eigen::Matrix<T, 1, Eigen::Dynamic> event(std::size_t n) const {
-        Eigen::Matrix<T, 1, Eigen::Dynamic> row = Eigen::Matrix<T, 1, Eigen::Dynamic>::Zero(2 * N_ + 3);
-        if (directions_[n] != 0) {
-            row(N_ + j_) = T(1);
-            return row;
-        }
-        row.head(N_) = p_.K.row(j_);
-        row.segment(N_, N_) = p_.C.row(j_);
-        if (p_.load == p_.contact) row(2 * N_) = T(-1);
-        const int next = n + 1 < directions_.size() ? directions_[n + 1] : -directions_.front();
-        row(2 * N_ + 2) = mu_beta_ * next;
-        return row;
+    StateRow<T> event(std::size_t n) const {
+        return end_of_phase(p_, mu_beta_, directions_[n], n + 1 < directions_.size() ? directions_[n + 1] : -directions_.front());
     }
 
     T correct() {

@@ -56,10 +56,9 @@ std::string score_table(const ConformReport& report) {
 
 // What several answers share: the reason where there is one, and what their scenes are.
 std::string group_of(const Judged& one) {
-    const std::vector<double>& zeta = one.vector->question.damping_ratios;
-    const bool overdamped = std::any_of(zeta.begin(), zeta.end(), [](double z) { return z >= 1; });
     const std::string reason = one.reason.find("finite") != std::string::npos ? "not finite" : std::string(name(one.verdict));
-    return reason + (overdamped ? ", overdamped" : "") + (one.vector->regime.empty() ? "" : ", " + one.vector->regime);
+    return reason + (is_overdamped(one.vector->question) ? ", overdamped" : "") +
+           (one.vector->regime.empty() ? "" : ", " + one.vector->regime);
 }
 
 std::string groups_text(const std::vector<const Judged*>& worst) {
