@@ -1,7 +1,6 @@
 #include "denhartog/ledger/ledger.hpp"
 
 #include <array>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -12,12 +11,6 @@
 namespace denhartog::ledger {
 
 namespace {
-
-std::string number_text(const Json& number) {
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%.3g", number.get<double>());
-    return text.data();
-}
 
 std::string joined(const Json& list, const std::string& open, const std::string& close) {
     std::string text;
@@ -155,7 +148,8 @@ std::string card(const Json& entry) {
     text += line("as shipped", entry.at("shipped"));
     if (entry.contains("witness") && !entry.at("witness").empty()) text += line("witness", entry.at("witness").dump());
     if (printed == "refuted" && entry.contains("loss") && entry.at("loss").is_number())
-        text += line("loss", "worst relative error " + number_text(entry.at("loss")) + " for who codes the printed form");
+        text += line("loss", "worst relative error " + number_in_digits(entry.at("loss").get<double>(), 3) +
+                                 " for who codes the printed form");
     text += line("consequence", entry.value("consequence", ""));
     const Json scene = entry.value("scene", Json::object());
     if (scene.contains("none")) text += line("no scene", scene.at("none"));

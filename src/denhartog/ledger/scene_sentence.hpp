@@ -2,18 +2,11 @@
 /// @brief What a scene shows of a printed equation, in a sentence.
 #pragma once
 
-#include <array>
-#include <cstdio>
 #include <string>
 
-namespace denhartog::ledger {
+#include "denhartog/number/number_text.hpp"
 
-/// @brief A number in four digits. @param x the number @return its text
-[[nodiscard]] inline std::string in_four_digits(double x) {
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%.4g", x);
-    return text.data();
-}
+namespace denhartog::ledger {
 
 /// @brief What a scene shows: system, point, quantity, both values and the loss.
 /// @param scene  `where`, `regime`, `quantity`, `printed`, `holds`, `loss`
@@ -21,7 +14,7 @@ namespace denhartog::ledger {
 template <class Json>
 [[nodiscard]] std::string scene_sentence(const Json& scene) {
     const auto text = [&scene](const char* key) { return scene.at(key).template get<std::string>(); };
-    const auto number = [&scene](const char* key) { return in_four_digits(scene.at(key).template get<double>()); };
+    const auto number = [&scene](const char* key) { return number_in_digits(scene.at(key).template get<double>(), 4); };
     std::string regime = text("regime");
     for (char& c : regime) c = c == '_' ? ' ' : c;
     return text("where") + " (" + regime + " motion): " + text("quantity") + ", " + number("printed") + " as printed, " +

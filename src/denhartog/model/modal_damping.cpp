@@ -17,13 +17,6 @@ namespace denhartog {
 namespace {
 
 template <class T>
-std::string short_text(const T& x) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.3g", static_cast<double>(x));
-    return text;
-}
-
-template <class T>
 void check_condition(const Matrix<T>& A, const Matrix<T>& B, const T& tolerance) {
     const Matrix<T> AB = product(A, B);
     const T sizes = A.norm() * B.norm();
@@ -33,8 +26,8 @@ void check_condition(const Matrix<T>& A, const Matrix<T>& B, const T& tolerance)
         "damping_matrix",
         "must satisfy K M^-1 C = C M^-1 K; the paper excludes damping that couples the modes (Section 2.1). The relative "
         "distance from it may be " +
-            short_text(tolerance),
-        short_text(T(distance / sizes)));
+            number_in_digits(static_cast<double>(tolerance), 3),
+        number_in_digits(static_cast<double>(T(distance / sizes)), 3));
 }
 
 template <class T>

@@ -3,9 +3,11 @@
 #include "denhartog/number/number_text.hpp"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <concepts>
+#include <cstdio>
 #include <limits>
 
 #include "denhartog/number/multiprecision.hpp"
@@ -113,6 +115,12 @@ NumberFault number_from_text(std::string_view text, T& value) {
     if (!in_range_of_text(x)) return abs(x) < 1 ? NumberFault::too_small : NumberFault::too_large;
     value = x;
     return NumberFault::none;
+}
+
+std::string number_in_digits(double x, int digits) {
+    std::array<char, 64> text{};
+    std::snprintf(text.data(), text.size(), "%.*g", digits, x);
+    return text.data();
 }
 
 template std::string number_to_text(const double&);

@@ -13,6 +13,9 @@ namespace denhartog {
 template <class T>
 [[nodiscard]] std::string number_to_text(const T& x);
 
+/// @brief A number rounded for people. @param x the number @param digits significant digits @return its text, e.g. `1.2e-05`
+[[nodiscard]] std::string number_in_digits(double x, int digits);
+
 template <class T>
 struct Bounded;
 

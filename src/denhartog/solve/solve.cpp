@@ -2,14 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
-#include <sstream>
 
 #include "denhartog/answer/held_solution.hpp"
 #include "denhartog/answer/orbit_solution.hpp"
 #include "denhartog/answer/other_motions.hpp"
 #include "denhartog/number/effort.hpp"
 #include "denhartog/number/errors.hpp"
+#include "denhartog/number/number_text.hpp"
 #include "denhartog/scene/point_rules.hpp"
 #include "denhartog/solve/solve_task.hpp"
 
@@ -47,12 +46,6 @@ void set_regime(const SolveTask& task, Regime met, const std::string& reason, So
     if (task.scene.mu > 1 || task.pole || met == Regime::continuous) s.regime.reason += "; " + reason;
 }
 
-std::string short_text(double x) {
-    std::ostringstream text;
-    text << std::setprecision(2) << x;
-    return text.str();
-}
-
 void answer_by_boundaries(const SolveTask& task, const std::string& model, Solution& s) {
     s.masses.clear();
     s.method.model = model;
@@ -87,7 +80,7 @@ void answer_from_rest(const SolveTask& task, Solution& s) {
     else if (slides)
         set_regime(task, Regime::continuous, "the motion from rest is the sliding motion", s);
     else if (orbit.stops.empty() && task.scene.mu == 1 && s.regime.regime == Regime::stick_slip)
-        s.regime.reason += "; no stop was seen in the motion, which is known to " + short_text(orbit.error_bound);
+        s.regime.reason += "; no stop was seen in the motion, which is known to " + number_in_digits(orbit.error_bound, 2);
     else if (orbit.stops.empty())
         set_regime(task, Regime::continuous, "the contact does not stop, but the motion is not that of the closed form", s);
     else
