@@ -202,7 +202,8 @@ Page conformance_page(const Book& book) {
     constexpr Part parts[] = {{"kill_matrix", "Known mistakes", "./verify tests"},
                               {"adapters", "Implementations to start from", "./verify tests"},
                               {"hostile", "Hostile programs", "./verify tests"},
-                              {"solvers", "Solvers of others", "./verify chart"}};
+                              {"solvers", "Solvers of others", "./verify chart"},
+                              {"methods", "What methods can do", "./verify chart"}};
     std::string out = page_head("conformance_page", "Conformance");
     out += "<p><code>denhartog conform</code> asks other people's implementations certified questions. Here it is tried itself, "
            "on programs of "

@@ -8,7 +8,8 @@
 namespace denhartog::conformance {
 namespace {
 
-constexpr std::array<std::string_view, 14> links{"frequencies",
+constexpr std::array<std::string_view, 15> links{"natural frequencies",
+                                                 "R = r / r_n, (22)",
                                                  "shapes",
                                                  "v of one mass, (23)",
                                                  "u of one mass, (28)",
@@ -27,26 +28,26 @@ constexpr std::array<std::string_view, 14> links{"frequencies",
 
 std::size_t place_in_chain(const Question& q) {
     static const std::map<std::string_view, std::size_t> places{{"natural_frequency_ratios", 0},
-                                                                {"modal_frequency_ratios", 0},
-                                                                {"mode_shape_products", 1},
-                                                                {"complex_response", 5},
-                                                                {"first_damping_function", 6},
-                                                                {"second_damping_function", 7},
-                                                                {"H_j", 8},
-                                                                {"S_j", 9},
-                                                                {"beta_lim_exact", 10},
-                                                                {"beta_lim_paper", 10},
-                                                                {"beta_lim_approximate", 10},
-                                                                {"beta_lim_sticking", 10},
-                                                                {"beta_lim_high_frequency", 10},
-                                                                {"regime", 10},
-                                                                {"amplitude", 11},
-                                                                {"amplitude_monoharmonic", 11},
-                                                                {"phase", 12},
-                                                                {"phase_monoharmonic", 12}};
+                                                                {"modal_frequency_ratios", 1},
+                                                                {"mode_shape_products", 2},
+                                                                {"complex_response", 6},
+                                                                {"first_damping_function", 7},
+                                                                {"second_damping_function", 8},
+                                                                {"H_j", 9},
+                                                                {"S_j", 10},
+                                                                {"beta_lim_exact", 11},
+                                                                {"beta_lim_paper", 11},
+                                                                {"beta_lim_approximate", 11},
+                                                                {"beta_lim_sticking", 11},
+                                                                {"beta_lim_high_frequency", 11},
+                                                                {"regime", 11},
+                                                                {"amplitude", 12},
+                                                                {"amplitude_monoharmonic", 12},
+                                                                {"phase", 13},
+                                                                {"phase_monoharmonic", 13}};
     const auto found = places.find(q.quantity);
-    const std::size_t place = found == places.end() ? 13 : found->second;
-    const bool of_one_mass = q.mass_ratios.size() == 1 && place >= 5 && place <= 7;
+    const std::size_t place = found == places.end() ? 14 : found->second;
+    const bool of_one_mass = q.mass_ratios.size() == 1 && place >= 6 && place <= 8;
     return of_one_mass ? place - 3 : place;
 }
 

@@ -12,7 +12,7 @@ namespace denhartog::conformance {
 
 /// @brief A link of the chain.
 struct Link {
-    std::string name;         ///< in words, e.g. `frequencies`
+    std::string name;         ///< in words, e.g. `shapes`
     std::size_t answered = 0; ///< answers to its quantities
     std::size_t wrong = 0;    ///< of these the wrong ones in question
 };
@@ -21,8 +21,8 @@ struct Link {
 /// the sums over modes
 [[nodiscard]] std::size_t place_in_chain(const Question& q);
 
-/// @brief The chain from the frequencies to the motion: frequencies, shapes, v, u, g, V, U, G, H, S, boundary, amplitude, phase,
-/// motion. Links without an answer are left out.
+/// @brief The chain from the frequencies to the motion: natural frequencies, R, shapes, v, u, g, V, U, G, H, S, boundary,
+/// amplitude, phase, motion. Links without an answer are left out.
 /// @param wrong   the wrong answers in question
 /// @param judged  all answers
 /// @return        the links in order

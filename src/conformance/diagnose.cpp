@@ -12,7 +12,6 @@
 namespace denhartog::conformance {
 namespace {
 
-constexpr double nearer_than_truth = 0.1;
 constexpr std::size_t least_explained = 3;
 
 // What an answer says about a mistake.
@@ -45,13 +44,17 @@ bool agrees(const Vector& v, const Value& given, const Value& mistaken, double n
 // The answers with what each says about one mistake, as far as that is known.
 class Evidence {
 public:
-    Evidence(std::span<Judged> all, const Mistake& m, const Signatures& known) : judged(all), mistake(m), signatures(known) {}
+    Evidence(std::span<Judged> all, const Mistake& m, const Signatures& known, double least_agreement)
+        : judged(all), mistake(m), signatures(known), agreement(std::max(m.agreement, least_agreement)) {}
 
     [[nodiscard]] const Mistake& about() const { return mistake; }
+    [[nodiscard]] double near() const { return agreement; }
 
     [[nodiscard]] std::optional<Value> mistaken(std::size_t n) const {
         return signatures.answer(mistake.name, judged[n].vector->question);
     }
+
+    [[nodiscard]] std::string number() const { return signatures.number ? signatures.number(mistake.name) : std::string(); }
 
     [[nodiscard]] Says says(std::size_t n) {
         const auto known = memory.find(n);
@@ -63,6 +66,7 @@ private:
     std::span<Judged> judged;
     const Mistake& mistake;
     const Signatures& signatures;
+    double agreement;
     std::map<std::size_t, Says> memory;
 
     [[nodiscard]] Says look(std::size_t n) const {
@@ -70,8 +74,8 @@ private:
         if (!one.answered || !one.vector->reject.empty()) return Says::nothing;
         const std::optional<Value> value = mistaken(n);
         if (!value) return Says::nothing;
-        if (is_wrong_value(one.verdict) && agrees(*one.vector, one.given, *value, mistake.agreement)) return Says::agrees;
-        return is_wrong(*one.vector, *value, mistake.agreement) ? Says::contradicts : Says::nothing;
+        if (is_wrong_value(one.verdict) && agrees(*one.vector, one.given, *value, agreement)) return Says::agrees;
+        return is_wrong(*one.vector, *value, agreement) ? Says::contradicts : Says::nothing;
     }
 };
 
@@ -82,6 +86,7 @@ struct Weighed {
     std::size_t made_wrong = 0; // all answers that it would make wrong
     std::size_t wrong = 0;      // wrong answers in the links of the chain in which it explains something
     bool numbers_asked = false; // whether a number is among these
+    bool rough = false;         // whether its answers agree in few digits
     bool has_core = false;      // whether it explains a quantity of its own equation
 };
 
@@ -122,7 +127,10 @@ Weighed weigh(std::span<Judged> judged, Evidence& evidence, const std::vector<st
     weighed.has_core =
         core.empty() || std::any_of(core.begin(), core.end(), [&](const std::string& q) { return of.contains(q); });
     finding.quantities.assign(of.begin(), of.end());
+    constexpr double rough = 1e-4;
+    weighed.rough = evidence.near() > rough;
     finding.weak = finding.explained < least_explained;
+    finding.number = evidence.number();
     return weighed;
 }
 
@@ -132,8 +140,7 @@ bool is_accepted(const Weighed& weighed, std::size_t wrong, const Thresholds& le
     const Finding& finding = weighed.finding;
     if (finding.explained < std::min(least_explained, wrong) || !weighed.has_core) return false;
     if (weighed.numbers_asked ? weighed.numbers == 0 : finding.explained < std::min(least.words, wrong)) return false;
-    constexpr double rough = 1e-4;
-    const double consistency = finding.mistake->agreement > rough ? least.of_solvers : least.consistency;
+    const double consistency = weighed.rough ? least.of_solvers : least.consistency;
     return share(finding.explained, finding.explained + finding.contradicted) >= consistency &&
            share(finding.explained, weighed.made_wrong) >= least.of_its_own &&
            share(finding.explained, weighed.wrong) >= least.of_the_wrong;
@@ -203,7 +210,7 @@ std::vector<Simple> simple_explanations(std::span<Judged> judged, std::span<cons
     const Signatures signatures{
         told, [&](std::string_view name, const Question& q) { return guesses[std::stoul(std::string(name))].answers(q); }};
     std::vector<Evidence> candidates;
-    for (const Mistake& each : told) candidates.emplace_back(judged, each, signatures);
+    for (const Mistake& each : told) candidates.emplace_back(judged, each, signatures, least.agreement);
     while (const std::optional<Told> best = most_telling(judged, candidates, left, set_aside, left.size(), least)) {
         const Finding& finding = best->weighed.finding;
         found.push_back({finding.mistake->told, finding.explained, finding.contradicted, finding.quantities});
@@ -230,7 +237,7 @@ Diagnosis diagnose(std::span<Judged> judged, const Signatures& signatures, const
     }
     diagnosis.wrong = left.size();
     std::vector<Evidence> candidates;
-    for (const Mistake& mistake : signatures.mistakes) candidates.emplace_back(judged, mistake, signatures);
+    for (const Mistake& mistake : signatures.mistakes) candidates.emplace_back(judged, mistake, signatures, least.agreement);
     std::set<std::size_t> set_aside;
     while (std::optional<Told> best = most_telling(judged, candidates, left, set_aside, diagnosis.wrong, least)) {
         std::erase_if(left, [&](std::size_t n) {

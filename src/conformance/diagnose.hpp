@@ -23,6 +23,7 @@
 #include <vector>
 
 #include "conformance/chain.hpp"
+#include "conformance/fitted.hpp"
 #include "conformance/mistakes/mistake.hpp"
 #include "conformance/verdict.hpp"
 
@@ -32,6 +33,8 @@ namespace denhartog::conformance {
 struct Signatures {
     std::span<const Mistake> mistakes;                                                           ///< what is known
     std::function<std::optional<Value>(std::string_view name, const Question& question)> answer; ///< as `answer_with_mistake`
+    /// The number that was found from the answers, in words; empty where a mistake has none of its own.
+    std::function<std::string(std::string_view name)> number = {};
 };
 
 /// @brief The mistakes of `mistake.hpp`; those with a number of their own, as a grid of instants, with the number that
@@ -40,13 +43,21 @@ struct Signatures {
 /// @return        the mistakes with their answers
 [[nodiscard]] Signatures known_signatures(std::span<const Judged> judged = {});
 
+/// @brief The mistakes of `mistake.hpp`, some with the numbers that fit.
+/// @param fitted  these
+/// @param answer  what the others answer
+/// @return        the mistakes with their answers
+[[nodiscard]] Signatures signatures_with(FittedMistakes fitted,
+                                         std::function<std::optional<Value>(std::string_view, const Question&)> answer);
+
 /// @brief What a mistake must reach to get its name. docs/diagnosis.md shows what happens without each of them.
 struct Thresholds {
     double consistency = 0.95; ///< of what it explains and what contradicts it, the share that it explains
     double of_solvers = 0.9;   ///< the same for a mistake of solvers, whose answers are near to its own in some digits only
     double of_its_own = 0.5; ///< of all answers, to whatever quantity, that it would have made wrong, the share that it explains
     double of_the_wrong =
-        0.5; ///< of the wrong answers in the links of the chain in which it explains something, the share explained
+        0.5;              ///< of the wrong answers in the links of the chain in which it explains something, the share explained
+    double agreement = 0; ///< least agreement: what the method of the program can show, if that is less than a mistake asks
     std::size_t words = 17; ///< words and counts where it explains nothing else: 2^-17 times the mistakes is below 1/1000
 };
 
@@ -55,6 +66,7 @@ struct Finding {
     const Mistake* mistake = nullptr;    ///< which
     std::size_t explained = 0;           ///< wrong answers that are its answers
     std::size_t contradicted = 0;        ///< answers that it would make wrong, but that are right or others
+    std::string number;                  ///< the number of its own that the answers show, in words; empty where it has none
     bool weak = false;                   ///< whether fewer than three answers are all that it rests on
     std::vector<std::string> quantities; ///< of the answers that it explains
     const Judged* example = nullptr;     ///< the answer explained whose error is the largest

@@ -9,17 +9,14 @@
 #include "conformance/plain/closed_form.hpp"
 #include "conformance/spread.hpp"
 #include "denhartog/number/number.hpp"
+#include "denhartog/number/number_text.hpp"
 
 namespace denhartog::conformance {
 namespace {
 
 constexpr double fits = 1e-6;
 
-std::string short_text(double x) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.4g", x);
-    return text;
-}
+std::string short_text(double x) { return number_in_digits(x, 4); }
 
 bool is_in_numbers(const Judged& one) {
     return one.answered && one.given.word.empty() && !one.given.numbers.empty() &&

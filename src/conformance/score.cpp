@@ -67,7 +67,7 @@ bool conforms(std::span<const Judged> judged, const std::set<std::string>& neede
         const bool skipped = one.verdict == Verdict::skipped;
         anything = anything || !skipped;
         if (one.vector->tier == "must" && !skipped && !is_right(one.verdict)) return false;
-        if (skipped && needed.contains(one.vector->question.quantity)) return false;
+        if (skipped && !one.answered && needed.contains(one.vector->question.quantity)) return false;
     }
     return anything;
 }

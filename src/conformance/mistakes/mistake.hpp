@@ -12,6 +12,9 @@
 
 namespace denhartog::conformance {
 
+/// @brief How near an answer is to that of a mistake that explains it, in units of its distance from the truth.
+inline constexpr double nearer_than_truth = 0.1;
+
 /// @brief A known mistake.
 struct Mistake {
     std::string name;     ///< stable name, e.g. `46-as-printed`, `mu-ignored`

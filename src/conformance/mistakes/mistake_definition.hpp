@@ -12,6 +12,9 @@
 
 namespace denhartog::conformance {
 
+/// @brief Agreement of mistakes that solvers make which go in steps through time.
+inline constexpr double of_steps_in_time = 3e-2;
+
 /// @brief A mistake and what it answers.
 struct MistakeDefinition {
     Mistake mistake;                                             ///< what is told of it

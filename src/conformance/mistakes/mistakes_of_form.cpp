@@ -23,7 +23,7 @@ std::vector<MistakeDefinition> of_boundaries() {
             "The boundary (69) is taken from the maximum over tau alone; the load condition (67) may end the sliding before.",
             "whether the larger of S_j and H_j + mu / (gamma_j r^2) stands in (69)",
             {"beta_lim_exact", "beta_lim_paper", "regime"}, [](Choices& c) { c.without_load_condition = true; }),
-        // The number of instants is found from the answers by `fitted_answers`.
+        // The number of instants is found from the answers by `fitted_instants`.
         own("coarse-grid-of-tau", "57",
             "The maximum over tau is that of a few instants, 14 for example; the true one lies between two of them.",
             "how the maximum over tau is found: refine it around the largest sample",

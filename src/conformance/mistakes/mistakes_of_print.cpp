@@ -64,7 +64,7 @@ std::vector<MistakeDefinition> of_printed_boundaries() {
     };
 }
 
-// It has no maximum: what is answered depends on the instants tried, which `fitted_answers` finds from the answers.
+// It has no maximum: what is answered depends on the instants tried, which `fitted_instants` finds from the answers.
 MistakeDefinition printed_demand() {
     return printed("57",
                    "(57) as printed: another bracket multiplies u_di, and cos(tau) is missing, so that it has no maximum; its "

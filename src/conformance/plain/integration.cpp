@@ -36,10 +36,10 @@ Extremum<double> largest_of_contact(const ExactMotion<double>& motion, std::size
     return largest;
 }
 
-std::optional<Value> read_off(ExactSolver<double>& solver, const State<double>& start, const Question& q) {
+// The answer that a period of a solver shows.
+std::optional<Value> read_off(ExactSolver<double>& solver, const ExactMotion<double>& motion, const Question& q) {
     const std::size_t contact = solver.system().contact.index;
     const std::size_t k = q.mass > 0 ? static_cast<std::size_t>(q.mass - 1) : contact;
-    const ExactMotion<double>& motion = solver.run(start, 0.0, period);
     if (q.quantity == "motion_under_force") {
         Value value;
         for (int n = 0; n < q.samples; ++n)
@@ -92,16 +92,21 @@ std::optional<Value> answer_of_steady_motion(const Question& q) {
     if (orbit.status == OrbitStatus::not_converged || orbit.periods != 1) return std::nullopt;
     if (q.quantity == "stops_per_period") return Value{{static_cast<double>(orbit.stops.size())}, ""};
     if (q.quantity == "stop_durations") return Value{durations(orbit.stops), ""};
-    return read_off(solver, orbit.start, q);
+    return read_off(solver, solver.run(orbit.start, 0.0, period), q);
 }
 
-std::optional<Value> answer_of_transient(const Question& q, int periods) {
+std::vector<std::optional<Value>> answers_of_transient(const Question& q, int first, int last) {
     const Scene<double> scene = scene_of<double>(q);
     const ContactSystem<double> system = contact_system(scene.system);
     ExactSolver<double> solver(system, {*scene.r, *scene.beta, scene.mu});
     State<double> state = at_rest<double>(q.mass_ratios.size());
-    for (int n = 1; n < periods; ++n) state = solver.run(state, 0.0, period).end;
-    return read_off(solver, state, q);
+    std::vector<std::optional<Value>> answers;
+    for (int n = 1; n <= last; ++n) {
+        const ExactMotion<double>& motion = solver.run(state, 0.0, period);
+        state = motion.end;
+        if (n >= first) answers.push_back(read_off(solver, motion, q));
+    }
+    return answers;
 }
 
 std::optional<Value> answer_of_creep(const Question& q, double width) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "conformance/question.hpp"
 
@@ -13,11 +14,12 @@ namespace denhartog::conformance {
 /// @return   the answer; none where no steady motion of one period is found
 [[nodiscard]] std::optional<Value> answer_of_steady_motion(const Question& q);
 
-/// @brief The answer read off the last of some periods from rest.
-/// @param q        the question, of a quantity of the motion
-/// @param periods  number of periods of the force, at least 1
-/// @return         the answer; none where the quantity is none of a motion
-[[nodiscard]] std::optional<Value> answer_of_transient(const Question& q, int periods);
+/// @brief The answers read off some periods on the way from rest to the steady motion.
+/// @param q      the question, of a quantity of the motion
+/// @param first  the first period of the force that is read off, at least 1
+/// @param last   the last
+/// @return       the answers, a period each; none where the quantity is none of a motion
+[[nodiscard]] std::vector<std::optional<Value>> answers_of_transient(const Question& q, int first, int last);
 
 /// @brief The answer of a solver that replaces sgn by a hyperbolic tangent, where the contact should rest for ever: it creeps.
 ///

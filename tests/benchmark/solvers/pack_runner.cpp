@@ -62,14 +62,6 @@ Json line_of(const PackSolver& solver, const Json& s) {
 
 } // namespace
 
-double positive(const std::string& text) {
-    char* end = nullptr;
-    const double x = std::strtod(text.c_str(), &end);
-    if (end == text.c_str() || *end != 0 || !(x > 0 && std::isfinite(x)))
-        throw InputError("setting", "must be a positive number", text);
-    return x;
-}
-
 PackSolver settled(const std::string& method, const std::string& setting, TimeIntegrator integrator, double budget) {
     return {method, setting, [integrator = std::move(integrator), budget](const Scene<double>& scene) {
                 if (const std::string why = integrator.declines(scene); !why.empty()) throw DomainError(why);

@@ -43,7 +43,4 @@ inline constexpr int pack_instants = 64;
 /// @return            exit status
 int run_pack(int argc, char** argv, const std::function<PackSolver(const std::string& setting, double budget)>& make);
 
-/// @brief A setting as a positive number. @param text the setting @return the number @throws InputError where it is none
-[[nodiscard]] double positive(const std::string& text);
-
 } // namespace denhartog::tests

@@ -83,7 +83,7 @@ def run(options, vectors, subject):
     wrong = [r for r in report["results"] if r["verdict"] in WRONG]
     return {"asked": len(asked), "status": done.returncode, "error": "", "wrong": len(wrong),
             "groups": dict(sorted(Counter(r["group"] for r in wrong).items())), "counts": report["counts"],
-            "findings": [{k: f[k] for k in ("mistake", "explained", "contradicted")} for f in report["diagnosis"]["findings"]],
+            "findings": [{k: f[k] for k in ("mistake", "number", "explained", "contradicted")} for f in report["diagnosis"]["findings"]],
             "mistaken": [f"{r['id']}: {r['verdict']} {r.get('reason', '')} {r.get('error', '')}" for r in wrong][:8]}
 
 
@@ -100,7 +100,10 @@ def fault_of(subject, result):
     if not result["wrong"]:
         return f"survives {result['asked']} questions"
     first = result["findings"][0]["mistake"] if result["findings"] else "none"
-    return "" if first in subject["diagnosis"] else f"first diagnosis is {first}"
+    if first not in subject["diagnosis"]:
+        return f"first diagnosis is {first}"
+    number = result["findings"][0]["number"]
+    return "" if number == subject.get("number", number) else f"the number found is {number}"
 
 
 def table(rows, totals):

@@ -7,9 +7,11 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "conformance/method.hpp"
 #include "conformance/mistakes/mistake.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/legible.hpp"
+#include "denhartog/number/number_text.hpp"
 #include "denhartog/program/conform/number.hpp"
 #include "denhartog/program/conform/run.hpp"
 #include "denhartog/program/files.hpp"
@@ -56,6 +58,22 @@ void list_mistakes() {
     write_standard_output(aligned(rows));
 }
 
+void list_methods() {
+    const auto three = [](const conformance::Tolerance& t) {
+        return t.loose > 0
+                   ? number_in_digits(t.pass, 2) + " " + number_in_digits(t.loose, 2) + " " + number_in_digits(t.inaccurate, 2)
+                   : "the vector's";
+    };
+    std::vector<std::vector<std::string>> rows{
+        {"method", "displacement", "phase", "duration", "margin", "undamped", "what it is"}};
+    for (const conformance::Method& m : conformance::methods())
+        rows.push_back({std::string(m.name), three(m.displacement), three(m.phase), three(m.duration),
+                        number_in_digits(m.margin, 2), m.settles ? "not judged wrong" : "judged", std::string(m.told)});
+    write_standard_output(aligned(rows) +
+                          "\nLargest errors that are pass, pass-loose, inaccurate, over the scale and the condition number where "
+                          "that is above 1.\n");
+}
+
 void show(const SelectionOptions& options, const std::string& id) {
     const std::vector<Vector> all = conformance::read_vectors(options.vectors);
     const auto found = std::find_if(all.begin(), all.end(), [&](const Vector& v) { return v.question.id == id; });
@@ -65,14 +83,16 @@ void show(const SelectionOptions& options, const std::string& id) {
 }
 
 void add_list(CLI::App& conform) {
-    CLI::App* command = conform.add_subcommand("list", "The vectors, or the known mistakes");
+    CLI::App* command = conform.add_subcommand("list", "The vectors, the known mistakes, or the methods");
     const auto options = std::make_shared<SelectionOptions>();
     const auto summary = std::make_shared<bool>(false);
     add_selection_options(*command, *options);
     command->add_flag("--summary", *summary, "number of vectors a group and tier");
     const auto known = std::make_shared<bool>(false);
     command->add_flag("--mistakes", *known, "the known mistakes, with their equations and what to look at");
-    command->callback([options, summary, known] { *known ? list_mistakes() : list(*options, *summary); });
+    const auto by = std::make_shared<bool>(false);
+    command->add_flag("--methods", *by, "the methods of --method, with their tolerances")->excludes("--mistakes");
+    command->callback([=] { *known ? list_mistakes() : *by ? list_methods() : list(*options, *summary); });
 }
 
 void add_show(CLI::App& conform) {

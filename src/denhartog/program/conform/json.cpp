@@ -62,6 +62,7 @@ Json finding_json(const conformance::Finding& f) {
             {"explained", f.explained},
             {"contradicted", f.contradicted},
             {"weak", f.weak},
+            {"number", f.number},
             {"quantities", f.quantities},
             {"example",
              {{"id", f.example->vector->question.id},
@@ -108,6 +109,7 @@ std::string report_json(const ConformReport& report) {
     Json object = {{"format", 1}, {"subject", report.subject}};
     if (!report.command.empty()) object["command"] = report.command;
     if (!report.dialect.empty()) object["dialect"] = report.dialect;
+    object["method"] = report.method;
     object["status"] = report.status();
     object["conforms"] = report.conforms;
     object["broken"] = report.broken;

@@ -90,8 +90,8 @@ std::string diagnosis_rows(const conformance::Diagnosis& d) {
 } // namespace
 
 std::string report_markdown(const ConformReport& report) {
-    std::string text = "## " + markdown_cell(report.subject) + "\n\n" + score_rows(report) + worst_rows(report) +
-                       diagnosis_rows(report.diagnosis);
+    std::string text = "## " + markdown_cell(report.subject) + "\n\nMethod: " + report.method + "\n\n" + score_rows(report) +
+                       worst_rows(report) + diagnosis_rows(report.diagnosis);
     if (!report.notes.empty()) text += "\n### Besides\n\n";
     for (const std::string& note : report.notes) text += "- " + markdown_cell(note) + "\n";
     if (report.changes) {

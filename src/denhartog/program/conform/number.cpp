@@ -8,17 +8,17 @@
 namespace denhartog::program {
 namespace {
 
-std::string printed(const char* format, double x) {
+std::string with_one_decimal(double x) {
     std::array<char, 64> text{};
-    std::snprintf(text.data(), text.size(), format, x);
+    std::snprintf(text.data(), text.size(), "%.1f", x);
     return text.data();
 }
 
 } // namespace
 
-std::string rough(double x) { return printed("%.2g", x); }
+std::string rough(double x) { return number_in_digits(x, 2); }
 
-std::string digits_cell(const std::optional<double>& digits) { return digits ? printed("%.1f", *digits) : "-"; }
+std::string digits_cell(const std::optional<double>& digits) { return digits ? with_one_decimal(*digits) : "-"; }
 
 std::string value_text(const conformance::Value& value) {
     constexpr std::size_t most = 4;

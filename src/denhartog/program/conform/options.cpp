@@ -5,6 +5,7 @@
 #include <cmath>
 #include <regex>
 
+#include "conformance/method.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/legible.hpp"
 #include "denhartog/number/number_text.hpp"
@@ -58,6 +59,11 @@ void add_program_options(CLI::App& command, ConformOptions& options) {
 }
 
 void add_report_options(CLI::App& command, ConformOptions& options) {
+    options.method = conformance::methods().front().name;
+    command
+        .add_option("--method", options.method,
+                    "by which the program answers; decides the tolerances. `denhartog conform list --methods` has them")
+        ->capture_default_str();
     command.add_option("--need", options.needed, "quantities, separated by commas, that must not be skipped")
         ->delimiter(',')
         ->allow_extra_args(false);

@@ -32,6 +32,7 @@ struct ConformOptions {
     double total_seconds = 0;         ///< time for all answers; 0: no end
     int jobs = 1;                     ///< processes side by side
     std::vector<std::string> needed;  ///< quantities that must not be skipped
+    std::string method;               ///< by which the program answers
     std::string track;                ///< file of verdicts
     std::string repro;                ///< the one question to repeat
     std::string format = "text";      ///< of the report

@@ -15,6 +15,7 @@ namespace denhartog::program {
 struct ConformReport {
     std::string subject;                     ///< the name that the program gives itself, or the file of answers
     std::string command;                     ///< as a shell takes it; empty for a file
+    std::string method;                      ///< by which the answers were judged
     std::string dialect;                     ///< `json` or `plain`; empty for a file
     std::vector<conformance::Judged> judged; ///< the verdicts
     conformance::Diagnosis diagnosis;        ///< what is the matter

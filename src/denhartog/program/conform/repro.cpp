@@ -2,6 +2,7 @@
 #include <filesystem>
 
 #include "conformance/grade.hpp"
+#include "conformance/method.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/legible.hpp"
 #include "denhartog/program/conform/report.hpp"
@@ -28,6 +29,7 @@ std::string this_program() {
 std::string runner_command(const ConformOptions& options) {
     std::vector<std::string> words{this_program(), "conform", "run"};
     if (options.selection.vectors != DENHARTOG_VECTORS) words.insert(words.end(), {"--vectors", options.selection.vectors});
+    if (options.method != conformance::methods().front().name) words.insert(words.end(), {"--method", options.method});
     words.insert(words.end(), {"--filter", "^" + options.repro + "$", "--verbose", "--"});
     words.insert(words.end(), options.command.begin(), options.command.end());
     return shell_text(words);
@@ -68,8 +70,10 @@ std::string shell_text(const std::vector<std::string>& words) {
 
 void conform_repro(const ConformOptions& options, ExitStatus& status) {
     const conformance::RunSettings settings = run_settings(options);
+    const conformance::Method& method = conformance::method_named(options.method);
     const std::vector<Vector> all = conformance::read_vectors(options.selection.vectors);
-    const Vector& v = vector_named(options.repro, all);
+    Vector v = vector_named(options.repro, all);
+    conformance::widen(v, method);
     const conformance::WithoutBrokenPipeSignal guard;
     const conformance::Partner partner = conformance::shake_hands(settings);
     const std::string line = conformance::line_for(partner, v.question);
@@ -81,6 +85,7 @@ void conform_repro(const ConformOptions& options, ExitStatus& status) {
     std::string told = reply.told + "\n";
     if (answered) {
         judged = conformance::grade(v, conformance::answer_in(partner, reply.line, v.question.id));
+        conformance::excuse(judged, method);
         const conformance::Diagnosis d = conformance::diagnose({&judged, 1}, conformance::known_signatures());
         told = legible(reply.line) + "\n" + answer_text(judged, "");
         for (const conformance::Finding& finding : d.findings)

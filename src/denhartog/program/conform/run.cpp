@@ -8,6 +8,7 @@
 
 #include "conformance/answers_file.hpp"
 #include "conformance/grade.hpp"
+#include "conformance/method.hpp"
 #include "conformance/score.hpp"
 #include "conformance/session/smoke.hpp"
 #include "denhartog/number/errors.hpp"
@@ -57,9 +58,22 @@ std::optional<Verdicts> earlier_verdicts(const ConformOptions& options) {
     return earlier;
 }
 
+// All vectors, with the tolerances of the method.
+std::vector<Vector> vectors_for(const ConformOptions& options) {
+    const conformance::Method& method = conformance::method_named(options.method);
+    std::vector<Vector> all = conformance::read_vectors(options.selection.vectors);
+    for (Vector& v : all) conformance::widen(v, method);
+    return all;
+}
+
 // Diagnosis, comparison, and the report where it belongs. Where something got worse the file of verdicts is left as it was.
 void finish(ConformReport& report, const ConformOptions& options, const std::optional<Verdicts>& earlier, ExitStatus& status) {
-    report.diagnosis = conformance::diagnose(report.judged, conformance::known_signatures(report.judged));
+    const conformance::Method& method = conformance::method_named(options.method);
+    for (Judged& one : report.judged) conformance::excuse(one, method);
+    conformance::Thresholds least;
+    least.agreement = conformance::least_agreement(method);
+    report.method = method.name;
+    report.diagnosis = conformance::diagnose(report.judged, conformance::known_signatures(report.judged), least);
     report.needed = options.needed;
     report.verbose = options.verbose;
     report.conforms = report.cut_short.empty() && conformance::conforms(report.judged, needed_quantities(options));
@@ -80,7 +94,7 @@ void finish(ConformReport& report, const ConformOptions& options, const std::opt
 void conform_run(const ConformOptions& options, ExitStatus& status) {
     const conformance::RunSettings settings = run_settings(options);
     static_cast<void>(needed_quantities(options));
-    const std::vector<Vector> all = conformance::read_vectors(options.selection.vectors);
+    const std::vector<Vector> all = vectors_for(options);
     const std::vector<const Vector*> chosen = selected(options.selection, all);
     const std::optional<Verdicts> earlier = earlier_verdicts(options);
     std::vector<const conformance::Question*> questions;
@@ -106,7 +120,7 @@ void conform_run(const ConformOptions& options, ExitStatus& status) {
 
 void conform_grade(const ConformOptions& options, ExitStatus& status) {
     static_cast<void>(needed_quantities(options));
-    const std::vector<Vector> all = conformance::read_vectors(options.selection.vectors);
+    const std::vector<Vector> all = vectors_for(options);
     const std::vector<const Vector*> chosen = selected(options.selection, all);
     std::set<std::string> ids;
     for (const Vector& v : all) ids.insert(v.question.id);

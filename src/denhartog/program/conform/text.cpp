@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <map>
 
+#include "conformance/method.hpp"
 #include "conformance/score.hpp"
 #include "denhartog/number/number_text.hpp"
 #include "denhartog/program/conform/number.hpp"
@@ -100,7 +101,8 @@ std::string finding_text(const conformance::Finding& f, std::size_t number, std:
     return "  " + std::to_string(number) + ". " + f.mistake->name + equation + ": " + f.mistake->told +
            (f.weak ? "\n     weak, for few answers are wrong: explains " : "\n     explains ") + std::to_string(f.explained) +
            " of " + std::to_string(wrong) + " wrong answers (" + joined(f.quantities) + "); contradicted by " +
-           std::to_string(f.contradicted) + "\n     look at: " + f.mistake->look_at +
+           std::to_string(f.contradicted) + (f.number.empty() ? "" : "\n     as your answers show: " + f.number) +
+           "\n     look at: " + f.mistake->look_at +
            (f.mistake->equation.empty() ? ""
                                         : "\n     its statement and correction: denhartog equations " + f.mistake->equation) +
            "\n     for example " + f.example->vector->question.id + "\n       answer        " + value_text(f.example->given) +
@@ -159,6 +161,11 @@ std::string changes_text(const Comparison& changes) {
     return text;
 }
 
+std::string method_text(const ConformReport& report) {
+    const bool own = report.method == conformance::methods().front().name;
+    return own ? "" : ", judged by what " + report.method + " can do";
+}
+
 std::string end_text(const ConformReport& report) {
     if (report.broken) return "\nThe program broke.\n";
     if (!report.cut_short.empty()) return "\nCut short: " + report.cut_short + ". No verdict on the whole.\n";
@@ -186,8 +193,8 @@ std::string answer_text(const Judged& one, const std::string& indent) {
 
 std::string report_text(const ConformReport& report) {
     std::string text = report.subject + (report.dialect.empty() ? "" : " (" + report.dialect + ")") + ": " +
-                       std::to_string(report.judged.size()) + " questions\n\n" + score_table(report) + worst_text(report) +
-                       digits_text(report) + diagnosis_text(report.diagnosis);
+                       std::to_string(report.judged.size()) + " questions" + method_text(report) + "\n\n" + score_table(report) +
+                       worst_text(report) + digits_text(report) + diagnosis_text(report.diagnosis);
     if (report.verbose) {
         text += "\nAll other answers:\n";
         for (const Judged& one : report.judged)

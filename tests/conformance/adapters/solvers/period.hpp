@@ -57,4 +57,7 @@ struct TimeIntegrator {
 /// @brief A number as names and sentences have it. @param x the number @return its first figure and its exponent, e.g. `1e-12`
 [[nodiscard]] std::string brief(double x);
 
+/// @brief A setting as a positive number. @param text the setting @return the number @throws InputError where it is none
+[[nodiscard]] double positive(const std::string& text);
+
 } // namespace denhartog::tests

@@ -1,7 +1,8 @@
-// Siconos' Moreau-Jean time stepping under the conformance kit.
-#include <iostream>
-
+// Siconos' Moreau-Jean time stepping under the conformance kit: siconos_adapter [STEPS], at last, a period.
 #include "tests/conformance/adapters/solvers/solver_adapter.hpp"
 #include "tests/conformance/adapters/solvers/time_integrators.hpp"
 
-int main() { return denhartog::tests::serve(denhartog::tests::siconos_time_integrator(16384), std::cin, std::cout); }
+int main(int argc, char** argv) {
+    return denhartog::tests::serve_at(
+        argc, argv, 16384, [](double steps) { return denhartog::tests::siconos_time_integrator(static_cast<int>(steps)); });
+}

@@ -42,7 +42,8 @@ Json read_off(const SteadyMotion& motion, const Scene<double>& scene, const Ques
     return {{"value", durations}};
 }
 
-Json answer_to(const nlohmann::json& object, const TimeIntegrator& integrator, Last& last) {
+// The answer of a method to a line.
+Json answer_to(const nlohmann::json& object, const std::function<Json(const Question&, const Scene<double>&)>& answer) {
     const auto asked = object.find("quantity");
     const auto is_asked = [&](std::string_view name) { return asked->is_string() && asked->get<std::string>() == name; };
     if (asked != object.end() && std::ranges::none_of(conformance::quantities(), [&](const auto& q) { return is_asked(q.name); }))
@@ -52,6 +53,10 @@ Json answer_to(const nlohmann::json& object, const TimeIntegrator& integrator, L
     if (std::ranges::find(answered, q.quantity) == answered.end()) return skip("not read off an integrated motion");
     if (q.quantity == "motion_under_force" && q.samples < 1)
         throw InputError("samples", "must be positive", std::to_string(q.samples));
+    return answer(q, scene);
+}
+
+Json integrated(const Question& q, const Scene<double>& scene, const TimeIntegrator& integrator, Last& last) {
     if (const std::string why = integrator.declines(scene); !why.empty()) return skip(why);
     if (const Json described = conformance::question_json(q)["scene"]; described != last.scene) {
         last.motion = steady_motion(scene, integrator);
@@ -62,25 +67,41 @@ Json answer_to(const nlohmann::json& object, const TimeIntegrator& integrator, L
 
 } // namespace
 
-int serve(const TimeIntegrator& integrator, std::istream& in, std::ostream& out) {
+int serve(const std::string& name, const std::function<Json(const Question&, const Scene<double>&)>& answer, std::istream& in,
+          std::ostream& out) {
     std::string line;
     if (!std::getline(in, line) || line != "denhartog-conform 1") {
         std::cerr << "the first line must be: denhartog-conform 1\n";
         return 1;
     }
-    out << "denhartog-conform 1 json " << integrator.name << std::endl;
-    Last last;
+    out << "denhartog-conform 1 json " << name << std::endl;
     while (std::getline(in, line)) {
         const nlohmann::json object = nlohmann::json::parse(line, nullptr, false);
-        Json answer = {{"id", object.is_object() ? object.value("id", "") : ""}};
+        Json reply = {{"id", object.is_object() ? object.value("id", "") : ""}};
         try {
-            answer.update(answer_to(object, integrator, last));
+            reply.update(answer_to(object, answer));
         } catch (const InputError& broken) {
-            answer["reject"] = broken.what();
+            reply["reject"] = broken.what();
         }
-        out << answer << std::endl;
+        out << reply << std::endl;
     }
     return 0;
+}
+
+int serve(const TimeIntegrator& integrator, std::istream& in, std::ostream& out) {
+    Last last;
+    return serve(
+        integrator.name, [&](const Question& q, const Scene<double>& scene) { return integrated(q, scene, integrator, last); },
+        in, out);
+}
+
+int serve_at(int argc, char** argv, double setting, const std::function<TimeIntegrator(double)>& made) {
+    try {
+        return serve(made(argc > 1 ? positive(argv[1]) : setting), std::cin, std::cout);
+    } catch (const InputError& e) {
+        std::cerr << e.what() << '\n';
+        return 2;
+    }
 }
 
 } // namespace denhartog::tests

@@ -8,7 +8,10 @@
 #include <numbers>
 
 #include "denhartog/model/modal_basis.hpp"
+#include "denhartog/number/errors.hpp"
+#include "denhartog/number/legible.hpp"
 #include "denhartog/number/number.hpp"
+#include "denhartog/number/number_text.hpp"
 #include "denhartog/paper_algorithm/contact_equations.hpp"
 
 namespace denhartog::tests {
@@ -202,6 +205,13 @@ double wrapped(double angle) {
 }
 
 } // namespace
+
+double positive(const std::string& text) {
+    double x = 0;
+    if (number_from_text(text, x) != NumberFault::none || !(x > 0))
+        throw InputError("setting", "must be a positive number", legible(text));
+    return x;
+}
 
 std::string brief(double x) {
     std::array<char, 16> text{};
