@@ -3,12 +3,12 @@
 #include <Eigen/Dense>
 #include <cmath>
 #include <complex>
-#include <unsupported/Eigen/MatrixFunctions>
 
 #include "denhartog/formulas/stuck.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/multiprecision.hpp"
 #include "tests/catch.hpp"
+#include "tests/support/half_period.hpp"
 #include "tests/support/sample_scenes.hpp"
 #include "tests/unit/response_fixtures.hpp"
 
@@ -88,7 +88,7 @@ TEST_CASE("the stuck response is the periodic solution that the exponential of t
         A.block(2, 4, 2, 1) = M.inverse().col(static_cast<Eigen::Index>(l < j - 1 ? l : l - 1));
         A(4, 5) = -1;
         A(5, 4) = 1;
-        const Eigen::MatrixXd period = (A * 2 * pi<double>()).exp();
+        const Eigen::MatrixXd period = matrix_exponential(Matrix<double>(A * 2 * pi<double>()));
         const Eigen::VectorXd start =
             (Eigen::MatrixXd::Identity(4, 4) - period.topLeftCorner(4, 4)).fullPivLu().solve(period.block(0, 4, 4, 1));
         const StuckResponse<double> response = response_of(scene);
