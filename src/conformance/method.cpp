@@ -64,10 +64,11 @@ double condition_of(const Vector& v) {
 }
 
 std::string excuse_for(const Vector& v, const Method& method) {
+    if (kind_of(v.question).empty() && !asks_for(v.question, {"regime", "stops_per_period"})) return "";
     const std::vector<double>& zeta = v.question.damping_ratios;
     if (method.settles && std::find(zeta.begin(), zeta.end(), 0.0) != zeta.end())
         return "without damping the transient never ends";
-    if (v.margin && *v.margin <= method.margin)
+    if (v.margin && *v.margin < method.margin)
         return "beta is nearer than " + number_in_digits(method.margin, 2) + " to a boundary of regimes";
     if (!method.rests && v.regime == "stick_slip" && asks_for(v.question, {"phase"}))
         return "the phase may be that of the start of a rest";

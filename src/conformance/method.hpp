@@ -39,7 +39,8 @@ void widen(Vector& v, const Method& method);
 /// @brief The condition number of a vector. @param v the vector @return the largest over its inputs, at least 1
 [[nodiscard]] double condition_of(const Vector& v);
 
-/// @brief Why a method cannot know better: a transient without end, a boundary of regimes nearby, no start of a rest.
+/// @brief Why a method cannot know better what the motion is: a transient without end, a boundary of regimes nearby, no start of
+/// a rest.
 /// @param v       the vector
 /// @param method  the method
 /// @return        the reason; empty where there is none

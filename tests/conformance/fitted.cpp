@@ -20,7 +20,8 @@ std::vector<Judged> answered(const std::vector<std::string>& quantities, std::si
     std::vector<Judged> judged;
     std::size_t n = 0;
     for (const Vector& v : vectors()) {
-        if (!v.reject.empty() || std::find(quantities.begin(), quantities.end(), v.question.quantity) == quantities.end()) continue;
+        if (!v.reject.empty() || std::find(quantities.begin(), quantities.end(), v.question.quantity) == quantities.end())
+            continue;
         if (n++ % every != 0) continue;
         const std::optional<Value> value = answering(v);
         judged.push_back(grade(v, value.value_or(Value{v.nearest, v.word})));
@@ -58,15 +59,17 @@ TEST_CASE("answers that are all right, or wrong by a factor, show no transient",
     }
 }
 
-TEST_CASE("instants that go with r or R from scene to scene are found from the answers", "[conformance][diagnosis][fitted][eq:57]") {
+TEST_CASE("instants that go with r or R from scene to scene are found from the answers",
+          "[conformance][diagnosis][fitted][eq:57]") {
     struct Steps {
         std::string told;
         double (*of)(const PlainModes&);
     };
-    for (const Steps& steps : {Steps{"", [](const PlainModes&) { return 1.0; }}, Steps{" times r", [](const PlainModes& m) { return m.r; }},
-                               Steps{" times 1/r", [](const PlainModes& m) { return 1 / m.r; }},
-                               Steps{" times R_1", [](const PlainModes& m) { return m.R.front(); }},
-                               Steps{" times R_N", [](const PlainModes& m) { return m.R.back(); }}}) {
+    for (const Steps& steps :
+         {Steps{"", [](const PlainModes&) { return 1.0; }}, Steps{" times r", [](const PlainModes& m) { return m.r; }},
+          Steps{" times 1/r", [](const PlainModes& m) { return 1 / m.r; }},
+          Steps{" times R_1", [](const PlainModes& m) { return m.R.front(); }},
+          Steps{" times R_N", [](const PlainModes& m) { return m.R.back(); }}}) {
         std::vector<Judged> judged = answered({"S_j", "beta_lim_paper", "beta_lim_exact"}, 3, [&](const Vector& v) {
             const PlainModes m = plain_modes(v.question, {});
             const double h = 0.0125 * steps.of(m);

@@ -60,6 +60,9 @@ TEST_CASE("what a method cannot know is skipped where it is wrong, and counts wh
     CHECK(skipped.verdict == Verdict::skipped);
     CHECK(skipped.reason.find("without damping") != std::string::npos);
     CHECK(judged_by(stepping(), v, 0).verdict == Verdict::pass);
+    Vector function = vector_of("functions-1", "first_damping_function", {1}); // nothing of the motion
+    function.question.damping_ratios = {0.125, 0};
+    CHECK(judged_by(stepping(), function, 0.5).verdict == Verdict::wrong);
 
     Vector near = word_vector("regime-1", "continuous");
     near.margin = 0.5 * stepping().margin;
@@ -76,7 +79,8 @@ TEST_CASE("what a method cannot know is skipped where it is wrong, and counts wh
     CHECK_THROWS_AS(method_named("guesswork"), InputError);
 }
 
-TEST_CASE("integrators and harmonic balance conform by what their methods can do, and by no more", "[conformance][method][program]") {
+TEST_CASE("integrators and harmonic balance conform by what their methods can do, and by no more",
+          "[conformance][method][program]") {
     struct Solver {
         std::string program, setting, method;
     };
@@ -91,9 +95,10 @@ TEST_CASE("integrators and harmonic balance conform by what their methods can do
         CHECK(conform(ask + program).status == 1);
     }
     // Friction that is too large by a tenth is no matter of the method.
-    const std::string halved = adapter("paper_algorithm_adapter") + " 1e-6 | stdbuf -oL sed -E 's/\"value\":0\\.0/\"value\":0.1/'";
-    const Run wrong = conform("run --filter '[05]$' --group contact --method event-driven -- " +
-                              script("tenth.sh", halved + "\n"));
+    const std::string halved =
+        adapter("paper_algorithm_adapter") + " 1e-6 | stdbuf -oL sed -E 's/\"value\":0\\.0/\"value\":0.1/'";
+    const Run wrong =
+        conform("run --filter '[05]$' --group contact --method event-driven -- " + script("tenth.sh", halved + "\n"));
     INFO(wrong.output << wrong.error);
     CHECK(wrong.status == 1);
 }

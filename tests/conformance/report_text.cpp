@@ -26,7 +26,8 @@ const std::string& amplitudes() {
 
 Run graded(const std::string& value_first, const std::string& value_after) {
     std::string answers = "id,value\n";
-    for (int n = 0; n < asked; ++n) answers += "amplitude-" + std::to_string(n) + "," + (n < 5 ? value_first : value_after) + "\n";
+    for (int n = 0; n < asked; ++n)
+        answers += "amplitude-" + std::to_string(n) + "," + (n < 5 ? value_first : value_after) + "\n";
     return conform("grade " + with_vectors(amplitudes(), file_with("amplitudes.csv", answers).string()));
 }
 
