@@ -172,12 +172,13 @@ Table table_of(const RegimeSurvey& s) {
                 {},
                 "Agreements:"};
     for (const auto& [regime, n] : s.regimes) table.note += " " + regime + " " + std::to_string(n) + ";";
-    for (const auto& [c, example] : s.example) {
+    for (const auto& each : s.example) {
+        const Comparison c = each.first;
         const auto of = [&](bool unique) {
             const auto found = s.count.find({unique, c});
             return std::to_string(found == s.count.end() ? 0 : found->second);
         };
-        table.rows.push_back({name(c), of(true), of(false), c == Comparison::agree ? "" : example});
+        table.rows.push_back({name(c), of(true), of(false), c == Comparison::agree ? "" : each.second});
     }
     for (const std::string& at : s.unexplained) table.note += "\nUnexplained: " + at;
     return table;

@@ -64,7 +64,7 @@ struct ExactSolver<T>::Work : ContactPhases<T> {
         if (with_jacobian) deviations.start(N, direction == 0 ? &system->contact : nullptr);
         int without_length = 0;
         const double periods = static_cast<double>(T((tau_1 - tau_0) / (2 * pi<T>())));
-        if (effort == &own) own = {static_cast<long>(default_effort(N) * std::min(1e6, 1 + periods))};
+        if (effort == &own) own = {static_cast<long>(static_cast<double>(default_effort(N)) * std::min(1e6, 1 + periods))};
         const long cost_of_phase = cost_of_mode<T>() * static_cast<long>(1 + N * N / 50); // of states taken into modes and back
         const double most = most_phases_a_period * (1 + periods);
         while (tau < tau_1) {
