@@ -238,7 +238,9 @@ std::vector<NamedQuestion> all_questions(const AdversarialRun& run) {
                        }});
     };
     const std::array<std::pair<const char*, std::optional<int>>, 3> digits{{{"", {}}, {", 12 digits", 12}, {", 30 digits", 30}}};
-    for (const auto& [words, wanted] : digits) {
+    for (const auto& each : digits) {
+        const char* const words = each.first;
+        const std::optional<int> wanted = each.second;
         solve_for(std::string("solve motion") + words, Asked::motion, wanted, false);
         solve_for(std::string("solve amplitude") + words, Asked::amplitude, wanted, false);
         solve_for(std::string("solve phase") + words, Asked::phase, wanted, false);
@@ -436,8 +438,7 @@ void AdversarialSurvey::add(AskedQuestion a) {
     if (!a.text.empty()) note(refusals, a.outcome + ": " + without_numbers(a.text));
     std::vector<std::string> kinds = a.faults;
     std::ranges::sort(kinds);
-    const auto again = std::ranges::unique(kinds);
-    kinds.erase(again.begin(), again.end());
+    kinds.erase(std::unique(kinds.begin(), kinds.end()), kinds.end());
     for (const std::string& fault : kinds) note(faults, a.question + ": " + fault);
     for (const Contradiction& c : a.compared) {
         ContradictedQuantity& of = quantities[c.ratio > 1 ? c.quantity + " | " + c.between : c.quantity];

@@ -125,7 +125,7 @@ Place<T> place_in(std::size_t zone, Source<T>& s) {
     const int digits = std::numeric_limits<T>::digits;
     const auto near_odd = [&s] { return T(s.near_one() / (2 * static_cast<int>(std::exp(s.uniform(0, 5))) - 1)); };
     const auto [far, least] = Exponents<T>();
-    const auto any_R = [&s, far] { return T(s.spread(s.whole(0, 1) ? -far : -2, s.whole(0, 1) ? far : 2)); };
+    const auto any_R = [&s, far = far] { return T(s.spread(s.whole(0, 1) ? -far : -2, s.whole(0, 1) ? far : 2)); };
     switch (zone) {
     case 0: return {s.spread(-1.3, 1.3), below_one(s.spread(-4, 0))};
     case 1: return {s.spread(-far, far), below_one(s.spread(least, 0))};
