@@ -68,8 +68,8 @@ public:
     /// @return what sums may be off by, as a part of the sizes of their terms
     [[nodiscard]] T rounding() const { return 16 * static_cast<int>(r_n_.size()) * std::numeric_limits<T>::epsilon(); }
 
-    /// @return operations that bounds over an interval cost
-    [[nodiscard]] long cost() const { return 16 * cost_of_mode<T>() * static_cast<long>(r_n_.size()); }
+    /// @return operations that bounds over an interval cost, with the signs at its ends
+    [[nodiscard]] long cost() const { return 32 * cost_of_mode<T>() * static_cast<long>(r_n_.size()); }
 
     /// @brief The value at x times the factor. @param x 1/r @param factor the factor @return the value
     [[nodiscard]] T at(const T& x, const Factor& factor) const { return series(x, x, factor).coefficient[0].low; }
