@@ -68,6 +68,10 @@ TEST_CASE("a number beyond the type is refused and not rounded to zero or infini
     REQUIRE(number_from_text("1e309", x) == NumberFault::too_large);
     REQUIRE(number_from_text("-1e309", x) == NumberFault::too_large);
     REQUIRE(number_from_text("1e-400", x) == NumberFault::too_small);
+    REQUIRE(number_from_text("0." + std::string(400, '0') + "1", x) == NumberFault::too_small);
+    REQUIRE(number_from_text("0." + std::string(800, '0') + "1e400", x) == NumberFault::too_small);
+    REQUIRE(number_from_text("1" + std::string(400, '0'), x) == NumberFault::too_large);
+    REQUIRE(number_from_text("1" + std::string(800, '0') + "e-400", x) == NumberFault::too_large);
     REQUIRE(number_from_text("0.0e-400", x) == NumberFault::none);
     REQUIRE(x == 0);
     REQUIRE(read<double>("4.9406564584124654e-324") == std::numeric_limits<double>::denorm_min());

@@ -17,7 +17,7 @@ struct Places {
 };
 
 /// @brief A ledger that was read.
-struct Ledger {
+struct Ledger {           // NOLINT(bugprone-exception-escape): a JSON value moves without throwing
     Json entries;         ///< one object an equation
     bool of_a_run = true; ///< false: the hand-written rows alone, every verdict unknown
     std::string file;     ///< where it comes from

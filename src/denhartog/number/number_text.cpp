@@ -25,15 +25,18 @@ bool is_digit(char c) { return c >= '0' && c <= '9'; }
 struct Parts {
     bool valid = false;        ///< written as JSON writes a number
     bool zero = true;          ///< no digit but 0 before the exponent
+    long order = 0;            ///< power of ten of the first digit that is not 0, the exponent left out
     std::string_view exponent; ///< what follows the e, without a plus sign
 };
 
 Parts take_apart(std::string_view text) {
     Parts parts;
     std::size_t at = 0;
+    std::size_t first = text.npos; // digit that is not 0
     const auto digits = [&] {
         const std::size_t from = at;
-        for (; at < text.size() && is_digit(text[at]); ++at) parts.zero = parts.zero && text[at] == '0';
+        for (; at < text.size() && is_digit(text[at]); ++at)
+            if (text[at] != '0') first = std::min(first, at);
         return at - from;
     };
     if (at < text.size() && text[at] == '-') ++at;
@@ -44,6 +47,9 @@ Parts take_apart(std::string_view text) {
         ++at;
         if (digits() == 0) return parts;
     }
+    parts.zero = first == text.npos;
+    const std::size_t units = whole_from + whole - 1;
+    if (!parts.zero) parts.order = first <= units ? static_cast<long>(units - first) : 1 - static_cast<long>(first - units);
     if (at < text.size() && (text[at] == 'e' || text[at] == 'E')) {
         ++at;
         if (at < text.size() && text[at] == '+') ++at;
@@ -59,16 +65,15 @@ Parts take_apart(std::string_view text) {
 }
 
 template <std::floating_point T>
-T convert(std::string_view text) {
+T convert(std::string_view text, long order) {
     T x = 0;
     const auto result = std::from_chars(text.data(), text.data() + text.size(), x);
     if (result.ec != std::errc::result_out_of_range) return x;
-    const bool small = text.find("e-") != text.npos || text.find("E-") != text.npos;
-    return small ? T(0) : std::numeric_limits<T>::infinity();
+    return order < 0 ? T(0) : std::numeric_limits<T>::infinity();
 }
 
 template <class T>
-T convert(std::string_view text) {
+T convert(std::string_view text, long) {
     return T(std::string(text));
 }
 
@@ -107,7 +112,7 @@ NumberFault number_from_text(std::string_view text, T& value) {
     int exponent = 0;
     const auto read = std::from_chars(parts.exponent.data(), parts.exponent.data() + parts.exponent.size(), exponent);
     if (read.ec == std::errc::result_out_of_range || std::abs(exponent) > largest_exponent) return NumberFault::too_long;
-    const T x = convert<T>(text);
+    const T x = convert<T>(text, parts.order + exponent);
     using std::abs;
     using std::isfinite;
     if (!isfinite(x)) return NumberFault::too_large;

@@ -43,7 +43,7 @@ Scene<double> scene_of(const std::string& path) {
     const std::vector<SceneText> parts = split_scenes(text);
     if (parts.size() > 1) throw InputError("the input", "must be one scene", std::to_string(parts.size()) + " scenes");
     const SceneOrError<double> read = read_scene<double>(parts.front());
-    if (read.error) throw *read.error;
+    if (read.error) throw InputError(*read.error);
     return *read.scene;
 }
 

@@ -19,12 +19,12 @@ std::optional<Verdicts> tracked_verdicts(const std::string& path) {
     const InputError no_such_file("track", "must be a file that --track has written", path);
     if (!file.is_object() || file.value("format", nlohmann::json()) != 1 || !file.contains("verdicts") ||
         !file["verdicts"].is_object())
-        throw no_such_file;
+        throw InputError(no_such_file);
     Verdicts verdicts;
     for (const auto& [id, text] : file["verdicts"].items()) {
         const std::optional<Verdict> verdict =
             text.is_string() ? conformance::verdict_named(text.get_ref<const std::string&>()) : std::nullopt;
-        if (!verdict) throw no_such_file;
+        if (!verdict) throw InputError(no_such_file);
         verdicts.emplace(id, *verdict);
     }
     return verdicts;
