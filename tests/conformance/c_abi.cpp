@@ -50,6 +50,66 @@ double in_double(const auto& x) { return static_cast<double>(x); }
 
 } // namespace
 
+TEST_CASE("a contact between two masses and a load on several are the same from C", "[c_interface][vectors]") {
+    const std::string text =
+        R"({"mass_ratios": [1, 2, 1.5], "stiffness_ratios": [1, 0.75, 1.25], "damping_ratios": [0.05, 0.04, 0.06],
+        "contact": [1, 2], "load": [0.25, 1, 0.5]})";
+    dh_system* made = nullptr;
+    REQUIRE(dh_system_from_json(text.data(), text.size(), &made) == DH_OK);
+    const Handle system(made);
+    Scene<double> scene = read_scene<double>(text);
+    const double r = 0.75;
+    std::size_t N = 0, contact = 0;
+    REQUIRE(dh_system_masses(system.get(), &N, &contact, nullptr) == DH_OK);
+    CHECK((N == 3 && contact == 1));
+    // V, U, G of the masses: sums of the shapes of the plain system, with w^T psi_i for psi_ji and p^T psi_i for psi_li.
+    System<double> plain = scene.system;
+    plain.contact_with.reset();
+    plain.load_vector.clear();
+    const ModeSums<double> modes = mode_sums(modal_basis(plain), Mass{0}, Mass{0}, r);
+    std::vector<double> psi(9), V(6), U(3), G(3), products(3);
+    REQUIRE(dh_mode_shapes(system.get(), r, 9, psi.data()) == DH_OK);
+    REQUIRE(dh_sums(system.get(), r, 3, V.data(), U.data(), G.data(), nullptr, nullptr) == DH_OK);
+    for (std::size_t k = 0; k < 3; ++k) {
+        std::size_t count = 0;
+        REQUIRE(dh_quantity(system.get(), "mode_shape_products", r, 0, 1, k + 1, 0, 3, products.data(), &count) == DH_OK);
+        double Re = 0, Im = 0, of_u = 0, of_g = 0;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const auto shape = [&](std::size_t m) { return modes.psi[3 * m + i]; };
+            const double w = shape(0) - shape(1), p = 0.25 * shape(0) + shape(1) + 0.5 * shape(2), R2 = modes.R[i] * modes.R[i];
+            Re += shape(k) * p * R2 * modes.v[i].re;
+            Im += shape(k) * p * R2 * modes.v[i].im;
+            of_u += shape(k) * w * R2 * modes.u[i];
+            of_g += shape(k) * w * R2 * modes.g[i];
+            CHECK(products[i] == Approx(shape(k) * w).margin(1e-12));
+            CHECK(std::abs(psi[3 * k + i]) == Approx(std::abs(shape(k))).epsilon(1e-12));
+        }
+        check_close({V[2 * k], V[2 * k + 1], U[k], G[k]}, {Re, Im, of_u, of_g});
+    }
+    for (const double beta : {0.0625, 0.5, 4.0}) {
+        scene.r = r;
+        scene.beta = beta;
+        const Solution expected = solve(scene_source(scene), {});
+        const Answered answered = solved(system.get(), r, beta, 1);
+        std::vector<double> of_library, x(12);
+        for (const SolvedMass& m : expected.masses) of_library.push_back(m.amplitude.value);
+        check_close(amplitudes(system.get(), r, beta, 1), of_library);
+        REQUIRE(dh_solution_motion(answered.get(), 4, 12, x.data(), nullptr) == DH_OK);
+        const SampledSolution motion = sampled_solution(scene, expected, 4);
+        for (std::size_t n = 0; n < 4; ++n) check_close({x[3 * n], x[3 * n + 1], x[3 * n + 2]}, motion.states[n].x, 1e-9);
+    }
+    for (std::size_t k = 1; k <= 3; ++k) {
+        dh_sliding_mass mass{};
+        mass.size = sizeof mass;
+        REQUIRE(dh_sliding_motion(system.get(), r, 0.0625, 1, k, &mass) == DH_OK);
+        double x_0 = 0;
+        const double tau = 0;
+        REQUIRE(dh_displacement(system.get(), r, 0.0625, 1, k, 1, &tau, &x_0) == DH_OK);
+        check_close({mass.initial_displacement}, {x_0});
+        CHECK(mass.amplitude >= std::abs(x_0));
+    }
+}
+
 TEST_CASE("what the C interface says of modes and sums is what the library says", "[c_interface][eq:17][eq:22][eq:33]") {
     for (const Scene<double>& scene : c_scenes()) {
         const Handle system = handle_of(scene.system);

@@ -90,18 +90,14 @@ void check_problem(const HalfPeriodProblem<T>& p, int steps) {
 /// Force that holds the contact at rest against everything but its own inertia, with the sign of a pull downwards.
 template <class T>
 T load_on_contact(const HalfPeriodProblem<T>& p, const Vector<T>& x, const Vector<T>& x_prime, const T& cos_phi) {
-    const Index N = p.M.rows(), j = static_cast<Index>(p.contact.index), l = static_cast<Index>(p.load.index);
-    Vector<T> load = p.C * x_prime + p.K * x;
-    load(l) -= cos_phi;
+    const Vector<T> load = p.C * x_prime + p.K * x - cos_phi * load_vector(p), w = contact_vector(p);
     const Eigen::FullPivLU<Matrix<T>> M(p.M);
-    Vector<T> e_j = Vector<T>::Zero(N);
-    e_j(j) = T(1);
-    const Vector<T> inverse_column = M.solve(e_j);
-    return inverse_column.dot(load) / inverse_column(j);
+    const Vector<T> inverse_column = M.solve(w);
+    return inverse_column.dot(load) / w.dot(inverse_column);
 }
 
 template <class T>
-void sample(const Matrix<T>& step, const Vector<T>& start, int steps, Index j, HalfPeriodMotion<T>& motion) {
+void sample(const Matrix<T>& step, const Vector<T>& start, int steps, const Vector<T>& w, HalfPeriodMotion<T>& motion) {
     using std::abs;
     const Index N = motion.x_0.size();
     motion.x.resize(N, steps + 1);
@@ -117,7 +113,8 @@ void sample(const Matrix<T>& step, const Vector<T>& start, int steps, Index j, H
             if (abs(z(N + k)) > largest_x_prime) largest_x_prime = abs(z(N + k));
         }
         const bool inside = n > 0 && n < steps;
-        if (inside && (n == 1 || z(N + j) > motion.largest_contact_velocity)) motion.largest_contact_velocity = z(N + j);
+        const T velocity = w.dot(z.segment(N, N));
+        if (inside && (n == 1 || velocity > motion.largest_contact_velocity)) motion.largest_contact_velocity = velocity;
     }
     motion.mirror_defect = T(0);
     for (Index k = 0; k < N; ++k) {
@@ -209,8 +206,8 @@ Matrix<T> augmented_system(const HalfPeriodProblem<T>& p) {
     Matrix<T> forces = Matrix<T>::Zero(N, 2 * N + 3);
     forces.leftCols(N) = -p.K;
     forces.middleCols(N, N) = -p.C;
-    forces(static_cast<Index>(p.load.index), cosine) = T(1);
-    forces(static_cast<Index>(p.contact.index), one) = p.beta;
+    forces.col(cosine) = load_vector(p);
+    forces.col(one) = p.beta * contact_vector(p);
     Matrix<T> A = Matrix<T>::Zero(2 * N + 3, 2 * N + 3);
     for (Index k = 0; k < N; ++k) A(k, N + k) = T(1);
     A.middleRows(N, N) = M.solve(forces);
@@ -222,7 +219,8 @@ Matrix<T> augmented_system(const HalfPeriodProblem<T>& p) {
 template <class T>
 HalfPeriodMotion<T> half_period_motion(const HalfPeriodProblem<T>& p, int steps) {
     check_problem(p, steps);
-    const Index N = p.M.rows(), j = static_cast<Index>(p.contact.index);
+    const Index N = p.M.rows();
+    const Vector<T> w = contact_vector(p);
     const Matrix<T> A = augmented_system(p);
     const Matrix<T> step = matrix_exponential(Matrix<T>(A * T(pi<T>() / steps)));
     const Matrix<T> half_period = power(step, steps);
@@ -236,7 +234,8 @@ HalfPeriodMotion<T> half_period_motion(const HalfPeriodProblem<T>& p, int steps)
     const Matrix<T> Y = mirrored.solve(Matrix<T>(-half_period.topRightCorner(2 * N, 3)));
 
     // Rest of the contact, a cos phi + b sin phi + d = 0: a line at the distance |d| / sqrt(a^2 + b^2) from the origin.
-    const T a = Y(N + j, 0), b = Y(N + j, 1), d = Y(N + j, 2);
+    const Vector<T> displacement = Y.topRows(N).transpose() * w, velocity = Y.bottomRows(N).transpose() * w;
+    const T a = velocity(0), b = velocity(1), d = velocity(2);
     const T square = a * a + b * b;
     const T half_chord_squared = square - d * d;
     if (!(square > T(0)) || !(half_chord_squared >= T(0)))
@@ -246,7 +245,7 @@ HalfPeriodMotion<T> half_period_motion(const HalfPeriodProblem<T>& p, int steps)
     T s = (-b * d + a * half_chord) / square;
     const T other_c = (-a * d + b * half_chord) / square;
     const T other_s = (-b * d - a * half_chord) / square;
-    if (Y(j, 0) * other_c + Y(j, 1) * other_s > Y(j, 0) * c + Y(j, 1) * s) {
+    if (displacement(0) * other_c + displacement(1) * other_s > displacement(0) * c + displacement(1) * s) {
         c = other_c;
         s = other_s;
     }
@@ -254,14 +253,15 @@ HalfPeriodMotion<T> half_period_motion(const HalfPeriodProblem<T>& p, int steps)
     HalfPeriodMotion<T> motion;
     Vector<T> z(2 * N + 3);
     z.head(2 * N) = Y.col(0) * c + Y.col(1) * s + Y.col(2);
-    z(N + j) = T(0);
+    if (p.w.size() == 0) z(N + static_cast<Index>(p.contact.index)) = T(0);
     z.tail(3) << c, s, T(1);
-    if (!(z(j) > T(0))) throw DomainError("the displacement of the contact has no maximum above zero: it does not slide");
+    if (!(w.dot(z.head(N)) > T(0)))
+        throw DomainError("the displacement of the contact has no maximum above zero: it does not slide");
     motion.x_0 = z.head(N);
     motion.x_prime_0 = z.segment(N, N);
     motion.phi_j = atan2(s, c);
     motion.contact_load = load_on_contact(p, motion.x_0, motion.x_prime_0, c);
-    sample(step, z, steps, j, motion);
+    sample(step, z, steps, w, motion);
     if (!all_finite(motion.x) || !all_finite(motion.x_prime))
         throw DomainError("the motion over the half-period overflows the number type");
     motion.amplitude.resize(N);

@@ -24,7 +24,21 @@ struct HalfPeriodProblem {
     Mass contact;  ///< the mass in contact, j
     Mass load;     ///< the loaded mass, l
     T beta = T(0); ///< friction ratio, Eq. (11)
+    Vector<T> w{}; ///< displacement of the contact over the masses, in place of `contact`; N values or none
+    Vector<T> p{}; ///< force on each mass in units of P, in place of `load`; N values or none
 };
+
+/// @brief Displacement of the contact over the masses. @param p the problem @return w, or the unit vector of `contact`
+template <class T>
+[[nodiscard]] Vector<T> contact_vector(const HalfPeriodProblem<T>& p) {
+    return p.w.size() > 0 ? p.w : Vector<T>::Unit(p.M.rows(), static_cast<Eigen::Index>(p.contact.index));
+}
+
+/// @brief Force on each mass. @param p the problem @return p, or the unit vector of `load`
+template <class T>
+[[nodiscard]] Vector<T> load_vector(const HalfPeriodProblem<T>& p) {
+    return p.p.size() > 0 ? p.p : Vector<T>::Unit(p.M.rows(), static_cast<Eigen::Index>(p.load.index));
+}
 
 /// @brief The motion over the half-period, in units of P / k_1.
 template <class T>
@@ -37,7 +51,7 @@ struct HalfPeriodMotion {
     Vector<T> amplitude;        ///< largest displacement of each mass: a root of x_k', found from the largest sample, N values
     Vector<T> phase;            ///< lag of each mass behind the load there, Eq. (47), radians, in (-pi, pi], N values
     T contact_load;             ///< load on the contact at tau = 0, units of P: the contact leaves rest downwards above mu beta
-    T largest_contact_velocity; ///< largest x_j' at the instants strictly between 0 and pi
+    T largest_contact_velocity; ///< largest velocity of the contact at the instants strictly between 0 and pi
     T mirror_defect;            ///< largest |z(pi) + z(0)| over x and x', over the largest |x| and |x'|: the error left over
 };
 

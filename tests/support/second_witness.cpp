@@ -111,7 +111,15 @@ HalfPeriodProblem<WitnessOf<T>> half_period_problem(const Scene<T>& scene) {
     const Matrix<W> M = mass_of<W>(scene.system);
     const Matrix<W> K = stiffness_of<W>(scene.system);
     const Matrix<W> C = damping_of<W>(scene.system, M, K);
-    return {M * W(r * r), C * r, K, scene.system.contact, scene.system.load, static_cast<W>(*scene.beta)};
+    HalfPeriodProblem<W> p{M * W(r * r), C * r, K, scene.system.contact, scene.system.load, static_cast<W>(*scene.beta)};
+    if (scene.system.contact_with) {
+        p.w = Vector<W>::Zero(M.rows());
+        p.w(static_cast<Index>(scene.system.contact.index)) = W(1);
+        p.w(static_cast<Index>(scene.system.contact_with->index)) = W(-1);
+    }
+    p.p.resize(static_cast<Index>(scene.system.load_vector.size()));
+    for (Index k = 0; k < p.p.size(); ++k) p.p(k) = static_cast<W>(scene.system.load_vector[static_cast<std::size_t>(k)]);
+    return p;
 }
 
 template <class T>

@@ -164,3 +164,51 @@ TEST_CASE("a motion that does not settle gives status 3 and says what was seen",
     CHECK(map.status == 0);
     CHECK(lines_of(map.output)[1] == "1.15625,1.03125,,nan,nan,nan,not_converged");
 }
+
+TEST_CASE("solve tells of a contact between two masses by the one relative to the other", "[program][solve][vectors]") {
+    const std::string scene =
+        R"({"mass_ratios": [1, 2], "stiffness_ratios": [1, 0.75], "damping_ratios": [0.05, 0.04], "contact": [2, 1],
+            "load": [0.5, 1], "r": 0.75, "beta": 0.0625})";
+    const json a = json::parse(run_program("solve --json", scene).output);
+    CHECK(a["contact"]["between"] == json::array({2, 1}));
+    CHECK(a["contact"]["amplitude"].get<double>() > 0);
+    REQUIRE(a["masses"].size() == 2);
+    const json by_algorithm = json::parse(run_program("integrate --json --absolute-tolerance 1e-9", scene).output);
+    CHECK(by_algorithm["contact"]["between"] == json::array({2, 1}));
+    CHECK(by_algorithm["contact"]["amplitude"].get<double>() == Approx(a["contact"]["amplitude"].get<double>()).epsilon(1e-6));
+    const json exactly = json::parse(run_program("integrate --json --method exact", scene).output);
+    for (std::size_t k = 0; k < 2; ++k) {
+        const double amplitude = a["masses"][k]["amplitude"].get<double>();
+        CHECK(by_algorithm["masses"][k]["amplitude"].get<double>() == Approx(amplitude).epsilon(1e-6));
+        CHECK(exactly["masses"][k]["amplitude"].get<double>() == Approx(amplitude).epsilon(1e-6));
+        const json one = json::parse(run_program("solve --json --ask amplitude --mass " + std::to_string(k + 1), scene).output);
+        REQUIRE(one["masses"].size() == 1);
+        CHECK(one["masses"][0]["mass"] == k + 1);
+        CHECK(one["masses"][0]["amplitude"].get<double>() == Approx(amplitude).epsilon(1e-6));
+        CHECK_FALSE(one["contact"].contains("amplitude"));
+    }
+    CHECK(run_program("solve", scene).output.find("contact: between masses 2 and 1, which slide on each other by 0.") !=
+          std::string::npos);
+    const json invariant = json::parse(run_program("boundary --json --invariant-points 0.2:3", scene).output);
+    CHECK(invariant["invariant_points"].size() == 2);
+}
+
+TEST_CASE("a dimensional scene is answered in its own units too", "[program][solve][units]") {
+    const std::string scene = R"({"masses": [4, 10], "stiffnesses": [16, 10], "damping_ratios": 0.0625, "contact": 2, "load": 1,
+                                  "force": 8, "friction": )";
+    const json sliding = json::parse(run_program("solve --json", scene + R"(1, "frequency": 1.5})").output);
+    const json& in_units = sliding["dimensional"];
+    CHECK(in_units["frequency"].get<double>() == Approx(1.5));
+    CHECK(in_units["frequency_hz"].get<double>() == Approx(1.5 / (2 * std::numbers::pi)));
+    CHECK(in_units["force"] == 8.0);
+    CHECK(in_units["friction"].get<double>() == Approx(1));
+    CHECK(in_units["displacement_unit"] == 0.5);
+    CHECK(in_units["friction_limit"]["exact"].get<double>() == Approx(8 * sliding["beta_lim"]["exact"].get<double>()));
+    for (std::size_t k = 0; k < 2; ++k)
+        CHECK(in_units["masses"][k]["amplitude"].get<double>() == Approx(0.5 * sliding["masses"][k]["amplitude"].get<double>()));
+    const json sticking = json::parse(run_program("solve --json", scene + R"(3, "frequency": 0.5})").output);
+    REQUIRE(sticking["regime"] == "stick_slip");
+    CHECK(sticking["dimensional"]["stops"][0]["end"].get<double>() == Approx(2 * sticking["stops"][0]["end"].get<double>()));
+    CHECK(run_program("solve", scene + R"(1, "frequency": 1.5})").output.find("in the units of the scene:") != std::string::npos);
+    CHECK_FALSE(json::parse(run_program("solve --json", two_masses("0.5", "0.5")).output).contains("dimensional"));
+}

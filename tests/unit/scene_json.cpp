@@ -1,4 +1,5 @@
 #include "denhartog/scene/scene_json.hpp"
+#include "denhartog/denhartog.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -171,6 +172,12 @@ TEST_CASE("keys that exclude each other are both named", "[scene][json][bad-inpu
 TEST_CASE("a key that a scene does not have is refused", "[scene][json][bad-input]") {
     REQUIRE(says(after([](json& s) { s["mas_ratios"] = {1}; }), "mas_ratios", "is no key of a scene", "", "/mas_ratios"));
     REQUIRE(says(after([](json& s) { s["a/b"] = 1; }), "a/b", "is no key of a scene", "", "/a~1b"));
+    REQUIRE(says(after([](json& s) { s["mas_ratios"] = {1}; }), "mas_ratios", "did you mean mass_ratios?", "", "/mas_ratios"));
+    REQUIRE(says(after([](json& s) { s["contacts"] = {1}; }), "contacts", "did you mean contact?", "", "/contacts"));
+    REQUIRE(says(after([](json& s) { s["stribeck_velocity"] = 1; }), "stribeck_velocity", "another law of friction", "",
+                 "/stribeck_velocity"));
+    REQUIRE(after([](json& s) { s["stribeck_velocity"] = 1; }).rule.find("did you mean") == std::string::npos);
+    REQUIRE(says(after([](json& s) { s["qq"] = 1; }), "qq", "The keys are mass_ratios, stiffness_ratios,", "", "/qq"));
 }
 
 TEST_CASE("the values of a single mass may stand without their brackets, as Octave writes them", "[scene][json]") {
@@ -253,6 +260,7 @@ TEST_CASE("a dimensional scene breaks rules under its own names", "[scene][json]
     REQUIRE(says(change([](json& s) { s["force"] = 0; }), "force", "positive", "0", "/force"));
     REQUIRE(says(change([](json& s) { s["friction"] = -1; }), "friction", "negative", "-1", "/friction"));
     REQUIRE(says(change([](json& s) { s["frequency"] = 0; }), "frequency", "positive", "0", "/frequency"));
+    REQUIRE(says(change([](json& s) { s["stiffnesses"] = 0; }), "stiffnesses", "positive", "0", "/stiffnesses"));
     REQUIRE(says(change([](json& s) {
                      s["masses"] = {1e-300, 1e300, 1};
                  }),
@@ -278,4 +286,99 @@ TEST_CASE("the schema has the keys that the reader accepts", "[scene][json][docs
         REQUIRE(entry.value().contains("description"));
     }
     REQUIRE(documented == std::set<std::string>(scene_keys().begin(), scene_keys().end()));
+}
+
+TEST_CASE("a contact may be between two masses, a load on each, and there is room for a comment", "[scene][json][vectors]") {
+    json s = good();
+    s["contact"] = {1, 3};
+    s["load"] = {0.5, -1, "0.25"};
+    s["comment"] = "as measured";
+    const Scene<double> read = read_scene<double>(s.dump());
+    REQUIRE(read.system.contact == Mass{0});
+    REQUIRE(read.system.contact_with == Mass{2});
+    REQUIRE(read.system.load_vector == std::vector<double>{0.5, -1, 0.25});
+    const Scene<double> again = read_scene<double>(write_scene(read).dump());
+    REQUIRE(again.system.contact_with == read.system.contact_with);
+    REQUIRE(again.system.load_vector == read.system.load_vector);
+
+    REQUIRE(says(after([](json& x) { x["contact"] = {1, 2, 3}; }), "contact", "or two of them", "[1,2,3]", "/contact"));
+    REQUIRE(says(after([](json& x) { x["contact"] = {1, 4}; }), "contact", "must be a mass from 1 to 3", "4", "/contact/1"));
+    REQUIRE(says(after([](json& x) { x["contact"] = {2, 2}; }), "contact", "between two masses", "2", "/contact/1"));
+    REQUIRE(says(after([](json& x) { x["load"] = {1, 2}; }), "load", "as many values as there are masses (3)", "2", "/load"));
+    REQUIRE(says(after([](json& x) { x["load"] = {0, 0, 0}; }), "load", "must act on at least one mass", "0 on all", "/load"));
+    REQUIRE(says(after([](json& x) { x["load"] = {0, 2, 0}; }), "load", "must be 1 there", "2", "/load/1"));
+    REQUIRE(says(after([](json& x) {
+                     x["contact"] = {1, 2};
+                     x["load"] = {-1, 1, 0};
+                 }),
+                 "load", "must be 1 there", "-1", "/load/0"));
+}
+
+TEST_CASE("a moving base loads the masses by inertia, or by its springs", "[scene][json][vectors]") {
+    json s = good();
+    s.erase("load");
+    s["base_motion"] = "with_wall";
+    REQUIRE(read_scene<double>(s.dump()).system.load_vector == std::vector<double>{1, 2.5, 0.75});
+    s["mass_matrix"] = {{2, 0.5, 0}, {0.5, 1, 0}, {0, 0, 3}};
+    s.erase("mass_ratios");
+    REQUIRE(read_scene<double>(s.dump()).system.load_vector == std::vector<double>{2.5, 1.5, 3});
+    s["base_motion"] = "alone";
+    REQUIRE_THROWS_WITH(read_scene<double>(s.dump()),
+                        Catch::Matchers::Contains("base_motion must be \"with_wall\" where there is damping"));
+    s["damping_ratios"] = 0;
+    REQUIRE(read_scene<double>(s.dump()).system.load_vector == std::vector<double>{1, 0, 0});
+    s["base_motion"] = "up";
+    REQUIRE_THROWS_WITH(read_scene<double>(s.dump()), Catch::Matchers::Contains("(base and wall move together)"));
+    s["load"] = 1;
+    REQUIRE_THROWS_WITH(read_scene<double>(s.dump()), Catch::Matchers::Contains("must not be given together with load"));
+}
+
+TEST_CASE("a dimensional scene is asked for what it lacks under its own names", "[scene][json][bad-input]") {
+    json s = dimensional();
+    s.erase("force");
+    s.erase("friction");
+    REQUIRE_THROWS_WITH(solve(read_scene<double>(s.dump())),
+                        Catch::Matchers::StartsWith("force must be given, and friction with it"));
+    s.erase("frequency");
+    REQUIRE_THROWS_WITH(solve(read_scene<double>(s.dump())), Catch::Matchers::StartsWith("frequency must be given"));
+}
+
+TEST_CASE("a dimensional scene may have matrices, a frequency in hertz and a base that moves", "[scene][json][units]") {
+    json s = dimensional();
+    const Scene<double> plain = read_scene<double>(s.dump());
+    CHECK(plain.units.value().mass == 4);
+    CHECK(plain.units->stiffness == 16);
+    CHECK(plain.units->force == 8.0);
+
+    s["masses"] = {{4, 1, 0}, {1, 10, 0}, {0, 0, 3}};
+    s["stiffnesses"] = {{26, -10, 0}, {-10, 40, -30}, {0, -30, 30}};
+    Scene<double> by_matrices = read_scene<double>(s.dump());
+    CHECK(by_matrices.system.mass_matrix(1, 1) == 2.5);
+    CHECK(by_matrices.system.mass_matrix(0, 1) == 0.25);
+    CHECK(by_matrices.system.stiffness_matrix(2, 2) == 30.0 / 26);
+    CHECK(by_matrices.r == Approx(3 * std::sqrt(4.0 / 26)));
+    s["masses"][1][0] = 2;
+    CHECK_THROWS_WITH(read_scene<double>(s.dump()), Catch::Matchers::StartsWith("masses must be symmetric"));
+
+    s = dimensional();
+    s.erase("frequency");
+    s["frequency_hz"] = 0.5;
+    CHECK(read_scene<double>(s.dump()).r == Approx(pi<double>() * std::sqrt(4.0 / 16)));
+    s["frequency"] = 1;
+    CHECK_THROWS_WITH(read_scene<double>(s.dump()), Catch::Matchers::StartsWith("frequency_hz must not be given together with"));
+
+    s = dimensional();
+    s.erase("load");
+    s.erase("force");
+    s["base_motion"] = "with_wall";
+    s["base_displacement"] = 0.25;
+    const Scene<double> moved = read_scene<double>(s.dump());
+    CHECK(moved.units.value().force == 4 * 9 * 0.25);
+    CHECK(moved.beta == Approx(2 / 9.0));
+    s["damping_ratios"] = 0;
+    s["base_motion"] = "alone";
+    CHECK(read_scene<double>(s.dump()).units.value().force == 4.0);
+    s.erase("base_motion");
+    s["load"] = 1;
+    CHECK_THROWS_WITH(read_scene<double>(s.dump()), Catch::Matchers::StartsWith("base_displacement must be given together with"));
 }

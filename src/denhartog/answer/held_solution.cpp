@@ -45,7 +45,7 @@ Matrix<T> errors_of_damping(const Scene<T>& scene, const ModalBasis<Bounded<T>>&
     const System<T>& s = scene.system;
     const auto N = static_cast<Eigen::Index>(basis.r_n.size());
     if (s.damping_matrix.size() > 0) return Matrix<T>::Zero(N, N);
-    const Matrix<T> phi = basis.phi.unaryExpr([](const Bounded<T>& entry) { return T(abs(entry.x)); });
+    const Matrix<T> phi = basis.phi.topRows(N).unaryExpr([](const Bounded<T>& entry) { return T(abs(entry.x)); });
     Matrix<T> in_modes = Matrix<T>::Zero(N, N);
     for (Eigen::Index i = 0; i < N; ++i)
         for (Eigen::Index k = 0; k < N; ++k) {
@@ -106,6 +106,23 @@ HeldErrors<T> errors_of(const Scene<T>& scene, const StuckConfiguration<T>& stuc
     return errors;
 }
 
+// The masses that are no coordinates, with bounds of their errors.
+template <class T>
+void add_displacements(const Coordinates<T>& c, std::vector<StuckMass<T>>& masses, std::vector<T>& error_of) {
+    const std::size_t N = masses.size();
+    for (Eigen::Index n = 0; n < c.displacements.rows(); ++n) {
+        Complex<T> X{T(0), T(0)};
+        T error(0);
+        for (std::size_t k = 0; k < N; ++k) {
+            const T& part = c.displacements(n, static_cast<Eigen::Index>(k));
+            X = X + part * masses[k].X;
+            error += abs(part) * (error_of[k] + 4 * static_cast<int>(N) * unit_of<T>() * masses[k].amplitude);
+        }
+        masses.push_back(motion_of(X));
+        error_of.push_back(error);
+    }
+}
+
 // The static compliance of the contact, (K^-1)_jj, with its bound: by what a solution of the equations of rest leaves over.
 template <class T>
 Bounded<T> compliance_of(const StuckConfiguration<T>& stuck) {
@@ -129,16 +146,20 @@ HeldSolution held_solution(const Scene<T>& scene, const StuckConfiguration<T>& s
     const System<T>& s = scene.system;
     const StuckResponse<T> response = stuck_response(stuck, s.contact, s.load, *scene.r);
     const HeldErrors<T> errors = errors_of(scene, stuck, basis, response);
+    std::vector<StuckMass<T>> masses = response.masses;
+    std::vector<T> error_of(masses.size(), T(0));
+    for (std::size_t n = 0; n < stuck.masses.size(); ++n) error_of[stuck.masses[n].index] = errors.masses[n];
+    add_displacements(s.coordinates, masses, error_of);
     HeldSolution solution;
     T largest(0);
-    for (const StuckMass<T>& mass : response.masses) {
+    for (const StuckMass<T>& mass : masses) {
         largest = std::max(largest, mass.amplitude);
         solution.masses.push_back({exactly(mass.amplitude, digits), std::nullopt, std::nullopt});
     }
-    for (std::size_t n = 0; n < stuck.masses.size(); ++n) {
-        const std::size_t k = stuck.masses[n].index;
-        const StuckMass<T>& mass = response.masses[k];
-        const T& error = errors.masses[n];
+    for (std::size_t k = 0; k < masses.size(); ++k) {
+        if (Mass{k} == s.contact) continue;
+        const StuckMass<T>& mass = masses[k];
+        const T& error = error_of[k];
         solution.masses[k].amplitude = certified(Bounded<T>(mass.amplitude, error), digits);
         if (mass.amplitude <= error && error <= largest * 1024 * unit_of<T>()) continue; // it does not move
         const T of_phase = error < mass.amplitude ? T(asin(T(error / mass.amplitude)) + 4 * unit_of<T>()) : pi<T>();

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "denhartog/answer/certify.hpp"
+#include "denhartog/model/coordinates.hpp"
 
 namespace denhartog {
 namespace {
@@ -24,7 +25,9 @@ public:
         while (tau > period) tau -= period;
         const auto found = std::lower_bound(ends.begin(), ends.end(), tau);
         const auto last = static_cast<std::ptrdiff_t>(ends.size()) - 1;
-        return solver.state_at(static_cast<std::size_t>(std::min(found - ends.begin(), last)), tau);
+        State<T> state = solver.state_at(static_cast<std::size_t>(std::min(found - ends.begin(), last)), tau);
+        for (std::vector<T>* part : {&state.x, &state.x_prime}) add_displacements(solver.system().coordinates, *part);
+        return state;
     }
 
 private:
@@ -67,7 +70,8 @@ OrbitSolution orbit_solution(ExactSolver<T>& solver, const PeriodicOrbit<T>& orb
     const T period = 2 * orbit.periods * pi<T>();
     OnOrbit<T> on_orbit(solver, solver.run(orbit.start, T(0), period), period);
     const T fastest = velocity_over_displacement(solver);
-    const std::size_t N = orbit.start.x.size(), j = solver.system().contact.index;
+    const std::size_t j = solver.system().contact.index,
+                      count = orbit.start.x.size() + solver.system().coordinates.replaced.size();
     T largest = orbit.contact.amplitude; // of the other masses the state at the start, where their maxima were not sought
     for (const T& x : orbit.start.x) largest = std::max(largest, T(abs(x)));
     for (const MassMotion<T>& mass : orbit.masses) largest = std::max(largest, mass.amplitude);
@@ -77,7 +81,7 @@ OrbitSolution orbit_solution(ExactSolver<T>& solver, const PeriodicOrbit<T>& orb
         const T unknown = std::numeric_limits<T>::infinity();
         solution.stops.push_back({number(stop.start, unknown), number(stop.end, unknown), number(stop.x, orbit.error_bound)});
     }
-    for (std::size_t k = 0; k < N; ++k) {
+    for (std::size_t k = 0; k < count; ++k) {
         if (only && k != only->index) {
             solution.masses.push_back({});
             continue;

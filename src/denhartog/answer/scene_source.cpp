@@ -1,6 +1,9 @@
 #include "denhartog/answer/scene_source.hpp"
 
 #include <memory>
+#include <utility>
+
+#include "denhartog/model/coordinates.hpp"
 
 namespace denhartog {
 namespace {
@@ -29,19 +32,21 @@ SceneSource changed(const SceneSource& source, const Change& change) {
 SceneSource scene_source(const SceneText& part) {
     SceneSource source = source_of([text = std::string(part.text), line = part.line, alone = part.alone]<class T>(T) {
         SceneOrError<T> read = read_scene<T>(SceneText{text, line, alone});
-        if (read.error) throw *read.error;
-        return *read.scene;
+        if (read.error) throw InputError(*read.error);
+        return in_own_coordinates(*read.scene);
     });
     // In double it is asked for more than once: it is read once.
-    source.in_double = [read = std::make_shared<const SceneOrError<double>>(read_scene<double>(part))] {
-        if (read->error) throw *read->error;
+    SceneOrError<double> read = read_scene<double>(part);
+    if (read.scene) read.scene = in_own_coordinates(*read.scene);
+    source.in_double = [read = std::make_shared<const SceneOrError<double>>(std::move(read))] {
+        if (read->error) throw InputError(*read->error);
         return *read->scene;
     };
     return source;
 }
 
 SceneSource scene_source(const Scene<double>& scene) {
-    return source_of([scene]<class T>(T) { return converted<T>(scene); });
+    return source_of([scene]<class T>(T) { return in_own_coordinates(converted<T>(scene)); });
 }
 
 SceneSource at_point(const SceneSource& source, double r, double beta) {

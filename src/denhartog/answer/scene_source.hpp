@@ -10,6 +10,8 @@
 namespace denhartog {
 
 /// @brief A scene in every number type: one tenth written as text is one tenth to all the digits of each.
+///
+/// It is in the paper's form, see `in_own_coordinates`: what is computed from it comes in the order of `displacement_of`.
 struct SceneSource {
     std::function<Scene<double>()> in_double;      ///< the scene in double
     std::function<Scene<Real50>()> in_50_digits;   ///< the scene in 50 digits

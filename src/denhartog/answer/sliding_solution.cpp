@@ -1,4 +1,5 @@
 #include "denhartog/answer/sliding_solution.hpp"
+#include "denhartog/scene/point_rules.hpp"
 
 #include <algorithm>
 
@@ -43,7 +44,7 @@ Solution sliding_solution(const SceneSource& source, const SlidingQuestion& ques
     const Aim aim = aim_of(question.digits);
     const Scene<double> scene = source.in_double();
     check(scene);
-    if (!scene.r) throw InputError("r", "must be given", "");
+    (void)frequency_ratio_of(scene);
     const QuestionEffort effort(number_of_masses(scene.system));
     Solution s;
     s.asked = question.asked;

@@ -125,6 +125,8 @@ struct Solution {
     Certified mu;                              ///< static over kinetic friction, Eq. (3)
     std::optional<Certified> beta;             ///< friction ratio, Eq. (11); none where the boundary alone was asked for
     Mass contact;                              ///< the mass in contact, j
+    std::optional<Mass> contact_with{};        ///< the mass that it rubs against, where that is no wall
+    std::optional<SolvedMass> between{};       ///< then the motion of the one relative to the other
     RegimeAtPoint regime;                      ///< the regime, with the reason
     std::optional<Regime> regime_by_56;        ///< the regime by (69) with (56), where it differs
     Method method;                             ///< model, precision, and why
@@ -153,6 +155,11 @@ struct Solution {
     /// @throws DomainError where the answer has no amplitudes
     [[nodiscard]] const std::optional<Certified>& phase(Mass k) const;
 };
+
+/// @brief Puts an answer that was found in coordinates of its own in the order of the masses.
+/// @param c  the coordinates; nothing is done where there are none
+/// @param s  the answer
+void put_in_order_of_masses(const Coordinates<double>& c, Solution& s);
 
 /// @brief What is known of a mass. @param s an answer @param k a mass, listed in it @return the mass
 [[nodiscard]] const SolvedMass& mass_of(const Solution& s, Mass k);

@@ -6,6 +6,7 @@
 #include "denhartog/answer/sliding_solution.hpp"
 #include "denhartog/c/handles.hpp"
 #include "denhartog/formulas/high_frequency.hpp"
+#include "denhartog/model/coordinates.hpp"
 #include "denhartog/scene/limits.hpp"
 #include "denhartog/scene/point_rules.hpp"
 #include "denhartog/solve/quantities.hpp"
@@ -37,13 +38,17 @@ SceneSource without_point(const SceneSource& source) {
 void make_system(const SceneSource& source, dh_system** system) {
     auto made = std::make_unique<dh_system>(dh_system{prepare(source, Question{}, Prepared::every_regime)});
     made->basis = made->prepared.moving->basis;
+    const ContactSystem<double>& moving = *made->prepared.moving;
+    for (std::size_t n = 0; n < moving.coordinates.replaced.size(); ++n)
+        made->basis.phi.row(static_cast<Eigen::Index>(moving.coordinates.replaced[n].index)) =
+            moving.further.row(static_cast<Eigen::Index>(n));
     need_finite(made->basis.r_n);
     *system = made.release();
 }
 
 ModeSums<double> sums_at(const dh_system* system, double r) {
     const System<double>& s = system->prepared.scene.system;
-    return mode_sums(system->basis, s.contact, s.load, r);
+    return mode_sums(system->prepared.moving->basis, s.contact, s.load, r);
 }
 
 // Significant digits of the numbers that come without a bound of their error.
@@ -154,7 +159,8 @@ int dh_system_masses(const dh_system* system, size_t* N, size_t* contact, size_t
         const std::size_t count = masses_of(system);
         need(N, "N");
         *N = count;
-        if (contact != nullptr) *contact = system->prepared.scene.system.contact.index + 1;
+        const System<double>& s = system->prepared.scene.system;
+        if (contact != nullptr) *contact = (s.coordinates.between.empty() ? s.contact : s.coordinates.between[0]).index + 1;
         if (load != nullptr) *load = system->prepared.scene.system.load.index + 1;
     });
 }
@@ -254,9 +260,10 @@ int dh_sliding_motion(const dh_system* system, double r, double beta, double mu,
     return guarded([&] {
         const Mass k = mass_from(mass, masses_of(system), "mass");
         need_struct(result, "result");
-        const Solution found = closed_form_at(system, r, beta, mu, Asked::motion, k);
+        const Mass row = displacement_of(system->prepared.scene.system, k);
+        const Solution found = closed_form_at(system, r, beta, mu, Asked::motion, row);
         if (found.masses.empty()) throw_not_sliding(beta, found.limits->exact.value);
-        const SolvedMass& m = found.masses[k.index];
+        const SolvedMass& m = found.masses[row.index];
         const SlidingOfMass& of = *m.sliding;
         const dh_sliding_mass all{0,
                                   of.x0.value,

@@ -159,8 +159,8 @@ DH_EXPORT void dh_system_destroy(dh_system* system) DH_NOEXCEPT;
 /// @brief Number of masses, contact and load.
 /// @param system   a system
 /// @param N        receives the number of masses
-/// @param contact  receives j, from 1; may be null
-/// @param load     receives l, from 1; may be null
+/// @param contact  receives j, from 1, of two masses that rub against each other the first; may be null
+/// @param load     receives l, from 1; where the load is no single mass, one that it acts on or moves; may be null
 /// @return         #DH_OK, #DH_ERROR_NULL
 DH_EXPORT int dh_system_masses(const dh_system* system, size_t* N, size_t* contact, size_t* load) DH_NOEXCEPT;
 

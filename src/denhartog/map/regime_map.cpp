@@ -7,6 +7,7 @@
 #include "denhartog/answer/sliding_solution.hpp"
 #include "denhartog/map/contact_limits.hpp"
 #include "denhartog/map/map_column.hpp"
+#include "denhartog/model/coordinates.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/parallel.hpp"
 #include "denhartog/scene/point_rules.hpp"
@@ -87,12 +88,10 @@ RegimeMap regime_map(const Scene<double>& scene, const MapRequest& request, cons
                      const std::function<void(std::size_t done)>& done) {
     check(scene);
     check_request(request, number_of_masses(scene.system));
-    const MapSystem shared{prepare(scene_source(scene), {}, Prepared::every_regime),
-                           scene.mu,
-                           request.start,
-                           request.beta,
-                           request.masses,
-                           request.effort};
+    PreparedSystem prepared = prepare(scene_source(scene), {}, Prepared::every_regime);
+    std::vector<Mass> rows_of_masses;
+    for (const Mass k : request.masses) rows_of_masses.push_back(displacement_of(prepared.scene.system, k));
+    const MapSystem shared{std::move(prepared), scene.mu, request.start, request.beta, std::move(rows_of_masses), request.effort};
     Arrays arrays(shared);
     const std::size_t columns = request.r.size(), rows = request.beta.size(), masses = request.masses.size();
     RegimeMap map;
@@ -119,7 +118,8 @@ RegimeMap regime_map(const Scene<double>& scene, const MapRequest& request, cons
     return map;
 }
 
-std::vector<BoundaryPoint> boundary_curves(const Scene<double>& scene, const std::vector<double>& r) {
+std::vector<BoundaryPoint> boundary_curves(const Scene<double>& of_masses, const std::vector<double>& r) {
+    const Scene<double> scene = in_own_coordinates(of_masses);
     check(scene);
     check_frequencies(r);
     SlidingQuestion question;

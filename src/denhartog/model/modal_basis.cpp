@@ -6,6 +6,8 @@
 #include <span>
 
 #include "denhartog/formulas/system.hpp"
+#include "denhartog/model/coordinates.hpp"
+#include "denhartog/model/linear_algebra.hpp"
 #include "denhartog/model/modal_damping.hpp"
 #include "denhartog/model/natural_modes.hpp"
 #include "denhartog/number/errors.hpp"
@@ -47,12 +49,6 @@ std::vector<T> lumped_masses(const System<T>& s) {
             if (k != i && s.mass_matrix(i, k) != 0) return {};
     }
     return gamma;
-}
-
-template <class T>
-Matrix<T> stiffness_matrix(const System<T>& s) {
-    if (s.stiffness_matrix.size() > 0) return s.stiffness_matrix;
-    return to_matrix(paper::chain_stiffness_matrix(std::span<const T>(s.stiffness_ratios)), s.stiffness_ratios.size());
 }
 
 /// The lower triangular factor of the mass matrix.
@@ -98,6 +94,11 @@ ModalBasis<T> modal_basis(const System<T>& s) {
     else
         basis.zeta = s.damping_ratios;
     fix_signs(basis.phi);
+    if (const Matrix<T>& others = s.coordinates.displacements; others.size() > 0) {
+        const Matrix<T> further = product(others, basis.phi);
+        basis.phi.conservativeResize(basis.phi.rows() + further.rows(), Eigen::NoChange);
+        basis.phi.bottomRows(further.rows()) = further;
+    }
     require_finite(basis);
     return basis;
 }
@@ -138,7 +139,7 @@ NonDimensionalMatrices<T> non_dimensional_matrices(const System<T>& s, const Mod
     std::vector<T> Omega(N);
     for (std::size_t i = 0; i < N; ++i) Omega[i] = basis.r_n[i] / r;
     const Matrix<T> C = to_matrix(paper::damping_matrix(std::span<const T>(to_array(result.M)),
-                                                        std::span<const T>(to_array(Matrix<T>(basis.phi / r))),
+                                                        std::span<const T>(to_array(Matrix<T>(basis.phi.topRows(n) / r))),
                                                         std::span<const T>(Omega), std::span<const T>(basis.zeta)),
                                   N);
     result.C = (C + C.transpose()) / T(2);

@@ -16,8 +16,9 @@ namespace denhartog {
 /// The sign of a mode shape: positive is the first component that has more than three eighths of the size of the largest.
 template <class T>
 struct ModalBasis {
-    std::vector<T> r_n;  ///< natural frequency ratios omega_i sqrt(m_1 / k_1), ascending, N values
-    Matrix<T> phi;       ///< mode shapes, mass by mode, phi^T M phi = 1, N x N
+    std::vector<T> r_n; ///< natural frequency ratios omega_i sqrt(m_1 / k_1), ascending, N values
+    Matrix<T>
+        phi; ///< mode shapes, mass by mode, phi^T M phi = 1, N x N; masses that are no coordinate of the system in further rows
     std::vector<T> zeta; ///< modal damping ratios, N values
 };
 

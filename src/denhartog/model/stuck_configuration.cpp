@@ -138,6 +138,10 @@ StuckConfiguration<T> stuck_configuration(const System<T>& s, const ModalBasis<T
     stuck.r_n = std::move(modes.r_n);
     stuck.phi = std::move(modes.phi);
     require_finite(stuck);
+    if (const Matrix<T>& rows = s.coordinates.displacements; rows.size() > 0) {
+        stuck.further = product(Matrix<T>(rows(Eigen::all, others)), stuck.phi);
+        for (const T& part : rows.col(j)) stuck.carried.push_back(part);
+    }
     const Matrix<T> D = in_coordinates(stuck.phi, stuck.C);
     stuck.damping = (D + D.transpose()) / T(2);
     set_coupling(stuck, tolerance);

@@ -27,6 +27,8 @@ struct StuckConfiguration {
     T k_contact;                      ///< static stiffness of the contact with the others free to follow: 1 / (K^-1)_jj
     std::vector<T> r_n;               ///< natural frequency ratios of the stuck configuration, ascending, N - 1
     Matrix<T> phi;                    ///< mode shapes, mass by mode, phi^T M phi = 1
+    Matrix<T> further;                ///< the same of the masses that are no coordinate of the system, a row each
+    std::vector<T> carried;           ///< how far each of these goes with the contact
     Matrix<T> damping;                ///< phi^T C phi; its diagonal is 2 zeta*_i r_n,i
     T coupling;                       ///< largest off-diagonal |D_ik| / sqrt(D_ii D_kk) of `damping`; zero for fewer than two
     bool modes_diagonalise_damping{}; ///< whether `coupling` is explained by rounding: zeta*_i then describe the motion

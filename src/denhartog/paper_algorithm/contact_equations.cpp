@@ -8,6 +8,7 @@
 #include "denhartog/formulas/stuck.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/number_text.hpp"
+#include "denhartog/scene/point_rules.hpp"
 
 namespace denhartog {
 namespace {
@@ -40,10 +41,10 @@ void check(const ContactProblem& p) {
 
 ContactProblem contact_problem(const Scene<double>& scene) {
     check(scene);
-    if (!scene.r) throw InputError("r", "must be given", "nothing", "/r");
-    if (!scene.beta) throw InputError("beta", "must be given", "nothing", "/beta");
+    (void)frequency_ratio_of(scene);
+    (void)friction_ratio_of(scene);
     const System<double>& s = scene.system;
-    return {non_dimensional_matrices(s, modal_basis(s), *scene.r), s.contact, s.load, scene.mu, *scene.beta};
+    return {non_dimensional_matrices(s, modal_basis(s), *scene.r), s.contact, s.load, scene.mu, *scene.beta, s.coordinates};
 }
 
 ContactEquations::ContactEquations(const ContactProblem& p) : beta(p.beta), mu(p.mu) {

@@ -19,6 +19,7 @@ struct ContactProblem {
     Mass load;                               ///< the loaded mass, l
     double mu = 1;                           ///< static over kinetic friction, Eq. (3); at least 1
     double beta = 0;                         ///< friction ratio, Eq. (11); not negative
+    Coordinates<double> coordinates{};       ///< the masses that are no coordinates
 };
 
 /// @brief The problem at the point of a scene.

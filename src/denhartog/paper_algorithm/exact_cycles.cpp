@@ -2,8 +2,10 @@
 
 #include <cmath>
 
+#include "denhartog/model/coordinates.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/paper_algorithm/last_period.hpp"
+#include "denhartog/scene/point_rules.hpp"
 #include "denhartog/sliding/steady_state.hpp"
 #include "denhartog/stick_slip/exact_motion.hpp"
 
@@ -21,12 +23,13 @@ bool failed(const ExactMotion<double>& run, PaperMotion& motion) {
 
 } // namespace
 
-PaperMotion exact_cycles(const Scene<double>& scene, const PaperSettings& settings) {
-    check(scene);
-    if (!scene.r) throw InputError("r", "must be given", "nothing", "/r");
-    if (!scene.beta) throw InputError("beta", "must be given", "nothing", "/beta");
+PaperMotion exact_cycles(const Scene<double>& of_masses, const PaperSettings& settings_of_masses) {
+    check(of_masses);
+    const Scene<double> scene = in_own_coordinates(of_masses);
+    const PaperSettings settings = in_own_coordinates(settings_of_masses, scene.system);
+    (void)frequency_ratio_of(scene);
+    (void)friction_ratio_of(scene);
     const std::size_t N = number_of_masses(scene.system), j = scene.system.contact.index;
-    check(settings, N);
     const ContactSystem<double> system = contact_system(scene.system);
     ExactSolver<double> solver(system, {*scene.r, *scene.beta, scene.mu});
     const double period = 2 * pi<double>(), last = settings.tau_0 + period * (settings.cycles - 1);
@@ -46,14 +49,14 @@ PaperMotion exact_cycles(const Scene<double>& scene, const PaperSettings& settin
     if (failed(run, motion)) return motion;
     if (run.phases.front().direction == direction) --motion.phases;
 
-    LastPeriod period_seen(N, last, 0);
+    LastPeriod period_seen(N, last, 0, scene.system.coordinates);
     for (std::size_t n = 0; n < run.phases.size(); ++n) {
         const Phase<double>& p = run.phases[n];
         if (p.direction == 0) period_seen.take_rest(n == 0 ? rest_from : p.start, p.end, run.states[2 * N * n + j], p.end == end);
     }
     period_seen.write(motion);
     const std::vector<Extremum<double>> largest = solver.largest_displacements();
-    for (std::size_t k = 0; k < N; ++k) {
+    for (std::size_t k = 0; k < largest.size(); ++k) {
         motion.masses[k].amplitude = std::abs(largest[k].x);
         if (motion.slides && largest[k].x != 0)
             motion.masses[k].phase = wrapped(largest[k].instant + (largest[k].x < 0 ? pi<double>() : 0));
@@ -66,6 +69,7 @@ PaperMotion exact_cycles(const Scene<double>& scene, const PaperSettings& settin
         while (phase + 1 < run.phases.size() && run.phases[phase].end < tau) ++phase;
         motion.samples.push_back(solver.state_at(phase, tau));
     }
+    put_in_order_of_masses(scene.system, motion);
     return motion;
 }
 

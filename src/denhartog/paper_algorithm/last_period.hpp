@@ -21,17 +21,26 @@ struct DisplacementRange {
     void take(double x, double tau);
 };
 
+/// @brief A displacement of a state, or its velocity: that of a coordinate, or of a mass that is none.
+struct DisplacementOf {
+    std::size_t k;                     ///< its place, see `displacement_of`
+    const Coordinates<double>* others; ///< the masses that are no coordinates
+
+    /// @brief The number. @param y a state @param part 0 for the displacement, N for its velocity @return its value
+    double operator()(const DenseStep::Y& y, std::size_t part) const;
+};
+
 /// @brief Takes the extrema of a displacement over a part of a step into account.
 ///
 /// They are at the ends or where the velocity changes sign.
 /// @param step   the step
-/// @param k      the mass
+/// @param of     the displacement
 /// @param tau    time at the start of the step
 /// @param from   theta where the part starts
 /// @param to     theta where it ends
 /// @param zeros  working space
 /// @param range  gets the extrema
-void take_extrema(DenseStep& step, std::size_t k, double tau, double from, double to, std::vector<double>& zeros,
+void take_extrema(DenseStep& step, const DisplacementOf& of, double tau, double from, double to, std::vector<double>& zeros,
                   DisplacementRange& range);
 
 /// @brief Gathers the last period.
@@ -40,7 +49,8 @@ public:
     /// @param N        number of masses
     /// @param start    its start
     /// @param samples  number of instants to sample
-    LastPeriod(std::size_t N, double start, int samples);
+    /// @param others   the masses that are no coordinates; must outlive this
+    LastPeriod(std::size_t N, double start, int samples, const Coordinates<double>& others);
 
     /// @brief Takes a step, or the part of one before an event, into account.
     /// @param step  the step
@@ -60,7 +70,8 @@ public:
 
 private:
     double start_;
-    std::vector<DisplacementRange> ranges_;
+    const Coordinates<double>* others_;
+    std::vector<DisplacementRange> ranges_; // of all displacements
     std::vector<Stop<double>> stops_;
     bool rests_ = false;
     bool slides_throughout_ = true;
@@ -68,5 +79,10 @@ private:
     std::vector<State<double>> samples_;
     std::vector<double> zeros_, y_;
 };
+
+/// @brief Puts a motion that was found in coordinates of its own in the order of the masses.
+/// @param system  the system in its coordinates; nothing is done where it has none
+/// @param motion  the motion
+void put_in_order_of_masses(const System<double>& system, PaperMotion& motion);
 
 } // namespace denhartog

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "denhartog/formulas/stuck.hpp"
+#include "denhartog/model/coordinates.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/number.hpp"
 #include "denhartog/number/number_text.hpp"
@@ -31,7 +32,8 @@ public:
     Integration(const ContactProblem& problem, const PaperSettings& settings)
         : s_(settings), equations_(problem), N_(equations_.N), j_(equations_.j),
           step_(N_, s_.absolute_tolerance, s_.relative_tolerance.value_or(s_.absolute_tolerance), longest_step), tau_(s_.tau_0),
-          end_(s_.tau_0 + period * s_.cycles), last_period_(N_, s_.tau_0 + period * (s_.cycles - 1), s_.samples) {
+          end_(s_.tau_0 + period * s_.cycles),
+          last_period_(N_, s_.tau_0 + period * (s_.cycles - 1), s_.samples, problem.coordinates) {
         if (s_.start) {
             std::ranges::copy(s_.start->x, step_.y_0.begin());
             std::ranges::copy(s_.start->x_prime, step_.y_0.begin() + static_cast<std::ptrdiff_t>(N_));
@@ -194,8 +196,8 @@ private:
         const auto last = static_cast<std::size_t>((start + to * step_.h) / period);
         for (auto cycle = static_cast<std::size_t>(start / period); cycle <= last && cycle < history_.size(); ++cycle) {
             const double from = (static_cast<double>(cycle) * period - start) / step_.h;
-            take_extrema(step_, j_, tau_, std::clamp(from, 0.0, to), std::clamp(from + period / step_.h, 0.0, to), zeros_,
-                         history_[cycle]);
+            take_extrema(step_, {j_, nullptr}, tau_, std::clamp(from, 0.0, to), std::clamp(from + period / step_.h, 0.0, to),
+                         zeros_, history_[cycle]);
         }
     }
 
@@ -256,13 +258,24 @@ void check(const PaperSettings& s, std::size_t N) {
     }
 }
 
+PaperSettings in_own_coordinates(PaperSettings settings, const System<double>& system) {
+    check(settings, number_of_masses(system));
+    if (!settings.start) return settings;
+    take_to_coordinates(system.coordinates, settings.start->x);
+    take_to_coordinates(system.coordinates, settings.start->x_prime);
+    return settings;
+}
+
 PaperMotion paper_algorithm(const ContactProblem& problem, const PaperSettings& settings) {
     check(settings, static_cast<std::size_t>(problem.matrices.M.rows()));
     return Integration(problem, settings).run();
 }
 
-PaperMotion paper_algorithm(const Scene<double>& scene, const PaperSettings& settings) {
-    return paper_algorithm(contact_problem(scene), settings);
+PaperMotion paper_algorithm(const Scene<double>& of_masses, const PaperSettings& settings) {
+    const Scene<double> scene = in_own_coordinates(of_masses);
+    PaperMotion motion = paper_algorithm(contact_problem(scene), in_own_coordinates(settings, scene.system));
+    put_in_order_of_masses(scene.system, motion);
+    return motion;
 }
 
 } // namespace denhartog

@@ -61,6 +61,7 @@ struct PaperMotion {
     IntegrationStatus status = IntegrationStatus::complete; ///< whether the final time was reached
     std::string reason;                                     ///< why not
     std::vector<PaperMassMotion> masses;                    ///< over the last period, N
+    std::optional<PaperMassMotion> between; ///< of two masses that rub against each other, the one relative to the other
     /// Stops that end within the last period. Times from its start, a maximum of the force where tau_0 is one; a stop that began
     /// before it is given one period later, so that starts are not negative where a stop is shorter than a period.
     std::vector<Stop<double>> stops;
@@ -78,6 +79,10 @@ struct PaperMotion {
 
 /// @brief Checks settings. @param settings the settings @param N number of masses @throws InputError for the first rule broken
 void check(const PaperSettings& settings, std::size_t N);
+
+/// @brief Settings with their start in the coordinates of a system. @param settings of its masses @param system in its coordinates
+/// @return the settings @throws InputError as `check`
+[[nodiscard]] PaperSettings in_own_coordinates(PaperSettings settings, const System<double>& system);
 
 /// @brief Integrates (6) from a start over a number of periods as the paper does.
 ///

@@ -96,8 +96,10 @@ Json motion_json(const OtherMotion& motion, const std::optional<Mass>& only, con
 
 Json contact_json(const Solution& s, const NumberWriter& write) {
     Json all{{"mass", s.contact.index + 1}};
-    if (s.masses.empty() || (s.only && s.only != s.contact)) return all;
-    const SolvedMass& m = mass_of(s, s.contact);
+    if (s.contact_with) all = {{"between", {s.contact.index + 1, s.contact_with->index + 1}}};
+    const bool known = s.contact_with ? s.between.has_value() : !s.masses.empty() && (!s.only || s.only == s.contact);
+    if (!known) return all;
+    const SolvedMass& m = s.contact_with ? *s.between : mass_of(s, s.contact);
     all["amplitude"] = write(m.amplitude);
     if (m.phase) all["phase"] = write(*m.phase);
     return all;
@@ -198,6 +200,14 @@ Json solution_json(const Solution& s, const NumberWriter& write) {
     return all;
 }
 
+std::string contact_in_words(const Json& contact) {
+    if (contact.contains("mass")) return "contact: mass " + cell(contact, "mass");
+    const Json& masses = contact.at("between");
+    std::string text = "contact: between masses " + in_table(masses[0]) + " and " + in_table(masses[1]);
+    if (contact.contains("amplitude")) text += ", which slide on each other by " + cell(contact, "amplitude");
+    return text + (contact.contains("phase") ? ", phase " + cell(contact, "phase") : "");
+}
+
 std::string solution_table(const Json& a) {
     std::string text = "regime: " + a.at("regime").get<std::string>() + "\n" + a.at("reason").get<std::string>() + "\n";
     if (a.contains("regime_by_56")) text += "by (69) with (56) it is " + cell(a, "regime_by_56") + "\n";
@@ -212,7 +222,7 @@ std::string solution_table(const Json& a) {
         if (b.contains(key)) rows.push_back({name, cell(b, key)});
     text += aligned(rows);
     if (a.contains("masses"))
-        text += masses_table(a.at("masses")) + "contact: mass " + cell(a.at("contact"), "mass") +
+        text += masses_table(a.at("masses")) + contact_in_words(a.at("contact")) +
                 "; displacements in units of P / k_1, phases in radians behind the force\n" + rest_of_motion(a);
     text +=
         std::string("unique: ") + (a.at("unique").get<bool>() ? "yes, " : "") + a.at("unique_because").get<std::string>() + "\n";

@@ -25,6 +25,9 @@ namespace denhartog::program {
 /// @return          the object; fields that mean nothing in the regime, or were not asked for, are absent
 [[nodiscard]] Json solution_json(const Solution& solution, const NumberWriter& write);
 
+/// @brief Where the contact is, in words. @param contact the object `contact` of an answer @return a line without its end
+[[nodiscard]] std::string contact_in_words(const Json& contact);
+
 /// @brief The same for reading.
 /// @param answer  the object
 /// @return        lines of text

@@ -6,6 +6,7 @@
 
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/number_text.hpp"
+#include "denhartog/scene/scene.hpp"
 
 namespace denhartog {
 
@@ -26,6 +27,21 @@ void check_friction_ratio(const T& beta) {
 template <class T>
 void check_static_friction(const T& mu) {
     if (!(mu >= 1) || !boost::math::isfinite(mu)) throw InputError("mu", "must be at least 1, and finite", number_to_text(mu));
+}
+
+/// @brief The frequency ratio of a scene. @param scene the scene @return r @throws InputError where it is missing
+template <class T>
+[[nodiscard]] const T& frequency_ratio_of(const Scene<T>& scene) {
+    if (!scene.r) throw InputError(scene.units ? "frequency" : "r", "must be given", "nothing");
+    return *scene.r;
+}
+
+/// @brief The friction ratio of a scene. @param scene the scene @return beta @throws InputError where it is missing
+template <class T>
+[[nodiscard]] const T& friction_ratio_of(const Scene<T>& scene) {
+    if (scene.beta) return *scene.beta;
+    if (scene.units) throw InputError("force", "must be given, and friction with it", "nothing");
+    throw InputError("beta", "must be given", "nothing");
 }
 
 } // namespace denhartog

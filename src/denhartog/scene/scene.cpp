@@ -101,6 +101,42 @@ void check_damping_ratios(const std::vector<T>& zeta, std::size_t N, const Scene
 }
 
 template <class T>
+void check_between(const System<T>& s, const std::string& which, const SceneNames& names) {
+    if (s.contact_with->index >= number_of_masses(s)) fail(names, "contact", which, number(s.contact_with->index), at(1));
+    if (*s.contact_with == s.contact)
+        fail(names, "contact", "must be between two masses, not between one and itself", number(s.contact.index), at(1));
+}
+
+/// Displacement of the contact over the masses.
+template <class T>
+T contact_part(const System<T>& s, std::size_t k) {
+    if (s.contact_with && *s.contact_with == Mass{k}) return T(-1);
+    return s.contact == Mass{k} ? T(1) : T(0);
+}
+
+template <class T>
+void check_load(const System<T>& s, const SceneNames& names) {
+    const std::size_t N = number_of_masses(s);
+    const std::vector<T>& p = s.load_vector;
+    if (p.size() != N)
+        fail(names, "load", "must be one mass, or have as many values as there are masses (" + std::to_string(N) + ")",
+             std::to_string(p.size()));
+    bool loads = false, along = true;
+    for (std::size_t k = 0; k < N; ++k) {
+        if (const char* rule = broken_rule(p[k]))
+            fail(names, "load", "on mass " + number(k) + " " + rule, number_to_text(p[k]), at(k));
+        loads = loads || p[k] != 0;
+        along = along && p[k] == p[s.contact.index] * contact_part(s, k);
+    }
+    if (!loads) fail(names, "load", "must act on at least one mass", "0 on all");
+    if (along && p[s.contact.index] != 1)
+        fail(names, "load",
+             "on nothing but the contact must be 1 there, its own unit: P is the force on the contact, positive as its "
+             "displacement",
+             number_to_text(p[s.contact.index]), at(s.contact.index));
+}
+
+template <class T>
 void check_system(const System<T>& s, const SceneNames& names) {
     check_given_once(s.mass_ratios, s.mass_matrix, names, names.masses, "mass_matrix");
     check_given_once(s.stiffness_ratios, s.stiffness_matrix, names, names.stiffnesses, "stiffness_matrix");
@@ -108,17 +144,17 @@ void check_system(const System<T>& s, const SceneNames& names) {
     const std::size_t N = number_of_masses(s);
     if (N > most_masses) {
         const bool matrix = s.mass_matrix.size() > 0;
-        fail(names, matrix ? "mass_matrix" : names.masses, most_masses_rule(matrix ? "rows" : "values"), std::to_string(N));
+        fail(names, matrix ? names.mass_matrix : names.masses, most_masses_rule(matrix ? "rows" : "values"), std::to_string(N));
     }
     if (s.mass_matrix.size() > 0) {
-        check_symmetric(s.mass_matrix, N, names, "mass_matrix");
-        check_positive_definite(s.mass_matrix, names, "mass_matrix");
+        check_symmetric(s.mass_matrix, N, names, names.mass_matrix);
+        check_positive_definite(s.mass_matrix, names, names.mass_matrix);
     } else {
         check_ratios(s.mass_ratios, N, names, names.masses, "mass");
     }
     if (s.stiffness_matrix.size() > 0) {
-        check_symmetric(s.stiffness_matrix, N, names, "stiffness_matrix");
-        check_positive_definite(s.stiffness_matrix, names, "stiffness_matrix");
+        check_symmetric(s.stiffness_matrix, N, names, names.stiffness_matrix);
+        check_positive_definite(s.stiffness_matrix, names, names.stiffness_matrix);
     } else {
         check_ratios(s.stiffness_ratios, N, names, names.stiffnesses, "spring");
     }
@@ -128,7 +164,9 @@ void check_system(const System<T>& s, const SceneNames& names) {
         check_damping_ratios(s.damping_ratios, N, names);
     const std::string which = "must be a mass from 1 to " + std::to_string(N);
     if (s.contact.index >= N) fail(names, "contact", which, number(s.contact.index));
-    if (s.load.index >= N) fail(names, "load", which, number(s.load.index));
+    if (s.load_vector.empty() && s.load.index >= N) fail(names, "load", which, number(s.load.index));
+    if (s.contact_with) check_between(s, which, names);
+    if (!s.load_vector.empty()) check_load(s, names);
 }
 
 template <class T>
@@ -180,10 +218,15 @@ Scene<T> converted(const Scene<double>& scene) {
                   converted<T>(s.damping_ratios),
                   converted<T>(s.damping_matrix),
                   s.contact,
-                  s.load};
+                  s.load,
+                  s.contact_with,
+                  converted<T>(s.load_vector),
+                  {s.coordinates.replaced, converted<T>(s.coordinates.displacements), converted<T>(s.coordinates.of_masses),
+                   s.coordinates.between}};
     out.mu = T(scene.mu);
     if (scene.r) out.r = T(*scene.r);
     if (scene.beta) out.beta = T(*scene.beta);
+    out.units = scene.units;
     return out;
 }
 

@@ -1,5 +1,5 @@
 /// @file
-/// @brief A scene from a JSON value and back.
+/// @brief A scene from a JSON value.
 #include "denhartog/scene/scene_json.hpp"
 
 #include <array>
@@ -11,19 +11,13 @@
 #include "denhartog/number/multiprecision.hpp"
 #include "denhartog/number/number_text.hpp"
 #include "denhartog/scene/json_document.hpp"
+#include "denhartog/scene/scene_keys.hpp"
 #include "denhartog/scene/scene_rules.hpp"
 
 namespace denhartog {
 namespace {
 
 using nlohmann::json;
-
-constexpr auto keys = std::to_array<std::string_view>({"mass_ratios", "stiffness_ratios", "damping_ratios", "contact", "load",
-                                                       "mu", "r", "beta", "mass_matrix", "stiffness_matrix", "damping_matrix",
-                                                       "masses", "stiffnesses", "force", "friction", "frequency"});
-constexpr auto dimensional_keys = std::to_array<const char*>({"masses", "stiffnesses", "force", "friction", "frequency"});
-constexpr auto ratio_keys =
-    std::to_array<const char*>({"mass_ratios", "stiffness_ratios", "mass_matrix", "stiffness_matrix", "r", "beta"});
 
 std::string value_text(const json& x) { return legible(x.dump(-1, ' ', true, json::error_handler_t::replace), most_of_a_value); }
 
@@ -33,7 +27,10 @@ struct Item {
     std::string key;
     std::string place;
 
-    Item operator[](std::size_t i) const { return {value[i], key, place + pointer_step(std::to_string(i))}; }
+    /// An entry; a value that stands without its brackets is the only one.
+    Item operator[](std::size_t i) const {
+        return value.is_array() ? Item{value[i], key, place + pointer_step(std::to_string(i))} : *this;
+    }
     [[noreturn]] void fail(const std::string& rule) const { throw InputError(key, rule, value_text(value), place); }
 };
 
@@ -99,33 +96,12 @@ std::size_t read_index(const Item& x) {
     return static_cast<std::size_t>(number) - 1;
 }
 
-/// The first of some keys that a scene has; null where it has none.
-template <std::size_t n>
-const char* first_of(const json& object, const std::array<const char*, n>& some) {
-    for (const char* key : some)
-        if (object.contains(key)) return key;
-    return nullptr;
-}
-
 void require(const json& object, const char* key, const char* in_place_of = nullptr) {
     if (in_place_of && object.contains(key) && object.contains(in_place_of))
         throw InputError(in_place_of, std::string("must not be given together with ") + key, "", pointer_step(in_place_of));
     if (!object.contains(key) && !(in_place_of && object.contains(in_place_of)))
         throw InputError(key, in_place_of ? std::string("must be given (or ") + in_place_of + " in its place)" : "must be given",
                          "");
-}
-
-void check_keys(const json& object) {
-    if (!object.is_object()) throw InputError("scene", "must be a JSON object", value_text(object));
-    for (const auto& entry : object.items())
-        if (std::find(keys.begin(), keys.end(), entry.key()) == keys.end())
-            throw InputError(entry.key(), "is no key of a scene", "", pointer_step(entry.key()));
-    const char* dimensional = first_of(object, dimensional_keys);
-    const char* ratio = first_of(object, ratio_keys);
-    if (dimensional && ratio)
-        throw InputError(ratio,
-                         std::string("must not be given together with ") + dimensional + ": a scene is dimensional or it is not",
-                         "", pointer_step(ratio));
 }
 
 template <class T>
@@ -141,33 +117,65 @@ void read_ratios(const json& object, Scene<T>& scene) {
     if (object.contains("beta")) scene.beta = read_number<T>(item(object, "beta"));
 }
 
+/// Masses or stiffnesses of a dimensional scene, a list for a chain or a matrix, in units of the first. Gives the first.
+template <class T>
+T read_in_units_of_first(const Item& x, std::vector<T>& ratios, Matrix<T>& matrix) {
+    if (x.value.is_array() && !x.value.empty() && x.value[0].is_array()) {
+        matrix = read_matrix<T>(x);
+        const T first = matrix(0, 0);
+        if (!(first > 0)) x[0][0].fail("must be positive");
+        matrix /= first;
+        return first;
+    }
+    const std::vector<T> list = read_list<T>(x);
+    for (std::size_t i = 0; i < list.size(); ++i)
+        if (!(list[i] > 0)) x[i].fail("must be positive");
+    for (const T& each : list) ratios.push_back(each / list[0]);
+    return list[0];
+}
+
+/// The force that ratios are in units of: given, or what a base does that moves by `base_displacement`.
+template <class T>
+std::optional<T> read_force(const json& object, const T& m_1, const T& k_1, const std::optional<T>& omega) {
+    if (!object.contains("base_displacement")) {
+        if (!object.contains("force")) return std::nullopt;
+        return read_positive<T>(item(object, "force"));
+    }
+    const Item base = item(object, "base_displacement");
+    if (object.contains("force")) base.fail("must not be given together with force");
+    if (!object.contains("base_motion")) base.fail("must be given together with base_motion");
+    const T displacement = read_positive<T>(base);
+    if (object.at("base_motion") == "alone") return T(k_1 * displacement);
+    if (!omega) throw InputError("frequency", "must be given where the base moves with the wall", "nothing");
+    return T(m_1 * *omega * *omega * displacement);
+}
+
 /// What damping in dimensional units is divided by.
 template <class T>
 T read_dimensional(const json& object, Scene<T>& scene) {
     require(object, "masses");
     require(object, "stiffnesses");
-    std::vector<T> m;
-    std::vector<T> k;
-    const auto read = [&](const char* key, std::vector<T>& list) {
-        const Item x = item(object, key);
-        list = read_list<T>(x);
-        for (std::size_t i = 0; i < list.size(); ++i)
-            if (!(list[i] > 0)) x[i].fail("must be positive");
-    };
-    read("masses", m);
-    read("stiffnesses", k);
-    for (const T& m_i : m) scene.system.mass_ratios.push_back(paper::mass_ratio(m_i, m[0]));
-    for (const T& k_i : k) scene.system.stiffness_ratios.push_back(paper::stiffness_ratio(k_i, k[0]));
-    if (object.contains("frequency")) scene.r = paper::frequency_ratio(read_positive<T>(item(object, "frequency")), m[0], k[0]);
-    if (object.contains("force") || object.contains("friction")) {
-        require(object, "force");
+    System<T>& s = scene.system;
+    const T m_1 = read_in_units_of_first(item(object, "masses"), s.mass_ratios, s.mass_matrix);
+    const T k_1 = read_in_units_of_first(item(object, "stiffnesses"), s.stiffness_ratios, s.stiffness_matrix);
+    std::optional<T> omega;
+    if (object.contains("frequency") && object.contains("frequency_hz"))
+        item(object, "frequency_hz").fail("must not be given together with frequency");
+    if (object.contains("frequency")) omega = read_positive<T>(item(object, "frequency"));
+    if (object.contains("frequency_hz")) omega = 2 * pi<T>() * read_positive<T>(item(object, "frequency_hz"));
+    if (omega) scene.r = paper::frequency_ratio(*omega, m_1, k_1);
+    const std::optional<T> P = read_force(object, m_1, k_1, omega);
+    scene.units = Units{static_cast<double>(m_1), static_cast<double>(k_1), std::nullopt};
+    if (P) scene.units->force = static_cast<double>(*P);
+    if (P || object.contains("friction")) {
+        if (!P) require(object, "force");
         require(object, "friction");
         const Item F = item(object, "friction");
         const T friction = read_number<T>(F);
         if (friction < 0) F.fail("must not be negative");
-        scene.beta = paper::friction_ratio(friction, read_positive<T>(item(object, "force")));
+        scene.beta = paper::friction_ratio(friction, *P);
     }
-    return sqrt(k[0]) * sqrt(m[0]);
+    return sqrt(k_1) * sqrt(m_1);
 }
 
 template <class T>
@@ -186,33 +194,68 @@ void read_damping(const json& object, const T& unit, System<T>& s) {
         zeta.fail("must be an array of numbers, or one number for all modes");
 }
 
+/// One mass, which rubs against a wall, or two, which rub against each other.
 template <class T>
-json number_to_json(const T& x) {
-    const double nearest = static_cast<double>(x);
-    return T(nearest) == x ? json(nearest) : json(number_to_text(x));
-}
-
-template <class T>
-json list_to_json(const std::vector<T>& list) {
-    json array = json::array();
-    for (const T& x : list) array.push_back(number_to_json(x));
-    return array;
-}
-
-template <class T>
-json matrix_to_json(const Matrix<T>& matrix) {
-    json rows = json::array();
-    for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
-        json row = json::array();
-        for (Eigen::Index k = 0; k < matrix.cols(); ++k) row.push_back(number_to_json(matrix(i, k)));
-        rows.push_back(std::move(row));
+void read_contact(const json& object, System<T>& s) {
+    require(object, "contact");
+    const Item contact = item(object, "contact");
+    if (!contact.value.is_array()) {
+        s.contact.index = read_index(contact);
+        return;
     }
-    return rows;
+    if (contact.value.size() != 2)
+        contact.fail("must be a whole number that counts the masses from 1, or two of them, which rub against each other");
+    s.contact.index = read_index(contact[0]);
+    s.contact_with = Mass{read_index(contact[1])};
+}
+
+/// Forces of inertia where base and wall move together; of springs where the base moves alone.
+template <class T>
+std::vector<T> load_of_base(const Item& base, const System<T>& s) {
+    const std::string which = base.value.is_string() ? base.value.get<std::string>() : "";
+    if (which != "with_wall" && which != "alone")
+        base.fail("must be \"with_wall\" (base and wall move together) or \"alone\" (the wall stays)");
+    const bool alone = which == "alone";
+    for (const T& zeta : s.damping_ratios)
+        if (alone && zeta != 0)
+            base.fail("must be \"with_wall\" where there is damping: dampers of a base that moves alone would load the masses a "
+                      "quarter of a period after the springs; without dampers to the base give its load, K 1, as \"load\"");
+    if (alone && s.damping_matrix.size() > 0 && !s.damping_matrix.isZero(T(0)))
+        base.fail("must be \"with_wall\" where there is damping");
+    const Matrix<T>& matrix = alone ? s.stiffness_matrix : s.mass_matrix;
+    if (matrix.size() == 0 && !alone) return s.mass_ratios;
+    std::vector<T> load(matrix.size() == 0 ? number_of_masses(s) : static_cast<std::size_t>(matrix.rows()), T(0));
+    if (matrix.size() == 0) {
+        load.front() = s.stiffness_ratios.front(); // the base holds mass 1 alone
+        return load;
+    }
+    using W = std::conditional_t<std::same_as<T, double>, Real50, Real100>; // rows of K add up to next to nothing
+    for (std::size_t k = 0; k < load.size(); ++k) {
+        W sum(0);
+        for (std::size_t n = 0; n < load.size(); ++n)
+            sum += W(matrix(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(n)));
+        load[k] = static_cast<T>(sum);
+    }
+    return load;
+}
+
+/// One loaded mass, a force on each, or a moving base.
+template <class T>
+void read_load(const json& object, System<T>& s) {
+    require(object, "load", "base_motion");
+    if (object.contains("base_motion")) {
+        s.load_vector = load_of_base(item(object, "base_motion"), s);
+        return;
+    }
+    const Item load = item(object, "load");
+    if (!load.value.is_array()) {
+        s.load.index = read_index(load);
+        return;
+    }
+    s.load_vector = read_list<T>(load);
 }
 
 } // namespace
-
-std::span<const std::string_view> scene_keys() { return keys; }
 
 template <class T>
 Scene<T> scene_from_json(const json& object) {
@@ -221,10 +264,12 @@ Scene<T> scene_from_json(const json& object) {
     SceneNames names;
     names.places = true;
     T unit(1);
-    if (first_of(object, dimensional_keys)) {
+    if (is_dimensional(object)) {
         unit = read_dimensional(object, scene);
         names.masses = "masses";
         names.stiffnesses = "stiffnesses";
+        names.mass_matrix = "masses";
+        names.stiffness_matrix = "stiffnesses";
         names.r = "frequency";
         names.beta = "friction";
     } else {
@@ -232,45 +277,15 @@ Scene<T> scene_from_json(const json& object) {
     }
     read_damping(object, unit, scene.system);
     names.one_zeta = object.contains("damping_ratios") && !object.at("damping_ratios").is_array();
-    require(object, "contact");
-    require(object, "load");
-    scene.system.contact.index = read_index(item(object, "contact"));
-    scene.system.load.index = read_index(item(object, "load"));
+    read_contact(object, scene.system);
+    read_load(object, scene.system);
     if (object.contains("mu")) scene.mu = read_number<T>(item(object, "mu"));
     check_under_names(scene, names);
     return scene;
 }
 
-template <class T>
-nlohmann::ordered_json write_scene(const Scene<T>& scene) {
-    check(scene);
-    const System<T>& s = scene.system;
-    nlohmann::ordered_json object;
-    if (s.mass_matrix.size() > 0)
-        object["mass_matrix"] = matrix_to_json(s.mass_matrix);
-    else
-        object["mass_ratios"] = list_to_json(s.mass_ratios);
-    if (s.stiffness_matrix.size() > 0)
-        object["stiffness_matrix"] = matrix_to_json(s.stiffness_matrix);
-    else
-        object["stiffness_ratios"] = list_to_json(s.stiffness_ratios);
-    if (s.damping_matrix.size() > 0)
-        object["damping_matrix"] = matrix_to_json(s.damping_matrix);
-    else
-        object["damping_ratios"] = list_to_json(s.damping_ratios);
-    object["contact"] = s.contact.index + 1;
-    object["load"] = s.load.index + 1;
-    object["mu"] = number_to_json(scene.mu);
-    if (scene.r) object["r"] = number_to_json(*scene.r);
-    if (scene.beta) object["beta"] = number_to_json(*scene.beta);
-    return object;
-}
-
 template Scene<double> scene_from_json(const json&);
 template Scene<Real50> scene_from_json(const json&);
 template Scene<Real100> scene_from_json(const json&);
-template nlohmann::ordered_json write_scene(const Scene<double>&);
-template nlohmann::ordered_json write_scene(const Scene<Real50>&);
-template nlohmann::ordered_json write_scene(const Scene<Real100>&);
 
 } // namespace denhartog

@@ -15,12 +15,9 @@
 
 #include "denhartog/number/errors.hpp"
 #include "denhartog/scene/scene.hpp"
+#include "denhartog/scene/scene_keys.hpp"
 
 namespace denhartog {
-
-/// @brief The keys that a scene may have.
-/// @return  the keys, in the order of the documentation
-[[nodiscard]] std::span<const std::string_view> scene_keys();
 
 /// @brief A scene from a JSON value.
 /// @param object  the value

@@ -19,12 +19,14 @@ inline constexpr double largest_damping_ratio = 1e300;
 
 /// @brief What the author of a scene calls its quantities, and whether messages point into a JSON text.
 struct SceneNames {
-    std::string masses = "mass_ratios";           ///< `masses` in a dimensional scene
-    std::string stiffnesses = "stiffness_ratios"; ///< `stiffnesses` in a dimensional scene
-    std::string r = "r";                          ///< `frequency` in a dimensional scene
-    std::string beta = "beta";                    ///< `friction` in a dimensional scene
-    bool one_zeta = false;                        ///< one damping ratio was given for all modes
-    bool places = false;                          ///< errors carry the JSON pointer
+    std::string masses = "mass_ratios";                ///< `masses` in a dimensional scene
+    std::string stiffnesses = "stiffness_ratios";      ///< `stiffnesses` in a dimensional scene
+    std::string mass_matrix = "mass_matrix";           ///< `masses` in a dimensional scene
+    std::string stiffness_matrix = "stiffness_matrix"; ///< `stiffnesses` in a dimensional scene
+    std::string r = "r";                               ///< `frequency` in a dimensional scene
+    std::string beta = "beta";                         ///< `friction` in a dimensional scene
+    bool one_zeta = false;                             ///< one damping ratio was given for all modes
+    bool places = false;                               ///< errors carry the JSON pointer
 };
 
 /// @brief Checks every rule of a scene.

@@ -154,7 +154,7 @@ std::vector<InvariantPointsOfMass<T>> invariant_points(const ModalBasis<T>& basi
     Effort& effort = allowed != nullptr ? *allowed : own;
     const T margin = 1024 * eps<T>; // a point at an end of the range is inside
     std::vector<InvariantPointsOfMass<T>> all;
-    for (std::size_t k = 0; k < basis.r_n.size(); ++k) {
+    for (std::size_t k = 0; k < static_cast<std::size_t>(basis.phi.rows()); ++k) {
         InvariantPointsOfMass<T> found{Mass{k}, {}, {}};
         const Weights<T> weights{products(basis.phi, contact, load), products(basis.phi, Mass{k}, load),
                                  products(basis.phi, contact, contact), products(basis.phi, Mass{k}, contact)};

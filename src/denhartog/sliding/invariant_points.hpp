@@ -54,7 +54,7 @@ struct InvariantPointsOfMass {
 /// @param r_a      least frequency ratio, positive
 /// @param r_b      largest frequency ratio, above r_a
 /// @param effort   the work allowed; null for that of `default_effort`
-/// @return         the points of every mass, N
+/// @return         the points of every row of the shapes, N
 /// @throws         InputError where the range, j or l breaks its rule, or there are more than 100000 poles above r_a
 template <class T>
 [[nodiscard]] std::vector<InvariantPointsOfMass<T>> invariant_points(const ModalBasis<T>& basis, Mass contact, Mass load,

@@ -28,17 +28,18 @@ Harmonics harmonics_of(const Bounded<double>& R_i, double zeta) {
     const double R = R_i.x, last = std::max(3.0, 2 / R + 2);
     if (!(last < largest_harmonic)) return {infinite, infinite};
     Harmonics all;
-    double n = 3;
-    for (; n <= last; n += 2) {
+    const long one_by_one = static_cast<long>((last - 1) / 2);
+    for (long harmonic = 0; harmonic < one_by_one; ++harmonic) {
+        const double n = static_cast<double>(2 * harmonic + 3);
         const double nR = n * R, uncertain = 2 * n * n * R * R_i.e;
         const double size = std::hypot((1 - nR) * (1 + nR), 2 * zeta * nR) * (1 - 1e-9) - uncertain;
         const double each = size > 0 ? 4 / std::numbers::pi / size : infinite;
         all.displacement += each / n;
         all.velocity += each;
     }
-    const double beyond = 16 / (3 * std::numbers::pi * R * R) * (1 + 1e-9);
-    all.displacement += beyond / (4 * (n - 2) * (n - 2));
-    all.velocity += beyond / (2 * (n - 2));
+    const double beyond = 16 / (3 * std::numbers::pi * R * R) * (1 + 1e-9), n = static_cast<double>(2 * one_by_one + 1);
+    all.displacement += beyond / (4 * n * n);
+    all.velocity += beyond / (2 * n);
     return all;
 }
 
@@ -174,7 +175,7 @@ std::optional<FewModesSolution> few_modes_solution(const Scene<double>& scene, B
 
 bool answer_by_few_modes(SolveTask& task, Solution& s) {
     constexpr int most_digits_few_modes = 8; // beyond, harmonics and static modes are too coarse
-    if (task.aim.digits > most_digits_few_modes) return false;
+    if (task.aim.digits > most_digits_few_modes || !task.scene.system.coordinates.replaced.empty()) return false;
     std::optional<FewModesSolution> few;
     try {
         few =

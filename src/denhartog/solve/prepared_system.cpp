@@ -1,6 +1,7 @@
 #include "denhartog/solve/prepared_system.hpp"
 
 #include "denhartog/answer/sliding_point.hpp"
+#include "denhartog/model/coordinates.hpp"
 #include "denhartog/number/errors.hpp"
 
 namespace denhartog {
@@ -10,8 +11,9 @@ constexpr int most_digits_of_contact_in_double = 11; // beyond, the modes of 50 
 
 void prepare_every_regime(PreparedSystem& p) {
     const System<double>& s = p.scene.system;
-    auto moving = std::make_shared<ContactSystem<double>>(contact_system(s));
-    p.bounded = std::make_shared<const ModalBasis<Bounded<double>>>(with_errors(s, moving->basis));
+    const ModalBasis<double> basis = modal_basis(s);
+    auto moving = std::make_shared<ContactSystem<double>>(contact_system(s, basis));
+    p.bounded = std::make_shared<const ModalBasis<Bounded<double>>>(with_errors(s, basis));
     p.moving = std::move(moving);
 }
 
@@ -21,6 +23,11 @@ void check(const Question& question, std::size_t N) {
     (void)aim_of(question.digits);
     if (question.mass && question.mass->index >= N)
         throw InputError("mass", "must be a mass from 1 to " + std::to_string(N), std::to_string(question.mass->index + 1));
+}
+
+Question of_displacements(Question question, const System<double>& s) {
+    if (question.mass) question.mass = displacement_of(s, *question.mass);
+    return question;
 }
 
 bool asks_for_contact(const Question& question, Mass contact) {
@@ -41,7 +48,7 @@ PreparedSystem prepare(const SceneSource& source, const Question& question, Prep
     check(p.scene);
     const System<double>& s = p.scene.system;
     check(question, number_of_masses(s));
-    if (s.damping_matrix.size() == 0 && p.scene.mu == 1 && asks_for_contact(question, s.contact)) {
+    if (s.damping_matrix.size() == 0 && p.scene.mu == 1 && asks_for_contact(of_displacements(question, s), s.contact)) {
         p.contact = contact_modes_of<double>(source);
         if (aim_of(question.digits).digits > most_digits_of_contact_in_double)
             p.contact_in_50 = std::make_shared<const ContactModes<Real50>>(contact_modes_of<Real50>(source));

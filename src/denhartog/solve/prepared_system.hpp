@@ -35,6 +35,12 @@ struct PreparedSystem {
 /// @throws InputError naming quantity, rule and value
 void check(const Question& question, std::size_t N);
 
+/// @brief A question with its mass in the order of the displacements, see `displacement_of`.
+/// @param question  a question
+/// @param s         the system
+/// @return          the same question
+[[nodiscard]] Question of_displacements(Question question, const System<double>& s);
+
 /// @brief Whether amplitude or phase of the mass in contact is all that is asked for. @param question the question
 /// @param contact  the mass in contact
 /// @return         true where it is

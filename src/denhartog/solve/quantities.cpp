@@ -5,10 +5,12 @@
 #include <limits>
 
 #include "denhartog/formulas/boundary.hpp"
+#include "denhartog/model/coordinates.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/multiprecision.hpp"
 #include "denhartog/number/number_text.hpp"
 #include "denhartog/scene/limits.hpp"
+#include "denhartog/scene/point_rules.hpp"
 #include "denhartog/sums/chain_sums.hpp"
 
 namespace denhartog {
@@ -131,6 +133,29 @@ Quantities<Bounded<T>> quantities_in(const SceneIn<T>& in, std::span<const doubl
     return q;
 }
 
+void put_in_order_of_masses(const Coordinates<double>& c, Quantities<Bounded<double>>& q) {
+    if (c.replaced.empty()) return;
+    const auto order = [&c](auto& of_displacements) {
+        put_in_order_of_masses(c, of_displacements);
+        of_displacements.resize(of_displacements.size() - c.replaced.size());
+    };
+    const std::size_t count = q.V.size(), instants = q.x.size() / count;
+    for (std::vector<Bounded<double>>* motion : {&q.x, &q.x_prime}) {
+        std::vector<Bounded<double>> all;
+        for (std::size_t n = 0; n < instants; ++n) {
+            const auto from = motion->begin() + static_cast<std::ptrdiff_t>(n * count);
+            std::vector<Bounded<double>> at(from, from + static_cast<std::ptrdiff_t>(count));
+            order(at);
+            all.insert(all.end(), at.begin(), at.end());
+        }
+        *motion = std::move(all);
+    }
+    order(q.V);
+    order(q.U);
+    order(q.G);
+    if (!q.x_size.empty()) order(q.x_size);
+}
+
 QuantitiesAnswer quantities_at(const SceneSource& asked_source, std::shared_ptr<const ModalBasis<Bounded<double>>> basis,
                                std::span<const double> tau, int digits, PointNumbers asked) {
     if (digits < 1 || digits > most_digits_of_quantities)
@@ -138,8 +163,8 @@ QuantitiesAnswer quantities_at(const SceneSource& asked_source, std::shared_ptr<
     const SceneSource source = asked == PointNumbers::sums ? without_friction_ratio(asked_source) : asked_source;
     const Scene<double> scene = source.in_double();
     check(scene);
-    if (!scene.r) throw InputError("r", "must be given", "nothing");
-    if (!scene.beta && asked != PointNumbers::sums) throw InputError("beta", "must be given", "nothing");
+    (void)frequency_ratio_of(scene);
+    if (asked != PointNumbers::sums) (void)friction_ratio_of(scene);
     if (!tau.empty()) check_samples("the number of instants tau", tau.size(), number_of_masses(scene.system));
     for (const double instant : tau)
         if (!std::isfinite(instant)) throw InputError("tau", "must be finite", number_to_text(instant));
@@ -167,6 +192,7 @@ QuantitiesAnswer quantities_at(const SceneSource& asked_source, std::shared_ptr<
         throw PrecisionError("100 digits do not have the digits asked for of " +
                              (largest.name.empty() ? "beta_lim" : largest.name) + "; " + found.why);
     const std::string zeros = has_zeros ? ", but for what is below 1e-25 of the largest of its kind and given as zero" : "";
+    put_in_order_of_masses(scene.system.coordinates, answer.numbers);
     answer.method = {"closed form", name(found.precision), found.why + zeros};
     answer.relative = found.relative;
     return answer;

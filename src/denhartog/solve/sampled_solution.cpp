@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "denhartog/model/coordinates.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/number_text.hpp"
 #include "denhartog/scene/limits.hpp"
@@ -17,6 +18,7 @@ std::vector<State<double>> along_orbit(const Scene<double>& scene, const SolvedS
     State<double> start;
     for (const Certified& x : from.x) start.x.push_back(x.value);
     for (const Certified& v : from.x_prime) start.x_prime.push_back(v.value);
+    for (std::vector<double>* part : {&start.x, &start.x_prime}) take_to_coordinates(scene.system.coordinates, *part);
     const ContactSystem<double> system = contact_system(scene.system);
     ExactSolver<double> solver(system, {*scene.r, *scene.beta, scene.mu});
     const std::vector<Phase<double>> phases = solver.run(start, 0, period).phases;
@@ -25,6 +27,8 @@ std::vector<State<double>> along_orbit(const Scene<double>& scene, const SolvedS
     for (const double instant : tau) {
         while (n + 1 < phases.size() && phases[n].end < instant) ++n;
         states.push_back(solver.state_at(n, instant));
+        for (std::vector<double>* part : {&states.back().x, &states.back().x_prime})
+            take_to_masses(scene.system.coordinates, *part);
     }
     return states;
 }
@@ -60,7 +64,8 @@ std::vector<State<double>> of_closed_form(const Scene<double>& scene, double phi
 
 } // namespace
 
-SampledSolution sampled_solution(const Scene<double>& scene, const Solution& solution, std::size_t samples) {
+SampledSolution sampled_solution(const Scene<double>& of_masses, const Solution& solution, std::size_t samples) {
+    const Scene<double> scene = in_own_coordinates(of_masses);
     check_samples("samples", samples, number_of_masses(scene.system));
     const double period = 2 * pi<double>() * solution.periods;
     SampledSolution all;
@@ -70,7 +75,8 @@ SampledSolution sampled_solution(const Scene<double>& scene, const Solution& sol
     } else if (solution.rest_interval) {
         all.states = of_stuck_masses(solution.masses, all.tau);
     } else {
-        const std::optional<Certified>& phase = mass_of(solution, solution.contact).phase;
+        const std::optional<Certified>& phase =
+            solution.between ? solution.between->phase : mass_of(solution, solution.contact).phase;
         if (!phase) throw PrecisionError("the contact moves by less than the error of its amplitude: its phase is not known");
         all.states = of_closed_form(scene, phase->value, all.tau);
     }

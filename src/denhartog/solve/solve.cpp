@@ -127,7 +127,8 @@ void keep_asked_mass(const Question& question, Solution& s) {
     for (OtherMotion& motion : s.motions) motion.masses = {motion.masses[question.mass->index]};
 }
 
-Solution solve_at(const PreparedSystem& p, const SolvePoint& at, const Question& question, const Work& before) {
+Solution solve_at(const PreparedSystem& p, const SolvePoint& at, const Question& of_masses, const Work& before) {
+    const Question question = of_displacements(of_masses, p.scene.system);
     Solution s;
     s.asked = question.asked;
     if (answer_by_contact(p, at, question, s)) {
@@ -151,6 +152,8 @@ Solution solve_at(const PreparedSystem& p, const SolvePoint& at, const Question&
         if (question.all) s.motions = other_motions(task.scene);
         keep_asked_mass(question, s);
     }
+    put_in_order_of_masses(p.scene.system.coordinates, s);
+    if (s.only) s.only = of_masses.mass;
     s.mu = exactly(p.scene.mu, 1);
     const Work after = work_so_far();
     s.work = {after.eigen_solves - before.eigen_solves, after.mode_evaluations - before.mode_evaluations,
@@ -164,8 +167,8 @@ Solution solve(const SceneSource& source, const Question& question) {
     const Work before = work_so_far();
     const PreparedSystem p = prepare(source, question);
     const QuestionEffort effort(number_of_masses(p.scene.system));
-    if (!p.scene.r) throw InputError("r", "must be given", "nothing");
-    if (!p.scene.beta) throw InputError("beta", "must be given", "nothing");
+    (void)frequency_ratio_of(p.scene);
+    (void)friction_ratio_of(p.scene);
     return solve_at(p, {*p.scene.r, *p.scene.beta, &source}, question, before);
 }
 

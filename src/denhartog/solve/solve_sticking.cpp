@@ -2,6 +2,7 @@
 
 #include "denhartog/answer/held_solution.hpp"
 #include "denhartog/answer/orbit_solution.hpp"
+#include "denhartog/model/coordinates.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/solve/solve_task.hpp"
 
@@ -16,8 +17,9 @@ double relative_error(const SolveTask& task, const OrbitSolution& solution) {
 template <class T>
 void write_orbit(const SolveTask& task, ExactSolver<T>& solver, const PeriodicOrbit<T>& orbit, OrbitSolution solution,
                  Solution& s) {
-    const auto all = [&](const std::vector<T>& numbers, const T& error) {
+    const auto all = [&](std::vector<T> numbers, const T& error) {
         std::vector<Certified> out;
+        add_displacements(solver.system().coordinates, numbers);
         for (const T& x : numbers) out.push_back(certified(Bounded<T>(x, error), task.aim.digits));
         return out;
     };

@@ -17,6 +17,8 @@ namespace denhartog {
 template <class T>
 [[nodiscard]] State<T> at_maximum_of_force(const ModeSums<T>& sums, const SteadyState<T>& state) {
     Motion<T> at = motion(sums, state, T(-state.phi_j));
+    at.x.resize(sums.R.size()); // the coordinates of the system, and no displacements besides
+    at.x_prime.resize(sums.R.size());
     return {std::move(at.x), std::move(at.x_prime)};
 }
 

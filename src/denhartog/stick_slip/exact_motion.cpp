@@ -6,6 +6,7 @@
 #include <atomic>
 #include <utility>
 
+#include "denhartog/model/coordinates.hpp"
 #include "denhartog/number/multiprecision.hpp"
 #include "denhartog/sliding/instants_of_maxima.hpp"
 #include "denhartog/stick_slip/deviations.hpp"
@@ -20,14 +21,32 @@ std::atomic<long> phases_so_far{0};
 constexpr int most_phases_without_length = 60;
 constexpr int most_phases_a_period = 20000;
 
+template <class T>
+Matrix<T> with_rows(const Matrix<T>& shapes, const Matrix<T>& further) {
+    Matrix<T> all(shapes.rows() + further.rows(), shapes.cols());
+    all.topRows(shapes.rows()) = shapes;
+    if (further.rows() > 0) all.bottomRows(further.rows()) = further;
+    return all;
+}
+
 } // namespace
 
 template <class T>
 ContactSystem<T> contact_system(const System<T>& s) {
+    return contact_system(s, modal_basis(s));
+}
+
+template <class T>
+ContactSystem<T> contact_system(const System<T>& s, ModalBasis<T> basis) {
     ContactSystem<T> out;
     out.contact = s.contact;
     out.load = s.load;
-    out.basis = modal_basis(s);
+    out.coordinates = s.coordinates;
+    out.basis = std::move(basis);
+    if (const auto others = static_cast<Eigen::Index>(s.coordinates.replaced.size()); others > 0) {
+        out.further = out.basis.phi.bottomRows(others);
+        out.basis.phi.conservativeResize(out.basis.phi.rows() - others, Eigen::NoChange);
+    }
     out.stuck = stuck_configuration(s, out.basis);
     for (const Bounded<T>& r_n : with_errors(s, out.basis).r_n) out.detuned.push_back(r_n.e / r_n.x);
     out.damping_fixes_modes = s.damping_matrix.size() > 0;
@@ -178,9 +197,10 @@ std::vector<Extremum<T>> ExactSolver<T>::largest_displacements(const T& error) {
     using std::abs;
     Work& work = *work_;
     if (work.effort == &work.own) work.own = {default_effort(work.N)};
-    const std::size_t j = work.system->contact.index;
-    std::vector<Extremum<T>> largest(work.N, Extremum<T>{T(0), T(0)});
-    std::vector<std::vector<Place<T>>> places(work.N);
+    const ContactSystem<T>& system = *work.system;
+    const std::size_t j = system.contact.index, count = work.N + system.coordinates.replaced.size();
+    std::vector<Extremum<T>> largest(count, Extremum<T>{T(0), T(0)});
+    std::vector<std::vector<Place<T>>> places(count);
     const auto take = [&](std::size_t k, const T& x, const T& tau) {
         const T size = abs(x);
         if (size >= abs(largest[k].x) - 2 * error) places[k].push_back({tau, tau, tau, size, size, T(0)});
@@ -189,18 +209,26 @@ std::vector<Extremum<T>> ExactSolver<T>::largest_displacements(const T& error) {
             largest[k].instant = tau;
         }
     };
+    const auto take_all = [&](std::vector<T> x, const T& tau) {
+        add_displacements(system.coordinates, x);
+        for (std::size_t k = 0; k < count; ++k) take(k, x[k], tau);
+    };
     for (std::size_t n = 0; n < work.motion.phases.size(); ++n) {
-        for (std::size_t k = 0; k < work.N; ++k) take(k, work.motion.states[2 * work.N * n + k], work.motion.phases[n].start);
-        if (n + 1 == work.motion.phases.size())
-            for (std::size_t k = 0; k < work.N; ++k) take(k, work.motion.end.x[k], work.motion.phases[n].end);
+        const auto state = work.motion.states.begin() + static_cast<std::ptrdiff_t>(2 * work.N * n);
+        take_all({state, state + static_cast<std::ptrdiff_t>(work.N)}, work.motion.phases[n].start);
     }
+    if (!work.motion.phases.empty()) take_all(work.motion.end.x, work.motion.phases.back().end);
+    const Matrix<T> sliding_shapes = with_rows(system.basis.phi, system.further);
+    const Matrix<T> sticking_shapes = with_rows(system.stuck.phi, system.stuck.further);
     for (std::size_t n = 0; n < work.motion.phases.size() && work.N > 1; ++n) {
         const Phase<T>& p = work.motion.phases[n];
         work.stand_at(n);
         const T length = p.end - p.start;
-        Displacements<T> displacements(p.direction == 0 ? work.sticking : work.sliding,
-                                       p.direction == 0 ? work.system->stuck.phi : work.system->basis.phi, *work.effort);
-        for (std::size_t k = 0; k < work.N; ++k) {
+        const bool sticks = p.direction == 0;
+        Displacements<T> displacements(sticks ? work.sticking : work.sliding, sticks ? sticking_shapes : sliding_shapes,
+                                       *work.effort);
+        if (sticks) displacements.carry(system.stuck.carried, work.x[j]);
+        for (std::size_t k = 0; k < count; ++k) {
             if (k == j || !(length > 0)) continue;
             const auto row = static_cast<Eigen::Index>(p.direction == 0 && k > j ? k - 1 : k);
             const Maximum<T> found = global_maximum(displacements.size_of(row), T(0), length, displacements.noise(row, T(0)),
@@ -215,9 +243,11 @@ std::vector<Extremum<T>> ExactSolver<T>::largest_displacements(const T& error) {
     const auto is_negative = [&](std::size_t k, const T& tau) {
         std::size_t n = 0;
         while (n + 1 < work.motion.phases.size() && work.motion.phases[n].end < tau) ++n;
-        return state_at(n, tau).x[k] < 0;
+        State<T> state = state_at(n, tau);
+        add_displacements(system.coordinates, state.x);
+        return state.x[k] < 0;
     };
-    for (std::size_t k = 0; k < work.N; ++k) {
+    for (std::size_t k = 0; k < count; ++k) {
         if (k == j || places[k].empty()) continue;
         std::erase_if(places[k], [&](const Place<T>& place) { return place.upper < abs(largest[k].x) - 2 * error; });
         largest[k].spread =
@@ -232,6 +262,7 @@ long phases_propagated() { return phases_so_far.load(); }
 template ContactSystem<double> contact_system(const System<double>&);
 template ContactSystem<Real50> contact_system(const System<Real50>&);
 template ContactSystem<Real100> contact_system(const System<Real100>&);
+template ContactSystem<double> contact_system(const System<double>&, ModalBasis<double>);
 template class ExactSolver<double>;
 template class ExactSolver<Real50>;
 template class ExactSolver<Real100>;

@@ -19,13 +19,15 @@ namespace denhartog {
 /// @brief A system with all that does not depend on frequency or friction: prepared once for a whole map.
 template <class T>
 struct ContactSystem {
-    Mass contact;                ///< the mass in contact, j
-    Mass load;                   ///< the loaded mass, l
-    ModalBasis<T> basis;         ///< modes while the contact slides
-    Matrix<T> momentum;          ///< phi^T M in units of m_1: modal coordinates of a state, mode by mass
-    StuckConfiguration<T> stuck; ///< modes while the contact sticks
-    std::vector<T> detuned{};    ///< by what part of itself each natural frequency may be off
-    bool damping_fixes_modes{};  ///< a damping matrix was given: modes of one frequency are those that it does not couple
+    Mass contact;                 ///< the mass in contact, j
+    Mass load;                    ///< the loaded mass, l
+    ModalBasis<T> basis;          ///< modes while the contact slides
+    Matrix<T> momentum;           ///< phi^T M in units of m_1: modal coordinates of a state, mode by mass
+    StuckConfiguration<T> stuck;  ///< modes while the contact sticks
+    std::vector<T> detuned{};     ///< by what part of itself each natural frequency may be off
+    Coordinates<T> coordinates{}; ///< the masses that are none; none for a scene of the paper
+    Matrix<T> further{};          ///< mode shapes of these masses while the contact slides, a row each
+    bool damping_fixes_modes{};   ///< a damping matrix was given: modes of one frequency are those that it does not couple
 };
 
 /// @brief Prepares a system for the exact solver.
@@ -34,6 +36,10 @@ struct ContactSystem {
 /// @throws   InputError, PrecisionError as `modal_basis` and `stuck_configuration`
 template <class T>
 [[nodiscard]] ContactSystem<T> contact_system(const System<T>& s);
+
+/// @brief The same, the modal basis known. @param s the system @param basis its modal basis @return its modes
+template <class T>
+[[nodiscard]] ContactSystem<T> contact_system(const System<T>& s, ModalBasis<T> basis);
 
 /// @brief The load on the contact and the friction there, at one frequency.
 template <class T>
@@ -102,7 +108,7 @@ public:
 
     /// @brief Largest size of every displacement over the last motion, guaranteed between samples.
     /// @param error  bound of the errors of the displacements: one that is smaller by less than twice that much may be the largest
-    /// @return       the extremum of every mass; of the contact without what else may be the largest
+    /// @return       the extremum of every displacement, see `number_of_displacements`; of the contact without what else may be
     [[nodiscard]] std::vector<Extremum<T>> largest_displacements(const T& error = T(0));
 
 private:

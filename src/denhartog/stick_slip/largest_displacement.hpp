@@ -22,6 +22,15 @@ public:
         growth_ = motion_.coupled() ? Column<T>(phi_.rowwise().norm() * F.norm()) : Column<T>(sizes_ * F.cwiseAbs());
     }
 
+    /// @brief Adds what masses that are no coordinates have of a resting contact. @param carried a part for each, the last rows
+    /// @param x_j  where the contact rests
+    void carry(const std::vector<T>& carried, const T& x_j) {
+        if (carried.empty()) return;
+        carried_ = Column<T>::Zero(phi_.rows());
+        for (std::size_t n = 0; n < carried.size(); ++n)
+            carried_(phi_.rows() - static_cast<Eigen::Index>(carried.size() - n)) = carried[n] * x_j;
+    }
+
     /// @brief The displacement of a mass. @param row the mass @param t time from the start of the stretch @return displacement
     [[nodiscard]] T of(Eigen::Index row, const T& t) { return at(t)(row, 0); }
 
@@ -59,6 +68,7 @@ private:
         motion_.differentiate_at(t);
         Matrix<T> x(phi_.rows(), 7);
         for (int m = 0; m < 5; ++m) x.col(m).noalias() = phi_.lazyProduct(column(motion_.q[m]));
+        if (carried_.size() > 0) x.col(0) += carried_;
         for (const int m : {2, 4}) {
             Column<T> norms(phi_.cols());
             for (Eigen::Index i = 0; i < norms.size(); ++i) norms(i) = motion_.energy_norm(m, static_cast<std::size_t>(i));
@@ -73,6 +83,7 @@ private:
     Effort& effort_;
     Matrix<T> sizes_;
     Column<T> growth_;
+    Column<T> carried_; // empty where no displacement has a part of the contact's
     std::map<T, Matrix<T>> known_;
 };
 

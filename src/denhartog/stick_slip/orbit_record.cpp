@@ -107,6 +107,15 @@ Matrix<double> jacobian_of_others(const OrbitMap<T>& map) {
     return in_double(map.jacobian())(others, others);
 }
 
+/// How much farther than the coordinates a mass may be out that is none of them; 1 where all are.
+template <class T>
+T reach_of_displacements(const OrbitMap<T>& map) {
+    T reach(1);
+    const Matrix<T>& displacements = map.solver().system().coordinates.displacements;
+    for (Eigen::Index n = 0; n < displacements.rows(); ++n) reach = std::max(reach, T(displacements.row(n).cwiseAbs().sum()));
+    return reach;
+}
+
 } // namespace
 
 template <class T>
@@ -139,7 +148,7 @@ std::optional<T> error_bound_of(const OrbitMap<T>& map, bool of_modes) {
     const Column<T> at_start = system.inverse().cwiseAbs() * (map.difference().cwiseAbs() + rounding);
     T energy = map.norm_of_bound(at_start);
     if (map.solver().excitation().mu > 1) energy *= std::max(T(1), T(map.energy_jacobian().norm()));
-    return T(displacement_of_energy(map) * energy + rounding.head(map.N).maxCoeff());
+    return T(reach_of_displacements(map) * (displacement_of_energy(map) * energy + rounding.head(map.N).maxCoeff()));
 }
 
 template <class T>

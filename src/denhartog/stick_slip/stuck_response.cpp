@@ -82,14 +82,6 @@ std::vector<Complex<T>> mode_amplitudes(const StuckConfiguration<T>& stuck, cons
     return q;
 }
 
-template <class T>
-StuckMass<T> motion_of(const Complex<T>& X) {
-    StuckMass<T> mass{X, modulus(X), std::nullopt};
-    if (mass.amplitude == 0) return mass;
-    mass.phase = X.im == 0 ? (X.re < 0 ? pi<T>() : T(0)) : T(-argument(X));
-    return mass;
-}
-
 /// Amplitude by (88)'s modal superposition of the mass of the chain next to the contact.
 template <class T>
 T neighbour_amplitude(const StuckChain<T>& chain, const StuckResponse<T>& response) {
@@ -106,6 +98,14 @@ T neighbour_amplitude(const StuckChain<T>& chain, const StuckResponse<T>& respon
 }
 
 } // namespace
+
+template <class T>
+StuckMass<T> motion_of(const Complex<T>& X) {
+    StuckMass<T> mass{X, modulus(X), std::nullopt};
+    if (mass.amplitude == 0) return mass;
+    mass.phase = X.im == 0 ? (X.re < 0 ? pi<T>() : T(0)) : T(-argument(X));
+    return mass;
+}
 
 template <class T>
 StuckResponse<T> stuck_response(const StuckConfiguration<T>& stuck, Mass contact, Mass load, const T& r) {
@@ -190,6 +190,9 @@ std::optional<T> rest_interval(const StuckConfiguration<T>& stuck, const StuckRe
     return margin / stuck.k_contact;
 }
 
+template StuckMass<double> motion_of(const Complex<double>&);
+template StuckMass<Real50> motion_of(const Complex<Real50>&);
+template StuckMass<Real100> motion_of(const Complex<Real100>&);
 template StuckResponse<double> stuck_response(const StuckConfiguration<double>&, Mass, Mass, const double&);
 template StuckResponse<Real50> stuck_response(const StuckConfiguration<Real50>&, Mass, Mass, const Real50&);
 template StuckResponse<Real100> stuck_response(const StuckConfiguration<Real100>&, Mass, Mass, const Real100&);

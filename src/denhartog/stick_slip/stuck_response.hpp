@@ -18,6 +18,10 @@ struct StuckMass {
     std::optional<T> phase; ///< lag behind the force, radians, in (-pi, pi]; none where the mass does not move
 };
 
+/// @brief Amplitude and phase of a harmonic motion. @param X its complex amplitude @return the motion
+template <class T>
+[[nodiscard]] StuckMass<T> motion_of(const Complex<T>& X);
+
 /// @brief The response while the contact is held at zero.
 template <class T>
 struct StuckResponse {

@@ -69,8 +69,9 @@ ModalBasis<Bounded<T>> bounded(const System<T>& system, const ModalBasis<T>& bas
         }
         T of_zeta = of_input * basis.zeta[i];
         if (system.damping_matrix.size() > 0) {
-            const Eigen::Matrix<T, Eigen::Dynamic, 1> damping = system.damping_matrix.cwiseAbs() * (sizes + errors);
-            of_zeta = (errors.dot(damping) + unit * sizes.dot(damping)) / r_n +
+            const auto n = static_cast<Eigen::Index>(N); // masses that are no coordinates come after them
+            const Eigen::Matrix<T, Eigen::Dynamic, 1> damping = system.damping_matrix.cwiseAbs() * (sizes + errors).head(n);
+            of_zeta = (errors.head(n).dot(damping) + unit * sizes.head(n).dot(damping)) / r_n +
                       (turn + unit) * basis.zeta[i] * (1 + of_square / (r_n * r_n));
         }
         bounded.zeta.push_back({basis.zeta[i], of_zeta});

@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
+#include "denhartog/model/coordinates.hpp"
 #include "denhartog/number/number_text.hpp"
 #include "denhartog/program/commands/scene_command.hpp"
 #include "denhartog/program/solution_json.hpp"
@@ -45,14 +46,17 @@ Json invariant_points_json(const Scene<T>& scene, const std::string& range, cons
     if (colon == std::string::npos) throw InputError(range_name, "must be A:B, two numbers", range);
     const T r_a = end_of_range<T>(range.substr(0, colon), range), r_b = end_of_range<T>(range.substr(colon + 1), range);
     Json all = Json::array();
-    for (const InvariantPointsOfMass<T>& mass :
-         invariant_points(modal_basis(scene.system), scene.system.contact, scene.system.load, r_a, r_b)) {
+    const System<T>& s = scene.system;
+    std::vector<InvariantPointsOfMass<T>> masses = invariant_points(modal_basis(s), s.contact, s.load, r_a, r_b);
+    put_in_order_of_masses(s.coordinates, masses);
+    masses.resize(number_of_masses(s));
+    for (const InvariantPointsOfMass<T>& mass : masses) {
         Json points = Json::array();
         for (const InvariantPoint<T>& p : mass.points)
             points.push_back({{"r", write(exactly(p.r, digits))},
                               {"amplitude", write(exactly(p.amplitude, digits))},
                               {"kind", p.kind == InvariantPointKind::two_effects_cancel ? "87" : "U_k = 0"}});
-        all.push_back({{"mass", mass.mass.index + 1}, {"points", points}});
+        all.push_back({{"mass", all.size() + 1}, {"points", points}});
         for (const UndecidedStretch<T>& u : mass.undecided)
             all.back()["undecided"].push_back({write(exactly(u.from, digits)), write(exactly(u.to, digits))});
     }

@@ -6,6 +6,7 @@
 #include "denhartog/program/commands/scene_command.hpp"
 #include "denhartog/program/number_json.hpp"
 #include "denhartog/program/table.hpp"
+#include "denhartog/scene/point_rules.hpp"
 #include "denhartog/solve/quantities.hpp"
 
 namespace denhartog::program {
@@ -18,7 +19,7 @@ constexpr int digits_of_sums = 10;
 
 Json functions_json(const SceneSource& source) {
     const Scene<double> scene = source.in_double();
-    if (!scene.r) throw InputError("r", "must be given", "nothing", "/r");
+    (void)frequency_ratio_of(scene);
     const NumberWriter write;
     const ModalBasis<double> basis = modal_basis(scene.system);
     const ModeSums<double> s = mode_sums(basis, scene.system.contact, scene.system.load, *scene.r);

@@ -12,6 +12,7 @@
 #include "denhartog/program/commands/scene_command.hpp"
 #include "denhartog/program/files.hpp"
 #include "denhartog/program/number_json.hpp"
+#include "denhartog/program/solution_json.hpp"
 #include "denhartog/program/table.hpp"
 
 namespace denhartog::program {
@@ -55,9 +56,13 @@ Json motion_json(const PaperMotion& m, const Scene<double>& scene, const Integra
         all["relative_tolerance"] = write(options.settings.relative_tolerance.value_or(absolute));
     }
     if (m.status == IntegrationStatus::complete) {
-        const std::size_t j = scene.system.contact.index;
+        const System<double>& s = scene.system;
         all["regime"] = denhartog::name(regime_seen(m));
-        all["contact"] = mass_json(j, m.masses[j]);
+        all["contact"] = mass_json(s.contact.index, m.between ? *m.between : m.masses[s.contact.index]);
+        if (m.between) {
+            all["contact"].erase("mass");
+            all["contact"]["between"] = {s.coordinates.between[0].index + 1, s.coordinates.between[1].index + 1};
+        }
         all["masses"] = Json::array();
         for (std::size_t k = 0; k < m.masses.size(); ++k) all["masses"].push_back(mass_json(k, m.masses[k]));
         if (!m.rests) {
@@ -88,8 +93,7 @@ std::string as_table(const Json& a) {
     if (a.contains("masses")) {
         text += "regime over the last period: " + cell(a, "regime") + "\n";
         text += rows_of(a.at("masses"), {"mass", "amplitude", "phase"});
-        text += "contact: mass " + cell(a.at("contact"), "mass") +
-                "; displacements in units of P / k_1, phases in radians behind the force\n";
+        text += contact_in_words(a.at("contact")) + "; displacements in units of P / k_1, phases in radians behind the force\n";
         if (a.contains("stops") && !a.at("stops").empty())
             text +=
                 "stops in the last period, tau from a maximum of the force:\n" + rows_of(a.at("stops"), {"start", "end", "x"});

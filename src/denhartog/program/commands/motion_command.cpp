@@ -8,6 +8,7 @@
 #include "denhartog/program/commands/scene_command.hpp"
 #include "denhartog/program/files.hpp"
 #include "denhartog/scene/limits.hpp"
+#include "denhartog/scene/point_rules.hpp"
 #include "denhartog/solve/quantities.hpp"
 
 namespace denhartog::program {
@@ -41,8 +42,8 @@ std::string as_csv(const std::vector<double>& tau, const Quantities<Bounded<doub
 std::string sampled(const SceneText& part, const MotionOptions& options) {
     const SceneSource source = scene_source(part);
     const Scene<double> scene = source.in_double();
-    if (!scene.r) throw InputError("r", "must be given", "nothing", "/r");
-    if (!scene.beta) throw InputError("beta", "must be given", "nothing", "/beta");
+    (void)frequency_ratio_of(scene);
+    (void)friction_ratio_of(scene);
     check_samples("samples", static_cast<std::size_t>(options.samples), number_of_masses(scene.system));
     std::vector<double> tau;
     for (long n = 0; n < options.samples; ++n)

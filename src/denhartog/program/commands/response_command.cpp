@@ -6,6 +6,7 @@
 #include "denhartog/program/commands/scene_command.hpp"
 #include "denhartog/program/solution_json.hpp"
 #include "denhartog/program/table.hpp"
+#include "denhartog/scene/point_rules.hpp"
 
 namespace denhartog::program {
 namespace {
@@ -28,7 +29,7 @@ std::string response_table(const Json& a) {
             rows.emplace_back();
             for (const char* key : keys) rows.back().push_back(cell(m, key));
         }
-        text += aligned(rows) + "contact: mass " + cell(a.at("contact"), "mass") +
+        text += aligned(rows) + contact_in_words(a.at("contact")) +
                 "; displacements in units of P / k_1, phases in radians behind the force\n";
     }
     const Json& m = a.at("method");
@@ -38,7 +39,7 @@ std::string response_table(const Json& a) {
 
 std::string respond(const SceneText& part, const SceneOptions& options) {
     const SceneSource source = scene_source(part);
-    if (!source.in_double().beta) throw InputError("beta", "must be given", "nothing", "/beta");
+    (void)friction_ratio_of(source.in_double());
     const Json answer = response_json(answer_or_reason(source, options.digits), NumberWriter{options.digits});
     return options.json ? answer.dump() + "\n" : response_table(answer);
 }

@@ -5,6 +5,7 @@
 
 #include "denhartog/number/number_text.hpp"
 #include "denhartog/program/commands/scene_command.hpp"
+#include "denhartog/program/dimensional_json.hpp"
 #include "denhartog/program/solution_json.hpp"
 #include "denhartog/scene/limits.hpp"
 #include "denhartog/solve/sampled_solution.hpp"
@@ -67,8 +68,11 @@ std::string solved(const SceneText& part, const SolveOptions& options) {
         const Solution solution = solve(source, question_of(options, N));
         if (options.samples > 0)
             return as_csv(sampled_solution(source.in_double(), solution, static_cast<std::size_t>(options.samples)));
-        const Json answer = solution_json(solution, NumberWriter{options.scene.digits});
-        return options.scene.json ? answer.dump() + "\n" : solution_table(answer);
+        Json answer = solution_json(solution, NumberWriter{options.scene.digits});
+        const std::optional<Units> units = source.in_double().units;
+        if (units) answer["dimensional"] = dimensional_json(solution, *units);
+        if (options.scene.json) return answer.dump() + "\n";
+        return solution_table(answer) + (units ? dimensional_table(answer.at("dimensional")) + "\n" : "");
     } catch (const DomainError& e) {
         throw at_a_pole(e);
     }
@@ -101,6 +105,8 @@ void add_solve_command(CLI::App& app, ExitStatus& status) {
         "from rest leads to. stable: all Floquet multipliers are inside the unit circle; multipliers are their sizes.\n"
         "regime_by_56: the regime by the paper's condition, where it differs. beta_lim.at_least: a bound that was enough.\n"
         "error_bound is absolute, in units of P / k_1; phase_error_bound in radians. counters: what the answer cost.\n"
+        "dimensional: the same in the units of a scene that was given by masses and stiffnesses; times from the maximum of the\n"
+        "force.\n"
         "--all: motions lists each motion found, with its stability, from, a state at the maximum of the force that leads to\n"
         "it, and found, where that start comes from. A motion that is not listed may still exist.\n"
         "Where no steady motion is found, or not to the digits asked for, there is a reason and the exit status is 3.");

@@ -1,0 +1,91 @@
+/// @file
+/// @brief Coordinates in which the contact acts on one of them and the load on one of them, for systems where they are no masses.
+///
+/// With the displacement of the contact, \f$ y_a = \mathbf{w}^T\mathbf{x} \f$, and that of the load,
+/// \f$ y_b = \mathbf{p}^T\mathbf{x} \f$, in the places of two masses, \f$ \mathbf{x} = \mathbf{O}\,\mathbf{y} \f$ and the
+/// equations (6) keep their form with \f$ \mathbf{O}^T\mathbf{M}\mathbf{O} \f$, \f$ \mathbf{O}^T\mathbf{C}\mathbf{O} \f$,
+/// \f$ \mathbf{O}^T\mathbf{K}\mathbf{O} \f$: friction acts on coordinate a alone, the load on coordinate b alone. All that the
+/// paper derives from (6) holds of them, with \f$ \mathbf{w}^T\boldsymbol\psi_i \f$ for \f$ \psi_{ji} \f$ and
+/// \f$ \mathbf{p}^T\boldsymbol\psi_i \f$ for \f$ \psi_{li} \f$; natural frequencies and damping ratios are the same.
+#pragma once
+
+#include "denhartog/scene/scene.hpp"
+
+namespace denhartog {
+
+/// @brief The mass matrix of a system. @param s the system @return M in units of m_1, N x N
+template <class T>
+[[nodiscard]] Matrix<T> mass_matrix(const System<T>& s);
+
+/// @brief The stiffness matrix of a system. @param s the system @return K in units of k_1, N x N
+/// @eq{73}
+template <class T>
+[[nodiscard]] Matrix<T> stiffness_matrix(const System<T>& s);
+
+/// @brief A scene in coordinates of its own, where its contact is between two masses or its load acts on several.
+///
+/// The matrices are taken there in more digits and rounded once: every entry is off by no more than a unit in its last place.
+/// @eq{6}
+/// @param scene  the scene
+/// @return       a scene of the paper's form, `coordinates` filled; a scene of the paper as it is
+/// @throws       InputError where `check` throws
+template <class T>
+[[nodiscard]] Scene<T> in_own_coordinates(const Scene<T>& scene);
+
+/// @brief The place of a mass among displacements. @param s a system @param k a mass
+/// @return k itself where it is a coordinate, else its place behind them
+template <class T>
+[[nodiscard]] Mass displacement_of(const System<T>& s, Mass k) {
+    for (std::size_t n = 0; n < s.coordinates.replaced.size(); ++n)
+        if (s.coordinates.replaced[n] == k) return Mass{number_of_masses(s) + n};
+    return k;
+}
+
+/// @brief Puts displacements in the order of the masses.
+/// @param c              the coordinates of a system
+/// @param displacements  one of each displacement; what stood for a coordinate that is no mass comes last
+template <class T, class Value>
+void put_in_order_of_masses(const Coordinates<T>& c, std::vector<Value>& displacements) {
+    const std::size_t N = displacements.size() - c.replaced.size();
+    for (std::size_t n = 0; n < c.replaced.size(); ++n) std::swap(displacements[c.replaced[n].index], displacements[N + n]);
+}
+
+/// @brief Adds the masses that are no coordinates to numbers of the coordinates.
+/// @param c  the coordinates of a system
+/// @param x  one number a coordinate; gets one more for each mass that is none
+template <class T>
+void add_displacements(const Coordinates<T>& c, std::vector<T>& x) {
+    const std::size_t N = x.size();
+    for (std::size_t n = 0; n < c.replaced.size(); ++n) {
+        T sum(0);
+        for (std::size_t k = 0; k < N; ++k)
+            sum += c.displacements(static_cast<Eigen::Index>(n), static_cast<Eigen::Index>(k)) * x[k];
+        x.push_back(sum);
+    }
+}
+
+/// @brief Numbers of the masses taken to the coordinates.
+/// @param c  the coordinates of a system
+/// @param x  one number a mass; gets one a coordinate
+template <class T>
+void take_to_coordinates(const Coordinates<T>& c, std::vector<T>& x) {
+    const std::vector<T> of_masses = x;
+    for (std::size_t n = 0; n < c.replaced.size(); ++n) {
+        T sum(0);
+        for (std::size_t k = 0; k < x.size(); ++k)
+            sum += c.of_masses(static_cast<Eigen::Index>(n), static_cast<Eigen::Index>(k)) * of_masses[k];
+        x[c.replaced[n].index] = sum;
+    }
+}
+
+/// @brief Numbers of the coordinates taken to the masses. @param c the coordinates of a system
+/// @param x  one number a coordinate; gets one a mass
+template <class T>
+void take_to_masses(const Coordinates<T>& c, std::vector<T>& x) {
+    const std::size_t N = x.size();
+    add_displacements(c, x);
+    put_in_order_of_masses(c, x);
+    x.resize(N);
+}
+
+} // namespace denhartog

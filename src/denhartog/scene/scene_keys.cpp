@@ -1,0 +1,86 @@
+#include "denhartog/scene/scene_keys.hpp"
+
+#include <algorithm>
+#include <array>
+#include <nlohmann/json.hpp>
+#include <numeric>
+#include <string>
+#include <vector>
+
+#include "denhartog/number/errors.hpp"
+#include "denhartog/number/legible.hpp"
+#include "denhartog/scene/json_document.hpp"
+
+namespace denhartog {
+namespace {
+
+using nlohmann::json;
+
+constexpr auto keys = std::to_array<std::string_view>(
+    {"mass_ratios", "stiffness_ratios", "damping_ratios", "contact", "load", "mu", "r", "beta", "mass_matrix", "stiffness_matrix",
+     "damping_matrix", "masses", "stiffnesses", "force", "friction", "frequency", "frequency_hz", "base_motion", "base_displacement", "comment"});
+constexpr auto dimensional_keys = std::to_array<const char*>(
+    {"masses", "stiffnesses", "force", "friction", "frequency", "frequency_hz", "base_displacement"});
+constexpr auto ratio_keys =
+    std::to_array<const char*>({"mass_ratios", "stiffness_ratios", "mass_matrix", "stiffness_matrix", "r", "beta"});
+
+/// The first of some keys that a scene has; null where it has none.
+template <std::size_t n>
+const char* first_of(const json& object, const std::array<const char*, n>& some) {
+    for (const char* key : some)
+        if (object.contains(key)) return key;
+    return nullptr;
+}
+
+/// How many letters have to be added, left out or changed to make one word of another.
+std::size_t letters_apart(std::string_view a, std::string_view b) {
+    std::vector<std::size_t> row(b.size() + 1);
+    std::iota(row.begin(), row.end(), std::size_t(0));
+    for (std::size_t i = 1; i <= a.size(); ++i) {
+        std::size_t before = row[0];
+        row[0] = i;
+        for (std::size_t k = 1; k <= b.size(); ++k) {
+            const std::size_t changed = before + (a[i - 1] == b[k - 1] ? 0 : 1);
+            before = row[k];
+            row[k] = std::min({changed, row[k] + 1, row[k - 1] + 1});
+        }
+    }
+    return row.back();
+}
+
+std::string rule_of_keys(std::string_view unknown) {
+    std::string rule = "is no key of a scene";
+    constexpr std::size_t longest = 64; // of a word that may be a key misspelt
+    if (unknown.size() <= longest) {
+        const auto apart = [unknown](std::string_view key) { return letters_apart(unknown, key); };
+        const std::string_view nearest = *std::ranges::min_element(keys, {}, apart);
+        if (apart(nearest) <= nearest.size() / 2) rule += "; did you mean " + std::string(nearest) + "?";
+    }
+    rule += " The keys are";
+    for (const std::string_view key : keys) rule += (key == keys.front() ? " " : ", ") + std::string(key);
+    return rule + ". A scene has one contact with Coulomb friction and one harmonic load: for several contacts, several "
+                  "harmonics or another law of friction take an integrator over time, e.g. SUNDIALS or Siconos";
+}
+
+} // namespace
+
+std::span<const std::string_view> scene_keys() { return keys; }
+
+void check_keys(const json& object) {
+    if (!object.is_object())
+        throw InputError("scene", "must be a JSON object",
+                         legible(object.dump(-1, ' ', true, json::error_handler_t::replace), most_of_a_value));
+    for (const auto& entry : object.items())
+        if (std::ranges::find(keys, entry.key()) == keys.end())
+            throw InputError(entry.key(), rule_of_keys(entry.key()), "", pointer_step(entry.key()));
+    const char* dimensional = first_of(object, dimensional_keys);
+    const char* ratio = first_of(object, ratio_keys);
+    if (dimensional && ratio)
+        throw InputError(ratio,
+                         std::string("must not be given together with ") + dimensional + ": a scene is dimensional or it is not",
+                         "", pointer_step(ratio));
+}
+
+bool is_dimensional(const json& object) { return first_of(object, dimensional_keys) != nullptr; }
+
+} // namespace denhartog

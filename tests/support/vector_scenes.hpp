@@ -1,0 +1,15 @@
+/// @file
+/// @brief Random scenes whose contact is between two masses or whose load acts on several.
+#pragma once
+
+#include "tests/support/sample_scenes.hpp"
+
+namespace denhartog {
+
+/// @brief Those of `random_scenes` with two masses and more, each with a contact between two masses, a force on each mass, a load
+/// by inertia, or two of these: 494 in all. Forces are multiples of 1/8.
+/// @param seed  any number; the same seed gives the same scenes
+/// @return      the scenes, by ascending N
+[[nodiscard]] std::vector<RandomScene<double>> random_vector_scenes(std::uint64_t seed);
+
+} // namespace denhartog
