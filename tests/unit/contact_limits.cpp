@@ -213,7 +213,12 @@ TEST_CASE("a map by arrays costs no search and no mode by itself where (57) is c
     CHECK(map_at({0.0, limit}).points[15].status == PointStatus::answered);
     CHECK(mode_evaluations() > before);
     const long with_search = demand_searches();
-    (void)boundary(mode_sums(modal_basis(scene.system), scene.system.contact, scene.system.load, 1.0), 1.0);
+    const auto boundary_at = [&](double r) {
+        (void)boundary(mode_sums(modal_basis(scene.system), scene.system.contact, scene.system.load, r), 1.0);
+    };
+    boundary_at(1.0);
+    CHECK(demand_searches() == with_search); // a boundary by itself searches no more than a map does
+    boundary_at(0.25);
     CHECK(demand_searches() == with_search + 1);
 }
 

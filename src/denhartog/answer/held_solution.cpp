@@ -44,7 +44,7 @@ template <class T>
 Matrix<T> errors_of_damping(const Scene<T>& scene, const ModalBasis<Bounded<T>>& basis) {
     const System<T>& s = scene.system;
     const auto N = static_cast<Eigen::Index>(basis.r_n.size());
-    if (s.damping_matrix.size() > 0) return Matrix<T>::Zero(N, N);
+    if (damping_matrix_counts(s, basis)) return Matrix<T>::Zero(N, N);
     const Matrix<T> phi = basis.phi.topRows(N).unaryExpr([](const Bounded<T>& entry) { return T(abs(entry.x)); });
     Matrix<T> in_modes = Matrix<T>::Zero(N, N);
     for (Eigen::Index i = 0; i < N; ++i)

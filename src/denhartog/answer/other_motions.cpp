@@ -10,6 +10,7 @@
 #include "denhartog/number/errors.hpp"
 #include "denhartog/stick_slip/at_maximum_of_force.hpp"
 #include "denhartog/sums/bounded_modes.hpp"
+#include "denhartog/sums/coupled_sums.hpp"
 
 namespace denhartog {
 namespace {
@@ -31,7 +32,8 @@ public:
         : scene(scene_), system(contact_system(scene.system)), solver(system, at(*scene.r, *scene.beta)),
           N(system.basis.r_n.size()), size(N, 1) {
         try {
-            const ModeSums<double> sums = mode_sums(system.basis, system.contact, system.load, *scene.r);
+            const ModeSums<double> sums = system.basis.coupled() ? values_of(coupled_sums(scene.system, as_input(*scene.r)))
+                                                                 : mode_sums(system.basis, system.contact, system.load, *scene.r);
             for (std::size_t k = 0; k < N; ++k) size[k] = std::max(modulus(sums.V[k]), 1e-3);
             const Boundary<double> limits = boundary(sums, scene.mu);
             if (*scene.beta < limits.exact) sliding = at_maximum_of_force(sums, steady_state(sums, limits, *scene.beta));
@@ -42,8 +44,7 @@ public:
 
     std::vector<OtherMotion> all() {
         follow(at_rest<double>(N), "start from rest");
-        const bool damped = std::ranges::all_of(system.basis.zeta, [](double zeta) { return zeta > 0; });
-        if (scene.mu == 1 && damped) return motions;
+        if (scene.mu == 1 && every_motion_is_damped(system.basis)) return motions;
         from_displaced_contact();
         from_sliding();
         from_seeds();

@@ -60,6 +60,10 @@ SceneSource with_static_friction(const SceneSource& source, double mu) {
     return changed(source, [mu](auto& scene) { scene.mu = mu; });
 }
 
+SceneSource with_damping_tolerance(const SceneSource& source, double tolerance) {
+    return changed(source, [tolerance](auto& scene) { scene.system.damping_tolerance = tolerance; });
+}
+
 SceneSource without_friction_ratio(const SceneSource& source) {
     return changed(source, [](auto& scene) { scene.beta.reset(); });
 }

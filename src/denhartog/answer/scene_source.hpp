@@ -47,6 +47,10 @@ template <class T>
 /// @return the source: mu is this double in every number type
 [[nodiscard]] SceneSource with_static_friction(const SceneSource& source, double mu);
 
+/// @brief The same scene with another tolerance of its damping matrix. @param source a scene @param tolerance see `System`
+/// @return the source
+[[nodiscard]] SceneSource with_damping_tolerance(const SceneSource& source, double tolerance);
+
 /// @brief The same scene with the friction ratio left out: its boundary is asked for, not its regime.
 /// @param source  a scene
 /// @return        the source

@@ -133,16 +133,14 @@ SceneIn<T> scene_with_modes(const SceneSource& source) {
         auto basis = with();
         return {std::move(scene), std::move(basis)};
     }
-    try {
-        auto basis = with();
-        return {std::move(scene), std::move(basis)};
-    } catch (const InputError&) {
-        const std::vector<double> zeta = modal_basis(source.in_double().system).zeta;
-        scene.system.damping_ratios.assign(zeta.begin(), zeta.end());
-        scene.system.damping_matrix.resize(0, 0);
-        auto basis = with();
-        return {std::move(scene), std::move(basis)};
-    }
+    auto basis = with();
+    if (!basis->coupled()) return {std::move(scene), std::move(basis)};
+    const ModalBasis<double> narrow = modal_basis(source.in_double().system);
+    if (narrow.coupled()) return {std::move(scene), std::move(basis)};
+    scene.system.damping_ratios.assign(narrow.zeta.begin(), narrow.zeta.end());
+    scene.system.damping_matrix.resize(0, 0);
+    basis = with();
+    return {std::move(scene), std::move(basis)};
 }
 
 template <class T>

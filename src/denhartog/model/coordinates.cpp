@@ -5,6 +5,7 @@
 
 #include "denhartog/formulas/system.hpp"
 #include "denhartog/number/multiprecision.hpp"
+#include "denhartog/scene/converted.hpp"
 
 namespace denhartog {
 namespace {
@@ -14,18 +15,6 @@ using Wide = std::conditional_t<std::same_as<T, double>, Real50, Real100>;
 
 template <class T>
 using RowMajor = Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-
-template <class To, class From>
-Matrix<To> in_type(const Matrix<From>& A) {
-    return A.unaryExpr([](const From& x) { return static_cast<To>(x); });
-}
-
-template <class To, class From>
-std::vector<To> in_type(const std::vector<From>& x) {
-    std::vector<To> out;
-    for (const From& each : x) out.push_back(static_cast<To>(each));
-    return out;
-}
 
 // Two coordinates and what they are: y_a = w^T x, y_b = p^T x.
 template <class T>
@@ -116,21 +105,6 @@ Matrix<T> in_two_coordinates(const Matrix<W>& A, const TwoCoordinates<W>& two, c
     return all;
 }
 
-template <class To, class From>
-System<To> system_in_type(const System<From>& s) {
-    return {in_type<To>(s.mass_ratios),
-            in_type<To>(s.stiffness_ratios),
-            in_type<To>(s.mass_matrix),
-            in_type<To>(s.stiffness_matrix),
-            in_type<To>(s.damping_ratios),
-            in_type<To>(s.damping_matrix),
-            s.contact,
-            s.load,
-            s.contact_with,
-            in_type<To>(s.load_vector),
-            {}};
-}
-
 } // namespace
 
 template <class T>
@@ -155,7 +129,7 @@ Scene<T> in_own_coordinates(const Scene<T>& scene) {
     if (!scene.system.contact_with && scene.system.load_vector.empty()) return scene;
     check(scene);
     using W = Wide<T>;
-    const System<W> s = system_in_type<W>(scene.system);
+    const System<W> s = in_type<W>(scene.system);
     const TwoCoordinates<W> two = two_coordinates(s);
     const Matrix<W> rows = two_rows(two);
     Scene<T> out = scene;

@@ -2,6 +2,7 @@
 /// @brief The modal basis of a chain and of a general system.
 #include "denhartog/model/modal_basis.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <span>
 
@@ -10,6 +11,7 @@
 #include "denhartog/model/linear_algebra.hpp"
 #include "denhartog/model/modal_damping.hpp"
 #include "denhartog/model/natural_modes.hpp"
+#include "denhartog/number/bounded.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/multiprecision.hpp"
 #include "denhartog/scene/cholesky.hpp"
@@ -90,7 +92,7 @@ ModalBasis<T> modal_basis(const System<T>& s) {
         basis = {std::move(modes.r_n), std::move(modes.phi), {}};
     }
     if (s.damping_matrix.size() > 0)
-        set_modal_damping(mass_factor(s, gamma), stiffness_matrix(s), s.damping_matrix, basis);
+        set_modal_damping(mass_factor(s, gamma), stiffness_matrix(s), s.damping_matrix, s.damping_tolerance, basis);
     else
         basis.zeta = s.damping_ratios;
     fix_signs(basis.phi);
@@ -123,6 +125,15 @@ ModalBasis<T> modal_basis_at(const System<T>& s, const std::vector<Mass>& masses
 }
 
 template <class T>
+bool every_motion_is_damped(const ModalBasis<T>& basis) {
+    if (!basis.coupled()) return std::ranges::all_of(basis.zeta, [](const T& zeta) { return zeta > T(0); });
+    using Value = typename ValueOf<T>::type;
+    const Matrix<Value> D = basis.D.unaryExpr([](const T& entry) { return Value(ValueOf<T>::of(entry)); });
+    const Value rounding = 256 * static_cast<int>(D.rows()) * std::numeric_limits<Value>::epsilon() * D.cwiseAbs().maxCoeff();
+    return symmetric_eigenproblem(D).values.front() > rounding;
+}
+
+template <class T>
 NonDimensionalMatrices<T> non_dimensional_matrices(const System<T>& s, const ModalBasis<T>& basis, const T& r) {
     check_frequency_ratio(r);
     const std::size_t N = number_of_masses(s);
@@ -132,7 +143,7 @@ NonDimensionalMatrices<T> non_dimensional_matrices(const System<T>& s, const Mod
         result.M = s.mass_matrix.unaryExpr([&](const T& m) { return paper::non_dimensional_mass_by_ratios(m, r); });
     else
         for (std::size_t i = 0; i < N; ++i) result.M(i, i) = paper::non_dimensional_mass_by_ratios(s.mass_ratios[i], r);
-    if (s.damping_matrix.size() > 0) {
+    if (damping_matrix_counts(s, basis)) {
         result.C = r * s.damping_matrix;
         return result;
     }
@@ -152,6 +163,10 @@ template ModalBasis<Real100> modal_basis(const System<Real100>&);
 template ModalBasis<double> modal_basis_at(const System<double>&, const std::vector<Mass>&);
 template ModalBasis<Real50> modal_basis_at(const System<Real50>&, const std::vector<Mass>&);
 template ModalBasis<Real100> modal_basis_at(const System<Real100>&, const std::vector<Mass>&);
+template bool every_motion_is_damped(const ModalBasis<double>&);
+template bool every_motion_is_damped(const ModalBasis<Bounded<double>>&);
+template bool every_motion_is_damped(const ModalBasis<Real50>&);
+template bool every_motion_is_damped(const ModalBasis<Real100>&);
 template NonDimensionalMatrices<double> non_dimensional_matrices(const System<double>&, const ModalBasis<double>&, const double&);
 template NonDimensionalMatrices<Real50> non_dimensional_matrices(const System<Real50>&, const ModalBasis<Real50>&, const Real50&);
 template NonDimensionalMatrices<Real100> non_dimensional_matrices(const System<Real100>&, const ModalBasis<Real100>&,

@@ -19,8 +19,27 @@ struct ModalBasis {
     std::vector<T> r_n; ///< natural frequency ratios omega_i sqrt(m_1 / k_1), ascending, N values
     Matrix<T>
         phi; ///< mode shapes, mass by mode, phi^T M phi = 1, N x N; masses that are no coordinate of the system in further rows
-    std::vector<T> zeta; ///< modal damping ratios, N values
+    std::vector<T> zeta; ///< modal damping ratios, N values; where damping couples the modes those that its diagonal has
+    Matrix<T> D{};       ///< phi^T C phi where damping couples the modes, N x N; else empty
+
+    /// @brief Whether damping couples the modes. @return true where K M^-1 C differs from C M^-1 K
+    [[nodiscard]] bool coupled() const { return D.size() > 0; }
 };
+
+/// @brief Whether the damping matrix that was given is the one that counts, and not the damping ratios nearest to it.
+/// @param s      a system
+/// @param basis  its modal basis
+/// @return       false where damping was given by ratios, or by a matrix within `damping_tolerance` of having them
+template <class T, class Number>
+[[nodiscard]] bool damping_matrix_counts(const System<T>& s, const ModalBasis<Number>& basis) {
+    return s.damping_matrix.size() > 0 && (s.damping_tolerance == 0 || basis.coupled());
+}
+
+/// @brief Whether every motion is damped: with mu = 1 two motions under the same force then come to the same velocities.
+/// @param basis  a modal basis
+/// @return       true where every mode is damped; of modes that are coupled, where the damping matrix is positive definite
+template <class T>
+[[nodiscard]] bool every_motion_is_damped(const ModalBasis<T>& basis);
 
 /// @brief Solves the eigenproblem (15) once; not at all where N = 1.
 ///
@@ -30,7 +49,7 @@ struct ModalBasis {
 /// @eq{14,15}
 /// @param s  the system
 /// @return   the basis
-/// @throws   InputError where `check` throws, K is singular to working precision, or C has no modal damping ratios in [0, 1);
+/// @throws   InputError where `check` throws, K is singular to working precision, or C feeds energy into the motion;
 ///           PrecisionError where the iteration does not converge, a mode is beyond the range of the number type, or two natural
 ///           frequencies are too near to tell whether C couples their modes
 template <class T>

@@ -1,5 +1,5 @@
 /// @file
-/// @brief Modal damping ratios from a damping matrix.
+/// @brief Modal damping ratios from a damping matrix, and whether it couples the modes.
 #include "denhartog/model/modal_damping.hpp"
 
 #include <algorithm>
@@ -7,27 +7,24 @@
 #include <limits>
 #include <string>
 
+#include "denhartog/model/coordinates.hpp"
 #include "denhartog/model/linear_algebra.hpp"
+#include "denhartog/model/natural_modes.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/multiprecision.hpp"
 #include "denhartog/number/number_text.hpp"
+#include "denhartog/scene/cholesky.hpp"
 #include "denhartog/scene/scene_rules.hpp"
 
 namespace denhartog {
 namespace {
 
+// How far A B is from B A, over the sizes of both.
 template <class T>
-void check_condition(const Matrix<T>& A, const Matrix<T>& B, const T& tolerance) {
+T distance_from_commuting(const Matrix<T>& A, const Matrix<T>& B) {
     const Matrix<T> AB = product(A, B);
-    const T sizes = A.norm() * B.norm();
-    const T distance = Matrix<T>(AB - AB.transpose()).norm();
-    if (distance <= tolerance * sizes) return;
-    throw InputError(
-        "damping_matrix",
-        "must satisfy K M^-1 C = C M^-1 K; the paper excludes damping that couples the modes (Section 2.1). The relative "
-        "distance from it may be " +
-            number_in_digits(static_cast<double>(tolerance), 3),
-        number_in_digits(static_cast<double>(T(distance / sizes)), 3));
+    const T sizes = A.norm() * B.norm(), distance = Matrix<T>(AB - AB.transpose()).norm();
+    return sizes > 0 ? T(distance / sizes) : T(0);
 }
 
 template <class T>
@@ -35,6 +32,14 @@ void check_ratio(const T& zeta, std::size_t i) {
     const std::string rule = "must give mode " + std::to_string(i + 1) + " a damping ratio ";
     if (zeta < 0) throw InputError("damping_matrix", rule + "that is not negative", number_to_text(zeta));
     if (!(zeta <= largest_damping_ratio)) throw InputError("damping_matrix", rule + "of at most 1e300", number_to_text(zeta));
+}
+
+template <class T>
+void check_passive(const Matrix<T>& D, const T& tolerance) {
+    const T least = symmetric_eigenproblem(D).values.front();
+    if (least < -tolerance * D.cwiseAbs().maxCoeff())
+        throw InputError("damping_matrix", "must take energy out of every motion: must have no negative eigenvalue",
+                         number_in_digits(static_cast<double>(least), 3));
 }
 
 } // namespace
@@ -57,20 +62,28 @@ void turn_coinciding_modes(const Matrix<T>& C, const T& tolerance, const std::ve
 }
 
 template <class T>
-void set_modal_damping(const Matrix<T>& L, const Matrix<T>& K, const Matrix<T>& C, ModalBasis<T>& basis) {
+T distance_from_classical(const System<T>& s) {
+    const Matrix<T> L = cholesky(mass_matrix(s)).L;
+    return distance_from_commuting(divide_out(L, stiffness_matrix(s)), divide_out(L, s.damping_matrix));
+}
+
+template <class T>
+void set_modal_damping(const Matrix<T>& L, const Matrix<T>& K, const Matrix<T>& C, double neglected, ModalBasis<T>& basis) {
     using std::abs;
     using std::sqrt;
     const std::size_t N = basis.r_n.size();
     const T eps = std::numeric_limits<T>::epsilon();
     const T tolerance = 8 * static_cast<int>(N) * eps;
-    if (N > 1) {
-        check_condition(divide_out(L, K), divide_out(L, C), tolerance);
-        turn_coinciding_modes(C, tolerance, basis.r_n, basis.phi);
-    }
+    const T distance = N > 1 ? distance_from_commuting(divide_out(L, K), divide_out(L, C)) : T(0);
+    const bool commutes = distance <= tolerance, coupled = distance > std::max(tolerance, T(neglected));
+    if (N > 1 && !coupled) turn_coinciding_modes(C, tolerance, basis.r_n, basis.phi);
+    fix_signs(basis.phi); // D goes with them
     const Matrix<T> D = in_coordinates(basis.phi, C);
+    if (!commutes) check_passive(Matrix<T>((D + D.transpose()) / T(2)), tolerance);
+    if (coupled) basis.D = (D + D.transpose()) / T(2);
     const T size = D.cwiseAbs().maxCoeff();
     for (std::size_t i = 0; i < N; ++i)
-        for (std::size_t k = 0; k < i; ++k)
+        for (std::size_t k = 0; k < i && commutes; ++k)
             if (abs(D(i, k)) > sqrt(eps) * size)
                 throw PrecisionError(
                     "damping_matrix: natural frequencies " + std::to_string(k + 1) + " and " + std::to_string(i + 1) +
@@ -83,11 +96,13 @@ void set_modal_damping(const Matrix<T>& L, const Matrix<T>& K, const Matrix<T>& 
     }
 }
 
+template double distance_from_classical(const System<double>&);
 template void turn_coinciding_modes(const Matrix<double>&, const double&, const std::vector<double>&, Matrix<double>&);
 template void turn_coinciding_modes(const Matrix<Real50>&, const Real50&, const std::vector<Real50>&, Matrix<Real50>&);
 template void turn_coinciding_modes(const Matrix<Real100>&, const Real100&, const std::vector<Real100>&, Matrix<Real100>&);
-template void set_modal_damping(const Matrix<double>&, const Matrix<double>&, const Matrix<double>&, ModalBasis<double>&);
-template void set_modal_damping(const Matrix<Real50>&, const Matrix<Real50>&, const Matrix<Real50>&, ModalBasis<Real50>&);
-template void set_modal_damping(const Matrix<Real100>&, const Matrix<Real100>&, const Matrix<Real100>&, ModalBasis<Real100>&);
+template void set_modal_damping(const Matrix<double>&, const Matrix<double>&, const Matrix<double>&, double, ModalBasis<double>&);
+template void set_modal_damping(const Matrix<Real50>&, const Matrix<Real50>&, const Matrix<Real50>&, double, ModalBasis<Real50>&);
+template void set_modal_damping(const Matrix<Real100>&, const Matrix<Real100>&, const Matrix<Real100>&, double,
+                                ModalBasis<Real100>&);
 
 } // namespace denhartog

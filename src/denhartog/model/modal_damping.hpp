@@ -12,16 +12,25 @@ namespace denhartog {
 /// square root of M divided out on both sides the condition is A B = B A. The distance from it is measured as \f$ \|AB - BA\|_F
 /// / (\|A\|_F \|B\|_F) \f$ (0 to sqrt 2) and must not exceed 8 N eps of the number type: what rounding explains. In a higher
 /// precision matrices therefore have to meet the condition to more digits; decimal fractions are then given as text. Where
-/// natural frequencies coincide the mode shapes are turned to those that diagonalise C as well.
+/// natural frequencies coincide the mode shapes are turned to those that diagonalise C as well. Where C breaks the condition by more,
+/// and by more than what is to be neglected, it couples the modes, and the ratios are those of its diagonal.
 /// @eq{18}
 /// @param L      lower triangular factor of the mass matrix in units of m_1, M = L L^T
 /// @param K      stiffness matrix in units of k_1
 /// @param C      damping matrix in units of sqrt(k_1 m_1)
-/// @param basis  natural frequency ratios and mode shapes; gets the damping ratios
-/// @throws InputError where C breaks the condition, with the distance, or gives a ratio that is negative or not below 1;
+/// @param neglected  the distance up to which C counts as uncoupled all the same; 0: none
+/// @param basis  natural frequency ratios and mode shapes; gets the damping ratios and, where they are coupled, D
+/// @throws InputError where C feeds energy into a motion, or gives a ratio beyond its range;
 ///         PrecisionError where two natural frequencies are too near to tell whether C couples their modes
 template <class T>
-void set_modal_damping(const Matrix<T>& L, const Matrix<T>& K, const Matrix<T>& C, ModalBasis<T>& basis);
+void set_modal_damping(const Matrix<T>& L, const Matrix<T>& K, const Matrix<T>& C, double neglected, ModalBasis<T>& basis);
+
+/// @brief How far K M^-1 C is from C M^-1 K, measured as above.
+/// @eq{18}
+/// @param s  a system, its damping given as a matrix
+/// @return   0 to sqrt 2; rounding where its modes are not coupled
+template <class T>
+[[nodiscard]] T distance_from_classical(const System<T>& s);
 
 /// @brief Turns the mode shapes of every group of coinciding natural frequencies to those that diagonalise C within the group.
 /// @param C          damping matrix in units of sqrt(k_1 m_1)

@@ -131,11 +131,15 @@ struct PiOf<Bounded<T>> {
 template <class T>
 struct ValueOf {
     using type = T; ///< the type
+    /// @param x a number @return the same
+    [[nodiscard]] static const T& of(const T& x) { return x; }
 };
 /// @brief Of a number with a bound.
 template <class T>
 struct ValueOf<Bounded<T>> {
     using type = T; ///< the type inside
+    /// @param a a number with a bound @return its value
+    [[nodiscard]] static const T& of(const Bounded<T>& a) { return a.x; }
 };
 
 /// @brief A number of the input, one unit in the last place uncertain, as a decimal fraction or a quotient is.

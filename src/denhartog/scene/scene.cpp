@@ -9,6 +9,7 @@
 #include "denhartog/number/number_range.hpp"
 #include "denhartog/number/number_text.hpp"
 #include "denhartog/scene/cholesky.hpp"
+#include "denhartog/scene/converted.hpp"
 #include "denhartog/scene/scene_rules.hpp"
 
 namespace denhartog {
@@ -158,6 +159,8 @@ void check_system(const System<T>& s, const SceneNames& names) {
     } else {
         check_ratios(s.stiffness_ratios, N, names, names.stiffnesses, "spring");
     }
+    if (!(s.damping_tolerance >= 0 && s.damping_tolerance <= largest_damping_tolerance))
+        fail(names, "damping_tolerance", "must be from 0 to 2", number_to_text(s.damping_tolerance));
     if (s.damping_matrix.size() > 0)
         check_symmetric(s.damping_matrix, N, names, "damping_matrix");
     else
@@ -167,16 +170,6 @@ void check_system(const System<T>& s, const SceneNames& names) {
     if (s.load_vector.empty() && s.load.index >= N) fail(names, "load", which, number(s.load.index));
     if (s.contact_with) check_between(s, which, names);
     if (!s.load_vector.empty()) check_load(s, names);
-}
-
-template <class T>
-Matrix<T> converted(const Matrix<double>& A) {
-    return A.unaryExpr([](double x) { return T(x); });
-}
-
-template <class T>
-std::vector<T> converted(const std::vector<double>& x) {
-    return std::vector<T>(x.begin(), x.end());
 }
 
 } // namespace
@@ -209,20 +202,8 @@ void check(const System<T>& system) {
 
 template <class T>
 Scene<T> converted(const Scene<double>& scene) {
-    const System<double>& s = scene.system;
     Scene<T> out;
-    out.system = {converted<T>(s.mass_ratios),
-                  converted<T>(s.stiffness_ratios),
-                  converted<T>(s.mass_matrix),
-                  converted<T>(s.stiffness_matrix),
-                  converted<T>(s.damping_ratios),
-                  converted<T>(s.damping_matrix),
-                  s.contact,
-                  s.load,
-                  s.contact_with,
-                  converted<T>(s.load_vector),
-                  {s.coordinates.replaced, converted<T>(s.coordinates.displacements), converted<T>(s.coordinates.of_masses),
-                   s.coordinates.between}};
+    out.system = in_type<T>(scene.system);
     out.mu = T(scene.mu);
     if (scene.r) out.r = T(*scene.r);
     if (scene.beta) out.beta = T(*scene.beta);

@@ -50,7 +50,8 @@ struct System {
     Matrix<T> mass_matrix;              ///< M in units of m_1, N x N
     Matrix<T> stiffness_matrix;         ///< K in units of k_1, N x N
     std::vector<T> damping_ratios;      ///< zeta_i by ascending natural frequency, Eq. (18), N values
-    Matrix<T> damping_matrix;           ///< C in units of sqrt(k_1 m_1), N x N, with K M^-1 C = C M^-1 K
+    Matrix<T> damping_matrix;           ///< C in units of sqrt(k_1 m_1), N x N
+    double damping_tolerance = 0;       ///< how far K M^-1 C may be from C M^-1 K for the damping ratios nearest to it to count
     Mass contact;                       ///< the mass in contact, j
     Mass load;                          ///< the loaded mass, l
     std::optional<Mass> contact_with{}; ///< the mass that the contact rubs against, in place of a wall: x_j - x_k slides

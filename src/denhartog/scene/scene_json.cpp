@@ -183,8 +183,11 @@ void read_damping(const json& object, const T& unit, System<T>& s) {
     require(object, "damping_ratios", "damping_matrix");
     if (object.contains("damping_matrix")) {
         s.damping_matrix = read_matrix<T>(item(object, "damping_matrix")) / unit;
+        if (object.contains("damping_tolerance")) s.damping_tolerance = read_number<double>(item(object, "damping_tolerance"));
         return;
     }
+    if (object.contains("damping_tolerance"))
+        item(object, "damping_tolerance").fail("must be given together with damping_matrix");
     const Item zeta = item(object, "damping_ratios");
     if (zeta.value.is_array())
         s.damping_ratios = read_list<T>(zeta);

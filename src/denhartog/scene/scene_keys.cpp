@@ -16,11 +16,29 @@ namespace {
 
 using nlohmann::json;
 
-constexpr auto keys = std::to_array<std::string_view>(
-    {"mass_ratios", "stiffness_ratios", "damping_ratios", "contact", "load", "mu", "r", "beta", "mass_matrix", "stiffness_matrix",
-     "damping_matrix", "masses", "stiffnesses", "force", "friction", "frequency", "frequency_hz", "base_motion", "base_displacement", "comment"});
-constexpr auto dimensional_keys = std::to_array<const char*>(
-    {"masses", "stiffnesses", "force", "friction", "frequency", "frequency_hz", "base_displacement"});
+constexpr auto keys = std::to_array<std::string_view>({"mass_ratios",
+                                                       "stiffness_ratios",
+                                                       "damping_ratios",
+                                                       "contact",
+                                                       "load",
+                                                       "mu",
+                                                       "r",
+                                                       "beta",
+                                                       "mass_matrix",
+                                                       "stiffness_matrix",
+                                                       "damping_matrix",
+                                                       "masses",
+                                                       "stiffnesses",
+                                                       "force",
+                                                       "friction",
+                                                       "frequency",
+                                                       "frequency_hz",
+                                                       "base_motion",
+                                                       "base_displacement",
+                                                       "damping_tolerance",
+                                                       "comment"});
+constexpr auto dimensional_keys =
+    std::to_array<const char*>({"masses", "stiffnesses", "force", "friction", "frequency", "frequency_hz", "base_displacement"});
 constexpr auto ratio_keys =
     std::to_array<const char*>({"mass_ratios", "stiffness_ratios", "mass_matrix", "stiffness_matrix", "r", "beta"});
 

@@ -54,6 +54,7 @@ nlohmann::ordered_json write_scene(const Scene<T>& scene) {
         object["damping_matrix"] = matrix_to_json(s.damping_matrix);
     else
         object["damping_ratios"] = list_to_json(s.damping_ratios);
+    if (s.damping_tolerance > 0) object["damping_tolerance"] = s.damping_tolerance;
     if (s.contact_with)
         object["contact"] = {s.contact.index + 1, s.contact_with->index + 1};
     else

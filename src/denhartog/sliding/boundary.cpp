@@ -14,8 +14,10 @@
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/multiprecision.hpp"
 #include "denhartog/scene/point_rules.hpp"
-#include "denhartog/sliding/maximum.hpp"
+#include "denhartog/sliding/coupled_maxima.hpp"
+#include "denhartog/sliding/demand_curve.hpp"
 #include "denhartog/sums/bounded_modes.hpp"
+#include "denhartog/sums/coupled_friction.hpp"
 #include "denhartog/sums/friction_motion.hpp"
 
 namespace denhartog {
@@ -48,15 +50,15 @@ struct Demand {
     const std::vector<T>& weights;
 
     Sample<T> operator()(const T& tau) const {
-        const FrictionMotionsAt<T>& now = y.at(tau);
+        const std::vector<evaluation::FrictionMotion<T>>& now = y.at(tau);
         const T C = cos(tau), S = sin(tau);
         T N(0), N_prime(0), Z(0);
         for (std::size_t n = 0; n < weights.size(); ++n) {
             const T& R = s.R[first + n];
             const T& u = s.u[first + n];
-            N += weights[n] * R * R * (now.y[n].prime + u * C);
-            N_prime += weights[n] * R * R * (now.y[n].double_prime - u * S);
-            Z -= weights[n] * (2 * s.zeta[first + n] * R * now.y[n].double_prime + (1 - R) * (1 + R) * now.y[n].prime);
+            N += weights[n] * R * R * (now[n].prime + u * C);
+            N_prime += weights[n] * R * R * (now[n].double_prime - u * S);
+            Z -= weights[n] * (2 * s.zeta[first + n] * R * now[n].double_prime + (1 - R) * (1 + R) * now[n].prime);
         }
         if (tau > 0 && tau < pi<T>()) return {N / S, N_prime * S - N * C, Z};
         T limit(0);
@@ -65,7 +67,7 @@ struct Demand {
     }
 
     T rate(const T& a) const {
-        const FrictionMotionsAt<T>& now = y.at(a);
+        const FrictionMotionsAt<T>& now = y.with_sizes_at(a);
         T bound(0);
         for (std::size_t n = 0; n < weights.size(); ++n) {
             const T &R = s.R[first + n], &zeta = s.zeta[first + n];
@@ -75,16 +77,6 @@ struct Demand {
         return bound;
     }
 };
-
-// F sin solves y'' + y = Z, so that between two samples it exceeds the sine through them by at most
-// z_bound (cos(tau - m) / cos(h / 2) - 1); over the sine this is at most z_bound tan(h / 2) next to an end of the half-period.
-template <class T>
-T rise_of_demand(const T& a, const T& b, const T& z_bound) {
-    const T half = (b - a) / 2;
-    if (!(a > 0) || !(b < pi<T>())) return z_bound * sin(half) / cos(half);
-    const T quarter = sin(T(half / 2));
-    return z_bound * 2 * quarter * quarter / cos(half) / std::min(T(sin(a)), T(sin(b)));
-}
 
 // Whether N is so small a difference of its terms, next to a pole of (28), that a search in T would follow their rounding.
 template <class T>
@@ -138,6 +130,13 @@ T instant_of_largest(const ModeSums<T>& s, std::size_t first, const std::vector<
     return demanded(T(0)) >= demanded(found) ? T(0) : found;
 }
 
+// Whether (57) of a mode is certain to be largest for tau -> 0, by numbers in double and with a margin for their rounding.
+template <class T>
+bool mode_is_largest_at_start(const ModeSums<T>& s, std::size_t i) {
+    const auto narrow = [](const T& x) { return static_cast<double>(x); };
+    return evaluation::certainty_of_start(narrow(s.R[i]), narrow(s.zeta[i]), narrow(s.u[i]), narrow(s.g[i])) > 0;
+}
+
 // Zero in place of a number without a digit; of one with a bound, with what it may be.
 template <class T>
 T zero_for(const T&) {
@@ -186,6 +185,7 @@ RegimeBoundary<T> regime_boundary_at(const ModeSums<T>& s, const T& mu, const T&
 
 template <class T>
 T sliding_demand(const ModeSums<T>& s, const T& tau) {
+    if (s.coupled) return coupled_demand(*s.coupled, s.contact, tau);
     std::vector<T> values;
     for (std::size_t i = 0; i < s.R.size(); ++i) values.push_back(s_d(s, i, tau));
     return paper::sum_over_contact(mode_shapes_at(s, s.contact), std::span<const T>(values));
@@ -202,7 +202,7 @@ Boundary<T> boundary_at(const ModeSums<T>& s, const T& mu, const T& instant, con
     Boundary<T> b{};
     b.S_exact = found_by_search(sliding_demand(s, instant));
     static_cast<RegimeBoundary<T>&>(b) = regime_boundary_at(s, mu, b.S_exact);
-    b.S_paper = paper::sum_over_contact(mode_shapes_at(s, s.contact), std::span<const T>(maxima));
+    b.S_paper = s.coupled ? b.S_exact : paper::sum_over_contact(mode_shapes_at(s, s.contact), std::span<const T>(maxima));
     b.instant = instant;
     b.instants = instants;
     b.paper = paper::friction_ratio_limit(V_dj, s.U[j], larger(b.S_paper, held));
@@ -216,14 +216,22 @@ Boundary<T> boundary_at(const ModeSums<T>& s, const T& mu, const T& instant, con
 
 template <class T>
 T instant_of_largest_demand(const ModeSums<T>& s) {
+    if (s.coupled) {
+        ++searches;
+        return instant_of_largest_demand_where_coupled(s);
+    }
+    bool at_start = true;
+    for (std::size_t i = 0; i < s.R.size() && at_start; ++i) at_start = mode_is_largest_at_start(s, i);
+    if (at_start) return T(0);
     std::vector<T> squares;
     for (const T& psi_ji : mode_shapes_at(s, s.contact)) squares.push_back(psi_ji * psi_ji);
     return instant_of_largest(s, 0, squares);
 }
 
 bool largest_at_start(const ModeSums<double>& s) {
+    if (s.coupled) return false;
     for (std::size_t i = 0; i < s.R.size(); ++i)
-        if (!(evaluation::certainty_of_start(s.R[i], s.zeta[i], s.u[i], s.g[i]) > 0)) return false;
+        if (!mode_is_largest_at_start(s, i)) return false;
     return true;
 }
 
@@ -240,7 +248,9 @@ template <class T>
 std::vector<T> instants_of_demands(const ModeSums<T>& s) {
     std::vector<T> instants{instant_of_largest_demand(s)};
     for (std::size_t i = 0; i < s.R.size(); ++i)
-        instants.push_back(s.R.size() == 1 ? instants.front() : instant_of_largest(s, i, std::vector<T>{T(1)}));
+        instants.push_back(s.R.size() == 1                  ? instants.front()
+                           : mode_is_largest_at_start(s, i) ? T(0)
+                                                            : instant_of_largest(s, i, std::vector<T>{T(1)}));
     return instants;
 }
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "denhartog/number/multiprecision.hpp"
+#include "denhartog/sliding/coupled_maxima.hpp"
 #include "denhartog/sliding/mass_in_motion.hpp"
 #include "denhartog/sums/friction_motion.hpp"
 
@@ -60,21 +61,21 @@ std::pair<T, T> instant_and_spread(const ModeSums<T>& s, FrictionMotions<T>& y, 
     const T harmonic_size = modulus(Complex<T>{mass.h.A, mass.h.B});
     Curve<T> curve;
     curve.sample = [&](const T& tau) {
-        const evaluation::MotionOfMass<T> at = mass.at(tau, y.at(tau).y);
+        const evaluation::MotionOfMass<T> at = mass.at(tau, y.at(tau));
         return Sample<T>{at.x < 0 ? T(-at.x) : at.x, at.x_prime, at.x_double_prime};
     };
     curve.rate = [&](const T& a, const T& b) {
-        return T(harmonic_size + beta * rate_of_friction(s, mass.weights, y.at(a), T(b - a)));
+        return T(harmonic_size + beta * rate_of_friction(s, mass.weights, y.with_sizes_at(a), T(b - a)));
     };
     curve.rise = [](const T& a, const T& b, const T& z_bound) { return T(z_bound * (b - a) * (b - a) / 8); };
     // What rounding leaves of the displacement is no reason to look further.
-    const FrictionMotionsAt<T>& start = y.at(T(0));
+    const FrictionMotionsAt<T>& start = y.with_sizes_at(T(0));
     T terms = harmonic_size;
     for (std::size_t i = 0; i < mass.weights.size(); ++i) terms += beta * size_of_number(mass.weights[i]) * (1 + start.size[i]);
     curve.cost = static_cast<long>(s.R.size() + 2) * cost_of_mode<T>(); // two for the search itself
     const Maximum<T> found =
         global_maximum<T>(curve, T(0), pi<T>(), T(2 * unit_of<T>() * terms), nullptr, std::numeric_limits<T>::lowest(), error);
-    const auto is_negative = [&](const T& tau) { return mass.at(tau, y.at(tau).y).x < 0; };
+    const auto is_negative = [&](const T& tau) { return mass.at(tau, y.at(tau)).x < 0; };
     return {found.instant, spread_of_phases(found.places, T(0), pi<T>(), found.instant, is_negative)};
 }
 
@@ -87,7 +88,9 @@ InstantsOfMaxima<T> instants_of_maxima(const ModeSums<T>& s, const T& beta, std:
     InstantsOfMaxima<T> all{std::vector<T>(s.V.size(), T(0)), std::vector<T>(s.V.size(), T(0))};
     for (std::size_t k = 0; k < s.V.size(); ++k) {
         if (k == s.contact.index || (only && k != only->index)) continue;
-        std::tie(all.instants[k], all.spreads[k]) = instant_and_spread(s, y, beta, k, errors.empty() ? T(0) : errors[k]);
+        const T error = errors.empty() ? T(0) : errors[k];
+        std::tie(all.instants[k], all.spreads[k]) =
+            s.coupled ? instant_and_spread_where_coupled(s, beta, k, error) : instant_and_spread(s, y, beta, k, error);
     }
     return all;
 }

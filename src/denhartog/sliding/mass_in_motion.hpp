@@ -8,6 +8,8 @@
 #include "denhartog/evaluation/contact.hpp"
 #include "denhartog/evaluation/friction_motion.hpp"
 #include "denhartog/evaluation/mass.hpp"
+#include "denhartog/sums/coupled_friction.hpp"
+#include "denhartog/sums/friction_motion.hpp"
 #include "denhartog/sums/mode_sums.hpp"
 
 namespace denhartog {
@@ -40,11 +42,37 @@ struct MassInMotion {
     /// @param s modes @param k mass @param beta_ friction ratio
     MassInMotion(const ModeSums<T>& s, std::size_t k, const T& beta_)
         : h(harmonic_part(s, k, beta_)), beta(beta_), weights(friction_weights(s, k)) {}
-    /// @brief The motion. @eq{46} @param tau instant in [0, pi] @param y friction's share of every mode there @return x, x', x''
-    [[nodiscard]] evaluation::MotionOfMass<T> at(const T& tau, const std::vector<evaluation::FrictionMotion<T>>& y) const {
+    /// @brief The motion. @eq{46} @param tau instant in [0, pi] @param y friction's share of every mode there
+    /// @param so_far  friction's share that is no mode's
+    /// @return        x, x', x''
+    [[nodiscard]] evaluation::MotionOfMass<T> at(const T& tau, const std::vector<evaluation::FrictionMotion<T>>& y,
+                                                 const evaluation::FrictionMotion<T>& so_far = {T(0), T(0), T(0)}) const {
         return evaluation::motion_of_mass(tau, h, beta, std::span<const T>(weights),
-                                          std::span<const evaluation::FrictionMotion<T>>(y));
+                                          std::span<const evaluation::FrictionMotion<T>>(y), so_far);
     }
 };
+
+/// @brief Friction's share of the motion at an instant: of every mode, or of a mass where damping couples them.
+template <class T>
+struct FrictionShare {
+    std::vector<evaluation::FrictionMotion<T>> of_modes; ///< N; none where damping couples the modes
+    evaluation::FrictionMotion<T> of_mass;               ///< then that of the mass, else zero
+};
+
+/// @brief The same of a mass. @param s modes @param k its place @param tau instant in [0, pi] @return friction's share
+template <class T>
+[[nodiscard]] FrictionShare<T> friction_share(const ModeSums<T>& s, std::size_t k, const T& tau) {
+    if (s.coupled) return {{}, s.coupled->motion(k, tau)};
+    return {friction_motions(s, tau), {T(0), T(0), T(0)}};
+}
+
+/// @brief Motion (46) of a mass at an instant. @eq{46} @param s modes @param mass the mass @param k its place @param tau in [0, pi]
+/// @return x, x', x''
+template <class T>
+[[nodiscard]] evaluation::MotionOfMass<T> motion_at(const ModeSums<T>& s, const MassInMotion<T>& mass, std::size_t k,
+                                                    const T& tau) {
+    const FrictionShare<T> y = friction_share(s, k, tau);
+    return mass.at(tau, y.of_modes, y.of_mass);
+}
 
 } // namespace denhartog

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "denhartog/evaluation/contact.hpp"
 #include "denhartog/evaluation/mass.hpp"
@@ -48,8 +49,10 @@ void set_maximum(MassResponse<T>& m, const T& phi_j, const T& instant, const T& 
 
 // The terms of the third derivative of a mass at an instant, in size.
 template <class T>
-T size_of_jerk(const ModeSums<T>& s, const MassInMotion<T>& mass, const std::vector<evaluation::FrictionMotion<T>>& y) {
+T size_of_jerk(const ModeSums<T>& s, const MassInMotion<T>& mass, std::size_t k, const T& tau, const FrictionShare<T>& share) {
+    const std::vector<evaluation::FrictionMotion<T>>& y = share.of_modes;
     T sum(0);
+    if (s.coupled) sum = T(s.coupled->largest_derivative(k, 3, s.coupled->at(ValueOf<T>::of(tau))));
     for (std::size_t i = 0; i < y.size(); ++i)
         sum += size_of_number(mass.weights[i]) *
                (2 * s.zeta[i] * size_of_number(y[i].double_prime) + size_of_number(y[i].prime) / s.R[i]) / s.R[i];
@@ -67,24 +70,27 @@ T newton_step(const evaluation::MotionOfMass<T>& at) {
 template <class T>
 void settle_maximum(const ModeSums<T>& s, SteadyState<T>& state, std::size_t k, T instant) {
     const MassInMotion<T> mass(s, k, state.beta);
-    const auto at = [&](const T& tau) { return mass.at(tau, friction_motions(s, tau)); };
+    const auto at = [&](const T& tau, const FrictionShare<T>& y) { return mass.at(tau, y.of_modes, y.of_mass); };
     const auto leads_out = [](const T& tau, const T& step) { return (tau <= 0 && step < 0) || (tau >= pi<T>() && step > 0); };
-    evaluation::MotionOfMass<T> now = at(instant);
+    FrictionShare<T> share = friction_share(s, k, instant);
+    evaluation::MotionOfMass<T> now = at(instant, share);
     T step = newton_step(now);
     if (leads_out(instant, step)) {
         const T other = instant <= 0 ? pi<T>() : T(0);
-        const evaluation::MotionOfMass<T> there = at(other);
+        FrictionShare<T> share_there = friction_share(s, k, other);
+        const evaluation::MotionOfMass<T> there = at(other, share_there);
         const T from_there = newton_step(there);
         if (leads_out(other, from_there)) {
             step = T(0);
         } else {
             instant = other;
+            share = std::move(share_there);
             now = there;
             step = from_there;
         }
     }
     const T largest = found_by_search(T(now.x + now.x_prime * step / 2));
-    const T of_displacement = step * step * size_of_jerk(s, mass, friction_motions(s, instant)); // over the step it is neglected
+    const T of_displacement = step * step * size_of_jerk(s, mass, k, instant, share); // over the step it is neglected
     const T of_instant = now.x_double_prime == T(0) ? of_displacement : size_of_number(T(of_displacement / now.x_double_prime));
     set_maximum(state.masses[k], state.phi_j, with_neglected(T(instant + step), of_instant),
                 with_neglected(largest, T(of_displacement * step)));
@@ -145,10 +151,12 @@ Motion<T> motion(const ModeSums<T>& s, const SteadyState<T>& state, const T& tau
     const T halves = floor(T(tau / pi<T>()));
     const T instant = in_half_period(T(tau - halves * pi<T>()));
     const bool mirrored = halves - 2 * floor(T(halves / 2)) != 0;
-    const std::vector<evaluation::FrictionMotion<T>> y = friction_motions(s, instant);
+    const std::vector<evaluation::FrictionMotion<T>> y =
+        s.coupled ? std::vector<evaluation::FrictionMotion<T>>() : friction_motions(s, instant);
     Motion<T> all;
     for (std::size_t k = 0; k < state.masses.size(); ++k) {
-        const evaluation::MotionOfMass<T> at = MassInMotion<T>(s, k, state.beta).at(instant, y);
+        const MassInMotion<T> mass(s, k, state.beta);
+        const evaluation::MotionOfMass<T> at = s.coupled ? motion_at(s, mass, k, instant) : mass.at(instant, y);
         all.x.push_back(mirrored ? T(-at.x) : at.x);
         all.x_prime.push_back(mirrored ? T(-at.x_prime) : at.x_prime);
     }

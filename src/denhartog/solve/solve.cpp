@@ -18,13 +18,17 @@ namespace {
 Work work_so_far() { return {eigen_solves(), mode_evaluations(), phases_propagated()}; }
 
 void say_whether_unique(const ModalBasis<Bounded<double>>& basis, double mu, Solution& s) {
-    const bool damped = std::ranges::all_of(basis.zeta, [](const Bounded<double>& zeta) { return zeta.x > 0; });
-    s.unique = mu == 1 && damped;
+    s.unique = mu == 1 && every_motion_is_damped(basis);
     if (s.unique)
         s.unique_because =
-            "mu = 1 and every mode is damped: the velocities of any two motions under the same force become the same";
+            basis.coupled()
+                ? "mu = 1 and the damping matrix is positive definite: the velocities of any two motions under the same "
+                  "force become the same"
+                : "mu = 1 and every mode is damped: the velocities of any two motions under the same force become the same";
     else if (mu > 1)
         s.unique_because = "not known: with mu > 1 the motion may depend on the start; this is the one from rest";
+    else if (basis.coupled())
+        s.unique_because = "not known: the damping matrix is not positive definite, and the motion may depend on the start";
     else
         s.unique_because = "not known: a mode has no damping, and the motion may depend on the start";
 }
@@ -68,12 +72,12 @@ void answer_from_rest(const SolveTask& task, Solution& s) {
     if (orbit.status == OrbitStatus::not_converged) {
         if (task.pole) throw DomainError(*task.pole + "; " + orbit.reason);
         throw PrecisionError("no steady motion was found from the start from rest: " + orbit.reason +
-                             "; certain until then: " + s.regime.reason);
+                             ". What is certain until then: " + s.regime.reason);
     }
     const bool rests = orbit.status == OrbitStatus::permanently_stuck;
     // With mu = 1 the boundaries tell that it never rests for ever: only rounding does not see it move.
     if (rests && task.scene.mu == 1 && !task.pole && s.regime.regime == Regime::stick_slip && !s.regime.on_boundary)
-        throw PrecisionError("double does not tell the motion from a rest; certain until then: " + s.regime.reason);
+        throw PrecisionError("double does not tell the motion from a rest. What is certain until then: " + s.regime.reason);
     const bool slides = !task.pole && !rests && is_closed_form(orbit, s);
     if (rests)
         set_regime(task, Regime::permanent_sticking, "from the start from rest " + orbit.reason, s);
@@ -96,7 +100,7 @@ void answer_from_rest(const SolveTask& task, Solution& s) {
 
 void answer(SolveTask& task, Solution& s) {
     const bool few = task.question.asked == Asked::amplitude || task.question.asked == Asked::phase;
-    if (few && task.scene.mu == 1 && answer_by_few_modes(task, s)) return;
+    if (few && task.scene.mu == 1 && !task.basis->coupled() && answer_by_few_modes(task, s)) return;
     const Solution kept = s;
     try {
         s = sliding_solution(task.source, {task.question.asked, task.question.digits, task.question.mass, &*task.modes});

@@ -7,6 +7,7 @@
 #include "denhartog/sliding/steady_state.hpp"
 #include "denhartog/stick_slip/motion_record.hpp"
 #include "denhartog/stick_slip/stuck_response.hpp"
+#include "denhartog/sums/coupled_friction.hpp"
 
 namespace denhartog {
 
@@ -17,8 +18,9 @@ namespace denhartog {
 template <class T>
 [[nodiscard]] State<T> at_maximum_of_force(const ModeSums<T>& sums, const SteadyState<T>& state) {
     Motion<T> at = motion(sums, state, T(-state.phi_j));
-    at.x.resize(sums.R.size()); // the coordinates of the system, and no displacements besides
-    at.x_prime.resize(sums.R.size());
+    const std::size_t N = sums.coupled ? sums.coupled->size() : sums.R.size();
+    at.x.resize(N); // the coordinates of the system, and no displacements besides
+    at.x_prime.resize(N);
     return {std::move(at.x), std::move(at.x_prime)};
 }
 

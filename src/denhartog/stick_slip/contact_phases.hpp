@@ -58,7 +58,7 @@ struct ContactPhases {
         : system(&s), N(s.basis.r_n.size()), effort(&allowed) {
         sliding.resize(N);
         sticking.resize(N - 1);
-        sticking.effort = &effort;
+        sliding.effort = sticking.effort = &effort;
         stuck_momentum = transpose_times(s.stuck.phi, s.stuck.M);
         set(excitation);
     }
@@ -75,6 +75,7 @@ struct ContactPhases {
             set_mode(sliding, i, basis.r_n[i], T(basis.zeta[i] * basis.r_n[i]));
             sliding.F[i] = basis.phi(system->load.index, i) / r2;
         }
+        if (basis.coupled()) sliding.D = basis.D / e.r;
         sliding.prepare();
         w = basis.phi * basis.phi.row(system->contact.index).transpose() / r2;
         inertia = 1 / w[system->contact.index];
@@ -170,9 +171,14 @@ struct ContactPhases {
         for (std::size_t i = 0; i < N; ++i) {
             const T phi = direction * system->basis.phi(system->contact.index, i);
             for (int m = 0; m < 4; ++m) jet.f[m] += phi * sliding.q[m + 1][i];
-            jet.bound += abs(phi) * sliding.energy_norm(4, i);
+            if (!sliding.coupled()) jet.bound += abs(phi) * sliding.energy_norm(4, i);
             jet.growth += abs(phi * sliding.F[i]);
             jet.noise += abs(phi * sliding.q[1][i]);
+        }
+        if (sliding.coupled()) { // energy goes from mode to mode
+            const T size = system->basis.phi.row(system->contact.index).norm();
+            jet.bound = size * sliding.energy_norm(4);
+            jet.growth = size * column(sliding.F).norm();
         }
         jet.noise *= std::numeric_limits<T>::epsilon();
         return jet;

@@ -49,7 +49,7 @@ ContactSystem<T> contact_system(const System<T>& s, ModalBasis<T> basis) {
     }
     out.stuck = stuck_configuration(s, out.basis);
     for (const Bounded<T>& r_n : with_errors(s, out.basis).r_n) out.detuned.push_back(r_n.e / r_n.x);
-    out.damping_fixes_modes = s.damping_matrix.size() > 0;
+    out.damping_fixes_modes = damping_matrix_counts(s, out.basis);
     // phi^T M phi = 1, so that phi^T M is the inverse of phi; the mass matrix keeps it free of an inversion.
     const std::size_t N = out.basis.r_n.size();
     if (s.mass_matrix.size() > 0) {

@@ -2,8 +2,9 @@
 /// @brief One linear stretch of motion in modal coordinates:
 /// \f$ q_i'' + \sum_m D_{im} q_m' + \omega_i^2 q_i = F_i\cos\tau + G_i \f$.
 ///
-/// Where D is diagonal each coordinate has its closed form, that of `evaluation/driven_motion.hpp`. Where it is not, which happens
-/// only while the contact sticks, they are carried together, as `coupled_motion.hpp` has it.
+/// Where D is diagonal each coordinate has its closed form, that of `evaluation/driven_motion.hpp`. Where it is not, as it may be
+/// while the contact sticks and with a damping matrix that couples the modes, they are carried together, as `coupled_motion.hpp`
+/// has it.
 #pragma once
 
 #include <algorithm>
@@ -14,10 +15,10 @@
 #include <vector>
 
 #include "denhartog/evaluation/driven_motion.hpp"
+#include "denhartog/model/coupled_motion.hpp"
 #include "denhartog/model/linear_algebra.hpp"
 #include "denhartog/number/effort.hpp"
 #include "denhartog/scene/scene.hpp"
-#include "denhartog/stick_slip/coupled_motion.hpp"
 
 namespace denhartog {
 

@@ -179,6 +179,7 @@ public:
             // No step of Newton's method mends what a frequency is off by beyond that.
             turned_(i) = std::max(T(0), T(s.detuned[static_cast<std::size_t>(i)] / 8 - static_cast<int>(N) * eps)) * of_frequency;
         }
+        if (s.basis.coupled()) add_rounding_of_coupled_modes(amplitudes);
         for (std::size_t i = 0; i < n && !s.damping_fixes_modes; ++i)
             for (std::size_t k = 0; k < n; ++k) {
                 const T r_i = s.basis.r_n[i], r_k = s.basis.r_n[k];
@@ -231,6 +232,19 @@ public:
     [[nodiscard]] long half_periods_in_all() const { return half_periods_in_all_; }
 
 private:
+    // Damping hands the rounding of one mode to the others: in energy it is that of all of them, over as many steps as the series takes.
+    void add_rounding_of_coupled_modes(const std::vector<T>& amplitudes) {
+        const ModalBasis<T>& basis = solver_->system().basis;
+        const T& r = solver_->excitation().r;
+        T energy(0);
+        for (Eigen::Index i = 0; i < N; ++i)
+            energy += basis.r_n[static_cast<std::size_t>(i)] / r * amplitudes[static_cast<std::size_t>(i)];
+        const T rate = 1 + (basis.r_n.back() + basis.D.cwiseAbs().rowwise().sum().maxCoeff()) / r;
+        const T steps = static_cast<int>(motion_->phases.size()) + h_ * pi_ * rate;
+        const T rounding = 4 * static_cast<int>(2 * N + 2) * std::numeric_limits<T>::epsilon() * steps * energy;
+        for (Eigen::Index i = 0; i < N; ++i) modal_(i) += rounding * r / basis.r_n[static_cast<std::size_t>(i)];
+    }
+
     ExactSolver<T>* solver_;
     T pi_;
     Column<T> difference_;

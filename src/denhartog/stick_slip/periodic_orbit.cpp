@@ -1,17 +1,14 @@
 #include "denhartog/stick_slip/periodic_orbit.hpp"
 
 #include <algorithm>
-#include <boost/math/special_functions/fpclassify.hpp>
 #include <functional>
 #include <optional>
-#include <sstream>
 #include <utility>
 
-#include "denhartog/number/errors.hpp"
 #include "denhartog/number/multiprecision.hpp"
-#include "denhartog/number/number_text.hpp"
 #include "denhartog/stick_slip/floquet.hpp"
 #include "denhartog/stick_slip/orbit_record.hpp"
+#include "denhartog/stick_slip/orbit_search.hpp"
 #include "denhartog/stick_slip/shooting.hpp"
 
 namespace denhartog {
@@ -22,21 +19,6 @@ constexpr int most_approach = 512;        // maps after which slow approach is e
 constexpr int half_periods_to_rest = 400; // after which a rest whose place is known to 1e-3 is an answer
 constexpr int half_periods_to_arrive = 4000; // at rest, or at an orbit that attracts nothing
 
-template <class T>
-void check(const OrbitSearch<T>& search, const State<T>& start, std::size_t N) {
-    if (search.periods_before < 0)
-        throw InputError("periods_before", "must not be negative", std::to_string(search.periods_before));
-    for (const auto& [name, value] :
-         {std::pair("most_periods", search.most_periods), std::pair("most_subharmonic", search.most_subharmonic)})
-        if (value < 1) throw InputError(name, "must be at least 1", std::to_string(value));
-    if (!(search.tolerance >= 0)) throw InputError("tolerance", "must be zero or positive", number_to_text(search.tolerance));
-    if (start.x.size() != N || start.x_prime.size() != N)
-        throw InputError("start", "must have a displacement and a velocity for each mass", std::to_string(start.x.size()));
-    for (const std::vector<T>* part : {&start.x, &start.x_prime})
-        for (const T& each : *part)
-            if (!boost::math::isfinite(each)) throw InputError("start", "must be finite", "");
-}
-
 /// The search from one start.
 template <class T>
 class Search {
@@ -44,7 +26,8 @@ public:
     Search(ExactSolver<T>& solver, const OrbitSearch<T>& search)
         : search_(search), map_(solver), shooting_(map_, search.tolerance), j_(solver.system().contact.index),
           no_expansion_(solver.excitation().mu == 1),
-          damped_(std::ranges::all_of(solver.system().basis.zeta, [](const T& zeta) { return zeta > 0; })) {}
+          most_periods_(no_expansion_ ? search.most_periods : periods_to_follow(solver, search.most_periods)),
+          damped_(every_motion_is_damped(solver.system().basis)) {}
 
     PeriodicOrbit<T> from(const State<T>& start) {
         const long before = map_.solver().effort().spent;
@@ -67,7 +50,7 @@ private:
     };
 
     void follow(State<T> z) {
-        const int most = 2 * search_.most_periods;
+        const int most = 2 * most_periods_;
         const std::size_t kept = 2 * static_cast<std::size_t>(search_.most_subharmonic) + 1;
         recent_.assign(1, z);
         int done = 0, next = std::min(2 * search_.periods_before, most);
@@ -81,7 +64,7 @@ private:
                 if (recent_.size() == kept) recent_.erase(recent_.begin());
                 recent_.push_back(z);
             }
-            if (no_expansion_ ? settle(z, done) : find_orbit(z)) return;
+            if (no_expansion_ ? settle(z, done) : find_orbit(z, done)) return;
             if (done >= (neutral_ ? std::min(most, half_periods_to_arrive) : most)) return give_up(done, false);
             next = std::min(most, done + 2 * std::max(1, done / (no_expansion_ ? 2 : 8)));
         }
@@ -106,11 +89,14 @@ private:
         return false;
     }
 
-    bool find_orbit(const State<T>& z) {
+    // An orbit that attracts is not looked for anew before the motion had twice the time to come to it.
+    bool find_orbit(const State<T>& z, int done) {
         const auto accepted = [&] {
             return (!search_.follow_start || (candidate_.stable && approached(z))) && answer_by_candidate();
         };
         if (candidate_.h > 0 && accepted()) return true;
+        if (search_.follow_start && candidate_.h > 0 && candidate_.stable && done < 2 * looked_for_at_) return false;
+        looked_for_at_ = done;
         for (const int h : lengths()) {
             State<T> w = z;
             if (shooting_.fixed_point(w, h, false) && take(w, h) && accepted()) return true;
@@ -240,27 +226,28 @@ private:
     void give_up(int done, bool failed) {
         const Effort& effort = map_.solver().effort();
         const MotionStatus status = failed ? map_.motion().status : MotionStatus::complete;
-        std::ostringstream s;
-        s.precision(3);
+        SearchWithoutOrbit seen;
+        seen.periods = done / 2;
+        seen.chattering = status == MotionStatus::chattering;
         if (effort.exhausted())
-            s << effort.ending() << ": ";
+            seen.ended = effort.ending();
         else if (status == MotionStatus::open)
-            s << "the motion changes faster than the number type can follow: ";
-        s << (status == MotionStatus::chattering ? "phases of no length follow each other" : "no periodic motion") << " within "
-          << done / 2 << " periods from the start";
+            seen.ended = "the motion changes faster than the number type can follow";
         const double size = std::max(static_cast<double>(map_.norm(recent_.back())), 1e-300);
         const auto norm = [&](const State<T>& z) { return map_.norm(z); };
-        if (recent_.size() > 1 && std::ranges::is_sorted(recent_, std::ranges::less_equal{}, norm))
-            s << ": the motion still grows, to " << size;
-        else if (recent_.size() > 1)
-            s << ": it repeats itself best after " << lengths().back() << " half-periods, to "
-              << static_cast<double>(recurrence(lengths().back())) / size << " of its size";
-        if (candidate_.h > 0)
-            s << "; a periodic motion of " << candidate_.h << " half-periods is there, "
-              << (candidate_.stable ? "stable" : "not certainly stable") << " with a largest multiplier of "
-              << candidate_.largest_multiplier << ", but the motion from the start is "
-              << static_cast<double>(map_.norm(difference(recent_.back(), candidate_.z))) / size << " of its size away from it";
-        orbit_.reason = s.str();
+        if (recent_.size() > 1 && std::ranges::is_sorted(recent_, std::ranges::less_equal{}, norm)) {
+            seen.grows_to = size;
+        } else if (recent_.size() > 1) {
+            seen.repeats_after = lengths().back();
+            seen.repeats_to = static_cast<double>(recurrence(seen.repeats_after)) / size;
+        }
+        if (candidate_.h > 0) {
+            seen.orbit = candidate_.h;
+            seen.orbit_is_stable = candidate_.stable;
+            seen.largest_multiplier = candidate_.largest_multiplier;
+            seen.away = static_cast<double>(map_.norm(difference(recent_.back(), candidate_.z))) / size;
+        }
+        orbit_.reason = in_words(seen);
     }
 
     OrbitSearch<T> search_;
@@ -268,7 +255,8 @@ private:
     Shooting<T> shooting_;
     std::size_t j_;
     bool no_expansion_;    // mu = 1: no two motions move apart
-    bool damped_;          // every mode by itself
+    int most_periods_;     // of propagation
+    bool damped_;          // every motion
     bool held_ = false;    // over the last half-period
     bool neutral_ = false; // an orbit was found that nothing tends to
     PeriodicOrbit<T> orbit_;
@@ -278,6 +266,7 @@ private:
     State<T> best_;                // nearest to a fixed point so far, where there is one only
     T best_step_ = T(-1);
     Candidate candidate_;
+    int looked_for_at_ = 0; // half-periods before Newton's method looked for an orbit last
 };
 
 } // namespace
@@ -285,7 +274,7 @@ private:
 template <class T>
 PeriodicOrbit<T> periodic_orbit(ExactSolver<T>& solver, const State<T>& start, const OrbitSearch<T>& search) {
     const std::size_t N = solver.system().basis.r_n.size();
-    check(search, start, N);
+    check_search(search, start, N);
     SearchEffort own(default_effort(N));
     Effort* const before = solver.allow(search.effort != nullptr ? search.effort : &own);
     PeriodicOrbit<T> orbit = Search<T>(solver, search).from(start);

@@ -28,7 +28,7 @@ enum class OrbitStatus : std::uint8_t {
 template <class T>
 struct OrbitSearch {
     int periods_before = 1;   ///< periods of propagation before the first Newton step
-    int most_periods = 20000; ///< periods of propagation after which the search gives up
+    int most_periods = 20000; ///< periods of propagation after which the search gives up; with mu > 1 no more than 30 decay times
     int most_subharmonic = 8; ///< longest period looked for, in periods of the force
     T tolerance = T(0);       ///< Newton's method may end where the residual is that small, relative to the state; 0: at rounding
     bool follow_start = true; ///< make sure that the motion from the start tends to the orbit, not another

@@ -6,6 +6,7 @@
 
 #include "denhartog/evaluation/mode.hpp"
 #include "denhartog/number/multiprecision.hpp"
+#include "denhartog/sums/coupled_friction.hpp"
 
 namespace denhartog {
 namespace {
@@ -68,7 +69,7 @@ ModalBasis<Bounded<T>> bounded(const System<T>& system, const ModalBasis<T>& bas
             bounded.phi(row, column) = {basis.phi(row, column), errors(row)};
         }
         T of_zeta = of_input * basis.zeta[i];
-        if (system.damping_matrix.size() > 0) {
+        if (damping_matrix_counts(system, basis)) {
             const auto n = static_cast<Eigen::Index>(N); // masses that are no coordinates come after them
             const Eigen::Matrix<T, Eigen::Dynamic, 1> damping = system.damping_matrix.cwiseAbs() * (sizes + errors).head(n);
             of_zeta = (errors.head(n).dot(damping) + unit * sizes.head(n).dot(damping)) / r_n +
@@ -76,6 +77,7 @@ ModalBasis<Bounded<T>> bounded(const System<T>& system, const ModalBasis<T>& bas
         }
         bounded.zeta.push_back({basis.zeta[i], of_zeta});
     }
+    bounded.D = basis.D.unaryExpr([](const T& entry) { return Bounded<T>(entry); });
     return bounded;
 }
 
@@ -104,7 +106,8 @@ ModeSums<To> changed(const ModeSums<From>& s, const Change& change) {
             changed<To>(s.G, change),
             of_pair(s.Y_jj),
             change(s.H_j),
-            change(s.sum_of_squares)};
+            change(s.sum_of_squares),
+            nullptr};
 }
 
 } // namespace
@@ -128,12 +131,19 @@ ModalBasis<Bounded<T>> bounded_basis_at(const System<T>& system, const std::vect
 
 template <class T>
 ModeSums<T> values_of(const ModeSums<Bounded<T>>& sums) {
-    return changed<T>(sums, [](const Bounded<T>& a) { return a.x; });
+    ModeSums<T> values = changed<T>(sums, [](const Bounded<T>& a) { return a.x; });
+    values.coupled = sums.coupled;
+    return values;
 }
 
 template <class T>
 ModeSums<Bounded<double>> in_double(const ModeSums<Bounded<T>>& sums) {
-    return changed<Bounded<double>>(sums, [](const Bounded<T>& a) { return in_double(a); });
+    ModeSums<Bounded<double>> narrow = changed<Bounded<double>>(sums, [](const Bounded<T>& a) { return in_double(a); });
+    if constexpr (std::same_as<T, double>)
+        narrow.coupled = sums.coupled;
+    else if (sums.coupled)
+        narrow.coupled = std::make_shared<const CoupledFriction<double>>(*sums.coupled);
+    return narrow;
 }
 
 template <class T>

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "denhartog/number/multiprecision.hpp"
+#include "denhartog/sums/coupled_sums.hpp"
 
 namespace denhartog {
 namespace {
@@ -109,6 +110,7 @@ void sharpen(const System<double>& system, const BoundedModes<double>& modes, Mo
 
 template <class T>
 ModeSums<Bounded<T>> bounded_sums(const System<T>& system, BoundedModes<T>& modes) {
+    if (modes.basis().coupled()) return coupled_sums(system, modes.r());
     ModeSums<Bounded<T>> s = mode_sums(modes.basis(), system.contact, system.load, modes.r(), modes.all());
     if constexpr (std::same_as<T, double>) sharpen(system, modes, s);
     return s;

@@ -53,13 +53,22 @@ T FrictionMotions<T>::size_of(const evaluation::FrictionMotion<T>& y, std::size_
 }
 
 template <class T>
-const FrictionMotionsAt<T>& FrictionMotions<T>::at(const T& tau) {
-    const auto found = known.find(tau);
-    if (found != known.end()) return found->second;
-    if (known.size() * c.size() >= most_remembered) known.clear();
-    FrictionMotionsAt<T> now{friction_motions_in(sums, tau, first, last), {}};
+FrictionMotionsAt<T>& FrictionMotions<T>::known_at(const T& tau) {
+    const auto found = known.lower_bound(tau);
+    if (found != known.end() && found->first == tau) return found->second;
+    if (known.size() * c.size() < most_remembered)
+        return known.emplace_hint(found, tau, FrictionMotionsAt<T>{friction_motions_in(sums, tau, first, last), {}})->second;
+    known.clear();
+    return known.emplace(tau, FrictionMotionsAt<T>{friction_motions_in(sums, tau, first, last), {}}).first->second;
+}
+
+template <class T>
+const FrictionMotionsAt<T>& FrictionMotions<T>::with_sizes_at(const T& tau) {
+    FrictionMotionsAt<T>& now = known_at(tau);
+    if (!now.size.empty()) return now;
+    now.size.reserve(last - first);
     for (std::size_t i = first; i < last; ++i) now.size.push_back(size_of(now.y[i - first], i, tau));
-    return known.emplace(tau, std::move(now)).first->second;
+    return now;
 }
 
 template class FrictionMotions<double>;

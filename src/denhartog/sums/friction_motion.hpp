@@ -31,10 +31,13 @@ public:
     /// @param last   one past the last mode of the range
     FrictionMotions(const ModeSums<T>& sums, std::size_t first, std::size_t last);
 
-    /// @brief Braces, derivatives and bounds at an instant.
+    /// @brief Braces and derivatives at an instant.
     /// @param tau  non-dimensional time in [0, pi]
-    /// @return     valid until the next call
-    const FrictionMotionsAt<T>& at(const T& tau);
+    /// @return     one entry a mode of the range, valid until the next call
+    const std::vector<evaluation::FrictionMotion<T>>& at(const T& tau) { return known_at(tau).y; }
+
+    /// @brief The same with bounds of the derivatives from there on. @param tau non-dimensional time in [0, pi] @return valid until the next call
+    const FrictionMotionsAt<T>& with_sizes_at(const T& tau);
 
 private:
     const ModeSums<T>& sums;
@@ -42,6 +45,7 @@ private:
     std::vector<T> c;
     std::map<T, FrictionMotionsAt<T>> known;
 
+    FrictionMotionsAt<T>& known_at(const T& tau);
     [[nodiscard]] T size_of(const evaluation::FrictionMotion<T>& y, std::size_t i, const T& tau) const;
 };
 

@@ -21,6 +21,9 @@ void check_arguments(const ModalBasis<T>& basis, Mass contact, Mass load, const 
     const std::string rule = "must be a mass from 1 to " + std::to_string(N);
     if (contact.index >= N) throw InputError("contact", rule, std::to_string(contact.index + 1));
     if (load.index >= N) throw InputError("load", rule, std::to_string(load.index + 1));
+    if (basis.coupled())
+        throw InputError("damping_matrix", "must not couple the modes: (23), (28), (29) are those of a mode that moves by itself",
+                         "K M^-1 C is not C M^-1 K");
 }
 
 template <class T>

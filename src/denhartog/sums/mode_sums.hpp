@@ -5,15 +5,22 @@
 /// None of it depends on the friction ratio: one evaluation serves every beta at that r.
 #pragma once
 
+#include <memory>
 #include <span>
 #include <vector>
 
 #include "denhartog/evaluation/mode.hpp"
 #include "denhartog/model/modal_basis.hpp"
+#include "denhartog/number/bounded.hpp"
 
 namespace denhartog {
 
+template <class T>
+class CoupledFriction;
+
 /// @brief Modes and sums over modes at one frequency ratio.
+///
+/// Where damping couples the modes there are none: their lists are empty, and friction's share of the motion is in `coupled`.
 template <class T>
 struct ModeSums {
     T r;                       ///< frequency ratio, Eq. (10)
@@ -31,6 +38,7 @@ struct ModeSums {
     Complex<T> Y_jj;           ///< (33) with the load on the contact: its response to a unit force there, without friction
     T H_j;                     ///< Eq. (64)
     T sum_of_squares;          ///< sum of psi_ji^2, Eq. (65); 1 / (gamma_j r^2) where the mass matrix is diagonal
+    std::shared_ptr<const CoupledFriction<typename ValueOf<T>::type>> coupled{}; ///< where damping couples the modes; else null
 };
 
 /// @brief Evaluates the modes at a frequency ratio and sums them.

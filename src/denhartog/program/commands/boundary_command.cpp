@@ -77,7 +77,7 @@ std::string invariant_points_table(const Json& masses) {
 }
 
 std::string bound(const SceneText& part, const BoundaryOptions& options) {
-    const SceneSource source = without_friction_ratio(scene_source(part));
+    const SceneSource source = without_friction_ratio(source_of(part, options.damping));
     const NumberWriter write{options.digits};
     Json answer = boundary_json(answer_or_reason(source, options.digits), write);
     if (!options.range.empty()) {

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "denhartog/program/commands/scene_command.hpp"
+#include "denhartog/program/damping_json.hpp"
 #include "denhartog/program/number_json.hpp"
 #include "denhartog/program/table.hpp"
 #include "denhartog/scene/point_rules.hpp"
@@ -22,22 +23,23 @@ Json functions_json(const SceneSource& source) {
     (void)frequency_ratio_of(scene);
     const NumberWriter write;
     const ModalBasis<double> basis = modal_basis(scene.system);
-    const ModeSums<double> s = mode_sums(basis, scene.system.contact, scene.system.load, *scene.r);
+    std::optional<ModeSums<double>> s; // none where damping couples the modes
+    if (!basis.coupled()) s = mode_sums(basis, scene.system.contact, scene.system.load, *scene.r);
     const Quantities<Bounded<double>> q = quantities(source, {}, digits_of_sums, PointNumbers::sums).numbers;
     Json all{{"modes", Json::array()}, {"masses", Json::array()}};
-    for (std::size_t i = 0; i < s.R.size(); ++i)
+    for (std::size_t i = 0; i < basis.r_n.size(); ++i) {
         all["modes"].push_back({{"mode", i + 1},
                                 {"natural_frequency_ratio", write(basis.r_n[i])},
-                                {"R", write(s.R[i])},
-                                {"zeta", write(s.zeta[i])},
-                                {"v", pair(s.v[i], write)},
-                                {"u", write(s.u[i])},
-                                {"g", write(s.g[i])}});
+                                {"R", write(*scene.r / basis.r_n[i])},
+                                {"zeta", write(basis.zeta[i])}});
+        if (s) all["modes"].back().update({{"v", pair(s->v[i], write)}, {"u", write(s->u[i])}, {"g", write(s->g[i])}});
+    }
     for (std::size_t k = 0; k < q.V.size(); ++k)
         all["masses"].push_back(
             {{"mass", k + 1}, {"V", pair({q.V[k].re.x, q.V[k].im.x}, write)}, {"U", write(q.U[k].x)}, {"G", write(q.G[k].x)}});
     all["H_j"] = write(q.H_j.x);
-    all["S_j"] = {{"exact", write(q.S.x)}, {"paper", write(boundary(s, scene.mu).S_paper)}};
+    all["S_j"] = {{"exact", write(q.S.x)}, {"paper", write(s ? boundary(*s, scene.mu).S_paper : q.S.x)}};
+    if (const std::optional<Json> damping = damping_json(scene)) all["damping"] = *damping;
     return all;
 }
 
@@ -45,8 +47,8 @@ std::string functions_table(const Json& a) {
     std::vector<std::vector<std::string>> modes{{"mode", "r_n", "R", "zeta", "Re v", "Im v", "u", "g"}};
     for (const Json& m : a.at("modes"))
         modes.push_back({in_table(m.at("mode")), in_table(m.at("natural_frequency_ratio")), in_table(m.at("R")),
-                         in_table(m.at("zeta")), in_table(m.at("v").at(0)), in_table(m.at("v").at(1)), in_table(m.at("u")),
-                         in_table(m.at("g"))});
+                         in_table(m.at("zeta")), m.contains("v") ? in_table(m.at("v").at(0)) : "-",
+                         m.contains("v") ? in_table(m.at("v").at(1)) : "-", cell(m, "u"), cell(m, "g")});
     std::vector<std::vector<std::string>> masses{{"mass", "Re V", "Im V", "U", "G"}};
     for (const Json& m : a.at("masses"))
         masses.push_back({in_table(m.at("mass")), in_table(m.at("V").at(0)), in_table(m.at("V").at(1)), in_table(m.at("U")),
@@ -55,12 +57,12 @@ std::string functions_table(const Json& a) {
            aligned({{"H_j", in_table(a.at("H_j"))},
                     {"S_j exact", in_table(a.at("S_j").at("exact"))},
                     {"S_j paper", in_table(a.at("S_j").at("paper"))}}) +
-           "\n";
+           (a.contains("damping") ? damping_table(a.at("damping")) : "") + "\n";
 }
 
 std::string evaluate(const SceneText& part, const SceneOptions& options) {
     try {
-        const Json answer = functions_json(scene_source(part));
+        const Json answer = functions_json(source_of(part, options.damping));
         return options.json ? answer.dump() + "\n" : functions_table(answer);
     } catch (const DomainError& e) {
         throw at_a_pole(e);
@@ -76,7 +78,9 @@ void add_functions_command(CLI::App& app, ExitStatus& status) {
     add_scene_options(*command, *options);
     command->footer(
         "Complex numbers are pairs [real part, imaginary part]. Computed in double; the sums over the modes in 50 digits where\n"
-        "double does not have ten of them. beta is not needed.");
+        "double does not have ten of them. beta is not needed. Where the damping matrix couples the modes they have no v, u and "
+        "g\n"
+        "of their own, and zeta is what the diagonal of the matrix gives.");
     command->callback([options, &status] {
         answer_scenes(
             *options, [&](const SceneText& part) { return evaluate(part, *options); }, status);

@@ -15,6 +15,7 @@
 #include "denhartog/program/interruptible.hpp"
 #include "denhartog/program/map_file.hpp"
 #include "denhartog/scene/scene_json.hpp"
+#include "denhartog/scene/scene_rules.hpp"
 
 namespace denhartog::program {
 namespace {
@@ -26,6 +27,7 @@ struct MapOptions {
     bool boundaries = false;
     unsigned threads = 0;
     std::optional<double> effort;
+    std::string damping{as_given};
 };
 
 std::atomic<bool> stop{false};
@@ -38,13 +40,15 @@ void show_columns(std::size_t done, std::size_t columns) {
     std::fprintf(stderr, "\r%3zu %% of %zu columns%s", percent, columns, done == columns ? "\n" : "");
 }
 
-Scene<double> scene_of(const std::string& path) {
+Scene<double> scene_of(const std::string& path, const std::string& damping) {
     const std::string text = read_input(path);
     const std::vector<SceneText> parts = split_scenes(text);
     if (parts.size() > 1) throw InputError("the input", "must be one scene", std::to_string(parts.size()) + " scenes");
     const SceneOrError<double> read = read_scene<double>(parts.front());
     if (read.error) throw InputError(*read.error);
-    return *read.scene;
+    Scene<double> scene = *read.scene;
+    if (damping != as_given) scene.system.damping_tolerance = largest_damping_tolerance;
+    return scene;
 }
 
 std::vector<Mass> masses_of(const std::vector<long>& numbers, const Scene<double>& scene) {
@@ -77,7 +81,7 @@ void write(const MapOptions& options, const std::string& content) {
 
 void answer(const MapOptions& options, ExitStatus& status) {
     const bool npy = as_npy(options.output);
-    const Scene<double> scene = scene_of(options.scene);
+    const Scene<double> scene = scene_of(options.scene, options.damping);
     MapRequest request;
     request.r = grid_values("r", options.r);
     if (options.boundaries) {
@@ -119,6 +123,7 @@ void add_map_command(CLI::App& app, ExitStatus& status) {
     command->add_option("--threads", options->threads,
                         "threads, default as many as the machine has; the map is the same for any");
     add_effort_option(*command, options->effort);
+    add_damping_option(*command, options->damping);
     command->footer(
         "r and beta of the scene are not used. CSV, a line a point, beta running fastest: r, beta, regime (continuous,\n"
         "stick_slip, permanent_sticking), stops_per_period, periods (of the force in a period of the motion), amplitude_K of\n"

@@ -20,6 +20,7 @@ struct MotionOptions {
     long samples = 400;
     int digits = 10;
     std::optional<double> effort;
+    std::string damping{as_given};
 };
 
 std::string in_column(double x) { return "," + number_to_text(x == 0 ? 0.0 : x); }
@@ -40,7 +41,7 @@ std::string as_csv(const std::vector<double>& tau, const Quantities<Bounded<doub
 }
 
 std::string sampled(const SceneText& part, const MotionOptions& options) {
-    const SceneSource source = scene_source(part);
+    const SceneSource source = source_of(part, options.damping);
     const Scene<double> scene = source.in_double();
     (void)frequency_ratio_of(scene);
     (void)friction_ratio_of(scene);
@@ -88,6 +89,7 @@ void add_motion_command(CLI::App& app, ExitStatus& status) {
     command->add_option("--digits", options->digits, "significant digits of every displacement and velocity, 1 to 15")
         ->capture_default_str();
     add_effort_option(*command, options->effort);
+    add_damping_option(*command, options->damping);
     command->add_option("--output", options->output, "file to write; it appears when it is complete");
     command->footer(
         "Columns: tau from 0 to below 2 pi, 0 at the maximum of the mass in contact; x_1..x_N in units of P / k_1; v_1..v_N,\n"

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "denhartog/program/commands/scene_command.hpp"
+#include "denhartog/program/damping_json.hpp"
 #include "denhartog/program/solution_json.hpp"
 #include "denhartog/program/table.hpp"
 #include "denhartog/scene/point_rules.hpp"
@@ -32,15 +33,17 @@ std::string response_table(const Json& a) {
         text += aligned(rows) + contact_in_words(a.at("contact")) +
                 "; displacements in units of P / k_1, phases in radians behind the force\n";
     }
+    if (a.contains("damping")) text += damping_table(a.at("damping"));
     const Json& m = a.at("method");
     return text + "method: " + m.at("model").get<std::string>() + " in " + m.at("precision").get<std::string>() + "; " +
            m.at("why").get<std::string>() + "\n\n";
 }
 
 std::string respond(const SceneText& part, const SceneOptions& options) {
-    const SceneSource source = scene_source(part);
+    const SceneSource source = source_of(part, options.damping);
     (void)friction_ratio_of(source.in_double());
-    const Json answer = response_json(answer_or_reason(source, options.digits), NumberWriter{options.digits});
+    Json answer = response_json(answer_or_reason(source, options.digits), NumberWriter{options.digits});
+    if (const std::optional<Json> damping = damping_json(source.in_double())) answer["damping"] = *damping;
     return options.json ? answer.dump() + "\n" : response_table(answer);
 }
 

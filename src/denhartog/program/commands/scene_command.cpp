@@ -7,6 +7,7 @@
 #include "denhartog/number/effort.hpp"
 #include "denhartog/number/number_text.hpp"
 #include "denhartog/program/files.hpp"
+#include "denhartog/scene/scene_rules.hpp"
 
 namespace denhartog::program {
 namespace {
@@ -39,6 +40,21 @@ void add_scene_options(CLI::App& command, SceneOptions& options) {
         "file with a scene as JSON, or with many, one a line (JSON Lines); standard input where it is - or missing");
     command.add_flag("--json", options.json, "one JSON object a scene, one a line, in order, in place of tables");
     add_effort_option(command, options.effort);
+    add_damping_option(command, options.damping);
+}
+
+void add_damping_option(CLI::App& command, std::string& damping) {
+    command
+        .add_option("--damping", damping,
+                    "what becomes of a damping matrix that couples the modes: as-given takes the coupling in;\n"
+                    "nearest-classical leaves it out, as the paper does")
+        ->check(CLI::IsMember({as_given, nearest_classical}))
+        ->capture_default_str();
+}
+
+SceneSource source_of(const SceneText& part, const std::string& damping) {
+    SceneSource source = scene_source(part);
+    return damping == as_given ? source : with_damping_tolerance(source, largest_damping_tolerance);
 }
 
 void add_digits_option(CLI::App& command, SceneOptions& options) {

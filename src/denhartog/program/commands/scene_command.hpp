@@ -18,13 +18,25 @@ class App;
 
 namespace denhartog::program {
 
+inline constexpr const char* as_given = "as-given";                   ///< damping that couples the modes is taken in
+inline constexpr const char* nearest_classical = "nearest-classical"; ///< the paper's approximation: the coupling is left out
+
 /// @brief Options of a subcommand that answers scenes.
 struct SceneOptions {
-    std::string scene;            ///< path; empty or `-` for standard input
-    bool json = false;            ///< JSON in place of tables
-    std::optional<int> digits;    ///< significant digits asked for
-    std::optional<double> effort; ///< operations allowed a scene
+    std::string scene;             ///< path; empty or `-` for standard input
+    bool json = false;             ///< JSON in place of tables
+    std::optional<int> digits;     ///< significant digits asked for
+    std::optional<double> effort;  ///< operations allowed a scene
+    std::string damping{as_given}; ///< `as_given` or `nearest_classical`
 };
+
+/// @brief A scene as the options have it. @param part its text @param damping the option `--damping` @return the scene
+[[nodiscard]] SceneSource source_of(const SceneText& part, const std::string& damping);
+
+/// @brief Adds `--damping`.
+/// @param command  the subcommand
+/// @param damping  where it goes; must outlive the parse
+void add_damping_option(CLI::App& command, std::string& damping);
 
 /// @brief Adds SCENE and `--json` to a subcommand.
 /// @param command  the subcommand

@@ -5,6 +5,7 @@
 
 #include "denhartog/number/number_text.hpp"
 #include "denhartog/program/commands/scene_command.hpp"
+#include "denhartog/program/damping_json.hpp"
 #include "denhartog/program/dimensional_json.hpp"
 #include "denhartog/program/solution_json.hpp"
 #include "denhartog/scene/limits.hpp"
@@ -62,17 +63,19 @@ std::string solved(const SceneText& part, const SolveOptions& options) {
         throw InputError("samples", "must be given with --ask motion only", options.ask);
     if (options.samples > 0 && options.mass) throw InputError("samples", "must be given without --mass", "both");
     try {
-        const SceneSource source = scene_source(part);
+        const SceneSource source = source_of(part, options.scene.damping);
         const std::size_t N = number_of_masses(source.in_double().system);
         if (options.samples > 0) check_samples("samples", static_cast<std::size_t>(options.samples), N);
         const Solution solution = solve(source, question_of(options, N));
         if (options.samples > 0)
             return as_csv(sampled_solution(source.in_double(), solution, static_cast<std::size_t>(options.samples)));
         Json answer = solution_json(solution, NumberWriter{options.scene.digits});
+        if (const std::optional<Json> damping = damping_json(source.in_double())) answer["damping"] = *damping;
         const std::optional<Units> units = source.in_double().units;
         if (units) answer["dimensional"] = dimensional_json(solution, *units);
         if (options.scene.json) return answer.dump() + "\n";
-        return solution_table(answer) + (units ? dimensional_table(answer.at("dimensional")) + "\n" : "");
+        return solution_table(answer) + (answer.contains("damping") ? damping_table(answer.at("damping")) + "\n" : "") +
+               (units ? dimensional_table(answer.at("dimensional")) + "\n" : "");
     } catch (const DomainError& e) {
         throw at_a_pole(e);
     }
@@ -107,6 +110,7 @@ void add_solve_command(CLI::App& app, ExitStatus& status) {
         "error_bound is absolute, in units of P / k_1; phase_error_bound in radians. counters: what the answer cost.\n"
         "dimensional: the same in the units of a scene that was given by masses and stiffnesses; times from the maximum of the\n"
         "force.\n"
+        "damping: of a damping matrix that couples the modes, whether the coupling was taken in, and how large it is.\n"
         "--all: motions lists each motion found, with its stability, from, a state at the maximum of the force that leads to\n"
         "it, and found, where that start comes from. A motion that is not listed may still exist.\n"
         "Where no steady motion is found, or not to the digits asked for, there is a reason and the exit status is 3.");

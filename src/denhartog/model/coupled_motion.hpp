@@ -111,17 +111,26 @@ private:
 
     // The terms of exp(A s / rate) z for s up to 1, a column each, as many as s = 1 needs.
     [[nodiscard]] Matrix<T> terms_from(const Column<T>& z) const {
-        std::vector<Column<T>> terms{z};
+        constexpr Eigen::Index first_room = 32;
+        Matrix<T> terms(z.size(), first_room);
+        terms.col(0) = z;
         Column<T> sum = z;
-        for (int k = 1; k <= most_terms; ++k) {
-            terms.push_back(A_ * terms.back() / T(k * rate_));
-            const Column<T> next = sum + terms.back();
-            if (next == sum) break;
-            sum = next;
+        Eigen::Index k = 1;
+        for (bool grows = true; grows && k <= most_terms; ++k) {
+            if (k == terms.cols()) terms.conservativeResize(Eigen::NoChange, 2 * k);
+            auto term = terms.col(k);
+            term.setZero();
+            for (Eigen::Index n = 0; n < z.size(); ++n) term += A_.col(n) * terms(n, k - 1);
+            term /= T(static_cast<int>(k) * rate_);
+            grows = false;
+            for (Eigen::Index i = 0; i < z.size(); ++i) {
+                const T next = sum(i) + term(i);
+                grows = grows || next != sum(i);
+                sum(i) = next;
+            }
         }
-        Matrix<T> columns(z.size(), static_cast<Eigen::Index>(terms.size()));
-        for (std::size_t k = 0; k < terms.size(); ++k) columns.col(static_cast<Eigen::Index>(k)) = terms[k];
-        return columns;
+        terms.conservativeResize(Eigen::NoChange, k);
+        return terms;
     }
 
     static Column<T> sum_of(const Matrix<T>& terms, const T& s) {

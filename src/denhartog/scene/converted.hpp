@@ -1,0 +1,42 @@
+/// @file
+/// @brief Systems in another number type. Included by sources only.
+#pragma once
+
+#include "denhartog/scene/scene.hpp"
+
+namespace denhartog {
+
+/// @brief Numbers in another type. @param x the numbers @return the same, rounded where the type is narrower
+template <class To, class From>
+[[nodiscard]] std::vector<To> in_type(const std::vector<From>& x) {
+    std::vector<To> out;
+    out.reserve(x.size());
+    for (const From& each : x) out.push_back(static_cast<To>(each));
+    return out;
+}
+
+/// @brief A matrix in another type. @param A the matrix @return the same, rounded where the type is narrower
+template <class To, class From>
+[[nodiscard]] Matrix<To> in_type(const Matrix<From>& A) {
+    return A.unaryExpr([](const From& x) { return static_cast<To>(x); });
+}
+
+/// @brief A system in another type. @param s the system @return the same, rounded where the type is narrower
+template <class To, class From>
+[[nodiscard]] System<To> in_type(const System<From>& s) {
+    const Coordinates<From>& c = s.coordinates;
+    return {in_type<To>(s.mass_ratios),
+            in_type<To>(s.stiffness_ratios),
+            in_type<To>(s.mass_matrix),
+            in_type<To>(s.stiffness_matrix),
+            in_type<To>(s.damping_ratios),
+            in_type<To>(s.damping_matrix),
+            s.damping_tolerance,
+            s.contact,
+            s.load,
+            s.contact_with,
+            in_type<To>(s.load_vector),
+            {c.replaced, in_type<To>(c.displacements), in_type<To>(c.of_masses), c.between}};
+}
+
+} // namespace denhartog

@@ -1,0 +1,61 @@
+#include "denhartog/sliding/coupled_maxima.hpp"
+
+#include "denhartog/number/multiprecision.hpp"
+#include "denhartog/sliding/demand_curve.hpp"
+#include "denhartog/sliding/instants_of_maxima.hpp"
+#include "denhartog/sliding/mass_in_motion.hpp"
+
+namespace denhartog {
+
+template <class T>
+T instant_of_largest_demand_where_coupled(const ModeSums<T>& s) {
+    const CoupledFriction<T>& friction = *s.coupled;
+    const std::size_t j = s.contact.index;
+    const T start = friction.derivative(j, 1, friction.at(T(0)));
+    Curve<T> curve;
+    curve.sample = [&](const T& tau) {
+        const CoupledState<T>& now = friction.at(tau);
+        const T C = cos(tau), S = sin(tau), first = friction.derivative(j, 1, now), second = friction.derivative(j, 2, now);
+        const T N = first - start * C, N_prime = second + start * S, Z = friction.derivative(j, 3, now) + first;
+        if (tau > 0 && tau < pi<T>()) return Sample<T>{N / S, N_prime * S - N * C, Z};
+        return Sample<T>{coupled_demand(friction, s.contact, tau), T(0), Z};
+    };
+    curve.rate = [&](const T& a, const T&) { return friction.rate_of_demand(j, friction.at(a)); };
+    curve.rise = [](const T& a, const T& b, const T& z_bound) { return rise_of_demand(a, b, z_bound); };
+    curve.cost = friction.cost();
+    const T found = global_maximum(curve, T(0), pi<T>()).instant;
+    return coupled_demand(friction, s.contact, T(0)) >= coupled_demand(friction, s.contact, found) ? T(0) : found;
+}
+
+template <class T>
+std::pair<T, T> instant_and_spread_where_coupled(const ModeSums<T>& s, const T& beta, std::size_t k, const T& error) {
+    const MassInMotion<T> mass(s, k, beta);
+    const CoupledFriction<T>& friction = *s.coupled;
+    const T harmonic_size = modulus(Complex<T>{mass.h.A, mass.h.B});
+    Curve<T> curve;
+    curve.sample = [&](const T& tau) {
+        const evaluation::MotionOfMass<T> at = motion_at(s, mass, k, tau);
+        return Sample<T>{at.x < 0 ? T(-at.x) : at.x, at.x_prime, at.x_double_prime};
+    };
+    curve.rate = [&](const T& a, const T&) {
+        return T(harmonic_size + beta * friction.largest_derivative(k, 3, friction.at(a)));
+    };
+    curve.rise = [](const T& a, const T& b, const T& z_bound) { return T(z_bound * (b - a) * (b - a) / 8); };
+    curve.cost = friction.cost();
+    const T noise = 2 * unit_of<T>() * (harmonic_size + beta * friction.compliance(k).most());
+    const Maximum<T> found = global_maximum<T>(curve, T(0), pi<T>(), noise, nullptr, std::numeric_limits<T>::lowest(), error);
+    const auto is_negative = [&](const T& tau) { return motion_at(s, mass, k, tau).x < 0; };
+    return {found.instant, spread_of_phases(found.places, T(0), pi<T>(), found.instant, is_negative)};
+}
+
+template double instant_of_largest_demand_where_coupled(const ModeSums<double>&);
+template std::pair<double, double> instant_and_spread_where_coupled(const ModeSums<double>&, const double&, std::size_t,
+                                                                    const double&);
+template Real50 instant_of_largest_demand_where_coupled(const ModeSums<Real50>&);
+template std::pair<Real50, Real50> instant_and_spread_where_coupled(const ModeSums<Real50>&, const Real50&, std::size_t,
+                                                                    const Real50&);
+template Real100 instant_of_largest_demand_where_coupled(const ModeSums<Real100>&);
+template std::pair<Real100, Real100> instant_and_spread_where_coupled(const ModeSums<Real100>&, const Real100&, std::size_t,
+                                                                      const Real100&);
+
+} // namespace denhartog

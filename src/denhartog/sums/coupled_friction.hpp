@@ -1,0 +1,120 @@
+/// @file
+/// @brief The sliding motion of a system whose damping couples the modes: the share of friction, for any symmetric damping matrix.
+///
+/// Between two stops (12) is linear whatever its damping matrix is, and the friction force is constant. With
+/// \f$ \mathbf{M} = \mathbf{L}\mathbf{L}^T \f$, \f$ \mathbf{K} = \mathbf{G}\mathbf{G}^T \f$ and the energy coordinates
+/// \f$ \mathbf{s} = (\mathbf{G}^T\mathbf{x}/r,\ \mathbf{L}^T\mathbf{x}') \f$ the free motion obeys
+/// \f[ \mathbf{s}' = \mathbf{A}\mathbf{s}, \qquad \mathbf{A} = \frac{1}{r}\begin{pmatrix} \mathbf{0} & \mathbf{P}^T \\ -\mathbf{P} &
+///     -\mathbf{B} \end{pmatrix}, \qquad \mathbf{P} = \mathbf{L}^{-1}\mathbf{G}, \quad
+///     \mathbf{B} = \mathbf{L}^{-1}\mathbf{C}\mathbf{L}^{-T}, \f]
+/// and \f$ |\mathbf{s}| \f$ never grows, so that errors add up and do not multiply. A unit friction force that changes sign every half
+/// period moves the system by
+/// \f[ \mathbf{s}_F(\tau) = \mathbf{s}_0 - e^{\mathbf{A}\tau}\mathbf{c}, \qquad (\mathbf{1}+e^{\mathbf{A}\pi})\,\mathbf{c} =
+///     2\mathbf{s}_0, \f]
+/// where \f$ \mathbf{s}_0 \f$ is rest under the force: the only such motion that mirrors itself, (25). Of mass k it is what the sum over
+/// modes of the braces of (40) is where the modes are not coupled, and \f$ U_{dk} \f$, \f$ G_k \f$ are its velocity and its displacement
+/// at \f$ \tau = 0 \f$ with the other sign. All that the paper builds of V, U and G then holds as it stands.
+#pragma once
+
+#include <map>
+#include <vector>
+
+#include "denhartog/evaluation/mode_values.hpp"
+#include "denhartog/model/coupled_motion.hpp"
+#include "denhartog/number/bounded.hpp"
+#include "denhartog/sums/mode_sums.hpp"
+
+namespace denhartog {
+
+/// @brief \f$ e^{\mathbf{A}\tau}\mathbf{c} \f$ at an instant, and its first three derivatives.
+template <class T>
+using CoupledState = std::array<Column<T>, 4>;
+
+/// @brief Friction's share of the motion at one frequency ratio, where damping couples the modes. Not for two threads at once.
+template <class T>
+class CoupledFriction {
+public:
+    /// @param system  the system, in the paper's form, its damping given as a matrix
+    /// @param r       frequency ratio, Eq. (10); positive
+    /// @throws        DomainError at a pole: a motion without damping that mirrors itself every half-period;
+    ///                PrecisionError where the number type does not have the digits of its coordinates
+    CoupledFriction(const System<T>& system, const T& r);
+    /// @param other  the same in another number type, rounded to this one, the rounding in its bounds
+    template <class From>
+    explicit CoupledFriction(const CoupledFriction<From>& other);
+
+    /// @brief Number of coordinates. @return N
+    [[nodiscard]] std::size_t size() const { return static_cast<std::size_t>(A_.rows() / 2); }
+    /// @brief Operations that an instant costs. @return their number
+    [[nodiscard]] long cost() const { return cost_of_mode<T>() * (10 + A_.size() / 4); }
+    /// @brief The static compliance between a displacement and the contact. @param k a displacement @return its movement under a unit
+    /// force on the contact
+    [[nodiscard]] Bounded<T> compliance(std::size_t k) const { return along(displacement_, k, rest_, error_of_rest_); }
+    /// @brief \f$ \mathbf{w}^T\mathbf{M}^{-1}\mathbf{w}/r^2 \f$, which (65) is at the contact. @return the sum
+    [[nodiscard]] Bounded<T> inverse_inertia() const { return inverse_inertia_; }
+
+    /// @brief The free part of the motion at an instant. @param tau in [0, pi] @return valid until the next call
+    [[nodiscard]] const CoupledState<T>& at(const T& tau) const;
+    /// @brief A derivative of a displacement over the half-period. @param k a displacement @param order 1 to 3 @param s the free part
+    /// @return the derivative
+    [[nodiscard]] T derivative(std::size_t k, int order, const CoupledState<T>& s) const;
+    /// @brief A bound of a derivative of a displacement from an instant on. @param k a displacement @param order 1 to 3
+    /// @param s  the free part at the instant
+    /// @return   what the derivative does not exceed from there on
+    [[nodiscard]] T largest_derivative(std::size_t k, int order, const CoupledState<T>& s) const;
+    /// @brief How fast the sum of the third and the first derivative of a displacement changes at most from an instant on.
+    /// @param k  a displacement @param s the free part at the instant @return the bound
+    [[nodiscard]] T rate_of_demand(std::size_t k, const CoupledState<T>& s) const;
+
+    /// @brief Displacement, velocity and acceleration of a mass under the friction force alone. @param k a displacement
+    /// @param tau  instant in [0, pi]
+    /// @return     the motion, in the place of the sum over modes of the braces of (40)
+    [[nodiscard]] evaluation::FrictionMotion<T> motion(std::size_t k, const T& tau) const;
+    /// @brief The same with bounds. @param k a displacement @param tau instant in [0, pi] with its error @return the motion
+    [[nodiscard]] evaluation::FrictionMotion<Bounded<T>> motion(std::size_t k, const Bounded<T>& tau) const;
+
+private:
+    template <class>
+    friend class CoupledFriction;
+
+    // What tells displacements or velocities from half of the energy coordinates, a column a displacement, with its errors.
+    struct Rows {
+        Matrix<T> value, error;
+    };
+
+    void set_coordinates(const System<T>& system, const T& r);
+    void set_start();
+    void start();
+    [[nodiscard]] T error_at(const T& tau) const;
+    [[nodiscard]] Bounded<T> along(const Rows& rows, std::size_t k, const Column<T>& half, const T& error) const;
+
+    Matrix<T> A_;         // of the energy coordinates
+    T size_of_A_;         // its Frobenius norm
+    T error_of_A_;        // of its entries, in the same norm
+    Rows displacement_;   // from the first half
+    Rows velocity_;       // from the second
+    Column<T> rest_;      // first half of s_0
+    T error_of_rest_;     // in size
+    Column<T> c_;         // as above
+    T error_of_c_ = T(0); // in size
+    Bounded<T> inverse_inertia_;
+    mutable CoupledMotion<T> motion_;
+    mutable std::map<T, CoupledState<T>> known_;
+};
+
+/// @brief (57)'s expression summed over the contact, where damping couples the modes: what of X_j + beta G_j friction demands.
+/// @eq{56,57,71}
+/// @param friction  friction's share of the motion
+/// @param contact   the mass in contact
+/// @param tau       instant in [0, pi], the limits at both ends included
+/// @return          the sum
+template <class T, class Number>
+[[nodiscard]] Number coupled_demand(const CoupledFriction<T>& friction, Mass contact, const Number& tau) {
+    const evaluation::FrictionMotion<Number> now = friction.motion(contact.index, tau);
+    if (!(tau > Number(0))) return now.double_prime;
+    if (!(tau < pi<Number>())) return -now.double_prime;
+    const evaluation::FrictionMotion<Number> start = friction.motion(contact.index, Number(0));
+    return (now.prime - start.prime * cos(tau)) / sin(tau);
+}
+
+} // namespace denhartog

@@ -1,0 +1,83 @@
+#include "denhartog/sums/coupled_sums.hpp"
+
+#include "denhartog/model/coordinates.hpp"
+#include "denhartog/number/errors.hpp"
+#include "denhartog/number/multiprecision.hpp"
+
+namespace denhartog {
+namespace {
+
+// Complex responses of all displacements to a unit force on one coordinate, by the equations of motion taken as real ones of twice the
+// size; errors by what the solution leaves over.
+template <class T>
+class Responses {
+public:
+    Responses(const System<T>& s, const Bounded<T>& r)
+        : N_(static_cast<Eigen::Index>(number_of_masses(s))), coordinates_(s.coordinates), A_(2 * N_, 2 * N_),
+          size_(2 * N_, 2 * N_) {
+        const Matrix<T> M = r.x * r.x * mass_matrix(s), C = r.x * s.damping_matrix, K = stiffness_matrix(s), KM = K - M;
+        A_ << KM, -C, C, KM;
+        const Matrix<T> both = K.cwiseAbs() + M.cwiseAbs(), damping = C.cwiseAbs();
+        const T of_r = 2 * r.e / r.x;
+        error_ = Matrix<T>(2 * N_, 2 * N_);
+        const Matrix<T> of_both = of_r * M.cwiseAbs(), of_C = of_r * damping;
+        size_ << both, damping, damping, both;
+        error_ << of_both, of_C, of_C, of_both;
+        error_ += T(4 * static_cast<int>(N_ + 2) * unit_of<T>()) * size_;
+        const LinearSystem<T> system(A_);
+        if (!system.is_regular())
+            throw DomainError("the load excites a resonance without damping: the complex response (33) is infinite there");
+        inverse_ = system.inverse();
+    }
+
+    std::vector<Complex<Bounded<T>>> to(Mass force) const {
+        Column<T> b = Column<T>::Zero(2 * N_);
+        b(static_cast<Eigen::Index>(force.index)) = T(1);
+        const Column<T> X = inverse_.col(static_cast<Eigen::Index>(force.index));
+        const Column<T> left_over = (b - A_ * X).cwiseAbs() + error_ * X.cwiseAbs();
+        const Column<T> error = T(2) * (inverse_.cwiseAbs() * left_over + unit_of<T>() * X.cwiseAbs());
+        std::vector<Complex<Bounded<T>>> V;
+        for (Eigen::Index k = 0; k < N_; ++k) V.push_back({{X(k), error(k)}, {X(N_ + k), error(N_ + k)}});
+        for (Eigen::Index n = 0; n < coordinates_.displacements.rows(); ++n) {
+            Complex<Bounded<T>> sum{Bounded<T>(0), Bounded<T>(0)};
+            for (Eigen::Index k = 0; k < N_; ++k)
+                sum = sum + as_input(coordinates_.displacements(n, k)) * V[static_cast<std::size_t>(k)];
+            V.push_back(sum);
+        }
+        return V;
+    }
+
+private:
+    Eigen::Index N_;
+    const Coordinates<T>& coordinates_;
+    Matrix<T> A_, size_, error_, inverse_;
+};
+
+} // namespace
+
+template <class T>
+ModeSums<Bounded<T>> coupled_sums(const System<T>& system, const Bounded<T>& r) {
+    const auto friction = std::make_shared<const CoupledFriction<T>>(system, r.x);
+    const Responses<T> responses(system, r);
+    ModeSums<Bounded<T>> s;
+    s.r = r;
+    s.contact = system.contact;
+    s.load = system.load;
+    s.V = responses.to(system.load);
+    s.Y_jj = system.load == system.contact ? s.V[system.contact.index] : responses.to(system.contact)[system.contact.index];
+    for (std::size_t k = 0; k < s.V.size(); ++k) {
+        const evaluation::FrictionMotion<Bounded<T>> start = friction->motion(k, Bounded<T>(0));
+        s.U.push_back(-start.prime);
+        s.G.push_back(-start.value);
+        if (k == system.contact.index) s.H_j = start.double_prime - friction->inverse_inertia();
+    }
+    s.sum_of_squares = friction->inverse_inertia();
+    s.coupled = friction;
+    return s;
+}
+
+template ModeSums<Bounded<double>> coupled_sums(const System<double>&, const Bounded<double>&);
+template ModeSums<Bounded<Real50>> coupled_sums(const System<Real50>&, const Bounded<Real50>&);
+template ModeSums<Bounded<Real100>> coupled_sums(const System<Real100>&, const Bounded<Real100>&);
+
+} // namespace denhartog
