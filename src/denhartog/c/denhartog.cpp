@@ -10,6 +10,7 @@
 #include "denhartog/scene/limits.hpp"
 #include "denhartog/scene/point_rules.hpp"
 #include "denhartog/solve/quantities.hpp"
+#include "denhartog/version.hpp"
 
 using namespace denhartog;
 using namespace denhartog::c_interface;

@@ -119,7 +119,7 @@ typedef struct dh_mass {
     int moves;          ///< 0 where the mass does not move and has no phase
 } dh_mass;
 
-/// @brief Version of the library. @return a text such as `0.1.0`; it stays
+/// @brief Version of the library. @return a text such as `0.2.0`; it stays
 DH_EXPORT const char* dh_version(void) DH_NOEXCEPT;
 
 /// @brief Version of the ABI that the library has. @return #DH_ABI_VERSION of the header it was built with
@@ -315,6 +315,105 @@ DH_EXPORT int dh_solution_stops(const dh_solution* solution, size_t count, doubl
 /// @return          #DH_OK, #DH_ERROR_NULL, #DH_ERROR_SIZE, #DH_ERROR_DOMAIN, #DH_ERROR_PRECISION, #DH_ERROR_MEMORY
 DH_EXPORT int dh_solution_motion(const dh_solution* solution, size_t samples, size_t count, double* x,
                                  double* x_prime) DH_NOEXCEPT;
+
+/// @brief What became of a point of dh_map() or dh_solve_points().
+enum dh_point_status {
+    DH_POINT_ANSWERED = 0,      ///< all numbers are there
+    DH_POINT_ON_BOUNDARY = 1,   ///< they are there; beta equals a boundary to rounding, and the regime could be the neighbour
+    DH_POINT_NOT_CONVERGED = 2, ///< no steady motion was found
+    DH_POINT_AT_A_POLE = 3,     ///< a mode without damping resonates
+    DH_POINT_FAILED = 4         ///< the digits of the number types do not suffice, or the work allowed is spent
+};
+
+/// @brief Told how much of a call is done, by one thread at a time, which need not be the one that called.
+/// @param done     columns or points that are done
+/// @param all      of how many
+/// @param context  as given to the call
+/// @return         not 0 where the call is to end: it then returns #DH_ERROR_PRECISION, and no output is written
+typedef int (*dh_progress)(size_t done, size_t all, void* context);
+
+/// @brief A grid of points of one system.
+typedef struct dh_map_request {
+    size_t size;          ///< sizeof(dh_map_request), set by the caller
+    size_t r_count;       ///< number of frequency ratios
+    const double* r;      ///< frequency ratios, Eq. (10), positive
+    size_t beta_count;    ///< number of friction ratios
+    const double* beta;   ///< friction ratios, Eq. (11), not negative; ascending ones help each other
+    double mu;            ///< static over kinetic friction, Eq. (3), at least 1
+    int from_sliding;     ///< 0: where mu > 1, the motion from rest; else the sliding motion as far as it exists
+    size_t mass_count;    ///< masses whose amplitudes are wanted
+    const size_t* masses; ///< these masses, from 1 to N; null for all N, whatever `mass_count` says
+    unsigned threads;     ///< 0 for as many as the machine has; the numbers are the same for any
+    dh_progress progress; ///< told of columns; null: nobody
+    void* context;        ///< handed to it
+} dh_map_request;
+
+/// @brief Where the numbers of a map go. What is null is not asked for. Steps count elements, not bytes.
+typedef struct dh_map_result {
+    size_t size;                   ///< sizeof(dh_map_result), set by the caller
+    ptrdiff_t r_step;              ///< from a frequency ratio to the next, in the first four arrays
+    ptrdiff_t beta_step;           ///< from a friction ratio to the next, in the first four arrays
+    signed char* status;           ///< receives enum dh_point_status
+    signed char* regime;           ///< receives enum dh_regime; -1 where there are no numbers
+    int* stops;                    ///< receives the stops in a period of the motion; -1 where there are no numbers
+    int* periods;                  ///< receives that period, in periods of the force; -1 where there are no numbers
+    ptrdiff_t amplitude_r_step;    ///< from a frequency ratio to the next
+    ptrdiff_t amplitude_beta_step; ///< from a friction ratio to the next
+    ptrdiff_t mass_step;           ///< from a mass asked for to the next
+    double* amplitude;             ///< receives amplitudes in units of P / k_1; NaN where there are no numbers
+} dh_map_result;
+
+/// @brief Regime, amplitudes and stops over a grid: what `denhartog map` computes, to the last bit.
+///
+/// A point costs a few nanoseconds where the contact slides or rests and its amplitude alone is asked for, some ten microseconds
+/// where it sticks and slips. To 6 digits of every amplitude. What dh_set_effort() allows counts for a point; `cancelled` of it is
+/// not asked.
+/// @param system   a system
+/// @param request  its size set; the grid
+/// @param result   its size set; where the numbers go. Written once all are there
+/// @return         #DH_OK, #DH_ERROR_NULL, #DH_ERROR_SIZE, #DH_ERROR_INPUT, #DH_ERROR_PRECISION where `progress` ended it,
+///                 #DH_ERROR_MEMORY
+DH_EXPORT int dh_map(const dh_system* system, const dh_map_request* request, const dh_map_result* result) DH_NOEXCEPT;
+
+/// @brief Any points of one system.
+typedef struct dh_points_request {
+    size_t size;          ///< sizeof(dh_points_request), set by the caller
+    size_t count;         ///< number of points
+    const double* r;      ///< frequency ratios, Eq. (10), positive
+    ptrdiff_t r_step;     ///< elements from one to the next; 0 takes the first for all
+    const double* beta;   ///< friction ratios, Eq. (11), not negative
+    ptrdiff_t beta_step;  ///< elements from one to the next; 0 takes the first for all
+    double mu;            ///< static over kinetic friction, Eq. (3), at least 1
+    int digits;           ///< as of dh_solve()
+    size_t mass_count;    ///< masses whose numbers are wanted
+    const size_t* masses; ///< these masses, from 1 to N; null for all N, whatever `mass_count` says
+    unsigned threads;     ///< 0 for as many as the machine has; the numbers are the same for any
+    dh_progress progress; ///< told of points; null: nobody
+    void* context;        ///< handed to it
+} dh_points_request;
+
+/// @brief Where the numbers of points go. What is null is not asked for, and what is not asked for may make a point cheaper.
+typedef struct dh_points {
+    size_t size;           ///< sizeof(dh_points), set by the caller
+    ptrdiff_t step;        ///< elements from a point to the next, in the first four arrays
+    signed char* status;   ///< receives enum dh_point_status
+    signed char* regime;   ///< receives enum dh_regime; -1 where there are no numbers
+    int* stops;            ///< receives the stops in a period of the motion; -1 where there are no numbers
+    int* periods;          ///< receives that period, in periods of the force; -1 where there are no numbers
+    ptrdiff_t masses_step; ///< elements from a point to the next, in the arrays over masses
+    ptrdiff_t mass_step;   ///< from a mass asked for to the next
+    double* amplitude;     ///< receives amplitudes in units of P / k_1; NaN where there are no numbers
+    double* error;         ///< receives bounds of their errors
+    double* phase;         ///< receives phases in (-pi, pi]; NaN where a mass does not move or there are no numbers
+    double* phase_error;   ///< receives bounds of their errors
+} dh_points;
+
+/// @brief The steady motions at any points, as dh_solve() has them one by one.
+/// @param system   a system
+/// @param request  its size set; the points
+/// @param points   its size set; where the numbers go. Written once all are there
+/// @return         as dh_map()
+DH_EXPORT int dh_solve_points(const dh_system* system, const dh_points_request* request, const dh_points* points) DH_NOEXCEPT;
 
 /// @brief Any quantity of docs/protocol.md by its name there, with the conventions of that page; the regime as enum dh_regime.
 ///

@@ -52,18 +52,12 @@ inline Allowance& allowance() noexcept {
     return of_thread;
 }
 
-/// @brief Runs the body of a function.
+/// @brief Runs the body of a function that asks many questions, each with an effort of its own.
 /// @param body  called once
 /// @return      DH_OK, or the code of what it threw, whose text is kept
 template <class Body>
-int guarded(Body&& body) noexcept {
+int guarded_without_effort(Body&& body) noexcept {
     try {
-        const Allowance& allowed = allowance();
-        std::optional<QuestionEffort> effort;
-        if (allowed.cancelled != nullptr)
-            effort.emplace(0, allowed.operations, [&allowed] { return allowed.cancelled(allowed.context) != 0; });
-        else if (allowed.operations)
-            effort.emplace(0, allowed.operations);
         body();
         return DH_OK;
     } catch (const CallError& e) {
@@ -83,6 +77,22 @@ int guarded(Body&& body) noexcept {
     } catch (...) {
         return fault(DH_ERROR_INTERNAL, in_own_words(std::exception()));
     }
+}
+
+/// @brief Runs the body of a function, within the effort that the calling thread allows.
+/// @param body  called once
+/// @return      DH_OK, or the code of what it threw, whose text is kept
+template <class Body>
+int guarded(Body&& body) noexcept {
+    return guarded_without_effort([&body] {
+        const Allowance& allowed = allowance();
+        std::optional<QuestionEffort> effort;
+        if (allowed.cancelled != nullptr)
+            effort.emplace(0, allowed.operations, [&allowed] { return allowed.cancelled(allowed.context) != 0; });
+        else if (allowed.operations)
+            effort.emplace(0, allowed.operations);
+        body();
+    });
 }
 
 /// @brief Checks a pointer. @param pointer it @param name its name in the header @throws CallError where it is null

@@ -1,0 +1,199 @@
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <limits>
+#include <mutex>
+#include <thread>
+
+#include "denhartog/c/denhartog.h"
+#include "denhartog/c/handles.hpp"
+#include "denhartog/map/regime_map.hpp"
+#include "denhartog/number/number_text.hpp"
+#include "denhartog/number/parallel.hpp"
+#include "denhartog/scene/point_rules.hpp"
+
+using namespace denhartog;
+using namespace denhartog::c_interface;
+
+namespace {
+
+constexpr std::size_t points_at_a_time = 16; // between two reports
+constexpr std::size_t most_points_of_a_call = std::size_t(1) << 40;
+
+unsigned threads_of(unsigned asked) { return asked != 0 ? asked : std::max(1U, std::thread::hardware_concurrency()); }
+
+// The thread that calls is told of progress, or another; never two at the same time.
+class Progress {
+public:
+    Progress(dh_progress report, void* context, std::size_t all) : report_(report), context_(context), all_(all) {}
+
+    void add(std::size_t done) {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        tell(done_ + done);
+    }
+    void tell(std::size_t done) {
+        done_ = done;
+        if (report_ != nullptr && !stop && report_(done_, all_, context_) != 0) stop = true;
+    }
+
+    std::atomic<bool> stop{false};
+
+private:
+    dh_progress report_;
+    void* context_;
+    std::size_t all_, done_ = 0;
+    std::mutex mutex_;
+};
+
+void need_complete(bool complete) {
+    if (!complete) throw PrecisionError("cancelled: no output is written");
+}
+
+std::vector<Mass> masses_from(std::size_t count, const size_t* masses, std::size_t N) {
+    std::vector<Mass> list;
+    for (std::size_t n = 0; masses != nullptr && n < count; ++n) list.push_back(mass_from(masses[n], N, "masses"));
+    for (std::size_t k = 0; masses == nullptr && k < N; ++k) list.push_back(Mass{k});
+    return list;
+}
+
+bool has_numbers(PointStatus status) { return status == PointStatus::answered || status == PointStatus::on_boundary; }
+
+// What is common to a point of a map and one by itself; arrays that were not asked for are null.
+void write_point(const MapPoint& p, std::ptrdiff_t at, signed char* status, signed char* regime, int* stops, int* periods) {
+    const bool known = has_numbers(p.status);
+    if (status != nullptr) status[at] = static_cast<signed char>(p.status);
+    if (regime != nullptr) regime[at] = static_cast<signed char>(known ? static_cast<int>(p.regime) : -1);
+    if (stops != nullptr) stops[at] = known ? p.stops : -1;
+    if (periods != nullptr) periods[at] = known ? p.periods : -1;
+}
+
+// One point by itself, with its numbers for every mass that is listed.
+struct PointAnswer {
+    MapPoint point;
+    std::vector<SolvedMass> masses;
+};
+
+PointAnswer answer_at(const PreparedSystem& prepared, double r, double beta, const Question& question,
+                      const std::vector<Mass>& masses, const Allowance& allowed) {
+    PointAnswer answer;
+    try {
+        std::optional<QuestionEffort> effort;
+        if (allowed.operations) effort.emplace(0, allowed.operations);
+        const Solution s = solve(prepared, r, beta, question);
+        answer.point = {s.regime.on_boundary ? PointStatus::on_boundary : PointStatus::answered, s.regime.regime,
+                        static_cast<std::int32_t>(s.stops.size()), s.periods};
+        for (const Mass k : masses) answer.masses.push_back(mass_of(s, k));
+    } catch (const DomainError&) {
+        answer.point.status = PointStatus::at_a_pole;
+    } catch (const PrecisionError&) {
+        answer.point.status = PointStatus::failed;
+    }
+    return answer;
+}
+
+void write_masses(const PointAnswer& answer, std::size_t masses, std::ptrdiff_t at, const dh_points& out) {
+    const double none = std::numeric_limits<double>::quiet_NaN();
+    for (std::size_t m = 0; m < masses; ++m) {
+        const std::ptrdiff_t place = at + static_cast<std::ptrdiff_t>(m) * out.mass_step;
+        const SolvedMass* mass = m < answer.masses.size() ? &answer.masses[m] : nullptr;
+        const bool moves = mass != nullptr && mass->phase;
+        if (out.amplitude != nullptr) out.amplitude[place] = mass != nullptr ? mass->amplitude.value : none;
+        if (out.error != nullptr) out.error[place] = mass != nullptr ? error_of_displacements(*mass) : none;
+        if (out.phase != nullptr) out.phase[place] = moves ? mass->phase->value : none;
+        if (out.phase_error != nullptr) out.phase_error[place] = moves ? mass->phase->error : none;
+    }
+}
+
+void check_points(std::size_t count, const double* r, std::ptrdiff_t r_step, const double* beta, std::ptrdiff_t beta_step) {
+    for (std::size_t n = 0; n < count; ++n) {
+        check_frequency_ratio(r[static_cast<std::ptrdiff_t>(n) * r_step]);
+        check_friction_ratio(beta[static_cast<std::ptrdiff_t>(n) * beta_step]);
+    }
+}
+
+} // namespace
+
+extern "C" {
+
+int dh_map(const dh_system* system, const dh_map_request* request, const dh_map_result* result) noexcept {
+    return guarded_without_effort([&] {
+        need(system, "system");
+        need_struct(request, "request");
+        need_struct(result, "result");
+        need_length(request->r_count, most_points_of_a_call, "request->r_count");
+        need_length(request->beta_count, most_points_of_a_call, "request->beta_count");
+        need(request->r, "request->r");
+        need(request->beta, "request->beta");
+        check_static_friction(request->mu);
+        Scene<double> scene = system->prepared.scene;
+        scene.mu = request->mu;
+        MapRequest map_request;
+        map_request.r.assign(request->r, request->r + request->r_count);
+        map_request.beta.assign(request->beta, request->beta + request->beta_count);
+        map_request.masses = masses_from(request->mass_count, request->masses, number_of_masses(scene.system));
+        map_request.start = request->from_sliding != 0 ? MapStart::sliding : MapStart::rest;
+        map_request.threads = threads_of(request->threads);
+        map_request.effort = allowance().operations;
+        Progress progress(request->progress, request->context, request->r_count);
+        const RegimeMap map = regime_map(scene, map_request, progress.stop, [&](std::size_t done) { progress.tell(done); });
+        need_complete(map.complete);
+        const std::size_t masses = map_request.masses.size();
+        for (std::size_t m = 0, point = 0; m < request->r_count; ++m)
+            for (std::size_t n = 0; n < request->beta_count; ++n, ++point) {
+                const auto column = static_cast<std::ptrdiff_t>(m), row = static_cast<std::ptrdiff_t>(n);
+                write_point(map.points[point], column * result->r_step + row * result->beta_step, result->status, result->regime,
+                            result->stops, result->periods);
+                double* amplitude = result->amplitude;
+                if (amplitude == nullptr) continue;
+                amplitude += column * result->amplitude_r_step + row * result->amplitude_beta_step;
+                for (std::size_t k = 0; k < masses; ++k)
+                    amplitude[static_cast<std::ptrdiff_t>(k) * result->mass_step] = map.amplitudes[point * masses + k];
+            }
+    });
+}
+
+int dh_solve_points(const dh_system* system, const dh_points_request* request, const dh_points* points) noexcept {
+    return guarded_without_effort([&] {
+        need(system, "system");
+        need_struct(request, "request");
+        need_struct(points, "points");
+        need_length(request->count, most_points_of_a_call, "request->count");
+        need(request->r, "request->r");
+        need(request->beta, "request->beta");
+        check_static_friction(request->mu);
+        check_points(request->count, request->r, request->r_step, request->beta, request->beta_step);
+        if (request->digits < 0 || request->digits > most_digits_of_a_double)
+            throw InputError("digits", "must be from 0 to " + std::to_string(most_digits_of_a_double),
+                             std::to_string(request->digits));
+        Question question{points->phase != nullptr || points->phase_error != nullptr ? Asked::phase : Asked::amplitude, {}};
+        if (request->digits > 0) question.digits = request->digits;
+        const std::vector<Mass> masses =
+            masses_from(request->mass_count, request->masses, number_of_masses(system->prepared.scene.system));
+        if (masses.size() == 1) question.mass = masses.front();
+        const PreparedSystem prepared =
+            prepare(with_static_friction(system->prepared.source, request->mu), question, Prepared::every_regime);
+        const Allowance allowed = allowance();
+        Progress progress(request->progress, request->context, request->count);
+        std::vector<PointAnswer> answers(request->count);
+        const std::size_t pieces = (request->count + points_at_a_time - 1) / points_at_a_time;
+        parallel_for(pieces, threads_of(request->threads), [&](std::size_t piece) {
+            const std::size_t from = piece * points_at_a_time, to = std::min(from + points_at_a_time, request->count);
+            for (std::size_t n = from; n < to && !progress.stop; ++n) {
+                const auto at = static_cast<std::ptrdiff_t>(n);
+                answers[n] = answer_at(prepared, request->r[at * request->r_step], request->beta[at * request->beta_step],
+                                       question, masses, allowed);
+            }
+            progress.add(to - from);
+            return !progress.stop;
+        });
+        need_complete(!progress.stop);
+        for (std::size_t n = 0; n < request->count; ++n) {
+            const auto at = static_cast<std::ptrdiff_t>(n);
+            write_point(answers[n].point, at * points->step, points->status, points->regime, points->stops, points->periods);
+            write_masses(answers[n], masses.size(), at * points->masses_step, *points);
+        }
+    });
+}
+
+} // extern "C"
