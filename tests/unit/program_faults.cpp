@@ -144,6 +144,7 @@ TEST_CASE("help and version are everywhere", "[program]") {
     const Run version = run_program("--version");
     CHECK(version.status == 0);
     CHECK(version.output.find("denhartog ") == 0);
+    CHECK(version.output.find("built by ") != std::string::npos);
 }
 
 TEST_CASE("at a pole of a mode without damping the fault is the scene's r", "[program][domain]") {

@@ -6,15 +6,22 @@
 #include "denhartog/number/errors.hpp"
 #include "denhartog/program/commands/commands.hpp"
 #include "denhartog/program/files.hpp"
+#include "denhartog/version.hpp"
 
 namespace {
 
 using denhartog::program::ExitStatus;
 using denhartog::program::report;
 
+std::string version_text() {
+    const std::string commit = DENHARTOG_COMMIT;
+    return "denhartog " DENHARTOG_VERSION "\n" + (commit.empty() ? "" : "commit " + commit + ", ") +
+           "built by " DENHARTOG_COMPILER;
+}
+
 int run(int argc, char** argv, ExitStatus& status) {
     CLI::App app{"Steady forced vibration of damped mass-spring systems with a Coulomb contact", "denhartog"};
-    app.set_version_flag("--version", "denhartog " DENHARTOG_VERSION, "Print the version and exit");
+    app.set_version_flag("--version", version_text(), "Print the version, the commit and the compiler, and exit");
     app.require_subcommand(1);
     app.footer("Exit status: 0 answered; 1 an implementation under test does not conform; 2 bad input or usage;\n"
                "3 could not compute to the digits asked for, or a program under test broke.\n"
@@ -29,6 +36,7 @@ int run(int argc, char** argv, ExitStatus& status) {
     denhartog::program::add_equations_command(app);
     denhartog::program::add_derive_command(app);
     denhartog::program::add_conform_command(app, status, {argv, argv + argc});
+    denhartog::program::add_describe_command(app);
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& help_or_version) {

@@ -58,6 +58,9 @@ void add_equations_command(CLI::App& app);
 /// @throws     InputError from its callback, for what is asked for wrongly or cannot be read
 void add_derive_command(CLI::App& app);
 
+/// @brief `denhartog describe`: the manual page and the completion of bash, for the build. @param app the program
+void add_describe_command(CLI::App& app);
+
 /// @brief `denhartog conform`: another implementation, tested against the certified vectors.
 /// @param app        the program
 /// @param status     where faults are noted

@@ -7,6 +7,7 @@
 #include "denhartog/ledger/derivation_record.hpp"
 #include "denhartog/ledger/ledger.hpp"
 #include "denhartog/program/files.hpp"
+#include "denhartog/program/installed.hpp"
 
 namespace denhartog::program {
 
@@ -23,7 +24,7 @@ void answer(const DeriveOptions& options) {
     const std::string equation = options.equation.empty() ? "" : ledger::asked_equation(options.equation);
     const char* environment = std::getenv("DENHARTOG_DERIVATION");
     const ledger::Json record =
-        ledger::read_derivation(options.file, environment == nullptr ? "" : environment, DENHARTOG_DERIVATION_FILE);
+        ledger::read_derivation(options.file, environment == nullptr ? "" : environment, derivation_file("derivation.json"));
     const ledger::Json claims = ledger::entries_of(record, equation);
     if (options.json)
         write_standard_output(claims.dump(2) + "\n");

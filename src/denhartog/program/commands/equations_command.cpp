@@ -8,6 +8,7 @@
 #include "denhartog/number/errors.hpp"
 #include "denhartog/program/exit_status.hpp"
 #include "denhartog/program/files.hpp"
+#include "denhartog/program/installed.hpp"
 
 namespace denhartog::program {
 
@@ -23,7 +24,7 @@ void answer(const EquationsOptions& options) {
     const std::string equation = options.equation.empty() ? "" : ledger::asked_equation(options.equation);
     const char* environment = std::getenv("DENHARTOG_LEDGER");
     const ledger::Ledger found = ledger::read_ledger(
-        {options.file, environment == nullptr ? "" : environment, DENHARTOG_LEDGER_FILE, DENHARTOG_EQUATIONS_FILE});
+        {options.file, environment == nullptr ? "" : environment, derivation_file("ledger.json"), equations_file()});
     const ledger::Json entries = ledger::entries_of(found.entries, equation);
     if (!equation.empty() && entries.empty()) throw InputError("the ledger", "must have the equation", equation, found.file);
     if (!found.of_a_run) report("no derivation has been run here, so every verdict is unknown; run ./verify paper");

@@ -15,6 +15,7 @@
 #include "denhartog/program/conform/number.hpp"
 #include "denhartog/program/conform/run.hpp"
 #include "denhartog/program/files.hpp"
+#include "denhartog/program/installed.hpp"
 #include "denhartog/program/table.hpp"
 
 namespace denhartog::program {
@@ -100,7 +101,7 @@ void add_show(CLI::App& conform) {
     const auto options = std::make_shared<SelectionOptions>();
     const auto id = std::make_shared<std::string>();
     command->add_option("ID", *id, "id of the vector")->required();
-    options->vectors = DENHARTOG_VECTORS;
+    options->vectors = vectors_folder();
     command->add_option("--vectors", options->vectors, "folder with the vectors, files *.jsonl")->capture_default_str();
     command->callback([options, id] { show(*options, *id); });
 }

@@ -9,6 +9,7 @@
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/legible.hpp"
 #include "denhartog/number/number_text.hpp"
+#include "denhartog/program/installed.hpp"
 
 namespace denhartog::program {
 namespace {
@@ -40,7 +41,7 @@ bool is_wanted(const std::vector<std::string>& wanted, const std::string& name) 
 } // namespace
 
 void add_selection_options(CLI::App& command, SelectionOptions& options) {
-    options.vectors = DENHARTOG_VECTORS;
+    options.vectors = vectors_folder();
     command.add_option("--vectors", options.vectors, "folder with the vectors, files *.jsonl")->capture_default_str();
     command.add_option("--filter", options.filter, "regular expression that the ids have to match somewhere");
     command.add_option("--group", options.groups, "groups, separated by commas; default all")

@@ -8,6 +8,7 @@
 #include "denhartog/program/conform/report.hpp"
 #include "denhartog/program/conform/run.hpp"
 #include "denhartog/program/files.hpp"
+#include "denhartog/program/installed.hpp"
 
 namespace denhartog::program {
 namespace {
@@ -20,15 +21,9 @@ const Vector& vector_named(const std::string& id, const std::vector<Vector>& all
     throw InputError("id", "must be a vector's", legible(id));
 }
 
-std::string this_program() {
-    std::error_code fault;
-    const std::filesystem::path path = std::filesystem::read_symlink("/proc/self/exe", fault);
-    return fault ? "denhartog" : path.string();
-}
-
 std::string runner_command(const ConformOptions& options) {
     std::vector<std::string> words{this_program(), "conform", "run"};
-    if (options.selection.vectors != DENHARTOG_VECTORS) words.insert(words.end(), {"--vectors", options.selection.vectors});
+    if (options.selection.vectors != vectors_folder()) words.insert(words.end(), {"--vectors", options.selection.vectors});
     if (options.method != conformance::methods().front().name) words.insert(words.end(), {"--method", options.method});
     words.insert(words.end(), {"--filter", "^" + options.repro + "$", "--verbose", "--"});
     words.insert(words.end(), options.command.begin(), options.command.end());
