@@ -33,11 +33,6 @@ std::string largest(const json& record, const char* kind) {
     return digits(std::ranges::max(agreements, {}, [kind](const json& a) { return a.at(kind).get<double>(); }).at(kind));
 }
 
-std::string link(const json& record, const std::string& pictures) {
-    const std::string name = record.at("name");
-    return "[" + name + "](" + pictures + "/" + name + ".svg)";
-}
-
 /// Whether a statement is not borne out by a number of ours that stands for a vague word of the text.
 bool not_to_measure(const json& statement) {
     return !statement.at("borne_out").get<bool>() && !statement.value("measure", "").empty();
@@ -104,12 +99,12 @@ std::vector<std::string> add_figures(json& entries, const std::vector<json>& rec
     return faults;
 }
 
-std::string figures_table(const std::vector<json>& records, const std::string& pictures) {
+std::string figures_table(const std::vector<json>& records) {
     std::string paper =
         "| figure | shows | markers off the lines: largest median | worst | statements borne out |\n|---|---|---|---|---|\n";
     std::string beyond = "| beyond the paper | shows | statements that hold |\n|---|---|---|\n";
     for (const json& record : records) {
-        const std::string begin = "| " + link(record, pictures) + " | " + cell(record.at("title")) + " | ";
+        const std::string begin = "| " + record.at("name").get<std::string>() + " | " + cell(record.at("title")) + " | ";
         if (of_the_paper(record))
             paper += begin + largest(record, "median") + " | " + largest(record, "worst") + " | " + borne_out(record) + " |\n";
         else

@@ -21,9 +21,8 @@ namespace denhartog::derivation {
 /// @return         a sentence for each figure that names an equation the ledger does not have
 [[nodiscard]] std::vector<std::string> add_figures(nlohmann::json& entries, const std::vector<nlohmann::json>& records);
 
-/// @brief The figures in a table: picture, markers against lines, statements borne out. @param records the records
-/// @param pictures  where the pictures are, as a link has it @return Markdown
-[[nodiscard]] std::string figures_table(const std::vector<nlohmann::json>& records, const std::string& pictures);
+/// @brief The figures in a table: name, markers against lines, statements borne out. @param records the records @return Markdown
+[[nodiscard]] std::string figures_table(const std::vector<nlohmann::json>& records);
 
 /// @brief All that the records say, a section a figure. @param records the records
 /// @param pictures  where the pictures are, as a link has it @return Markdown

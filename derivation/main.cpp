@@ -71,6 +71,7 @@ ReportParts join(const fs::path& folder, const fs::path& source, const fs::path&
     write(folder / "statements.json", report.statements.dump(1) + "\n");
     write(folder / "report.md", report_markdown(report));
     write(folder / "status.md", status_markdown(report));
+    write(folder / "found.md", found_markdown(report));
     const std::vector<AuditRow> audit = audit_of(report.entries);
     write(folder / "audit.md", audit_summary(audit) + "\n\n" + audit_markdown(audit));
     std::cout << summary_text(report) << "The report is in " << (folder / "report.md").string() << "\n";
@@ -111,14 +112,15 @@ std::string shown(const fs::path& program, const std::string& arguments, const f
     return "```\n$ build/verify/bin/denhartog " + arguments + " " + scene + "\n" + answer + "```\n";
 }
 
-/// README with what the last run found, what the program answers to the examples, and what the figures show.
-std::string refreshed(const std::string& text, const fs::path& folder, const fs::path& program, const fs::path& source,
-                      const std::vector<json>& figures) {
-    const std::string with_status = with_block(text, "status", read(folder / "status.md"));
-    const std::string with_example = with_block(with_status, "example", shown(program, "response", source, "docs/example.json"));
-    const std::string with_stops =
-        with_block(with_example, "stick-slip", shown(program, "solve", source, "docs/example_stick_slip.json"));
-    return with_block(with_stops, "figures", figures_table(figures, pictures));
+/// README with what the last run found first and what the program answers to the example.
+std::string refreshed_readme(const std::string& text, const fs::path& folder, const fs::path& program, const fs::path& source) {
+    const std::string with_found = with_block(text, "found", read(folder / "found.md"));
+    return with_block(with_found, "example", shown(program, "solve", source, "docs/example.json"));
+}
+
+/// The page of what was found, with the counts of the last run and what the figures show.
+std::string refreshed_page(const std::string& text, const fs::path& folder, const std::vector<json>& figures) {
+    return with_block(with_block(text, "status", read(folder / "status.md")), "figures", figures_table(figures));
 }
 
 /// Writes a file anew, or says whether it is up to date.
@@ -143,7 +145,8 @@ int main(int argc, char** argv) {
         app.add_subcommand("run", "decide every claim, try its mutated twins, compare with the second witness");
     CLI::App* join_command = app.add_subcommand("join", "join the ledger again, with the results of the tests");
     CLI::App* status_command = app.add_subcommand(
-        "status", "put the counts of the last run, the answers to the examples and the figures' numbers into both READMEs");
+        "status",
+        "put what the last run found, the answer to the example and the figures' numbers into the READMEs and the page");
     for (CLI::App* command : {run_command, join_command, status_command}) {
         command->add_option("--output", folder, "folder of the run")->required();
         command->add_option("--figures", figures, "folder with the records of the figures");
@@ -153,7 +156,7 @@ int main(int argc, char** argv) {
         command->add_option("--test-results", results, "folder with the XML results of the tests");
     }
     run_command->add_option("--proofs", proofs, "what the program `proofs` has decided already");
-    status_command->add_option("--readme", readme, "the file with the marks of the status and of the example")->required();
+    status_command->add_option("--readme", readme, "the file with the marks of what was found and of the example")->required();
     status_command->add_option("--program", program, "the program denhartog")->required();
     status_command->add_flag("--check", check, "say whether it is up to date, and change nothing");
     try {
@@ -165,8 +168,10 @@ int main(int argc, char** argv) {
         if (*status_command) {
             const std::vector<json> records = figure_records(figures);
             const fs::path of_figures = fs::path(source) / "paper-figures/README.md";
-            const std::string text = read(readme), text_of_figures = read(of_figures);
-            const bool fresh = refresh(readme, text, refreshed(text, folder, program, source, records), check);
+            const fs::path of_findings = fs::path(source) / "docs/what-was-found.md";
+            const std::string text = read(readme), text_of_figures = read(of_figures), text_of_findings = read(of_findings);
+            bool fresh = refresh(readme, text, refreshed_readme(text, folder, program, source), check);
+            fresh = refresh(of_findings, text_of_findings, refreshed_page(text_of_findings, folder, records), check) && fresh;
             const std::string now = with_block(text_of_figures, "figures", figures_markdown(records, "../" + pictures));
             return refresh(of_figures, text_of_figures, now, check) && fresh ? 0 : 1;
         }

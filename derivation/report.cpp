@@ -24,6 +24,12 @@ std::string scientific(double x) {
     return out.str();
 }
 
+std::string three_digits(double x) {
+    std::ostringstream out;
+    out << std::setprecision(3) << x;
+    return out.str();
+}
+
 /// Whole digits on which two routes agree.
 int digits(double error) { return error > 0 ? static_cast<int>(std::floor(-std::log10(error))) : 99; }
 
@@ -241,6 +247,33 @@ std::string status_markdown(const ReportParts& p) {
     }
     out << " |\n| closed form against second witness | " << scenes << " of the paper's scenes: " << digits(in_double)
         << " digits in double, " << digits(in_50) << " in 50 digits |\n";
+    return out.str();
+}
+
+std::string found_markdown(const ReportParts& p) {
+    std::vector<json> refuted;
+    json example;
+    for (const json& entry : p.entries) {
+        if (entry.at("equation") == "86") example = entry;
+        if (entry.at("printed") == "refuted" && entry.contains("scene") && entry.at("scene").contains("loss"))
+            refuted.push_back(entry);
+    }
+    const auto loss_of = [](const json& entry) { return entry.at("scene").at("loss").get<double>(); };
+    std::ranges::sort(refuted, [&](const json& a, const json& b) { return loss_of(a) > loss_of(b); });
+    const auto percent = [](double loss) { return std::to_string(std::lround(100 * loss)) + " %"; };
+    std::ostringstream out;
+    out << "Of " << p.summary.at("equations") << " numbered equations " << p.summary.at("refuted").size()
+        << " do not hold as printed, and " << p.summary.at("illegible").size()
+        << " more are illegible in the text at hand. One of them:\n\n";
+    const json& scene = example.at("scene");
+    out << "| (86) as printed | corrected, and proved | on a scene with mu = 2 |\n|---|---|---|\n| $"
+        << example.at("statement").get<std::string>() << "$ | $" << example.at("correction").get<std::string>() << "$ | "
+        << three_digits(scene.at("printed")) << " in place of " << three_digits(scene.at("holds")) << ": off by "
+        << percent(loss_of(example)) << " |\n\nThe costliest on actual systems:";
+    for (std::size_t n = 0; n < std::min<std::size_t>(5, refuted.size()); ++n)
+        out << (n == 0 ? " " : ", ") << "(" << refuted[n].at("equation").get<std::string>() << ") "
+            << percent(loss_of(refuted[n]));
+    out << ".\n";
     return out.str();
 }
 

@@ -28,6 +28,11 @@ struct ReportParts {
 /// @brief The status for README: counts and digits, nothing that changes from run to run. @param parts the parts @return lines
 [[nodiscard]] std::string status_markdown(const ReportParts& parts);
 
+/// @brief What a reader wants to know first: how many equations do not hold, one of them side by side, the costliest.
+/// @param p  the parts of the report
+/// @return   Markdown, written by every run
+[[nodiscard]] std::string found_markdown(const ReportParts& p);
+
 /// @brief Puts content between the two marks `<!-- NAME -->` and `<!-- /NAME -->` of a text.
 /// @param text     the text
 /// @param name     the name of the marks

@@ -2,7 +2,7 @@
 # derivation refutes (as_printed.hpp) is included by the conformance kit, which has to know it, and by nothing else that is shipped.
 # The rooms from the bottom to the top; those of one line know nothing of each other.
 set(rank 0)
-foreach(rooms number formulas evaluation scene model sums sliding stick_slip paper_algorithm answer "solve;ledger" map denhartog "c;conformance" program)
+foreach(rooms version number formulas evaluation scene model sums sliding stick_slip paper_algorithm answer "solve;ledger" map denhartog "c;conformance" program)
   math(EXPR rank "${rank} + 1")
   foreach(room IN LISTS rooms)
     set(rank_of_${room} ${rank})
@@ -10,7 +10,7 @@ foreach(rooms number formulas evaluation scene model sums sliding stick_slip pap
 endforeach()
 
 function(room_of path out)
-  if(path MATCHES "^(conformance)/|^denhartog/([a-z_]+)/|^denhartog/(denhartog)\\.[ch]pp$")
+  if(path MATCHES "^(conformance)/|^denhartog/([a-z_]+)/|^denhartog/(denhartog|version)\\.[ch]pp$")
     set(room "${CMAKE_MATCH_1}${CMAKE_MATCH_2}${CMAKE_MATCH_3}")
     if(NOT DEFINED rank_of_${room})
       message(FATAL_ERROR "${path}: the room ${room} has no place in the order")

@@ -1,0 +1,287 @@
+/// @file
+/// @brief The library from Octave and MATLAB: one MEX function over the C interface.
+///
+/// Users call the .m files next to it. The first argument is a command, the second the text of a scene in JSON, then numbers:
+///
+///     version
+///     natural_frequencies  scene
+///     boundary             scene, r, mu
+///     solve                scene, r, beta, mu, digits
+///     motion               scene, r, beta, mu, samples
+///     map                  scene, r, beta, mu, masses
+///
+/// Each but `version` returns a struct. Regimes and states of points are the numbers of the C interface.
+#include <denhartog.h>
+#include <math.h>
+#include <string.h>
+
+#include "mex.h"
+
+// What a call holds. An error leaves a call by a jump, and so does an allocation that fails: release() comes first,
+// or at the latest with the next call.
+static dh_system* held_system = NULL;
+static dh_solution* held_solution = NULL;
+
+static void release(void) {
+    dh_solution_destroy(held_solution);
+    dh_system_destroy(held_system);
+    held_solution = NULL;
+    held_system = NULL;
+}
+
+static void fail(const char* identifier, const char* message) {
+    release();
+    mexErrMsgIdAndTxt(identifier, "%s", message);
+}
+
+static const char* identifier_of(int status) {
+    switch (status) {
+    case DH_ERROR_NULL: return "denhartog:null";
+    case DH_ERROR_SIZE: return "denhartog:size";
+    case DH_ERROR_INPUT: return "denhartog:input";
+    case DH_ERROR_DOMAIN: return "denhartog:domain";
+    case DH_ERROR_PRECISION: return "denhartog:precision";
+    case DH_ERROR_MEMORY: return "denhartog:memory";
+    default: return "denhartog:internal";
+    }
+}
+
+static void need(int status) {
+    if (status != DH_OK) fail(identifier_of(status), dh_last_message());
+}
+
+/// Numbers of an argument, which stay the caller's.
+typedef struct Numbers {
+    size_t count;
+    const double* values;
+} Numbers;
+
+static Numbers numbers(const mxArray* argument, const char* fault) {
+    Numbers found = {0, NULL};
+    if (!mxIsDouble(argument) || mxIsComplex(argument) || mxIsSparse(argument)) fail("denhartog:input", fault);
+    found.count = mxGetNumberOfElements(argument);
+    found.values = (const double*)mxGetData(argument);
+    return found;
+}
+
+static double number(const mxArray* argument, const char* fault) {
+    const Numbers found = numbers(argument, fault);
+    if (found.count != 1) fail("denhartog:input", fault);
+    return found.values[0];
+}
+
+static int whole_number(double x, double least, double most) { return x >= least && x <= most && x == floor(x); }
+
+/// A field of a struct, filled with zeros; gives where its values go, column by column.
+static void* field(mxArray* result, const char* name, mxClassID type, size_t rows, size_t columns) {
+    mxArray* values = mxCreateNumericMatrix(rows, columns, type, mxREAL);
+    mxSetFieldByNumber(result, 0, mxAddField(result, name), values);
+    return mxGetData(values);
+}
+
+static double* doubles(mxArray* result, const char* name, size_t rows, size_t columns) {
+    return (double*)field(result, name, mxDOUBLE_CLASS, rows, columns);
+}
+
+static mxArray* empty_struct(void) { return mxCreateStructMatrix(1, 1, 0, NULL); }
+
+/// Prepares the system of a scene. Gives its number of masses.
+static size_t hold_system(const mxArray* scene) {
+    size_t N = 0;
+    int status;
+    char* text = mxIsChar(scene) ? mxArrayToString(scene) : NULL;
+    if (!text) fail("denhartog:input", "the scene must be text in JSON; denhartog_json makes it of a struct");
+    if (strlen(text) < mxGetNumberOfElements(scene)) fail("denhartog:input", "the text of the scene has a zero character");
+    status = dh_system_from_json(text, strlen(text), &held_system);
+    mxFree(text);
+    need(status);
+    need(dh_system_masses(held_system, &N, NULL, NULL));
+    return N;
+}
+
+static mxArray* natural_frequencies(size_t N, const mxArray* const* arguments) {
+    (void)arguments;
+    mxArray* result = empty_struct();
+    double* r_n = doubles(result, "r_n", 1, N);
+    need(dh_natural_frequency_ratios(held_system, N, r_n, doubles(result, "zeta", 1, N)));
+    return result;
+}
+
+/// One frequency ratio fails with its reason; of several each has a status.
+static mxArray* boundary(size_t N, const mxArray* const* arguments) {
+    const Numbers r = numbers(arguments[0], "r must be real, of class double");
+    const double mu = number(arguments[1], "mu must be one number");
+    mxArray* result = empty_struct();
+    double* exact = doubles(result, "exact", r.count, 1);
+    double* paper = doubles(result, "paper", r.count, 1);
+    double* approximate = doubles(result, "approximate", r.count, 1);
+    double* sticking = doubles(result, "sticking", r.count, 1);
+    signed char* states = (signed char*)field(result, "status", mxINT8_CLASS, r.count, 1);
+    size_t n;
+    (void)N;
+    for (n = 0; n < r.count; ++n) {
+        dh_boundary at = {.size = sizeof at};
+        const int status = dh_boundaries(held_system, r.values[n], mu, &at);
+        if (r.count == 1 || (status != DH_ERROR_DOMAIN && status != DH_ERROR_PRECISION)) need(status);
+        states[n] = status == DH_OK ? DH_POINT_ANSWERED : status == DH_ERROR_DOMAIN ? DH_POINT_AT_A_POLE : DH_POINT_FAILED;
+        exact[n] = status == DH_OK ? at.exact : mxGetNaN();
+        paper[n] = status == DH_OK ? at.paper : mxGetNaN();
+        approximate[n] = status == DH_OK ? at.approximate : mxGetNaN();
+        sticking[n] = status == DH_OK && at.sticking_exists ? at.sticking : mxGetNaN();
+    }
+    return result;
+}
+
+/// Where the numbers of `count` points of N masses go: a row a point, a column a mass.
+static dh_points fields_of_points(mxArray* result, size_t count, size_t N) {
+    dh_points points = {.size = sizeof points, .step = 1, .masses_step = 1, .mass_step = (ptrdiff_t)count};
+    points.status = (signed char*)field(result, "status", mxINT8_CLASS, count, 1);
+    points.regime = (signed char*)field(result, "regime", mxINT8_CLASS, count, 1);
+    points.stops = (int*)field(result, "stops", mxINT32_CLASS, count, 1);
+    points.periods = (int*)field(result, "periods", mxINT32_CLASS, count, 1);
+    points.amplitude = doubles(result, "amplitude", count, N);
+    points.error = doubles(result, "amplitude_error", count, N);
+    points.phase = doubles(result, "phase", count, N);
+    points.phase_error = doubles(result, "phase_error", count, N);
+    return points;
+}
+
+/// One point fails with its reason, and has more to tell than one of many.
+static mxArray* solve_point(double r, double beta, double mu, int digits, size_t N) {
+    dh_summary motion = {.size = sizeof motion};
+    size_t k;
+    double* ends;
+    mxArray* result = empty_struct();
+    const dh_points point = fields_of_points(result, 1, N);
+    need(dh_solve(held_system, r, beta, mu, digits, &held_solution));
+    need(dh_solution_summary(held_solution, &motion));
+    *point.status = motion.on_boundary ? DH_POINT_ON_BOUNDARY : DH_POINT_ANSWERED;
+    *point.regime = (signed char)motion.regime;
+    *point.stops = (int)motion.stops;
+    *point.periods = motion.periods;
+    for (k = 0; k < N; ++k) {
+        dh_mass mass = {.size = sizeof mass};
+        need(dh_solution_mass(held_solution, k + 1, &mass));
+        point.amplitude[k] = mass.amplitude;
+        point.error[k] = mass.error;
+        point.phase[k] = mass.moves ? mass.phase : mxGetNaN();
+        point.phase_error[k] = mass.phase_error;
+    }
+    ends = doubles(result, "stop_start", 1, motion.stops);
+    need(dh_solution_stops(held_solution, motion.stops, ends, doubles(result, "stop_end", 1, motion.stops)));
+    ends = doubles(result, "rest_interval", motion.rest_interval_exists ? 1 : 0, motion.rest_interval_exists ? 2 : 0);
+    if (motion.rest_interval_exists) {
+        ends[0] = motion.rest_from;
+        ends[1] = motion.rest_to;
+    }
+    *doubles(result, "relative_error", 1, 1) = motion.relative_error;
+    *(signed char*)field(result, "unique", mxINT8_CLASS, 1, 1) = motion.unique != 0;
+    *(signed char*)field(result, "symmetric", mxINT8_CLASS, 1, 1) = motion.symmetric != 0;
+    return result;
+}
+
+static mxArray* solve(size_t N, const mxArray* const* arguments) {
+    const Numbers r = numbers(arguments[0], "r must be real, of class double"),
+                  beta = numbers(arguments[1], "beta must be real, of class double");
+    const double mu = number(arguments[2], "mu must be one number");
+    const double digits = number(arguments[3], "digits must be one number");
+    if (!whole_number(digits, 0, 15)) fail("denhartog:input", "digits must be a whole number from 0 to 15");
+    if (r.count != beta.count && r.count != 1 && beta.count != 1)
+        fail("denhartog:size", "r and beta must have the same size, or one of them must be one number");
+    if (r.count == 1 && beta.count == 1) return solve_point(r.values[0], beta.values[0], mu, (int)digits, N);
+    const dh_points_request request = {.size = sizeof request,
+                                       .count = r.count == 1 ? beta.count : r.count,
+                                       .r = r.values,
+                                       .r_step = r.count != 1,
+                                       .beta = beta.values,
+                                       .beta_step = beta.count != 1,
+                                       .mu = mu,
+                                       .digits = (int)digits};
+    mxArray* result = empty_struct();
+    const dh_points points = fields_of_points(result, request.count, N);
+    if (request.count > 0) need(dh_solve_points(held_system, &request, &points));
+    return result;
+}
+
+static mxArray* motion(size_t N, const mxArray* const* arguments) {
+    const double r = number(arguments[0], "r must be one number"), beta = number(arguments[1], "beta must be one number");
+    const double mu = number(arguments[2], "mu must be one number");
+    const double samples = number(arguments[3], "samples must be one number");
+    dh_summary summary = {.size = sizeof summary};
+    if (!whole_number(samples, 1, DH_MOST_SAMPLES) || samples * (double)N > DH_MOST_DISPLACEMENTS)
+        fail("denhartog:size", "samples must be a whole number from 1 to 10000000, and samples times masses at most 100000000");
+    need(dh_solve(held_system, r, beta, mu, 0, &held_solution));
+    need(dh_solution_summary(held_solution, &summary));
+    mxArray* result = empty_struct();
+    *doubles(result, "periods", 1, 1) = summary.periods;
+    double* x = doubles(result, "x", N, (size_t)samples);
+    need(dh_solution_motion(held_solution, (size_t)samples, (size_t)samples * N, x, doubles(result, "v", N, (size_t)samples)));
+    return result;
+}
+
+static mxArray* map(size_t N, const mxArray* const* arguments) {
+    const Numbers r = numbers(arguments[0], "r must be real, of class double"),
+                  beta = numbers(arguments[1], "beta must be real, of class double");
+    const double mu = number(arguments[2], "mu must be one number");
+    const Numbers wanted = numbers(arguments[3], "masses must be real, of class double");
+    const size_t points = r.count * beta.count, mass_count = wanted.count > 0 ? wanted.count : N;
+    size_t* masses = (size_t*)mxCalloc(mass_count, sizeof *masses);
+    size_t n;
+    mxArray* result = empty_struct();
+    for (n = 0; n < mass_count; ++n) {
+        const double mass = wanted.count > 0 ? wanted.values[n] : (double)(n + 1);
+        if (!whole_number(mass, 1, (double)N)) fail("denhartog:input", "masses must be whole numbers from 1 to N");
+        masses[n] = (size_t)mass;
+    }
+    const dh_map_request request = {.size = sizeof request,
+                                    .r_count = r.count,
+                                    .r = r.values,
+                                    .beta_count = beta.count,
+                                    .beta = beta.values,
+                                    .mu = mu,
+                                    .mass_count = mass_count,
+                                    .masses = masses};
+    dh_map_result to = {.size = sizeof to, .beta_step = 1, .amplitude_beta_step = 1, .mass_step = (ptrdiff_t)points};
+    to.r_step = to.amplitude_r_step = (ptrdiff_t)beta.count;
+    to.status = (signed char*)field(result, "status", mxINT8_CLASS, beta.count, r.count);
+    to.regime = (signed char*)field(result, "regime", mxINT8_CLASS, beta.count, r.count);
+    to.stops = (int*)field(result, "stops", mxINT32_CLASS, beta.count, r.count);
+    to.periods = (int*)field(result, "periods", mxINT32_CLASS, beta.count, r.count);
+    to.amplitude = doubles(result, "amplitude", beta.count, r.count * mass_count);
+    if (points > 0) need(dh_map(held_system, &request, &to));
+    mxFree(masses);
+    return result;
+}
+
+typedef struct Command {
+    const char* name;
+    int arguments; // after the command
+    mxArray* (*answer)(size_t N, const mxArray* const* after_the_scene);
+} Command;
+
+void mexFunction(int nlhs, mxArray* plhs[], int nrhs, const mxArray* prhs[]) {
+    static const Command commands[] = {{"natural_frequencies", 1, natural_frequencies},
+                                       {"boundary", 3, boundary},
+                                       {"solve", 5, solve},
+                                       {"motion", 5, motion},
+                                       {"map", 5, map}};
+    char name[32] = "";
+    size_t n;
+    release();
+    mexAtExit(release);
+    if (nlhs > 1) fail("denhartog:input", "there is one result");
+    if (dh_abi_version() != DH_ABI_VERSION) fail("denhartog:internal", "library and header differ in version: build anew");
+    if (nrhs < 1 || !mxIsChar(prhs[0]) || mxGetString(prhs[0], name, sizeof name) != 0) name[0] = '\0';
+    if (strcmp(name, "version") == 0 && nrhs == 1) {
+        plhs[0] = mxCreateString(dh_version());
+        return;
+    }
+    for (n = 0; n < sizeof commands / sizeof commands[0]; ++n)
+        if (strcmp(name, commands[n].name) == 0 && nrhs == commands[n].arguments + 1) {
+            plhs[0] = commands[n].answer(hold_system(prhs[1]), prhs + 2);
+            release();
+            return;
+        }
+    fail("denhartog:input", "the first argument must be version, natural_frequencies, boundary, solve, motion or map, "
+                            "and as many arguments must follow as it takes");
+}

@@ -1,0 +1,146 @@
+"""Long calls of the library, which progress and Ctrl-C can end, and the arrays that they fill."""
+from __future__ import annotations
+
+import ctypes
+import threading
+from typing import Any, Callable, Optional
+
+import numpy as np
+
+from . import _library
+from ._errors import Cancelled, InputError
+
+Report = Optional[Callable[[int, int], Any]]
+
+
+def run(name: str, handle: ctypes.c_void_p, request: Any, result: Any, progress: Report, arrays: Any) -> None:
+    """Calls dh_map() or dh_solve_points() in a thread of its own and waits for it.
+
+    A thread in C does not see Ctrl-C. The thread that waits here does, and so does the function `progress`, which it calls.
+
+    Parameters
+    ----------
+    name, handle, request, result
+        The function and its arguments.
+    progress : callable or None
+        Called as ``progress(done, all)`` in the calling thread; the call ends where it returns something true.
+    arrays
+        What `request` and `result` point to: kept until the library is done, even where a second Ctrl-C ends the waiting.
+    """
+    library = _library.library()
+    news, ended = threading.Event(), threading.Event()
+    state = {"done": 0, "all": 0, "stop": 0, "fault": None, "arrays": arrays}
+
+    def told(done: int, everything: int, _: Any) -> int:
+        state["done"], state["all"] = done, everything
+        news.set()
+        return state["stop"]
+
+    def work() -> None:
+        try:
+            status = getattr(library, name)(handle, ctypes.byref(request), ctypes.byref(result))
+            if status != 0:
+                state["fault"] = _library.fault(status)  # the message is kept for each thread by itself
+        except BaseException as reason:  # it must not be lost with this thread
+            state["fault"] = reason
+        finally:
+            state["arrays"] = None
+            ended.set()
+            news.set()
+
+    request.progress = _library.Progress(told)
+    worker = threading.Thread(target=work, name="denhartog")
+    worker.start()
+    reported = 0
+    try:
+        while True:
+            news.wait()
+            news.clear()
+            last, done = ended.is_set(), state["done"]
+            if progress is not None and done > reported:
+                reported = done
+                if progress(done, state["all"]) and not last:
+                    state["stop"] = 1
+            if last:
+                break
+    finally:
+        if not ended.is_set():
+            state["stop"] = 1
+        worker.join()
+    if state["fault"] is not None:
+        if state["stop"]:
+            raise Cancelled(f"the function given as progress ended the computation after {state['done']} of {state['all']}")
+        raise state["fault"]
+
+
+def numbers(name: str, values: Any) -> np.ndarray:
+    """An array of doubles, or an InputError that names the argument."""
+    try:
+        return np.asarray(values, dtype=np.float64)
+    except (TypeError, ValueError) as reason:
+        raise InputError.of(name, "must be a number or an array of numbers", repr(values)) from reason
+
+
+def mass_list(masses: Any, N: int) -> np.ndarray:
+    """The masses asked for, counted from 1, as the library takes them; all for None."""
+    if masses is None:
+        return np.arange(1, N + 1, dtype=np.uintp)
+    listed = np.atleast_1d(np.asarray(masses))
+    if listed.ndim != 1 or listed.size == 0 or not np.issubdtype(listed.dtype, np.integer):
+        raise InputError.of("masses", "must be a mass or a list of masses, whole numbers counted from 1", repr(masses))
+    for k in listed:
+        if not 1 <= k <= N:
+            raise InputError.of("masses", f"must be masses from 1 to {N}", k)
+    return np.ascontiguousarray(listed, dtype=np.uintp)
+
+
+def thread_count(threads: int) -> int:
+    """The number of threads, checked; 0 for as many as the machine has."""
+    if not 0 <= threads <= 65536:
+        raise InputError.of("threads", "must be from 0, which is as many as the machine has, to 65536", threads)
+    return int(threads)
+
+
+def solve_points(handle: ctypes.c_void_p, r: np.ndarray, beta: np.ndarray, mu: float, digits: int, masses: np.ndarray,
+                 threads: int, progress: Report) -> dict[str, np.ndarray]:
+    """dh_solve_points() over `r` broadcast with `beta`; arrays of the broadcast shape, the masses last."""
+    try:
+        shape = np.broadcast_shapes(r.shape, beta.shape)
+    except ValueError as reason:
+        raise InputError.of("beta", f"must have a shape that goes with that of r, {r.shape}", beta.shape) from reason
+    count, wanted = int(np.prod(shape)), masses.size
+    out = {name: np.empty(shape, dtype) for name, dtype in
+           (("status", np.int8), ("regime", np.int8), ("stops", np.intc), ("periods", np.intc))}
+    out.update({name: np.empty(shape + (wanted,)) for name in ("amplitude", "error", "phase", "phase_error")})
+    if count == 0:
+        return out
+    flat_r = np.ascontiguousarray(r if r.ndim == 0 else np.broadcast_to(r, shape)).reshape(-1)
+    flat_beta = np.ascontiguousarray(beta if beta.ndim == 0 else np.broadcast_to(beta, shape)).reshape(-1)
+    request = _library.PointsRequest(
+        count=count, r=_library.pointer(flat_r), r_step=int(r.ndim > 0), beta=_library.pointer(flat_beta),
+        beta_step=int(beta.ndim > 0), mu=mu, digits=digits, mass_count=wanted,
+        masses=_library.pointer(masses, ctypes.c_size_t), threads=threads)
+    result = _library.Points(step=1, masses_step=wanted, mass_step=1, **_addresses(out))
+    run("dh_solve_points", handle, request, result, progress, (flat_r, flat_beta, masses, out))
+    return out
+
+
+def solve_map(handle: ctypes.c_void_p, r: np.ndarray, beta: np.ndarray, mu: float, from_sliding: bool, masses: np.ndarray,
+              threads: int, progress: Report) -> dict[str, np.ndarray]:
+    """dh_map() over the grid of `r` and `beta`; arrays of the shape r by beta, the masses last."""
+    shape, wanted = (r.size, beta.size), masses.size
+    out = {name: np.empty(shape, dtype) for name, dtype in
+           (("status", np.int8), ("regime", np.int8), ("stops", np.intc), ("periods", np.intc))}
+    out["amplitude"] = np.empty(shape + (wanted,))
+    request = _library.MapRequest(
+        r_count=r.size, r=_library.pointer(r), beta_count=beta.size, beta=_library.pointer(beta), mu=mu,
+        from_sliding=int(from_sliding), mass_count=wanted, masses=_library.pointer(masses, ctypes.c_size_t), threads=threads)
+    result = _library.MapResult(r_step=beta.size, beta_step=1, amplitude_r_step=beta.size * wanted,
+                                amplitude_beta_step=wanted, mass_step=1, **_addresses(out))
+    run("dh_map", handle, request, result, progress, (r, beta, masses, out))
+    return out
+
+
+def _addresses(arrays: dict[str, np.ndarray]) -> dict[str, Any]:
+    kinds = {"b": ctypes.c_byte, "i": ctypes.c_int, "d": ctypes.c_double}
+    return {name: _library.pointer(array, kinds[array.dtype.char]) for name, array in arrays.items()}

@@ -1,0 +1,64 @@
+"""Exceptions in place of the statuses of the C interface."""
+from __future__ import annotations
+
+import re
+from typing import Optional
+
+_PLACE = re.compile(r" \(at ([^()]*)\)$")
+_BUT_IS = ", but is "
+
+
+class Error(Exception):
+    """Base of all exceptions of this package."""
+
+
+class InputError(Error, ValueError):
+    """A number or a text breaks a rule.
+
+    Attributes
+    ----------
+    quantity : str
+        What breaks the rule, e.g. ``"beta"`` or ``"masses"``.
+    rule : str
+        The rule, e.g. ``"must be zero or positive, and finite"``.
+    value : str or None
+        The value that breaks it, as text; None where the message gives none.
+    place : str or None
+        Where the value stands in the scene, as a JSON pointer such as ``/masses/1`` (counted from 0), or by line and column;
+        None where the message gives none.
+    """
+
+    def __init__(self, message: str) -> None:
+        super().__init__(message)
+        self.quantity, self.rule, self.value, self.place = _parts(message)
+
+    @classmethod
+    def of(cls, quantity: str, rule: str, value: object) -> "InputError":
+        """An error with the message that the library would write."""
+        return cls(f"{quantity} {rule}{_BUT_IS}{value}")
+
+
+class DomainError(Error):
+    """A formula was asked for where it does not hold, e.g. at the resonance of a mode without damping."""
+
+
+class PrecisionError(Error):
+    """The digits asked for were not reached, the work allowed is spent, or a result is beyond the range of a double."""
+
+
+class Cancelled(Error):
+    """The function given as ``progress`` ended the computation. There is no result."""
+
+
+def _parts(message: str) -> tuple[str, str, Optional[str], Optional[str]]:
+    """Quantity, rule, value and place of `QUANTITY RULE, but is VALUE (at PLACE)`."""
+    place = _PLACE.search(message)
+    text = message[: place.start()] if place else message
+    rest, separator, value = text.rpartition(_BUT_IS)
+    if not separator:
+        rest, value = text, ""
+    words = re.match(r"((?:the|a|an) .*?|\S+) (.*)", rest, re.S)  # "the selection must ...": the verb ends the quantity
+    if words and words[1].startswith(("the ", "a ", "an ")):
+        words = re.match(r"(.*?) ((?:must|is|cannot) .*)", rest, re.S) or words
+    quantity, rule = (words[1], words[2]) if words else ("", rest)
+    return quantity, rule, value if separator else None, place[1] if place else None

@@ -1,0 +1,54 @@
+"""What the library computes of a system at one point, as results of Python."""
+from __future__ import annotations
+
+import ctypes
+import math
+from ctypes import byref
+
+import numpy as np
+
+from . import _library
+from ._results import REGIMES, Boundary, Functions, Handle, Solution
+from ._units import like
+
+
+def solution(system: ctypes.c_void_p, N: int, r: float, beta: float, mu: float, digits: int, masses: np.ndarray) -> Solution:
+    """The steady motion at a point, of `masses`, counted from 1; 0 digits aim at 6."""
+    address, summary = ctypes.c_void_p(), _library.Summary()
+    _library.call("dh_solve", system, r, beta, mu, digits, byref(address))
+    handle = Handle(address, "dh_solution_destroy")
+    _library.call("dh_solution_summary", address, byref(summary))
+    listed = [_library.Mass() for _ in masses]
+    for k, mass in zip(masses, listed):
+        _library.call("dh_solution_mass", address, int(k), byref(mass))
+    stops = np.empty((2, summary.stops))
+    _library.call("dh_solution_stops", address, summary.stops, *map(_library.pointer, stops))
+    displacements = {name: np.array([getattr(m, name) for m in listed]) for name in ("amplitude", "error")}
+    phases = {name: np.array([getattr(m, name) if m.moves else np.nan for m in listed]) for name in ("phase", "phase_error")}
+    return Solution(
+        r=r, beta=beta, mu=mu, regime=REGIMES[summary.regime], on_boundary=bool(summary.on_boundary), unique=bool(summary.unique),
+        symmetric=bool(summary.symmetric), periods=summary.periods, stops=stops.T.copy(),
+        rest_interval=(summary.rest_from, summary.rest_to) if summary.rest_interval_exists else None,
+        rest_error=summary.rest_error, masses=masses.astype(int), amplitude=displacements["amplitude"],
+        amplitude_error=displacements["error"], relative_error=summary.relative_error, _handle=handle, _N=N, **phases)
+
+
+def boundary(system: ctypes.c_void_p, r: np.ndarray, mu: float) -> Boundary:
+    """The friction ratios that part the regimes, of the shape of `r`."""
+    rows = np.empty(r.shape + (4,))
+    for at in np.ndindex(r.shape):
+        found = _library.Boundary()
+        _library.call("dh_boundaries", system, float(r[at]), mu, byref(found))
+        rows[at] = found.exact, found.paper, found.approximate, found.sticking if found.sticking_exists else math.nan
+    return Boundary(*(like(rows[..., n]) for n in range(4)))
+
+
+def functions(system: ctypes.c_void_p, N: int, r: np.ndarray) -> Functions:
+    """The sums over the modes; the shape of `r` comes first."""
+    V = np.empty(r.shape + (N,), complex)
+    U, G, H_j, S_j = (np.empty(shape) for shape in (V.shape, V.shape, r.shape, r.shape))
+    v, u, g, h, s = np.empty(N, complex), np.empty(N), np.empty(N), np.empty(1), np.empty(1)
+    for at in np.ndindex(r.shape):
+        _library.call("dh_sums", system, float(r[at]), N, *map(_library.pointer, (v, u, g, h, s)))
+        V[at], U[at], G[at], H_j[at], S_j[at] = v, u, g, h[0], s[0]
+    return Functions(V, U, G, like(H_j), like(S_j))

@@ -1,0 +1,275 @@
+"""What the methods of a System return. Displacements are in units of P / k_1, phases in radians."""
+from __future__ import annotations
+
+import ctypes
+import weakref
+from dataclasses import dataclass, field
+from typing import NamedTuple, Optional, Union
+
+import numpy as np
+
+from . import _library
+from ._errors import InputError
+
+REGIMES = ("continuous", "stick_slip", "permanent_sticking")
+STATUSES = ("answered", "on_boundary", "not_converged", "at_a_pole", "failed")
+
+
+class Boundary(NamedTuple):
+    """The friction ratios that part the regimes, at one frequency ratio (numbers) or at several (arrays of their shape).
+
+    Attributes
+    ----------
+    exact : float or ndarray
+        beta_lim, Eq. (69): below it the contact slides throughout. It takes the maximum over tau of the sum over the modes.
+    paper : float or ndarray
+        Eq. (69) with (56), the sum of the maxima of the modes; never above `exact`.
+    approximate : float or ndarray
+        Eq. (67); never below `exact`.
+    sticking : float or ndarray
+        From here on the contact never moves; NaN where no friction holds it, as the system resonates while it is held.
+    """
+
+    exact: Union[float, np.ndarray]
+    paper: Union[float, np.ndarray]
+    approximate: Union[float, np.ndarray]
+    sticking: Union[float, np.ndarray]
+
+
+class Motion(NamedTuple):
+    """A steady motion at equally spaced instants of its period.
+
+    Attributes
+    ----------
+    tau : ndarray, shape (samples,)
+        omega t, from 0, which is the maximum of the force; dimensionless.
+    x : ndarray, shape (samples, N)
+        Displacements in units of P / k_1.
+    x_prime : ndarray, shape (samples, N)
+        Their derivatives with respect to tau, in units of P / k_1.
+    """
+
+    tau: np.ndarray
+    x: np.ndarray
+    x_prime: np.ndarray
+
+
+class Functions(NamedTuple):
+    """The sums over the modes, at one frequency ratio or, with its shape in front, at several.
+
+    Attributes
+    ----------
+    V : complex ndarray, shape (..., N)
+        Complex response of each mass, Eq. (33).
+    U, G : ndarray, shape (..., N)
+        First and second damping function of each mass, Eqs. (34) and (35).
+    H_j : float or ndarray
+        Load on the contact at tau = 0, per unit of friction ratio, Eq. (64).
+    S_j : float or ndarray
+        The largest sum over the modes of (57) as corrected, over tau.
+    """
+
+    V: np.ndarray
+    U: np.ndarray
+    G: np.ndarray
+    H_j: Union[float, np.ndarray]
+    S_j: Union[float, np.ndarray]
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Solution:
+    """The steady motion at one point. M is the number of masses asked for.
+
+    Attributes
+    ----------
+    r, beta, mu : float
+        Frequency ratio, friction ratio, static over kinetic friction.
+    regime : str
+        ``continuous``, ``stick_slip`` or ``permanent_sticking``.
+    on_boundary : bool
+        True where beta equals a boundary as far as it is known, and the regime could be the neighbour.
+    unique : bool
+        True where the steady velocities are known not to depend on the start. Else this is the motion from rest.
+    symmetric : bool
+        True where the motion mirrors itself after half its period, Eq. (25).
+    periods : int
+        Period of the motion in periods of the force.
+    stops : ndarray, shape (S, 2)
+        Start and end of each rest of the contact within that period; tau from the maximum of the force, in radians.
+    rest_interval : tuple of two floats, or None
+        In permanent sticking the contact may rest anywhere between them; None in the other regimes.
+    rest_error : float
+        Bound of the error of `rest_interval`.
+    masses : ndarray of int, shape (M,)
+        The masses asked for, counted from 1.
+    amplitude, amplitude_error : ndarray, shape (M,)
+        Largest displacement of each mass and the bound of its error, in units of P / k_1.
+    phase, phase_error : ndarray, shape (M,)
+        Lag of the largest displacement behind the force, in (-pi, pi], and the bound of its error; NaN for a mass at rest.
+    relative_error : float
+        The largest error of all masses: of amplitudes relative, of phases in radians.
+    """
+
+    r: float
+    beta: float
+    mu: float
+    regime: str
+    on_boundary: bool
+    unique: bool
+    symmetric: bool
+    periods: int
+    stops: np.ndarray
+    rest_interval: Optional[tuple[float, float]]
+    rest_error: float
+    masses: np.ndarray
+    amplitude: np.ndarray
+    amplitude_error: np.ndarray
+    phase: np.ndarray
+    phase_error: np.ndarray
+    relative_error: float
+    _handle: "Handle" = field(repr=False)
+    _N: int = field(repr=False)
+
+    def motion(self, samples: int = 400) -> Motion:
+        """The motion of all N masses over its period.
+
+        Parameters
+        ----------
+        samples : int
+            Number of instants, ``tau = 2 pi periods n / samples``, from the maximum of the force.
+
+        Returns
+        -------
+        Motion
+            tau (samples,), x and x_prime (samples, N). A contact that rests for ever is taken to rest at zero.
+        """
+        if not 1 <= samples <= 10_000_000:
+            raise InputError.of("samples", "must be from 1 to 10000000", samples)
+        x, x_prime = np.empty((samples, self._N)), np.empty((samples, self._N))
+        _library.call("dh_solution_motion", self._handle.address, samples, x.size, _library.pointer(x),
+                      _library.pointer(x_prime))
+        return Motion(2 * np.pi * self.periods * np.arange(samples) / samples, x, x_prime)
+
+    def __repr__(self) -> str:
+        stops = f", {len(self.stops)} stops in {self.periods} period(s)" if len(self.stops) else ""
+        return (f"<{self.regime} at r = {self.r:.6g}, beta = {self.beta:.6g}{stops}: masses {self.masses.tolist()}, amplitude "
+                f"{np.array2string(self.amplitude, precision=6)}, phase {np.array2string(self.phase, precision=6)}>")
+
+
+class _Points:
+    """What a map and the solutions at many points share."""
+
+    regime: np.ndarray
+    status: np.ndarray
+    regime_names = REGIMES  #: names of the numbers in `regime`
+    status_names = STATUSES  #: names of the numbers in `status`
+
+    def where(self, regime: str) -> np.ndarray:
+        """Where the motion is of a regime.
+
+        Parameters
+        ----------
+        regime : str
+            One of `regime_names`.
+
+        Returns
+        -------
+        ndarray of bool
+            Of the shape of `regime`.
+        """
+        if regime not in REGIMES:
+            raise InputError.of("regime", "must be continuous, stick_slip or permanent_sticking", regime)
+        return self.regime == REGIMES.index(regime)
+
+    def _told(self) -> str:
+        counts = [f"{np.count_nonzero(self.where(name))} {name}" for name in REGIMES if self.where(name).any()]
+        without = np.count_nonzero(self.regime < 0)
+        return ", ".join(counts + ([f"{without} without an answer"] if without else []))
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Solutions(_Points):
+    """The steady motions at many points. S is the broadcast shape of r and beta, M the number of masses asked for.
+
+    Attributes
+    ----------
+    r, beta : ndarray, shape S
+        Frequency ratios and friction ratios.
+    mu : float
+        Static over kinetic friction.
+    masses : ndarray of int, shape (M,)
+        The masses asked for, counted from 1.
+    status : ndarray of int8, shape S
+        Index into `status_names`: 0 and 1 have numbers, the others not.
+    regime : ndarray of int8, shape S
+        Index into `regime_names`; -1 where there are no numbers.
+    stops : ndarray of int, shape S
+        Rests of the contact in a period of the motion; -1 where there are no numbers.
+    periods : ndarray of int, shape S
+        Period of the motion in periods of the force; -1 where there are no numbers.
+    amplitude, amplitude_error : ndarray, shape S + (M,)
+        In units of P / k_1, with bounds of their errors; NaN where there are no numbers.
+    phase, phase_error : ndarray, shape S + (M,)
+        In (-pi, pi], with bounds of their errors; NaN also where a mass does not move.
+    """
+
+    r: np.ndarray
+    beta: np.ndarray
+    mu: float
+    masses: np.ndarray
+    status: np.ndarray
+    regime: np.ndarray
+    stops: np.ndarray
+    periods: np.ndarray
+    amplitude: np.ndarray
+    amplitude_error: np.ndarray
+    phase: np.ndarray
+    phase_error: np.ndarray
+
+    def __repr__(self) -> str:
+        return f"<solutions of shape {self.regime.shape}, masses {self.masses.tolist()}: {self._told()}>"
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Map(_Points):
+    """Regimes, stops and amplitudes over a grid of R frequency ratios by B friction ratios, for M masses.
+
+    Attributes
+    ----------
+    r : ndarray, shape (R,)
+        Frequency ratios.
+    beta : ndarray, shape (B,)
+        Friction ratios.
+    mu : float
+        Static over kinetic friction.
+    masses : ndarray of int, shape (M,)
+        The masses asked for, counted from 1.
+    status, regime : ndarray of int8, shape (R, B)
+        Index into `status_names`; index into `regime_names`, or -1 where there are no numbers.
+    stops, periods : ndarray of int, shape (R, B)
+        As of `Solutions`.
+    amplitude : ndarray, shape (R, B, M)
+        In units of P / k_1; NaN where there are no numbers.
+    """
+
+    r: np.ndarray
+    beta: np.ndarray
+    mu: float
+    masses: np.ndarray
+    status: np.ndarray
+    regime: np.ndarray
+    stops: np.ndarray
+    periods: np.ndarray
+    amplitude: np.ndarray
+
+    def __repr__(self) -> str:
+        r, beta = (f"{a.size} from {a[0]:.6g} to {a[-1]:.6g}" for a in (self.r, self.beta))
+        return f"<map, r: {r}, beta: {beta}, masses {self.masses.tolist()}: {self._told()}>"
+
+
+class Handle:
+    """A handle of the library, destroyed with this object."""
+
+    def __init__(self, address: ctypes.c_void_p, destroy: str) -> None:
+        self.address = address
+        weakref.finalize(self, getattr(_library.library(), destroy), address)

@@ -1,0 +1,214 @@
+"""Tests the Python package against the command line program: python3 -m unittest test_denhartog, or pytest.
+
+The environment names what is tested: DENHARTOG_PROGRAM the program, DENHARTOG_SOURCE the folder of the sources, DENHARTOG_LIBRARY
+the shared library where the package has none of its own.
+"""
+import json
+import os
+import pathlib
+import pickle
+import signal
+import subprocess
+import tempfile
+import threading
+import unittest
+import warnings
+
+import numpy as np
+
+import denhartog
+from denhartog import System
+
+PROGRAM = os.environ["DENHARTOG_PROGRAM"]
+SOURCE = pathlib.Path(os.environ["DENHARTOG_SOURCE"]).resolve()
+DOCS = SOURCE / "docs"
+NAMES = ("example", "example_dimensional", "example_dashpots", "example_stick_slip")
+CHAIN = dict(mass_ratios=[1, 2.5, 0.75], stiffness_ratios=[1, 0.625, 1.875], damping_ratios=[0.03, 0.06, 0.09], contact=2, load=1)
+
+
+def told(*arguments):
+    """What the program prints."""
+    done = subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True, check=True)
+    return done.stdout
+
+
+def scene_file(name):
+    return DOCS / f"{name}.json"
+
+
+class AgainstTheProgram(unittest.TestCase):
+    def test_a_solution_is_what_solve_tells(self):
+        for name in NAMES:
+            with self.subTest(name):
+                system, true = System.from_scene(scene_file(name)), json.loads(told("solve", "--json", scene_file(name)))
+                found = system.solve(true["r"], true["beta"])
+                self.assertEqual(found.regime, true["regime"])
+                self.assertEqual(found.unique, true["unique"])
+                self.assertEqual((found.periods, found.symmetric), (true["periods"], true["symmetric"]))
+                np.testing.assert_array_equal(found.amplitude, [m["amplitude"] for m in true["masses"]])
+                np.testing.assert_array_equal(found.phase, [m["phase"] for m in true["masses"]])
+                np.testing.assert_array_equal(found.amplitude_error, [m["error_bound"] for m in true["masses"]])
+                stops = [[stop["start"], stop["end"]] for stop in true.get("stops", [])]
+                np.testing.assert_array_equal(found.stops, np.array(stops).reshape(-1, 2))
+
+    def test_a_map_is_that_of_map_to_the_last_bit(self):
+        for name, masses in (("example", [2]), ("example_dimensional", [2, 3]), ("example_stick_slip", [1])):
+            for start in ("rest", "sliding"):
+                with self.subTest(name, start=start), tempfile.TemporaryDirectory() as folder:
+                    path = pathlib.Path(folder, "map.npy")
+                    chosen = [word for k in masses for word in ("--mass", k)]
+                    told("map", scene_file(name), "--r", "0.3:1.5:25", "--beta", "0.05:1.2:12", "--start", start,
+                         "--output", path, *chosen)
+                    true = np.load(path)
+                    found = System.from_scene(scene_file(name)).map(true["r"][:, 0], true["beta"][0], masses, start)
+                    for field, there in (("regime", "regime"), ("stops", "stops_per_period"), ("periods", "periods"),
+                                         ("status", "status")):
+                        np.testing.assert_array_equal(getattr(found, field), true[there])
+                    for n, k in enumerate(masses):
+                        np.testing.assert_array_equal(found.amplitude[:, :, n], true[f"amplitude_{k}"])
+
+    def test_boundaries_are_those_of_boundary(self):
+        for name in NAMES:
+            with self.subTest(name):
+                true = json.loads(told("boundary", "--json", scene_file(name)))
+                found = System.from_scene(scene_file(name)).boundary(true["r"])
+                for kind in ("exact", "paper", "approximate", "sticking"):
+                    self.assertAlmostEqual(getattr(found, kind) / true["beta_lim"][kind], 1, delta=1e-12)
+
+    def test_motions_are_those_of_solve(self):
+        for name in NAMES:
+            with self.subTest(name):
+                at = json.loads(told("solve", "--json", scene_file(name)))
+                rows = told("solve", "--samples", 32, scene_file(name)).splitlines()
+                true = np.array([[float(x) for x in row.split(",")] for row in rows[1:]])
+                tau, x, x_prime = System.from_scene(scene_file(name)).motion(at["r"], at["beta"], samples=32)
+                found = np.column_stack([tau, x, x_prime])
+                np.testing.assert_allclose(found, true, rtol=1e-9, atol=1e-9 * np.abs(true).max())
+
+    def test_own_units_are_those_of_the_scene(self):
+        system, true = System.from_scene(scene_file("example_dimensional")), json.loads(
+            told("solve", "--json", scene_file("example_dimensional")))
+        own, scene = true["dimensional"], system.scene
+        force = system.base_force(scene["base_displacement"], hz=scene["frequency_hz"])
+        self.assertAlmostEqual(force / own["force"], 1, delta=1e-15)
+        r = system.frequency_ratio(hz=2.6)
+        self.assertAlmostEqual(r / true["r"], 1, delta=1e-15)
+        self.assertEqual(system.frequency_ratio(own["frequency"]), r)
+        beta = system.friction_ratio(6.5, force)
+        self.assertAlmostEqual(beta / true["beta"], 1, delta=1e-15)
+        found = system.solve(r, beta).amplitude * system.displacement_unit(force)
+        np.testing.assert_allclose(found, [m["amplitude"] for m in own["masses"]], rtol=1e-12)
+        np.testing.assert_allclose(system.natural_frequencies, system.natural_frequency_ratios * np.sqrt(18500 / 12), rtol=1e-15)
+
+
+class InPython(unittest.TestCase):
+    def test_arrays_have_what_scalars_have(self):
+        system = System(**CHAIN, mu=1.375)
+        r, beta = np.array([0.5, 1.125, 1.75]), np.array([[0.05], [0.4], [1.5]])
+        found = system.solve(r, beta, digits=8)
+        self.assertEqual(found.amplitude.shape, (3, 3, 3))
+        self.assertTrue({0, 1, 2} >= set(found.regime.ravel().tolist()))
+        for at in np.ndindex(3, 3):
+            one = system.solve(found.r[at], found.beta[at], digits=8)
+            self.assertEqual(one.regime, found.regime_names[found.regime[at]])
+            self.assertEqual((len(one.stops), one.periods), (found.stops[at], found.periods[at]))
+            np.testing.assert_allclose(found.amplitude[at], one.amplitude, rtol=1e-8, atol=1e-12)
+            np.testing.assert_allclose(found.phase[at], one.phase, rtol=0, atol=1e-8)
+        np.testing.assert_array_equal(system.solve(r, 0.05, masses=2).amplitude.shape, (3, 1))
+        self.assertEqual(system.solve([], 0.1).regime.shape, (0,))
+
+    def test_the_numbers_do_not_depend_on_threads(self):
+        system, r, beta = System(**CHAIN), np.linspace(0.3, 2, 40), np.linspace(0, 1, 20)
+        one, three = (system.map(r, beta, threads=n) for n in (1, 3))
+        np.testing.assert_array_equal(one.amplitude, three.amplitude)
+        np.testing.assert_array_equal(one.where("stick_slip"), three.where("stick_slip"))
+
+    def test_boundaries_and_functions_of_arrays(self):
+        system, r = System(**CHAIN), np.array([[0.5, 1.125], [1.5, 2.5]])
+        limits, sums = system.boundary(r), system.functions(r)
+        self.assertEqual((limits.exact.shape, sums.V.shape, sums.H_j.shape), ((2, 2), (2, 2, 3), (2, 2)))
+        for at in np.ndindex(2, 2):
+            self.assertEqual(system.boundary(r[at]).exact, limits.exact[at])
+            np.testing.assert_array_equal(system.functions(r[at]).V, sums.V[at])
+        self.assertIsInstance(system.boundary(1.125).exact, float)
+        undamped = System(mass_ratios=[1, 1], stiffness_ratios=[1, 1], damping_ratios=0, contact=2, load=1)
+        self.assertTrue(np.isnan(undamped.boundary(np.sqrt(2)).sticking) or undamped.boundary(np.sqrt(2)).sticking > 1e10)
+
+    def test_a_contact_at_rest(self):
+        found = System(**CHAIN).solve(1.125, 5.0)
+        self.assertEqual(found.regime, "permanent_sticking")
+        self.assertEqual((found.amplitude[1], len(found.stops)), (0, 0))
+        self.assertTrue(np.isnan(found.phase[1]))
+        self.assertLess(found.rest_interval[0], found.rest_interval[1])
+
+    def test_lists_arrays_and_matrices_are_the_same_system(self):
+        listed = System(masses=[4, 10, 3], stiffnesses=[8, 5, 15], damping_ratios=0.05, contact=[2, 1], load=[1, 0.5, 0])
+        k = np.array([[13.0, -5, 0], [-5, 20, -15], [0, -15, 15]])
+        matrices = System(masses=np.diag([4.0, 10, 3]), stiffnesses=k, damping_ratios=np.full(3, 0.05), contact=(2, 1),
+                          load=np.array([1, 0.5, 0]))
+        np.testing.assert_allclose(listed.natural_frequencies, matrices.natural_frequencies, rtol=1e-13)
+        ratios = System(mass_ratios=np.diag([1, 2.5, 0.75]), stiffness_ratios=k / 13, damping_ratios=0.05, contact=1, load=1)
+        np.testing.assert_allclose(ratios.natural_frequency_ratios, matrices.natural_frequency_ratios, rtol=1e-13)
+        self.assertEqual((matrices.k_1, matrices.m_1, matrices.contact), (13, 4, (2, 1)))
+
+    def test_repr_and_copies(self):
+        system = System(**CHAIN, mu=1.375)
+        self.assertEqual(repr(system), "System(3 masses, contact on mass 2, load on mass 1, mu = 1.375, "
+                                       "r_n = [0.334185, 1.29531, 1.82634])")
+        copied = pickle.loads(pickle.dumps(system))
+        self.assertEqual(copied.solve(1.125, 0.2).amplitude.tolist(), system.solve(1.125, 0.2).amplitude.tolist())
+        self.assertIn("continuous at r = 1.125", repr(system.solve(1.125, 0.15625)))
+        self.assertIn("masses [1, 2, 3]", repr(system.map([1, 1.5], [0.1, 3])))
+        self.assertRegex(denhartog.__version__, r"^\d+\.\d+\.\d+$")
+
+    def test_errors_name_quantity_rule_and_value(self):
+        system = System(**CHAIN)
+        for quantity, value, call in (
+                ("beta", "-1", lambda: system.solve(1, -1)),
+                ("r", "0", lambda: system.boundary(0)),
+                ("mu", "0.5", lambda: system.solve(1, 1, mu=0.5)),
+                ("masses", "-2", lambda: System(masses=[1, -2], stiffnesses=[1, 1], damping_ratios=0, contact=1, load=1)),
+                ("damping_ratios", "-0.5", lambda: System(**{**CHAIN, "damping_ratios": [0.1, -0.5, 0]})),
+                ("contact", "4", lambda: System(**{**CHAIN, "contact": 4})),
+                ("masses", "4", lambda: system.map([1], [1], masses=4)),
+                ("digits", "16", lambda: system.solve(1, 1, digits=16)),
+                ("regime", "sliding", lambda: system.map([1], [1]).where("sliding")),
+                ("stiffness_ratios", "nan", lambda: System(**{**CHAIN, "stiffness_ratios": [1, np.nan, 1]})),
+                ("beta", "(3,)", lambda: system.solve([1, 2], [1, 2, 3])),
+                ("r", "'fast'", lambda: system.solve("fast", 1))):
+            with self.subTest(quantity=quantity, value=value), self.assertRaises(denhartog.InputError) as caught:
+                call()
+            fault = caught.exception
+            self.assertIsInstance(fault, (denhartog.Error, ValueError))
+            self.assertEqual((fault.quantity, fault.value), (quantity, value))
+            self.assertTrue(fault.rule.startswith(("must", "of mode 2 must")), fault.rule)
+        undamped = System(mass_ratios=[1], stiffness_ratios=[1], damping_ratios=0, contact=1, load=1)
+        with self.assertRaises(denhartog.DomainError):
+            undamped.functions(1.0)
+        with self.assertRaises(denhartog.InputError):
+            system.frequency_ratio(1.0)  # it has no units
+
+    def test_a_map_of_many_points_can_be_followed_and_ended(self):
+        system, steps = System(**CHAIN), []
+        r, beta = np.linspace(0.2, 3, 500), np.linspace(0, 1, 200)
+        found = system.map(r, beta, masses=system.contact, progress=lambda done, all: steps.append((done, all)))
+        self.assertEqual(found.regime.size, 100000)
+        self.assertEqual((steps[-1], steps), ((500, 500), sorted(steps)))
+        self.assertTrue(np.isfinite(found.amplitude[found.status <= 1]).all())
+        with self.assertRaises(denhartog.Cancelled):
+            system.map(np.linspace(0.1, 3, 5000), beta, progress=lambda done, all: True)
+        with self.assertRaises(denhartog.Cancelled):
+            system.solve(np.linspace(0.1, 3, 100000), 0.3, progress=lambda done, all: True)
+        with self.assertRaises(ZeroDivisionError):
+            system.map(np.linspace(0.1, 3, 5000), beta, progress=lambda done, all: done // 0)
+
+    def test_an_interruption_ends_a_map(self):
+        system = System(**CHAIN)
+        threading.Timer(0.2, os.kill, (os.getpid(), signal.SIGINT)).start()
+        with self.assertRaises(KeyboardInterrupt):
+            system.map(np.linspace(0.05, 3, 20000), np.linspace(0, 1, 500))
+
+
+if __name__ == "__main__":
+    warnings.simplefilter("error")
+    unittest.main()
