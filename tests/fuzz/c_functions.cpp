@@ -1,6 +1,7 @@
 // The C interface: bytes choose functions, numbers, counts, and pointers that are null. Every call returns a status of the header,
 // no exception leaves it, and outputs are written all or not at all.
 #include <array>
+#include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -64,14 +65,15 @@ nlohmann::json matrix(Choices& c, std::size_t N) {
     return rows;
 }
 
-// Damping is a share of the stiffness, so that the modes stay, or any matrix.
+// Damping is a share of the stiffness, so that the modes stay, or another matrix.
 SystemHandle from_matrices(Choices& c) {
     const std::size_t N = 1 + c.of(3);
     nlohmann::json scene{{"mass_matrix", matrix(c, N)}, {"stiffness_matrix", matrix(c, N)}};
     if (c.of(2) == 0) {
         scene["damping_ratios"] = c.number() / 16;
-    } else if (c.rarely()) {
+    } else if (c.of(2) == 0) { // it couples the modes
         scene["damping_matrix"] = matrix(c, N);
+        if (c.rarely()) scene["damping_tolerance"] = c.number();
     } else {
         scene["damping_matrix"] = scene["stiffness_matrix"];
         for (nlohmann::json& row : scene["damping_matrix"])
@@ -227,6 +229,78 @@ void ask_quantity(Choices& c, const dh_system* system, std::size_t N) {
     values.check(ok, ok ? count : 0);
 }
 
+int end_at(size_t done, size_t all, void* context) {
+    claim(done <= all, "no more is done than there is");
+    return --*static_cast<int*>(context) < 0 ? 1 : 0;
+}
+
+// A small grid, or the same numbers as points.
+void ask_points(Choices& c, const dh_system* system, std::size_t N) {
+    const Point p(c);
+    const std::size_t columns = 1 + c.of(3), rows = 1 + c.of(3), count = columns * rows * N;
+    const std::vector<double> r = c.numbers(columns), beta = c.numbers(rows);
+    const size_t mass = c.rarely() ? c.byte() : 1 + c.of(N);
+    const bool all = c.of(2) == 0;
+    int calls_left = c.rarely() ? 1 : 1000;
+    std::vector<signed char> status(columns * rows, 99);
+    std::vector<int> stops(columns * rows, 99);
+    std::vector<double> amplitude(count, -99), phase(count, -99);
+    const std::ptrdiff_t masses = all ? static_cast<std::ptrdiff_t>(N) : 1, length = static_cast<std::ptrdiff_t>(rows);
+    bool ok = false;
+    if (c.of(2) == 0) {
+        const dh_map_request request{c.rarely() ? 1 : sizeof request,
+                                     columns,
+                                     r.data(),
+                                     rows,
+                                     beta.data(),
+                                     p.mu,
+                                     c.rarely(),
+                                     1,
+                                     all ? nullptr : &mass,
+                                     static_cast<unsigned>(1 + c.of(2)),
+                                     end_at,
+                                     &calls_left};
+        const dh_map_result result{sizeof result,
+                                   length,
+                                   1,
+                                   status.data(),
+                                   nullptr,
+                                   stops.data(),
+                                   nullptr,
+                                   length * masses,
+                                   masses,
+                                   1,
+                                   c.rarely() ? nullptr : amplitude.data()};
+        ok = answered(dh_map(system, c.rarely() ? nullptr : &request, &result),
+                      {DH_ERROR_NULL, DH_ERROR_SIZE, DH_ERROR_INPUT, DH_ERROR_PRECISION, DH_ERROR_MEMORY}, "map");
+    } else {
+        const dh_points_request request{sizeof request,
+                                        rows,
+                                        r.data(),
+                                        0,
+                                        beta.data(),
+                                        1,
+                                        p.mu,
+                                        static_cast<int>(c.of(13)),
+                                        1,
+                                        all ? nullptr : &mass,
+                                        static_cast<unsigned>(1 + c.of(2)),
+                                        end_at,
+                                        &calls_left};
+        const dh_points points{sizeof points, 1, status.data(),    nullptr, stops.data(), nullptr,
+                               masses,        1, amplitude.data(), nullptr, phase.data(), nullptr};
+        ok = answered(dh_solve_points(system, &request, c.rarely() ? nullptr : &points),
+                      {DH_ERROR_NULL, DH_ERROR_SIZE, DH_ERROR_INPUT, DH_ERROR_PRECISION, DH_ERROR_MEMORY}, "solve_points");
+    }
+    for (std::size_t n = 0; n < status.size(); ++n) {
+        claim(ok || (status[n] == 99 && stops[n] == 99), "what ended in a fault has written nothing");
+        if (!ok || status[n] == 99) continue;
+        const bool known = status[n] == DH_POINT_ANSWERED || status[n] == DH_POINT_ON_BOUNDARY;
+        claim(known ? stops[n] >= 0 : stops[n] == -1, "a point has its numbers, or says that it has none");
+    }
+    for (const double x : amplitude) claim(x == -99 || x >= 0 || std::isnan(x), "an amplitude is not negative");
+}
+
 int count_down(void* context) { return --*static_cast<int*>(context) < 0 ? 1 : 0; }
 
 // What a call may cost: little, or next to nothing, or an end from outside after a while; what is no such number changes nothing.
@@ -246,8 +320,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     Choices c({data, size});
     int calls_left = 0;
     dh_set_effort(operations, nullptr, nullptr);
-    constexpr auto asks =
-        std::to_array({ask_masses, ask_modes, ask_functions, ask_boundaries, ask_sliding, ask_solution, ask_quantity});
+    constexpr auto asks = std::to_array(
+        {ask_masses, ask_modes, ask_functions, ask_boundaries, ask_sliding, ask_solution, ask_quantity, ask_points});
     const SystemHandle system = system_of(c);
     std::size_t N = 1;
     if (system) claim(dh_system_masses(system.get(), &N, nullptr, nullptr) == DH_OK, "a system has masses");

@@ -115,6 +115,16 @@ TEST_CASE("the map of a system whose damping couples the modes is that of solve"
     CHECK(stops > 0);
 }
 
+TEST_CASE("dashpots that leave a motion undamped but for the rounding of their sums are answered to any digits",
+          "[coupled-damping]") {
+    const Solution s =
+        solve(scene(R"({"mass_ratios": [1, 1.5, 2], "stiffness_ratios": [1, 0.75, 1.25], "contact": 1, "load": 3, "r": 0.7,
+        "beta": 0.01, "damping_matrix": [[0.1, -0.1, 0], [-0.1, 0.30000000000000004, -0.2], [0, -0.2, 0.2]]})"),
+              {.digits = 30});
+    CHECK(s.regime.regime == Regime::continuous);
+    CHECK_FALSE(s.unique);
+}
+
 TEST_CASE("a damping matrix that feeds energy into the motion is refused", "[bad-input][coupled-damping]") {
     Scene<double> s = chain_with_dashpots(0.01);
     s.system.damping_matrix(0, 0) = -1;

@@ -34,10 +34,12 @@ void check_ratio(const T& zeta, std::size_t i) {
     if (!(zeta <= largest_damping_ratio)) throw InputError("damping_matrix", rule + "of at most 1e300", number_to_text(zeta));
 }
 
+// Entries that were rounded to double may leave a zero eigenvalue a little below zero, in any number type.
 template <class T>
-void check_passive(const Matrix<T>& D, const T& tolerance) {
-    const T least = symmetric_eigenproblem(D).values.front();
-    if (least < -tolerance * D.cwiseAbs().maxCoeff())
+void check_passive(const Matrix<T>& C) {
+    const T least = symmetric_eigenproblem(C).values.front();
+    const double rounding = 16 * static_cast<double>(C.rows()) * std::numeric_limits<double>::epsilon();
+    if (least < -rounding * C.cwiseAbs().maxCoeff())
         throw InputError("damping_matrix", "must take energy out of every motion: must have no negative eigenvalue",
                          number_in_digits(static_cast<double>(least), 3));
 }
@@ -79,7 +81,7 @@ void set_modal_damping(const Matrix<T>& L, const Matrix<T>& K, const Matrix<T>& 
     if (N > 1 && !coupled) turn_coinciding_modes(C, tolerance, basis.r_n, basis.phi);
     fix_signs(basis.phi); // D goes with them
     const Matrix<T> D = in_coordinates(basis.phi, C);
-    if (!commutes) check_passive(Matrix<T>((D + D.transpose()) / T(2)), tolerance);
+    if (!commutes) check_passive(C);
     if (coupled) basis.D = (D + D.transpose()) / T(2);
     const T size = D.cwiseAbs().maxCoeff();
     for (std::size_t i = 0; i < N; ++i)
