@@ -136,7 +136,7 @@ Vector vector_from_json(const nlohmann::json& object) {
         if (object.contains("reject")) {
             v.reject = object["reject"];
             check_text("reject", v.reject);
-            if (v.reject.empty()) throw InputError("reject", "must name the rule that is broken", "nothing");
+            if (v.reject.empty()) throw InputError("reject", "must name the rule that is broken", "");
             return v;
         }
         static_cast<void>(scene_of<double>(v.question));

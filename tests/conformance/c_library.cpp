@@ -53,6 +53,7 @@ TEST_CASE("the shared library exports the names of its list and no other", "[c_i
                                         "dh_quantity",
                                         "dh_set_effort",
                                         "dh_sliding_motion",
+                                        "dh_solution_contact",
                                         "dh_solution_destroy",
                                         "dh_solution_mass",
                                         "dh_solution_motion",

@@ -140,6 +140,27 @@ TEST_CASE("dh_solve_points has the numbers of dh_solve", "[c_interface]") {
     for (std::size_t n = 2; n < 8; ++n) CHECK(same_bytes(amplitude[n], amplitude[n % 2]));
 }
 
+TEST_CASE("the contact of two masses that rub against each other has its own amplitude in C", "[c_interface]") {
+    for (const std::string contact : {"[1, 3]", "2"}) {
+        const std::string text = chain.substr(0, chain.find("\"contact\"")) + "\"contact\": " + contact + ", \"load\": 1}";
+        const SystemHandle system = system_of(text);
+        dh_solution* made = nullptr;
+        REQUIRE(dh_solve(system.get(), 1.125, 0.0625, 1, 0, &made) == DH_OK);
+        const std::unique_ptr<dh_solution, decltype(&dh_solution_destroy)> solution(made, dh_solution_destroy);
+        dh_mass found{};
+        found.size = sizeof found;
+        REQUIRE(dh_solution_contact(made, &found) == DH_OK);
+        Scene<double> at = scene(text);
+        at.r = 1.125;
+        at.beta = 0.0625;
+        const Solution s = solve(at);
+        const SolvedMass& expected = s.between ? *s.between : s.masses[1];
+        CHECK(s.between.has_value() == (contact != "2"));
+        CHECK(same_bytes(found.amplitude, expected.amplitude.value));
+        CHECK(same_bytes(found.phase, expected.phase.value().value));
+    }
+}
+
 TEST_CASE("a report of progress ends a call, and nothing is written", "[c_interface]") {
     const SystemHandle system = system_of(chain);
     const std::vector<double> r(100, 0.5), beta{0.75};

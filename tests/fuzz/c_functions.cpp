@@ -185,6 +185,10 @@ void look_at(Choices& c, const dh_solution* solution, std::size_t N) {
     m.check(answered(dh_solution_mass(solution, mass, m.data()),
                      {DH_ERROR_NULL, DH_ERROR_SIZE, DH_ERROR_INPUT, DH_ERROR_PRECISION}, "mass"),
             {&dh_mass::amplitude, &dh_mass::error, &dh_mass::phase, &dh_mass::phase_error});
+    StructOutput<dh_mass> contact(c);
+    contact.check(
+        answered(dh_solution_contact(solution, contact.data()), {DH_ERROR_NULL, DH_ERROR_SIZE, DH_ERROR_PRECISION}, "contact"),
+        {&dh_mass::amplitude, &dh_mass::error, &dh_mass::phase, &dh_mass::phase_error});
     if (ok) {
         const std::size_t stops = all.data()->stops, count = count_of(c, stops);
         Output start(c, std::max(count, stops)), end(c, std::max(count, stops));

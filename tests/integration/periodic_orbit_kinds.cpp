@@ -5,6 +5,7 @@
 
 #include "denhartog/number/errors.hpp"
 #include "denhartog/stick_slip/floquet.hpp"
+#include "denhartog/stick_slip/orbit_search.hpp"
 #include "denhartog/stick_slip/periodic_orbit.hpp"
 #include "tests/integration/orbit_scenes.hpp"
 
@@ -290,4 +291,14 @@ TEST_CASE("a start or a search that breaks a rule is refused", "[shooting][input
     search = {};
     search.tolerance = -1;
     CHECK_THROWS_AS(orbit_of(p, search), InputError);
+}
+
+TEST_CASE("a motion is followed for thirty decay times of its slowest mode, overdamped or not", "[shooting]") {
+    const auto periods = [](const Prepared<double>& p) {
+        const ExactSolver<double> solver(p.system, p.excitation);
+        return periods_to_follow(solver, 20000);
+    };
+    CHECK(periods(prepared_oscillator(0.5, 1, 0.25, 2)) == 500 + 9);     // 30 / (2 pi 0.5)
+    CHECK(periods(prepared_oscillator(1000, 1, 0.25, 2)) == 500 + 9549); // the slow one of its two rates is 1 / 2000
+    CHECK(periods(prepared_oscillator(0, 1, 0.25, 2)) == 20000);
 }

@@ -117,7 +117,7 @@ const char* dh_status_text(int status) noexcept {
     switch (status) {
     case DH_OK: return "done";
     case DH_ERROR_NULL: return "a pointer that is needed is null";
-    case DH_ERROR_SIZE: return "an array or a struct has not the size that it must have, or one beyond a limit";
+    case DH_ERROR_SIZE: return "an array or a struct has the wrong size, or a size beyond a limit";
     case DH_ERROR_INPUT: return "a number or a text breaks a rule";
     case DH_ERROR_DOMAIN: return "a formula was asked for where it does not hold";
     case DH_ERROR_PRECISION: return "the digits asked for were not reached, or a result is no finite double";

@@ -1,7 +1,7 @@
 /// @file
 /// @brief The library from C, and from any language that calls C: opaque handles, codes in place of exceptions, a stable ABI.
 ///
-/// C99, and C++ as it is. Masses and modes count from 1; modes ascend by natural frequency. Displacements are in units of
+/// The header is C99 and C++. Masses and modes count from 1; modes ascend by natural frequency. Displacements are in units of
 /// P / k_1, angles in radians; docs/c-interface.md has an example and the conventions.
 ///
 /// Every function that can fail returns a status, #DH_OK or one of the others, and the text of the fault is kept for the calling
@@ -38,7 +38,7 @@
 /// @brief Most displacements in one answer, instants times masses.
 #define DH_MOST_DISPLACEMENTS 100000000
 
-/// @brief What C++ is told of every function: no exception leaves it.
+/// @brief Tells C++ that no exception leaves a function.
 #ifdef __cplusplus
 #define DH_NOEXCEPT noexcept
 extern "C" {
@@ -50,7 +50,7 @@ extern "C" {
 enum dh_status {
     DH_OK = 0,              ///< done
     DH_ERROR_NULL = 1,      ///< a pointer that is needed is null
-    DH_ERROR_SIZE = 2,      ///< an array or a struct has not the size that it must have, or one beyond a limit
+    DH_ERROR_SIZE = 2,      ///< an array or a struct has the wrong size, or a size beyond a limit
     DH_ERROR_INPUT = 3,     ///< a number or a text breaks a rule; the message names quantity, rule and value
     DH_ERROR_DOMAIN = 4,    ///< a formula was asked for where it does not hold, e.g. the sliding motion where the contact sticks
     DH_ERROR_PRECISION = 5, ///< the digits asked for were not reached, or a result is no finite double
@@ -60,7 +60,7 @@ enum dh_status {
 
 /// @brief How the contact moves in the steady state.
 enum dh_regime {
-    DH_CONTINUOUS = 0,        ///< it slides throughout, but for its two turning points a period
+    DH_CONTINUOUS = 0,        ///< it slides throughout, except at its two turning points in each period
     DH_STICK_SLIP = 1,        ///< it moves, and rests for a part of every period
     DH_PERMANENT_STICKING = 2 ///< it rests
 };
@@ -295,6 +295,13 @@ DH_EXPORT int dh_solution_summary(const dh_solution* solution, dh_summary* summa
 /// @return          #DH_OK, #DH_ERROR_NULL, #DH_ERROR_SIZE, #DH_ERROR_INPUT, #DH_ERROR_PRECISION
 DH_EXPORT int dh_solution_mass(const dh_solution* solution, size_t mass, dh_mass* result) DH_NOEXCEPT;
 
+/// @brief Amplitude and phase of the contact with their errors: where two masses rub against each other, of the first relative to the
+/// second; else those of the mass in contact.
+/// @param solution  a solution
+/// @param result    its size set; receives the rest
+/// @return          #DH_OK, #DH_ERROR_NULL, #DH_ERROR_SIZE, #DH_ERROR_PRECISION
+DH_EXPORT int dh_solution_contact(const dh_solution* solution, dh_mass* result) DH_NOEXCEPT;
+
 /// @brief When the contact rests, within the period of the motion; tau from the maximum of the force.
 /// @param solution  a solution
 /// @param count     the number of stops, from dh_solution_summary()
@@ -325,7 +332,7 @@ enum dh_point_status {
     DH_POINT_FAILED = 4         ///< the digits of the number types do not suffice, or the work allowed is spent
 };
 
-/// @brief Told how much of a call is done, by one thread at a time, which need not be the one that called.
+/// @brief Your function, which hears how much of a call is done. One thread at a time calls it, not always the one that called.
 /// @param done     columns or points that are done
 /// @param all      of how many
 /// @param context  as given to the call
@@ -418,7 +425,7 @@ DH_EXPORT int dh_solve_points(const dh_system* system, const dh_points_request* 
 /// @brief Any quantity of docs/protocol.md by its name there, with the conventions of that page; the regime as enum dh_regime.
 ///
 /// One function for languages in which structs and handles are hard to pass. What needs the steady motion is solved for anew by
-/// every call, to 12 digits: who wants more than one number of a point calls dh_solve() once.
+/// every call, to 12 digits. If you want more than one number of a point, call dh_solve() once.
 /// @param system  a system
 /// @param name    e.g. `amplitude`
 /// @param r       frequency ratio, Eq. (10), positive

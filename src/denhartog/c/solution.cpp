@@ -90,6 +90,17 @@ int dh_solution_mass(const dh_solution* solution, size_t mass, dh_mass* result) 
     });
 }
 
+int dh_solution_contact(const dh_solution* solution, dh_mass* result) noexcept {
+    return guarded([&] {
+        need(solution, "solution");
+        need_struct(result, "result");
+        const Solution& s = solution->solution;
+        const dh_mass all = to_c(s.between ? *s.between : mass_of(s, s.contact));
+        need_finite(std::array{all.amplitude, all.error, all.phase, all.phase_error});
+        hand_out(all, result);
+    });
+}
+
 int dh_solution_stops(const dh_solution* solution, size_t count, double* start, double* end) noexcept {
     return guarded([&] {
         need(solution, "solution");

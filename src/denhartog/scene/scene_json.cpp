@@ -146,7 +146,7 @@ std::optional<T> read_force(const json& object, const T& m_1, const T& k_1, cons
     if (!object.contains("base_motion")) base.fail("must be given together with base_motion");
     const T displacement = read_positive<T>(base);
     if (object.at("base_motion") == "alone") return T(k_1 * displacement);
-    if (!omega) throw InputError("frequency", "must be given where the base moves with the wall", "nothing");
+    if (!omega) throw InputError("frequency", "must be given where the base moves with the wall", "");
     return T(m_1 * *omega * *omega * displacement);
 }
 

@@ -55,9 +55,13 @@ void check_search(const OrbitSearch<T>& search, const State<T>& start, std::size
 template <class T>
 int periods_to_follow(const ExactSolver<T>& solver, int most) {
     const ModalBasis<T>& basis = solver.system().basis;
+    if (basis.coupled()) return most;               // a motion may decay more slowly than the diagonal of the damping tells
     T slowest = std::numeric_limits<T>::infinity(); // decay rate, a period of the force
-    for (std::size_t i = 0; i < basis.r_n.size(); ++i)
-        slowest = std::min(slowest, T(2 * pi<T>() * basis.zeta[i] * basis.r_n[i] / solver.excitation().r));
+    for (std::size_t i = 0; i < basis.r_n.size(); ++i) {
+        const T& zeta = basis.zeta[i];
+        const T rate = zeta < 1 ? zeta : T(1 / (zeta + sqrt(T((zeta - 1) * (zeta + 1)))));
+        slowest = std::min(slowest, T(2 * pi<T>() * rate * basis.r_n[i] / solver.excitation().r));
+    }
     const T periods = least_periods_followed + decay_times_followed / slowest;
     return periods < most ? static_cast<int>(periods) : most;
 }

@@ -87,6 +87,7 @@ _PROTOTYPES = {
     "dh_solve": [c_void_p, c_double, c_double, c_double, c_int, POINTER(c_void_p)],
     "dh_solution_summary": [c_void_p, POINTER(Summary)],
     "dh_solution_mass": [c_void_p, c_size_t, POINTER(Mass)],
+    "dh_solution_contact": [c_void_p, POINTER(Mass)],
     "dh_solution_stops": [c_void_p, c_size_t, _numbers, _numbers],
     "dh_solution_motion": [c_void_p, c_size_t, c_size_t, _numbers, _numbers],
     "dh_map": [c_void_p, POINTER(MapRequest), POINTER(MapResult)],

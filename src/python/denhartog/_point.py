@@ -21,6 +21,8 @@ def solution(system: ctypes.c_void_p, N: int, r: float, beta: float, mu: float, 
     listed = [_library.Mass() for _ in masses]
     for k, mass in zip(masses, listed):
         _library.call("dh_solution_mass", address, int(k), byref(mass))
+    contact = _library.Mass()
+    _library.call("dh_solution_contact", address, byref(contact))
     stops = np.empty((2, summary.stops))
     _library.call("dh_solution_stops", address, summary.stops, *map(_library.pointer, stops))
     displacements = {name: np.array([getattr(m, name) for m in listed]) for name in ("amplitude", "error")}
@@ -30,7 +32,8 @@ def solution(system: ctypes.c_void_p, N: int, r: float, beta: float, mu: float, 
         symmetric=bool(summary.symmetric), periods=summary.periods, stops=stops.T.copy(),
         rest_interval=(summary.rest_from, summary.rest_to) if summary.rest_interval_exists else None,
         rest_error=summary.rest_error, masses=masses.astype(int), amplitude=displacements["amplitude"],
-        amplitude_error=displacements["error"], relative_error=summary.relative_error, _handle=handle, _N=N, **phases)
+        amplitude_error=displacements["error"], contact_amplitude=contact.amplitude,
+        contact_phase=contact.phase if contact.moves else math.nan, relative_error=summary.relative_error, _handle=handle, _N=N, **phases)
 
 
 def boundary(system: ctypes.c_void_p, r: np.ndarray, mu: float) -> Boundary:

@@ -106,6 +106,8 @@ class Solution:
         Largest displacement of each mass and the bound of its error, in units of P / k_1.
     phase, phase_error : ndarray, shape (M,)
         Lag of the largest displacement behind the force, in (-pi, pi], and the bound of its error; NaN for a mass at rest.
+    contact_amplitude, contact_phase : float
+        The same of the contact: of two masses that rub against each other, of the first relative to the second.
     relative_error : float
         The largest error of all masses: of amplitudes relative, of phases in radians.
     """
@@ -126,6 +128,8 @@ class Solution:
     amplitude_error: np.ndarray
     phase: np.ndarray
     phase_error: np.ndarray
+    contact_amplitude: float
+    contact_phase: float
     relative_error: float
     _handle: "Handle" = field(repr=False)
     _N: int = field(repr=False)

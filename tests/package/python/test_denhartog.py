@@ -134,6 +134,13 @@ class InPython(unittest.TestCase):
         undamped = System(mass_ratios=[1, 1], stiffness_ratios=[1, 1], damping_ratios=0, contact=2, load=1)
         self.assertTrue(np.isnan(undamped.boundary(np.sqrt(2)).sticking) or undamped.boundary(np.sqrt(2)).sticking > 1e10)
 
+    def test_a_contact_between_two_masses(self):
+        motion = System(**{**CHAIN, "contact": [3, 1]}).solve(1.125, 0.0625)
+        between = motion.motion(2000).x @ [-1, 0, 1]
+        self.assertAlmostEqual(motion.contact_amplitude, abs(between).max(), delta=1e-4 * motion.contact_amplitude)
+        wall = System(**CHAIN).solve(1.125, 0.0625)
+        self.assertEqual((wall.contact_amplitude, wall.contact_phase), (wall.amplitude[1], wall.phase[1]))
+
     def test_a_contact_at_rest(self):
         found = System(**CHAIN).solve(1.125, 5.0)
         self.assertEqual(found.regime, "permanent_sticking")

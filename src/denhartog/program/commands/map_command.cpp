@@ -88,7 +88,7 @@ void answer(const MapOptions& options, ExitStatus& status) {
         const std::vector<BoundaryPoint> curves = boundary_curves(scene, request.r);
         return write(options, npy ? curves_npy(request.r, curves) : curves_csv(request.r, curves));
     }
-    if (options.beta.empty()) throw InputError("beta", "must be given as FROM:TO:COUNT", "nothing");
+    if (options.beta.empty()) throw InputError("beta", "must be given as FROM:TO:COUNT", "");
     request.beta = grid_values("beta", options.beta);
     request.masses = masses_of(options.masses, scene);
     request.start = options.start == "sliding" ? MapStart::sliding : MapStart::rest;

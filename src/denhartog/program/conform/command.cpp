@@ -111,7 +111,7 @@ void take_program(ConformOptions& options, const std::vector<std::string>& argum
     const auto mark = std::find(arguments.begin(), arguments.end(), "--");
     if (mark == arguments.end()) throw InputError("PROGRAM", "must follow after --", options.command.front());
     options.command.assign(mark + 1, arguments.end());
-    if (options.command.empty()) throw InputError("PROGRAM", "must follow after --", "nothing");
+    if (options.command.empty()) throw InputError("PROGRAM", "must follow after --", "");
 }
 
 // A program that broke before a report could be made.
