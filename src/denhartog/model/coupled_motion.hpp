@@ -29,7 +29,13 @@ public:
     /// @param A       the system
     /// @param rate    no rate of it is faster: its entries over it are not much larger than 1 once its rows are scaled
     /// @param effort  what its exponentials spend; null: nothing
-    CoupledMotion(Matrix<T> A, const T& rate, Effort* const* effort) : A_(std::move(A)), rate_(rate), effort_(effort) {}
+    CoupledMotion(Matrix<T> A, const T& rate, Effort* const* effort) : A_(std::move(A)), rate_(rate), effort_(effort) {
+        for (Eigen::Index row = 0; row < A_.rows(); ++row) {
+            for (Eigen::Index column = 0; column < A_.cols(); ++column)
+                if (A_(row, column) != 0) entries_.push_back({column, A_(row, column)});
+            ends_.push_back(entries_.size());
+        }
+    }
 
     /// @brief Starts at t = 0. @param z the state
     void start(Column<T> z) {
@@ -118,15 +124,19 @@ private:
         Eigen::Index k = 1;
         for (bool grows = true; grows && k <= most_terms; ++k) {
             if (k == terms.cols()) terms.conservativeResize(Eigen::NoChange, 2 * k);
-            auto term = terms.col(k);
-            term.setZero();
-            for (Eigen::Index n = 0; n < z.size(); ++n) term += A_.col(n) * terms(n, k - 1);
-            term /= T(static_cast<int>(k) * rate_);
+            const T divisor(static_cast<int>(k) * rate_);
+            const T* const before = terms.col(k - 1).data();
+            T* const term = terms.col(k).data();
             grows = false;
-            for (Eigen::Index i = 0; i < z.size(); ++i) {
-                const T next = sum(i) + term(i);
-                grows = grows || next != sum(i);
-                sum(i) = next;
+            for (std::size_t i = 0, entry = 0; i < ends_.size(); ++i) {
+                T each(0);
+                for (; entry < ends_[i]; ++entry) each += entries_[entry].value * before[entries_[entry].column];
+                each /= divisor;
+                term[i] = each;
+                T& known = sum(static_cast<Eigen::Index>(i));
+                const T next = known + each;
+                grows = grows || next != known;
+                known = next;
             }
         }
         terms.conservativeResize(Eigen::NoChange, k);
@@ -157,7 +167,15 @@ private:
     static constexpr std::uint64_t most_single_steps = 16;
     static constexpr std::size_t most_series = 64; // kept at a time
 
+    // An entry of a row that is not zero; most are, as half of the rows say that a velocity is one.
+    struct Entry {
+        Eigen::Index column;
+        T value;
+    };
+
     Matrix<T> A_;
+    std::vector<Entry> entries_;    // row by row
+    std::vector<std::size_t> ends_; // of each row in them
     T rate_ = T(1);
     Effort* const* effort_ = nullptr;
     Column<T> state_;                           // at the start
