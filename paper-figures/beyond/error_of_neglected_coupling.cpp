@@ -1,5 +1,6 @@
 // Error of leaving out what couples the modes, Section 2.1, over the size of the coefficients left out.
 #include "denhartog/answer/sliding_solution.hpp"
+#include "denhartog/model/modal_damping.hpp"
 #include "denhartog/solve/solve.hpp"
 #include "error_curves.hpp"
 
@@ -25,10 +26,7 @@ struct Dashpots {
         system.contact = Mass{1};
         system.load = Mass{0};
         basis = modal_basis(system);
-        largest = 0;
-        for (Eigen::Index i = 0; i < 3; ++i)
-            for (Eigen::Index k = 0; k < i; ++k)
-                largest = std::max(largest, std::abs(basis.D(i, k)) / std::sqrt(basis.D(i, i) * basis.D(k, k)));
+        largest = largest_coupling(basis.D, 0.0);
     }
 
     /// The same with the coefficients off the diagonal times a factor.

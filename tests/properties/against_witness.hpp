@@ -2,7 +2,9 @@
 /// @brief Certified answers to random scenes against routes that share nothing with them.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 #include "denhartog/denhartog.hpp"
 #include "denhartog/number/number_text.hpp"
@@ -27,6 +29,9 @@ W number_of(const Certified& x) {
     if (!x.decimal.empty()) REQUIRE(number_from_text(x.decimal, value) == NumberFault::none);
     return value;
 }
+
+/// @brief What differences may come to, over the amplitude. @param digits asked for: answers are rounded to 45 @return the tolerance
+inline double tolerance_of_witness(int digits) { return digits < 45 ? std::pow(10.0, -digits) : 5e-45; }
 
 /// @brief Amplitudes and phases of all masses, and of the contact, against the half-period in coordinates of the masses.
 /// @param random  the scene
@@ -64,6 +69,66 @@ void compare_with_witness(const RandomScene<double>& random, int digits, Found& 
     const W of_contact = contact_vector(problem).dot(witness.x_0);
     check(scene.system.contact_with ? s.between.value().amplitude : s.amplitude(scene.system.contact), of_contact, of_contact);
     ++found.compared;
+}
+
+/// @brief Some of the scenes against the second witness: the differences are below what the digits allow.
+/// @tparam T      the number type of the witness
+/// @param scenes  the scenes
+/// @param every   one in so many is taken
+/// @param digits  asked for
+/// @param least   as many must be comparable
+template <class T>
+void check_by_witness(const std::vector<RandomScene<double>>& scenes, std::size_t every, int digits, int least) {
+    Found found;
+    for (std::size_t n = 0; n < scenes.size(); n += every) compare_with_witness<T>(scenes[n], digits, found);
+    CHECK(found.compared >= least);
+    CHECK(found.worst < tolerance_of_witness(digits));
+}
+
+/// @brief Every scene against the second witness, to 12 digits, and those of up to four masses to 45, with a line of what was found.
+/// @param scenes  the scenes
+inline void survey_by_witness(const std::vector<RandomScene<double>>& scenes) {
+    Found found, in_50_digits;
+    for (const RandomScene<double>& each : scenes) {
+        compare_with_witness<double>(each, 12, found);
+        if (number_of_masses(each.scene.system) <= 4) compare_with_witness<Real50>(each, 45, in_50_digits);
+    }
+    std::printf(
+        "to 12 digits: %d scenes, %d refused, worst %.2g of the amplitude; to 45 digits: %d scenes, %d refused, worst %.2g\n",
+        found.compared, found.refused, found.worst, in_50_digits.compared, in_50_digits.refused, in_50_digits.worst);
+    CHECK(found.worst < tolerance_of_witness(12));
+    CHECK(in_50_digits.worst < tolerance_of_witness(45));
+}
+
+/// @brief The points of a map, and the motions there, against `solve`.
+/// @param scene  the system
+/// @param r      frequency ratios
+/// @param beta   friction ratios
+/// @return       number of stops at all points
+inline int check_map_by_solve(Scene<double> scene, const std::vector<double>& r, const std::vector<double>& beta) {
+    const RegimeMap all = map(scene, r, beta);
+    const std::size_t N = number_of_masses(scene.system);
+    int stops = 0;
+    for (std::size_t m = 0; m < r.size(); ++m)
+        for (std::size_t n = 0; n < beta.size(); ++n) {
+            scene.r = r[m];
+            scene.beta = beta[n];
+            INFO("r = " << r[m] << ", beta = " << beta[n]);
+            const Solution s = solve(scene);
+            const std::size_t place = m * beta.size() + n;
+            CHECK(all.points[place].status == PointStatus::answered);
+            CHECK(all.points[place].regime == s.regime.regime);
+            CHECK(all.points[place].stops == static_cast<int>(s.stops.size()));
+            stops += all.points[place].stops;
+            const SampledSolution sampled = motion(scene, 512);
+            for (std::size_t k = 0; k < N; ++k) {
+                CHECK(all.amplitudes[place * N + k] == Approx(s.masses[k].amplitude.value).epsilon(1e-6));
+                double largest = 0;
+                for (const State<double>& state : sampled.states) largest = std::max(largest, std::abs(state.x[k]));
+                CHECK(largest == Approx(s.masses[k].amplitude.value).epsilon(1e-4));
+            }
+        }
+    return stops;
 }
 
 /// @brief Motions of scenes in stick-slip against the paper's Runge-Kutta over their own period, to 1e-6.

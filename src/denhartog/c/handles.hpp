@@ -29,6 +29,13 @@ static_assert(DH_MOST_MASSES == most_masses && DH_MOST_SAMPLES == most_samples &
     return {mass - 1};
 }
 
+/// @brief Digits from C. @param digits as a caller gives them @return none for 0 @throws InputError for more than a double has
+[[nodiscard]] inline std::optional<int> digits_from(int digits) {
+    if (digits < 0 || digits > most_digits_of_a_double)
+        throw InputError("digits", "must be from 0 to " + std::to_string(most_digits_of_a_double), std::to_string(digits));
+    return digits > 0 ? std::optional(digits) : std::nullopt;
+}
+
 /// @brief Checks the size that a caller has set. @param result the struct @param name its name in the header
 /// @throws CallError where it is too small
 template <class Struct>

@@ -163,11 +163,8 @@ int dh_solve_points(const dh_system* system, const dh_points_request* request, c
         need(request->beta, "request->beta");
         check_static_friction(request->mu);
         check_points(request->count, request->r, request->r_step, request->beta, request->beta_step);
-        if (request->digits < 0 || request->digits > most_digits_of_a_double)
-            throw InputError("digits", "must be from 0 to " + std::to_string(most_digits_of_a_double),
-                             std::to_string(request->digits));
-        Question question{points->phase != nullptr || points->phase_error != nullptr ? Asked::phase : Asked::amplitude, {}};
-        if (request->digits > 0) question.digits = request->digits;
+        Question question{points->phase != nullptr || points->phase_error != nullptr ? Asked::phase : Asked::amplitude,
+                          digits_from(request->digits)};
         const std::vector<Mass> masses =
             masses_from(request->mass_count, request->masses, number_of_masses(system->prepared.scene.system));
         if (masses.size() == 1) question.mass = masses.front();

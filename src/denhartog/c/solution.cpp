@@ -14,10 +14,12 @@ using namespace denhartog::c_interface;
 
 namespace {
 
-dh_mass to_c(const SolvedMass& m) {
+void hand_out_mass(const SolvedMass& m, dh_mass* result) {
     const double error = error_of_displacements(m);
-    if (!m.phase) return {0, m.amplitude.value, error, 0, 0, 0};
-    return {0, m.amplitude.value, error, m.phase->value, m.phase->error, 1};
+    const dh_mass all = m.phase ? dh_mass{0, m.amplitude.value, error, m.phase->value, m.phase->error, 1}
+                                : dh_mass{0, m.amplitude.value, error, 0, 0, 0};
+    need_finite(std::array{all.amplitude, all.error, all.phase, all.phase_error});
+    hand_out(all, result);
 }
 
 } // namespace
@@ -38,10 +40,8 @@ int dh_solve(const dh_system* system, double r, double beta, double mu, int digi
         need(system, "system");
         need(solution, "solution");
         check_static_friction(mu);
-        if (digits < 0 || digits > most_digits_of_a_double)
-            throw InputError("digits", "must be from 0 to " + std::to_string(most_digits_of_a_double), std::to_string(digits));
         Question question;
-        if (digits > 0) question.digits = digits;
+        question.digits = digits_from(digits);
         auto made = std::make_unique<dh_solution>();
         made->scene = system->prepared.scene;
         made->scene.mu = mu;
@@ -84,9 +84,7 @@ int dh_solution_mass(const dh_solution* solution, size_t mass, dh_mass* result) 
         need(solution, "solution");
         need_struct(result, "result");
         const std::vector<SolvedMass>& masses = solution->solution.masses;
-        const dh_mass all = to_c(masses[mass_from(mass, masses.size(), "mass").index]);
-        need_finite(std::array{all.amplitude, all.error, all.phase, all.phase_error});
-        hand_out(all, result);
+        hand_out_mass(masses[mass_from(mass, masses.size(), "mass").index], result);
     });
 }
 
@@ -95,9 +93,7 @@ int dh_solution_contact(const dh_solution* solution, dh_mass* result) noexcept {
         need(solution, "solution");
         need_struct(result, "result");
         const Solution& s = solution->solution;
-        const dh_mass all = to_c(s.between ? *s.between : mass_of(s, s.contact));
-        need_finite(std::array{all.amplitude, all.error, all.phase, all.phase_error});
-        hand_out(all, result);
+        hand_out_mass(s.between ? *s.between : mass_of(s, s.contact), result);
     });
 }
 

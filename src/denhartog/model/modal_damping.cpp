@@ -64,9 +64,17 @@ void turn_coinciding_modes(const Matrix<T>& C, const T& tolerance, const std::ve
 }
 
 template <class T>
-T distance_from_classical(const System<T>& s) {
-    const Matrix<T> L = cholesky(mass_matrix(s)).L;
-    return distance_from_commuting(divide_out(L, stiffness_matrix(s)), divide_out(L, s.damping_matrix));
+T largest_coupling(const Matrix<T>& D, const T& rounding) {
+    using std::abs;
+    using std::sqrt;
+    T largest(0);
+    for (Eigen::Index i = 0; i < D.rows(); ++i)
+        for (Eigen::Index k = 0; k < i; ++k) {
+            if (D(i, k) == 0) continue;
+            const T product = std::max(T(D(i, i) * D(k, k)), T(rounding * rounding));
+            largest = std::max(largest, T(abs(D(i, k)) / sqrt(product)));
+        }
+    return largest;
 }
 
 template <class T>
@@ -76,8 +84,9 @@ void set_modal_damping(const Matrix<T>& L, const Matrix<T>& K, const Matrix<T>& 
     const std::size_t N = basis.r_n.size();
     const T eps = std::numeric_limits<T>::epsilon();
     const T tolerance = 8 * static_cast<int>(N) * eps;
-    const T distance = N > 1 ? distance_from_commuting(divide_out(L, K), divide_out(L, C)) : T(0);
-    const bool commutes = distance <= tolerance, coupled = distance > std::max(tolerance, T(neglected));
+    basis.distance_from_classical = N > 1 ? distance_from_commuting(divide_out(L, K), divide_out(L, C)) : T(0);
+    const bool commutes = basis.distance_from_classical <= tolerance;
+    const bool coupled = basis.distance_from_classical > std::max(tolerance, T(neglected));
     if (N > 1 && !coupled) turn_coinciding_modes(C, tolerance, basis.r_n, basis.phi);
     fix_signs(basis.phi); // D goes with them
     const Matrix<T> D = in_coordinates(basis.phi, C);
@@ -98,7 +107,9 @@ void set_modal_damping(const Matrix<T>& L, const Matrix<T>& K, const Matrix<T>& 
     }
 }
 
-template double distance_from_classical(const System<double>&);
+template double largest_coupling(const Matrix<double>&, const double&);
+template Real50 largest_coupling(const Matrix<Real50>&, const Real50&);
+template Real100 largest_coupling(const Matrix<Real100>&, const Real100&);
 template void turn_coinciding_modes(const Matrix<double>&, const double&, const std::vector<double>&, Matrix<double>&);
 template void turn_coinciding_modes(const Matrix<Real50>&, const Real50&, const std::vector<Real50>&, Matrix<Real50>&);
 template void turn_coinciding_modes(const Matrix<Real100>&, const Real100&, const std::vector<Real100>&, Matrix<Real100>&);

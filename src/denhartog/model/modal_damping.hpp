@@ -25,12 +25,13 @@ namespace denhartog {
 template <class T>
 void set_modal_damping(const Matrix<T>& L, const Matrix<T>& K, const Matrix<T>& C, double neglected, ModalBasis<T>& basis);
 
-/// @brief How far K M^-1 C is from C M^-1 K, measured as above.
+/// @brief How much damping couples modes: the largest \f$ |D_{ik}| / \sqrt{D_{ii} D_{kk}} \f$ of \f$ D = \phi^T C \phi \f$.
 /// @eq{18}
-/// @param s  a system, its damping given as a matrix
-/// @return   0 to sqrt 2; rounding where its modes are not coupled
+/// @param D         modal damping matrix
+/// @param rounding  error of its entries: a product of two diagonal entries below its square counts as that
+/// @return          0 to 1
 template <class T>
-[[nodiscard]] T distance_from_classical(const System<T>& s);
+[[nodiscard]] T largest_coupling(const Matrix<T>& D, const T& rounding);
 
 /// @brief Turns the mode shapes of every group of coinciding natural frequencies to those that diagonalise C within the group.
 /// @param C          damping matrix in units of sqrt(k_1 m_1)

@@ -88,14 +88,11 @@ template <class T>
 void set_coupling(StuckConfiguration<T>& stuck, const T& tolerance) {
     const Matrix<T>& D = stuck.damping;
     const T rounding = tolerance * D.cwiseAbs().maxCoeff();
+    stuck.coupling = largest_coupling(D, rounding);
     stuck.modes_diagonalise_damping = true;
     for (Eigen::Index i = 0; i < D.rows(); ++i)
-        for (Eigen::Index k = 0; k < i; ++k) {
-            if (D(i, k) == 0) continue;
-            const T product = std::max(T(D(i, i) * D(k, k)), T(rounding * rounding));
-            stuck.coupling = std::max(stuck.coupling, T(abs(D(i, k)) / sqrt(product)));
+        for (Eigen::Index k = 0; k < i; ++k)
             stuck.modes_diagonalise_damping = stuck.modes_diagonalise_damping && abs(D(i, k)) <= rounding;
-        }
 }
 
 template <class T>

@@ -1,8 +1,5 @@
 #include "denhartog/program/damping_json.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 #include "denhartog/model/modal_damping.hpp"
 #include "denhartog/program/table.hpp"
 
@@ -14,15 +11,11 @@ std::optional<Json> damping_json(const Scene<double>& scene) {
     system.damping_tolerance = 0;
     const ModalBasis<double> basis = modal_basis(system);
     if (!basis.coupled()) return std::nullopt;
-    const bool taken_in = modal_basis(scene.system).coupled();
-    double largest = 0; // of the coefficients off the diagonal
-    for (Eigen::Index i = 0; i < basis.D.rows(); ++i)
-        for (Eigen::Index k = 0; k < i; ++k)
-            largest = std::max(largest, std::abs(basis.D(i, k)) / std::sqrt(basis.D(i, i) * basis.D(k, k)));
+    const bool taken_in = basis.distance_from_classical > scene.system.damping_tolerance;
     const NumberWriter write;
     Json all{{"coupling", taken_in ? "taken_in" : "left_out"},
-             {"distance_from_classical", write(distance_from_classical(system))},
-             {"largest_coupling", write(largest)},
+             {"distance_from_classical", write(basis.distance_from_classical)},
+             {"largest_coupling", write(largest_coupling(basis.D, 0.0))},
              {"damping_ratios", Json::array()}};
     for (const double zeta : basis.zeta) all["damping_ratios"].push_back(write(zeta));
     return all;

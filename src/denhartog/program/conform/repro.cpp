@@ -1,5 +1,4 @@
 #include <cstdio>
-#include <filesystem>
 
 #include "conformance/grade.hpp"
 #include "conformance/method.hpp"
