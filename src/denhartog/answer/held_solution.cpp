@@ -57,10 +57,10 @@ Matrix<T> errors_of_damping(const Scene<T>& scene, const ModalBasis<Bounded<T>>&
             in_modes(i, k) += angle * apart;
             in_modes(i, i) += angle * angle * apart; // a mode turned by a right angle has the other's damping
         }
-    Matrix<T> momentum = s.mass_matrix.size() > 0 ? Matrix<T>(s.mass_matrix.cwiseAbs() * phi) : phi;
+    Matrix<T> momentum = s.mass_matrix.size() > 0 ? product(Matrix<T>(s.mass_matrix.cwiseAbs()), phi) : phi;
     if (s.mass_matrix.size() == 0)
         for (Eigen::Index k = 0; k < N; ++k) momentum.row(k) *= s.mass_ratios[static_cast<std::size_t>(k)];
-    return momentum * in_modes * momentum.transpose();
+    return in_coordinates(Matrix<T>(momentum.transpose()), in_modes);
 }
 
 template <class T>
@@ -83,18 +83,18 @@ HeldErrors<T> errors_of(const Scene<T>& scene, const StuckConfiguration<T>& stuc
     const Column<T> size = X.cwiseAbs();
     const Matrix<T> entries = stuck.K.cwiseAbs() + r * r * stuck.M.cwiseAbs();
     Column<T> terms(2 * n);
-    terms << entries * size.head(n), entries * size.tail(n);
+    terms << product(entries, Column<T>(size.head(n))), product(entries, Column<T>(size.tail(n)));
     terms += Column<T>::Constant(2 * n, T(damping.cwiseAbs().maxCoeff() * size.sum()));
     const Matrix<T> of_damping = r * errors_of_damping(scene, basis);
     Column<T> moving = Column<T>::Zero(n + 1), of_C(2 * n); // sizes of all masses, the contact's among them
     for (Eigen::Index i = 0; i < n; ++i)
         moving(static_cast<Eigen::Index>(stuck.masses[static_cast<std::size_t>(i)].index)) = size(i) + size(n + i);
-    const Column<T> forces = of_damping * moving;
+    const Column<T> forces = product(of_damping, moving);
     for (Eigen::Index i = 0; i < n; ++i)
         of_C(i) = of_C(n + i) = forces(static_cast<Eigen::Index>(stuck.masses[static_cast<std::size_t>(i)].index));
     errors.load += forces(static_cast<Eigen::Index>(scene.system.contact.index));
-    const Column<T> left_over = (b - A * X).cwiseAbs() + rounding * (terms + b.cwiseAbs()) + of_C;
-    const Column<T> error = T(2) * (LinearSystem<T>(A).inverse().cwiseAbs() * left_over + eps * size);
+    const Column<T> left_over = (b - product(A, X)).cwiseAbs() + rounding * (terms + b.cwiseAbs()) + of_C;
+    const Column<T> error = T(2) * (product_of_sizes(LinearSystem<T>(A).inverse(), left_over) + eps * size);
     for (Eigen::Index i = 0; i < n; ++i) {
         const auto m = static_cast<std::size_t>(i);
         const T of_mass = error(i) + error(n + i);
@@ -134,7 +134,7 @@ Bounded<T> compliance_of(const StuckConfiguration<T>& stuck) {
     const T rounding = 8 * static_cast<int>(n + 1) * unit_of<T>();
     const Matrix<T> inverse = LinearSystem<T>(K).inverse();
     const Column<T> x = inverse.col(n), unit = Column<T>::Unit(n + 1, n);
-    const Column<T> left_over = (unit - K * x).cwiseAbs() + rounding * (K.cwiseAbs() * x.cwiseAbs() + unit);
+    const Column<T> left_over = (unit - product(K, x)).cwiseAbs() + rounding * (product_of_sizes(K, x) + unit);
     return {x(n), T(2 * inverse.row(n).cwiseAbs().dot(left_over))};
 }
 

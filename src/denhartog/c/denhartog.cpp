@@ -58,15 +58,11 @@ constexpr int digits_without_bound = 10;
 // A boundary below it is zero: at an antiresonance of the contact.
 constexpr double boundary_of_antiresonance = 1e-25;
 
-void check_point(double r, double beta, double mu) {
+// The system at a point, in every number type.
+SceneSource point_of(const dh_system* system, double r, double beta, double mu) {
     check_frequency_ratio(r);
     check_friction_ratio(beta);
     check_static_friction(mu);
-}
-
-// The system at a point, in every number type.
-SceneSource point_of(const dh_system* system, double r, double beta, double mu) {
-    check_point(r, beta, mu);
     return at_point(with_static_friction(system->prepared.source, mu), r, beta);
 }
 

@@ -2,17 +2,46 @@
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
+#include <concepts>
+#include <limits>
+#include <type_traits>
 
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/multiprecision.hpp"
 
 namespace denhartog {
+namespace {
+
+// Blocks that fit a cache are worth their time to the compiler for machine numbers alone.
+template <class T, class Left, class Right>
+auto times(const Left& A, const Right& B) {
+    if constexpr (std::floating_point<T>)
+        return (A * B).eval();
+    else
+        return A.lazyProduct(B).eval();
+}
+
+// Factors of more digits than a double has are computed in 100 digits and no other type: Eigen's solvers take the compiler longer than
+// all else.
+template <class T>
+using Inside = std::conditional_t<std::floating_point<T>, T, Real100>;
+
+template <class To, class From, int columns>
+Eigen::Matrix<To, Eigen::Dynamic, columns> taken_to(const Eigen::Matrix<From, Eigen::Dynamic, columns>& A) {
+    if constexpr (std::same_as<To, From>)
+        return A;
+    else
+        return A.unaryExpr([](const From& x) { return static_cast<To>(x); });
+}
+
+} // namespace
 
 template <class T>
 SymmetricEigenproblem<T> symmetric_eigenproblem(const Matrix<T>& A) {
-    const Eigen::SelfAdjointEigenSolver<Matrix<T>> solved(A);
+    const Eigen::SelfAdjointEigenSolver<Matrix<Inside<T>>> solved(taken_to<Inside<T>>(A));
     if (solved.info() != Eigen::Success) throw PrecisionError("the natural frequencies of the system did not converge");
-    return {{solved.eigenvalues().begin(), solved.eigenvalues().end()}, solved.eigenvectors()};
+    const Column<T> values = taken_to<T>(solved.eigenvalues());
+    return {{values.begin(), values.end()}, taken_to<T>(solved.eigenvectors())};
 }
 
 template <class T>
@@ -29,26 +58,37 @@ Matrix<T> divided_by_transpose(const Matrix<T>& L, const Matrix<T>& X) {
 
 template <class T>
 Matrix<T> product(const Matrix<T>& A, const Matrix<T>& B) {
-    return A * B;
+    return times<T>(A, B);
+}
+
+template <class T>
+Column<T> product(const Matrix<T>& A, const Column<T>& x) {
+    return times<T>(A, x);
+}
+
+template <class T>
+Column<T> product_of_sizes(const Matrix<T>& A, const Column<T>& x) {
+    return times<T>(A.cwiseAbs(), x.cwiseAbs());
 }
 
 template <class T>
 Matrix<T> transpose_times(const Matrix<T>& X, const Matrix<T>& A) {
-    return X.transpose() * A;
+    return times<T>(X.transpose(), A);
 }
 
 template <class T>
 Matrix<T> in_coordinates(const Matrix<T>& X, const Matrix<T>& A) {
-    return X.transpose() * A * X;
+    return times<T>(transpose_times(X, A), X);
 }
 
 template <class T>
 struct LinearSystem<T>::Factors {
-    Eigen::PartialPivLU<Matrix<T>> of;
+    Eigen::PartialPivLU<Matrix<Inside<T>>> of;
 };
 
 template <class T>
-LinearSystem<T>::LinearSystem(const Matrix<T>& A) : factors_(new Factors{Eigen::PartialPivLU<Matrix<T>>(A)}) {}
+LinearSystem<T>::LinearSystem(const Matrix<T>& A)
+    : factors_(new Factors{Eigen::PartialPivLU<Matrix<Inside<T>>>(taken_to<Inside<T>>(A))}) {}
 
 template <class T>
 LinearSystem<T>::~LinearSystem() = default;
@@ -58,23 +98,25 @@ LinearSystem<T>::LinearSystem(LinearSystem&&) noexcept = default;
 
 template <class T>
 Column<T> LinearSystem<T>::solve(const Column<T>& b) const {
-    return factors_->of.solve(b);
+    const Column<Inside<T>> x = factors_->of.solve(taken_to<Inside<T>>(b));
+    return taken_to<T>(x);
 }
 
 template <class T>
 Matrix<T> LinearSystem<T>::inverse() const {
-    return factors_->of.inverse();
+    const Matrix<Inside<T>> inverse = factors_->of.inverse();
+    return taken_to<T>(inverse);
 }
 
 template <class T>
 T LinearSystem<T>::reciprocal_condition() const {
-    return factors_->of.rcond();
+    return static_cast<T>(factors_->of.rcond());
 }
 
 template <class T>
 bool LinearSystem<T>::is_regular() const {
     const auto pivots = factors_->of.matrixLU().diagonal().cwiseAbs();
-    return pivots.minCoeff() > 16 * std::numeric_limits<T>::epsilon() * pivots.maxCoeff();
+    return pivots.minCoeff() > 16 * Inside<T>(std::numeric_limits<T>::epsilon()) * pivots.maxCoeff();
 }
 
 template SymmetricEigenproblem<double> symmetric_eigenproblem(const Matrix<double>&);
@@ -89,8 +131,14 @@ template Matrix<Real100> divided_by_transpose(const Matrix<Real100>&, const Matr
 template Matrix<double> product(const Matrix<double>&, const Matrix<double>&);
 template Matrix<Real50> product(const Matrix<Real50>&, const Matrix<Real50>&);
 template Matrix<Real100> product(const Matrix<Real100>&, const Matrix<Real100>&);
+template Column<double> product(const Matrix<double>&, const Column<double>&);
+template Column<double> product_of_sizes(const Matrix<double>&, const Column<double>&);
 template Matrix<double> transpose_times(const Matrix<double>&, const Matrix<double>&);
+template Column<Real50> product(const Matrix<Real50>&, const Column<Real50>&);
+template Column<Real50> product_of_sizes(const Matrix<Real50>&, const Column<Real50>&);
 template Matrix<Real50> transpose_times(const Matrix<Real50>&, const Matrix<Real50>&);
+template Column<Real100> product(const Matrix<Real100>&, const Column<Real100>&);
+template Column<Real100> product_of_sizes(const Matrix<Real100>&, const Column<Real100>&);
 template Matrix<Real100> transpose_times(const Matrix<Real100>&, const Matrix<Real100>&);
 template Matrix<double> in_coordinates(const Matrix<double>&, const Matrix<double>&);
 template Matrix<Real50> in_coordinates(const Matrix<Real50>&, const Matrix<Real50>&);

@@ -16,17 +16,6 @@
 
 namespace denhartog {
 
-/// @brief How a phase ends.
-template <class T>
-struct Event {
-    T t;               ///< time from the start of the phase
-    int next;          ///< direction of the next phase
-    int order;         ///< order of the zero of its guard function
-    T load;            ///< load on the contact
-    bool found;        ///< false where the end of the stretch came first
-    bool open = false; ///< no end was found up to t, and what comes after is not known
-};
-
 /// @brief The phases of one system at one excitation, one at a time.
 template <class T>
 struct ContactPhases {

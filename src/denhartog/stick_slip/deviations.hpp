@@ -5,6 +5,7 @@
 /// jumps there: what the shift adds is the jump times the shift, along the accelerations that a force on the contact makes.
 #pragma once
 
+#include "denhartog/model/linear_algebra.hpp"
 #include "denhartog/stick_slip/contact_phases.hpp"
 
 namespace denhartog {
@@ -33,11 +34,11 @@ struct Deviations {
         const std::size_t j = phases.system->contact.index, N = phases.N;
         phases.effort->spend(cost_of_products<T>(static_cast<long>(8 * N * N * N)));
         if (direction != 0) {
-            dq = phases.system->momentum * dx;
-            dp = phases.system->momentum * dv;
+            dq = product(phases.system->momentum, dx);
+            dp = product(phases.system->momentum, dv);
             phases.sliding.carry(event.t, dq, dp);
-            dx = phases.system->basis.phi * dq;
-            dv = phases.system->basis.phi * dp;
+            dx = product(phases.system->basis.phi, dq);
+            dv = product(phases.system->basis.phi, dp);
             if (!event.found) return;
             // x_j' = 0 fixes the instant; the friction force jumps there.
             T acceleration(0);
@@ -79,15 +80,15 @@ private:
             others_x.row(n) = dx.row(s.masses[n].index);
             others_v.row(n) = dv.row(s.masses[n].index);
         }
-        dq = phases.stuck_momentum * others_x;
-        dp = phases.stuck_momentum * others_v;
+        dq = product(phases.stuck_momentum, others_x);
+        dp = product(phases.stuck_momentum, others_v);
         Matrix<T> at_rest(N - 1, 2 * N); // where the stuck modes would rest for the shifted contact
         for (std::size_t i = 0; i + 1 < N; ++i) at_rest.row(i) = -phases.k_j[i] / (s.r_n[i] * s.r_n[i]) * dx.row(j);
         dq -= at_rest;
         phases.sticking.carry(event.t, dq, dp);
         dq += at_rest;
-        others_x = s.phi * dq;
-        others_v = s.phi * dp;
+        others_x = product(s.phi, dq);
+        others_v = product(s.phi, dp);
         for (std::size_t n = 0; n + 1 < N; ++n) {
             dx.row(s.masses[n].index) = others_x.row(n);
             dv.row(s.masses[n].index) = others_v.row(n);

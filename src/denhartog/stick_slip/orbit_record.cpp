@@ -145,7 +145,7 @@ std::optional<T> error_bound_of(const OrbitMap<T>& map, bool of_modes) {
     const LinearSystem<T> system(map.newton_matrix());
     if (!system.is_regular()) return std::nullopt;
     const Column<T> rounding = map.rounding(of_modes);
-    const Column<T> at_start = system.inverse().cwiseAbs() * (map.difference().cwiseAbs() + rounding);
+    const Column<T> at_start = product_of_sizes(system.inverse(), Column<T>(map.difference().cwiseAbs() + rounding));
     T energy = map.norm_of_bound(at_start);
     if (map.solver().excitation().mu > 1) energy *= std::max(T(1), T(map.energy_jacobian().norm()));
     return T(reach_of_displacements(map) * (displacement_of_energy(map) * energy + rounding.head(map.N).maxCoeff()));

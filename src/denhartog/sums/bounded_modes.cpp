@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "denhartog/evaluation/mode.hpp"
+#include "denhartog/model/linear_algebra.hpp"
 #include "denhartog/number/multiprecision.hpp"
 #include "denhartog/sums/coupled_friction.hpp"
 
@@ -71,7 +72,8 @@ ModalBasis<Bounded<T>> bounded(const System<T>& system, const ModalBasis<T>& bas
         T of_zeta = of_input * basis.zeta[i];
         if (damping_matrix_counts(system, basis)) {
             const auto n = static_cast<Eigen::Index>(N); // masses that are no coordinates come after them
-            const Eigen::Matrix<T, Eigen::Dynamic, 1> damping = system.damping_matrix.cwiseAbs() * (sizes + errors).head(n);
+            const Eigen::Matrix<T, Eigen::Dynamic, 1> damping =
+                product_of_sizes(system.damping_matrix, Column<T>((sizes + errors).head(n)));
             of_zeta = (errors.head(n).dot(damping) + unit * sizes.head(n).dot(damping)) / r_n +
                       (turn + unit) * basis.zeta[i] * (1 + of_square / (r_n * r_n));
         }

@@ -112,9 +112,9 @@ T rounding_of_step(Eigen::Index rows) {
 template <class T>
 CoupledFriction<T>::CoupledFriction(const System<T>& system, const T& r) {
     set_coordinates(system, r);
-    start();
+    set_motion();
     set_start();
-    start();
+    motion_.start(c_);
 }
 
 template <class T>
@@ -161,10 +161,8 @@ void CoupledFriction<T>::set_coordinates(const System<T>& system, const T& r) {
 }
 
 template <class T>
-void CoupledFriction<T>::start() {
-    known_.clear();
+void CoupledFriction<T>::set_motion() {
     motion_ = CoupledMotion<T>(A_, std::max(T(1), size_of_A_), nullptr);
-    motion_.start(c_);
 }
 
 template <class T>
@@ -175,7 +173,7 @@ void CoupledFriction<T>::set_start() {
     const Matrix<T> inverse = system.inverse();
     Column<T> force = Column<T>::Zero(n);
     force.head(n / 2) = T(2) * rest_;
-    c_ = inverse * force;
+    c_ = product(inverse, force);
     const T steps = 1 + pi<T>() * size_of_A_;
     const T of_exponential = T(pi<T>() * error_of_A_ + steps * rounding_of_step<T>(n)), size = inverse.norm();
     const T lost = 2 * size * (of_exponential + 8 * static_cast<int>(n) * unit_of<T>());
@@ -209,7 +207,8 @@ CoupledFriction<T>::CoupledFriction(const CoupledFriction<From>& other) {
     c_ = rounded(other.c_);
     error_of_c_ = static_cast<T>(other.error_of_c_) + unit_of<T>() * c_.norm();
     inverse_inertia_ = in_double(other.inverse_inertia_);
-    start();
+    set_motion();
+    motion_.start(c_);
 }
 
 template <class T>
@@ -220,7 +219,7 @@ const CoupledState<T>& CoupledFriction<T>::at(const T& tau) const {
     if (known_.size() >= most_remembered) known_.clear();
     CoupledState<T> s;
     s[0] = motion_.at(tau);
-    for (std::size_t n = 1; n < s.size(); ++n) s[n] = A_ * s[n - 1];
+    for (std::size_t n = 1; n < s.size(); ++n) s[n] = product(A_, s[n - 1]);
     return known_.emplace(tau, std::move(s)).first->second;
 }
 

@@ -34,8 +34,8 @@ public:
         Column<T> b = Column<T>::Zero(2 * N_);
         b(static_cast<Eigen::Index>(force.index)) = T(1);
         const Column<T> X = inverse_.col(static_cast<Eigen::Index>(force.index));
-        const Column<T> left_over = (b - A_ * X).cwiseAbs() + error_ * X.cwiseAbs();
-        const Column<T> error = T(2) * (inverse_.cwiseAbs() * left_over + unit_of<T>() * X.cwiseAbs());
+        const Column<T> left_over = (b - product(A_, X)).cwiseAbs() + product_of_sizes(error_, X);
+        const Column<T> error = T(2) * (product_of_sizes(inverse_, left_over) + unit_of<T>() * X.cwiseAbs());
         std::vector<Complex<Bounded<T>>> V;
         for (Eigen::Index k = 0; k < N_; ++k) V.push_back({{X(k), error(k)}, {X(N_ + k), error(N_ + k)}});
         for (Eigen::Index n = 0; n < coordinates_.displacements.rows(); ++n) {

@@ -1,0 +1,169 @@
+#include "denhartog/model/coupled_motion.hpp"
+
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "denhartog/number/errors.hpp"
+#include "denhartog/number/multiprecision.hpp"
+
+namespace denhartog {
+namespace {
+
+constexpr int most_terms = 200;
+constexpr std::uint64_t most_single_steps = 16;
+constexpr std::size_t most_series = 64; // kept at a time
+
+template <class T>
+Column<T> sum_of(const Matrix<T>& terms, const T& s) {
+    Column<T> sum = terms.col(terms.cols() - 1);
+    for (Eigen::Index k = terms.cols() - 2; k >= 0; --k) sum = terms.col(k) + s * sum;
+    return sum;
+}
+
+} // namespace
+
+template <class T>
+CoupledMotion<T>::CoupledMotion(Matrix<T> A, const T& rate, Effort* const* effort)
+    : A_(std::move(A)), rate_(rate), effort_(effort) {
+    for (Eigen::Index row = 0; row < A_.rows(); ++row) {
+        for (Eigen::Index column = 0; column < A_.cols(); ++column)
+            if (A_(row, column) != 0) entries_.push_back({column, A_(row, column)});
+        ends_.push_back(entries_.size());
+    }
+}
+
+template <class T>
+void CoupledMotion<T>::start(Column<T> z) {
+    state_ = std::move(z);
+    series_.clear();
+}
+
+template <class T>
+Column<T> CoupledMotion<T>::at(const T& t) {
+    const std::optional<std::uint64_t> n = steps_in(t);
+    if (!n) return state_ * std::numeric_limits<T>::quiet_NaN();
+    return sum_of(series_after(*n), part_after(*n, t));
+}
+
+template <class T>
+Matrix<T> CoupledMotion<T>::carried(const T& t, Matrix<T> z) {
+    const std::optional<std::uint64_t> n = steps_in(t);
+    if (!n) return z * std::numeric_limits<T>::quiet_NaN();
+    leap_over(*n, z);
+    return z + growth(A_ * T(part_after(*n, t) / rate_), z);
+}
+
+// A product of the system with some columns is to be formed.
+template <class T>
+void CoupledMotion<T>::spend_product(Eigen::Index columns) const {
+    if (effort_ == nullptr) return;
+    (*effort_)->spend(cost_of_products<T>(static_cast<long>(A_.size() * columns)));
+    if ((*effort_)->exhausted()) throw PrecisionError((*effort_)->ending());
+}
+
+// exp(B) z - z by its series; no entry of B is much larger than 1 once its rows are scaled.
+template <class T>
+Matrix<T> CoupledMotion<T>::growth(const Matrix<T>& B, Matrix<T> z) const {
+    Matrix<T> sum = Matrix<T>::Zero(z.rows(), z.cols());
+    for (int k = 1; k <= most_terms; ++k) {
+        spend_product(z.cols());
+        z = product(B, z) / T(k);
+        Matrix<T> next = sum + z;
+        if (next == sum) break;
+        sum.swap(next);
+    }
+    return sum;
+}
+
+// From exp(B) less the identity the same of 2 B.
+template <class T>
+Matrix<T> CoupledMotion<T>::doubled(const Matrix<T>& grown) const {
+    spend_product(A_.cols());
+    return product(grown, grown) + T(2) * grown;
+}
+
+// exp(A 2^k / rate) less the identity. The first is doubled up from a part of the step, whose series has fewer terms.
+template <class T>
+const Matrix<T>& CoupledMotion<T>::leap(std::size_t k) {
+    constexpr int doublings = std::numeric_limits<T>::digits / 32;
+    if (leaps_.empty()) {
+        const Matrix<T> part = A_ / T(rate_ * (1 << doublings));
+        Matrix<T> grown = growth(part, Matrix<T>::Identity(A_.rows(), A_.cols()));
+        for (int n = 0; n < doublings; ++n) grown = doubled(grown);
+        leaps_.push_back(std::move(grown));
+    }
+    while (leaps_.size() <= k) leaps_.push_back(doubled(leaps_.back()));
+    return leaps_[k];
+}
+
+// Whole steps in a time; none where nothing is left of the time's digits.
+template <class T>
+std::optional<std::uint64_t> CoupledMotion<T>::steps_in(const T& t) const {
+    const double steps = std::floor(static_cast<double>(T(t * rate_)));
+    if (!(steps < 0x1p53)) return std::nullopt;
+    return static_cast<std::uint64_t>(steps);
+}
+
+// What is left of a time after n steps, as a part of a step.
+template <class T>
+T CoupledMotion<T>::part_after(std::uint64_t n, const T& t) const {
+    return (t - T(static_cast<double>(n)) / rate_) * rate_;
+}
+
+template <class T>
+template <class Numbers>
+void CoupledMotion<T>::leap_over(std::uint64_t n, Numbers& z) {
+    for (std::size_t k = 0; n >> k != 0; ++k)
+        if ((n >> k & 1) != 0) z += product(leap(k), z);
+}
+
+// The terms of exp(A s / rate) z for s up to 1, a column each, as many as s = 1 needs.
+template <class T>
+Matrix<T> CoupledMotion<T>::terms_from(const Column<T>& z) const {
+    constexpr Eigen::Index first_room = 32;
+    Matrix<T> terms(z.size(), first_room);
+    terms.col(0) = z;
+    Column<T> sum = z;
+    Eigen::Index k = 1;
+    for (bool grows = true; grows && k <= most_terms; ++k) {
+        if (k == terms.cols()) terms.conservativeResize(Eigen::NoChange, 2 * k);
+        const T divisor(static_cast<int>(k) * rate_);
+        const T* const before = terms.col(k - 1).data();
+        T* const term = terms.col(k).data();
+        grows = false;
+        for (std::size_t i = 0, entry = 0; i < ends_.size(); ++i) {
+            T each(0);
+            for (; entry < ends_[i]; ++entry) each += entries_[entry].value * before[entries_[entry].column];
+            each /= divisor;
+            term[i] = each;
+            T& known = sum(static_cast<Eigen::Index>(i));
+            const T next = known + each;
+            grows = grows || next != known;
+            known = next;
+        }
+    }
+    terms.conservativeResize(Eigen::NoChange, k);
+    return terms;
+}
+
+// The series over the step after n of them: the first few step by step, without the exponentials, which are dear.
+template <class T>
+const Matrix<T>& CoupledMotion<T>::series_after(std::uint64_t n) {
+    const auto known = series_.find(n);
+    if (known != series_.end()) return known->second;
+    if (series_.size() >= most_series) series_.clear();
+    if (n == 0 || n > most_single_steps) {
+        Column<T> z = state_;
+        leap_over(n, z);
+        return series_.emplace(n, terms_from(z)).first->second;
+    }
+    const Column<T> z = sum_of(series_after(n - 1), T(1));
+    return series_.emplace(n, terms_from(z)).first->second;
+}
+
+template class CoupledMotion<double>;
+template class CoupledMotion<Real50>;
+template class CoupledMotion<Real100>;
+
+} // namespace denhartog
