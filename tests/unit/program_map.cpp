@@ -1,5 +1,8 @@
+#include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <nlohmann/json.hpp>
+#include <tuple>
 
 #include "tests/catch.hpp"
 #include "tests/unit/program_runs.hpp"
@@ -87,6 +90,107 @@ TEST_CASE("the boundaries over r are a table", "[program][map]") {
     const std::vector<std::string> cells = cells_of(lines[1]);
     CHECK(std::stod(cells[2]) <= std::stod(cells[1]));
     CHECK(std::stod(cells[1]) <= std::stod(cells[3]));
+}
+
+namespace {
+
+// Two masses in kilograms, newtons per metre and newtons; what follows is the load and the point.
+const std::string in_si = R"({"masses": [2, 3], "stiffnesses": [800, 500], "damping_ratios": [0.03125, 0.0625], "contact": 2, )";
+const std::string pushed = in_si + R"("load": 1, "force": 5})",
+                  shaken = in_si + R"("base_motion": "with_wall", "base_displacement": 0.002})";
+
+// The rows of a CSV, each cell a number but those of regime and status.
+std::vector<std::vector<std::string>> rows_of(const Run& run) {
+    REQUIRE(run.status == 0);
+    std::vector<std::vector<std::string>> rows;
+    for (const std::string& line : lines_of(run.output)) rows.push_back(cells_of(line));
+    return rows;
+}
+
+} // namespace
+
+TEST_CASE("a map over hertz and newtons has the displacements that solve has in metres", "[program][map]") {
+    for (const bool moves : {false, true}) {
+        const auto rows =
+            rows_of(run_program("map --frequency-hz 2:4:3 --friction 0.5:1.5:3 --mass 1 --mass 2", moves ? shaken : pushed));
+        REQUIRE(rows.size() == 10);
+        CHECK(rows[0] == std::vector<std::string>{"frequency_hz", "friction", "regime", "stops_per_period", "periods",
+                                                  "amplitude_1", "amplitude_2", "status"});
+        for (std::size_t n = 1; n < rows.size(); ++n) {
+            std::string point = moves ? shaken : pushed;
+            point.back() = ',';
+            point += R"("frequency_hz": )" + rows[n][0] + R"(, "friction": )" + rows[n][1] + "}";
+            INFO(point);
+            const Run run = run_program("solve --json", point);
+            REQUIRE(run.status == 0);
+            const nlohmann::json answer = nlohmann::json::parse(run.output);
+            CHECK(answer.at("regime") == rows[n][2]);
+            for (std::size_t k = 0; k < 2; ++k)
+                CHECK(std::stod(rows[n][5 + k]) ==
+                      Approx(answer.at("dimensional").at("masses").at(k).at("amplitude").get<double>()).epsilon(1e-6));
+        }
+    }
+}
+
+TEST_CASE("boundaries over hertz are the forces that boundary tells", "[program][map]") {
+    const auto rows = rows_of(run_program("map --boundaries --frequency-hz 2:4:3", shaken));
+    REQUIRE(rows.size() == 4);
+    CHECK(rows[0][0] == "frequency_hz");
+    for (std::size_t n = 1; n < rows.size(); ++n) {
+        std::string point = shaken;
+        point.back() = ',';
+        const Run run = run_program("boundary --json", point + R"("frequency_hz": )" + rows[n][0] + "}");
+        REQUIRE(run.status == 0);
+        const nlohmann::json of = nlohmann::json::parse(run.output).at("dimensional").at("friction_limit");
+        CHECK(std::stod(rows[n][1]) == Approx(of.at("exact").get<double>()).epsilon(1e-6));
+        CHECK(std::stod(rows[n][4]) == Approx(of.at("sticking").get<double>()).epsilon(1e-6));
+    }
+}
+
+TEST_CASE("a motion in the units of the scene reaches the amplitudes of its answer", "[program]") {
+    const double omega = 2 * 3.14159265358979 * 3, half_second = 0.5 / 3;
+    for (const std::string friction : {"0.5", "1.5"}) {
+        std::string point = shaken;
+        point.back() = ',';
+        point += R"("frequency_hz": 3, "friction": )" + friction + "}";
+        const auto rows = rows_of(run_program("solve --samples 400 --units scene", point)),
+                   in_tau = rows_of(run_program("solve --samples 400", point));
+        REQUIRE(rows.size() == 401);
+        CHECK(rows[0][0] == "t");
+        CHECK(in_tau[0][0] == "tau");
+        CHECK(std::stod(rows[201][0]) == Approx(half_second).epsilon(1e-12));
+        const nlohmann::json answer = nlohmann::json::parse(run_program("solve --json", point).output);
+        double largest = 0;
+        for (std::size_t n = 1; n < rows.size(); ++n) {
+            largest = std::max(largest, std::abs(std::stod(rows[n][2])));
+            const double x = std::stod(in_tau[n][2]), v = std::stod(in_tau[n][4]);
+            CHECK(std::stod(rows[n][4]) * x == Approx(std::stod(rows[n][2]) * v * omega).epsilon(1e-9).margin(1e-15));
+        }
+        CHECK(largest == Approx(answer.at("dimensional").at("masses").at(1).at("amplitude").get<double>()).epsilon(1e-4));
+    }
+}
+
+TEST_CASE("units are refused where a scene has none", "[program][map][bad-input]") {
+    std::string without_force = in_si;
+    without_force += R"("load": 1})";
+    const std::string solved =
+        R"({"mass_ratios": [1], "stiffness_ratios": [1], "damping_ratios": [0.1], "contact": 1, "load": 1, "r": 0.5, "beta": 0.1})";
+    for (const auto& [arguments, input, name] :
+         {std::tuple{"map --frequency-hz 1:2:2 --friction 0:1:2", scene, "frequency_hz"},
+          std::tuple{"map --frequency-hz 1:2:2 --friction 0:1:2", without_force, "force"},
+          std::tuple{"map --frequency-hz 0:2:2 --friction 0:1:2", pushed, "frequency_hz"},
+          std::tuple{"map --frequency-hz 1:2:2 --friction -1:1:2", pushed, "friction"},
+          std::tuple{"map --frequency-hz 1:2:2 --beta 0:1:2", pushed, "frequency_hz"},
+          std::tuple{"map --frequency-hz 1:2:2", pushed, "friction"}, std::tuple{"map --friction 1:2:2", pushed, "frequency_hz"},
+          std::tuple{"solve --samples 4 --units scene", solved, "units"}, std::tuple{"solve --units scene", solved, "units"},
+          std::tuple{"motion --units scene", solved, "units"}}) {
+        INFO(arguments << " of " << input);
+        const Run run = run_program(arguments, input);
+        CHECK(run.status == 2);
+        CHECK(run.output.empty());
+        CHECK(run.error.find(name) != std::string::npos);
+        CHECK(lines_of(run.error).size() == 1);
+    }
 }
 
 TEST_CASE("a bad grid, mass or output gives status 2, one line and no file", "[program][map]") {

@@ -18,21 +18,22 @@ double number(double x, bool known) { return known ? x : std::nan(""); }
 
 } // namespace
 
-std::string map_csv(const MapRequest& request, const RegimeMap& map) {
-    std::string csv = "r,beta,regime,stops_per_period,periods";
-    for (const Mass k : request.masses) csv += ",amplitude_" + std::to_string(k.index + 1);
+std::string map_csv(const MapGrid& grid, const RegimeMap& map) {
+    const std::vector<double>&columns = grid.frequency.values, &rows = grid.friction.values;
+    std::string csv = grid.frequency.name + "," + grid.friction.name + ",regime,stops_per_period,periods";
+    for (const Mass k : grid.masses) csv += ",amplitude_" + std::to_string(k.index + 1);
     csv += ",status\n";
-    const std::size_t masses = request.masses.size();
+    const std::size_t masses = grid.masses.size();
     std::vector<std::string> beta, regimes, statuses;
-    for (const double each : request.beta) beta.push_back("," + csv_cell(each) + ",");
+    for (const double each : rows) beta.push_back("," + csv_cell(each) + ",");
     for (const Regime each : {Regime::continuous, Regime::stick_slip, Regime::permanent_sticking})
         regimes.push_back(denhartog::name(each) + ",");
     for (int n = 0; n <= static_cast<int>(PointStatus::failed); ++n)
         statuses.push_back("," + denhartog::name(static_cast<PointStatus>(n)) + "\n");
     const std::string none = ",";
-    for (std::size_t m = 0, point = 0; m < request.r.size(); ++m) {
-        const std::string r = csv_cell(request.r[m]);
-        for (std::size_t n = 0; n < request.beta.size(); ++n, ++point) {
+    for (std::size_t m = 0, point = 0; m < columns.size(); ++m) {
+        const std::string r = csv_cell(columns[m]);
+        for (std::size_t n = 0; n < rows.size(); ++n, ++point) {
             const MapPoint& p = map.points[point];
             const bool known = has_numbers(p.status);
             csv.append(r).append(beta[n]).append(known ? regimes[static_cast<std::size_t>(p.regime)] : none);
@@ -44,17 +45,19 @@ std::string map_csv(const MapRequest& request, const RegimeMap& map) {
     return csv;
 }
 
-std::string map_npy(const MapRequest& request, const RegimeMap& map) {
-    std::vector<NpyField> fields{{"r", "f8"}, {"beta", "f8"}, {"regime", "i1"}, {"stops_per_period", "i4"}, {"periods", "i4"}};
-    for (const Mass k : request.masses) fields.push_back({"amplitude_" + std::to_string(k.index + 1), "f8"});
+std::string map_npy(const MapGrid& grid, const RegimeMap& map) {
+    const std::vector<double>&columns = grid.frequency.values, &rows = grid.friction.values;
+    std::vector<NpyField> fields{
+        {grid.frequency.name, "f8"}, {grid.friction.name, "f8"}, {"regime", "i1"}, {"stops_per_period", "i4"}, {"periods", "i4"}};
+    for (const Mass k : grid.masses) fields.push_back({"amplitude_" + std::to_string(k.index + 1), "f8"});
     fields.push_back({"status", "i1"});
-    std::string bytes = npy_header(fields, {request.r.size(), request.beta.size()});
-    const std::size_t masses = request.masses.size();
+    std::string bytes = npy_header(fields, {columns.size(), rows.size()});
+    const std::size_t masses = grid.masses.size();
     for (std::size_t point = 0; point < map.points.size(); ++point) {
         const MapPoint& p = map.points[point];
         const bool known = has_numbers(p.status);
-        append(bytes, request.r[point / request.beta.size()]);
-        append(bytes, request.beta[point % request.beta.size()]);
+        append(bytes, columns[point / rows.size()]);
+        append(bytes, rows[point % rows.size()]);
         append(bytes, static_cast<std::int8_t>(known ? static_cast<int>(p.regime) : -1));
         append(bytes, known ? p.stops : std::int32_t(-1));
         append(bytes, known ? p.periods : std::int32_t(-1));
@@ -64,8 +67,9 @@ std::string map_npy(const MapRequest& request, const RegimeMap& map) {
     return bytes;
 }
 
-std::string curves_csv(const std::vector<double>& r, const std::vector<BoundaryPoint>& curves) {
-    std::string csv = "r,exact,paper,approximate,sticking,status\n";
+std::string curves_csv(const MapAxis& axis, const std::vector<BoundaryPoint>& curves) {
+    const std::vector<double>& r = axis.values;
+    std::string csv = axis.name + ",exact,paper,approximate,sticking,status\n";
     for (std::size_t n = 0; n < r.size(); ++n) {
         const BoundaryPoint& b = curves[n];
         const bool known = has_numbers(b.status);
@@ -77,9 +81,11 @@ std::string curves_csv(const std::vector<double>& r, const std::vector<BoundaryP
     return csv;
 }
 
-std::string curves_npy(const std::vector<double>& r, const std::vector<BoundaryPoint>& curves) {
+std::string curves_npy(const MapAxis& axis, const std::vector<BoundaryPoint>& curves) {
+    const std::vector<double>& r = axis.values;
     std::string bytes = npy_header(
-        {{"r", "f8"}, {"exact", "f8"}, {"paper", "f8"}, {"approximate", "f8"}, {"sticking", "f8"}, {"status", "i1"}}, {r.size()});
+        {{axis.name, "f8"}, {"exact", "f8"}, {"paper", "f8"}, {"approximate", "f8"}, {"sticking", "f8"}, {"status", "i1"}},
+        {r.size()});
     for (std::size_t n = 0; n < r.size(); ++n) {
         const BoundaryPoint& b = curves[n];
         const bool known = has_numbers(b.status);

@@ -64,6 +64,10 @@ struct Units {
     double mass = 1;             ///< m_1
     double stiffness = 1;        ///< k_1
     std::optional<double> force; ///< P, where it is known
+    std::optional<double> base;  ///< X of a base that moves with the wall: P is m_1 omega^2 X
+
+    /// @brief P at a frequency. @param omega angular frequency @return what is known of it
+    [[nodiscard]] std::optional<double> force_at(double omega) const { return base ? mass * omega * omega * *base : force; }
 };
 
 /// @brief A system with friction and the point (r, beta) asked for.

@@ -134,9 +134,10 @@ T read_in_units_of_first(const Item& x, std::vector<T>& ratios, Matrix<T>& matri
     return list[0];
 }
 
-/// The force that ratios are in units of: given, or what a base does that moves by `base_displacement`.
+/// The force that ratios are in units of: given, or what a base does that moves by `base_displacement`. With the wall it moves a load
+/// that is known with the frequency.
 template <class T>
-std::optional<T> read_force(const json& object, const T& m_1, const T& k_1, const std::optional<T>& omega) {
+std::optional<T> read_force(const json& object, const T& m_1, const T& k_1, const std::optional<T>& omega, Units& units) {
     if (!object.contains("base_displacement")) {
         if (!object.contains("force")) return std::nullopt;
         return read_positive<T>(item(object, "force"));
@@ -146,7 +147,8 @@ std::optional<T> read_force(const json& object, const T& m_1, const T& k_1, cons
     if (!object.contains("base_motion")) base.fail("must be given together with base_motion");
     const T displacement = read_positive<T>(base);
     if (object.at("base_motion") == "alone") return T(k_1 * displacement);
-    if (!omega) throw InputError("frequency", "must be given where the base moves with the wall", "");
+    units.base = static_cast<double>(displacement);
+    if (!omega) return std::nullopt;
     return T(m_1 * *omega * *omega * displacement);
 }
 
@@ -164,12 +166,14 @@ T read_dimensional(const json& object, Scene<T>& scene) {
     if (object.contains("frequency")) omega = read_positive<T>(item(object, "frequency"));
     if (object.contains("frequency_hz")) omega = 2 * pi<T>() * read_positive<T>(item(object, "frequency_hz"));
     if (omega) scene.r = paper::frequency_ratio(*omega, m_1, k_1);
-    const std::optional<T> P = read_force(object, m_1, k_1, omega);
-    scene.units = Units{static_cast<double>(m_1), static_cast<double>(k_1), std::nullopt};
+    scene.units = Units{static_cast<double>(m_1), static_cast<double>(k_1), {}, {}};
+    const std::optional<T> P = read_force(object, m_1, k_1, omega, *scene.units);
     if (P) scene.units->force = static_cast<double>(*P);
-    if (P || object.contains("friction")) {
+    if (object.contains("friction")) {
+        if (scene.units->base && !omega)
+            throw InputError("frequency", "must be given, as the force of a base that moves with the wall depends on it",
+                             "nothing");
         if (!P) require(object, "force");
-        require(object, "friction");
         const Item F = item(object, "friction");
         const T friction = read_number<T>(F);
         if (friction < 0) F.fail("must not be negative");

@@ -6,6 +6,7 @@
 #include "denhartog/model/coordinates.hpp"
 #include "denhartog/number/number_text.hpp"
 #include "denhartog/program/commands/scene_command.hpp"
+#include "denhartog/program/dimensional_json.hpp"
 #include "denhartog/program/solution_json.hpp"
 #include "denhartog/program/table.hpp"
 #include "denhartog/sliding/invariant_points.hpp"
@@ -79,7 +80,10 @@ std::string invariant_points_table(const Json& masses) {
 std::string bound(const SceneText& part, const BoundaryOptions& options) {
     const SceneSource source = without_friction_ratio(source_of(part, options.damping));
     const NumberWriter write{options.digits};
-    Json answer = boundary_json(answer_or_reason(source, options.digits), write);
+    const Solution found = answer_or_reason(source, options.digits);
+    Json answer = boundary_json(found, write);
+    const std::optional<Units> units = source.in_double().units;
+    if (units) answer["dimensional"] = dimensional_json(found, *units);
     if (!options.range.empty()) {
         if (options.digits.value_or(0) > 45)
             throw InputError("--digits", "must be at most 45 for invariant points", std::to_string(*options.digits));
@@ -87,7 +91,8 @@ std::string bound(const SceneText& part, const BoundaryOptions& options) {
                                                     : invariant_points_json(source.in_double(), options.range, write);
     }
     if (options.json) return answer.dump() + "\n";
-    return boundary_table(answer) + (options.range.empty() ? "" : invariant_points_table(answer.at("invariant_points")));
+    return boundary_table(answer) + (units ? dimensional_table(answer.at("dimensional")) + "\n" : "") +
+           (options.range.empty() ? "" : invariant_points_table(answer.at("invariant_points")));
 }
 
 } // namespace
@@ -108,7 +113,8 @@ void add_boundary_command(CLI::App& app, ExitStatus& status) {
         "the end of the half-period.\n"
         "invariant_points: every mass with its points, damping left out: r, the monoharmonic amplitude (52) there at every\n"
         "friction ratio, and kind: 87, a root of (87); U_k = 0, the factor that (87) divides out. undecided: stretches of r in\n"
-        "which rounding hides whether there is a point. With --digits they are computed in 50 digits.");
+        "which rounding hides whether there is a point. With --digits they are computed in 50 digits.\n"
+        "dimensional: the friction forces of a scene of masses, stiffnesses and force.");
     command->callback([options, &status] {
         answer_scenes(
             *options, [&](const SceneText& part) { return bound(part, *options); }, status);

@@ -9,6 +9,7 @@
 #include <memory>
 #include <thread>
 
+#include "denhartog/map/map_in_units.hpp"
 #include "denhartog/program/commands/scene_command.hpp"
 #include "denhartog/program/files.hpp"
 #include "denhartog/program/grid_option.hpp"
@@ -21,7 +22,7 @@ namespace denhartog::program {
 namespace {
 
 struct MapOptions {
-    std::string scene, r, beta, output;
+    std::string scene, r, beta, frequency_hz, friction, output;
     std::vector<long> masses;
     std::string start = "rest";
     bool boundaries = false;
@@ -79,26 +80,57 @@ void write(const MapOptions& options, const std::string& content) {
         write_file(options.output, content);
 }
 
-void answer(const MapOptions& options, ExitStatus& status) {
-    const bool npy = as_npy(options.output);
-    const Scene<double> scene = scene_of(options.scene, options.damping);
-    MapRequest request;
-    request.r = grid_values("r", options.r);
-    if (options.boundaries) {
-        const std::vector<BoundaryPoint> curves = boundary_curves(scene, request.r);
-        return write(options, npy ? curves_npy(request.r, curves) : curves_csv(request.r, curves));
+// The grid in one kind of numbers: ratios, or the units of the scene.
+bool asks_for_units(const MapOptions& options) {
+    const bool ratios = !options.r.empty() || !options.beta.empty();
+    const bool units = !options.frequency_hz.empty() || !options.friction.empty();
+    if (ratios && units) throw InputError("frequency_hz and friction", "must not be given together with r and beta", "both");
+    if (units && options.frequency_hz.empty()) throw InputError("frequency_hz", "must be given as FROM:TO:COUNT", "");
+    if (!units && options.r.empty()) throw InputError("r", "must be given as FROM:TO:COUNT (or frequency_hz in its place)", "");
+    return units;
+}
+
+void answer_boundaries(const MapOptions& options, const Scene<double>& scene, bool units, bool npy) {
+    MapAxis axis{"r", {}};
+    std::vector<BoundaryPoint> curves;
+    if (units) {
+        axis = {"frequency_hz", grid_values("frequency_hz", options.frequency_hz)};
+        curves = curves_in_units(scene, frequencies_in_units(scene, axis.values));
+    } else {
+        axis.values = grid_values("r", options.r);
+        curves = boundary_curves(scene, axis.values);
     }
-    if (options.beta.empty()) throw InputError("beta", "must be given as FROM:TO:COUNT", "");
-    request.beta = grid_values("beta", options.beta);
-    request.masses = masses_of(options.masses, scene);
+    write(options, npy ? curves_npy(axis, curves) : curves_csv(axis, curves));
+}
+
+void answer(const MapOptions& options, ExitStatus& status) {
+    const bool npy = as_npy(options.output), units = asks_for_units(options);
+    const Scene<double> scene = scene_of(options.scene, options.damping);
+    if (options.boundaries) return answer_boundaries(options, scene, units, npy);
+    const std::string rows = units ? "friction" : "beta", &text_of_rows = units ? options.friction : options.beta;
+    MapGrid grid{{units ? "frequency_hz" : "r", {}}, {rows, {}}, {}};
+    grid.frequency.values = units ? grid_values("frequency_hz", options.frequency_hz) : grid_values("r", options.r);
+    if (text_of_rows.empty()) throw InputError(rows, "must be given as FROM:TO:COUNT", "");
+    grid.friction.values = grid_values(rows, text_of_rows);
+    grid.masses = masses_of(options.masses, scene);
+    MapRequest request;
+    request.masses = grid.masses;
     request.start = options.start == "sliding" ? MapStart::sliding : MapStart::rest;
     request.effort = allowed_operations(options.effort);
     request.threads = options.threads != 0 ? options.threads : std::max(1U, std::thread::hardware_concurrency());
     if (!options.output.empty()) check_writable(options.output);
     const Interruptible interruptible(stop);
-    const auto progress = [&](std::size_t done) { show_columns(done, request.r.size()); };
-    const RegimeMap map = regime_map(scene, request, stop, progress);
-    if (map.complete) return write(options, npy ? map_npy(request, map) : map_csv(request, map));
+    const auto progress = [&](std::size_t done) { show_columns(done, grid.frequency.values.size()); };
+    RegimeMap map;
+    if (units) {
+        map = map_in_units(scene, frequencies_in_units(scene, grid.frequency.values), grid.friction.values, request, stop,
+                           progress);
+    } else {
+        request.r = grid.frequency.values;
+        request.beta = grid.friction.values;
+        map = regime_map(scene, request, stop, progress);
+    }
+    if (map.complete) return write(options, npy ? map_npy(grid, map) : map_csv(grid, map));
     status.signal = interruptible.caught();
     report("interrupted: nothing is written");
 }
@@ -109,9 +141,12 @@ void add_map_command(CLI::App& app, ExitStatus& status) {
     CLI::App* command = app.add_subcommand("map", "Regime, amplitudes and stops per period over a grid of (r, beta)");
     const auto options = std::make_shared<MapOptions>();
     command->add_option("SCENE", options->scene, "file with one scene as JSON; standard input where it is - or missing");
-    command->add_option("--r", options->r, "frequency ratios, FROM:TO:COUNT with both ends")->required();
+    command->add_option("--r", options->r, "frequency ratios, FROM:TO:COUNT with both ends");
     command->add_option("--beta", options->beta,
                         "friction ratios, FROM:TO:COUNT with both ends; ascending values help each other");
+    command->add_option("--frequency-hz", options->frequency_hz,
+                        "for a scene of masses and stiffnesses, in place of --r: frequencies in periods a unit of time");
+    command->add_option("--friction", options->friction, "with --frequency-hz, in place of --beta: friction forces");
     command->add_option("--mass", options->masses,
                         "mass whose amplitude is wanted, may be repeated; default the mass in contact");
     command->add_option("--start", options->start, "which motion, where there is more than one")
@@ -136,6 +171,8 @@ void add_map_command(CLI::App& app, ExitStatus& status) {
         "With mu = 1 and damping in every mode the velocities do not depend on the start. Else: --start rest follows the\n"
         "start from rest at every point, as solve does; sliding takes the sliding motion as far as it exists and from there\n"
         "the motion met as beta rises. With mu = 1 both take the motion from the boundaries.\n"
+        "With --frequency-hz and --friction the map is in the units of the scene: columns frequency_hz and friction in place of\n"
+        "r and beta, amplitudes and boundaries as lengths and forces; the scene needs its force, or base_displacement.\n"
         "--boundaries: r, exact, paper, approximate, sticking as `boundary` has them, status; sticking is nan where no\n"
         "friction holds the contact. An interruption leaves no file; the exit status is then 128 plus the signal.");
     command->callback([options, &status] {

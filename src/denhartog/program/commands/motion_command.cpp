@@ -2,11 +2,13 @@
 
 #include <CLI/CLI.hpp>
 #include <memory>
+#include <utility>
 
 #include "denhartog/number/effort.hpp"
 #include "denhartog/number/number_text.hpp"
 #include "denhartog/program/commands/scene_command.hpp"
 #include "denhartog/program/files.hpp"
+#include "denhartog/program/motion_file.hpp"
 #include "denhartog/scene/limits.hpp"
 #include "denhartog/scene/point_rules.hpp"
 #include "denhartog/solve/quantities.hpp"
@@ -21,23 +23,20 @@ struct MotionOptions {
     int digits = 10;
     std::optional<double> effort;
     std::string damping{as_given};
+    std::string units{in_ratios};
 };
 
-std::string in_column(double x) { return "," + number_to_text(x == 0 ? 0.0 : x); }
-
-std::string as_csv(const std::vector<double>& tau, const Quantities<Bounded<double>>& q) {
+SampledSolution as_motion(std::vector<double> tau, const Quantities<Bounded<double>>& q) {
     const std::size_t N = q.x_size.size();
-    std::string csv = "tau";
-    for (const char* letter : {"x", "v"})
-        for (std::size_t k = 1; k <= N; ++k) csv += std::string(",") + letter + "_" + std::to_string(k);
-    csv += "\n";
-    for (std::size_t n = 0; n < tau.size(); ++n) {
-        csv += number_to_text(tau[n]);
-        for (const std::vector<Bounded<double>>* values : {&q.x, &q.x_prime})
-            for (std::size_t k = 0; k < N; ++k) csv += in_column((*values)[n * N + k].x);
-        csv += "\n";
+    SampledSolution motion{std::move(tau), {}};
+    for (std::size_t n = 0; n < motion.tau.size(); ++n) {
+        motion.states.emplace_back();
+        for (std::size_t k = 0; k < N; ++k) {
+            motion.states[n].x.push_back(q.x[n * N + k].x);
+            motion.states[n].x_prime.push_back(q.x_prime[n * N + k].x);
+        }
     }
-    return csv;
+    return motion;
 }
 
 std::string sampled(const SceneText& part, const MotionOptions& options) {
@@ -46,6 +45,7 @@ std::string sampled(const SceneText& part, const MotionOptions& options) {
     (void)frequency_ratio_of(scene);
     (void)friction_ratio_of(scene);
     check_samples("samples", static_cast<std::size_t>(options.samples), number_of_masses(scene.system));
+    const std::optional<MotionUnits> units = motion_units(scene, options.units);
     std::vector<double> tau;
     for (long n = 0; n < options.samples; ++n)
         tau.push_back(2 * pi<double>() * static_cast<double>(n) / static_cast<double>(options.samples));
@@ -57,7 +57,7 @@ std::string sampled(const SceneText& part, const MotionOptions& options) {
                                  ", Eq. (69), for the motion to be known",
                              number_to_text(*scene.beta), "/beta");
         if (found.method.precision == "50 digits") report("computed in 50 digits: " + found.method.why);
-        return as_csv(tau, found.numbers);
+        return motion_csv(as_motion(std::move(tau), found.numbers), units);
     } catch (const DomainError& e) {
         throw at_a_pole(e);
     }
@@ -90,6 +90,7 @@ void add_motion_command(CLI::App& app, ExitStatus& status) {
         ->capture_default_str();
     add_effort_option(*command, options->effort);
     add_damping_option(*command, options->damping);
+    add_units_option(*command, options->units);
     command->add_option("--output", options->output, "file to write; it appears when it is complete");
     command->footer(
         "Columns: tau from 0 to below 2 pi, 0 at the maximum of the mass in contact; x_1..x_N in units of P / k_1; v_1..v_N,\n"

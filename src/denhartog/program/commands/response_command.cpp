@@ -5,6 +5,7 @@
 
 #include "denhartog/program/commands/scene_command.hpp"
 #include "denhartog/program/damping_json.hpp"
+#include "denhartog/program/dimensional_json.hpp"
 #include "denhartog/program/solution_json.hpp"
 #include "denhartog/program/table.hpp"
 #include "denhartog/scene/point_rules.hpp"
@@ -42,9 +43,13 @@ std::string response_table(const Json& a) {
 std::string respond(const SceneText& part, const SceneOptions& options) {
     const SceneSource source = source_of(part, options.damping);
     (void)friction_ratio_of(source.in_double());
-    Json answer = response_json(answer_or_reason(source, options.digits), NumberWriter{options.digits});
+    const Solution found = answer_or_reason(source, options.digits);
+    Json answer = response_json(found, NumberWriter{options.digits});
     if (const std::optional<Json> damping = damping_json(source.in_double())) answer["damping"] = *damping;
-    return options.json ? answer.dump() + "\n" : response_table(answer);
+    const std::optional<Units> units = source.in_double().units;
+    if (units) answer["dimensional"] = dimensional_json(found, *units);
+    if (options.json) return answer.dump() + "\n";
+    return response_table(answer) + (units ? dimensional_table(answer.at("dimensional")) + "\n" : "");
 }
 
 } // namespace
@@ -60,7 +65,8 @@ void add_response_command(CLI::App& app, ExitStatus& status) {
         "other_regimes: regimes that exist at the same point from other initial values; on_boundary: beta equals a boundary\n"
         "to the accuracy computed. error_bound is absolute and covers x0, v0 and both amplitudes of the mass: it is computed\n"
         "with the answer. A mass that does not move has no phase. Without --digits 6 digits are aimed\n"
-        "at, and more precision is taken where double has not got them.");
+        "at, and more precision is taken where double has not got them.\n"
+        "dimensional: the same in the units of a scene that was given by masses and stiffnesses.");
     command->callback([options, &status] {
         answer_scenes(
             *options, [&](const SceneText& part) { return respond(part, *options); }, status);

@@ -7,6 +7,7 @@
 #include "denhartog/program/commands/scene_command.hpp"
 #include "denhartog/program/damping_json.hpp"
 #include "denhartog/program/dimensional_json.hpp"
+#include "denhartog/program/motion_file.hpp"
 #include "denhartog/program/solution_json.hpp"
 #include "denhartog/scene/limits.hpp"
 #include "denhartog/solve/sampled_solution.hpp"
@@ -21,6 +22,7 @@ struct SolveOptions {
     bool all = false;
     std::optional<long> mass;
     long samples = 0;
+    std::string units{in_ratios};
 };
 
 Asked asked(const std::string& text) {
@@ -40,27 +42,13 @@ Question question_of(const SolveOptions& options, std::size_t N) {
     return question;
 }
 
-std::string as_csv(const SampledSolution& motion) {
-    const auto cell = [](double x) { return "," + number_to_text(x == 0 ? 0.0 : x); };
-    std::string csv = "tau";
-    for (const char* letter : {"x", "v"})
-        for (std::size_t k = 1; k <= motion.states.front().x.size(); ++k)
-            csv += std::string(",") + letter + "_" + std::to_string(k);
-    csv += "\n";
-    for (std::size_t n = 0; n < motion.tau.size(); ++n) {
-        csv += number_to_text(motion.tau[n]);
-        for (const double x : motion.states[n].x) csv += cell(x);
-        for (const double v : motion.states[n].x_prime) csv += cell(v);
-        csv += "\n";
-    }
-    return csv;
-}
-
 std::string solved(const SceneText& part, const SolveOptions& options) {
     if (options.samples < 0 || options.samples > static_cast<long>(most_samples))
         throw InputError("samples", "must be from 1 to " + std::to_string(most_samples), std::to_string(options.samples));
     if (options.samples > 0 && options.ask != "motion")
         throw InputError("samples", "must be given with --ask motion only", options.ask);
+    if (options.samples == 0 && options.units != in_ratios)
+        throw InputError("units", "must be given with --samples only: an answer has both", options.units);
     if (options.samples > 0 && options.mass) throw InputError("samples", "must be given without --mass", "both");
     try {
         const SceneSource source = source_of(part, options.scene.damping);
@@ -68,7 +56,8 @@ std::string solved(const SceneText& part, const SolveOptions& options) {
         if (options.samples > 0) check_samples("samples", static_cast<std::size_t>(options.samples), N);
         const Solution solution = solve(source, question_of(options, N));
         if (options.samples > 0)
-            return as_csv(sampled_solution(source.in_double(), solution, static_cast<std::size_t>(options.samples)));
+            return motion_csv(sampled_solution(source.in_double(), solution, static_cast<std::size_t>(options.samples)),
+                              motion_units(source.in_double(), options.units));
         Json answer = solution_json(solution, NumberWriter{options.scene.digits});
         if (const std::optional<Json> damping = damping_json(source.in_double())) answer["damping"] = *damping;
         const std::optional<Units> units = source.in_double().units;
@@ -98,6 +87,7 @@ void add_solve_command(CLI::App& app, ExitStatus& status) {
         "--samples", options->samples,
         "print the motion as CSV, this many instants in its period: tau from the maximum of the force, x_1..x_N,\n"
         "v_1..v_N (derivatives with respect to tau)");
+    add_units_option(*command, options->units);
     command->footer(
         "The answer is that of `response` where the contact slides throughout. Where it sticks and slips, amplitudes and phases\n"
         "come from a periodic orbit of the exact solver; stops lists start and end of each stop, tau from the maximum of the\n"

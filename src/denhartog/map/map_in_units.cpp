@@ -1,0 +1,96 @@
+#include "denhartog/map/map_in_units.hpp"
+
+#include <algorithm>
+#include <mutex>
+
+#include "denhartog/formulas/system.hpp"
+#include "denhartog/number/errors.hpp"
+#include "denhartog/number/number.hpp"
+#include "denhartog/number/number_text.hpp"
+#include "denhartog/number/parallel.hpp"
+
+namespace denhartog {
+namespace {
+
+std::vector<double> friction_ratios(const std::vector<double>& friction, double P) {
+    std::vector<double> beta;
+    for (const double F : friction) beta.push_back(paper::friction_ratio(F, P));
+    return beta;
+}
+
+// Columns whose force is not the same: each is a map of its own.
+RegimeMap column_by_column(const Scene<double>& scene, const FrequenciesInUnits& frequencies, const std::vector<double>& friction,
+                           const MapRequest& request, const std::atomic<bool>& stop,
+                           const std::function<void(std::size_t done)>& done) {
+    const std::size_t columns = frequencies.r.size(), amplitudes = friction.size() * request.masses.size();
+    RegimeMap all;
+    all.points.resize(columns * friction.size());
+    all.amplitudes.resize(columns * amplitudes);
+    std::mutex mutex;
+    std::size_t columns_done = 0;
+    parallel_for(columns, request.threads, [&](std::size_t m) {
+        MapRequest one = request;
+        one.threads = 1;
+        one.r = {frequencies.r[m]};
+        one.beta = friction_ratios(friction, frequencies.force[m]);
+        const RegimeMap column = regime_map(scene, one, stop);
+        if (!column.complete) return false;
+        std::ranges::copy(column.points, all.points.begin() + static_cast<std::ptrdiff_t>(m * friction.size()));
+        std::ranges::copy(column.amplitudes, all.amplitudes.begin() + static_cast<std::ptrdiff_t>(m * amplitudes));
+        const std::lock_guard<std::mutex> lock(mutex);
+        done(++columns_done);
+        return true;
+    });
+    all.complete = columns_done == columns;
+    return all;
+}
+
+} // namespace
+
+FrequenciesInUnits frequencies_in_units(const Scene<double>& scene, const std::vector<double>& hertz) {
+    if (!scene.units)
+        throw InputError("frequency_hz", "must be given for scenes of masses and stiffnesses only; others have r",
+                         "a scene in ratios");
+    FrequenciesInUnits all{hertz, {}, {}, scene.units->stiffness};
+    for (const double each : hertz) {
+        if (!(each > 0)) throw InputError("frequency_hz", "must be positive", number_to_text(each));
+        const double omega = 2 * pi<double>() * each;
+        const std::optional<double> P = scene.units->force_at(omega);
+        if (!P) throw InputError("force", "must be given (or base_displacement in its place)", "nothing");
+        all.r.push_back(paper::frequency_ratio(omega, scene.units->mass, scene.units->stiffness));
+        all.force.push_back(*P);
+    }
+    return all;
+}
+
+RegimeMap map_in_units(const Scene<double>& scene, const FrequenciesInUnits& frequencies, const std::vector<double>& friction,
+                       MapRequest request, const std::atomic<bool>& stop, const std::function<void(std::size_t done)>& done) {
+    for (const double F : friction)
+        if (!(F >= 0)) throw InputError("friction", "must not be negative", number_to_text(F));
+    RegimeMap map;
+    if (scene.units->base) {
+        map = column_by_column(scene, frequencies, friction, request, stop, done);
+    } else {
+        request.r = frequencies.r;
+        request.beta = friction_ratios(friction, frequencies.force.front());
+        map = regime_map(scene, request, stop, done);
+    }
+    const std::size_t of_column = friction.size() * request.masses.size();
+    for (std::size_t n = 0; n < map.amplitudes.size(); ++n)
+        map.amplitudes[n] *= frequencies.force[n / of_column] / frequencies.stiffness;
+    return map;
+}
+
+std::vector<BoundaryPoint> curves_in_units(const Scene<double>& scene, const FrequenciesInUnits& frequencies) {
+    std::vector<BoundaryPoint> curves = boundary_curves(scene, frequencies.r);
+    for (std::size_t n = 0; n < curves.size(); ++n) {
+        const double P = frequencies.force[n];
+        curves[n].exact *= P;
+        curves[n].paper *= P;
+        curves[n].approximate *= P;
+        if (curves[n].sticking) *curves[n].sticking *= P;
+    }
+    return curves;
+}
+
+} // namespace denhartog

@@ -1,0 +1,39 @@
+/// @file
+/// @brief A map over the frequency in periods a unit of time and the friction force, in the units of the scene.
+#pragma once
+
+#include <vector>
+
+#include "denhartog/map/regime_map.hpp"
+
+namespace denhartog {
+
+/// @brief Frequencies of a map, with the force at each.
+struct FrequenciesInUnits {
+    std::vector<double> hertz; ///< periods a unit of time
+    std::vector<double> r;     ///< frequency ratios, Eq. (10)
+    std::vector<double> force; ///< P; where the base moves with the wall it grows with the frequency
+    double stiffness;          ///< k_1
+};
+
+/// @brief Frequencies in the units of a scene. @param scene a scene of masses, stiffnesses and a force @param hertz frequencies
+/// @return the frequencies with their ratios @throws InputError where the scene has no units or no force, or a frequency is not positive
+[[nodiscard]] FrequenciesInUnits frequencies_in_units(const Scene<double>& scene, const std::vector<double>& hertz);
+
+/// @brief A map with amplitudes in the scene's unit of length.
+/// @param scene        system and mu
+/// @param frequencies  the columns
+/// @param friction     friction forces, the rows
+/// @param request      masses, start, threads; its r and beta are not used
+/// @param stop         set to stop the computation early
+/// @param done         told the number of columns done after each
+/// @return             the map
+/// @throws             InputError where a friction force is negative
+[[nodiscard]] RegimeMap map_in_units(const Scene<double>& scene, const FrequenciesInUnits& frequencies,
+                                     const std::vector<double>& friction, MapRequest request, const std::atomic<bool>& stop,
+                                     const std::function<void(std::size_t done)>& done);
+
+/// @brief Boundary curves as friction forces. @param scene system and mu @param frequencies the columns @return a point each
+[[nodiscard]] std::vector<BoundaryPoint> curves_in_units(const Scene<double>& scene, const FrequenciesInUnits& frequencies);
+
+} // namespace denhartog
