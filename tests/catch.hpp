@@ -12,6 +12,13 @@ using Catch::Approx;
 #include <cstdio>
 #include <string>
 
+/// @brief Ends no test, but has it counted as skipped. @param why what is missing, as `WARN` takes it
+#define SKIPPED(why)                                                                                                             \
+    do {                                                                                                                         \
+        WARN("skipped: " << why);                                                                                                \
+        SUCCEED();                                                                                                               \
+    } while (false)
+
 namespace denhartog::tests {
 
 /// @brief A number in hexadecimal, to be pasted back exactly. @param x a number @return its digits as `%a` prints them

@@ -15,7 +15,7 @@ void check(const std::string& what, const std::vector<ZoneErrors>& zones) {
     INFO(what << ": " << worst.error << " at " << worst.where << "; R exact: " << light.error << " at " << light.where);
     CHECK(worst.error <= most_allowed);
     CHECK(light.error <= most_allowed_with_exact_R);
-    CHECK(light.error > 1); // a dozen roundings leave more than this: the survey would not see
+    CHECK(light.error > 0.25); // the rounding of a result alone leaves half a unit: the survey would not see
     double printed = 0;
     int poles = 0, unanswered = 0;
     for (const ZoneErrors& zone : zones) {

@@ -63,7 +63,7 @@ constexpr std::size_t answered = 3, error = 5, velocity_error = 6, stops = 7;
 
 TEST_CASE("the scorer finds no error in the benchmark's own numbers, and the error of altered ones") {
     if (!has_command("python3")) {
-        WARN("python3 is not there: the scorer has not been run");
+        SKIPPED("python3 is not there");
         return;
     }
     const auto right = by_scene(score(results_of_pack(0, 1)).output, "the pack", "itself");
@@ -85,7 +85,7 @@ TEST_CASE("the scorer finds no error in the benchmark's own numbers, and the err
 
 TEST_CASE("a scene that is left out of a results file is not answered") {
     if (!has_command("python3")) {
-        WARN("python3 is not there: the scorer has not been run");
+        SKIPPED("python3 is not there");
         return;
     }
     const auto lines = lines_of(results_of_pack(0, 1));
@@ -96,7 +96,7 @@ TEST_CASE("a scene that is left out of a results file is not answered") {
 
 TEST_CASE("the scorer refuses bad results with place and rule, and writes nothing") {
     if (!has_command("python3")) {
-        WARN("python3 is not there: the scorer has not been run");
+        SKIPPED("python3 is not there");
         return;
     }
     const std::string head = R"({"method":"m","setting":"s"})"
@@ -146,7 +146,7 @@ TEST_CASE("the scorer refuses bad results with place and rule, and writes nothin
 
 TEST_CASE("the scores in the repository are what the solvers give") {
     if (!has_command("python3")) {
-        WARN("python3 is not there: the scorer has not been run");
+        SKIPPED("python3 is not there");
         return;
     }
     const std::string stored = content_of(source_file("tests/benchmark/scores.csv"));
@@ -166,7 +166,7 @@ TEST_CASE("the scores in the repository are what the solvers give") {
         samples.push_back({python + " '" + source_file("tests/benchmark/solvers/solve_ivp.py") + "' 1e-6 16" + scenes + " 60 12",
                            "scipy solve_ivp with events, RK45", "rtol 1e-06, max_step T/16"});
     else
-        WARN("scipy is not there: its scores have not been compared");
+        SKIPPED("scipy is not there");
     for (const Sample& sample : samples) {
         const Run run = run_shell(sample.command);
         REQUIRE(run.status == 0);
@@ -189,7 +189,7 @@ TEST_CASE("the scores in the repository are what the solvers give") {
 
 TEST_CASE("the picture of the benchmark is drawn from the scores in the repository") {
     if (!has_command("python3")) {
-        WARN("python3 is not there: the scorer has not been run");
+        SKIPPED("python3 is not there");
         return;
     }
     const std::string benchmark = source_file("tests/benchmark");
