@@ -137,6 +137,37 @@ void AdversarialScenes::friction(AdversarialScene& made) {
     made.scene.mu = of_mu < 6 ? 1 : of_mu < 9 ? 1 + little : much;
 }
 
+// A contact between two masses, a load on several, dashpots anywhere: each in one scene of four.
+void AdversarialScenes::other_kinds(System<double>& s, std::size_t N) {
+    const auto last = static_cast<int>(N) - 1;
+    if (of_kinds_.one_in(4)) {
+        const Mass other{static_cast<std::size_t>(of_kinds_.integer(0, last))};
+        if (other != s.contact) s.contact_with = other;
+    }
+    if (of_kinds_.one_in(4)) {
+        const int kind = of_kinds_.integer(0, 2);
+        for (std::size_t k = 0; k < N; ++k) {
+            const double size = kind == 0 ? 1 : of_kinds_.over_octaves(kind == 1 ? -2 : -range_.contrast, 1);
+            const bool none = of_kinds_.one_in(3);
+            s.load_vector.push_back(none ? 0 : of_kinds_.one_in(2) ? size : -size);
+        }
+    }
+    if (!of_kinds_.one_in(4)) return;
+    const auto n = static_cast<Eigen::Index>(N);
+    if (s.damping_matrix.size() == 0) s.damping_matrix = Matrix<double>::Zero(n, n);
+    s.damping_ratios.clear();
+    const int octave = of_kinds_.integer(-30, range_.zeta_high);
+    for (Eigen::Index i = 0; i < n; ++i) {
+        const double c = of_kinds_.one_in(2) ? 0 : of_kinds_.over_octaves(octave, octave + 3);
+        const auto k = static_cast<Eigen::Index>(of_kinds_.integer(0, last));
+        s.damping_matrix(i, i) += c;
+        if (k == i) continue;
+        s.damping_matrix(k, k) += c;
+        s.damping_matrix(i, k) -= c;
+        s.damping_matrix(k, i) -= c;
+    }
+}
+
 AdversarialScene AdversarialScenes::next() {
     AdversarialScene made;
     System<double>& s = made.scene.system;
@@ -151,6 +182,7 @@ AdversarialScene AdversarialScenes::next() {
     if (as_matrix) s.stiffness_ratios.clear();
     if (random_.one_in(8)) mass_matrix(s);
     damping(s, N);
+    if (range_.every_kind) other_kinds(s, N);
     frequency(made, N);
     friction(made);
     return made;

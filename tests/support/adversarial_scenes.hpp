@@ -27,14 +27,15 @@ struct AdversarialRange {
     int zeta_high;    ///< of the largest
     int mu_high;      ///< of the largest mu
     std::size_t most; ///< masses
+    bool every_kind; ///< whether contacts between two masses, loads on several, and dashpots that couple the modes are among them
 };
 
-/// @brief All that a scene may be: r from 5e-324 to 1e300, contrasts to 1e15, damping ratios to 1e6, up to 200 masses.
-inline constexpr AdversarialRange everything{-1074, 996, -1074, 996, 50, -60, 19, 19, 200};
+/// @brief All that a scene may be, of every kind: r from 5e-324 to 1e300, contrasts to 1e15, damping ratios to 1e6, up to 200 masses.
+inline constexpr AdversarialRange everything{-1074, 996, -1074, 996, 50, -60, 19, 19, 200, true};
 /// @brief What a user may meet: r from 1e-9 to 10, contrasts to 1e12, damping ratios to 30, up to 12 masses.
-inline constexpr AdversarialRange contrasts{-30, 3, -30, 6, 40, -40, 4, 6, 12};
+inline constexpr AdversarialRange contrasts{-30, 3, -30, 6, 40, -40, 4, 6, 12, false};
 /// @brief What a user does meet: r from 0.03 to 10, contrasts to 8, damping ratios from 1e-6 to 1, up to 8 masses.
-inline constexpr AdversarialRange mild{-5, 3, -8, 1, 3, -20, -1, 2, 8};
+inline constexpr AdversarialRange mild{-5, 3, -8, 1, 3, -20, -1, 2, 8, false};
 
 /// @brief A scene, and where it is to stand.
 struct AdversarialScene {
@@ -48,7 +49,7 @@ class AdversarialScenes {
 public:
     /// @param seed   any number
     /// @param range  what they are drawn from
-    AdversarialScenes(std::uint64_t seed, const AdversarialRange& range) : random_(seed), range_(range) {}
+    AdversarialScenes(std::uint64_t seed, const AdversarialRange& range) : random_(seed), of_kinds_(~seed), range_(range) {}
 
     /// @brief The next scene. @return the scene; it may break a rule of scenes, which is for the library to say
     AdversarialScene next();
@@ -62,8 +63,10 @@ private:
     void damping(System<double>& s, std::size_t N);
     void frequency(AdversarialScene& made, std::size_t N);
     void friction(AdversarialScene& made);
+    void other_kinds(System<double>& s, std::size_t N);
 
     SplitMix64 random_;
+    SplitMix64 of_kinds_; // a stream of its own: the other numbers of a scene do not depend on its kind
     AdversarialRange range_;
 };
 

@@ -26,12 +26,13 @@ auto times(const Left& A, const Right& B) {
 template <class T>
 using Inside = std::conditional_t<std::floating_point<T>, T, Real100>;
 
+// The matrix itself where it has the type.
 template <class To, class From, int columns>
-Eigen::Matrix<To, Eigen::Dynamic, columns> taken_to(const Eigen::Matrix<From, Eigen::Dynamic, columns>& A) {
+decltype(auto) taken_to(const Eigen::Matrix<From, Eigen::Dynamic, columns>& A) {
     if constexpr (std::same_as<To, From>)
-        return A;
+        return (A);
     else
-        return A.unaryExpr([](const From& x) { return static_cast<To>(x); });
+        return A.unaryExpr([](const From& x) { return static_cast<To>(x); }).eval();
 }
 
 } // namespace
