@@ -2,6 +2,7 @@
 #include "tests/speed_accuracy/adversarial_survey.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "denhartog/denhartog.hpp"
 #include "tests/catch.hpp"
@@ -77,6 +78,17 @@ TEST_CASE("a point at the end of a double's range is answered or refused by an e
         CHECK(is_answered_or_refused(R"({"mass_ratios": [1, 1], "stiffness_ratios": [1, 1], "damping_ratios": [0.05, 0.05],
             "contact": 1, "load": 1, "beta": 0.5, "r": )" +
                                      r + "}"));
+    }
+}
+
+TEST_CASE("far above its frequency a mass has finite boundaries whatever is asked", "[accuracy][eq:69]") {
+    const Scene<double> at = scene(R"({"mass_ratios": [1], "stiffness_ratios": [1], "damping_ratios": [0.05], "contact": 1,
+        "load": 1, "r": 1e82, "beta": 2})");
+    for (const Asked asked : {Asked::regime, Asked::amplitude, Asked::phase, Asked::motion}) {
+        const Solution s = solve(at, {asked, {}});
+        REQUIRE(s.limits);
+        for (const Certified& limit : {s.limits->exact, s.limits->paper, s.limits->approximate}) // (86) at mu = 1
+            CHECK(limit.value == Approx(2 / std::hypot(2, std::acos(-1))).epsilon(1e-6));
     }
 }
 

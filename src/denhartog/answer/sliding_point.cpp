@@ -53,6 +53,13 @@ Attempted errors_of_boundary(const Boundary<Bounded<T>>& b) {
     return all;
 }
 
+// Far off in frequency a boundary leaves the range of a double.
+template <class T>
+bool is_finite(const Boundary<Bounded<T>>& b) {
+    const T sum = b.exact.x + b.paper.x + b.approximate.x;
+    return sum - sum == 0;
+}
+
 template <class T>
 double error_of_masses(const SteadyState<Bounded<T>>& state, std::optional<Mass> only) {
     T largest(0);
@@ -97,7 +104,7 @@ SlidingPoint<T> point_at(const Scene<T>& scene, const ModeSums<Bounded<T>>& sums
         b.exact.e += T(narrow.exact.e);
         b.paper.e += T(narrow.paper.e);
     }
-    if (wish.limits || !scene.beta) point.attempted = errors_of_boundary(b);
+    if (wish.limits || !scene.beta || !is_finite(b)) point.attempted = errors_of_boundary(b);
     if (!scene.beta) return point;
     point.regime = regime_at(b, *scene.beta);
     point.attempted.decided = !point.regime->on_boundary;
