@@ -170,7 +170,19 @@ TEST_CASE("a motion in the units of the scene reaches the amplitudes of its answ
     }
 }
 
+TEST_CASE("a number that the units take beyond a double is no answer", "[program][map]") {
+    const std::string huge = R"({"masses": [1e-200], "stiffnesses": [1e-200], "damping_ratios": [0.1], "contact": 1, "load": 1,
+        "force": 1e200, "friction": 1e199, "frequency": 0.5})";
+    const auto rows = rows_of(run_program("map --frequency-hz 0.1:0.1:1 --friction 1e199:1e199:1", huge));
+    CHECK(rows.at(1) == std::vector<std::string>{"0.1", "1e+199", "", "nan", "nan", "nan", "failed"});
+    const Run motion = run_program("solve --samples 2 --units scene", huge);
+    CHECK(motion.status == 3);
+    CHECK(motion.output.empty());
+    CHECK(motion.error.find("beyond the range of a double") != std::string::npos);
+}
+
 TEST_CASE("units are refused where a scene has none", "[program][map][bad-input]") {
+    const std::string faint = in_si + R"("load": 1, "force": 1e-10})";
     std::string without_force = in_si;
     without_force += R"("load": 1})";
     const std::string solved =
@@ -182,6 +194,9 @@ TEST_CASE("units are refused where a scene has none", "[program][map][bad-input]
           std::tuple{"map --frequency-hz 1:2:2 --friction -1:1:2", pushed, "friction"},
           std::tuple{"map --frequency-hz 1:2:2 --beta 0:1:2", pushed, "frequency_hz"},
           std::tuple{"map --frequency-hz 1:2:2", pushed, "friction"}, std::tuple{"map --friction 1:2:2", pushed, "frequency_hz"},
+          std::tuple{"map --frequency-hz 1e200:1e200:1 --friction 1:1:1", shaken, "frequency_hz"},
+          std::tuple{"map --frequency-hz 1:2:100000 --friction 0:1:10000", shaken, "the map"},
+          std::tuple{"map --frequency-hz 1:2:2 --friction 1e308:1e308:1", faint, "friction"},
           std::tuple{"solve --samples 4 --units scene", solved, "units"}, std::tuple{"solve --units scene", solved, "units"},
           std::tuple{"motion --units scene", solved, "units"}}) {
         INFO(arguments << " of " << input);

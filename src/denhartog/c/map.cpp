@@ -57,8 +57,6 @@ std::vector<Mass> masses_from(std::size_t count, const size_t* masses, std::size
     return list;
 }
 
-bool has_numbers(PointStatus status) { return status == PointStatus::answered || status == PointStatus::on_boundary; }
-
 // What is common to a point of a map and one by itself; arrays that were not asked for are null.
 void write_point(const MapPoint& p, std::ptrdiff_t at, signed char* status, signed char* regime, int* stops, int* periods) {
     const bool known = has_numbers(p.status);

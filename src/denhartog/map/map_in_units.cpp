@@ -1,7 +1,9 @@
 #include "denhartog/map/map_in_units.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <mutex>
+#include <span>
 
 #include "denhartog/formulas/system.hpp"
 #include "denhartog/number/errors.hpp"
@@ -14,7 +16,11 @@ namespace {
 
 std::vector<double> friction_ratios(const std::vector<double>& friction, double P) {
     std::vector<double> beta;
-    for (const double F : friction) beta.push_back(paper::friction_ratio(F, P));
+    for (const double F : friction) {
+        beta.push_back(paper::friction_ratio(F, P));
+        if (!(F >= 0) || !std::isfinite(beta.back()))
+            throw InputError("friction", "must not be negative, and its ratio to the force must be finite", number_to_text(F));
+    }
     return beta;
 }
 
@@ -23,6 +29,7 @@ RegimeMap column_by_column(const Scene<double>& scene, const FrequenciesInUnits&
                            const MapRequest& request, const std::atomic<bool>& stop,
                            const std::function<void(std::size_t done)>& done) {
     const std::size_t columns = frequencies.r.size(), amplitudes = friction.size() * request.masses.size();
+    check_size_of_map(columns, amplitudes);
     RegimeMap all;
     all.points.resize(columns * friction.size());
     all.amplitudes.resize(columns * amplitudes);
@@ -38,7 +45,8 @@ RegimeMap column_by_column(const Scene<double>& scene, const FrequenciesInUnits&
         std::ranges::copy(column.points, all.points.begin() + static_cast<std::ptrdiff_t>(m * friction.size()));
         std::ranges::copy(column.amplitudes, all.amplitudes.begin() + static_cast<std::ptrdiff_t>(m * amplitudes));
         const std::lock_guard<std::mutex> lock(mutex);
-        done(++columns_done);
+        ++columns_done;
+        if (done) done(columns_done);
         return true;
     });
     all.complete = columns_done == columns;
@@ -51,12 +59,16 @@ FrequenciesInUnits frequencies_in_units(const Scene<double>& scene, const std::v
     if (!scene.units)
         throw InputError("frequency_hz", "must be given for scenes of masses and stiffnesses only; others have r",
                          "a scene in ratios");
+    if (hertz.empty()) throw InputError("frequency_hz", "must have at least one value", "none");
     FrequenciesInUnits all{hertz, {}, {}, scene.units->stiffness};
     for (const double each : hertz) {
         if (!(each > 0)) throw InputError("frequency_hz", "must be positive", number_to_text(each));
         const double omega = 2 * pi<double>() * each;
         const std::optional<double> P = scene.units->force_at(omega);
         if (!P) throw InputError("force", "must be given (or base_displacement in its place)", "nothing");
+        if (!(*P > 0) || !std::isfinite(*P))
+            throw InputError("frequency_hz", "must leave the force of the base within the range of a double",
+                             number_to_text(each));
         all.r.push_back(paper::frequency_ratio(omega, scene.units->mass, scene.units->stiffness));
         all.force.push_back(*P);
     }
@@ -65,8 +77,6 @@ FrequenciesInUnits frequencies_in_units(const Scene<double>& scene, const std::v
 
 RegimeMap map_in_units(const Scene<double>& scene, const FrequenciesInUnits& frequencies, const std::vector<double>& friction,
                        MapRequest request, const std::atomic<bool>& stop, const std::function<void(std::size_t done)>& done) {
-    for (const double F : friction)
-        if (!(F >= 0)) throw InputError("friction", "must not be negative", number_to_text(F));
     RegimeMap map;
     if (scene.units->base) {
         map = column_by_column(scene, frequencies, friction, request, stop, done);
@@ -75,9 +85,16 @@ RegimeMap map_in_units(const Scene<double>& scene, const FrequenciesInUnits& fre
         request.beta = friction_ratios(friction, frequencies.force.front());
         map = regime_map(scene, request, stop, done);
     }
-    const std::size_t of_column = friction.size() * request.masses.size();
-    for (std::size_t n = 0; n < map.amplitudes.size(); ++n)
-        map.amplitudes[n] *= frequencies.force[n / of_column] / frequencies.stiffness;
+    const std::size_t masses = request.masses.size();
+    for (std::size_t n = 0; n < map.points.size(); ++n) {
+        const double length = frequencies.force[n / friction.size()] / frequencies.stiffness;
+        const auto amplitudes = std::span(map.amplitudes).subspan(n * masses, masses);
+        for (double& each : amplitudes) each *= length;
+        if (!has_numbers(map.points[n].status) || std::ranges::all_of(amplitudes, [](double x) { return std::isfinite(x); }))
+            continue;
+        map.points[n] = {};
+        std::ranges::fill(amplitudes, std::nan(""));
+    }
     return map;
 }
 
@@ -89,6 +106,8 @@ std::vector<BoundaryPoint> curves_in_units(const Scene<double>& scene, const Fre
         curves[n].paper *= P;
         curves[n].approximate *= P;
         if (curves[n].sticking) *curves[n].sticking *= P;
+        for (const double limit : {curves[n].exact, curves[n].paper, curves[n].approximate, curves[n].sticking.value_or(0)})
+            if (!std::isfinite(limit)) curves[n].status = PointStatus::failed;
     }
     return curves;
 }

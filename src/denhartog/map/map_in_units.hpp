@@ -20,7 +20,7 @@ struct FrequenciesInUnits {
 /// @return the frequencies with their ratios @throws InputError where the scene has no units or no force, or a frequency is not positive
 [[nodiscard]] FrequenciesInUnits frequencies_in_units(const Scene<double>& scene, const std::vector<double>& hertz);
 
-/// @brief A map with amplitudes in the scene's unit of length.
+/// @brief A map with amplitudes in the scene's unit of length. One beyond the range of a double leaves its point `failed`.
 /// @param scene        system and mu
 /// @param frequencies  the columns
 /// @param friction     friction forces, the rows
@@ -28,7 +28,7 @@ struct FrequenciesInUnits {
 /// @param stop         set to stop the computation early
 /// @param done         told the number of columns done after each
 /// @return             the map
-/// @throws             InputError where a friction force is negative
+/// @throws             InputError where a friction force is negative, or what `regime_map` does
 [[nodiscard]] RegimeMap map_in_units(const Scene<double>& scene, const FrequenciesInUnits& frequencies,
                                      const std::vector<double>& friction, MapRequest request, const std::atomic<bool>& stop,
                                      const std::function<void(std::size_t done)>& done);

@@ -38,10 +38,7 @@ void check_request(const MapRequest& request, std::size_t N) {
     for (const Mass k : request.masses)
         if (k.index >= N) throw InputError("mass", "must be a mass from 1 to " + std::to_string(N), std::to_string(k.index + 1));
     if (request.threads < 1) throw InputError("threads", "must be at least 1", std::to_string(request.threads));
-    const std::size_t numbers = request.beta.size() * request.masses.size();
-    if (request.r.size() > most_points / numbers)
-        throw InputError("the map", "must have at most " + std::to_string(most_points) + " amplitudes",
-                         std::to_string(request.r.size()) + " times " + std::to_string(numbers));
+    check_size_of_map(request.r.size(), request.beta.size() * request.masses.size());
 }
 
 // Sums and limits of many columns at once, where the contact alone is asked for and the limits tell its regime.
@@ -82,6 +79,12 @@ std::string name(PointStatus status) {
     case PointStatus::failed: return "failed";
     }
     return {};
+}
+
+void check_size_of_map(std::size_t columns, std::size_t amplitudes) {
+    if (amplitudes > 0 && columns > most_points / amplitudes)
+        throw InputError("the map", "must have at most " + std::to_string(most_points) + " amplitudes",
+                         std::to_string(columns) + " times " + std::to_string(amplitudes));
 }
 
 RegimeMap regime_map(const Scene<double>& scene, const MapRequest& request, const std::atomic<bool>& stop,

@@ -37,6 +37,11 @@ enum class PointStatus : std::int8_t {
 /// @brief Name of a status as files have it. @param status a status @return e.g. `not_converged`
 [[nodiscard]] std::string name(PointStatus status);
 
+/// @brief Whether a point has a regime and amplitudes. @param status of the point @return true if so
+[[nodiscard]] inline bool has_numbers(PointStatus status) {
+    return status == PointStatus::answered || status == PointStatus::on_boundary;
+}
+
 /// @brief A point of a map, without its amplitudes.
 struct MapPoint {
     PointStatus status = PointStatus::failed; ///< whether there are numbers
@@ -61,6 +66,9 @@ struct RegimeMap {
     std::vector<double> amplitudes; ///< amplitude of each mass asked for, point after point; NaN where a point has no numbers
     bool complete = false;          ///< false where it was stopped
 };
+
+/// @brief Checks the size of a map. @param columns frequencies @param amplitudes of a column @throws InputError where it is too large
+void check_size_of_map(std::size_t columns, std::size_t amplitudes);
 
 /// @brief Computes a map.
 /// @param scene    system and mu; its r and beta are not used

@@ -8,8 +8,6 @@
 namespace denhartog::program {
 namespace {
 
-bool has_numbers(PointStatus status) { return status == PointStatus::answered || status == PointStatus::on_boundary; }
-
 std::string csv_cell(double x) { return std::isnan(x) ? "nan" : number_to_text(x == 0 ? 0.0 : x); }
 
 std::string csv_cell(std::int32_t n, bool known) { return known ? std::to_string(n) : "nan"; }

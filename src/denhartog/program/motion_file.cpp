@@ -30,7 +30,10 @@ std::optional<MotionUnits> motion_units(const Scene<double>& scene, const std::s
 std::string motion_csv(const SampledSolution& motion, const std::optional<MotionUnits>& units) {
     const double time = units ? 1 / units->omega : 1, length = units ? units->length : 1;
     const double velocity = units ? units->length * units->omega : 1;
-    const auto cell = [](double x) { return "," + number_to_text(x == 0 ? 0.0 : x); };
+    const auto cell = [](double x) {
+        if (!std::isfinite(x)) throw PrecisionError("the motion holds a number beyond the range of a double");
+        return "," + number_to_text(x == 0 ? 0.0 : x);
+    };
     std::string csv = units ? "t" : "tau";
     for (const char* letter : {"x", "v"})
         for (std::size_t k = 1; k <= motion.states.front().x.size(); ++k)
