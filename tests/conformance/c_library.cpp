@@ -61,6 +61,7 @@ TEST_CASE("the shared library exports the names of its list and no other", "[c_i
                                         "dh_solution_summary",
                                         "dh_solve",
                                         "dh_solve_points",
+                                        "dh_solve_systems",
                                         "dh_status_text",
                                         "dh_sums",
                                         "dh_system_destroy",

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <cstring>
 #include <memory>
+#include <set>
 #include <string>
 
 #include "denhartog/c/denhartog.h"
@@ -138,6 +139,131 @@ TEST_CASE("dh_solve_points has the numbers of dh_solve", "[c_interface]") {
     request.r_step = request.beta_step = 0; // one point four times
     REQUIRE(dh_solve_points(system.get(), &request, &points) == DH_OK);
     for (std::size_t n = 2; n < 8; ++n) CHECK(same_bytes(amplitude[n], amplitude[n % 2]));
+}
+
+TEST_CASE("dh_solve_systems has the numbers of dh_solve for the system of each point", "[c_interface]") {
+    const std::string two =
+        R"({"mass_ratios": [1, 1], "stiffness_ratios": [1, 1], "damping_ratios": 0.05, "contact": 2, "load": 1})";
+    const std::string one = R"({"mass_ratios": [1], "stiffness_ratios": [1], "damping_ratios": 0.25, "contact": 1, "load": 1})";
+    const SystemHandle handles[] = {system_of(chain), system_of(two), system_of(one)};
+    const dh_system* const systems[] = {handles[0].get(), handles[1].get(), handles[2].get(), handles[1].get(), handles[0].get()};
+    const double r[] = {1.125, -1, 0.75, -1, 0.5, -1, 0.75, -1, 1.125}, beta[] = {0.15625, 0.5, 0.25, 40, 0.6};
+    const double mu[] = {1, 1.25, 1, 1, 1.375};
+    std::vector<signed char> status(5, 9), regime(5, 9);
+    std::vector<int> stops(5, 9), periods(5, 9);
+    std::vector<double> amplitude(15, 9), error(15, 9), phase(15, 9), phase_error(15, 9);
+    dh_systems_request request{};
+    request.size = sizeof request;
+    request.count = 5;
+    request.systems = systems;
+    request.r = r;
+    request.r_step = 2;
+    request.beta = beta;
+    request.mu = mu;
+    request.system_step = request.beta_step = request.mu_step = 1;
+    request.digits = 9;
+    dh_points points{};
+    points.size = sizeof points;
+    points.step = points.masses_step = 1;
+    points.mass_step = 5; // mass after mass
+    points.status = status.data();
+    points.regime = regime.data();
+    points.stops = stops.data();
+    points.periods = periods.data();
+    points.amplitude = amplitude.data();
+    points.error = error.data();
+    points.phase = phase.data();
+    points.phase_error = phase_error.data();
+    std::vector<double> of_one_thread;
+    for (const unsigned threads : {1U, 3U}) {
+        request.threads = threads;
+        REQUIRE(dh_solve_systems(&request, &points) == DH_OK);
+        if (threads == 1) of_one_thread = amplitude;
+    }
+    for (std::size_t n = 0; n < 15; ++n) CHECK(same_bytes(amplitude[n], of_one_thread[n]));
+    std::set<int> regimes;
+    for (std::size_t n = 0; n < 5; ++n) {
+        const std::string& text = systems[n] == handles[0].get() ? chain : systems[n] == handles[1].get() ? two : one;
+        Scene<double> at = scene(text);
+        at.r = r[2 * n];
+        at.beta = beta[n];
+        at.mu = mu[n];
+        const Solution s = solve(at, {Asked::phase, 9});
+        CHECK(status[n] == DH_POINT_ANSWERED);
+        CHECK(regime[n] == static_cast<signed char>(s.regime.regime));
+        CHECK(stops[n] == static_cast<int>(s.stops.size()));
+        CHECK(periods[n] == s.periods);
+        regimes.insert(regime[n]);
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::size_t place = n + 5 * k;
+            const bool exists = k < s.masses.size();
+            CHECK(std::isnan(amplitude[place]) == !exists);
+            CHECK(std::isnan(error[place]) == !exists);
+            if (!exists) continue;
+            const SolvedMass& mass = s.masses[k];
+            CHECK(std::abs(amplitude[place] - mass.amplitude.value) <= error[place] + mass.amplitude.error);
+            CHECK(std::isnan(phase[place]) == !mass.phase);
+            if (mass.phase) CHECK(std::abs(phase[place] - mass.phase->value) <= phase_error[place] + mass.phase->error);
+        }
+    }
+    CHECK(regimes.size() == 3); // they are all met
+    const size_t first = 1;
+    request.masses = &first;
+    request.mass_count = 1;
+    std::vector<double> of_first(5, 9);
+    points = {sizeof points, 0, nullptr, nullptr, nullptr, nullptr, 1, 0, of_first.data(), nullptr, nullptr, nullptr};
+    REQUIRE(dh_solve_systems(&request, &points) == DH_OK);
+    for (std::size_t n = 0; n < 5; ++n) CHECK(of_first[n] == Approx(amplitude[n]).epsilon(1e-9));
+}
+
+TEST_CASE("what is wrong with the points of many systems is told by name, and nothing is written", "[c_interface][bad-input]") {
+    const SystemHandle system = system_of(chain);
+    const dh_system* const systems[] = {system.get(), system.get(), nullptr};
+    const double r[] = {0.5, 0.5, 0.5}, beta[] = {0.75, -1, 0.75}, mu[] = {1, 1, 0.5};
+    const size_t masses[] = {4};
+    std::vector<int> stops(200, 9);
+    dh_points points{};
+    points.size = sizeof points;
+    points.step = 1;
+    points.stops = stops.data();
+    dh_systems_request request{};
+    request.size = sizeof request;
+    request.count = 1;
+    request.systems = systems;
+    request.r = r;
+    request.beta = beta;
+    request.mu = mu;
+    request.system_step = request.r_step = request.beta_step = request.mu_step = 1;
+    const auto fault = [&](const dh_systems_request& asked) {
+        const int status = dh_solve_systems(&asked, &points);
+        CHECK(status != DH_OK);
+        return std::to_string(status) + " " + dh_last_message();
+    };
+    const auto changed = [&](const auto& change) {
+        dh_systems_request other = request;
+        change(other);
+        return fault(other);
+    };
+    CHECK_THAT(changed([](auto& q) { q.size = 8; }), Catch::Contains("2 request->size"));
+    CHECK_THAT(changed([](auto& q) { q.count = 0; }), Catch::Contains("2 request->count"));
+    CHECK_THAT(changed([](auto& q) { q.systems = nullptr; }), Catch::Contains("1 request->systems"));
+    CHECK_THAT(changed([](auto& q) { q.mu = nullptr; }), Catch::Contains("1 request->mu"));
+    CHECK_THAT(changed([](auto& q) { q.count = 2; }), Catch::Contains("3 beta") && Catch::Contains("-1"));
+    CHECK_THAT(changed([](auto& q) { q.count = 3, q.beta_step = 0; }), Catch::Contains("3 mu") && Catch::Contains("0.5"));
+    CHECK_THAT(changed([](auto& q) { q.count = 3, q.beta_step = q.mu_step = 0; }), Catch::Contains("1 request->systems[2]"));
+    CHECK_THAT(changed([&](auto& q) { q.masses = masses, q.mass_count = 1; }),
+               Catch::Contains("3 masses") && Catch::Contains("from 1 to 3"));
+    CHECK_THAT(changed([](auto& q) { q.digits = 16; }), Catch::Contains("3 digits"));
+    int calls = 0;
+    CHECK_THAT(changed([&](auto& q) {
+                   q.count = 200, q.system_step = q.r_step = q.beta_step = q.mu_step = 0;
+                   q.progress = stop_at_once, q.context = &calls;
+               }),
+               Catch::Contains("5 cancelled"));
+    CHECK(calls == 1);
+    CHECK(stops == std::vector<int>(200, 9));
+    REQUIRE(dh_solve_systems(&request, &points) == DH_OK);
+    CHECK(stops[0] >= 0);
 }
 
 TEST_CASE("the contact of two masses that rub against each other has its own amplitude in C", "[c_interface]") {

@@ -10,6 +10,7 @@
 #include "tests/catch.hpp"
 #include "tests/conformance/generator/sha256.hpp"
 #include "tests/conformance/generator/vector_files.hpp"
+#include "tests/conformance/shell.hpp"
 #include "tests/conformance/vector_folder.hpp"
 
 using namespace denhartog;
@@ -80,8 +81,8 @@ TEST_CASE("the manifest has every file of the vectors with its size and checksum
     bytes[bytes.size() / 2] = bytes[bytes.size() / 2] == '1' ? '2' : '1';
     twin.write("modes.jsonl", bytes);
     CHECK(generator::manifest_faults(twin.folder) == std::vector<std::string>{"modes.jsonl has another checksum"});
-    std::filesystem::remove(twin.folder / "modes.csv");
-    twin.write("more.csv", "");
+    std::filesystem::remove(twin.folder / "masses.jsonl");
+    twin.write("more.jsonl", "");
     CHECK(generator::manifest_faults(twin.folder).size() == 3);
 }
 
@@ -145,18 +146,51 @@ TEST_CASE("the vectors are enough, of every group, tier and number of masses, wi
     CHECK(manifest.at("groups") == nlohmann::json(groups));
 }
 
-TEST_CASE("the CSV files say what the JSON lines say", "[conformance][vectors]") {
-    std::map<std::string, std::vector<std::string>> expected;
-    for (const Vector& v : vectors()) {
-        if (expected[v.group].empty()) expected[v.group].push_back(vector_csv_heading());
-        expected[v.group].push_back(vector_csv(v));
+TEST_CASE("the vectors as CSV say what the JSON lines say", "[conformance][vectors]") {
+    const std::string command = "'" + std::string(std::getenv("DENHARTOG_PROGRAM")) + "' conform list --csv";
+    const Run run = run_shell(command);
+    REQUIRE(run.status == 0);
+    std::istringstream output(run.output);
+    std::vector<std::vector<std::string>> rows;
+    for (std::string line; std::getline(output, line);) {
+        rows.emplace_back();
+        std::istringstream cells(line + ',');
+        for (std::string cell; std::getline(cells, cell, ',');) rows.back().push_back(cell);
     }
-    const auto columns = [](const std::string& line) { return std::count(line.begin(), line.end(), ','); };
-    for (const auto& [group, lines] : expected) {
-        INFO(group);
-        CHECK(lines_of(vector_folder() / (group + ".csv")) == lines);
-        for (const std::string& line : lines) REQUIRE(columns(line) == columns(vector_csv_heading()));
+    REQUIRE(rows.size() == vectors().size() + 1);
+    const auto cell = [&](std::size_t row, const std::string& name) {
+        const auto column = std::find(rows[0].begin(), rows[0].end(), name);
+        REQUIRE(column != rows[0].end());
+        return rows[row][static_cast<std::size_t>(column - rows[0].begin())];
+    };
+    const auto numbers = [](const std::string& list) {
+        std::istringstream words(list);
+        std::vector<double> all;
+        for (std::string word; words >> word;) all.push_back(std::stod(word));
+        return all;
+    };
+    for (std::size_t n = 0; n < vectors().size(); ++n) {
+        const Vector& v = vectors()[n];
+        INFO(v.question.id);
+        REQUIRE(rows[n + 1].size() == rows[0].size());
+        REQUIRE(cell(n + 1, "id") == v.question.id);
+        REQUIRE(cell(n + 1, "quantity") == v.question.quantity);
+        if (!v.reject.empty()) {
+            REQUIRE(cell(n + 1, "value") == "reject");
+            continue;
+        }
+        REQUIRE(cell(n + 1, "tier") == v.tier);
+        REQUIRE(numbers(cell(n + 1, "mass_ratios")) == v.question.mass_ratios);
+        REQUIRE(numbers(cell(n + 1, "damping_ratios")) == v.question.damping_ratios);
+        REQUIRE(numbers(cell(n + 1, "r")) == std::vector<double>{v.question.r});
+        if (!v.word.empty())
+            REQUIRE(cell(n + 1, "value") == v.word);
+        else
+            REQUIRE(numbers(cell(n + 1, "value")) == v.nearest);
     }
+    const Run group = run_shell(command + " --group limits --tier stress");
+    CHECK(std::count(group.output.begin(), group.output.end(), '\n') == 2);
+    CHECK(run_shell(command + " --summary").status == 2);
 }
 
 TEST_CASE("hexadecimal values are the doubles nearest to the decimals, and the tolerances are in order",

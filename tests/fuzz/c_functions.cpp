@@ -305,6 +305,53 @@ void ask_points(Choices& c, const dh_system* system, std::size_t N) {
     for (const double x : amplitude) claim(x == -99 || x >= 0 || std::isnan(x), "an amplitude is not negative");
 }
 
+// Points of two systems of different size, one of them rarely missing.
+void ask_systems(Choices& c, const dh_system* system, std::size_t N) {
+    const SystemHandle other = from_ratios(c);
+    std::size_t of_other = 1;
+    if (other) claim(dh_system_masses(other.get(), &of_other, nullptr, nullptr) == DH_OK, "a system has masses");
+    const std::array<const dh_system*, 4> systems{system, other ? other.get() : system, c.rarely() ? nullptr : system, system};
+    const std::size_t count = 1 + c.of(4), most = std::max(N, of_other);
+    const std::vector<double> r = c.numbers(count), beta = c.numbers(count);
+    std::vector<double> mu(count, 1);
+    if (c.of(2) == 0) mu[0] = 1 + c.number();
+    const size_t mass = c.rarely() ? c.byte() : 1 + c.of(N);
+    const bool all = c.of(2) == 0;
+    const std::size_t masses = all ? most : 1;
+    int calls_left = c.rarely() ? 0 : 1000;
+    std::vector<signed char> status(count, 99);
+    std::vector<double> amplitude(count * masses, -99), phase(count * masses, -99);
+    const dh_systems_request request{c.rarely() ? 1 : sizeof request,
+                                     count,
+                                     c.rarely() ? nullptr : systems.data(),
+                                     1,
+                                     r.data(),
+                                     1,
+                                     beta.data(),
+                                     c.of(2) == 0 ? 0 : 1,
+                                     c.rarely() ? nullptr : mu.data(),
+                                     1,
+                                     static_cast<int>(c.of(13)),
+                                     1,
+                                     all ? nullptr : &mass,
+                                     static_cast<unsigned>(1 + c.of(2)),
+                                     end_at,
+                                     &calls_left};
+    const auto step = static_cast<std::ptrdiff_t>(masses);
+    const dh_points points{sizeof points, 1, status.data(),    nullptr, nullptr,      nullptr,
+                           step,          1, amplitude.data(), nullptr, phase.data(), nullptr};
+    const bool ok =
+        answered(dh_solve_systems(&request, c.rarely() ? nullptr : &points),
+                 {DH_ERROR_NULL, DH_ERROR_SIZE, DH_ERROR_INPUT, DH_ERROR_PRECISION, DH_ERROR_MEMORY}, "solve_systems");
+    for (std::size_t n = 0; n < count; ++n) {
+        claim(ok ? status[n] >= 0 && status[n] <= DH_POINT_FAILED : status[n] == 99, "a point has its status, or is untouched");
+        for (std::size_t m = 0; m < masses; ++m) {
+            const double x = amplitude[n * masses + m];
+            claim(ok ? x >= 0 || std::isnan(x) : x == -99, "an amplitude is not negative, or is untouched");
+        }
+    }
+}
+
 int count_down(void* context) { return --*static_cast<int*>(context) < 0 ? 1 : 0; }
 
 // What a call may cost: little, or next to nothing, or an end from outside after a while; what is no such number changes nothing.
@@ -325,7 +372,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     int calls_left = 0;
     dh_set_effort(operations, nullptr, nullptr);
     constexpr auto asks = std::to_array(
-        {ask_masses, ask_modes, ask_functions, ask_boundaries, ask_sliding, ask_solution, ask_quantity, ask_points});
+        {ask_masses, ask_modes, ask_functions, ask_boundaries, ask_sliding, ask_solution, ask_quantity, ask_points, ask_systems});
     const SystemHandle system = system_of(c);
     std::size_t N = 1;
     if (system) claim(dh_system_masses(system.get(), &N, nullptr, nullptr) == DH_OK, "a system has masses");

@@ -323,7 +323,7 @@ DH_EXPORT int dh_solution_stops(const dh_solution* solution, size_t count, doubl
 DH_EXPORT int dh_solution_motion(const dh_solution* solution, size_t samples, size_t count, double* x,
                                  double* x_prime) DH_NOEXCEPT;
 
-/// @brief What became of a point of dh_map() or dh_solve_points().
+/// @brief What became of a point of dh_map(), dh_solve_points() or dh_solve_systems().
 enum dh_point_status {
     DH_POINT_ANSWERED = 0,      ///< all numbers are there
     DH_POINT_ON_BOUNDARY = 1,   ///< they are there; beta equals a boundary to rounding, and the regime could be the neighbour
@@ -421,6 +421,35 @@ typedef struct dh_points {
 /// @param points   its size set; where the numbers go. Written once all are there
 /// @return         as dh_map()
 DH_EXPORT int dh_solve_points(const dh_system* system, const dh_points_request* request, const dh_points* points) DH_NOEXCEPT;
+
+/// @brief Points of many systems: any point of any of them.
+typedef struct dh_systems_request {
+    size_t size;                     ///< sizeof(dh_systems_request), set by the caller
+    size_t count;                    ///< number of points
+    const dh_system* const* systems; ///< the system of each point; a system may have any number of points
+    ptrdiff_t system_step;           ///< elements from one to the next; 0 takes the first for all
+    const double* r;                 ///< frequency ratios, Eq. (10), positive
+    ptrdiff_t r_step;                ///< elements from one to the next; 0 takes the first for all
+    const double* beta;              ///< friction ratios, Eq. (11), not negative
+    ptrdiff_t beta_step;             ///< elements from one to the next; 0 takes the first for all
+    const double* mu;                ///< static over kinetic friction, Eq. (3), at least 1
+    ptrdiff_t mu_step;               ///< elements from one to the next; 0 takes the first for all
+    int digits;                      ///< as of dh_solve()
+    size_t mass_count;               ///< masses whose numbers are wanted
+    const size_t* masses;            ///< these masses, which every system must have; null for all masses of each system
+    unsigned threads;                ///< 0 for as many as the machine has; the numbers are the same for any
+    dh_progress progress;            ///< told of points; null: nobody
+    void* context;                   ///< handed to it
+} dh_systems_request;
+
+/// @brief The steady motions of many systems, each at a point of its own, as dh_solve() has them one by one.
+///
+/// Where `masses` is null, the arrays over masses must have room for the masses of the largest system; NaN stands for a mass that
+/// a system does not have.
+/// @param request  its size set; systems and points
+/// @param points   its size set; where the numbers go. Written once all are there
+/// @return         as dh_map()
+DH_EXPORT int dh_solve_systems(const dh_systems_request* request, const dh_points* points) DH_NOEXCEPT;
 
 /// @brief Any quantity of docs/protocol.md by its name there, with the conventions of that page; the regime as enum dh_regime.
 ///

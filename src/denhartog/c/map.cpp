@@ -2,6 +2,7 @@
 #include <array>
 #include <atomic>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <mutex>
 #include <thread>
@@ -103,11 +104,63 @@ void write_masses(const PointAnswer& answer, std::size_t masses, std::ptrdiff_t 
     }
 }
 
-void check_points(std::size_t count, const double* r, std::ptrdiff_t r_step, const double* beta, std::ptrdiff_t beta_step) {
-    for (std::size_t n = 0; n < count; ++n) {
-        check_frequency_ratio(r[static_cast<std::ptrdiff_t>(n) * r_step]);
-        check_friction_ratio(beta[static_cast<std::ptrdiff_t>(n) * beta_step]);
+// What a point has in an array with a step.
+template <class Each>
+const Each& element(const Each* numbers, std::ptrdiff_t step, std::size_t n) {
+    return numbers[static_cast<std::ptrdiff_t>(n) * step];
+}
+
+// What a request for points by themselves must hold, whatever systems they are of.
+template <class Request>
+void check_points(const Request& request) {
+    need_length(request.count, most_points_of_a_call, "request->count");
+    need(request.r, "request->r");
+    need(request.beta, "request->beta");
+    for (std::size_t n = 0; n < request.count; ++n) {
+        check_frequency_ratio(element(request.r, request.r_step, n));
+        check_friction_ratio(element(request.beta, request.beta_step, n));
     }
+}
+
+Question question_of(const dh_points& points, int digits, const std::vector<Mass>& masses) {
+    Question question{points.phase != nullptr || points.phase_error != nullptr ? Asked::phase : Asked::amplitude,
+                      digits_from(digits)};
+    if (masses.size() == 1) question.mass = masses.front();
+    return question;
+}
+
+// Answers point after point, on threads, and writes all of them at the end; `masses` is the room for masses in the output.
+template <class Request>
+void solve_all(const Request& request, const dh_points& points, std::size_t masses,
+               const std::function<PointAnswer(std::size_t n)>& answer) {
+    Progress progress(request.progress, request.context, request.count);
+    std::vector<PointAnswer> answers(request.count);
+    const std::size_t pieces = (request.count + points_at_a_time - 1) / points_at_a_time;
+    parallel_for(pieces, threads_of(request.threads), [&](std::size_t piece) {
+        const std::size_t from = piece * points_at_a_time, to = std::min(from + points_at_a_time, request.count);
+        for (std::size_t n = from; n < to && !progress.stop; ++n) answers[n] = answer(n);
+        progress.add(to - from);
+        return !progress.stop;
+    });
+    need_complete(!progress.stop);
+    for (std::size_t n = 0; n < request.count; ++n) {
+        const auto at = static_cast<std::ptrdiff_t>(n);
+        write_point(answers[n].point, at * points.step, points.status, points.regime, points.stops, points.periods);
+        write_masses(answers[n], masses, at * points.masses_step, points);
+    }
+}
+
+// Least and largest number of masses of the systems of a request, which are there.
+std::pair<std::size_t, std::size_t> numbers_of_masses(const dh_systems_request& request) {
+    std::size_t least = most_masses, largest = 0;
+    for (std::size_t n = 0; n < request.count; ++n) {
+        const dh_system* system = element(request.systems, request.system_step, n);
+        if (system == nullptr) throw CallError(DH_ERROR_NULL, "request->systems[" + std::to_string(n) + "] must not be null");
+        const std::size_t N = number_of_masses(system->prepared.scene.system);
+        least = std::min(least, N);
+        largest = std::max(largest, N);
+    }
+    return {least, largest};
 }
 
 } // namespace
@@ -156,38 +209,46 @@ int dh_solve_points(const dh_system* system, const dh_points_request* request, c
         need(system, "system");
         need_struct(request, "request");
         need_struct(points, "points");
-        need_length(request->count, most_points_of_a_call, "request->count");
-        need(request->r, "request->r");
-        need(request->beta, "request->beta");
         check_static_friction(request->mu);
-        check_points(request->count, request->r, request->r_step, request->beta, request->beta_step);
-        Question question{points->phase != nullptr || points->phase_error != nullptr ? Asked::phase : Asked::amplitude,
-                          digits_from(request->digits)};
+        check_points(*request);
         const std::vector<Mass> masses =
             masses_from(request->mass_count, request->masses, number_of_masses(system->prepared.scene.system));
-        if (masses.size() == 1) question.mass = masses.front();
+        const Question question = question_of(*points, request->digits, masses);
         const PreparedSystem prepared =
             prepare(with_static_friction(system->prepared.source, request->mu), question, Prepared::every_regime);
         const Allowance allowed = allowance();
-        Progress progress(request->progress, request->context, request->count);
-        std::vector<PointAnswer> answers(request->count);
-        const std::size_t pieces = (request->count + points_at_a_time - 1) / points_at_a_time;
-        parallel_for(pieces, threads_of(request->threads), [&](std::size_t piece) {
-            const std::size_t from = piece * points_at_a_time, to = std::min(from + points_at_a_time, request->count);
-            for (std::size_t n = from; n < to && !progress.stop; ++n) {
-                const auto at = static_cast<std::ptrdiff_t>(n);
-                answers[n] = answer_at(prepared, request->r[at * request->r_step], request->beta[at * request->beta_step],
-                                       question, masses, allowed);
-            }
-            progress.add(to - from);
-            return !progress.stop;
+        solve_all(*request, *points, masses.size(), [&](std::size_t n) {
+            return answer_at(prepared, element(request->r, request->r_step, n), element(request->beta, request->beta_step, n),
+                             question, masses, allowed);
         });
-        need_complete(!progress.stop);
-        for (std::size_t n = 0; n < request->count; ++n) {
-            const auto at = static_cast<std::ptrdiff_t>(n);
-            write_point(answers[n].point, at * points->step, points->status, points->regime, points->stops, points->periods);
-            write_masses(answers[n], masses.size(), at * points->masses_step, *points);
-        }
+    });
+}
+
+int dh_solve_systems(const dh_systems_request* request, const dh_points* points) noexcept {
+    return guarded_without_effort([&] {
+        need_struct(request, "request");
+        need_struct(points, "points");
+        need(request->systems, "request->systems");
+        need(request->mu, "request->mu");
+        check_points(*request);
+        for (std::size_t n = 0; n < request->count; ++n) check_static_friction(element(request->mu, request->mu_step, n));
+        const auto [least, largest] = numbers_of_masses(*request);
+        const std::vector<Mass> of_largest =
+            masses_from(request->mass_count, request->masses, request->masses != nullptr ? least : largest);
+        const Question question =
+            question_of(*points, request->digits, request->masses != nullptr ? of_largest : std::vector<Mass>());
+        const Allowance allowed = allowance();
+        solve_all(*request, *points, of_largest.size(), [&](std::size_t n) {
+            const PreparedSystem& prepared = element(request->systems, request->system_step, n)->prepared;
+            const double mu = element(request->mu, request->mu_step, n);
+            std::vector<Mass> masses = of_largest;
+            if (request->masses == nullptr) masses.resize(number_of_masses(prepared.scene.system));
+            const auto ask = [&](const PreparedSystem& at_mu) {
+                return answer_at(at_mu, element(request->r, request->r_step, n), element(request->beta, request->beta_step, n),
+                                 question, masses, allowed);
+            };
+            return mu == 1 ? ask(prepared) : ask(with_static_friction(prepared, mu));
+        });
     });
 }
 

@@ -13,14 +13,14 @@ from ._errors import Cancelled, InputError
 Report = Optional[Callable[[int, int], Any]]
 
 
-def run(name: str, handle: ctypes.c_void_p, request: Any, result: Any, progress: Report, arrays: Any) -> None:
-    """Calls dh_map() or dh_solve_points() in a thread of its own and waits for it.
+def run(name: str, handles: tuple[ctypes.c_void_p, ...], request: Any, result: Any, progress: Report, arrays: Any) -> None:
+    """Calls dh_map(), dh_solve_points() or dh_solve_systems() in a thread of its own and waits for it.
 
     A thread in C does not see Ctrl-C. The thread that waits here does, and so does the function `progress`, which it calls.
 
     Parameters
     ----------
-    name, handle, request, result
+    name, handles, request, result
         The function and its arguments.
     progress : callable or None
         Called as ``progress(done, all)`` in the calling thread; the call ends where it returns something true.
@@ -38,7 +38,7 @@ def run(name: str, handle: ctypes.c_void_p, request: Any, result: Any, progress:
 
     def work() -> None:
         try:
-            status = getattr(library, name)(handle, ctypes.byref(request), ctypes.byref(result))
+            status = getattr(library, name)(*handles, ctypes.byref(request), ctypes.byref(result))
             if status != 0:
                 state["fault"] = _library.fault(status)  # the message is kept for each thread by itself
         except BaseException as reason:  # it must not be lost with this thread
@@ -101,27 +101,66 @@ def thread_count(threads: int) -> int:
     return int(threads)
 
 
-def solve_points(handle: ctypes.c_void_p, r: np.ndarray, beta: np.ndarray, mu: float, digits: int, masses: np.ndarray,
-                 threads: int, progress: Report) -> dict[str, np.ndarray]:
-    """dh_solve_points() over `r` broadcast with `beta`; arrays of the broadcast shape, the masses last."""
-    try:
-        shape = np.broadcast_shapes(r.shape, beta.shape)
-    except ValueError as reason:
-        raise InputError.of("beta", f"must have a shape that goes with that of r, {r.shape}", beta.shape) from reason
-    count, wanted = int(np.prod(shape)), masses.size
+def shape_of(**arrays: np.ndarray) -> tuple[int, ...]:
+    """The shape that arrays are broadcast to, the first of them leading."""
+    shape: tuple[int, ...] = ()
+    for name, array in arrays.items():
+        try:
+            shape = np.broadcast_shapes(shape, array.shape)
+        except ValueError as reason:
+            raise InputError.of(name, f"must have a shape that goes with that of the arguments before it, {shape}",
+                                array.shape) from reason
+    return shape
+
+
+def _flat(array: np.ndarray, shape: tuple[int, ...]) -> tuple[np.ndarray, int]:
+    """An array's elements, one for each point, and the step between them: a single element has the step 0."""
+    if array.ndim == 0:
+        return np.ascontiguousarray(array).reshape(-1), 0
+    return np.ascontiguousarray(np.broadcast_to(array, shape)).reshape(-1), 1
+
+
+def _of_points(shape: tuple[int, ...], wanted: int) -> dict[str, np.ndarray]:
     out = {name: np.empty(shape, dtype) for name, dtype in
            (("status", np.int8), ("regime", np.int8), ("stops", np.intc), ("periods", np.intc))}
     out.update({name: np.empty(shape + (wanted,)) for name in ("amplitude", "error", "phase", "phase_error")})
-    if count == 0:
+    return out
+
+
+def solve_points(handle: ctypes.c_void_p, r: np.ndarray, beta: np.ndarray, mu: float, digits: int, masses: np.ndarray,
+                 threads: int, progress: Report) -> dict[str, np.ndarray]:
+    """dh_solve_points() over `r` broadcast with `beta`; arrays of the broadcast shape, the masses last."""
+    shape, wanted = shape_of(r=r, beta=beta), masses.size
+    out = _of_points(shape, wanted)
+    if out["status"].size == 0:
         return out
-    flat_r = np.ascontiguousarray(r if r.ndim == 0 else np.broadcast_to(r, shape)).reshape(-1)
-    flat_beta = np.ascontiguousarray(beta if beta.ndim == 0 else np.broadcast_to(beta, shape)).reshape(-1)
+    (flat_r, r_step), (flat_beta, beta_step) = _flat(r, shape), _flat(beta, shape)
     request = _library.PointsRequest(
-        count=count, r=_library.pointer(flat_r), r_step=int(r.ndim > 0), beta=_library.pointer(flat_beta),
-        beta_step=int(beta.ndim > 0), mu=mu, digits=digits, mass_count=wanted,
+        count=out["status"].size, r=_library.pointer(flat_r), r_step=r_step, beta=_library.pointer(flat_beta),
+        beta_step=beta_step, mu=mu, digits=digits, mass_count=wanted, masses=_library.pointer(masses, ctypes.c_size_t),
+        threads=threads)
+    result = _library.Points(step=1, masses_step=wanted, mass_step=1, **_addresses(out))
+    run("dh_solve_points", (handle,), request, result, progress, (flat_r, flat_beta, masses, out))
+    return out
+
+
+def solve_systems(addresses: np.ndarray, r: np.ndarray, beta: np.ndarray, mu: np.ndarray, digits: int,
+                  masses: Optional[np.ndarray], most_masses: int, threads: int, progress: Report) -> dict[str, np.ndarray]:
+    """dh_solve_systems() over the systems at `addresses` broadcast with `r`, `beta` and `mu`; arrays of the broadcast shape."""
+    shape = shape_of(systems=addresses, r=r, beta=beta, mu=mu)
+    wanted = most_masses if masses is None else masses.size
+    out = _of_points(shape, wanted)
+    if out["status"].size == 0:
+        return out
+    (flat_systems, system_step), (flat_r, r_step) = _flat(addresses, shape), _flat(r, shape)
+    (flat_beta, beta_step), (flat_mu, mu_step) = _flat(beta, shape), _flat(mu, shape)
+    request = _library.SystemsRequest(
+        count=out["status"].size, systems=_library.pointer(flat_systems, ctypes.c_void_p), system_step=system_step,
+        r=_library.pointer(flat_r), r_step=r_step, beta=_library.pointer(flat_beta), beta_step=beta_step,
+        mu=_library.pointer(flat_mu), mu_step=mu_step, digits=digits, mass_count=0 if masses is None else wanted,
         masses=_library.pointer(masses, ctypes.c_size_t), threads=threads)
     result = _library.Points(step=1, masses_step=wanted, mass_step=1, **_addresses(out))
-    run("dh_solve_points", handle, request, result, progress, (flat_r, flat_beta, masses, out))
+    run("dh_solve_systems", (), request, result, progress, (flat_systems, flat_r, flat_beta, flat_mu, masses, out))
     return out
 
 
@@ -137,7 +176,7 @@ def solve_map(handle: ctypes.c_void_p, r: np.ndarray, beta: np.ndarray, mu: floa
         from_sliding=int(from_sliding), mass_count=wanted, masses=_library.pointer(masses, ctypes.c_size_t), threads=threads)
     result = _library.MapResult(r_step=beta.size, beta_step=1, amplitude_r_step=beta.size * wanted,
                                 amplitude_beta_step=wanted, mass_step=1, **_addresses(out))
-    run("dh_map", handle, request, result, progress, (r, beta, masses, out))
+    run("dh_map", (handle,), request, result, progress, (r, beta, masses, out))
     return out
 
 

@@ -70,6 +70,15 @@ class PointsRequest(Sized):
                 ("masses", _indices), ("threads", c_uint), ("progress", Progress), ("context", c_void_p)]
 
 
+class SystemsRequest(Sized):
+    """dh_systems_request"""
+
+    _fields_ = [("size", c_size_t), ("count", c_size_t), ("systems", POINTER(c_void_p)), ("system_step", c_ssize_t),
+                ("r", _numbers), ("r_step", c_ssize_t), ("beta", _numbers), ("beta_step", c_ssize_t), ("mu", _numbers),
+                ("mu_step", c_ssize_t), ("digits", c_int), ("mass_count", c_size_t), ("masses", _indices),
+                ("threads", c_uint), ("progress", Progress), ("context", c_void_p)]
+
+
 class Points(Sized):
     """dh_points"""
 
@@ -92,6 +101,7 @@ _PROTOTYPES = {
     "dh_solution_motion": [c_void_p, c_size_t, c_size_t, _numbers, _numbers],
     "dh_map": [c_void_p, POINTER(MapRequest), POINTER(MapResult)],
     "dh_solve_points": [c_void_p, POINTER(PointsRequest), POINTER(Points)],
+    "dh_solve_systems": [POINTER(SystemsRequest), POINTER(Points)],
 }
 
 

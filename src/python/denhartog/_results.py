@@ -199,7 +199,7 @@ class Solutions(_Points):
     ----------
     r, beta : ndarray, shape S
         Frequency ratios and friction ratios.
-    mu : float
+    mu : float; from `solve_many` an ndarray, shape S
         Static over kinetic friction.
     masses : ndarray of int, shape (M,)
         The masses asked for, counted from 1.
@@ -219,7 +219,7 @@ class Solutions(_Points):
 
     r: np.ndarray
     beta: np.ndarray
-    mu: float
+    mu: Union[float, np.ndarray]
     masses: np.ndarray
     status: np.ndarray
     regime: np.ndarray

@@ -14,7 +14,7 @@ int write(const std::string& folder) {
     const Certified all = certify_all(true);
     std::filesystem::create_directories(folder);
     for (const auto& entry : std::filesystem::directory_iterator(folder)) // groups that are no more
-        if (entry.path().extension() == ".jsonl" || entry.path().extension() == ".csv") std::filesystem::remove(entry.path());
+        if (entry.path().extension() == ".jsonl") std::filesystem::remove(entry.path());
     std::size_t size = 0;
     for (const auto& [name, bytes] : files_of(all.vectors)) {
         std::ofstream stream(std::filesystem::path(folder) / name, std::ios::binary);

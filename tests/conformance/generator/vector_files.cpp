@@ -53,12 +53,7 @@ std::string bytes_of(const std::filesystem::path& file) {
 
 std::map<std::string, std::string> files_of(const std::vector<Vector>& vectors) {
     std::map<std::string, std::string> files{{"schema.json", schema_text()}};
-    for (const Vector& v : vectors) {
-        files[v.group + ".jsonl"] += vector_json(v).dump() + "\n";
-        std::string& csv = files[v.group + ".csv"];
-        if (csv.empty()) csv = vector_csv_heading() + "\n";
-        csv += vector_csv(v) + "\n";
-    }
+    for (const Vector& v : vectors) files[v.group + ".jsonl"] += vector_json(v).dump() + "\n";
     std::string manifest = manifest_of(vectors, files);
     files["manifest.json"] = std::move(manifest);
     return files;

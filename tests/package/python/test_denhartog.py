@@ -117,6 +117,28 @@ class InPython(unittest.TestCase):
         np.testing.assert_array_equal(system.solve(r, 0.05, masses=2).amplitude.shape, (3, 1))
         self.assertEqual(system.solve([], 0.1).regime.shape, (0,))
 
+    def test_many_systems_are_solved_as_each_by_itself(self):
+        one = System(mass_ratios=[1], stiffness_ratios=[1], damping_ratios=0.25, contact=1, load=1)
+        two = System(mass_ratios=[1, 1], stiffness_ratios=[1, 1], damping_ratios=0.05, contact=2, load=1)
+        systems, r, beta = [System(**CHAIN, mu=1.375), two, one], [1.125, 0.75, 0.5], [[0.0625], [0.4], [5]]
+        found = denhartog.solve_many(systems, r, beta, digits=8)
+        self.assertEqual((found.amplitude.shape, found.masses.tolist()), ((3, 3, 3), [1, 2, 3]))
+        self.assertEqual(set(found.regime.ravel().tolist()), {0, 1, 2})
+        for at in np.ndindex(3, 3):
+            alone, N = systems[at[1]].solve(r[at[1]], beta[at[0]][0], digits=8), systems[at[1]].N
+            self.assertEqual(alone.regime, found.regime_names[found.regime[at]])
+            self.assertEqual((alone.mu, alone.periods, len(alone.stops)), (found.mu[at], found.periods[at], found.stops[at]))
+            np.testing.assert_allclose(found.amplitude[at][:N], alone.amplitude, rtol=1e-8, atol=1e-12)
+            np.testing.assert_allclose(found.phase[at][:N], alone.phase, rtol=0, atol=1e-8)
+            self.assertTrue(np.isnan(found.amplitude[at][N:]).all() and np.isnan(found.phase_error[at][N:]).all())
+        first = denhartog.solve_many(systems, r, beta, mu=1.0, masses=1, threads=1)
+        self.assertEqual((first.amplitude.shape, first.mu.min(), first.mu.max()), ((3, 3, 1), 1, 1))
+        np.testing.assert_array_equal(first.amplitude, denhartog.solve_many(systems, r, beta, mu=1.0, masses=1, threads=3).amplitude)
+        self.assertEqual(denhartog.solve_many(two, 0.75, 0.4).amplitude.shape, (2,))
+        self.assertEqual(denhartog.solve_many([], [], 0.4).amplitude.shape, (0, 0))
+        with self.assertRaises(denhartog.Cancelled):
+            denhartog.solve_many([two] * 5000, 0.75, 0.4, progress=lambda done, all: True)
+
     def test_the_numbers_do_not_depend_on_threads(self):
         system, r, beta = System(**CHAIN), np.linspace(0.3, 2, 40), np.linspace(0, 1, 20)
         one, three = (system.map(r, beta, threads=n) for n in (1, 3))
@@ -182,7 +204,12 @@ class InPython(unittest.TestCase):
                 ("regime", "sliding", lambda: system.map([1], [1]).where("sliding")),
                 ("stiffness_ratios", "nan", lambda: System(**{**CHAIN, "stiffness_ratios": [1, np.nan, 1]})),
                 ("beta", "(3,)", lambda: system.solve([1, 2], [1, 2, 3])),
-                ("r", "'fast'", lambda: system.solve("fast", 1))):
+                ("r", "'fast'", lambda: system.solve("fast", 1)),
+                ("systems", "'chain'", lambda: denhartog.solve_many([system, "chain"], 1, 1)),
+                ("r", "(3,)", lambda: denhartog.solve_many([system, system], [1, 2, 3], 1)),
+                ("masses", "4", lambda: denhartog.solve_many([system], 1, 1, masses=4)),
+                ("mu", "0.5", lambda: denhartog.solve_many([system], 1, 1, mu=0.5)),
+                ("beta", "-2", lambda: denhartog.solve_many([system, system], 1, [1, -2]))):
             with self.subTest(quantity=quantity, value=value), self.assertRaises(denhartog.InputError) as caught:
                 call()
             fault = caught.exception

@@ -51,6 +51,14 @@ void list(const SelectionOptions& options, bool summary) {
     write_standard_output(aligned(rows));
 }
 
+// As docs/vectors.md says it, for those who read no JSON.
+void list_csv(const SelectionOptions& options) {
+    const std::vector<Vector> all = conformance::read_vectors(options.vectors);
+    std::string csv = conformance::vector_csv_heading() + "\n";
+    for (const Vector* v : selected(options, all)) csv += conformance::vector_csv(*v) + "\n";
+    write_standard_output(csv);
+}
+
 void list_mistakes() {
     std::vector<std::vector<std::string>> rows{{"mistake", "equation", "what it is; what to look at"}};
     for (const conformance::Mistake& mistake : conformance::mistakes())
@@ -88,12 +96,19 @@ void add_list(CLI::App& conform) {
     const auto options = std::make_shared<SelectionOptions>();
     const auto summary = std::make_shared<bool>(false);
     add_selection_options(*command, *options);
-    command->add_flag("--summary", *summary, "number of vectors a group and tier");
+    const auto csv = std::make_shared<bool>(false);
+    command->add_flag("--summary", *summary, "the number of vectors in each group and tier");
+    command->add_flag("--csv", *csv, "all that is known of each vector, as comma-separated values, with a heading")
+        ->excludes("--summary");
     const auto known = std::make_shared<bool>(false);
     command->add_flag("--mistakes", *known, "the known mistakes, with their equations and what to look at");
     const auto by = std::make_shared<bool>(false);
     command->add_flag("--methods", *by, "the methods of --method, with their tolerances")->excludes("--mistakes");
-    command->callback([=] { *known ? list_mistakes() : *by ? list_methods() : list(*options, *summary); });
+    command->callback([=] {
+        if (*known) return list_mistakes();
+        if (*by) return list_methods();
+        *csv ? list_csv(*options) : list(*options, *summary);
+    });
 }
 
 void add_show(CLI::App& conform) {
