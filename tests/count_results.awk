@@ -9,9 +9,9 @@ match($0, /[0-9]+ passed, [0-9]+ failed, [0-9]+ skipped$/) {
 }
 /<skipped message="SKIP_RETURN_CODE/ { s = 1 }
 /<\/testcase>/ {
-    if (counted) print name ": " p " passed, " f " failed, " s " skipped"
     if (status == "run" && !counted) p = 1
-    if (status != "run" && f == 0 && s == 0) f = 1
+    if (status != "run" && f == 0 && (counted || s == 0)) f = 1
+    if (counted) print name ": " p " passed, " f " failed, " s " skipped"
     if (!counted) { checks += p; other_failed += f; other_skipped += s }
     passed += p; failed += f; skipped += s
 }

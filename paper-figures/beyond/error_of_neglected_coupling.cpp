@@ -3,6 +3,7 @@
 #include "denhartog/model/modal_damping.hpp"
 #include "denhartog/solve/solve.hpp"
 #include "error_curves.hpp"
+#include "tests/support/scene_builder.hpp"
 
 namespace denhartog::figures::error_of_neglected_coupling {
 
@@ -15,14 +16,7 @@ struct Dashpots {
 
     explicit Dashpots(const std::vector<double>& c) {
         system.mass_ratios = system.stiffness_ratios = {1, 1, 1};
-        system.damping_matrix = Matrix<double>::Zero(3, 3);
-        for (Eigen::Index i = 0; i < 3; ++i) {
-            const double each = c[static_cast<std::size_t>(i)];
-            system.damping_matrix(i, i) += each;
-            if (i == 0) continue;
-            system.damping_matrix(i - 1, i - 1) += each;
-            system.damping_matrix(i, i - 1) = system.damping_matrix(i - 1, i) = -each;
-        }
+        system.damping_matrix = matrix_of_chain(c);
         system.contact = Mass{1};
         system.load = Mass{0};
         basis = modal_basis(system);

@@ -247,7 +247,7 @@ TEST_CASE("a system from JSON is the system from its ratios, whatever point the 
                              R"("contact":2,"load":1,"mu":1.25,"r":1.125,"beta":0.125})";
     dh_system* made = nullptr;
     REQUIRE(dh_system_from_json(text.data(), text.size(), &made) == DH_OK);
-    const Handle from_text(made), from_ratios = handle_of(system_of({1, 2.5}, {1, 0.625}, {0.0625, 0.125}, 2, 1));
+    const Handle from_text(made), from_ratios = handle_of(chain_of({1, 2.5}, {1, 0.625}, {0.0625, 0.125}, 2, 1));
     std::size_t N = 0, contact = 0, load = 0;
     REQUIRE(dh_system_masses(from_text.get(), &N, &contact, &load) == DH_OK);
     CHECK((N == 2 && contact == 2 && load == 1));

@@ -15,7 +15,7 @@ namespace {
 
 // A contact that stops: its motion is followed from event to event.
 int solve_stopping(dh_solution** solution) {
-    static const Handle system = handle_of(system_of({1, 2.5}, {1, 0.625}, {0.0625, 0.125}, 2, 1));
+    static const Handle system = handle_of(chain_of({1, 2.5}, {1, 0.625}, {0.0625, 0.125}, 2, 1));
     return dh_solve(system.get(), 1.125, 0.5, 1.25, 0, solution);
 }
 

@@ -26,9 +26,9 @@ const std::vector<double> ones{1, 1}, damped{0.0625, 0.125};
 
 // A call that has to fail: its code, a word of its message, and that it wrote nothing into the arrays below.
 struct Faults {
-    Handle system = handle_of(system_of({1, 2.5}, {1, 0.625}, {0.0625, 0.125}, 2, 1));
+    Handle system = handle_of(chain_of({1, 2.5}, {1, 0.625}, {0.0625, 0.125}, 2, 1));
     Answered sliding = solved(system.get(), 1.125, 0.125, 1.25);
-    Answered stopping = solved(handle_of(system_of({1}, {1}, {0.0625}, 1, 1)).get(), 0.25, 0.8125, 1.0);
+    Answered stopping = solved(handle_of(chain_of({1}, {1}, {0.0625}, 1, 1)).get(), 0.25, 0.8125, 1.0);
     std::vector<double> a = std::vector<double>(8, untouched), b = a, c = a, d = a;
     dh_system* no_system = nullptr;
     dh_solution* no_solution = nullptr;
@@ -219,7 +219,7 @@ TEST_CASE("a formula outside its domain and a result beyond double are refused",
     double *a = f.a.data(), *b = f.b.data(), *c = f.c.data(), *d = f.d.data();
     f.fails(dh_displacement(f.system.get(), 1, 100, 1, 1, 2, ones.data(), a), DH_ERROR_DOMAIN, "Eq. (69)");
     f.fails(dh_high_frequency_limit(f.system.get(), 1, a), DH_ERROR_DOMAIN, "j = l");
-    const Handle undamped = handle_of(system_of({1}, {1}, {0}, 1, 1));
+    const Handle undamped = handle_of(chain_of({1}, {1}, {0}, 1, 1));
     f.fails(dh_modal_functions(undamped.get(), 1, 1, a, b, c, d), DH_ERROR_DOMAIN, "");
     f.fails(dh_sums(undamped.get(), 1, 1, a, b, c, d, d), DH_ERROR_DOMAIN, "");
     f.fails(dh_solve(undamped.get(), 1, 0.125, 1, 0, &f.no_solution), DH_ERROR_DOMAIN, "");

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "denhartog/scene/scene.hpp"
+#include "tests/support/scene_builder.hpp"
 
 namespace denhartog::tests {
 
@@ -21,23 +22,11 @@ struct Destroy {
 using Handle = std::unique_ptr<dh_system, Destroy>;
 using Answered = std::unique_ptr<dh_solution, Destroy>;
 
-/// @brief A chain. @param contact from 1 @param load from 1 @return the system
-inline System<double> system_of(std::vector<double> masses, std::vector<double> springs, std::vector<double> damping,
-                                std::size_t contact, std::size_t load) {
-    System<double> s;
-    s.mass_ratios = std::move(masses);
-    s.stiffness_ratios = std::move(springs);
-    s.damping_ratios = std::move(damping);
-    s.contact = {contact - 1};
-    s.load = {load - 1};
-    return s;
-}
-
 /// @brief The scenes of the tests: one mass and more, j < l, j = l, j > l, mu above 1, every regime, a heavily damped mode.
 inline std::vector<Scene<double>> c_scenes() {
-    const System<double> one = system_of({1}, {1}, {0.0625}, 1, 1);
-    const System<double> two = system_of({1, 2.5}, {1, 0.625}, {0.0625, 0.125}, 2, 1);
-    const System<double> three = system_of({1, 0.5, 2}, {1, 1.5, 0.75}, {0.03125, 1.5, 0.25}, 1, 3);
+    const System<double> one = chain_of({1}, {1}, {0.0625}, 1, 1);
+    const System<double> two = chain_of({1, 2.5}, {1, 0.625}, {0.0625, 0.125}, 2, 1);
+    const System<double> three = chain_of({1, 0.5, 2}, {1, 1.5, 0.75}, {0.03125, 1.5, 0.25}, 1, 3);
     return {{two, 1.25, 1.125, 0.125},  {one, 1.0, 0.75, 0.5},  {one, 1.0, 0.25, 0.8125}, {one, 1.5, 0.75, 1.0},
             {three, 1.0, 0.625, 0.125}, {two, 1.0, 0.25, 0.25}, {two, 1.25, 0.5, 2.0},    {three, 1.5, 1.5, 0.03125}};
 }

@@ -26,9 +26,9 @@ struct FarScene {
 
 constexpr FarScene far_scenes[] = {{3, 1, 1, 1e4, 0.25}, {3, 2, 2, 1e4, 0.25}, {5, 5, 1, 100, 1e-18}};
 
-System<double> chain_of(const FarScene& at) {
-    const std::vector<double> ones(at.N, 1), zeros(at.N, 0);
-    return system_of(ones, ones, zeros, at.contact, at.load);
+System<double> system_at(const FarScene& at) {
+    const std::vector<double> ones(at.N, 1);
+    return chain_of(ones, ones, 0.0, at.contact, at.load);
 }
 
 /// Response of all masses to a unit force of frequency ratio r on one of them, by elimination.
@@ -52,7 +52,7 @@ double by_harmonics(const FarScene& at, double phi_j, std::size_t k, double tau)
 /// Worst difference of displacements from those by harmonics over the masses out of contact, in units of the amplitude.
 template <class Displacement>
 double worst_difference(const FarScene& at, const std::vector<double>& tau, const Displacement& x) {
-    const Handle handle = handle_of(chain_of(at));
+    const Handle handle = handle_of(system_at(at));
     double worst = 0;
     for (std::size_t k = 0; k < at.N; ++k) {
         if (k + 1 == at.contact) continue;
@@ -75,7 +75,7 @@ const std::vector<double> instants{0, 0.5, 1.5, 2.5, 3, 4, 5.5};
 TEST_CASE("displacements of far masses at high r have ten digits through the C interface",
           "[eq:41][eq:46][motion][c_interface]") {
     for (const FarScene& at : far_scenes) {
-        const System<double> system = chain_of(at);
+        const System<double> system = system_at(at);
         const Handle handle = handle_of(system);
         const ModeSums<double> sums = mode_sums(modal_basis(system), system.contact, system.load, at.r);
         std::vector<double> x(instants.size());
@@ -100,7 +100,7 @@ TEST_CASE("displacements of far masses at high r have ten digits through the C i
 TEST_CASE("V and U of far masses at high r have ten digits through the C interface", "[eq:33][eq:34][c_interface]") {
     for (const FarScene& at : far_scenes) {
         std::vector<double> V(2 * at.N), U(at.N);
-        REQUIRE(dh_sums(handle_of(chain_of(at)).get(), at.r, at.N, V.data(), U.data(), nullptr, nullptr, nullptr) == DH_OK);
+        REQUIRE(dh_sums(handle_of(system_at(at)).get(), at.r, at.N, V.data(), U.data(), nullptr, nullptr, nullptr) == DH_OK);
         const std::vector<double> other = response_to(at, at.load, at.r);
         for (std::size_t k = 0; k < at.N; ++k) {
             INFO("mass " << k + 1 << ", r = " << at.r);
@@ -130,14 +130,14 @@ TEST_CASE("the program's table of the motion has far masses right and says that 
 
 TEST_CASE("a mass that stands still at an antiresonance is no fault of the digits", "[eq:33][c_interface]") {
     // Tuned absorber: at r = 1 the second mass takes the whole load, and V of the first is zero without a term being so.
-    const System<double> system = system_of({1, 0.25}, {1, 0.25}, {0, 0}, 2, 1);
+    const System<double> system = chain_of({1, 0.25}, {1, 0.25}, {0, 0}, 2, 1);
     std::vector<double> V(4);
     REQUIRE(dh_sums(handle_of(system).get(), 1, 2, V.data(), nullptr, nullptr, nullptr, nullptr) == DH_OK);
     CHECK(V[0] == 0);
     CHECK(V[2] == Approx(-4).epsilon(1e-14));
     dh_boundary limits{};
     limits.size = sizeof limits;
-    REQUIRE(dh_boundaries(handle_of(system_of({1, 0.25}, {1, 0.25}, {0, 0}, 1, 1)).get(), 1, 1, &limits) == DH_OK);
+    REQUIRE(dh_boundaries(handle_of(chain_of({1, 0.25}, {1, 0.25}, {0, 0}, 1, 1)).get(), 1, 1, &limits) == DH_OK);
     CHECK(limits.exact < 1e-25);
 }
 

@@ -42,7 +42,7 @@ constexpr double zeta = 0.0625, beta = 0.25;
 } // namespace
 
 TEST_CASE("the displacement of a single mass keeps its digits at r = 1e4, 1e6 and 1e8", "[eq:41][eq:46][motion][c_interface]") {
-    const System<double> system = system_of({1}, {1}, {zeta}, 1, 1);
+    const System<double> system = chain_of({1}, {1}, {zeta}, 1, 1);
     const Handle handle = handle_of(system);
     const std::vector<double> tau{0.001, 0.5, 1, 1.25, 2, 2.5, 3, 3.125};
     for (const double r : {1e4, 1e6, 1e8}) {

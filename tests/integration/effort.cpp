@@ -10,22 +10,12 @@
 #include "denhartog/stick_slip/periodic_orbit.hpp"
 #include "tests/catch.hpp"
 #include "tests/support/paper_systems.hpp"
+#include "tests/support/scene_builder.hpp"
 
 using namespace denhartog;
 using namespace denhartog::tests;
 
 namespace {
-
-System<double> chain_of(const std::vector<double>& gamma, const std::vector<double>& kappa, double zeta, std::size_t j,
-                        std::size_t l) {
-    System<double> s;
-    s.mass_ratios = gamma;
-    s.stiffness_ratios = kappa;
-    s.damping_ratios.assign(gamma.size(), zeta);
-    s.contact = Mass{j - 1};
-    s.load = Mass{l - 1};
-    return s;
-}
 
 PeriodicOrbit<double> orbit_from_rest(const System<double>& s, const Excitation<double>& e, Effort* effort = nullptr) {
     const ContactSystem<double> system = contact_system(s);
@@ -89,7 +79,8 @@ TEST_CASE("an orbit whose effort is spent says how far it came", "[effort][exact
     Effort effort{2000};
     const PeriodicOrbit<double> orbit = orbit_from_rest(two_masses(0.001), {0.3, 0.4, 2.5}, &effort);
     CHECK(orbit.status == OrbitStatus::not_converged);
-    CHECK_THAT(orbit.reason, Catch::Contains("the work allowed is spent") && Catch::Contains("comes to no periodic motion within"));
+    CHECK_THAT(orbit.reason,
+               Catch::Contains("the work allowed is spent") && Catch::Contains("comes to no periodic motion within"));
     CHECK(orbit.effort_spent == effort.spent);
     CHECK(orbit.effort_spent <= 2100);
 }

@@ -7,6 +7,7 @@
 #include "denhartog/number/errors.hpp"
 #include "tests/catch.hpp"
 #include "tests/support/sample_scenes.hpp"
+#include "tests/support/scene_builder.hpp"
 
 using namespace denhartog;
 
@@ -14,10 +15,7 @@ namespace {
 
 Scene<double> small_scene() {
     Scene<double> scene;
-    scene.system.mass_ratios = {1, 2.5, 0.75};
-    scene.system.stiffness_ratios = {1, 0.625, 1.875};
-    scene.system.damping_ratios = {0.03125, 0.0625, 0.09375};
-    scene.system.contact = Mass{1};
+    scene.system = chain_of({1, 2.5, 0.75}, {1, 0.625, 1.875}, {0.03125, 0.0625, 0.09375}, 2);
     scene.mu = 1.375;
     scene.r = 1.125;
     scene.beta = 0.015625;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "tests/speed_accuracy/table.hpp"
+#include "tests/support/scene_builder.hpp"
 
 namespace denhartog::tests {
 
@@ -42,12 +43,7 @@ System<double> BoundsScenes::system() {
     for (Eigen::Index i = 0; i < n; ++i)
         for (Eigen::Index k = -1; k < i; ++k) { // -1 is the ground; every pair is joined by chance, neighbours always
             if (k + 1 < i && whole(0, 3) > 0) continue;
-            const double stiffness = spread(-1, 1);
-            K(i, i) += stiffness;
-            if (k < 0) continue;
-            K(k, k) += stiffness;
-            K(i, k) -= stiffness;
-            K(k, i) = K(i, k);
+            connect(K, i, k, spread(-1, 1));
         }
     made.stiffness_matrix = K;
     made.stiffness_ratios.clear();

@@ -6,25 +6,9 @@
 
 #include "denhartog/denhartog.hpp"
 #include "denhartog/model/modal_basis.hpp"
+#include "tests/support/scene_builder.hpp"
 
 namespace denhartog {
-namespace {
-
-/// The stiffness matrix of a chain.
-Matrix<double> matrix_of_chain(const std::vector<double>& k) {
-    const auto N = static_cast<Eigen::Index>(k.size());
-    Matrix<double> K = Matrix<double>::Zero(N, N);
-    for (Eigen::Index i = 0; i < N; ++i) {
-        K(i, i) += k[static_cast<std::size_t>(i)];
-        if (i == 0) continue;
-        K(i - 1, i - 1) += k[static_cast<std::size_t>(i)];
-        K(i, i - 1) = K(i - 1, i) = -k[static_cast<std::size_t>(i)];
-    }
-    return K;
-}
-
-} // namespace
-
 std::size_t AdversarialScenes::masses() {
     const int kind = random_.integer(0, 99);
     const auto up_to = [this](int low, int high) {
@@ -64,9 +48,7 @@ void AdversarialScenes::coupled(System<double>& s, std::size_t N) {
         for (Eigen::Index k = 0; k < i; ++k) {
             if (k + 1 < i && !random_.one_in(3)) continue;
             const double spring = random_.over_octaves(weak, weak + 3);
-            K(i, i) += spring;
-            K(k, k) += spring;
-            K(i, k) = K(k, i) = -spring;
+            connect(K, i, k, spring);
         }
     }
     s.stiffness_matrix = K;
@@ -165,11 +147,7 @@ void AdversarialScenes::other_kinds(System<double>& s, std::size_t N) {
     for (Eigen::Index i = 0; i < n; ++i) {
         const double c = of_kinds_.one_in(2) ? 0 : of_kinds_.over_octaves(octave, octave + 3);
         const auto k = static_cast<Eigen::Index>(of_kinds_.integer(0, last));
-        s.damping_matrix(i, i) += c;
-        if (k == i) continue;
-        s.damping_matrix(k, k) += c;
-        s.damping_matrix(i, k) -= c;
-        s.damping_matrix(k, i) -= c;
+        connect(s.damping_matrix, i, k, c);
     }
 }
 

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "tests/support/scene_builder.hpp"
 #include "tests/support/split_mix.hpp"
 #include "tests/support/vector_scenes.hpp"
 
@@ -9,22 +10,19 @@ namespace denhartog {
 namespace {
 
 double random_dashpot(SplitMix64& random) {
-    return random.one_in(3) ? 0 : std::ldexp(random.integer(8, 15), -random.integer(3, 10)); // 2^-7 to 2
+    if (random.one_in(3)) return 0;
+    const int octave = random.integer(3, 10), eighths = random.integer(8, 15);
+    return std::ldexp(eighths, -octave); // 2^-7 to 2
 }
 
 // To the ground for the first, between neighbours, and to the ground wherever there is another.
 Matrix<double> random_dashpots(SplitMix64& random, std::size_t masses) {
     const auto N = static_cast<Eigen::Index>(masses);
     Matrix<double> C = Matrix<double>::Zero(N, N);
-    const auto add = [&C](Eigen::Index i, Eigen::Index k, double c) {
-        C(i, i) += c;
-        if (k < 0) return;
-        C(k, k) += c;
-        C(i, k) -= c;
-        C(k, i) -= c;
-    };
-    for (Eigen::Index i = 0; i < N; ++i) add(i, i - 1, random_dashpot(random));
-    add(random.integer(0, static_cast<int>(N) - 1), -1, std::ldexp(random.integer(8, 15), -random.integer(4, 8)));
+    for (Eigen::Index i = 0; i < N; ++i) connect(C, i, i - 1, random_dashpot(random));
+    const int octave = random.integer(4, 8), eighths = random.integer(8, 15),
+              grounded = random.integer(0, static_cast<int>(N) - 1);
+    connect(C, grounded, -1, std::ldexp(eighths, -octave));
     return C;
 }
 

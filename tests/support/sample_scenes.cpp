@@ -6,6 +6,7 @@
 
 #include "denhartog/number/multiprecision.hpp"
 #include "tests/support/paper_systems.hpp"
+#include "tests/support/scene_builder.hpp"
 #include "tests/support/split_mix.hpp"
 
 namespace denhartog {
@@ -73,19 +74,11 @@ std::vector<T> random_ratios(SplitMix64& random, std::size_t N) {
 template <class T>
 void change_topology(SplitMix64& random, System<T>& s, bool coupled_masses) {
     const int N = static_cast<int>(s.mass_ratios.size());
-    Matrix<T> K = Matrix<T>::Zero(N, N);
-    const auto add_spring = [&K](int i, int n, const T& k) { // n = -1: the ground
-        K(i, i) += k;
-        if (n < 0) return;
-        K(n, n) += k;
-        K(i, n) -= k;
-        K(n, i) -= k;
-    };
-    for (int i = 0; i < N; ++i) add_spring(i, i - 1, s.stiffness_ratios[static_cast<std::size_t>(i)]);
+    Matrix<T> K = matrix_of_chain(s.stiffness_ratios);
     const int grounded = random.integer(0, N - 1), first = random.integer(0, N - 1), second = random.integer(0, N - 1);
     const T to_ground = fraction<T>(random.integer(4, 32), 16), between = fraction<T>(random.integer(4, 32), 16);
-    add_spring(grounded, -1, to_ground);
-    if (first != second) add_spring(first, second, between);
+    connect(K, grounded, -1, to_ground);
+    if (first != second) connect(K, first, second, between);
     s.stiffness_matrix = K;
     s.stiffness_ratios.clear();
     if (!coupled_masses) return;
@@ -103,18 +96,7 @@ Matrix<T> proportional_damping(SplitMix64& random, const System<T>& s) {
     const Eigen::Index N = static_cast<Eigen::Index>(number_of_masses(s));
     const T a = over_octaves<T>(random, 8, 13);
     const T b = over_octaves<T>(random, 8, 13);
-    Matrix<T> C = s.stiffness_matrix;
-    if (C.size() == 0) {
-        C = Matrix<T>::Zero(N, N);
-        for (Eigen::Index i = 0; i < N; ++i) {
-            const T k = s.stiffness_ratios[static_cast<std::size_t>(i)];
-            C(i, i) += k;
-            if (i == 0) continue;
-            C(i - 1, i - 1) += k;
-            C(i, i - 1) -= k;
-            C(i - 1, i) -= k;
-        }
-    }
+    Matrix<T> C = s.stiffness_matrix.size() > 0 ? s.stiffness_matrix : matrix_of_chain(s.stiffness_ratios);
     C *= b;
     if (s.mass_matrix.size() > 0) return C + a * s.mass_matrix;
     for (Eigen::Index i = 0; i < N; ++i) C(i, i) += a * s.mass_ratios[static_cast<std::size_t>(i)];

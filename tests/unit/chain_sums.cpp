@@ -56,14 +56,11 @@ TEST_CASE("the response of a chain by elimination is that of its modes, grounded
             Scene<double> scene = chain({1, 2.5, 0.75, 3}, {1, 0.625, 1.875, 0.5}, {0, 0, 0, 0}, 4, 2, 1, r);
             const std::vector<double> gamma = scene.system.mass_ratios;
             std::vector<double> kappa = scene.system.stiffness_ratios;
-            if (grounded) kappa.push_back(0.25);
-            Matrix<double>& K = scene.system.stiffness_matrix = Matrix<double>::Zero(4, 4);
-            for (Eigen::Index i = 0; i < 4; ++i) {
-                const auto n = static_cast<std::size_t>(i);
-                K(i, i) = kappa[n] + (n + 1 < kappa.size() ? kappa[n + 1] : 0);
-                if (i > 0) K(i, i - 1) = K(i - 1, i) = -kappa[n];
+            scene.system = with_stiffness_matrix(scene.system);
+            if (grounded) {
+                kappa.push_back(0.25);
+                connect(scene.system.stiffness_matrix, 3, -1, 0.25);
             }
-            scene.system.stiffness_ratios.clear();
             const ModeSums<Real100> truth = sums_of(scene_source(scene).in_100_digits());
             const std::vector<Bounded<double>> V = undamped_response_of_chain(
                 {gamma.begin(), gamma.end()}, {kappa.begin(), kappa.end()}, Mass{1}, Bounded<double>(r));

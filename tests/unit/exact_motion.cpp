@@ -6,28 +6,15 @@
 #include "denhartog/number/number.hpp"
 #include "tests/catch.hpp"
 #include "tests/support/half_period.hpp"
+#include "tests/support/scene_builder.hpp"
 
 namespace {
 
 using namespace denhartog;
 
-System<double> one_mass(double zeta) {
-    System<double> s;
-    s.mass_ratios = {1};
-    s.stiffness_ratios = {1};
-    s.damping_ratios = {zeta};
-    return s;
-}
+System<double> one_mass(double zeta) { return chain_of({1}, {1}, zeta); }
 
-System<double> three_masses() {
-    System<double> s;
-    s.mass_ratios = {1, 2.5, 0.75};
-    s.stiffness_ratios = {1, 0.625, 1.875};
-    s.damping_ratios = {0.03, 0.06, 0.09};
-    s.contact = {1};
-    s.load = {0};
-    return s;
-}
+System<double> three_masses() { return chain_of({1, 2.5, 0.75}, {1, 0.625, 1.875}, {0.03, 0.06, 0.09}, 2, 1); }
 
 // Work done on the masses over a motion: load, damping and friction, by Simpson's rule on each phase; and the gain of energy.
 struct Energy {

@@ -7,6 +7,7 @@
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/multiprecision.hpp"
 #include "tests/catch.hpp"
+#include "tests/support/scene_builder.hpp"
 
 using namespace denhartog;
 
@@ -14,31 +15,7 @@ namespace {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
 
-template <class T>
-System<T> chain(const std::vector<double>& gamma, const std::vector<double>& kappa, double zeta = 0) {
-    System<T> s;
-    s.mass_ratios.assign(gamma.begin(), gamma.end());
-    s.stiffness_ratios.assign(kappa.begin(), kappa.end());
-    s.damping_ratios.assign(gamma.size(), T(zeta));
-    return s;
-}
-
 std::vector<double> equal(std::size_t N) { return std::vector<double>(N, 1.0); }
-
-/// The stiffness matrix (1), entry by entry.
-template <class T>
-Matrix<T> chain_matrix(const std::vector<T>& kappa) {
-    const auto N = static_cast<Eigen::Index>(kappa.size());
-    Matrix<T> K = Matrix<T>::Zero(N, N);
-    for (Eigen::Index i = 0; i < N; ++i) {
-        K(i, i) += kappa[static_cast<std::size_t>(i)];
-        if (i == 0) continue;
-        K(i - 1, i - 1) += kappa[static_cast<std::size_t>(i)];
-        K(i, i - 1) -= kappa[static_cast<std::size_t>(i)];
-        K(i - 1, i) -= kappa[static_cast<std::size_t>(i)];
-    }
-    return K;
-}
 
 template <class T>
 Matrix<T> mass_matrix(const System<T>& s) {
@@ -51,7 +28,7 @@ Matrix<T> mass_matrix(const System<T>& s) {
 
 template <class T>
 Matrix<T> stiffness_matrix(const System<T>& s) {
-    return s.stiffness_matrix.size() > 0 ? s.stiffness_matrix : chain_matrix(s.stiffness_ratios);
+    return s.stiffness_matrix.size() > 0 ? s.stiffness_matrix : matrix_of_chain(s.stiffness_ratios);
 }
 
 /// Number of natural frequency ratios below x: negative pivots of K - x^2 M in 100 digits, Sylvester's law of inertia.
@@ -72,7 +49,7 @@ std::size_t frequencies_below(const System<double>& s, const Real100& x) {
 
 /// Largest relative error of natural frequency ratios in units of N eps, against 100 digits.
 double worst_error(const System<double>& s, const std::vector<double>& r_n) {
-    const std::vector<Real100> exact = modal_basis(chain<Real100>(s.mass_ratios, s.stiffness_ratios)).r_n;
+    const std::vector<Real100> exact = modal_basis(chain_of<Real100>(s.mass_ratios, s.stiffness_ratios)).r_n;
     double worst = 0;
     for (std::size_t i = 0; i < r_n.size(); ++i)
         worst = std::max(worst, std::abs(static_cast<double>(Real100(r_n[i]) / exact[i] - 1)));
@@ -81,7 +58,7 @@ double worst_error(const System<double>& s, const std::vector<double>& r_n) {
 
 /// Natural frequency ratios by an eigensolver for dense symmetric matrices.
 std::vector<double> dense_frequencies(const System<double>& s) {
-    Matrix<double> A = chain_matrix(s.stiffness_ratios);
+    Matrix<double> A = matrix_of_chain(s.stiffness_ratios);
     for (Eigen::Index i = 0; i < A.rows(); ++i)
         for (Eigen::Index k = 0; k < A.cols(); ++k) A(i, k) /= std::sqrt(s.mass_ratios[i] * s.mass_ratios[k]);
     const Eigen::SelfAdjointEigenSolver<Matrix<double>> solved(A);
@@ -129,7 +106,7 @@ void require_basis(const System<T>& s, const ModalBasis<T>& basis) {
 
 TEST_CASE("natural frequency ratios of a chain of equal masses and springs are known in closed form", "[model][eq:1][eq:15]") {
     for (const std::size_t N : {2u, 3u, 5u, 10u, 60u, 1000u}) {
-        const ModalBasis<double> basis = modal_basis(chain<double>(equal(N), equal(N)));
+        const ModalBasis<double> basis = modal_basis(chain_of<double>(equal(N), equal(N)));
         for (std::size_t i = 0; i < N; ++i) {
             const long double angle =
                 pi<long double>() * static_cast<long double>(2 * i + 1) / static_cast<long double>(2 * (2 * N + 1));
@@ -142,19 +119,20 @@ TEST_CASE("natural frequency ratios of a chain of equal masses and springs are k
 
 TEST_CASE("a stiff spring does not cost the low natural frequencies their digits", "[model][eq:15]") {
     for (const StiffChain& stiff : stiff_chains()) {
-        const System<double> s = chain<double>(stiff.gamma, stiff.kappa);
+        const System<double> s = chain_of<double>(stiff.gamma, stiff.kappa);
         const std::vector<double> r_n = modal_basis(s).r_n;
         INFO("N " << r_n.size() << ", r_n,1 " << tests::hexadecimal(r_n[0]));
         CHECK(worst_error(s, r_n) <= 2);
         CHECK(worst_error(s, dense_frequencies(s)) > 1e4);
     }
-    for (const System<double>& light : {chain<double>({1, 1, 1, 1, 1e-8}, equal(5)), chain<double>({1, 1e-8, 1, 1, 1}, equal(5))})
+    for (const System<double>& light :
+         {chain_of<double>({1, 1, 1, 1, 1e-8}, equal(5)), chain_of<double>({1, 1e-8, 1, 1, 1}, equal(5))})
         CHECK(worst_error(light, modal_basis(light).r_n) <= 2);
 }
 
 TEST_CASE("counting pivots brackets every natural frequency of a stiff chain", "[model][eq:15]") {
     for (const StiffChain& stiff : stiff_chains()) {
-        const System<double> s = chain<double>(stiff.gamma, stiff.kappa);
+        const System<double> s = chain_of<double>(stiff.gamma, stiff.kappa);
         const std::vector<double> r_n = modal_basis(s).r_n;
         const Real100 margin = 2 * static_cast<double>(r_n.size()) * eps;
         for (std::size_t i = 0; i < r_n.size(); ++i) {
@@ -168,11 +146,11 @@ TEST_CASE("counting pivots brackets every natural frequency of a stiff chain", "
 TEST_CASE("mode shapes are orthonormal and solve the eigenproblem in every number type", "[model][eq:14][eq:15][eq:17]") {
     const auto with = [](auto number) {
         using T = decltype(number);
-        const System<T> s = chain<T>({1, 2.5, 0.75, 0.125}, {1, 0.625, 1.875, 4});
+        const System<T> s = chain_of<T>({1, 2.5, 0.75, 0.125}, {1, 0.625, 1.875, 4});
         require_basis(s, modal_basis(s));
         System<T> general = s;
         general.stiffness_ratios.clear();
-        general.stiffness_matrix = chain_matrix(s.stiffness_ratios);
+        general.stiffness_matrix = matrix_of_chain(s.stiffness_ratios);
         require_basis(general, modal_basis(general));
         general.mass_ratios.clear();
         general.mass_matrix = mass_matrix(s);
@@ -186,7 +164,7 @@ TEST_CASE("mode shapes are orthonormal and solve the eigenproblem in every numbe
 
 TEST_CASE("one mass needs no eigen-solve, a system of more needs one", "[model]") {
     const long before = eigen_solves();
-    System<double> s = chain<double>({1}, {1}, 0.125);
+    System<double> s = chain_of<double>({1}, {1}, 0.125);
     const ModalBasis<double> basis = modal_basis(s);
     REQUIRE(basis.r_n[0] == 1);
     REQUIRE(basis.phi(0, 0) == 1);
@@ -202,13 +180,13 @@ TEST_CASE("one mass needs no eigen-solve, a system of more needs one", "[model]"
     REQUIRE(by_matrices.phi(0, 0) == 0.5);
     REQUIRE(by_matrices.zeta[0] == 0.25);
     REQUIRE(eigen_solves() == before);
-    (void)modal_basis(chain<double>({1, 1}, {1, 1}));
+    (void)modal_basis(chain_of<double>({1, 1}, {1, 1}));
     REQUIRE(eigen_solves() == before + 1);
 }
 
 TEST_CASE("the mode shapes of a thousand masses are those of the closed form", "[model][eq:14]") {
     const std::size_t N = 1000;
-    const ModalBasis<double> basis = modal_basis(chain<double>(equal(N), equal(N)));
+    const ModalBasis<double> basis = modal_basis(chain_of<double>(equal(N), equal(N)));
     for (const std::size_t i : {0u, 1u, 500u, 998u, 999u}) {
         const double angle = pi<double>() * static_cast<double>(2 * i + 1) / static_cast<double>(2 * N + 1);
         const double factor = 2 / std::sqrt(static_cast<double>(2 * N + 1));
@@ -225,11 +203,11 @@ TEST_CASE("the mode shapes of a thousand masses are those of the closed form", "
 }
 
 TEST_CASE("a chain given as matrices has the modes of the chain given by ratios", "[model]") {
-    const System<double> s = chain<double>({1, 2.5, 0.75, 1.5}, {1, 0.625, 1.875, 0.5}, 0.0625);
+    const System<double> s = chain_of<double>({1, 2.5, 0.75, 1.5}, {1, 0.625, 1.875, 0.5}, 0.0625);
     const ModalBasis<double> expected = modal_basis(s);
     System<double> matrices = s;
     matrices.stiffness_ratios.clear();
-    matrices.stiffness_matrix = chain_matrix(s.stiffness_ratios);
+    matrices.stiffness_matrix = matrix_of_chain(s.stiffness_ratios);
     const bool masses_too = GENERATE(false, true);
     if (masses_too) {
         matrices.mass_ratios.clear();
@@ -241,7 +219,7 @@ TEST_CASE("a chain given as matrices has the modes of the chain given by ratios"
 }
 
 TEST_CASE("a diagonal mass matrix on a stiff chain keeps the chain's accuracy", "[model]") {
-    System<double> s = chain<double>({1, 1e8, 1, 1, 1}, {1, 1, 1e12, 1, 1});
+    System<double> s = chain_of<double>({1, 1e8, 1, 1, 1}, {1, 1, 1e12, 1, 1});
     const std::vector<double> expected = modal_basis(s).r_n;
     s.mass_matrix = mass_matrix(s);
     s.mass_ratios.clear();
@@ -250,7 +228,7 @@ TEST_CASE("a diagonal mass matrix on a stiff chain keeps the chain's accuracy", 
 
 TEST_CASE("a ring has the natural frequencies of the circulant matrix", "[model][topology]") {
     const std::size_t N = 8;
-    System<double> s = chain<double>(equal(N), equal(N));
+    System<double> s = chain_of<double>(equal(N), equal(N));
     s.stiffness_ratios.clear();
     s.stiffness_matrix = Matrix<double>::Zero(8, 8);
     for (Eigen::Index i = 0; i < 8; ++i) {
@@ -273,10 +251,10 @@ TEST_CASE("the sign of a mode shape does not depend on the number type or the wa
             gamma.push_back(static_cast<double>(1 + random() % 64) / 16);
             kappa.push_back(static_cast<double>(1 + random() % 64) / 16);
         }
-        const ModalBasis<double> basis = modal_basis(chain<double>(gamma, kappa));
-        const ModalBasis<Real50> fifty = modal_basis(chain<Real50>(gamma, kappa));
-        System<double> s = chain<double>(gamma, kappa);
-        s.stiffness_matrix = chain_matrix(s.stiffness_ratios);
+        const ModalBasis<double> basis = modal_basis(chain_of<double>(gamma, kappa));
+        const ModalBasis<Real50> fifty = modal_basis(chain_of<Real50>(gamma, kappa));
+        System<double> s = chain_of<double>(gamma, kappa);
+        s.stiffness_matrix = matrix_of_chain(s.stiffness_ratios);
         s.stiffness_ratios.clear();
         const ModalBasis<double> general = modal_basis(s);
         REQUIRE((basis.phi - fifty.phi.cast<double>()).cwiseAbs().maxCoeff() < 1e-11);
@@ -285,7 +263,7 @@ TEST_CASE("the sign of a mode shape does not depend on the number type or the wa
 }
 
 TEST_CASE("a stiffness matrix that is singular to working precision is refused", "[model][bad-input]") {
-    System<double> s = chain<double>({1, 1, 1}, {1, 1, 1});
+    System<double> s = chain_of<double>({1, 1, 1}, {1, 1, 1});
     s.stiffness_ratios.clear();
     s.stiffness_matrix = Matrix<double>{{1, -1, 0}, {-1, 2, -1}, {0, -1, 1}};
     try {
@@ -300,6 +278,6 @@ TEST_CASE("a stiffness matrix that is singular to working precision is refused",
 }
 
 TEST_CASE("modes beyond the range of the number type are an error and not infinite", "[model][bad-input]") {
-    REQUIRE_THROWS_AS(modal_basis(chain<double>({1, 1e-300}, {1, 1e300})), PrecisionError);
-    REQUIRE_NOTHROW(modal_basis(chain<Real50>({1, 1e-300}, {1, 1e300})));
+    REQUIRE_THROWS_AS(modal_basis(chain_of<double>({1, 1e-300}, {1, 1e300})), PrecisionError);
+    REQUIRE_NOTHROW(modal_basis(chain_of<Real50>({1, 1e-300}, {1, 1e300})));
 }

@@ -12,20 +12,13 @@
 #include "denhartog/number/errors.hpp"
 #include "denhartog/scene/scene_json.hpp"
 #include "tests/catch.hpp"
+#include "tests/support/scene_builder.hpp"
 
 using namespace denhartog;
 
 namespace {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
-
-System<double> chain(const std::vector<double>& gamma, const std::vector<double>& kappa, double zeta = 0) {
-    System<double> s;
-    s.mass_ratios = gamma;
-    s.stiffness_ratios = kappa;
-    s.damping_ratios.assign(gamma.size(), zeta);
-    return s;
-}
 
 } // namespace
 
@@ -83,7 +76,7 @@ TEST_CASE("the non-dimensional equation of motion is the dimensional one over P"
 }
 
 TEST_CASE("mode shapes over r are normalised by the non-dimensional mass matrix", "[model][eq:8][eq:17][eq:22]") {
-    const System<double> s = chain({1, 2.5, 0.75}, {1, 0.625, 1.875}, 0.03125);
+    const System<double> s = chain_of({1, 2.5, 0.75}, {1, 0.625, 1.875}, 0.03125);
     const ModalBasis<double> basis = modal_basis(s);
     for (const double r : {0.125, 1.0, 3.5}) {
         const NonDimensionalMatrices<double> matrices = non_dimensional_matrices(s, basis, r);
@@ -102,7 +95,7 @@ TEST_CASE("mode shapes over r are normalised by the non-dimensional mass matrix"
 }
 
 TEST_CASE("the damping matrix (19) gives the damping ratios back through (18)", "[model][eq:18][eq:19]") {
-    System<double> s = chain({1, 2.5, 0.75, 1}, {1, 0.625, 1.875, 2});
+    System<double> s = chain_of({1, 2.5, 0.75, 1}, {1, 0.625, 1.875, 2});
     s.damping_ratios = {0.03125, 0.5, 0, 0.125};
     const ModalBasis<double> basis = modal_basis(s);
     const double r = 1.375;
@@ -124,7 +117,7 @@ TEST_CASE("the damping matrix (19) gives the damping ratios back through (18)", 
 }
 
 TEST_CASE("modal superposition gives the harmonic response of the coupled equations", "[model][eq:13][eq:16][eq:18][eq:19]") {
-    System<double> s = chain({1, 2.5, 0.75}, {1, 0.625, 1.875});
+    System<double> s = chain_of({1, 2.5, 0.75}, {1, 0.625, 1.875});
     s.damping_ratios = {0.03125, 0.25, 0.125};
     const ModalBasis<double> basis = modal_basis(s);
     const double r = 1.125;
@@ -147,7 +140,7 @@ TEST_CASE("modal superposition gives the harmonic response of the coupled equati
 }
 
 TEST_CASE("a frequency ratio that is no positive number gives no matrices", "[model][bad-input]") {
-    const System<double> s = chain({1}, {1}, 0.125);
+    const System<double> s = chain_of({1}, {1}, 0.125);
     const ModalBasis<double> basis = modal_basis(s);
     for (const double r : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
         REQUIRE_THROWS_AS(non_dimensional_matrices(s, basis, r), InputError);

@@ -12,6 +12,7 @@
 #include "denhartog/number/multiprecision.hpp"
 #include "denhartog/sums/bounded_modes.hpp"
 #include "tests/support/plain_response.hpp"
+#include "tests/support/scene_builder.hpp"
 
 namespace denhartog::tests {
 
@@ -20,11 +21,7 @@ template <class T = double>
 Scene<T> chain(const std::vector<double>& gamma, const std::vector<double>& kappa, const std::vector<double>& zeta, std::size_t j,
                std::size_t l, double mu, double r) {
     Scene<T> scene;
-    scene.system.mass_ratios.assign(gamma.begin(), gamma.end());
-    scene.system.stiffness_ratios.assign(kappa.begin(), kappa.end());
-    scene.system.damping_ratios.assign(zeta.begin(), zeta.end());
-    scene.system.contact = Mass{j - 1};
-    scene.system.load = Mass{l - 1};
+    scene.system = chain_of<T>(gamma, kappa, zeta, j, l);
     scene.mu = T(mu);
     scene.r = T(r);
     return scene;

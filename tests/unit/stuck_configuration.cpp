@@ -15,22 +15,7 @@ namespace {
 
 System<double> equal_chain(std::size_t N, std::size_t j, double zeta) {
     const std::vector<double> ones(N, 1.0);
-    return chain(ones, ones, std::vector<double>(N, zeta), j, 1, 1, 1).system;
-}
-
-/// The same chain by matrices, so that it is solved as any other system.
-System<double> by_matrices(System<double> s) {
-    const auto N = static_cast<Eigen::Index>(s.mass_ratios.size());
-    s.stiffness_matrix = Matrix<double>::Zero(N, N);
-    for (Eigen::Index i = 0; i < N; ++i) {
-        const double k = s.stiffness_ratios[static_cast<std::size_t>(i)];
-        s.stiffness_matrix(i, i) += k;
-        if (i == 0) continue;
-        s.stiffness_matrix(i - 1, i - 1) += k;
-        s.stiffness_matrix(i, i - 1) = s.stiffness_matrix(i - 1, i) = -k;
-    }
-    s.stiffness_ratios.clear();
-    return s;
+    return chain_of(ones, ones, zeta, j);
 }
 
 // By Denman and Beavers' iteration: no eigenvalue is asked for.
@@ -102,7 +87,7 @@ TEST_CASE("a chain falls into two, and has the modes of its matrices", "[eq:15][
     for (const std::size_t j : {1u, 2u, 3u, 5u}) {
         const System<double> s =
             chain({1, 2.5, 0.75, 1.5, 3}, {1, 0.625, 1.875, 0.25, 2}, {0.01, 0.02, 0.03, 0.04, 0.05}, j, 1, 1, 1).system;
-        const StuckConfiguration<double> two = stuck_of(s), one = stuck_of(by_matrices(s));
+        const StuckConfiguration<double> two = stuck_of(s), one = stuck_of(with_stiffness_matrix(s));
         for (std::size_t i = 0; i < 4; ++i) {
             CAPTURE(j, i);
             CHECK(two.r_n[i] == Approx(one.r_n[i]).epsilon(1e-14));

@@ -6,6 +6,7 @@
 #include "denhartog/number/errors.hpp"
 #include "denhartog/sliding/boundary.hpp"
 #include "tests/conformance/generator/linear_half_period.hpp"
+#include "tests/support/scene_builder.hpp"
 #include "tests/support/second_witness.hpp"
 
 namespace denhartog::benchmark {
@@ -95,12 +96,8 @@ Scene<double> scene_of(const Design& d, double F) {
     Matrix<double>& C = scene.system.damping_matrix = Matrix<double>::Zero(N, N);
     for (Index i = 0; i < N; ++i) {
         const auto n = static_cast<std::size_t>(i);
-        const double c = d.b * d.k[n];
-        C(i, i) += d.a * d.m[n] + c;
-        if (i == 0) continue;
-        C(i - 1, i - 1) += c;
-        C(i, i - 1) -= c;
-        C(i - 1, i) -= c;
+        connect(C, i, i - 1, d.b * d.k[n]);
+        connect(C, i, -1, d.a * d.m[n]);
     }
     scene.system.contact = Mass{static_cast<std::size_t>(d.contact - 1)};
     scene.system.load = Mass{static_cast<std::size_t>(d.load - 1)};

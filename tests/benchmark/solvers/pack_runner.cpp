@@ -10,6 +10,7 @@
 
 #include "denhartog/number/errors.hpp"
 #include "tests/conformance/adapters/solvers/steady_motion.hpp"
+#include "tests/support/scene_builder.hpp"
 
 namespace denhartog::tests {
 namespace {
@@ -27,12 +28,8 @@ Scene<double> scene_of(const Json& s) {
     const auto N = static_cast<Eigen::Index>(beside.size());
     Matrix<double>& C = scene.system.damping_matrix = Matrix<double>::Zero(N, N);
     for (Eigen::Index i = 0; i < N; ++i) {
-        const double c = beside[static_cast<std::size_t>(i)];
-        C(i, i) += c + to_ground[static_cast<std::size_t>(i)];
-        if (i == 0) continue;
-        C(i - 1, i - 1) += c;
-        C(i, i - 1) -= c;
-        C(i - 1, i) -= c;
+        connect(C, i, i - 1, beside[static_cast<std::size_t>(i)]);
+        connect(C, i, -1, to_ground[static_cast<std::size_t>(i)]);
     }
     scene.system.contact = Mass{s.at("contact").get<std::size_t>() - 1};
     scene.system.load = Mass{s.at("load").get<std::size_t>() - 1};
