@@ -22,13 +22,11 @@ struct StopMap {
     std::vector<MapPoint> there; ///< the map's answers at the markers
 };
 
-bool has_numbers(const MapPoint& p) { return p.status == PointStatus::answered || p.status == PointStatus::on_boundary; }
-
-bool sticks_and_slips(const MapPoint& p) { return has_numbers(p) && p.regime == Regime::stick_slip; }
+bool sticks_and_slips(const MapPoint& p) { return has_numbers(p.status) && p.regime == Regime::stick_slip; }
 
 /// Stops per period as the picture colours them: 0 while the contact slides, -1 in permanent sticking.
 double shown(const MapPoint& p) {
-    if (!has_numbers(p)) return std::nan("");
+    if (!has_numbers(p.status)) return std::nan("");
     return p.regime == Regime::permanent_sticking ? -1 : static_cast<double>(p.stops) / p.periods;
 }
 
@@ -61,7 +59,7 @@ StopMap stop_map(Figure& figure, const Grid& grid, double zeta) {
     StopMap m{zeta, single_mass(zeta), {}, {}, {}};
     m.map = map_of(m.system, grid.r, grid.beta);
     for (std::size_t n = 0; n < m.map.points.size(); ++n)
-        if (!has_numbers(m.map.points[n])) throw std::runtime_error("no steady motion at " + where(grid, n));
+        if (!has_numbers(m.map.points[n].status)) throw std::runtime_error("no steady motion at " + where(grid, n));
     const std::string of = "zeta=" + text(zeta);
     add_map(figure, "map " + of, grid, m.map);
     add(figure, "boundary " + of, regime_curves(m.system, 1, spaced_in_octaves(0.02, 3, 1500)));

@@ -67,8 +67,7 @@ Faults faults_of_map(const Scene<double>& scene) {
     const std::size_t N = number_of_masses(scene.system);
     for (std::size_t n = 0; n < map.amplitudes.size(); ++n) {
         const PointStatus status = map.points[n / N].status;
-        const bool has_numbers = status == PointStatus::answered || status == PointStatus::on_boundary;
-        if (has_numbers && !(map.amplitudes[n] >= 0 && std::isfinite(map.amplitudes[n])))
+        if (has_numbers(status) && !(map.amplitudes[n] >= 0 && std::isfinite(map.amplitudes[n])))
             faults.emplace_back("an amplitude of a map is negative or not finite");
     }
     return faults;
@@ -77,7 +76,7 @@ Faults faults_of_map(const Scene<double>& scene) {
 Faults faults_of_curves(const Scene<double>& scene) {
     Faults faults;
     for (const BoundaryPoint& at : boundary_curves(scene, {*scene.r})) {
-        if (at.status != PointStatus::answered && at.status != PointStatus::on_boundary) continue;
+        if (!has_numbers(at.status)) continue;
         for (const double x : {at.exact, at.paper, at.approximate, at.sticking.value_or(0)})
             if (!(x >= 0 && std::isfinite(x))) faults.emplace_back("a boundary of a curve is negative or not finite");
     }

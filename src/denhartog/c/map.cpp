@@ -4,7 +4,6 @@
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <mutex>
 #include <thread>
 
 #include "denhartog/c/denhartog.h"
@@ -24,18 +23,13 @@ constexpr std::size_t most_points_of_a_call = std::size_t(1) << 40;
 
 unsigned threads_of(unsigned asked) { return asked != 0 ? asked : std::max(1U, std::thread::hardware_concurrency()); }
 
-// The thread that calls is told of progress, or another; never two at the same time.
-class Progress {
+// What the function of the caller says of progress: once it asks for the end, it is not called again.
+class Report {
 public:
-    Progress(dh_progress report, void* context, std::size_t all) : report_(report), context_(context), all_(all) {}
+    Report(dh_progress report, void* context, std::size_t all) : report_(report), context_(context), all_(all) {}
 
-    void add(std::size_t done) {
-        const std::lock_guard<std::mutex> lock(mutex_);
-        tell(done_ + done);
-    }
-    void tell(std::size_t done) {
-        done_ = done;
-        if (report_ != nullptr && !stop && report_(done_, all_, context_) != 0) stop = true;
+    void operator()(std::size_t done) {
+        if (report_ != nullptr && !stop && report_(done, all_, context_) != 0) stop = true;
     }
 
     std::atomic<bool> stop{false};
@@ -43,8 +37,7 @@ public:
 private:
     dh_progress report_;
     void* context_;
-    std::size_t all_, done_ = 0;
-    std::mutex mutex_;
+    std::size_t all_;
 };
 
 void need_complete(bool complete) {
@@ -133,16 +126,17 @@ Question question_of(const dh_points& points, int digits, const std::vector<Mass
 template <class Request>
 void solve_all(const Request& request, const dh_points& points, std::size_t masses,
                const std::function<PointAnswer(std::size_t n)>& answer) {
-    Progress progress(request.progress, request.context, request.count);
+    Report report(request.progress, request.context, request.count);
+    Progress progress(std::ref(report));
     std::vector<PointAnswer> answers(request.count);
     const std::size_t pieces = (request.count + points_at_a_time - 1) / points_at_a_time;
     parallel_for(pieces, threads_of(request.threads), [&](std::size_t piece) {
         const std::size_t from = piece * points_at_a_time, to = std::min(from + points_at_a_time, request.count);
-        for (std::size_t n = from; n < to && !progress.stop; ++n) answers[n] = answer(n);
+        for (std::size_t n = from; n < to && !report.stop; ++n) answers[n] = answer(n);
         progress.add(to - from);
-        return !progress.stop;
+        return !report.stop;
     });
-    need_complete(!progress.stop);
+    need_complete(!report.stop);
     for (std::size_t n = 0; n < request.count; ++n) {
         const auto at = static_cast<std::ptrdiff_t>(n);
         write_point(answers[n].point, at * points.step, points.status, points.regime, points.stops, points.periods);
@@ -186,8 +180,8 @@ int dh_map(const dh_system* system, const dh_map_request* request, const dh_map_
         map_request.start = request->from_sliding != 0 ? MapStart::sliding : MapStart::rest;
         map_request.threads = threads_of(request->threads);
         map_request.effort = allowance().operations;
-        Progress progress(request->progress, request->context, request->r_count);
-        const RegimeMap map = regime_map(scene, map_request, progress.stop, [&](std::size_t done) { progress.tell(done); });
+        Report report(request->progress, request->context, request->r_count);
+        const RegimeMap map = regime_map(scene, map_request, report.stop, std::ref(report));
         need_complete(map.complete);
         const std::size_t masses = map_request.masses.size();
         for (std::size_t m = 0, point = 0; m < request->r_count; ++m)

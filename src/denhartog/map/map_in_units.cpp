@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <mutex>
 #include <span>
 
 #include "denhartog/formulas/system.hpp"
@@ -10,6 +9,7 @@
 #include "denhartog/number/number.hpp"
 #include "denhartog/number/number_text.hpp"
 #include "denhartog/number/parallel.hpp"
+#include "denhartog/scene/units.hpp"
 
 namespace denhartog {
 namespace {
@@ -33,8 +33,7 @@ RegimeMap column_by_column(const Scene<double>& scene, const FrequenciesInUnits&
     RegimeMap all;
     all.points.resize(columns * friction.size());
     all.amplitudes.resize(columns * amplitudes);
-    std::mutex mutex;
-    std::size_t columns_done = 0;
+    Progress progress(done);
     parallel_for(columns, request.threads, [&](std::size_t m) {
         MapRequest one = request;
         one.threads = 1;
@@ -44,12 +43,10 @@ RegimeMap column_by_column(const Scene<double>& scene, const FrequenciesInUnits&
         if (!column.complete) return false;
         std::ranges::copy(column.points, all.points.begin() + static_cast<std::ptrdiff_t>(m * friction.size()));
         std::ranges::copy(column.amplitudes, all.amplitudes.begin() + static_cast<std::ptrdiff_t>(m * amplitudes));
-        const std::lock_guard<std::mutex> lock(mutex);
-        ++columns_done;
-        if (done) done(columns_done);
+        progress.add(1);
         return true;
     });
-    all.complete = columns_done == columns;
+    all.complete = progress.done() == columns;
     return all;
 }
 
@@ -60,7 +57,7 @@ FrequenciesInUnits frequencies_in_units(const Scene<double>& scene, const std::v
         throw InputError("frequency_hz", "must be given for scenes of masses and stiffnesses only; others have r",
                          "a scene in ratios");
     if (hertz.empty()) throw InputError("frequency_hz", "must have at least one value", "none");
-    FrequenciesInUnits all{hertz, {}, {}, scene.units->stiffness};
+    FrequenciesInUnits all{hertz, {}, {}};
     for (const double each : hertz) {
         if (!(each > 0)) throw InputError("frequency_hz", "must be positive", number_to_text(each));
         const double omega = 2 * pi<double>() * each;
@@ -87,7 +84,7 @@ RegimeMap map_in_units(const Scene<double>& scene, const FrequenciesInUnits& fre
     }
     const std::size_t masses = request.masses.size();
     for (std::size_t n = 0; n < map.points.size(); ++n) {
-        const double length = frequencies.force[n / friction.size()] / frequencies.stiffness;
+        const double length = displacement_unit(*scene.units, frequencies.force[n / friction.size()]);
         const auto amplitudes = std::span(map.amplitudes).subspan(n * masses, masses);
         for (double& each : amplitudes) each *= length;
         if (!has_numbers(map.points[n].status) || std::ranges::all_of(amplitudes, [](double x) { return std::isfinite(x); }))

@@ -13,7 +13,6 @@ struct FrequenciesInUnits {
     std::vector<double> hertz; ///< periods a unit of time
     std::vector<double> r;     ///< frequency ratios, Eq. (10)
     std::vector<double> force; ///< P; where the base moves with the wall it grows with the frequency
-    double stiffness;          ///< k_1
 };
 
 /// @brief Frequencies in the units of a scene. @param scene a scene of masses, stiffnesses and a force @param hertz frequencies

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <mutex>
 
 #include "denhartog/answer/sliding_solution.hpp"
 #include "denhartog/map/contact_limits.hpp"
@@ -100,8 +99,7 @@ RegimeMap regime_map(const Scene<double>& scene, const MapRequest& request, cons
     RegimeMap map;
     map.points.resize(columns * rows);
     map.amplitudes.assign(map.points.size() * masses, std::nan(""));
-    std::mutex mutex;
-    std::size_t columns_done = 0;
+    Progress progress(done);
     for (std::size_t start = 0; start < columns && !stop; start += columns_at_a_time) {
         const std::size_t n = std::min(columns_at_a_time, columns - start);
         arrays.compute(std::span(request.r).subspan(start, n), request.threads);
@@ -111,13 +109,11 @@ RegimeMap regime_map(const Scene<double>& scene, const MapRequest& request, cons
             compute_column(shared, request.r[m], arrays.at(column), stop, std::span(map.points).subspan(m * rows, rows),
                            std::span(map.amplitudes).subspan(m * rows * masses, rows * masses));
             if (stop) return false;
-            const std::lock_guard<std::mutex> lock(mutex);
-            ++columns_done;
-            if (done) done(columns_done);
+            progress.add(1);
             return true;
         });
     }
-    map.complete = columns_done == columns;
+    map.complete = progress.done() == columns;
     return map;
 }
 

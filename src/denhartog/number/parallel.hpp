@@ -4,6 +4,8 @@
 
 #include <cstddef>
 #include <functional>
+#include <mutex>
+#include <utility>
 
 namespace denhartog {
 
@@ -14,5 +16,26 @@ namespace denhartog {
 /// @param threads  threads, at least 1; not more are started than there are pieces
 /// @param piece    does piece n, and says whether to go on
 void parallel_for(std::size_t count, unsigned threads, const std::function<bool(std::size_t n)>& piece);
+
+/// @brief Counts what threads have done, and tells of it: one thread at a time.
+class Progress {
+public:
+    /// @param told  hears how much is done; may be empty
+    explicit Progress(std::function<void(std::size_t done)> told) : told_(std::move(told)) {}
+
+    /// @brief Counts what one thread has done. @param more how much
+    void add(std::size_t more) {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        done_ += more;
+        if (told_) told_(done_);
+    }
+    /// @brief What is done, once no thread works any more. @return the count
+    [[nodiscard]] std::size_t done() const { return done_; }
+
+private:
+    std::function<void(std::size_t done)> told_;
+    std::size_t done_ = 0;
+    std::mutex mutex_;
+};
 
 } // namespace denhartog

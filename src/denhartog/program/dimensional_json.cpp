@@ -1,19 +1,19 @@
 #include "denhartog/program/dimensional_json.hpp"
 
-#include <cmath>
 #include <numbers>
 
 #include "denhartog/program/solution_json.hpp"
 #include "denhartog/program/table.hpp"
+#include "denhartog/scene/units.hpp"
 
 namespace denhartog::program {
 
 Json dimensional_json(const Solution& s, const Units& units) {
     const NumberWriter write;
-    const double omega = s.r.value * std::sqrt(units.stiffness / units.mass);
+    const double omega = angular_frequency(units, s.r.value);
     Json all{{"frequency", write(omega)}, {"frequency_hz", write(omega / (2 * std::numbers::pi))}};
     if (!units.force) return all;
-    const double P = *units.force, length = P / units.stiffness;
+    const double P = *units.force, length = displacement_unit(units, P);
     const auto displacement = [&](const SolvedMass& m) {
         return Json{{"amplitude", write(length * m.amplitude.value)}, {"error_bound", write(length * error_of_displacements(m))}};
     };

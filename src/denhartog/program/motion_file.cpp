@@ -6,6 +6,7 @@
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/number_text.hpp"
 #include "denhartog/scene/point_rules.hpp"
+#include "denhartog/scene/units.hpp"
 
 namespace denhartog::program {
 
@@ -21,10 +22,10 @@ void add_units_option(CLI::App& command, std::string& units) {
 std::optional<MotionUnits> motion_units(const Scene<double>& scene, const std::string& units) {
     if (units == in_ratios) return std::nullopt;
     if (!scene.units) throw InputError("units", "must be ratios where the scene has no masses and stiffnesses", units);
-    const double omega = frequency_ratio_of(scene) * std::sqrt(scene.units->stiffness / scene.units->mass);
+    const double omega = angular_frequency(*scene.units, frequency_ratio_of(scene));
     const std::optional<double> P = scene.units->force_at(omega);
     if (!P) throw InputError("units", "must be ratios where the scene has no force", units);
-    return MotionUnits{omega, *P / scene.units->stiffness};
+    return MotionUnits{omega, displacement_unit(*scene.units, *P)};
 }
 
 std::string motion_csv(const SampledSolution& motion, const std::optional<MotionUnits>& units) {
