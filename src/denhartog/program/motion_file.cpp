@@ -12,9 +12,10 @@ namespace denhartog::program {
 
 void add_units_option(CLI::App& command, std::string& units) {
     command
-        .add_option("--units", units,
-                    "units of the motion's numbers: ratios; or scene, those of its masses, stiffnesses and force, with t from "
-                    "the same\ninstant in place of tau")
+        .add_option(
+            "--units", units,
+            "units of the motion: ratios, or scene for those of its masses, stiffnesses and force, with t from the\nsame instant "
+            "instead of tau")
         ->check(CLI::IsMember({in_ratios, in_scene}))
         ->capture_default_str();
 }

@@ -37,11 +37,11 @@ void answer(const DeriveOptions& options) {
 void add_derive_command(CLI::App& app) {
     CLI::App* command = app.add_subcommand("derive", "Show the steps of the derivation, as text with LaTeX formulas");
     const auto options = std::make_shared<DeriveOptions>();
-    command->add_option("EQUATION", options->equation, "one equation, e.g. 46 or A.7; all of them without it");
+    command->add_option("EQUATION", options->equation, "one equation, e.g. 46 or A.7; by default all");
     CLI::Option* latex = command->add_flag("--latex", options->latex, "a fragment of LaTeX (needs amsmath)");
     command->add_flag("--json", options->json, "an array of JSON objects")->excludes(latex);
     command->add_option("--derivation", options->file,
-                        "a derivation.json to read in place of the last run's (also: DENHARTOG_DERIVATION)");
+                        "a derivation.json to read instead of the last run's (also: DENHARTOG_DERIVATION)");
     command->callback([options] { answer(*options); });
 }
 

@@ -39,9 +39,9 @@ void answer(const EquationsOptions& options) {
 void add_equations_command(CLI::App& app) {
     CLI::App* command = app.add_subcommand("equations", "Show the ledger: what holds of each numbered equation of the paper");
     const auto options = std::make_shared<EquationsOptions>();
-    command->add_option("EQUATION", options->equation, "one equation, e.g. 46 or A.7; all of them without it");
-    command->add_flag("--json", options->json, "an array of JSON objects in place of a table");
-    command->add_option("--ledger", options->file, "a ledger.json to read in place of the last run's (also: DENHARTOG_LEDGER)");
+    command->add_option("EQUATION", options->equation, "one equation, e.g. 46 or A.7; by default all");
+    command->add_flag("--json", options->json, "an array of JSON objects instead of a table");
+    command->add_option("--ledger", options->file, "a ledger.json to read instead of the last run's (also: DENHARTOG_LEDGER)");
     command->callback([options] { answer(*options); });
 }
 

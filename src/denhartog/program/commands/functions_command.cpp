@@ -77,8 +77,9 @@ void add_functions_command(CLI::App& app, ExitStatus& status) {
     const auto options = std::make_shared<SceneOptions>();
     add_scene_options(*command, *options);
     command->footer(
-        "Complex numbers are pairs [real part, imaginary part]. Computed in double; the sums over the modes in 50 digits where\n"
-        "double does not have ten of them. beta is not needed. Where the damping matrix couples the modes they have no v, u and "
+        "Complex numbers are pairs [real part, imaginary part]. Computed in double, and the sums over the modes in 50 digits "
+        "where\n"
+        "double does not reach ten. beta is not needed. Where the damping matrix couples the modes they have no v, u and "
         "g\n"
         "of their own, and zeta is what the diagonal of the matrix gives.");
     command->callback([options, &status] {

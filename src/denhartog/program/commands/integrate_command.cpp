@@ -166,7 +166,7 @@ void answer(const IntegrateOptions& options, ExitStatus& status) {
 
 void add_integrate_command(CLI::App& app, ExitStatus& status) {
     CLI::App* command =
-        app.add_subcommand("integrate", "Motion from a start over a number of periods: by the paper's algorithm or exactly");
+        app.add_subcommand("integrate", "Motion from a start over a number of periods, by the paper's algorithm or exactly");
     const auto options = std::make_shared<IntegrateOptions>();
     PaperSettings& settings = options->settings;
     add_scene_options(*command, options->scene);
@@ -174,12 +174,14 @@ void add_integrate_command(CLI::App& app, ExitStatus& status) {
         ->add_option("--method", options->method,
                      "paper: Runge-Kutta with events, Section 3.1; exact: closed form between events")
         ->capture_default_str();
-    command->add_option("--cycles", settings.cycles, "periods of the force, N_cyc")->capture_default_str();
-    command->add_option("--absolute-tolerance", settings.absolute_tolerance, "of displacements and velocities in a step")
+    command->add_option("--cycles", settings.cycles, "number of periods of the force, N_cyc")->capture_default_str();
+    command
+        ->add_option("--absolute-tolerance", settings.absolute_tolerance,
+                     "absolute tolerance of displacements and velocities in a step")
         ->capture_default_str();
-    command->add_option("--relative-tolerance", settings.relative_tolerance,
-                        "the same relative; the absolute one where it is missing");
-    command->add_option("--start", options->start, "N displacements, then N velocities, with commas; rest at zero where missing");
+    command->add_option("--relative-tolerance", settings.relative_tolerance, "relative tolerance; by default the absolute one");
+    command->add_option("--start", options->start,
+                        "N displacements, then N velocities, separated by commas; by default rest at zero");
     command->add_option("--samples", settings.samples,
                         "print this many instants of the last period as CSV: tau, x_1..x_N, v_1..v_N");
     command->footer(

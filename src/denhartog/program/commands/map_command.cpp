@@ -140,15 +140,15 @@ void answer(const MapOptions& options, ExitStatus& status) {
 void add_map_command(CLI::App& app, ExitStatus& status) {
     CLI::App* command = app.add_subcommand("map", "Regime, amplitudes and stops per period over a grid of (r, beta)");
     const auto options = std::make_shared<MapOptions>();
-    command->add_option("SCENE", options->scene, "file with one scene as JSON; standard input where it is - or missing");
+    command->add_option("SCENE", options->scene, "file with one scene as JSON; standard input if it is - or missing");
     command->add_option("--r", options->r, "frequency ratios, FROM:TO:COUNT with both ends");
     command->add_option("--beta", options->beta,
                         "friction ratios, FROM:TO:COUNT with both ends; ascending values help each other");
     command->add_option("--frequency-hz", options->frequency_hz,
-                        "for a scene of masses and stiffnesses, in place of --r: frequencies in periods a unit of time");
-    command->add_option("--friction", options->friction, "with --frequency-hz, in place of --beta: friction forces");
+                        "frequencies in periods per unit of time, instead of --r, for a scene of masses and stiffnesses");
+    command->add_option("--friction", options->friction, "friction forces, instead of --beta; goes with --frequency-hz");
     command->add_option("--mass", options->masses,
-                        "mass whose amplitude is wanted, may be repeated; default the mass in contact");
+                        "mass whose amplitude is wanted; may be repeated; by default the mass in contact");
     command->add_option("--start", options->start, "which motion, where there is more than one")
         ->check(CLI::IsMember({"rest", "sliding"}))
         ->capture_default_str();
@@ -156,19 +156,19 @@ void add_map_command(CLI::App& app, ExitStatus& status) {
     command->add_option("--output", options->output,
                         "file to write, .csv or .npy; it appears when it is complete. Default: CSV on standard output");
     command->add_option("--threads", options->threads,
-                        "threads, default as many as the machine has; the map is the same for any");
+                        "number of threads, by default as many as the machine has; the map does not depend on it");
     add_effort_option(*command, options->effort);
     add_damping_option(*command, options->damping);
     command->footer(
-        "r and beta of the scene are not used. CSV, a line a point, beta running fastest: r, beta, regime (continuous,\n"
+        "r and beta of the scene are not used. CSV with a line for each point, beta fastest: r, beta, regime (continuous,\n"
         "stick_slip, permanent_sticking), stops_per_period, periods (of the force in a period of the motion), amplitude_K of\n"
         "each mass K in units of P / k_1, status. Where double does not tell the regime or has fewer than 6 digits of an\n"
-        "amplitude, the point is answered as by `solve`. status: answered; on_boundary, beta equals a boundary to rounding\n"
+        "amplitude, `solve` answers the point. status: answered; on_boundary, beta equals a boundary to rounding\n"
         "and the regime could be the neighbour; not_converged, no steady motion was found; at_a_pole, a mode without damping\n"
         "resonates; failed, the digits do not suffice. In the last three the numbers are nan and there is no regime.\n"
         "NPY: an array of records (r by beta) with the same fields; regime is 0, 1, 2 in the order above and -1 for none,\n"
         "status 0 to 4, whole numbers -1 where they are not known. A contact that rests is taken to rest at zero.\n"
-        "With mu = 1 and damping in every mode the velocities do not depend on the start. Else: --start rest follows the\n"
+        "With mu = 1 and damping in every mode the velocities do not depend on the start. Otherwise --start rest follows the\n"
         "start from rest at every point, as solve does; sliding takes the sliding motion as far as it exists and from there\n"
         "the motion met as beta rises. With mu = 1 both take the motion from the boundaries.\n"
         "With --frequency-hz and --friction the map is in the units of the scene: columns frequency_hz and friction in place of\n"

@@ -84,8 +84,8 @@ void answer(const MotionOptions& options) {
 void add_motion_command(CLI::App& app, ExitStatus& status) {
     CLI::App* command = app.add_subcommand("motion", "Displacement and velocity of every mass over one period, as CSV");
     const auto options = std::make_shared<MotionOptions>();
-    command->add_option("SCENE", options->scene, "file with one scene as JSON; standard input where it is - or missing");
-    command->add_option("--samples", options->samples, "instants in a period")->capture_default_str();
+    command->add_option("SCENE", options->scene, "file with one scene as JSON; standard input if it is - or missing");
+    command->add_option("--samples", options->samples, "number of instants in a period")->capture_default_str();
     command->add_option("--digits", options->digits, "significant digits of every displacement and velocity, 1 to 15")
         ->capture_default_str();
     add_effort_option(*command, options->effort);
@@ -96,7 +96,7 @@ void add_motion_command(CLI::App& app, ExitStatus& status) {
         "Columns: tau from 0 to below 2 pi, 0 at the maximum of the mass in contact; x_1..x_N in units of P / k_1; v_1..v_N,\n"
         "the derivatives with respect to tau. Only where the contact slides throughout. Digits are relative to the amplitude "
         "(52)\n"
-        "of the mass; where double does not have them 50 digits are taken, and standard error says so.");
+        "of the mass; where double does not reach them, 50 digits are used, and standard error says so.");
     command->callback([options, &status] {
         try {
             answer(*options);

@@ -37,8 +37,8 @@ std::string in_place(const SceneText& part, const InputError& e) {
 void add_scene_options(CLI::App& command, SceneOptions& options) {
     command.add_option(
         "SCENE", options.scene,
-        "file with a scene as JSON, or with many, one a line (JSON Lines); standard input where it is - or missing");
-    command.add_flag("--json", options.json, "one JSON object a scene, one a line, in order, in place of tables");
+        "file with one scene as JSON, or with one scene on each line (JSON Lines); standard input if it is - or missing");
+    command.add_flag("--json", options.json, "one JSON object for each scene, each on a line of its own, instead of tables");
     add_effort_option(command, options.effort);
     add_damping_option(command, options.damping);
 }
@@ -66,8 +66,8 @@ void add_digits_option(CLI::App& command, SceneOptions& options) {
 void add_effort_option(CLI::App& command, std::optional<double>& effort) {
     command.add_option(
         "--effort", effort,
-        "work allowed a question, in operations of about a tenth of a microsecond: the evaluation of a mode at an "
-        "instant in double. Where it is spent the exit status is 3. Default: 1e7, for more than 12 masses 8e5 a mass");
+        "work that a question may cost, in operations of about a tenth of a microsecond; one evaluates a mode at an instant "
+        "in double. If it does not suffice, the exit status is 3. Default: 1e7, or 8e5 for each mass if there are more than 12");
 }
 
 std::optional<long> allowed_operations(const std::optional<double>& effort) {

@@ -77,11 +77,11 @@ void add_solve_command(CLI::App& app, ExitStatus& status) {
     const auto options = std::make_shared<SolveOptions>();
     add_scene_options(*command, options->scene);
     add_digits_option(*command, options->scene);
-    command->add_option("--ask", options->ask, "what is wanted; less is cheaper")
+    command->add_option("--ask", options->ask, "what is wanted; asking for less is cheaper")
         ->check(CLI::IsMember({"amplitude", "phase", "motion", "regime"}))
         ->capture_default_str();
     command->add_option("--mass", options->mass,
-                        "the one mass that is asked about, counted from 1: only it must have the digits, only it is listed");
+                        "ask about this mass alone, counted from 1: only it is listed, and only it must have the digits");
     command->add_flag("--all", options->all, "look for other motions too, from seeded starts and from sweeps in r and beta");
     command->add_option(
         "--samples", options->samples,

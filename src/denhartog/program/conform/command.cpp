@@ -154,12 +154,12 @@ void add_run(CLI::App& conform, ExitStatus& status, const std::vector<std::strin
     const auto options = std::make_shared<ConformOptions>();
     add_selection_options(*command, options->selection);
     add_program_options(*command, *options);
-    command->add_option("--jobs", options->jobs, "processes of the program side by side")->capture_default_str();
+    command->add_option("--jobs", options->jobs, "how many processes of the program run at the same time")->capture_default_str();
     command
         ->add_option("--total-timeout", options->total_seconds,
-                     "seconds for all answers; then the report tells those given until then; 0 is no end")
+                     "seconds for all answers together; the report then covers the answers given so far; 0 means no limit")
         ->capture_default_str();
-    command->add_option("--repro", options->repro, "id of the one question to repeat: it is shown as a command, and asked");
+    command->add_option("--repro", options->repro, "id of one question: print the command that asks it, and ask it");
     add_report_options(*command, *options);
     command->footer("The protocol is docs/protocol.md, the formats of the report are docs/conformance-output.md.");
     command->callback([options, &status, arguments] {
@@ -184,8 +184,8 @@ void add_conform_command(CLI::App& app, ExitStatus& status, const std::vector<st
     CLI::App* conform = app.add_subcommand("conform", "Test another implementation against certified vectors");
     conform->require_subcommand(1);
     conform->footer(
-        "Exit status: 0 every question of the tier `must` that was answered is right, and none of --need was skipped;\n"
-        "1 not, or something got worse since --track; 2 bad input or usage; 3 the program under test broke.");
+        "Exit status: 0 if every answered question of the tier `must` is right and none of --need was skipped; 1 if not, or if\n"
+        "something got worse since --track; 2 for bad input or usage; 3 if the program under test broke.");
     add_list(*conform);
     add_show(*conform);
     add_smoke(*conform, status, arguments);

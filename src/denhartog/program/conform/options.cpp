@@ -43,11 +43,11 @@ bool is_wanted(const std::vector<std::string>& wanted, const std::string& name) 
 void add_selection_options(CLI::App& command, SelectionOptions& options) {
     options.vectors = vectors_folder();
     command.add_option("--vectors", options.vectors, "folder with the vectors, files *.jsonl")->capture_default_str();
-    command.add_option("--filter", options.filter, "regular expression that the ids have to match somewhere");
-    command.add_option("--group", options.groups, "groups, separated by commas; default all")
+    command.add_option("--filter", options.filter, "regular expression that must match a part of the id");
+    command.add_option("--group", options.groups, "groups, separated by commas; by default all")
         ->delimiter(',')
         ->allow_extra_args(false);
-    command.add_option("--tier", options.tiers, "tiers, separated by commas: must, should, stress; default all")
+    command.add_option("--tier", options.tiers, "tiers, separated by commas: must, should, stress; by default all")
         ->delimiter(',')
         ->allow_extra_args(false);
     command.add_flag("--skip-must-fail", options.skip_must_fail, "leave out the questions that have to be rejected");
@@ -63,16 +63,17 @@ void add_report_options(CLI::App& command, ConformOptions& options) {
     options.method = conformance::methods().front().name;
     command
         .add_option("--method", options.method,
-                    "by which the program answers; decides the tolerances. `denhartog conform list --methods` has them")
+                    "method by which the program answers; it decides the tolerances, see `denhartog conform list --methods`")
         ->capture_default_str();
     command.add_option("--need", options.needed, "quantities, separated by commas, that must not be skipped")
         ->delimiter(',')
         ->allow_extra_args(false);
-    command.add_option("--track", options.track, "file of verdicts: compared with those of earlier runs, then written");
-    command.add_option("--format", options.format, "of the report")
+    command.add_option("--track", options.track,
+                       "file with the verdicts of earlier runs: this run is compared with them, then written into it");
+    command.add_option("--format", options.format, "format of the report")
         ->check(CLI::IsMember({"text", "json", "junit", "markdown"}))
         ->capture_default_str();
-    command.add_option("--output", options.output, "file of the report, in place of standard output");
+    command.add_option("--output", options.output, "file of the report, instead of standard output");
     command.add_flag("--verbose", options.verbose, "tell every answer");
 }
 
