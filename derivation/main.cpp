@@ -1,7 +1,6 @@
 // The derivation program: `run` decides every claim and writes what it found, `join` brings in the results of the tests, `status`
-// puts the counts, the examples' answers and the figures' numbers into README.md and paper-figures/README.md.
+// puts the counts and the figures' numbers into README.md, docs/what-was-found.md and paper-figures/README.md.
 #include <CLI/CLI.hpp>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -96,28 +95,6 @@ void run(const fs::path& folder, const fs::path& proofs) {
     write(folder / "run.json", record.dump(1) + "\n");
 }
 
-/// What a command prints.
-std::string output_of(const std::string& command) {
-    std::FILE* pipe = ::popen(command.c_str(), "r");
-    if (pipe == nullptr) throw std::runtime_error("cannot run " + command);
-    std::string output;
-    for (int c = std::fgetc(pipe); c != EOF; c = std::fgetc(pipe)) output += static_cast<char>(c);
-    if (::pclose(pipe) != 0) throw std::runtime_error(command + " failed");
-    return output;
-}
-
-/// What the program answers to a command line that README shows, between the fences of a code block.
-std::string shown(const fs::path& program, const std::string& arguments, const fs::path& source, const std::string& scene) {
-    const std::string answer = output_of("'" + program.string() + "' " + arguments + " '" + (source / scene).string() + "'");
-    return "```\n$ build/verify/bin/denhartog " + arguments + " " + scene + "\n" + answer + "```\n";
-}
-
-/// README with what the last run found first and what the program answers to the example.
-std::string refreshed_readme(const std::string& text, const fs::path& folder, const fs::path& program, const fs::path& source) {
-    const std::string with_found = with_block(text, "found", read(folder / "found.md"));
-    return with_block(with_found, "example", shown(program, "solve", source, "docs/example.json"));
-}
-
 /// The page of what was found, with the counts of the last run and what the figures show.
 std::string refreshed_page(const std::string& text, const fs::path& folder, const std::vector<json>& figures) {
     return with_block(with_block(text, "status", read(folder / "status.md")), "figures", figures_table(figures));
@@ -139,14 +116,13 @@ bool refresh(const fs::path& file, const std::string& before, const std::string&
 int main(int argc, char** argv) {
     CLI::App app{"Derives the paper's equations from its equation of motion and checks the shipped formulas against them"};
     app.require_subcommand(1);
-    std::string folder, source = DENHARTOG_SOURCE, proofs, results, readme, program, figures;
+    std::string folder, source = DENHARTOG_SOURCE, proofs, results, readme, figures;
     bool check = false;
     CLI::App* run_command =
         app.add_subcommand("run", "decide every claim, try its mutated twins, compare with the second witness");
     CLI::App* join_command = app.add_subcommand("join", "join the ledger again, with the results of the tests");
-    CLI::App* status_command = app.add_subcommand(
-        "status",
-        "put what the last run found, the answer to the example and the figures' numbers into the READMEs and the page");
+    CLI::App* status_command =
+        app.add_subcommand("status", "put what the last run found and the figures' numbers into the READMEs and the page");
     for (CLI::App* command : {run_command, join_command, status_command}) {
         command->add_option("--output", folder, "folder of the run")->required();
         command->add_option("--figures", figures, "folder with the records of the figures");
@@ -156,8 +132,7 @@ int main(int argc, char** argv) {
         command->add_option("--test-results", results, "folder with the XML results of the tests");
     }
     run_command->add_option("--proofs", proofs, "what the program `proofs` has decided already");
-    status_command->add_option("--readme", readme, "the file with the marks of what was found and of the example")->required();
-    status_command->add_option("--program", program, "the program denhartog")->required();
+    status_command->add_option("--readme", readme, "the file with the marks of what was found")->required();
     status_command->add_flag("--check", check, "say whether it is up to date, and change nothing");
     try {
         app.parse(argc, argv);
@@ -170,7 +145,7 @@ int main(int argc, char** argv) {
             const fs::path of_figures = fs::path(source) / "paper-figures/README.md";
             const fs::path of_findings = fs::path(source) / "docs/what-was-found.md";
             const std::string text = read(readme), text_of_figures = read(of_figures), text_of_findings = read(of_findings);
-            bool fresh = refresh(readme, text, refreshed_readme(text, folder, program, source), check);
+            bool fresh = refresh(readme, text, with_block(text, "found", read(folder / "found.md")), check);
             fresh = refresh(of_findings, text_of_findings, refreshed_page(text_of_findings, folder, records), check) && fresh;
             const std::string now = with_block(text_of_figures, "figures", figures_markdown(records, "../" + pictures));
             return refresh(of_figures, text_of_figures, now, check) && fresh ? 0 : 1;
