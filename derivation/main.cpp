@@ -95,6 +95,11 @@ void run(const fs::path& folder, const fs::path& proofs) {
     write(folder / "run.json", record.dump(1) + "\n");
 }
 
+/// README with what the last run found first.
+std::string refreshed_readme(const std::string& text, const fs::path& folder) {
+    return with_block(text, "found", read(folder / "found.md"));
+}
+
 /// The page of what was found, with the counts of the last run and what the figures show.
 std::string refreshed_page(const std::string& text, const fs::path& folder, const std::vector<json>& figures) {
     return with_block(with_block(text, "status", read(folder / "status.md")), "figures", figures_table(figures));
@@ -145,7 +150,7 @@ int main(int argc, char** argv) {
             const fs::path of_figures = fs::path(source) / "paper-figures/README.md";
             const fs::path of_findings = fs::path(source) / "docs/what-was-found.md";
             const std::string text = read(readme), text_of_figures = read(of_figures), text_of_findings = read(of_findings);
-            bool fresh = refresh(readme, text, with_block(text, "found", read(folder / "found.md")), check);
+            bool fresh = refresh(readme, text, refreshed_readme(text, folder), check);
             fresh = refresh(of_findings, text_of_findings, refreshed_page(text_of_findings, folder, records), check) && fresh;
             const std::string now = with_block(text_of_figures, "figures", figures_markdown(records, "../" + pictures));
             return refresh(of_figures, text_of_figures, now, check) && fresh ? 0 : 1;
