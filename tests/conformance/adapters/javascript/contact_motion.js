@@ -8,6 +8,7 @@ const degree = 24; // of the Taylor polynomials; a step is at most 1.6 over the 
 
 // Polynomials on [0, 1], by ascending powers.
 const valueAt = (p, t) => { let y = 0; for (let n = p.length - 1; n >= 0; --n) y = y * t + p[n]; return y; };
+const slopeAt = (p, t) => { let y = 0; for (let n = p.length - 1; n > 0; --n) y = y * t + n * p[n]; return y; };
 const derivative = (p) => Array.from({ length: p.length - 1 }, (_, n) => (n + 1) * p[n + 1]);
 function bernstein(p) { // b_i = sum over k <= i of binomial(i, k) / binomial(d, k) p_k
     const d = p.length - 1, b = Array.from(p);
@@ -30,12 +31,11 @@ function halves(b) { // de Casteljau at 1/2
 }
 function bisected(p, a, b) { // the one zero between a and b, by Newton's steps kept in the bracket
     let falls = valueAt(p, a) > valueAt(p, b), t = (a + b) / 2;
-    const slope = derivative(p);
     for (let n = 0; n < 100 && b - a > 1e-17; ++n) {
         const y = valueAt(p, t);
         if (y === 0) return t;
         if ((y > 0) === falls) a = t; else b = t;
-        let next = t - y / valueAt(slope, t);
+        let next = t - y / slopeAt(p, t);
         if (!(next > a && next < b)) next = (a + b) / 2;
         if (abs(next - t) <= 1e-17) return next;
         t = next;
@@ -76,20 +76,25 @@ class ContactMotion extends ClosedForm {
     // Taylor coefficients of every displacement over [tau, tau + h], in powers of t = (time - tau) / h; direction 1, -1 or 0, held.
     // With `driven` false: those of a deviation, which neither force nor friction acts on.
     step(x, v, tau, h, direction, driven = true) {
-        const { N, j, l, mass, K, C } = this, a = x.map((xk, k) => { const p = new Float64Array(degree + 1); p[0] = xk; p[1] = h * v[k]; return p; });
-        if (direction === 0) a[j][1] = 0;
-        let power = driven ? h * h : 0; // h^2 h^n / n!
+        const { N, j, l, mass, K, C } = this, a = [], h2 = h * h;
+        for (let k = 0; k < N; ++k) {
+            const p = new Float64Array(degree + 1);
+            p[0] = x[k];
+            p[1] = k === j && direction === 0 ? 0 : h * v[k];
+            a.push(p);
+        }
         const wave = [cos(tau), -sin(tau), -cos(tau), sin(tau)];
-        for (let n = 0; n + 2 <= degree; ++n) {
+        for (let n = 0, power = driven ? h2 : 0; n + 2 <= degree; power *= h / ++n) { // power: h^2 h^n / n!
             ++this.evaluations;
+            const hn = h * (n + 1), scale = (n + 1) * (n + 2);
             for (let k = 0; k < N; ++k) {
                 if (k === j && direction === 0) continue;
                 let f = k === l ? power * wave[n % 4] : 0;
-                if (n === 0 && k === j && driven) f -= h * h * this.beta * direction;
-                for (let i = 0; i < N; ++i) f -= h * C[k][i] * (n + 1) * a[i][n + 1] + h * h * K[k][i] * a[i][n];
-                a[k][n + 2] = f / (mass[k] * (n + 1) * (n + 2));
+                if (n === 0 && k === j && driven) f -= h2 * this.beta * direction;
+                const row = C[k], springs = K[k];
+                for (let i = 0; i < N; ++i) f -= hn * row[i] * a[i][n + 1] + h2 * springs[i] * a[i][n];
+                a[k][n + 2] = f / (mass[k] * scale);
             }
-            power *= h / (n + 1);
         }
         return a;
     }
@@ -138,15 +143,15 @@ class ContactMotion extends ClosedForm {
                     const [zero] = margin[0] <= 0 ? [0] : zeros(margin, true);
                     if (zero !== undefined && (zero < t || next === null)) { t = zero; next = side; }
                 }
-                if (next) slope = valueAt(derivative(load), t) / h;
+                if (next) slope = slopeAt(load, t) / h;
             }
             const last = tau + t * h >= tau_1 ? tau_1 : tau + t * h;
             phase.steps.push({ tau, h, length: last - tau, a });
             x = a.map((p) => valueAt(p, t));
-            v = a.map((p) => valueAt(derivative(p), t) / h);
+            v = a.map((p) => slopeAt(p, t) / h);
             if (deviations) deviations = deviations.map((d) => {
                 const p = this.step(d.x, d.v, tau, h, direction, false);
-                return { x: p.map((q) => valueAt(q, t)), v: p.map((q) => valueAt(derivative(q), t) / h) };
+                return { x: p.map((q) => valueAt(q, t)), v: p.map((q) => slopeAt(q, t) / h) };
             });
             order = 0;
             phase.to = tau = last;
@@ -195,8 +200,9 @@ class ContactMotion extends ClosedForm {
         }
         return best && best.residual <= 1e-10 * (1 + best.size) ? best : null;
     }
-    // The steady motion that follows from rest at zero with the force at its maximum: { z, h, residual } of a fixed point.
-    steadyStickSlip(start = null) {
+    // The search for the steady motion that follows from rest at zero with the force at its maximum, or with mu = 1 from `start`:
+    // yields the state after each half-period, returns the fixed point { z, h, residual }.
+    *search(start = null) {
         const flat = (s) => [...s.x, ...s.v], apart = (a, b) => hypot(...flat(a).map((y, i) => y - flat(b)[i]));
         const nearby = start && this.mu === 1 && this.fixedPoint(start, 1);
         if (nearby) return { ...nearby, h: 1, half_periods: 0 };
@@ -205,6 +211,7 @@ class ContactMotion extends ClosedForm {
             for (; done < next; ++done) {
                 z = this.map(z, 1).image;
                 recent = [...recent.slice(-16), z];
+                yield z;
             }
             const repeats = (h) => (recent.length > h ? apart(z, recent[recent.length - 1 - h]) : Infinity);
             const lengths = [1, 2, 3, 4, 5, 6, 8, 10, 12, 14, 16].filter((h, n, all) => n === 0 || 2 * repeats(h) < min(...all.slice(0, n).map(repeats)));
@@ -212,8 +219,15 @@ class ContactMotion extends ClosedForm {
                 const found = this.fixedPoint(z, h);
                 if (found && (this.mu === 1 || (this.attracts(found.columns) && this.approaches(z, found.z, h))))
                     return { ...found, h, half_periods: done };
+                yield z;
             }
             if (done >= 1024) throw new RangeError('no periodic motion was found in 512 periods');
+        }
+    }
+    steadyStickSlip() {
+        for (const search = this.search(); ;) {
+            const { done, value } = search.next();
+            if (done) return value;
         }
     }
     attracts(columns) { // whether high powers of the Jacobian vanish
@@ -230,19 +244,17 @@ class ContactMotion extends ClosedForm {
         }
         return apart(z) < first / 2;
     }
-    // The steady motion over its period, in any regime: what the pages draw and the adapter answers by.
-    steady(start = null) {
-        const { j } = this, regime = this.regime();
-        let z, h = 1, residual = 0, half_periods = 0;
-        if (regime === 'continuous') {
-            const { phi_j, W } = this.slide(), at = this.gamma.map((_, k) => this.motion(k, W, -phi_j));
-            z = { x: at.map(([x]) => x), v: at.map(([, v]) => v) };
-        } else if (regime === 'permanent_sticking') {
-            const { X } = this.held();
-            z = { x: X.map(([re]) => re), v: X.map(([, im]) => 0 - im) };
-        } else {
-            ({ z, h, residual, half_periods } = this.steadyStickSlip(start));
-        }
+    // A state of the steady motion at tau = 0 where a formula gives it; null where it has to be searched for.
+    formula() {
+        const regime = this.regime();
+        if (regime === 'stick_slip') return null;
+        const held = regime === 'permanent_sticking' && this.held().X, { phi_j, W } = held ? {} : this.slide();
+        const at = this.gamma.map((_, k) => (held ? [held[k][0], 0 - held[k][1]] : this.motion(k, W, -phi_j)));
+        return { z: { x: at.map(([x]) => x), v: at.map(([, v]) => v) }, h: 1, residual: 0, half_periods: 0 };
+    }
+    // The steady motion over its period, in any regime: what the pages draw.
+    steady(fixed = this.formula() || this.steadyStickSlip()) {
+        const { j } = this, { z, h, residual, half_periods } = fixed, regime = this.regime();
         const periods = h % 2 ? h : h / 2, run = this.run(z, 0, 2 * PI * periods), period = 2 * PI * periods;
         const closes = max(...run.end.x.map((x, k) => abs(x - z.x[k])), ...run.end.v.map((v, k) => abs(v - z.v[k])));
         const stops = stopsOf(run.phases, period);
@@ -322,6 +334,6 @@ function stateAt({ phases }, tau) {
     let s = 0;
     while (s + 1 < steps.length && steps[s].tau + steps[s].length <= tau) ++s;
     const { h, a } = steps[s], t = (tau - steps[s].tau) / h;
-    return { direction, x: a.map((p) => valueAt(p, t)), v: a.map((p) => valueAt(derivative(p), t) / h) };
+    return { direction, x: a.map((p) => valueAt(p, t)), v: a.map((p) => slopeAt(p, t) / h) };
 }
 module.exports = { ContactMotion, stateAt, eliminated, zeros, valueAt, derivative, wrapped };
