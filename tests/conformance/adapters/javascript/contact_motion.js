@@ -73,6 +73,12 @@ class ContactMotion extends ClosedForm {
             modes.reduce((s, m) => s + 2 * m.zeta * m.r_n * r * gamma[a] * m.phi[a] * gamma[b] * m.phi[b], 0)));
         this.rate = max(1, ...modes.map((m) => m.r_n * (1 + 2 * m.zeta) / r));
     }
+    // The same system under another friction ratio: what does not depend on it is not computed again.
+    withFriction(beta) {
+        return Object.assign(Object.create(this), { beta, holds: this.mu * beta, evaluations: 0, steps: 0, found: undefined, known: undefined });
+    }
+    demand(modes) { return modes ? super.demand(modes) : (this.known_demand ??= super.demand()); }
+    regime() { return (this.known ??= super.regime()); }
     // Taylor coefficients of every displacement over [tau, tau + h], in powers of t = (time - tau) / h; direction 1, -1 or 0, held.
     // With `driven` false: those of a deviation, which neither force nor friction acts on.
     step(x, v, tau, h, direction, driven = true) {

@@ -1,0 +1,289 @@
+// What every page shares: the state in the address, the controls, pictures in SVG with their tables, what is announced and copied.
+'use strict';
+const { ContactMotion } = require('../../tests/conformance/adapters/javascript/contact_motion.js');
+
+const escaped = (text) => String(text).replace(/[&<>"]/g, (c) => ({ '&': '&amp;', '<': '&lt;', '>': '&gt;', '"': '&quot;' })[c]);
+const byId = (id) => document.getElementById(id);
+const list = (text) => String(text).split(',').map((word) => (word.trim() === '' ? NaN : Number(word)));
+const short = (x, digits = 6) => (Number.isFinite(x) ? String(Number(x.toPrecision(digits))) : 'none');
+const exactly = (x) => (Number.isFinite(x) ? x.toPrecision(12) : 'none');
+
+// The state is a flat record of words; the address holds those that are not the defaults.
+function stateOf(defaults, hash = location.hash) {
+    const state = { ...defaults };
+    for (const part of hash.replace(/^#/, '').split('&')) {
+        const [key, value] = part.split('=');
+        if (key in defaults && value !== undefined) state[key] = decodeURIComponent(value);
+    }
+    return state;
+}
+const hashOf = (state, defaults = {}) => '#' + Object.entries(state).filter(([key, value]) => String(value) !== String(defaults[key]))
+    .map(([key, value]) => key + '=' + encodeURIComponent(value).replace(/%2C/g, ',')).join('&');
+
+// The scene of a state, as `denhartog solve` takes it. Lists may be shorter than N: their last number goes on.
+const sceneDefaults = { N: 1, g: '1', k: '1', z: '0.05', j: 1, l: 1, mu: 1, r: 0.5, b: 0.4 };
+const sceneKeys = Object.keys(sceneDefaults);
+function sceneOf(state) {
+    const N = Number(state.N), filled = (text) => { const all = list(text); return Array.from({ length: N }, (_, n) => all[Math.min(n, all.length - 1)]); };
+    return { mass_ratios: filled(state.g), stiffness_ratios: filled(state.k), damping_ratios: filled(state.z), contact: Math.min(N, Number(state.j)),
+        load: Math.min(N, Number(state.l)), mu: Number(state.mu), r: Number(state.r), beta: Number(state.b) };
+}
+// The rule that a scene breaks, in words with the value; null where it breaks none.
+function brokenRule(scene) {
+    const say = (quantity, rule, value) => quantity + ' must ' + rule + ', but is ' + value;
+    const lists = [['mass_ratios', 'mass ratios'], ['stiffness_ratios', 'stiffness ratios']];
+    for (const [key, name] of lists) {
+        for (const [n, y] of scene[key].entries()) if (!(y > 0 && y < Infinity)) return say(name + ', number ' + (n + 1), 'be positive', y);
+        if (scene[key][0] !== 1) return say('the first of the ' + name, 'be 1', scene[key][0]);
+    }
+    for (const [n, y] of scene.damping_ratios.entries())
+        if (!(y >= 0 && y < Infinity)) return say('damping ratio ' + (n + 1), 'not be negative', y);
+    if (!(scene.mu >= 1 && scene.mu < Infinity)) return say('mu', 'be at least 1', scene.mu);
+    if (!(scene.r > 0 && scene.r < Infinity)) return say('r', 'be positive', scene.r);
+    if (!(scene.beta >= 0 && scene.beta < Infinity)) return say('beta', 'not be negative', scene.beta);
+    return null;
+}
+const commandOf = (scene, options = '') => `echo '${JSON.stringify(scene)}' | denhartog solve -${options}`;
+
+// The motion of a scene, shared out over frames: work(budget in milliseconds) goes on until { steady } is there.
+// Before that, `shown` is the motion over one period from where the search is.
+class Search {
+    constructor(scene, start = null, most = Infinity) { // most: half-periods after which it ends without an answer
+        this.motion = scene instanceof ContactMotion ? scene : new ContactMotion(scene);
+        this.left = most;
+        const found = this.motion.formula();
+        if (found) this.steady = this.shown = this.motion.steady(found);
+        else this.search = this.motion.search(start);
+    }
+    work(milliseconds) {
+        const end = performance.now() + milliseconds;
+        while (!this.steady && !this.failed) {
+            try {
+                const { done, value } = this.search.next();
+                if (done) this.steady = this.shown = this.motion.steady(value);
+                else this.at = value;
+            } catch (fault) {
+                this.failed = fault.message;
+            }
+            if (performance.now() > end || --this.left <= 0) break;
+        }
+        if (!this.steady && this.at) this.shown = this.motion.steady({ z: this.at, h: 1, residual: NaN, half_periods: 0 });
+        return !this.steady && !this.failed;
+    }
+}
+
+// Work that lasts longer than a frame: a generator whose steps are taken some milliseconds a frame; a later call ends the one before.
+function background(name, generator, done = () => {}) {
+    const key = {};
+    background.running ??= {};
+    background.running[name] = key;
+    const go = () => {
+        if (background.running[name] !== key) return;
+        const end = performance.now() + 10;
+        for (;;) {
+            if (generator.next().done) { delete background.running[name]; return done(); }
+            if (performance.now() > end) break;
+        }
+        setTimeout(go, 0);
+    };
+    setTimeout(go, 0);
+}
+const busy = () => Object.keys(background.running ?? {}).length > 0;
+
+// A range with its number field. The range may be a logarithm's; the number field takes what lies beyond the range.
+function control({ key, label, from, to, step, log = false, note = '' }) {
+    const range = log ? `min="${Math.log10(from)}" max="${Math.log10(to)}" step="0.005"` : `min="${from}" max="${to}" step="${step}"`;
+    return `<div class="control"><label for="number-${key}">${label}</label>
+<input type="range" id="range-${key}" ${range} aria-label="${escaped(label.replace(/<[^>]+>/g, ''))}, slider"${note ? ` aria-describedby="note-${key}"` : ''}>
+<input type="number" id="number-${key}" step="any" inputmode="decimal"></div>` + (note ? `<p class="note" id="note-${key}">${note}</p>` : '');
+}
+const choice = ({ key, label, options }) => `<div class="control"><label for="choice-${key}">${label}</label><select id="choice-${key}">` +
+    options.map(([value, text]) => `<option value="${escaped(value)}">${escaped(text)}</option>`).join('') + '</select></div>';
+const words = ({ key, label }) => `<div class="control"><label for="words-${key}">${label}</label>` +
+    `<input type="text" id="words-${key}" autocomplete="off" spellcheck="false"></div>`;
+const sceneControls = [
+    { key: 'r', label: 'frequency ratio <i>r</i>', from: 0.05, to: 3, step: 0.005 },
+    { key: 'b', label: 'friction ratio <i>β</i>', from: 0, to: 1.5, step: 0.005 },
+    { key: 'z', label: 'damping ratio <i>ζ</i>, all modes', from: 0, to: 0.5, step: 0.001 },
+    { key: 'mu', label: 'static over kinetic friction <i>μ</i>', from: 1, to: 2, step: 0.01 },
+    { key: 'N', label: 'masses <i>N</i>', from: 1, to: 5, step: 1, whole: true },
+    { key: 'j', label: 'mass in contact <i>j</i>', from: 1, to: 5, step: 1, whole: true, most: 'N' },
+    { key: 'l', label: 'loaded mass <i>l</i>', from: 1, to: 5, step: 1, whole: true, most: 'N' },
+];
+const sceneWords = [
+    { key: 'g', label: 'mass ratios <i>γ</i>' }, { key: 'k', label: 'stiffness ratios <i>κ</i>' },
+    { key: 'zs', label: 'damping ratios <i>ζ</i>, mode by mode', of: 'z' },
+];
+
+// Builds the controls of a page into #controls, keeps state and address, and calls `changed(state)` after each change.
+function controls({ defaults, own = [], choices = [], scene = true, keys = sceneControls.map((c) => c.key), presets = [], changed }) {
+    const ranges = [...own, ...(scene ? sceneControls.filter((c) => keys.includes(c.key)) : [])], texts = scene ? sceneWords : [];
+    let state = stateOf(defaults);
+    byId('controls').innerHTML = (presets.length ? choice({ key: 'preset', label: 'open', options: [['', 'a scene of the paper …'], ...presets.map(([name, hash]) => [hash, name])] }) : '') +
+        choices.map(choice).join('') + ranges.map(control).join('') +
+        (texts.length ? `<details><summary>Unequal masses, springs and damping</summary>${texts.map(words).join('')}
+<p class="note">Numbers with commas between them, from the first on. Where there are fewer than masses, the last one goes on.</p></details>` : '') +
+        '<p id="fault" role="alert"></p>';
+    const show = (except) => {
+        for (const { key, log } of ranges) {
+            const value = list(state[key])[0];
+            for (const [id, y] of [['range-' + key, log ? Math.log10(value) : value], ['number-' + key, value]]) if (byId(id) !== except) byId(id).value = y;
+            byId('range-' + key).setAttribute('aria-valuetext', short(value));
+        }
+        for (const { key, of = key } of texts) if (byId('words-' + key) !== except) byId('words-' + key).value = state[of];
+        for (const { key } of choices) byId('choice-' + key).value = state[key];
+        for (const { key, most } of ranges) if (most) for (const kind of ['range-', 'number-']) byId(kind + key).max = state[most];
+    };
+    const ruleBroken = (next) => {
+        for (const { key, label, from, to, whole, strict, free } of ranges) {
+            if (free && next[key] === '') continue;
+            const y = list(next[key])[0], name = label.replace(/<[^>]+>/g, '');
+            if (!Number.isFinite(y)) return name + ' must be a number, but is ' + (next[key] === '' ? 'empty' : next[key]);
+            if (whole && !(Number.isInteger(y) && y >= from && y <= to)) return `${name} must be a whole number from ${from} to ${to}, but is ${y}`;
+            if (strict && !(y >= from && y <= to)) return `${name} must be from ${from} to ${to}, but is ${y}`;
+        }
+        return scene ? brokenRule(sceneOf(next)) : null;
+    };
+    const take = (next, except) => {
+        const broken = ruleBroken(next);
+        byId('fault').textContent = broken ?? '';
+        if (broken) return;
+        if (scene) for (const key of ['j', 'l']) next[key] = Math.min(Number(next[key]), Number(next.N));
+        state = next;
+        show(except);
+        history.replaceState(null, '', hashOf(state, defaults) === '#' ? location.pathname : hashOf(state, defaults));
+        changed(state);
+    };
+    for (const { key, log } of ranges) {
+        byId('range-' + key).addEventListener('input', (e) => take({ ...state, [key]: log ? short(10 ** e.target.value, 4) : e.target.value }, e.target));
+        byId('number-' + key).addEventListener('input', (e) => take({ ...state, [key]: e.target.value }, e.target));
+    }
+    for (const { key, of = key } of texts) byId('words-' + key).addEventListener('change', (e) => take({ ...state, [of]: e.target.value.replace(/\s/g, '') }, e.target));
+    for (const { key } of choices) byId('choice-' + key).addEventListener('change', (e) => take({ ...state, [key]: e.target.value }));
+    if (presets.length) byId('choice-preset').addEventListener('change', (e) => { if (e.target.value) take(stateOf({ ...defaults }, e.target.value)); });
+    addEventListener('hashchange', () => take(stateOf(defaults)));
+    const set = (part) => take({ ...state, ...part });
+    take(state);
+    return { set, get: () => state };
+}
+
+// Says the last of several texts, politely, once nothing has changed for a while.
+function announce(text) {
+    clearTimeout(announce.timer);
+    announce.timer = setTimeout(() => { if (byId('status').textContent !== text) byId('status').textContent = text; }, 400);
+}
+function copies(scene, options = '') {
+    const texts = { 'copy-command': commandOf(scene, options), 'copy-scene': JSON.stringify(scene) };
+    byId('command').textContent = texts['copy-command'];
+    for (const [id, text] of Object.entries(texts)) byId(id).onclick = () => copied(text, byId(id));
+}
+async function copied(text, button) {
+    const said = button.textContent;
+    try {
+        await navigator.clipboard.writeText(text);
+    } catch {
+        const area = document.createElement('textarea');
+        area.value = text;
+        document.body.append(area);
+        area.select();
+        document.execCommand('copy');
+        area.remove();
+        button.focus();
+    }
+    byId('status').textContent = 'Copied.';
+    clearTimeout(button.timer);
+    button.textContent = 'Copied';
+    button.timer = setTimeout(() => { button.textContent = button.dataset.says ?? said; }, 1200);
+}
+
+// A table under a picture, filled while it is open.
+const tables = {};
+function table(id, heads, rows) {
+    tables[id] = { heads, rows };
+    if (byId(id)?.open) fill(id);
+}
+function fill(id) {
+    const { heads, rows } = tables[id], all = typeof rows === 'function' ? rows() : rows;
+    byId(id).querySelector('.table-box').innerHTML = `<table class="facts"><thead><tr>${heads.map((h) => `<th scope="col">${h}</th>`).join('')}</tr></thead><tbody>` +
+        all.map((row) => '<tr>' + row.map((cell) => `<td>${typeof cell === 'number' ? short(cell, 8) : escaped(cell)}</td>`).join('') + '</tr>').join('') + '</tbody></table>';
+}
+function openTables() {
+    for (const details of document.querySelectorAll('details.table-view')) {
+        const box = details.querySelector('.table-box');
+        box.tabIndex = 0;
+        box.setAttribute('role', 'region');
+        box.setAttribute('aria-label', details.querySelector('summary').textContent);
+        details.addEventListener('toggle', () => { if (details.open && tables[details.id]) fill(details.id); });
+    }
+}
+
+// Axes with round numbers.
+function ticks([from, to], most = 6) {
+    const raw = (to - from) / most, power = 10 ** Math.floor(Math.log10(raw)), step = power * [1, 2, 5, 10].find((s) => s * power >= raw);
+    const all = [];
+    for (let n = Math.ceil(from / step - 1e-9); n * step <= to + 1e-9 * step; ++n) all.push(Number((n * step).toPrecision(10)));
+    return all;
+}
+function span(values, around = 0.06, least = 1e-12) {
+    let low = Infinity, high = -Infinity;
+    for (const y of values) if (Number.isFinite(y)) { if (y < low) low = y; if (y > high) high = y; }
+    if (!(low <= high)) return [0, 1];
+    const more = Math.max((high - low) * around, least, Math.abs(high) * 1e-9);
+    return [low - more, high + more];
+}
+// Draws axes, bands, lines and marks into an <svg>: { x: { span, label, log }, y, bands: [[from, to]], lines: [{ points, name, style }], marks }.
+const shapes = { width: 640, height: 300, left: 62, right: 14, top: 14, bottom: 44 };
+function frameOf(id, { x, y, height = shapes.height }) {
+    const width = Math.max(260, Math.round(byId(id).clientWidth || shapes.width));
+    const { left, right, top, bottom } = shapes;
+    return { width, height, X: (v) => left + (v - x.span[0]) / (x.span[1] - x.span[0]) * (width - left - right),
+        Y: (v) => height - bottom - (v - y.span[0]) / (y.span[1] - y.span[0]) * (height - top - bottom) };
+}
+function plot(id, { x, y, bands = [], lines = [], marks = [], height, title, under = '', rules = [] }) {
+    const f = frameOf(id, { x, y, height }), { left, right, top, bottom } = shapes, out = [];
+    const xs = x.ticks ?? ticks(x.span, f.width < 500 ? 5 : 7), ys = y.ticks ?? ticks(y.span, 5);
+    const inside = (v, [a, b]) => v >= a - 1e-9 * (b - a) && v <= b + 1e-9 * (b - a);
+    const said = (axis, v) => (axis.log ? '10<tspan dy="-5" class="power">' + v + '</tspan>' : axis.says ? axis.says(v) : v);
+    out.push(`<title>${escaped(title)}</title>`, under);
+    for (const [from, to] of bands) {
+        const a = f.X(Math.max(from, x.span[0])), b = f.X(Math.min(to, x.span[1]));
+        if (b > a) out.push(`<rect class="band" x="${a.toFixed(1)}" y="${top}" width="${(b - a).toFixed(1)}" height="${f.height - top - bottom}"/>`);
+    }
+    for (const v of xs) if (inside(v, x.span)) out.push(`<line class="grid" x1="${f.X(v).toFixed(1)}" x2="${f.X(v).toFixed(1)}" y1="${top}" y2="${f.height - bottom}"/>`,
+        `<text class="tick" x="${f.X(v).toFixed(1)}" y="${f.height - bottom + 17}" text-anchor="middle">${said(x, v)}</text>`);
+    for (const v of ys) if (inside(v, y.span)) out.push(`<line class="grid" x1="${left}" x2="${f.width - right}" y1="${f.Y(v).toFixed(1)}" y2="${f.Y(v).toFixed(1)}"/>`,
+        `<text class="tick" x="${left - 7}" y="${(f.Y(v) + 4).toFixed(1)}" text-anchor="end">${said(y, v)}</text>`);
+    out.push(`<rect class="frame" x="${left}" y="${top}" width="${f.width - left - right}" height="${f.height - top - bottom}"/>`,
+        `<text class="axis" x="${(left + f.width - right) / 2}" y="${f.height - 6}" text-anchor="middle">${x.label}</text>`,
+        `<text class="axis" x="14" y="${(top + f.height - bottom) / 2}" text-anchor="middle" transform="rotate(-90 14 ${(top + f.height - bottom) / 2})">${y.label}</text>`,
+        `<g clip-path="url(#clip-${id})"><clipPath id="clip-${id}"><rect x="${left}" y="${top}" width="${f.width - left - right}" height="${f.height - top - bottom}"/></clipPath>`);
+    for (const { points, style } of lines) out.push(`<path class="line ${style}" d="${pathOf(points, f, y.span)}"/>`);
+    for (const { at, style } of rules) out.push(`<line class="rule ${style ?? ''}" x1="${f.X(at).toFixed(1)}" x2="${f.X(at).toFixed(1)}" y1="${top}" y2="${f.height - bottom}"/>`);
+    for (const { at: [a, b], style = '', size = 5, id: name } of marks) if (Number.isFinite(a) && Number.isFinite(b))
+        out.push(`<circle class="mark ${style}"${name ? ` id="${name}"` : ''} cx="${f.X(a).toFixed(1)}" cy="${f.Y(b).toFixed(1)}" r="${size}"/>`);
+    out.push('</g>');
+    const svg = byId(id);
+    svg.setAttribute('viewBox', `0 0 ${f.width} ${f.height}`);
+    svg.style.height = f.height + 'px';
+    svg.setAttribute('role', 'img');
+    svg.setAttribute('aria-label', title);
+    svg.innerHTML = out.join('');
+    return f;
+}
+function pathOf(points, f, [low, high]) {
+    let d = '', pen = 'M';
+    const far = 3 * (high - low);
+    for (const [a, b] of points) {
+        if (!Number.isFinite(b) || !Number.isFinite(a)) { pen = 'M'; continue; }
+        d += pen + f.X(a).toFixed(1) + ' ' + f.Y(Math.max(low - far, Math.min(high + far, b))).toFixed(1);
+        pen = 'L';
+    }
+    return d;
+}
+const legend = (id, lines) => {
+    byId(id).innerHTML = lines.map(({ name, style }) => `<li><svg class="sample" viewBox="0 0 26 10" aria-hidden="true"><path class="line ${style}" d="M1 5H25"/></svg>${name}</li>`).join('');
+};
+const equationLink = (eq) => `<a href="../eq_${eq.replace('.', '_')}.html">(${eq})</a>`;
+
+module.exports = { escaped, byId, list, short, exactly, stateOf, hashOf, sceneDefaults, sceneKeys, sceneOf, brokenRule, commandOf, Search, background, busy,
+    controls, announce, copies, table, openTables, ticks, span, plot, pathOf, legend, frameOf, shapes, equationLink };
