@@ -10,7 +10,7 @@ const samples = 256, most = 400000;
 const methods = {
     rk: { name: 'Runge-Kutta with events', style: 'm2', mark: 'c2', others: [1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-8], says: (y) => 'tolerance ' + y,
         run: (scene, y, state) => A.rungeKutta(scene, { tolerance: y, periods: Number(state.periods), samples, most }) },
-    tanh: { name: 'friction by tanh', style: 'm4', mark: 'c1', others: [0.3, 0.1, 0.03, 0.01, 3e-3], says: (y) => 'ε = ' + y,
+    tanh: { name: 'friction by tanh', style: 'm4', mark: 'c4', others: [0.3, 0.1, 0.03, 0.01, 3e-3], says: (y) => 'ε = ' + y,
         run: (scene, y, state) => A.regularised(scene, { epsilon: y, tolerance: Number(state.tol), periods: Number(state.periods), samples, most }) },
     hb: { name: 'harmonic balance', style: 'm3', mark: 'c3', others: [1, 3, 5, 7, 9, 13, 17, 25], says: (y) => y + (y === 1 ? ' harmonic' : ' harmonics, odd ones'),
         run: (scene, y) => A.harmonicBalance(scene, { harmonics: y, samples }) },

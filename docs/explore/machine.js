@@ -55,7 +55,7 @@ module.exports = function machine() {
         const limits = { exact: motion.beta_lim(motion.demand()), paper: motion.beta_lim(motion.S_dj()), approximate: motion.beta_lim(0), sticking: motion.held().limit };
         const reason = reasonOf(shown.regime, motion, limits);
         const state = failed ? ' ' + failed + '; the pictures show where the search ended.' : steady ? '' : ' The search for the steady motion goes on; the pictures show where it is.';
-        byId('regime').innerHTML = `<strong>${names[shown.regime]}.</strong> ${P.escaped(reason + state)}`;
+        byId('regime').innerHTML = `<strong>${names[shown.regime]}.</strong> ${P.escaped(reason + state).replace(/β_lim/g, 'β<sub>lim</sub>')}`;
         byId('regime').dataset.regime = steady ? shown.regime : 'searching';
         picture = { scene, motion, shown, all, scale: Math.max(1e-9, ...all.flatMap((s) => s.x.map(Math.abs))) };
         const bands = shown.stops.flatMap(({ from, to }) => [[from, to], [from - shown.period, to - shown.period]]);
@@ -89,7 +89,7 @@ module.exports = function machine() {
         const stops = shown.regime === 'permanent_sticking' ? 0 : shown.stops.length / shown.periods;
         byId('numbers').innerHTML = `<table class="facts"><thead><tr><th scope="col">mass</th><th scope="col">amplitude</th><th scope="col">phase</th></tr></thead><tbody>` +
             shown.masses.map((m, k) => `<tr><th scope="row">${k + 1}${k + 1 === j ? ', contact' : ''}</th>${cell('amplitude-' + (k + 1), m.amplitude)}${cell('phase-' + (k + 1), m.amplitude > 0 ? m.lag : NaN)}</tr>`).join('') +
-            `</tbody></table><table class="facts"><tbody><tr><th scope="row">stops per period</th>${cell('stops', stops)}</tr>
+            `</tbody></table><table class="facts"><tbody><tr><th scope="row">stops per period</th><td data-number="stops">${steady ? short(stops) : '…'}</td></tr>
 <tr><th scope="row"><i>β</i><sub>lim</sub> exact</th>${cell('beta_lim_exact', limits.exact)}</tr><tr><th scope="row"><i>β</i><sub>lim</sub> with ${P.equationLink('56')}</th>${cell('beta_lim_paper', limits.paper)}</tr>
 <tr><th scope="row"><i>β</i><sub>lim</sub> approximate, ${P.equationLink('67')}</th>${cell('beta_lim_approximate', limits.approximate)}</tr><tr><th scope="row">never moves from <i>β</i> =</th>${cell('beta_sticking', limits.sticking)}</tr></tbody></table>` +
             (shown.regime === 'stick_slip' ? `<table class="facts"><thead><tr><th scope="col">rest from <i>τ</i></th><th scope="col">to</th><th scope="col">at</th></tr></thead><tbody>` +
@@ -99,10 +99,10 @@ the search evaluated ${search.motion.evaluations} Taylor coefficients.</p>` : ''
     };
     // The drawing: what stands still once a scene, what moves in groups of its own.
     const draw = (scene) => {
-        const svg = byId('machine'), N = scene.mass_ratios.length, width = Math.max(260, svg.clientWidth || 640), height = 190, left = 26, gap = (width - left - 14) / N, body = Math.min(64, gap * 0.42);
-        picture.geometry = { left, gap, body, height, travel: Math.min(gap - body, 90) * 0.36, base: 108 };
+        const svg = byId('machine'), N = scene.mass_ratios.length, width = Math.max(260, svg.clientWidth || 640), height = 190, left = 26, gap = Math.min(260, (width - left - 10) / N), body = Math.min(64, gap * 0.4);
+        picture.geometry = { left, gap, body, height, travel: Math.min(gap - body, 100) * 0.3, base: 108 };
         const hatch = (x1, x2, y) => Array.from({ length: Math.floor((x2 - x1) / 7) }, (_, n) => `<line class="hatch" x1="${x1 + 7 * n}" x2="${x1 + 7 * n + 7}" y1="${y + 8}" y2="${y}"/>`).join('');
-        const place = (k) => left + gap * (k + 1) - body / 2 - 4, { base, travel } = picture.geometry, j = scene.contact - 1, wall = [place(j) - body / 2 - travel - 8, place(j) + body / 2 + travel + 8];
+        const place = (k) => left + gap * (k + 0.58), { base, travel } = picture.geometry, j = scene.contact - 1, wall = [place(j) - body / 2 - travel - 4, place(j) + body / 2 + travel + 4];
         let out = `<title>${N} masses in a chain, contact on mass ${scene.contact}, load on mass ${scene.load}</title><line class="ground" x1="${left}" x2="${left}" y1="40" y2="130"/>` +
             Array.from({ length: 11 }, (_, n) => `<line class="hatch" x1="${left - 9}" x2="${left}" y1="${50 + 8 * n}" y2="${42 + 8 * n}"/>`).join('') +
             `<line class="ground" x1="${wall[0]}" x2="${wall[1]}" y1="${base + 34}" y2="${base + 34}"/>` + hatch(wall[0], wall[1], base + 36);

@@ -116,8 +116,8 @@ const sceneWords = [
 ];
 
 // Builds the controls of a page into #controls, keeps state and address, and calls `changed(state)` after each change.
-function controls({ defaults, own = [], choices = [], scene = true, keys = sceneControls.map((c) => c.key), presets = [], changed }) {
-    const ranges = [...own, ...(scene ? sceneControls.filter((c) => keys.includes(c.key)) : [])], texts = scene ? sceneWords : [];
+function controls({ defaults, own = [], after = [], choices = [], scene = true, presets = [], changed }) {
+    const ranges = [...own, ...(scene ? sceneControls : []), ...after], texts = scene ? sceneWords : [];
     let state = stateOf(defaults);
     byId('controls').innerHTML = (presets.length ? choice({ key: 'preset', label: 'open', options: [['', 'a scene of the paper …'], ...presets.map(([name, hash]) => [hash, name])] }) : '') +
         choices.map(choice).join('') + ranges.map(control).join('') +
@@ -254,10 +254,14 @@ function plot(id, { x, y, bands = [], lines = [], marks = [], height, title, und
     for (const v of ys) if (inside(v, y.span)) out.push(`<line class="grid" x1="${left}" x2="${f.width - right}" y1="${f.Y(v).toFixed(1)}" y2="${f.Y(v).toFixed(1)}"/>`,
         `<text class="tick" x="${left - 7}" y="${(f.Y(v) + 4).toFixed(1)}" text-anchor="end">${said(y, v)}</text>`);
     out.push(`<rect class="frame" x="${left}" y="${top}" width="${f.width - left - right}" height="${f.height - top - bottom}"/>`,
-        `<text class="axis" x="${(left + f.width - right) / 2}" y="${f.height - 6}" text-anchor="middle">${x.label}</text>`,
-        `<text class="axis" x="14" y="${(top + f.height - bottom) / 2}" text-anchor="middle" transform="rotate(-90 14 ${(top + f.height - bottom) / 2})">${y.label}</text>`,
+        `<text class="axis" x="${(left + f.width - right) / 2}" y="${f.height - 6}" text-anchor="middle">${indexed(x.label)}</text>`,
+        `<text class="axis" x="14" y="${(top + f.height - bottom) / 2}" text-anchor="middle" transform="rotate(-90 14 ${(top + f.height - bottom) / 2})">${indexed(y.label)}</text>`,
         `<g clip-path="url(#clip-${id})"><clipPath id="clip-${id}"><rect x="${left}" y="${top}" width="${f.width - left - right}" height="${f.height - top - bottom}"/></clipPath>`);
-    for (const { points, style } of lines) out.push(`<path class="line ${style}" d="${pathOf(points, f, y.span)}"/>`);
+    for (const { points, style } of lines) {
+        const d = pathOf(points, f, y.span);
+        if (style.includes('over')) out.push(`<path class="halo" d="${d}"/>`); // over colours
+        out.push(`<path class="line ${style}" d="${d}"/>`);
+    }
     for (const { at, style } of rules) out.push(`<line class="rule ${style ?? ''}" x1="${f.X(at).toFixed(1)}" x2="${f.X(at).toFixed(1)}" y1="${top}" y2="${f.height - bottom}"/>`);
     for (const { at: [a, b], style = '', size = 5, id: name } of marks) if (Number.isFinite(a) && Number.isFinite(b))
         out.push(`<circle class="mark ${style}"${name ? ` id="${name}"` : ''} cx="${f.X(a).toFixed(1)}" cy="${f.Y(b).toFixed(1)}" r="${size}"/>`);
@@ -280,10 +284,13 @@ function pathOf(points, f, [low, high]) {
     }
     return d;
 }
+// x_k and the like, with their indices low; for pictures and for text.
+const indexed = (text) => text.replace(/_([A-Za-z0-9∞]+)/g, '<tspan dy="3" class="power">$1</tspan><tspan dy="-3">\u200b</tspan>');
+const lowered = (text) => text.replace(/_([A-Za-z0-9∞]+)/g, '<sub>$1</sub>');
 const legend = (id, lines) => {
     byId(id).innerHTML = lines.map(({ name, style }) => `<li><svg class="sample" viewBox="0 0 26 10" aria-hidden="true"><path class="line ${style}" d="M1 5H25"/></svg>${name}</li>`).join('');
 };
 const equationLink = (eq) => `<a href="../eq_${eq.replace('.', '_')}.html">(${eq})</a>`;
 
 module.exports = { escaped, byId, list, short, exactly, stateOf, hashOf, sceneDefaults, sceneKeys, sceneOf, brokenRule, commandOf, Search, background, busy,
-    controls, announce, copies, table, openTables, ticks, span, plot, pathOf, legend, frameOf, shapes, equationLink };
+    controls, announce, copies, table, openTables, ticks, span, plot, pathOf, legend, lowered, shapes, equationLink };

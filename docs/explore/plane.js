@@ -52,7 +52,7 @@ module.exports = function plane() {
     let drawn = '', state = null, scene = null, curves = [], cells = null, f = null, slices = null, kept = null;
     const counters = { cells: 0, renders: 0 };
     byId('switches').insertAdjacentHTML('beforeend', switches.map(({ key, name, style }) =>
-        `<label><input type="checkbox" id="on-${key}"><svg class="sample" viewBox="0 0 26 10" aria-hidden="true"><path class="line ${style}" d="M1 5H25"/></svg>${name.replace(/\((\d+)\)/, (_, eq) => P.equationLink(eq))}</label>`).join(''));
+        `<label><input type="checkbox" id="on-${key}"><svg class="sample" viewBox="0 0 26 10" aria-hidden="true"><path class="line ${style}" d="M1 5H25"/></svg><span>${name.replace(/\((\d+)\)/, (_, eq) => P.equationLink(eq))}</span></label>`).join(''));
     for (const { key } of switches) byId('on-' + key).onchange = (e) => kept.set({ on: state.on.replace(key, '') + (e.target.checked ? key : '') });
 
     const rs = (n) => Array.from({ length: n }, (_, i) => 0.02 + (Number(state.rmax) - 0.02) * (i + 0.5) / n);
@@ -104,12 +104,11 @@ Sliding ends at β = <span data-number="beta_lim_exact">${P.exactly(lim)}</span>
             }
     }
     function* both() {
-        const atR = [], atB = [], { r, beta } = scene, c = new ContactMotion(scene), low = 0.02;
+        const atR = [], atB = [], { beta } = scene, c = new ContactMotion(scene), low = 0.02;
         slices = { atR, atB };
         yield* seenOver(bs(90), (b) => c.withFriction(b), state.q, atB);
         drawSlices();
         yield* seenOver(Array.from({ length: 140 }, (_, n) => low + (Number(state.rmax) - low) * (n + 0.5) / 140), (x) => new ContactMotion({ ...scene, r: x, beta }), state.q, atR);
-        void r;
     }
     const quantityName = () => (state.q === 'stops' ? 'stops per period' : state.q === '0' ? 'amplitude of the contact' : 'amplitude of mass ' + min(Number(state.q), Number(state.N)));
     const draw = () => {
@@ -168,7 +167,7 @@ Sliding ends at β = <span data-number="beta_lim_exact">${P.exactly(lim)}</span>
     });
     kept = P.controls({ defaults, presets, changed: (s) => changed(s),
         choices: [{ key: 'q', label: 'colour and slices show', options: [['0', 'amplitude of the contact'], ...[1, 2, 3, 4, 5].map((k) => [String(k), 'amplitude of mass ' + k]), ['stops', 'stops per period']] }],
-        own: [{ key: 'rmax', label: 'plane up to <i>r</i> =', from: 0.2, to: 6, step: 0.1, strict: true }, { key: 'bmax', label: 'plane up to <i>β</i> =', from: 0.1, to: 3, step: 0.05, strict: true }] });
+        after: [{ key: 'rmax', label: 'plane up to <i>r</i> =', from: 0.2, to: 6, step: 0.1, strict: true }, { key: 'bmax', label: 'plane up to <i>β</i> =', from: 0.1, to: 3, step: 0.05, strict: true }] });
     addEventListener('resize', () => { draw(); if (slices) drawSlices(); });
     return { set: kept.set, get: kept.get, counters, busy: P.busy };
 };

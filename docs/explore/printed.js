@@ -101,7 +101,7 @@ function atResonance(c, i, k) {
 }
 const motionOver = (scene) => { let found; return (tau, k) => stateAt(found ??= new ContactMotion(scene).steady(), tau).x[k]; };
 
-const tauHalf = { name: 'τ', label: 'τ, from the maximum of x<tspan dy="3" class="power">j</tspan>', from: 0, to: PI, key: null };
+const tauHalf = { name: 'τ', label: 'τ, from the maximum of x_j', from: 0, to: PI, key: null };
 const over = { tau: tauHalf, r: { name: 'r', label: 'frequency ratio r', from: 0.1, to: 2.5, key: 'r' },
     beta: { name: 'β', label: 'friction ratio β', from: 0, to: 1, key: 'b' }, mu: { name: 'μ', label: 'static over kinetic friction μ', from: 1, to: 2, key: 'mu' } };
 const two = 'N=2&g=1&k=1&z=0.1&j=2&l=1&r=0.9&b=0.2';

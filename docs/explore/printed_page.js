@@ -22,10 +22,10 @@ module.exports = function printed() {
         }
         for (const id of ['range-x', 'number-x']) { byId(id).min = from; byId(id).max = to; }
         byId('range-x').step = (to - from) / 200;
-        if (!key && !(Number(state.x) >= from && Number(state.x) <= to)) state.x = entry.over.at ?? short((from + to) / 3, 4);
+        if (!key && !(state.x !== '' && Number(state.x) >= from && Number(state.x) <= to)) state.x = entry.over.at ?? short((from + to) / 3, 4);
         position = key ? axis : Number(state.x);
         byId('range-x').value = byId('number-x').value = position;
-        byId('label-x').textContent = entry.over.name;
+        byId('label-x').innerHTML = P.lowered(entry.over.name);
         const c = F.exactly(F.at(entry, scene, position)), y = ['printed', 'corrected'].map((form) => F.value(entry, entry[form], c, position, k, i));
         counters.values += 2;
         const loss = Math.abs(y[0] - y[1]) / Math.abs(y[1]), rows = entry.eq.map(ledgerOf), row = rows[0];
@@ -35,8 +35,8 @@ module.exports = function printed() {
             (Number.isFinite(r.loss) && r.loss !== null ? `, loss over the run’s scenes ${short(r.loss, 3)}` : '') : `${P.equationLink(entry.eq[n])}: no run of the derivation is at hand, so its verdict is not known here`)).join('; ') + '.';
         byId('how').textContent = entry.how;
         byId('latex').textContent = rows.map((r) => (r.statement ? `(${r.equation}) printed:   ${r.statement}\n(${r.equation}) corrected: ${r.correction || r.statement}` : '')).join('\n') || 'The forms are in the ledger of a run.';
-        byId('numbers').innerHTML = `<table class="facts"><thead><tr><th scope="col">at ${entry.over.name} = ${short(position)}</th><th scope="col">as printed</th><th scope="col">as corrected</th><th scope="col">loss, relative</th></tr></thead>
-<tbody><tr><th scope="row">${entry.y}</th><td data-number="printed">${P.exactly(y[0])}</td><td data-number="corrected">${P.exactly(y[1])}</td><td data-number="loss">${short(loss, 6)}</td></tr></tbody></table>`;
+        byId('numbers').innerHTML = `<table class="facts"><thead><tr><th scope="col">at ${P.lowered(entry.over.name)} = ${short(position)}</th><th scope="col">as printed</th><th scope="col">as corrected</th><th scope="col">loss, relative</th></tr></thead>
+<tbody><tr><th scope="row">${P.lowered(entry.y)}</th><td data-number="printed">${P.exactly(y[0])}</td><td data-number="corrected">${P.exactly(y[1])}</td><td data-number="loss">${short(loss, 6)}</td></tr></tbody></table>`;
         P.announce(`Equation ${entry.eq.join(' and ')}: ${short(y[0], 5)} as printed, ${short(y[1], 5)} as corrected.`);
         const now = JSON.stringify([entry.eq, scene.mass_ratios, scene.stiffness_ratios, scene.damping_ratios, scene.contact, scene.load, key === 'mu' ? 0 : scene.mu, key === 'r' ? 0 : scene.r, key === 'b' ? 0 : scene.beta, k, i]);
         if (now !== drawn) {
