@@ -4,45 +4,115 @@ const D = require('./digits.js');
 const P = require('./page.js');
 const { byId, short } = P;
 
-const at = (n, d) => 1 / (2 * n + 1) * (1 + d);
-const parts = [['u', '(28)', '<i>u</i>'], ['g', '(29)', '<i>g</i>']];
+const at = (n, d) => (1 / (2 * n + 1)) * (1 + d);
+const parts = [
+    ['u', '(28)', '<i>u</i>'],
+    ['g', '(29)', '<i>g</i>'],
+];
 // The digits of both functions in both forms.
 function left(R, zeta) {
     const exact = D.reference(R, zeta);
     if (!exact) return [NaN, NaN, NaN, NaN];
-    return ['u', 'g'].flatMap((key) => [D.digitsOf(D.printed(R, zeta)[key], exact[key]), D.digitsOf(D.shipped(R, zeta)[key], exact[key])]);
+    return ['u', 'g'].flatMap((key) => [
+        D.digitsOf(D.printed(R, zeta)[key], exact[key]),
+        D.digitsOf(D.shipped(R, zeta)[key], exact[key]),
+    ]);
 }
-const lines = [{ name: '<i>u</i> as printed', style: 'wrong' }, { name: '<i>u</i> as shipped', style: 'right' }, { name: '<i>g</i> as printed', style: 'm4' }, { name: '<i>g</i> as shipped', style: 'm1' }];
+const lines = [
+    { name: '<i>u</i> as printed', style: 'wrong' },
+    { name: '<i>u</i> as shipped', style: 'right' },
+    { name: '<i>g</i> as printed', style: 'm4' },
+    { name: '<i>g</i> as shipped', style: 'm1' },
+];
 
 module.exports = function digits() {
-    const defaults = { n: 0, d: 1e-6, z: 1e-7, side: '1' }, counters = { renders: 0, references: 0 };
-    let curves = { d: [], z: [] }, drawn = '', here = null;
+    const defaults = { n: 0, d: 1e-6, z: 1e-7, side: '1' },
+        counters = { renders: 0, references: 0 };
+    let curves = { d: [], z: [] },
+        drawn = '',
+        here = null;
     const changed = (state) => {
-        const n = Number(state.n), d = Number(state.side) * Number(state.d), zeta = Number(state.z), R = at(n, d), exact = D.reference(R, zeta);
+        const n = Number(state.n),
+            d = Number(state.side) * Number(state.d),
+            zeta = Number(state.z),
+            R = at(n, d),
+            exact = D.reference(R, zeta);
         ++counters.references;
         here = { n, d: Math.abs(d), zeta };
-        P.copies({ mass_ratios: [1], stiffness_ratios: [1], damping_ratios: [zeta], contact: 1, load: 1, mu: 1, r: R, beta: 0.25 });
+        P.copies({
+            mass_ratios: [1],
+            stiffness_ratios: [1],
+            damping_ratios: [zeta],
+            contact: 1,
+            load: 1,
+            mu: 1,
+            r: R,
+            beta: 0.25,
+        });
         const forms = { printed: D.printed(R, zeta), shipped: D.shipped(R, zeta) };
-        byId('regime').innerHTML = `<strong><i>R</i> = ${R}</strong>, ${d === 0 ? 'the double nearest to' : short(Math.abs(d), 3) + (d > 0 ? ' above' : ' below')} 1/${2 * n + 1}; <i>ζ</i> = ${zeta}.`;
-        byId('numbers').innerHTML = `<table class="facts"><thead><tr><th scope="col"></th><th scope="col">as printed</th><th scope="col">as shipped</th><th scope="col">reference</th></tr></thead><tbody>` + parts.map(([key, eq, name]) =>
-            `<tr><th scope="row">${name}, ${P.equationLink(eq.slice(1, -1))}</th><td data-number="${key}-printed">${forms.printed[key]}</td><td data-number="${key}-shipped">${forms.shipped[key]}</td><td data-number="${key}-reference">${exact ? exact[key] : 'a pole'}</td></tr>
+        byId('regime').innerHTML =
+            `<strong><i>R</i> = ${R}</strong>, ${d === 0 ? 'the double nearest to' : short(Math.abs(d), 3) + (d > 0 ? ' above' : ' below')} 1/${2 * n + 1}; <i>ζ</i> = ${zeta}.`;
+        byId('numbers').innerHTML =
+            `<table class="facts"><thead><tr><th scope="col">function</th><th scope="col">as printed</th><th scope="col">as shipped</th><th scope="col">reference</th></tr></thead><tbody>` +
+            parts
+                .map(
+                    ([key, eq, name]) =>
+                        `<tr><th scope="row">${name}, ${P.equationLink(eq.slice(1, -1))}</th><td data-number="${key}-printed">${forms.printed[key]}</td><td data-number="${key}-shipped">${forms.shipped[key]}</td><td data-number="${key}-reference">${exact ? exact[key] : 'a pole'}</td></tr>
 <tr><th scope="row">digits left</th>${['printed', 'shipped'].map((f) => `<td>${exact ? D.digitsOf(forms[f][key], exact[key]).toFixed(1) : '…'}</td>`).join('')}<td></td></tr>
-<tr><th scope="row">units in the last place off</th>${['printed', 'shipped'].map((f) => `<td data-number="${key}-${f}-units">${exact ? said(D.unitsApart(forms[f][key], exact[key])) : '…'}</td>`).join('')}<td></td></tr>`).join('') + '</tbody></table>';
-        byId('bits').innerHTML = !exact ? '<p>The reference has no value at the pole.</p>' : parts.map(([key, eq, name]) => ['reference', 'shipped', 'printed'].map((form) => {
-            const y = form === 'reference' ? exact[key] : forms[form][key], b = D.bitsOf(y), e = D.bitsOf(exact[key]), differ = [...b].filter((bit, i) => bit !== e[i]).length;
-            const marked = (from, to) => [...b.slice(from, to)].map((bit, i) => (bit !== e[from + i] ? `<b>${bit}</b>` : bit)).join('').replace(/<\/b><b>/g, '');
-            return `<p>${name}, ${form === 'reference' ? 'reference' : 'as ' + form}${form === 'reference' ? '' : `: ${differ} of 64 bits differ`}<br><span class="part">${marked(0, 1)}</span><span class="part">${marked(1, 12)}</span><span class="part">${marked(12, 64)}</span></p>`;
-        }).join('')).join('');
-        if (exact) P.announce(parts.map(([key, eq]) => `${eq}: ${D.digitsOf(forms.printed[key], exact[key]).toFixed(1)} digits as printed, ${D.digitsOf(forms.shipped[key], exact[key]).toFixed(1)} as shipped`).join('. ') + '.');
+<tr><th scope="row">units in the last place off</th>${['printed', 'shipped'].map((f) => `<td data-number="${key}-${f}-units">${exact ? said(D.unitsApart(forms[f][key], exact[key])) : '…'}</td>`).join('')}<td></td></tr>`,
+                )
+                .join('') +
+            '</tbody></table>';
+        byId('bits').innerHTML = !exact
+            ? '<p>The reference has no value at the pole.</p>'
+            : parts
+                  .map(([key, eq, name]) =>
+                      ['reference', 'shipped', 'printed']
+                          .map((form) => {
+                              const y = form === 'reference' ? exact[key] : forms[form][key],
+                                  b = D.bitsOf(y),
+                                  e = D.bitsOf(exact[key]),
+                                  differ = [...b].filter((bit, i) => bit !== e[i]).length;
+                              const marked = (from, to) =>
+                                  [...b.slice(from, to)]
+                                      .map((bit, i) => (bit !== e[from + i] ? `<b>${bit}</b>` : bit))
+                                      .join('')
+                                      .replace(/<\/b><b>/g, '');
+                              return `<p>${name}, ${form === 'reference' ? 'reference' : 'as ' + form}${form === 'reference' ? '' : `: ${differ} of 64 bits differ`}<br><span class="part">${marked(0, 1)}</span><span class="part">${marked(1, 12)}</span><span class="part">${marked(12, 64)}</span></p>`;
+                          })
+                          .join(''),
+                  )
+                  .join('');
+        if (exact)
+            P.announce(
+                parts
+                    .map(
+                        ([key, eq]) =>
+                            `${eq}: ${D.digitsOf(forms.printed[key], exact[key]).toFixed(1)} digits as printed, ${D.digitsOf(forms.shipped[key], exact[key]).toFixed(1)} as shipped`,
+                    )
+                    .join('. ') + '.',
+            );
         const now = JSON.stringify([n, state.side, d, zeta]);
         if (now !== drawn) {
             drawn = now;
-            const own = curves = { d: [], z: [] };
-            P.background('curves', (function* () {
-                for (let p = -15; p <= -0.5; p += 0.125) { own.d.push([p, ...left(at(n, Number(state.side) * 10 ** p), zeta)]); ++counters.references; yield; }
-                if (own === curves) draw();
-                for (let p = -15; p <= -0.25; p += 0.125) { own.z.push([p, ...left(R, 10 ** p)]); ++counters.references; yield; }
-            })(), draw);
+            const own = (curves = { d: [], z: [] });
+            P.background(
+                'curves',
+                (function* () {
+                    for (let p = -15; p <= -0.5; p += 0.125) {
+                        own.d.push([p, ...left(at(n, Number(state.side) * 10 ** p), zeta)]);
+                        ++counters.references;
+                        yield;
+                    }
+                    if (own === curves) draw();
+                    for (let p = -15; p <= -0.25; p += 0.125) {
+                        own.z.push([p, ...left(R, 10 ** p)]);
+                        ++counters.references;
+                        yield;
+                    }
+                })(),
+                draw,
+            );
         }
         draw();
     };
@@ -50,16 +120,44 @@ module.exports = function digits() {
     const draw = () => {
         ++counters.renders;
         P.legend('legend', lines);
-        for (const [id, points, label, mark] of [['over-d', curves.d, 'distance of R from the pole, relative', here.d], ['over-z', curves.z, 'ζ', here.zeta]]) {
+        for (const [id, points, label, mark] of [
+            ['over-d', curves.d, 'distance of R from the pole, relative', here.d],
+            ['over-z', curves.z, 'ζ', here.zeta],
+        ]) {
             if (points.length < 2) continue;
-            P.plot(id, { x: { span: [-15, 0], label, log: true, ticks: [-15, -12, -9, -6, -3, 0] }, y: { span: [-0.5, 16.8], label: 'digits', ticks: [0, 4, 8, 12, 16] }, height: 250, rules: [{ at: mark > 0 ? Math.log10(mark) : -15 }],
-                lines: lines.map(({ style }, n) => ({ style: style + ' thin', points: points.map((p) => [p[0], p[n + 1]]) })), title: `Digits that the forms of (28) and (29) keep over ${label}` });
-            P.table(id + '-table', [label, 'u as printed', 'u as shipped', 'g as printed', 'g as shipped'], () => points.filter((_, n) => n % 4 === 0).map(([p, ...y]) => ['1e' + p, ...y]));
+            P.plot(id, {
+                x: { span: [-15, 0], label, log: true, ticks: [-15, -12, -9, -6, -3, 0] },
+                y: { span: [-0.5, 16.8], label: 'digits', ticks: [0, 4, 8, 12, 16] },
+                height: 250,
+                rules: [{ at: mark > 0 ? Math.log10(mark) : -15 }],
+                lines: lines.map(({ style }, n) => ({ style: style + ' thin', points: points.map((p) => [p[0], p[n + 1]]) })),
+                title: `Digits that the forms of (28) and (29) keep over ${label}`,
+            });
+            P.table(id + '-table', [label, 'u as printed', 'u as shipped', 'g as printed', 'g as shipped'], () =>
+                points.filter((_, n) => n % 4 === 0).map(([p, ...y]) => ['1e' + p, ...y]),
+            );
         }
     };
-    const kept = P.controls({ defaults, scene: false, changed, choices: [{ key: 'side', label: 'side of the pole', options: [['1', 'above'], ['-1', 'below']] }], own: [
-        { key: 'n', label: 'pole <i>n</i>, at 1/(2<i>n</i>+1)', from: 0, to: 20, step: 1, whole: true }, { key: 'd', label: 'distance of <i>R</i> from the pole, relative', from: 1e-15, to: 0.3, log: true, strict: true },
-        { key: 'z', label: 'damping ratio <i>ζ</i>', from: 1e-15, to: 0.9, log: true, strict: true }] });
+    const kept = P.controls({
+        defaults,
+        scene: false,
+        changed,
+        choices: [
+            {
+                key: 'side',
+                label: 'side of the pole',
+                options: [
+                    ['1', 'above'],
+                    ['-1', 'below'],
+                ],
+            },
+        ],
+        own: [
+            { key: 'n', label: 'pole <i>n</i>, at 1/(2<i>n</i>+1)', from: 0, to: 20, step: 1, whole: true },
+            { key: 'd', label: 'distance of <i>R</i> from the pole, relative', from: 1e-15, to: 0.3, log: true, strict: true },
+            { key: 'z', label: 'damping ratio <i>ζ</i>', from: 1e-15, to: 0.9, log: true, strict: true },
+        ],
+    });
     addEventListener('resize', draw);
     return { set: kept.set, get: kept.get, counters, busy: P.busy };
 };

@@ -4,7 +4,10 @@ const { ContactMotion } = require('../../tests/conformance/adapters/javascript/c
 
 const escaped = (text) => String(text).replace(/[&<>"]/g, (c) => ({ '&': '&amp;', '<': '&lt;', '>': '&gt;', '"': '&quot;' })[c]);
 const byId = (id) => document.getElementById(id);
-const list = (text) => String(text).split(',').map((word) => (word.trim() === '' ? NaN : Number(word)));
+const list = (text) =>
+    String(text)
+        .split(',')
+        .map((word) => (word.trim() === '' ? NaN : Number(word)));
 const short = (x, digits = 6) => (Number.isFinite(x) ? String(Number(x.toPrecision(digits))) : 'none');
 const exactly = (x) => (Number.isFinite(x) ? x.toPrecision(12) : 'none');
 
@@ -17,23 +20,43 @@ function stateOf(defaults, hash = location.hash) {
     }
     return state;
 }
-const hashOf = (state, defaults = {}) => '#' + Object.entries(state).filter(([key, value]) => String(value) !== String(defaults[key]))
-    .map(([key, value]) => key + '=' + encodeURIComponent(value).replace(/%2C/g, ',')).join('&');
+const hashOf = (state, defaults = {}) =>
+    '#' +
+    Object.entries(state)
+        .filter(([key, value]) => String(value) !== String(defaults[key]))
+        .map(([key, value]) => key + '=' + encodeURIComponent(value).replace(/%2C/g, ','))
+        .join('&');
 
 // The scene of a state, as `denhartog solve` takes it. Lists may be shorter than N: their last number goes on.
 const sceneDefaults = { N: 1, g: '1', k: '1', z: '0.05', j: 1, l: 1, mu: 1, r: 0.5, b: 0.4 };
 const sceneKeys = Object.keys(sceneDefaults);
 function sceneOf(state) {
-    const N = Number(state.N), filled = (text) => { const all = list(text); return Array.from({ length: N }, (_, n) => all[Math.min(n, all.length - 1)]); };
-    return { mass_ratios: filled(state.g), stiffness_ratios: filled(state.k), damping_ratios: filled(state.z), contact: Math.min(N, Number(state.j)),
-        load: Math.min(N, Number(state.l)), mu: Number(state.mu), r: Number(state.r), beta: Number(state.b) };
+    const N = Number(state.N),
+        filled = (text) => {
+            const all = list(text);
+            return Array.from({ length: N }, (_, n) => all[Math.min(n, all.length - 1)]);
+        };
+    return {
+        mass_ratios: filled(state.g),
+        stiffness_ratios: filled(state.k),
+        damping_ratios: filled(state.z),
+        contact: Math.min(N, Number(state.j)),
+        load: Math.min(N, Number(state.l)),
+        mu: Number(state.mu),
+        r: Number(state.r),
+        beta: Number(state.b),
+    };
 }
 // The rule that a scene breaks, in words with the value; null where it breaks none.
 function brokenRule(scene) {
     const say = (quantity, rule, value) => quantity + ' must ' + rule + ', but is ' + value;
-    const lists = [['mass_ratios', 'mass ratios'], ['stiffness_ratios', 'stiffness ratios']];
+    const lists = [
+        ['mass_ratios', 'mass ratios'],
+        ['stiffness_ratios', 'stiffness ratios'],
+    ];
     for (const [key, name] of lists) {
-        for (const [n, y] of scene[key].entries()) if (!(y > 0 && y < Infinity)) return say(name + ', number ' + (n + 1), 'be positive', y);
+        for (const [n, y] of scene[key].entries())
+            if (!(y > 0 && y < Infinity)) return say(name + ', number ' + (n + 1), 'be positive', y);
         if (scene[key][0] !== 1) return say('the first of the ' + name, 'be 1', scene[key][0]);
     }
     for (const [n, y] of scene.damping_ratios.entries())
@@ -48,7 +71,8 @@ const commandOf = (scene, options = '') => `echo '${JSON.stringify(scene)}' | de
 // The motion of a scene, shared out over frames: work(budget in milliseconds) goes on until { steady } is there.
 // Before that, `shown` is the motion over one period from where the search is.
 class Search {
-    constructor(scene, start = null, most = Infinity) { // most: half-periods after which it ends without an answer
+    constructor(scene, start = null, most = Infinity) {
+        // most: half-periods after which it ends without an answer
         this.motion = scene instanceof ContactMotion ? scene : new ContactMotion(scene);
         this.left = most;
         const found = this.motion.formula();
@@ -81,25 +105,36 @@ function background(name, generator, done = () => {}) {
         if (background.running[name] !== key) return;
         const end = performance.now() + 10;
         for (;;) {
-            if (generator.next().done) { delete background.running[name]; return done(); }
+            if (generator.next().done) {
+                delete background.running[name];
+                return done();
+            }
             if (performance.now() > end) break;
         }
         setTimeout(go, 0);
     };
     setTimeout(go, 0);
 }
-const busy = () => Object.keys(background.running ?? {}).length > 0;
+const busy = (...apart) => Object.keys(background.running ?? {}).some((name) => !apart.includes(name));
 
 // A range with its number field. The range may be a logarithm's; the number field takes what lies beyond the range.
 function control({ key, label, from, to, step, log = false, note = '' }) {
-    const range = log ? `min="${Math.log10(from)}" max="${Math.log10(to)}" step="0.005"` : `min="${from}" max="${to}" step="${step}"`;
-    return `<div class="control"><label for="number-${key}">${label}</label>
+    const range = log
+        ? `min="${Math.log10(from)}" max="${Math.log10(to)}" step="0.005"`
+        : `min="${from}" max="${to}" step="${step}"`;
+    return (
+        `<div class="control"><label for="number-${key}">${label}</label>
 <input type="range" id="range-${key}" ${range} aria-label="${escaped(label.replace(/<[^>]+>/g, ''))}, slider"${note ? ` aria-describedby="note-${key}"` : ''}>
-<input type="number" id="number-${key}" step="any" inputmode="decimal"></div>` + (note ? `<p class="note" id="note-${key}">${note}</p>` : '');
+<input type="number" id="number-${key}" step="any" inputmode="decimal"></div>` +
+        (note ? `<p class="note" id="note-${key}">${note}</p>` : '')
+    );
 }
-const choice = ({ key, label, options }) => `<div class="control"><label for="choice-${key}">${label}</label><select id="choice-${key}">` +
-    options.map(([value, text]) => `<option value="${escaped(value)}">${escaped(text)}</option>`).join('') + '</select></div>';
-const words = ({ key, label }) => `<div class="control"><label for="words-${key}">${label}</label>` +
+const choice = ({ key, label, options }) =>
+    `<div class="control"><label for="choice-${key}">${label}</label><select id="choice-${key}">` +
+    options.map(([value, text]) => `<option value="${escaped(value)}">${escaped(text)}</option>`).join('') +
+    '</select></div>';
+const words = ({ key, label }) =>
+    `<div class="control"><label for="words-${key}">${label}</label>` +
     `<input type="text" id="words-${key}" autocomplete="off" spellcheck="false"></div>`;
 const sceneControls = [
     { key: 'r', label: 'frequency ratio <i>r</i>', from: 0.05, to: 3, step: 0.005 },
@@ -111,35 +146,55 @@ const sceneControls = [
     { key: 'l', label: 'loaded mass <i>l</i>', from: 1, to: 5, step: 1, whole: true, most: 'N' },
 ];
 const sceneWords = [
-    { key: 'g', label: 'mass ratios <i>γ</i>' }, { key: 'k', label: 'stiffness ratios <i>κ</i>' },
+    { key: 'g', label: 'mass ratios <i>γ</i>' },
+    { key: 'k', label: 'stiffness ratios <i>κ</i>' },
     { key: 'zs', label: 'damping ratios <i>ζ</i>, mode by mode', of: 'z' },
 ];
 
 // Builds the controls of a page into #controls, keeps state and address, and calls `changed(state)` after each change.
 function controls({ defaults, own = [], after = [], choices = [], scene = true, presets = [], changed }) {
-    const ranges = [...own, ...(scene ? sceneControls : []), ...after], texts = scene ? sceneWords : [];
+    const ranges = [...own, ...(scene ? sceneControls : []), ...after],
+        texts = scene ? sceneWords : [];
     let state = stateOf(defaults);
-    byId('controls').innerHTML = (presets.length ? choice({ key: 'preset', label: 'open', options: [['', 'a scene of the paper …'], ...presets.map(([name, hash]) => [hash, name])] }) : '') +
-        choices.map(choice).join('') + ranges.map(control).join('') +
-        (texts.length ? `<details><summary>Unequal masses, springs and damping</summary>${texts.map(words).join('')}
-<p class="note">Numbers with commas between them, from the first on. Where there are fewer than masses, the last one goes on.</p></details>` : '') +
+    byId('controls').innerHTML =
+        (presets.length
+            ? choice({
+                  key: 'preset',
+                  label: 'open',
+                  options: [['', 'a scene of the paper …'], ...presets.map(([name, hash]) => [hash, name])],
+              })
+            : '') +
+        choices.map(choice).join('') +
+        ranges.map(control).join('') +
+        (texts.length
+            ? `<details><summary>Unequal masses, springs and damping</summary>${texts.map(words).join('')}
+<p class="note">Numbers with commas between them, from the first on. Where there are fewer than masses, the last one goes on.</p></details>`
+            : '') +
         '<p id="fault" role="alert"></p>';
     const show = (except) => {
         for (const { key, log } of ranges) {
             const value = list(state[key])[0];
-            for (const [id, y] of [['range-' + key, log ? Math.log10(value) : value], ['number-' + key, value]]) if (byId(id) !== except) byId(id).value = y;
+            if (!Number.isFinite(value)) continue; // the page places it
+            for (const [id, y] of [
+                ['range-' + key, log ? Math.log10(value) : value],
+                ['number-' + key, value],
+            ])
+                if (byId(id) !== except) byId(id).value = y;
             byId('range-' + key).setAttribute('aria-valuetext', short(value));
         }
         for (const { key, of = key } of texts) if (byId('words-' + key) !== except) byId('words-' + key).value = state[of];
         for (const { key } of choices) byId('choice-' + key).value = state[key];
-        for (const { key, most } of ranges) if (most) for (const kind of ['range-', 'number-']) byId(kind + key).max = state[most];
+        for (const { key, most } of ranges)
+            if (most) for (const kind of ['range-', 'number-']) byId(kind + key).max = state[most];
     };
     const ruleBroken = (next) => {
         for (const { key, label, from, to, whole, strict, free } of ranges) {
             if (free && next[key] === '') continue;
-            const y = list(next[key])[0], name = label.replace(/<[^>]+>/g, '');
+            const y = list(next[key])[0],
+                name = label.replace(/<[^>]+>/g, '');
             if (!Number.isFinite(y)) return name + ' must be a number, but is ' + (next[key] === '' ? 'empty' : next[key]);
-            if (whole && !(Number.isInteger(y) && y >= from && y <= to)) return `${name} must be a whole number from ${from} to ${to}, but is ${y}`;
+            if (whole && !(Number.isInteger(y) && y >= from && y <= to))
+                return `${name} must be a whole number from ${from} to ${to}, but is ${y}`;
             if (strict && !(y >= from && y <= to)) return `${name} must be from ${from} to ${to}, but is ${y}`;
         }
         return scene ? brokenRule(sceneOf(next)) : null;
@@ -155,12 +210,21 @@ function controls({ defaults, own = [], after = [], choices = [], scene = true, 
         changed(state);
     };
     for (const { key, log } of ranges) {
-        byId('range-' + key).addEventListener('input', (e) => take({ ...state, [key]: log ? short(10 ** e.target.value, 4) : e.target.value }, e.target));
+        byId('range-' + key).addEventListener('input', (e) =>
+            take({ ...state, [key]: log ? short(10 ** e.target.value, 4) : e.target.value }, e.target),
+        );
         byId('number-' + key).addEventListener('input', (e) => take({ ...state, [key]: e.target.value }, e.target));
     }
-    for (const { key, of = key } of texts) byId('words-' + key).addEventListener('change', (e) => take({ ...state, [of]: e.target.value.replace(/\s/g, '') }, e.target));
-    for (const { key } of choices) byId('choice-' + key).addEventListener('change', (e) => take({ ...state, [key]: e.target.value }));
-    if (presets.length) byId('choice-preset').addEventListener('change', (e) => { if (e.target.value) take(stateOf({ ...defaults }, e.target.value)); });
+    for (const { key, of = key } of texts)
+        byId('words-' + key).addEventListener('change', (e) =>
+            take({ ...state, [of]: e.target.value.replace(/\s/g, '') }, e.target),
+        );
+    for (const { key } of choices)
+        byId('choice-' + key).addEventListener('change', (e) => take({ ...state, [key]: e.target.value }));
+    if (presets.length)
+        byId('choice-preset').addEventListener('change', (e) => {
+            if (e.target.value) take(stateOf({ ...defaults }, e.target.value));
+        });
     addEventListener('hashchange', () => take(stateOf(defaults)));
     const set = (part) => take({ ...state, ...part });
     take(state);
@@ -170,7 +234,9 @@ function controls({ defaults, own = [], after = [], choices = [], scene = true, 
 // Says the last of several texts, politely, once nothing has changed for a while.
 function announce(text) {
     clearTimeout(announce.timer);
-    announce.timer = setTimeout(() => { if (byId('status').textContent !== text) byId('status').textContent = text; }, 400);
+    announce.timer = setTimeout(() => {
+        if (byId('status').textContent !== text) byId('status').textContent = text;
+    }, 400);
 }
 function copies(scene, options = '') {
     const texts = { 'copy-command': commandOf(scene, options), 'copy-scene': JSON.stringify(scene) };
@@ -193,7 +259,9 @@ async function copied(text, button) {
     byId('status').textContent = 'Copied.';
     clearTimeout(button.timer);
     button.textContent = 'Copied';
-    button.timer = setTimeout(() => { button.textContent = button.dataset.says ?? said; }, 1200);
+    button.timer = setTimeout(() => {
+        button.textContent = button.dataset.says ?? said;
+    }, 1200);
 }
 
 // A table under a picture, filled while it is open.
@@ -203,9 +271,19 @@ function table(id, heads, rows) {
     if (byId(id)?.open) fill(id);
 }
 function fill(id) {
-    const { heads, rows } = tables[id], all = typeof rows === 'function' ? rows() : rows;
-    byId(id).querySelector('.table-box').innerHTML = `<table class="facts"><thead><tr>${heads.map((h) => `<th scope="col">${h}</th>`).join('')}</tr></thead><tbody>` +
-        all.map((row) => '<tr>' + row.map((cell) => `<td>${typeof cell === 'number' ? short(cell, 8) : escaped(cell)}</td>`).join('') + '</tr>').join('') + '</tbody></table>';
+    const { heads, rows } = tables[id],
+        all = typeof rows === 'function' ? rows() : rows;
+    byId(id).querySelector('.table-box').innerHTML =
+        `<table class="facts"><thead><tr>${heads.map((h) => `<th scope="col">${h}</th>`).join('')}</tr></thead><tbody>` +
+        all
+            .map(
+                (row) =>
+                    '<tr>' +
+                    row.map((cell) => `<td>${typeof cell === 'number' ? short(cell, 8) : escaped(cell)}</td>`).join('') +
+                    '</tr>',
+            )
+            .join('') +
+        '</tbody></table>';
 }
 function openTables() {
     for (const details of document.querySelectorAll('details.table-view')) {
@@ -213,20 +291,29 @@ function openTables() {
         box.tabIndex = 0;
         box.setAttribute('role', 'region');
         box.setAttribute('aria-label', details.querySelector('summary').textContent);
-        details.addEventListener('toggle', () => { if (details.open && tables[details.id]) fill(details.id); });
+        details.addEventListener('toggle', () => {
+            if (details.open && tables[details.id]) fill(details.id);
+        });
     }
 }
 
 // Axes with round numbers.
 function ticks([from, to], most = 6) {
-    const raw = (to - from) / most, power = 10 ** Math.floor(Math.log10(raw)), step = power * [1, 2, 5, 10].find((s) => s * power >= raw);
+    const raw = (to - from) / most,
+        power = 10 ** Math.floor(Math.log10(raw)),
+        step = power * [1, 2, 5, 10].find((s) => s * power >= raw);
     const all = [];
     for (let n = Math.ceil(from / step - 1e-9); n * step <= to + 1e-9 * step; ++n) all.push(Number((n * step).toPrecision(10)));
     return all;
 }
 function span(values, around = 0.06, least = 1e-12) {
-    let low = Infinity, high = -Infinity;
-    for (const y of values) if (Number.isFinite(y)) { if (y < low) low = y; if (y > high) high = y; }
+    let low = Infinity,
+        high = -Infinity;
+    for (const y of values)
+        if (Number.isFinite(y)) {
+            if (y < low) low = y;
+            if (y > high) high = y;
+        }
     if (!(low <= high)) return [0, 1];
     const more = Math.max((high - low) * around, least, Math.abs(high) * 1e-9);
     return [low - more, high + more];
@@ -236,35 +323,67 @@ const shapes = { width: 640, height: 300, left: 62, right: 14, top: 14, bottom: 
 function frameOf(id, { x, y, height = shapes.height }) {
     const width = Math.max(260, Math.round(byId(id).clientWidth || shapes.width));
     const { left, right, top, bottom } = shapes;
-    return { width, height, X: (v) => left + (v - x.span[0]) / (x.span[1] - x.span[0]) * (width - left - right),
-        Y: (v) => height - bottom - (v - y.span[0]) / (y.span[1] - y.span[0]) * (height - top - bottom) };
+    return {
+        width,
+        height,
+        X: (v) => left + ((v - x.span[0]) / (x.span[1] - x.span[0])) * (width - left - right),
+        Y: (v) => height - bottom - ((v - y.span[0]) / (y.span[1] - y.span[0])) * (height - top - bottom),
+    };
 }
 function plot(id, { x, y, bands = [], lines = [], marks = [], height, title, under = '', rules = [] }) {
-    const f = frameOf(id, { x, y, height }), { left, right, top, bottom } = shapes, out = [];
-    const xs = x.ticks ?? ticks(x.span, f.width < 500 ? 5 : 7), ys = y.ticks ?? ticks(y.span, 5);
+    const f = frameOf(id, { x, y, height }),
+        { left, right, top, bottom } = shapes,
+        out = [];
+    const xs = x.ticks ?? ticks(x.span, f.width < 500 ? 5 : 7),
+        ys = y.ticks ?? ticks(y.span, 5);
     const inside = (v, [a, b]) => v >= a - 1e-9 * (b - a) && v <= b + 1e-9 * (b - a);
     const said = (axis, v) => (axis.log ? '10<tspan dy="-5" class="power">' + v + '</tspan>' : axis.says ? axis.says(v) : v);
     out.push(`<title>${escaped(title)}</title>`, under);
     for (const [from, to] of bands) {
-        const a = f.X(Math.max(from, x.span[0])), b = f.X(Math.min(to, x.span[1]));
-        if (b > a) out.push(`<rect class="band" x="${a.toFixed(1)}" y="${top}" width="${(b - a).toFixed(1)}" height="${f.height - top - bottom}"/>`);
+        const a = f.X(Math.max(from, x.span[0])),
+            b = f.X(Math.min(to, x.span[1]));
+        if (b > a)
+            out.push(
+                `<rect class="band" x="${a.toFixed(1)}" y="${top}" width="${(b - a).toFixed(1)}" height="${f.height - top - bottom}"/>`,
+            );
     }
-    for (const v of xs) if (inside(v, x.span)) out.push(`<line class="grid" x1="${f.X(v).toFixed(1)}" x2="${f.X(v).toFixed(1)}" y1="${top}" y2="${f.height - bottom}"/>`,
-        `<text class="tick" x="${f.X(v).toFixed(1)}" y="${f.height - bottom + 17}" text-anchor="middle">${said(x, v)}</text>`);
-    for (const v of ys) if (inside(v, y.span)) out.push(`<line class="grid" x1="${left}" x2="${f.width - right}" y1="${f.Y(v).toFixed(1)}" y2="${f.Y(v).toFixed(1)}"/>`,
-        `<text class="tick" x="${left - 7}" y="${(f.Y(v) + 4).toFixed(1)}" text-anchor="end">${said(y, v)}</text>`);
-    out.push(`<rect class="frame" x="${left}" y="${top}" width="${f.width - left - right}" height="${f.height - top - bottom}"/>`,
+    for (const v of xs)
+        if (inside(v, x.span))
+            out.push(
+                `<line class="grid" x1="${f.X(v).toFixed(1)}" x2="${f.X(v).toFixed(1)}" y1="${top}" y2="${f.height - bottom}"/>`,
+                `<text class="tick" x="${f.X(v).toFixed(1)}" y="${f.height - bottom + 17}" text-anchor="middle">${said(x, v)}</text>`,
+            );
+    for (const v of ys)
+        if (inside(v, y.span))
+            out.push(
+                `<line class="grid" x1="${left}" x2="${f.width - right}" y1="${f.Y(v).toFixed(1)}" y2="${f.Y(v).toFixed(1)}"/>`,
+                `<text class="tick" x="${left - 7}" y="${(f.Y(v) + 4).toFixed(1)}" text-anchor="end">${said(y, v)}</text>`,
+            );
+    out.push(
+        `<rect class="frame" x="${left}" y="${top}" width="${f.width - left - right}" height="${f.height - top - bottom}"/>`,
         `<text class="axis" x="${(left + f.width - right) / 2}" y="${f.height - 6}" text-anchor="middle">${indexed(x.label)}</text>`,
         `<text class="axis" x="14" y="${(top + f.height - bottom) / 2}" text-anchor="middle" transform="rotate(-90 14 ${(top + f.height - bottom) / 2})">${indexed(y.label)}</text>`,
-        `<g clip-path="url(#clip-${id})"><clipPath id="clip-${id}"><rect x="${left}" y="${top}" width="${f.width - left - right}" height="${f.height - top - bottom}"/></clipPath>`);
+        `<g clip-path="url(#clip-${id})"><clipPath id="clip-${id}"><rect x="${left}" y="${top}" width="${f.width - left - right}" height="${f.height - top - bottom}"/></clipPath>`,
+    );
     for (const { points, style } of lines) {
         const d = pathOf(points, f, y.span);
         if (style.includes('over')) out.push(`<path class="halo" d="${d}"/>`); // over colours
         out.push(`<path class="line ${style}" d="${d}"/>`);
     }
-    for (const { at, style } of rules) out.push(`<line class="rule ${style ?? ''}" x1="${f.X(at).toFixed(1)}" x2="${f.X(at).toFixed(1)}" y1="${top}" y2="${f.height - bottom}"/>`);
-    for (const { at: [a, b], style = '', size = 5, id: name } of marks) if (Number.isFinite(a) && Number.isFinite(b))
-        out.push(`<circle class="mark ${style}"${name ? ` id="${name}"` : ''} cx="${f.X(a).toFixed(1)}" cy="${f.Y(b).toFixed(1)}" r="${size}"/>`);
+    for (const { at, style } of rules)
+        out.push(
+            `<line class="rule ${style ?? ''}" x1="${f.X(at).toFixed(1)}" x2="${f.X(at).toFixed(1)}" y1="${top}" y2="${f.height - bottom}"/>`,
+        );
+    for (const {
+        at: [a, b],
+        style = '',
+        size = 5,
+        id: name,
+    } of marks)
+        if (Number.isFinite(a) && Number.isFinite(b))
+            out.push(
+                `<circle class="mark ${style}"${name ? ` id="${name}"` : ''} cx="${f.X(a).toFixed(1)}" cy="${f.Y(b).toFixed(1)}" r="${size}"/>`,
+            );
     out.push('</g>');
     const svg = byId(id);
     svg.setAttribute('viewBox', `0 0 ${f.width} ${f.height}`);
@@ -275,22 +394,60 @@ function plot(id, { x, y, bands = [], lines = [], marks = [], height, title, und
     return f;
 }
 function pathOf(points, f, [low, high]) {
-    let d = '', pen = 'M';
+    let d = '',
+        pen = 'M';
     const far = 3 * (high - low);
     for (const [a, b] of points) {
-        if (!Number.isFinite(b) || !Number.isFinite(a)) { pen = 'M'; continue; }
+        if (!Number.isFinite(b) || !Number.isFinite(a)) {
+            pen = 'M';
+            continue;
+        }
         d += pen + f.X(a).toFixed(1) + ' ' + f.Y(Math.max(low - far, Math.min(high + far, b))).toFixed(1);
         pen = 'L';
     }
     return d;
 }
 // x_k and the like, with their indices low; for pictures and for text.
-const indexed = (text) => text.replace(/_([A-Za-z0-9∞]+)/g, '<tspan dy="3" class="power">$1</tspan><tspan dy="-3">\u200b</tspan>');
+const indexed = (text) =>
+    text.replace(/_([A-Za-z0-9∞]+)/g, '<tspan dy="3" class="power">$1</tspan><tspan dy="-3">\u200b</tspan>');
 const lowered = (text) => text.replace(/_([A-Za-z0-9∞]+)/g, '<sub>$1</sub>');
 const legend = (id, lines) => {
-    byId(id).innerHTML = lines.map(({ name, style }) => `<li><svg class="sample" viewBox="0 0 26 10" aria-hidden="true"><path class="line ${style}" d="M1 5H25"/></svg>${name}</li>`).join('');
+    byId(id).innerHTML = lines
+        .map(
+            ({ name, style }) =>
+                `<li><svg class="sample" viewBox="0 0 26 10" aria-hidden="true"><path class="line ${style}" d="M1 5H25"/></svg>${name}</li>`,
+        )
+        .join('');
 };
 const equationLink = (eq) => `<a href="../eq_${eq.replace('.', '_')}.html">(${eq})</a>`;
 
-module.exports = { escaped, byId, list, short, exactly, stateOf, hashOf, sceneDefaults, sceneKeys, sceneOf, brokenRule, commandOf, Search, background, busy,
-    controls, announce, copies, table, openTables, ticks, span, plot, pathOf, legend, lowered, shapes, equationLink };
+module.exports = {
+    escaped,
+    byId,
+    list,
+    short,
+    exactly,
+    stateOf,
+    hashOf,
+    sceneDefaults,
+    sceneKeys,
+    sceneOf,
+    brokenRule,
+    commandOf,
+    Search,
+    background,
+    busy,
+    controls,
+    announce,
+    copies,
+    table,
+    openTables,
+    ticks,
+    span,
+    plot,
+    pathOf,
+    legend,
+    lowered,
+    shapes,
+    equationLink,
+};
