@@ -286,8 +286,7 @@ function* harmonicBalance(scene, { harmonics, samples }) {
         converged: hypot(...state.residual) <= 1e-8,
     };
 }
-// Largest difference of the contact's displacement from the exact motion, over its amplitude. A contact may rest anywhere within an
-// interval, so that where it rests for ever the motions are compared with that offset.
+// Largest difference of the contact's displacement from the exact motion, over its amplitude.
 function errorOf(samples, steady, j) {
     let worst = 0;
     for (const [s, x] of samples.entries()) worst = max(worst, abs(x[j] - stateAt(steady, (2 * PI * s) / samples.length).x[j]));

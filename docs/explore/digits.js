@@ -89,7 +89,7 @@ function toDouble(v, F) {
     x *= 2 ** exponent;
     return v < 0n ? -x : x;
 }
-// (28) and (29) to F bits; with sinh and cosh by exponentials. The extra bits are for zeta and R that are small, as delta and theta.
+// (28) and (29) to F bits; with sinh and cosh by exponentials. Small zeta and R need the extra bits.
 function reference(R, zeta, F = 420) {
     const a = arithmetic(F),
         { one, times, over, ofDouble } = a,

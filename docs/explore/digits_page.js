@@ -6,8 +6,8 @@ const { byId, short } = P;
 
 const at = (n, d) => (1 / (2 * n + 1)) * (1 + d);
 const parts = [
-    ['u', '(28)', '<i>u</i>'],
-    ['g', '(29)', '<i>g</i>'],
+    ['u', '28', '<i>u</i>'],
+    ['g', '29', '<i>g</i>'],
 ];
 // The digits of both functions in both forms.
 function left(R, zeta) {
@@ -24,6 +24,19 @@ const lines = [
     { name: '<i>g</i> as printed', style: 'm4' },
     { name: '<i>g</i> as shipped', style: 'm1' },
 ];
+
+// Sign, exponent and fraction of x; bits in which it differs from `exact` are marked.
+function bits(x, exact) {
+    const all = D.bitsOf(x),
+        wanted = D.bitsOf(exact);
+    const marked = [...all].map((bit, i) => (bit !== wanted[i] ? `<b>${bit}</b>` : bit));
+    const part = (from, to) =>
+        `<span class="part">${marked
+            .slice(from, to)
+            .join('')
+            .replace(/<\/b><b>/g, '')}</span>`;
+    return part(0, 1) + part(1, 12) + part(12, 64);
+}
 
 module.exports = function digits() {
     const defaults = { n: 0, d: 1e-6, z: 1e-7, side: '1' },
@@ -50,48 +63,42 @@ module.exports = function digits() {
             beta: 0.25,
         });
         const forms = { printed: D.printed(R, zeta), shipped: D.shipped(R, zeta) };
-        byId('regime').innerHTML =
-            `<strong><i>R</i> = ${R}</strong>, ${d === 0 ? 'the double nearest to' : short(Math.abs(d), 3) + (d > 0 ? ' above' : ' below')} 1/${2 * n + 1}; <i>ζ</i> = ${zeta}.`;
-        byId('numbers').innerHTML =
-            `<table class="facts"><thead><tr><th scope="col">function</th><th scope="col">as printed</th><th scope="col">as shipped</th><th scope="col">reference</th></tr></thead><tbody>` +
-            parts
-                .map(
-                    ([key, eq, name]) =>
-                        `<tr><th scope="row">${name}, ${P.equationLink(eq.slice(1, -1))}</th><td data-number="${key}-printed">${forms.printed[key]}</td><td data-number="${key}-shipped">${forms.shipped[key]}</td><td data-number="${key}-reference">${exact ? exact[key] : 'a pole'}</td></tr>
-<tr><th scope="row">digits left</th>${['printed', 'shipped'].map((f) => `<td>${exact ? D.digitsOf(forms[f][key], exact[key]).toFixed(1) : '…'}</td>`).join('')}<td></td></tr>
-<tr><th scope="row">units in the last place off</th>${['printed', 'shipped'].map((f) => `<td data-number="${key}-${f}-units">${exact ? said(D.unitsApart(forms[f][key], exact[key])) : '…'}</td>`).join('')}<td></td></tr>`,
-                )
-                .join('') +
-            '</tbody></table>';
+        const distance = d === 0 ? 'the double nearest to' : short(Math.abs(d), 3) + (d > 0 ? ' above' : ' below');
+        byId('regime').innerHTML = `<strong><i>R</i> = ${R}</strong>, ${distance} 1/${2 * n + 1}; <i>ζ</i> = ${zeta}.`;
+        const ofForms = (f) => [...['printed', 'shipped'].map((form) => (exact ? f(form) : '…')), ''];
+        const digitsLeft = (form, key) => D.digitsOf(forms[form][key], exact[key]).toFixed(1);
+        byId('numbers').innerHTML = P.figures(
+            ['function', 'as printed', 'as shipped', 'reference'],
+            parts.flatMap(([key, eq, name]) => [
+                [
+                    `${name}, ${P.equationLink(eq)}`,
+                    ...['printed', 'shipped'].map((form) => [`${key}-${form}`, forms[form][key]]),
+                    [key + '-reference', exact ? exact[key] : 'a pole'],
+                ],
+                ['digits left', ...ofForms((form) => digitsLeft(form, key))],
+                [
+                    'units in the last place off',
+                    ...ofForms((form) => [`${key}-${form}-units`, said(D.unitsApart(forms[form][key], exact[key]))]),
+                ],
+            ]),
+        );
         byId('bits').innerHTML = !exact
             ? '<p>The reference has no value at the pole.</p>'
             : parts
-                  .map(([key, eq, name]) =>
-                      ['reference', 'shipped', 'printed']
-                          .map((form) => {
-                              const y = form === 'reference' ? exact[key] : forms[form][key],
-                                  b = D.bitsOf(y),
-                                  e = D.bitsOf(exact[key]),
-                                  differ = [...b].filter((bit, i) => bit !== e[i]).length;
-                              const marked = (from, to) =>
-                                  [...b.slice(from, to)]
-                                      .map((bit, i) => (bit !== e[from + i] ? `<b>${bit}</b>` : bit))
-                                      .join('')
-                                      .replace(/<\/b><b>/g, '');
-                              return `<p>${name}, ${form === 'reference' ? 'reference' : 'as ' + form}${form === 'reference' ? '' : `: ${differ} of 64 bits differ`}<br><span class="part">${marked(0, 1)}</span><span class="part">${marked(1, 12)}</span><span class="part">${marked(12, 64)}</span></p>`;
-                          })
-                          .join(''),
-                  )
+                  .flatMap(([key, , name]) => [
+                      `<p>${name}, reference<br>${bits(exact[key], exact[key])}</p>`,
+                      ...['shipped', 'printed'].map((form) => {
+                          const differ = [...D.bitsOf(forms[form][key])].filter(
+                              (bit, i) => bit !== D.bitsOf(exact[key])[i],
+                          ).length;
+                          return `<p>${name}, as ${form}: ${differ} of 64 bits differ<br>
+${bits(forms[form][key], exact[key])}</p>`;
+                      }),
+                  ])
                   .join('');
-        if (exact)
-            P.announce(
-                parts
-                    .map(
-                        ([key, eq]) =>
-                            `${eq}: ${D.digitsOf(forms.printed[key], exact[key]).toFixed(1)} digits as printed, ${D.digitsOf(forms.shipped[key], exact[key]).toFixed(1)} as shipped`,
-                    )
-                    .join('. ') + '.',
-            );
+        const heard = ([key, eq]) =>
+            `(${eq}): ${digitsLeft('printed', key)} digits as printed, ${digitsLeft('shipped', key)} as shipped`;
+        if (exact) P.announce(parts.map(heard).join('. ') + '.');
         const now = JSON.stringify([n, state.side, d, zeta]);
         if (now !== drawn) {
             drawn = now;

@@ -36,6 +36,12 @@ const methods = {
     },
 };
 
+const words = {
+    continuous: 'The contact slides throughout.',
+    stick_slip: 'The contact sticks and slips.',
+    permanent_sticking: 'The contact never moves.',
+};
+
 module.exports = function integrators() {
     const defaults = { ...P.sceneDefaults, tol: 1e-4, eps: 0.03, n: 5, periods: 30 },
         counters = { renders: 0, evaluations: 0 };
@@ -136,14 +142,14 @@ module.exports = function integrators() {
             [from - shown.period, to - shown.period],
         ]);
         byId('regime').innerHTML =
-            `<strong>${{ continuous: 'The contact slides throughout.', stick_slip: 'The contact sticks and slips.', permanent_sticking: 'The contact never moves.' }[shown.regime]}</strong> ` +
+            `<strong>${words[shown.regime]}</strong> ` +
             (steady
                 ? `Its exact amplitude is <span data-number="amplitude">${P.exactly(steady.masses[motion.j].amplitude)}</span>.`
                 : search.failed
                   ? search.failed + '.'
                   : 'The search for the steady motion goes on.') +
             (shown.regime === 'permanent_sticking'
-                ? ' It may rest anywhere within an interval, so that errors have no meaning here; raise <i>r</i> or lower <i>β</i>.'
+                ? ' It may rest anywhere within an interval, so that errors mean nothing here; lower <i>β</i>.'
                 : '');
         const all = [
             { name: 'exact', style: 'exact' },
@@ -209,24 +215,20 @@ module.exports = function integrators() {
                 o.fault ?? o.error,
             ]),
         );
-        byId('numbers').innerHTML =
-            `<table class="facts"><thead><tr><th scope="col">method</th><th scope="col">setting</th><th scope="col">evaluations</th><th scope="col">error</th></tr></thead><tbody>
-<tr><th scope="row">exact</th><td>from event to event</td><td data-number="cost-exact">${motion.evaluations}</td><td>closes to ${steady ? short(steady.closes, 2) : '…'}</td></tr>` +
-            Object.entries(methods)
-                .map(([key, m]) => {
-                    const o = found[key];
-                    return (
-                        `<tr><th scope="row">${m.name}</th><td>${m.says(setting(key))}</td>` +
-                        (!o
-                            ? '<td>…</td><td>…</td>'
-                            : o.fault
-                              ? `<td colspan="2">${P.escaped(o.fault)}</td>`
-                              : `<td data-number="cost-${key}">${o.evaluations}</td><td data-number="error-${key}">${o.converged === false ? 'did not converge, ' : ''}${short(o.error, 3)}</td>`) +
-                        '</tr>'
-                    );
-                })
-                .join('') +
-            '</tbody></table>';
+        const figuresOf = ([key, m]) => {
+            const o = found[key];
+            if (!o || o.fault) return [m.name, m.says(setting(key)), '…', o ? P.escaped(o.fault) : '…'];
+            const error = (o.converged === false ? 'did not converge, ' : '') + short(o.error, 3);
+            return [m.name, m.says(setting(key)), ['cost-' + key, o.evaluations], ['error-' + key, error]];
+        };
+        const closes = steady ? short(steady.closes, 2) : '…';
+        byId('numbers').innerHTML = P.figures(
+            ['method', 'setting', 'evaluations', 'error'],
+            [
+                ['exact', 'from event to event', ['cost-exact', motion.evaluations], 'closes to ' + closes],
+                ...Object.entries(methods).map(figuresOf),
+            ],
+        );
         if (keys.length === 3)
             P.announce(keys.map((key) => `${methods[key].name}: error ${short(found[key].error, 2)}`).join('. ') + '.');
     };

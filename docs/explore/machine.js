@@ -26,12 +26,13 @@ const samples = 720,
 
 function reasonOf(regime, c, limits) {
     const beta = short(c.beta, 6),
-        at = short(limits.exact, 6);
+        at = short(limits.exact, 6),
+        still = short(limits.sticking, 6);
     if (regime === 'continuous')
         return `β = ${beta} is below β_lim = ${at}, (69): the load on the contact never lets it rest, and the closed form holds.`;
     if (regime === 'permanent_sticking')
-        return `β = ${beta} is not below ${short(limits.sticking, 6)}, (88) with all forces: the load on the held contact never exceeds μβ.`;
-    return `β = ${beta} is not below β_lim = ${at}, (69), and below ${short(limits.sticking, 6)}, from which on the contact never moves.`;
+        return `β = ${beta} is not below ${still}, (88) with all forces: the load on the held contact never exceeds μβ.`;
+    return `β = ${beta} is not below β_lim = ${at}, (69), and below ${still}, from which on the contact never moves.`;
 }
 function sampled(motion, shown) {
     const all = [],
@@ -192,39 +193,38 @@ module.exports = function machine() {
         byId('instant').max = shown.period;
         if (tau > shown.period) tau = 0;
         move();
-        P.announce(
-            `${names[shown.regime]}. Amplitude of the contact ${short(shown.masses[j].amplitude, 5)}. ${shown.regime === 'stick_slip' ? short(shown.stops.length / shown.periods) + ' stops a period.' : ''}`,
-        );
+        const stopsSaid = shown.regime === 'stick_slip' ? short(shown.stops.length / shown.periods) + ' stops a period.' : '';
+        P.announce(`${names[shown.regime]}. Amplitude of the contact ${short(shown.masses[j].amplitude, 5)}. ${stopsSaid}`);
     };
     const numbers = (scene, shown, steady, limits) => {
-        const cell = (name, y) => `<td data-number="${name}">${steady || name.startsWith('beta') ? exactly(y) : '…'}</td>`,
-            j = scene.contact;
+        const cell = (name, y) => [name, steady || name.startsWith('beta') ? exactly(y) : '…'];
         const stops = shown.regime === 'permanent_sticking' ? 0 : shown.stops.length / shown.periods;
+        const periods = shown.periods === 1 ? 'one period' : short(shown.periods) + ' periods';
         byId('numbers').innerHTML =
-            `<table class="facts"><thead><tr><th scope="col">mass</th><th scope="col">amplitude</th><th scope="col">phase</th></tr></thead><tbody>` +
-            shown.masses
-                .map(
-                    (m, k) =>
-                        `<tr><th scope="row">${k + 1}${k + 1 === j ? ', contact' : ''}</th>${cell('amplitude-' + (k + 1), m.amplitude)}${cell('phase-' + (k + 1), m.amplitude > 0 ? m.lag : NaN)}</tr>`,
-                )
-                .join('') +
-            `</tbody></table><table class="facts"><tbody><tr><th scope="row">stops per period</th><td data-number="stops">${steady ? short(stops) : '…'}</td></tr>
-<tr><th scope="row"><i>β</i><sub>lim</sub> exact</th>${cell('beta_lim_exact', limits.exact)}</tr><tr><th scope="row"><i>β</i><sub>lim</sub> with ${P.equationLink('56')}</th>${cell('beta_lim_paper', limits.paper)}</tr>
-<tr><th scope="row"><i>β</i><sub>lim</sub> approximate, ${P.equationLink('67')}</th>${cell('beta_lim_approximate', limits.approximate)}</tr><tr><th scope="row">never moves from <i>β</i> =</th>${cell('beta_sticking', limits.sticking)}</tr></tbody></table>` +
-            (shown.regime === 'stick_slip'
-                ? `<table class="facts"><thead><tr><th scope="col">rest from <i>τ</i></th><th scope="col">to</th><th scope="col">at</th></tr></thead><tbody>` +
-                  shown.stops
-                      .map(
-                          (s, n) =>
-                              `<tr>${cell('stop-from-' + (n + 1), s.from)}${cell('stop-to-' + (n + 1), s.to)}${cell('stop-at-' + (n + 1), s.at)}</tr>`,
-                      )
-                      .join('') +
-                  '</tbody></table>'
-                : '') +
-            (steady
-                ? `<p class="note">Followed over ${shown.periods === 1 ? 'one period' : short(shown.periods) + ' periods'} from event to event, the state returns to within ${short(shown.closes, 2)} of itself;
-the search evaluated ${search.motion.evaluations} Taylor coefficients.</p>`
-                : '');
+            P.figures(
+                ['mass', 'amplitude', 'phase'],
+                shown.masses.map((m, k) => [
+                    k + 1 + (k + 1 === scene.contact ? ', contact' : ''),
+                    cell('amplitude-' + (k + 1), m.amplitude),
+                    cell('phase-' + (k + 1), m.amplitude > 0 ? m.lag : NaN),
+                ]),
+            ) +
+            P.figures(null, [
+                ['stops per period', ['stops', steady ? short(stops) : '…']],
+                ['<i>β</i><sub>lim</sub> exact', cell('beta_lim_exact', limits.exact)],
+                [`<i>β</i><sub>lim</sub> with ${P.equationLink('56')}`, cell('beta_lim_paper', limits.paper)],
+                [`<i>β</i><sub>lim</sub> approximate, ${P.equationLink('67')}`, cell('beta_lim_approximate', limits.approximate)],
+                ['never moves from <i>β</i> =', cell('beta_sticking', limits.sticking)],
+            ]);
+        if (shown.regime === 'stick_slip')
+            byId('numbers').innerHTML += P.figures(
+                ['rest', 'from <i>τ</i>', 'to', 'at'],
+                shown.stops.map((s, n) => [n + 1, ...['from', 'to', 'at'].map((key) => cell(`stop-${key}-${n + 1}`, s[key]))]),
+            );
+        if (steady)
+            byId('numbers').innerHTML +=
+                `<p class="note">Followed over ${periods} from event to event, the state returns to within
+${short(shown.closes, 2)} of itself; the search evaluated ${search.motion.evaluations} Taylor coefficients.</p>`;
     };
     // The drawing: what stands still once a scene, what moves in groups of its own.
     const draw = (scene) => {
@@ -236,36 +236,36 @@ the search evaluated ${search.motion.evaluations} Taylor coefficients.</p>`
             gap = Math.min(260, (width - left - 10) / N),
             body = Math.min(64, gap * 0.4);
         picture.geometry = { left, gap, body, height, travel: Math.min(gap - body, 100) * 0.3, base: 108 };
-        const hatch = (x1, x2, y) =>
-            Array.from(
-                { length: Math.floor((x2 - x1) / 7) },
-                (_, n) => `<line class="hatch" x1="${x1 + 7 * n}" x2="${x1 + 7 * n + 7}" y1="${y + 8}" y2="${y}"/>`,
-            ).join('');
         const place = (k) => left + gap * (k + 0.58),
             { base, travel } = picture.geometry,
             j = scene.contact - 1,
             wall = [place(j) - body / 2 - travel - 4, place(j) + body / 2 + travel + 4];
-        let out =
-            `<title>${N} masses in a chain, contact on mass ${scene.contact}, load on mass ${scene.load}</title><line class="ground" x1="${left}" x2="${left}" y1="40" y2="130"/>` +
-            Array.from(
-                { length: 11 },
-                (_, n) => `<line class="hatch" x1="${left - 9}" x2="${left}" y1="${50 + 8 * n}" y2="${42 + 8 * n}"/>`,
-            ).join('') +
-            `<line class="ground" x1="${wall[0]}" x2="${wall[1]}" y1="${base + 34}" y2="${base + 34}"/>` +
-            hatch(wall[0], wall[1], base + 36);
-        for (let k = 0; k < N; ++k)
-            out += `<path class="wire" id="spring-${k}"/><path class="wire" id="dashpot-${k}"/><g id="body-${k}"><rect class="solid${k === j ? ' contact-body' : ''}" x="${-body / 2}" y="${base - 44}" width="${body}" height="${k === j ? 70 : 60}" rx="3"/>
-<text class="said" x="0" y="${base - 10}" text-anchor="middle">m<tspan dy="3" class="power">${k + 1}</tspan></text>${k === j ? `<rect class="solid" x="${-body / 4}" y="${base + 26}" width="${body / 2}" height="8"/>` : ''}</g>`;
-        out += '<path class="arrow" id="load-arrow"/><path class="arrow friction" id="friction-arrow"/>';
-        Object.assign(picture.geometry, { place });
-        svg.setAttribute('viewBox', `0 0 ${width} ${height}`);
-        svg.setAttribute('role', 'img');
-        svg.style.height = height + 'px';
-        svg.setAttribute(
-            'aria-label',
-            `${N} masses in a chain, moving; contact on mass ${scene.contact}, load on mass ${scene.load}`,
+        const line = (style, x1, y1, x2, y2) => P.tag('line', { class: style, x1, y1, x2, y2 }),
+            box = (style, w, y, h) => P.tag('rect', { class: 'solid ' + style, x: -w / 2, y, width: w, height: h, rx: 3 }),
+            path = (style, id) => P.tag('path', { class: style, id });
+        let out = line('ground', left, 40, left, 130) + line('ground', wall[0], base + 34, wall[1], base + 34);
+        for (let n = 0; n < 11; ++n) out += line('hatch', left - 9, 50 + 8 * n, left, 42 + 8 * n);
+        for (let x = wall[0]; x + 7 < wall[1]; x += 7) out += line('hatch', x, base + 44, x + 7, base + 36);
+        for (let k = 0; k < N; ++k) {
+            const name = 'm' + P.tag('tspan', { dy: 3, class: 'power' }, k + 1),
+                text = P.tag('text', { class: 'said', x: 0, y: base - 10, 'text-anchor': 'middle' }, name),
+                rubs = k === j ? box('', body / 2, base + 26, 8) : '';
+            out += path('wire', 'spring-' + k) + path('wire', 'dashpot-' + k);
+            out += P.tag(
+                'g',
+                { id: 'body-' + k },
+                box(k === j ? 'contact-body' : '', body, base - 44, k === j ? 70 : 60) + text + rubs,
+            );
+        }
+        out += path('arrow', 'load-arrow') + path('arrow friction', 'friction-arrow');
+        picture.geometry.place = place;
+        P.into(
+            'machine',
+            width,
+            height,
+            `${N} masses in a chain; contact on mass ${scene.contact}, load on mass ${scene.load}`,
+            out,
         );
-        svg.innerHTML = out;
         picture.parts = {
             bodies: scene.mass_ratios.map((_, k) => byId('body-' + k)),
             springs: scene.mass_ratios.map((_, k) => byId('spring-' + k)),
@@ -287,15 +287,16 @@ the search evaluated ${search.motion.evaluations} Taylor coefficients.</p>`
         return d + `L${b.toFixed(1)} ${y}`;
     };
     const dashpot = (a, b, y) => {
-        const m = (a + b) / 2;
-        return `M${a.toFixed(1)} ${y}H${(m - 6).toFixed(1)}M${(m + 7).toFixed(1)} ${y - 7}H${(m - 6).toFixed(1)}V${y + 7}H${(m + 7).toFixed(1)}M${(m + 2).toFixed(1)} ${y - 5}V${y + 5}M${(m + 2).toFixed(1)} ${y}H${b.toFixed(1)}`;
+        const m = (a + b) / 2,
+            at = (x) => (m + x).toFixed(1);
+        const pot = `M${at(7)} ${y - 7}H${at(-6)}V${y + 7}H${at(7)}`,
+            piston = `M${at(2)} ${y - 5}V${y + 5}M${at(2)} ${y}`;
+        return `M${a.toFixed(1)} ${y}H${at(-6)}${pot}${piston}H${b.toFixed(1)}`;
     };
     const arrow = (x, y, length) => {
         const s = Math.sign(length),
-            L = Math.abs(length);
-        return L < 1
-            ? ''
-            : `M${x.toFixed(1)} ${y}h${(s * Math.max(0, L - 7)).toFixed(1)}v-4l${(s * 7).toFixed(1)} 4l${(-s * 7).toFixed(1)} 4v-4`;
+            shaft = s * Math.max(0, Math.abs(length) - 7);
+        return Math.abs(length) < 1 ? '' : `M${x.toFixed(1)} ${y}h${shaft.toFixed(1)}v-4l${7 * s} 4l${-7 * s} 4v-4`;
     };
     // Brings everything that moves to the instant tau.
     const move = () => {

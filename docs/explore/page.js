@@ -1,4 +1,4 @@
-// What every page shares: the state in the address, the controls, pictures in SVG with their tables, what is announced and copied.
+// What every page shares: the state in the address, controls, pictures in SVG with their tables, what is announced and copied.
 'use strict';
 const { ContactMotion } = require('../../tests/conformance/adapters/javascript/contact_motion.js');
 
@@ -96,7 +96,8 @@ class Search {
     }
 }
 
-// Work that lasts longer than a frame: a generator whose steps are taken some milliseconds a frame; a later call ends the one before.
+// Work that lasts longer than a frame: a generator whose steps are taken some milliseconds a frame. A later call
+// of the same name ends the one before.
 function background(name, generator, done = () => {}) {
     const key = {};
     background.running ??= {};
@@ -124,7 +125,7 @@ function control({ key, label, from, to, step, log = false, note = '' }) {
         : `min="${from}" max="${to}" step="${step}"`;
     return (
         `<div class="control"><label for="number-${key}">${label}</label>
-<input type="range" id="range-${key}" ${range} aria-label="${escaped(label.replace(/<[^>]+>/g, ''))}, slider"${note ? ` aria-describedby="note-${key}"` : ''}>
+<input type="range" id="range-${key}" ${range} aria-label="${escaped(label.replace(/<[^>]+>/g, ''))}, slider">
 <input type="number" id="number-${key}" step="any" inputmode="decimal"></div>` +
         (note ? `<p class="note" id="note-${key}">${note}</p>` : '')
     );
@@ -168,7 +169,8 @@ function controls({ defaults, own = [], after = [], choices = [], scene = true, 
         ranges.map(control).join('') +
         (texts.length
             ? `<details><summary>Unequal masses, springs and damping</summary>${texts.map(words).join('')}
-<p class="note">Numbers with commas between them, from the first on. Where there are fewer than masses, the last one goes on.</p></details>`
+<p class="note">Numbers with commas between them, from the first on. Where there are fewer than masses, the last one goes
+on.</p></details>`
             : '') +
         '<p id="fault" role="alert"></p>';
     const show = (except) => {
@@ -297,6 +299,14 @@ function openTables() {
     }
 }
 
+// A table of figures. A row's first cell heads it; a cell is text, or [name, text], by which name the tests find it.
+function figures(heads, rows) {
+    const cell = (c) => (Array.isArray(c) ? `<td data-number="${c[0]}">${c[1]}</td>` : `<td>${c}</td>`);
+    const head = heads ? `<thead><tr>${heads.map((h) => `<th scope="col">${h}</th>`).join('')}</tr></thead>` : '';
+    const body = rows.map(([first, ...cells]) => `<tr><th scope="row">${first}</th>${cells.map(cell).join('')}</tr>`).join('');
+    return `<table class="facts">${head}<tbody>${body}</tbody></table>`;
+}
+
 // Axes with round numbers.
 function ticks([from, to], most = 6) {
     const raw = (to - from) / most,
@@ -318,7 +328,7 @@ function span(values, around = 0.06, least = 1e-12) {
     const more = Math.max((high - low) * around, least, Math.abs(high) * 1e-9);
     return [low - more, high + more];
 }
-// Draws axes, bands, lines and marks into an <svg>: { x: { span, label, log }, y, bands: [[from, to]], lines: [{ points, name, style }], marks }.
+// Draws axes, bands, lines and marks into an <svg>: x and y are { span, label, log, ticks }, lines { points, style }.
 const shapes = { width: 640, height: 300, left: 62, right: 14, top: 14, bottom: 44 };
 function frameOf(id, { x, y, height = shapes.height }) {
     const width = Math.max(260, Math.round(byId(id).clientWidth || shapes.width));
@@ -330,67 +340,71 @@ function frameOf(id, { x, y, height = shapes.height }) {
         Y: (v) => height - bottom - ((v - y.span[0]) / (y.span[1] - y.span[0])) * (height - top - bottom),
     };
 }
-function plot(id, { x, y, bands = [], lines = [], marks = [], height, title, under = '', rules = [] }) {
+// An element of a drawing; numbers to a tenth of a pixel.
+function tag(name, attributes, inside = '') {
+    const said = (y) => (typeof y === 'number' ? Math.round(10 * y) / 10 : y);
+    const all = Object.entries(attributes).map(([key, y]) => ` ${key}="${said(y)}"`);
+    return `<${name}${all.join('')}>${inside}</${name}>`;
+}
+function into(id, width, height, title, inside) {
+    const svg = byId(id);
+    svg.setAttribute('viewBox', `0 0 ${width} ${height}`);
+    svg.setAttribute('role', 'img');
+    svg.setAttribute('aria-label', title);
+    svg.style.height = height + 'px';
+    svg.innerHTML = tag('title', {}, escaped(title)) + inside;
+}
+function plot(id, { x, y, bands = [], lines = [], marks = [], height, title, rules = [] }) {
     const f = frameOf(id, { x, y, height }),
         { left, right, top, bottom } = shapes,
         out = [];
+    const all = { x: left, y: top, width: f.width - left - right, height: f.height - top - bottom },
+        end = f.width - right,
+        foot = f.height - bottom;
     const xs = x.ticks ?? ticks(x.span, f.width < 500 ? 5 : 7),
         ys = y.ticks ?? ticks(y.span, 5);
     const inside = (v, [a, b]) => v >= a - 1e-9 * (b - a) && v <= b + 1e-9 * (b - a);
-    const said = (axis, v) => (axis.log ? '10<tspan dy="-5" class="power">' + v + '</tspan>' : axis.says ? axis.says(v) : v);
-    out.push(`<title>${escaped(title)}</title>`, under);
+    const said = (axis, v) => (axis.log ? '10' + tag('tspan', { dy: -5, class: 'power' }, v) : v);
+    const upright = (v, style) => tag('line', { class: style, x1: f.X(v), x2: f.X(v), y1: top, y2: foot });
     for (const [from, to] of bands) {
         const a = f.X(Math.max(from, x.span[0])),
             b = f.X(Math.min(to, x.span[1]));
-        if (b > a)
-            out.push(
-                `<rect class="band" x="${a.toFixed(1)}" y="${top}" width="${(b - a).toFixed(1)}" height="${f.height - top - bottom}"/>`,
-            );
+        if (b > a) out.push(tag('rect', { ...all, class: 'band', x: a, width: b - a }));
     }
-    for (const v of xs)
-        if (inside(v, x.span))
-            out.push(
-                `<line class="grid" x1="${f.X(v).toFixed(1)}" x2="${f.X(v).toFixed(1)}" y1="${top}" y2="${f.height - bottom}"/>`,
-                `<text class="tick" x="${f.X(v).toFixed(1)}" y="${f.height - bottom + 17}" text-anchor="middle">${said(x, v)}</text>`,
-            );
-    for (const v of ys)
-        if (inside(v, y.span))
-            out.push(
-                `<line class="grid" x1="${left}" x2="${f.width - right}" y1="${f.Y(v).toFixed(1)}" y2="${f.Y(v).toFixed(1)}"/>`,
-                `<text class="tick" x="${left - 7}" y="${(f.Y(v) + 4).toFixed(1)}" text-anchor="end">${said(y, v)}</text>`,
-            );
+    for (const v of xs.filter((each) => inside(each, x.span)))
+        out.push(
+            upright(v, 'grid'),
+            tag('text', { class: 'tick', x: f.X(v), y: foot + 17, 'text-anchor': 'middle' }, said(x, v)),
+        );
+    for (const v of ys.filter((each) => inside(each, y.span)))
+        out.push(
+            tag('line', { class: 'grid', x1: left, x2: end, y1: f.Y(v), y2: f.Y(v) }),
+            tag('text', { class: 'tick', x: left - 7, y: f.Y(v) + 4, 'text-anchor': 'end' }, said(y, v)),
+        );
+    const middle = (top + foot) / 2,
+        turned = { x: 14, y: middle, transform: `rotate(-90 14 ${middle})` };
     out.push(
-        `<rect class="frame" x="${left}" y="${top}" width="${f.width - left - right}" height="${f.height - top - bottom}"/>`,
-        `<text class="axis" x="${(left + f.width - right) / 2}" y="${f.height - 6}" text-anchor="middle">${indexed(x.label)}</text>`,
-        `<text class="axis" x="14" y="${(top + f.height - bottom) / 2}" text-anchor="middle" transform="rotate(-90 14 ${(top + f.height - bottom) / 2})">${indexed(y.label)}</text>`,
-        `<g clip-path="url(#clip-${id})"><clipPath id="clip-${id}"><rect x="${left}" y="${top}" width="${f.width - left - right}" height="${f.height - top - bottom}"/></clipPath>`,
+        tag('rect', { ...all, class: 'frame' }),
+        tag('text', { class: 'axis', x: (left + end) / 2, y: f.height - 6, 'text-anchor': 'middle' }, indexed(x.label)),
+        tag('text', { class: 'axis', ...turned, 'text-anchor': 'middle' }, indexed(y.label)),
     );
+    const drawn = [];
     for (const { points, style } of lines) {
         const d = pathOf(points, f, y.span);
-        if (style.includes('over')) out.push(`<path class="halo" d="${d}"/>`); // over colours
-        out.push(`<path class="line ${style}" d="${d}"/>`);
+        if (style.includes('over')) drawn.push(tag('path', { class: 'halo', d })); // over colours
+        drawn.push(tag('path', { class: 'line ' + style, d }));
     }
-    for (const { at, style } of rules)
-        out.push(
-            `<line class="rule ${style ?? ''}" x1="${f.X(at).toFixed(1)}" x2="${f.X(at).toFixed(1)}" y1="${top}" y2="${f.height - bottom}"/>`,
-        );
-    for (const {
-        at: [a, b],
-        style = '',
-        size = 5,
-        id: name,
-    } of marks)
-        if (Number.isFinite(a) && Number.isFinite(b))
-            out.push(
-                `<circle class="mark ${style}"${name ? ` id="${name}"` : ''} cx="${f.X(a).toFixed(1)}" cy="${f.Y(b).toFixed(1)}" r="${size}"/>`,
+    for (const { at, style = '' } of rules) drawn.push(upright(at, 'rule ' + style));
+    for (const { at, style = '', size = 5, id: name } of marks)
+        if (at.every(Number.isFinite))
+            drawn.push(
+                tag('circle', { class: 'mark ' + style, ...(name ? { id: name } : {}), cx: f.X(at[0]), cy: f.Y(at[1]), r: size }),
             );
-    out.push('</g>');
-    const svg = byId(id);
-    svg.setAttribute('viewBox', `0 0 ${f.width} ${f.height}`);
-    svg.style.height = f.height + 'px';
-    svg.setAttribute('role', 'img');
-    svg.setAttribute('aria-label', title);
-    svg.innerHTML = out.join('');
+    out.push(
+        tag('clipPath', { id: 'clip-' + id }, tag('rect', all)),
+        tag('g', { 'clip-path': `url(#clip-${id})` }, drawn.join('')),
+    );
+    into(id, f.width, f.height, title, out.join(''));
     return f;
 }
 function pathOf(points, f, [low, high]) {
@@ -411,13 +425,10 @@ function pathOf(points, f, [low, high]) {
 const indexed = (text) =>
     text.replace(/_([A-Za-z0-9∞]+)/g, '<tspan dy="3" class="power">$1</tspan><tspan dy="-3">\u200b</tspan>');
 const lowered = (text) => text.replace(/_([A-Za-z0-9∞]+)/g, '<sub>$1</sub>');
+const sample = (style) =>
+    `<svg class="sample" viewBox="0 0 26 10" aria-hidden="true">${tag('path', { class: 'line ' + style, d: 'M1 5H25' })}</svg>`;
 const legend = (id, lines) => {
-    byId(id).innerHTML = lines
-        .map(
-            ({ name, style }) =>
-                `<li><svg class="sample" viewBox="0 0 26 10" aria-hidden="true"><path class="line ${style}" d="M1 5H25"/></svg>${name}</li>`,
-        )
-        .join('');
+    byId(id).innerHTML = lines.map(({ name, style }) => `<li>${sample(style)}${name}</li>`).join('');
 };
 const equationLink = (eq) => `<a href="../eq_${eq.replace('.', '_')}.html">(${eq})</a>`;
 
@@ -442,6 +453,10 @@ module.exports = {
     copies,
     table,
     openTables,
+    tag,
+    into,
+    sample,
+    figures,
     ticks,
     span,
     plot,

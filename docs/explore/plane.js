@@ -70,6 +70,13 @@ function* seenOver(list, sceneAt, quantity, out) {
     }
 }
 
+const linked = (name) => name.replace(/\((\d+)\)/, (_, eq) => P.equationLink(eq));
+const words = {
+    continuous: 'the contact slides throughout',
+    stick_slip: 'it sticks and slips',
+    permanent_sticking: 'it never moves',
+};
+
 module.exports = function plane() {
     const defaults = { ...P.sceneDefaults, r: 0.7, q: '0', rmax: 2.5, bmax: 1.25, on: 'eah' };
     let drawn = '',
@@ -86,7 +93,7 @@ module.exports = function plane() {
         switches
             .map(
                 ({ key, name, style }) =>
-                    `<label><input type="checkbox" id="on-${key}"><svg class="sample" viewBox="0 0 26 10" aria-hidden="true"><path class="line ${style}" d="M1 5H25"/></svg><span>${name.replace(/\((\d+)\)/, (_, eq) => P.equationLink(eq))}</span></label>`,
+                    `<label><input type="checkbox" id="on-${key}">${P.sample(style)}<span>${linked(name)}</span></label>`,
             )
             .join(''),
     );
@@ -119,8 +126,9 @@ module.exports = function plane() {
             { limit } = c.held(),
             regime = c.regime();
         byId('regime').innerHTML =
-            `<strong>r = ${short(scene.r)}, β = ${short(scene.beta)}: ${{ continuous: 'the contact slides throughout', stick_slip: 'it sticks and slips', permanent_sticking: 'it never moves' }[regime]}.</strong>
-Sliding ends at β = <span data-number="beta_lim_exact">${P.exactly(lim)}</span>; the contact never moves from β = <span data-number="beta_sticking">${P.exactly(limit)}</span>.`;
+            `<strong>r = ${short(scene.r)}, β = ${short(scene.beta)}: ${words[regime]}.</strong> Sliding ends at
+β = <span data-number="beta_lim_exact">${P.exactly(lim)}</span>; the contact never moves from
+β = <span data-number="beta_sticking">${P.exactly(limit)}</span>.`;
         P.announce(`r ${short(scene.r)}, beta ${short(scene.beta)}. ${regime.replace('_', ' ')}.`);
         if (here !== drawn) {
             drawn = here;
@@ -277,8 +285,9 @@ Sliding ends at β = <span data-number="beta_lim_exact">${P.exactly(lim)}</span>
             }
         context.putImageData(image, 0, 0);
         const bar = Array.from({ length: 11 }, (_, n) => `rgb(${colour(n / 10)})`).join(',');
-        byId('scale').innerHTML =
-            `<span>${stopsShown ? 0 : short(low, 2)}</span><span aria-hidden="true" style="flex:0 1 16rem;min-width:6rem;height:.9rem;border-radius:.2rem;background:linear-gradient(90deg,${bar})"></span><span>${short(stopsShown ? max(2, high) : high, 3)}, ${quantityName()}${stopsShown ? '' : ', logarithmic'}</span><span>thin strokes: sticks and slips; thick: never moves</span>`;
+        byId('scale').innerHTML = `<span>${stopsShown ? 0 : short(low, 2)}</span><span class="bar" aria-hidden="true"
+style="background: linear-gradient(90deg, ${bar})"></span><span>${short(stopsShown ? max(2, high) : high, 3)},
+${quantityName()}${stopsShown ? '' : ', logarithmic'}</span><span>thin strokes: sticks and slips; thick: never moves</span>`;
     };
     const drawSlices = () => {
         const { atR, atB } = slices,

@@ -1,5 +1,5 @@
 // Each equation that does not hold as the text at hand prints it, as curves: as printed and as corrected, over what shows it best.
-// The printed forms are those of src/denhartog/formulas/as_printed.hpp; verdicts and losses are the ledger's, and stand in no file here.
+// The printed forms are those of src/denhartog/formulas/as_printed.hpp. Verdicts and losses are the ledger's; none stands here.
 'use strict';
 const { ContactMotion, eliminated, stateAt } = require('../../tests/conformance/adapters/javascript/contact_motion.js');
 const { PI, sin, cos, exp, sqrt, abs, hypot, max, min, sign, atan2, cosh, sinh } = Math;
@@ -195,7 +195,7 @@ const equations = [
         of: 'mass',
         printed: mass46(bracesPrinted),
         corrected: mass46(braces),
-        how: 'Sine and cosine are exchanged in the bracket. As printed the motion does not start where (38) says, and its halves do not meet.',
+        how: 'Sine and cosine are exchanged. As printed the motion does not start where (38) says, and its halves do not meet.',
     },
     {
         eq: ['40', 'A.15'],
@@ -231,7 +231,7 @@ const equations = [
         of: 'mass',
         printed: (c, x, k) => -c.beta * c.G[k] + ratioOf(c, k) * rootOf(c) * cos(angleOf(c, k)),
         corrected: (c, x, k) => c.slide().start[k][0],
-        how: 'Its real part, which the text takes, leaves out what the friction adds by the angle between the two masses. For the contact itself both are one.',
+        how: 'Its real part leaves out what friction adds by the angle between the two masses. For the contact both are one.',
     },
     {
         eq: ['45'],
@@ -264,7 +264,7 @@ const equations = [
             const [x, v] = c.slide().start[k];
             return x * cos(tau) + v * sin(tau);
         },
-        how: 'The initial values of (44) and (45) are complex, so that the first expression is not the second. The second is right.',
+        how: 'The initial values of (44) and (45) are complex, so that the two expressions differ. The second is right.',
     },
     {
         eq: ['50'],
@@ -332,7 +332,7 @@ const equations = [
         limit: true,
         printed: (c) => limit(c, max(c.S_dj(), staticDemand(c))),
         corrected: (c) => c.beta_lim(c.demand()),
-        how: 'The sum of the largest values of the modes is not the largest value of their sum: it is reached at different instants.',
+        how: 'The sum of the largest values of the modes is not the largest value of their sum: it is reached at other instants.',
     },
     {
         eq: ['69'],
@@ -344,7 +344,9 @@ const equations = [
         limit: true,
         printed: (c) => limit(c, max(printedDemand(c), staticDemand(c))),
         corrected: (c) => c.beta_lim(c.demand()),
-        how: 'The boundary itself is right with the maximum as corrected. As printed its maximum is without bound at the ends of the half-period; the curve takes 400 instants.',
+        how:
+            'The boundary itself is right with the maximum as corrected. As printed the maximum has no bound at τ = 0; ' +
+            'the curve takes 400 instants.',
     },
     {
         eq: ['59', '63'],
@@ -439,7 +441,7 @@ const equations = [
             const { direction, x, v } = stateAt((c.found ??= c.steady()), tau % c.found.period);
             return direction ? -direction * c.beta : -c.load(x, v, tau);
         },
-        how: 'The text at hand has the displacement under sgn, without its dot. While the contact rests, friction takes what the load asks for.',
+        how: 'The displacement stands under sgn, without its dot. While the contact rests, friction takes what the load asks for.',
     },
     {
         eq: ['4', '16'],
@@ -450,7 +452,7 @@ const equations = [
         steps: true,
         printed: (c, tau) => (c.other ??= motionOver({ ...c.scene, load: c.scene.contact }))(tau, c.j),
         corrected: (c, tau) => (c.own ??= motionOver(c.scene))(tau, c.j),
-        how: 'One and the same vector stands for load and friction in the text at hand: the load would act on the mass in contact. With j = l nothing shows.',
+        how: 'One vector stands for load and friction: the load would act on the mass in contact. With j = l nothing shows.',
     },
     {
         eq: ['5'],

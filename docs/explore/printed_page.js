@@ -53,15 +53,14 @@ module.exports = function printed() {
             (entry.slides && c.regime() !== 'continuous'
                 ? 'Here the contact does not slide throughout, and the form does not apply; lower <i>β</i>.'
                 : '');
-        byId('verdict').innerHTML =
-            rows
-                .map((r, n) =>
-                    r.printed
-                        ? `${P.equationLink(entry.eq[n])} as printed: <span class="verdict ${P.escaped(r.printed)}">${P.escaped(r.printed)}</span>` +
-                          (Number.isFinite(r.loss) && r.loss !== null ? `, loss over the run’s scenes ${short(r.loss, 3)}` : '')
-                        : `${P.equationLink(entry.eq[n])}: no run of the derivation is at hand, so its verdict is not known here`,
-                )
-                .join('; ') + '.';
+        const verdictOf = (r, n) => {
+            if (!r.printed)
+                return `${P.equationLink(entry.eq[n])}: no run of the derivation is at hand, so its verdict is not known here`;
+            const loss = Number.isFinite(r.loss) ? `, loss over the run’s scenes ${short(r.loss, 3)}` : '';
+            const verdict = P.escaped(r.printed);
+            return `${P.equationLink(entry.eq[n])} as printed: <span class="verdict ${verdict}">${verdict}</span>${loss}`;
+        };
+        byId('verdict').innerHTML = rows.map(verdictOf).join('; ') + '.';
         byId('how').textContent = entry.how;
         byId('latex').textContent =
             rows
@@ -71,9 +70,10 @@ module.exports = function printed() {
                         : '',
                 )
                 .join('\n') || 'The forms are in the ledger of a run.';
-        byId('numbers').innerHTML =
-            `<table class="facts"><thead><tr><th scope="col">at ${P.lowered(entry.over.name)} = ${short(position)}</th><th scope="col">as printed</th><th scope="col">as corrected</th><th scope="col">loss, relative</th></tr></thead>
-<tbody><tr><th scope="row">${P.lowered(entry.y)}</th><td data-number="printed">${P.exactly(y[0])}</td><td data-number="corrected">${P.exactly(y[1])}</td><td data-number="loss">${short(loss, 6)}</td></tr></tbody></table>`;
+        byId('numbers').innerHTML = P.figures(
+            [`at ${P.lowered(entry.over.name)} = ${short(position)}`, 'as printed', 'as corrected', 'loss, relative'],
+            [[P.lowered(entry.y), ['printed', P.exactly(y[0])], ['corrected', P.exactly(y[1])], ['loss', short(loss, 6)]]],
+        );
         P.announce(`Equation ${entry.eq.join(' and ')}: ${short(y[0], 5)} as printed, ${short(y[1], 5)} as corrected.`);
         const now = JSON.stringify([
             entry.eq,

@@ -349,7 +349,7 @@ async function paste() {
   }
 }
 
-// Frames and answers at N = 5. Times are reported; gated on: a change is drawn within the event, and costs a bounded number of evaluations.
+// Frames and answers at N = 5. Times are reported; gated on: a change is drawn within its event, by few evaluations.
 async function hurry() {
   await open("machine", "#N=5&j=3&z=0.05&r=0.9&b=0.7");
   const found = await page.evaluate(async () => {

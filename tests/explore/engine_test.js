@@ -210,30 +210,27 @@ holds('Runge-Kutta, regularised friction and harmonic balance tend to the exact 
         assert.ok(rk[2][0] < 1e-6 && tanh[1][0] < tanh[0][0] / 5 && hb[2][0] < hb[0][0] / 5, JSON.stringify([rk, tanh, hb]));
     }
 });
-holds(
-    'the reference of the damping functions is the same in twice the bits, and the shipped form is near it where the printed one is not',
-    () => {
-        for (let n = 0; n < 60; ++n) {
-            const R = (1 / (2 * Math.floor(5 * random()) + 1)) * (1 + 10 ** between(-12, -3)),
-                zeta = 10 ** between(-12, -3);
-            const exact = D.reference(R, zeta),
-                again = D.reference(R, zeta, 840),
-                shipped = D.shipped(R, zeta),
-                printed = D.printed(R, zeta);
-            assert.deepStrictEqual(exact, again);
-            for (const key of ['u', 'g']) {
-                assert.ok(
-                    D.unitsApart(shipped[key], exact[key]) <= 64,
-                    `${key}(${R}, ${zeta}): ${shipped[key]} against ${exact[key]}`,
-                );
-                assert.ok(D.digitsOf(printed[key], exact[key]) < 15.9);
-            }
+holds('the reference is the same in twice the bits, and the shipped form is near it where the printed one is not', () => {
+    for (let n = 0; n < 60; ++n) {
+        const R = (1 / (2 * Math.floor(5 * random()) + 1)) * (1 + 10 ** between(-12, -3)),
+            zeta = 10 ** between(-12, -3);
+        const exact = D.reference(R, zeta),
+            again = D.reference(R, zeta, 840),
+            shipped = D.shipped(R, zeta),
+            printed = D.printed(R, zeta);
+        assert.deepStrictEqual(exact, again);
+        for (const key of ['u', 'g']) {
+            assert.ok(
+                D.unitsApart(shipped[key], exact[key]) <= 64,
+                `${key}(${R}, ${zeta}): ${shipped[key]} against ${exact[key]}`,
+            );
+            assert.ok(D.digitsOf(printed[key], exact[key]) < 15.9);
         }
-        const a = D.arithmetic(200);
-        assert.ok(D.toDouble(a.pi, 200) === Math.PI && D.toDouble(a.exponential(a.one), 200) === Math.E);
-        assert.ok(valueAt([1, 2, 3], 2) === 17);
-    },
-);
+    }
+    const a = D.arithmetic(200);
+    assert.ok(D.toDouble(a.pi, 200) === Math.PI && D.toDouble(a.exponential(a.one), 200) === Math.E);
+    assert.ok(valueAt([1, 2, 3], 2) === 17);
+});
 holds('each equation of the ledger has a place to be seen, on a page that is there, in a state that the page knows', () => {
     const places = JSON.parse(fs.readFileSync(explore + '/places.json', 'utf8'));
     const all = JSON.parse(fs.readFileSync(explore + '/../ledger/equations.json', 'utf8')).map((row) => row.equation);

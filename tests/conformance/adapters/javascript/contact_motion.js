@@ -1,4 +1,4 @@
-// The motion from event to event: (6) with friction (2), (3) and the sticking conditions (74), (75), without a time step to choose.
+// The motion from event to event: (6) with friction (2), (3) and the sticking conditions (74), (75), no step to choose.
 // Between two events (6) is linear. Its Taylor series is summed to rounding over short steps, and the first event in a step is
 // isolated by the signs of Bernstein coefficients, so that none is missed. A steady motion is a fixed point of the map over
 // half-periods, found by Newton's method with the exact Jacobian. Displacements in units of P / k_1; tau = 0 at the largest force.
@@ -116,7 +116,7 @@ class ContactMotion extends ClosedForm {
     regime() {
         return (this.known ??= super.regime());
     }
-    // Taylor coefficients of every displacement over [tau, tau + h], in powers of t = (time - tau) / h; direction 1, -1 or 0, held.
+    // Taylor coefficients of every displacement over [tau, tau + h], in powers of (time - tau) / h. Direction: 1, -1 or 0, held.
     // With `driven` false: those of a deviation, which neither force nor friction acts on.
     step(x, v, tau, h, direction, driven = true) {
         const { N, j, l, mass, K, C } = this,
