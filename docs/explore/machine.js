@@ -93,7 +93,9 @@ module.exports = function machine() {
             approximate: motion.beta_lim(0),
             sticking: motion.held().limit,
         };
-        const reason = reasonOf(shown.regime, motion, limits);
+        const told = motion.regime(),
+            besides = ` It is the motion from rest; the boundaries tell another, in which ${names[told].replace('The contact', 'the contact')}.`;
+        const reason = reasonOf(told, motion, limits) + (steady && shown.regime !== told ? besides : '');
         const state = failed
             ? ' ' + failed + '; the pictures show where the search ended.'
             : steady

@@ -75,7 +75,8 @@ class Search {
         // most: half-periods after which it ends without an answer
         this.motion = scene instanceof ContactMotion ? scene : new ContactMotion(scene);
         this.left = most;
-        const found = this.motion.formula();
+        // With mu > 1 there may be several steady motions: as denhartog solve does, the one from rest is looked for.
+        const found = this.motion.mu > 1 && this.motion.beta > 0 ? null : this.motion.formula();
         if (found) this.steady = this.shown = this.motion.steady(found);
         else this.search = this.motion.search(start);
     }

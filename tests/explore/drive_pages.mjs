@@ -150,8 +150,9 @@ async function compare(count, folder) {
           wrong.push("phase " + m.mass + " is " + s["phase-" + m.mass] + ", by denhartog solve " + m.phase);
       }
       if (a.regime === "stick_slip") {
-        if (Number(s.stops) !== a.stops_per_period)
-          wrong.push("stops per period are " + s.stops + ", by denhartog solve " + a.stops_per_period);
+        const stops = a.stops.length / a.periods; // of a period of the force
+        if (Math.abs(Number(s.stops) - stops) > 1e-5)
+          wrong.push("stops per period are " + s.stops + ", by denhartog solve " + stops);
         for (const [i, stop] of (a.stops ?? []).entries()) same("stop " + (i + 1), s["stop-at-" + (i + 1)], Number(stop.x));
       }
     }
@@ -351,13 +352,20 @@ async function paste() {
 
 // Frames and answers at N = 5. Times are reported; gated on: a change is drawn within its event, by few evaluations.
 async function hurry() {
+  const session = await browser.target().createCDPSession();
+  const cpu = async () => {
+    const { processInfo } = await session.send("SystemInfo.getProcessInfo"); // seconds, of the page's process
+    return processInfo.filter((each) => each.type === "renderer").reduce((sum, each) => sum + each.cpuTime, 0);
+  };
   await open("machine", "#N=5&j=3&z=0.05&r=0.9&b=0.7");
+  const before = await cpu();
   const found = await page.evaluate(async () => {
     const range = document.getElementById("range-b"),
       times = [],
       frame = () => new Promise(requestAnimationFrame),
       evaluations = [];
     let late = 0;
+    explore.page.pause();
     for (let n = 0; n < 60; ++n) {
       await frame();
       const renders = explore.page.counters.renders,
@@ -369,21 +377,23 @@ async function hurry() {
       evaluations.push(explore.page.counters.evaluations);
       while (explore.page.busy()) await frame();
     }
+    times.sort((a, b) => a - b);
+    return { late, most_evaluations: Math.max(...evaluations), median_ms: times[30], p95_ms: times[57] };
+  });
+  found.cpu_ms_a_change = (((await cpu()) - before) * 1000) / 60;
+  await open("machine", "#N=5&j=3&z=0.05&r=0.9&b=0.7");
+  const resting = await cpu();
+  const moved = await page.evaluate(async () => {
     const frames = explore.page.counters.frames,
       start = performance.now();
-    await new Promise((done) => setTimeout(done, 2000));
-    times.sort((a, b) => a - b);
-    return {
-      late,
-      most_evaluations: Math.max(...evaluations),
-      median_ms: times[30],
-      p95_ms: times[57],
-      frames_a_second: ((explore.page.counters.frames - frames) / (performance.now() - start)) * 1000,
-    };
+    await new Promise((done) => setTimeout(done, 3000));
+    return { frames: explore.page.counters.frames - frames, seconds: (performance.now() - start) / 1000 };
   });
+  found.frames_a_second = moved.frames / moved.seconds;
+  found.cpu_ms_a_frame = (((await cpu()) - resting) * 1000) / moved.frames;
   Object.assign(measured, found);
   if (found.late) say(found.late + " of 60 changes are not drawn within their event");
-  if (found.most_evaluations > 60000) say("a step of a slider takes " + found.most_evaluations + " evaluations");
+  if (found.most_evaluations > 20000) say("a step of a slider takes " + found.most_evaluations + " evaluations");
   await page.emulateMediaFeatures([{ name: "prefers-reduced-motion", value: "reduce" }]);
   await open("machine", "#N=5&j=3&r=0.9&b=0.2");
   await new Promise((done) => setTimeout(done, 300));

@@ -293,7 +293,9 @@ class ContactMotion extends ClosedForm {
             recent = [z];
         for (let done = 0, next = 6; ; next = min(1024, 2 * next)) {
             for (; done < next; ++done) {
-                z = this.map(z, 1).image;
+                const { run, image } = this.map(z, 1);
+                if (run.phases.every((p) => p.direction === 0) && this.restsForEver(z)) return this.stateOfRest();
+                z = image;
                 recent = [...recent.slice(-16), z];
                 yield z;
             }
@@ -333,23 +335,60 @@ class ContactMotion extends ClosedForm {
         }
         return apart(z) < first / 2;
     }
-    // A state of the steady motion at tau = 0 where a formula gives it; null where it has to be searched for.
+    // Whether the contact, held in z, rests for ever: the load on it is that of the steady held motion, that of its own place, and
+    // that of the free motion of the others, which is bounded by their energy and so never grows.
+    restsForEver(z) {
+        const { N, j, K, C, mass } = this,
+            others = [...Array(N).keys()].filter((k) => k !== j),
+            { X, limit } = this.held();
+        const product = (a, b) => a.reduce((s, y, n) => s + y * b[n], 0),
+            k_j = others.map((k) => K[j][k]);
+        // Where the others stand still for a unit displacement of the contact.
+        const follow = eliminated(others.map((a) => [...others.map((k) => K[a][k]), -K[a][j]]));
+        const margin = this.holds - this.mu * limit - abs((K[j][j] + product(k_j, follow)) * z.x[j]);
+        const dx = others.map((k, n) => z.x[k] - X[k][0] - follow[n] * z.x[j]),
+            dv = others.map((k) => z.v[k] + X[k][1]);
+        const pull = others.map((a) =>
+                product(
+                    others.map((k) => K[a][k]),
+                    dx,
+                ),
+            ),
+            energy =
+                product(dx, pull) +
+                product(
+                    dv,
+                    others.map((k, n) => mass[k] * dv[n]),
+                );
+        const damping = others.reduce((s, k) => s + C[j][k] ** 2 / mass[k], 0),
+            weight = Math.sqrt(max(0, -product(k_j, follow))) + Math.sqrt(damping);
+        return weight * Math.sqrt(energy) < margin;
+    }
+    // A state of the steady motion at tau = 0 by its formula: at rest at zero, or sliding throughout.
+    stateOfRest() {
+        const { X } = this.held();
+        return { z: { x: X.map(([re]) => re), v: X.map(([, im]) => 0 - im) }, h: 1, residual: 0, half_periods: 0 };
+    }
+    // The one that the boundaries tell, or null where it has to be searched for.
     formula() {
         const regime = this.regime();
-        if (regime === 'stick_slip') return null;
-        const held = regime === 'permanent_sticking' && this.held().X,
-            { phi_j, W } = held ? {} : this.slide();
-        const at = this.gamma.map((_, k) => (held ? [held[k][0], 0 - held[k][1]] : this.motion(k, W, -phi_j)));
+        if (regime !== 'continuous') return regime === 'stick_slip' ? null : this.stateOfRest();
+        const { phi_j, W } = this.slide(),
+            at = this.gamma.map((_, k) => this.motion(k, W, -phi_j));
         return { z: { x: at.map(([x]) => x), v: at.map(([, v]) => v) }, h: 1, residual: 0, half_periods: 0 };
     }
     // The steady motion over its period, in any regime: what the pages draw.
     steady(fixed = this.formula() || this.steadyStickSlip()) {
         const { j } = this,
-            { z, h, residual, half_periods } = fixed,
-            regime = this.regime();
+            { z, h, residual, half_periods } = fixed;
         const periods = h % 2 ? h : h / 2,
             run = this.run(z, 0, 2 * PI * periods),
             period = 2 * PI * periods;
+        // With mu = 1 the boundaries tell the regime; above, the motion from rest may be another than they have in mind.
+        const lasting = run.phases.filter((p) => p.to > p.from),
+            held = lasting.filter((p) => p.direction === 0);
+        const met = held.length === 0 ? 'continuous' : held.length < lasting.length ? 'stick_slip' : 'permanent_sticking';
+        const regime = this.mu > 1 ? met : this.regime();
         const closes = max(...run.end.x.map((x, k) => abs(x - z.x[k])), ...run.end.v.map((v, k) => abs(v - z.v[k])));
         const stops = stopsOf(run.phases, period);
         const masses = z.x.map((_, k) =>
