@@ -165,6 +165,6 @@ ${bits(forms[form][key], exact[key])}</p>`;
             { key: 'z', label: 'damping ratio <i>ζ</i>', from: 1e-15, to: 0.9, log: true, strict: true },
         ],
     });
-    addEventListener('resize', draw);
+    P.resized(draw);
     return { set: kept.set, get: kept.get, counters, busy: P.busy };
 };

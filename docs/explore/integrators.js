@@ -242,6 +242,6 @@ module.exports = function integrators() {
             { key: 'periods', label: 'periods that integrators wait', from: 5, to: 200, step: 5, whole: true },
         ],
     });
-    addEventListener('resize', draw);
+    P.resized(draw);
     return { set: kept.set, get: kept.get, counters, busy: () => P.busy('others') };
 };

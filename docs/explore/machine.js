@@ -21,7 +21,7 @@ const names = {
     stick_slip: 'The contact sticks and slips',
     permanent_sticking: 'The contact never moves',
 };
-const samples = 720,
+const samples = 480,
     counters = { frames: 0, renders: 0, evaluations: 0, changes: 0 };
 
 function reasonOf(regime, c, limits) {
@@ -49,6 +49,9 @@ function sampled(motion, shown) {
 module.exports = function machine() {
     let search = null,
         picture = null,
+        standing = '', // the chain that is drawn
+        geometry = null,
+        parts = null,
         start = null,
         tau = 0;
     const still = matchMedia('(prefers-reduced-motion: reduce)');
@@ -182,7 +185,7 @@ module.exports = function machine() {
             marks: [{ at: [0, 0], id: 'portrait-now', size: 6 }],
             title: 'Velocity over displacement of the contact',
         });
-        const some = all.filter((_, n) => n % 20 === 0),
+        const some = all.filter((_, n) => n % 15 === 0),
             masses = scene.mass_ratios.map((_, k) => k);
         P.table('motion-table', ['τ', ...masses.map((k) => `x<sub>${k + 1}</sub>`), 'contact'], () =>
             some.map((s) => [s.tau, ...s.x, s.direction ? 'slides' : 'rests']),
@@ -191,7 +194,16 @@ module.exports = function machine() {
         P.table('law-table', ['velocity', 'friction'], () => some.map((s) => [s.v_j, s.friction]));
         P.table('portrait-table', ['displacement', 'velocity'], () => some.map((s) => [s.x_j, s.v_j]));
         numbers(scene, shown, steady, limits);
-        draw(scene);
+        const chain = JSON.stringify([scene.mass_ratios.length, scene.contact, scene.load, P.widthOf('machine')]);
+        if (chain !== standing) draw(scene);
+        standing = chain;
+        Object.assign(picture, { geometry, parts });
+        for (const [key, id] of [
+            ['law', 'law-now'],
+            ['portrait', 'portrait-now'],
+        ])
+            parts[key] = byId(id);
+        parts.rules = document.querySelectorAll('#motion .now, #forces .now');
         byId('instant').max = shown.period;
         if (tau > shown.period) tau = 0;
         move();
@@ -230,16 +242,15 @@ ${short(shown.closes, 2)} of itself; the search evaluated ${search.motion.evalua
     };
     // The drawing: what stands still once a scene, what moves in groups of its own.
     const draw = (scene) => {
-        const svg = byId('machine'),
-            N = scene.mass_ratios.length,
-            width = Math.max(260, svg.clientWidth || 640),
+        const N = scene.mass_ratios.length,
+            width = P.widthOf('machine'),
             height = 190,
-            left = 26,
-            gap = Math.min(260, (width - left - 10) / N),
+            gap = Math.min(260, (width - 36) / N),
+            left = Math.max(26, (width - gap * N) / 2),
             body = Math.min(64, gap * 0.4);
-        picture.geometry = { left, gap, body, height, travel: Math.min(gap - body, 100) * 0.3, base: 108 };
+        geometry = { left, gap, body, height, travel: Math.min(gap - body, 100) * 0.3, base: 108 };
         const place = (k) => left + gap * (k + 0.58),
-            { base, travel } = picture.geometry,
+            { base, travel } = geometry,
             j = scene.contact - 1,
             wall = [place(j) - body / 2 - travel - 4, place(j) + body / 2 + travel + 4];
         const line = (style, x1, y1, x2, y2) => P.tag('line', { class: style, x1, y1, x2, y2 }),
@@ -260,7 +271,7 @@ ${short(shown.closes, 2)} of itself; the search evaluated ${search.motion.evalua
             );
         }
         out += path('arrow', 'load-arrow') + path('arrow friction', 'friction-arrow');
-        picture.geometry.place = place;
+        geometry.place = place;
         P.into(
             'machine',
             width,
@@ -268,15 +279,12 @@ ${short(shown.closes, 2)} of itself; the search evaluated ${search.motion.evalua
             `${N} masses in a chain; contact on mass ${scene.contact}, load on mass ${scene.load}`,
             out,
         );
-        picture.parts = {
+        parts = {
             bodies: scene.mass_ratios.map((_, k) => byId('body-' + k)),
             springs: scene.mass_ratios.map((_, k) => byId('spring-' + k)),
             dashpots: scene.mass_ratios.map((_, k) => byId('dashpot-' + k)),
             load: byId('load-arrow'),
             friction: byId('friction-arrow'),
-            law: byId('law-now'),
-            portrait: byId('portrait-now'),
-            rules: document.querySelectorAll('#motion .now, #forces .now'),
         };
     };
     const spring = (a, b, y) => {
@@ -371,7 +379,7 @@ ${short(shown.closes, 2)} of itself; the search evaluated ${search.motion.evalua
         move();
     });
     const kept = P.controls({ defaults: P.sceneDefaults, presets, changed });
-    addEventListener('resize', () => {
+    P.resized(() => {
         if (picture) show(picture.scene);
     });
     says();

@@ -209,7 +209,7 @@ on.</p></details>`
         if (scene) for (const key of ['j', 'l']) next[key] = Math.min(Number(next[key]), Number(next.N));
         state = next;
         show(except);
-        history.replaceState(null, '', hashOf(state, defaults) === '#' ? location.pathname : hashOf(state, defaults));
+        keepAddress(hashOf(state, defaults));
         changed(state);
     };
     for (const { key, log } of ranges) {
@@ -234,11 +234,24 @@ on.</p></details>`
     return { set, get: () => state };
 }
 
+// Writes the state into the address: at once after a pause, else once the slider rests, as browsers allow few such calls.
+function keepAddress(hash) {
+    clearTimeout(keepAddress.timer);
+    const write = () => {
+        keepAddress.last = performance.now();
+        history.replaceState(null, '', hash === '#' ? location.pathname : hash);
+    };
+    if (performance.now() - (keepAddress.last ?? -1e9) > 400) write();
+    else keepAddress.timer = setTimeout(write, 150);
+}
+
 // Says the last of several texts, politely, once nothing has changed for a while.
 function announce(text) {
+    if (announce.pending === text) return;
+    announce.pending = text;
     clearTimeout(announce.timer);
     announce.timer = setTimeout(() => {
-        if (byId('status').textContent !== text) byId('status').textContent = text;
+        byId('status').textContent = text;
     }, 400);
 }
 function copies(scene, options = '') {
@@ -331,8 +344,16 @@ function span(values, around = 0.06, least = 1e-12) {
 }
 // Draws axes, bands, lines and marks into an <svg>: x and y are { span, label, log, ticks }, lines { points, style }.
 const shapes = { width: 640, height: 300, left: 62, right: 14, top: 14, bottom: 44 };
+// The width of a picture, read once until the window changes: reading it makes the browser lay out all that was just drawn.
+const widths = {};
+const widthOf = (id) => (widths[id] ??= Math.max(260, Math.round(byId(id).clientWidth || shapes.width)));
+const resized = (redraw) =>
+    addEventListener('resize', () => {
+        for (const id of Object.keys(widths)) delete widths[id];
+        redraw();
+    });
 function frameOf(id, { x, y, height = shapes.height }) {
-    const width = Math.max(260, Math.round(byId(id).clientWidth || shapes.width));
+    const width = widthOf(id);
     const { left, right, top, bottom } = shapes;
     return {
         width,
@@ -456,6 +477,8 @@ module.exports = {
     openTables,
     tag,
     into,
+    widthOf,
+    resized,
     sample,
     figures,
     ticks,

@@ -353,7 +353,7 @@ ${quantityName()}${stopsShown ? '' : ', logarithmic'}</span><span>thin strokes: 
             { key: 'bmax', label: 'plane up to <i>β</i> =', from: 0.1, to: 3, step: 0.05, strict: true },
         ],
     });
-    addEventListener('resize', () => {
+    P.resized(() => {
         draw();
         if (slices) drawSlices();
     });

@@ -99,7 +99,7 @@ module.exports = function printed() {
     };
     function* curve(entry, scene, k, i, own) {
         const { from, to } = entry.over,
-            n = entry.heavy ? 120 : 240,
+            n = entry.heavy ? 200 : 240,
             ends = entry.ends ? 1e-3 : 0;
         let c = entry.over.key ? null : F.exactly(scene);
         for (let s = 0; s <= n; ++s) {
@@ -161,6 +161,6 @@ module.exports = function printed() {
         const entry = entryOf(e.target.value);
         kept.set({ ...P.stateOf({ ...P.sceneDefaults, m: 1, i: 1, x: '' }, '#' + entry.open), eq: e.target.value });
     });
-    addEventListener('resize', () => draw(entryOf(kept.get().eq)));
+    P.resized(() => draw(entryOf(kept.get().eq)));
     return { set: kept.set, get: kept.get, counters, busy: P.busy };
 };
