@@ -290,6 +290,6 @@ function* harmonicBalance(scene, { harmonics, samples }) {
 function errorOf(samples, steady, j) {
     let worst = 0;
     for (const [s, x] of samples.entries()) worst = max(worst, abs(x[j] - stateAt(steady, (2 * PI * s) / samples.length).x[j]));
-    return worst / max(steady.masses[j].amplitude, 1e-300);
+    return steady.masses[j].amplitude > 0 ? worst / steady.masses[j].amplitude : NaN; // it never moves
 }
 module.exports = { rungeKutta, regularised, harmonicBalance, errorOf };

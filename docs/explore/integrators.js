@@ -78,6 +78,7 @@ module.exports = function integrators() {
                     },
                 );
         }
+        if (search.failed && !search.shown) return draw();
         P.background('yours', yours(), () => {
             draw();
             if (!others.length) P.background('others', elsewhere(), draw);
@@ -85,6 +86,7 @@ module.exports = function integrators() {
         draw();
     };
     const exactMotion = () => {
+        if (!search.shown) return;
         exact = Array.from({ length: samples }, (_, s) => stateAt(search.shown, (2 * PI * s) / samples).x[search.motion.j]);
     };
     const outcome = (key, y, result) => ({
@@ -132,6 +134,11 @@ module.exports = function integrators() {
     };
     const draw = () => {
         ++counters.renders;
+        if (!search.shown) {
+            byId('regime').textContent = search.failed ? 'There is no steady motion to compare with: ' + search.failed + '.' : '';
+            for (const id of ['legend', 'motion', 'errors', 'cost', 'numbers']) byId(id).innerHTML = '';
+            return;
+        }
         const { motion, steady, shown } = search,
             x = { span: [0, 2 * PI], label: 'τ, from the maximum of the force' },
             at = (s) => (2 * PI * s) / samples;

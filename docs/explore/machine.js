@@ -82,7 +82,17 @@ module.exports = function machine() {
         if (!more) P.background('search', nothing());
         if (search.steady?.regime === 'stick_slip') start = { shape, z: search.steady.z };
     };
+    // A scene without an answer: what was drawn before goes.
+    const nothing = () => {
+        byId('regime').textContent = 'There is no steady motion to show: ' + search.failed + '.';
+        byId('regime').dataset.regime = 'none';
+        for (const id of ['machine', 'motion', 'forces', 'law', 'portrait', 'legend', 'numbers']) byId(id).innerHTML = '';
+        picture = null;
+        standing = '';
+        P.announce('No steady motion: ' + search.failed + '.');
+    };
     const show = (scene) => {
+        if (!search.shown) return nothing();
         const { motion, shown, steady, failed } = search,
             all = sampled(motion, shown),
             { j } = motion;

@@ -68,6 +68,16 @@ function brokenRule(scene) {
 }
 const commandOf = (scene, options = '') => `echo '${JSON.stringify(scene)}' | denhartog solve -${options}`;
 
+// The regime that the boundaries tell; null at a pole, where a mode without damping is at its resonance.
+function regimeOf(motion) {
+    try {
+        return motion.regime();
+    } catch (fault) {
+        if (!(fault instanceof RangeError)) throw fault;
+        return null;
+    }
+}
+
 // The motion of a scene, shared out over frames: work(budget in milliseconds) goes on until { steady } is there.
 // Before that, `shown` is the motion over one period from where the search is.
 class Search {
@@ -75,10 +85,19 @@ class Search {
         // most: half-periods after which it ends without an answer
         this.motion = scene instanceof ContactMotion ? scene : new ContactMotion(scene);
         this.left = most;
-        // With mu > 1 there may be several steady motions: as denhartog solve does, the one from rest is looked for.
-        const found = this.motion.mu > 1 && this.motion.beta > 0 ? null : this.motion.formula();
-        if (found) this.steady = this.shown = this.motion.steady(found);
-        else this.search = this.motion.search(start);
+        try {
+            // With mu > 1 there may be several steady motions: as denhartog solve does, the one from rest is looked for.
+            const found = this.motion.mu > 1 && this.motion.beta > 0 ? null : this.motion.formula();
+            if (found) this.steady = this.shown = this.motion.steady(found);
+            else this.search = this.motion.search(start);
+        } catch (fault) {
+            this.fails(fault);
+        }
+    }
+    fails(fault) {
+        // what has no answer is told; a mistake of the program is not hidden
+        if (!(fault instanceof RangeError)) throw fault;
+        this.failed = fault.message;
     }
     work(milliseconds) {
         const end = performance.now() + milliseconds;
@@ -88,11 +107,17 @@ class Search {
                 if (done) this.steady = this.shown = this.motion.steady(value);
                 else this.at = value;
             } catch (fault) {
-                this.failed = fault.message;
+                this.fails(fault);
             }
             if (performance.now() > end || --this.left <= 0) break;
         }
-        if (!this.steady && this.at) this.shown = this.motion.steady({ z: this.at, h: 1, residual: NaN, half_periods: 0 });
+        if (!this.steady && this.at) {
+            try {
+                this.shown = this.motion.steady({ z: this.at, h: 1, residual: NaN, half_periods: 0 });
+            } catch (fault) {
+                this.fails(fault);
+            }
+        }
         return !this.steady && !this.failed;
     }
 }
@@ -475,6 +500,7 @@ module.exports = {
     copies,
     table,
     openTables,
+    regimeOf,
     tag,
     into,
     widthOf,

@@ -46,7 +46,7 @@ function seen(c, quantity, near) {
         k = quantity === 'stops' || quantity === '0' ? c.j : min(Number(quantity) - 1, c.gamma.length - 1);
     if (regime === 'permanent_sticking') return { value: quantity === 'stops' ? 0 : Math.hypot(...c.held().X[k]), regime };
     if (regime === 'continuous') return { value: quantity === 'stops' ? 0 : c.amplitudeAndPhase(k)[0], regime };
-    const search = new P.Search(c, near.z, 40);
+    const search = new P.Search(c, near.z, 13);
     search.work(Infinity);
     if (search.steady) near.z = search.steady.z;
     const { shown } = search;
@@ -75,6 +75,7 @@ const words = {
     continuous: 'the contact slides throughout',
     stick_slip: 'it sticks and slips',
     permanent_sticking: 'it never moves',
+    none: 'an undamped mode is at its resonance',
 };
 
 module.exports = function plane() {
@@ -124,7 +125,7 @@ module.exports = function plane() {
             ]);
         const lim = c.beta_lim(c.demand()),
             { limit } = c.held(),
-            regime = c.regime();
+            regime = P.regimeOf(c) ?? 'none';
         byId('regime').innerHTML =
             `<strong>r = ${short(scene.r)}, β = ${short(scene.beta)}: ${words[regime]}.</strong> Sliding ends at
 β = <span data-number="beta_lim_exact">${P.exactly(lim)}</span>; the contact never moves from

@@ -50,7 +50,7 @@ module.exports = function printed() {
             row = rows[0];
         byId('regime').innerHTML =
             `<strong>${entry.eq.map(P.equationLink).join(', ')}: ${entry.what}.</strong> ` +
-            (entry.slides && c.regime() !== 'continuous'
+            (entry.slides && P.regimeOf(c) !== 'continuous'
                 ? 'Here the contact does not slide throughout, and the form does not apply; lower <i>β</i>.'
                 : '');
         const verdictOf = (r, n) => {

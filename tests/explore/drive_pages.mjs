@@ -164,9 +164,21 @@ async function compare(count, folder) {
   return different;
 }
 
+// Links that lead nowhere; those to the rest of the site only where the pages stand in one.
+const whole = fs.existsSync(path.join(site, "../equations.html"));
+async function follow() {
+  const links = await page.evaluate(() => [...document.querySelectorAll("a[href]")].map((e) => e.getAttribute("href")));
+  for (const link of new Set(links)) {
+    const file = link.replace(/[#?].*/, "");
+    if (file && (whole || !file.startsWith("../")) && !fs.existsSync(path.join(site, file)))
+      say("leads to " + link + ", which is not there");
+  }
+}
+
 async function look_everywhere() {
   for (const name of names) {
     await open(name);
+    await follow();
     for (const details of await page.$$("main details"))
       await details.evaluate((e) => {
         e.open = true;
@@ -290,6 +302,24 @@ function ask(scenes) {
     .map((line) => JSON.parse(line));
 }
 
+// Scenes at the ends of what is allowed, undamped resonances among them: no page may stumble.
+async function go_to_the_ends() {
+  for (const name of ["machine", "plane", "integrators", "printed"])
+    for (const hash of [
+      "#z=0&r=1&b=0.2",
+      "#z=0&r=0.5&b=0",
+      "#b=0",
+      "#r=0.03&b=0.9",
+      "#r=40",
+      "#z=3&r=0.5",
+      "#N=5&z=0&j=3&r=0.9&b=0.2",
+      "#mu=3&r=0.5&b=0.4",
+    ]) {
+      await open(name, hash);
+      if (!(await page.evaluate(() => document.getElementById("regime").textContent))) say("says nothing");
+    }
+}
+
 async function read_the_others() {
   await open("printed");
   const equations = await page.evaluate(() => [...document.getElementById("choice-eq").options].map((o) => o.value));
@@ -298,6 +328,7 @@ async function read_the_others() {
     await wait();
     at = "printed.html, (" + eq + ")";
     if (await page.evaluate(() => document.getElementById("fault").textContent)) say("opens with a fault");
+    await follow();
     if ((await page.evaluate(() => document.querySelectorAll("#curve .line").length)) < 2) say("does not draw both curves");
     if ((await page.evaluate(() => document.querySelector("#curve .right").getAttribute("d").length)) < 20)
       say("draws no corrected curve");
@@ -403,6 +434,7 @@ async function hurry() {
 
 await press_keys();
 await read_the_others();
+await go_to_the_ends();
 await paste();
 await hurry();
 await look_everywhere();
