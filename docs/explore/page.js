@@ -81,14 +81,12 @@ function regimeOf(motion) {
 // The motion of a scene, shared out over frames: work(budget in milliseconds) goes on until { steady } is there.
 // Before that, `shown` is the motion over one period from where the search is.
 class Search {
-    constructor(scene, start = null, most = Infinity) {
-        // most: half-periods after which it ends without an answer
+    constructor(scene, start = null) {
         this.motion = scene instanceof ContactMotion ? scene : new ContactMotion(scene);
-        this.left = most;
         try {
             // With mu > 1 there may be several steady motions: as denhartog solve does, the one from rest is looked for.
             const found = this.motion.mu > 1 && this.motion.beta > 0 ? null : this.motion.formula();
-            if (found) this.steady = this.shown = this.motion.steady(found);
+            if (found) this.steady = this.motion.steady(found);
             else this.search = this.motion.search(start);
         } catch (fault) {
             this.fails(fault);
@@ -104,21 +102,25 @@ class Search {
         while (!this.steady && !this.failed) {
             try {
                 const { done, value } = this.search.next();
-                if (done) this.steady = this.shown = this.motion.steady(value);
+                if (done) this.steady = this.motion.steady(value);
                 else this.at = value;
             } catch (fault) {
                 this.fails(fault);
             }
-            if (performance.now() > end || --this.left <= 0) break;
+            if (performance.now() > end) break;
         }
-        if (!this.steady && this.at) {
+        return !this.steady && !this.failed;
+    }
+    get shown() {
+        if (this.steady || !this.at) return this.steady;
+        if (this.seen?.z !== this.at) {
             try {
-                this.shown = this.motion.steady({ z: this.at, h: 1, residual: NaN, half_periods: 0 });
+                this.seen = this.motion.steady({ z: this.at, h: 1, residual: NaN, half_periods: 0 });
             } catch (fault) {
                 this.fails(fault);
             }
         }
-        return !this.steady && !this.failed;
+        return this.seen;
     }
 }
 

@@ -26,6 +26,7 @@ const presets = [
     ['Figs. 6 and 12, at resonance', '#z=0.05&r=1&b=0.3'],
     ['Figs. 8 and 9', '#N=2&z=0.0161803398875,0.0061803398875&j=2&l=1&r=1.2&b=0.2'],
 ];
+const least = 0.04; // of r: below, a motion takes long to follow
 // A colour between dark blue and yellow, lighter with t; all of them keep a light line and a dark one apart.
 const stops = [
     [68, 1, 84],
@@ -41,13 +42,13 @@ function colour(t) {
     return stops[n].map((a, i) => Math.round(a + part * (stops[n + 1][i] - a)));
 }
 // Amplitude of mass k (-1: the contact) or stops a period at a point; `near` is a state to start from, and becomes the one found.
-function seen(c, quantity, near) {
+function* seen(c, quantity, near) {
     const regime = c.regime(),
         k = quantity === 'stops' || quantity === '0' ? c.j : min(Number(quantity) - 1, c.gamma.length - 1);
     if (regime === 'permanent_sticking') return { value: quantity === 'stops' ? 0 : Math.hypot(...c.held().X[k]), regime };
     if (regime === 'continuous') return { value: quantity === 'stops' ? 0 : c.amplitudeAndPhase(k)[0], regime };
-    const search = new P.Search(c, near.z, 13);
-    search.work(Infinity);
+    const search = new P.Search(c, near.z);
+    for (let n = 0; n < 13 && search.work(0); ++n) yield; // a motion that has not settled by then is shown as it is
     if (search.steady) near.z = search.steady.z;
     const { shown } = search;
     return {
@@ -61,12 +62,12 @@ function* seenOver(list, sceneAt, quantity, out) {
     for (const x of list) {
         let point = { value: NaN };
         try {
-            point = seen(sceneAt(x), quantity, near);
+            point = yield* seen(sceneAt(x), quantity, near);
         } catch (fault) {
             if (!(fault instanceof RangeError)) throw fault;
         }
         out.push({ x, ...point });
-        yield;
+        yield true; // a point is there
     }
 }
 
@@ -87,7 +88,8 @@ module.exports = function plane() {
         cells = null,
         f = null,
         slices = null,
-        kept = null;
+        kept = null,
+        begun = false;
     const counters = { cells: 0, renders: 0 };
     byId('switches').insertAdjacentHTML(
         'beforeend',
@@ -101,7 +103,7 @@ module.exports = function plane() {
     for (const { key } of switches)
         byId('on-' + key).onchange = (e) => kept.set({ on: state.on.replace(key, '') + (e.target.checked ? key : '') });
 
-    const rs = (n) => Array.from({ length: n }, (_, i) => 0.02 + ((Number(state.rmax) - 0.02) * (i + 0.5)) / n);
+    const rs = (n) => Array.from({ length: n }, (_, i) => least + ((Number(state.rmax) - least) * (i + 0.5)) / n);
     const bs = (n) => Array.from({ length: n }, (_, i) => (Number(state.bmax) * (i + 0.5)) / n);
     const changed = (next) => {
         state = next;
@@ -143,10 +145,13 @@ module.exports = function plane() {
                 high: -Infinity,
             };
             P.background('lines', lines(), () => draw());
-            P.background('cells', fill(), () => paint());
+            begun = false;
+            P.background('cells', (function* () {})());
         }
         P.background('slices', both(), () => {
             drawSlices();
+            if (!begun) P.background('cells', fill(), paint); // the plane comes last: what stands beside it answers the hand
+            begun = true;
         });
         draw();
     };
@@ -185,7 +190,11 @@ module.exports = function plane() {
             for (let column = first; column < columns; column += stride) {
                 const c = new ContactMotion({ ...base, r: allR[column] }),
                     out = [];
-                for (const _ of seenOver(allB, (beta) => c.withFriction(beta), quantity, out)) {
+                for (const there of seenOver(allB, (beta) => c.withFriction(beta), quantity, out)) {
+                    if (!there) {
+                        yield;
+                        continue;
+                    }
                     ++counters.cells;
                     const row = out.length - 1,
                         { value, regime } = out[row],
@@ -208,7 +217,7 @@ module.exports = function plane() {
             atB = [],
             { beta } = scene,
             c = new ContactMotion(scene),
-            low = 0.02;
+            low = least;
         slices = { atR, atB };
         yield* seenOver(bs(90), (b) => c.withFriction(b), state.q, atB);
         drawSlices();
@@ -318,7 +327,7 @@ ${quantityName()}${stopsShown ? '' : ', logarithmic'}</span><span>thin strokes: 
         }
     };
     const to = (r, b) =>
-        kept.set({ r: short(max(0.02, min(Number(state.rmax), r)), 4), b: short(max(0, min(Number(state.bmax), b)), 4) });
+        kept.set({ r: short(max(least, min(Number(state.rmax), r)), 4), b: short(max(0, min(Number(state.bmax), b)), 4) });
     byId('plane').addEventListener('click', (e) => {
         const box = byId('lines').getBoundingClientRect(),
             { left, right, top, bottom } = P.shapes;
