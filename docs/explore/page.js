@@ -437,12 +437,12 @@ function plot(id, { x, y, bands = [], lines = [], marks = [], height, title, rul
         tag('text', { class: 'axis', x: (left + end) / 2, y: f.height - 6, 'text-anchor': 'middle' }, indexed(x.label)),
         tag('text', { class: 'axis', ...turned, 'text-anchor': 'middle' }, indexed(y.label)),
     );
-    const drawn = [];
-    for (const { points, style } of lines) {
-        const d = pathOf(points, f, y.span);
-        if (style.includes('over')) drawn.push(tag('path', { class: 'halo', d })); // over colours
-        drawn.push(tag('path', { class: 'line ' + style, d }));
-    }
+    const paths = lines.map(({ points, style }) => ({ style, d: pathOf(points, f, y.span) })),
+        halos = paths.filter(({ style }) => style.includes('over')); // below lines that lie over colours
+    const drawn = [
+        ...halos.map(({ d }) => tag('path', { class: 'halo', d })),
+        ...paths.map(({ style, d }) => tag('path', { class: 'line ' + style, d })),
+    ];
     for (const { at, style = '' } of rules) drawn.push(upright(at, 'rule ' + style));
     for (const { at, style = '', size = 5, id: name } of marks)
         if (at.every(Number.isFinite))

@@ -173,7 +173,7 @@ module.exports = function plane() {
         }
         curves = found;
     }
-    // Columns in an order from coarse to fine; in a column upwards, each search from the motion below.
+    // Columns from coarse to fine, those of high r first, which cost least; in a column upwards, each search from the motion below.
     function* fill() {
         const own = cells,
             { columns, rows } = own,
@@ -187,7 +187,7 @@ module.exports = function plane() {
             [4, 2],
             [2, 1],
         ])
-            for (let column = first; column < columns; column += stride) {
+            for (let column = columns - stride + first; column >= 0; column -= stride) {
                 const c = new ContactMotion({ ...base, r: allR[column] }),
                     out = [];
                 for (const there of seenOver(allB, (beta) => c.withFriction(beta), quantity, out)) {
