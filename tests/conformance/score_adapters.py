@@ -70,7 +70,7 @@ def table(scores, skipped):
             digits = [f"{row[key]:.1f}" if row[key] is not None else "" for key in ("median_digits", "worst_digits")]
             lines.append(f"| {name} | {tier} | {row['asked']} | " + " | ".join(str(counts[v]) for v in RIGHT) +
                          f" | {other} | {digits[0]} | {digits[1]} |")
-    text = "\n".join(lines) + "\n\nSkipped are motions with stops, which no closed form gives, but by the library.\n"
+    text = "\n".join(lines) + "\n\nSkipped are motions with stops, which no closed form gives; the library and the JavaScript answer them from event to event.\n"
     return text + ("\nNot installed here, and not asked: " + ", ".join(skipped) + ".\n" if skipped else "")
 
 

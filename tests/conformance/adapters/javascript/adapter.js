@@ -1,6 +1,6 @@
-// Answers the questions of `denhartog conform` by closed_form.js, in the json dialect.
+// Answers the questions of `denhartog conform` in the json dialect: by closed_form.js, motions with stops by contact_motion.js.
 'use strict';
-const ClosedForm = require('./closed_form.js');
+const { ContactMotion, wrapped } = require('./contact_motion.js');
 
 const quantities = { // c: the closed form of the scene; k: the mass, from 0; q: the question
     natural_frequency_ratios: (c) => c.modes.map((m) => m.r_n),
@@ -25,9 +25,10 @@ const quantities = { // c: the closed form of the scene; k: the mass, from 0; q:
     beta_lim_high_frequency: (c) => 2 / Math.hypot(2 * c.mu, Math.PI), // (86) as corrected, j = l
     regime: (c) => c.regime(),
     rest_interval: (c) => (c.regime() === 'permanent_sticking' ? c.held().rest : NaN),
+    stops_per_period: (c) => c.stopsPerPeriod(),
+    stop_durations: (c) => c.stops().map(({ from, to }) => to - from).sort((a, b) => a - b),
     motion_under_force: (c, k, q) => c.motionUnderForce(k, [...Array(q.samples).keys()].map((n) => 2 * Math.PI * n / q.samples)),
 };
-const wrapped = (phi) => phi - 2 * Math.PI * Math.ceil((phi - Math.PI) / (2 * Math.PI)); // to (-pi, pi]
 
 function brokenRule({ scene: s, mass = 1, tau = 0, samples = 1 }) {
     const springs = s.stiffness_ratios, ratios = [...s.mass_ratios, ...springs], N = s.mass_ratios.length;
@@ -43,9 +44,9 @@ function brokenRule({ scene: s, mass = 1, tau = 0, samples = 1 }) {
 function reply(q) {
     const broken = brokenRule(q);
     if (broken) return { reject: broken };
-    if (!(q.quantity in quantities)) return { skip: 'not in the closed form' };
+    if (!(q.quantity in quantities)) return { skip: 'not among what this program computes' };
     try {
-        const value = quantities[q.quantity](new ClosedForm(q.scene), (q.mass || 1) - 1, q);
+        const value = quantities[q.quantity](new ContactMotion(q.scene), (q.mass || 1) - 1, q);
         return typeof value === 'string' || [value].flat().every(Number.isFinite) ? { value } : { skip: 'at a pole' };
     } catch (reason) {
         return { skip: reason.message };
@@ -53,7 +54,7 @@ function reply(q) {
 }
 
 require('readline').createInterface({ input: process.stdin }).on('line', (line) => {
-    if (line.startsWith('denhartog-conform')) return console.log('denhartog-conform 1 json closed form in JavaScript');
+    if (line.startsWith('denhartog-conform')) return console.log('denhartog-conform 1 json exact motion in JavaScript');
     const question = JSON.parse(line);
     console.log(JSON.stringify({ id: question.id, ...reply(question) }));
 });

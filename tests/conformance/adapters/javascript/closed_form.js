@@ -197,3 +197,4 @@ class ClosedForm {
     }
 }
 module.exports = ClosedForm;
+module.exports.modeFunctions = modeFunctions;
