@@ -156,3 +156,266 @@ Definition eq_62 : Prop := forall R_i zeta psi_j psi_l beta phi y y1 y2, admissi
   continuous_on_half_period y y1 -> modal_equation R_i zeta psi_j psi_l beta phi y y1 y2 -> mirrored y y1 ->
   cos phi = (y 0 + psi_j * R_i ^ 2 * g R_i zeta * beta) / (psi_l * R_i ^ 2) * (1 - R_i ^ 2)
             + (y1 0 + psi_j * R_i ^ 2 * u R_i zeta * beta) / (psi_l * R_i ^ 2) * (2 * zeta * R_i).
+
+(* ---- A scene: any number of masses and modes ------------------------------------------------------------------------------------------ *)
+
+Record scene := Scene {
+  masses : nat;                      (* N *)
+  mass : nat -> nat -> R;            (* entries of M, C, K of (7): mass a b is M_ab *)
+  damping : nat -> nat -> R;
+  stiffness : nat -> nat -> R;
+  shape : nat -> nat -> R;           (* (14): shape k i is psi_ki, mass k in mode i *)
+  ratio : nat -> R;                  (* R_i of (22) *)
+  damping_ratio : nat -> R;          (* zeta_i of (18) *)
+  contact : nat;                     (* j: the mass with the contact *)
+  loaded : nat;                      (* l: the mass that the load acts on *)
+  friction : R                       (* beta of (11) *)
+}.
+
+(* (4)-(7), (11): a motion X of the masses m, c, k with the friction force F and the load P cos(omega t) solves (6) after the scaling (5).
+   sgn is the sign of the contact's velocity, or a value of its set where that is zero; the scaled velocity has the same sign. *)
+Definition eq_6 : Prop := forall n (m c k : nat -> nat -> R) (X X1 X2 : nat -> R -> R) (sgn : R -> R) F P k_1 omega j l tau,
+  0 < omega -> 0 < k_1 -> 0 < P ->
+  (forall a, is_derive (X a) (tau / omega) (X1 a (tau / omega)) /\ is_derive (X1 a) (tau / omega) (X2 a (tau / omega))) ->
+  (forall a, (a < n)%nat -> Sum n (fun b => m a b * X2 b (tau / omega) + c a b * X1 b (tau / omega) + k a b * X b (tau / omega))
+    + F * delta a j * sgn (tau / omega) = P * delta a l * cos (omega * (tau / omega))) ->
+  let x := fun a t => k_1 / P * X a (t / omega) in
+  let x1 := fun a t => k_1 / (P * omega) * X1 a (t / omega) in
+  let x2 := fun a t => k_1 / (P * omega ^ 2) * X2 a (t / omega) in
+  (forall a, is_derive (x a) tau (x1 a tau) /\ is_derive (x1 a) tau (x2 a tau)) /\
+  (forall a, (a < n)%nat ->
+    Sum n (fun b => omega ^ 2 / k_1 * m a b * x2 b tau + omega / k_1 * c a b * x1 b tau + / k_1 * k a b * x b tau)
+    + F / P * delta a j * sgn (tau / omega) = delta a l * cos tau).
+
+(* (8)-(10): the scaled masses are gamma_i r^2. *)
+Definition eq_8 : Prop := forall omega k_1 m_1 m_i, 0 < omega -> 0 < k_1 -> 0 < m_1 ->
+  omega ^ 2 / k_1 * m_i = m_i / m_1 * (omega * sqrt (m_1 / k_1)) ^ 2.
+
+(* The angle of the point (x, y), as the program's atan2 gives it. *)
+Definition atan2 (y x : R) : R :=
+  if Rlt_dec 0 x then atan (y / x)
+  else if Rlt_dec x 0 then (if Rle_dec 0 y then atan (y / x) + PI else atan (y / x) - PI)
+  else if Rlt_dec 0 y then PI / 2 else if Rlt_dec y 0 then - (PI / 2) else 0.
+
+Definition atan2_is_the_angle : Prop := forall x y, x <> 0 \/ y <> 0 ->
+  sqrt (x ^ 2 + y ^ 2) * cos (atan2 y x) = x /\ sqrt (x ^ 2 + y ^ 2) * sin (atan2 y x) = y.
+
+(* (60), (61): the argument of v. *)
+Definition eq_61 : Prop := forall R_i zeta, (1 - R_i * R_i) ^ 2 + (2 * zeta * R_i) ^ 2 <> 0 ->
+  cos (atan2 (v_im R_i zeta) (v_re R_i zeta)) = v_abs R_i zeta * (1 - R_i ^ 2) /\
+  sin (atan2 (v_im R_i zeta) (v_re R_i zeta)) = - (v_abs R_i zeta * (2 * zeta * R_i)).
+
+Section All_masses.
+Variable s : scene.
+Local Notation N := (masses s).
+Local Notation M := (mass s).
+Local Notation C := (damping s).
+Local Notation K := (stiffness s).
+Local Notation psi := (shape s).
+Local Notation R_ := (ratio s).
+Local Notation zeta := (damping_ratio s).
+Local Notation j := (contact s).
+Local Notation l := (loaded s).
+Local Notation beta := (friction s).
+
+(* What the paper asks of a scene: (15), (17) and (18), with Omega_i = 1 / R_i, and modes that are admissible. *)
+Definition is_scene :=
+  (j < N)%nat /\ (l < N)%nat /\
+  (forall i, (i < N)%nat -> admissible (R_ i) (zeta i)) /\
+  (forall i a, (i < N)%nat -> (a < N)%nat -> Sum N (fun b => K a b * psi b i) = / (R_ i ^ 2) * Sum N (fun b => M a b * psi b i)) /\
+  (forall i k, (i < N)%nat -> (k < N)%nat -> Sum N (fun a => psi a i * Sum N (fun b => M a b * psi b k)) = delta i k) /\
+  (forall i k, (i < N)%nat -> (k < N)%nat ->
+    Sum N (fun a => psi a i * Sum N (fun b => C a b * psi b k)) = delta i k * (2 * zeta i / R_ i)).
+
+(* The mode shapes are complete: M Psi Psi^T = I and Psi Psi^T M = I follow from (17). *)
+Definition modes_are_complete : Prop := is_scene -> forall a b, (a < N)%nat -> (b < N)%nat ->
+  Sum N (fun i => Sum N (fun c => M a c * psi c i) * psi b i) = delta a b /\
+  Sum N (fun c => Sum N (fun i => psi a i * psi c i) * M c b) = delta a b.
+
+(* (19): the damping matrix by its modes. *)
+Definition eq_19 : Prop := is_scene -> forall a b, (a < N)%nat -> (b < N)%nat ->
+  C a b = Sum N (fun i => 2 * zeta i / R_ i * Sum N (fun c => M a c * psi c i) * Sum N (fun c => M b c * psi c i)).
+
+Definition V_re k := Sum N (fun i => psi k i * psi l i * R_ i ^ 2 * v_re (R_ i) (zeta i)).      (* (33) *)
+Definition V_im k := Sum N (fun i => psi k i * psi l i * R_ i ^ 2 * v_im (R_ i) (zeta i)).
+Definition V_abs k := sqrt (V_re k ^ 2 + V_im k ^ 2).
+Definition V_arg k := atan2 (V_im k) (V_re k).
+Definition U k := Sum N (fun i => psi k i * psi j i * R_ i ^ 2 * u (R_ i) (zeta i)).             (* (34) *)
+Definition G k := Sum N (fun i => psi k i * psi j i * R_ i ^ 2 * g (R_ i) (zeta i)).             (* (35) *)
+Definition root := sqrt (V_abs j ^ 2 - (beta * U j) ^ 2).
+Definition X_j := - beta * G j + root.                                                           (* (38) *)
+(* the response reaches the contact, and the root of (38) is real *)
+Definition responds := 0 < V_abs j /\ Rabs (beta * U j) <= V_abs j.
+(* (31), (32) with x_j'(0) = 0: V_j cos(phi) and V_j sin(phi) *)
+Definition is_phase (phi : R) := V_re j * cos phi - V_im j * sin phi = root /\ V_re j * sin phi + V_im j * cos phi = - (beta * U j).
+(* (13), (30), (41) as corrected *)
+Definition x (phi : R) k t := Sum N (fun i => psi k i * eta (R_ i) (zeta i) (psi j i) (psi l i) beta phi t).
+Definition x_prime (phi : R) k t := Sum N (fun i => psi k i * eta_prime (R_ i) (zeta i) (psi j i) (psi l i) beta phi t).
+(* the sum in (41), (46) *)
+Definition friction_motion k t := Sum N (fun i => psi k i * psi j i * R_ i ^ 2 * braces (R_ i) (zeta i) t).
+
+(* (12): the equation of motion while the contact moves to smaller x, so that Sgn(x_j') = -1 *)
+Definition half_period_motion (phi : R) (y y1 y2 : nat -> R -> R) := forall t, 0 < t < PI -> forall a, (a < N)%nat ->
+  is_derive (y a) t (y1 a t) /\ is_derive (y1 a) t (y2 a t) /\
+  Sum N (fun b => M a b * y2 b t + C a b * y1 b t + K a b * y b t) = delta a j * beta + delta a l * cos (t + phi).
+(* a motion of (12) that mirrors itself, (25), and starts with the contact at rest, (30) *)
+Definition steady_half_period (phi : R) (y y1 y2 : nat -> R -> R) :=
+  (forall a, (a < N)%nat -> continuous_on_half_period (y a) (y1 a)) /\ half_period_motion phi y y1 y2 /\
+  (forall k, (k < N)%nat -> mirrored (y k) (y1 k)) /\ y1 j 0 = 0.
+
+(* (16), (20): the modal coordinates of a motion of (12) solve (20), each by itself, and the motion is their sum (13). *)
+Definition eq_16_20 : Prop := is_scene -> forall phi y y1 y2, half_period_motion phi y y1 y2 ->
+  let modal := fun (f : nat -> R -> R) i t => Sum N (fun a => Sum N (fun c => psi c i * M c a) * f a t) in
+  (forall i, (i < N)%nat -> modal_equation (R_ i) (zeta i) (psi j i) (psi l i) beta phi (modal y i) (modal y1 i) (modal y2 i)) /\
+  (forall k t, (k < N)%nat -> y k t = Sum N (fun i => psi k i * modal y i t) /\ y1 k t = Sum N (fun i => psi k i * modal y1 i t)).
+
+(* (31), (32), (42), (43): the initial values of every mass of a motion that mirrors itself *)
+Definition eq_31_32_42_43 : Prop := is_scene -> forall phi y y1 y2,
+  (forall a, (a < N)%nat -> continuous_on_half_period (y a) (y1 a)) -> half_period_motion phi y y1 y2 ->
+  (forall k, (k < N)%nat -> mirrored (y k) (y1 k)) -> forall k, (k < N)%nat ->
+  V_re k * cos phi - V_im k * sin phi = y k 0 + beta * G k /\
+  V_re k * sin phi + V_im k * cos phi = - (y1 k 0 + beta * U k).
+
+(* (36), (37): the same with the modulus and the argument of V_j *)
+Definition eq_36_37 : Prop := is_scene -> responds -> forall phi, is_phase phi ->
+  cos (phi + V_arg j) = (X_j + beta * G j) / V_abs j /\ sin (phi + V_arg j) = - (beta * U j / V_abs j).
+
+(* (39): there is a phase, and (39) is it; any other differs by full turns. *)
+Definition eq_39 : Prop := responds ->
+  is_phase (atan2 (- (beta * U j / V_abs j)) (sqrt (1 - (beta * U j / V_abs j) ^ 2)) - V_arg j) /\
+  (forall phi phi', is_phase phi -> is_phase phi' -> exists turns : Z, phi' = phi + 2 * PI * IZR turns).
+
+(* (38), (41): x solves (12), mirrors itself, and its contact starts from rest at X_j. *)
+Definition steady_motion : Prop := is_scene -> responds -> forall phi, is_phase phi -> exists x2,
+  steady_half_period phi (x phi) (x_prime phi) x2 /\ x phi j 0 = X_j.
+
+(* There is no other: the half-period problem determines the motion, (38) and the phase. *)
+Definition no_other_motion : Prop := is_scene -> responds -> forall phi y y1 y2,
+  steady_half_period phi y y1 y2 -> 0 <= y j 0 + beta * G j ->
+  is_phase phi /\ y j 0 = X_j /\
+  forall k t, (k < N)%nat -> 0 <= t <= PI -> y k t = x phi k t /\ y1 k t = x_prime phi k t.
+
+(* Without the response condition: where |beta U_j| > |V_j|, no motion of this kind exists, as the root of (38) is not real. *)
+Definition no_motion_without_root : Prop := is_scene -> V_abs j < Rabs (beta * U j) -> forall phi y y1 y2, ~ steady_half_period phi y y1 y2.
+
+(* The sign of the root in (38): with the other sign the contact would start in the wrong direction. *)
+Definition sign_of_the_root : Prop := is_scene -> 0 < beta -> forall phi y y1 y2,
+  steady_half_period phi y y1 y2 -> (forall t, 0 < t < PI -> y1 j t < 0) -> 0 < y j 0 + beta * G j.
+
+(* (41) in the paper's form, *)
+Definition eq_41 : Prop := is_scene -> responds -> forall phi, is_phase phi -> forall k t, (k < N)%nat ->
+  x phi k t = (x phi k 0 + beta * G k) * cos t + (x_prime phi k 0 + beta * U k) * sin t + beta * friction_motion k t.
+(* and (44), (45), (46) with the modulus and the argument of V_k, in real numbers *)
+Definition eq_44_45 : Prop := is_scene -> responds -> forall phi, is_phase phi -> forall k, (k < N)%nat ->
+  let D := V_arg k - V_arg j in
+  x phi k 0 = - beta * G k + V_abs k / V_abs j * (root * cos D + beta * U j * sin D) /\
+  x_prime phi k 0 = - beta * U k + V_abs k / V_abs j * (beta * U j * cos D - root * sin D).
+Definition eq_46 : Prop := is_scene -> responds -> forall phi, is_phase phi -> forall k t, (k < N)%nat ->
+  let D := V_arg k - V_arg j in
+  x phi k t = V_abs k / V_abs j * (root * cos (t + D) + beta * U j * sin (t + D)) + beta * friction_motion k t.
+
+(* (49)-(53): the one-harmonic approximation of (48), exact as an identity: cosine part, sine part, amplitude, and phase.
+   (50) and (52) as corrected. *)
+Definition X_kC k := V_abs k / V_abs j * (root * cos (V_arg k - V_arg j) + beta * U j * sin (V_arg k - V_arg j)) - beta * G k.
+Definition X_kS k := V_abs k / V_abs j * (beta * U j * cos (V_arg k - V_arg j) - root * sin (V_arg k - V_arg j)) - beta * U k.
+Definition X_k k := sqrt (V_abs k ^ 2 + beta ^ 2 * (G k ^ 2 + U k ^ 2)
+  - 2 * beta * (V_abs k / V_abs j) *
+    (root * (G k * cos (V_arg k - V_arg j) - U k * sin (V_arg k - V_arg j))
+     + beta * U j * (G k * sin (V_arg k - V_arg j) + U k * cos (V_arg k - V_arg j)))).
+Definition eq_49_50_51 : Prop := is_scene -> responds -> forall phi, is_phase phi -> forall k, (k < N)%nat ->
+  X_kC k = x phi k 0 /\ X_kS k = x_prime phi k 0.
+Definition eq_52_53 : Prop := responds -> forall k,
+  X_k k = sqrt (X_kC k ^ 2 + X_kS k ^ 2) /\
+  (X_k k <> 0 -> forall phi_kj, cos phi_kj = X_kC k / X_k k -> sin phi_kj = X_kS k / X_k k ->
+    forall t, X_kC k * cos t + X_kS k * sin t = X_k k * cos (t - phi_kj)).
+(* (52) reduces to (38) for k = j *)
+Definition eq_52_is_38_at_the_contact : Prop := responds -> X_k j = Rabs X_j.
+
+(* ---- Where it is a motion of Coulomb's contact: Section 2.6 --------------------------------------------------------------------------- *)
+
+(* (54a) *)
+Definition slides (phi : R) := forall t, 0 < t < PI -> x_prime phi j t < 0.
+(* (57) as corrected, summed over the modes before the maximum is taken *)
+Definition demand t := Sum N (fun i => psi j i ^ 2 * demand_of_mode (R_ i) (zeta i) t) / sin t.
+(* (54b): the load on the contact at the turning point *)
+Definition contact_load (phi : R) :=
+  Sum N (fun k => C j k * x_prime phi k 0 + K j k * x phi k 0) - delta l j * cos phi.
+(* (64), and the sum of (65), which is the entry jj of the inverse of M *)
+Definition H_j := Sum N (fun i => psi j i ^ 2 * (g (R_ i) (zeta i) + 2 * zeta i * R_ i * u (R_ i) (zeta i))).
+Definition mobility := Sum N (fun i => psi j i ^ 2).
+(* no inertia couples the contact to another mass; so it is for the chain (1) *)
+Definition contact_inertia_alone := forall a, (a < N)%nat -> a <> j -> M j a = 0.
+(* The friction that would hold the contact at its turning point while the other masses move on, for any M. *)
+Definition holding_friction (phi : R) :=
+  Sum N (fun i => psi j i * (2 * zeta i / R_ i * eta_prime (R_ i) (zeta i) (psi j i) (psi l i) beta phi 0
+    + / (R_ i ^ 2) * eta (R_ i) (zeta i) (psi j i) (psi l i) beta phi 0 - psi l i * cos phi)) / mobility.
+
+(* (65): where the contact's inertia is alone, M_jj = gamma_j r^2, *)
+Definition eq_65 : Prop := is_scene -> contact_inertia_alone -> mobility = / M j j.
+(* and then the friction that would hold it is the load of (54b). *)
+Definition holding_friction_is_the_load : Prop := is_scene -> contact_inertia_alone -> forall phi, holding_friction phi = contact_load phi.
+
+(* (55) with the sum under one maximum: the contact slides throughout if and only if beta times the demand stays below the root. *)
+Definition slides_iff : Prop := is_scene -> responds -> forall phi, is_phase phi ->
+  (slides phi <-> forall t, 0 < t < PI -> beta * demand t < X_j + beta * G j).
+(* (66) *)
+Definition eq_66 : Prop := is_scene -> responds -> forall phi, is_phase phi ->
+  holding_friction phi = (X_j + beta * G j - beta * H_j) / mobility.
+(* the demand at the start: (71), summed; it is positive in each mode *)
+Definition demand_at_start : Prop := is_scene -> filterlim demand (at_right 0) (locally (H_j + mobility)) /\ 0 < mobility /\ 0 < H_j + mobility.
+
+(* (58), (67): a condition "beta D below the root" as a limit of beta *)
+Definition as_a_limit_of_beta : Prop := forall D, 0 < D -> 0 < beta ->
+  (responds /\ beta * D < root <-> 0 < V_abs j /\ beta < sqrt (V_abs j ^ 2 / (U j ^ 2 + D ^ 2))).
+
+(* (67): static friction does not hold the contact at its turning point. *)
+Definition eq_67 : Prop := forall mu, is_scene -> 1 <= mu -> 0 < beta -> 0 < V_abs j -> forall phi, is_phase phi ->
+  (responds /\ mu * beta < holding_friction phi <-> beta < sqrt (V_abs j ^ 2 / (U j ^ 2 + (H_j + mu * mobility) ^ 2))).
+(* (68) as corrected: only where H_j exceeds mu times the mobility can the load overcome friction in the other direction, *)
+Definition eq_68 : Prop := forall mu, is_scene -> 1 <= mu -> 0 < beta -> responds -> forall phi, is_phase phi ->
+  (holding_friction phi < - (mu * beta) <->
+   0 < H_j - mu * mobility /\ sqrt (V_abs j ^ 2 / (U j ^ 2 + (H_j - mu * mobility) ^ 2)) < beta).
+(* and then the contact does not slide: (58) and (68) exclude each other. *)
+Definition eq_68_excludes_58 : Prop := forall mu, is_scene -> 1 <= mu -> 0 < beta -> responds -> forall phi, is_phase phi ->
+  holding_friction phi < - (mu * beta) -> ~ slides phi.
+
+(* (69) with the supremum of the summed demand over the half-period: the two conditions (54) hold if and only if beta is below the limit. *)
+Definition eq_69 : Prop := forall mu S, is_scene -> 1 <= mu -> 0 < beta -> 0 < V_abs j ->
+  is_lub (fun y => exists t, 0 < t < PI /\ y = demand t) S -> forall phi, is_phase phi ->
+  (responds /\ slides phi /\ mu * beta < Rabs (holding_friction phi) <->
+   beta < sqrt (V_abs j ^ 2 / (U j ^ 2 + Rmax S (H_j + mu * mobility) ^ 2))).
+
+(* (56): the sum of the modes' own maxima is sufficient. *)
+Definition sum_of_maxima_is_sufficient : Prop := forall S : nat -> R, is_scene -> 0 < beta -> responds ->
+  (forall i t, (i < N)%nat -> 0 < t < PI -> demand_of_mode (R_ i) (zeta i) t / sin t <= S i) ->
+  beta * Sum N (fun i => psi j i ^ 2 * S i) < X_j + beta * G j -> forall phi, is_phase phi -> slides phi.
+
+(* ---- Coulomb's contact at all times ---------------------------------------------------------------------------------------------------- *)
+
+(* (2), (3): the values that the sign of the velocity may take; at rest any between -mu and mu *)
+Definition coulomb (mu velocity sigma : R) :=
+  (0 < velocity -> sigma = 1) /\ (velocity < 0 -> sigma = -1) /\ (velocity = 0 -> - mu <= sigma <= mu).
+(* (6) over one period T of a steady motion: displacements and velocities are continuous and return to their values; the equation holds
+   with a value that Coulomb's law allows at all times but a finite number: the times at which the contact turns, stops or breaks away. *)
+Definition steady_contact_motion (mu phi T : R) (y y1 : nat -> R -> R) :=
+  (forall a t, (a < N)%nat -> 0 <= t <= T -> continuous (y a) t /\ continuous (y1 a) t) /\
+  (forall a, (a < N)%nat -> y a T = y a 0 /\ y1 a T = y1 a 0) /\
+  exists exceptions : list R, forall t, 0 < t < T -> ~ In t exceptions -> exists (y2 : nat -> R) sigma,
+    coulomb mu (y1 j t) sigma /\
+    forall a, (a < N)%nat -> is_derive (y a) t (y1 a t) /\ is_derive (y1 a) t (y2 a) /\
+      Sum N (fun b => M a b * y2 b + C a b * y1 b t + K a b * y b t) + beta * delta a j * sigma = delta a l * cos (t + phi).
+(* the half-period motion, continued by its mirror image over the second half of the period *)
+Definition continued (f : nat -> R -> R) (a : nat) (t : R) := if Rle_dec t PI then f a t else - f a (t - PI).
+
+(* Below the limit the closed form is a steady motion of the contact with Coulomb's friction. *)
+Definition closed_form_is_a_contact_motion : Prop := forall mu, is_scene -> 0 <= mu -> responds -> forall phi, is_phase phi ->
+  slides phi -> steady_contact_motion mu phi (2 * PI) (continued (x phi)) (continued (x_prime phi)).
+
+(* For mu = 1 and damping in all modes, any two steady motions have the same velocities. *)
+Definition one_steady_velocity : Prop := is_scene -> (forall i, (i < N)%nat -> 0 < zeta i) -> 0 <= beta -> forall phi T y y1 z z1,
+  0 < T -> steady_contact_motion 1 phi T y y1 -> steady_contact_motion 1 phi T z z1 ->
+  forall k t, (k < N)%nat -> 0 < t < T -> y1 k t = z1 k t.
+(* Hence the assumption (25) is a theorem: the velocity of every mass half a period later is the opposite one. *)
+Definition steady_motion_is_symmetric : Prop := is_scene -> (forall i, (i < N)%nat -> 0 < zeta i) -> 0 <= beta -> forall phi y y1,
+  steady_contact_motion 1 phi (2 * PI) y y1 -> forall k t, (k < N)%nat -> 0 < t < PI -> y1 k (t + PI) = - y1 k t.
+End All_masses.
