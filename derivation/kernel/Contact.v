@@ -347,11 +347,11 @@ Proof.
   rewrite Rmult_assoc. apply Rmult_le_compat_l; [apply pow2_ge_0 | apply HS; assumption].
 Qed.
 
-(* The supremum of the demand is reached inside, or is not above its limits at the ends. *)
-Lemma supremum s S : is_scene s -> is_lub (fun y => exists t, 0 < t < PI /\ y = demand s t) S ->
-  S <= H_j s + mobility s \/ exists t, 0 < t < PI /\ S <= demand s t.
+(* The demand is bounded; its supremum is reached inside, or is not above its limits at the ends. *)
+Lemma largest_demand s : is_scene s -> exists B, (forall t, 0 < t < PI -> demand s t <= B) /\
+  (B <= H_j s + mobility s \/ exists t, 0 < t < PI /\ B = demand s t).
 Proof.
-  intros Hs [Up Le]. destruct (demand_limits s Hs) as [L0 L1]. pose proof PI_RGT_0. pose proof (mobility_pos s Hs).
+  intros Hs. destruct (demand_limits s Hs) as [L0 L1]. pose proof PI_RGT_0. pose proof (mobility_pos s Hs).
   set (f := fun t => if Req_EM_T t 0 then H_j s + mobility s else if Req_EM_T t PI then H_j s - mobility s else demand s t).
   assert (Cf : forall t, 0 <= t <= PI -> continuity_pt f t).
   { intros t Ht. apply continuity_pt_filterlim'. unfold f at 2. destruct (Req_EM_T t 0) as [->|N0]; [|destruct (Req_EM_T t PI) as [->|N1]].
@@ -367,10 +367,18 @@ Proof.
       + exists (mkposreal _ Q). intros x Hx _. apply Rabs_lt_between in Hx. unfold minus, plus, opp in Hx; simpl in Hx.
         pose proof (Rmin_l t (PI - t)). pose proof (Rmin_r t (PI - t)). unfold f. destruct (Req_EM_T x 0); [lra|]. destruct (Req_EM_T x PI); [lra | reflexivity]. }
   destruct (continuity_ab_maj f 0 PI ltac:(lra) Cf) as [p [Hp Ip]].
-  assert (Q : S <= f p).
-  { apply Le. intros y [t [Ht ->]]. specialize (Hp t ltac:(lra)). unfold f in Hp at 1.
-    destruct (Req_EM_T t 0); [lra|]. destruct (Req_EM_T t PI); [lra|]. exact Hp. }
-  unfold f in Q. destruct (Req_EM_T p 0); [left; exact Q|]. destruct (Req_EM_T p PI); [left; lra|]. right. exists p. split; [lra | exact Q].
+  exists (f p). split.
+  - intros t Ht. specialize (Hp t ltac:(lra)). unfold f in Hp at 1.
+    destruct (Req_EM_T t 0); [lra|]. destruct (Req_EM_T t PI); [lra|]. exact Hp.
+  - unfold f. destruct (Req_EM_T p 0); [left; lra|]. destruct (Req_EM_T p PI); [left; lra|]. right. exists p. split; [lra | reflexivity].
+Qed.
+
+Lemma supremum s S : is_scene s -> is_lub (fun y => exists t, 0 < t < PI /\ y = demand s t) S ->
+  S <= H_j s + mobility s \/ exists t, 0 < t < PI /\ S <= demand s t.
+Proof.
+  intros Hs [Up Le]. destruct (largest_demand s Hs) as [B [HB Q]].
+  assert (SB : S <= B) by (apply Le; intros y [t [Ht ->]]; apply HB, Ht).
+  destruct Q as [Q|[t [Ht E]]]; [left; lra | right; exists t; split; [exact Ht | lra]].
 Qed.
 
 Theorem eq_69 : forall s, Statements.eq_69 s.

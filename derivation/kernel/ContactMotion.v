@@ -90,7 +90,7 @@ Proof.
     + exists (fun a => - x_second s phi a (t - PI)), 1.
       assert (Loc : forall (f : nat -> R -> R) a z, Rabs (z - t) < t - PI -> - f a (z - PI) = continued f a z)
         by (intros f a z Hx; apply Rabs_lt_between in Hx; rewrite CJ, joined_after by lra; reflexivity).
-      assert (V : forall f a, continued f a t = - f a (t - PI)) by (intros; rewrite CJ; apply joined_after; lra).
+      assert (V : forall f a, continued f a t = - f a (t - PI)) by (intros; rewrite CJ, joined_after by lra; reflexivity).
       assert (DS : forall (f : R -> R) k, is_derive f (t - PI) k -> is_derive (fun z => - f (z - PI)) t (- k)).
       { intros f k D. apply (is_derive_opp (V := R_NormedModule)).
         evar_last. { apply (is_derive_comp f (fun x => x - PI)); [exact D | auto_derive; [trivial | reflexivity]]. }

@@ -419,3 +419,154 @@ Definition one_steady_velocity : Prop := is_scene -> (forall i, (i < N)%nat -> 0
 Definition steady_motion_is_symmetric : Prop := is_scene -> (forall i, (i < N)%nat -> 0 < zeta i) -> 0 <= beta -> forall phi y y1,
   steady_contact_motion 1 phi (2 * PI) y y1 -> forall k t, (k < N)%nat -> 0 < t < PI -> y1 k (t + PI) = - y1 k t.
 End All_masses.
+
+(* ---- Two scenes for examples ----------------------------------------------------------------------------------------------------------- *)
+
+(* One mass, with any R_i, zeta_i and beta *)
+Definition single_mass (R_i zeta_i beta : R) : scene :=
+  Scene 1 (fun _ _ => 1) (fun _ _ => 2 * zeta_i / R_i) (fun _ _ => / R_i ^ 2) (fun _ _ => 1) (fun _ => R_i) (fun _ => zeta_i) 0 0 beta.
+(* Two equal masses; the first has the load and the contact. R = (1/2, 1), zeta = (0, 1/2), and the mode shapes (3, 4)/5 and (4, -3)/5 *)
+Definition entry (x y z v : R) (a b : nat) : R := match a, b with O, O => x | O, _ => y | _, O => z | _, _ => v end.
+Definition two_masses (beta : R) : scene :=
+  Scene 2 (entry 1 0 0 1) (entry (16 / 25) (-12 / 25) (-12 / 25) (9 / 25)) (entry (52 / 25) (36 / 25) (36 / 25) (73 / 25))
+    (entry (3 / 5) (4 / 5) (4 / 5) (-3 / 5)) (fun i => match i with O => 1 / 2 | _ => 1 end) (fun i => match i with O => 0 | _ => 1 / 2 end) 0 0 beta.
+Definition examples_are_scenes : Prop :=
+  (forall R_i zeta beta, admissible R_i zeta -> is_scene (single_mass R_i zeta beta)) /\ (forall beta, is_scene (two_masses beta)).
+
+(* ---- The equations that do not hold as printed, each with a scene in which it fails ------------------------------------------------------- *)
+
+(* the braces as printed: sine and cosine exchanged in the bracket *)
+Definition braces_printed R_i zeta t :=
+  1 - (1 + g R_i zeta) * exp (- zeta * t / R_i) * (sin (w zeta * t / R_i) + zeta / w zeta * cos (w zeta * t / R_i)) - u R_i zeta * R_i * q R_i zeta t.
+Definition eq_40_as_printed : Prop := ~ forall R_i zeta psi_j psi_l beta phi y y1 y2, admissible R_i zeta ->
+  continuous_on_half_period y y1 -> modal_equation R_i zeta psi_j psi_l beta phi y y1 y2 -> mirrored y y1 -> forall t, 0 <= t <= PI ->
+  y t = (y 0 + psi_j * R_i ^ 2 * g R_i zeta * beta) * cos t + (y1 0 + psi_j * R_i ^ 2 * u R_i zeta * beta) * sin t
+        + beta * psi_j * R_i ^ 2 * braces_printed R_i zeta t.
+Definition friction_motion_printed s k t :=
+  Sum (masses s) (fun i => shape s k i * shape s (contact s) i * ratio s i ^ 2 * braces_printed (ratio s i) (damping_ratio s i) t).
+Definition eq_41_as_printed : Prop := ~ forall s phi k t, is_scene s -> responds s -> is_phase s phi -> (k < masses s)%nat -> 0 <= t <= PI ->
+  x s phi k t = (x s phi k 0 + friction s * G s k) * cos t + (x_prime s phi k 0 + friction s * U s k) * sin t + friction s * friction_motion_printed s k t.
+Definition eq_46_as_printed : Prop := ~ forall s phi k t, is_scene s -> responds s -> is_phase s phi -> (k < masses s)%nat -> 0 <= t <= PI ->
+  let D := V_arg s k - V_arg s (contact s) in
+  x s phi k t = V_abs s k / V_abs s (contact s) * (root s * cos (t + D) + friction s * U s (contact s) * sin (t + D)) + friction s * friction_motion_printed s k t.
+
+(* (44), (45): the real part of what is printed lacks the term with the sine. *)
+Definition eq_44_as_printed : Prop := ~ forall s phi k, is_scene s -> responds s -> is_phase s phi -> (k < masses s)%nat ->
+  x s phi k 0 = - friction s * G s k + V_abs s k / V_abs s (contact s) * root s * cos (V_arg s k - V_arg s (contact s)).
+Definition eq_45_as_printed : Prop := ~ forall s phi k, is_scene s -> responds s -> is_phase s phi -> (k < masses s)%nat ->
+  x_prime s phi k 0 = friction s * (V_abs s k / V_abs s (contact s) * U s (contact s) * cos (V_arg s k - V_arg s (contact s)) - U s k).
+
+(* (49): with x_k0 = a + i b and x_k0' = c + i e, as (44) and (45) print them, the second expression has another real part than the first. *)
+Definition eq_49_as_printed : Prop := ~ forall a b c e t, a * cos t + c * sin t = (a + e) * cos t - (b - c) * sin t.
+
+(* (50): the ratio |V_k| / |V_j| multiplies the first term only. *)
+Definition eq_50_as_printed : Prop := ~ forall s phi k, is_scene s -> responds s -> is_phase s phi -> (k < masses s)%nat ->
+  let D := V_arg s k - V_arg s (contact s) in
+  x s phi k 0 = V_abs s k / V_abs s (contact s) * root s * cos D + friction s * U s (contact s) * sin D - friction s * G s k.
+
+(* (52): the sign of U_k sin(D) *)
+Definition eq_52_as_printed : Prop := ~ forall s k, is_scene s -> responds s -> (k < masses s)%nat ->
+  let D := V_arg s k - V_arg s (contact s) in
+  sqrt (X_kC s k ^ 2 + X_kS s k ^ 2) =
+  sqrt (V_abs s k ^ 2 + friction s ^ 2 * (G s k ^ 2 + U s k ^ 2) - 2 * friction s * (V_abs s k / V_abs s (contact s)) *
+    (root s * (G s k * cos D + U s k * sin D) + friction s * U s (contact s) * (G s k * sin D + U s k * cos D))).
+
+(* (57) as printed: the other bracket, and no cosine of tau *)
+Definition demand_printed R_i zeta t :=
+  ((1 + g R_i zeta) * exp (- zeta * t / R_i) * (R_i / w zeta) * sin (w zeta * t / R_i)
+   - u R_i zeta * R_i ^ 2 * exp (- zeta * t / R_i) * (sin (w zeta * t / R_i) + zeta / w zeta * cos (w zeta * t / R_i))) / sin t.
+(* With it, (55) to (58) admit a scene in which the contact does not slide throughout, *)
+Definition eq_57_as_printed : Prop := ~ forall s S phi, is_scene s -> 0 < friction s -> responds s -> is_phase s phi ->
+  (forall i t, (i < masses s)%nat -> 0 < t < PI -> demand_printed (ratio s i) (damping_ratio s i) t <= S i) ->
+  friction s * Sum (masses s) (fun i => shape s (contact s) i ^ 2 * S i) < X_j s + friction s * G s (contact s) -> slides s phi.
+(* and so does (69). *)
+Definition eq_69_as_printed : Prop := ~ forall s S mu phi, is_scene s -> 0 < friction s -> 1 <= mu -> responds s -> is_phase s phi ->
+  (forall i t, (i < masses s)%nat -> 0 < t < PI -> demand_printed (ratio s i) (damping_ratio s i) t <= S i) ->
+  friction s < sqrt (V_abs s (contact s) ^ 2 / (U s (contact s) ^ 2 +
+    Rmax (Sum (masses s) (fun i => shape s (contact s) i ^ 2 * S i)) (H_j s + mu * mobility s) ^ 2)) -> slides s phi.
+
+(* (63) follows from (59), mode by mode, *)
+Definition eq_63_is_eq_59 : Prop := forall R_i zeta psi_j psi_l beta phi y y1 y2, admissible R_i zeta -> psi_l <> 0 ->
+  continuous_on_half_period y y1 -> modal_equation R_i zeta psi_j psi_l beta phi y y1 y2 -> mirrored y y1 ->
+  2 * zeta / R_i * y1 0 + / R_i ^ 2 * y 0 - psi_l * cos phi
+  = y 0 - beta * psi_j * ((1 - R_i ^ 2) * g R_i zeta + 2 * zeta * R_i * u R_i zeta).
+(* but neither is a condition: the contact of a scene slides and breaks away, (54), while a mode does not satisfy (59), (63). *)
+Definition eq_59_63_as_printed : Prop := ~ forall s mu phi, is_scene s -> contact_inertia_alone s -> 0 < friction s -> 1 <= mu -> responds s -> is_phase s phi ->
+  slides s phi -> mu * friction s < Rabs (contact_load s phi) -> forall i, (i < masses s)%nat ->
+  shape s (contact s) i * mu * friction s <
+  Rabs (2 * damping_ratio s i / ratio s i * eta_prime (ratio s i) (damping_ratio s i) (shape s (contact s) i) (shape s (loaded s) i) (friction s) phi 0
+    + / ratio s i ^ 2 * eta (ratio s i) (damping_ratio s i) (shape s (contact s) i) (shape s (loaded s) i) (friction s) phi 0
+    - shape s (loaded s) i * cos phi).
+
+(* (68) as printed, without the condition on the sign of H_j - mu / (gamma_j r^2), does not give (66). *)
+Definition eq_68_as_printed : Prop := ~ forall s mu phi, is_scene s -> 0 < friction s -> 1 <= mu -> responds s -> is_phase s phi ->
+  sqrt (V_abs s (contact s) ^ 2 / (U s (contact s) ^ 2 + (H_j s - mu * mobility s) ^ 2)) < friction s ->
+  mu * friction s < Rabs (X_j s + friction s * G s (contact s) - friction s * H_j s) / mobility s.
+
+(* (70): the expansion of (57) at the start has the bracket with this sign; as printed it tends to another value than (57) does. *)
+Definition expansion R_i zeta t := ((1 + g R_i zeta) * (1 - zeta * t / R_i) * t - u R_i zeta * R_i ^ 2 * ((1 - zeta * t / R_i) ^ 2 - 1)) / t.
+Definition expansion_printed R_i zeta t := ((1 + g R_i zeta) * (1 - zeta * t / R_i) * t - u R_i zeta * R_i ^ 2 * (1 - (1 - zeta * t / R_i) ^ 2)) / t.
+Definition eq_70_71 : Prop := forall R_i zeta, admissible R_i zeta ->
+  is_lim (fun t => demand_of_mode R_i zeta t / sin t) 0 (1 + g R_i zeta + 2 * zeta * R_i * u R_i zeta) /\
+  is_lim (expansion R_i zeta) 0 (1 + g R_i zeta + 2 * zeta * R_i * u R_i zeta).
+Definition eq_70_as_printed : Prop := ~ forall R_i zeta l, admissible R_i zeta ->
+  is_lim (fun t => demand_of_mode R_i zeta t / sin t) 0 (Finite l) -> is_lim (expansion_printed R_i zeta) 0 (Finite l).
+(* (72): what all modes demand at the start is H_j and the sum of (65). *)
+Definition eq_72 : Prop := forall s, is_scene s -> is_lim (demand s) 0 (H_j s + mobility s).
+
+(* (81): (52) with |V_j| for the root and (78) for the angle; as printed it has another term. *)
+Definition eq_81 : Prop := forall V_k V_j G_k U_k U_j beta sign, 0 < V_j -> sign = 1 \/ sign = -1 ->
+  V_k ^ 2 + beta ^ 2 * (G_k ^ 2 + U_k ^ 2) - 2 * beta * (V_k / V_j) * (V_j * (G_k * sign - U_k * 0) + beta * U_j * (G_k * 0 + U_k * sign))
+  = V_k ^ 2 + beta ^ 2 * (G_k ^ 2 + U_k ^ 2) - 2 * beta * (V_k * (sign * G_k) + beta * (sign * (V_k / V_j)) * U_j * U_k).
+Definition eq_81_as_printed : Prop := ~ forall V_k V_j G_k U_k U_j beta sign, 0 < V_k -> 0 < V_j -> 0 <= beta -> sign = 1 \/ sign = -1 -> sign * G_k = Rabs G_k ->
+  V_k ^ 2 + beta ^ 2 * (G_k ^ 2 + U_k ^ 2) - 2 * beta * (V_k / V_j) * (V_j * (G_k * sign - U_k * 0) + beta * U_j * (G_k * 0 + U_k * sign))
+  = V_k ^ 2 + beta ^ 2 * (G_k ^ 2 + U_k ^ 2) - beta * (2 * V_k * Rabs G_k - Rabs U_j * Rabs U_k).
+
+(* (88), third line: a held contact under the load carries cos(tau) alone; static friction holds it for ever if and only if beta is not
+   below 1 / mu, and not, as printed, if it is. *)
+Definition eq_88_third_line : Prop := forall mu beta, 0 < mu -> ((forall t, Rabs (cos t) <= mu * beta) <-> 1 / mu <= beta).
+Definition eq_88_as_printed : Prop := ~ forall mu beta, 1 <= mu -> 0 < beta -> beta < 1 / mu -> forall t, Rabs (cos t) <= mu * beta.
+
+(* (A.7) as printed: the sign of the first term *)
+Definition eq_A_7_as_printed : Prop := ~ forall R_i zeta psi_j psi_l beta phi y0 y10 t, admissible R_i zeta ->
+  is_derive (from_start R_i zeta psi_j psi_l beta phi y0 y10) t
+    (q R_i zeta t / R_i * y0 + R_i * q_prime R_i zeta t * y10 + psi_j * R_i ^ 2 * (q R_i zeta t / R_i) * beta -
+     psi_l * R_i ^ 2 * ((v_re R_i zeta * cos phi - v_im R_i zeta * sin phi) * (sin t - q R_i zeta t / R_i) +
+                        (v_re R_i zeta * sin phi + v_im R_i zeta * cos phi) * (cos t - R_i * q_prime R_i zeta t))).
+
+(* ---- mu > 1: more than one steady motion -------------------------------------------------------------------------------------------------- *)
+
+(* For mu > 1 a scene with damping has two steady motions with different velocities under the same load: one slides and breaks away from
+   each of its turning points, (54), the other rests for ever. *)
+Definition two_motions : Prop := exists s mu phi y y1 z z1, is_scene s /\ (forall i, (i < masses s)%nat -> 0 < damping_ratio s i) /\
+  0 < friction s /\ 1 < mu /\
+  steady_contact_motion s mu phi (2 * PI) y y1 /\ steady_contact_motion s mu phi (2 * PI) z z1 /\
+  (forall t, 0 < t < PI -> y1 (contact s) t < 0) /\ mu * friction s < Rabs (contact_load s phi) /\ y = continued (x s phi) /\
+  (forall t, z1 (contact s) t = 0).
+
+(* ---- Limits and resonance: Section 4.1, 4.2 ------------------------------------------------------------------------------------------------- *)
+
+(* (28), (29) for vanishing damping, off the poles *)
+Definition undamped_limits : Prop := forall R_i, 0 < R_i -> 1 + cos (PI / R_i) <> 0 ->
+  filterlim (u R_i) (at_right 0) (locally (sin (PI / R_i) / (R_i * (1 + cos (PI / R_i))))) /\ filterlim (g R_i) (at_right 0) (locally 0) /\
+  g R_i 0 = 0.
+(* at R_i = 1 the first damping function tends to 1/pi, and zeta g to 2/pi: the second one grows without bound *)
+Definition limits_at_resonance : Prop :=
+  filterlim (u 1) (at_right 0) (locally (/ PI)) /\ filterlim (fun zeta => zeta * g 1 zeta) (at_right 0) (locally (2 / PI)).
+(* (23), (76), (77): at R_i = 1 the response of a damped mode is -i / (2 zeta). *)
+Definition eq_76_77 : Prop := forall zeta, 0 < zeta ->
+  v_re 1 zeta = 0 /\ v_im 1 zeta = - / (2 * zeta) /\ v_abs 1 zeta = / (2 * zeta).
+(* (83)-(85): the estimate (84) vanishes at beta times this; (85) is where (83) vanishes for the mass in contact, k = j. *)
+Definition eq_85_is_the_zero_of_83 : Prop := forall psi_l psi_j zeta, 0 < zeta -> psi_j <> 0 ->
+  let beta := Rabs (psi_l / psi_j) * ((cosh (zeta * PI) - 1) / (2 * zeta * sinh (zeta * PI))) in
+  Rabs (psi_j * psi_l) / (2 * zeta) - Rabs (psi_j * psi_j) * (sinh (zeta * PI) / (cosh (zeta * PI) - 1)) * beta = 0.
+(* (85) tends to |psi_l / psi_j| pi / 4 for vanishing damping. *)
+Definition eq_85_undamped : Prop :=
+  filterlim (fun zeta => (cosh (zeta * PI) - 1) / (2 * zeta * sinh (zeta * PI))) (at_right 0) (locally (PI / 4)).
+(* (86) as corrected: the limit (67) of one mass, M = r^2 = R^2, for large frequencies *)
+Definition limit_of_single_mass mu zeta R_i :=
+  sqrt (v_abs R_i zeta ^ 2 / (u R_i zeta ^ 2 + (/ R_i ^ 2 * (g R_i zeta + 2 * zeta * R_i * u R_i zeta) + mu / R_i ^ 2) ^ 2)).
+Definition eq_86 : Prop := forall mu zeta, 0 < mu -> 0 <= zeta < 1 ->
+  filterlim (limit_of_single_mass mu zeta) (Rbar_locally p_infty) (locally (2 / sqrt (4 * mu ^ 2 + PI ^ 2))).
+Definition eq_86_as_printed : Prop := ~ forall mu zeta, 1 <= mu -> 0 <= zeta < 1 ->
+  filterlim (limit_of_single_mass mu zeta) (Rbar_locally p_infty) (locally (2 / sqrt (4 * mu + PI ^ 2))).
