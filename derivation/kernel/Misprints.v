@@ -269,7 +269,7 @@ Qed.
 Lemma sin_above_cubic x : 0 <= x -> x - x ^ 3 / 6 <= sin x.
 Proof.
   intros H. assert (L : (fun t => t - t ^ 3 / 6 - sin t) x <= (fun t => t - t ^ 3 / 6 - sin t) 0); [|cbv beta in L; rewrite sin_0 in L; lra].
-  apply (not_growing nil); [exact H | |].
+  apply (not_growing nil (fun t => t - t ^ 3 / 6 - sin t) 0 x); [exact H | |].
   - intros t _. apply (ex_derive_continuous (K := R_AbsRing) (V := R_NormedModule)). auto_derive. trivial.
   - intros t Ht _. exists (1 - t * t / 2 - cos t). split; [auto_derive; [trivial | field]|]. pose proof (cos_above t ltac:(lra)). lra.
 Qed.
@@ -304,9 +304,11 @@ Proof.
   apply (slides_iff_ s S phi P) with (t := PI / 5) in SL; [|lra]. unfold s in SL at 2. rewrite single_demand in SL. change (friction s) with (4 / 25) in SL.
   unfold demand_of_mode in SL. rewrite g_0, u_fifths, q_0, q_prime_0 in SL. replace (PI / 5 / (2 / 5)) with (PI / 2) in SL by field.
   rewrite sin_PI2, cos_PI2 in SL. pose proof (cos_above (PI / 5) ltac:(lra)) as C. pose proof (sin_lt_x (PI / 5) ltac:(lra)) as Sx. pose proof (sin_gt_0 (PI / 5) ltac:(lra) ltac:(lra)) as Sp.
-  assert (D : 113 / 100 <= ((1 + 0) * (2 / 5) * 1 - 5 / 2 * (2 / 5) ^ 2 * (2 / 5 * (/ (2 / 5) * 0) - cos (PI / 5))) / sin (PI / 5)).
-  { apply (Rmult_le_reg_r (sin (PI / 5))); [exact Sp|]. unfold Rdiv at 2. rewrite Rmult_assoc, Rinv_l, Rmult_1_r by lra. nra. }
-  assert (4 / 25 * (113 / 100) < root s) by lra. nra.
+  assert (X2 : PI / 5 * (PI / 5) <= 64 / 100 * (64 / 100)) by (apply Rmult_le_compat; lra).
+  assert (D : 11215 / 10000 <= ((1 + 0) * (2 / 5) * 1 - 5 / 2 * (2 / 5) ^ 2 * (2 / 5 * (/ (2 / 5) * 0) - cos (PI / 5))) / sin (PI / 5)).
+  { apply (Rmult_le_reg_r (sin (PI / 5))); [exact Sp|]. match goal with |- _ <= ?n / ?m * _ => replace (n / m * m) with n by (field; lra) end. lra. }
+  assert (L : 4 / 25 * (11215 / 10000) < root s) by lra.
+  assert (4 / 25 * (11215 / 10000) * (4 / 25 * (11215 / 10000)) < root s * root s) by (apply Rmult_le_0_lt_compat; lra). lra.
 Qed.
 
 (* ---- (59), (63), (81), (88) ---- *)
