@@ -11,11 +11,13 @@ Proof.
 Qed.
 Lemma limit_of_derivable (f : R -> R) a : ex_derive f a -> is_lim f a (f a).
 Proof. intros D. apply is_lim_continuity. apply continuity_pt_filterlim. apply (ex_derive_continuous (K := R_AbsRing) (V := R_NormedModule) f a D). Qed.
+Lemma limit_value (f : R -> R) (a l : R) : ex_derive f a -> f a = l -> is_lim f a l.
+Proof. intros D <-. apply limit_of_derivable, D. Qed.
 Lemma one_limit (f : R -> R) a l l' : is_lim f a (Finite l) -> is_lim f a (Finite l') -> l = l'.
 Proof. intros A B. apply is_lim_unique in A. apply is_lim_unique in B. rewrite A in B. injection B. auto. Qed.
 
 (* The second derivative from a double zero *)
-Lemma second_slope (f f1 : R -> R) A r : 0 < r -> f 0 = 0 -> f1 0 = 0 -> (forall z, Rabs z < r -> is_derive f z (f1 z)) -> is_derive f1 0 A ->
+Lemma second_slope (f f1 : R -> R) (A r : R) : 0 < r -> f 0 = 0 -> f1 0 = 0 -> (forall z, Rabs z < r -> is_derive f z (f1 z)) -> is_derive f1 0 A ->
   is_lim (fun z => f z / z ^ 2) 0 (A / 2).
 Proof.
   intros Hr F0 F1 D D1. apply is_derive_Reals in D1. apply is_lim_spec. intros eps. pose proof (cond_pos eps) as He.
@@ -27,8 +29,8 @@ Proof.
     { apply (is_derive_minus (V := R_NormedModule)); [apply D | apply is_derive_scal, (is_derive_pow (fun z => z) 2 z 1), (is_derive_id (K := R_AbsRing))].
       unfold Rmin, Rmax, Rabs in *. destruct (Rle_dec 0 y); destruct (Rcase_abs z); destruct (Rcase_abs y); lra. }
     unfold minus, plus, opp; simpl. field.
-  - intros z Hz. apply continuity_pt_filterlim. apply (ex_derive_continuous (K := R_AbsRing) (V := R_NormedModule)).
-    apply (ex_derive_minus (V := R_NormedModule)).
+  - intros z Hz. apply continuity_pt_filterlim. apply (ex_derive_continuous (K := R_AbsRing) (V := R_NormedModule) (fun z => f z - A / 2 * z ^ 2) z).
+    apply (ex_derive_minus (V := R_NormedModule) f (fun z => A / 2 * z ^ 2)).
     + exists (f1 z). apply D. unfold Rmin, Rmax, Rabs in *. destruct (Rle_dec 0 y); destruct (Rcase_abs z); destruct (Rcase_abs y); lra.
     + auto_derive. trivial.
   - assert (Hcy : Rabs c <= Rabs y) by (unfold Rmin, Rmax, Rabs in *; destruct (Rle_dec 0 y); destruct (Rcase_abs c); destruct (Rcase_abs y); lra).
@@ -85,7 +87,7 @@ Proof.
     replace (1 + - (0 * 0)) with 1 by ring. rewrite sqrt_1. replace (PI * 0 * / r) with 0 by ring. replace (PI * 1 * / r) with (PI / r) by (unfold Rdiv; ring).
     rewrite Ropp_0, exp_0. repeat split; try lra.
     apply Rmult_integral_contrapositive. split; [lra|]. replace ((1 + 1) * / 2) with 1 by field. exact Hc.
-  - rewrite <- (g_0 r). apply from_the_right. apply (limit_of_derivable (g r)). unfold g, cosh, sinh, theta, decay, w. auto_derive.
+  - apply from_the_right. apply limit_value; [|apply g_0]. unfold g, cosh, sinh, theta, decay, w. auto_derive.
     replace (1 + - (0 * 0)) with 1 by ring. rewrite sqrt_1. replace (PI * 0 * / r) with 0 by ring. replace (PI * 1 * / r) with (PI / r) by (unfold Rdiv; ring).
     rewrite Ropp_0, exp_0. repeat split; try lra.
     replace ((1 + 1) * / 2) with 1 by field. exact Hc.
@@ -174,7 +176,7 @@ Qed.
 Theorem eq_76_77 : Statements.eq_76_77.
 Proof.
   intros z Hz. assert (A : v_re 1 z = 0) by (unfold v_re; replace (1 - 1 * 1) with 0 by ring; unfold Rdiv; ring).
-  assert (B : v_im 1 z = - / (2 * z)) by (unfold v_im; field; split; nra).
+  assert (B : v_im 1 z = - / (2 * z)) by (unfold v_im; field; repeat split; nra).
   split; [exact A|]. split; [exact B|]. unfold v_abs. rewrite A, B. apply sqrt_of_square; [|ring].
   apply Rlt_le, Rinv_0_lt_compat. lra.
 Qed.
@@ -184,7 +186,8 @@ Proof. intros H. unfold sinh. pose proof (exp_increasing (- x) x ltac:(lra)). lr
 Theorem eq_85_is_the_zero_of_83 : Statements.eq_85_is_the_zero_of_83.
 Proof.
   intros pl pj z Hz Hp b. pose proof PI_RGT_0. assert (ZP : 0 < z * PI) by nra. pose proof (sinh_above _ ZP). pose proof (cosh_above (z * PI) ltac:(lra)).
-  pose proof (Rabs_pos_lt pj Hp). unfold b, Rdiv at 2. rewrite !Rabs_mult, Rabs_Rinv by exact Hp. field. repeat split; lra.
+  pose proof (Rabs_pos_lt pj Hp). assert (Q : Rabs (pl / pj) = Rabs pl / Rabs pj) by (unfold Rdiv; rewrite Rabs_mult, Rabs_Rinv by exact Hp; reflexivity).
+  unfold b. rewrite Q, !Rabs_mult. field. repeat split; lra.
 Qed.
 Theorem eq_85_undamped : Statements.eq_85_undamped.
 Proof.
@@ -212,17 +215,15 @@ Lemma in_e_limit mu z : 0 < mu -> 0 <= z < 1 -> is_lim (in_e mu z) 0 (2 / sqrt (
 Proof.
   intros Hm Hz. pose proof (w_pos z Hz) as Hw. pose proof PI_RGT_0 as P.
   assert (LB : is_lim (bottom_e z) 0 2).
-  { replace 2 with (bottom_e z 0) by (unfold bottom_e; rewrite !Rmult_0_r, cosh_0, cos_0; ring). apply limit_of_derivable. unfold bottom_e, cosh. auto_derive. trivial. }
+  { apply limit_value; [unfold bottom_e, cosh; auto_derive; trivial | unfold bottom_e; rewrite !Rmult_0_r, cosh_0, cos_0; ring]. }
   assert (LS : is_lim (fun e => sin (PI * w z * e) / (e - 0) / (w z * bottom_e z e)) 0 (PI / 2)).
   { replace (PI / 2) with (PI * w z / (w z * 2)) by (field; lra). apply ratio_limit; [| apply (product_limit (fun _ => w z)); [apply is_lim_const | exact LB] | nra].
     apply (slope_limit (fun e => sin (PI * w z * e))); [rewrite Rmult_0_r; apply sin_0|]. auto_derive; [trivial|]. rewrite Rmult_0_r, cos_0. ring. }
   assert (LG : is_lim (fun e => (sinh (PI * z * e) - z / w z * sin (PI * w z * e)) / bottom_e z e) 0 0).
   { replace 0 with (0 / 2) at 2 by field. apply ratio_limit; [| exact LB | lra].
-    replace (Finite 0) with (Finite (sinh (PI * z * 0) - z / w z * sin (PI * w z * 0))) by (f_equal; rewrite !Rmult_0_r, sinh_0, sin_0; ring).
-    apply (limit_of_derivable (fun e => sinh (PI * z * e) - z / w z * sin (PI * w z * e))). unfold sinh. auto_derive. trivial. }
+    apply limit_value; [unfold sinh; auto_derive; trivial | rewrite !Rmult_0_r, sinh_0, sin_0; ring]. }
   assert (LV : is_lim (fun e => / ((e ^ 2 - 1) ^ 2 + (2 * z * e) ^ 2)) 0 1).
-  { replace (Finite 1) with (Finite (/ ((0 ^ 2 - 1) ^ 2 + (2 * z * 0) ^ 2))) by (f_equal; field).
-    apply (limit_of_derivable (fun e => / ((e ^ 2 - 1) ^ 2 + (2 * z * e) ^ 2))). auto_derive. nra. }
+  { apply limit_value; [auto_derive; simpl; nra | field]. }
   assert (LD : is_lim (fun e => (sin (PI * w z * e) / (e - 0) / (w z * bottom_e z e)) ^ 2 +
     ((sinh (PI * z * e) - z / w z * sin (PI * w z * e)) / bottom_e z e + 2 * z * (e * (sin (PI * w z * e) / (e - 0) / (w z * bottom_e z e))) + mu) ^ 2) 0 ((PI / 2) ^ 2 + mu ^ 2)).
   { assert (Sq : forall (f : R -> R) a, is_lim f 0 (Finite a) -> is_lim (fun e => f e ^ 2) 0 (a ^ 2)).

@@ -31,13 +31,17 @@ Qed.
 Lemma within_inv l x y : 0 <= l <= 16 -> y <> 0 -> within l x y -> within (l + slack) (/ x) (/ y).
 Proof.
   intros Hl Hy [f [Hf ->]]. pose proof unit_small as U. pose proof (Rabs_pos f).
-  assert (B : Rabs f <= / 10000) by (eapply Rle_trans; [exact Hf | nra]). assert (P : 0 < 1 + f) by (apply Rabs_le_between in B; lra).
+  assert (B : Rabs f <= / 10000) by (eapply Rle_trans; [exact Hf | nra]). assert (P : 0 < 1 + f) by (unfold Rabs in B; destruct (Rcase_abs f); lra).
   exists (- f / (1 + f)). split; [|field; split; [lra | exact Hy]].
   unfold Rdiv. rewrite Rabs_mult, Rabs_Ropp, (Rabs_right (/ (1 + f))) by (apply Rle_ge, Rlt_le, Rinv_0_lt_compat, P).
-  apply (Rmult_le_reg_r (1 + f)); [exact P|]. rewrite Rmult_assoc, Rinv_l, Rmult_1_r by lra. apply Rabs_le_between in Hf.
-  assert (Q : Rabs f <= l * unit_roundoff) by (apply Rabs_le_between; exact Hf).
-  assert (l * unit_roundoff * (l * unit_roundoff) <= 16 * unit_roundoff * (16 * unit_roundoff)) by (apply Rmult_le_compat; nra).
-  unfold slack. nra.
+  apply (Rmult_le_reg_r (1 + f)); [exact P|]. rewrite Rmult_assoc, Rinv_l, Rmult_1_r by lra.
+  assert (LU : 0 <= l * unit_roundoff) by nra.
+  assert (F : - (l * unit_roundoff) <= f) by (unfold Rabs in Hf; destruct (Rcase_abs f); lra).
+  assert (G : (l + slack) * unit_roundoff * (1 - l * unit_roundoff) <= (l + slack) * unit_roundoff * (1 + f))
+    by (apply Rmult_le_compat_l; [apply Rmult_le_pos; unfold slack; lra | lra]).
+  assert (S : (l + slack) * (l * unit_roundoff) <= slack).
+  { apply Rle_trans with (17 * (16 * / 1000000)); [apply Rmult_le_compat; unfold slack; nra | unfold slack; lra]. }
+  assert ((l + slack) * (l * unit_roundoff) * unit_roundoff <= slack * unit_roundoff) by (apply Rmult_le_compat_r; lra). lra.
 Qed.
 Lemma within_div k l x y x' y' : 0 <= k <= 16 -> 0 <= l <= 15 -> y' <> 0 -> within k x y -> within l x' y' -> within (k + l + 2 * slack) (x / x') (y / y').
 Proof.
@@ -60,7 +64,8 @@ Proof.
   { unfold Rabs in *. destruct (Rcase_abs y); destruct (Rcase_abs y'); destruct (Rcase_abs (y + y')); nra. }
   destruct (Req_dec (y + y') 0) as [Z|Z].
   - rewrite Z, Rabs_R0 in S. pose proof (Rabs_pos y). pose proof (Rabs_pos y').
-    assert (y = 0) by (apply Rabs_eq_0; lra). assert (y' = 0) by (apply Rabs_eq_0; lra). subst.
+    assert (y = 0) by (unfold Rabs in *; destruct (Rcase_abs y); destruct (Rcase_abs y'); lra).
+    assert (y' = 0) by (unfold Rabs in *; destruct (Rcase_abs y); destruct (Rcase_abs y'); lra). subst.
     exists 0. rewrite Rabs_R0. split; [nra | ring].
   - exists ((y * e + y' * f) / (y + y')). split; [|field; exact Z].
     unfold Rdiv. rewrite Rabs_mult, Rabs_Rinv by exact Z. assert (P : 0 < Rabs (y + y')) by (apply Rabs_pos_lt, Z).
@@ -188,7 +193,7 @@ Proof.
   assert (D : (1 - r * r) ^ 2 + (2 * z * r) ^ 2 <> 0).
   { pose proof (pow2_ge_0 (2 * z * r)). assert (0 < (1 - r * r) ^ 2); [|lra]. destruct (Rtotal_order (1 - r * r) 0) as [L|[L|L]]; [nra | contradiction | nra]. }
   assert (E : 1 / (1 - r * r + 2 * z * r * (2 * z * r / (1 - r * r))) = v_re r z).
-  { unfold v_re. field. split; [|split]; try assumption; intro K; apply D; rewrite <- K; ring. }
+  { unfold v_re. field. repeat split; try assumption; intro K; apply D; rewrite <- K; ring. }
   rewrite E in Re. split; [apply (within_off (7 + / 10)); [lra | exact Re]|].
   replace (v_im r z) with (- (z * (2 * r) / (1 - r * r) * v_re r z)) by (unfold v_re, v_im; field; split; assumption).
   apply (within_off (13 + / 2)); [lra|]. unfold off_resonance_im. apply within_opp.
