@@ -89,8 +89,7 @@ Proof.
     apply Rmult_integral_contrapositive. split; [lra|]. replace ((1 + 1) * / 2) with 1 by field. exact Hc.
   - apply from_the_right. apply limit_value; [|apply g_0]. unfold g, cosh, sinh, theta, decay, w. auto_derive.
     replace (1 + - (0 * 0)) with 1 by ring. rewrite sqrt_1. replace (PI * 0 * / r) with 0 by ring. replace (PI * 1 * / r) with (PI / r) by (unfold Rdiv; ring).
-    rewrite Ropp_0, exp_0. repeat split; try lra.
-    replace ((1 + 1) * / 2) with 1 by field. exact Hc.
+    rewrite Ropp_0, exp_0. repeat split; lra.
 Qed.
 
 (* cosh(pi zeta) + cos(pi w), and sin(pi w), near zeta = 0 *)
@@ -228,13 +227,16 @@ Proof.
     ((sinh (PI * z * e) - z / w z * sin (PI * w z * e)) / bottom_e z e + 2 * z * (e * (sin (PI * w z * e) / (e - 0) / (w z * bottom_e z e))) + mu) ^ 2) 0 ((PI / 2) ^ 2 + mu ^ 2)).
   { assert (Sq : forall (f : R -> R) a, is_lim f 0 (Finite a) -> is_lim (fun e => f e ^ 2) 0 (a ^ 2)).
     { intros f a L. replace (a ^ 2) with (a * a) by ring. apply (is_lim_ext (fun e => f e * f e)); [intros; ring|]. apply product_limit; exact L. }
-    apply is_lim_plus'; [apply Sq, LS|]. apply Sq. replace mu with (0 + 2 * z * (0 * (PI / 2)) + mu) at 2 by ring.
-    apply is_lim_plus'; [|apply is_lim_const]. apply is_lim_plus'; [exact LG|].
-    apply (product_limit (fun _ => 2 * z)); [apply is_lim_const|]. apply product_limit; [|exact LS]. apply is_lim_id. }
+    apply is_lim_plus'; [apply Sq, LS|]. apply Sq.
+    assert (LQ : is_lim (fun e => (sinh (PI * z * e) - z / w z * sin (PI * w z * e)) / bottom_e z e
+      + 2 * z * (e * (sin (PI * w z * e) / (e - 0) / (w z * bottom_e z e))) + mu) 0 (0 + 2 * z * (0 * (PI / 2)) + mu)).
+    { apply is_lim_plus'; [|apply is_lim_const]. apply is_lim_plus'; [exact LG|].
+      apply (product_limit (fun _ => 2 * z) (fun e => e * (sin (PI * w z * e) / (e - 0) / (w z * bottom_e z e)))); [apply is_lim_const|].
+      apply (product_limit (fun e => e)); [apply is_lim_id | exact LS]. }
+    replace (0 + 2 * z * (0 * (PI / 2)) + mu) with mu in LQ by ring. exact LQ. }
   replace (2 / sqrt (4 * mu ^ 2 + PI ^ 2)) with (sqrt (1 / ((PI / 2) ^ 2 + mu ^ 2))).
-  - unfold in_e. apply (is_lim_comp_continuous sqrt (fun e => / ((e ^ 2 - 1) ^ 2 + (2 * z * e) ^ 2) / _) 0 (1 / ((PI / 2) ^ 2 + mu ^ 2))).
-    + apply ratio_limit; [exact LV | exact LD | nra].
-    + apply continuous_sqrt.
+  - assert (Nz : (PI / 2) ^ 2 + mu ^ 2 <> 0) by (apply Rgt_not_eq; nra).
+    pose proof (is_lim_comp_continuous _ sqrt 0 _ (ratio_limit _ _ _ _ LV LD Nz) (continuous_sqrt _)) as LC. exact LC.
   - assert (Q : 0 < 4 * mu ^ 2 + PI ^ 2) by nra. pose proof (sqrt_lt_R0 _ Q).
     replace (1 / ((PI / 2) ^ 2 + mu ^ 2)) with ((2 / sqrt (4 * mu ^ 2 + PI ^ 2)) * (2 / sqrt (4 * mu ^ 2 + PI ^ 2))).
     + apply sqrt_square. apply Rlt_le, Rdiv_lt_0_compat; lra.
