@@ -241,7 +241,7 @@ Proof.
     replace (1 / ((PI / 2) ^ 2 + mu ^ 2)) with ((2 / sqrt (4 * mu ^ 2 + PI ^ 2)) * (2 / sqrt (4 * mu ^ 2 + PI ^ 2))).
     + apply sqrt_square. apply Rlt_le, Rdiv_lt_0_compat; lra.
     + replace (2 / sqrt (4 * mu ^ 2 + PI ^ 2) * (2 / sqrt (4 * mu ^ 2 + PI ^ 2))) with (4 / (sqrt (4 * mu ^ 2 + PI ^ 2) * sqrt (4 * mu ^ 2 + PI ^ 2))) by (field; lra).
-      rewrite sqrt_sqrt by lra. field. split; nra.
+      rewrite sqrt_sqrt by lra. field. repeat split; nra.
 Qed.
 
 Lemma in_e_is_the_limit mu z r : 0 < r -> 0 <= z < 1 -> bottom_e z (/ r) <> 0 -> in_e mu z (/ r) = limit_of_single_mass mu z r.
@@ -274,7 +274,9 @@ Proof.
   (* for r > 2 the angle is below pi / 2 *)
   pose proof (w_pos z Hz) as Hw. pose proof (w_sq z Hz) as W. assert (w z <= 1) by nra. unfold bottom_e.
   assert (Ri : 0 < / r < / 2) by (split; [apply Rinv_0_lt_compat | apply Rinv_lt_contravar]; lra).
-  assert (0 < cos (PI * w z * / r)) by (apply cos_gt_0; nra). assert (0 < cosh (PI * z * / r)) by (unfold cosh; pose proof (exp_pos (PI * z * / r)); pose proof (exp_pos (- (PI * z * / r))); lra).
+  assert (WR : 0 < w z * / r < / 2).
+  { split; [apply Rmult_lt_0_compat; lra | apply Rle_lt_trans with (1 * / r); [apply Rmult_le_compat_r; lra | lra]]. }
+  assert (0 < cos (PI * w z * / r)) by (rewrite Rmult_assoc; apply cos_gt_0; nra). assert (0 < cosh (PI * z * / r)) by (unfold cosh; pose proof (exp_pos (PI * z * / r)); pose proof (exp_pos (- (PI * z * / r))); lra).
   lra.
 Qed.
 Theorem eq_86_as_printed : Statements.eq_86_as_printed.
