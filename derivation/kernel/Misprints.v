@@ -28,7 +28,8 @@ Proof.
   intros Hr Hc H1. split; [exact Hr|]. split; [lra|]. split.
   - rewrite decay_0, theta_0, cosh_0. exact Hc.
   - replace ((1 - r * r) ^ 2 + (2 * 0 * r) ^ 2) with ((1 - r * r) * (1 - r * r)) by ring.
-    assert (1 - r * r <> 0) by (replace (1 - r * r) with ((1 - r) * (1 + r)) by ring; apply Rmult_integral_contrapositive; split; lra).
+    assert (1 - r * r <> 0) by (replace (1 - r * r) with ((1 - r) * (1 + r)) by ring; apply Rmult_integral_contrapositive;
+      split; lra).
     apply Rmult_integral_contrapositive; split; assumption.
 Qed.
 Lemma braces_start r z : 0 < r -> 0 <= z < 1 -> braces r z 0 = - g r z.
@@ -43,7 +44,8 @@ Proof.
   intros H. unfold cosh. pose proof (exp_pos x) as P. pose proof (exp_pos (- x)) as P'.
   assert (E : exp x * exp (- x) = 1) by (rewrite <- exp_plus, Rplus_opp_r; apply exp_0).
   assert (N : exp x <> exp (- x)) by (intro K; apply exp_inv in K; lra).
-  set (a := exp x) in *. set (b := exp (- x)) in *. assert (0 < (a - b) * (a - b)) by (destruct (Rtotal_order a b) as [L|[L|L]]; [nra | lra | nra]).
+  set (a := exp x) in *. set (b := exp (- x)) in *. assert (0 < (a - b) * (a - b)) by (destruct (Rtotal_order a b) as [L|[L|L]];
+    [nra | lra | nra]).
   apply Rnot_le_lt. intros L. assert ((a + b) * (a + b) <= 2 * 2) by (apply Rmult_le_compat; lra). nra.
 Qed.
 
@@ -59,7 +61,8 @@ Proof. apply admissible_0; [lra | rewrite fifths, cos_plus, cos_PI2, sin_2PI; lr
 Lemma admissible_resonant z : 0 < z < 1 -> admissible 1 z.
 Proof.
   intros Hz. split; [lra|]. split; [lra|]. split.
-  - pose proof (COS_bound (theta 1 z)). pose proof PI_RGT_0. assert (Dz : decay 1 z <> 0) by (unfold decay, Rdiv; rewrite Rinv_1, Rmult_1_r; apply Rmult_integral_contrapositive; split; lra).
+  - pose proof (COS_bound (theta 1 z)). pose proof PI_RGT_0. assert (Dz : decay 1 z <> 0) by (unfold decay, Rdiv; rewrite
+    Rinv_1, Rmult_1_r; apply Rmult_integral_contrapositive; split; lra).
     pose proof (cosh_above (decay 1 z) Dz). lra.
   - assert (0 < z * z) by (apply Rmult_lt_0_compat; lra). lra.
 Qed.
@@ -81,14 +84,16 @@ Proof. unfold demand. simpl. f_equal. ring. Qed.
 Lemma single_is_a_scene r z b : admissible r z -> is_scene (single_mass r z b).
 Proof.
   intros A. pose proof A as [Hr _]. split; [simpl; lia|]. split; [simpl; lia|]. split; [intros; exact A|].
-  split; [|split]; intros i a Hi Ha; simpl in Hi, Ha; assert (i = O) by lia; assert (a = O) by lia; subst; simpl; unfold delta; simpl; field; lra.
+  split; [|split]; intros i a Hi Ha; simpl in Hi, Ha; assert (i = O) by lia; assert (a = O) by lia; subst; simpl; unfold delta;
+    simpl; field; lra.
 Qed.
 
 Theorem examples_are_scenes : Statements.examples_are_scenes.
 Proof.
   split; [intros r z b A; apply single_is_a_scene, A|]. intros b. split; [simpl; lia|]. split; [simpl; lia|]. split.
   - intros i Hi. simpl in Hi. destruct i as [|i]; [apply admissible_half | apply (admissible_resonant (1 / 2)); lra].
-  - split; [|split]; intros i a Hi Ha; simpl in Hi, Ha; (destruct i as [|[|i]]; [| |lia]); (destruct a as [|[|a]]; [| |lia]); simpl; unfold delta; simpl; field.
+  - split; [|split]; intros i a Hi Ha; simpl in Hi, Ha; (destruct i as [|[|i]]; [| |lia]); (destruct a as [|[|a]]; [| |lia]);
+    simpl; unfold delta; simpl; field.
 Qed.
 
 Lemma some_phase s : responds s -> exists phi, is_phase s phi.
@@ -100,14 +105,17 @@ Proof.
   intros H. pose proof admissible_half as A. pose proof PI_RGT_0.
   assert (Cy : continuous_on_half_period (eta (1 / 2) 0 1 1 1 0) (eta_prime (1 / 2) 0 1 1 1 0))
     by (intros t _; split; eapply continuous_of_derive; [apply eta_rate | apply eta_prime_rate]; lra).
-  assert (Ey : modal_equation (1 / 2) 0 1 1 1 0 (eta (1 / 2) 0 1 1 1 0) (eta_prime (1 / 2) 0 1 1 1 0) (eta_second (1 / 2) 0 1 1 1 0))
+  assert (Ey : modal_equation (1 / 2) 0 1 1 1 0 (eta (1 / 2) 0 1 1 1 0) (eta_prime (1 / 2) 0 1 1 1 0) (eta_second (1 / 2) 0 1 1
+    1 0))
     by (intros t _; split; [apply eta_rate; lra | split; [apply eta_prime_rate; lra | apply eta_equation, A]]).
   pose proof (eta_mirrored (1 / 2) 0 1 1 1 0 A) as Mi.
-  pose proof (H _ _ _ _ _ _ _ _ _ A Cy Ey Mi 0 ltac:(lra)) as E. pose proof (eq_40 _ _ _ _ _ _ A _ _ _ Cy Ey Mi 0 ltac:(lra)) as E'.
+  pose proof (H _ _ _ _ _ _ _ _ _ A Cy Ey Mi 0 ltac:(lra)) as E. pose proof (eq_40 _ _ _ _ _ _ A _ _ _ Cy Ey Mi 0 ltac:(lra)) as
+    E'.
   rewrite printed_start, g_0, cos_0, sin_0 in E by lra. rewrite braces_start, g_0, cos_0, sin_0 in E' by lra. lra.
 Qed.
 
-Lemma half_scene b : let s := single_mass (1 / 2) 0 b in responds s /\ friction_motion s 0 0 = 0 /\ friction_motion_printed s 0 0 = 1 / 4.
+Lemma half_scene b : let s := single_mass (1 / 2) 0 b in responds s /\ friction_motion s 0 0 = 0 /\ friction_motion_printed s 0
+  0 = 1 / 4.
 Proof.
   intros s. destruct (single_values (1 / 2) 0 b) as [E1 [E2 [E3 _]]]. fold s in E1, E2, E3. split; [split|split].
   - unfold V_abs. rewrite E1, E2. apply sqrt_lt_R0. unfold v_re, v_im. lra.
@@ -118,23 +126,29 @@ Qed.
 Theorem eq_41_as_printed : Statements.eq_41_as_printed.
 Proof.
   intros H. destruct (half_scene 1) as [R [F P]]. set (s := single_mass (1 / 2) 0 1) in *. destruct (some_phase s R) as [phi Ph].
-  pose proof (single_is_a_scene (1 / 2) 0 1 admissible_half) as S. pose proof PI_RGT_0. assert (K : (0 < masses s)%nat) by (simpl; lia).
-  pose proof (H s phi 0%nat 0 S R Ph K ltac:(lra)) as E. pose proof (eq_41 s S R phi Ph 0%nat 0 K) as E'. rewrite F in E'. rewrite P in E.
+  pose proof (single_is_a_scene (1 / 2) 0 1 admissible_half) as S. pose proof PI_RGT_0. assert (K : (0 < masses s)%nat) by
+    (simpl; lia).
+  pose proof (H s phi 0%nat 0 S R Ph K ltac:(lra)) as E. pose proof (eq_41 s S R phi Ph 0%nat 0 K) as E'. rewrite F in E'.
+    rewrite P in E.
   rewrite E in E' at 1. change (friction s) with 1 in *. lra.
 Qed.
 Theorem eq_46_as_printed : Statements.eq_46_as_printed.
 Proof.
   intros H. destruct (half_scene 1) as [R [F P]]. set (s := single_mass (1 / 2) 0 1) in *. destruct (some_phase s R) as [phi Ph].
-  pose proof (single_is_a_scene (1 / 2) 0 1 admissible_half) as S. pose proof PI_RGT_0. assert (K : (0 < masses s)%nat) by (simpl; lia).
-  pose proof (H s phi 0%nat 0 S R Ph K ltac:(lra)) as E. pose proof (eq_46 s S R phi Ph 0%nat 0 K) as E'. cbv zeta in E, E'. rewrite F in E'. rewrite P in E.
+  pose proof (single_is_a_scene (1 / 2) 0 1 admissible_half) as S. pose proof PI_RGT_0. assert (K : (0 < masses s)%nat) by
+    (simpl; lia).
+  pose proof (H s phi 0%nat 0 S R Ph K ltac:(lra)) as E. pose proof (eq_46 s S R phi Ph 0%nat 0 K) as E'. cbv zeta in E, E'.
+    rewrite F in E'. rewrite P in E.
   rewrite E in E'. change (friction s) with 1 in *. lra.
 Qed.
 Theorem eq_49_as_printed : Statements.eq_49_as_printed.
 Proof. intros H. specialize (H 0 1 0 0 (PI / 2)). rewrite cos_PI2, sin_PI2 in H. lra. Qed.
 Theorem eq_A_7_as_printed : Statements.eq_A_7_as_printed.
 Proof.
-  intros H. specialize (H 2 0 0 0 0 0 1 0 PI admissible_2). pose proof (from_start_rate 2 0 0 0 0 0 1 0 PI ltac:(lra) ltac:(lra)) as E.
-  apply is_derive_unique in H. apply is_derive_unique in E. rewrite H in E. unfold from_start_prime in E. rewrite q_0, sin_PI2 in E. lra.
+  intros H. specialize (H 2 0 0 0 0 0 1 0 PI admissible_2). pose proof (from_start_rate 2 0 0 0 0 0 1 0 PI ltac:(lra)
+    ltac:(lra)) as E.
+  apply is_derive_unique in H. apply is_derive_unique in E. rewrite H in E. unfold from_start_prime in E. rewrite q_0, sin_PI2
+    in E. lra.
 Qed.
 
 (* ---- (44), (45), (50), (52): two masses ---- *)
@@ -143,7 +157,8 @@ Proof. apply examples_are_scenes. Qed.
 Lemma u_resonant : 0 < u 1 (1 / 2).
 Proof.
   assert (Hz : 0 <= 1 / 2 < 1) by lra. pose proof (w_pos (1 / 2) Hz) as P. pose proof (w_sq (1 / 2) Hz) as Q. pose proof PI_RGT_0.
-  assert (w (1 / 2) < 1) by nra. destruct (admissible_resonant (1 / 2) ltac:(lra)) as [_ [_ [D _]]]. apply denominator_pos in D; [|lra|lra].
+  assert (w (1 / 2) < 1) by nra. destruct (admissible_resonant (1 / 2) ltac:(lra)) as [_ [_ [D _]]]. apply denominator_pos in D;
+    [|lra|lra].
   unfold u. apply Rdiv_lt_0_compat.
   - unfold theta. replace (PI * w (1 / 2) / 1) with (PI * w (1 / 2)) by field. apply sin_gt_0; nra.
   - apply Rmult_lt_0_compat; [lra | exact D].
@@ -157,7 +172,8 @@ Proof.
   intros s. unfold V_re, V_im, U, s. simpl. rewrite A1, A2, B1, B2, u_half. repeat split; field.
 Qed.
 Lemma two_facts b : let s := two_masses b in
-  V_abs s 0 ^ 2 = 265 / 625 /\ V_abs s 1 ^ 2 = 160 / 625 /\ 0 < V_abs s 0 /\ 0 < V_abs s 1 /\ V_abs s 1 < V_abs s 0 /\ 0 < sin (V_arg s 1 - V_arg s 0).
+  V_abs s 0 ^ 2 = 265 / 625 /\ V_abs s 1 ^ 2 = 160 / 625 /\ 0 < V_abs s 0 /\ 0 < V_abs s 1 /\ V_abs s 1 < V_abs s 0 /\ 0 < sin
+    (V_arg s 1 - V_arg s 0).
 Proof.
   intros s. destruct (two_values b) as [E1 [E2 [E3 [E4 _]]]]. fold s in E1, E2, E3, E4.
   pose proof (V_abs_sq s 0) as Q0. pose proof (V_abs_sq s 1) as Q1. rewrite E1, E2 in Q0. rewrite E3, E4 in Q1.
@@ -168,11 +184,13 @@ Proof.
   rewrite E1 in C0. rewrite E2 in S0. rewrite E3 in C1. rewrite E4 in S1. rewrite sin_minus.
   apply (Rmult_lt_reg_l (V_abs s 0 * V_abs s 1)); [apply Rmult_lt_0_compat; assumption|]. rewrite Rmult_0_r.
   replace (V_abs s 0 * V_abs s 1 * (sin (V_arg s 1) * cos (V_arg s 0) - cos (V_arg s 1) * sin (V_arg s 0)))
-    with ((V_abs s 1 * sin (V_arg s 1)) * (V_abs s 0 * cos (V_arg s 0)) - (V_abs s 1 * cos (V_arg s 1)) * (V_abs s 0 * sin (V_arg s 0))) by ring.
+    with ((V_abs s 1 * sin (V_arg s 1)) * (V_abs s 0 * cos (V_arg s 0)) - (V_abs s 1 * cos (V_arg s 1)) * (V_abs s 0 * sin
+      (V_arg s 0))) by ring.
   rewrite C0, S0, C1, S1. lra.
 Qed.
 
-Lemma two_example : exists b phi, let s := two_masses b in is_scene s /\ responds s /\ is_phase s phi /\ 0 < root s /\ 0 < friction s /\
+Lemma two_example : exists b phi, let s := two_masses b in is_scene s /\ responds s /\ is_phase s phi /\ 0 < root s /\ 0 <
+  friction s /\
   0 < friction s * U s (contact s) /\ U s 1 < 0.
 Proof.
   set (V := V_abs (two_masses 0) 0). set (Uj := U (two_masses 0) 0). destruct (two_facts 0) as [_ [_ [HV _]]]. fold V in HV.
@@ -183,13 +201,16 @@ Proof.
   destruct (some_phase s R) as [phi P]. exists b, phi. cbv zeta. fold s.
   split; [apply two_scene|]. split; [exact R|]. split; [exact P|]. split.
   - unfold root. rewrite BU. apply sqrt_lt_R0. change (0 < V ^ 2 - (V / 2) ^ 2). nra.
-  - split; [exact Hb|]. split; [rewrite BU; lra|]. destruct (two_values b) as [_ [_ [_ [_ [_ E]]]]]. change (U (two_masses b) 1 < 0). rewrite E. lra.
+  - split; [exact Hb|]. split; [rewrite BU; lra|]. destruct (two_values b) as [_ [_ [_ [_ [_ E]]]]]. change (U (two_masses b) 1
+    < 0). rewrite E. lra.
 Qed.
 
 Theorem eq_44_as_printed : Statements.eq_44_as_printed.
 Proof.
-  intros H. destruct two_example as [b [phi [S [R [P [Rp [Fp [Bp Un]]]]]]]]. destruct (two_facts b) as [_ [_ [V0 [V1 [VL D]]]]]. set (s := two_masses b) in *.
-  pose proof (H s phi 1%nat S R P ltac:(simpl; lia)) as E. destruct (eq_44_45 s S R phi P 1%nat ltac:(simpl; lia)) as [E' _]. cbv zeta in E'.
+  intros H. destruct two_example as [b [phi [S [R [P [Rp [Fp [Bp Un]]]]]]]]. destruct (two_facts b) as [_ [_ [V0 [V1 [VL D]]]]].
+    set (s := two_masses b) in *.
+  pose proof (H s phi 1%nat S R P ltac:(simpl; lia)) as E. destruct (eq_44_45 s S R phi P 1%nat ltac:(simpl; lia)) as [E' _].
+    cbv zeta in E'.
   change (contact s) with 0%nat in *.
   assert (Q : 0 < V_abs s 1 / V_abs s 0 * (friction s * U s 0 * sin (V_arg s 1 - V_arg s 0)))
     by (apply Rmult_lt_0_compat; [apply Rdiv_lt_0_compat | apply Rmult_lt_0_compat]; assumption).
@@ -197,8 +218,10 @@ Proof.
 Qed.
 Theorem eq_45_as_printed : Statements.eq_45_as_printed.
 Proof.
-  intros H. destruct two_example as [b [phi [S [R [P [Rp [Fp [Bp Un]]]]]]]]. destruct (two_facts b) as [_ [_ [V0 [V1 [VL D]]]]]. set (s := two_masses b) in *.
-  pose proof (H s phi 1%nat S R P ltac:(simpl; lia)) as E. destruct (eq_44_45 s S R phi P 1%nat ltac:(simpl; lia)) as [_ E']. cbv zeta in E'.
+  intros H. destruct two_example as [b [phi [S [R [P [Rp [Fp [Bp Un]]]]]]]]. destruct (two_facts b) as [_ [_ [V0 [V1 [VL D]]]]].
+    set (s := two_masses b) in *.
+  pose proof (H s phi 1%nat S R P ltac:(simpl; lia)) as E. destruct (eq_44_45 s S R phi P 1%nat ltac:(simpl; lia)) as [_ E'].
+    cbv zeta in E'.
   change (contact s) with 0%nat in *.
   assert (Q : 0 < V_abs s 1 / V_abs s 0 * (root s * sin (V_arg s 1 - V_arg s 0)))
     by (apply Rmult_lt_0_compat; [apply Rdiv_lt_0_compat | apply Rmult_lt_0_compat]; assumption).
@@ -206,18 +229,23 @@ Proof.
 Qed.
 Theorem eq_50_as_printed : Statements.eq_50_as_printed.
 Proof.
-  intros H. destruct two_example as [b [phi [S [R [P [Rp [Fp [Bp Un]]]]]]]]. destruct (two_facts b) as [_ [_ [V0 [V1 [VL D]]]]]. set (s := two_masses b) in *.
-  pose proof (H s phi 1%nat S R P ltac:(simpl; lia)) as E. destruct (eq_44_45 s S R phi P 1%nat ltac:(simpl; lia)) as [E' _]. cbv zeta in E, E'.
+  intros H. destruct two_example as [b [phi [S [R [P [Rp [Fp [Bp Un]]]]]]]]. destruct (two_facts b) as [_ [_ [V0 [V1 [VL D]]]]].
+    set (s := two_masses b) in *.
+  pose proof (H s phi 1%nat S R P ltac:(simpl; lia)) as E. destruct (eq_44_45 s S R phi P 1%nat ltac:(simpl; lia)) as [E' _].
+    cbv zeta in E, E'.
   change (contact s) with 0%nat in *.
-  assert (L : V_abs s 1 / V_abs s 0 < 1) by (apply (Rmult_lt_reg_r (V_abs s 0)); [exact V0 | unfold Rdiv; rewrite Rmult_assoc, Rinv_l; lra]).
+  assert (L : V_abs s 1 / V_abs s 0 < 1) by (apply (Rmult_lt_reg_r (V_abs s 0)); [exact V0 | unfold Rdiv; rewrite Rmult_assoc,
+    Rinv_l; lra]).
   assert (Q : 0 < (1 - V_abs s 1 / V_abs s 0) * (friction s * U s 0 * sin (V_arg s 1 - V_arg s 0)))
     by (apply Rmult_lt_0_compat; [lra | apply Rmult_lt_0_compat; assumption]).
   lra.
 Qed.
 Theorem eq_52_as_printed : Statements.eq_52_as_printed.
 Proof.
-  intros H. destruct two_example as [b [phi [S [R [P [Rp [Fp [Bp Un]]]]]]]]. destruct (two_facts b) as [_ [_ [V0 [V1 [VL D]]]]]. set (s := two_masses b) in *.
-  pose proof (H s 1%nat S R ltac:(simpl; lia)) as E. cbv zeta in E. pose proof (X_kC_kS s 1 R) as K. change (contact s) with 0%nat in *.
+  intros H. destruct two_example as [b [phi [S [R [P [Rp [Fp [Bp Un]]]]]]]]. destruct (two_facts b) as [_ [_ [V0 [V1 [VL D]]]]].
+    set (s := two_masses b) in *.
+  pose proof (H s 1%nat S R ltac:(simpl; lia)) as E. cbv zeta in E. pose proof (X_kC_kS s 1 R) as K. change (contact s) with
+    0%nat in *.
   assert (Q : 0 < friction s * (V_abs s 1 / V_abs s 0) * (root s * (- U s 1) * sin (V_arg s 1 - V_arg s 0))).
   { apply Rmult_lt_0_compat; [apply Rmult_lt_0_compat; [exact Fp | apply Rdiv_lt_0_compat; assumption]|].
     apply Rmult_lt_0_compat; [apply Rmult_lt_0_compat; lra | exact D]. }
@@ -225,10 +253,12 @@ Proof.
 Qed.
 
 (* ---- (57), (68), (69): one mass without damping ---- *)
-Lemma scene_2 : let s := single_mass 2 0 (5 / 8) in is_scene s /\ responds s /\ root s ^ 2 = 31 / 144 /\ H_j s = 0 /\ mobility s = 1 /\
+Lemma scene_2 : let s := single_mass 2 0 (5 / 8) in is_scene s /\ responds s /\ root s ^ 2 = 31 / 144 /\ H_j s = 0 /\ mobility s
+  = 1 /\
   V_abs s (contact s) ^ 2 = 16 / 9 /\ U s (contact s) = 2 /\ 0 < V_abs s (contact s).
 Proof.
-  intros s. destruct (single_values 2 0 (5 / 8)) as [E1 [E2 [E3 [_ [E5 E6]]]]]. fold s in E1, E2, E3, E5, E6. rewrite u_2 in E3. rewrite g_0, u_2 in E5.
+  intros s. destruct (single_values 2 0 (5 / 8)) as [E1 [E2 [E3 [_ [E5 E6]]]]]. fold s in E1, E2, E3, E5, E6. rewrite u_2 in E3.
+    rewrite g_0, u_2 in E5.
   assert (V : V_abs s (contact s) ^ 2 = 16 / 9) by (rewrite V_abs_sq, E1, E2; unfold v_re, v_im; field).
   assert (P : 0 < V_abs s (contact s)) by (unfold V_abs; rewrite E1, E2; apply sqrt_lt_R0; unfold v_re, v_im; lra).
   assert (Us : U s (contact s) = 2) by (rewrite E3; field).
@@ -240,7 +270,8 @@ Proof.
 Qed.
 Lemma scene_2_sticks phi : let s := single_mass 2 0 (5 / 8) in is_phase s phi -> ~ slides s phi.
 Proof.
-  intros s P SL. destruct scene_2 as [S [R [RS [Hh [Mo _]]]]]. fold s in S, R, RS, Hh, Mo. pose proof (sliding_start s S phi P SL) as L.
+  intros s P SL. destruct scene_2 as [S [R [RS [Hh [Mo _]]]]]. fold s in S, R, RS, Hh, Mo. pose proof (sliding_start s S phi P
+    SL) as L.
   rewrite Hh, Mo in L. change (friction s) with (5 / 8) in L. nra.
 Qed.
 Theorem eq_57_as_printed : Statements.eq_57_as_printed.
@@ -253,8 +284,10 @@ Proof.
 Qed.
 Theorem eq_68_as_printed : Statements.eq_68_as_printed.
 Proof.
-  intros H. destruct scene_2 as [S [R [RS [Hh [Mo [V [Us VP]]]]]]]. set (s := single_mass 2 0 (5 / 8)) in *. destruct (some_phase s R) as [phi P].
-  pose proof (root_pos s) as RP. specialize (H s 1 phi S ltac:(simpl; lra) ltac:(lra) R P). rewrite root_of_sum, Hh, Mo, V, Us in H.
+  intros H. destruct scene_2 as [S [R [RS [Hh [Mo [V [Us VP]]]]]]]. set (s := single_mass 2 0 (5 / 8)) in *. destruct
+    (some_phase s R) as [phi P].
+  pose proof (root_pos s) as RP. specialize (H s 1 phi S ltac:(simpl; lra) ltac:(lra) R P). rewrite root_of_sum, Hh, Mo, V, Us
+    in H.
   change (friction s) with (5 / 8) in H. assert (L : 1 * (5 / 8) < Rabs (root s - 5 / 8 * 0) / 1).
   { apply H. apply above_sqrt; lra. }
   rewrite Rabs_right in L by lra. nra.
@@ -262,27 +295,33 @@ Qed.
 
 Lemma cos_above x : 0 <= x -> 1 - x * x / 2 <= cos x.
 Proof.
-  intros H. assert (E : cos x = 1 - 2 * sin (x / 2) * sin (x / 2)) by (rewrite <- cos_2a_sin; f_equal; field). rewrite E. destruct (Req_dec x 0) as [->|N].
+  intros H. assert (E : cos x = 1 - 2 * sin (x / 2) * sin (x / 2)) by (rewrite <- cos_2a_sin; f_equal; field). rewrite E.
+    destruct (Req_dec x 0) as [->|N].
   - replace (0 / 2) with 0 by field. rewrite sin_0. lra.
   - pose proof (sin_lt_x (x / 2) ltac:(lra)). pose proof (sin_above (x / 2) ltac:(lra)). nra.
 Qed.
 Lemma sin_above_cubic x : 0 <= x -> x - x ^ 3 / 6 <= sin x.
 Proof.
-  intros H. assert (L : (fun t => t - t ^ 3 / 6 - sin t) x <= (fun t => t - t ^ 3 / 6 - sin t) 0); [|cbv beta in L; rewrite sin_0 in L; lra].
+  intros H. assert (L : (fun t => t - t ^ 3 / 6 - sin t) x <= (fun t => t - t ^ 3 / 6 - sin t) 0); [|cbv beta in L; rewrite
+    sin_0 in L; lra].
   apply (not_growing nil (fun t => t - t ^ 3 / 6 - sin t) 0 x); [exact H | |].
   - intros t _. apply (ex_derive_continuous (K := R_AbsRing) (V := R_NormedModule)). auto_derive. trivial.
-  - intros t Ht _. exists (1 - t * t / 2 - cos t). split; [auto_derive; [trivial | field]|]. pose proof (cos_above t ltac:(lra)). lra.
+  - intros t Ht _. exists (1 - t * t / 2 - cos t). split; [auto_derive; [trivial | field]|]. pose proof (cos_above t
+    ltac:(lra)). lra.
 Qed.
 Lemma sixteen_tenths : PI < 3.2.
 Proof.
   (* sin (PI / 6) = 1 / 2 *)
   apply Rnot_le_lt. intros L. pose proof PI_4. pose proof (sin_above_cubic (16 / 30) ltac:(lra)) as B.
-  pose proof (sin_incr_1 (16 / 30) (PI / 6) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra)) as I. rewrite sin_PI6 in I. lra.
+  pose proof (sin_incr_1 (16 / 30) (PI / 6) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra)) as I. rewrite sin_PI6 in I.
+    lra.
 Qed.
-Lemma scene_fifths : let s := single_mass (2 / 5) 0 (4 / 25) in is_scene s /\ responds s /\ root s ^ 2 = 16 / 441 - 16 * 16 / (250 * 250) /\ H_j s = 0 /\ mobility s = 1 /\
+Lemma scene_fifths : let s := single_mass (2 / 5) 0 (4 / 25) in is_scene s /\ responds s /\ root s ^ 2 = 16 / 441 - 16 * 16 /
+  (250 * 250) /\ H_j s = 0 /\ mobility s = 1 /\
   V_abs s (contact s) ^ 2 = 16 / 441 /\ U s (contact s) = 2 / 5.
 Proof.
-  intros s. destruct (single_values (2 / 5) 0 (4 / 25)) as [E1 [E2 [E3 [_ [E5 E6]]]]]. fold s in E1, E2, E3, E5, E6. rewrite u_fifths in E3. rewrite g_0, u_fifths in E5.
+  intros s. destruct (single_values (2 / 5) 0 (4 / 25)) as [E1 [E2 [E3 [_ [E5 E6]]]]]. fold s in E1, E2, E3, E5, E6. rewrite
+    u_fifths in E3. rewrite g_0, u_fifths in E5.
   assert (V : V_abs s (contact s) ^ 2 = 16 / 441) by (rewrite V_abs_sq, E1, E2; unfold v_re, v_im; field).
   assert (P : 0 < V_abs s (contact s)) by (unfold V_abs; rewrite E1, E2; apply sqrt_lt_R0; unfold v_re, v_im; lra).
   assert (Us : U s (contact s) = 2 / 5) by (rewrite E3; field).
@@ -294,19 +333,25 @@ Proof.
 Qed.
 Theorem eq_69_as_printed : Statements.eq_69_as_printed.
 Proof.
-  intros H. destruct scene_fifths as [S [R [RS [Hh [Mo [V Us]]]]]]. set (s := single_mass (2 / 5) 0 (4 / 25)) in *. destruct (some_phase s R) as [phi P].
+  intros H. destruct scene_fifths as [S [R [RS [Hh [Mo [V Us]]]]]]. set (s := single_mass (2 / 5) 0 (4 / 25)) in *. destruct
+    (some_phase s R) as [phi P].
   pose proof PI_RGT_0 as Pp. pose proof sixteen_tenths as Pu. pose proof (root_pos s) as RP.
   assert (SL : slides s phi).
   { apply (H s (fun _ => 0) 1 phi S); [simpl; lra | lra | exact R | exact P | |].
     - intros i t _ Ht. simpl. unfold demand_printed. rewrite g_0, u_fifths, exp_0_damping, phase_0, w_0.
       apply Req_le. unfold Rdiv. rewrite Rinv_1. replace (_ - _) with 0 by field. ring.
     - rewrite Hh, Mo, V, Us. simpl. rewrite Rmax_right by lra. apply below_sqrt; [lra | lra |]. lra. }
-  apply (slides_iff_ s S phi P) with (t := PI / 5) in SL; [|lra]. unfold s in SL at 2. rewrite single_demand in SL. change (friction s) with (4 / 25) in SL.
-  unfold demand_of_mode in SL. rewrite g_0, u_fifths, q_0, q_prime_0 in SL. replace (PI / 5 / (2 / 5)) with (PI / 2) in SL by field.
-  rewrite sin_PI2, cos_PI2 in SL. pose proof (cos_above (PI / 5) ltac:(lra)) as C. pose proof (sin_lt_x (PI / 5) ltac:(lra)) as Sx. pose proof (sin_gt_0 (PI / 5) ltac:(lra) ltac:(lra)) as Sp.
+  apply (slides_iff_ s S phi P) with (t := PI / 5) in SL; [|lra]. unfold s in SL at 2. rewrite single_demand in SL. change
+    (friction s) with (4 / 25) in SL.
+  unfold demand_of_mode in SL. rewrite g_0, u_fifths, q_0, q_prime_0 in SL. replace (PI / 5 / (2 / 5)) with (PI / 2) in SL by
+    field.
+  rewrite sin_PI2, cos_PI2 in SL. pose proof (cos_above (PI / 5) ltac:(lra)) as C. pose proof (sin_lt_x (PI / 5) ltac:(lra)) as
+    Sx. pose proof (sin_gt_0 (PI / 5) ltac:(lra) ltac:(lra)) as Sp.
   assert (X2 : PI / 5 * (PI / 5) <= 64 / 100 * (64 / 100)) by (apply Rmult_le_compat; lra).
-  assert (D : 11215 / 10000 <= ((1 + 0) * (2 / 5) * 1 - 5 / 2 * (2 / 5) ^ 2 * (2 / 5 * (/ (2 / 5) * 0) - cos (PI / 5))) / sin (PI / 5)).
-  { apply (Rmult_le_reg_r (sin (PI / 5))); [exact Sp|]. match goal with |- _ <= ?n / ?m * _ => replace (n / m * m) with n by (field; lra) end. lra. }
+  assert (D : 11215 / 10000 <= ((1 + 0) * (2 / 5) * 1 - 5 / 2 * (2 / 5) ^ 2 * (2 / 5 * (/ (2 / 5) * 0) - cos (PI / 5))) / sin
+    (PI / 5)).
+  { apply (Rmult_le_reg_r (sin (PI / 5))); [exact Sp|]. match goal with |- _ <= ?n / ?m * _ => replace (n / m * m) with n by
+    (field; lra) end. lra. }
   assert (L : 4 / 25 * (11215 / 10000) < root s) by lra.
   assert (4 / 25 * (11215 / 10000) * (4 / 25 * (11215 / 10000)) < root s * root s) by (apply Rmult_le_0_lt_compat; lra). lra.
 Qed.
@@ -320,34 +365,41 @@ Theorem eq_81 : Statements.eq_81.
 Proof. intros Vk Vj Gk Uk Uj b sg HV _. field. lra. Qed.
 Theorem eq_81_as_printed : Statements.eq_81_as_printed.
 Proof.
-  intros H. specialize (H 1 1 1 1 1 1 1 ltac:(lra) ltac:(lra) ltac:(lra) (or_introl eq_refl)). rewrite !Rabs_R1 in H. specialize (H ltac:(lra)). lra.
+  intros H. specialize (H 1 1 1 1 1 1 1 ltac:(lra) ltac:(lra) ltac:(lra) (or_introl eq_refl)). rewrite !Rabs_R1 in H. specialize
+    (H ltac:(lra)). lra.
 Qed.
 Theorem eq_88_third_line : Statements.eq_88_third_line.
 Proof.
   intros mu b Hm. assert (E : 1 / mu * mu = 1) by (field; lra). split; intros H.
   - specialize (H 0). rewrite cos_0, Rabs_R1 in H. apply (Rmult_le_reg_r mu); [exact Hm | lra].
-  - intros t. pose proof (COS_bound t). assert (1 <= mu * b) by (apply (Rmult_le_compat_r mu) in H; lra). unfold Rabs. destruct (Rcase_abs (cos t)); lra.
+  - intros t. pose proof (COS_bound t). assert (1 <= mu * b) by (apply (Rmult_le_compat_r mu) in H; lra). unfold Rabs. destruct
+    (Rcase_abs (cos t)); lra.
 Qed.
 Theorem eq_88_as_printed : Statements.eq_88_as_printed.
 Proof. intros H. specialize (H 1 (1 / 2) ltac:(lra) ltac:(lra) ltac:(lra) 0). rewrite cos_0, Rabs_R1 in H. lra. Qed.
 
 (* With little friction a scene slides and breaks away. *)
 Lemma little_friction (f : R -> scene) V m : (forall b, is_scene (f b)) -> (forall b, friction (f b) = b) ->
-  (forall b, V_abs (f b) (contact (f b)) = V) -> (forall b, U (f b) (contact (f b)) = U (f 0) (contact (f 0))) -> (forall b, H_j (f b) = H_j (f 0)) ->
+  (forall b, V_abs (f b) (contact (f b)) = V) -> (forall b, U (f b) (contact (f b)) = U (f 0) (contact (f 0))) -> (forall b, H_j
+    (f b) = H_j (f 0)) ->
   (forall b, mobility (f b) = 1) -> (forall b t, demand (f b) t = demand (f 0) t) -> 0 < m -> 2 * m <= V ->
-  exists b, 0 < b <= m /\ responds (f b) /\ forall phi, is_phase (f b) phi -> slides (f b) phi /\ V - m < holding_friction (f b) phi.
+  exists b, 0 < b <= m /\ responds (f b) /\ forall phi, is_phase (f b) phi -> slides (f b) phi /\ V - m < holding_friction (f b)
+    phi.
 Proof.
   intros Sc Fr HV HU HH HM HD Hm HmV. destruct (largest_demand (f 0) (Sc 0)) as [B [HB _]].
-  set (Uj := U (f 0) (contact (f 0))) in *. set (H := H_j (f 0)) in *. pose proof (Rabs_pos Uj) as U0. pose proof (Rabs_pos H) as H0. pose proof (Rabs_pos B) as B0.
+  set (Uj := U (f 0) (contact (f 0))) in *. set (H := H_j (f 0)) in *. pose proof (Rabs_pos Uj) as U0. pose proof (Rabs_pos H)
+    as H0. pose proof (Rabs_pos B) as B0.
   set (E := 1 + Rabs Uj + Rabs H + Rabs B). assert (HE : 1 <= E) by (unfold E; lra). set (b := m / E).
   assert (BE : b * E = m) by (unfold b; field; lra). assert (Hb : 0 < b) by (apply Rdiv_lt_0_compat; lra).
   assert (SM : b + b * Rabs Uj + b * Rabs H + b * Rabs B = m) by (rewrite <- BE; unfold E; ring).
   assert (P1 : 0 <= b * Rabs Uj) by nra. assert (P2 : 0 <= b * Rabs H) by nra. assert (P3 : 0 <= b * Rabs B) by nra.
   exists b. split; [lra|].
-  assert (AU : Rabs (friction (f b) * U (f b) (contact (f b))) = b * Rabs Uj) by (rewrite Fr, HU, Rabs_mult, (Rabs_right b) by lra; reflexivity).
+  assert (AU : Rabs (friction (f b) * U (f b) (contact (f b))) = b * Rabs Uj) by (rewrite Fr, HU, Rabs_mult, (Rabs_right b) by
+    lra; reflexivity).
   assert (R : responds (f b)) by (split; rewrite ?AU, HV; lra). split; [exact R|].
   assert (Rt : V - b * Rabs Uj <= root (f b)).
-  { pose proof (root_sq (f b) R) as RS. pose proof (root_pos (f b)). rewrite HV, <- (pow2_abs (friction (f b) * U (f b) (contact (f b)))), AU in RS. apply Rnot_lt_le. intros L.
+  { pose proof (root_sq (f b) R) as RS. pose proof (root_pos (f b)). rewrite HV, <- (pow2_abs (friction (f b) * U (f b) (contact
+    (f b)))), AU in RS. apply Rnot_lt_le. intros L.
     assert (root (f b) * root (f b) < (V - b * Rabs Uj) * (V - b * Rabs Uj)) by (apply Rmult_le_0_lt_compat; lra).
     assert (0 <= b * Rabs Uj * (V - b * Rabs Uj)) by (apply Rmult_le_pos; lra). nra. }
   intros phi P. split.
@@ -359,20 +411,26 @@ Qed.
 
 Theorem eq_59_63_as_printed : Statements.eq_59_63_as_printed.
 Proof.
-  intros H. set (V := V_abs (two_masses 0) 0). destruct (two_facts 0) as [VS [_ [VP _]]]. fold V in VS, VP. assert (VL : 13 / 20 <= V) by nra.
+  intros H. set (V := V_abs (two_masses 0) 0). destruct (two_facts 0) as [VS [_ [VP _]]]. fold V in VS, VP. assert (VL : 13 / 20
+    <= V) by nra.
   destruct (little_friction two_masses V (1 / 4)) as [b [Hb [R Q]]]; try reflexivity; try (intros; apply two_scene); try lra.
   { intros b. unfold mobility. simpl. field. }
   set (s := two_masses b) in *. destruct (some_phase s R) as [phi P]. destruct (Q phi P) as [SL HF].
   assert (Al : contact_inertia_alone s) by (intros a Ha Na; simpl in Ha, Na; assert (a = 1%nat) by lia; subst; reflexivity).
   set (mu := 1 / 3 / b). assert (MB : mu * b = 1 / 3) by (unfold mu; field; lra). assert (Mu : 1 <= mu) by nra.
-  specialize (H s mu phi (two_scene b) Al ltac:(simpl; lra) Mu R P SL). rewrite <- holding_is_load in H by (assumption || apply two_scene).
-  change (friction s) with b in H. rewrite MB in H. specialize (H ltac:(rewrite Rabs_right; lra) 0%nat ltac:(simpl; lia)). simpl in H.
-  replace (2 * 0 / (1 / 2) * eta_prime (1 / 2) 0 (3 / 5) (3 / 5) b phi 0 + / (1 / 2 * (1 / 2 * 1)) * eta (1 / 2) 0 (3 / 5) (3 / 5) b phi 0 - 3 / 5 * cos phi)
+  specialize (H s mu phi (two_scene b) Al ltac:(simpl; lra) Mu R P SL). rewrite <- holding_is_load in H by (assumption || apply
+    two_scene).
+  change (friction s) with b in H. rewrite MB in H. specialize (H ltac:(rewrite Rabs_right; lra) 0%nat ltac:(simpl; lia)). simpl
+    in H.
+  replace (2 * 0 / (1 / 2) * eta_prime (1 / 2) 0 (3 / 5) (3 / 5) b phi 0 + / (1 / 2 * (1 / 2 * 1)) * eta (1 / 2) 0 (3 / 5) (3 /
+    5) b phi 0 - 3 / 5 * cos phi)
     with (1 / 5 * cos phi) in H.
   - pose proof (COS_bound phi). replace (3 / 5 * mu * b) with (1 / 5) in H by (rewrite Rmult_assoc, MB; field).
-    rewrite Rabs_mult, (Rabs_right (1 / 5)) in H by lra. assert (Rabs (cos phi) <= 1) by (unfold Rabs; destruct (Rcase_abs (cos phi)); lra). lra.
+    rewrite Rabs_mult, (Rabs_right (1 / 5)) in H by lra. assert (Rabs (cos phi) <= 1) by (unfold Rabs; destruct (Rcase_abs (cos
+      phi)); lra). lra.
   - unfold eta. rewrite braces_start, g_0 by lra. unfold v_cos. rewrite Rplus_0_l.
-    assert (A1 : v_re (1 / 2) 0 = 4 / 3) by (unfold v_re; field). assert (A2 : v_im (1 / 2) 0 = 0) by (unfold v_im; field). rewrite A1, A2. field.
+    assert (A1 : v_re (1 / 2) 0 = 4 / 3) by (unfold v_re; field). assert (A2 : v_im (1 / 2) 0 = 0) by (unfold v_im; field).
+      rewrite A1, A2. field.
 Qed.
 
 (* ---- mu > 1 ---- *)
@@ -380,7 +438,8 @@ Theorem two_motions : Statements.two_motions.
 Proof.
   assert (A : admissible 1 (1 / 4)) by (apply admissible_resonant; lra).
   assert (HV : forall b, V_abs (single_mass 1 (1 / 4) b) (contact (single_mass 1 (1 / 4) b)) = 2).
-  { intros b. destruct (single_values 1 (1 / 4) b) as [E1 [E2 _]]. unfold V_abs. rewrite E1, E2. apply sqrt_of_square; [lra|]. unfold v_re, v_im. field. }
+  { intros b. destruct (single_values 1 (1 / 4) b) as [E1 [E2 _]]. unfold V_abs. rewrite E1, E2. apply sqrt_of_square; [lra|].
+    unfold v_re, v_im. field. }
   destruct (little_friction (single_mass 1 (1 / 4)) 2 (1 / 2)) as [b [Hb [R Q]]]; try reflexivity; try exact HV; try lra.
   { intros b. apply single_is_a_scene, A. }
   { intros b. apply (single_values 1 (1 / 4) b). }
@@ -396,7 +455,8 @@ Proof.
     + split; [intros; lra|]. split; [intros; lra|]. intros _. pose proof (COS_bound (t + phi)).
       assert (E : cos (t + phi) / b * b = cos (t + phi)) by (field; lra). split; apply (Rmult_le_reg_r b); lra.
     + intros a Ha. simpl in Ha. assert (a = 0%nat) by lia. subst. simpl. unfold delta. simpl.
-      split; [apply (is_derive_const (K := R_AbsRing) (V := R_NormedModule))|]. split; [apply (is_derive_const (K := R_AbsRing) (V := R_NormedModule))|]. field; lra.
+      split; [apply (is_derive_const (K := R_AbsRing) (V := R_NormedModule))|]. split; [apply (is_derive_const (K := R_AbsRing)
+        (V := R_NormedModule))|]. field; lra.
   - intros t Ht. unfold continued. destruct (Rle_dec t PI); [apply SL, Ht | lra].
   - rewrite <- holding_is_load by assumption. change (friction s) with b. rewrite MB, Rabs_right; lra.
   - reflexivity.

@@ -51,7 +51,8 @@ Proof.
   set (e := exp _). pose proof (sin2_cos2 (w z * t / r)) as T. unfold Rsqr in T. set (c := cos _) in *. set (s := sin _) in *.
   replace (e * (c + z / w z * s) * (r * (/ r * e * (c - z / w z * s))) + / w z * e * s * (/ w z * e * s))
     with (e * e * (c * c + (1 - z * z) / (w z * w z) * (s * s))) by (field; lra).
-  rewrite <- W. replace (w z * w z / (w z * w z)) with 1 by (field; lra). rewrite Rmult_1_l. replace (c * c + s * s) with 1 by lra. ring.
+  rewrite <- W. replace (w z * w z / (w z * w z)) with 1 by (field; lra). rewrite Rmult_1_l. replace (c * c + s * s) with 1 by
+    lra. ring.
 Qed.
 
 Lemma at_start r z : 0 < r -> 0 <= z < 1 -> d r z 0 = 1 /\ q r z 0 = 0 /\ q_prime r z 0 = / r.
@@ -62,7 +63,8 @@ Proof.
 Qed.
 
 (* A function that does not change inside has one value. *)
-Lemma constant_inside (f : R -> R) T : 0 < T -> (forall t, 0 <= t <= T -> continuous f t) -> (forall t, 0 < t < T -> is_derive f t 0) ->
+Lemma constant_inside (f : R -> R) T : 0 < T -> (forall t, 0 <= t <= T -> continuous f t) -> (forall t, 0 < t < T -> is_derive f
+  t 0) ->
   forall t, 0 <= t <= T -> f t = f 0.
 Proof.
   intros HT Hc Hd t Ht. destruct (MVT_gen f 0 t (fun _ => 0)) as [c [_ E]].
@@ -102,8 +104,10 @@ Proof.
   { apply (constant_inside c1 T); [lra| | |lra].
     - intros x Hx. destruct (Hc x Hx) as [Cy Cy1]. unfold c1.
       apply (continuous_mult (K := R_AbsRing)); [apply CE|]. apply (continuous_minus (V := R_NormedModule)).
-      + apply (continuous_mult (K := R_AbsRing)); [exact Cy|]. apply (continuous_mult (K := R_AbsRing)); [apply continuous_const|apply CP].
-      + apply (continuous_mult (K := R_AbsRing)); [exact Cy1|]. apply (continuous_mult (K := R_AbsRing)); [apply continuous_const|apply CQ].
+      + apply (continuous_mult (K := R_AbsRing)); [exact Cy|]. apply (continuous_mult (K := R_AbsRing)); [apply
+        continuous_const|apply CP].
+      + apply (continuous_mult (K := R_AbsRing)); [exact Cy1|]. apply (continuous_mult (K := R_AbsRing)); [apply
+        continuous_const|apply CQ].
     - intros x Hx. destruct (He x Hx) as [Dy [Dy1 Eq]]. unfold c1.
       evar_last.
       { apply (is_derive_mult (K := R_AbsRing) E); [apply E' | | intros; apply Rmult_comm].
@@ -120,7 +124,8 @@ Proof.
     - intros x Hx. destruct (Hc x Hx) as [Cy Cy1]. unfold c2.
       apply (continuous_mult (K := R_AbsRing)); [apply CE|]. apply (continuous_plus (V := R_NormedModule)).
       + apply (continuous_mult (K := R_AbsRing)); [exact Cy1|apply CD].
-      + apply (continuous_mult (K := R_AbsRing)); [exact Cy|]. apply (continuous_mult (K := R_AbsRing)); [apply CQ|apply continuous_const].
+      + apply (continuous_mult (K := R_AbsRing)); [exact Cy|]. apply (continuous_mult (K := R_AbsRing)); [apply CQ|apply
+        continuous_const].
     - intros x Hx. destruct (He x Hx) as [Dy [Dy1 Eq]]. unfold c2.
       evar_last.
       { apply (is_derive_mult (K := R_AbsRing) E); [apply E' | | intros; apply Rmult_comm].

@@ -1,7 +1,9 @@
 (* What is proved of rounding: the relative error of (23) in double precision, in the three forms that the library evaluates.
 
-   An operation is rounded correctly where its result is the exact one times 1 + e, with |e| at most 2^-53; so it is for rounding to nearest
-   with 53 binary digits, as long as nothing overflows or underflows. Doubling is exact. "Units" are 2^-52, the spacing of numbers at 1. *)
+   An operation is rounded correctly where its result is the exact one times 1 + e, with |e| at most 2^-53; so it is for
+     rounding to nearest
+   with 53 binary digits, as long as nothing overflows or underflows. Doubling is exact. "Units" are 2^-52, the spacing of
+     numbers at 1. *)
 Require Import Reals.
 From Flocq Require Import Core.
 From Kernel Require Import Statements.
@@ -17,7 +19,8 @@ Definition nearest_rounds_correctly : Prop := rounds_correctly (round radix2 (FL
 
 Section Forms.
 Variable rnd : R -> R.
-(* complex_response_off_resonance, complex_response_near_resonance, complex_response_high_frequency of the library, operation by operation *)
+(* complex_response_off_resonance, complex_response_near_resonance, complex_response_high_frequency of the library, operation by
+  operation *)
 Definition computed_a R_i := rnd (rnd (1 - R_i) * rnd (1 + R_i)).
 Definition computed_b R_i zeta := rnd (2 * zeta * R_i).
 Definition off_resonance_re R_i zeta :=

@@ -45,7 +45,8 @@ Proof. intros Hr Hz. unfold braces_prime, braces_second. rates r z t Hr Hz. fiel
 Lemma eta_rate r z pj pl b f t : 0 < r -> 0 <= z < 1 -> is_derive (eta r z pj pl b f) t (eta_prime r z pj pl b f t).
 Proof.
   intros Hr Hz. unfold eta, eta_prime.
-  evar_last. { apply (is_derive_plus (V := R_NormedModule)); apply is_derive_scal; [apply v_cos_rate | apply braces_rate; assumption]. }
+  evar_last. { apply (is_derive_plus (V := R_NormedModule)); apply is_derive_scal; [apply v_cos_rate | apply braces_rate;
+    assumption]. }
   unfold plus; simpl. ring.
 Qed.
 Lemma eta_prime_rate r z pj pl b f t : 0 < r -> 0 <= z < 1 -> is_derive (eta_prime r z pj pl b f) t (eta_second r z pj pl b f t).
@@ -58,7 +59,8 @@ Proof.
   unfold plus, opp; simpl. ring.
 Qed.
 
-Lemma braces_equation r z t : 0 < r -> 0 <= z < 1 -> r ^ 2 * braces_second r z t + 2 * z * r * braces_prime r z t + braces r z t = 1.
+Lemma braces_equation r z t : 0 < r -> 0 <= z < 1 -> r ^ 2 * braces_second r z t + 2 * z * r * braces_prime r z t + braces r z t
+  = 1.
 Proof.
   intros Hr Hz. unfold braces, braces_prime, braces_second, q_second. rewrite (d_by_q r z t Hr Hz). field; lra.
 Qed.
@@ -87,13 +89,15 @@ Proof.
   replace (- z * PI / r) with (- (PI * z / r)) by (field; lra). replace (w z * PI / r) with (PI * w z / r) by (field; lra). auto.
 Qed.
 
-Lemma hyperbolic x : exp (- x) * cosh x = (1 + exp (- x) * exp (- x)) / 2 /\ exp (- x) * sinh x = (1 - exp (- x) * exp (- x)) / 2 /\ 0 < exp (- x).
+Lemma hyperbolic x : exp (- x) * cosh x = (1 + exp (- x) * exp (- x)) / 2 /\ exp (- x) * sinh x = (1 - exp (- x) * exp (- x)) /
+  2 /\ 0 < exp (- x).
 Proof.
   assert (E : exp (- x) * exp x = 1) by (rewrite <- exp_plus, Rplus_opp_l; apply exp_0).
   unfold cosh, sinh. pose proof (exp_pos (- x)). repeat split; lra.
 Qed.
 
-Lemma braces_mirrored r z : 0 < r -> 0 <= z < 1 -> cosh (decay r z) + cos (theta r z) <> 0 -> mirrored (braces r z) (braces_prime r z).
+Lemma braces_mirrored r z : 0 < r -> 0 <= z < 1 -> cosh (decay r z) + cos (theta r z) <> 0 -> mirrored (braces r z)
+  (braces_prime r z).
 Proof.
   intros Hr Hz HD. destruct (at_start r z Hr Hz) as [D0 [Q0 P0]]. destruct (at_pi r z Hr Hz) as [D1 [Q1 P1]].
   pose proof (w_pos z Hz) as Hw. pose proof (w_sq z Hz) as W.
@@ -104,7 +108,8 @@ Proof.
   assert (C1 : C = (1 + e * e) / 2 / e) by (apply (Rmult_eq_reg_l e); [rewrite EC; field; lra | lra]).
   assert (S1 : S = (1 - e * e) / 2 / e) by (apply (Rmult_eq_reg_l e); [rewrite ES; field; lra | lra]).
   assert (D : 1 + e * e + 2 * e * c <> 0).
-  { intro K. apply HD. rewrite C1. apply (Rmult_eq_reg_l (2 * e)); [|lra]. transitivity (1 + e * e + 2 * e * c); [field; lra | rewrite K; ring]. }
+  { intro K. apply HD. rewrite C1. apply (Rmult_eq_reg_l (2 * e)); [|lra]. transitivity (1 + e * e + 2 * e * c); [field; lra |
+    rewrite K; ring]. }
   rewrite C1, S1. assert (T' : s * s = 1 - c * c) by lra.
   split; apply Rminus_diag_uniq; (field_simplify; [|repeat split; try lra; intro K; apply D; lra]);
     match goal with |- ?n / ?m = 0 => replace n with 0 by ring [T' W] end; unfold Rdiv; ring.
@@ -157,7 +162,8 @@ Proof.
     destruct (at_pi r z Hr Hz) as [D1 [Q1 P1]].
     replace (- (2 * z * PI / r)) with (- decay r z + - decay r z) in W by (unfold decay; field; lra). rewrite exp_plus in W.
     destruct (hyperbolic (decay r z)) as [EC [_ Ep]]. set (e := exp (- decay r z)) in *.
-    assert (X : d r z PI + r * q_prime r z PI = 2 * e * cos (theta r z)) by (rewrite D1, P1; field; split; [pose proof (w_pos z Hz)|]; lra).
+    assert (X : d r z PI + r * q_prime r z PI = 2 * e * cos (theta r z)) by (rewrite D1, P1; field; split; [pose proof (w_pos z
+      Hz)|]; lra).
     intro K. apply HD. apply (Rmult_eq_reg_l (2 * e)); [|lra].
     replace (2 * e * (cosh (decay r z) + cos (theta r z))) with (2 * (e * cosh (decay r z)) + 2 * e * cos (theta r z)) by ring.
     rewrite EC, <- X. lra. }
@@ -167,7 +173,8 @@ Proof.
   split.
   - apply (Rmult_eq_reg_l ((1 + D) * (1 + r * P) + Q * Q)); [|exact Det].
     transitivity ((1 + r * P) * (D * a + r * Q * b + a) - Q * (- Q * a + (1 + r * P) * r * b)); [ring | rewrite E1, E2'; ring].
-  - apply (Rmult_eq_reg_l (((1 + D) * (1 + r * P) + Q * Q) * r)); [|apply Rmult_integral_contrapositive; split; [exact Det | lra]].
+  - apply (Rmult_eq_reg_l (((1 + D) * (1 + r * P) + Q * Q) * r)); [|apply Rmult_integral_contrapositive; split; [exact Det |
+    lra]].
     transitivity ((1 + D) * (- Q * a + (1 + r * P) * r * b) + Q * (D * a + r * Q * b + a)); [ring | rewrite E1, E2'; ring].
 Qed.
 
@@ -175,7 +182,8 @@ Theorem mode_has_no_other : Statements.mode_has_no_other.
 Proof.
   intros r z pj pl b f A y y1 y2 Cy Ey [M1 M2] t Ht. pose proof A as [Hr [Hz [HD Hv]]].
   assert (PIp := PI_RGT_0). destruct (eta_mirrored r z pj pl b f A) as [N1 N2].
-  assert (D := difference r z pj pl b f y y1 y2 (eta r z pj pl b f) (eta_prime r z pj pl b f) (eta_second r z pj pl b f) PI Hr Hz PIp Cy).
+  assert (D := difference r z pj pl b f y y1 y2 (eta r z pj pl b f) (eta_prime r z pj pl b f) (eta_second r z pj pl b f) PI Hr
+    Hz PIp Cy).
   assert (Z : y 0 - eta r z pj pl b f 0 = 0 /\ y1 0 - eta_prime r z pj pl b f 0 = 0).
   { apply (free_and_mirrored r z); try assumption; symmetry.
     - etransitivity; [|apply D; try lra; try assumption]. rewrite M1, N1. ring.
@@ -233,7 +241,8 @@ Lemma from_start_prime_rate r z pj pl b f y0 y10 t : 0 < r -> 0 <= z < 1 ->
 Proof. intros Hr Hz. unfold from_start_prime, from_start_second. rates r z t Hr Hz. field; lra. Qed.
 
 Lemma from_start_equation r z pj pl b f y0 y10 t : admissible r z ->
-  r ^ 2 * from_start_second r z pj pl b f y0 y10 t + 2 * z * r * from_start_prime r z pj pl b f y0 y10 t + from_start r z pj pl b f y0 y10 t
+  r ^ 2 * from_start_second r z pj pl b f y0 y10 t + 2 * z * r * from_start_prime r z pj pl b f y0 y10 t + from_start r z pj pl
+    b f y0 y10 t
   = r ^ 2 * (pj * b + pl * cos (t + f)).
 Proof.
   intros [Hr [Hz [_ Hv]]]. rewrite <- (load_equation r z f t Hv).
@@ -269,7 +278,8 @@ Qed.
 
 Theorem eq_A_5 : Statements.eq_A_5.
 Proof.
-  intros r z pj pl b f y0 y10 t A A1 B. pose proof A as [Hr [Hz _]]. split; [apply constants; exact A | apply from_start_at_0; assumption].
+  intros r z pj pl b f y0 y10 t A A1 B. pose proof A as [Hr [Hz _]]. split; [apply constants; exact A | apply from_start_at_0;
+    assumption].
 Qed.
 
 Theorem eq_21_solves_eq_20 : Statements.eq_21_solves_eq_20.
@@ -289,7 +299,8 @@ Theorem eq_A_10 : Statements.eq_A_10.
 Proof.
   intros r z pj pl b f y0 y10 [Hr [Hz _]]. unfold mirrored.
   destruct (from_start_at_0 r z pj pl b f y0 y10 Hr Hz) as [E1 E2]. rewrite E1, E2.
-  unfold from_start, from_start_prime, coefficient_A, coefficient_B, coefficient_C, coefficient_P, coefficient_Q, coefficient_R, v_cos, v_sin.
+  unfold from_start, from_start_prime, coefficient_A, coefficient_B, coefficient_C, coefficient_P, coefficient_Q, coefficient_R,
+    v_cos, v_sin.
   rewrite Rplus_0_l, cos_PI, sin_PI.
   split; intros [H1 H2]; split.
   - rewrite <- (Rminus_diag_eq _ _ H1). ring.
@@ -308,7 +319,8 @@ Proof.
     - apply Ropp_neq_0_compat. apply Rmult_integral_contrapositive. split; [nra | apply pow_nonzero; lra].
     - intro K.
       destruct (free_and_mirrored r z (r * (1 + r * q_prime r z PI)) (q r z PI) Hr Hz HD) as [X Y].
-      + transitivity (r * ((1 + d r z PI) * (1 + r * q_prime r z PI) + q r z PI * q r z PI) - r * (1 + r * q_prime r z PI)); [ring|].
+      + transitivity (r * ((1 + d r z PI) * (1 + r * q_prime r z PI) + q r z PI * q r z PI) - r * (1 + r * q_prime r z PI));
+        [ring|].
         rewrite K. ring.
       + field; lra.
       + rewrite Y in *. assert (Z : 1 + r * q_prime r z PI = 0) by nra.

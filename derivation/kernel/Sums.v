@@ -21,9 +21,11 @@ Proof. induction n; intros H; simpl; [reflexivity|]. rewrite IHn, H by (intros; 
 Lemma Sum_swap n m (f : nat -> nat -> R) : Sum n (fun i => Sum m (fun k => f i k)) = Sum m (fun k => Sum n (fun i => f i k)).
 Proof. induction n; simpl; [symmetry; apply Sum_zero; reflexivity|]. rewrite IHn, <- Sum_plus. reflexivity. Qed.
 Lemma Sum_nonneg n f : (forall i, (i < n)%nat -> 0 <= f i) -> 0 <= Sum n f.
-Proof. induction n; intros H; simpl; [lra|]. pose proof (H n ltac:(lia)). assert (0 <= Sum n f) by (apply IHn; intros; apply H; lia). lra. Qed.
+Proof. induction n; intros H; simpl; [lra|]. pose proof (H n ltac:(lia)). assert (0 <= Sum n f) by (apply IHn; intros; apply H;
+  lia). lra. Qed.
 Lemma Sum_le n f h : (forall i, (i < n)%nat -> f i <= h i) -> Sum n f <= Sum n h.
-Proof. induction n; intros H; simpl; [lra|]. pose proof (H n ltac:(lia)). assert (Sum n f <= Sum n h) by (apply IHn; intros; apply H; lia). lra. Qed.
+Proof. induction n; intros H; simpl; [lra|]. pose proof (H n ltac:(lia)). assert (Sum n f <= Sum n h) by (apply IHn; intros;
+  apply H; lia). lra. Qed.
 Lemma Sum_nonneg_zero n f : (forall i, (i < n)%nat -> 0 <= f i) -> Sum n f = 0 -> forall i, (i < n)%nat -> f i = 0.
 Proof.
   induction n; intros H E i Hi; [lia|]. simpl in E. pose proof (H n ltac:(lia)).
@@ -88,31 +90,38 @@ Proof.
       set (P := Sum (S n) (fun k => a p k * x k)).
       set (y := fun k => if Nat.eqb k (S n) then - P / a p (S n) else x k). exists y. split.
       * exists k. split; [lia|]. unfold y. destruct (Nat.eqb_spec k (S n)); [lia | exact Hx].
-      * assert (Y : forall i, Sum (S (S n)) (fun k => a i k * y k) = Sum (S n) (fun k => a i k * x k) + a i (S n) * (- P / a p (S n))).
-        { intros i. change (Sum (S (S n)) (fun k => a i k * y k)) with (Sum (S n) (fun k => a i k * y k) + a i (S n) * y (S n)). f_equal.
+      * assert (Y : forall i, Sum (S (S n)) (fun k => a i k * y k) = Sum (S n) (fun k => a i k * x k) + a i (S n) * (- P / a p
+        (S n))).
+        { intros i. change (Sum (S (S n)) (fun k => a i k * y k)) with (Sum (S n) (fun k => a i k * y k) + a i (S n) * y (S n)).
+          f_equal.
           - apply Sum_ext. intros c Hc. unfold y. destruct (Nat.eqb_spec c (S n)); [lia | reflexivity].
           - unfold y. rewrite Nat.eqb_refl. reflexivity. }
         assert (Z : forall i, (i < n)%nat -> Sum (S n) (fun k => a (sw i) k * x k) = a (sw i) (S n) / a p (S n) * P).
-        { intros i Hi. unfold P. rewrite <- Sum_scal. apply Rminus_diag_uniq. rewrite <- Sum_minus. rewrite <- (E i Hi). apply Sum_ext. intros; ring. }
+        { intros i Hi. unfold P. rewrite <- Sum_scal. apply Rminus_diag_uniq. rewrite <- Sum_minus. rewrite <- (E i Hi). apply
+          Sum_ext. intros; ring. }
         intros i Hi. rewrite Y. destruct (Nat.eq_dec i p) as [->|Hip].
         -- fold P. field. exact Hf.
         -- destruct (Nat.eq_dec i n) as [->|Hin].
-           ++ assert (Hpn : (p < n)%nat) by lia. specialize (Z p Hpn). unfold sw in Z. rewrite Nat.eqb_refl in Z. rewrite Z. field. exact Hf.
+           ++ assert (Hpn : (p < n)%nat) by lia. specialize (Z p Hpn). unfold sw in Z. rewrite Nat.eqb_refl in Z. rewrite Z.
+             field. exact Hf.
            ++ assert (Hi' : (i < n)%nat) by lia. specialize (Z i Hi'). unfold sw in Z.
               destruct (Nat.eqb_spec i p); [contradiction|]. rewrite Z. field. exact Hf.
 Qed.
 
-Lemma product_applied n (A B : nat -> nat -> R) z : (forall i k, (i < n)%nat -> (k < n)%nat -> Sum n (fun a => A i a * B a k) = delta i k) ->
+Lemma product_applied n (A B : nat -> nat -> R) z : (forall i k, (i < n)%nat -> (k < n)%nat -> Sum n (fun a => A i a * B a k) =
+  delta i k) ->
   forall i, (i < n)%nat -> Sum n (fun a => A i a * Sum n (fun c => B a c * z c)) = z i.
 Proof.
   intros H i Hi. transitivity (Sum n (fun c => Sum n (fun a => A i a * B a c) * z c)).
-  - rewrite (Sum_ext n _ (fun a => Sum n (fun c => A i a * B a c * z c))) by (intros; rewrite <- Sum_scal; apply Sum_ext; intros; ring).
+  - rewrite (Sum_ext n _ (fun a => Sum n (fun c => A i a * B a c * z c))) by (intros; rewrite <- Sum_scal; apply Sum_ext;
+    intros; ring).
     rewrite Sum_swap. apply Sum_ext. intros. apply Sum_scal_r.
   - rewrite (Sum_ext n _ (fun c => delta c i * z c)) by (intros; rewrite H, delta_sym by assumption; reflexivity).
     apply Sum_delta, Hi.
 Qed.
 
-Lemma other_inverse n (A B : nat -> nat -> R) : (forall i k, (i < n)%nat -> (k < n)%nat -> Sum n (fun a => A i a * B a k) = delta i k) ->
+Lemma other_inverse n (A B : nat -> nat -> R) : (forall i k, (i < n)%nat -> (k < n)%nat -> Sum n (fun a => A i a * B a k) =
+  delta i k) ->
   forall i k, (i < n)%nat -> (k < n)%nat -> Sum n (fun a => B i a * A a k) = delta i k.
 Proof.
   intros H i k Hi Hk. set (y := fun c => delta c k).
