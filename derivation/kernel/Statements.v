@@ -1,14 +1,11 @@
 (* What is proved of the paper, in the paper's order and with its numbers.
 
-   How to read this file without knowing Coq: a "Definition" names a quantity or a statement. "forall" is "for all", "exists" is
-     "there is",
-   "/\" is "and", "\/" is "or", "->" is "implies", "<->" is "if and only if", "~" is "not", "<>" is "differs from". "fun t =>
-     ..." is the
-   function of t that follows the arrow. "is_derive f t a" says that the function f has the derivative a at t; "is_lim" and
-     "filterlim" are
-   limits. Each statement ends with a full stop; the proofs are in the other files, and the kernel of Coq checks that each of
-     them proves
-   the statement of the same name here. Masses are a, b, k, j, l and modes are i; both are counted from 0. *)
+   How to read this file without knowing Coq: a "Definition" names a quantity or a statement. "forall" is "for all",
+   "exists" is "there is", "/\" is "and", "\/" is "or", "->" is "implies", "<->" is "if and only if", "~" is "not", "<>" is
+   "differs from". "fun t => ..." is the function of t that follows the arrow. "is_derive f t a" says that the function f
+   has the derivative a at t; "is_lim" and "filterlim" are limits. Each statement ends with a full stop; the proofs are in
+   the other files, and the kernel of Coq checks that each of them proves the statement of the same name here. Masses are a,
+   b, k, j, l and modes are i; both are counted from 0. *)
 Require Import Reals List.
 From Coquelicot Require Import Coquelicot.
 Open Scope R_scope.
@@ -19,8 +16,7 @@ Fixpoint Sum (n : nat) (f : nat -> R) : R := match n with O => 0 | S m => Sum m 
 (* Kronecker's delta *)
 Definition delta (a b : nat) : R := if Nat.eqb a b then 1 else 0.
 
-(* ---- One mode: Sections 2.1, 2.2 and the Appendix
-  --------------------------------------------------------------------------------- *)
+(* ---- One mode: Sections 2.1, 2.2 and the Appendix ----------------------------------------------------------------- *)
 
 Section One_mode.
 Variables (R_i zeta : R).
@@ -132,7 +128,7 @@ Definition eq_A_12 : Prop := forall R_i zeta psi_j psi_l beta y0 y10 c s, admiss
    c = (B * D - C * Q) / (A * Q - B * P) /\ s = (C * P - A * D) / (A * Q - B * P)).
 
 (* (26), (27), (A.13), (A.14): a motion that solves (20) and mirrors itself starts with these values. The load term is v
-  cos(phi). *)
+   cos(phi). *)
 Definition eq_26_27 : Prop := forall R_i zeta psi_j psi_l beta phi y y1 y2, admissible R_i zeta ->
   continuous_on_half_period y y1 -> modal_equation R_i zeta psi_j psi_l beta phi y y1 y2 -> mirrored y y1 ->
   psi_l * R_i ^ 2 * v_cos R_i zeta phi 0 = y 0 + psi_j * R_i ^ 2 * g R_i zeta * beta /\
@@ -163,8 +159,7 @@ Definition eq_62 : Prop := forall R_i zeta psi_j psi_l beta phi y y1 y2, admissi
   cos phi = (y 0 + psi_j * R_i ^ 2 * g R_i zeta * beta) / (psi_l * R_i ^ 2) * (1 - R_i ^ 2)
             + (y1 0 + psi_j * R_i ^ 2 * u R_i zeta * beta) / (psi_l * R_i ^ 2) * (2 * zeta * R_i).
 
-(* ---- A scene: any number of masses and modes
-  ------------------------------------------------------------------------------------------ *)
+(* ---- A scene: any number of masses and modes ---------------------------------------------------------------------- *)
 
 Record scene := Scene {
   masses : nat;                      (* N *)
@@ -179,9 +174,9 @@ Record scene := Scene {
   friction : R                       (* beta of (11) *)
 }.
 
-(* (4)-(7), (11): a motion X of the masses m, c, k with the friction force F and the load P cos(omega t) solves (6) after the
-  scaling (5).
-   sgn is the sign of the contact's velocity, or a value of its set where that is zero; the scaled velocity has the same sign. *)
+(* (4)-(7), (11): a motion X of the masses m, c, k with the friction force F and the load P cos(omega t) solves (6) after
+   the scaling (5). sgn is the sign of the contact's velocity, or a value of its set where that is zero; the scaled velocity
+   has the same sign. *)
 Definition eq_6 : Prop := forall n (m c k : nat -> nat -> R) (X X1 X2 : nat -> R -> R) (sgn : R -> R) F P k_1 omega j l tau,
   0 < omega -> 0 < k_1 -> 0 < P ->
   (forall a, is_derive (X a) (tau / omega) (X1 a (tau / omega)) /\ is_derive (X1 a) (tau / omega) (X2 a (tau / omega))) ->
@@ -230,8 +225,8 @@ Local Notation beta := (friction s).
 Definition is_scene :=
   (j < N)%nat /\ (l < N)%nat /\
   (forall i, (i < N)%nat -> admissible (R_ i) (zeta i)) /\
-  (forall i a, (i < N)%nat -> (a < N)%nat -> Sum N (fun b => K a b * psi b i) = / (R_ i ^ 2) * Sum N (fun b => M a b * psi b i))
-    /\
+  (forall i a, (i < N)%nat -> (a < N)%nat -> Sum N (fun b => K a b * psi b i) = / (R_ i ^ 2) * Sum N (fun b => M a b
+    * psi b i)) /\
   (forall i k, (i < N)%nat -> (k < N)%nat -> Sum N (fun a => psi a i * Sum N (fun b => M a b * psi b k)) = delta i k) /\
   (forall i k, (i < N)%nat -> (k < N)%nat ->
     Sum N (fun a => psi a i * Sum N (fun b => C a b * psi b k)) = delta i k * (2 * zeta i / R_ i)).
@@ -256,8 +251,8 @@ Definition X_j := - beta * G j + root.                                          
 (* the response reaches the contact, and the root of (38) is real *)
 Definition responds := 0 < V_abs j /\ Rabs (beta * U j) <= V_abs j.
 (* (31), (32) with x_j'(0) = 0: V_j cos(phi) and V_j sin(phi) *)
-Definition is_phase (phi : R) := V_re j * cos phi - V_im j * sin phi = root /\ V_re j * sin phi + V_im j * cos phi = - (beta * U
-  j).
+Definition is_phase (phi : R) := V_re j * cos phi - V_im j * sin phi = root /\
+  V_re j * sin phi + V_im j * cos phi = - (beta * U j).
 (* (13), (30), (41) as corrected *)
 Definition x (phi : R) k t := Sum N (fun i => psi k i * eta (R_ i) (zeta i) (psi j i) (psi l i) beta phi t).
 Definition x_prime (phi : R) k t := Sum N (fun i => psi k i * eta_prime (R_ i) (zeta i) (psi j i) (psi l i) beta phi t).
@@ -306,8 +301,8 @@ Definition no_other_motion : Prop := is_scene -> responds -> forall phi y y1 y2,
   forall k t, (k < N)%nat -> 0 <= t <= PI -> y k t = x phi k t /\ y1 k t = x_prime phi k t.
 
 (* Without the response condition: where |beta U_j| > |V_j|, no motion of this kind exists, as the root of (38) is not real. *)
-Definition no_motion_without_root : Prop := is_scene -> V_abs j < Rabs (beta * U j) -> forall phi y y1 y2, ~ steady_half_period
-  phi y y1 y2.
+Definition no_motion_without_root : Prop := is_scene -> V_abs j < Rabs (beta * U j) ->
+  forall phi y y1 y2, ~ steady_half_period phi y y1 y2.
 
 (* The sign of the root in (38): with the other sign the contact would start in the wrong direction. *)
 Definition sign_of_the_root : Prop := is_scene -> 0 < beta -> forall phi y y1 y2,
@@ -342,8 +337,7 @@ Definition eq_52_53 : Prop := responds -> forall k,
 (* (52) reduces to (38) for k = j *)
 Definition eq_52_is_38_at_the_contact : Prop := responds -> X_k j = Rabs X_j.
 
-(* ---- Where it is a motion of Coulomb's contact: Section 2.6
-  --------------------------------------------------------------------------- *)
+(* ---- Where it is a motion of Coulomb's contact: Section 2.6 ------------------------------------------------------- *)
 
 (* (54a) *)
 Definition slides (phi : R) := forall t, 0 < t < PI -> x_prime phi j t < 0.
@@ -365,19 +359,19 @@ Definition holding_friction (phi : R) :=
 (* (65): where the contact's inertia is alone, M_jj = gamma_j r^2, *)
 Definition eq_65 : Prop := is_scene -> contact_inertia_alone -> mobility = / M j j.
 (* and then the friction that would hold it is the load of (54b). *)
-Definition holding_friction_is_the_load : Prop := is_scene -> contact_inertia_alone -> forall phi, holding_friction phi =
-  contact_load phi.
+Definition holding_friction_is_the_load : Prop := is_scene -> contact_inertia_alone ->
+  forall phi, holding_friction phi = contact_load phi.
 
-(* (55) with the sum under one maximum: the contact slides throughout if and only if beta times the demand stays below the root.
-  *)
+(* (55) with the sum under one maximum: the contact slides throughout if and only if beta times the demand stays below the
+   root. *)
 Definition slides_iff : Prop := is_scene -> responds -> forall phi, is_phase phi ->
   (slides phi <-> forall t, 0 < t < PI -> beta * demand t < X_j + beta * G j).
 (* (66) *)
 Definition eq_66 : Prop := is_scene -> responds -> forall phi, is_phase phi ->
   holding_friction phi = (X_j + beta * G j - beta * H_j) / mobility.
 (* the demand at the start: (71), summed; it is positive in each mode *)
-Definition demand_at_start : Prop := is_scene -> filterlim demand (at_right 0) (locally (H_j + mobility)) /\ 0 < mobility /\ 0 <
-  H_j + mobility.
+Definition demand_at_start : Prop := is_scene -> filterlim demand (at_right 0) (locally (H_j + mobility)) /\ 0 < mobility /\
+  0 < H_j + mobility.
 
 (* (58), (67): a condition "beta D below the root" as a limit of beta *)
 Definition as_a_limit_of_beta : Prop := forall D, 0 < D -> 0 < beta ->
@@ -394,8 +388,8 @@ Definition eq_68 : Prop := forall mu, is_scene -> 1 <= mu -> 0 < beta -> respond
 Definition eq_68_excludes_58 : Prop := forall mu, is_scene -> 1 <= mu -> 0 < beta -> responds -> forall phi, is_phase phi ->
   holding_friction phi < - (mu * beta) -> ~ slides phi.
 
-(* (69) with the supremum of the summed demand over the half-period: the two conditions (54) hold if and only if beta is below
-  the limit. *)
+(* (69) with the supremum of the summed demand over the half-period: the two conditions (54) hold if and only if beta is
+   below the limit. *)
 Definition eq_69 : Prop := forall mu S, is_scene -> 1 <= mu -> 0 < beta -> 0 < V_abs j ->
   is_lub (fun y => exists t, 0 < t < PI /\ y = demand t) S -> forall phi, is_phase phi ->
   (responds /\ slides phi /\ mu * beta < Rabs (holding_friction phi) <->
@@ -406,16 +400,14 @@ Definition sum_of_maxima_is_sufficient : Prop := forall S : nat -> R, is_scene -
   (forall i t, (i < N)%nat -> 0 < t < PI -> demand_of_mode (R_ i) (zeta i) t / sin t <= S i) ->
   beta * Sum N (fun i => psi j i ^ 2 * S i) < X_j + beta * G j -> forall phi, is_phase phi -> slides phi.
 
-(* ---- Coulomb's contact at all times
-  ---------------------------------------------------------------------------------------------------- *)
+(* ---- Coulomb's contact at all times ------------------------------------------------------------------------------- *)
 
 (* (2), (3): the values that the sign of the velocity may take; at rest any between -mu and mu *)
 Definition coulomb (mu velocity sigma : R) :=
   (0 < velocity -> sigma = 1) /\ (velocity < 0 -> sigma = -1) /\ (velocity = 0 -> - mu <= sigma <= mu).
 (* (6) over one period T of a steady motion: displacements and velocities are continuous and return to their values; the
-  equation holds
-   with a value that Coulomb's law allows at all times but a finite number: the times at which the contact turns, stops or
-     breaks away. *)
+   equation holds with a value that Coulomb's law allows at all times but a finite number: the times at which the contact
+   turns, stops or breaks away. *)
 Definition steady_contact_motion (mu phi T : R) (y y1 : nat -> R -> R) :=
   (forall a t, (a < N)%nat -> 0 <= t <= T -> continuous (y a) t /\ continuous (y1 a) t) /\
   (forall a, (a < N)%nat -> y a T = y a 0 /\ y1 a T = y1 a 0) /\
@@ -439,58 +431,56 @@ Definition steady_motion_is_symmetric : Prop := is_scene -> (forall i, (i < N)%n
   steady_contact_motion 1 phi (2 * PI) y y1 -> forall k t, (k < N)%nat -> 0 < t < PI -> y1 k (t + PI) = - y1 k t.
 End All_masses.
 
-(* ---- Two scenes for examples
-  ----------------------------------------------------------------------------------------------------------- *)
+(* ---- Two scenes for examples -------------------------------------------------------------------------------------- *)
 
 (* One mass, with any R_i, zeta_i and beta *)
 Definition single_mass (R_i zeta_i beta : R) : scene :=
   Scene 1 (fun _ _ => 1) (fun _ _ => 2 * zeta_i / R_i) (fun _ _ => / R_i ^ 2) (fun _ _ => 1) (fun _ => R_i) (fun _ => zeta_i) 0
     0 beta.
-(* Two equal masses; the first has the load and the contact. R = (1/2, 1), zeta = (0, 1/2), and the mode shapes (3, 4)/5 and (4,
-  -3)/5 *)
+(* Two equal masses; the first has the load and the contact. R = (1/2, 1), zeta = (0, 1/2), and the mode shapes (3, 4)/5 and
+   (4, -3)/5 *)
 Definition entry (x y z v : R) (a b : nat) : R := match a, b with O, O => x | O, _ => y | _, O => z | _, _ => v end.
 Definition two_masses (beta : R) : scene :=
   Scene 2 (entry 1 0 0 1) (entry (16 / 25) (-12 / 25) (-12 / 25) (9 / 25)) (entry (52 / 25) (36 / 25) (36 / 25) (73 / 25))
     (entry (3 / 5) (4 / 5) (4 / 5) (-3 / 5)) (fun i => match i with O => 1 / 2 | _ => 1 end) (fun i => match i with O => 0 | _
       => 1 / 2 end) 0 0 beta.
 Definition examples_are_scenes : Prop :=
-  (forall R_i zeta beta, admissible R_i zeta -> is_scene (single_mass R_i zeta beta)) /\ (forall beta, is_scene (two_masses
-    beta)).
+  (forall R_i zeta beta, admissible R_i zeta -> is_scene (single_mass R_i zeta beta)) /\
+    (forall beta, is_scene (two_masses beta)).
 
-(* ---- The equations that do not hold as printed, each with a scene in which it fails
-  ------------------------------------------------------- *)
+(* ---- The equations that do not hold as printed, each with a scene in which it fails ------------------------------- *)
 
 (* the braces as printed: sine and cosine exchanged in the bracket *)
 Definition braces_printed R_i zeta t :=
-  1 - (1 + g R_i zeta) * exp (- zeta * t / R_i) * (sin (w zeta * t / R_i) + zeta / w zeta * cos (w zeta * t / R_i)) - u R_i zeta
-    * R_i * q R_i zeta t.
+  1 - (1 + g R_i zeta) * exp (- zeta * t / R_i) * (sin (w zeta * t / R_i) + zeta / w zeta * cos (w zeta * t / R_i))
+    - u R_i zeta * R_i * q R_i zeta t.
 Definition eq_40_as_printed : Prop := ~ forall R_i zeta psi_j psi_l beta phi y y1 y2, admissible R_i zeta ->
-  continuous_on_half_period y y1 -> modal_equation R_i zeta psi_j psi_l beta phi y y1 y2 -> mirrored y y1 -> forall t, 0 <= t <=
-    PI ->
+  continuous_on_half_period y y1 -> modal_equation R_i zeta psi_j psi_l beta phi y y1 y2 -> mirrored y y1 ->
+    forall t, 0 <= t <= PI ->
   y t = (y 0 + psi_j * R_i ^ 2 * g R_i zeta * beta) * cos t + (y1 0 + psi_j * R_i ^ 2 * u R_i zeta * beta) * sin t
         + beta * psi_j * R_i ^ 2 * braces_printed R_i zeta t.
 Definition friction_motion_printed s k t :=
-  Sum (masses s) (fun i => shape s k i * shape s (contact s) i * ratio s i ^ 2 * braces_printed (ratio s i) (damping_ratio s i)
-    t).
-Definition eq_41_as_printed : Prop := ~ forall s phi k t, is_scene s -> responds s -> is_phase s phi -> (k < masses s)%nat -> 0
-  <= t <= PI ->
-  x s phi k t = (x s phi k 0 + friction s * G s k) * cos t + (x_prime s phi k 0 + friction s * U s k) * sin t + friction s *
-    friction_motion_printed s k t.
-Definition eq_46_as_printed : Prop := ~ forall s phi k t, is_scene s -> responds s -> is_phase s phi -> (k < masses s)%nat -> 0
-  <= t <= PI ->
+  Sum (masses s) (fun i => shape s k i * shape s (contact s) i * ratio s i ^ 2
+    * braces_printed (ratio s i) (damping_ratio s i) t).
+Definition eq_41_as_printed : Prop := ~ forall s phi k t, is_scene s -> responds s -> is_phase s phi -> (k < masses s)%nat ->
+  0 <= t <= PI ->
+  x s phi k t = (x s phi k 0 + friction s * G s k) * cos t + (x_prime s phi k 0 + friction s * U s k) * sin t + friction s
+    * friction_motion_printed s k t.
+Definition eq_46_as_printed : Prop := ~ forall s phi k t, is_scene s -> responds s -> is_phase s phi -> (k < masses s)%nat ->
+  0 <= t <= PI ->
   let D := V_arg s k - V_arg s (contact s) in
-  x s phi k t = V_abs s k / V_abs s (contact s) * (root s * cos (t + D) + friction s * U s (contact s) * sin (t + D)) + friction
-    s * friction_motion_printed s k t.
+  x s phi k t = V_abs s k / V_abs s (contact s) * (root s * cos (t + D) + friction s * U s (contact s) * sin (t + D))
+    + friction s * friction_motion_printed s k t.
 
 (* (44), (45): the real part of what is printed lacks the term with the sine. *)
 Definition eq_44_as_printed : Prop := ~ forall s phi k, is_scene s -> responds s -> is_phase s phi -> (k < masses s)%nat ->
   x s phi k 0 = - friction s * G s k + V_abs s k / V_abs s (contact s) * root s * cos (V_arg s k - V_arg s (contact s)).
 Definition eq_45_as_printed : Prop := ~ forall s phi k, is_scene s -> responds s -> is_phase s phi -> (k < masses s)%nat ->
-  x_prime s phi k 0 = friction s * (V_abs s k / V_abs s (contact s) * U s (contact s) * cos (V_arg s k - V_arg s (contact s)) -
-    U s k).
+  x_prime s phi k 0 = friction s * (V_abs s k / V_abs s (contact s) * U s (contact s) * cos (V_arg s k - V_arg s (contact s))
+    - U s k).
 
-(* (49): with x_k0 = a + i b and x_k0' = c + i e, as (44) and (45) print them, the second expression has another real part than
-  the first. *)
+(* (49): with x_k0 = a + i b and x_k0' = c + i e, as (44) and (45) print them, the second expression has another real part
+   than the first. *)
 Definition eq_49_as_printed : Prop := ~ forall a b c e t, a * cos t + c * sin t = (a + e) * cos t - (b - c) * sin t.
 
 (* (50): the ratio |V_k| / |V_j| multiplies the first term only. *)
@@ -514,8 +504,8 @@ Definition eq_57_as_printed : Prop := ~ forall s S phi, is_scene s -> 0 < fricti
   (forall i t, (i < masses s)%nat -> 0 < t < PI -> demand_printed (ratio s i) (damping_ratio s i) t <= S i) ->
   friction s * Sum (masses s) (fun i => shape s (contact s) i ^ 2 * S i) < X_j s + friction s * G s (contact s) -> slides s phi.
 (* and so does (69). *)
-Definition eq_69_as_printed : Prop := ~ forall s S mu phi, is_scene s -> 0 < friction s -> 1 <= mu -> responds s -> is_phase s
-  phi ->
+Definition eq_69_as_printed : Prop := ~ forall s S mu phi, is_scene s -> 0 < friction s -> 1 <= mu -> responds s ->
+  is_phase s phi ->
   (forall i t, (i < masses s)%nat -> 0 < t < PI -> demand_printed (ratio s i) (damping_ratio s i) t <= S i) ->
   friction s < sqrt (V_abs s (contact s) ^ 2 / (U s (contact s) ^ 2 +
     Rmax (Sum (masses s) (fun i => shape s (contact s) i ^ 2 * S i)) (H_j s + mu * mobility s) ^ 2)) -> slides s phi.
@@ -526,8 +516,8 @@ Definition eq_63_is_eq_59 : Prop := forall R_i zeta psi_j psi_l beta phi y y1 y2
   2 * zeta / R_i * y1 0 + / R_i ^ 2 * y 0 - psi_l * cos phi
   = y 0 - beta * psi_j * ((1 - R_i ^ 2) * g R_i zeta + 2 * zeta * R_i * u R_i zeta).
 (* but neither is a condition: the contact of a scene slides and breaks away, (54), while a mode does not satisfy (59), (63). *)
-Definition eq_59_63_as_printed : Prop := ~ forall s mu phi, is_scene s -> contact_inertia_alone s -> 0 < friction s -> 1 <= mu
-  -> responds s -> is_phase s phi ->
+Definition eq_59_63_as_printed : Prop := ~ forall s mu phi, is_scene s -> contact_inertia_alone s -> 0 < friction s ->
+  1 <= mu -> responds s -> is_phase s phi ->
   slides s phi -> mu * friction s < Rabs (contact_load s phi) -> forall i, (i < masses s)%nat ->
   shape s (contact s) i * mu * friction s <
   Rabs (2 * damping_ratio s i / ratio s i * eta_prime (ratio s i) (damping_ratio s i) (shape s (contact s) i) (shape s (loaded
@@ -536,15 +526,15 @@ Definition eq_59_63_as_printed : Prop := ~ forall s mu phi, is_scene s -> contac
     - shape s (loaded s) i * cos phi).
 
 (* (68) as printed, without the condition on the sign of H_j - mu / (gamma_j r^2), does not give (66). *)
-Definition eq_68_as_printed : Prop := ~ forall s mu phi, is_scene s -> 0 < friction s -> 1 <= mu -> responds s -> is_phase s phi
-  ->
+Definition eq_68_as_printed : Prop := ~ forall s mu phi, is_scene s -> 0 < friction s -> 1 <= mu -> responds s ->
+  is_phase s phi ->
   sqrt (V_abs s (contact s) ^ 2 / (U s (contact s) ^ 2 + (H_j s - mu * mobility s) ^ 2)) < friction s ->
   mu * friction s < Rabs (X_j s + friction s * G s (contact s) - friction s * H_j s) / mobility s.
 
-(* (70): the expansion of (57) at the start has the bracket with this sign; as printed it tends to another value than (57) does.
-  *)
-Definition expansion R_i zeta t := ((1 + g R_i zeta) * (1 - zeta * t / R_i) * t - u R_i zeta * R_i ^ 2 * ((1 - zeta * t / R_i) ^
-  2 - 1)) / t.
+(* (70): the expansion of (57) at the start has the bracket with this sign; as printed it tends to another value than (57)
+   does. *)
+Definition expansion R_i zeta t := ((1 + g R_i zeta) * (1 - zeta * t / R_i) * t - u R_i zeta * R_i ^ 2 * ((1 - zeta
+  * t / R_i) ^ 2 - 1)) / t.
 Definition expansion_printed R_i zeta t := ((1 + g R_i zeta) * (1 - zeta * t / R_i) * t - u R_i zeta * R_i ^ 2 * (1 - (1 - zeta
   * t / R_i) ^ 2)) / t.
 Definition eq_70_71 : Prop := forall R_i zeta, admissible R_i zeta ->
@@ -557,21 +547,20 @@ Definition eq_72 : Prop := forall s, is_scene s -> is_lim (demand s) 0 (H_j s + 
 
 (* (81): (52) with |V_j| for the root and (78) for the angle; as printed it has another term. *)
 Definition eq_81 : Prop := forall V_k V_j G_k U_k U_j beta sign, 0 < V_j -> sign = 1 \/ sign = -1 ->
-  V_k ^ 2 + beta ^ 2 * (G_k ^ 2 + U_k ^ 2) - 2 * beta * (V_k / V_j) * (V_j * (G_k * sign - U_k * 0) + beta * U_j * (G_k * 0 +
-    U_k * sign))
+  V_k ^ 2 + beta ^ 2 * (G_k ^ 2 + U_k ^ 2) - 2 * beta * (V_k / V_j) * (V_j * (G_k * sign - U_k * 0) + beta * U_j * (G_k * 0
+    + U_k * sign))
   = V_k ^ 2 + beta ^ 2 * (G_k ^ 2 + U_k ^ 2) - 2 * beta * (V_k * (sign * G_k) + beta * (sign * (V_k / V_j)) * U_j * U_k).
 Definition eq_81_as_printed : Prop := ~ forall V_k V_j G_k U_k U_j beta sign, 0 < V_k -> 0 < V_j -> 0 <= beta -> sign = 1 \/
   sign = -1 -> sign * G_k = Rabs G_k ->
-  V_k ^ 2 + beta ^ 2 * (G_k ^ 2 + U_k ^ 2) - 2 * beta * (V_k / V_j) * (V_j * (G_k * sign - U_k * 0) + beta * U_j * (G_k * 0 +
-    U_k * sign))
+  V_k ^ 2 + beta ^ 2 * (G_k ^ 2 + U_k ^ 2) - 2 * beta * (V_k / V_j) * (V_j * (G_k * sign - U_k * 0) + beta * U_j * (G_k * 0
+    + U_k * sign))
   = V_k ^ 2 + beta ^ 2 * (G_k ^ 2 + U_k ^ 2) - beta * (2 * V_k * Rabs G_k - Rabs U_j * Rabs U_k).
 
-(* (88), third line: a held contact under the load carries cos(tau) alone; static friction holds it for ever if and only if beta
-  is not
-   below 1 / mu, and not, as printed, if it is. *)
+(* (88), third line: a held contact under the load carries cos(tau) alone; static friction holds it for ever if and only if
+   beta is not below 1 / mu, and not, as printed, if it is. *)
 Definition eq_88_third_line : Prop := forall mu beta, 0 < mu -> ((forall t, Rabs (cos t) <= mu * beta) <-> 1 / mu <= beta).
-Definition eq_88_as_printed : Prop := ~ forall mu beta, 1 <= mu -> 0 < beta -> beta < 1 / mu -> forall t, Rabs (cos t) <= mu *
-  beta.
+Definition eq_88_as_printed : Prop := ~ forall mu beta, 1 <= mu -> 0 < beta -> beta < 1 / mu ->
+  forall t, Rabs (cos t) <= mu * beta.
 
 (* (A.7) as printed: the sign of the first term *)
 Definition eq_A_7_as_printed : Prop := ~ forall R_i zeta psi_j psi_l beta phi y0 y10 t, admissible R_i zeta ->
@@ -580,26 +569,23 @@ Definition eq_A_7_as_printed : Prop := ~ forall R_i zeta psi_j psi_l beta phi y0
      psi_l * R_i ^ 2 * ((v_re R_i zeta * cos phi - v_im R_i zeta * sin phi) * (sin t - q R_i zeta t / R_i) +
                         (v_re R_i zeta * sin phi + v_im R_i zeta * cos phi) * (cos t - R_i * q_prime R_i zeta t))).
 
-(* ---- mu > 1: more than one steady motion
-  -------------------------------------------------------------------------------------------------- *)
+(* ---- mu > 1: more than one steady motion -------------------------------------------------------------------------- *)
 
-(* For mu > 1 a scene with damping has two steady motions with different velocities under the same load: one slides and breaks
-  away from
-   each of its turning points, (54), the other rests for ever. *)
-Definition two_motions : Prop := exists s mu phi y y1 z z1, is_scene s /\ (forall i, (i < masses s)%nat -> 0 < damping_ratio s
-  i) /\
+(* For mu > 1 a scene with damping has two steady motions with different velocities under the same load: one slides and
+   breaks away from each of its turning points, (54), the other rests for ever. *)
+Definition two_motions : Prop := exists s mu phi y y1 z z1, is_scene s /\ (forall i, (i < masses s)%nat ->
+  0 < damping_ratio s i) /\
   0 < friction s /\ 1 < mu /\
   steady_contact_motion s mu phi (2 * PI) y y1 /\ steady_contact_motion s mu phi (2 * PI) z z1 /\
   (forall t, 0 < t < PI -> y1 (contact s) t < 0) /\ mu * friction s < Rabs (contact_load s phi) /\ y = continued (x s phi) /\
   (forall t, z1 (contact s) t = 0).
 
-(* ---- Limits and resonance: Section 4.1, 4.2
-  ------------------------------------------------------------------------------------------------- *)
+(* ---- Limits and resonance: Section 4.1, 4.2 ----------------------------------------------------------------------- *)
 
 (* (28), (29) for vanishing damping, off the poles *)
 Definition undamped_limits : Prop := forall R_i, 0 < R_i -> 1 + cos (PI / R_i) <> 0 ->
-  filterlim (u R_i) (at_right 0) (locally (sin (PI / R_i) / (R_i * (1 + cos (PI / R_i))))) /\ filterlim (g R_i) (at_right 0)
-    (locally 0) /\
+  filterlim (u R_i) (at_right 0) (locally (sin (PI / R_i) / (R_i * (1 + cos (PI / R_i))))) /\
+    filterlim (g R_i) (at_right 0) (locally 0) /\
   g R_i 0 = 0.
 (* at R_i = 1 the first damping function tends to 1/pi, and zeta g to 2/pi: the second one grows without bound *)
 Definition limits_at_resonance : Prop :=
