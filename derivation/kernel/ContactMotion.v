@@ -1,0 +1,121 @@
+(* The closed form over a whole period is a motion of Coulomb's contact; steady motions for mu = 1 mirror themselves. *)
+Require Import Reals List Lra Lia Psatz PeanoNat.
+From Coquelicot Require Import Coquelicot.
+From Kernel Require Import Statements Modes SteadyMode Sums Masses OneVelocity.
+Open Scope R_scope.
+
+(* A motion mirrored and moved by half a period *)
+Definition turned_over (f : nat -> R -> R) (a : nat) := joined PI (fun t => - f a (t + PI)) (fun t => - f a (t - PI)).
+
+Lemma turned_over_is_a_motion s mu phi y y1 : is_scene s -> steady_contact_motion s mu phi (2 * PI) y y1 ->
+  steady_contact_motion s mu phi (2 * PI) (turned_over y) (turned_over y1).
+Proof.
+  intros Hs [Cy [Py [L Ey]]]. pose proof PI_RGT_0 as P.
+  assert (Sh : forall (f : R -> R) c t, continuous f (t + c) -> continuous (fun t => - f (t + c)) t).
+  { intros f c t Cf. apply (continuous_opp (V := R_NormedModule)). apply (continuous_comp (fun t => t + c) f); [|exact Cf].
+    apply (continuous_plus (V := R_NormedModule)); [apply continuous_id | apply continuous_const]. }
+  assert (CJ : forall (f : nat -> R -> R) a t, (a < masses s)%nat -> (forall t, 0 <= t <= 2 * PI -> continuous (f a) t) -> f a
+    (2 * PI) = f a 0 -> 0 <= t <= 2 * PI ->
+    continuous (turned_over f a) t).
+  { intros f a t Ha Cf E Ht. unfold turned_over. apply joined_continuous.
+    - intros H. apply Sh, Cf. lra.
+    - intros H. apply (Sh (f a) (- PI)), Cf. lra.
+    - replace (PI + PI) with (2 * PI) by ring. replace (PI - PI) with 0 by ring. rewrite E. reflexivity. }
+  split; [|split].
+  - intros a t Ha Ht. split; apply CJ; try assumption; try (apply Py, Ha); intros x Hx; apply Cy; assumption.
+  - intros a Ha. unfold turned_over. rewrite !(joined_after PI _ _ (2 * PI)), !(joined_before PI _ _ 0) by lra. rewrite
+    Rplus_0_l. replace (2 * PI - PI) with PI by ring. split; reflexivity.
+  - exists (PI :: map (fun t => t - PI) L ++ map (fun t => t + PI) L)%list. intros t Ht NL.
+    assert (NP : t <> PI) by (intro; apply NL; left; auto).
+    assert (N1 : ~ In (t + PI) L) by (intro I; apply NL; right; apply in_or_app; left; apply in_map_iff; exists (t + PI); split;
+      [ring | exact I]).
+    assert (N2 : ~ In (t - PI) L) by (intro I; apply NL; right; apply in_or_app; right; apply in_map_iff; exists (t - PI);
+      split; [ring | exact I]).
+    assert (Main : forall c, (c = PI \/ c = - PI) -> 0 < t + c < 2 * PI -> ~ In (t + c) L ->
+      (exists e, 0 < e /\ forall f a x, Rabs (x - t) < e -> - f a (x + c) = turned_over f a x) ->
+      exists (y2 : nat -> R) sigma, coulomb mu (turned_over y1 (contact s) t) sigma /\
+      forall a, (a < masses s)%nat -> is_derive (turned_over y a) t (turned_over y1 a t) /\ is_derive (turned_over y1 a) t (y2
+        a) /\
+      Sum (masses s) (fun b => mass s a b * y2 b + damping s a b * turned_over y1 b t + stiffness s a b * turned_over y b t)
+      + friction s * delta a (contact s) * sigma = delta a (loaded s) * cos (t + phi)).
+    { intros c Hc Hin NI [e [He Loc]]. destruct (Ey (t + c) Hin NI) as [y2 [sg [Cs Es]]]. exists (fun a => - y2 a), (- sg).
+      assert (V : forall f a, turned_over f a t = - f a (t + c)) by (intros; symmetry; apply Loc; rewrite Rminus_diag_eq,
+        Rabs_R0 by reflexivity; exact He).
+      assert (DS : forall (f : nat -> R -> R) a k, is_derive (f a) (t + c) k -> is_derive (turned_over f a) t (- k)).
+      { intros f a k D. apply (near_derive (fun x => - f a (x + c)) _ t (- k) e He (Loc f a)). apply (is_derive_opp (V :=
+        R_NormedModule)).
+        evar_last. { apply (is_derive_comp (f a) (fun x => x + c)); [exact D | auto_derive; [trivial | reflexivity]]. }
+        unfold scal; simpl; unfold mult; simpl. ring. }
+      split; [rewrite V; apply coulomb_is_odd, Cs|]. intros a Ha. destruct (Es a Ha) as [D1 [D2 Q]]. split; [|split].
+      - rewrite V. apply DS, D1.
+      - apply DS, D2.
+      - rewrite (Sum_ext _ _ (fun b => - (mass s a b * y2 b + damping s a b * y1 b (t + c) + stiffness s a b * y b (t + c)))) by
+        (intros; rewrite !V; ring).
+        rewrite Sum_opp. replace (cos (t + phi)) with (- cos (t + c + phi)); [lra|].
+        destruct Hc as [->| ->].
+        + replace (t + PI + phi) with (t + phi + PI) by ring. rewrite neg_cos. ring.
+        + replace (t + - PI + phi) with (- (PI - (t + phi))) by ring. rewrite cos_neg. replace (PI - (t + phi)) with (- (t +
+          phi) + PI) by ring. rewrite neg_cos, cos_neg. ring. }
+    destruct (Rlt_dec t PI) as [B|B].
+    + apply (Main PI); [left; reflexivity | lra | exact N1 |]. exists (PI - t). split; [lra|]. intros f a x Hx. apply
+      Rabs_lt_between in Hx.
+      unfold turned_over. rewrite joined_before by lra. reflexivity.
+    + apply (Main (- PI)); [right; reflexivity | lra | exact N2 |]. exists (t - PI). split; [lra|]. intros f a x Hx. apply
+      Rabs_lt_between in Hx.
+      unfold turned_over. rewrite joined_after by lra. reflexivity.
+Qed.
+
+Theorem steady_motion_is_symmetric : forall s, Statements.steady_motion_is_symmetric s.
+Proof.
+  intros s Hs Hz Hb phi y y1 H k t Hk Ht. pose proof PI_RGT_0.
+  pose proof (one_steady_velocity s Hs Hz Hb phi (2 * PI) _ _ _ _ ltac:(lra) H (turned_over_is_a_motion s 1 phi y y1 Hs H) k t
+    Hk ltac:(lra)) as E.
+  rewrite E. unfold turned_over. rewrite joined_before by lra. ring.
+Qed.
+
+(* The closed form, continued by its mirror image *)
+Theorem closed_form_is_a_contact_motion : forall s, Statements.closed_form_is_a_contact_motion s.
+Proof.
+  intros s mu Hs Hmu Hr phi P SL. pose proof PI_RGT_0 as Pp.
+  assert (XC : forall k t, continuous (x s phi k) t /\ continuous (x_prime s phi k) t)
+    by (intros; split; eapply continuous_of_derive; [apply x_derive | apply x_prime_derive]; exact Hs).
+  assert (Sh : forall (f : R -> R) t, continuous f (t - PI) -> continuous (fun t => - f (t - PI)) t).
+  { intros f t Cf. apply (continuous_opp (V := R_NormedModule)). apply (continuous_comp (fun t => t - PI) f); [|exact Cf].
+    apply (continuous_minus (V := R_NormedModule)); [apply continuous_id | apply continuous_const]. }
+  assert (CJ : forall (f : nat -> R -> R) a, continued f a = joined PI (f a) (fun t => - f a (t - PI))) by reflexivity.
+  split; [|split].
+  - intros a t Ha Ht. rewrite !CJ. destruct (x_mirrored s Hs phi a) as [M1 M2].
+    split; apply joined_continuous; try (intros; apply XC); try (intros; apply Sh, XC); replace (PI - PI) with 0 by ring;
+      assumption.
+  - intros a Ha. rewrite !CJ, !(joined_after PI _ _ (2 * PI)), !(joined_before PI _ _ 0) by lra. replace (2 * PI - PI) with PI
+    by ring.
+    destruct (x_mirrored s Hs phi a) as [M1 M2]. rewrite M1, M2. split; ring.
+  - exists (PI :: nil). intros t Ht NL. assert (NP : t <> PI) by (intro; apply NL; left; auto).
+    destruct (Rlt_dec t PI) as [B|B].
+    + exists (fun a => x_second s phi a t), (-1).
+      assert (Loc : forall (f : nat -> R -> R) a z, Rabs (z - t) < PI - t -> f a z = continued f a z)
+        by (intros f a z Hx; apply Rabs_lt_between in Hx; rewrite CJ, joined_before by lra; reflexivity).
+      assert (V : forall f a, continued f a t = f a t) by (intros; rewrite CJ; apply joined_before; lra).
+      split; [rewrite V; pose proof (SL t ltac:(lra)); repeat split; lra|]. intros a Ha. rewrite V. split; [|split].
+      * apply (near_derive (x s phi a) _ t _ (PI - t) ltac:(lra) (Loc _ a)). apply x_derive, Hs.
+      * apply (near_derive (x_prime s phi a) _ t _ (PI - t) ltac:(lra) (Loc _ a)). apply x_prime_derive, Hs.
+      * rewrite (Sum_ext _ _ (fun b => mass s a b * x_second s phi b t + damping s a b * x_prime s phi b t + stiffness s a b * x
+        s phi b t)) by (intros; rewrite !V; reflexivity).
+        rewrite (x_equation s Hs phi a t Ha). ring.
+    + exists (fun a => - x_second s phi a (t - PI)), 1.
+      assert (Loc : forall (f : nat -> R -> R) a z, Rabs (z - t) < t - PI -> - f a (z - PI) = continued f a z)
+        by (intros f a z Hx; apply Rabs_lt_between in Hx; rewrite CJ, joined_after by lra; reflexivity).
+      assert (V : forall f a, continued f a t = - f a (t - PI)) by (intros; rewrite CJ, joined_after by lra; reflexivity).
+      assert (DS : forall (f : R -> R) k, is_derive f (t - PI) k -> is_derive (fun z => - f (z - PI)) t (- k)).
+      { intros f k D. apply (is_derive_opp (V := R_NormedModule)).
+        evar_last. { apply (is_derive_comp f (fun x => x - PI)); [exact D | auto_derive; [trivial | reflexivity]]. }
+        unfold scal; simpl; unfold mult; simpl. ring. }
+      split; [rewrite V; pose proof (SL (t - PI) ltac:(lra)); repeat split; lra|]. intros a Ha. rewrite V. split; [|split].
+      * apply (near_derive (fun z => - x s phi a (z - PI)) _ t _ (t - PI) ltac:(lra) (Loc _ a)). apply DS, x_derive, Hs.
+      * apply (near_derive (fun z => - x_prime s phi a (z - PI)) _ t _ (t - PI) ltac:(lra) (Loc _ a)). apply DS, x_prime_derive,
+        Hs.
+      * rewrite (Sum_ext _ _ (fun b => - (mass s a b * x_second s phi b (t - PI) + damping s a b * x_prime s phi b (t - PI) +
+        stiffness s a b * x s phi b (t - PI)))) by (intros; rewrite !V; ring).
+        rewrite Sum_opp, (x_equation s Hs phi a (t - PI) Ha). replace (cos (t + phi)) with (- cos (t - PI + phi)); [ring|].
+        replace (t + phi) with (t - PI + phi + PI) by ring. rewrite neg_cos. ring.
+Qed.

@@ -1,0 +1,611 @@
+(* What is proved of the paper, in the paper's order and with its numbers.
+
+   How to read this file without knowing Coq: a "Definition" names a quantity or a statement. "forall" is "for all",
+   "exists" is "there is", "/\" is "and", "\/" is "or", "->" is "implies", "<->" is "if and only if", "~" is "not", "<>" is
+   "differs from". "fun t => ..." is the function of t that follows the arrow. "is_derive f t a" says that the function f
+   has the derivative a at t; "is_lim" and "filterlim" are limits. Each statement ends with a full stop; the proofs are in
+   the other files, and the kernel of Coq checks that each of them proves the statement of the same name here. Masses are a,
+   b, k, j, l and modes are i; both are counted from 0. *)
+Require Import Reals List.
+From Coquelicot Require Import Coquelicot.
+Open Scope R_scope.
+
+(* f 0 + f 1 + ... + f (n - 1) *)
+Fixpoint Sum (n : nat) (f : nat -> R) : R := match n with O => 0 | S m => Sum m f + f m end.
+
+(* Kronecker's delta *)
+Definition delta (a b : nat) : R := if Nat.eqb a b then 1 else 0.
+
+(* ---- One mode: Sections 2.1, 2.2 and the Appendix ----------------------------------------------------------------- *)
+
+Section One_mode.
+Variables (R_i zeta : R).
+Definition w := sqrt (1 - zeta * zeta).
+Definition theta := PI * w / R_i.
+Definition decay := PI * zeta / R_i.
+(* (23): real and imaginary part of 1 / (1 - R_i^2 + i 2 zeta R_i) *)
+Definition v_re := (1 - R_i * R_i) / ((1 - R_i * R_i) ^ 2 + (2 * zeta * R_i) ^ 2).
+Definition v_im := - (2 * zeta * R_i) / ((1 - R_i * R_i) ^ 2 + (2 * zeta * R_i) ^ 2).
+Definition v_abs := sqrt (v_re ^ 2 + v_im ^ 2).
+(* (28), (29) *)
+Definition u := sin theta / (R_i * w * (cosh decay + cos theta)).
+Definition g := (sinh decay - zeta / w * sin theta) / (cosh decay + cos theta).
+(* (A.8), and (A.9) for the derivative of q *)
+Definition d (t : R) := exp (- zeta * t / R_i) * (cos (w * t / R_i) + zeta / w * sin (w * t / R_i)).
+Definition q (t : R) := / w * exp (- zeta * t / R_i) * sin (w * t / R_i).
+Definition q_prime (t : R) := / R_i * exp (- zeta * t / R_i) * (cos (w * t / R_i) - zeta / w * sin (w * t / R_i)).
+(* the braces of (40) as corrected, and their rate *)
+Definition braces (t : R) := 1 - (1 + g) * d t - u * R_i * q t.
+Definition braces_prime (t : R) := (1 + g) * q t / R_i - u * R_i * q_prime t.
+(* what (57) as corrected divides by sin tau *)
+Definition demand_of_mode (t : R) := (1 + g) * R_i * q t - u * R_i ^ 2 * (R_i * q_prime t - cos t).
+
+(* a mode that is underdamped, off the poles of (28), (29) and not undamped at resonance *)
+Definition admissible :=
+  0 < R_i /\ 0 <= zeta < 1 /\ cosh decay + cos theta <> 0 /\ (1 - R_i * R_i) ^ 2 + (2 * zeta * R_i) ^ 2 <> 0.
+
+Variables (psi_j psi_l beta phi : R).
+(* "v cos(t + phi)" and "v sin(t + phi)": real part of v exp(i (t + phi)), and of -i v exp(i (t + phi)) *)
+Definition v_cos (t : R) := v_re * cos (t + phi) - v_im * sin (t + phi).
+Definition v_sin (t : R) := v_re * sin (t + phi) + v_im * cos (t + phi).
+(* (40), (A.15) as corrected, with (26), (27) for its first two terms *)
+Definition eta (t : R) := psi_l * R_i ^ 2 * v_cos t + beta * psi_j * R_i ^ 2 * braces t.
+Definition eta_prime (t : R) := - (psi_l * R_i ^ 2 * v_sin t) + beta * psi_j * R_i ^ 2 * braces_prime t.
+(* (20) on the half-period in which the contact goes from its maximum to its minimum; Omega_i = 1 / R_i, (22), multiplied out.
+   y1 and y2 are the velocity and the acceleration. *)
+Definition modal_equation (y y1 y2 : R -> R) := forall t, 0 < t < PI ->
+  is_derive y t (y1 t) /\ is_derive y1 t (y2 t) /\
+  R_i ^ 2 * y2 t + 2 * zeta * R_i * y1 t + y t = R_i ^ 2 * (psi_j * beta + psi_l * cos (t + phi)).
+(* (25), (A.4) *)
+Definition mirrored (y y1 : R -> R) := y PI = - y 0 /\ y1 PI = - y1 0.
+(* y and y1 reach their values at 0 and PI as limits *)
+Definition continuous_on_half_period (y y1 : R -> R) := forall t, 0 <= t <= PI -> continuous y t /\ continuous y1 t.
+(* (21), (A.2) *)
+Definition general_solution (A B t : R) :=
+  exp (- zeta * t / R_i) * (A * cos (w * t / R_i) + B * sin (w * t / R_i)) + psi_j * R_i ^ 2 * beta + psi_l * R_i ^ 2 * v_cos t.
+(* (A.6) and (A.7); the sign of the first term of (A.7) is the corrected one *)
+Definition from_start (y0 y10 t : R) :=
+  d t * y0 + R_i * q t * y10 + psi_j * R_i ^ 2 * (1 - d t) * beta +
+  psi_l * R_i ^ 2 * ((v_re * cos phi - v_im * sin phi) * (cos t - d t) + (v_re * sin phi + v_im * cos phi) * (R_i * q t - sin t)).
+Definition from_start_prime (y0 y10 t : R) :=
+  - (q t / R_i) * y0 + R_i * q_prime t * y10 + psi_j * R_i ^ 2 * (q t / R_i) * beta -
+  psi_l * R_i ^ 2 * ((v_re * cos phi - v_im * sin phi) * (sin t - q t / R_i) +
+                     (v_re * sin phi + v_im * cos phi) * (cos t - R_i * q_prime t)).
+(* (A.11) without the factor v of (A, B, P, Q), which stands with the cosine and the sine *)
+Definition coefficient_A := - psi_l * R_i ^ 2 * (1 + d PI).
+Definition coefficient_B := psi_l * R_i ^ 3 * q PI.
+Definition coefficient_C (y0 y10 : R) := (1 + d PI) * y0 + R_i * q PI * y10 + psi_j * R_i ^ 2 * (1 - d PI) * beta.
+Definition coefficient_P := psi_l * R_i * q PI.
+Definition coefficient_Q := psi_l * R_i ^ 2 * (1 + R_i * q_prime PI).
+Definition coefficient_R (y0 y10 : R) := - (q PI / R_i) * y0 + (1 + R_i * q_prime PI) * y10 + psi_j * R_i * q PI * beta.
+End One_mode.
+
+(* (23) is the reciprocal of 1 - R_i^2 + i 2 zeta R_i: the product has real part 1 and imaginary part 0. *)
+Definition eq_23 : Prop := forall R_i zeta, (1 - R_i * R_i) ^ 2 + (2 * zeta * R_i) ^ 2 <> 0 ->
+  (1 - R_i * R_i) * v_re R_i zeta - 2 * zeta * R_i * v_im R_i zeta = 1 /\
+  (1 - R_i * R_i) * v_im R_i zeta + 2 * zeta * R_i * v_re R_i zeta = 0.
+
+(* (A.9): the derivatives of d and q. *)
+Definition eq_A_9 : Prop := forall R_i zeta t, 0 < R_i -> 0 <= zeta < 1 ->
+  is_derive (d R_i zeta) t (- (q R_i zeta t / R_i)) /\ is_derive (q R_i zeta) t (q_prime R_i zeta t).
+
+(* (20), (21), (A.1), (A.2): whatever A and B are, (21) solves (20) at every time. *)
+Definition eq_21_solves_eq_20 : Prop := forall R_i zeta psi_j psi_l beta phi A B, admissible R_i zeta ->
+  exists y1 y2, modal_equation R_i zeta psi_j psi_l beta phi (general_solution R_i zeta psi_j psi_l beta phi A B) y1 y2.
+
+(* (A.5), (A.6): (21) with the constants (A.5) is (A.6), and it starts with the displacement y0 and the velocity y10. *)
+Definition eq_A_5 : Prop := forall R_i zeta psi_j psi_l beta phi y0 y10 t, admissible R_i zeta ->
+  let A := y0 - psi_j * R_i ^ 2 * beta - psi_l * R_i ^ 2 * v_cos R_i zeta phi 0 in
+  let B := R_i / w zeta * (y10 + psi_l * R_i ^ 2 * v_sin R_i zeta phi 0) + zeta * A / w zeta in
+  general_solution R_i zeta psi_j psi_l beta phi A B t = from_start R_i zeta psi_j psi_l beta phi y0 y10 t /\
+  from_start R_i zeta psi_j psi_l beta phi y0 y10 0 = y0 /\ from_start_prime R_i zeta psi_j psi_l beta phi y0 y10 0 = y10.
+
+(* (A.7): the rate of (A.6), with the first sign corrected. *)
+Definition eq_A_7 : Prop := forall R_i zeta psi_j psi_l beta phi y0 y10 t, admissible R_i zeta ->
+  is_derive (from_start R_i zeta psi_j psi_l beta phi y0 y10) t (from_start_prime R_i zeta psi_j psi_l beta phi y0 y10 t).
+
+(* (21), (A.6) are complete: every solution of (20) that starts with y 0 and y1 0 is (A.6), and its velocity is (A.7). *)
+Definition eq_A_6_is_every_solution : Prop := forall R_i zeta psi_j psi_l beta phi y y1 y2, admissible R_i zeta ->
+  continuous_on_half_period y y1 -> modal_equation R_i zeta psi_j psi_l beta phi y y1 y2 -> forall t, 0 <= t <= PI ->
+  y t = from_start R_i zeta psi_j psi_l beta phi (y 0) (y1 0) t /\
+  y1 t = from_start_prime R_i zeta psi_j psi_l beta phi (y 0) (y1 0) t.
+
+(* (A.10), (A.11): that (A.6) mirrors itself after half a period is the linear system (A.10) with the coefficients (A.11). *)
+Definition eq_A_10 : Prop := forall R_i zeta psi_j psi_l beta phi y0 y10, admissible R_i zeta ->
+  (mirrored (from_start R_i zeta psi_j psi_l beta phi y0 y10) (from_start_prime R_i zeta psi_j psi_l beta phi y0 y10) <->
+   coefficient_A R_i zeta psi_l * v_cos R_i zeta phi 0 + coefficient_B R_i zeta psi_l * v_sin R_i zeta phi 0
+     + coefficient_C R_i zeta psi_j beta y0 y10 = 0 /\
+   coefficient_P R_i zeta psi_l * v_cos R_i zeta phi 0 + coefficient_Q R_i zeta psi_l * v_sin R_i zeta phi 0
+     + coefficient_R R_i zeta psi_j beta y0 y10 = 0).
+
+(* (A.12): where the load acts on the mode, the system has the solution (A.12); its determinant is not zero. *)
+Definition eq_A_12 : Prop := forall R_i zeta psi_j psi_l beta y0 y10 c s, admissible R_i zeta -> psi_l <> 0 ->
+  let A := coefficient_A R_i zeta psi_l in let B := coefficient_B R_i zeta psi_l in
+  let C := coefficient_C R_i zeta psi_j beta y0 y10 in let P := coefficient_P R_i zeta psi_l in
+  let Q := coefficient_Q R_i zeta psi_l in let D := coefficient_R R_i zeta psi_j beta y0 y10 in
+  A * Q - B * P <> 0 /\
+  (A * c + B * s + C = 0 /\ P * c + Q * s + D = 0 <->
+   c = (B * D - C * Q) / (A * Q - B * P) /\ s = (C * P - A * D) / (A * Q - B * P)).
+
+(* (26), (27), (A.13), (A.14): a motion that solves (20) and mirrors itself starts with these values. The load term is v
+   cos(phi). *)
+Definition eq_26_27 : Prop := forall R_i zeta psi_j psi_l beta phi y y1 y2, admissible R_i zeta ->
+  continuous_on_half_period y y1 -> modal_equation R_i zeta psi_j psi_l beta phi y y1 y2 -> mirrored y y1 ->
+  psi_l * R_i ^ 2 * v_cos R_i zeta phi 0 = y 0 + psi_j * R_i ^ 2 * g R_i zeta * beta /\
+  psi_l * R_i ^ 2 * v_sin R_i zeta phi 0 = - (y1 0 + psi_j * R_i ^ 2 * u R_i zeta * beta).
+
+(* (40), (A.15): a mode has a steady motion, *)
+Definition mode_has_a_steady_motion : Prop := forall R_i zeta psi_j psi_l beta phi, admissible R_i zeta -> exists y2,
+  (forall t, is_derive (eta R_i zeta psi_j psi_l beta phi) t (eta_prime R_i zeta psi_j psi_l beta phi t) /\
+             is_derive (eta_prime R_i zeta psi_j psi_l beta phi) t (y2 t)) /\
+  modal_equation R_i zeta psi_j psi_l beta phi (eta R_i zeta psi_j psi_l beta phi) (eta_prime R_i zeta psi_j psi_l beta phi) y2 /\
+  mirrored (eta R_i zeta psi_j psi_l beta phi) (eta_prime R_i zeta psi_j psi_l beta phi).
+
+(* and there is no other: whatever solves (20) and mirrors itself is (40) as corrected. *)
+Definition mode_has_no_other : Prop := forall R_i zeta psi_j psi_l beta phi, admissible R_i zeta -> forall y y1 y2,
+  continuous_on_half_period y y1 -> modal_equation R_i zeta psi_j psi_l beta phi y y1 y2 -> mirrored y y1 ->
+  forall t, 0 <= t <= PI -> y t = eta R_i zeta psi_j psi_l beta phi t /\ y1 t = eta_prime R_i zeta psi_j psi_l beta phi t.
+
+(* (40), (A.15) in the paper's own form, by the initial values of the motion. *)
+Definition eq_40 : Prop := forall R_i zeta psi_j psi_l beta phi, admissible R_i zeta -> forall y y1 y2,
+  continuous_on_half_period y y1 -> modal_equation R_i zeta psi_j psi_l beta phi y y1 y2 -> mirrored y y1 ->
+  forall t, 0 <= t <= PI ->
+  y t = (y 0 + psi_j * R_i ^ 2 * g R_i zeta * beta) * cos t + (y1 0 + psi_j * R_i ^ 2 * u R_i zeta * beta) * sin t
+        + beta * psi_j * R_i ^ 2 * braces R_i zeta t.
+
+(* (62), from (60) and (61): the cosine of the phase by the initial values. *)
+Definition eq_62 : Prop := forall R_i zeta psi_j psi_l beta phi y y1 y2, admissible R_i zeta -> psi_l <> 0 ->
+  continuous_on_half_period y y1 -> modal_equation R_i zeta psi_j psi_l beta phi y y1 y2 -> mirrored y y1 ->
+  cos phi = (y 0 + psi_j * R_i ^ 2 * g R_i zeta * beta) / (psi_l * R_i ^ 2) * (1 - R_i ^ 2)
+            + (y1 0 + psi_j * R_i ^ 2 * u R_i zeta * beta) / (psi_l * R_i ^ 2) * (2 * zeta * R_i).
+
+(* ---- A scene: any number of masses and modes ---------------------------------------------------------------------- *)
+
+Record scene := Scene {
+  masses : nat;                      (* N *)
+  mass : nat -> nat -> R;            (* entries of M, C, K of (7): mass a b is M_ab *)
+  damping : nat -> nat -> R;
+  stiffness : nat -> nat -> R;
+  shape : nat -> nat -> R;           (* (14): shape k i is psi_ki, mass k in mode i *)
+  ratio : nat -> R;                  (* R_i of (22) *)
+  damping_ratio : nat -> R;          (* zeta_i of (18) *)
+  contact : nat;                     (* j: the mass with the contact *)
+  loaded : nat;                      (* l: the mass that the load acts on *)
+  friction : R                       (* beta of (11) *)
+}.
+
+(* (4)-(7), (11): a motion X of the masses m, c, k with the friction force F and the load P cos(omega t) solves (6) after
+   the scaling (5). sgn is the sign of the contact's velocity, or a value of its set where that is zero; the scaled velocity
+   has the same sign. *)
+Definition eq_6 : Prop := forall n (m c k : nat -> nat -> R) (X X1 X2 : nat -> R -> R) (sgn : R -> R) F P k_1 omega j l tau,
+  0 < omega -> 0 < k_1 -> 0 < P ->
+  (forall a, is_derive (X a) (tau / omega) (X1 a (tau / omega)) /\ is_derive (X1 a) (tau / omega) (X2 a (tau / omega))) ->
+  (forall a, (a < n)%nat -> Sum n (fun b => m a b * X2 b (tau / omega) + c a b * X1 b (tau / omega) + k a b * X b (tau / omega))
+    + F * delta a j * sgn (tau / omega) = P * delta a l * cos (omega * (tau / omega))) ->
+  let x := fun a t => k_1 / P * X a (t / omega) in
+  let x1 := fun a t => k_1 / (P * omega) * X1 a (t / omega) in
+  let x2 := fun a t => k_1 / (P * omega ^ 2) * X2 a (t / omega) in
+  (forall a, is_derive (x a) tau (x1 a tau) /\ is_derive (x1 a) tau (x2 a tau)) /\
+  (forall a, (a < n)%nat ->
+    Sum n (fun b => omega ^ 2 / k_1 * m a b * x2 b tau + omega / k_1 * c a b * x1 b tau + / k_1 * k a b * x b tau)
+    + F / P * delta a j * sgn (tau / omega) = delta a l * cos tau).
+
+(* (8)-(10): the scaled masses are gamma_i r^2. *)
+Definition eq_8 : Prop := forall omega k_1 m_1 m_i, 0 < omega -> 0 < k_1 -> 0 < m_1 ->
+  omega ^ 2 / k_1 * m_i = m_i / m_1 * (omega * sqrt (m_1 / k_1)) ^ 2.
+
+(* The angle of the point (x, y), as the program's atan2 gives it. *)
+Definition atan2 (y x : R) : R :=
+  if Rlt_dec 0 x then atan (y / x)
+  else if Rlt_dec x 0 then (if Rle_dec 0 y then atan (y / x) + PI else atan (y / x) - PI)
+  else if Rlt_dec 0 y then PI / 2 else if Rlt_dec y 0 then - (PI / 2) else 0.
+
+Definition atan2_is_the_angle : Prop := forall x y, x <> 0 \/ y <> 0 ->
+  sqrt (x ^ 2 + y ^ 2) * cos (atan2 y x) = x /\ sqrt (x ^ 2 + y ^ 2) * sin (atan2 y x) = y.
+
+(* (60), (61): the argument of v. *)
+Definition eq_61 : Prop := forall R_i zeta, (1 - R_i * R_i) ^ 2 + (2 * zeta * R_i) ^ 2 <> 0 ->
+  cos (atan2 (v_im R_i zeta) (v_re R_i zeta)) = v_abs R_i zeta * (1 - R_i ^ 2) /\
+  sin (atan2 (v_im R_i zeta) (v_re R_i zeta)) = - (v_abs R_i zeta * (2 * zeta * R_i)).
+
+Section All_masses.
+Variable s : scene.
+Local Notation N := (masses s).
+Local Notation M := (mass s).
+Local Notation C := (damping s).
+Local Notation K := (stiffness s).
+Local Notation psi := (shape s).
+Local Notation R_ := (ratio s).
+Local Notation zeta := (damping_ratio s).
+Local Notation j := (contact s).
+Local Notation l := (loaded s).
+Local Notation beta := (friction s).
+
+(* What the paper asks of a scene: (15), (17) and (18), with Omega_i = 1 / R_i, and modes that are admissible. *)
+Definition is_scene :=
+  (j < N)%nat /\ (l < N)%nat /\
+  (forall i, (i < N)%nat -> admissible (R_ i) (zeta i)) /\
+  (forall i a, (i < N)%nat -> (a < N)%nat -> Sum N (fun b => K a b * psi b i) = / (R_ i ^ 2) * Sum N (fun b => M a b
+    * psi b i)) /\
+  (forall i k, (i < N)%nat -> (k < N)%nat -> Sum N (fun a => psi a i * Sum N (fun b => M a b * psi b k)) = delta i k) /\
+  (forall i k, (i < N)%nat -> (k < N)%nat ->
+    Sum N (fun a => psi a i * Sum N (fun b => C a b * psi b k)) = delta i k * (2 * zeta i / R_ i)).
+
+(* The mode shapes are complete: M Psi Psi^T = I and Psi Psi^T M = I follow from (17). *)
+Definition modes_are_complete : Prop := is_scene -> forall a b, (a < N)%nat -> (b < N)%nat ->
+  Sum N (fun i => Sum N (fun c => M a c * psi c i) * psi b i) = delta a b /\
+  Sum N (fun c => Sum N (fun i => psi a i * psi c i) * M c b) = delta a b.
+
+(* (19): the damping matrix by its modes. *)
+Definition eq_19 : Prop := is_scene -> forall a b, (a < N)%nat -> (b < N)%nat ->
+  C a b = Sum N (fun i => 2 * zeta i / R_ i * Sum N (fun c => M a c * psi c i) * Sum N (fun c => M b c * psi c i)).
+
+Definition V_re k := Sum N (fun i => psi k i * psi l i * R_ i ^ 2 * v_re (R_ i) (zeta i)).      (* (33) *)
+Definition V_im k := Sum N (fun i => psi k i * psi l i * R_ i ^ 2 * v_im (R_ i) (zeta i)).
+Definition V_abs k := sqrt (V_re k ^ 2 + V_im k ^ 2).
+Definition V_arg k := atan2 (V_im k) (V_re k).
+Definition U k := Sum N (fun i => psi k i * psi j i * R_ i ^ 2 * u (R_ i) (zeta i)).             (* (34) *)
+Definition G k := Sum N (fun i => psi k i * psi j i * R_ i ^ 2 * g (R_ i) (zeta i)).             (* (35) *)
+Definition root := sqrt (V_abs j ^ 2 - (beta * U j) ^ 2).
+Definition X_j := - beta * G j + root.                                                           (* (38) *)
+(* the response reaches the contact, and the root of (38) is real *)
+Definition responds := 0 < V_abs j /\ Rabs (beta * U j) <= V_abs j.
+(* (31), (32) with x_j'(0) = 0: V_j cos(phi) and V_j sin(phi) *)
+Definition is_phase (phi : R) := V_re j * cos phi - V_im j * sin phi = root /\
+  V_re j * sin phi + V_im j * cos phi = - (beta * U j).
+(* (13), (30), (41) as corrected *)
+Definition x (phi : R) k t := Sum N (fun i => psi k i * eta (R_ i) (zeta i) (psi j i) (psi l i) beta phi t).
+Definition x_prime (phi : R) k t := Sum N (fun i => psi k i * eta_prime (R_ i) (zeta i) (psi j i) (psi l i) beta phi t).
+(* the sum in (41), (46) *)
+Definition friction_motion k t := Sum N (fun i => psi k i * psi j i * R_ i ^ 2 * braces (R_ i) (zeta i) t).
+
+(* (12): the equation of motion while the contact moves to smaller x, so that Sgn(x_j') = -1 *)
+Definition half_period_motion (phi : R) (y y1 y2 : nat -> R -> R) := forall t, 0 < t < PI -> forall a, (a < N)%nat ->
+  is_derive (y a) t (y1 a t) /\ is_derive (y1 a) t (y2 a t) /\
+  Sum N (fun b => M a b * y2 b t + C a b * y1 b t + K a b * y b t) = delta a j * beta + delta a l * cos (t + phi).
+(* a motion of (12) that mirrors itself, (25), and starts with the contact at rest, (30) *)
+Definition steady_half_period (phi : R) (y y1 y2 : nat -> R -> R) :=
+  (forall a, (a < N)%nat -> continuous_on_half_period (y a) (y1 a)) /\ half_period_motion phi y y1 y2 /\
+  (forall k, (k < N)%nat -> mirrored (y k) (y1 k)) /\ y1 j 0 = 0.
+
+(* (16), (20): the modal coordinates of a motion of (12) solve (20), each by itself, and the motion is their sum (13). *)
+Definition eq_16_20 : Prop := is_scene -> forall phi y y1 y2, half_period_motion phi y y1 y2 ->
+  let modal := fun (f : nat -> R -> R) i t => Sum N (fun a => Sum N (fun c => psi c i * M c a) * f a t) in
+  (forall i, (i < N)%nat -> modal_equation (R_ i) (zeta i) (psi j i) (psi l i) beta phi (modal y i) (modal y1 i) (modal y2 i)) /\
+  (forall k t, (k < N)%nat -> y k t = Sum N (fun i => psi k i * modal y i t) /\ y1 k t = Sum N (fun i => psi k i * modal y1 i t)).
+
+(* (31), (32), (42), (43): the initial values of every mass of a motion that mirrors itself *)
+Definition eq_31_32_42_43 : Prop := is_scene -> forall phi y y1 y2,
+  (forall a, (a < N)%nat -> continuous_on_half_period (y a) (y1 a)) -> half_period_motion phi y y1 y2 ->
+  (forall k, (k < N)%nat -> mirrored (y k) (y1 k)) -> forall k, (k < N)%nat ->
+  V_re k * cos phi - V_im k * sin phi = y k 0 + beta * G k /\
+  V_re k * sin phi + V_im k * cos phi = - (y1 k 0 + beta * U k).
+
+(* (36), (37): the same with the modulus and the argument of V_j *)
+Definition eq_36_37 : Prop := is_scene -> responds -> forall phi, is_phase phi ->
+  cos (phi + V_arg j) = (X_j + beta * G j) / V_abs j /\ sin (phi + V_arg j) = - (beta * U j / V_abs j).
+
+(* (39): there is a phase, and (39) is it; any other differs by full turns. *)
+Definition eq_39 : Prop := responds ->
+  is_phase (atan2 (- (beta * U j / V_abs j)) (sqrt (1 - (beta * U j / V_abs j) ^ 2)) - V_arg j) /\
+  (forall phi phi', is_phase phi -> is_phase phi' -> exists turns : Z, phi' = phi + 2 * PI * IZR turns).
+
+(* (38), (41): x solves (12), mirrors itself, and its contact starts from rest at X_j. *)
+Definition steady_motion : Prop := is_scene -> responds -> forall phi, is_phase phi -> exists x2,
+  steady_half_period phi (x phi) (x_prime phi) x2 /\ x phi j 0 = X_j.
+
+(* There is no other: the half-period problem determines the motion, (38) and the phase. *)
+Definition no_other_motion : Prop := is_scene -> responds -> forall phi y y1 y2,
+  steady_half_period phi y y1 y2 -> 0 <= y j 0 + beta * G j ->
+  is_phase phi /\ y j 0 = X_j /\
+  forall k t, (k < N)%nat -> 0 <= t <= PI -> y k t = x phi k t /\ y1 k t = x_prime phi k t.
+
+(* Without the response condition: where |beta U_j| > |V_j|, no motion of this kind exists, as the root of (38) is not real. *)
+Definition no_motion_without_root : Prop := is_scene -> V_abs j < Rabs (beta * U j) ->
+  forall phi y y1 y2, ~ steady_half_period phi y y1 y2.
+
+(* The sign of the root in (38): with the other sign the contact would start in the wrong direction. *)
+Definition sign_of_the_root : Prop := is_scene -> 0 < beta -> forall phi y y1 y2,
+  steady_half_period phi y y1 y2 -> (forall t, 0 < t < PI -> y1 j t < 0) -> 0 < y j 0 + beta * G j.
+
+(* (41) in the paper's form, *)
+Definition eq_41 : Prop := is_scene -> responds -> forall phi, is_phase phi -> forall k t, (k < N)%nat ->
+  x phi k t = (x phi k 0 + beta * G k) * cos t + (x_prime phi k 0 + beta * U k) * sin t + beta * friction_motion k t.
+(* and (44), (45), (46) with the modulus and the argument of V_k, in real numbers *)
+Definition eq_44_45 : Prop := is_scene -> responds -> forall phi, is_phase phi -> forall k, (k < N)%nat ->
+  let D := V_arg k - V_arg j in
+  x phi k 0 = - beta * G k + V_abs k / V_abs j * (root * cos D + beta * U j * sin D) /\
+  x_prime phi k 0 = - beta * U k + V_abs k / V_abs j * (beta * U j * cos D - root * sin D).
+Definition eq_46 : Prop := is_scene -> responds -> forall phi, is_phase phi -> forall k t, (k < N)%nat ->
+  let D := V_arg k - V_arg j in
+  x phi k t = V_abs k / V_abs j * (root * cos (t + D) + beta * U j * sin (t + D)) + beta * friction_motion k t.
+
+(* (49)-(53): the one-harmonic approximation of (48), exact as an identity: cosine part, sine part, amplitude, and phase.
+   (50) and (52) as corrected. *)
+Definition X_kC k := V_abs k / V_abs j * (root * cos (V_arg k - V_arg j) + beta * U j * sin (V_arg k - V_arg j)) - beta * G k.
+Definition X_kS k := V_abs k / V_abs j * (beta * U j * cos (V_arg k - V_arg j) - root * sin (V_arg k - V_arg j)) - beta * U k.
+Definition X_k k := sqrt (V_abs k ^ 2 + beta ^ 2 * (G k ^ 2 + U k ^ 2)
+  - 2 * beta * (V_abs k / V_abs j) *
+    (root * (G k * cos (V_arg k - V_arg j) - U k * sin (V_arg k - V_arg j))
+     + beta * U j * (G k * sin (V_arg k - V_arg j) + U k * cos (V_arg k - V_arg j)))).
+Definition eq_49_50_51 : Prop := is_scene -> responds -> forall phi, is_phase phi -> forall k, (k < N)%nat ->
+  X_kC k = x phi k 0 /\ X_kS k = x_prime phi k 0.
+Definition eq_52_53 : Prop := responds -> forall k,
+  X_k k = sqrt (X_kC k ^ 2 + X_kS k ^ 2) /\
+  (X_k k <> 0 -> forall phi_kj, cos phi_kj = X_kC k / X_k k -> sin phi_kj = X_kS k / X_k k ->
+    forall t, X_kC k * cos t + X_kS k * sin t = X_k k * cos (t - phi_kj)).
+(* (52) reduces to (38) for k = j *)
+Definition eq_52_is_38_at_the_contact : Prop := responds -> X_k j = Rabs X_j.
+
+(* ---- Where it is a motion of Coulomb's contact: Section 2.6 ------------------------------------------------------- *)
+
+(* (54a) *)
+Definition slides (phi : R) := forall t, 0 < t < PI -> x_prime phi j t < 0.
+(* (57) as corrected, summed over the modes before the maximum is taken *)
+Definition demand t := Sum N (fun i => psi j i ^ 2 * demand_of_mode (R_ i) (zeta i) t) / sin t.
+(* (54b): the load on the contact at the turning point *)
+Definition contact_load (phi : R) :=
+  Sum N (fun k => C j k * x_prime phi k 0 + K j k * x phi k 0) - delta l j * cos phi.
+(* (64), and the sum of (65), which is the entry jj of the inverse of M *)
+Definition H_j := Sum N (fun i => psi j i ^ 2 * (g (R_ i) (zeta i) + 2 * zeta i * R_ i * u (R_ i) (zeta i))).
+Definition mobility := Sum N (fun i => psi j i ^ 2).
+(* no inertia couples the contact to another mass; so it is for the chain (1) *)
+Definition contact_inertia_alone := forall a, (a < N)%nat -> a <> j -> M j a = 0.
+(* The friction that would hold the contact at its turning point while the other masses move on, for any M. *)
+Definition holding_friction (phi : R) :=
+  Sum N (fun i => psi j i * (2 * zeta i / R_ i * eta_prime (R_ i) (zeta i) (psi j i) (psi l i) beta phi 0
+    + / (R_ i ^ 2) * eta (R_ i) (zeta i) (psi j i) (psi l i) beta phi 0 - psi l i * cos phi)) / mobility.
+
+(* (65): where the contact's inertia is alone, M_jj = gamma_j r^2, *)
+Definition eq_65 : Prop := is_scene -> contact_inertia_alone -> mobility = / M j j.
+(* and then the friction that would hold it is the load of (54b). *)
+Definition holding_friction_is_the_load : Prop := is_scene -> contact_inertia_alone ->
+  forall phi, holding_friction phi = contact_load phi.
+
+(* (55) with the sum under one maximum: the contact slides throughout if and only if beta times the demand stays below the
+   root. *)
+Definition slides_iff : Prop := is_scene -> responds -> forall phi, is_phase phi ->
+  (slides phi <-> forall t, 0 < t < PI -> beta * demand t < X_j + beta * G j).
+(* (66) *)
+Definition eq_66 : Prop := is_scene -> responds -> forall phi, is_phase phi ->
+  holding_friction phi = (X_j + beta * G j - beta * H_j) / mobility.
+(* the demand at the start: (71), summed; it is positive in each mode *)
+Definition demand_at_start : Prop := is_scene -> filterlim demand (at_right 0) (locally (H_j + mobility)) /\ 0 < mobility /\
+  0 < H_j + mobility.
+
+(* (58), (67): a condition "beta D below the root" as a limit of beta *)
+Definition as_a_limit_of_beta : Prop := forall D, 0 < D -> 0 < beta ->
+  (responds /\ beta * D < root <-> 0 < V_abs j /\ beta < sqrt (V_abs j ^ 2 / (U j ^ 2 + D ^ 2))).
+
+(* (67): static friction does not hold the contact at its turning point. *)
+Definition eq_67 : Prop := forall mu, is_scene -> 1 <= mu -> 0 < beta -> 0 < V_abs j -> forall phi, is_phase phi ->
+  (responds /\ mu * beta < holding_friction phi <-> beta < sqrt (V_abs j ^ 2 / (U j ^ 2 + (H_j + mu * mobility) ^ 2))).
+(* (68) as corrected: only where H_j exceeds mu times the mobility can the load overcome friction in the other direction, *)
+Definition eq_68 : Prop := forall mu, is_scene -> 1 <= mu -> 0 < beta -> responds -> forall phi, is_phase phi ->
+  (holding_friction phi < - (mu * beta) <->
+   0 < H_j - mu * mobility /\ sqrt (V_abs j ^ 2 / (U j ^ 2 + (H_j - mu * mobility) ^ 2)) < beta).
+(* and then the contact does not slide: (58) and (68) exclude each other. *)
+Definition eq_68_excludes_58 : Prop := forall mu, is_scene -> 1 <= mu -> 0 < beta -> responds -> forall phi, is_phase phi ->
+  holding_friction phi < - (mu * beta) -> ~ slides phi.
+
+(* (69) with the supremum of the summed demand over the half-period: the two conditions (54) hold if and only if beta is
+   below the limit. *)
+Definition eq_69 : Prop := forall mu S, is_scene -> 1 <= mu -> 0 < beta -> 0 < V_abs j ->
+  is_lub (fun y => exists t, 0 < t < PI /\ y = demand t) S -> forall phi, is_phase phi ->
+  (responds /\ slides phi /\ mu * beta < Rabs (holding_friction phi) <->
+   beta < sqrt (V_abs j ^ 2 / (U j ^ 2 + Rmax S (H_j + mu * mobility) ^ 2))).
+
+(* (56): the sum of the modes' own maxima is sufficient. *)
+Definition sum_of_maxima_is_sufficient : Prop := forall S : nat -> R, is_scene -> 0 < beta -> responds ->
+  (forall i t, (i < N)%nat -> 0 < t < PI -> demand_of_mode (R_ i) (zeta i) t / sin t <= S i) ->
+  beta * Sum N (fun i => psi j i ^ 2 * S i) < X_j + beta * G j -> forall phi, is_phase phi -> slides phi.
+
+(* ---- Coulomb's contact at all times ------------------------------------------------------------------------------- *)
+
+(* (2), (3): the values that the sign of the velocity may take; at rest any between -mu and mu *)
+Definition coulomb (mu velocity sigma : R) :=
+  (0 < velocity -> sigma = 1) /\ (velocity < 0 -> sigma = -1) /\ (velocity = 0 -> - mu <= sigma <= mu).
+(* (6) over one period T of a steady motion: displacements and velocities are continuous and return to their values; the
+   equation holds with a value that Coulomb's law allows at all times but a finite number: the times at which the contact
+   turns, stops or breaks away. *)
+Definition steady_contact_motion (mu phi T : R) (y y1 : nat -> R -> R) :=
+  (forall a t, (a < N)%nat -> 0 <= t <= T -> continuous (y a) t /\ continuous (y1 a) t) /\
+  (forall a, (a < N)%nat -> y a T = y a 0 /\ y1 a T = y1 a 0) /\
+  exists exceptions : list R, forall t, 0 < t < T -> ~ In t exceptions -> exists (y2 : nat -> R) sigma,
+    coulomb mu (y1 j t) sigma /\
+    forall a, (a < N)%nat -> is_derive (y a) t (y1 a t) /\ is_derive (y1 a) t (y2 a) /\
+      Sum N (fun b => M a b * y2 b + C a b * y1 b t + K a b * y b t) + beta * delta a j * sigma = delta a l * cos (t + phi).
+(* the half-period motion, continued by its mirror image over the second half of the period *)
+Definition continued (f : nat -> R -> R) (a : nat) (t : R) := if Rle_dec t PI then f a t else - f a (t - PI).
+
+(* Below the limit the closed form is a steady motion of the contact with Coulomb's friction. *)
+Definition closed_form_is_a_contact_motion : Prop := forall mu, is_scene -> 0 <= mu -> responds -> forall phi, is_phase phi ->
+  slides phi -> steady_contact_motion mu phi (2 * PI) (continued (x phi)) (continued (x_prime phi)).
+
+(* For mu = 1 and damping in all modes, any two steady motions have the same velocities. *)
+Definition one_steady_velocity : Prop := is_scene -> (forall i, (i < N)%nat -> 0 < zeta i) -> 0 <= beta -> forall phi T y y1 z z1,
+  0 < T -> steady_contact_motion 1 phi T y y1 -> steady_contact_motion 1 phi T z z1 ->
+  forall k t, (k < N)%nat -> 0 < t < T -> y1 k t = z1 k t.
+(* Hence the assumption (25) is a theorem: the velocity of every mass half a period later is the opposite one. *)
+Definition steady_motion_is_symmetric : Prop := is_scene -> (forall i, (i < N)%nat -> 0 < zeta i) -> 0 <= beta -> forall phi y y1,
+  steady_contact_motion 1 phi (2 * PI) y y1 -> forall k t, (k < N)%nat -> 0 < t < PI -> y1 k (t + PI) = - y1 k t.
+End All_masses.
+
+(* ---- Two scenes for examples -------------------------------------------------------------------------------------- *)
+
+(* One mass, with any R_i, zeta_i and beta *)
+Definition single_mass (R_i zeta_i beta : R) : scene :=
+  Scene 1 (fun _ _ => 1) (fun _ _ => 2 * zeta_i / R_i) (fun _ _ => / R_i ^ 2) (fun _ _ => 1) (fun _ => R_i) (fun _ => zeta_i) 0
+    0 beta.
+(* Two equal masses; the first has the load and the contact. R = (1/2, 1), zeta = (0, 1/2), and the mode shapes (3, 4)/5 and
+   (4, -3)/5 *)
+Definition entry (x y z v : R) (a b : nat) : R := match a, b with O, O => x | O, _ => y | _, O => z | _, _ => v end.
+Definition two_masses (beta : R) : scene :=
+  Scene 2 (entry 1 0 0 1) (entry (16 / 25) (-12 / 25) (-12 / 25) (9 / 25)) (entry (52 / 25) (36 / 25) (36 / 25) (73 / 25))
+    (entry (3 / 5) (4 / 5) (4 / 5) (-3 / 5)) (fun i => match i with O => 1 / 2 | _ => 1 end) (fun i => match i with O => 0 | _
+      => 1 / 2 end) 0 0 beta.
+Definition examples_are_scenes : Prop :=
+  (forall R_i zeta beta, admissible R_i zeta -> is_scene (single_mass R_i zeta beta)) /\
+    (forall beta, is_scene (two_masses beta)).
+
+(* ---- The equations that do not hold as printed, each with a scene in which it fails ------------------------------- *)
+
+(* the braces as printed: sine and cosine exchanged in the bracket *)
+Definition braces_printed R_i zeta t :=
+  1 - (1 + g R_i zeta) * exp (- zeta * t / R_i) * (sin (w zeta * t / R_i) + zeta / w zeta * cos (w zeta * t / R_i))
+    - u R_i zeta * R_i * q R_i zeta t.
+Definition eq_40_as_printed : Prop := ~ forall R_i zeta psi_j psi_l beta phi y y1 y2, admissible R_i zeta ->
+  continuous_on_half_period y y1 -> modal_equation R_i zeta psi_j psi_l beta phi y y1 y2 -> mirrored y y1 ->
+    forall t, 0 <= t <= PI ->
+  y t = (y 0 + psi_j * R_i ^ 2 * g R_i zeta * beta) * cos t + (y1 0 + psi_j * R_i ^ 2 * u R_i zeta * beta) * sin t
+        + beta * psi_j * R_i ^ 2 * braces_printed R_i zeta t.
+Definition friction_motion_printed s k t :=
+  Sum (masses s) (fun i => shape s k i * shape s (contact s) i * ratio s i ^ 2
+    * braces_printed (ratio s i) (damping_ratio s i) t).
+Definition eq_41_as_printed : Prop := ~ forall s phi k t, is_scene s -> responds s -> is_phase s phi -> (k < masses s)%nat ->
+  0 <= t <= PI ->
+  x s phi k t = (x s phi k 0 + friction s * G s k) * cos t + (x_prime s phi k 0 + friction s * U s k) * sin t + friction s
+    * friction_motion_printed s k t.
+Definition eq_46_as_printed : Prop := ~ forall s phi k t, is_scene s -> responds s -> is_phase s phi -> (k < masses s)%nat ->
+  0 <= t <= PI ->
+  let D := V_arg s k - V_arg s (contact s) in
+  x s phi k t = V_abs s k / V_abs s (contact s) * (root s * cos (t + D) + friction s * U s (contact s) * sin (t + D))
+    + friction s * friction_motion_printed s k t.
+
+(* (44), (45): the real part of what is printed lacks the term with the sine. *)
+Definition eq_44_as_printed : Prop := ~ forall s phi k, is_scene s -> responds s -> is_phase s phi -> (k < masses s)%nat ->
+  x s phi k 0 = - friction s * G s k + V_abs s k / V_abs s (contact s) * root s * cos (V_arg s k - V_arg s (contact s)).
+Definition eq_45_as_printed : Prop := ~ forall s phi k, is_scene s -> responds s -> is_phase s phi -> (k < masses s)%nat ->
+  x_prime s phi k 0 = friction s * (V_abs s k / V_abs s (contact s) * U s (contact s) * cos (V_arg s k - V_arg s (contact s))
+    - U s k).
+
+(* (49): with x_k0 = a + i b and x_k0' = c + i e, as (44) and (45) print them, the second expression has another real part
+   than the first. *)
+Definition eq_49_as_printed : Prop := ~ forall a b c e t, a * cos t + c * sin t = (a + e) * cos t - (b - c) * sin t.
+
+(* (50): the ratio |V_k| / |V_j| multiplies the first term only. *)
+Definition eq_50_as_printed : Prop := ~ forall s phi k, is_scene s -> responds s -> is_phase s phi -> (k < masses s)%nat ->
+  let D := V_arg s k - V_arg s (contact s) in
+  x s phi k 0 = V_abs s k / V_abs s (contact s) * root s * cos D + friction s * U s (contact s) * sin D - friction s * G s k.
+
+(* (52): the sign of U_k sin(D) *)
+Definition eq_52_as_printed : Prop := ~ forall s k, is_scene s -> responds s -> (k < masses s)%nat ->
+  let D := V_arg s k - V_arg s (contact s) in
+  sqrt (X_kC s k ^ 2 + X_kS s k ^ 2) =
+  sqrt (V_abs s k ^ 2 + friction s ^ 2 * (G s k ^ 2 + U s k ^ 2) - 2 * friction s * (V_abs s k / V_abs s (contact s)) *
+    (root s * (G s k * cos D + U s k * sin D) + friction s * U s (contact s) * (G s k * sin D + U s k * cos D))).
+
+(* (57) as printed: the other bracket, and no cosine of tau *)
+Definition demand_printed R_i zeta t :=
+  ((1 + g R_i zeta) * exp (- zeta * t / R_i) * (R_i / w zeta) * sin (w zeta * t / R_i)
+   - u R_i zeta * R_i ^ 2 * exp (- zeta * t / R_i) * (sin (w zeta * t / R_i) + zeta / w zeta * cos (w zeta * t / R_i))) / sin t.
+(* With it, (55) to (58) admit a scene in which the contact does not slide throughout, *)
+Definition eq_57_as_printed : Prop := ~ forall s S phi, is_scene s -> 0 < friction s -> responds s -> is_phase s phi ->
+  (forall i t, (i < masses s)%nat -> 0 < t < PI -> demand_printed (ratio s i) (damping_ratio s i) t <= S i) ->
+  friction s * Sum (masses s) (fun i => shape s (contact s) i ^ 2 * S i) < X_j s + friction s * G s (contact s) -> slides s phi.
+(* and so does (69). *)
+Definition eq_69_as_printed : Prop := ~ forall s S mu phi, is_scene s -> 0 < friction s -> 1 <= mu -> responds s ->
+  is_phase s phi ->
+  (forall i t, (i < masses s)%nat -> 0 < t < PI -> demand_printed (ratio s i) (damping_ratio s i) t <= S i) ->
+  friction s < sqrt (V_abs s (contact s) ^ 2 / (U s (contact s) ^ 2 +
+    Rmax (Sum (masses s) (fun i => shape s (contact s) i ^ 2 * S i)) (H_j s + mu * mobility s) ^ 2)) -> slides s phi.
+
+(* (63) follows from (59), mode by mode, *)
+Definition eq_63_is_eq_59 : Prop := forall R_i zeta psi_j psi_l beta phi y y1 y2, admissible R_i zeta -> psi_l <> 0 ->
+  continuous_on_half_period y y1 -> modal_equation R_i zeta psi_j psi_l beta phi y y1 y2 -> mirrored y y1 ->
+  2 * zeta / R_i * y1 0 + / R_i ^ 2 * y 0 - psi_l * cos phi
+  = y 0 - beta * psi_j * ((1 - R_i ^ 2) * g R_i zeta + 2 * zeta * R_i * u R_i zeta).
+(* but neither is a condition: the contact of a scene slides and breaks away, (54), while a mode does not satisfy (59), (63). *)
+Definition eq_59_63_as_printed : Prop := ~ forall s mu phi, is_scene s -> contact_inertia_alone s -> 0 < friction s ->
+  1 <= mu -> responds s -> is_phase s phi ->
+  slides s phi -> mu * friction s < Rabs (contact_load s phi) -> forall i, (i < masses s)%nat ->
+  shape s (contact s) i * mu * friction s <
+  Rabs (2 * damping_ratio s i / ratio s i * eta_prime (ratio s i) (damping_ratio s i) (shape s (contact s) i) (shape s (loaded
+    s) i) (friction s) phi 0
+    + / ratio s i ^ 2 * eta (ratio s i) (damping_ratio s i) (shape s (contact s) i) (shape s (loaded s) i) (friction s) phi 0
+    - shape s (loaded s) i * cos phi).
+
+(* (68) as printed, without the condition on the sign of H_j - mu / (gamma_j r^2), does not give (66). *)
+Definition eq_68_as_printed : Prop := ~ forall s mu phi, is_scene s -> 0 < friction s -> 1 <= mu -> responds s ->
+  is_phase s phi ->
+  sqrt (V_abs s (contact s) ^ 2 / (U s (contact s) ^ 2 + (H_j s - mu * mobility s) ^ 2)) < friction s ->
+  mu * friction s < Rabs (X_j s + friction s * G s (contact s) - friction s * H_j s) / mobility s.
+
+(* (70): the expansion of (57) at the start has the bracket with this sign; as printed it tends to another value than (57)
+   does. *)
+Definition expansion R_i zeta t := ((1 + g R_i zeta) * (1 - zeta * t / R_i) * t - u R_i zeta * R_i ^ 2 * ((1 - zeta
+  * t / R_i) ^ 2 - 1)) / t.
+Definition expansion_printed R_i zeta t := ((1 + g R_i zeta) * (1 - zeta * t / R_i) * t - u R_i zeta * R_i ^ 2 * (1 - (1 - zeta
+  * t / R_i) ^ 2)) / t.
+Definition eq_70_71 : Prop := forall R_i zeta, admissible R_i zeta ->
+  is_lim (fun t => demand_of_mode R_i zeta t / sin t) 0 (1 + g R_i zeta + 2 * zeta * R_i * u R_i zeta) /\
+  is_lim (expansion R_i zeta) 0 (1 + g R_i zeta + 2 * zeta * R_i * u R_i zeta).
+Definition eq_70_as_printed : Prop := ~ forall R_i zeta l, admissible R_i zeta ->
+  is_lim (fun t => demand_of_mode R_i zeta t / sin t) 0 (Finite l) -> is_lim (expansion_printed R_i zeta) 0 (Finite l).
+(* (72): what all modes demand at the start is H_j and the sum of (65). *)
+Definition eq_72 : Prop := forall s, is_scene s -> is_lim (demand s) 0 (H_j s + mobility s).
+
+(* (81): (52) with |V_j| for the root and (78) for the angle; as printed it has another term. *)
+Definition eq_81 : Prop := forall V_k V_j G_k U_k U_j beta sign, 0 < V_j -> sign = 1 \/ sign = -1 ->
+  V_k ^ 2 + beta ^ 2 * (G_k ^ 2 + U_k ^ 2) - 2 * beta * (V_k / V_j) * (V_j * (G_k * sign - U_k * 0) + beta * U_j * (G_k * 0
+    + U_k * sign))
+  = V_k ^ 2 + beta ^ 2 * (G_k ^ 2 + U_k ^ 2) - 2 * beta * (V_k * (sign * G_k) + beta * (sign * (V_k / V_j)) * U_j * U_k).
+Definition eq_81_as_printed : Prop := ~ forall V_k V_j G_k U_k U_j beta sign, 0 < V_k -> 0 < V_j -> 0 <= beta -> sign = 1 \/
+  sign = -1 -> sign * G_k = Rabs G_k ->
+  V_k ^ 2 + beta ^ 2 * (G_k ^ 2 + U_k ^ 2) - 2 * beta * (V_k / V_j) * (V_j * (G_k * sign - U_k * 0) + beta * U_j * (G_k * 0
+    + U_k * sign))
+  = V_k ^ 2 + beta ^ 2 * (G_k ^ 2 + U_k ^ 2) - beta * (2 * V_k * Rabs G_k - Rabs U_j * Rabs U_k).
+
+(* (88), third line: a held contact under the load carries cos(tau) alone; static friction holds it for ever if and only if
+   beta is not below 1 / mu, and not, as printed, if it is. *)
+Definition eq_88_third_line : Prop := forall mu beta, 0 < mu -> ((forall t, Rabs (cos t) <= mu * beta) <-> 1 / mu <= beta).
+Definition eq_88_as_printed : Prop := ~ forall mu beta, 1 <= mu -> 0 < beta -> beta < 1 / mu ->
+  forall t, Rabs (cos t) <= mu * beta.
+
+(* (A.7) as printed: the sign of the first term *)
+Definition eq_A_7_as_printed : Prop := ~ forall R_i zeta psi_j psi_l beta phi y0 y10 t, admissible R_i zeta ->
+  is_derive (from_start R_i zeta psi_j psi_l beta phi y0 y10) t
+    (q R_i zeta t / R_i * y0 + R_i * q_prime R_i zeta t * y10 + psi_j * R_i ^ 2 * (q R_i zeta t / R_i) * beta -
+     psi_l * R_i ^ 2 * ((v_re R_i zeta * cos phi - v_im R_i zeta * sin phi) * (sin t - q R_i zeta t / R_i) +
+                        (v_re R_i zeta * sin phi + v_im R_i zeta * cos phi) * (cos t - R_i * q_prime R_i zeta t))).
+
+(* ---- mu > 1: more than one steady motion -------------------------------------------------------------------------- *)
+
+(* For mu > 1 a scene with damping has two steady motions with different velocities under the same load: one slides and
+   breaks away from each of its turning points, (54), the other rests for ever. *)
+Definition two_motions : Prop := exists s mu phi y y1 z z1, is_scene s /\ (forall i, (i < masses s)%nat ->
+  0 < damping_ratio s i) /\
+  0 < friction s /\ 1 < mu /\
+  steady_contact_motion s mu phi (2 * PI) y y1 /\ steady_contact_motion s mu phi (2 * PI) z z1 /\
+  (forall t, 0 < t < PI -> y1 (contact s) t < 0) /\ mu * friction s < Rabs (contact_load s phi) /\ y = continued (x s phi) /\
+  (forall t, z1 (contact s) t = 0).
+
+(* ---- Limits and resonance: Section 4.1, 4.2 ----------------------------------------------------------------------- *)
+
+(* (28), (29) for vanishing damping, off the poles *)
+Definition undamped_limits : Prop := forall R_i, 0 < R_i -> 1 + cos (PI / R_i) <> 0 ->
+  filterlim (u R_i) (at_right 0) (locally (sin (PI / R_i) / (R_i * (1 + cos (PI / R_i))))) /\
+    filterlim (g R_i) (at_right 0) (locally 0) /\
+  g R_i 0 = 0.
+(* at R_i = 1 the first damping function tends to 1/pi, and zeta g to 2/pi: the second one grows without bound *)
+Definition limits_at_resonance : Prop :=
+  filterlim (u 1) (at_right 0) (locally (/ PI)) /\ filterlim (fun zeta => zeta * g 1 zeta) (at_right 0) (locally (2 / PI)).
+(* (23), (76), (77): at R_i = 1 the response of a damped mode is -i / (2 zeta). *)
+Definition eq_76_77 : Prop := forall zeta, 0 < zeta ->
+  v_re 1 zeta = 0 /\ v_im 1 zeta = - / (2 * zeta) /\ v_abs 1 zeta = / (2 * zeta).
+(* (83)-(85): the estimate (84) vanishes at beta times this; (85) is where (83) vanishes for the mass in contact, k = j. *)
+Definition eq_85_is_the_zero_of_83 : Prop := forall psi_l psi_j zeta, 0 < zeta -> psi_j <> 0 ->
+  let beta := Rabs (psi_l / psi_j) * ((cosh (zeta * PI) - 1) / (2 * zeta * sinh (zeta * PI))) in
+  Rabs (psi_j * psi_l) / (2 * zeta) - Rabs (psi_j * psi_j) * (sinh (zeta * PI) / (cosh (zeta * PI) - 1)) * beta = 0.
+(* (85) tends to |psi_l / psi_j| pi / 4 for vanishing damping. *)
+Definition eq_85_undamped : Prop :=
+  filterlim (fun zeta => (cosh (zeta * PI) - 1) / (2 * zeta * sinh (zeta * PI))) (at_right 0) (locally (PI / 4)).
+(* (86) as corrected: the limit (67) of one mass, M = r^2 = R^2, for large frequencies *)
+Definition limit_of_single_mass mu zeta R_i :=
+  sqrt (v_abs R_i zeta ^ 2 / (u R_i zeta ^ 2 + (/ R_i ^ 2 * (g R_i zeta + 2 * zeta * R_i * u R_i zeta) + mu / R_i ^ 2) ^ 2)).
+Definition eq_86 : Prop := forall mu zeta, 0 < mu -> 0 <= zeta < 1 ->
+  filterlim (limit_of_single_mass mu zeta) (Rbar_locally p_infty) (locally (2 / sqrt (4 * mu ^ 2 + PI ^ 2))).
+Definition eq_86_as_printed : Prop := ~ forall mu zeta, 1 <= mu -> 0 <= zeta < 1 ->
+  filterlim (limit_of_single_mass mu zeta) (Rbar_locally p_infty) (locally (2 / sqrt (4 * mu + PI ^ 2))).
+
+(* What is proved of rounding stands in RoundingStatements.v. *)
