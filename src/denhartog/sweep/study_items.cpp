@@ -91,7 +91,10 @@ Marginal read_marginal(const Item& item) {
     } else {
         x.allow(std::to_array<std::string_view>({"mean", "standard_deviation", "median", "log_standard_deviation", "from", "to"}),
                 "a lognormal distribution");
-        if (x.has("median") && x.has("mean")) x["mean"].fail("must not be given together with median");
+        const char* const first = x.has("median") ? "median" : "mean";
+        for (const char* other :
+             {x.has("median") ? "mean" : "median", x.has("median") ? "standard_deviation" : "log_standard_deviation"})
+            if (x.has(other)) x[other].fail(std::string("must not be given together with ") + first);
         if (x.has("median")) {
             marginal.first = x["median"].positive();
             marginal.second = x["log_standard_deviation"].positive();

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <atomic>
-#include <chrono>
 
+#include "denhartog/program/sweep/processor_time.hpp"
 #include "denhartog/sweep/pieces.hpp"
 
 namespace denhartog::program {
@@ -41,9 +41,9 @@ nlohmann::ordered_json estimate_of(const sweep::Plan& plan) {
     // In an order in which any first few are spread over the study as well.
     for (; places < most_places && (places < 2 || seconds < most_seconds); ++places) {
         const sweep::Box box = place_in(plan, (places * 13) % most_places);
-        const auto start = std::chrono::steady_clock::now();
+        const double start = processor_seconds();
         static_cast<void>(points_of(plan, scenes, box, stop));
-        const double here = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        const double here = processor_seconds() - start;
         const double of_point = here / static_cast<double>(box.points());
         least = places == 0 ? of_point : std::min(least, of_point);
         most = std::max(most, of_point);

@@ -42,7 +42,7 @@ struct Record {
     std::size_t chunk = 0;               ///< its number
     std::string fingerprint;             ///< of the program and the study
     std::array<std::size_t, 6> points{}; ///< points by their status
-    double seconds = 0;                  ///< what it took
+    double seconds = 0;                  ///< processor seconds that it took
     struct File {
         std::string path;   ///< from the folder
         std::size_t bytes;  ///< its size

@@ -76,9 +76,9 @@ std::string status_text(const ordered_json& s) {
         if (count != 0) text += name + ": " + std::to_string(count.get<std::size_t>()) + " points\n";
     const double seconds = s.at("seconds");
     if (done > 0) {
-        text += "seconds so far, all workers together: " + number_in_digits(seconds, 3);
+        text += "processor seconds so far: " + number_in_digits(seconds, 3);
         const double left = seconds / static_cast<double>(done) * static_cast<double>(chunks - done);
-        text += done < chunks ? "; left for one worker at this pace: " + number_in_digits(left, 3) + "\n" : "\n";
+        text += done < chunks ? "; left at this pace: " + number_in_digits(left, 3) + "\n" : "\n";
     }
     if (s.at("missing") != "") text += "chunks to be run: " + s.at("missing").get<std::string>() + "\n";
     if (s.at("of_another_program_or_study") != "")

@@ -1,13 +1,13 @@
 #include "denhartog/program/sweep/run.hpp"
 
 #include <atomic>
-#include <chrono>
 #include <mutex>
 
 #include "denhartog/number/parallel.hpp"
 #include "denhartog/program/exit_status.hpp"
 #include "denhartog/program/interruptible.hpp"
 #include "denhartog/program/new_file.hpp"
+#include "denhartog/program/sweep/processor_time.hpp"
 #include "denhartog/sweep/sha256.hpp"
 
 namespace denhartog::program {
@@ -48,11 +48,10 @@ ChunksRun run_chunks(const StudyFolder& study, const std::vector<std::size_t>& c
     parallel_for(chunks.size(), jobs, [&](std::size_t n) {
         const bool done_before = is_done(study, chunks[n]);
         if (!done_before) {
-            const auto start = std::chrono::steady_clock::now();
+            const double start = processor_seconds();
             const sweep::Points points = points_of(study.plan, scenes, study.plan.box(chunks[n]), stop);
             if (!points.complete) return false;
-            const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-            write_chunk(study, chunks[n], points, seconds.count());
+            write_chunk(study, chunks[n], points, processor_seconds() - start);
         }
         const std::lock_guard<std::mutex> lock(mutex);
         ++(done_before ? run.found_done : run.computed);

@@ -56,7 +56,7 @@ std::string for_parallel(const std::string& folder, const std::string& program, 
            "# A chunk whose worker is lost is run again, and finds itself done where it was.\n"
            "seq 0 " +
            std::to_string(chunks - 1) + " |\n    exec parallel --retries 5 --joblog " + quoted(folder + "/log/parallel.txt") +
-           " \"$@\" \\\n        " + quoted(program) + " sweep run " + quoted(quoted(folder)) + " {}\n";
+           " \"$@\" \\\n        \"${DENHARTOG:-" + program + "}\" sweep run " + quoted(quoted(folder)) + " {}\n";
 }
 
 std::string for_dask(const std::string& folder, const std::string& program, std::size_t chunks) {

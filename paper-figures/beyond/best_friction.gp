@@ -1,0 +1,18 @@
+# A chain of three masses: the friction ratio at which the largest displacement of the loaded mass over all frequencies is lowest, and that
+# displacement, over two stiffness ratios. The data come from a sweep, docs/sweep.md, by sweep_data.py; they stand beside this script.
+width = 1240; height = 520
+load '../style.gp'
+data = 'best_friction.dat'
+set multiplot layout 1, 2 margins 0.06, 0.93, 0.12, 0.92 spacing 0.15, 0
+set xlabel 'third stiffness ratio'
+set ylabel 'second stiffness ratio' offset 1
+set logscale xy 2
+set xrange [0.25:4]
+set yrange [0.25:4]
+set palette defined (0 '#F7FBFF', 0.5 '#6BAED6', 1 '#08306B')
+set title '(a)  best friction ratio' offset 0, -0.6
+set pm3d map corners2color mean
+splot data index 0 nonuniform matrix using 1:2:3 with pm3d
+set title '(b)  the lowest peak, units of P / k_1' offset 0, -0.6
+splot data index 1 nonuniform matrix using 1:2:3 with pm3d
+unset multiplot
