@@ -111,7 +111,7 @@ TEST_CASE("a study that breaks a rule is refused with quantity, rule and value",
     study["samples"]["variables"].push_back({{"quantity", "r"}, {"uniform", {{"from", 0.5}, {"to", 1.5}}}});
     CHECK(fault_of(study) == "none");
     study["samples"]["variables"].push_back({{"quantity", "beta"}, {"uniform", {{"from", 0.5}, {"to", 1.5}}}});
-    CHECK_THAT(fault_of(study), Contains("must be drawn as a factor"));
+    CHECK_THAT(fault_of(study), Contains("beta must not vary twice"));
     study["samples"]["variables"].back()["as"] = "factor";
     CHECK(fault_of(study) == "none");
 }

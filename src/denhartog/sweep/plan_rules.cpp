@@ -13,7 +13,7 @@ namespace {
 
 std::string text_of(Quantity q) { return Target{q, {}, false}.name(); }
 
-// Given as an axis or drawn, exactly once; a drawn factor comes on top.
+// Given as an axis or drawn; a drawn factor comes on top. That nothing varies twice was checked before.
 void check_one(const Study& study, Quantity ratio, Quantity in_units) {
     const Quantity wanted = study.in_units() ? in_units : ratio;
     const Quantity other = study.in_units() ? ratio : in_units;
@@ -26,8 +26,6 @@ void check_one(const Study& study, Quantity ratio, Quantity in_units) {
         throw InputError(axis->target.name(), "must be drawn, as a factor of the axis " + text_of(wanted), "an axis");
     if (!axis && (!drawn || drawn->target.factor))
         throw InputError(text_of(wanted), "must be an axis or a variable that is drawn", "nothing");
-    if (axis && drawn && !drawn->target.factor)
-        throw InputError(text_of(wanted), "must be drawn as a factor where it is an axis", "drawn as a value");
 }
 
 std::vector<std::string> fields_of(const Study& study) {
