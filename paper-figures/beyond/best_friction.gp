@@ -6,13 +6,15 @@ data = 'best_friction.dat'
 set multiplot layout 1, 2 margins 0.06, 0.93, 0.12, 0.92 spacing 0.15, 0
 set xlabel 'third stiffness ratio'
 set ylabel 'second stiffness ratio' offset 1
-set logscale xy 2
-set xrange [0.25:4]
-set yrange [0.25:4]
+set xrange [-2.25:2.25]
+set yrange [-2.25:2.25]
+set xtics ('1/4' -2, '1/2' -1, '1' 0, '2' 1, '4' 2)
+set ytics ('1/4' -2, '1/2' -1, '1' 0, '2' 1, '4' 2)
 set palette defined (0 '#F7FBFF', 0.5 '#6BAED6', 1 '#08306B')
-set title '(a)  best friction ratio' offset 0, -0.6
-set pm3d map corners2color mean
-splot data index 0 nonuniform matrix using 1:2:3 with pm3d
+exponent(x) = log(x) / log(2)
+set title '(a)  best friction ratio; at 3 the axis ends' offset 0, -0.6
+plot data index 0 nonuniform matrix using (exponent($1)):(exponent($2)):3 with image pixels
 set title '(b)  the lowest peak, units of P / k_1' offset 0, -0.6
-splot data index 1 nonuniform matrix using 1:2:3 with pm3d
+set logscale cb
+plot data index 1 nonuniform matrix using (exponent($1)):(exponent($2)):3 with image pixels
 unset multiplot

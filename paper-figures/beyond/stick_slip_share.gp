@@ -12,7 +12,7 @@ set yrange [0.05:2.5]
 set cbrange [0:1]
 set palette defined (0 '#F7FBFF', 0.5 '#6BAED6', 1 '#08306B')
 plot data index 0 nonuniform matrix using 2:1:3 with image pixels
-set title '(b)  amplitude of the contact, from the 5th to the 95th percentile of the samples' offset 0, -0.6
+set title '(b)  amplitude of the contact, 5th to 95th percentile' offset 0, -0.6
 set ylabel 'X_2, units of P / k_1' offset 1
 set autoscale y
 set logscale y

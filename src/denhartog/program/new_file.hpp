@@ -8,7 +8,8 @@
 
 namespace denhartog::program {
 
-/// @brief A new file beside the one whose place it takes, under a name that nobody can guess; gone again unless it took that place.
+/// @brief A new file beside the one whose place it takes, under a name that nobody can guess; gone again unless it took that
+/// place.
 class NewFile {
 public:
     /// @param name  the file whose place it will take @throws InputError where none can be made there

@@ -57,7 +57,8 @@ struct Coordinate {
 /// @return the coordinates
 [[nodiscard]] std::vector<Coordinate> coordinates_of(const Plan& plan);
 
-/// @brief The name of the file of a chunk. @param place its place along each axis @return e.g. `0.3.1`; `0` where there are no axes
+/// @brief The name of the file of a chunk. @param place its place along each axis
+/// @return e.g. `0.3.1`; `0` where there are no axes
 [[nodiscard]] std::string chunk_name(const std::vector<std::size_t>& place);
 
 /// @brief The bytes of a chunk. Those at the end of an axis are as large as all others: zeros fill them up.

@@ -1,9 +1,9 @@
 /// @file
 /// @brief The points of a study as a grid, and its division into chunks. Nothing here depends on machine or time.
 ///
-/// The axes of the grid: those of the study in its order, but frequency and friction last, and before them `sample`. A chunk is a box
-/// of the grid, all boxes have one shape but for the last along each axis, and number K counts them in the order of the results, the
-/// last axis running fastest. A column of friction is never split, nor an axis over which exact quantiles are taken.
+/// The axes of the grid: those of the study in its order, but frequency and friction last, and before them `sample`. A chunk is
+/// a box of the grid, all boxes have one shape but for the last along each axis, and number K counts them in the order of the
+/// results, the last axis running fastest. A column of friction is never split, nor an axis over which exact quantiles are taken.
 #pragma once
 
 #include <string>

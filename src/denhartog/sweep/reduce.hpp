@@ -1,9 +1,10 @@
 /// @file
 /// @brief What a worker makes of the points of its chunk, and how the parts of several chunks are put together.
 ///
-/// Counts add up, and of two largest values the larger counts, or of equal ones that with the earlier place: the result is the same in
-/// any order. Exact quantiles are taken within a chunk, which holds their axes whole: linear between order statistics, the smallest
-/// at probability 0 and the largest at 1. Quantiles with bins come from the histogram, linear within a bin, and are as exact as it is.
+/// Counts add up, and of two largest values the larger counts, or of equal ones that with the earlier place: the result is the
+/// same in any order. Exact quantiles are taken within a chunk, which holds their axes whole: linear between order statistics, the
+/// smallest at probability 0 and the largest at 1. Quantiles with bins come from the histogram, linear within a bin, and are as
+/// exact as it is.
 #pragma once
 
 #include <cstdint>
@@ -39,7 +40,8 @@ void put_together(const Reduction& r, Partial& all, const Partial& part);
 /// @brief A part as bytes, from which it can be read again. @param part the part @return the bytes
 [[nodiscard]] std::string to_bytes(const Partial& part);
 
-/// @brief Reads a part again. @param plan the plan @param r the reduction @param box its chunk @param bytes the bytes @return the part
+/// @brief Reads a part again. @param plan the plan @param r the reduction @param box its chunk @param bytes the bytes
+/// @return the part
 /// @throws InputError where there are not as many as there must be
 [[nodiscard]] Partial from_bytes(const Plan& plan, const Reduction& r, const Box& box, const std::string& bytes);
 

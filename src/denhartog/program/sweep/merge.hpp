@@ -22,7 +22,8 @@ struct MergeFaults {
 /// @return what is wrong
 [[nodiscard]] MergeFaults faults_of(const StudyFolder& study);
 
-/// @brief Puts together the reductions that several chunks have a part in, and completes the store. @param study a study without faults
+/// @brief Puts together the reductions that several chunks have a part in, and completes the store.
+/// @param study a study without faults
 /// @throws InputError where a file cannot be read or written
 void merge(const StudyFolder& study);
 
