@@ -15,10 +15,13 @@ namespace {
 
 json study_json() {
     return json::parse(
-        R"({"scene": {"mass_ratios": [1, 2], "stiffness_ratios": [1, 0.5], "damping_ratios": [0.03, 0.06], "contact": 2, "load": 1},
-        "axes": [{"quantity": "beta", "from": 0, "to": 2, "count": 7}, {"quantity": "zeta", "entry": 2, "values": [0.01, 0.02, 0.05]},
+        R"({"scene": {"mass_ratios": [1, 2], "stiffness_ratios": [1, 0.5], "damping_ratios": [0.03, 0.06],
+                   "contact": 2, "load": 1},
+        "axes": [{"quantity": "beta", "from": 0, "to": 2, "count": 7},
+                 {"quantity": "zeta", "entry": 2, "values": [0.01, 0.02, 0.05]},
                  {"quantity": "r", "from": 0.1, "to": 2, "count": 11, "scale": "logarithmic"}],
-        "samples": {"method": "sobol", "count": 5, "seed": 1, "variables": [{"quantity": "mu", "uniform": {"from": 1, "to": 1.5}}]},
+        "samples": {"method": "sobol", "count": 5, "seed": 1,
+                    "variables": [{"quantity": "mu", "uniform": {"from": 1, "to": 1.5}}]},
         "points_of_a_chunk": 30})");
 }
 

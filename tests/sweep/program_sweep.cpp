@@ -16,7 +16,8 @@ namespace {
 
 json study_json() {
     return json::parse(
-        R"({"scene": {"mass_ratios": [1, 2], "stiffness_ratios": [1, 0.5], "damping_ratios": [0.03, 0.06], "contact": 2, "load": 1},
+        R"({"scene": {"mass_ratios": [1, 2], "stiffness_ratios": [1, 0.5], "damping_ratios": [0.03, 0.06],
+                   "contact": 2, "load": 1},
         "axes": [{"quantity": "r", "from": 0.3, "to": 1.7, "count": 9}, {"quantity": "beta", "from": 0, "to": 1.5, "count": 6}],
         "answers": ["regime", "amplitudes", "stops"], "masses": [1, 2], "points_of_a_chunk": 12})");
 }
@@ -132,7 +133,8 @@ TEST_CASE("the points of a sweep are those of map, to the last bit", "[sweep]") 
 
 TEST_CASE("a sweep in hertz and newtons is the map in hertz and newtons", "[sweep]") {
     const json scene = json::parse(
-        R"({"masses": [12.0, 11.5], "stiffnesses": [18500, 17200], "damping_ratios": 0.01, "contact": 2, "base_motion": "with_wall", "base_displacement": 0.002})");
+        R"({"masses": [12.0, 11.5], "stiffnesses": [18500, 17200], "damping_ratios": 0.01,
+            "contact": 2, "base_motion": "with_wall", "base_displacement": 0.002})");
     json study{{"scene", scene},
                {"axes",
                 {{{"quantity", "frequency_hz"}, {"from", 2}, {"to", 4}, {"count", 5}},

@@ -16,8 +16,10 @@ namespace {
 Plan plan_with(const json& reduction, std::size_t points_of_a_chunk) {
     json study =
         json::parse(R"({"scene": {"mass_ratios": [1], "stiffness_ratios": [1], "damping_ratios": 0.03, "contact": 1, "load": 1},
-        "axes": [{"quantity": "zeta", "values": [0.1, 0.2]}, {"quantity": "r", "values": [0.5, 1, 2]}, {"quantity": "beta", "values": [0, 1]}],
-        "samples": {"method": "latin_hypercube", "count": 60, "seed": 1, "variables": [{"quantity": "mu", "uniform": {"from": 1, "to": 2}}]}})");
+        "axes": [{"quantity": "zeta", "values": [0.1, 0.2]},
+                 {"quantity": "r", "values": [0.5, 1, 2]}, {"quantity": "beta", "values": [0, 1]}],
+        "samples": {"method": "latin_hypercube", "count": 60, "seed": 1,
+                    "variables": [{"quantity": "mu", "uniform": {"from": 1, "to": 2}}]}})");
     study["reduce"] = {reduction};
     study["points_of_a_chunk"] = points_of_a_chunk;
     return plan_of(read_study(study.dump()));

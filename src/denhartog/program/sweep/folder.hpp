@@ -2,8 +2,8 @@
 /// @brief The folder of a study: what `sweep plan` writes, and the other subcommands read.
 ///
 /// study.json, plan.json, result.zarr (metadata and axes), parts/ (of reductions that several chunks have a part in), done/ (a
-/// record a chunk), log/, and a script an engine. A chunk is done when its record is there: it is written last, and names the files with
-/// their checksums. Every file appears under its name when it is whole and on the disk.
+/// record a chunk), log/, and a script an engine. A chunk is done when its record is there: it is written last, and names the
+/// files with their checksums. Every file appears under its name when it is whole and on the disk.
 #pragma once
 
 #include <array>
