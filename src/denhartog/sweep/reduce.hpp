@@ -3,8 +3,8 @@
 ///
 /// Counts add up, and of two largest values the larger counts, or of equal ones that with the earlier place: the result is the
 /// same in any order. Exact quantiles are taken within a chunk, which holds their axes whole: linear between order statistics,
-/// the smallest at probability 0 and the largest at 1. Quantiles with bins come from the histogram, linear within a bin, and are as
-/// exact as it is.
+/// the smallest at probability 0 and the largest at 1. Quantiles with bins come from the histogram, linear within a bin, and are
+/// as exact as it is.
 #pragma once
 
 #include <cstdint>

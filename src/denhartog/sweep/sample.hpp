@@ -20,8 +20,8 @@ enum class Sampling : std::uint8_t {
 ///
 /// Sobol: the direction numbers of Joe and Kuo, as Boost has them. A seed turns the nested halves of every axis by coins that
 /// depend on the half, the axis and the seed, so that each block of 2^m samples from a multiple of 2^m keeps one sample in each
-/// of 2^m parts. Latin hypercube: the part of sample n is a permutation of n, by a cipher of eight rounds over the smallest power of
-/// four that is not below the number of samples, applied until it leads below that number.
+/// of 2^m parts. Latin hypercube: the part of sample n is a permutation of n, by a cipher of eight rounds over the smallest power
+/// of four that is not below the number of samples, applied until it leads below that number.
 class UnitSamples {
 public:
     /// @param sampling    how the cube is filled
