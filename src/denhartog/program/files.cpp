@@ -18,6 +18,7 @@
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/legible.hpp"
 #include "denhartog/program/exit_status.hpp"
+#include "denhartog/program/new_file.hpp"
 
 namespace denhartog::program {
 namespace {
@@ -98,61 +99,6 @@ constexpr int only_to_be_found = O_PATH;
 constexpr int only_to_be_found = O_RDONLY;
 #endif
 
-// A new file beside the one whose place it takes, under a name that nobody can guess; gone again unless it took that place.
-class NewFile {
-public:
-    explicit NewFile(const std::string& name_) : name(name_), target(followed(name_)) {
-        const fs::path parent = target.parent_path();
-        folder = ::open(parent.empty() ? "." : parent.c_str(), only_to_be_found | O_DIRECTORY | O_CLOEXEC);
-        if (folder < 0) cannot_be_written(name, last_fault());
-        std::random_device random;
-        do {
-            char text[40];
-            std::snprintf(text, sizeof text, ".denhartog-%08x%08x.part", random(), random());
-            own_name = text;
-            file = ::openat(folder, text, O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
-        } while (file < 0 && errno == EEXIST);
-        if (file >= 0) return;
-        const std::string why = last_fault();
-        ::close(folder);
-        cannot_be_written(name, why);
-    }
-    ~NewFile() {
-        if (file >= 0) ::close(file);
-        if (!own_name.empty()) ::unlinkat(folder, own_name.c_str(), 0);
-        ::close(folder);
-    }
-    NewFile(const NewFile&) = delete;
-    NewFile& operator=(const NewFile&) = delete;
-
-    void write(std::string_view text) const {
-        while (!text.empty()) {
-            const ssize_t size = ::write(file, text.data(), text.size());
-            if (size < 0 && errno != EINTR) cannot_be_written(name, last_fault());
-            text.remove_prefix(size < 0 ? 0 : static_cast<std::size_t>(size));
-        }
-    }
-
-    // With the permissions of the file that was there.
-    void take_place() {
-        const std::string of_target = target.filename();
-        struct stat earlier {};
-        const bool there = ::fstatat(folder, of_target.c_str(), &earlier, AT_SYMLINK_NOFOLLOW) == 0;
-        if (there && ::fchmod(file, earlier.st_mode & 0777U) != 0) cannot_be_written(name, last_fault());
-        const int closed = ::close(file);
-        file = -1;
-        if (closed != 0 || ::renameat(folder, own_name.c_str(), folder, of_target.c_str()) != 0)
-            cannot_be_written(name, last_fault());
-        own_name.clear();
-    }
-
-private:
-    std::string name;
-    fs::path target;
-    int folder = -1, file = -1;
-    std::string own_name;
-};
-
 // A pipe, a terminal and the like: no file can take its place.
 bool is_no_file(const std::string& path) {
     std::error_code fault;
@@ -162,6 +108,60 @@ bool is_no_file(const std::string& path) {
 }
 
 } // namespace
+
+NewFile::NewFile(const std::string& name_) : name(name_), target(followed(name_)) {
+    const fs::path parent = target.parent_path();
+    folder = ::open(parent.empty() ? "." : parent.c_str(), only_to_be_found | O_DIRECTORY | O_CLOEXEC);
+    if (folder < 0) cannot_be_written(name, last_fault());
+    std::random_device random;
+    do {
+        char text[40];
+        std::snprintf(text, sizeof text, "%08x%08x", random(), random());
+        own_name = std::string(new_file_begins) + text + std::string(new_file_ends);
+        file = ::openat(folder, own_name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+    } while (file < 0 && errno == EEXIST);
+    if (file >= 0) return;
+    const std::string why = last_fault();
+    ::close(folder);
+    cannot_be_written(name, why);
+}
+
+NewFile::~NewFile() {
+    if (file >= 0) ::close(file);
+    if (!own_name.empty()) ::unlinkat(folder, own_name.c_str(), 0);
+    ::close(folder);
+}
+
+void NewFile::write(std::string_view text) const {
+    while (!text.empty()) {
+        const ssize_t size = ::write(file, text.data(), text.size());
+        if (size < 0 && errno != EINTR) cannot_be_written(name, last_fault());
+        text.remove_prefix(size < 0 ? 0 : static_cast<std::size_t>(size));
+    }
+}
+
+void NewFile::flush() const {
+    if (::fsync(file) != 0) cannot_be_written(name, last_fault());
+}
+
+void NewFile::take_place() {
+    const std::string of_target = target.filename();
+    struct stat earlier {};
+    const bool there = ::fstatat(folder, of_target.c_str(), &earlier, AT_SYMLINK_NOFOLLOW) == 0;
+    if (there && ::fchmod(file, earlier.st_mode & 0777U) != 0) cannot_be_written(name, last_fault());
+    const int closed = ::close(file);
+    file = -1;
+    if (closed != 0 || ::renameat(folder, own_name.c_str(), folder, of_target.c_str()) != 0)
+        cannot_be_written(name, last_fault());
+    own_name.clear();
+}
+
+void NewFile::flush_folder() const {
+    const int readable = ::openat(folder, ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (readable < 0) return;
+    ::fsync(readable);
+    ::close(readable);
+}
 
 void report(const std::string& fault) {
     std::string line = fault;
@@ -201,6 +201,16 @@ void write_file(const std::string& path, const std::string& text) {
     NewFile file(path);
     file.write(text);
     file.take_place();
+}
+
+void write_file_to_disk(const std::string& path, const std::string& text) {
+    errno = 0;
+    const InterruptionsHeld held;
+    NewFile file(path);
+    file.write(text);
+    file.flush();
+    file.take_place();
+    file.flush_folder();
 }
 
 } // namespace denhartog::program

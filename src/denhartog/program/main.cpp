@@ -6,6 +6,7 @@
 #include "denhartog/number/errors.hpp"
 #include "denhartog/program/commands/commands.hpp"
 #include "denhartog/program/files.hpp"
+#include "denhartog/program/sweep/command.hpp"
 #include "denhartog/version.hpp"
 
 namespace {
@@ -31,6 +32,7 @@ int run(int argc, char** argv, ExitStatus& status) {
     denhartog::program::add_motion_command(app, status);
     denhartog::program::add_boundary_command(app, status);
     denhartog::program::add_map_command(app, status);
+    denhartog::program::add_sweep_command(app, status, DENHARTOG_COMMIT);
     denhartog::program::add_integrate_command(app, status);
     denhartog::program::add_functions_command(app, status);
     denhartog::program::add_equations_command(app);

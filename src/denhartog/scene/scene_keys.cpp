@@ -10,6 +10,7 @@
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/legible.hpp"
 #include "denhartog/scene/json_document.hpp"
+#include "denhartog/scene/other_documents.hpp"
 
 namespace denhartog {
 namespace {
@@ -67,13 +68,7 @@ std::size_t letters_apart(std::string_view a, std::string_view b) {
 }
 
 std::string rule_of_keys(std::string_view unknown) {
-    std::string rule = "is no key of a scene";
-    constexpr std::size_t longest = 64; // of a word that may be a key misspelt
-    if (unknown.size() <= longest) {
-        const auto apart = [unknown](std::string_view key) { return letters_apart(unknown, key); };
-        const std::string_view nearest = *std::ranges::min_element(keys, {}, apart);
-        if (apart(nearest) <= nearest.size() / 2) rule += "; did you mean " + std::string(nearest) + "?";
-    }
+    std::string rule = "is no key of a scene" + did_you_mean(unknown, keys);
     rule += " The keys are";
     for (const std::string_view key : keys) rule += (key == keys.front() ? " " : ", ") + std::string(key);
     return rule + ". A scene has one contact with Coulomb friction and one harmonic load: for several contacts, several "
@@ -83,6 +78,14 @@ std::string rule_of_keys(std::string_view unknown) {
 } // namespace
 
 std::span<const std::string_view> scene_keys() { return keys; }
+
+std::string did_you_mean(std::string_view unknown, std::span<const std::string_view> known) {
+    constexpr std::size_t longest = 64; // of a word that may be a key misspelt
+    if (unknown.size() > longest) return {};
+    const auto apart = [unknown](std::string_view key) { return letters_apart(unknown, key); };
+    const std::string_view nearest = *std::ranges::min_element(known, {}, apart);
+    return apart(nearest) <= nearest.size() / 2 ? "; did you mean " + std::string(nearest) + "?" : "";
+}
 
 void check_keys(const json& object) {
     if (!object.is_object())
