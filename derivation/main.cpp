@@ -1,5 +1,6 @@
-// The derivation program: `run` decides every claim and writes what it found, `join` brings in the results of the tests, `status`
-// puts the counts, the examples' answers and the figures' numbers into README.md and paper-figures/README.md.
+// The derivation program: `run` decides every claim and writes what it found, `join` brings in the results of the tests and of the
+// kernel, `status` puts the counts, the examples' answers and the figures' numbers into README.md and paper-figures/README.md,
+// `kernel` writes what is proved as lemmas for Coq and has them checked.
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <filesystem>
@@ -11,9 +12,12 @@
 #include "derivation/ledger_audit.hpp"
 #include "derivation/ledger_figures.hpp"
 #include "derivation/ledger_join.hpp"
+#include "derivation/ledger_kernel.hpp"
 #include "derivation/ledger_rows.hpp"
 #include "derivation/ledger_scenes.hpp"
 #include "derivation/ledger_statements.hpp"
+#include "kernel_check.hpp"
+#include "kernel_export.hpp"
 #include "observations/agreement.hpp"
 #include "report.hpp"
 #include "run.hpp"
@@ -46,7 +50,8 @@ std::string read(const fs::path& file) {
 }
 
 /// Joins the ledger from what a run left in a folder, writes it with the report, prints the summary.
-ReportParts join(const fs::path& folder, const fs::path& source, const fs::path& results, const fs::path& figures) {
+ReportParts join(const fs::path& folder, const fs::path& source, const fs::path& results, const fs::path& figures,
+                 const fs::path& kernel) {
     const json found = json::parse(read(folder / "run.json"));
     LedgerParts parts;
     parts.rows = read_rows(source / "docs/ledger/equations.json");
@@ -67,6 +72,9 @@ ReportParts join(const fs::path& folder, const fs::path& source, const fs::path&
     for (const std::string& fault : ledger.faults) report.faults.push_back(fault);
     for (const std::string& fault : add_scenes(report.entries, found.at("scenes"))) report.faults.push_back(fault);
     for (const std::string& fault : add_figures(report.entries, records)) report.faults.push_back(fault);
+    for (const std::string& fault :
+         add_kernel(report.entries, read_kernel_record(kernel, source / "derivation/kernel/statements.json")))
+        report.faults.push_back(fault);
     write(folder / "ledger.json", report.entries.dump(1) + "\n");
     write(folder / "statements.json", report.statements.dump(1) + "\n");
     write(folder / "report.md", report_markdown(report));
@@ -139,14 +147,19 @@ bool refresh(const fs::path& file, const std::string& before, const std::string&
 int main(int argc, char** argv) {
     CLI::App app{"Derives the paper's equations from its equation of motion and checks the shipped formulas against them"};
     app.require_subcommand(1);
-    std::string folder, source = DENHARTOG_SOURCE, proofs, results, readme, program, figures;
-    bool check = false;
+    std::string folder, source = DENHARTOG_SOURCE, proofs, results, readme, program, figures, kernel, coqc = "coqc";
+    bool check = false, check_kernel = false;
     CLI::App* run_command =
         app.add_subcommand("run", "decide every claim, try its mutated twins, compare with the second witness");
     CLI::App* join_command = app.add_subcommand("join", "join the ledger again, with the results of the tests");
     CLI::App* status_command = app.add_subcommand(
         "status",
         "put what the last run found, the answer to the example and the figures' numbers into the READMEs and the page");
+    CLI::App* kernel_command =
+        app.add_subcommand("kernel", "write every identity that is proved as a lemma for Coq, with its cofactors, and twins that fail");
+    kernel_command->add_option("--output", folder, "folder for the lemmas")->required();
+    kernel_command->add_flag("--check", check_kernel, "compile them, and write the kernel's word into kernel.json");
+    kernel_command->add_option("--coqc", coqc, "the compiler of Coq")->capture_default_str();
     for (CLI::App* command : {run_command, join_command, status_command}) {
         command->add_option("--output", folder, "folder of the run")->required();
         command->add_option("--figures", figures, "folder with the records of the figures");
@@ -154,6 +167,7 @@ int main(int argc, char** argv) {
     for (CLI::App* command : {run_command, join_command}) {
         command->add_option("--source", source, "the source tree")->capture_default_str();
         command->add_option("--test-results", results, "folder with the XML results of the tests");
+        command->add_option("--kernel", kernel, "folder with what the kernel of Coq has checked");
     }
     run_command->add_option("--proofs", proofs, "what the program `proofs` has decided already");
     status_command->add_option("--readme", readme, "the file with the marks of what was found and of the example")->required();
@@ -175,8 +189,13 @@ int main(int argc, char** argv) {
             const std::string now = with_block(text_of_figures, "figures", figures_markdown(records, "../" + pictures));
             return refresh(of_figures, text_of_figures, now, check) && fresh ? 0 : 1;
         }
+        if (*kernel_command) {
+            const std::size_t workers = std::thread::hardware_concurrency();
+            (void)export_certificates(claims(), folder, workers, std::cout);
+            return !check_kernel || check_certificates(folder, workers, coqc, std::cout) ? 0 : 1;
+        }
         if (*run_command) run(folder, proofs);
-        return join(folder, source, results, figures).faults.empty() ? 0 : 1;
+        return join(folder, source, results, figures, kernel).faults.empty() ? 0 : 1;
     } catch (const std::exception& e) {
         std::cerr << "derivation: " << e.what() << "\n";
         return 1;

@@ -1,0 +1,213 @@
+#include "kernel_check.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdint>
+#include <cstdio>
+#include <fstream>
+#include <map>
+#include <ostream>
+#include <sstream>
+#include <stdexcept>
+#include <sys/wait.h>
+#include <vector>
+
+#include "workers.hpp"
+
+namespace denhartog::derivation {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+namespace {
+
+std::string text_of(const fs::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    std::ostringstream content;
+    content << in.rdbuf();
+    if (!in) throw std::runtime_error("cannot read " + file.string());
+    return content.str();
+}
+
+void write(const fs::path& file, const std::string& content) {
+    std::ofstream out(file, std::ios::binary);
+    out << content << std::flush;
+    if (!out) throw std::runtime_error("cannot write " + file.string());
+}
+
+/// FNV-1a, 64 bits: whether a file has changed.
+std::string checksum(const std::string& text) {
+    std::uint64_t h = 0xcbf29ce484222325u;
+    for (const char c : text) h = (h ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
+    std::ostringstream out;
+    out << std::hex << h;
+    return out.str();
+}
+
+std::string quoted(const std::string& text) {
+    std::string out = "'";
+    for (const char c : text) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return out + "'";
+}
+
+/// What a command says and its exit status.
+std::pair<std::string, int> run(const std::string& command) {
+    std::FILE* pipe = ::popen((command + " 2>&1").c_str(), "r");
+    if (pipe == nullptr) throw std::runtime_error("cannot run " + command);
+    std::string said;
+    for (int c = std::fgetc(pipe); c != EOF; c = std::fgetc(pipe)) said += static_cast<char>(c);
+    const int status = ::pclose(pipe);
+    return {said, WIFEXITED(status) ? WEXITSTATUS(status) : 255};
+}
+
+/// The lines of a claim in a file of certificates, with the part that all need before them.
+std::string alone(const std::string& text, const json& claim) {
+    const std::string first = "Lemma " + claim.at("lemmas").front().at("name").get<std::string>() + " :";
+    const std::size_t from = text.rfind("(* Claim ", text.find(first)), head = text.find("(* Claim ");
+    const std::size_t to = text.find("(* Claim ", from + 1);
+    return text.substr(0, head) + text.substr(from, to == std::string::npos ? to : to - from);
+}
+
+/// What there is to say of a file of certificates: its own entry and those of its claims.
+json judged(const fs::path& folder, const std::string& file, const std::vector<json>& claims, const std::string& coqc) {
+    const std::string text = text_of(folder / file);
+    const Compiled whole = compile_with_coq(folder / file, coqc);
+    json of_claims = json::object();
+    for (const json& claim : claims) {
+        Compiled one = whole;
+        if (!whole.accepted && claims.size() > 1) {
+            const fs::path part = folder / "failing" / (claim.at("lemmas").front().at("name").get<std::string>() + ".v");
+            write(part, alone(text, claim));
+            one = compile_with_coq(part, coqc);
+        }
+        of_claims[claim.at("claim").get<std::string>()] = {{"status", one.accepted ? "checked" : "failed"},
+                                                           {"message", one.message}};
+    }
+    return {{"file", {{"file", file},
+                      {"status", whole.accepted ? "checked" : "failed"},
+                      {"seconds", whole.seconds},
+                      {"checksum", checksum(text)}}},
+            {"claims", of_claims}};
+}
+
+/// The entries of the files that an earlier check has accepted.
+std::map<std::string, json> accepted_before(const fs::path& record, const std::string& version) {
+    std::map<std::string, json> accepted;
+    std::ifstream in(record);
+    if (!in) return accepted;
+    const json before = json::parse(in, nullptr, false);
+    if (before.is_discarded() || before.value("coq", "") != version) return accepted;
+    for (const json& file : before.value("files", json::array()))
+        if (file.value("status", "") == "checked") accepted[file.at("file").get<std::string>()] = file;
+    return accepted;
+}
+
+} // namespace
+
+bool finds_no_proof(const std::string& message) {
+    for (const char* said : {"not a valid ring equation", "not a valid field equation", "No applicable tactic"})
+        if (message.find(said) != std::string::npos) return true;
+    return false;
+}
+
+Compiled compile_with_coq(const fs::path& file, const std::string& coqc) {
+    const auto start = std::chrono::steady_clock::now();
+    const fs::path folder = file.parent_path();
+    const std::string library = folder.filename().string() == "twins" ? "Twins" : "Certificates";
+    const auto [said, status] = run("cd " + quoted(folder.string()) + " && timeout 60 " + coqc + " -q -Q . " + library + " " +
+                                    quoted(file.filename().string()));
+    if (status == 127) throw std::runtime_error("cannot run " + coqc);
+    std::string message = status == 124 ? "longer than a minute" : said;
+    while (!message.empty() && std::isspace(static_cast<unsigned char>(message.back())) != 0) message.pop_back();
+    return {status == 0, status == 0 ? "" : message,
+            std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()};
+}
+
+bool check_certificates(const fs::path& folder, std::size_t workers, const std::string& coqc, std::ostream& out) {
+    const auto start = std::chrono::steady_clock::now();
+    const auto [version_said, status] = run(coqc + " --print-version");
+    if (status != 0) throw std::runtime_error("cannot run " + coqc);
+    const std::string version = version_said.substr(0, version_said.find_first_of(" \n"));
+    const json exported = json::parse(text_of(folder / "certificates.json"));
+    std::map<std::string, std::vector<json>> claims_of; // file -> its claims
+    std::size_t lemmas = 0;
+    for (const json& claim : exported.at("certificates")) {
+        lemmas += claim.at("lemmas").size();
+        if (!claim.at("lemmas").empty()) claims_of[claim.at("file").get<std::string>()].push_back(claim);
+    }
+    fs::remove_all(folder / "failing");
+    fs::create_directories(folder / "failing");
+    const std::map<std::string, json> before = accepted_before(folder / "kernel.json", version);
+    json record{{"coq", version}, {"claims", json::object()}, {"twins", json::array()}, {"files", json::array()}};
+    std::vector<std::string> open;
+    std::size_t lines = 0;
+    for (const auto& [file, claims] : claims_of) {
+        const std::string text = text_of(folder / file);
+        lines += static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+        const auto known = before.find(file);
+        const bool compiled = fs::exists((folder / file).replace_extension(".vo"));
+        if (known == before.end() || !compiled || known->second.at("checksum") != checksum(text)) {
+            open.push_back(file);
+            continue;
+        }
+        record["files"].push_back(known->second);
+        for (const json& claim : claims)
+            record["claims"][claim.at("claim").get<std::string>()] = {{"status", "checked"}, {"message", ""}};
+    }
+    const json& twins = exported.at("twins");
+    // long ones first, so that no worker is left with the last of them
+    std::sort(open.begin(), open.end(), [&folder](const std::string& a, const std::string& b) {
+        return fs::file_size(folder / a) > fs::file_size(folder / b);
+    });
+    bool good = true;
+    const auto task = [&](std::size_t i) {
+        if (i < open.size()) return judged(folder, open[i], claims_of.at(open[i]), coqc).dump();
+        json twin = twins.at(i - open.size());
+        const Compiled found = compile_with_coq(folder / twin.at("file").get<std::string>(), coqc);
+        twin.erase("statement");
+        twin["rejected"] = !found.accepted && finds_no_proof(found.message);
+        twin["message"] = found.accepted ? "accepted" : found.message;
+        return twin.dump();
+    };
+    std::map<std::size_t, json> found_of_twins;
+    in_processes(open.size() + twins.size(), workers, task, [&](std::size_t i, const Delivery& delivery) {
+        if (!delivery.fault.empty()) throw std::runtime_error(delivery.fault);
+        const json found = json::parse(delivery.text);
+        if (i >= open.size()) {
+            found_of_twins[i] = found;
+            if (!found.at("rejected").get<bool>()) {
+                good = false;
+                out << "not rejected: " << found.at("file").get<std::string>() << ": " << found.at("message").get<std::string>()
+                    << "\n";
+            }
+            return;
+        }
+        record["files"].push_back(found.at("file"));
+        for (const auto& [claim, said] : found.at("claims").items()) {
+            record["claims"][claim] = said;
+            if (said.at("status") == "checked") continue;
+            good = false;
+            out << "failed: claim " << claim << ": " << said.at("message").get<std::string>() << "\n";
+        }
+    });
+    for (const auto& [i, twin] : found_of_twins) record["twins"].push_back(twin);
+    std::sort(record["files"].begin(), record["files"].end(),
+              [](const json& a, const json& b) { return a.at("file") < b.at("file"); });
+    double sum = 0;
+    for (const json& file : record.at("files")) sum += file.at("seconds").get<double>();
+    record["lemmas"] = lemmas;
+    record["lines"] = lines;
+    record["seconds"] = sum;
+    write(folder / "kernel.json", record.dump(1) + "\n");
+    const auto count = [](const json& list, const char* key, const json& value) {
+        return std::count_if(list.begin(), list.end(), [&](const json& item) { return item.at(key) == value; });
+    };
+    out << "Coq " << version << ": " << count(record.at("claims"), "status", "checked") << " of " << record.at("claims").size()
+        << " claims checked, " << lemmas << " lemmas, " << lines << " lines in " << record.at("files").size() << " files, "
+        << open.size() << " of them compiled now in "
+        << static_cast<long>(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()) << " s; "
+        << count(record.at("twins"), "rejected", true) << " of " << twins.size() << " twins rejected\n";
+    return good;
+}
+
+} // namespace denhartog::derivation

@@ -1,0 +1,277 @@
+#include "kernel_export.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <map>
+#include <ostream>
+#include <set>
+#include <sstream>
+#include <stdexcept>
+
+#include "certificate.hpp"
+#include "coq_text.hpp"
+#include "symbols.hpp"
+#include "workers.hpp"
+
+namespace denhartog::derivation {
+
+namespace fs = std::filesystem;
+using GiNaC::ex;
+using nlohmann::json;
+
+namespace {
+
+constexpr std::size_t most_terms = 20000;     // of a lemma; more take the kernel longer than a minute
+constexpr std::size_t longest_file = 120'000; // characters; a file is one process of the check
+
+std::string lemma_name(const std::string& claim) {
+    std::string name = "claim_";
+    for (const char c : claim) {
+        const bool plain = std::isalnum(static_cast<unsigned char>(c)) != 0;
+        if (plain || name.back() != '_') name += plain ? c : '_';
+    }
+    return name;
+}
+
+json lemma_of(const Identity& identity, const std::string& name, const LeftOut& left_out = {}) {
+    const Certificate c = certificate_of(identity, name, left_out);
+    json generators = json::array();
+    for (const auto& [generator, meaning] : c.generators) generators.push_back({{"name", generator}, {"stands_for", meaning}});
+    return {{"name", name}, {"statement", c.statement}, {"proof", c.proof}, {"generators", generators}, {"terms", c.terms},
+            {"holds", c.holds}};
+}
+
+/// The identities of a claim, and why they are not the whole of it; empty where they are.
+std::pair<std::vector<Identity>, std::string> identities_of(const Claim& claim) {
+    if (claim.role == Role::observation) return {{}, "an observation of the text: decided by a search, or from other claims"};
+    Keeper keeper;
+    if (claim.kernel) {
+        const Values kernel = claim.kernel();
+        const std::vector<ex> derived = claim.derived(), real = roots_in(derived);
+        for (std::size_t i = 0; i < kernel.size(); ++i)
+            if (decide_component(kernel[i], derived[i], real).verdict != Verdict::proved)
+                return {{}, "refuted: the two sides are not equal"};
+        return {keeper.identities, ""};
+    }
+    const Verdict verdict = claim.check().verdict;
+    const auto rests_on = [&keeper](Ground ground) { return keeper.grounds.contains(ground); };
+    std::string reason;
+    if (verdict != Verdict::proved)
+        reason = "refuted: what it says does not hold";
+    else if (rests_on(Ground::argument))
+        reason = "a step of it is an argument that a person gave";
+    else if (rests_on(Ground::series))
+        reason = "a limit or an order: the leading term of a series";
+    else if (rests_on(Ground::places))
+        reason = "a selection of forms: its comparisons are made at places of the domain";
+    else if (keeper.identities.empty())
+        reason = "no identity: it follows from other claims";
+    return {keeper.identities, reason};
+}
+
+const std::string head_of_file = "(* Written by the derivation: the identities that it has proved, each with the cofactors of its reduction.\n"
+                                 "   Variables are the paper's symbols; cos_1, sin_1, exp_1, root_1 stand for what the comment says. *)\n";
+
+/// A lemma with a comment of what its generators stand for.
+std::string text_of_lemma(const json& lemma) {
+    std::string text;
+    for (const json& g : lemma.at("generators"))
+        text += "(* " + g.at("name").get<std::string>() + " stands for " + coq_comment(g.at("stands_for")) + " *)\n";
+    return text + lemma.at("statement").get<std::string>() + lemma.at("proof").get<std::string>() + "\n";
+}
+
+std::string text_of_claim(const json& found) {
+    std::string text = "(* Claim " + coq_comment(found.at("claim")) + ": " + coq_comment(found.at("title")) + ". *)\n";
+    for (const json& lemma : found.at("lemmas")) text += text_of_lemma(lemma);
+    return text;
+}
+
+/// Writes a file unless it holds that already.
+void write_if_new(const fs::path& file, const std::string& content) {
+    std::ifstream before(file, std::ios::binary);
+    std::ostringstream held;
+    if (before) held << before.rdbuf();
+    if (before && held.str() == content) return;
+    std::ofstream out(file, std::ios::binary);
+    out << content << std::flush;
+    if (!out) throw std::runtime_error("cannot write " + file.string());
+}
+
+void remove_others(const fs::path& folder, const std::set<std::string>& names) {
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder))
+        if (!names.contains(entry.path().stem().string())) fs::remove_all(entry.path());
+}
+
+/// A formula with one operation replaced, as a lemma that does not hold.
+json altered_formula(const Claim& claim, const std::string& replaced) {
+    const std::vector<ex> derived = claim.derived(), real = roots_in(derived);
+    for (long position = 0;; ++position) {
+        Values kernel;
+        {
+            const Mutation mutation(position);
+            kernel = claim.kernel();
+            if (mutation.replaced().empty()) throw std::logic_error("claim " + claim.id + " has no twin " + replaced);
+            if (mutation.replaced() != replaced) continue;
+        }
+        for (std::size_t i = 0; i < kernel.size(); ++i) {
+            const ex left = kernel[i].expression();
+            const std::vector<Range> domain = domain_of({left, derived[i]});
+            if (!differs_at_samples(left, derived[i], domain, real)) continue;
+            return lemma_of(in_generators(left, derived[i], domain, real), lemma_name(claim.id) + "_twin");
+        }
+    }
+}
+
+/// A claim's first lemma that uses what is left out.
+json with_hypothesis_left_out(const Claim& claim, const LeftOut& left_out) {
+    const auto [identities, reason] = identities_of(claim);
+    for (const Identity& identity : identities) {
+        const std::string name = lemma_name(claim.id) + "_twin";
+        json lemma = lemma_of(identity, name, left_out);
+        if (lemma.at("statement") != lemma_of(identity, name).at("statement")) return lemma;
+    }
+    throw std::logic_error("claim " + claim.id + " has no such hypothesis");
+}
+
+struct Twin {
+    const char *claim, *what;
+    LeftOut left_out = {};
+};
+
+const std::vector<Twin>& twins() {
+    static const std::vector<Twin> all{
+        {"23/complex-response", "+ -> -"},
+        {"28/first-damping-function", "+ -> -"},
+        {"28/first-damping-function", "sin -> cos"},
+        {"29/second-damping-function", "- -> +"},
+        {"A.7/velocity", "exp(x) -> exp(-x)"},
+        {"A.9/rates", "* -> /"},
+        {"A.12/solution", "+ -> -"},
+        {"A.15/displacement", "-x -> x"},
+        {"38/amplitude", "n -> n + 1"},
+        {"46/steady-displacement/N=1", "a + b -> a"},
+        {"29/second-damping-function", "a relation of the generators is left out", {.relation = true}},
+        {"A.9/rates", "a relation of the generators is left out", {.relation = true}},
+        {"28/first-damping-function", "that a divisor is not zero is left out", {.divisor = true}},
+    };
+    return all;
+}
+
+} // namespace
+
+json certificates_of(const Claim& claim) {
+    json found{{"claim", claim.id},           {"equation", claim.equations.front()},
+               {"equations", claim.equations}, {"title", claim.title},
+               {"assumptions", claim.assumptions}, {"status", "exported"},
+               {"reason", ""},                 {"lemmas", json::array()}};
+    const auto [identities, reason] = identities_of(claim);
+    found["reason"] = reason;
+    std::set<std::string> said; // a check may come to the same identity twice
+    std::vector<Identity> different;
+    for (const Identity& identity : identities)
+        if (!identity.left.is_equal(identity.right) || claim.kernel) different.push_back(identity);
+    std::string missing;
+    for (const Identity& identity : different) {
+        const std::string number = std::to_string(found.at("lemmas").size() + 1);
+        const std::string name = lemma_name(claim.id) + (different.size() > 1 ? "_" + number : "");
+        try {
+            json lemma = lemma_of(identity, name);
+            if (!lemma.at("holds").get<bool>()) throw std::logic_error("the reduction of " + name + " leaves a remainder");
+            const std::size_t terms = lemma.at("terms");
+            if (terms > most_terms)
+                missing = "too large: " + std::to_string(terms) + " terms";
+            else if (said.insert(lemma.at("proof").get<std::string>() +
+                                 lemma.at("statement").get<std::string>().substr(std::string("Lemma ").size() + name.size()))
+                         .second)
+                found["lemmas"].push_back(std::move(lemma));
+        } catch (const std::domain_error& e) {
+            missing = e.what();
+        }
+    }
+    if (reason.empty()) found["reason"] = missing;
+    if (found.at("reason") != "") found["status"] = "not_exported";
+    return found;
+}
+
+json rejected_twins() {
+    json list = json::array();
+    for (const Twin& twin : twins()) {
+        const auto claim = std::find_if(claims().begin(), claims().end(), [&](const Claim& c) { return c.id == twin.claim; });
+        if (claim == claims().end()) throw std::logic_error(std::string("no claim named ") + twin.claim);
+        const bool hypothesis = twin.left_out.relation || twin.left_out.divisor;
+        json lemma = hypothesis ? with_hypothesis_left_out(*claim, twin.left_out) : altered_formula(*claim, twin.what);
+        lemma["claim"] = twin.claim;
+        lemma["what"] = twin.what;
+        list.push_back(std::move(lemma));
+    }
+    return list;
+}
+
+json export_certificates(const std::vector<Claim>& all, const fs::path& folder, std::size_t workers, std::ostream& out) {
+    const fs::path of_claims = folder / "certificates", of_twins = folder / "twins";
+    fs::create_directories(of_claims);
+    fs::create_directories(of_twins);
+    std::vector<json> found(all.size());
+    json twins_found;
+    const auto task = [&all](std::size_t i) { return (i == 0 ? rejected_twins() : certificates_of(all[i - 1])).dump(); };
+    in_processes(all.size() + 1, workers, task, [&](std::size_t i, const Delivery& delivery) {
+        if (!delivery.fault.empty())
+            throw std::runtime_error((i == 0 ? std::string("the twins") : "claim " + all[i - 1].id) +
+                                     " could not be exported: " + delivery.fault);
+        (i == 0 ? twins_found : found[i - 1]) = json::parse(delivery.text);
+    });
+    std::vector<std::pair<std::string, std::string>> files; // name, content
+    std::map<std::string, int> parts;                       // how many files an equation has
+    std::map<std::string, std::size_t> last;                // the last of them
+    json record{{"certificates", json::array()}, {"twins", json::array()}};
+    std::size_t exported = 0, lemmas = 0;
+    for (json& claim : found) {
+        json entry = claim;
+        if (!claim.at("lemmas").empty()) {
+            const std::string text = text_of_claim(claim), equation = claim.at("equation");
+            if (!last.contains(equation) || files[last[equation]].second.size() + text.size() > longest_file) {
+                std::string name = "equation_" + equation;
+                std::replace(name.begin(), name.end(), '.', '_');
+                if (const int part = ++parts[equation]; part > 1) name += "_part_" + std::to_string(part);
+                last[equation] = files.size();
+                files.emplace_back(name, head_of_file + certificate_prelude() + "\n");
+            }
+            auto& [name, content] = files[last[equation]];
+            content += text;
+            entry["file"] = "certificates/" + name + ".v";
+        }
+        entry["lemmas"] = json::array();
+        for (const json& lemma : claim.at("lemmas"))
+            entry["lemmas"].push_back({{"name", lemma.at("name")}, {"statement", lemma.at("statement")},
+                                       {"generators", lemma.at("generators")}, {"terms", lemma.at("terms")}});
+        lemmas += entry.at("lemmas").size();
+        exported += entry.at("status") == "exported" ? 1 : 0;
+        record["certificates"].push_back(std::move(entry));
+    }
+    std::set<std::string> names, names_of_twins;
+    std::size_t lines = 0;
+    for (const auto& [name, content] : files) {
+        write_if_new(of_claims / (name + ".v"), content);
+        names.insert(name);
+        lines += static_cast<std::size_t>(std::count(content.begin(), content.end(), '\n'));
+    }
+    for (std::size_t k = 0; k < twins_found.size(); ++k) {
+        const json& twin = twins_found[k];
+        const std::string name = "twin_" + std::to_string(k + 1);
+        write_if_new(of_twins / (name + ".v"), "(* Must be rejected. Claim " + coq_comment(twin.at("claim")) + ": " +
+                                                   coq_comment(twin.at("what")) + " *)\n" + certificate_prelude() + "\n" +
+                                                   text_of_lemma(twin));
+        names_of_twins.insert(name);
+        record["twins"].push_back({{"file", "twins/" + name + ".v"}, {"claim", twin.at("claim")}, {"what", twin.at("what")},
+                                   {"lemma", twin.at("name")}, {"statement", twin.at("statement")}});
+    }
+    remove_others(of_claims, names);
+    remove_others(of_twins, names_of_twins);
+    record["counts"] = {{"claims", all.size()}, {"exported", exported}, {"lemmas", lemmas}, {"files", files.size()}, {"lines", lines}};
+    write_if_new(folder / "certificates.json", record.dump(1) + "\n");
+    out << exported << " of " << all.size() << " claims exported, " << lemmas << " lemmas in " << files.size() << " files, " << lines
+        << " lines, " << twins_found.size() << " twins\n";
+    return record;
+}
+
+} // namespace denhartog::derivation
