@@ -38,7 +38,7 @@ json lemma_of(const Identity& identity, const std::string& name, const LeftOut& 
     json generators = json::array();
     for (const auto& [generator, meaning] : c.generators) generators.push_back({{"name", generator}, {"stands_for", meaning}});
     return {{"name", name}, {"statement", c.statement}, {"proof", c.proof}, {"generators", generators}, {"terms", c.terms},
-            {"holds", c.holds}};
+            {"holds", c.holds}, {"in_functions", c.in_functions}, {"why_no_functions", c.why_no_functions}};
 }
 
 /// The identities of a claim, and why they are not the whole of it; empty where they are.
@@ -72,6 +72,8 @@ std::pair<std::vector<Identity>, std::string> identities_of(const Claim& claim) 
 const std::string head_of_file = "(* Written by the derivation: the identities that it has proved, each with the cofactors of its reduction.\n"
                                  "   Variables are the paper's symbols; cos_1, sin_1, exp_1, root_1 stand for what the comment says. *)\n";
 
+const std::string head_of_functions = "(* Written by the derivation: the same identities of sine, cosine, exponential and root themselves. *)\n";
+
 /// A lemma with a comment of what its generators stand for.
 std::string text_of_lemma(const json& lemma) {
     std::string text;
@@ -80,11 +82,25 @@ std::string text_of_lemma(const json& lemma) {
     return text + lemma.at("statement").get<std::string>() + lemma.at("proof").get<std::string>() + "\n";
 }
 
+std::string head_of_claim(const json& found) {
+    return "(* Claim " + coq_comment(found.at("claim")) + ": " + coq_comment(found.at("title")) + ". *)\n";
+}
+
 std::string text_of_claim(const json& found) {
-    std::string text = "(* Claim " + coq_comment(found.at("claim")) + ": " + coq_comment(found.at("title")) + ". *)\n";
+    std::string text = head_of_claim(found);
     for (const json& lemma : found.at("lemmas")) text += text_of_lemma(lemma);
     return text;
 }
+
+/// The lemmas of a claim on the functions themselves; empty where there is none.
+std::string functions_of_claim(const json& found) {
+    std::string text;
+    for (const json& lemma : found.at("lemmas"))
+        if (const std::string of_lemma = lemma.at("in_functions"); !of_lemma.empty()) text += of_lemma + "\n";
+    return text.empty() ? "" : head_of_claim(found) + text;
+}
+
+std::string statement_of(const std::string& lemma) { return lemma.substr(0, lemma.find("Proof.\n")); }
 
 /// Writes a file unless it holds that already.
 void write_if_new(const fs::path& file, const std::string& content) {
@@ -208,9 +224,8 @@ json rejected_twins() {
 }
 
 json export_certificates(const std::vector<Claim>& all, const fs::path& folder, std::size_t workers, std::ostream& out) {
-    const fs::path of_claims = folder / "certificates", of_twins = folder / "twins";
-    fs::create_directories(of_claims);
-    fs::create_directories(of_twins);
+    const fs::path of_claims = folder / "certificates", of_functions = folder / "functions", of_twins = folder / "twins";
+    for (const fs::path& part : {of_claims, of_functions, of_twins}) fs::create_directories(part);
     std::vector<json> found(all.size());
     json twins_found;
     const auto task = [&all](std::size_t i) { return (i == 0 ? rejected_twins() : certificates_of(all[i - 1])).dump(); };
@@ -220,40 +235,63 @@ json export_certificates(const std::vector<Claim>& all, const fs::path& folder, 
                                      " could not be exported: " + delivery.fault);
         (i == 0 ? twins_found : found[i - 1]) = json::parse(delivery.text);
     });
-    std::vector<std::pair<std::string, std::string>> files; // name, content
+    struct File {
+        std::string name, certificates, functions;
+    };
+    std::vector<File> files;
     std::map<std::string, int> parts;                       // how many files an equation has
     std::map<std::string, std::size_t> last;                // the last of them
     json record{{"certificates", json::array()}, {"twins", json::array()}};
-    std::size_t exported = 0, lemmas = 0;
+    std::size_t exported = 0, lemmas = 0, functions = 0;
     for (json& claim : found) {
         json entry = claim;
         if (!claim.at("lemmas").empty()) {
             const std::string text = text_of_claim(claim), equation = claim.at("equation");
-            if (!last.contains(equation) || files[last[equation]].second.size() + text.size() > longest_file) {
+            if (!last.contains(equation) || files[last[equation]].certificates.size() + text.size() > longest_file) {
                 std::string name = "equation_" + equation;
                 std::replace(name.begin(), name.end(), '.', '_');
                 if (const int part = ++parts[equation]; part > 1) name += "_part_" + std::to_string(part);
                 last[equation] = files.size();
-                files.emplace_back(name, head_of_file + certificate_prelude() + "\n");
+                files.push_back({name, head_of_file + certificate_prelude() + "\n", ""});
             }
-            auto& [name, content] = files[last[equation]];
-            content += text;
-            entry["file"] = "certificates/" + name + ".v";
+            File& file = files[last[equation]];
+            file.certificates += text;
+            entry["file"] = "certificates/" + file.name + ".v";
+            if (const std::string of_functions = functions_of_claim(claim); !of_functions.empty()) {
+                file.functions += of_functions;
+                entry["functions_file"] = "functions/" + file.name + ".v";
+            }
         }
         entry["lemmas"] = json::array();
-        for (const json& lemma : claim.at("lemmas"))
-            entry["lemmas"].push_back({{"name", lemma.at("name")}, {"statement", lemma.at("statement")},
-                                       {"generators", lemma.at("generators")}, {"terms", lemma.at("terms")}});
+        for (const json& lemma : claim.at("lemmas")) {
+            const std::string in_functions = lemma.at("in_functions");
+            functions += in_functions.empty() ? 0 : 1;
+            entry["lemmas"].push_back({{"name", lemma.at("name")},
+                                       {"statement", lemma.at("statement")},
+                                       {"generators", lemma.at("generators")},
+                                       {"terms", lemma.at("terms")},
+                                       {"in_functions", statement_of(in_functions)},
+                                       {"why_no_functions", lemma.at("why_no_functions")}});
+        }
         lemmas += entry.at("lemmas").size();
         exported += entry.at("status") == "exported" ? 1 : 0;
         record["certificates"].push_back(std::move(entry));
     }
     std::set<std::string> names, names_of_twins;
     std::size_t lines = 0;
-    for (const auto& [name, content] : files) {
-        write_if_new(of_claims / (name + ".v"), content);
-        names.insert(name);
+    std::set<std::string> with_functions;
+    const auto put = [&lines](const fs::path& file, const std::string& content) {
+        write_if_new(file, content);
         lines += static_cast<std::size_t>(std::count(content.begin(), content.end(), '\n'));
+    };
+    for (const File& file : files) {
+        put(of_claims / (file.name + ".v"), file.certificates);
+        names.insert(file.name);
+        if (file.functions.empty()) continue;
+        put(of_functions / (file.name + ".v"), head_of_functions + "Require Import Reals Lra.\nFrom Certificates Require Import " +
+                                                   file.name + ".\nOpen Scope R_scope.\n\n" + functions_prelude() + "\n" +
+                                                   file.functions);
+        with_functions.insert(file.name);
     }
     for (std::size_t k = 0; k < twins_found.size(); ++k) {
         const json& twin = twins_found[k];
@@ -266,11 +304,13 @@ json export_certificates(const std::vector<Claim>& all, const fs::path& folder, 
                                    {"lemma", twin.at("name")}, {"statement", twin.at("statement")}});
     }
     remove_others(of_claims, names);
+    remove_others(of_functions, with_functions);
     remove_others(of_twins, names_of_twins);
-    record["counts"] = {{"claims", all.size()}, {"exported", exported}, {"lemmas", lemmas}, {"files", files.size()}, {"lines", lines}};
+    record["counts"] = {{"claims", all.size()}, {"exported", exported}, {"lemmas", lemmas},
+                        {"in_functions", functions}, {"files", files.size() + with_functions.size()}, {"lines", lines}};
     write_if_new(folder / "certificates.json", record.dump(1) + "\n");
-    out << exported << " of " << all.size() << " claims exported, " << lemmas << " lemmas in " << files.size() << " files, " << lines
-        << " lines, " << twins_found.size() << " twins\n";
+    out << exported << " of " << all.size() << " claims exported, " << lemmas << " identities, " << functions
+        << " of them also in the functions themselves, " << files.size() + with_functions.size() << " files, " << lines << " lines, " << twins_found.size() << " twins\n";
     return record;
 }
 

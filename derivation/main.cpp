@@ -49,6 +49,16 @@ std::string read(const fs::path& file) {
     return content.str();
 }
 
+/// The folder of a check by the kernel; none where sources have changed since, so that it may speak of other formulas.
+fs::path of_these_sources(const fs::path& kernel, const fs::path& source) {
+    const fs::path record = kernel / "kernel.json";
+    if (kernel.empty() || !fs::exists(record)) return {};
+    for (const char* part : {"src/denhartog", "derivation"})
+        for (const fs::directory_entry& entry : fs::recursive_directory_iterator(source / part))
+            if (entry.is_regular_file() && entry.last_write_time() > fs::last_write_time(record)) return {};
+    return kernel;
+}
+
 /// Joins the ledger from what a run left in a folder, writes it with the report, prints the summary.
 ReportParts join(const fs::path& folder, const fs::path& source, const fs::path& results, const fs::path& figures,
                  const fs::path& kernel) {
@@ -73,7 +83,7 @@ ReportParts join(const fs::path& folder, const fs::path& source, const fs::path&
     for (const std::string& fault : add_scenes(report.entries, found.at("scenes"))) report.faults.push_back(fault);
     for (const std::string& fault : add_figures(report.entries, records)) report.faults.push_back(fault);
     for (const std::string& fault :
-         add_kernel(report.entries, read_kernel_record(kernel, source / "derivation/kernel/statements.json")))
+         add_kernel(report.entries, read_kernel_record(of_these_sources(kernel, source), source / "derivation/kernel/statements.json")))
         report.faults.push_back(fault);
     write(folder / "ledger.json", report.entries.dump(1) + "\n");
     write(folder / "statements.json", report.statements.dump(1) + "\n");
@@ -147,7 +157,7 @@ bool refresh(const fs::path& file, const std::string& before, const std::string&
 int main(int argc, char** argv) {
     CLI::App app{"Derives the paper's equations from its equation of motion and checks the shipped formulas against them"};
     app.require_subcommand(1);
-    std::string folder, source = DENHARTOG_SOURCE, proofs, results, readme, program, figures, kernel, coqc = "coqc";
+    std::string folder, source = DENHARTOG_SOURCE, proofs, results, readme, program, figures, kernel, coqc = "coqc", coqchk = "coqchk";
     bool check = false, check_kernel = false;
     CLI::App* run_command =
         app.add_subcommand("run", "decide every claim, try its mutated twins, compare with the second witness");
@@ -160,6 +170,7 @@ int main(int argc, char** argv) {
     kernel_command->add_option("--output", folder, "folder for the lemmas")->required();
     kernel_command->add_flag("--check", check_kernel, "compile them, and write the kernel's word into kernel.json");
     kernel_command->add_option("--coqc", coqc, "the compiler of Coq")->capture_default_str();
+    kernel_command->add_option("--coqchk", coqchk, "its checker of compiled files")->capture_default_str();
     for (CLI::App* command : {run_command, join_command, status_command}) {
         command->add_option("--output", folder, "folder of the run")->required();
         command->add_option("--figures", figures, "folder with the records of the figures");
@@ -192,7 +203,7 @@ int main(int argc, char** argv) {
         if (*kernel_command) {
             const std::size_t workers = std::thread::hardware_concurrency();
             (void)export_certificates(claims(), folder, workers, std::cout);
-            return !check_kernel || check_certificates(folder, workers, coqc, std::cout) ? 0 : 1;
+            return !check_kernel || check_certificates(folder, workers, coqc, coqchk, std::cout) ? 0 : 1;
         }
         if (*run_command) run(folder, proofs);
         return join(folder, source, results, figures, kernel).faults.empty() ? 0 : 1;

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cctype>
+#include <filesystem>
 #include <set>
 
+#include "derivation/source_text.hpp"
 #include "text.hpp"
 
 namespace denhartog::pages {
@@ -38,13 +40,15 @@ std::string lemmas_text(const Json& certificate) {
     std::size_t shown = 0;
     for (const Json& lemma : certificate.at("lemmas")) {
         if (shown++ == most_statements) break;
+        const std::string in_functions = lemma.value("in_functions", "");
         std::string legend;
-        for (const Json& generator : lemma.at("generators"))
-            legend += (legend.empty() ? "" : ", ") + ("<code>" + escaped(generator.at("name").get<std::string>()) +
+        if (in_functions.empty())
+            for (const Json& generator : lemma.at("generators"))
+                legend += (legend.empty() ? "" : ", ") + ("<code>" + escaped(generator.at("name").get<std::string>()) +
                                                       "</code> stands for <code>") +
                       escaped(generator.at("stands_for").get<std::string>()) + "</code>";
         if (!legend.empty()) out += "<p>" + legend + ".</p>\n";
-        const std::string statement = lemma.at("statement");
+        const std::string statement = in_functions.empty() ? lemma.at("statement").get<std::string>() : in_functions;
         out += statement.size() > longest_statement
                    ? "<p class=\"left-out\">A statement of " + std::to_string(statement.size()) + " characters, in " +
                          escaped(certificate.at("file").get<std::string>()) + ".</p>\n"
@@ -67,7 +71,16 @@ std::string claim_line(const Book& book, const Json& claim) {
            "</summary>\n" + lemmas_text(*certificate) + "</details>\n";
 }
 
-std::string theorems_text(const Json& kernel, const char* list, const std::string& title) {
+/// The statement of a theorem, from the file that has them all; empty where it is not there.
+std::string statement_of(const Book& book, const std::string& name) {
+    const std::filesystem::path file = book.sources.root() / "derivation/kernel/Statements.v";
+    if (!std::filesystem::exists(file)) return {};
+    const std::string text = derivation::text_of(file);
+    const std::size_t from = text.find("Definition " + name + " : Prop :=");
+    return from == std::string::npos ? "" : text.substr(from, text.find(".\n", from) + 1 - from);
+}
+
+std::string theorems_text(const Book& book, const Json& kernel, const char* list, const std::string& title) {
     const Json theorems = kernel.value(list, Json::array());
     std::string out;
     for (const Json& theorem : theorems) {
@@ -75,7 +88,7 @@ std::string theorems_text(const Json& kernel, const char* list, const std::strin
                escaped(theorem.at("name").get<std::string>()) + "</strong>";
         if (theorem.contains("says")) out += ": " + prose(theorem.at("says").get<std::string>());
         out += "</p>\n";
-        if (theorem.contains("statement")) out += coq_block(theorem.at("statement"));
+        if (const std::string statement = statement_of(book, theorem.at("name")); !statement.empty()) out += coq_block(statement);
     }
     return out;
 }
@@ -123,8 +136,8 @@ std::string kernel_section(const Book& book, const Json& entry, const std::strin
     const Json kernel = entry.value("kernel", Json{{"status", "not_run"}});
     const std::string status = kernel.value("status", "not_run");
     std::string out = "\n\\section " + equation_label(equation) + "_kernel The word of the kernel\n\n<p>" + mark_of(status) + why(kernel) +
-                      ". \\ref kernel \"What the kernel of Coq checks, and what nobody can prove\"</p>\n";
-    out += theorems_text(kernel, "theorems", "Theorem") + theorems_text(kernel, "negations", "Negation");
+                      ". \\ref md_docs_kernel \"What the kernel of Coq checks, and what nobody can prove\"</p>\n";
+    out += theorems_text(book, kernel, "theorems", "Theorem") + theorems_text(book, kernel, "negations", "Negation");
     if (status != "not_run")
         for (const Json& claim : entry.at("claims")) out += claim_line(book, claim);
     return out;
