@@ -338,6 +338,7 @@ private:
         std::vector<std::string> list;
         for (const ex& x : found) list.push_back(text(x));
         std::sort(list.begin(), list.end());
+        if (std::adjacent_find(list.begin(), list.end()) != list.end()) throw std::domain_error("two symbols of one name");
         for (const Divisor& d : divisors_.all)
             if (!d.plain) list.push_back(d.name);
         return list;
@@ -407,22 +408,44 @@ private:
         return coq_text(e, named);
     }
 
-    /// An expression with generators in place of functions, outer ones first.
-    ex replaced(ex e) const {
-        for (auto f = identity_.functions.rbegin(); f != identity_.functions.rend(); ++f)
-            if (e.has(f->first)) e = e.subs(f->first == f->second);
-        return e;
+    /// An expression with generators in place of functions and roots.
+    ex replaced(const ex& e) const {
+        const auto known = [this](const ex& function) {
+            const auto place = std::find_if(identity_.functions.begin(), identity_.functions.end(),
+                                            [&function](const auto& f) { return f.first.is_equal(function); });
+            if (place == identity_.functions.end()) throw std::domain_error("a function that no generator stands for");
+            return place->second;
+        };
+        if (GiNaC::is_a<GiNaC::function>(e)) return known(e);
+        if (GiNaC::is_a<GiNaC::power>(e)) {
+            const ex exponent = e.op(1);
+            if (exponent.info(GiNaC::info_flags::integer)) return GiNaC::pow(replaced(e.op(0)), exponent);
+            return GiNaC::pow(known(GiNaC::sqrt(e.op(0))), 2 * exponent);
+        }
+        if (!GiNaC::is_a<GiNaC::add>(e) && !GiNaC::is_a<GiNaC::mul>(e)) return e;
+        ex result = GiNaC::is_a<GiNaC::add>(e) ? 0 : 1;
+        for (const ex& part : e) result = GiNaC::is_a<GiNaC::add>(e) ? result + replaced(part) : result * replaced(part);
+        return result;
+    }
+
+    /// The argument of a generator with generators in place of its roots.
+    ex in_roots(const ex& argument) const {
+        if (GiNaC::is_a<GiNaC::power>(argument) && !argument.op(1).info(GiNaC::info_flags::integer))
+            for (const auto& [generator, meaning] : identity_.generators)
+                if (meaning.is_equal(GiNaC::sqrt(argument.op(0)))) return GiNaC::pow(generator, 2 * argument.op(1));
+        if (!GiNaC::is_a<GiNaC::mul>(argument)) return argument;
+        ex result = 1;
+        for (const ex& part : argument) result *= in_roots(part);
+        return result;
     }
 
     /// An angle or an exponent as a sum of whole multiples of those of the generators, as text.
     std::string sum_of_units(const ex& argument, const std::vector<ex>& units) const {
-        GiNaC::exmap generator_of; // what stands in the arguments: roots
-        for (const auto& [generator, meaning] : identity_.generators) generator_of[meaning] = generator;
         std::string sum;
         const ex expanded = replaced(argument).expand();
         const auto take = [&](const ex& term) {
             for (const ex& unit : units) {
-                const ex n = (term / unit.subs(generator_of)).normal();
+                const ex n = (term / in_roots(unit)).normal();
                 if (!GiNaC::is_a<numeric>(n) || !GiNaC::ex_to<numeric>(n).is_integer()) continue;
                 const int count = GiNaC::ex_to<numeric>(n).to_int();
                 const std::string one = (count < 0 ? "- (" : "(") + coq_text(unit) + ")";
@@ -555,7 +578,7 @@ private:
             });
             out += " " + (divisor == divisors_.all.end() ? variable : "(" + divisor->text + ")");
         }
-        return out + "); first [reflexivity | assumption | not_zero].\n  - field; nonzero.\n  - field; nonzero.\nQed.\n";
+        return out + "); first [reflexivity | assumption | lra | not_zero].\n  - field; nonzero.\n  - field; nonzero.\nQed.\n";
     }
 
     std::string proof() const {
@@ -572,7 +595,7 @@ private:
         for (const Combination& part : parts_) {
             out += "apply part_is_zero.\n    { ";
             for (const auto& [place, cofactor] : part.cofactors)
-                out += "apply (by_relation _ _ _ (" + text(cofactor) + ") " + relations_[place].name + ").\n      ";
+                if (!is_left_out(relations_[place])) out += "apply (by_relation _ _ _ (" + text(cofactor) + ") " + relations_[place].name + ").\n      ";
             out += "ring. }\n    ";
         }
         return out + "reflexivity.\nQed.\n";
@@ -611,7 +634,11 @@ std::string functions_prelude() {
            "Ltac exponents :=\n"
            "  repeat first [rewrite exp_plus | rewrite Ropp_plus_distr | rewrite Ropp_involutive | rewrite exp_Ropp];\n"
            "  field; repeat split; apply exp_not_zero.\n"
-           "Ltac not_negative := repeat first [assumption | lra | apply Rmult_le_pos | apply pow_le | apply sqrt_pos].\n";
+           "Lemma quotient_not_negative : forall a b : R, 0 <= a -> 0 <= b -> b <> 0 -> 0 <= a / b.\n"
+           "Proof.\n  intros a b above below not_zero. apply Rmult_le_pos; [exact above |].\n"
+           "  left. apply Rinv_0_lt_compat. lra.\nQed.\n\n"
+           "Ltac not_negative :=\n  repeat first [assumption | lra | apply Rmult_le_pos | apply pow_le | apply sqrt_pos |\n"
+           "                apply quotient_not_negative | solve [nonzero]].\n";
 }
 
 Identity in_generators(const ex& left, const ex& right, const std::vector<Range>& domain, const std::vector<ex>& real) {

@@ -68,8 +68,7 @@ std::pair<std::string, int> run(const std::string& command) {
 
 /// The lines of a claim in a file, with the part that all need before them.
 std::string alone(const std::string& text, const json& claim) {
-    const std::string first = "Lemma " + claim.at("lemmas").front().at("name").get<std::string>();
-    const std::size_t from = text.rfind("(* Claim ", text.find(first)), head = text.find("(* Claim ");
+    const std::size_t from = text.find("(* Claim " + claim.at("claim").get<std::string>() + ": "), head = text.find("(* Claim ");
     const std::size_t to = text.find("(* Claim ", from + 1);
     return text.substr(0, head) + text.substr(from, to == std::string::npos ? to : to - from);
 }
