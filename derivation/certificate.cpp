@@ -452,7 +452,7 @@ private:
                 for (int k = 0; k < std::abs(count); ++k) sum += (sum.empty() ? "" : " + ") + ("(" + one + ")");
                 return;
             }
-            throw std::domain_error("an angle that is no sum of those of the generators");
+            throw std::domain_error("an angle or exponent that is a sum of those of the generators only by their relations");
         };
         if (GiNaC::is_a<GiNaC::add>(expanded))
             for (const ex& term : expanded) take(term);
@@ -462,29 +462,28 @@ private:
     }
 
     /// Why a function is what the generators say, as a tactic; empty where it is a generator itself.
-    std::string why_function(const ex& function, const ex& value) const {
+    std::string why_function(const ex& function, const ex& value, const std::string& inner) const {
         std::vector<ex> angles{GiNaC::Pi / 2}, exponents;
         for (const auto& [generator, meaning] : identity_.generators) {
             if (value.is_equal(generator) && coq_text(function) == coq_text(meaning)) return {};
             if (GiNaC::is_the_function<GiNaC::cos_SERIAL>(meaning)) angles.push_back(meaning.op(0));
             if (GiNaC::is_the_function<GiNaC::exp_SERIAL>(meaning)) exponents.push_back(meaning.op(0));
         }
-        if (GiNaC::is_the_function<GiNaC::atan2_SERIAL>(function)) throw std::domain_error("the angle of a point");
         if (GiNaC::is_a<GiNaC::power>(function)) { // a root: a factor that is not negative times a generator
             for (const auto& [generator, meaning] : identity_.generators) {
                 if (!GiNaC::is_a<GiNaC::power>(meaning) || !value.has(generator)) continue;
                 const ex factor = (value / generator).normal();
                 if (factor.has(generator)) break;
-                return "apply (root_of_product _ (" + meant(factor) + ") (" + coq_text(meaning.op(0)) +
-                       ")); [not_negative | assumption | field; nonzero]";
+                return "transitivity ((" + meant(factor) + ") * sqrt (" + coq_text(meaning.op(0)) +
+                       ")); [apply root_of_product; [not_negative | assumption | field; nonzero] | field; nonzero]";
             }
             throw std::domain_error("a root that is taken apart");
         }
-        const std::string argument = coq_text(function.op(0));
-        if (GiNaC::is_the_function<GiNaC::sin_SERIAL>(function) || GiNaC::is_the_function<GiNaC::cos_SERIAL>(function))
-            return "replace (" + argument + ") with (" + sum_of_units(function.op(0), angles) + ") by (field; nonzero); addition";
-        return "unfold sinh, cosh; replace (" + argument + ") with (" + sum_of_units(function.op(0), exponents) +
-               ") by (field; nonzero); exponents";
+        const bool circular =
+            GiNaC::is_the_function<GiNaC::sin_SERIAL>(function) || GiNaC::is_the_function<GiNaC::cos_SERIAL>(function);
+        return "transitivity (" + GiNaC::ex_to<GiNaC::function>(function).get_name() + " (" +
+               sum_of_units(function.op(0), circular ? angles : exponents) + ")); [f_equal; " + inner + "field; nonzero | " +
+               (circular ? "addition]" : "unfold sinh, cosh; exponents]");
     }
 
     /// What is divided by, by its text: in the sides, in arguments and under roots.
@@ -506,16 +505,24 @@ private:
         return false;
     }
 
+    /// Whether a function or a root stands in one of the sides.
+    bool occurs(const ex& function) const {
+        const std::function<bool(const ex&)> stands_in = [&](const ex& e) {
+            if (e.is_equal(function)) return true;
+            const bool root = GiNaC::is_a<GiNaC::power>(e) && !e.op(1).info(GiNaC::info_flags::integer);
+            if (root && GiNaC::sqrt(e.op(0)).is_equal(function)) return true;
+            return std::any_of(e.begin(), e.end(), stands_in);
+        };
+        return stands_in(identity_.left) || stands_in(identity_.right);
+    }
+
     /// The same of the functions themselves: each is what the generators say, these have their relations, and the first lemma applies.
     std::string in_functions(const std::string& name) const {
+        for (const auto& [generator, meaning] : identity_.generators)
+            if (GiNaC::is_the_function<GiNaC::atan2_SERIAL>(meaning)) throw std::domain_error("the angle of a point");
         GiNaC::exset symbols_there;
         for (const ex& side : {identity_.left, identity_.right}) collect_symbols(side, symbols_there);
         for (const auto& [generator, meaning] : identity_.generators) collect_symbols(meaning, symbols_there);
-        for (const ex& x : symbols_there)
-            if (GiNaC::ex_to<symbol>(x).get_name().empty()) throw std::domain_error("a symbol without a name");
-        std::vector<std::string> symbol_names;
-        for (const ex& x : symbols_there) symbol_names.push_back(coq_text(x));
-        std::sort(symbol_names.begin(), symbol_names.end());
         std::map<std::string, ex> divided;
         std::set<std::string> radicands;
         for (const ex& side : {identity_.left, identity_.right}) collect_divided(side, divided);
@@ -524,12 +531,17 @@ private:
             collect_divided(meaning, divided);
             if (GiNaC::is_a<GiNaC::power>(meaning)) radicands.insert(coq_text(meaning.op(0)));
         }
-        for (const auto& [function, value] : identity_.functions) collect_divided(function, divided);
+        for (const auto& [function, value] : identity_.functions)
+            if (occurs(function)) collect_divided(function, divided);
+        for (const Divisor& d : divisors_.all) collect_symbols(d.polynomial.subs(meaning_), symbols_there);
         std::vector<std::string> not_zero;
         for (const auto& [shown, base] : divided)
             if (!base.is_equal(GiNaC::Pi) && !GiNaC::is_the_function<GiNaC::exp_SERIAL>(base)) not_zero.push_back(shown);
         for (const Divisor& d : divisors_.all)
             if (d.name != "PI" && !d.name.starts_with("exp_") && !follows(d, divided)) not_zero.push_back(meant(d.polynomial));
+        std::vector<std::string> symbol_names;
+        for (const ex& x : symbols_there) symbol_names.push_back(coq_text(x));
+        std::sort(symbol_names.begin(), symbol_names.end());
         std::string out = "Lemma " + name + "_in_functions :\n";
         if (!symbol_names.empty()) {
             out += "  forall";
@@ -541,9 +553,12 @@ private:
         for (const std::string& divisor : not_zero) out += "  " + divisor + " <> 0 ->\n";
         out += "  " + coq_text(identity_.left) + "\n  = " + coq_text(identity_.right) + ".\nProof.\n  intros.\n";
         std::vector<std::string> rewritten;
+        std::string inner; // roots stand in arguments
         for (const auto& [function, value] : identity_.functions) {
-            const std::string why = why_function(function, value);
+            if (!occurs(function)) continue;
+            const std::string why = why_function(function, value, inner);
             if (why.empty()) continue;
+            if (GiNaC::is_a<GiNaC::power>(function)) inner += "rewrite ?function_" + std::to_string(rewritten.size() + 1) + "; ";
             rewritten.push_back("function_" + std::to_string(rewritten.size() + 1));
             out += "  assert (" + rewritten.back() + " : " + coq_text(function) + " = " + meant(value) + ") by (" + why + ").\n";
         }

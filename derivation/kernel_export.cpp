@@ -167,8 +167,8 @@ json altered_formula(const Claim& claim, const Values& kernel) {
     return nullptr;
 }
 
-/// One twin for every kind of replacement that a claim has and that has none yet.
-void add_altered_formulas(const Claim& claim, std::set<std::string>& kinds, json& list) {
+/// A twin of a claim by the first kind of replacement that no other twin has yet.
+void add_altered_formula(const Claim& claim, std::set<std::string>& kinds, json& list) {
     for (long position = 0;; ++position) {
         Values kernel;
         std::string replaced;
@@ -185,6 +185,7 @@ void add_altered_formulas(const Claim& claim, std::set<std::string>& kinds, json
         if (lemma.is_null()) continue;
         kinds.insert(replaced);
         list.push_back(twin_of(claim, replaced, std::move(lemma)));
+        return;
     }
 }
 
@@ -252,7 +253,7 @@ json rejected_twins() {
     std::set<std::string> kinds;
     const std::vector<const Claim*> small = small_claims();
     for (const Claim* claim : small)
-        if (list.size() < enough) add_altered_formulas(*claim, kinds, list);
+        if (list.size() < enough) add_altered_formula(*claim, kinds, list);
     add_hypotheses_left_out(small, "a relation of the generators is left out", {.relation = true}, list);
     add_hypotheses_left_out(small, "that a divisor is not zero is left out", {.divisor = true}, list);
     return list;

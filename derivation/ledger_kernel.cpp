@@ -63,6 +63,8 @@ json theorem_entry(const KernelRecord& record, const json& theorem) {
     return entry;
 }
 
+bool holds(const json& list, const json& item) { return std::find(list.begin(), list.end(), item) != list.end(); }
+
 /// What the kernel says of an equation by its claims and theorems.
 void add_to_equation(json& entry, const KernelRecord& record) {
     std::map<std::string, int> counts;
@@ -73,9 +75,13 @@ void add_to_equation(json& entry, const KernelRecord& record) {
         if (reason.empty() && kernel.contains("reason")) reason = kernel.at("reason");
     }
     json kernel{{"status", "not_run"}, {"certificates", counts["checked"]}, {"theorems", json::array()}, {"negations", json::array()}};
+    const json* row = nullptr;
+    for (const json& candidate : record.by_equation)
+        if (candidate.at("equation") == entry.at("equation")) row = &candidate;
     for (const json& theorem : record.theorems) {
-        const json& equations = theorem.at("equations");
-        if (std::find(equations.begin(), equations.end(), entry.at("equation")) == equations.end()) continue;
+        const bool listed = row != nullptr && (holds(row->value("theorems", json::array()), theorem.at("name")) ||
+                                               holds(row->value("negations", json::array()), theorem.at("name")));
+        if (!listed && !holds(theorem.at("equations"), entry.at("equation"))) continue;
         json found = theorem_entry(record, theorem);
         ++counts[found.at("status").get<std::string>()];
         kernel[theorem.value("kind", "theorem") == "negation" ? "negations" : "theorems"].push_back(std::move(found));
@@ -88,7 +94,9 @@ void add_to_equation(json& entry, const KernelRecord& record) {
         kernel["status"] = "not_exported";
     if (kernel.at("status") == "not_exported") {
         const std::string kind = entry.at("kind"), why = entry.value("no_function", "");
-        kernel["reason"] = !reason.empty()                                ? reason
+        const std::string by_hand = row == nullptr ? "" : row->value("reason", "");
+        kernel["reason"] = !by_hand.empty()                               ? by_hand
+                           : !reason.empty()                              ? reason
                            : kind == "definition" || kind == "assumption" ? kind + ": there is nothing to prove"
                            : !why.empty()                                 ? "no claim: " + why
                                                                           : "no claim is made on it";
@@ -101,6 +109,8 @@ void add_to_equation(json& entry, const KernelRecord& record) {
 KernelRecord read_kernel_record(const fs::path& folder, const fs::path& statements) {
     KernelRecord record;
     if (const json list = read_if_there(statements); list.is_array()) record.theorems = list;
+    if (statements.has_parent_path())
+        if (const json list = read_if_there(statements.parent_path() / "equations.json"); list.is_array()) record.by_equation = list;
     if (folder.empty()) return record;
     const json exported = read_if_there(folder / "certificates.json"), said = read_if_there(folder / "kernel.json");
     if (exported.is_null() || said.is_null()) return record;

@@ -14,13 +14,15 @@ struct KernelRecord {
     nlohmann::json certificates = nlohmann::json::object(); ///< by claim: what was exported, or why nothing was
     nlohmann::json claims = nlohmann::json::object();       ///< by claim: what the kernel said of it
     nlohmann::json theorems = nlohmann::json::array();      ///< statements with proofs by hand: theorems, negations, definitions
+    nlohmann::json by_equation = nlohmann::json::array(); ///< by equation: names of theorems and negations, and why there is none
     nlohmann::json theorems_checked = nlohmann::json::object(); ///< by name: what the kernel said of them
     bool ran = false;                                       ///< whether there is a record at all
 };
 
 /// @brief Reads the record of a check.
 /// @param folder      with `certificates.json` and `kernel.json`, and `theorems.json` where the theorems were checked; empty: not run
-/// @param statements  the list of theorems by hand, `derivation/kernel/statements.json`; need not be there
+/// @param statements  the list of theorems by hand, `derivation/kernel/statements.json`, beside `equations.json`, which says of every
+///                    equation which of them speak of it, or why none; need not be there
 /// @return            the record
 [[nodiscard]] KernelRecord read_kernel_record(const std::filesystem::path& folder, const std::filesystem::path& statements);
 
