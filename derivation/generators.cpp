@@ -241,7 +241,8 @@ ex Generators::exponential(const ex& argument) {
     return product;
 }
 
-ex Generators::replace(const ex& e) {
+/// A function or a root in generators.
+ex Generators::replaced_function(const ex& e) {
     if (is_circular(e)) {
         const auto [c, s] = angle(rationalised(replace(e.op(0))));
         return GiNaC::is_the_function<GiNaC::cos_SERIAL>(e) ? c : s;
@@ -259,13 +260,24 @@ ex Generators::replace(const ex& e) {
         return arcs_.emplace(e, arc).first->second;
     }
     if (GiNaC::is_a<GiNaC::function>(e)) throw std::domain_error("a function that the zero test does not know");
+    return root_of_fraction(replace(e.op(0)));
+}
+
+ex Generators::replace(const ex& e) {
+    const auto kept = [this](const ex& function) {
+        const ex value = replaced_function(function);
+        const auto same = [&function](const auto& known) { return known.first.is_equal(function); };
+        if (std::none_of(functions.begin(), functions.end(), same)) functions.emplace_back(function, value);
+        return value;
+    };
+    if (GiNaC::is_a<GiNaC::function>(e)) return kept(e);
     if (GiNaC::is_a<GiNaC::power>(e)) {
         if (!GiNaC::is_a<numeric>(e.op(1))) throw std::domain_error("a power with a symbolic exponent");
         const numeric exponent = GiNaC::ex_to<numeric>(e.op(1));
-        const ex base = replace(e.op(0));
-        if (exponent.is_integer()) return GiNaC::pow(base, exponent);
+        if (exponent.is_integer()) return GiNaC::pow(replace(e.op(0)), exponent);
         if (!exponent.mul(2).is_integer()) throw std::domain_error("a root that is not square");
-        return GiNaC::pow(root_of_fraction(base), exponent.mul(2));
+        const ex root = GiNaC::sqrt(e.op(0));
+        return GiNaC::pow(GiNaC::is_a<GiNaC::power>(root) ? kept(root) : replace(root), exponent.mul(2));
     }
     if (GiNaC::is_a<numeric>(e) && !GiNaC::ex_to<numeric>(e).is_rational())
         throw std::domain_error("a number that is not rational");

@@ -55,9 +55,13 @@ public:
     /// @brief Keeps what one side of a comparison divides by; it may cancel in the difference. @param rational a side
     void note_divisions(const GiNaC::ex& rational) { note_denominator(rational.normal().denom()); }
 
+    /// @return the generators that have a square, each with it in older generators; newest last
+    [[nodiscard]] const std::vector<SquareRelation>& relations() const { return relations_; }
+
     std::vector<GiNaC::ex> denominators;                ///< what must not be zero
     std::vector<std::pair<GiNaC::ex, GiNaC::ex>> names; ///< generator, what it stands for
     std::vector<RootReason> roots;                      ///< the roots met, with the reasons why they may be taken
+    std::vector<std::pair<GiNaC::ex, GiNaC::ex>> functions; ///< functions and roots as they stood, and in generators; inner ones first
 
 private:
     using Pair = std::pair<GiNaC::ex, GiNaC::ex>;
@@ -87,6 +91,7 @@ private:
 
     void collect(const GiNaC::ex& e);
     GiNaC::ex replace(const GiNaC::ex& e);
+    GiNaC::ex replaced_function(const GiNaC::ex& e);
     GiNaC::ex rationalised(const GiNaC::ex& argument) const;
     GiNaC::ex new_generator(const std::string& name, const GiNaC::ex& stands_for, const Bounds& bounds);
     GiNaC::ex root(const GiNaC::ex& polynomial, const std::string& reason = "");

@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "denhartog/formulas/mode.hpp"
+#include "kept_identities.hpp"
 #include "symbols.hpp"
 
 namespace denhartog::derivation {
@@ -14,6 +15,7 @@ using GiNaC::numeric;
 namespace {
 
 std::optional<LeadingTerm> first_term(const ex& e, const ex& x, int highest) {
+    keep(Ground::series);
     const int spare = 3; // the last terms of a quotient of series can come out as orders of magnitude
     const ex series = GiNaC::series_to_poly(e.series(x == 0, highest + 1 + spare)).expand();
     for (int power = series.ldegree(x); power <= highest; ++power) {
@@ -78,9 +80,12 @@ void add_statement(Outcome& outcome, Verdict verdict, const std::string& what, c
 void add_argument(Outcome& outcome, const std::string& what, const std::string& latex) {
     outcome.steps.push_back({"Argument, given by a person: " + what, latex});
     outcome.argued = true;
+    keep(Ground::argument);
 }
 
 void add_claim(Outcome& outcome, const std::string& id, const std::string& what) {
+    keep(Ground::claim);
+    const KeepNothing of_it; // it is exported by itself
     for (const Claim& claim : claims())
         if (claim.id == id) return add_statement(outcome, decide(claim).verdict, "Rests on " + id + ": " + what, "");
     throw std::logic_error("no claim named " + id);

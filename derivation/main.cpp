@@ -1,5 +1,6 @@
-// The derivation program: `run` decides every claim and writes what it found, `join` brings in the results of the tests, `status`
-// puts the counts and the figures' numbers into README.md, docs/what-was-found.md and paper-figures/README.md.
+// The derivation program: `run` decides every claim and writes what it found, `join` brings in the results of the tests and of the
+// kernel, `status` puts the counts and the figures' numbers into README.md, docs/what-was-found.md and paper-figures/README.md,
+// `kernel` writes what is proved as lemmas for Coq and has them checked.
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <fstream>
@@ -10,9 +11,12 @@
 #include "derivation/ledger_audit.hpp"
 #include "derivation/ledger_figures.hpp"
 #include "derivation/ledger_join.hpp"
+#include "derivation/ledger_kernel.hpp"
 #include "derivation/ledger_rows.hpp"
 #include "derivation/ledger_scenes.hpp"
 #include "derivation/ledger_statements.hpp"
+#include "kernel_check.hpp"
+#include "kernel_export.hpp"
 #include "observations/agreement.hpp"
 #include "report.hpp"
 #include "run.hpp"
@@ -44,8 +48,19 @@ std::string read(const fs::path& file) {
     return content.str();
 }
 
+/// The folder of a check by the kernel; none where sources have changed since, so that it may speak of other formulas.
+fs::path of_these_sources(const fs::path& kernel, const fs::path& source) {
+    const fs::path record = kernel / "kernel.json";
+    if (kernel.empty() || !fs::exists(record)) return {};
+    for (const char* part : {"src/denhartog", "derivation"})
+        for (const fs::directory_entry& entry : fs::recursive_directory_iterator(source / part))
+            if (entry.is_regular_file() && entry.last_write_time() > fs::last_write_time(record)) return {};
+    return kernel;
+}
+
 /// Joins the ledger from what a run left in a folder, writes it with the report, prints the summary.
-ReportParts join(const fs::path& folder, const fs::path& source, const fs::path& results, const fs::path& figures) {
+ReportParts join(const fs::path& folder, const fs::path& source, const fs::path& results, const fs::path& figures,
+                 const fs::path& kernel) {
     const json found = json::parse(read(folder / "run.json"));
     LedgerParts parts;
     parts.rows = read_rows(source / "docs/ledger/equations.json");
@@ -66,6 +81,9 @@ ReportParts join(const fs::path& folder, const fs::path& source, const fs::path&
     for (const std::string& fault : ledger.faults) report.faults.push_back(fault);
     for (const std::string& fault : add_scenes(report.entries, found.at("scenes"))) report.faults.push_back(fault);
     for (const std::string& fault : add_figures(report.entries, records)) report.faults.push_back(fault);
+    for (const std::string& fault :
+         add_kernel(report.entries, read_kernel_record(of_these_sources(kernel, source), source / "derivation/kernel/statements.json")))
+        report.faults.push_back(fault);
     write(folder / "ledger.json", report.entries.dump(1) + "\n");
     write(folder / "statements.json", report.statements.dump(1) + "\n");
     write(folder / "report.md", report_markdown(report));
@@ -121,13 +139,19 @@ bool refresh(const fs::path& file, const std::string& before, const std::string&
 int main(int argc, char** argv) {
     CLI::App app{"Derives the paper's equations from its equation of motion and checks the shipped formulas against them"};
     app.require_subcommand(1);
-    std::string folder, source = DENHARTOG_SOURCE, proofs, results, readme, figures;
-    bool check = false;
+    std::string folder, source = DENHARTOG_SOURCE, proofs, results, readme, figures, kernel, coqc = "coqc", coqchk = "coqchk";
+    bool check = false, check_kernel = false;
     CLI::App* run_command =
         app.add_subcommand("run", "decide every claim, try its mutated twins, compare with the second witness");
     CLI::App* join_command = app.add_subcommand("join", "join the ledger again, with the results of the tests");
     CLI::App* status_command =
         app.add_subcommand("status", "put what the last run found and the figures' numbers into the READMEs and the page");
+    CLI::App* kernel_command =
+        app.add_subcommand("kernel", "write every identity that is proved as a lemma for Coq, with its cofactors, and twins that fail");
+    kernel_command->add_option("--output", folder, "folder for the lemmas")->required();
+    kernel_command->add_flag("--check", check_kernel, "compile them, and write the kernel's word into kernel.json");
+    kernel_command->add_option("--coqc", coqc, "the compiler of Coq")->capture_default_str();
+    kernel_command->add_option("--coqchk", coqchk, "its checker of compiled files")->capture_default_str();
     for (CLI::App* command : {run_command, join_command, status_command}) {
         command->add_option("--output", folder, "folder of the run")->required();
         command->add_option("--figures", figures, "folder with the records of the figures");
@@ -135,6 +159,7 @@ int main(int argc, char** argv) {
     for (CLI::App* command : {run_command, join_command}) {
         command->add_option("--source", source, "the source tree")->capture_default_str();
         command->add_option("--test-results", results, "folder with the XML results of the tests");
+        command->add_option("--kernel", kernel, "folder with what the kernel of Coq has checked");
     }
     run_command->add_option("--proofs", proofs, "what the program `proofs` has decided already");
     status_command->add_option("--readme", readme, "the file with the marks of what was found")->required();
@@ -155,8 +180,13 @@ int main(int argc, char** argv) {
             const std::string now = with_block(text_of_figures, "figures", figures_markdown(records, "../" + pictures));
             return refresh(of_figures, text_of_figures, now, check) && fresh ? 0 : 1;
         }
+        if (*kernel_command) {
+            const std::size_t workers = std::thread::hardware_concurrency();
+            (void)export_certificates(claims(), folder, workers, std::cout);
+            return !check_kernel || check_certificates(folder, workers, coqc, coqchk, std::cout) ? 0 : 1;
+        }
         if (*run_command) run(folder, proofs);
-        return join(folder, source, results, figures).faults.empty() ? 0 : 1;
+        return join(folder, source, results, figures, kernel).faults.empty() ? 0 : 1;
     } catch (const std::exception& e) {
         std::cerr << "derivation: " << e.what() << "\n";
         return 1;

@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "derivation/ledger_audit.hpp"
+#include "derivation/ledger_kernel.hpp"
 #include "derivation/ledger_scenes.hpp"
 #include "threshold.hpp"
 
@@ -137,7 +138,8 @@ std::string summary_text(const ReportParts& p) {
         << "  by kind:    " << counts(p.summary.at("kinds")) << "\n"
         << "  statements: " << counts(p.statement_counts) << "\n"
         << "  the text:   " << observation_counts(p.summary) << "\n"
-        << "  mutants:    " << mutants_text(p.mutants) << "\n\n"
+        << "  mutants:    " << mutants_text(p.mutants) << "\n"
+        << "  kernel:     " << kernel_sentence(p.entries) << "\n\n"
         << audit_summary(audit_of(p.entries)) << "\n\nRefuted as printed:\n";
     for (const json& entry : p.entries)
         if (entry.at("printed") == "refuted")
@@ -167,7 +169,8 @@ std::string report_markdown(const ReportParts& p) {
         << counts(p.summary.at("printed")) << " |\n| as shipped | " << counts(p.summary.at("shipped")) << " |\n| departures | "
         << counts(p.summary.at("departure")) << " |\n| claims | " << counts(p.summary.at("claims")) << " |\n| claims by kind | "
         << counts(p.summary.at("kinds")) << " |\n| observations of the text | " << observation_counts(p.summary)
-        << " |\n| mutated twins | " << mutants_text(p.mutants) << " |\n\n";
+        << " |\n| mutated twins | " << mutants_text(p.mutants) << " |\n| kernel of Coq | " << kernel_sentence(p.entries)
+        << " |\n\n";
     if (!p.faults.empty()) {
         out << "## Red\n\n";
         for (const json& fault : p.faults) out << "- " << fault.get<std::string>() << "\n";

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "denhartog/evaluation/demand.hpp"
+#include "kept_identities.hpp"
 #include "latex.hpp"
 #include "limits.hpp"
 #include "overdamped_motion.hpp"
@@ -234,6 +235,7 @@ std::string with_powers_of_two(std::string latex) {
 } // namespace
 
 Outcome check_selection(const Selection& selection) {
+    keep(Ground::places);
     const Symbols& s = symbols();
     Checker checker(selection);
     Axis tau{numeric(1, 100), numeric(1), numeric(3)};

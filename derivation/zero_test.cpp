@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <stdexcept>
 
+#include "kept_identities.hpp"
+
 namespace denhartog::derivation {
 
 using GiNaC::ex;
@@ -195,6 +197,7 @@ bool differs_at_samples(const ex& left, const ex& right, const std::vector<Range
 
 Decision decide_equal(const ex& left, const ex& right, const std::vector<Range>& domain, const std::vector<ex>& real) {
     Decision decision;
+    Identity identity{left, right, domain, {}, {}, {}, {}, {}};
     bool zero = false;
     try {
         Generators generators(known_bounds(domain));
@@ -211,6 +214,7 @@ Decision decide_equal(const ex& left, const ex& right, const std::vector<Range>&
         decision.denominators = generators.denominators;
         decision.generators = generators.names;
         decision.roots = generators.roots;
+        identity = {left, right, domain, l, r, generators.names, generators.relations(), generators.functions};
     } catch (const std::exception& e) {
         decision.reason = e.what();
         zero = false;
@@ -220,10 +224,12 @@ Decision decide_equal(const ex& left, const ex& right, const std::vector<Range>&
         if (zero) throw std::logic_error("reduced to zero, yet not zero: " + decision.left + " against " + decision.right);
         return decision;
     }
-    if (zero && evaluated >= least_evaluated)
+    if (zero && evaluated >= least_evaluated) {
         decision.verdict = Verdict::proved;
-    else if (zero)
+        keep(identity);
+    } else if (zero) {
         decision.reason = "only " + std::to_string(evaluated) + " points of the domain have values";
+    }
     return decision;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "denhartog/number/errors.hpp"
+#include "kernel_section.hpp"
 #include "text.hpp"
 
 namespace denhartog::pages {
@@ -47,8 +48,9 @@ std::string facts(const Json& entry) {
 /// Links to the sections that the page has.
 std::string contents(const std::string& body, const std::string& equation) {
     const std::vector<std::pair<std::string, std::string>> sections = {{"functions", "function"},    {"proof", "derivation"},
-                                                                       {"observations", "the text"}, {"tests", "tests"},
-                                                                       {"accuracy", "accuracy"},     {"figures", "figures"}};
+                                                                       {"observations", "the text"}, {"kernel", "kernel"},
+                                                                       {"tests", "tests"},           {"accuracy", "accuracy"},
+                                                                       {"figures", "figures"}};
     std::string out;
     for (const auto& [key, title] : sections) {
         const std::string name = equation_label(equation) + "_" + key;
@@ -232,7 +234,8 @@ Page equation_page(const Book& book, const std::string& equation) {
     const Json& entry = entry_of(book.run, equation);
     std::string text = page_head(equation_label(equation), "Equation (" + equation + ")");
     const std::string accuracy = accuracy_table(book.run, equation);
-    std::string body = functions(book, entry, equation) + proofs(book, entry, equation) + tests(book, entry, equation);
+    std::string body = functions(book, entry, equation) + proofs(book, entry, equation) + kernel_section(book, entry, equation) +
+                       tests(book, entry, equation);
     if (!accuracy.empty())
         body += section(equation, "accuracy", "Accuracy") +
                 "<p>Worst errors that the tests measured, in units of eps over the condition number.</p>\n" + accuracy;

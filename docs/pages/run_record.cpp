@@ -70,6 +70,9 @@ RunRecord read_run(const fs::path& verify, const fs::path& source) {
             if (const std::string latex = value.value("name_latex", ""); !latex.empty())
                 run.symbols.emplace(value.at("name").get<std::string>(), latex);
     run.run = read_json(verify / "paper/run.json");
+    if (const fs::path exported = verify / "kernel/certificates.json"; fs::exists(exported))
+        for (const Json& certificate : read_json(exported).at("certificates"))
+            run.certificates.emplace(certificate.at("claim").get<std::string>(), certificate);
     run.figures = read_figures(verify / "figures", source);
     for (const fs::path& file : derivation::files_in(verify / "test-results/accuracy", ".json"))
         run.accuracy.push_back(read_json(file));

@@ -27,6 +27,7 @@ struct RunRecord {
     std::map<std::string, Json> claims;         ///< records of the derivation by claim
     std::map<std::string, std::string> symbols; ///< LaTeX of the names in witnesses, where the derivation has written it
     Json run;                                   ///< the run's own record: agreement, mutants
+    std::map<std::string, Json> certificates;   ///< lemmas for the kernel by claim; empty where none were exported
     std::vector<FigureRecord> figures;          ///< those of the paper first
     std::vector<Json> accuracy; ///< worst errors by function, a record a survey; empty where the tests have not run
     std::string chart;          ///< tables of speed against accuracy, Markdown; empty where it was not measured

@@ -146,6 +146,7 @@ std::string card(const Json& entry) {
     text += line("in print", entry.value("in_print", ""));
     text += line(departure == "scan" && printed != "refuted" ? "read as" : "correction", entry.at("correction"));
     text += line("as shipped", entry.at("shipped"));
+    text += line("kernel", kernel_words(entry.value("kernel", Json())));
     if (entry.contains("witness") && !entry.at("witness").empty()) text += line("witness", entry.at("witness").dump());
     if (printed == "refuted" && entry.contains("loss") && entry.at("loss").is_number())
         text += line("loss", "worst relative error " + number_in_digits(entry.at("loss").get<double>(), 3) +

@@ -65,6 +65,7 @@ using Json = nlohmann::ordered_json;
     entry["used_by"] = Json::array();
     for (const char* key : {"printed_note", "in_print", "remark"}) entry[key] = row.value(key, "");
     entry["consequence"] = "";
+    entry["kernel"] = {{"status", "not_run"}};
     entry["no_function"] = row.value("no_function", "");
     return entry;
 }
@@ -74,6 +75,15 @@ using Json = nlohmann::ordered_json;
 [[nodiscard]] inline std::string with_kind(const Json& claim) {
     const std::string kind = claim.value("kind", "");
     return kind.empty() ? "" : ", " + kind;
+}
+
+/// @brief What the kernel of a proof assistant says of a claim or an equation. @param kernel its key `kernel`, null where none
+/// @return  the status in words, and why not or what is wrong
+[[nodiscard]] inline std::string kernel_words(const Json& kernel) {
+    const std::string status = kernel.is_object() ? kernel.value("status", "not_run") : "not_run";
+    const std::string why = kernel.is_object() ? kernel.value("reason", kernel.value("message", "")) : "";
+    const std::string words = status == "not_exported" ? "not exported" : status == "not_run" ? "not run" : status;
+    return words + (why.empty() ? "" : ": " + why);
 }
 
 /// @brief Where each equation is used: `rests_on` turned round.
