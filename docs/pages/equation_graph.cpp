@@ -11,7 +11,7 @@ namespace denhartog::pages {
 
 namespace {
 
-constexpr int node_width = 46, node_height = 24, column_pitch = 62, row_pitch = 64, margin = 16, top = 34;
+constexpr int node_width = 46, node_height = 24, column_pitch = 56, row_pitch = 46, margin = 16, top = 34;
 
 using Grounds = std::map<std::string, std::vector<std::string>>;
 

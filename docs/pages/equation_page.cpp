@@ -88,14 +88,15 @@ std::string statement(const Book& book, const Json& entry) {
     const bool two = !correction.empty();
     const std::string held = marked ? departure->second.holds : correction;
     const bool beside = two && read.size() < 110 && without_marks(held).size() < 110;
-    out += std::string("<div class=\"statements") + (beside ? " short" : "") + "\">\n" +
+    // Raw, as Doxygen takes a div within a div to pieces.
+    out += std::string("\\htmlonly[block]\n<div class=\"statements") + (beside ? " short" : "") + "\">\n\\endhtmlonly\n\n" +
            boxed(printed, (printed == "illegible" ? "As the scan has it: " : "As printed: ") + verdict_text(printed),
                  marked ? departure->second.printed : read);
     if (two) {
         const std::string head = fails(printed) ? "What holds: " : "As it is read: ";
         out += boxed(entry.at("shipped"), head + verdict_text(entry.at("shipped")), held);
     }
-    out += "</div>\n\n";
+    out += "\\htmlonly[block]\n</div>\n\\endhtmlonly\n\n";
     out += meanings(book.run, read + " " + (marked ? without_marks(departure->second.holds) : correction));
     if (!note.empty() && !departs) out += "<p>The text at hand is a scan. " + sentence(note) + "</p>\n";
     const std::string remark = entry.at("remark"), in_print = entry.at("in_print");
