@@ -45,7 +45,8 @@ std::pair<ex, ex> determinant_of_conditions() {
     const ex first = displacement.expand(), second = velocity.expand();
     const ex found = first.coeff(s.v_cos) * second.coeff(s.v_sin) - first.coeff(s.v_sin) * second.coeff(s.v_cos);
     const ex delta = GiNaC::Pi * s.zeta / s.R, theta = GiNaC::Pi * GiNaC::sqrt(1 - s.zeta * s.zeta) / s.R;
-    const ex closed = -2 * GiNaC::pow(s.psi_li, 2) * GiNaC::pow(s.R, 4) * GiNaC::exp(-delta) * (GiNaC::cosh(delta) + GiNaC::cos(theta));
+    const ex closed =
+        -2 * GiNaC::pow(s.psi_li, 2) * GiNaC::pow(s.R, 4) * GiNaC::exp(-delta) * (GiNaC::cosh(delta) + GiNaC::cos(theta));
     if (!remainder(found - closed, domain_of({found, closed})).is_zero())
         throw std::logic_error("the determinant of (A.10) is not the closed form that the steps show");
     return {found, closed};
@@ -54,9 +55,10 @@ std::pair<ex, ex> determinant_of_conditions() {
 /// How the two conditions are solved, before other steps: their determinant is what stands under both damping functions.
 std::vector<Step> after_elimination(const std::vector<Step>& more) {
     const auto [found, closed] = determinant_of_conditions();
-    std::vector<Step> steps{{"The two conditions (A.10) have the determinant", "\\mathcal{AQ}-\\mathcal{BP} = " + latex_line(found)},
-                            {"With $\\cos^2+\\sin^2=1$ it is", "\\mathcal{AQ}-\\mathcal{BP} = " + latex_line(closed)},
-                            {"so that $\\cosh+\\cos$ stands under whatever (A.12) gives; it is not zero on the domain", ""}};
+    std::vector<Step> steps{
+        {"The two conditions (A.10) have the determinant", "\\mathcal{AQ}-\\mathcal{BP} = " + latex_line(found)},
+        {"With $\\cos^2+\\sin^2=1$ it is", "\\mathcal{AQ}-\\mathcal{BP} = " + latex_line(closed)},
+        {"so that $\\cosh+\\cos$ stands under whatever (A.12) gives; it is not zero on the domain", ""}};
     steps.insert(steps.end(), more.begin(), more.end());
     return steps;
 }
@@ -120,16 +122,18 @@ const Register claims_of_a12_phase([] {
          .assumptions = mode_domain,
          .kernel = [&s] { return Values{paper::first_damping_function(Symbolic(s.R), Symbolic(s.zeta))}; },
          .derived = [] { return std::vector<ex>{derived_first_damping_function()}; },
-         .steps = after_elimination({step("The part of $-[v_{di}\\sin\\phi_j]$ that friction makes, over $\\psi_{ji}\\beta/\\psi_{li}$", "u_{di}",
-                        derived_first_damping_function())})},
+         .steps = after_elimination(
+             {step("The part of $-[v_{di}\\sin\\phi_j]$ that friction makes, over $\\psi_{ji}\\beta/\\psi_{li}$", "u_{di}",
+                   derived_first_damping_function())})},
         {.id = "29/second-damping-function",
          .equations = {"29"},
          .title = "Second damping function from the conditions at tau = pi",
          .assumptions = mode_domain,
          .kernel = [&s] { return Values{paper::second_damping_function(Symbolic(s.R), Symbolic(s.zeta))}; },
          .derived = [] { return std::vector<ex>{derived_second_damping_function()}; },
-         .steps = after_elimination({step("The part of $[v_{di}\\cos\\phi_j]$ that friction makes, over $\\psi_{ji}\\beta/\\psi_{li}$", "g_i",
-                        derived_second_damping_function())})},
+         .steps =
+             after_elimination({step("The part of $[v_{di}\\cos\\phi_j]$ that friction makes, over $\\psi_{ji}\\beta/\\psi_{li}$",
+                                     "g_i", derived_second_damping_function())})},
         {.id = "28/undamped",
          .equations = {"28", "29"},
          .role = Role::step,
@@ -158,7 +162,7 @@ const Register claims_of_a12_phase([] {
          .derived = [] { return std::vector<ex>{derived_phase().first}; },
          .departure = Departure::convention,
          .steps = after_elimination({step("The cosine by (A.12)", "[v_{di}\\cos\\phi_j]", derived_phase().first),
-                   {"The initial velocity drops out, and friction has the factor $g_i$ of (29)", ""}})},
+                                     {"The initial velocity drops out, and friction has the factor $g_i$ of (29)", ""}})},
         {.id = "A.14/sine",
          .equations = {"27", "A.14"},
          .title = "v sin(phi_j) from the initial velocity: the initial displacement cancels",
@@ -171,7 +175,7 @@ const Register claims_of_a12_phase([] {
          .derived = [] { return std::vector<ex>{derived_phase().second}; },
          .departure = Departure::convention,
          .steps = after_elimination({step("The sine by (A.12)", "[v_{di}\\sin\\phi_j]", derived_phase().second),
-                   {"The initial displacement drops out, and friction has the factor $-u_{di}$ of (28)", ""}})},
+                                     {"The initial displacement drops out, and friction has the factor $-u_{di}$ of (28)", ""}})},
     };
 });
 

@@ -47,8 +47,8 @@ std::vector<std::string> faults_of(const Departures& departures, const ledger::J
         statement = bare(statement);
         for (std::string* text : {&printed, &statement}) erase_all(*text, "\\");
         if (printed != statement)
-            faults.push_back("docs/ledger/departures.json: (" + equation + ") without its marks is not the printed formula: " + printed +
-                             " against " + statement);
+            faults.push_back("docs/ledger/departures.json: (" + equation +
+                             ") without its marks is not the printed formula: " + printed + " against " + statement);
         for (const std::string& word : {std::string("\\misprint{"), std::string("\\mended{")}) {
             const bool marks = (word[2] == 'i' ? found->second.printed : found->second.holds).find(word) != std::string::npos;
             if (!marks && equation != "68")

@@ -40,8 +40,8 @@ Bands bands_of(const std::vector<std::string>& sections, const std::map<std::str
         if (bands.width.emplace(section, 1).second) bands.names.push_back(section);
     for (int left = longest - static_cast<int>(bands.names.size()); left > 0; --left) {
         const auto load = [&](const std::string& name) { return static_cast<double>(crowded.at(name)) / bands.width.at(name); };
-        const auto fullest =
-            std::max_element(bands.names.begin(), bands.names.end(), [&](const auto& a, const auto& b) { return load(a) < load(b); });
+        const auto fullest = std::max_element(bands.names.begin(), bands.names.end(),
+                                              [&](const auto& a, const auto& b) { return load(a) < load(b); });
         if (load(*fullest) <= 1) break;
         ++bands.width[*fullest];
     }
@@ -88,8 +88,8 @@ std::string picture(const Json& ledger, const std::vector<Node>& nodes) {
         const int left = margin + first * column_pitch - (column_pitch - node_width) / 2;
         const int wide = (bands.at(section).second - first + 1) * column_pitch;
         if (shaded)
-            shades += "<rect class=\"band\" x=\"" + std::to_string(left) + "\" y=\"0\" width=\"" + std::to_string(wide) + "\" height=\"" +
-                      std::to_string(height) + "\" fill-opacity=\"0.05\"/>\n";
+            shades += "<rect class=\"band\" x=\"" + std::to_string(left) + "\" y=\"0\" width=\"" + std::to_string(wide) +
+                      "\" height=\"" + std::to_string(height) + "\" fill-opacity=\"0.05\"/>\n";
         shades += "<text class=\"band-name\" font-size=\"13\" fill=\"currentColor\" x=\"" + std::to_string(left + wide / 2) +
                   "\" y=\"18\" text-anchor=\"middle\">" + (section == "Appendix" ? "App." : section) + "</text>\n";
         shaded = !shaded;
@@ -100,12 +100,13 @@ std::string picture(const Json& ledger, const std::vector<Node>& nodes) {
         for (const Json& ground : entry.at("rests_on")) {
             const Node& above = *at.at(ground);
             const double from = y(above) + node_height / 2.0, to = y(below) - node_height / 2.0, bend = (to - from) / 2;
-            edges += "<path data-from=\"" + ground.get<std::string>() + "\" data-to=\"" + entry.at("equation").get<std::string>() + "\" d=\"M " + point(x(above), from) + " C " + point(x(above), from + bend) + " " +
-                     point(x(below), to - bend) + " " + point(x(below), to) + "\"/>\n";
+            edges += "<path data-from=\"" + ground.get<std::string>() + "\" data-to=\"" +
+                     entry.at("equation").get<std::string>() + "\" d=\"M " + point(x(above), from) + " C " +
+                     point(x(above), from + bend) + " " + point(x(below), to - bend) + " " + point(x(below), to) + "\"/>\n";
         }
         const std::string number = entry.at("equation"), verdict = entry.at("printed");
-        boxes += "<a href=\"page:" + equation_label(number) + "\" class=\"node " + verdict + "\" data-equation=\"" + number + "\" aria-label=\"Equation (" +
-                 number + "), " + verdict_text(verdict) + " as printed\"><rect x=\"" +
+        boxes += "<a href=\"page:" + equation_label(number) + "\" class=\"node " + verdict + "\" data-equation=\"" + number +
+                 "\" aria-label=\"Equation (" + number + "), " + verdict_text(verdict) + " as printed\"><rect x=\"" +
                  digits(x(below) - node_width / 2.0, "%.1f") + "\" y=\"" + digits(y(below) - node_height / 2.0, "%.1f") +
                  "\" width=\"" + std::to_string(node_width) + "\" height=\"" + std::to_string(node_height) +
                  "\" rx=\"4\" stroke=\"#555\" fill=\"" + fill_of(verdict) + "\"/><text fill=\"#111\" font-size=\"13\" x=\"" +
@@ -116,8 +117,9 @@ std::string picture(const Json& ledger, const std::vector<Node>& nodes) {
     return "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"equation-graph\" " + size + " viewBox=\"0 0 " +
            std::to_string(width) + " " + std::to_string(height) +
            "\" role=\"group\" aria-label=\"Graph of the equations: lines lead down from an equation to those "
-           "that rest on it\">\n" + shades + "<g class=\"edges\" fill=\"none\" stroke=\"currentColor\" stroke-opacity=\"0.35\">\n" +
-           edges + "</g>\n" + boxes + "</svg>\n";
+           "that rest on it\">\n" +
+           shades + "<g class=\"edges\" fill=\"none\" stroke=\"currentColor\" stroke-opacity=\"0.35\">\n" + edges + "</g>\n" +
+           boxes + "</svg>\n";
 }
 
 } // namespace
@@ -164,15 +166,18 @@ Page graph_page(const Book& book) {
     std::string out = page_head("equation_graph", "What rests on what");
     std::size_t lines = 0;
     for (const Json& entry : book.run.ledger) lines += entry.at("rests_on").size();
-    out +=
-        "<p>An equation stands below everything that it rests on; a line leads from an equation down to each that uses it. The bands are the "
-        "sections of the paper. Point at an equation, or move to it with the keyboard, to see all that it rests on; click to read it. " +
-        counted(book.run.ledger.size(), "equation", "equations") + ", " + counted(lines, "line", "lines") +
-        ". The colour is the verdict on the printed form: " + verdict_mark("proved") + " " + verdict_mark("approximation") + " " +
-        verdict_mark("definition") + " " + verdict_mark("assumption") + " " + verdict_mark("illegible") + " " +
-        verdict_mark("refuted") + ". The table below says the same in words.</p>\n";
+    out += "<p>An equation stands below everything that it rests on; a line leads from an equation down to each that uses it. "
+           "The bands are the "
+           "sections of the paper. Point at an equation, or move to it with the keyboard, to see all that it rests on; click to "
+           "read it. " +
+           counted(book.run.ledger.size(), "equation", "equations") + ", " + counted(lines, "line", "lines") +
+           ". The colour is the verdict on the printed form: " + verdict_mark("proved") + " " + verdict_mark("approximation") +
+           " " + verdict_mark("definition") + " " + verdict_mark("assumption") + " " + verdict_mark("illegible") + " " +
+           verdict_mark("refuted") + ". The table below says the same in words.</p>\n";
     out += "\\htmlonly[block]\n<div class=\"graph-box\" tabindex=\"0\" style=\"overflow-x:auto\">\n" +
-           picture(book.run.ledger, layout(book.run.ledger, 20)) + "</div>\n<div id=\"graph-statement\" aria-live=\"polite\"><p>Click an equation to read it here.</p></div>\n\\endhtmlonly\n";
+           picture(book.run.ledger, layout(book.run.ledger, 20)) +
+           "</div>\n<div id=\"graph-statement\" aria-live=\"polite\"><p>Click an equation to read it "
+           "here.</p></div>\n\\endhtmlonly\n";
     out += "\n<div class=\"table-box\" tabindex=\"0\">\n<table class=\"doxtable rests-on\">\n<tr><th>equation</th><th>as "
            "printed</th><th>rests on</th><th>used by</th></tr>\n";
     for (const Json& entry : book.run.ledger)

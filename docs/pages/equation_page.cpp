@@ -31,7 +31,8 @@ std::string in_section(const Json& entry) {
 std::string facts(const Json& entry) {
     const std::string departure = entry.at("departure"), kind = entry.at("kind");
     return "<dl class=\"eq-facts\">\n<dt>Place</dt><dd>" + in_section(entry) + "; " +
-           escaped(kind == "quoted" ? "quoted from another work" : (kind == "assumption" || kind == "approximation" ? "an " : "a ") + kind) +
+           escaped(kind == "quoted" ? "quoted from another work"
+                                    : (kind == "assumption" || kind == "approximation" ? "an " : "a ") + kind) +
            "</dd>\n" + (departure == "none" ? "" : "<dt>Departure</dt><dd>" + departure_text(departure) + "</dd>\n") +
            "<dt>Rests on</dt><dd>" + equation_links(entry.at("rests_on")) + "</dd>\n<dt>Used by</dt><dd>" +
            equation_links(entry.at("used_by")) + "</dd>\n</dl>\n\n";
@@ -40,8 +41,9 @@ std::string facts(const Json& entry) {
 /// Links to the sections that the page has.
 std::string contents(const std::string& body, const std::string& equation) {
     const std::vector<std::pair<std::string, std::string>> sections = {
-        {"proof", "proof"}, {"functions", "function"},     {"check", "check your number"},
-        {"figures", "figure"}, {"tests", "tests"}, {"observations", "what the text says"}, {"more_link", "more"}};
+        {"proof", "proof"},    {"functions", "function"}, {"check", "check your number"},
+        {"figures", "figure"}, {"tests", "tests"},        {"observations", "what the text says"},
+        {"more_link", "more"}};
     std::string out;
     for (const auto& [key, title] : sections) {
         const std::string name = equation_label(equation) + "_" + key;
@@ -146,9 +148,11 @@ std::string evidence(const Book& book, const Json& entry) {
                                                  entry.at("statement").get<std::string>() + " " + correction));
     const auto departure = book.run.departures.find(entry.at("equation").get<std::string>());
     if (!correction.empty() && departure != book.run.departures.end() && !departure->second.printed.empty())
-        out += "<details>\n<summary>What holds, as the derivation writes it</summary>\n" +
-               std::string(entry.value("correction_by", "") == "hand" ? "<p>The derivation takes this spelling from a person.</p>\n" : "") +
-               displayed(correction) + "</details>\n";
+        out +=
+            "<details>\n<summary>What holds, as the derivation writes it</summary>\n" +
+            std::string(entry.value("correction_by", "") == "hand" ? "<p>The derivation takes this spelling from a person.</p>\n"
+                                                                   : "") +
+            displayed(correction) + "</details>\n";
     else if (entry.value("correction_by", "") == "hand")
         out += "<p>A person wrote the formula above, and not the run.</p>\n";
     const std::string scene = scene_text(entry);
@@ -170,13 +174,15 @@ Snippet snippet_of(const Book& book, const Json& function) {
     return book.sources.snippet(function.at("name"), {function.at("file"), function.at("line")});
 }
 
-std::string with_source(const Book& book, const Json& function) { return head_of(function) + code_block(snippet_of(book, function)); }
+std::string with_source(const Book& book, const Json& function) {
+    return head_of(function) + code_block(snippet_of(book, function));
+}
 
 /// A function whose source is folded up: a page can have a dozen of them.
 std::string folded(const Book& book, const Json& function) {
     const Snippet snippet = snippet_of(book, function);
-    return head_of(function) + "<details>\n<summary>" + counted(snippet.lines.size(), "line", "lines") + " of source</summary>\n" +
-           code_block(snippet) + "</details>\n";
+    return head_of(function) + "<details>\n<summary>" + counted(snippet.lines.size(), "line", "lines") +
+           " of source</summary>\n" + code_block(snippet) + "</details>\n";
 }
 
 std::string with_signature(const Book& book, const Json& function) {
@@ -203,18 +209,24 @@ std::string functions(const Book& book, const Json& entry, const std::string& eq
     out += paper;
     if (!refuted.empty()) out += "<p>The printed form, kept for comparison:</p>\n" + refuted;
     const std::string correction = entry.at("correction");
-    return out + copy_text(equation, correction.empty() ? entry.at("statement").get<std::string>() : [&] {
-               const auto found = book.run.departures.find(equation);
-               return found == book.run.departures.end() || found->second.holds.empty() ? correction : without_marks(found->second.holds);
-           }());
+    return out + copy_text(
+                     equation, correction.empty() ? entry.at("statement").get<std::string>() : [&] {
+                         const auto found = book.run.departures.find(equation);
+                         return found == book.run.departures.end() || found->second.holds.empty()
+                                    ? correction
+                                    : without_marks(found->second.holds);
+                     }());
 }
 
 std::string number_check(const Book& book, const std::string& equation) {
     const auto scenes = book.run.checks.find(equation);
     const std::string form = check_text(equation, scenes == book.run.checks.end() ? std::vector<CheckScene>{} : scenes->second);
-    return form.empty() ? "" : section(equation, "check", "Check your number") +
-                               "<p>Paste what your code returns. The page says whether it is right, which known mistake gives it, or "
-                               "neither.</p>\n" + form;
+    return form.empty()
+               ? ""
+               : section(equation, "check", "Check your number") +
+                     "<p>Paste what your code returns. The page says whether it is right, which known mistake gives it, or "
+                     "neither.</p>\n" +
+                     form;
 }
 
 /// Whether a claim is the equation's own: about the paper's formula, and not about a form of it.
@@ -261,7 +273,8 @@ std::string claims_text(const Book& book, const std::vector<const Json*>& claims
 
 std::string proofs(const Book& book, const Json& entry, const SortedClaims& claims, const std::string& equation) {
     std::string out = section(equation, "proof", "The proof");
-    out += claims.own.empty() ? "<p>No claim is made on it: there is nothing to derive.</p>\n" : claims_text(book, claims.own, equation);
+    out += claims.own.empty() ? "<p>No claim is made on it: there is nothing to derive.</p>\n"
+                              : claims_text(book, claims.own, equation);
     return out + evidence(book, entry);
 }
 
@@ -284,7 +297,8 @@ std::string tests(const Book& book, const Json& entry, const std::string& equati
     const std::string items = failed + list("tests", "passed");
     if (items.empty()) return out + "<p>No test that ran is tagged with it.</p>\n";
     const std::string listed = "<ul class=\"tests\">\n" + items + "</ul>\n";
-    return out + (count > 8 ? "<details>\n<summary>" + counted(count, "test", "tests") + "</summary>\n" + listed + "</details>\n" : listed);
+    return out + (count > 8 ? "<details>\n<summary>" + counted(count, "test", "tests") + "</summary>\n" + listed + "</details>\n"
+                            : listed);
 }
 
 std::string pictures(const Book& book, const Json& entry, const std::string& equation) {
@@ -363,24 +377,30 @@ std::vector<Page> equation_pages(const Book& book, const std::string& equation) 
                        pictures(book, entry, equation) + tests(book, entry, equation) + observations(book, claims, equation);
     if (has_more) {
         std::string parts;
-        const auto part = [&parts](bool there, const std::string& what) { if (there) parts += (parts.empty() ? "" : ", ") + what; };
+        const auto part = [&parts](bool there, const std::string& what) {
+            if (there) parts += (parts.empty() ? "" : ", ") + what;
+        };
         part(!forms.empty(), "the forms that keep their digits");
         part(!claims.others.empty(), counted(claims.others.size(), "further claim", "further claims"));
         part(!accuracy.empty(), "the measured accuracy");
         part(!callers.empty(), "the functions that use it");
-        body += section(equation, "more_link", "More on (" + equation + ")") + "<p>\\subpage " + more + " \"" + "Behind (" + equation +
-                ")\": " + parts + ".</p>\n";
+        body += section(equation, "more_link", "More on (" + equation + ")") + "<p>\\subpage " + more + " \"" + "Behind (" +
+                equation + ")\": " + parts + ".</p>\n";
     }
-    std::vector<Page> pages{{name, page_head(name, "Equation (" + equation + ")") + navigation(equation) + contents(body, equation) +
-                                       statement(book, entry) + facts(entry) + body + "\n" + navigation(equation)}};
+    std::vector<Page> pages{{name, page_head(name, "Equation (" + equation + ")") + navigation(equation) +
+                                       contents(body, equation) + statement(book, entry) + facts(entry) + body + "\n" +
+                                       navigation(equation)}};
     if (!has_more) return pages;
-    std::string text = page_head(more, "Behind equation (" + equation + ")") + "<div class=\"eq-nav\">\n<span class=\"previous\">" +
-                       "back to " + equation_link(equation) + "</span>\n</div>\n\n" +
-                       "<p>The library's working forms of " + equation_link(equation) + ", with what is proved and measured about them.</p>\n";
+    std::string text = page_head(more, "Behind equation (" + equation + ")") +
+                       "<div class=\"eq-nav\">\n<span class=\"previous\">" + "back to " + equation_link(equation) +
+                       "</span>\n</div>\n\n" + "<p>The library's working forms of " + equation_link(equation) +
+                       ", with what is proved and measured about them.</p>\n";
     if (!forms.empty()) text += "\n\\section " + more + "_forms Forms that keep their digits\n\n" + forms;
     if (!accuracy.empty())
-        text += "\n\\section " + more + "_accuracy Accuracy\n\n<p>Worst errors that the tests measured, in units of eps over the "
-                "condition number.</p>\n" + accuracy;
+        text += "\n\\section " + more +
+                "_accuracy Accuracy\n\n<p>Worst errors that the tests measured, in units of eps over the "
+                "condition number.</p>\n" +
+                accuracy;
     if (!claims.others.empty())
         text += "\n\\section " + more + "_claims Further claims\n\n" + claims_text(book, claims.others, equation);
     if (!callers.empty()) text += "\n\\section " + more + "_callers Functions that use it\n\n" + callers;

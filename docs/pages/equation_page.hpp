@@ -18,7 +18,8 @@ struct Page {
 [[nodiscard]] std::string page_head(const std::string& name, const std::string& title);
 
 /// @brief The page of an equation: what is printed and what holds, in words and with the difference marked; proof, function, the
-/// reader's own number, figures, tests, what the text says. And a page behind it with the library's other forms, where it has any.
+/// reader's own number, figures, tests, what the text says. And a page behind it with the library's other forms, where it
+/// has any.
 /// @param book      the run
 /// @param equation  its number
 /// @return          the pages, its own first

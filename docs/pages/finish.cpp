@@ -190,7 +190,8 @@ int kind_of_page(const std::string& name) {
     if (name.starts_with("figure_") || name.starts_with("derivation_")) return 1;
     const bool of_code = name.starts_with("namespace") || name.starts_with("struct") || name.starts_with("class") ||
                          name.starts_with("dir_") || name.starts_with("functions") || name.starts_with("globals") ||
-                         name.starts_with("group__") || name.find("_8") != std::string::npos || name.find("-members") != std::string::npos;
+                         name.starts_with("group__") || name.find("_8") != std::string::npos ||
+                         name.find("-members") != std::string::npos;
     return of_code ? 4 : 2;
 }
 

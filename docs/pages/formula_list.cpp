@@ -50,7 +50,9 @@ PhaseSystem<Number> phase_system() { return {s("A"), s("B"), s("C"), s("P"), s("
 
 OfferedFormula one(const std::string& equation, const std::string& what, const std::string& name, Names arguments,
                    std::vector<Number> results, std::vector<Number> printed = {}, Names of_modes = {}) {
-    return {equation, what, {name, arguments, of_modes, std::move(results)},
+    return {equation,
+            what,
+            {name, arguments, of_modes, std::move(results)},
             {name + "_as_printed", arguments, of_modes, std::move(printed)}};
 }
 
@@ -78,8 +80,8 @@ std::vector<OfferedFormula> of_the_contact() {
     const Names sum{"psi_k", "psi_j", "R", "zeta"};
     const Complex term = paper::complex_response_of_mass<Number>(m.psi_k, m.psi_l, m.R, m.v);
     return {
-        one("33", "V_{dk}", "complex_response_of_mass", {"psi_k", "psi_l", "R", "zeta"}, {over_modes(term.re), over_modes(term.im)},
-            {}, {"psi_k", "psi_l", "R", "zeta"}),
+        one("33", "V_{dk}", "complex_response_of_mass", {"psi_k", "psi_l", "R", "zeta"},
+            {over_modes(term.re), over_modes(term.im)}, {}, {"psi_k", "psi_l", "R", "zeta"}),
         one("34", "U_{dk}", "first_damping_function_of_mass", sum,
             {over_modes(paper::damping_function_of_mass(all(m.psi_k), all(m.psi_j), all(m.R), all(m.u)))}, {}, sum),
         one("35", "G_k", "second_damping_function_of_mass", sum,
@@ -107,8 +109,8 @@ std::vector<OfferedFormula> of_the_motion() {
         return names;
     };
     const auto of_mass = [&](const auto& sum) {
-        return paper::steady_displacement(tau, Vk, Vj, Uj, beta,
-                                          over_modes(sum(tau, all(m.psi_k), all(m.psi_j), all(m.R), all(m.zeta), all(m.u), all(m.g))));
+        return paper::steady_displacement(
+            tau, Vk, Vj, Uj, beta, over_modes(sum(tau, all(m.psi_k), all(m.psi_j), all(m.R), all(m.zeta), all(m.u), all(m.g))));
     };
     const auto right = [](auto&&... a) { return paper::friction_motion_of_mass<Number>(a...); };
     const auto wrong = [](auto&&... a) { return as_printed::friction_motion_of_mass<Number>(a...); };
@@ -163,8 +165,8 @@ std::vector<OfferedFormula> of_the_boundary() {
 
 std::vector<OfferedFormula> of_section_4() {
     const Names shapes{"psi_ki", "psi_li", "zeta"};
-    const Number psi_ki = s("psi_ki"), psi_li = s("psi_li"), psi_ji = s("psi_ji"), V = s("V_k_abs"), U_k = s("U_k"), U_j = s("U_j"),
-                 G_k = s("G_k");
+    const Number psi_ki = s("psi_ki"), psi_li = s("psi_li"), psi_ji = s("psi_ji"), V = s("V_k_abs"), U_k = s("U_k"),
+                 U_j = s("U_j"), G_k = s("G_k");
     return {
         one("77", "|V_{dk}|", "complex_response_amplitude_at_resonance", shapes,
             {paper::complex_response_amplitude_at_resonance(psi_ki, psi_li, zeta)}),

@@ -9,7 +9,8 @@
 
 namespace denhartog::pages {
 
-/// @brief The first page: the system in motion, results, the costliest misprints, a box to go somewhere, doors. @param book the run
+/// @brief The first page: the system in motion, results, the costliest misprints, a box to go somewhere, doors. @param book
+/// the run
 /// @return the main page
 [[nodiscard]] Page home_page(const Book& book);
 

@@ -73,7 +73,8 @@ std::string alternative_text(const FigureRecord& figure) {
 std::string to_see(const Json& record, const std::string& name) {
     std::string items;
     for (const Json& statement : record.at("statements"))
-        if (statement.at("borne_out").get<bool>()) items += "<li>" + prose(statement.at("text")) + ": " + prose(statement.at("found")) + "</li>\n";
+        if (statement.at("borne_out").get<bool>())
+            items += "<li>" + prose(statement.at("text")) + ": " + prose(statement.at("found")) + "</li>\n";
     for (const Json& remark : record.at("remarks")) items += "<li>" + prose(remark.get<std::string>()) + "</li>\n";
     return items.empty() ? "" : "\n\\section see_" + name + " What to see in it\n\n<ul>\n" + items + "</ul>\n";
 }
@@ -102,11 +103,14 @@ std::string accuracy_summary(const RunRecord& run) {
     }
     std::string rows;
     for (const auto& [name, worst] : functions)
-        rows += "<tr><td>" + prose(name) + "</td><td>" + equation_links(worst.equations) + "</td><td>" + std::to_string(worst.points) + "</td><td>" +
-                (worst.printed_fails ? "not finite somewhere" : digits(worst.printed, "%.2g")) + "</td><td>" + digits(worst.shipped, "%.2g") +
-                "</td></tr>\n";
-    return "<div class=\"table-box\" tabindex=\"0\">\n<table class=\"doxtable\">\n<tr><th>function</th><th>equations</th><th>points</th>"
-           "<th>paper's form, worst</th><th>shipped form, worst</th></tr>\n" + rows + "</table>\n</div>\n";
+        rows += "<tr><td>" + prose(name) + "</td><td>" + equation_links(worst.equations) + "</td><td>" +
+                std::to_string(worst.points) + "</td><td>" +
+                (worst.printed_fails ? "not finite somewhere" : digits(worst.printed, "%.2g")) + "</td><td>" +
+                digits(worst.shipped, "%.2g") + "</td></tr>\n";
+    return "<div class=\"table-box\" tabindex=\"0\">\n<table "
+           "class=\"doxtable\">\n<tr><th>function</th><th>equations</th><th>points</th>"
+           "<th>paper's form, worst</th><th>shipped form, worst</th></tr>\n" +
+           rows + "</table>\n</div>\n";
 }
 
 std::vector<std::string> cells_of(const std::string& line) {
@@ -182,8 +186,9 @@ Page figures_page(const Book& book) {
                "\n\n<div class=\"thumbnails\">\n";
         for (const FigureRecord& figure : book.run.figures)
             if (figure_number(figure).empty() != of_the_paper)
-                out += "<div class=\"thumbnail\">\n<img loading=\"lazy\" src=\"figures/" + figure.name + ".svg\" alt=\"\">\n<p>\\subpage " +
-                       label("figure", figure.name) + " \"" + figure_title(figure) + "\"</p>\n</div>\n";
+                out += "<div class=\"thumbnail\">\n<img loading=\"lazy\" src=\"figures/" + figure.name +
+                       ".svg\" alt=\"\">\n<p>\\subpage " + label("figure", figure.name) + " \"" + figure_title(figure) +
+                       "\"</p>\n</div>\n";
         out += "</div>\n";
     }
     return {"figures_page", out};
@@ -192,13 +197,17 @@ Page figures_page(const Book& book) {
 Page figure_page(const Book& book, const FigureRecord& figure) {
     const std::string name = label("figure", figure.name), picture = "figures/" + figure.name + ".svg";
     const bool chart = figure.script.find("/chart/") != std::string::npos;
-    std::string out = page_head(name, figure_title(figure)) + "<div class=\"eq-nav\">\n<span class=\"index\">\\ref figures_page \"all figures\"</span>\n</div>\n\n";
-    out += "<p class=\"figure\"><a href=\"" + picture + "\"><img src=\"" + picture + "\" alt=\"" + html(alternative_text(figure)) + "\"></a></p>\n";
+    std::string out = page_head(name, figure_title(figure)) +
+                      "<div class=\"eq-nav\">\n<span class=\"index\">\\ref figures_page \"all figures\"</span>\n</div>\n\n";
+    out += "<p class=\"figure\"><a href=\"" + picture + "\"><img src=\"" + picture + "\" alt=\"" +
+           html(alternative_text(figure)) + "\"></a></p>\n";
     if (!figure.record.is_null()) {
-        if (!figure.record.at("equations").empty()) out += "<p>Draws " + equation_links(figure.record.at("equations")) + ".</p>\n";
+        if (!figure.record.at("equations").empty())
+            out += "<p>Draws " + equation_links(figure.record.at("equations")) + ".</p>\n";
         out += to_see(figure.record, name);
         if (!figure.record.at("given").empty() || !figure.record.at("chosen").empty())
-            out += "\n\\section given_" + name + " What is drawn\n\n" + sentences(figure.record, "given", "Given by caption and text:") +
+            out += "\n\\section given_" + name + " What is drawn\n\n" +
+                   sentences(figure.record, "given", "Given by caption and text:") +
                    sentences(figure.record, "chosen", "Chosen here:");
         const std::string checked = agreements(figure.record) + statements(figure.record);
         if (!checked.empty()) out += "\n\\section checked_" + name + " What was checked\n\n" + checked;
@@ -237,8 +246,10 @@ Page accuracy_page(const Book& book) {
     out += "</table>\n</div>\n\n\\section accuracy_functions Functions against more digits\n\n";
     if (book.run.accuracy.empty())
         return {"accuracy_page", out + "<p>Not measured in this run: <code>./verify tests</code> measures it.</p>\n"};
-    out += "<p>Worst errors in units of eps over the condition number: 1 is as good as the number type allows. The table has the worst "
-           "zone of each function in double; <a href=\"accuracy.csv\">accuracy.csv</a> has every zone in every number type, with the worst "
+    out += "<p>Worst errors in units of eps over the condition number: 1 is as good as the number type allows. The table has the "
+           "worst "
+           "zone of each function in double; <a href=\"accuracy.csv\">accuracy.csv</a> has every zone in every number type, with "
+           "the worst "
            "point as a hexadecimal float. The page behind an equation has its own rows.</p>\n" +
            accuracy_summary(book.run);
     return {"accuracy_page", out};
@@ -247,7 +258,8 @@ Page accuracy_page(const Book& book) {
 Page speed_page(const Book& book) {
     std::string out = page_head("speed_page", "Speed");
     if (book.run.chart.empty() && book.run.batch.empty())
-        return {"speed_page", out + "<p>Not measured in this run, and so not in the menu: <code>./verify chart</code> measures it.</p>\n"};
+        return {"speed_page",
+                out + "<p>Not measured in this run, and so not in the menu: <code>./verify chart</code> measures it.</p>\n"};
     out +=
         "<p>Measured by <code>./verify chart</code> on one machine, whose processor and compiler stand in chart.csv. Times are "
         "processor time; the digits are those at the worst point of a scene.</p>\n";

@@ -9,7 +9,8 @@ namespace denhartog::pages {
 /// @brief The list of the figures, each with its picture. @param book the run @return the page `figures_page`
 [[nodiscard]] Page figures_page(const Book& book);
 
-/// @brief The page of a figure: the picture, what to see in it, how it was made, its data. @param book the run @param figure the figure
+/// @brief The page of a figure: the picture, what to see in it, how it was made, its data. @param book the run @param figure
+/// the figure
 /// @return its page
 [[nodiscard]] Page figure_page(const Book& book, const FigureRecord& figure);
 

@@ -11,10 +11,10 @@ namespace denhartog::pages {
 
 /// @brief A certified question for the reader's number, with the answers of known mistakes.
 struct CheckScene {
-    std::string scene;                                                    ///< plain text
-    std::string quantity;                                                 ///< as the protocol has it
-    std::vector<double> right;                                            ///< the certified value
-    std::vector<std::pair<std::string, std::vector<double>>> mistakes;    ///< what a mistake is, and what it answers
+    std::string scene;                                                 ///< plain text
+    std::string quantity;                                              ///< as the protocol has it
+    std::vector<double> right;                                         ///< the certified value
+    std::vector<std::pair<std::string, std::vector<double>>> mistakes; ///< what a mistake is, and what it answers
 };
 
 /// @brief For each equation some certified questions that mistakes in it get wrong, or that ask for it.

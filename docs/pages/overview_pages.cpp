@@ -66,8 +66,8 @@ std::string both_formulas(const Book& book, const Json& entry) {
     std::string out = "<p>" + equation_link(equation) + " as printed: " + verdict_mark(entry.at("printed")) + "</p>\n" +
                       displayed(marked ? found->second.printed : entry.at("statement").get<std::string>());
     if (correction.empty()) return out;
-    return out + "<p>" + std::string(fails(entry.at("printed")) ? "What holds: " : "As it is read: ") + verdict_mark(entry.at("shipped")) +
-           "</p>\n" + displayed(marked ? found->second.holds : correction);
+    return out + "<p>" + std::string(fails(entry.at("printed")) ? "What holds: " : "As it is read: ") +
+           verdict_mark(entry.at("shipped")) + "</p>\n" + displayed(marked ? found->second.holds : correction);
 }
 
 std::string said_of(const Book& book, const std::string& equation) {
@@ -77,8 +77,8 @@ std::string said_of(const Book& book, const std::string& equation) {
 
 std::string departure_of(const Book& book, const Json& entry) {
     const std::string equation = entry.at("equation");
-    std::string out = "\n\\subsection errata_" + equation_label(equation) + " Equation (" + equation + ")\n\n<p>" + said_of(book, equation) +
-                      "</p>\n\n<div class=\"erratum\">\n" + both_formulas(book, entry);
+    std::string out = "\n\\subsection errata_" + equation_label(equation) + " Equation (" + equation + ")\n\n<p>" +
+                      said_of(book, equation) + "</p>\n\n<div class=\"erratum\">\n" + both_formulas(book, entry);
     std::string decided;
     for (const Json& claim : entry.at("claims")) {
         const std::string role = claim.at("role");
@@ -130,20 +130,24 @@ Page errata_page(const Book& book) {
     std::string out = page_head("errata", "Departures from the printed text");
     out += "<p>Of " + counted(book.run.ledger.size(), "equation", "equations") + " " + std::to_string(departures) +
            " depart from the print in some way, and " + std::to_string(kinds["none"].size()) +
-           " do not. The text at hand is a scan of the article, so part of this is the scanner's and not the authors'. Every verdict is "
-           "computed: a printed form that is called refuted comes with the point where it fails, and the form that replaces it with its "
+           " do not. The text at hand is a scan of the article, so part of this is the scanner's and not the authors'. Every "
+           "verdict is "
+           "computed: a printed form that is called refuted comes with the point where it fails, and the form that replaces it "
+           "with its "
            "proof.</p>\n";
     const std::vector<std::pair<std::string, std::string>> order = {{"misprint", "Misprints"},
                                                                     {"substance", "What does not hold as it is meant"},
                                                                     {"scan", "Slips of the scan"},
                                                                     {"convention", "Conventions left unsaid"}};
-    out += "<p>\\ref errata_sheet \"The errata on one sheet\", to print<!--pdf-->.</p>\n<div class=\"table-box\" tabindex=\"0\">\n<table "
+    out += "<p>\\ref errata_sheet \"The errata on one sheet\", to print<!--pdf-->.</p>\n<div class=\"table-box\" "
+           "tabindex=\"0\">\n<table "
            "class=\"doxtable errata\">\n<tr><th>equation</th><th>as printed</th><th>what is wrong</th></tr>\n";
     for (const auto& [kind, title] : order) {
-        out += "<tr><th colspan=\"3\">\\ref errata_" + kind + " \"" + title + "\": " + std::to_string(kinds[kind].size()) + "</th></tr>\n";
+        out += "<tr><th colspan=\"3\">\\ref errata_" + kind + " \"" + title + "\": " + std::to_string(kinds[kind].size()) +
+               "</th></tr>\n";
         for (const Json* entry : kinds[kind])
-            out += "<tr><td>" + equation_link(entry->at("equation")) + "</td><td>" + verdict_mark(entry->at("printed")) + "</td><td>" +
-                   said_of(book, entry->at("equation")) + "</td></tr>\n";
+            out += "<tr><td>" + equation_link(entry->at("equation")) + "</td><td>" + verdict_mark(entry->at("printed")) +
+                   "</td><td>" + said_of(book, entry->at("equation")) + "</td></tr>\n";
     }
     out += "</table>\n</div>\n";
     for (const auto& [kind, title] : order) {

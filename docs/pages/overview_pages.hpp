@@ -28,9 +28,9 @@ namespace denhartog::pages {
 
 /// @brief An equation's place in the picture of the graph.
 struct Node {
-    std::string equation; ///< its number
-    int row = 0;          ///< from the top: below everything that it rests on
-    int column = 0;       ///< from the left
+    std::string equation;     ///< its number
+    int row = 0;              ///< from the top: below everything that it rests on
+    int column = 0;           ///< from the left
     std::string section = {}; ///< in whose band it stands
 };
 

@@ -33,8 +33,8 @@ Site make_site(const RunRecord& run, const Sources& sources, const fs::path& cha
             site.faults.emplace_back(e.what());
         }
     }
-    for (Page (*page)(const Book&) : {home_page, index_page, errata_page, errata_sheet, audit_page, stand_ins_page, graph_page, figures_page,
-                                      accuracy_page, speed_page, conformance_page})
+    for (Page (*page)(const Book&) : {home_page, index_page, errata_page, errata_sheet, audit_page, stand_ins_page, graph_page,
+                                      figures_page, accuracy_page, speed_page, conformance_page})
         add([&] { return page(book); });
     for (const FigureRecord& figure : run.figures) add([&] { return figure_page(book, figure); });
     site.scripts = script_files(book);

@@ -32,7 +32,8 @@ struct Site {
 /// @throws        InputError where one cannot be written
 [[nodiscard]] std::size_t write_pages(const std::vector<Page>& pages, const std::filesystem::path& folder);
 
-/// @brief Writes the files for the scripts. @param scripts the files @param folder where to @throws InputError where one cannot be written
+/// @brief Writes the files for the scripts. @param scripts the files @param folder where to @throws InputError where one
+/// cannot be written
 void write_scripts(const std::vector<ScriptFile>& scripts, const std::filesystem::path& folder);
 
 } // namespace denhartog::pages

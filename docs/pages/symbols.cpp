@@ -81,9 +81,11 @@ std::vector<std::string> equations_of(const std::string& cell) {
 
 bool stands_in(const std::string& latex, const std::string& name) {
     for (std::size_t at = latex.find(name); at != std::string::npos; at = latex.find(name, at + 1)) {
-        const char before = at == 0 ? ' ' : latex[at - 1], after = at + name.size() < latex.size() ? latex[at + name.size()] : ' ';
+        const char before = at == 0 ? ' ' : latex[at - 1],
+                   after = at + name.size() < latex.size() ? latex[at + name.size()] : ' ';
         const bool letter = std::isalpha(static_cast<unsigned char>(name[0])) != 0;
-        if (letter && (std::isalpha(static_cast<unsigned char>(before)) != 0 || before == '\\' || before == '_' || before == '{')) {
+        if (letter &&
+            (std::isalpha(static_cast<unsigned char>(before)) != 0 || before == '\\' || before == '_' || before == '{')) {
             if (before != '{' || name.size() < 3) continue;
         }
         const bool ends = std::isalpha(static_cast<unsigned char>(name.back())) != 0;

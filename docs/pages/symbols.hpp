@@ -20,7 +20,8 @@ struct Symbol {
 /// @throws InputError where it cannot be read or has none
 [[nodiscard]] std::vector<Symbol> read_symbols(const std::filesystem::path& notation);
 
-/// @brief The symbols that stand in a formula. @param symbols all of them @param latex the formula @return those, in the order of the
+/// @brief The symbols that stand in a formula. @param symbols all of them @param latex the formula @return those, in the
+/// order of the
 /// notation page
 [[nodiscard]] std::vector<const Symbol*> symbols_in(const std::vector<Symbol>& symbols, const std::string& latex);
 

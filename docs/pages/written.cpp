@@ -22,7 +22,8 @@ int strength(const Node& node) {
 }
 
 bool is_integer(const Node& node) {
-    return node->on.empty() && std::all_of(node->name.begin(), node->name.end(), [](unsigned char c) { return std::isdigit(c) != 0; });
+    return node->on.empty() &&
+           std::all_of(node->name.begin(), node->name.end(), [](unsigned char c) { return std::isdigit(c) != 0; });
 }
 
 /// What the paper, or the notation page, calls a computation that is needed twice.
@@ -138,8 +139,9 @@ private:
             at = end;
         }
         const bool cxx = language_ == Language::cxx;
-        body_ = before + (cxx ? "    double " : "    let ") + name + " = 0;\n    for (" + (cxx ? "std::size_t" : "let") + " i = 0; i < " +
-                first + (cxx ? ".size()" : ".length") + "; ++i) {\n" + lines + "        " + name + " += " + term + ";\n    }\n";
+        body_ = before + (cxx ? "    double " : "    let ") + name + " = 0;\n    for (" + (cxx ? "std::size_t" : "let") +
+                " i = 0; i < " + first + (cxx ? ".size()" : ".length") + "; ++i) {\n" + lines + "        " + name +
+                " += " + term + ";\n    }\n";
         return name;
     }
 
@@ -177,7 +179,8 @@ private:
             return "    return " + (pair ? "{" + results[0] + ", " + results[1] + "}" : results[0]) + ";\n}\n";
         if (language_ == Language::python)
             return "    return " + (pair ? results[0] + " + 1j * (" + results[1] + ")" : results[0]) + "\n";
-        if (language_ == Language::matlab) return "    y = " + (pair ? "complex(" + results[0] + ", " + results[1] + ")" : results[0]) + ";\nend\n";
+        if (language_ == Language::matlab)
+            return "    y = " + (pair ? "complex(" + results[0] + ", " + results[1] + ")" : results[0]) + ";\nend\n";
         return "    return " + (pair ? "[" + results[0] + ", " + results[1] + "]" : results[0]) + ";\n}\n";
     }
 

@@ -1,7 +1,8 @@
 /// @file
 /// @brief A number type that writes down what is computed with it: the formulas of the library as code in other languages.
 ///
-/// A formula template that is instantiated with `Written` gives the expression that the library computes, in the order in which the
+/// A formula template that is instantiated with `Written` gives the expression that the library computes, in the order in
+/// which the
 /// source has it. What a reader copies from a page is in this way the formula that runs.
 #pragma once
 
@@ -16,9 +17,9 @@ namespace denhartog::pages {
 
 /// @brief An operation, or what it is applied to.
 struct Operation {
-    std::string name;                                          ///< `+`, `-`, `*`, `/`, `neg`, `sum`, a function; of a leaf its text
-    std::vector<std::shared_ptr<const Operation>> on = {};     ///< its operands; none of a leaf
-    std::string key = {};                                      ///< the whole expression: the same for the same computation
+    std::string name;                                      ///< `+`, `-`, `*`, `/`, `neg`, `sum`, a function; of a leaf its text
+    std::vector<std::shared_ptr<const Operation>> on = {}; ///< its operands; none of a leaf
+    std::string key = {};                                  ///< the whole expression: the same for the same computation
 };
 
 /// @brief A number that knows how it is computed. It cannot be compared.

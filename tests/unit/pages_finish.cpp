@@ -32,7 +32,8 @@ TEST_CASE("a page gets its title as a heading, and a table a box to scroll in", 
     CHECK(finished_page("<table class=\"markdownTable\">x</table>y") ==
           "<div class=\"table-box\" tabindex=\"0\"><table class=\"markdownTable\">x</table></div>y");
     CHECK(finished_page(
-              "<div class=\"claim\">a</div><div class=\"claim\">b</div> <div class=\"claim\">c</div><div class=\"x\">d</div>") == "<div class=\"claim\">ab</div> <div class=\"claim\">c</div><div class=\"x\">d</div>");
+              "<div class=\"claim\">a</div><div class=\"claim\">b</div> <div class=\"claim\">c</div><div class=\"x\">d</div>") ==
+          "<div class=\"claim\">ab</div> <div class=\"claim\">c</div><div class=\"x\">d</div>");
     const std::string groups = finished_page("<div class=\"title\">f<div class=\"ingroups\">g</div></div>");
     CHECK(groups == "<div><h1 class=\"title\">f</h1><div class=\"ingroups\">g</div></div>");
 }
@@ -72,9 +73,8 @@ TEST_CASE("a broken link, a missing place and an address elsewhere are faults of
     site.write("paper.html", "<a href=\"https://doi.org/10.1016/j.jsv.2022.117085\">the paper</a>");
     CHECK(finish_site(site.path).faults.empty());
 
-    for (const char* wrong :
-         {"<a href=\"none.html\">x</a>", "<a href=\"b.html#nowhere\">x</a>", "<a href=\"#nowhere\">x</a>",
-          "<img src=\"none.svg\">", "<a href=\"https://example.org\">x</a>"}) {
+    for (const char* wrong : {"<a href=\"none.html\">x</a>", "<a href=\"b.html#nowhere\">x</a>", "<a href=\"#nowhere\">x</a>",
+                              "<img src=\"none.svg\">", "<a href=\"https://example.org\">x</a>"}) {
         site.write("c.html", wrong);
         INFO(wrong);
         CHECK(finish_site(site.path).faults.size() == 1);

@@ -183,7 +183,8 @@ TEST_CASE("a formula that is written down is the one that runs, in each language
     CHECK(code_of(u, Language::python) == "def u(R, zeta):\n    w = np.sqrt(1 - zeta * zeta)\n    theta = np.pi * w / R\n"
                                           "    return np.sin(theta) / (R * w * (np.cosh(np.pi * zeta / R) + np.cos(theta)))\n");
     CHECK(has(code_of(u, Language::matlab), "theta = pi .* w ./ R;"));
-    const WrittenFormula order{"f", {"a", "b"}, {}, {Written::symbol("a") - (Written::symbol("b") - 1) * (-Written::symbol("a"))}};
+    const WrittenFormula order{
+        "f", {"a", "b"}, {}, {Written::symbol("a") - (Written::symbol("b") - 1) * (-Written::symbol("a"))}};
     CHECK(has(code_of(order, Language::cxx), "return a - (b - 1) * (-a);"));
     const WrittenFormula sum{"s", {"x"}, {"x"}, {2 * Written::sum_over_modes(Written::symbol("x") * Written::symbol("x"))}};
     CHECK(has(code_of(sum, Language::python), "2 * np.sum(x * x)"));

@@ -24,7 +24,8 @@ struct DeriveOptions {
 /// How near a claim is to the equation asked for: its own first, then those that decide it with others, steps and forms last.
 int distance_of(const ledger::Json& claim, const std::string& equation) {
     const std::string id = claim.at("claim"), kind = claim.value("kind", "");
-    const bool own = id.starts_with(equation + "/"), form = kind == "refinement" || kind == "consequence" || kind == "observation";
+    const bool own = id.starts_with(equation + "/"),
+               form = kind == "refinement" || kind == "consequence" || kind == "observation";
     return (own ? 0 : 2) + (form ? 1 : 0);
 }
 
