@@ -1,7 +1,7 @@
 width = 620; height = 420
 load 'style.gp'
-set xlabel 'relative velocity'
-set ylabel 'friction force / F'
+set xlabel 'velocity of the contact, ẋ_j'
+set ylabel 'sgn(ẋ_j) = −F_f / F'
 set xrange [-1.05:1.05]
 set yrange [-1.9:1.9]
 set xtics (0)

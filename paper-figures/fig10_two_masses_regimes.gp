@@ -15,8 +15,8 @@ set ytics 0.5
 set label 'permanent sticking' at 0.5, 1.6 center
 set label 'stick-slip' at 0.21, 0.34 center
 set label 'continuous' at 1.5, 0.3 center
-plot for [n=1:3] data index 'zeta='.zeta[n].';' using 1:2 with lines lt n dt n lw 2.4 title 'ζ = '.zeta[n].', (69)', \
-     for [n=1:3] data index 'zeta='.zeta[n].';' using 1:5 with lines lt n dt n lw 1.2 title 'ζ = '.zeta[n].', (88)', \
+plot for [n=1:3] data index 'zeta='.zeta[n].';' using 1:2 with lines lt n dt n lw 2.4 title 'ζ_i = '.zeta[n].'/r_{n,i}, (69)', \
+     for [n=1:3] data index 'zeta='.zeta[n].';' using 1:5 with lines lt n dt n lw 1.2 title 'ζ_i = '.zeta[n].'/r_{n,i}, (88)', \
      keyentry with points lt 7 pt 6 ps 0.75 lw 1.2 title 'numerical', \
      for [n=1:3] data index 'numerical zeta='.zeta[n].';' using 1:2 with points lt n pt 6 ps 0.75 lw 1.2, \
      for [n=1:3] data index 'numerical zeta='.zeta[n].';' using 1:3 with points lt n pt 6 ps 0.75 lw 1.2

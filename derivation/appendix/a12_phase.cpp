@@ -1,7 +1,11 @@
 // (A.12)-(A.14), (26)-(29): the phase, and the two damping functions.
+#include <stdexcept>
+
 #include "denhartog/formulas/as_printed.hpp"
 #include "derived.hpp"
+#include "latex.hpp"
 #include "symbols.hpp"
+#include "zero_test.hpp"
 
 namespace denhartog::derivation {
 
@@ -31,6 +35,35 @@ std::pair<ex, ex> derived_phase_by_functions() {
     const ex unit = s.psi_li * s.R * s.R, friction = s.psi_ji * s.R * s.R * s.beta;
     return {(s.eta_0 + friction * s.g) / unit, -(s.eta_prime_0 + friction * s.u) / unit};
 }
+
+namespace {
+
+/// The determinant of the two conditions, as they come and in closed form. The closed form is decided by the zero test here.
+std::pair<ex, ex> determinant_of_conditions() {
+    const Symbols& s = symbols();
+    const auto [displacement, velocity] = derived_final_conditions();
+    const ex first = displacement.expand(), second = velocity.expand();
+    const ex found = first.coeff(s.v_cos) * second.coeff(s.v_sin) - first.coeff(s.v_sin) * second.coeff(s.v_cos);
+    const ex delta = GiNaC::Pi * s.zeta / s.R, theta = GiNaC::Pi * GiNaC::sqrt(1 - s.zeta * s.zeta) / s.R;
+    const ex closed =
+        -2 * GiNaC::pow(s.psi_li, 2) * GiNaC::pow(s.R, 4) * GiNaC::exp(-delta) * (GiNaC::cosh(delta) + GiNaC::cos(theta));
+    if (!remainder(found - closed, domain_of({found, closed})).is_zero())
+        throw std::logic_error("the determinant of (A.10) is not the closed form that the steps show");
+    return {found, closed};
+}
+
+/// How the two conditions are solved, before other steps: their determinant is what stands under both damping functions.
+std::vector<Step> after_elimination(const std::vector<Step>& more) {
+    const auto [found, closed] = determinant_of_conditions();
+    std::vector<Step> steps{
+        {"The two conditions (A.10) have the determinant", "\\mathcal{AQ}-\\mathcal{BP} = " + latex_line(found)},
+        {"With $\\cos^2+\\sin^2=1$ it is", "\\mathcal{AQ}-\\mathcal{BP} = " + latex_line(closed)},
+        {"so that $\\cosh+\\cos$ stands under whatever (A.12) gives; it is not zero on the domain", ""}};
+    steps.insert(steps.end(), more.begin(), more.end());
+    return steps;
+}
+
+} // namespace
 
 ex derived_first_damping_function() { return -friction_part(derived_phase().second); }
 
@@ -89,18 +122,18 @@ const Register claims_of_a12_phase([] {
          .assumptions = mode_domain,
          .kernel = [&s] { return Values{paper::first_damping_function(Symbolic(s.R), Symbolic(s.zeta))}; },
          .derived = [] { return std::vector<ex>{derived_first_damping_function()}; },
-         .steps = {{"The two conditions (A.10) are solved for $[v_{di}\\cos\\phi_j]$ and $[v_{di}\\sin\\phi_j]$, (A.12)", ""},
-                   step("The part of $-[v_{di}\\sin\\phi_j]$ that friction makes, over $\\psi_{ji}\\beta/\\psi_{li}$", "u_{di}",
-                        derived_first_damping_function())}},
+         .steps = after_elimination(
+             {step("The part of $-[v_{di}\\sin\\phi_j]$ that friction makes, over $\\psi_{ji}\\beta/\\psi_{li}$", "u_{di}",
+                   derived_first_damping_function())})},
         {.id = "29/second-damping-function",
          .equations = {"29"},
          .title = "Second damping function from the conditions at tau = pi",
          .assumptions = mode_domain,
          .kernel = [&s] { return Values{paper::second_damping_function(Symbolic(s.R), Symbolic(s.zeta))}; },
          .derived = [] { return std::vector<ex>{derived_second_damping_function()}; },
-         .steps = {{"The two conditions (A.10) are solved for $[v_{di}\\cos\\phi_j]$ and $[v_{di}\\sin\\phi_j]$, (A.12)", ""},
-                   step("The part of $[v_{di}\\cos\\phi_j]$ that friction makes, over $\\psi_{ji}\\beta/\\psi_{li}$", "g_i",
-                        derived_second_damping_function())}},
+         .steps =
+             after_elimination({step("The part of $[v_{di}\\cos\\phi_j]$ that friction makes, over $\\psi_{ji}\\beta/\\psi_{li}$",
+                                     "g_i", derived_second_damping_function())})},
         {.id = "28/undamped",
          .equations = {"28", "29"},
          .role = Role::step,
@@ -128,8 +161,8 @@ const Register claims_of_a12_phase([] {
              },
          .derived = [] { return std::vector<ex>{derived_phase().first}; },
          .departure = Departure::convention,
-         .steps = {step("The two conditions (A.10), solved", "[v_{di}\\cos\\phi_j]", derived_phase().first),
-                   {"The initial velocity drops out, and friction has the factor $g_i$ of (29)", ""}}},
+         .steps = after_elimination({step("The cosine by (A.12)", "[v_{di}\\cos\\phi_j]", derived_phase().first),
+                                     {"The initial velocity drops out, and friction has the factor $g_i$ of (29)", ""}})},
         {.id = "A.14/sine",
          .equations = {"27", "A.14"},
          .title = "v sin(phi_j) from the initial velocity: the initial displacement cancels",
@@ -141,8 +174,8 @@ const Register claims_of_a12_phase([] {
              },
          .derived = [] { return std::vector<ex>{derived_phase().second}; },
          .departure = Departure::convention,
-         .steps = {step("The two conditions (A.10), solved", "[v_{di}\\sin\\phi_j]", derived_phase().second),
-                   {"The initial displacement drops out, and friction has the factor $-u_{di}$ of (28)", ""}}},
+         .steps = after_elimination({step("The sine by (A.12)", "[v_{di}\\sin\\phi_j]", derived_phase().second),
+                                     {"The initial displacement drops out, and friction has the factor $-u_{di}$ of (28)", ""}})},
     };
 });
 

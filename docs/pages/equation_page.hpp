@@ -17,13 +17,14 @@ struct Page {
 /// @brief The first line of a page. @param name its label @param title plain text @return the heading
 [[nodiscard]] std::string page_head(const std::string& name, const std::string& title);
 
-/// @brief The page of an equation: statement, verdicts, correction, witness, functions, proofs, tests, accuracy, figures,
-/// neighbours.
+/// @brief The page of an equation: what is printed and what holds, in words and with the difference marked; proof, function, the
+/// reader's own number, figures, tests, what the text says. And a page behind it with the library's other forms, where it
+/// has any.
 /// @param book      the run
 /// @param equation  its number
-/// @return          the page
+/// @return          the pages, its own first
 /// @throws          InputError where a function is not at its line, or a claim has no record
-[[nodiscard]] Page equation_page(const Book& book, const std::string& equation);
+[[nodiscard]] std::vector<Page> equation_pages(const Book& book, const std::string& equation);
 
 /// @brief Links to equations, separated by commas. @param equations an array of numbers @return text for Doxygen, or a dash
 [[nodiscard]] std::string equation_links(const Json& equations);

@@ -94,6 +94,7 @@ struct Page {
 void follow(const std::string& from, const std::string& target, const fs::path& site, const std::map<std::string, Page>& pages,
             FinishedSite& out) {
     if (target.empty() || target.starts_with("data:") || target.starts_with("javascript:void")) return;
+    if (target == "https://doi.org/10.1016/j.jsv.2022.117085") return; // the paper
     if (target.find("//") != std::string::npos || target.starts_with("mailto:")) {
         out.faults.push_back(from + " leads elsewhere: " + target);
         return;
@@ -113,7 +114,7 @@ void follow(const std::string& from, const std::string& target, const fs::path& 
 
 } // namespace
 
-std::string finished_page(std::string page, bool is_source) {
+std::string finished_page(std::string page) {
     const std::string open = "<div class=\"title\">";
     if (page.find("<h1>") != std::string::npos && page.find("class=\"memtitle\"") == std::string::npos)
         for (const char order : {'3', '2', '1'}) // sections stand below the title
@@ -128,12 +129,8 @@ std::string finished_page(std::string page, bool is_source) {
     join_pieces(page);
     box_tables(page);
     cut(page, "<div class=\"summary\">", "</div>"); // its links lead to headings that are left out where all is private
-    replace_all(page, "<p class=\"formulaDsp\">", "<p class=\"formulaDsp\" tabindex=\"0\">");
     replace_all(page, "<div class=\"fragment\">", "<div class=\"fragment\" tabindex=\"0\">");
     replace_all(page, "<div class=\"memproto\">", "<div class=\"memproto\" tabindex=\"0\">");
-    if (!is_source && (page.find("\\(") != std::string::npos || page.find("\\[") != std::string::npos)) return page;
-    cut(page, "<script type=\"text/x-mathjax-config\">", "</script>");
-    cut(page, "<script type=\"text/javascript\" async=\"async\" src=\"mathjax/", "</script>");
     return page;
 }
 
@@ -169,6 +166,8 @@ std::vector<nlohmann::json> search_documents(const std::string& page, const std:
     std::string body = between(page, "<div class=\"contents\">", "<footer");
     cut(body, "<div class=\"eq-nav\">", "</div>");
     cut(body, "<p class=\"eq-contents\">", "</p>");
+    cut(body, "<div class=\"copies\">", "</div>");
+    cut(body, "<form", "</form>");
     cut(body, "\\[", "\\]");
     const std::string member = "<h2 class=\"memtitle\">";
     const std::size_t first = body.find(member);
@@ -186,22 +185,38 @@ std::vector<nlohmann::json> search_documents(const std::string& page, const std:
     return out;
 }
 
+int kind_of_page(const std::string& name) {
+    if (name.starts_with("eq_")) return name.find("_more") == std::string::npos ? 0 : 3;
+    if (name.starts_with("figure_") || name.starts_with("derivation_")) return 1;
+    const bool of_code = name.starts_with("namespace") || name.starts_with("struct") || name.starts_with("class") ||
+                         name.starts_with("dir_") || name.starts_with("functions") || name.starts_with("globals") ||
+                         name.starts_with("group__") || name.find("_8") != std::string::npos ||
+                         name.find("-members") != std::string::npos;
+    return of_code ? 4 : 2;
+}
+
 FinishedSite finish_site(const fs::path& site) {
     FinishedSite out;
     std::map<std::string, Page> pages;
+    std::string map;
     nlohmann::json documents = nlohmann::json::array();
     for (const fs::path& file : derivation::files_in(site, ".html")) {
         if (file.parent_path() != site) continue;
         const std::string name = file.filename().string(), before = derivation::text_of(file);
         const bool is_source = name.ends_with("_source.html");
-        Page page{finished_page(before, is_source), {}};
+        Page page{finished_page(before), {}};
         if (page.text != before) program::write_file(file.string(), page.text);
         for (const char* attribute : {"id", "name"})
             for (const std::string& value : values_of(page.text, attribute)) page.anchors.insert(value);
         if (!is_source)
-            for (nlohmann::json& each : search_documents(page.text, name)) documents.push_back(std::move(each));
+            for (nlohmann::json& each : search_documents(page.text, name)) {
+                each["kind"] = kind_of_page(name);
+                documents.push_back(std::move(each));
+            }
+        if (kind_of_page(name) < 4) map += name + "\n";
         pages.emplace(name, std::move(page));
     }
+    program::write_file((site / "sitemap.txt").string(), map);
     program::write_file((site / "search-documents.js").string(), "window.searchDocuments = " + documents.dump(0) + ";\n");
     for (const auto& [name, page] : pages)
         for (const char* attribute : {"href", "src"})

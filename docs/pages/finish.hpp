@@ -1,5 +1,5 @@
 /// @file
-/// @brief The last pass over the finished site: headings, formulas only where there are any, the list for the search; and its checks.
+/// @brief The last pass over the finished site: headings, the list for the search, the map of the site; and its checks.
 #pragma once
 
 #include <filesystem>
@@ -9,11 +9,14 @@
 
 namespace denhartog::pages {
 
-/// @brief A page as readers get it: its title as the heading of first order, and MathJax only where there is a formula.
-/// @param page       the HTML that Doxygen wrote
-/// @param is_source  whether it shows a source, in which no formula is to be set
-/// @return           the HTML
-[[nodiscard]] std::string finished_page(std::string page, bool is_source);
+/// @brief A page as readers get it: its title as the heading of first order, wide tables in boxes that scroll.
+/// @param page  the HTML that Doxygen wrote
+/// @return      the HTML
+[[nodiscard]] std::string finished_page(std::string page);
+
+/// @brief What a page is about, for the order of what the search finds. @param name of its file
+/// @return 0 an equation, 1 a figure or the derivation, 2 another text, 3 what is behind an equation, 4 code
+[[nodiscard]] int kind_of_page(const std::string& name);
 
 /// @brief What the search knows of a page: an entry for the page and one for each documented name on it.
 /// @param page  its HTML, finished

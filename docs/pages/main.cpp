@@ -19,11 +19,13 @@ int judged(const std::vector<std::string>& faults) {
 }
 
 int write(const std::string& verify, const std::string& source, const std::string& output) {
-    const RunRecord run = read_run(verify, source);
+    RunRecord run = read_run(verify, source);
+    run.remarks = computed_remarks();
     const Sources sources(source);
     const Site site = make_site(run, sources, std::filesystem::path(source) / "docs/chapter");
     if (!site.faults.empty()) return judged(site.faults);
     const std::size_t written = write_pages(site.pages, output);
+    write_scripts(site.scripts, output);
     std::printf("%zu pages, %zu of them new or changed\n", site.pages.size(), written);
     return 0;
 }

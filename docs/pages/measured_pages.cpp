@@ -1,5 +1,7 @@
 #include "measured_pages.hpp"
 
+#include <algorithm>
+#include <map>
 #include <sstream>
 
 #include "denhartog/number/errors.hpp"
@@ -55,29 +57,60 @@ std::string agreements(const Json& record) {
     return out + "</table>\n</div>\n";
 }
 
-std::string figure_section(const FigureRecord& figure) {
-    const bool chart = figure.script.find("/chart/") != std::string::npos;
-    std::string out = "\n\\section " + label("figure", figure.name) + " " + figure.title + "\n\n";
-    out += "<p><a href=\"figures/" + figure.name + ".svg\"><img src=\"figures/" + figure.name + ".svg\" alt=\"" +
-           html(figure.title) + "\"></a></p>\n";
-    if (!figure.record.is_null()) {
-        if (!figure.record.at("equations").empty())
-            out += "<p>Draws " + equation_links(figure.record.at("equations")) + ".</p>\n";
-        out += sentences(figure.record, "given", "Given by caption and text:") +
-               sentences(figure.record, "chosen", "Chosen here:") + agreements(figure.record) + statements(figure.record) +
-               sentences(figure.record, "remarks", "To be seen besides:");
+/// What somebody sees who cannot see the picture: the title and the statements that the data bear out.
+std::string alternative_text(const FigureRecord& figure) {
+    std::string out = figure_title(figure) + ".";
+    if (figure.record.is_null()) return out;
+    for (const Json& statement : figure.record.at("statements"))
+        if (statement.at("borne_out").get<bool>() && out.size() < 400) {
+            const std::string text = statement.at("text");
+            out += " " + text + (text.ends_with('.') ? "" : ".");
+        }
+    return out;
+}
+
+/// The statements of the text that the data bear out, as what there is to see.
+std::string to_see(const Json& record, const std::string& name) {
+    std::string items;
+    for (const Json& statement : record.at("statements"))
+        if (statement.at("borne_out").get<bool>())
+            items += "<li>" + prose(statement.at("text")) + ": " + prose(statement.at("found")) + "</li>\n";
+    for (const Json& remark : record.at("remarks")) items += "<li>" + prose(remark.get<std::string>()) + "</li>\n";
+    return items.empty() ? "" : "\n\\section see_" + name + " What to see in it\n\n<ul>\n" + items + "</ul>\n";
+}
+
+/// The worst zone of each function in double, as the paper has it and as it is shipped.
+std::string accuracy_summary(const RunRecord& run) {
+    struct Worst {
+        double printed = 0, shipped = 0;
+        bool printed_fails = false;
+        long points = 0;
+        Json equations;
+    };
+    std::map<std::string, Worst> functions;
+    for (const Json& record : run.accuracy) {
+        if (record.at("type") != "double") continue;
+        for (const Json& row : record.at("functions")) {
+            Worst& worst = functions[row.at("function").get<std::string>()];
+            worst.points += row.at("points").get<long>();
+            worst.equations = row.at("equations");
+            if (row.at("printed").is_null())
+                worst.printed_fails = true;
+            else
+                worst.printed = std::max(worst.printed, row.at("printed").get<double>());
+            if (!row.at("shipped").is_null()) worst.shipped = std::max(worst.shipped, row.at("shipped").get<double>());
+        }
     }
-    out += "<p>Made by <code>" +
-           (chart ? std::string("./verify chart")
-                  : "paper-figures/draw build/verify/bin/paper-figures build/verify/figures " + escaped(figure.name)) +
-           "</code>, by ";
-    out += chart ? "" : "<code>./verify figures</code> with all others, by ";
-    out += "the script " + escaped(figure.script);
-    if (!figure.record.is_null()) {
-        const std::string program = figure.script.substr(0, figure.script.size() - 2) + "cpp";
-        out += " and the program " + source_link(program, 1, program);
-    }
-    return out + ".</p>\n";
+    std::string rows;
+    for (const auto& [name, worst] : functions)
+        rows += "<tr><td>" + prose(name) + "</td><td>" + equation_links(worst.equations) + "</td><td>" +
+                std::to_string(worst.points) + "</td><td>" +
+                (worst.printed_fails ? "not finite somewhere" : digits(worst.printed, "%.2g")) + "</td><td>" +
+                digits(worst.shipped, "%.2g") + "</td></tr>\n";
+    return "<div class=\"table-box\" tabindex=\"0\">\n<table "
+           "class=\"doxtable\">\n<tr><th>function</th><th>equations</th><th>points</th>"
+           "<th>paper's form, worst</th><th>shipped form, worst</th></tr>\n" +
+           rows + "</table>\n</div>\n";
 }
 
 std::vector<std::string> cells_of(const std::string& line) {
@@ -147,12 +180,52 @@ Page figures_page(const Book& book) {
            std::to_string(of_the_text.said - of_the_text.borne_out - of_the_text.not_to_measure) +
            " are not. The figures beyond the paper were asked " + counted(of_ours.said, "statement", "statements") +
            " of our own, of which " + std::to_string(of_ours.borne_out) +
-           " hold. <code>./verify figures</code> makes all but those of the chart.</p>\n<ul>\n";
-    for (const FigureRecord& figure : book.run.figures)
-        out += "<li>\\ref " + label("figure", figure.name) + " \"" + figure.title + "\"</li>\n";
-    out += "</ul>\n";
-    for (const FigureRecord& figure : book.run.figures) out += figure_section(figure);
+           " hold. <code>./verify figures</code> makes all but those of the chart.</p>\n";
+    for (const bool of_the_paper : {true, false}) {
+        out += std::string("\n\\section figures_") + (of_the_paper ? "paper Figures of the paper" : "beyond Beyond the paper") +
+               "\n\n<div class=\"thumbnails\">\n";
+        for (const FigureRecord& figure : book.run.figures)
+            if (figure_number(figure).empty() != of_the_paper)
+                out += "<div class=\"thumbnail\">\n<img loading=\"lazy\" src=\"figures/" + figure.name +
+                       ".svg\" alt=\"\">\n<p>\\subpage " + label("figure", figure.name) + " \"" + figure_title(figure) +
+                       "\"</p>\n</div>\n";
+        out += "</div>\n";
+    }
     return {"figures_page", out};
+}
+
+Page figure_page(const Book& book, const FigureRecord& figure) {
+    const std::string name = label("figure", figure.name), picture = "figures/" + figure.name + ".svg";
+    const bool chart = figure.script.find("/chart/") != std::string::npos;
+    std::string out = page_head(name, figure_title(figure)) +
+                      "<div class=\"eq-nav\">\n<span class=\"index\">\\ref figures_page \"all figures\"</span>\n</div>\n\n";
+    out += "<p class=\"figure\"><a href=\"" + picture + "\"><img src=\"" + picture + "\" alt=\"" +
+           html(alternative_text(figure)) + "\"></a></p>\n";
+    if (!figure.record.is_null()) {
+        if (!figure.record.at("equations").empty())
+            out += "<p>Draws " + equation_links(figure.record.at("equations")) + ".</p>\n";
+        out += to_see(figure.record, name);
+        if (!figure.record.at("given").empty() || !figure.record.at("chosen").empty())
+            out += "\n\\section given_" + name + " What is drawn\n\n" +
+                   sentences(figure.record, "given", "Given by caption and text:") +
+                   sentences(figure.record, "chosen", "Chosen here:");
+        const std::string checked = agreements(figure.record) + statements(figure.record);
+        if (!checked.empty()) out += "\n\\section checked_" + name + " What was checked\n\n" + checked;
+    }
+    out += "\n\\section made_" + name + " Data and how it is made\n\n<p>";
+    for (const std::string& data : figure.data) out += "<a href=\"figures/" + data + "\">" + escaped(data) + "</a>, ";
+    out += "<a href=\"" + picture + "\">" + escaped(figure.name) + ".svg</a>. Made by <code>" +
+           (chart ? std::string("./verify chart")
+                  : "paper-figures/draw build/verify/bin/paper-figures build/verify/figures " + escaped(figure.name)) +
+           "</code>, by ";
+    out += chart ? "" : "<code>./verify figures</code> with all others, by ";
+    out += "the script " + escaped(figure.script);
+    if (!figure.record.is_null()) {
+        const std::string program = figure.script.substr(0, figure.script.size() - 2) + "cpp";
+        out += " and the program " + source_link(program, 1, program);
+    }
+    (void)book;
+    return {name, out + ".</p>\n"};
 }
 
 Page accuracy_page(const Book& book) {
@@ -171,19 +244,22 @@ Page accuracy_page(const Book& book) {
                digits(in_50.at("worst"), "%.2g") + "</td><td>" + prose(in_50.at("scene")) + "</td></tr>\n";
     }
     out += "</table>\n</div>\n\n\\section accuracy_functions Functions against more digits\n\n";
-    const std::string table = accuracy_table(book.run, "");
-    out += table.empty()
-               ? "<p>Not measured in this run: <code>./verify tests</code> measures it.</p>\n"
-               : "<p>Worst errors in units of eps over the condition number, a row a function, number type and zone. The worst "
-                 "points are hexadecimal floats, to be pasted back.</p>\n" +
-                     table;
+    if (book.run.accuracy.empty())
+        return {"accuracy_page", out + "<p>Not measured in this run: <code>./verify tests</code> measures it.</p>\n"};
+    out += "<p>Worst errors in units of eps over the condition number: 1 is as good as the number type allows. The table has the "
+           "worst "
+           "zone of each function in double; <a href=\"accuracy.csv\">accuracy.csv</a> has every zone in every number type, with "
+           "the worst "
+           "point as a hexadecimal float. The page behind an equation has its own rows.</p>\n" +
+           accuracy_summary(book.run);
     return {"accuracy_page", out};
 }
 
 Page speed_page(const Book& book) {
     std::string out = page_head("speed_page", "Speed");
     if (book.run.chart.empty() && book.run.batch.empty())
-        return {"speed_page", out + "<p>Not measured in this run: <code>./verify chart</code> measures it.</p>\n"};
+        return {"speed_page",
+                out + "<p>Not measured in this run, and so not in the menu: <code>./verify chart</code> measures it.</p>\n"};
     out +=
         "<p>Measured by <code>./verify chart</code> on one machine, whose processor and compiler stand in chart.csv. Times are "
         "processor time; the digits are those at the worst point of a scene.</p>\n";

@@ -6,9 +6,13 @@
 
 namespace denhartog::pages {
 
-/// @brief Every figure with what it shows, what it bears out and the command that makes it. @param book the run
-/// @return the page `figures_page`
+/// @brief The list of the figures, each with its picture. @param book the run @return the page `figures_page`
 [[nodiscard]] Page figures_page(const Book& book);
+
+/// @brief The page of a figure: the picture, what to see in it, how it was made, its data. @param book the run @param figure
+/// the figure
+/// @return its page
+[[nodiscard]] Page figure_page(const Book& book, const FigureRecord& figure);
 
 /// @brief The closed form against its second witness, and the functions against more digits. @param book the run
 /// @return the page `accuracy_page`

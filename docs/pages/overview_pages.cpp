@@ -58,31 +58,36 @@ std::string fair_words(const std::string& kind) {
     return "The equation holds once a convention is said that the paper leaves unsaid; read without it, it can be taken wrongly.";
 }
 
+/// The formulas of a departure, with the difference marked where a person has marked it.
+std::string both_formulas(const Book& book, const Json& entry) {
+    const std::string equation = entry.at("equation"), correction = entry.at("correction");
+    const auto found = book.run.departures.find(equation);
+    const bool marked = found != book.run.departures.end() && !found->second.printed.empty();
+    std::string out = "<p>" + equation_link(equation) + " as printed: " + verdict_mark(entry.at("printed")) + "</p>\n" +
+                      displayed(marked ? found->second.printed : entry.at("statement").get<std::string>());
+    if (correction.empty()) return out;
+    return out + "<p>" + std::string(fails(entry.at("printed")) ? "What holds: " : "As it is read: ") +
+           verdict_mark(entry.at("shipped")) + "</p>\n" + displayed(marked ? found->second.holds : correction);
+}
+
+std::string said_of(const Book& book, const std::string& equation) {
+    const auto found = book.run.departures.find(equation);
+    return found == book.run.departures.end() ? "" : typeset(found->second.said, "docs/ledger/departures.json");
+}
+
 std::string departure_of(const Book& book, const Json& entry) {
-    const std::string equation = entry.at("equation"), correction = entry.at("correction"), note = entry.at("printed_note");
-    const bool refuted = fails(entry.at("printed"));
-    std::string out = "\n\\subsection errata_" + equation_label(equation) + " Equation (" + equation +
-                      ")\n\n<div class=\"erratum\">\n<p>" + equation_link(equation) +
-                      " as printed: " + verdict_mark(entry.at("printed")) + "</p>\n" + displayed(entry.at("statement"));
-    if (!note.empty()) out += "<p>" + sentence(note) + "</p>\n";
-    if (!correction.empty())
-        out += "<p>" + std::string(refuted ? "What holds: " : "As it is read: ") + verdict_mark(entry.at("shipped")) + "</p>\n" +
-               displayed(correction);
-    std::string proofs, refutations;
+    const std::string equation = entry.at("equation");
+    std::string out = "\n\\subsection errata_" + equation_label(equation) + " Equation (" + equation + ")\n\n<p>" +
+                      said_of(book, equation) + "</p>\n\n<div class=\"erratum\">\n" + both_formulas(book, entry);
+    std::string decided;
     for (const Json& claim : entry.at("claims")) {
         const std::string role = claim.at("role");
-        const Json& record = record_of(book.run, claim.at("id"));
-        if (role == "printed") refutations += (refutations.empty() ? "" : ", ") + claim_link(record);
-        if (role == "shipped" || role == "both") proofs += (proofs.empty() ? "" : ", ") + claim_link(record);
+        if (role == "printed" || role == "shipped" || role == "both")
+            decided += (decided.empty() ? "" : ", ") + claim_link(record_of(book.run, claim.at("id")));
     }
-    if (!refutations.empty()) out += "<p>The printed form is decided by " + refutations + ".</p>\n";
-    if (!proofs.empty()) out += "<p>The form that holds is decided by " + proofs + ".</p>\n";
-    out += scene_text(entry);
-    if (refuted && !entry.at("witness").empty()) out += "<p>Witness:</p>\n" + witness_text(book.run, entry.at("witness"));
     const std::string consequence = entry.at("consequence");
-    if (refuted || !consequence.empty())
-        out +=
-            "<p>Coded as printed: " + (consequence.empty() ? std::string("no loss to measure") : prose(consequence)) + ".</p>\n";
+    if (!decided.empty()) out += "<p>Decided by " + decided + ".</p>\n";
+    if (!consequence.empty()) out += "<p>Coded as printed: " + prose(consequence) + ".</p>\n";
     for (const Json& figure : entry.at("figures"))
         if (figure.get<std::string>().starts_with("printed_against"))
             for (const FigureRecord& record : book.run.figures)
@@ -123,30 +128,26 @@ Page errata_page(const Book& book) {
     for (const Json& entry : book.run.ledger) kinds[entry.at("departure").get<std::string>()].push_back(&entry);
     const std::size_t departures = book.run.ledger.size() - kinds["none"].size();
     std::string out = page_head("errata", "Departures from the printed text");
-    out +=
-        "<p>The text at hand is a scan of the article, so that part of what follows is the scanner's and not the authors'. Of " +
-        counted(book.run.ledger.size(), "equation", "equations") + " " + std::to_string(departures) +
-        " depart in some way from what is shipped here, and " + std::to_string(kinds["none"].size()) +
-        " do not. Every statement on this page is computed: a printed form that is called refuted comes with the point where it "
-        "fails, and the form that replaces it with its proof. What the printed form costs somebody who codes it is measured over "
-        "the "
-        "paper's own scenes and over seeded asymmetric ones.</p>\n";
-    const std::vector<std::pair<std::string, std::string>> order = {{"scan", "Slips of the scan"},
-                                                                    {"misprint", "Misprints"},
+    out += "<p>Of " + counted(book.run.ledger.size(), "equation", "equations") + " " + std::to_string(departures) +
+           " depart from the print in some way, and " + std::to_string(kinds["none"].size()) +
+           " do not. The text at hand is a scan of the article, so part of this is the scanner's and not the authors'. Every "
+           "verdict is "
+           "computed: a printed form that is called refuted comes with the point where it fails, and the form that replaces it "
+           "with its "
+           "proof.</p>\n";
+    const std::vector<std::pair<std::string, std::string>> order = {{"misprint", "Misprints"},
                                                                     {"substance", "What does not hold as it is meant"},
+                                                                    {"scan", "Slips of the scan"},
                                                                     {"convention", "Conventions left unsaid"}};
-    out += "<div class=\"table-box\" tabindex=\"0\">\n<table class=\"doxtable\">\n<tr><th>kind</th><th>equations</th><th>of them "
-           "refuted as printed</th><th>illegible</th><th>which</th></tr>\n";
+    out += "<p>\\ref errata_sheet \"The errata on one sheet\", to print<!--pdf-->.</p>\n<div class=\"table-box\" "
+           "tabindex=\"0\">\n<table "
+           "class=\"doxtable errata\">\n<tr><th>equation</th><th>as printed</th><th>what is wrong</th></tr>\n";
     for (const auto& [kind, title] : order) {
-        std::string links;
-        std::size_t refuted = 0, illegible = 0;
-        for (const Json* entry : kinds[kind]) {
-            links += (links.empty() ? "" : ", ") + equation_link(entry->at("equation"));
-            refuted += entry->at("printed") == "refuted" ? 1 : 0;
-            illegible += entry->at("printed") == "illegible" ? 1 : 0;
-        }
-        out += "<tr><td>\\ref errata_" + kind + " \"" + title + "\"</td><td>" + std::to_string(kinds[kind].size()) + "</td><td>" +
-               std::to_string(refuted) + "</td><td>" + std::to_string(illegible) + "</td><td>" + links + "</td></tr>\n";
+        out += "<tr><th colspan=\"3\">\\ref errata_" + kind + " \"" + title + "\": " + std::to_string(kinds[kind].size()) +
+               "</th></tr>\n";
+        for (const Json* entry : kinds[kind])
+            out += "<tr><td>" + equation_link(entry->at("equation")) + "</td><td>" + verdict_mark(entry->at("printed")) +
+                   "</td><td>" + said_of(book, entry->at("equation")) + "</td></tr>\n";
     }
     out += "</table>\n</div>\n";
     for (const auto& [kind, title] : order) {

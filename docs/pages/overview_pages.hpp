@@ -28,14 +28,15 @@ namespace denhartog::pages {
 
 /// @brief An equation's place in the picture of the graph.
 struct Node {
-    std::string equation; ///< its number
-    int row = 0;          ///< from the top: below everything that it rests on
-    int column = 0;       ///< from the left
+    std::string equation;     ///< its number
+    int row = 0;              ///< from the top: below everything that it rests on
+    int column = 0;           ///< from the left
+    std::string section = {}; ///< in whose band it stands
 };
 
-/// @brief Lays the graph out: an equation stands below all that it rests on, near the middle of those.
+/// @brief Lays the graph out: an equation stands below all that it rests on, in the band of its section.
 /// @param ledger   entries with `equation` and `rests_on`
-/// @param longest  how many equations may stand in a row; more go on in the row below
+/// @param longest  how many columns there are, shared out among the sections; more equations go on in the row below
 /// @return         the nodes, in the order of the entries
 /// @throws         InputError where an equation rests on itself by some way round, or on one that is not there
 [[nodiscard]] std::vector<Node> layout(const Json& ledger, int longest);

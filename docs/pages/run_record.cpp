@@ -50,6 +50,9 @@ std::vector<FigureRecord> read_figures(const fs::path& folder, const fs::path& s
         if (figure.script.empty()) continue; // left by an earlier run
         const fs::path record = folder / (figure.name + ".json");
         if (fs::exists(record)) figure.record = read_json(record);
+        for (const char* ending : {".dat", ".csv"})
+            for (const fs::path& data : derivation::files_in(folder, ending))
+                if (data.filename().string().starts_with(figure.name)) figure.data.push_back(data.filename().string());
         figure.title =
             figure.record.is_null() ? title_of_script(source / figure.script) : figure.record.at("title").get<std::string>();
         figures.push_back(std::move(figure));
@@ -59,6 +62,15 @@ std::vector<FigureRecord> read_figures(const fs::path& folder, const fs::path& s
 }
 
 } // namespace
+
+std::string figure_number(const FigureRecord& figure) {
+    return figure.name.starts_with("fig") ? "Fig. " + std::to_string(std::stoi(figure.name.substr(3, 2))) : "";
+}
+
+std::string figure_title(const FigureRecord& figure) {
+    const std::string number = figure_number(figure);
+    return number.empty() ? figure.title : number + ": " + figure.title;
+}
 
 RunRecord read_run(const fs::path& verify, const fs::path& source) {
     RunRecord run;
@@ -87,6 +99,9 @@ RunRecord read_run(const fs::path& verify, const fs::path& source) {
     run.batch = text_if_there(verify / "chart/batch.md");
     for (const fs::path& file : derivation::files_in(verify / "conformance", ".md"))
         run.conformance.emplace(file.stem().string(), text_if_there(file));
+    run.departures = read_departures(source / "docs/ledger/departures.json");
+    run.notation = read_symbols(source / "docs/notation.md");
+    run.checks = check_scenes(source / "tests/conformance/vectors");
     for (const std::string& equation : ledger::equation_numbers()) (void)entry_of(run, equation);
     return run;
 }

@@ -8,6 +8,9 @@
 #include <vector>
 
 #include "denhartog/ledger/ledger_entry.hpp"
+#include "departures.hpp"
+#include "offers.hpp"
+#include "symbols.hpp"
 
 namespace denhartog::pages {
 
@@ -15,11 +18,19 @@ using ledger::Json;
 
 /// @brief A figure of the run.
 struct FigureRecord {
-    std::string name;   ///< of its files
-    std::string title;  ///< what is to be seen
-    Json record;        ///< what its program wrote; null where it has none
-    std::string script; ///< its plot script, from the root of the sources
+    std::string name;                   ///< of its files
+    std::string title;                  ///< what is to be seen
+    Json record;                        ///< what its program wrote; null where it has none
+    std::string script;                 ///< its plot script, from the root of the sources
+    std::vector<std::string> data = {}; ///< names of the files with its data
 };
+
+/// @brief The number of a figure in the paper. @param figure the figure @return e.g. `Fig. 7`; empty where the paper has
+/// none of it
+[[nodiscard]] std::string figure_number(const FigureRecord& figure);
+
+/// @brief A figure's title with its number. @param figure the figure @return e.g. `Fig. 7: Regimes of motion of a single mass`
+[[nodiscard]] std::string figure_title(const FigureRecord& figure);
 
 /// @brief All that the pages are made of.
 struct RunRecord {
@@ -32,6 +43,10 @@ struct RunRecord {
     std::vector<Json> accuracy; ///< worst errors by function, a record a survey; empty where the tests have not run
     std::string chart;          ///< tables of speed against accuracy, Markdown; empty where it was not measured
     std::string batch;          ///< tables of batches, Markdown; empty where they were not measured
+    Departures departures;      ///< what a person wrote on each departure
+    std::map<std::string, std::string> remarks; ///< what a person wrote on other equations, with formulas between dollars
+    std::vector<Symbol> notation;               ///< the paper's symbols
+    std::map<std::string, std::vector<CheckScene>> checks; ///< certified questions by equation, for the reader's own number
     /// What the conformance kit was tried on, Markdown by the name of its file; those that were not made are not there.
     std::map<std::string, std::string> conformance;
 };
@@ -60,7 +75,8 @@ struct RunRecord {
 /// @return LaTeX
 [[nodiscard]] std::string statement_that_holds(const Json& entry);
 
-/// @brief Whether a printed form does not hold as it stands: refuted, or illegible in the text at hand. @param verdict its verdict
+/// @brief Whether a printed form does not hold as it stands: refuted, or illegible in the text at hand. @param verdict its
+/// verdict
 /// @return  true where another form holds
 [[nodiscard]] inline bool fails(const std::string& verdict) { return verdict == "refuted" || verdict == "illegible"; }
 

@@ -6,13 +6,14 @@
 #include <string>
 #include <vector>
 
-#include "equation_page.hpp"
+#include "home_page.hpp"
 
 namespace denhartog::pages {
 
 /// @brief The pages, and why they cannot be taken.
 struct Site {
     std::vector<Page> pages;         ///< in no order that matters
+    std::vector<ScriptFile> scripts; ///< what the scripts of the pages read
     std::vector<std::string> faults; ///< a sentence each; empty where all is well
 };
 
@@ -30,5 +31,9 @@ struct Site {
 /// @return        how many files were written
 /// @throws        InputError where one cannot be written
 [[nodiscard]] std::size_t write_pages(const std::vector<Page>& pages, const std::filesystem::path& folder);
+
+/// @brief Writes the files for the scripts. @param scripts the files @param folder where to @throws InputError where one
+/// cannot be written
+void write_scripts(const std::vector<ScriptFile>& scripts, const std::filesystem::path& folder);
 
 } // namespace denhartog::pages

@@ -1,9 +1,8 @@
 // Shows that check-pages.mjs finds each fault that it looks for:
 //
-//   node check-pages-test.mjs SITE
+//   node check-pages-test.mjs
 //
-// Opens a page for each kind of fault, and one without a fault, with the MathJax of SITE; the good one in a browser that writes
-// much on standard error. Exit status 1 where a fault is not told, or is told of the good page. Run from the folder where
+// Opens a page for each kind of fault, and one without a fault; the good one in a browser that writes much on standard error. Exit status 1 where a fault is not told, or is told of the good page. Run from the folder where
 // axe-core and puppeteer-core are.
 import {spawnSync} from "node:child_process";
 import fs from "node:fs";
@@ -11,39 +10,34 @@ import os from "node:os";
 import path from "node:path";
 import {fileURLToPath} from "node:url";
 
-const [site] = process.argv.slice(2);
-if (!site) {
-  console.error("usage: node check-pages-test.mjs SITE");
-  process.exit(2);
-}
-
-const mathjax = `<script type="text/x-mathjax-config">
-MathJax.Hub.Config({extensions: ["tex2jax.js"], jax: ["input/TeX", "output/SVG"], messageStyle: "none",
-                    TeX: {noErrors: {disabled: true}, noUndefined: {disabled: true}}});
-</script><script async src="mathjax/MathJax.js"></script>`;
+const drawn = (inside, math = "<math><mi>x</mi></math>", hidden = " aria-hidden='true'") =>
+  `<span class="katex"><span class="katex-mathml">${math}</span><span class="katex-html"${hidden}>${inside}</span></span>`;
 
 // Name: what the page holds, and what has to be told of it.
 const pages = {
-  good: [mathjax + "<p>A formula, \\(x^2\\), and <a href='good.html'>a link</a>.</p>"],
+  good: ["<p>A formula, " + drawn("x") + ", and <a href='good.html'>a link</a>.</p>"],
   raw: ["<p>Here \\f$ is left, and \\(x\\) as well.</p>", "raw formula in the text: Here"],
-  rejected: [mathjax + "<p>\\(\\frac{1\\)</p>", "MathJax rejects a formula: "],
-  left_out: ["<p>Here is<script type='math/tex'>x</script>nothing.</p>", "1 formulas are not rendered"],
+  tex: ["<p>Here \\frac{1}{2} is left.</p>", "raw formula in the text: Here"],
+  rejected: ["<p>" + drawn("<span class='katex-error'>\u005cfoo</span>") + "</p>", "a formula was rejected: "],
+  left_out: ["<p>Here is " + drawn("") + " nothing.</p>", "1 formulas are not drawn"],
+  mute: ["<p>" + drawn("x", "<math></math>") + "</p>", "1 formulas have nothing for who listens"],
+  strokes: ["<p>" + drawn("x", undefined, "") + "</p>", "1 formulas would be read stroke by stroke"],
+  stop: ["<p class='formulaDsp' tabindex='0'>" + drawn("x") + "</p>", "1 needless stops of the keyboard at formulas"],
   wide: ["<div style='width: 500px'>Wider than a telephone.</div>", "is 1?\\d\\d pixels too wide at 375"],
   console: ["<script>console.error('of the page')</script>", "console: of the page"],
   script: ["<script>throw new Error('of the page')</script>", "script: of the page"],
   missing: ["<img src='missing.png' alt='missing'>", "not loaded: file:.*missing.png"],
   call: ["<img src='http://127.0.0.1:9/image.png' alt='elsewhere'>", "calls another host: http://127"],
+  inside: ["<p>" + drawn("x<img src='data:image/gif;base64,R0lGODlhAQABAAAAACw='>", undefined, "") + "</p>", "axe, light: image-alt"],
   nameless: ["<img src='data:image/gif;base64,R0lGODlhAQABAAAAACw='>", "axe, light: image-alt"],
   dark: ["<style>@media (prefers-color-scheme: dark) { p { color: #333; background: #222; } }</style><p>Too dark.</p>",
          "axe, dark: color-contrast"],
   busy: ["<script>addEventListener('load', () => setTimeout(() => { for (;;); }))</script>",
          "could not be looked at, .*: no end within"],
-  idle: ["<script>MathJax = {Hub: {Queue() {}}}</script>", "could not be looked at, at: formulas: no end within"],
 };
 
 const folder = fs.mkdtempSync(path.join(os.tmpdir(), "check-pages-"));
 process.on("exit", () => fs.rmSync(folder, {recursive: true}));
-fs.symlinkSync(path.resolve(site, "mathjax"), path.join(folder, "mathjax"));
 for (const [name, [body]] of Object.entries(pages))
   fs.writeFileSync(path.join(folder, name + ".html"), `<!DOCTYPE html>
 <html lang="en"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width"><title>${name}</title></head>

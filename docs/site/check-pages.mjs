@@ -3,8 +3,9 @@
 //   node check-pages.mjs SITE REPORT.json [--only REGEXP] [--screenshots FOLDER] [--limit SECONDS]
 //
 // An error in the console, a file that is not there, a call to another host; raw \f or \( left in the text; a formula that
-// MathJax left out or rejected; a page wider than the window at 375 or 1280 pixels; a serious fault by axe-core, in light and
-// dark, listings by sample; a page that does not come to its end within the limit, 300 seconds. One line a fault on standard
+// is not drawn, was rejected, or has nothing for who listens; a tab stop within a formula, or on one that does not scroll; a page
+// wider than the window at 375 or 1280 pixels; a serious fault by axe-core, formulas included, in light and dark, listings by
+// sample; a page that does not come to its end within the limit, 300 seconds. One line a fault on standard
 // error; exit status 1 where there is any, 2 for usage. Run from the folder where axe-core and puppeteer-core are.
 import {createRequire} from "node:module";
 import fs from "node:fs";
@@ -38,27 +39,27 @@ const every_so_many = 20;
 const faults = [];
 const count = {pages: 0, formulas: 0, links: 0, accessibility_rules: 0};
 
-// In the page: what is wrong with its formulas and its text, once MathJax is through.
+// In the page: what is wrong with its formulas and its text.
 async function look() {
+  await document.fonts.ready;
   const raw = [];
   const walker = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
   for (let node = walker.nextNode(); node; node = walker.nextNode()) {
-    if (node.parentElement.closest("script, style, pre, code, .fragment, .MathJax_SVG, .MathJax_SVG_Display")) continue;
-    const found = /\\f[$[\]{}]?|\\[()[\]]|\$\$|source:[a-z]/.exec(node.textContent);
+    if (node.parentElement.closest("script, style, pre, code, .fragment, annotation")) continue;
+    const found = /\\f[$[\]{}]?|\\[()[\]]|\$\$|source:[a-z]|\\(?:frac|sqrt|beta|zeta|tau|left|right|overline)\b/.exec(node.textContent);
     if (found) raw.push(node.textContent.trim().slice(0, 80));
   }
-  const wanted = document.querySelectorAll("script[type^='math/tex']").length;
-  const formulas = window.MathJax ? MathJax.Hub.getAllJax() : [];
-  const rejected = (part) => part?.type === "merror" || Array.isArray(part?.data) && part.data.some(rejected);
-  const wrong = [...formulas.filter((formula) => rejected(formula.root)).map((formula) => formula.originalText),
-                 ...[...document.querySelectorAll(".MathJax_Error")].map((e) => e.textContent)].map((text) => text.slice(0, 80));
-  const empty = [...document.querySelectorAll(".MathJax_SVG")].filter((e) => !e.querySelector("svg")).length;
-  return {raw, wanted, made: formulas.length, wrong, empty, links: document.links.length};
-}
-
-// In the page: axe-core passes over formulas, as told, yet walks through their thousands of strokes. Their sizes stay.
-function leave_formulas_empty() {
-  for (const drawn of document.querySelectorAll(".MathJax_SVG svg")) drawn.replaceChildren();
+  const formulas = [...document.querySelectorAll(".katex")];
+  const wrong = [...document.querySelectorAll(".katex-error, .katex [color='#cc0000']")].map((e) => e.textContent.slice(0, 80));
+  const mute = formulas.filter((e) => !e.querySelector(".katex-mathml math")?.textContent.trim()).length;
+  const empty = formulas.filter((e) => {
+    const drawn = e.querySelector(".katex-html");
+    return !drawn || !drawn.textContent.trim() && !drawn.querySelector("svg");
+  }).length;
+  const unread = formulas.filter((e) => e.querySelector(".katex-html:not([aria-hidden='true'])")).length;
+  const stops = [...document.querySelectorAll(".katex [tabindex], .katex a[href], .katex button")].length +
+                [...document.querySelectorAll(".formulaDsp[tabindex]")].filter((e) => e.scrollWidth <= e.clientWidth + 1).length;
+  return {raw, made: formulas.length, wrong, mute, empty, unread, stops, links: document.links.length};
 }
 
 // A browser with one tab, where one page is opened after the other. Puppeteer reads only the first lines that Chromium writes on
@@ -95,13 +96,14 @@ async function check(tab, asked) {
   await page.emulateMediaFeatures([{name: "prefers-color-scheme", value: "light"}]);
   await page.setViewport({width: widths[0], height: 900});
   await page.goto(pathToFileURL(path.resolve(site, name)).href, {waitUntil: "load", timeout: 0});
-  tab.at = "formulas";
-  await page.evaluate(() => window.MathJax ? new Promise((done) => MathJax.Hub.Queue(done)) : undefined);
   tab.at = "text";
   const seen = await page.evaluate(look);
   for (const text of seen.raw) say("raw formula in the text: " + text);
-  for (const text of seen.wrong) say("MathJax rejects a formula: " + text);
-  if (seen.made !== seen.wanted || seen.empty) say(seen.wanted - seen.made + seen.empty + " formulas are not rendered");
+  for (const text of seen.wrong) say("a formula was rejected: " + text);
+  if (seen.empty) say(seen.empty + " formulas are not drawn");
+  if (seen.mute) say(seen.mute + " formulas have nothing for who listens");
+  if (seen.unread) say(seen.unread + " formulas would be read stroke by stroke");
+  if (seen.stops) say(seen.stops + " needless stops of the keyboard at formulas");
   count.formulas += seen.made;
   count.links += seen.links;
   tab.at = "width";
@@ -120,14 +122,13 @@ async function check(tab, asked) {
     }
   if (asked) {
     await page.setViewport({width: widths[0], height: 900});
-    await page.evaluate(leave_formulas_empty);
     await page.evaluate(axe);
   }
   for (const scheme of schemes) {
     tab.at = "axe, " + scheme;
     await show(scheme);
     const rules = scheme === "light" ? {} : {runOnly: ["color-contrast"]};
-    const result = await page.evaluate((o) => axe.run({exclude: [".MathJax_SVG"]}, o), {resultTypes: ["violations"], ...rules});
+    const result = await page.evaluate((o) => axe.run(document, o), {resultTypes: ["violations"], ...rules});
     count.accessibility_rules += result.passes.length;
     for (const each of result.violations.filter((v) => v.impact === "serious" || v.impact === "critical"))
       say("axe, " + scheme + ": " + each.id + ", " + each.nodes.length + " times, first " + each.nodes[0].html.slice(0, 120));

@@ -6,7 +6,8 @@
   if (!words || !place) return;
   document.getElementById("site-search").value = words;
 
-  const documents = window.searchDocuments; // {title, url, text}, an entry a page or a documented name
+  const documents = window.searchDocuments; // {title, url, text, kind}, an entry a page or a documented name
+  const weight = [8, 6, 5, 2, 1]; // by kind: equations, figures and the derivation, other texts, what is behind an equation, code
   const index = lunr(function () {
     this.ref("place");
     this.field("title", {boost: 8});
@@ -15,25 +16,32 @@
     this.searchPipeline.remove(lunr.stemmer);
     this.pipeline.remove(lunr.stemmer);
     documents.forEach((each, at) => {
-      const boost = each.url.includes("#") ? 3 : /Reference$/.test(each.title) ? 1 : 6; // names, lists of names, texts
-      this.add({place: at, title: each.title.replace(/_/g, " ") + " " + each.title, text: each.text}, {boost});
+      this.add({place: at, title: each.title.replace(/_/g, " ") + " " + each.title, text: each.text}, {boost: weight[each.kind]});
     });
   });
 
-  // An equation is found by its number alone, with or without parentheses.
-  const number = /^\(?(A\.)?(\d+)\)?$/i.exec(words);
-  const found = [];
-  if (number) {
-    const wanted = "(" + (number[1] ? "A." : "") + number[2] + ")";
-    documents.forEach((each, at) => { if (each.title.startsWith("Equation " + wanted)) found.push(at); });
-  }
-  const terms = words.toLowerCase().split(/[\s(){}:,;]+/).filter(Boolean);
-  index.query(function (query) {
+  // The index parts words at hyphens, and so must the question.
+  const terms = words.toLowerCase().split(/[\s(){}:,;.\-\u2010-\u2014]+/).filter(Boolean);
+  const whole = terms.join(" ");
+  const found = index.query(function (query) {
     terms.forEach((term) => {
       query.term(term, {boost: 10});
-      query.term(term, {wildcard: lunr.Query.wildcard.TRAILING});
+      if (term.length > 2) query.term(term, {wildcard: lunr.Query.wildcard.TRAILING});
     });
-  }).forEach((each) => { if (!found.includes(+each.ref)) found.push(+each.ref); });
+  }).map((each) => {
+    const page = documents[+each.ref], text = (page.title + " " + page.text).toLowerCase().replace(/[-_]/g, " ");
+    const all = terms.filter((term) => text.includes(term)).length / terms.length;
+    const named = page.title.toLowerCase().replace(/[-_()]/g, " ").trim() === whole;
+    return {page, score: each.score * weight[page.kind] * all * all * (text.includes(whole) ? 2 : 1) + (named ? 1e6 : 0)};
+  }).sort((a, b) => b.score - a.score);
+
+  // What stands round the first of the words.
+  function excerpt(text) {
+    const places = terms.map((term) => text.toLowerCase().indexOf(term)).filter((at) => at >= 0);
+    const at = places.length ? Math.max(0, Math.min(...places) - 60) : 0;
+    const from = at === 0 ? 0 : text.indexOf(" ", at) + 1;
+    return (from > 0 ? "… " : "") + text.slice(from, from + 180) + (from + 180 < text.length ? " …" : "");
+  }
 
   place.textContent = "";
   const said = document.createElement("p");
@@ -42,11 +50,11 @@
   place.appendChild(said);
   const list = document.createElement("ol");
   list.className = "results";
-  found.slice(0, 60).forEach((at) => {
+  found.slice(0, 40).forEach(({page}) => {
     const item = document.createElement("li"), link = document.createElement("a"), text = document.createElement("p");
-    link.href = documents[at].url;
-    link.textContent = documents[at].title;
-    text.textContent = documents[at].text.slice(0, 160);
+    link.href = page.url;
+    link.textContent = page.title;
+    text.textContent = excerpt(page.text);
     item.append(link, text);
     list.appendChild(item);
   });

@@ -12,6 +12,7 @@ set xlabel 'r' offset 0, 0.4
 set ylabel 'error' offset 1
 titles = '"(a)  (52) against (46)" "(b)  (48), (49) over X̄₁" "(c)  (53), radians" "(d)  ζ = 0.01, r = 0.9" '.\
          '"(e)  (67), SDOF" "(f)  (67), 2DOF" "(g)  (71)" "(h)  (72), 2DOF" "(i)  (88), 5DOF, j = 3 and 5"'
+set object 1 rectangle from graph 0, graph 0 to graph 1, first 1e-2 fc rgb '#EAF3EC' fs solid noborder behind
 set arrow 1 from graph 0, first 1e-2 to graph 1, first 1e-2 nohead lt 7 lw 1 dt 2 back
 set arrow 2 from graph 0, first 1e-4 to graph 1, first 1e-4 nohead lt 7 lw 1 dt 3 back
 set label 2 '1 %' at graph 1.01, first 1e-2 font ',9'

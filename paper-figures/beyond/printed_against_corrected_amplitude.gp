@@ -22,6 +22,6 @@ set label 1 '(c)  r = rₙ₁'
 plot data index 'c;' using 1:3 with lines lt 1 lw 3.5 title '(81) as corrected', \
      '' index 'c;' using 1:5 with lines lt 2 dt '-' title '(81) as printed', \
      '' index 'c;' using 1:4 with lines lt 4 dt '.' lw 2.4 title '(82) as corrected', \
-     '' index 'c;' using 1:6 with lines lt 5 dt '-' title '(82) as printed', \
+     '' index 'c;' using 1:6 with lines lt 5 dt '-' title '(82) as the scan has it', \
      '' index 'markers c;' using 1:2 with points lt 7 pt 6
 unset multiplot

@@ -1,7 +1,8 @@
 # Figs. 6, 8 and 9: a damping ratio a column, amplitude above and phase below. A script sets before it loads this:
 # betas, last_r, X and phase (labels), column_X and column_phase (of the lines while the contact slides), least_phase,
 # largest_phase, step_phase, sliding(z) (how many of the friction ratios slide anywhere), stuck (1 with the stuck
-# configuration), name_points (of the invariant points, empty without).
+# configuration), name_points (of the invariant points, empty without), damping(z) (the title of a column), some (one marker in
+# how many is drawn), inset (1 with the peak of the first column enlarged), note (what is to be said of its markers on the right).
 width = 1240; height = 840
 load 'style.gp'
 zetas = '0.001 0.01 0.1'
@@ -11,12 +12,13 @@ marks(z, b) = sprintf('markers zeta=%s beta=%s;', word(zetas, z), b)
 edge(z) = sprintf('boundary zeta=%s;', word(zetas, z))
 held(z) = sprintf('stuck zeta=%s;', word(zetas, z))
 dotted = 'with lines lt 7 lw 2.2 dt (2, 3)'
-star = 'with points lt 7 pt 3 ps 1.3'
+star = 'with points lt 7 pt 3 ps 1.3 lc rgb (c == 3 ? "#AAAAAA" : "#000000")'
+star_key = 'with points lt 7 pt 3 ps 1.3'
 stuck_X = stuck ? ', data index held(c) using 1:2 '.dotted : ''
 stuck_phase = stuck ? ', data index held(c) using 1:($3 * degrees) '.dotted : ''
 stuck_key = stuck ? ', NaN '.dotted." title 'stuck configuration'" : ''
 points_X = name_points eq '' ? '' : ", data index 'invariant points;' using 1:2 ".star
-points_key = name_points eq '' ? '' : ', NaN '.star.' title name_points'
+points_key = name_points eq '' ? '' : ', NaN '.star_key.' title name_points'
 set multiplot
 set xrange [0:last_r]
 set xtics 0.5
@@ -32,12 +34,18 @@ do for [c = 1:3] {
     set xtics format ''
     set xlabel
     set ylabel (c == 1 ? 'transmissibility '.X : '') offset 1, 0
-    set title sprintf('(%s)  ζ = %s', word('a b c', c), word(zetas, c)) offset 0, -0.6
+    set title sprintf('(%s)  %s', word('a b c', c), damping(word(zetas, c))) offset 0, -0.6
+    if (c == 1 && note ne '') {
+        set label 9 note at last_r - 0.04, 0.052 right font ',10' textcolor rgb '#333333'
+        set arrow 9 from last_r - 0.45, 0.065 to last_r - 0.45, 0.3 lw 1 lc rgb '#333333' size screen 0.006, 20 filled
+    }
     plot data index edge(c) using 1:2 with lines lw 5 lc rgb '#BBBBBB', \
          data index line(c, '0') using 1:column_X with lines lt 7 lw 1, \
          for [b = 1:sliding(c)] data index line(c, word(betas, b)) using 1:column_X with lines lt b, \
          for [b = 1:5] data index line(c, word(betas, b)) using 1:3 with lines lt b lw 1 dt (9, 5), \
-         for [b = 1:5] data index marks(c, word(betas, b)) using 1:2 with points lt b @stuck_X @points_X
+         for [b = 1:5] data index marks(c, word(betas, b)) using 1:2 every some with points lt b @stuck_X @points_X
+    unset label 9
+    unset arrow 9
     unset logscale y
     set tmargin at screen 0.445
     set bmargin at screen 0.18
@@ -50,8 +58,22 @@ do for [c = 1:3] {
     plot data index edge(c) using 1:($3 * degrees) with lines lw 5 lc rgb '#BBBBBB', \
          data index line(c, '0') using 1:(column(column_phase) * degrees) with lines lt 7 lw 1, \
          for [b = 1:sliding(c)] data index line(c, word(betas, b)) using 1:(column(column_phase) * degrees) with lines lt b, \
-         for [b = 1:sliding(c)] data index marks(c, word(betas, b)) using 1:($3 * degrees) with points lt b @stuck_phase
+         for [b = 1:sliding(c)] data index marks(c, word(betas, b)) using 1:($3 * degrees) every some with points lt b @stuck_phase
     set ytics autofreq
+}
+if (inset) {
+    set lmargin at screen left(1) + 0.185
+    set rmargin at screen left(1) + 0.28
+    set tmargin at screen 0.94
+    set bmargin at screen 0.75
+    unset title; unset xlabel; unset ylabel
+    set xrange [0.99:1.01]
+    set xtics ('0.99' 0.99, '1' 1, '1.01' 1.01) font ',9' offset 0, 0.3
+    set yrange [0:500]
+    set ytics 250 format '%g' font ',9' offset 0.4, 0
+    set border 15
+    plot data index line(1, '0') using 1:column_X with lines lt 7 lw 1, \
+         for [b = 1:sliding(1)] data index line(1, word(betas, b)) using 1:column_X with lines lt b
 }
 # the keys, below the panels
 set lmargin at screen 0

@@ -7,7 +7,7 @@ set dashtype 5 (12,3,2,3)
 set multiplot layout 1,2 margins 0.07, 0.985, 0.155, 0.86 spacing 0.075
 set xrange [0:2]
 set xtics ('0' 0, 'π/2' 0.5, 'π' 1, '3π/2' 1.5, '2π' 2)
-set xlabel 'τ'
+set xlabel 'τ, from the maximum of the force'
 set ylabel 'x̄ₖ' offset 1
 set xzeroaxis lc rgb '#888888'
 set key at screen 0.05, 0.985 left top horizontal maxrows 1 samplen 3.5 width 2 reverse Left

@@ -1,7 +1,9 @@
 // Pages from a run with one equation proved and one refuted: what they say, and what they refuse.
+#include "denhartog/formulas/mode.hpp"
 #include "pages/chapter.hpp"
 #include "pages/overview_pages.hpp"
 #include "pages/site.hpp"
+#include "pages/written.hpp"
 #include "tests/unit/ledger_fixtures.hpp"
 
 using namespace denhartog;
@@ -56,7 +58,9 @@ public:
 
     [[nodiscard]] std::string page(const std::string& equation) const {
         const Sources sources(folder.path());
-        return equation_page({run, sources}, equation).text;
+        std::string text;
+        for (const Page& page : equation_pages({run, sources}, equation)) text += page.text;
+        return text;
     }
 
     tests::Folder folder;
@@ -154,8 +158,37 @@ TEST_CASE("what the tests measured stands on the page of its equation alone", "[
     small.run.accuracy.push_back(
         Json::parse(R"({"type":"double","functions":[{"function":"u","equations":["38"],"zone":"R near 1",
         "points":7,"printed":null,"shipped":1.5,"shipped_at":"0x1.8p-1"}]})"));
-    CHECK(has(small.page("38"), "<td>double</td><td>R near 1</td><td>7</td><td>no number</td><td>1.5</td><td>0x1.8p-1</td>"));
+    CHECK(has(small.page("38"), "<td>double</td><td>R near 1</td><td>7</td><td>not finite</td><td>1.5</td><td>0x1.8p-1</td>"));
     CHECK_FALSE(has(small.page("37"), "0x1.8p-1"));
+}
+
+TEST_CASE("a departure is said in words, with the difference marked, and what it says must fit what is printed", "[pages]") {
+    SmallRun small;
+    small.run.departures["38"] = {"The sign of $b$ is wrong, see (37).", "a_{38}=\\misprint{b}", "a=\\mended{-b}"};
+    const std::string text = small.page("38");
+    CHECK(has(text, "The sign of \\f$b\\f$ is wrong, see \\ref eq_37 \"(37)\"."));
+    CHECK(has(text, "\\f[ a_{38}=\\misprint{b} \\f]"));
+    CHECK(text.find("mended") < text.find("The proof"));
+    CHECK(text.find("The proof") < text.find("The function"));
+    CHECK(faults_of(small.run.departures, small.run.ledger).empty());
+    small.run.departures["38"].printed = "a_{38}=\\misprint{c}";
+    CHECK(tells(faults_of(small.run.departures, small.run.ledger), "is not the printed formula"));
+    CHECK(tells(faults_of({}, small.run.ledger), "has no sentence"));
+    CHECK(tells(faults_of({{"37", {"x", "", ""}}}, small.run.ledger), "does not depart"));
+}
+
+TEST_CASE("a formula that is written down is the one that runs, in each language", "[pages]") {
+    const Written R = Written::symbol("R"), zeta = Written::symbol("zeta");
+    const WrittenFormula u{"u", {"R", "zeta"}, {}, {paper::first_damping_function(R, zeta)}};
+    CHECK(code_of(u, Language::python) == "def u(R, zeta):\n    w = np.sqrt(1 - zeta * zeta)\n    theta = np.pi * w / R\n"
+                                          "    return np.sin(theta) / (R * w * (np.cosh(np.pi * zeta / R) + np.cos(theta)))\n");
+    CHECK(has(code_of(u, Language::matlab), "theta = pi .* w ./ R;"));
+    const WrittenFormula order{
+        "f", {"a", "b"}, {}, {Written::symbol("a") - (Written::symbol("b") - 1) * (-Written::symbol("a"))}};
+    CHECK(has(code_of(order, Language::cxx), "return a - (b - 1) * (-a);"));
+    const WrittenFormula sum{"s", {"x"}, {"x"}, {2 * Written::sum_over_modes(Written::symbol("x") * Written::symbol("x"))}};
+    CHECK(has(code_of(sum, Language::python), "2 * np.sum(x * x)"));
+    CHECK(has(code_of(sum, Language::javascript), "sum += x[i] * x[i];"));
 }
 
 TEST_CASE("departures and the index count what the ledger has", "[pages]") {

@@ -27,7 +27,7 @@ using Json = nlohmann::ordered_json;
 }
 
 /// @brief The number of an equation as the ledger writes it.
-/// @param text  as people write it: `46`, `(46)`, `eq:46`, `A.7`, `a.7`; `54a`, `(54)a` and the like mean (54)
+/// @param text  as people write it: `46`, `(46)`, `eq:46`, `A.7`, `a.7`, `A7`, `a7`; `54a`, `(54)a` and the like mean (54)
 /// @return      the number, or nothing where the paper has no such equation
 [[nodiscard]] inline std::optional<std::string> equation_number(std::string text) {
     if (text.starts_with("eq:")) text.erase(0, 3);
@@ -39,7 +39,8 @@ using Json = nlohmann::ordered_json;
         text = text.substr(1, close - 1) + rest;
     }
     if (text == "54a" || text == "54b") text = "54";
-    if (text.starts_with("a.")) text.front() = 'A';
+    if (text.starts_with('a')) text.front() = 'A';
+    if (text.size() > 1 && text[0] == 'A' && text[1] != '.') text.insert(1, ".");
     const std::vector<std::string>& all = equation_numbers();
     if (std::find(all.begin(), all.end(), text) == all.end()) return std::nullopt;
     return text;

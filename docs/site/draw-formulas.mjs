@@ -1,0 +1,112 @@
+// Draws the formulas of the finished site with KaTeX, so that a page is delivered with them:
+//
+//   node draw-formulas.mjs SITE DATA KATEX
+//
+// A formula becomes HTML for the eye and MathML for who listens. In displayed formulas of the equations' pages the symbols of
+// DATA/symbols.json carry the number of their entry, for reader.js. SITE/symbols.js and SITE/statements.js hold the meanings of the
+// symbols and the statements of the equations, drawn. KATEX is the folder of katex.min.js. A formula that KaTeX rejects is told, a
+// line each; exit status 1 where there is any.
+import {createRequire} from "node:module";
+import fs from "node:fs";
+import path from "node:path";
+
+const [site, data, folder] = process.argv.slice(2);
+if (!folder) {
+  console.error("usage: node draw-formulas.mjs SITE DATA KATEX");
+  process.exit(2);
+}
+const katex = createRequire(import.meta.url)(path.resolve(folder, "katex.min.js"));
+const symbols = JSON.parse(fs.readFileSync(path.join(data, "symbols.json"), "utf8"));
+const statements = JSON.parse(fs.readFileSync(path.join(data, "statements.json"), "utf8"));
+const faults = new Set();
+
+const plain_of = {"&lt;": "<", "&gt;": ">", "&amp;": "&", "&quot;": '"', "&#39;": "'", "&#160;": " "};
+const plain = (text) => text.replace(/&(lt|gt|amp|quot|#39|#160);/g, (entity) => plain_of[entity]);
+const html = (text) => text.replace(/&/g, "&amp;").replace(/</g, "&lt;").replace(/>/g, "&gt;").replace(/"/g, "&quot;");
+
+// A symbol with its index, its primes and its exponent; the longest first. A letter stands alone: not within a word or a command.
+const names = [];
+symbols.forEach((symbol, at) => symbol.latex.forEach((latex) => names.push({latex, at})));
+names.sort((a, b) => b.latex.length - a.latex.length);
+const escaped = (text) => text.replace(/[.*+?^${}()|[\]\\]/g, "\\$&");
+const any = new RegExp("(\\\\(?:text|mathrm|operatorname|begin|end|tag)\\{[^{}]*\\})|(?<![\\\\A-Za-z_^])(?:" +
+                       names.map((name) => "(?:" + escaped(name.latex) + ")").join("|") +
+                       ")(?![A-Za-z_])(?:\\^(?:\\{[^{}]*\\}|[^{}\\\\]))?'*", "g");
+const number_of = new Map(names.map((name) => [name.latex, name.at]));
+
+function marked(latex) {
+  return latex.replace(any, (found, word) => {
+    if (word) return found;
+    const name = names.find((each) => found.startsWith(each.latex));
+    return name ? "\\htmlData{symbol=" + number_of.get(name.latex) + "}{" + found + "}" : found;
+  });
+}
+
+const macros = {"\\misprint": "\\htmlClass{misprint}{#1}", "\\mended": "\\htmlClass{mended}{#1}"};
+const unmarked = (latex) => latex.replace(/\\(misprint|mended)(?=\{)/g, "");
+const drawn = new Map();
+
+function draw(latex, displayed, explained, where, output = "htmlAndMathml") {
+  const key = (displayed ? "d" : "t") + (explained ? "e" : "") + output + latex;
+  if (drawn.has(key)) return drawn.get(key);
+  const options = {displayMode: displayed, throwOnError: true, trust: true, strict: false, macros: {...macros}, output};
+  let out = "";
+  try {
+    if (explained) {
+      try { out = katex.renderToString(marked(latex), options); } catch { /* a symbol within a group that must stay whole */ }
+    }
+    if (!out) out = katex.renderToString(latex, options);
+  } catch (error) {
+    faults.add(where + ": " + latex.slice(0, 120) + ": " + error.message);
+    return html(latex);
+  }
+  const tex = html(unmarked(latex).trim());
+  out = out.replace(/<annotation encoding="application\/x-tex">[\s\S]*?<\/annotation>/,
+                    () => '<annotation encoding="application/x-tex">' + tex + "</annotation>");
+  drawn.set(key, out);
+  return out;
+}
+
+const displays = /(?<!\\)\\\[([\s\S]*?)(?<!\\)\\\]/g, inlines = /(?<!\\)\\\(([\s\S]*?)(?<!\\)\\\)/g;
+const untouched = /<(script|style|pre|code|textarea|title)\b[\s\S]*?<\/\1>|<div class="fragment"[\s\S]*?<!-- fragment -->|<!--[\s\S]*?-->|<[^>]*>/g;
+
+function draw_in(text, explained, where) {
+  return text.replace(displays, (_, latex) => draw(plain(latex), true, explained, where))
+             .replace(inlines, (_, latex) => draw(plain(latex), false, false, where));
+}
+
+function draw_page(page, explained, where) {
+  let out = "", from = 0;
+  for (const found of page.matchAll(untouched)) {
+    out += draw_in(page.slice(from, found.index), explained, where) + found[0];
+    from = found.index + found[0].length;
+  }
+  return out + draw_in(page.slice(from), explained, where);
+}
+
+let formulas = 0, pages = 0;
+for (const name of fs.readdirSync(site).filter((each) => each.endsWith(".html") && !each.endsWith("_source.html"))) {
+  const file = path.join(site, name), before = fs.readFileSync(file, "utf8");
+  if (!/\\[([]/.test(before)) continue;
+  const after = draw_page(before, name.startsWith("eq_"), name);
+  if (after === before) continue;
+  ++pages;
+  formulas += after.split('<span class="katex">').length - 1;
+  fs.writeFileSync(file, after);
+}
+
+const meanings = symbols.map((each) => ({
+  symbol: draw(each.latex[0], false, false, "symbols"),
+  meaning: draw_page(each.meaning, false, "symbols"),
+  units: each.units,
+  equations: each.equations,
+}));
+fs.writeFileSync(path.join(site, "symbols.js"), "window.siteSymbols = " + JSON.stringify(meanings) + ";\n");
+const shown = {};
+for (const [number, each] of Object.entries(statements))
+  shown[number] = {said: each.said, drawn: draw(each.latex, true, false, "(" + number + ")", "mathml")};
+fs.writeFileSync(path.join(site, "statements.js"), "window.siteStatements = " + JSON.stringify(shown) + ";\n");
+
+for (const fault of faults) console.error("draw-formulas: " + fault);
+console.log(formulas + " formulas drawn on " + pages + " pages");
+process.exit(faults.size ? 1 : 0);

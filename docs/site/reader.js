@@ -1,0 +1,229 @@
+// What the pages do besides being read: symbols and equations explained where they stand, code to copy, a reader's number checked,
+// and a box that goes to an equation, a figure or a section. Without this script every page is complete and its links work.
+(function () {
+  "use strict";
+  const base = new URL(".", document.currentScript.src).href;
+
+  // A box beside what it explains; closed by Escape, by a click elsewhere, or when the pointer leaves.
+  const tip = document.createElement("div");
+  tip.id = "tip";
+  tip.setAttribute("role", "tooltip");
+  tip.hidden = true;
+  let of = null;
+  function show(element, content) {
+    hide();
+    tip.innerHTML = content;
+    tip.hidden = false;
+    if (!tip.isConnected) document.body.appendChild(tip);
+    const place = element.getBoundingClientRect(), width = Math.min(tip.offsetWidth, innerWidth - 16);
+    tip.style.left = Math.max(8, Math.min(place.left, innerWidth - width - 8)) + scrollX + "px";
+    const below = place.bottom + tip.offsetHeight + 12 < innerHeight || place.top < tip.offsetHeight + 12;
+    tip.style.top = (below ? place.bottom + 6 : place.top - tip.offsetHeight - 6) + scrollY + "px";
+    of = element;
+    if (element.matches("a")) element.setAttribute("aria-describedby", "tip");
+  }
+  function hide() {
+    if (of && of.matches("a")) of.removeAttribute("aria-describedby");
+    of = null;
+    tip.hidden = true;
+  }
+
+  const loading = {};
+  function load(name) {
+    loading[name] = loading[name] || new Promise((done, fail) => {
+      const script = document.createElement("script");
+      script.src = base + name;
+      script.onload = done;
+      script.onerror = fail;
+      document.head.appendChild(script);
+    });
+    return loading[name];
+  }
+
+  const target = (event) => event.target instanceof Element && event.target.closest("[data-symbol], a[href]");
+  const equation_of = (link) => {
+    const found = /(?:^|\/)eq_((?:A_)?\d+)\.html$/.exec(link.getAttribute("href") || "");
+    return found && !link.closest(".eq-nav, header, svg") ? found[1].replace("_", ".") : "";
+  };
+  let wanted = null;
+  async function explain(element) {
+    wanted = element;
+    if (element.dataset.symbol !== undefined) {
+      await load("symbols.js");
+      const symbol = window.siteSymbols[+element.dataset.symbol];
+      if (wanted !== element || !symbol) return;
+      const links = symbol.equations.map((n) => "<a href=\"" + base + "eq_" + n.replace(".", "_") + ".html\">(" + n + ")</a>");
+      show(element, symbol.symbol + ": " + symbol.meaning + (symbol.units ? "; " + symbol.units : "") +
+                    (links.length ? "; " + links.join(", ") : ""));
+    } else if (equation_of(element)) {
+      await load("statements.js");
+      const number = equation_of(element), statement = window.siteStatements[number];
+      if (wanted === element && statement) show(element, "<p>(" + number + ") " + statement.said + "</p>" + statement.drawn);
+    }
+  }
+  for (const kind of ["mouseover", "focusin"])
+    document.addEventListener(kind, (event) => {
+      const element = target(event);
+      if (element && element !== of && !tip.contains(element)) explain(element);
+      else if (!element && !tip.contains(event.target)) { wanted = null; if (kind === "mouseover") hide(); }
+    });
+  document.addEventListener("click", (event) => {
+    const element = target(event);
+    if (element && element.dataset.symbol !== undefined) explain(element);
+    else if (!tip.contains(event.target)) hide();
+  });
+  document.addEventListener("keydown", (event) => { if (event.key === "Escape") hide(); });
+
+  // Code to copy.
+  document.addEventListener("click", async (event) => {
+    const button = event.target instanceof Element && event.target.closest("button.copy-code");
+    if (!button) return;
+    const code = button.parentElement.querySelector("code");
+    try {
+      await navigator.clipboard.writeText(code.textContent);
+    } catch {
+      getSelection().selectAllChildren(code);
+      document.execCommand("copy");
+    }
+    button.textContent = "Copied";
+    setTimeout(() => { button.textContent = "Copy"; }, 1500);
+  });
+
+  // A reader's number: right where six digits agree, else the mistake with which six digits agree and that is not right, else neither.
+  const numbers = (text) => text.trim().split(/[\s,;]+/).filter(Boolean).map((each) => Number(each.replace("−", "-")));
+  const shown = (values) => values.map((value) => Number(value.toPrecision(12))).join(", ");
+  const near = (a, b) => {
+    const size = Math.max(...b.map(Math.abs));
+    return a.length === b.length && a.every((value, i) => Math.abs(value - b[i]) <= 1e-6 * (size || 1));
+  };
+  for (const form of document.querySelectorAll("form.check")) {
+    const check = window.checks[form.id], select = form.elements.scene, inputs = form.querySelector("fieldset.inputs");
+    const chosen = () => select && select.value !== "" ? check.scenes[+select.value] : null;
+    const fit = () => { if (inputs) inputs.hidden = chosen() !== null; form.querySelector(".verdict-of-number").textContent = ""; };
+    if (select) select.addEventListener("change", fit);
+    fit();
+    form.addEventListener("submit", (event) => {
+      event.preventDefault();
+      const place = form.querySelector(".verdict-of-number"), given = numbers(form.elements.number.value), scene = chosen();
+      place.className = "verdict-of-number";
+      if (!given.length || given.some((value) => !Number.isFinite(value))) {
+        place.textContent = "Your number must be a number, such as 0.123, or two for a complex one.";
+        return;
+      }
+      let right, mistakes = [];
+      if (scene) {
+        right = scene.right;
+        mistakes = scene.mistakes;
+      } else {
+        const values = [];
+        for (const name of check.arguments) {
+          const read = numbers(form.elements[name].value);
+          if (!read.length || read.some((value) => !Number.isFinite(value))) {
+            place.textContent = name + " must be a number.";
+            return;
+          }
+          values.push(check.ofModes.includes(name) ? read : read[0]);
+        }
+        const counts = new Set(check.arguments.map((name, i) => check.ofModes.includes(name) ? values[i].length : 0).filter(Boolean));
+        if (counts.size > 1) {
+          place.textContent = "Lists of the modes must have as many values each.";
+          return;
+        }
+        right = [].concat(check.holds(...values));
+        if (right.some((value) => !Number.isFinite(value))) {
+          place.textContent = "The formula has no finite value there: these inputs are outside its domain.";
+          return;
+        }
+        if (check.printed) mistakes = [{what: "The equation as printed.", value: [].concat(check.printed(...values))}];
+      }
+      const explains = (mistake) => near(given, mistake.value) && !near(mistake.value, right);
+      if (near(given, right)) {
+        place.classList.add("proved");
+        place.textContent = "Right: it agrees with " + shown(right) + " to six digits or more.";
+      } else {
+        const found = mistakes.filter(explains);
+        place.classList.add("refuted");
+        place.textContent = found.length
+          ? "Not right. " + found.map((each) => "This gives it: " + each.what).join(" ") + " The right value is " + shown(right) + "."
+          : "Neither the right value nor that of a mistake known here. The right value is " + shown(right) + ".";
+      }
+    });
+  }
+
+  // The boxes to go somewhere: an exact number leads to its page, anything else to the search.
+  const sections = window.siteSections || {};
+  function place_of(text) {
+    const words = text.trim().toLowerCase();
+    let found = /^(?:eq(?:uation|n)?s?\.?\s*)?\(?(a\.?)?\s*(\d{1,2})\)?[ab]?$/.exec(words);
+    if (found && (found[1] ? +found[2] >= 1 && +found[2] <= 15 : +found[2] >= 1 && +found[2] <= 88))
+      return "eq_" + (found[1] ? "A_" : "") + +found[2] + ".html";
+    found = /^fig(?:ure)?s?\.?\s*(\d{1,2})[a-d]?$/.exec(words);
+    if (found && sections["figure " + +found[1]]) return sections["figure " + +found[1]];
+    found = /^(?:sec(?:tion)?\.?|§)\s*([2-4](?:\.\d){1,2})$/.exec(words) || /^([2-4]\.\d)(?:\.\d)?$/.exec(words);
+    if (found && sections["section " + found[1].slice(0, 3)]) return sections["section " + found[1].slice(0, 3)];
+    return /^app(?:endix|\.)?$/.test(words) ? sections["section Appendix"] : "";
+  }
+  for (const form of document.querySelectorAll("form.search, form.go"))
+    form.addEventListener("submit", (event) => {
+      const place = place_of(form.querySelector("input").value);
+      if (!place) return;
+      event.preventDefault();
+      location.href = base + place;
+    });
+
+  // An exact number that came to the search page leads on.
+  if (document.getElementById("search-results")) {
+    const place = place_of(new URLSearchParams(location.search).get("q") || "");
+    if (place) location.replace(base + place);
+  }
+
+  // A formula wider than its place scrolls, and can then be scrolled by the keyboard; no other formula is a stop.
+  function stops() {
+    for (const each of document.querySelectorAll(".formulaDsp, .katex-wide")) {
+      if (each.scrollWidth > each.clientWidth + 1) each.tabIndex = 0;
+      else each.removeAttribute("tabindex");
+    }
+  }
+  stops();
+  addEventListener("resize", stops);
+  addEventListener("load", stops);
+  document.addEventListener("toggle", stops, true);
+
+  // The graph: an equation shows what it rests on, all the way down.
+  const graph = document.querySelector("svg.equation-graph");
+  if (graph) {
+    const light = (node) => {
+      graph.classList.toggle("lit", node !== null);
+      for (const each of graph.querySelectorAll(".on")) each.classList.remove("on");
+      if (!node) return;
+      const open = [node.dataset.equation], seen = new Set(open);
+      node.classList.add("on");
+      while (open.length) {
+        const at = open.pop();
+        for (const edge of graph.querySelectorAll("path[data-to=\"" + at + "\"]")) {
+          edge.classList.add("on");
+          if (seen.has(edge.dataset.from)) continue;
+          seen.add(edge.dataset.from);
+          open.push(edge.dataset.from);
+          graph.querySelector("a[data-equation=\"" + edge.dataset.from + "\"]").classList.add("on");
+        }
+      }
+    };
+    for (const node of graph.querySelectorAll("a.node")) {
+      for (const kind of ["mouseenter", "focus"]) node.addEventListener(kind, () => light(node));
+      for (const kind of ["mouseleave", "blur"]) node.addEventListener(kind, () => light(null));
+      node.addEventListener("click", async (event) => {
+        event.preventDefault();
+        await load("statements.js");
+        const number = node.dataset.equation, statement = window.siteStatements[number];
+        const panel = document.getElementById("graph-statement");
+        panel.innerHTML = "<p>(" + number + ") " + statement.said + " <a href=\"" + node.getAttribute("href") + "\">The page of (" + number +
+                          ")</a></p>" + statement.drawn;
+        panel.scrollIntoView({block: "nearest"});
+      });
+    }
+  }
+
+  // All folded parts are printed.
+  addEventListener("beforeprint", () => { for (const each of document.querySelectorAll("details")) each.open = true; });
+})();
