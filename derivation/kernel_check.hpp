@@ -16,7 +16,8 @@ namespace denhartog::derivation {
 /// identity does not hold or that a condition is missing; any other message is a fault of the file.
 ///
 /// `kernel.json` holds `coq`, the version; `claims`, for each claim with lemmas `status`, which is `checked` or `failed`,
-/// `message`, and `in_functions`, the same of its lemmas on the functions themselves; `twins`, each with `file`, `claim`, `what`, `rejected` and `message`; `files`, each with `file`, `status`, `seconds` and
+/// `message`, and `in_functions`, which is `checked`, or `not_proved` where Coq does not get through a lemma on the functions
+/// themselves: the certificate stands without it; `twins`, each with `file`, `claim`, `what`, `rejected` and `message`; `files`, each with `file`, `status`, `seconds` and
 /// `checksum`; `checked_again`, the word of coqchk; `axioms`, what the files rest on; `lemmas`, `lines`, `seconds`.
 /// @param folder   with `certificates.json`, as `export_certificates` leaves it
 /// @param workers  how many processes work at a time

@@ -42,11 +42,16 @@ function marked(latex) {
   });
 }
 
+// KaTeX takes a prime for a superscript, and a second one after it for a mistake: x'_{k0}^{(N)} is x_{k0}^{\prime(N)}.
+const one_superscript = (latex) => latex.replace(/'(_(?:\{[^{}]*\}|[A-Za-z0-9]))\^(?:\{([^{}]*)\}|([A-Za-z0-9]))/g,
+                                                 (_, below, group, letter) => below + "^{\\prime " + (group ?? letter) + "}");
+
 const macros = {"\\misprint": "\\htmlClass{misprint}{#1}", "\\mended": "\\htmlClass{mended}{#1}"};
 const unmarked = (latex) => latex.replace(/\\(misprint|mended)(?=\{)/g, "");
 const drawn = new Map();
 
-function draw(latex, displayed, explained, where, output = "htmlAndMathml") {
+function draw(given, displayed, explained, where, output = "htmlAndMathml") {
+  const latex = one_superscript(given);
   const key = (displayed ? "d" : "t") + (explained ? "e" : "") + output + latex;
   if (drawn.has(key)) return drawn.get(key);
   const options = {displayMode: displayed, throwOnError: true, trust: true, strict: false, macros: {...macros}, output};

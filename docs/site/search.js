@@ -32,7 +32,7 @@
     const page = documents[+each.ref], text = (page.title + " " + page.text).toLowerCase().replace(/[-_]/g, " ");
     const all = terms.filter((term) => text.includes(term)).length / terms.length;
     const named = page.title.toLowerCase().replace(/[-_()]/g, " ").trim() === whole;
-    return {page, score: each.score * weight[page.kind] * all * all * (text.includes(whole) ? 2 : 1) + (named ? 1e6 : 0)};
+    return {page, score: each.score * weight[page.kind] * all * all * (text.includes(whole) ? 2 : 1) + (named && (page.kind < 4 || /[_(:]/.test(words)) ? 1e6 : 0)};
   }).sort((a, b) => b.score - a.score);
 
   // What stands round the first of the words.
