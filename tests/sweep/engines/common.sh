@@ -26,14 +26,14 @@ needs() { command -v "$1" >/dev/null || skip "$1 is missing (Debian package $2)"
 # Eight chunks of half a second or so, each with a part in a reduction.
 cat >"$scratch/study.json" <<'STUDY'
 {"scene": {"mass_ratios": [1, 2, 1.5], "stiffness_ratios": [1, 0.5, 0.75], "damping_ratios": 0.03, "contact": 2, "load": 1},
- "axes": [{"quantity": "r", "from": 0.3, "to": 1.7, "count": 40}, {"quantity": "beta", "from": 0.2, "to": 2, "count": 40}],
+ "axes": [{"quantity": "r", "from": 0.3, "to": 1.7, "count": 800}, {"quantity": "beta", "from": 0.2, "to": 2, "count": 40}],
  "samples": {"method": "sobol", "count": 8, "seed": 1,
              "variables": [{"quantity": "zeta", "uniform": {"from": 0.01, "to": 0.05}},
                            {"quantity": "beta", "as": "factor", "lognormal": {"median": 1, "log_standard_deviation": 0.2}}]},
  "answers": ["regime", "amplitudes"],
  "reduce": [{"name": "share", "statistic": "share", "over": ["sample"]},
             {"name": "peak", "statistic": "maximum", "of": "amplitude_2", "over": ["sample", "r"]}],
- "points_of_a_chunk": 1600}
+ "points_of_a_chunk": 32000}
 STUDY
 chunks=8
 "$program" sweep plan "$scratch/study.json" "$scratch/one" --without-estimate >/dev/null
