@@ -133,7 +133,7 @@ void check_load(const System<T>& s, const SceneNames& names) {
     if (along && p[s.contact.index] != 1)
         fail(names, "load",
              "on nothing but the contact must be 1 there, its own unit: P is the force on the contact, positive as its "
-             "displacement",
+             "displacement (for c P give 1, divide beta by |c| and multiply displacements by |c|)",
              number_to_text(p[s.contact.index]), at(s.contact.index));
 }
 

@@ -56,7 +56,7 @@ std::map<std::string, std::string> files_of(const std::vector<Vector>& vectors) 
     for (const Vector& v : vectors) {
         files[v.group + ".jsonl"] += vector_json(v).dump() + "\n";
         std::string& csv = files[v.group + ".csv"];
-        if (csv.empty()) csv = vector_csv_heading() + "\n";
+        if (csv.empty()) csv = vector_csv_heading(v) + "\n";
         csv += vector_csv(v) + "\n";
     }
     std::string manifest = manifest_of(vectors, files);

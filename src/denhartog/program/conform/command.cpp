@@ -25,7 +25,9 @@ using conformance::Vector;
 
 void list(const SelectionOptions& options, bool summary) {
     const std::vector<Vector> all = conformance::read_vectors(options.vectors);
-    const std::vector<const Vector*> chosen = selected(options, all);
+    SelectionOptions choice = options;
+    choice.systems = options.systems || (summary && options.groups.empty()); // a summary tells what there is
+    const std::vector<const Vector*> chosen = selected(choice, all);
     std::vector<std::vector<std::string>> rows;
     if (summary) {
         std::map<std::string, std::map<std::string, int>> groups;
