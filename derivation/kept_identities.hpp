@@ -14,9 +14,11 @@ namespace denhartog::derivation {
 
 /// @brief An equality that the zero test has proved: both sides, and both in generators with the relations of these.
 struct Identity {
-    GiNaC::ex left, right;                                   ///< both sides, in symbols and functions
+    GiNaC::ex left;                                          ///< one side, in symbols and functions
+    GiNaC::ex right;                                         ///< the other side
     std::vector<Range> domain;                               ///< the symbols that occur
-    GiNaC::ex left_in_generators, right_in_generators;       ///< both sides as they were reduced
+    GiNaC::ex left_in_generators;                            ///< one side as it was reduced
+    GiNaC::ex right_in_generators;                           ///< the other as it was reduced
     std::vector<std::pair<GiNaC::ex, GiNaC::ex>> generators; ///< generators and what they stand for
     std::vector<SquareRelation> relations;                   ///< squares of generators, newest last
     std::vector<std::pair<GiNaC::ex, GiNaC::ex>> functions;  ///< functions and roots, and the same in generators; inner ones first

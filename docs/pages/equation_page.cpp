@@ -61,8 +61,10 @@ std::string explore_link(const Book& book, const std::string& equation) {
     if (!file) return "";
     const Json places = Json::parse(file);
     if (!places.contains(equation)) return "";
-    return "\\htmlonly[block]\n<p class=\"eq-contents\"><a href=\"explore/" + escaped(places.at(equation).get<std::string>()) +
-           "\">See it move: explore (" + equation + ")</a></p>\n\\endhtmlonly\n\n";
+    std::string place; // Doxygen takes it as it is
+    for (const char c : places.at(equation).get<std::string>()) place += c == '&' ? "&amp;" : std::string(1, c);
+    return "\\htmlonly[block]\n<p class=\"eq-contents\"><a href=\"explore/" + place + "\">See it move: explore (" + equation +
+           ")</a></p>\n\\endhtmlonly\n\n";
 }
 
 /// A div around a statement, coloured by the verdict.

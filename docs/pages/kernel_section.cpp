@@ -136,7 +136,7 @@ std::string kernel_section(const Book& book, const Json& entry, const std::strin
     const Json kernel = entry.value("kernel", Json{{"status", "not_run"}});
     const std::string status = kernel.value("status", "not_run");
     std::string out = "\n\\section " + equation_label(equation) + "_kernel The word of the kernel\n\n<p>" + mark_of(status) + why(kernel) +
-                      ". \\ref md_docs_kernel \"What the kernel of Coq checks, and what nobody can prove\"</p>\n";
+                      ". <a href=\"kernel.html\">What the kernel of Coq checks, and what nobody can prove</a></p>\n";
     out += theorems_text(book, kernel, "theorems", "Theorem") + theorems_text(book, kernel, "negations", "Negation");
     if (status != "not_run")
         for (const Json& claim : entry.at("claims")) out += claim_line(book, claim);

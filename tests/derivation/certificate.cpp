@@ -104,7 +104,7 @@ TEST_CASE("sums and multiples of angles are taken apart before the kernel's eyes
 
 TEST_CASE("quotients within quotients are cleared, and each divisor is named once whatever its sign", "[kernel]") {
     const ex a = symbols().U_k, b = symbols().U_j;
-    const Certificate c = certificate(1 / (1 + a / (R() + b)) + 1 / (a - b) + 1 / (b - a), (R() + b) / (R() + a + b));
+    const Certificate c = certificate(1 / (1 + a / (R() + b)) + a / (a - b) + b / (b - a), (R() + b) / (R() + a + b) + 1);
     CHECK(c.holds);
     CHECK(c.statement.find("divisor_3") != std::string::npos);
     CHECK(c.statement.find("divisor_4") == std::string::npos);

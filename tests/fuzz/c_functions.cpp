@@ -311,7 +311,7 @@ void ask_systems(Choices& c, const dh_system* system, std::size_t N) {
     std::size_t of_other = 1;
     if (other) claim(dh_system_masses(other.get(), &of_other, nullptr, nullptr) == DH_OK, "a system has masses");
     const std::array<const dh_system*, 4> systems{system, other ? other.get() : system, c.rarely() ? nullptr : system, system};
-    const std::size_t count = 1 + c.of(4), most = std::max(N, of_other);
+    const std::size_t count = 1 + c.of(4), most = count > 1 ? std::max(N, of_other) : N; // of the systems that are asked
     const std::vector<double> r = c.numbers(count), beta = c.numbers(count);
     std::vector<double> mu(count, 1);
     if (c.of(2) == 0) mu[0] = 1 + c.number();

@@ -34,8 +34,10 @@ private:
     std::string own_name;
 };
 
-/// @brief How the name of such a file begins and ends: what is left of them belonged to a program that was killed.
-inline constexpr std::string_view new_file_begins = ".denhartog-", new_file_ends = ".part";
+/// @brief How the name of such a file begins: what is left of them belonged to a program that was killed.
+inline constexpr std::string_view new_file_begins = ".denhartog-";
+/// @brief How it ends.
+inline constexpr std::string_view new_file_ends = ".part";
 
 /// @brief Writes a file as `write_file` does, and makes sure that it is on the disk before anything after it.
 /// @param path  the file

@@ -36,7 +36,8 @@ struct Target {
 
     /// @brief Its name in results. @return e.g. `zeta_2`, `mass_factor`
     [[nodiscard]] std::string name() const;
-    bool operator==(const Target&) const = default;
+    /// @brief Whether two are the same. @param other another @return whether they are
+    bool operator==(const Target& other) const = default;
 };
 
 /// @brief A quantity and the values that it takes.
@@ -61,7 +62,8 @@ struct Samples {
 
 /// @brief Parts of a range in which values are counted.
 struct Bins {
-    double from = 0, to = 1;  ///< ends of the range
+    double from = 0;          ///< lower end of the range
+    double to = 1;            ///< upper end of the range
     std::size_t count = 1;    ///< number of parts
     bool logarithmic = false; ///< whether they are equally wide in the logarithm
 

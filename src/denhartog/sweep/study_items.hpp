@@ -17,6 +17,9 @@ namespace denhartog::sweep {
 /// @brief A value of a study with its key and its place.
 class Item {
 public:
+    /// @param value  what the study has there
+    /// @param key    the key under which it stands
+    /// @param place  where that is, for messages
     Item(const nlohmann::json& value, std::string key, std::string place);
 
     /// @brief Whether it has a key. @param key a key @return whether it has

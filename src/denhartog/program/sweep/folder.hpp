@@ -43,6 +43,7 @@ struct Record {
     std::string fingerprint;             ///< of the program and the study
     std::array<std::size_t, 6> points{}; ///< points by their status
     double seconds = 0;                  ///< processor seconds that it took
+    /// @brief A file that it wrote.
     struct File {
         std::string path;   ///< from the folder
         std::size_t bytes;  ///< its size

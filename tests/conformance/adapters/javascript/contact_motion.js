@@ -1,7 +1,8 @@
 // The motion from event to event: (6) with friction (2), (3) and the sticking conditions (74), (75), no step to choose.
 // Between two events (6) is linear. Its Taylor series is summed to rounding over short steps, and the first event in a step is
 // isolated by the signs of Bernstein coefficients, so that none is missed. A steady motion is a fixed point of the map over
-// half-periods, found by Newton's method with the exact Jacobian. Displacements in units of P / k_1; tau = 0 at the largest force.
+// half-periods, found by Newton's method with the exact Jacobian. Displacements are in
+// units of P / k_1; tau = 0 at the largest force.
 'use strict';
 const ClosedForm = require('./closed_form.js');
 const degree = 24; // of the Taylor polynomials; a step is at most 1.6 over the fastest rate: 1.6^24 / 24! < 1e-18
@@ -335,8 +336,8 @@ class ContactMotion extends ClosedForm {
         }
         return apart(z) < first / 2;
     }
-    // Whether the contact, held in z, rests for ever: the load on it is that of the steady held motion, that of its own place, and
-    // that of the free motion of the others, which is bounded by their energy and so never grows.
+    // Whether the contact, held in z, rests for ever: the load on it is that of the steady held motion, that of its own place,
+    // and that of the free motion of the others, which is bounded by their energy and so never grows.
     restsForEver(z) {
         const { N, j, K, C, mass } = this,
             others = [...Array(N).keys()].filter((k) => k !== j),
