@@ -32,7 +32,8 @@ double maximum_behind(const Question& q, double given, const PlainModes& m) {
 
 std::optional<Observed> observed(const Judged& one) {
     const Question& q = one.vector->question;
-    if (!is_wrong_value(one.verdict) || one.given.numbers.size() != 1 || is_overdamped(q)) return std::nullopt;
+    if (!is_wrong_value(one.verdict) || one.given.numbers.size() != 1 || is_overdamped(q) || !is_of_the_paper(q))
+        return std::nullopt;
     if (!asks_for(q, {"S_j", "beta_lim_exact", "beta_lim_paper"})) return std::nullopt;
     Observed seen{q, one.given.numbers.front(), plain_modes(q, {}), 0};
     seen.S = maximum_behind(q, seen.given, seen.modes);

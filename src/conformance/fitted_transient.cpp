@@ -33,7 +33,7 @@ std::vector<const Judged*> probes(std::span<const Judged> judged) {
     for (const Judged& one : judged) {
         const Vector& v = *one.vector;
         if (is_wrong_value(one.verdict) && asks_for(v.question, {"amplitude", "motion_under_force"}) &&
-            one.given.numbers.size() == v.nearest.size())
+            one.given.numbers.size() == v.nearest.size() && is_of_the_paper(v.question))
             all.push_back(&one);
     }
     return spread(all, most_probed);

@@ -97,6 +97,7 @@ Choices closed_form_alone() {
 
 Guess read_as(std::string told, std::function<void(Question&)> change) {
     return {std::move(told), [change = std::move(change)](const Question& q) {
+                if (!is_of_the_paper(q)) return std::optional<Value>();
                 Question other = q;
                 change(other);
                 return plain_answer(other, closed_form_alone());

@@ -17,11 +17,14 @@ std::set<std::string> properties(const Vector& v) {
     const Question& q = v.question;
     std::set<std::string> all;
     for (const std::string& flag : v.flags) all.insert("flag " + flag);
-    all.insert(q.mass_ratios.size() > 1 ? "N > 1" : "N = 1");
+    all.insert(masses_of(q) > 1 ? "N > 1" : "N = 1");
     all.insert(q.mu > 1 ? "mu > 1" : "mu = 1");
-    all.insert(q.contact == q.load ? "j = l" : "j != l");
-    if (q.contact != q.load) all.insert(q.contact < q.load ? "j < l" : "j > l");
-    if (q.mass != 0) all.insert(q.mass == q.contact ? "k = j" : "k != j");
+    all.insert(is_of_the_paper(q) ? "a scene of the paper" : "a system beyond the paper");
+    if (q.contact_with == 0 && q.load != 0) {
+        all.insert(q.contact == q.load ? "j = l" : "j != l");
+        if (q.contact != q.load) all.insert(q.contact < q.load ? "j < l" : "j > l");
+    }
+    if (q.mass != 0 && q.contact_with == 0) all.insert(q.mass == q.contact ? "k = j" : "k != j");
     all.insert(q.beta == 0 ? "beta = 0" : "beta > 0");
     all.insert(q.r > 1 ? "r > 1" : "r <= 1");
     if (!v.regime.empty()) all.insert("regime " + v.regime);

@@ -2,18 +2,14 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
-#include <cstdlib>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <sstream>
 
 #include "denhartog/number/errors.hpp"
-#include "denhartog/number/legible.hpp"
 #include "denhartog/number/multiprecision.hpp"
 #include "denhartog/number/number_text.hpp"
-#include "denhartog/scene/json_document.hpp"
+#include "denhartog/scene/scene_json.hpp"
 
 namespace denhartog::conformance {
 namespace {
@@ -46,57 +42,21 @@ constexpr std::array<Quantity, 25> table{{
     {"motion_under_force", "", Shape::samples, true, false},
 }};
 
-// A number as an answer writes it: decimal or hexadecimal, nothing after it.
-std::optional<double> finite_number(std::string_view text) {
-    const std::string copy(text);
-    if (copy.empty() || copy.front() == ' ') return std::nullopt;
-    char* end = nullptr;
-    const double x = std::strtod(copy.c_str(), &end);
-    if (end != copy.c_str() + copy.size() || !std::isfinite(x)) return std::nullopt;
-    return x;
-}
-
-bool is_regime(std::string_view text) { return text == "continuous" || text == "stick_slip" || text == "permanent_sticking"; }
-
-std::string in_quotes(std::string_view text) {
-    constexpr std::size_t most = 60;
-    return "'" + legible(text, most) + "'";
-}
-
 // As text whatever bytes its strings hold.
 std::string dumped(const nlohmann::json& x) { return x.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace); }
-
-Answer value_of_words(const std::vector<std::string>& words) {
-    Value value;
-    if (words.size() == 1 && is_regime(words.front())) {
-        value.word = words.front();
-        return value;
-    }
-    for (const std::string& word : words) {
-        const std::optional<double> x = finite_number(word);
-        if (!x) return Unusable{in_quotes(word) + " is neither a finite number nor a regime"};
-        value.numbers.push_back(*x);
-    }
-    return value;
-}
-
-std::vector<std::string> words_of(std::string_view text) {
-    std::istringstream stream{std::string(text)};
-    std::vector<std::string> words;
-    for (std::string word; stream >> word;) words.push_back(word);
-    return words;
-}
-
-// A member of an answer's value: a JSON number, or a text that holds one or a regime.
-std::optional<std::string> word_of(const nlohmann::json& x) {
-    if (x.is_string()) return x.get<std::string>();
-    if (x.is_number()) return number_to_text(x.get<double>());
-    return std::nullopt;
-}
 
 template <class T>
 std::vector<T> exact(const std::vector<double>& numbers) {
     return {numbers.begin(), numbers.end()};
+}
+
+// Of a contact between two masses, 0 stands for its own displacement.
+void check_mass(const Question& q) {
+    if (!quantity(q.quantity).of_mass) return;
+    const int least = q.contact_with != 0 ? 0 : 1;
+    const auto N = static_cast<int>(masses_of(q));
+    if (q.mass < least || q.mass > N)
+        throw InputError("mass", "must be a mass from 1 to " + std::to_string(N), std::to_string(q.mass));
 }
 
 int place(int counted_from_1, const char* name, std::size_t N) {
@@ -124,9 +84,127 @@ int whole(const nlohmann::json& object, const char* key) {
     return static_cast<int>(x);
 }
 
+std::vector<double> list_or_nothing(const nlohmann::json& object, const char* key, const char* in_place_of_it) {
+    return object.contains(in_place_of_it) ? std::vector<double>() : member<std::vector<double>>(object, key);
+}
+
+// A square matrix row by row; empty where it is not given.
+std::vector<double> matrix_or_nothing(const nlohmann::json& object, const char* key) {
+    std::vector<double> entries;
+    if (!object.contains(key)) return entries;
+    const auto rows = member<std::vector<std::vector<double>>>(object, key);
+    for (const std::vector<double>& row : rows) {
+        if (row.size() != rows.size()) throw InputError(key, "must be square", dumped(object[key]));
+        entries.insert(entries.end(), row.begin(), row.end());
+    }
+    return entries;
+}
+
+std::size_t rows_of(const std::vector<double>& matrix) {
+    return static_cast<std::size_t>(std::lround(std::sqrt(static_cast<double>(matrix.size()))));
+}
+
+nlohmann::ordered_json matrix_json(const std::vector<double>& matrix) {
+    nlohmann::ordered_json rows = nlohmann::ordered_json::array();
+    const auto N = static_cast<std::ptrdiff_t>(rows_of(matrix));
+    for (std::ptrdiff_t i = 0; i < N; ++i)
+        rows.push_back(std::vector<double>(matrix.begin() + i * N, matrix.begin() + (i + 1) * N));
+    return rows;
+}
+
+void put(nlohmann::ordered_json& scene, const char* ratios, const std::vector<double>& list, const char* key,
+         const std::vector<double>& matrix) {
+    if (matrix.empty())
+        scene[ratios] = list;
+    else
+        scene[key] = matrix_json(matrix);
+}
+
+// As `denhartog solve` takes it.
+nlohmann::ordered_json scene_json(const Question& q) {
+    nlohmann::ordered_json scene;
+    put(scene, "mass_ratios", q.mass_ratios, "mass_matrix", q.mass_matrix);
+    put(scene, "stiffness_ratios", q.stiffness_ratios, "stiffness_matrix", q.stiffness_matrix);
+    put(scene, "damping_ratios", q.damping_ratios, "damping_matrix", q.damping_matrix);
+    if (q.contact_with == 0)
+        scene["contact"] = q.contact;
+    else
+        scene["contact"] = {q.contact, q.contact_with};
+    if (!q.base_motion.empty())
+        scene["base_motion"] = q.base_motion;
+    else if (!q.loads.empty())
+        scene["load"] = q.loads;
+    else
+        scene["load"] = q.load;
+    scene["mu"] = q.mu;
+    scene["r"] = q.r;
+    scene["beta"] = q.beta;
+    return scene;
+}
+
+void read_places(const nlohmann::json& scene, Question& q) {
+    if (scene.contains("contact") && scene["contact"].is_array()) {
+        const nlohmann::json& two = scene["contact"];
+        if (two.size() != 2) throw InputError("contact", "must be one mass or two", dumped(two));
+        const nlohmann::json of_two{{"contact", two[0]}, {"contact_with", two[1]}};
+        q.contact = whole(of_two, "contact");
+        q.contact_with = whole(of_two, "contact_with");
+    } else {
+        q.contact = whole(scene, "contact");
+    }
+    q.load = 0;
+    if (scene.contains("base_motion"))
+        q.base_motion = member<std::string>(scene, "base_motion");
+    else if (scene.contains("load") && scene["load"].is_array())
+        q.loads = member<std::vector<double>>(scene, "load");
+    else
+        q.load = whole(scene, "load");
+}
+
+void add_numbers(std::ostringstream& line, const std::vector<double>& list) {
+    for (const double x : list) line << ' ' << number_to_text(x);
+}
+
+// What the plain dialect says of a scene beyond the paper, behind all that it says of one of the paper.
+void add_tags(std::ostringstream& line, const Question& q) {
+    if (q.contact_with != 0) line << " contact_with " << q.contact_with;
+    if (!q.base_motion.empty()) line << " base_motion " << q.base_motion;
+    const std::pair<const char*, const std::vector<double>*> lists[] = {{"loads", &q.loads},
+                                                                        {"mass_matrix", &q.mass_matrix},
+                                                                        {"stiffness_matrix", &q.stiffness_matrix},
+                                                                        {"damping_matrix", &q.damping_matrix}};
+    for (const auto& [tag, list] : lists) {
+        if (list->empty()) continue;
+        line << ' ' << tag;
+        add_numbers(line, *list);
+    }
+}
+
 } // namespace
 
 std::span<const Quantity> quantities() { return table; }
+
+bool is_of_the_paper(const Question& q) {
+    return q.contact_with == 0 && q.loads.empty() && q.base_motion.empty() && q.mass_matrix.empty() &&
+           q.stiffness_matrix.empty() && q.damping_matrix.empty();
+}
+
+void check_of_the_paper(const Question& q) {
+    if (!is_of_the_paper(q)) throw InputError("scene", "must be one of the paper", beyond_the_paper(q).front());
+}
+
+std::size_t masses_of(const Question& q) { return q.mass_matrix.empty() ? q.mass_ratios.size() : rows_of(q.mass_matrix); }
+
+std::vector<std::string> beyond_the_paper(const Question& q) {
+    std::vector<std::string> names;
+    if (q.contact_with != 0) names.emplace_back("contact-between-masses");
+    if (!q.loads.empty()) names.emplace_back("several-loads");
+    if (!q.base_motion.empty()) names.emplace_back(q.base_motion == "alone" ? "base-alone" : "base-with-wall");
+    if (!q.mass_matrix.empty()) names.emplace_back("mass-matrix");
+    if (!q.stiffness_matrix.empty()) names.emplace_back("stiffness-matrix");
+    if (!q.damping_matrix.empty()) names.emplace_back("damping-matrix");
+    return names;
+}
 
 const Quantity& quantity(std::string_view name) {
     const auto found = std::find_if(table.begin(), table.end(), [&](const Quantity& q) { return q.name == name; });
@@ -141,6 +219,11 @@ bool is_overdamped(const Question& q) {
 template <class T>
 Scene<T> scene_of(const Question& q) {
     Scene<T> scene;
+    if (!is_of_the_paper(q)) {
+        scene = scene_from_json<T>(nlohmann::json(scene_json(q)));
+        check_mass(q);
+        return scene;
+    }
     const std::size_t N = q.mass_ratios.size();
     scene.system.mass_ratios = exact<T>(q.mass_ratios);
     scene.system.stiffness_ratios = exact<T>(q.stiffness_ratios);
@@ -151,20 +234,12 @@ Scene<T> scene_of(const Question& q) {
     scene.r = T(q.r);
     scene.beta = T(q.beta);
     check(scene);
-    if (quantity(q.quantity).of_mass) static_cast<void>(place(q.mass, "mass", N));
+    check_mass(q);
     return scene;
 }
 
 nlohmann::ordered_json question_json(const Question& q) {
-    nlohmann::ordered_json scene = {{"mass_ratios", q.mass_ratios},
-                                    {"stiffness_ratios", q.stiffness_ratios},
-                                    {"damping_ratios", q.damping_ratios},
-                                    {"contact", q.contact},
-                                    {"load", q.load},
-                                    {"mu", q.mu},
-                                    {"r", q.r},
-                                    {"beta", q.beta}};
-    nlohmann::ordered_json object = {{"id", q.id}, {"quantity", q.quantity}, {"scene", std::move(scene)}};
+    nlohmann::ordered_json object = {{"id", q.id}, {"quantity", q.quantity}, {"scene", scene_json(q)}};
     if (quantity(q.quantity).of_mass) object["mass"] = q.mass;
     if (q.quantity == "displacement") object["tau"] = q.tau;
     if (quantity(q.quantity).shape == Shape::samples) object["samples"] = q.samples;
@@ -173,11 +248,13 @@ nlohmann::ordered_json question_json(const Question& q) {
 
 std::string question_plain(const Question& q) {
     std::ostringstream line;
-    line << q.id << ' ' << q.quantity << ' ' << q.mass_ratios.size() << ' ' << q.contact << ' ' << q.load << ' ' << q.mass << ' '
-         << q.samples << ' ' << number_to_text(q.tau) << ' ' << number_to_text(q.mu) << ' ' << number_to_text(q.r) << ' '
-         << number_to_text(q.beta);
-    for (const auto* list : {&q.mass_ratios, &q.stiffness_ratios, &q.damping_ratios})
-        for (const double x : *list) line << ' ' << number_to_text(x);
+    const std::size_t N = masses_of(q);
+    line << q.id << ' ' << q.quantity << ' ' << N << ' ' << q.contact << ' ' << q.load << ' ' << q.mass << ' ' << q.samples << ' '
+         << number_to_text(q.tau) << ' ' << number_to_text(q.mu) << ' ' << number_to_text(q.r) << ' ' << number_to_text(q.beta);
+    const std::pair<const std::vector<double>*, const std::vector<double>*> lists[] = {
+        {&q.mass_ratios, &q.mass_matrix}, {&q.stiffness_ratios, &q.stiffness_matrix}, {&q.damping_ratios, &q.damping_matrix}};
+    for (const auto& [ratios, matrix] : lists) add_numbers(line, matrix->empty() ? *ratios : std::vector<double>(N, 0));
+    add_tags(line, q);
     return line.str();
 }
 
@@ -187,11 +264,13 @@ Question question_from_json(const nlohmann::json& object) {
     Question q;
     q.id = member<std::string>(object, "id");
     q.quantity = quantity(member<std::string>(object, "quantity")).name;
-    q.mass_ratios = member<std::vector<double>>(scene, "mass_ratios");
-    q.stiffness_ratios = member<std::vector<double>>(scene, "stiffness_ratios");
-    q.damping_ratios = member<std::vector<double>>(scene, "damping_ratios");
-    q.contact = whole(scene, "contact");
-    q.load = whole(scene, "load");
+    q.mass_ratios = list_or_nothing(scene, "mass_ratios", "mass_matrix");
+    q.stiffness_ratios = list_or_nothing(scene, "stiffness_ratios", "stiffness_matrix");
+    q.damping_ratios = list_or_nothing(scene, "damping_ratios", "damping_matrix");
+    q.mass_matrix = matrix_or_nothing(scene, "mass_matrix");
+    q.stiffness_matrix = matrix_or_nothing(scene, "stiffness_matrix");
+    q.damping_matrix = matrix_or_nothing(scene, "damping_matrix");
+    read_places(scene, q);
     q.mu = member<double>(scene, "mu");
     q.r = member<double>(scene, "r");
     q.beta = member<double>(scene, "beta");
@@ -199,50 +278,6 @@ Question question_from_json(const nlohmann::json& object) {
     if (object.contains("tau")) q.tau = member<double>(object, "tau");
     if (object.contains("samples")) q.samples = whole(object, "samples");
     return q;
-}
-
-Answer answer_from_json(std::string_view line, std::string_view id) {
-    if (nested_too_deeply(line)) return Unusable{in_quotes(line) + " is nested too deeply"};
-    const nlohmann::json object = json_or_nothing(line);
-    if (!object.is_object()) return Unusable{in_quotes(line) + " is no JSON object"};
-    const auto text = [&](const char* key) {
-        return object[key].is_string() ? object[key].get<std::string>() : dumped(object[key]);
-    };
-    if (!object.contains("id")) return Unusable{"the answer has no id"};
-    if (text("id") != id) return Unusable{"the answer is to " + in_quotes(text("id")) + ", the question was " + std::string(id)};
-    if (object.contains("skip")) return Skipped{text("skip")};
-    if (object.contains("reject")) return Rejected{text("reject")};
-    if (!object.contains("value")) return Unusable{"the answer has neither value nor reject nor skip"};
-    const nlohmann::json& value = object["value"];
-    std::vector<std::string> words;
-    for (const nlohmann::json& x : value.is_array() ? value : nlohmann::json::array({value})) {
-        const std::optional<std::string> word = word_of(x);
-        if (!word) return Unusable{in_quotes(dumped(x)) + " is no number"};
-        words.push_back(*word);
-    }
-    return value_of_words(words);
-}
-
-Answer answer_from_plain(std::string_view line, std::string_view id) {
-    const std::vector<std::string> words = words_of(line);
-    if (words.empty()) return Unusable{"the answer is an empty line"};
-    if (words.front() != id)
-        return Unusable{"the answer is to " + in_quotes(words.front()) + ", the question was " + std::string(id)};
-    if (words.size() < 2) return Unusable{"the answer has neither value nor reject nor skip"};
-    std::string rest;
-    for (std::size_t n = 2; n < words.size(); ++n) rest += (n > 2 ? " " : "") + words[n];
-    if (words[1] == "skip") return Skipped{rest};
-    if (words[1] == "reject") return Rejected{rest};
-    if (words[1] != "value") return Unusable{in_quotes(words[1]) + " is neither value nor reject nor skip"};
-    return value_of_words({words.begin() + 2, words.end()});
-}
-
-Answer answer_from_cell(std::string_view text) {
-    const std::vector<std::string> words = words_of(text);
-    if (words.empty()) return Skipped{"no answer"};
-    if (words.front() == "skip") return Skipped{"skip"};
-    if (words.front() == "reject") return Rejected{"reject"};
-    return value_of_words(words);
 }
 
 template Scene<double> scene_of(const Question&);

@@ -53,17 +53,39 @@ struct Question {
     double mu = 1;                        ///< static over kinetic friction, Eq. (3)
     double r = 1;                         ///< frequency ratio, Eq. (10)
     double beta = 0;                      ///< friction ratio, Eq. (11)
-    int mass = 0;                         ///< k, counted from 1; 0 where the quantity is of no mass
-    double tau = 0;                       ///< non-dimensional time, for `displacement`
-    int samples = 0;                      ///< instants, for `motion_under_force`
+    int mass = 0;                   ///< k, counted from 1; 0 where the quantity is of no mass, or of a contact between two masses
+    double tau = 0;                 ///< non-dimensional time, for `displacement`
+    int samples = 0;                ///< instants, for `motion_under_force`
+    int contact_with = 0;           ///< the mass that the contact rubs against, counted from 1; 0 for a wall
+    std::vector<double> loads = {}; ///< force on each mass in units of P, in place of `load`, N values or none
+    std::string base_motion = {};   ///< `with_wall` or `alone`, in place of `load`; empty where no base moves
+    std::vector<double> mass_matrix = {};      ///< M in units of m_1, row by row, in place of `mass_ratios`
+    std::vector<double> stiffness_matrix = {}; ///< K in units of k_1, row by row, in place of `stiffness_ratios`
+    std::vector<double> damping_matrix = {};   ///< C in units of sqrt(k_1 m_1), row by row, in place of `damping_ratios`
 };
+
+/// @brief Whether a question is about a scene of the paper: a chain with modal damping ratios, a wall, one loaded mass.
+/// @param q  the question
+/// @return   false where it has one of the last six members
+[[nodiscard]] bool is_of_the_paper(const Question& q);
+
+/// @brief Checks that a question is about a scene of the paper. @param q the question @throws InputError where it is not
+void check_of_the_paper(const Question& q);
+
+/// @brief Number of masses of a question's scene. @param q the question @return N
+[[nodiscard]] std::size_t masses_of(const Question& q);
+
+/// @brief What is beyond the paper in a question's scene, by the names that flags have, e.g. `contact-between-masses`.
+/// @param q  the question
+/// @return   the names; none for a scene of the paper
+[[nodiscard]] std::vector<std::string> beyond_the_paper(const Question& q);
 
 /// @brief Whether a mode of a question's scene does not vibrate. @param q the question @return whether a zeta_i is 1 or more
 [[nodiscard]] bool is_overdamped(const Question& q);
 
 /// @brief The scene of a question, its numbers taken as exact.
 /// @param q  the question
-/// @return   the scene, checked
+/// @return   the scene, checked; a moving base as the load that it is
 /// @throws   InputError where a number breaks a rule of the scene, or the mass asked about is not there
 template <class T>
 [[nodiscard]] Scene<T> scene_of(const Question& q);

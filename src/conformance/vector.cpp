@@ -80,6 +80,12 @@ void check_numbers(const Vector& v) {
     if (!(v.scale > 0)) throw InputError("scale", "must be positive", text_of(v.scale));
 }
 
+std::string contact_text(const Question& q) {
+    return std::to_string(q.contact) + (q.contact_with == 0 ? "" : " " + std::to_string(q.contact_with));
+}
+
+std::string load_text(const Question& q) { return q.loads.empty() ? std::to_string(q.load) : joined(q.loads); }
+
 } // namespace
 
 std::string hexadecimal_float(double x) {
@@ -162,12 +168,15 @@ Vector vector_from_json(const nlohmann::json& object) {
     return v;
 }
 
-std::string vector_csv_heading() {
-    return "id,group,equation,tier,quantity,contact,load,mass,samples,tau,mu,r,beta,mass_ratios,stiffness_ratios,damping_ratios,"
-           "value,hex,scale,pass,loose,inaccurate,condition,regime,margin,flags,catches,routes,digits";
+bool is_of_systems(const Vector& v) { return v.group.starts_with("systems-"); }
+
+std::string vector_csv_heading(bool systems) {
+    return std::string("id,group,equation,tier,quantity,contact,load,mass,samples,tau,mu,r,beta,mass_ratios,stiffness_ratios,"
+                       "damping_ratios,value,hex,scale,pass,loose,inaccurate,condition,regime,margin,flags,catches,routes,digits") +
+           (systems ? ",base_motion,mass_matrix,stiffness_matrix,damping_matrix" : "");
 }
 
-std::string vector_csv(const Vector& v) {
+std::string vector_csv(const Vector& v, bool systems) {
     const Question& q = v.question;
     std::string condition;
     for (const auto& [input, number] : v.condition) condition += (condition.empty() ? "" : " ") + input + ":" + text_of(number);
@@ -175,15 +184,18 @@ std::string vector_csv(const Vector& v) {
     const bool numbers = v.reject.empty() && v.word.empty();
     const auto tolerance = [&](double x) { return numbers ? text_of(x) : std::string(); };
     std::ostringstream line;
-    line << q.id << ',' << v.group << ',' << v.equation << ',' << v.tier << ',' << q.quantity << ',' << q.contact << ',' << q.load
-         << ',' << q.mass << ',' << q.samples << ',' << text_of(q.tau) << ',' << text_of(q.mu) << ',' << text_of(q.r) << ','
-         << text_of(q.beta) << ',' << joined(q.mass_ratios) << ',' << joined(q.stiffness_ratios) << ','
-         << joined(q.damping_ratios) << ',' << value << ',' << joined(all_hexadecimal(v.nearest)) << ','
-         << (numbers ? hexadecimal_float(v.scale) : "") << ',' << tolerance(v.tolerance.pass) << ','
-         << tolerance(v.tolerance.loose) << ',' << tolerance(v.tolerance.inaccurate) << ',' << condition << ',' << v.regime << ','
-         << (v.margin ? text_of(*v.margin) : "") << ',' << joined(v.flags) << ',' << joined(v.catches) << ','
-         << (v.reject.empty() ? v.routes[0] + "; " + v.routes[1] : "") << ','
+    line << q.id << ',' << v.group << ',' << v.equation << ',' << v.tier << ',' << q.quantity << ',' << contact_text(q) << ','
+         << load_text(q) << ',' << q.mass << ',' << q.samples << ',' << text_of(q.tau) << ',' << text_of(q.mu) << ','
+         << text_of(q.r) << ',' << text_of(q.beta) << ',' << joined(q.mass_ratios) << ',' << joined(q.stiffness_ratios) << ','
+         << joined(q.damping_ratios) << ',';
+    line << value << ',' << joined(all_hexadecimal(v.nearest)) << ',' << (numbers ? hexadecimal_float(v.scale) : "") << ','
+         << tolerance(v.tolerance.pass) << ',' << tolerance(v.tolerance.loose) << ',' << tolerance(v.tolerance.inaccurate) << ','
+         << condition << ',' << v.regime << ',' << (v.margin ? text_of(*v.margin) : "") << ',' << joined(v.flags) << ','
+         << joined(v.catches) << ',' << (v.reject.empty() ? v.routes[0] + "; " + v.routes[1] : "") << ','
          << (v.reject.empty() ? std::to_string(v.digits[0]) + " " + std::to_string(v.digits[1]) : "");
+    if (systems)
+        line << ',' << q.base_motion << ',' << joined(q.mass_matrix) << ',' << joined(q.stiffness_matrix) << ','
+             << joined(q.damping_matrix);
     return line.str();
 }
 

@@ -60,13 +60,20 @@ struct Vector {
 /// @throws        InputError with quantity and rule where the object is none
 [[nodiscard]] Vector vector_from_json(const nlohmann::json& object);
 
-/// @brief Heading of the CSV files. @return the line, without its end
-[[nodiscard]] std::string vector_csv_heading();
+/// @brief Whether a vector is about a system beyond the paper: such are asked where they are chosen. @param v the vector
+/// @return   whether its group is one of those that start with `systems-`
+[[nodiscard]] bool is_of_systems(const Vector& v);
 
-/// @brief A vector as a line of a CSV file; lists are numbers separated by spaces.
-/// @param v  the vector
-/// @return   the line, without its end
-[[nodiscard]] std::string vector_csv(const Vector& v);
+/// @brief Heading of a table of vectors.
+/// @param systems  whether it has the four columns at the end that only systems beyond the paper fill
+/// @return         the line, without its end
+[[nodiscard]] std::string vector_csv_heading(bool systems = false);
+
+/// @brief A vector as a line of a table; lists are numbers separated by spaces, matrices such lists row by row.
+/// @param v        the vector
+/// @param systems  as the heading has it
+/// @return         the line, without its end
+[[nodiscard]] std::string vector_csv(const Vector& v, bool systems = false);
 
 /// @brief All vectors of a folder: its files *.jsonl in the order of their names.
 /// @param folder  the folder

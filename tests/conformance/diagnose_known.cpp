@@ -18,7 +18,9 @@ namespace {
 std::vector<Vector> seeded_vectors() {
     std::vector<Vector> vectors;
     int number = 0;
-    for (Question q : seeded_questions(535, 60))
+    std::vector<Question> questions = seeded_questions(535, 60);
+    for (const Question& q : seeded_systems(535, 12)) questions.push_back(q);
+    for (Question q : questions)
         for (const Quantity& asked : quantities()) {
             q.quantity = asked.name;
             const std::optional<Value> right = plain_answer(q);

@@ -20,6 +20,7 @@ std::vector<Judged> answered(const std::vector<std::string>& quantities, std::si
     std::vector<Judged> judged;
     std::size_t n = 0;
     for (const Vector& v : vectors()) {
+        if (!is_of_the_paper(v.question)) continue;
         if (!v.reject.empty() || std::find(quantities.begin(), quantities.end(), v.question.quantity) == quantities.end())
             continue;
         if (n++ % every != 0) continue;

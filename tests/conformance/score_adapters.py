@@ -28,6 +28,7 @@ def implementations(folder, library):
          [folder / "c"], "."),
         ("Fortran", "gfortran", ["gfortran", *strict, "-J", folder, "-o", folder / "fortran", fortran / "closed_form.f90",
                                  fortran / "adapter.f90"], [folder / "fortran"], "."),
+        ("Python, systems", sys.executable, [], [sys.executable, HERE / "systems/adapter.py"], "^systems-"),
         ("the library, from C", "cc", ["cc", "-std=c99", *strict, "-I", header, "-o", folder / "library", c / "library_adapter.c",
                                        library, f"-Wl,-rpath,{library.parent}", "-lm"], [folder / "library"], "."),
     ]
@@ -38,8 +39,8 @@ def score(options, folder, build, start, questions):
         subprocess.run([str(word) for word in build], check=True)
     report = folder / "report.json"
     report.unlink(missing_ok=True)
-    run = subprocess.run([options.program, "conform", "run", "--vectors", options.vectors, "--filter", questions, "--jobs", "2",
-                          "--timeout", "60", "--format", "json", "--output", str(report), "--", *map(str, start)],
+    run = subprocess.run([options.program, "conform", "run", "--vectors", options.vectors, "--filter", questions,
+                          *(["--systems"] if questions.startswith("^systems") else []), "--jobs", "2", "--timeout", "60", "--format", "json", "--output", str(report), "--", *map(str, start)],
                          capture_output=True, text=True)
     if run.returncode > 1:
         raise SystemExit(f"{start[0]}: status {run.returncode}\n{run.stderr[-1000:]}")
@@ -88,7 +89,7 @@ def main():
                 skipped.append(f"{language} ({needed})")
                 print(f"{language}: skipped, {needed} is not installed")
                 continue
-            report = score(options, folder, build, start, "." if options.all else questions)
+            report = score(options, folder, build, start, "." if options.all and not questions.startswith("^") else questions)
             scores[language] = tiers(report)
             bad = [r for r in report["results"] if r["verdict"] not in RIGHT]
             faults += [f"{language}: {r['id']} {r['verdict']} {r.get('reason', '')} {r.get('error', '')}" for r in bad]

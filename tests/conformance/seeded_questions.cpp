@@ -48,4 +48,41 @@ std::vector<conformance::Question> seeded_questions(std::uint64_t seed, int coun
     return questions;
 }
 
+std::vector<conformance::Question> seeded_systems(std::uint64_t seed, int count) {
+    std::mt19937_64 random(seed);
+    std::vector<conformance::Question> systems;
+    for (conformance::Question q : seeded_questions(seed, 2 * count)) {
+        const auto N = q.mass_ratios.size();
+        const auto n = static_cast<int>(systems.size());
+        if (N == 1 || n == count) continue;
+        q.mu = 1;
+        if (n % 4 == 0) {
+            q.contact_with = q.contact % static_cast<int>(N) + 1;
+            q.mass = n % 8 == 0 ? 0 : q.mass;
+        } else if (n % 4 == 1) {
+            for (std::size_t k = 0; k < N; ++k) q.loads.push_back(fraction(random, 4, 16, 16));
+        } else if (n % 4 == 2) {
+            q.base_motion = n % 8 == 2 ? "with_wall" : "alone";
+            if (q.base_motion == "alone") q.damping_ratios.assign(N, 0);
+        } else {
+            q.damping_matrix.assign(N * N, 0);
+            for (std::size_t k = 0; k < N; ++k) {
+                const double c = fraction(random, 4, 24, 64);
+                q.damping_matrix[k * N + k] += c;
+                if (k == 0) continue;
+                q.damping_matrix[(k - 1) * N + k - 1] += c;
+                q.damping_matrix[(k - 1) * N + k] = q.damping_matrix[k * N + k - 1] = -c;
+            }
+            q.damping_ratios.clear();
+        }
+        if (n % 4 == 1 || n % 4 == 2) q.load = 0;
+        q.quantity = "beta_lim_exact";
+        const double limit = conformance::plain_answer(q).value().numbers.front();
+        q.beta = std::ldexp(std::round(std::ldexp(limit * (n % 8 < 4 ? 0.5 : 1.25), 16)), -16);
+        q.quantity = "amplitude";
+        systems.push_back(q);
+    }
+    return systems;
+}
+
 } // namespace denhartog::tests

@@ -17,4 +17,12 @@ namespace denhartog::tests {
 /// @return       a question a scene, of the amplitude of a mass
 [[nodiscard]] std::vector<conformance::Question> seeded_questions(std::uint64_t seed, int count);
 
+/// @brief Systems beyond the paper: in turn a contact between two masses, several loads, a base that moves, dashpots.
+///
+/// Half of them slide, the others stop or rest. They have no fewer than two masses.
+/// @param seed   any number; the same one gives the same questions
+/// @param count  number of systems
+/// @return       a question a system, of the amplitude of a mass
+[[nodiscard]] std::vector<conformance::Question> seeded_systems(std::uint64_t seed, int count);
+
 } // namespace denhartog::tests

@@ -107,19 +107,29 @@ TEST_CASE("the vectors are enough, of every group, tier and number of masses, wi
     std::map<std::string, std::map<std::string, int>> groups;
     std::map<std::string, int> tiers, places, asked;
     std::set<std::size_t> masses;
+    std::map<std::string, std::map<std::string, int>> kinds; // of systems beyond the paper, by regime
     bool mu = false, rejected_enough = false;
     for (const Vector& v : vectors()) {
         ++groups[v.group][v.tier];
         ++tiers[v.tier];
         ++asked[v.question.quantity];
         if (!v.reject.empty()) continue;
-        masses.insert(v.question.mass_ratios.size());
+        masses.insert(masses_of(v.question));
+        for (const std::string& kind : beyond_the_paper(v.question)) ++kinds[kind][v.regime];
+        if (!is_of_the_paper(v.question)) continue;
         const int side = v.question.contact - v.question.load;
         if (v.question.mass_ratios.size() > 1) ++places[side < 0 ? "before" : side > 0 ? "behind" : "at"];
         mu = mu || v.question.mu > 1;
     }
     CHECK(vectors().size() >= 1500);
-    CHECK(groups.size() == 12);
+    CHECK(groups.size() == 18);
+    CHECK(kinds.size() == 7);
+    for (const auto& [kind, regimes] : kinds) {
+        INFO(kind);
+        CHECK(regimes.at("continuous") >= 20);
+        CHECK(regimes.at("permanent_sticking") >= 10);
+        if (kind != "base-alone") CHECK(regimes.at("stick_slip") >= 6); // it has no damping, and no transient ends
+    }
     CHECK(tiers.size() == 3);
     CHECK(masses == std::set<std::size_t>{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12});
     for (const char* place : {"before", "at", "behind"}) CHECK(places[place] > 100);
@@ -140,7 +150,7 @@ TEST_CASE("the vectors are enough, of every group, tier and number of masses, wi
 
 TEST_CASE("the vectors as CSV say what the JSON lines say", "[conformance][vectors]") {
     const std::string command = "'" + std::string(std::getenv("DENHARTOG_PROGRAM")) + "' conform list --csv";
-    const Run run = run_shell(command);
+    const Run run = run_shell(command + " --systems");
     REQUIRE(run.status == 0);
     std::istringstream output(run.output);
     std::vector<std::vector<std::string>> rows;
@@ -175,6 +185,10 @@ TEST_CASE("the vectors as CSV say what the JSON lines say", "[conformance][vecto
         REQUIRE(numbers(cell(n + 1, "mass_ratios")) == v.question.mass_ratios);
         REQUIRE(numbers(cell(n + 1, "damping_ratios")) == v.question.damping_ratios);
         REQUIRE(numbers(cell(n + 1, "r")) == std::vector<double>{v.question.r});
+        REQUIRE(numbers(cell(n + 1, "mass_matrix")) == v.question.mass_matrix);
+        REQUIRE(numbers(cell(n + 1, "stiffness_matrix")) == v.question.stiffness_matrix);
+        REQUIRE(numbers(cell(n + 1, "damping_matrix")) == v.question.damping_matrix);
+        REQUIRE(cell(n + 1, "base_motion") == v.question.base_motion);
         if (!v.word.empty())
             REQUIRE(cell(n + 1, "value") == v.word);
         else
@@ -182,6 +196,7 @@ TEST_CASE("the vectors as CSV say what the JSON lines say", "[conformance][vecto
     }
     const Run group = run_shell(command + " --group limits --tier stress");
     CHECK(std::count(group.output.begin(), group.output.end(), '\n') == 2);
+    CHECK(group.output.starts_with(vector_csv_heading() + "\n")); // the columns of systems are there where systems are
     CHECK(run_shell(command + " --summary").status == 2);
 }
 

@@ -2,6 +2,8 @@
 /// @brief A phase of the contact on the physical coordinates: it slides down, rests or slides up, until something is zero.
 #pragma once
 
+#include <Eigen/LU>
+
 #include "tests/support/half_period.hpp"
 
 namespace denhartog {
@@ -10,15 +12,25 @@ namespace denhartog {
 template <class T>
 using StateRow = Eigen::Matrix<T, 1, Eigen::Dynamic>;
 
+/// @brief Accelerations of the masses under the force on the contact that gives it a unit acceleration.
+/// @param p  the problem
+/// @return   M^-1 w / (w^T M^-1 w), N values
+template <class T>
+[[nodiscard]] Vector<T> force_that_holds(const HalfPeriodProblem<T>& p) {
+    const Vector<T> w = contact_vector(p), of_unit_force = Eigen::FullPivLU<Matrix<T>>(p.M).solve(w);
+    return of_unit_force / w.dot(of_unit_force);
+}
+
 /// @brief Matrix A of \f$ z' = Az \f$ in a phase. @param p the problem
 /// @param direction  -1 where the contact slides down, 0 where it rests, 1 where it slides up
 /// @return           A, (2N+3) x (2N+3)
 template <class T>
 [[nodiscard]] Matrix<T> system_of_phase(const HalfPeriodProblem<T>& p, int direction) {
-    const Eigen::Index N = p.M.rows(), rate = N + static_cast<Eigen::Index>(p.contact.index);
+    const Eigen::Index N = p.M.rows();
     Matrix<T> A = augmented_system(p);
-    if (direction == 0) A.row(rate).setZero();
-    if (direction > 0) A(rate, 2 * N + 2) *= T(-1);
+    const Vector<T> w = contact_vector(p);
+    if (direction == 0) A.middleRows(N, N) -= force_that_holds(p) * (w.transpose() * A.middleRows(N, N));
+    if (direction > 0) A.block(N, 2 * N + 2, N, 1) *= T(-1);
     return A;
 }
 
@@ -30,15 +42,16 @@ template <class T>
 /// @return                 a row over the state
 template <class T>
 [[nodiscard]] StateRow<T> end_of_phase(const HalfPeriodProblem<T>& p, const T& static_friction, int direction, int next) {
-    const Eigen::Index N = p.M.rows(), j = static_cast<Eigen::Index>(p.contact.index);
+    const Eigen::Index N = p.M.rows();
     StateRow<T> row = StateRow<T>::Zero(2 * N + 3);
     if (direction != 0) {
-        row(N + j) = T(1);
+        row.segment(N, N) = contact_vector(p).transpose();
         return row;
     }
-    row.head(N) = p.K.row(j);
-    row.segment(N, N) = p.C.row(j);
-    if (p.load == p.contact) row(2 * N) = T(-1);
+    const Vector<T> share = force_that_holds(p); // of the forces on the masses that the contact bears
+    row.head(N) = share.transpose() * p.K;
+    row.segment(N, N) = share.transpose() * p.C;
+    row(2 * N) = -share.dot(load_vector(p));
     row(2 * N + 2) = static_friction * next;
     return row;
 }

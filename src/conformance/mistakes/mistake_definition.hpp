@@ -40,6 +40,9 @@ struct MistakeDefinition {
 /// @brief Mistakes that solvers of the motion make. @return the mistakes
 [[nodiscard]] std::vector<MistakeDefinition> mistakes_of_integrators();
 
+/// @brief Mistakes in what only systems beyond the paper have. @return the mistakes
+[[nodiscard]] std::vector<MistakeDefinition> mistakes_of_systems();
+
 /// @brief Whether a question asks for one of some quantities.
 /// @param q      the question
 /// @param names  the quantities

@@ -10,8 +10,8 @@ namespace {
 
 std::vector<MistakeDefinition> all_definitions() {
     std::vector<MistakeDefinition> all;
-    for (auto part :
-         {mistakes_of_input(), mistakes_of_print(), mistakes_of_form(), mistakes_of_output(), mistakes_of_integrators()})
+    for (auto part : {mistakes_of_input(), mistakes_of_print(), mistakes_of_form(), mistakes_of_output(),
+                      mistakes_of_integrators(), mistakes_of_systems()})
         std::move(part.begin(), part.end(), std::back_inserter(all));
     std::sort(all.begin(), all.end(),
               [](const MistakeDefinition& a, const MistakeDefinition& b) { return a.mistake.name < b.mistake.name; });

@@ -41,15 +41,21 @@ std::vector<MistakeDefinition> of_the_system() {
                 [](Question& q) { invert(q.stiffness_ratios); }),
         reading("damping-of-first-mode", "18", "The damping ratio of the first mode is used for every mode; (18) has one a mode.",
                 "the index of the damping ratio in the loops over modes",
-                [](Question& q) { std::fill(q.damping_ratios.begin(), q.damping_ratios.end(), q.damping_ratios.front()); }),
+                [](Question& q) {
+                    if (!q.damping_ratios.empty())
+                        std::fill(q.damping_ratios.begin(), q.damping_ratios.end(), q.damping_ratios.front());
+                }),
         reading("damping-ignored", "18", "Viscous damping is left out: every zeta_i of (18) is taken as 0.",
                 "whether the damping ratios reach (23), (28) and (29)",
-                [](Question& q) { std::fill(q.damping_ratios.begin(), q.damping_ratios.end(), 0); }),
+                [](Question& q) {
+                    for (auto* list : {&q.damping_ratios, &q.damping_matrix}) std::fill(list->begin(), list->end(), 0);
+                }),
         reading("damping-halved", "19",
                 "Viscous damping is half of what it should be: the 2 of 2 zeta_i Omega_i in (19) is missing.",
                 "the factor 2 where modal damping is made from damping ratios; a loss factor is twice a damping ratio",
                 [](Question& q) {
-                    for (double& x : q.damping_ratios) x /= 2;
+                    for (auto* list : {&q.damping_ratios, &q.damping_matrix})
+                        for (double& x : *list) x /= 2;
                 }),
         reading("damping-as-logarithmic-decrement", "18",
                 "The damping ratios are taken for logarithmic decrements: zeta_i of (18) is divided by 2 pi.",
@@ -76,7 +82,11 @@ std::vector<MistakeDefinition> of_places() {
         reading("friction-on-loaded-mass", "4", "Friction acts on the loaded mass l in place of the mass in contact j.",
                 "the row of the modal matrix that multiplies the friction force", [](Question& q) { q.contact = q.load; }),
         reading("contact-counted-from-0", "4", "The mass in contact is counted from 0: contact is taken as one mass further.",
-                "the index made from contact: the protocol counts masses from 1", [](Question& q) { ++q.contact; }),
+                "the index made from contact: the protocol counts masses from 1",
+                [](Question& q) {
+                    ++q.contact;
+                    if (q.contact_with != 0) ++q.contact_with;
+                }),
         reading("load-counted-from-0", "4", "The loaded mass is counted from 0: load is taken as one mass further.",
                 "the index made from load: the protocol counts masses from 1", [](Question& q) { ++q.load; }),
         reading("mass-counted-from-0", "", "The mass asked about is counted from 0: mass is taken as one mass further.",

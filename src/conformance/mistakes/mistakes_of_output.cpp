@@ -62,6 +62,7 @@ bool slides(Question q) {
 
 // Displacement of the loaded mass under the amplitude of the load at rest, without friction, in units of P / k_1.
 double static_deflection(const Question& q) {
+    check_of_the_paper(q);
     double sum = 0;
     for (int i = 0; i < q.load; ++i) sum += 1 / q.stiffness_ratios[static_cast<std::size_t>(i)];
     return sum;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "conformance/plain/integration.hpp"
+#include "conformance/plain/systems.hpp"
 #include "denhartog/formulas/as_printed.hpp"
 #include "denhartog/formulas/contact.hpp"
 #include "denhartog/formulas/high_frequency.hpp"
@@ -154,16 +155,10 @@ std::optional<Value> computed(const Question& q, const Choices& c) {
     return Value{of_motion(q, m, c, k), ""};
 }
 
-} // namespace
-
-double wrapped_angle(double angle) {
-    const double reduced = std::remainder(angle, 2 * pi<double>());
-    return reduced <= -pi<double>() ? reduced + 2 * pi<double>() : reduced;
-}
-
-std::optional<Value> plain_answer(const Question& q, const Choices& c) {
+template <class Computed>
+std::optional<Value> where_finite(const Computed& answer) {
     try {
-        std::optional<Value> value = computed(q, c);
+        std::optional<Value> value = answer();
         if (value && !std::all_of(value->numbers.begin(), value->numbers.end(), [](double x) { return std::isfinite(x); }))
             return std::nullopt;
         return value;
@@ -172,6 +167,21 @@ std::optional<Value> plain_answer(const Question& q, const Choices& c) {
     } catch (const PrecisionError&) {
     }
     return std::nullopt;
+}
+
+} // namespace
+
+double wrapped_angle(double angle) {
+    const double reduced = std::remainder(angle, 2 * pi<double>());
+    return reduced <= -pi<double>() ? reduced + 2 * pi<double>() : reduced;
+}
+
+std::optional<Value> plain_answer(const Question& q, const Choices& c) {
+    return where_finite([&] { return computed(q, c); });
+}
+
+std::optional<Value> plain_answer(const Question& q) {
+    return where_finite([&] { return is_of_the_paper(q) ? computed(q, {}) : answer_of_system(q); });
 }
 
 } // namespace denhartog::conformance

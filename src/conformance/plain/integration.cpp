@@ -96,6 +96,7 @@ std::optional<Value> answer_of_steady_motion(const Question& q) {
 }
 
 std::vector<std::optional<Value>> answers_of_transient(const Question& q, int first, int last) {
+    if (!is_of_the_paper(q)) return std::vector<std::optional<Value>>(static_cast<std::size_t>(last - first + 1));
     const Scene<double> scene = scene_of<double>(q);
     const ContactSystem<double> system = contact_system(scene.system);
     ExactSolver<double> solver(system, {*scene.r, *scene.beta, scene.mu});
@@ -110,7 +111,7 @@ std::vector<std::optional<Value>> answers_of_transient(const Question& q, int fi
 }
 
 std::optional<Value> answer_of_creep(const Question& q, double width) {
-    if (q.mass != q.contact) return std::nullopt;
+    if (q.mass != q.contact || !is_of_the_paper(q)) return std::nullopt;
     const Scene<double> scene = scene_of<double>(q);
     const StuckConfiguration<double> stuck = stuck_configuration(scene.system, modal_basis(scene.system));
     const Complex<double> load = stuck_response(stuck, scene.system.contact, scene.system.load, *scene.r).contact_load;

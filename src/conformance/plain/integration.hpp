@@ -18,7 +18,7 @@ namespace denhartog::conformance {
 /// @param q      the question, of a quantity of the motion
 /// @param first  the first period of the force that is read off, at least 1
 /// @param last   the last
-/// @return       the answers, a period each; none where the quantity is none of a motion
+/// @return       the answers, a period each; none where the quantity is none of a motion, or the scene none of the paper
 [[nodiscard]] std::vector<std::optional<Value>> answers_of_transient(const Question& q, int first, int last);
 
 /// @brief The answer of a solver that replaces sgn by a hyperbolic tangent, where the contact should rest for ever: it creeps.

@@ -45,8 +45,8 @@ Question ask(const std::string& quantity, int mass, double tau, int samples) {
 
 std::vector<Case> all_cases() {
     std::vector<Case> all;
-    for (const auto& list :
-         {cases_of_modes(), cases_of_sliding(), cases_of_limits(), cases_of_sticking(), cases_of_stress(), cases_of_rejection()})
+    for (const auto& list : {cases_of_modes(), cases_of_sliding(), cases_of_limits(), cases_of_sticking(), cases_of_stress(),
+                             cases_of_rejection(), cases_of_systems()})
         all.insert(all.end(), list.begin(), list.end());
     std::map<std::string, int> numbers;
     for (Case& c : all) {

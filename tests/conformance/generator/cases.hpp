@@ -72,6 +72,8 @@ private:
 [[nodiscard]] std::vector<Case> cases_of_stress();
 /// @brief Cases of the group `reject`. @return the cases
 [[nodiscard]] std::vector<Case> cases_of_rejection();
+/// @brief Cases of the groups that start with `systems-`: beyond the paper. @return the cases
+[[nodiscard]] std::vector<Case> cases_of_systems();
 /// @brief All cases, numbered. @return the cases
 [[nodiscard]] std::vector<Case> all_cases();
 

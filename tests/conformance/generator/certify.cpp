@@ -50,8 +50,9 @@ double margin_of(const Regimes& b, const Real50& beta) {
 }
 
 std::vector<std::string> flags_of(const Case& c) {
-    std::vector<std::string> flags = c.flags;
     const Question& q = c.scene;
+    std::vector<std::string> flags = beyond_the_paper(q);
+    flags.insert(flags.end(), c.flags.begin(), c.flags.end());
     const auto unequal = [](const std::vector<double>& x) {
         return std::any_of(x.begin(), x.end(), [&](double y) { return y != x[0]; });
     };
@@ -62,7 +63,7 @@ std::vector<std::string> flags_of(const Case& c) {
     if (std::count(q.damping_ratios.begin(), q.damping_ratios.end(), 0.0) > 0) flags.emplace_back("undamped");
     if (std::any_of(q.damping_ratios.begin(), q.damping_ratios.end(), [](double z) { return z > 1; }))
         flags.emplace_back("overdamped");
-    if (q.mass_ratios.size() > 1)
+    if (masses_of(q) > 1 && q.contact_with == 0 && q.load != 0)
         flags.emplace_back(q.contact < q.load    ? "contact-before-load"
                            : q.contact == q.load ? "contact-at-load"
                                                  : "contact-behind-load");
@@ -77,7 +78,7 @@ std::string harder(const std::string& a, const std::string& b) {
 }
 
 std::string tier_of(const Case& c, double condition, std::optional<double> margin) {
-    std::string tier = c.scene.mass_ratios.size() <= 5 && condition <= 512 ? "must" : condition <= 1e6 ? "should" : "stress";
+    std::string tier = masses_of(c.scene) <= 5 && condition <= 512 ? "must" : condition <= 1e6 ? "should" : "stress";
     if (margin && *margin < 1e-3) tier = harder(tier, *margin < 1e-9 ? "stress" : "should");
     return harder(tier, c.tier);
 }
@@ -177,7 +178,7 @@ bool comes_from_rest(const Question& q, Regime regime) {
 Vector rejected(const Case& c, std::size_t n) {
     Vector v = plain_vector(c, n);
     v.reject = c.reject;
-    v.flags = c.flags;
+    if (is_of_the_paper(c.scene)) v.flags = c.flags;
     try {
         static_cast<void>(scene_of<double>(v.question));
     } catch (const InputError&) {

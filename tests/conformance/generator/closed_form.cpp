@@ -4,6 +4,8 @@
 #include "denhartog/number/errors.hpp"
 #include "denhartog/sliding/steady_state.hpp"
 #include "denhartog/stick_slip/stuck_response.hpp"
+#include "denhartog/sums/bounded_modes.hpp"
+#include "denhartog/sums/coupled_sums.hpp"
 #include "tests/conformance/generator/route.hpp"
 
 namespace denhartog::conformance::generator {
@@ -13,11 +15,11 @@ template <class T>
 class ClosedForm : public Route<T> {
 public:
     ClosedForm(const Question& q, Regime regime, ClosedForm* near)
-        : scene_(scene_of<T>(q)), regime_(regime), near_(near), basis_(modal_basis(scene_.system)) {}
+        : scene_(in_own_coordinates(scene_of<T>(q))), regime_(regime), near_(near), basis_(modal_basis(scene_.system)) {}
 
     std::vector<T> numbers(const Question& q) override {
         const std::string& name = q.quantity;
-        const std::size_t k = static_cast<std::size_t>(q.mass > 0 ? q.mass - 1 : 0);
+        const std::size_t k = row_of(q, scene_.system);
         if (name == "natural_frequency_ratios") return basis_.r_n;
         if (name == "modal_frequency_ratios") return frequency_ratios();
         if (name == "mode_shape_products") return products(k);
@@ -60,7 +62,11 @@ private:
     }
 
     const ModeSums<T>& sums() {
-        if (!sums_) sums_ = mode_sums(basis_, scene_.system.contact, scene_.system.load, *scene_.r);
+        if (sums_) return *sums_;
+        if (basis_.coupled())
+            sums_ = values_of(coupled_sums(scene_.system, Bounded<T>(*scene_.r)));
+        else
+            sums_ = mode_sums(basis_, scene_.system.contact, scene_.system.load, *scene_.r);
         return *sums_;
     }
 
@@ -100,6 +106,16 @@ private:
         return x;
     }
 
+    // The motion of a mass that is no coordinate.
+    Complex<T> held_beside(const StuckResponse<T>& response, std::size_t k) const {
+        const Matrix<T>& displacements = scene_.system.coordinates.displacements;
+        Complex<T> X{T(0), T(0)};
+        for (std::size_t n = 0; n < response.masses.size(); ++n)
+            X = X + displacements(static_cast<Eigen::Index>(k - response.masses.size()), static_cast<Eigen::Index>(n)) *
+                        response.masses[n].X;
+        return X;
+    }
+
     std::vector<T> held(const Question& q, std::size_t k) {
         const StuckConfiguration<T> stuck = stuck_configuration(scene_.system, basis_);
         const StuckResponse<T> response = stuck_response(stuck, scene_.system.contact, scene_.system.load, *scene_.r);
@@ -107,7 +123,7 @@ private:
             const std::optional<T> reach = rest_interval(stuck, response, scene_.mu, *scene_.beta);
             return reach ? std::vector<T>{*reach} : std::vector<T>{};
         }
-        const StuckMass<T>& m = response.masses[k];
+        const StuckMass<T> m = k < response.masses.size() ? response.masses[k] : motion_of(held_beside(response, k));
         if (q.quantity == "amplitude") return {m.amplitude};
         if (q.quantity == "phase") return m.phase ? std::vector<T>{*m.phase} : std::vector<T>{};
         if (q.quantity != "motion_under_force") return {};

@@ -9,17 +9,19 @@ namespace {
 
 using Index = Eigen::Index;
 
-// Number of roots below lambda: negative pivots of K - lambda M.
+// Number of roots below lambda: negative pivots of K - lambda M. The zeros of a chain are passed over.
 template <class T>
 Index roots_below(const Matrix<T>& M, const Matrix<T>& K, const T& lambda) {
+    const Index N = M.rows();
+    Matrix<T> S = K - lambda * M;
     Index count = 0;
-    T pivot(1);
-    for (Index i = 0; i < M.rows(); ++i) {
-        const T previous = pivot;
-        pivot = K(i, i) - lambda * M(i, i);
-        if (i > 0) pivot -= K(i, i - 1) * K(i, i - 1) / previous;
+    for (Index i = 0; i < N; ++i) {
+        T& pivot = S(i, i);
         if (pivot == T(0)) pivot = std::numeric_limits<T>::epsilon() * std::numeric_limits<T>::epsilon() * K(i, i);
         if (pivot < T(0)) ++count;
+        for (Index k = i + 1; k < N; ++k)
+            for (Index l = k; l < N && S(k, i) != T(0); ++l)
+                if (S(l, i) != T(0)) S(l, k) -= S(l, i) * S(k, i) / pivot;
     }
     return count;
 }
@@ -37,15 +39,20 @@ T root(const Matrix<T>& M, const Matrix<T>& K, Index i, T below, T above) {
 } // namespace
 
 template <class T>
+std::vector<T> determinant_roots(const Matrix<T>& M, const Matrix<T>& K, const T& bound) {
+    std::vector<T> lambda;
+    for (Index i = 0; i < M.rows(); ++i) lambda.push_back(root(M, K, i, T(0), bound));
+    return lambda;
+}
+
+template <class T>
 DeterminantModes<T> determinant_modes(const Matrix<T>& M, const Matrix<T>& K, Index j) {
     const Index N = M.rows();
     T bound(0);
     for (Index i = 0; i < N; ++i) bound = std::max(bound, T(4 * K(i, i) / M(i, i)));
-    DeterminantModes<T> modes;
-    modes.products.resize(N, N);
+    DeterminantModes<T> modes{determinant_roots(M, K, bound), Matrix<T>(N, N)};
     for (Index i = 0; i < N; ++i) {
-        const T lambda = root(M, K, i, T(0), bound);
-        modes.lambda.push_back(lambda);
+        const T& lambda = modes.lambda[static_cast<std::size_t>(i)];
         // Leading minors with their derivative, trailing minors.
         std::vector<T> leading(static_cast<std::size_t>(N) + 1, T(1)), slope(leading.size(), T(0)),
             trailing(leading.size() + 1, T(1));
@@ -70,6 +77,8 @@ DeterminantModes<T> determinant_modes(const Matrix<T>& M, const Matrix<T>& K, In
     return modes;
 }
 
+template std::vector<Real50> determinant_roots(const Matrix<Real50>&, const Matrix<Real50>&, const Real50&);
+template std::vector<Real100> determinant_roots(const Matrix<Real100>&, const Matrix<Real100>&, const Real100&);
 template DeterminantModes<Real50> determinant_modes(const Matrix<Real50>&, const Matrix<Real50>&, Eigen::Index);
 template DeterminantModes<Real100> determinant_modes(const Matrix<Real100>&, const Matrix<Real100>&, Eigen::Index);
 

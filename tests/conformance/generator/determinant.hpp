@@ -13,6 +13,14 @@ struct DeterminantModes {
     Matrix<T> products;    ///< phi_ki phi_ji with phi^T M phi = 1 for one j: mass k by mode i
 };
 
+/// @brief Roots of the characteristic polynomial det(K - lambda M) by Sturm's count and bisection.
+/// @param M      mass matrix, N x N, positive definite
+/// @param K      stiffness matrix, N x N, positive definite
+/// @param bound  what no root exceeds
+/// @return       squares of the natural frequency ratios, ascending
+template <class T>
+[[nodiscard]] std::vector<T> determinant_roots(const Matrix<T>& M, const Matrix<T>& K, const T& bound);
+
 /// @brief Roots of the characteristic polynomial of a chain by Sturm's count and bisection, and residues of its receptance.
 ///
 /// \f$ ((K-\lambda M)^{-1})_{kj} = \sum_i \phi_{ki}\phi_{ji}/(\lambda_i-\lambda) \f$, and by Cramer's rule the left side is a

@@ -16,7 +16,8 @@ template <class T>
 class ExactOrbit : public Route<T> {
 public:
     ExactOrbit(const Question& q, const OrbitSeen& seen)
-        : scene_(scene_of<T>(q)), system_(contact_system(scene_.system)), solver_(system_, {T(q.r), T(q.beta), T(q.mu)}) {
+        : scene_(in_own_coordinates(scene_of<T>(q))), system_(contact_system(scene_.system)),
+          solver_(system_, {T(q.r), T(q.beta), T(q.mu)}) {
         start_.x.assign(seen.at_zero.x.begin(), seen.at_zero.x.end());
         start_.x_prime.assign(seen.at_zero.x_prime.begin(), seen.at_zero.x_prime.end());
         for (int n = 0; correct() > std::numeric_limits<T>::epsilon() * 4096; ++n)
@@ -27,7 +28,7 @@ public:
     }
 
     std::vector<T> numbers(const Question& q) override {
-        const std::size_t k = static_cast<std::size_t>(q.mass > 0 ? q.mass - 1 : 0);
+        const std::size_t k = row_of(q, scene_.system);
         using std::abs;
         if (q.quantity == "amplitude") return {T(abs(largest_[k].x))};
         if (q.quantity == "phase") return {wrapped(T(largest_[k].instant + (largest_[k].x < 0 ? pi<T>() : T(0))))};
@@ -40,7 +41,9 @@ public:
         for (int n = 0; n < q.samples; ++n) {
             const T tau = 2 * n * pi<T>() / q.samples;
             while (phase + 1 < motion.phases.size() && motion.phases[phase].end < tau) ++phase;
-            x.push_back(solver_.state_at(phase, tau).x[k]);
+            State<T> state = solver_.state_at(phase, tau);
+            add_displacements(scene_.system.coordinates, state.x);
+            x.push_back(state.x[k]);
         }
         return x;
     }

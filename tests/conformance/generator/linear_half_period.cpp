@@ -9,6 +9,15 @@ namespace denhartog::conformance::generator {
 
 using Index = Eigen::Index;
 
+namespace {
+
+template <class T>
+T velocity_of_contact(const LinearHalfPeriod<T>& h, const Vector<T>& z) {
+    return h.w.dot(z.segment(h.w.size(), h.w.size()));
+}
+
+} // namespace
+
 template <class T>
 int steps_for(const T& fastest) {
     return std::clamp(static_cast<int>(16 * fastest), 96, 4096);
@@ -18,7 +27,7 @@ template <class T>
 LinearHalfPeriod<T> linear_half_period(HalfPeriodProblem<T> p, int steps) {
     p.beta = T(1);
     const Index N = p.M.rows();
-    LinearHalfPeriod<T> h{augmented_system(p), {}, {}, p.contact};
+    LinearHalfPeriod<T> h{augmented_system(p), {}, {}, contact_vector(p)};
     const Matrix<T> step = matrix_exponential(Matrix<T>(h.A * T(pi<T>() / steps)));
     const Matrix<T> half = matrix_exponential(Matrix<T>(h.A * pi<T>()));
     const Eigen::FullPivLU<Matrix<T>> mirrored(half.topLeftCorner(2 * N, 2 * N) + Matrix<T>::Identity(2 * N, 2 * N));
@@ -50,45 +59,46 @@ Vector<T> moved(const Matrix<T>& A, const Vector<T>& z, const T& dt) {
 }
 
 template <class T>
-T U_of(const LinearHalfPeriod<T>& h, Index k) {
-    return -h.Y(h.Y.rows() / 2 + k, 2);
+T U_of(const LinearHalfPeriod<T>& h, const Vector<T>& x) {
+    return -x.dot(h.Y.col(2).tail(x.size()));
 }
 
 template <class T>
-T G_of(const LinearHalfPeriod<T>& h, Index k) {
-    return -h.Y(k, 2);
+T G_of(const LinearHalfPeriod<T>& h, const Vector<T>& x) {
+    return -x.dot(h.Y.col(2).head(x.size()));
 }
 
 template <class T>
 T acceleration_at_start(const LinearHalfPeriod<T>& h) {
-    const Index row = h.Y.rows() / 2 + static_cast<Index>(h.contact.index);
-    return h.A.row(row).dot(h.f.col(0));
+    return velocity_of_contact(h, Vector<T>(h.A * h.f.col(0)));
 }
 
 template <class T>
 T largest_demand(const LinearHalfPeriod<T>& h) {
     using std::abs;
-    const Index j = static_cast<Index>(h.contact.index), row = h.Y.rows() / 2 + j, steps = h.f.cols() - 1;
-    const T U = U_of(h, j), spacing = pi<T>() / static_cast<int>(steps);
+    const Index steps = h.f.cols() - 1;
+    const T U = U_of(h, h.w), spacing = pi<T>() / static_cast<int>(steps);
     const auto demand = [&](const T& velocity, const T& tau) { return T((U * cos(tau) + velocity) / sin(tau)); };
     T largest = acceleration_at_start(h);
     Index best = 0;
     T largest_inside = largest;
     for (Index n = 1; n < steps; ++n) {
-        const T value = demand(h.f(row, n), T(spacing * static_cast<int>(n)));
+        const T value = demand(velocity_of_contact(h, Vector<T>(h.f.col(n))), T(spacing * static_cast<int>(n)));
         if (best > 0 && value <= largest_inside) continue;
         best = n;
         largest_inside = value;
     }
-    largest = std::max(largest, T(-h.A.row(row).dot(h.f.col(steps))));
+    largest = std::max(largest, T(-velocity_of_contact(h, Vector<T>(h.A * h.f.col(steps)))));
     // Newton's method on the derivative times sin^2: x_j'' sin - x_j' cos - U, whose own derivative is (x_j''' + x_j') sin.
     T tau = spacing * static_cast<int>(best);
     const T start = tau;
     for (int n = 0; n < 200; ++n) {
         const Vector<T> z = moved(h.A, Vector<T>(h.f.col(best)), T(tau - start));
         const Vector<T> rate = h.A * z, second = h.A * rate;
-        largest_inside = demand(z(row), tau);
-        const T w = rate(row) * sin(tau) - z(row) * cos(tau) - U, w_prime = (second(row) + z(row)) * sin(tau);
+        const T v = velocity_of_contact(h, z);
+        largest_inside = demand(v, tau);
+        const T w = velocity_of_contact(h, rate) * sin(tau) - v * cos(tau) - U,
+                w_prime = (velocity_of_contact(h, second) + v) * sin(tau);
         const T change = std::clamp(T(-w / w_prime), T(-spacing / 4), T(spacing / 4));
         tau += change;
         if (abs(T(tau - start)) > 2 * spacing || !(tau > spacing / 1024)) return largest; // nothing but the start
@@ -103,10 +113,10 @@ template LinearHalfPeriod<Real50> linear_half_period(HalfPeriodProblem<Real50>, 
 template LinearHalfPeriod<Real100> linear_half_period(HalfPeriodProblem<Real100>, int);
 template Vector<Real50> moved(const Matrix<Real50>&, const Vector<Real50>&, const Real50&);
 template Vector<Real100> moved(const Matrix<Real100>&, const Vector<Real100>&, const Real100&);
-template Real50 U_of(const LinearHalfPeriod<Real50>&, Index);
-template Real100 U_of(const LinearHalfPeriod<Real100>&, Index);
-template Real50 G_of(const LinearHalfPeriod<Real50>&, Index);
-template Real100 G_of(const LinearHalfPeriod<Real100>&, Index);
+template Real50 U_of(const LinearHalfPeriod<Real50>&, const Vector<Real50>&);
+template Real100 U_of(const LinearHalfPeriod<Real100>&, const Vector<Real100>&);
+template Real50 G_of(const LinearHalfPeriod<Real50>&, const Vector<Real50>&);
+template Real100 G_of(const LinearHalfPeriod<Real100>&, const Vector<Real100>&);
 template Real50 acceleration_at_start(const LinearHalfPeriod<Real50>&);
 template Real100 acceleration_at_start(const LinearHalfPeriod<Real100>&);
 template Real50 largest_demand(const LinearHalfPeriod<Real50>&);

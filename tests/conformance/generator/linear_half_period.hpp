@@ -9,10 +9,10 @@ namespace denhartog::conformance::generator {
 /// @brief Motions of (6) that mirror themselves after half a period, under unit loads.
 template <class T>
 struct LinearHalfPeriod {
-    Matrix<T> A;  ///< matrix of z' = Az, z = (x, x', cos, sin, 1), the contact under a friction of 1
-    Matrix<T> Y;  ///< (x, x') at tau = 0 for the force cos tau, for the force -sin tau, for the friction: 2N x 3
-    Matrix<T> f;  ///< state z under the friction alone at tau = pi n / steps, (2N + 3) x (steps + 1)
-    Mass contact; ///< the mass in contact, j
+    Matrix<T> A; ///< matrix of z' = Az, z = (x, x', cos, sin, 1), the contact under a friction of 1
+    Matrix<T> Y; ///< (x, x') at tau = 0 for the force cos tau, for the force -sin tau, for the friction: 2N x 3
+    Matrix<T> f; ///< state z under the friction alone at tau = pi n / steps, (2N + 3) x (steps + 1)
+    Vector<T> w; ///< displacement of the contact over the masses
 };
 
 /// @brief Number of steps that show every extremum: 32 a cycle of the fastest mode, at least 96.
@@ -36,17 +36,17 @@ template <class T>
 template <class T>
 [[nodiscard]] Vector<T> moved(const Matrix<T>& A, const Vector<T>& z, const T& dt);
 
-/// @brief First damping function (34) of a mass: its velocity at tau = 0 under the friction alone, with the sign turned.
-/// @param h  the half-period @param k the mass @return U_dk
+/// @brief First damping function (34) of a displacement: its velocity at tau = 0 under the friction alone, with the sign turned.
+/// @param h  the half-period @param x the displacement over the masses @return U_dk
 template <class T>
-[[nodiscard]] T U_of(const LinearHalfPeriod<T>& h, Eigen::Index k);
+[[nodiscard]] T U_of(const LinearHalfPeriod<T>& h, const Vector<T>& x);
 
-/// @brief Second damping function (35) of a mass: its displacement there, with the sign turned.
-/// @param h  the half-period @param k the mass @return G_k
+/// @brief Second damping function (35) of a displacement: that displacement there, with the sign turned.
+/// @param h  the half-period @param x the displacement over the masses @return G_k
 template <class T>
-[[nodiscard]] T G_of(const LinearHalfPeriod<T>& h, Eigen::Index k);
+[[nodiscard]] T G_of(const LinearHalfPeriod<T>& h, const Vector<T>& x);
 
-/// @brief Acceleration of the contact next after tau = 0 under the friction alone: H_j + 1 / (gamma_j r^2), Eqs. (64), (71).
+/// @brief Acceleration of the contact next after tau = 0 under the friction alone: H_j + w^T M^-1 w / r^2, Eqs. (64), (65), (71).
 /// @param h  the half-period @return the acceleration
 template <class T>
 [[nodiscard]] T acceleration_at_start(const LinearHalfPeriod<T>& h);

@@ -23,12 +23,12 @@ State<double> cut(State<double> z) {
 } // namespace
 
 OrbitSeen orbit_seen(const Question& q) {
-    const Scene<double> scene = scene_of<double>(q);
+    const Scene<double> scene = in_own_coordinates(scene_of<double>(q));
     const ContactSystem<double> system = contact_system(scene.system);
     ExactSolver<double> solver(system, {q.r, q.beta, q.mu});
     OrbitSearch<double> search;
     search.most_periods = 2000;
-    const std::size_t N = q.mass_ratios.size();
+    const std::size_t N = masses_of(q);
     const PeriodicOrbit<double> orbit = periodic_orbit(solver, at_rest<double>(N), search);
     if (orbit.status != OrbitStatus::periodic || orbit.periods != 1 || !orbit.symmetric || !orbit.stable || orbit.touching > 0)
         throw DomainError("no stable symmetric motion of one period from rest: " + orbit.reason);
@@ -48,7 +48,9 @@ OrbitSeen orbit_seen(const Question& q) {
     if (std::abs(seen.phases.back().end - end) > 1e-6) throw DomainError("the phases do not repeat after half a period");
     const double* z = &motion.states[2 * N * first];
     seen.at_rest = cut({{z, z + N}, {z + N, z + 2 * N}});
-    seen.at_rest.x_prime[static_cast<std::size_t>(q.contact - 1)] = 0;
+    seen.at_rest.x_prime[scene.system.contact.index] = 0;
+    take_to_masses(scene.system.coordinates, seen.at_rest.x);
+    take_to_masses(scene.system.coordinates, seen.at_rest.x_prime);
     return seen;
 }
 

@@ -14,13 +14,13 @@ namespace {
 using Index = Eigen::Index;
 using std::abs;
 
-// Unknowns: x and x' (that of the contact is zero) at the start of a rest, then the starts of all phases.
+// Unknowns: x and x' (that of the contact is zero, which gives x_j') at the start of a rest, then the starts of all phases.
 // Equations: at the end of each phase its event, at the end of the last the mirrored state half a period on.
 template <class T>
 class PhaseProblem : public Route<T> {
 public:
     PhaseProblem(const Question& q, const OrbitSeen& seen)
-        : p_(problem_of<T>(q)), N_(p_.M.rows()), j_(static_cast<Index>(p_.contact.index)),
+        : p_(problem_of<T>(q)), w_(contact_vector(p_)), N_(p_.M.rows()), j_(static_cast<Index>(p_.contact.index)),
           mu_beta_(T(q.mu) * p_.beta), A_{system_of_phase(p_, -1), system_of_phase(p_, 0), system_of_phase(p_, 1)} {
         for (const Phase<double>& phase : seen.phases) {
             directions_.push_back(phase.direction);
@@ -37,10 +37,10 @@ public:
     }
 
     std::vector<T> numbers(const Question& q) override {
-        const Index k = q.mass > 0 ? q.mass - 1 : 0;
-        if (q.quantity == "amplitude") return {T(abs(extremum(k).x))};
+        const Vector<T> d = q.mass > 0 ? Vector<T>(Vector<T>::Unit(N_, q.mass - 1)) : w_; // the displacement asked about
+        if (q.quantity == "amplitude") return {T(abs(extremum(d).x))};
         if (q.quantity == "phase") {
-            const Extremum<T> e = extremum(k);
+            const Extremum<T> e = extremum(d);
             const T instant = e.instant + (e.x < T(0) ? pi<T>() : T(0));
             return {T(atan2(T(sin(instant)), T(cos(instant))))};
         }
@@ -52,13 +52,14 @@ public:
         if (q.quantity == "stop_durations") return lengths;
         if (q.quantity != "motion_under_force") return {};
         std::vector<T> x;
-        for (int n = 0; n < q.samples; ++n) x.push_back(displacement(k, T(2 * n * pi<T>() / q.samples)));
+        for (int n = 0; n < q.samples; ++n) x.push_back(displacement(d, T(2 * n * pi<T>() / q.samples)));
         return x;
     }
 
 private:
     HalfPeriodProblem<T> p_;
-    Index N_, j_;
+    Vector<T> w_; ///< displacement of the contact over the masses
+    Index N_, j_; ///< a mass that it moves is j
     T mu_beta_;
     std::array<Matrix<T>, 3> A_; ///< matrices of sliding down, of rest, of sliding up
     std::vector<int> directions_;
@@ -86,6 +87,8 @@ private:
         Matrix<T> slope = Matrix<T>::Zero(rows, unknowns); // of z with respect to the unknowns
         for (Index k = 0; k < 2 * N_; ++k)
             if (k != N_ + j_) slope(k, column(k)) = T(1);
+        for (Index k = 0; k < N_; ++k)
+            if (k != j_) slope(N_ + j_, column(N_ + k)) = -w_(k) / w_(j_);
         const Index first = 2 * N_ - 1; // column of the first instant
         slope(2 * N_, first) = -z(2 * N_ + 1);
         slope(2 * N_ + 1, first) = z(2 * N_);
@@ -114,6 +117,8 @@ private:
         const Vector<T> change = Eigen::FullPivLU<Matrix<T>>(J).solve(Vector<T>(-F));
         for (Index k = 0; k < 2 * N_; ++k)
             if (k != N_ + j_) x_(k) += change(column(k));
+        for (Index k = 0; k < N_; ++k)
+            if (w_(k) != T(0) && k != j_) x_(N_ + j_) -= w_(k) / w_(j_) * change(column(N_ + k));
         for (Index n = 0; n < phases; ++n) starts_[static_cast<std::size_t>(n)] += change(first + n);
         return T(change.cwiseAbs().maxCoeff() / x_.cwiseAbs().maxCoeff());
     }
@@ -126,31 +131,33 @@ private:
             const T length = end_of(n) - starts_[n];
             if (!(length > T(0))) throw DomainError("a phase has no length");
             const Vector<T> middle = moved(of(n), z, T(length / 2));
-            if (directions_[n] != 0 && !(middle(N_ + j_) * directions_[n] > T(0))) throw DomainError("the contact slides back");
+            if (directions_[n] != 0 && !(w_.dot(middle.segment(N_, N_)) * directions_[n] > T(0)))
+                throw DomainError("the contact slides back");
             if (directions_[n] == 0 && !(abs(T(event(n).dot(middle)) - event(n)(2 * N_ + 2)) < mu_beta_))
                 throw DomainError("friction does not hold the contact");
             z = moved(of(n), z, length);
         }
     }
 
-    T displacement(Index k, T tau) const {
+    T displacement(const Vector<T>& d, T tau) const {
         T sign(1);
         for (; tau < starts_.front(); tau += pi<T>()) sign = -sign;
         for (; tau >= starts_.front() + pi<T>(); tau -= pi<T>()) sign = -sign;
         std::size_t n = 0;
         while (n + 1 < starts_.size() && starts_[n + 1] <= tau) ++n;
-        return sign * moved(of(n), states_[n], T(tau - starts_[n]))(k);
+        return sign * d.dot(moved(of(n), states_[n], T(tau - starts_[n])).head(N_));
     }
 
     // The contact is furthest where a phase starts; another mass where its velocity, which is continuous, changes its sign.
-    Extremum<T> extremum(Index k) const {
+    Extremum<T> extremum(const Vector<T>& d) const {
+        const auto velocity = [&](const Vector<T>& z) { return T(d.dot(z.segment(N_, N_))); };
         Extremum<T> best{T(0), T(0)};
         const auto note = [&](const T& x, const T& instant) {
             if (abs(x) > abs(best.x)) best = {x, instant};
         };
         for (std::size_t n = 0; n < states_.size(); ++n) {
-            if (k == j_) {
-                note(states_[n](k), starts_[n]);
+            if (d == w_) { // after a rest it is where it was, but rounded
+                if (n == 0 || directions_[n - 1] != 0) note(T(d.dot(states_[n].head(N_))), starts_[n]);
                 continue;
             }
             constexpr int samples = 64;
@@ -159,8 +166,8 @@ private:
             Vector<T> z = states_[n];
             for (int s = 0; s < samples; ++s) {
                 const Vector<T> next = step * z;
-                if ((z(N_ + k) > T(0)) != (next(N_ + k) > T(0))) {
-                    const auto [x, dt] = turning_point(of(n), z, k, h);
+                if ((velocity(z) > T(0)) != (velocity(next) > T(0))) {
+                    const auto [x, dt] = turning_point(of(n), z, d, h);
                     note(x, T(starts_[n] + s * h + dt));
                 }
                 z = next;
@@ -169,20 +176,21 @@ private:
         return best;
     }
 
-    // Between z and a time h later: Newton's method on x_k', bisection where it leaves the interval.
-    static std::pair<T, T> turning_point(const Matrix<T>& A, const Vector<T>& z, Index k, const T& h) {
-        const Index N = (A.rows() - 3) / 2;
-        const bool rises = z(N + k) > T(0);
+    // Between z and a time h later: Newton's method on the velocity, bisection where it leaves the interval.
+    static std::pair<T, T> turning_point(const Matrix<T>& A, const Vector<T>& z, const Vector<T>& d, const T& h) {
+        const Index N = d.size();
+        const auto velocity = [&](const Vector<T>& at) { return T(d.dot(at.segment(N, N))); };
+        const bool rises = velocity(z) > T(0);
         T low(0), high(h), dt = h / 2;
         for (int n = 0; n < 400; ++n) {
             const Vector<T> at = moved(A, z, dt);
-            ((at(N + k) > T(0)) == rises ? low : high) = dt;
-            const T next = dt - at(N + k) / A.row(N + k).dot(at);
+            ((velocity(at) > T(0)) == rises ? low : high) = dt;
+            const T next = dt - velocity(at) / velocity(Vector<T>(A * at));
             const T change = (next > low && next < high ? next : T((low + high) / 2)) - dt;
             dt += change;
             if (abs(change) < std::numeric_limits<T>::epsilon() * 16) break;
         }
-        return {moved(A, z, dt)(k), dt};
+        return {T(d.dot(moved(A, z, dt).head(N))), dt};
     }
 };
 

@@ -22,32 +22,35 @@ template <class T>
 class Physical : public Route<T> {
 public:
     Physical(const Question& q, Regime regime)
-        : q_(q), p_(problem_of<T>(q)), j_(static_cast<Index>(q.contact - 1)), regime_(regime), mu_(q.mu), r_(q.r) {}
+        : q_(q), p_(problem_of<T>(q)), w_(contact_vector(p_)), j_(static_cast<Index>(p_.contact.index)), regime_(regime),
+          mu_(q.mu), r_(q.r) {}
 
     std::vector<T> numbers(const Question& q) override {
         const std::string& name = q.quantity;
         const Index k = q.mass > 0 ? q.mass - 1 : 0, N = p_.M.rows();
+        const Vector<T> x = q.mass > 0 ? Vector<T>(Vector<T>::Unit(N, k)) : w_; // the displacement asked about
         if (name == "natural_frequency_ratios") return modal([](const T& r_n) { return r_n; });
         if (name == "modal_frequency_ratios") return modal([&](const T& r_n) { return T(r_ / r_n); });
         if (name == "mode_shape_products") return products(k);
         if (name == "beta_lim_high_frequency") return {limit_at_high_frequency()};
-        if (name == "complex_response") return {linear().Y(k, 0), T(-linear().Y(N + k, 0))};
-        if (name == "first_damping_function") return {U_of(linear(), k)};
-        if (name == "second_damping_function") return {G_of(linear(), k)};
+        if (name == "complex_response") return {x.dot(linear().Y.col(0).head(N)), T(-x.dot(linear().Y.col(0).tail(N)))};
+        if (name == "first_damping_function") return {U_of(linear(), x)};
+        if (name == "second_damping_function") return {G_of(linear(), x)};
         if (name == "H_j") return {T(acceleration_at_start(linear()) - inverse_mass())};
         if (name == "S_j") return {largest_demand(linear())};
         if (name == "beta_lim_exact") return {slides_below(std::max(largest_demand(linear()), held_demand()))};
         if (name == "beta_lim_paper") return {slides_below(std::max(sum_of_maxima(), held_demand()))};
         if (name == "beta_lim_approximate") return {slides_below(held_demand())};
         if (name == "beta_lim_sticking") return {T(held_load() / mu_)};
-        if (regime_ == Regime::permanent_sticking) return held(q, k);
-        if (regime_ == Regime::continuous) return sliding(q, k);
+        if (regime_ == Regime::permanent_sticking) return held(q, x);
+        if (regime_ == Regime::continuous) return sliding(q, x);
         return {};
     }
 
 private:
     Question q_;
     HalfPeriodProblem<T> p_;
+    Vector<T> w_; ///< displacement of the contact over the masses
     Index j_;
     Regime regime_;
     T mu_, r_;
@@ -63,8 +66,17 @@ private:
     template <class F>
     std::vector<T> modal(F f) {
         std::vector<T> all;
-        for (const T& lambda : modes().lambda) all.push_back(f(T(sqrt(lambda))));
+        const std::vector<T> lambda = is_of_the_paper(q_) ? modes().lambda : roots();
+        for (const T& each : lambda) all.push_back(f(T(sqrt(each))));
         return all;
+    }
+
+    std::vector<T> roots() { return determinant_roots(Matrix<T>(p_.M / (r_ * r_)), p_.K, largest_root()); }
+
+    // What no eigenvalue of M^-1 K exceeds: its largest sum of sizes in a row.
+    T largest_root() {
+        const Matrix<T> A = Eigen::FullPivLU<Matrix<T>>(p_.M / (r_ * r_)).solve(p_.K);
+        return A.cwiseAbs().rowwise().sum().maxCoeff();
     }
 
     std::vector<T> products(Index k) {
@@ -73,19 +85,20 @@ private:
         return all;
     }
 
-    int steps() { return steps_for(T(sqrt(modes().lambda.back()) / r_)); }
+    int steps() { return steps_for(T(sqrt(is_of_the_paper(q_) ? modes().lambda.back() : largest_root()) / r_)); }
 
     const LinearHalfPeriod<T>& linear() {
         if (!linear_) linear_ = linear_half_period(p_, steps());
         return *linear_;
     }
 
-    T inverse_mass() { return 1 / p_.M(j_, j_); }
+    T inverse_mass() { return w_.dot(Vector<T>(Eigen::FullPivLU<Matrix<T>>(p_.M).solve(w_))); }
     T held_demand() { return acceleration_at_start(linear()) + (mu_ - 1) * inverse_mass(); }
 
     // While sliding |V_dj|^2 - beta^2 U_dj^2 has to exceed the square of beta times the demand.
     T slides_below(const T& demand) {
-        const T re = linear().Y(j_, 0), im = linear().Y(p_.M.rows() + j_, 0), U = U_of(linear(), j_);
+        const Index N = p_.M.rows();
+        const T re = w_.dot(linear().Y.col(0).head(N)), im = w_.dot(linear().Y.col(0).tail(N)), U = U_of(linear(), w_);
         return sqrt(T((re * re + im * im) / (U * U + demand * demand)));
     }
 
@@ -117,49 +130,39 @@ private:
 
     T numbers_of_limit() { return slides_below(std::max(largest_demand(linear()), held_demand())); }
 
-    // Complex amplitudes (real parts, then imaginary) of all masses while the contact is held, by one dense real system.
-    Matrix<T> held_motion() {
+    // Complex amplitudes of all masses while the contact is held (real parts, then imaginary), and of the force that holds it,
+    // by one dense real system.
+    Vector<T> held_motion() {
         const Index N = p_.M.rows();
-        Matrix<T> A(2 * N, 2 * N);
-        A << p_.K - p_.M, -p_.C, p_.C, p_.K - p_.M;
-        Matrix<T> b = Matrix<T>::Zero(2 * N, 1);
-        b(static_cast<Index>(p_.load.index), 0) = T(1);
-        for (const Index held : {j_, N + j_}) {
-            A.row(held).setZero();
-            A(held, held) = T(1);
-            b(held, 0) = T(0);
-        }
+        Matrix<T> A = Matrix<T>::Zero(2 * N + 2, 2 * N + 2);
+        A.topLeftCorner(2 * N, 2 * N) << p_.K - p_.M, -p_.C, p_.C, p_.K - p_.M;
+        A.block(0, 2 * N, N, 1) = A.block(N, 2 * N + 1, N, 1) = -w_;
+        A.block(2 * N, 0, 1, N) = A.block(2 * N + 1, N, 1, N) = w_.transpose();
+        Vector<T> b = Vector<T>::Zero(2 * N + 2);
+        b.head(N) = load_vector(p_);
         return Eigen::FullPivLU<Matrix<T>>(A).solve(b);
     }
 
-    T held_load() {
-        const Index N = p_.M.rows();
-        const Matrix<T> X = held_motion();
-        const T re =
-            p_.K.row(j_).dot(X.col(0).head(N)) - p_.C.row(j_).dot(X.col(0).tail(N)) - (p_.load == p_.contact ? T(1) : T(0));
-        const T im = p_.K.row(j_).dot(X.col(0).tail(N)) + p_.C.row(j_).dot(X.col(0).head(N));
-        return sqrt(T(re * re + im * im));
-    }
+    T held_load() { return T(held_motion().tail(2).norm()); }
 
-    std::vector<T> held(const Question& q, Index k) {
+    std::vector<T> held(const Question& q, const Vector<T>& x) {
         const Index N = p_.M.rows();
-        if (q.quantity == "rest_interval") {
-            Matrix<T> e = Matrix<T>::Zero(N, 1);
-            e(j_, 0) = T(1);
-            return {T((mu_ * p_.beta - held_load()) * Eigen::FullPivLU<Matrix<T>>(p_.K).solve(e)(j_, 0))};
-        }
-        const Matrix<T> X = held_motion();
-        const T re = X(k, 0), im = X(N + k, 0);
+        if (q.quantity == "rest_interval")
+            return {T((mu_ * p_.beta - held_load()) * w_.dot(Vector<T>(Eigen::FullPivLU<Matrix<T>>(p_.K).solve(w_))))};
+        const Vector<T> X = held_motion();
+        const T re = is_contact(x) ? T(0) : x.dot(X.head(N)), im = is_contact(x) ? T(0) : x.dot(X.segment(N, N));
         if (q.quantity == "amplitude") return {T(sqrt(T(re * re + im * im)))};
         if (q.quantity == "phase") return {angle(T(-im), re)};
         if (q.quantity != "motion_under_force") return {};
-        std::vector<T> x;
+        std::vector<T> samples;
         for (int n = 0; n < q.samples; ++n) {
             const T tau = 2 * n * pi<T>() / q.samples;
-            x.push_back(re * cos(tau) - im * sin(tau));
+            samples.push_back(re * cos(tau) - im * sin(tau));
         }
-        return x;
+        return samples;
     }
+
+    bool is_contact(const Vector<T>& x) const { return x == w_; }
 
     const HalfPeriodMotion<T>& motion() {
         if (!motion_) motion_ = half_period_motion(p_, steps());
@@ -167,31 +170,33 @@ private:
     }
 
     // Displacement at any tau: over the half-period from its start, mirrored beyond.
-    T displacement(Index k, T tau) {
+    T displacement(const Vector<T>& x, T tau) {
         T sign(1);
         for (; tau < T(0); tau += pi<T>()) sign = -sign;
         for (; tau >= pi<T>(); tau -= pi<T>()) sign = -sign;
         const Index N = p_.M.rows();
         Vector<T> z(2 * N + 3);
         z << motion().x_0, motion().x_prime_0, cos(motion().phi_j), sin(motion().phi_j), T(1);
-        return sign * moved(augmented_system(p_), z, tau)(k);
+        return sign * x.dot(moved(augmented_system(p_), z, tau).head(N));
     }
 
-    std::vector<T> sliding(const Question& q, Index k) {
+    // The largest displacement, of the contact that at tau = 0.
+    std::vector<T> sliding(const Question& q, const Vector<T>& x) {
         const HalfPeriodMotion<T>& m = motion();
-        const T c = m.x_0(k), s = m.x_prime_0(k);
-        if (q.quantity == "amplitude") return {m.amplitude(k)};
-        if (q.quantity == "phase") return {k == j_ ? m.phi_j : m.phase(k)};
+        const T c = x.dot(m.x_0), s = x.dot(m.x_prime_0);
+        const Index k = q.mass - 1;
+        if (q.quantity == "amplitude") return {q.mass > 0 ? T(m.amplitude(k)) : c};
+        if (q.quantity == "phase") return {is_contact(x) ? m.phi_j : T(m.phase(k))};
         if (q.quantity == "amplitude_monoharmonic") return {T(sqrt(T(c * c + s * s)))};
         if (q.quantity == "phase_monoharmonic")
             return {angle(T(c * sin(m.phi_j) + s * cos(m.phi_j)), T(c * cos(m.phi_j) - s * sin(m.phi_j)))};
         if (q.quantity == "initial_displacement") return {c};
         if (q.quantity == "initial_velocity") return {s};
-        if (q.quantity == "displacement") return {displacement(k, T(q.tau))};
+        if (q.quantity == "displacement") return {displacement(x, T(q.tau))};
         if (q.quantity != "motion_under_force") return {};
-        std::vector<T> x;
-        for (int n = 0; n < q.samples; ++n) x.push_back(displacement(k, T(2 * n * pi<T>() / q.samples - m.phi_j)));
-        return x;
+        std::vector<T> samples;
+        for (int n = 0; n < q.samples; ++n) samples.push_back(displacement(x, T(2 * n * pi<T>() / q.samples - m.phi_j)));
+        return samples;
     }
 };
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "conformance/question.hpp"
+#include "denhartog/model/coordinates.hpp"
 #include "denhartog/number/multiprecision.hpp"
 #include "denhartog/sliding/regime.hpp"
 #include "denhartog/stick_slip/motion_record.hpp"
@@ -26,6 +27,15 @@ public:
     virtual std::vector<T> numbers(const Question& q) = 0;
 };
 
+/// @brief Which of the displacements of a system in its own coordinates a question asks about, see `in_own_coordinates`.
+/// @param q       the question
+/// @param system  its system, in its own coordinates
+/// @return        the place of its mass, or of the contact where it asks about that
+template <class T>
+[[nodiscard]] std::size_t row_of(const Question& q, const System<T>& system) {
+    return q.mass == 0 ? system.contact.index : displacement_of(system, Mass{static_cast<std::size_t>(q.mass - 1)}).index;
+}
+
 /// @brief The closed form, by `src/denhartog/sliding`: sums over modes, boundary, steady state; with the contact held by (88).
 /// @param scene   a question about the scene
 /// @param regime  the regime, where the quantity depends on it
@@ -43,9 +53,9 @@ template <class T>
 
 /// @brief A stick-slip motion, seen in double: where the two routes to it start.
 struct OrbitSeen {
-    State<double> at_zero;             ///< the state at a maximum of the force
+    State<double> at_zero;             ///< the state at a maximum of the force, in the system's own coordinates
     std::vector<Phase<double>> phases; ///< phases over half a period, the first a rest
-    State<double> at_rest;             ///< the state at the start of the first phase
+    State<double> at_rest;             ///< the state of the masses at the start of the first phase
 };
 
 /// @brief The steady motion from rest, cut off after 24 bits: the routes do not depend on the last digits of double.

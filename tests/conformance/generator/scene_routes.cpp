@@ -49,10 +49,31 @@ std::vector<Neighbour> neighbours_of(const Question& scene) {
     add("r", [](Question& q) -> double& { return q.r; });
     add("beta", [](Question& q) -> double& { return q.beta; });
     add("mu", [](Question& q) -> double& { return q.mu; });
-    const std::size_t N = scene.mass_ratios.size();
-    for (std::size_t i = 1; i < N; ++i) add("mass_ratios", [i](Question& q) -> double& { return q.mass_ratios[i]; });
-    for (std::size_t i = 1; i < N; ++i) add("stiffness_ratios", [i](Question& q) -> double& { return q.stiffness_ratios[i]; });
-    for (std::size_t i = 0; i < N; ++i) add("damping_ratios", [i](Question& q) -> double& { return q.damping_ratios[i]; });
+    using List = std::vector<double> Question::*;
+    const auto add_list = [&](const char* input, List list, std::size_t from) {
+        for (std::size_t i = from; i < (scene.*list).size(); ++i)
+            add(input, [list, i](Question& q) -> double& { return (q.*list)[i]; });
+    };
+    add_list("mass_ratios", &Question::mass_ratios, 1);
+    add_list("stiffness_ratios", &Question::stiffness_ratios, 1);
+    add_list("damping_ratios", &Question::damping_ratios, 0);
+    add_list("load", &Question::loads, 0);
+    // Of a matrix both entries of a pair change. Those off the diagonal shrink: a dashpot alone leaves no room for more.
+    const auto add_matrix = [&](const char* input, List matrix) {
+        const std::size_t N = (scene.*matrix).empty() ? 0 : masses_of(scene);
+        for (std::size_t i = 0; i < N; ++i)
+            for (std::size_t k = 0; k <= i; ++k) {
+                Question q = scene;
+                const double before = (q.*matrix)[i * N + k];
+                if (before == 0) continue;
+                const double after = before * (k == i ? 1 + relative_step : 1 - relative_step);
+                (q.*matrix)[i * N + k] = (q.*matrix)[k * N + i] = after;
+                all.push_back({input, (after - before) / before, q});
+            }
+    };
+    add_matrix("mass_matrix", &Question::mass_matrix);
+    add_matrix("stiffness_matrix", &Question::stiffness_matrix);
+    add_matrix("damping_matrix", &Question::damping_matrix);
     return all;
 }
 
@@ -105,12 +126,16 @@ std::array<std::string, 2> SceneRoutes::names(const Question& q) const {
     const std::string& name = q.quantity;
     if (is_orbit(q)) return {"Newton on the exact solver", "phases as a boundary-value problem"};
     if (name == "natural_frequency_ratios" || name == "modal_frequency_ratios" || name == "mode_shape_products")
-        return {"singular values of the chain", "characteristic polynomial and residues"};
+        return is_of_the_paper(scene_)
+                   ? std::array<std::string, 2>{"singular values of the chain", "characteristic polynomial and residues"}
+                   : std::array<std::string, 2>{"eigenvalues of a symmetric matrix", "characteristic polynomial"};
     if (name == "beta_lim_high_frequency") return {"closed form", "half-periods at high frequency extrapolated"};
     if (name == "beta_lim_sticking") return {"closed form", "dense system with the contact held"};
     if (name == "regime") return {"closed form of both boundaries", "half-period and dense system with the contact held"};
     if (regime_ == Regime::permanent_sticking && depends_on_friction(name))
         return {"modes of the stuck system", "dense system with the contact held"};
+    if (!scene_.damping_matrix.empty())
+        return {"energy coordinates over a mirrored half-period", "half-period boundary-value problem"};
     return {"closed form", "half-period boundary-value problem"};
 }
 

@@ -17,20 +17,32 @@ Json told(Json schema, const char* description) {
 }
 
 const Json number{{"type", "number"}};
+const Json integer{{"type", "integer"}};
 const Json positive{{"type", "number"}, {"minimum", 0}};
 
 Json scene_schema() {
     Json properties{{"mass_ratios", told(list_of(number), "gamma, Eq. (9)")},
                     {"stiffness_ratios", told(list_of(number), "Eq. (73)")},
                     {"damping_ratios", told(list_of(number), "zeta, Eq. (18), modes by ascending natural frequency")},
-                    {"contact", told({{"type", "integer"}}, "the mass in contact, j, from 1")},
-                    {"load", told({{"type", "integer"}}, "the loaded mass, l, from 1")},
+                    {"mass_matrix", told(list_of(list_of(number)), "M in units of m_1, in place of mass_ratios")},
+                    {"stiffness_matrix", told(list_of(list_of(number)), "K in units of k_1, in place of stiffness_ratios")},
+                    {"damping_matrix", told(list_of(list_of(number)), "C in units of sqrt(k_1 m_1), in place of damping_ratios")},
+                    {"contact", told({{"oneOf", {integer, list_of(integer)}}},
+                                     "the mass in contact, j, from 1; or two that rub against each other")},
+                    {"load", told({{"oneOf", {integer, list_of(number)}}},
+                                  "the loaded mass, l, from 1; or the force on each mass in units of P")},
+                    {"base_motion", told({{"type", "string"}}, "with_wall or alone, in place of load")},
                     {"mu", told(number, "static over kinetic friction, Eq. (3)")},
                     {"r", told(number, "frequency ratio, Eq. (10)")},
                     {"beta", told(number, "friction ratio, Eq. (11)")}};
-    Json required = Json::array();
-    for (const auto& [name, value] : properties.items()) required.push_back(name);
-    return {{"type", "object"}, {"properties", properties}, {"required", required}, {"additionalProperties", false}};
+    const auto either = [](const char* a, const char* b) { return Json{{"oneOf", {{{"required", {a}}}, {{"required", {b}}}}}}; };
+    const Json either_of_each{either("mass_ratios", "mass_matrix"), either("stiffness_ratios", "stiffness_matrix"),
+                              either("damping_ratios", "damping_matrix"), either("load", "base_motion")};
+    return {{"type", "object"},
+            {"properties", properties},
+            {"required", {"contact", "mu", "r", "beta"}},
+            {"allOf", either_of_each},
+            {"additionalProperties", false}};
 }
 
 Json properties_of_a_line() {
@@ -44,7 +56,7 @@ Json properties_of_a_line() {
     return {{"id", text("^[a-z-]+-[0-9]{4}$")},
             {"quantity", {{"enum", names}}},
             {"scene", scene_schema()},
-            {"mass", told({{"type", "integer"}}, "the mass asked about, k, from 1")},
+            {"mass", told({{"type", "integer"}}, "the mass asked about, k, from 1; 0: the contact between two masses")},
             {"tau", told(positive, "non-dimensional time")},
             {"samples", told({{"type", "integer"}, {"minimum", 1}}, "number of instants asked for")},
             {"group", text("^[a-z-]+$")},

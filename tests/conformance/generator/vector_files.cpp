@@ -80,8 +80,9 @@ std::vector<std::string> manifest_faults(const std::filesystem::path& folder) {
     return faults;
 }
 
-Certified certify_all(bool progress) {
-    const std::vector<Case> cases = all_cases();
+Certified certify_all(bool progress, const std::set<std::string>& groups) {
+    std::vector<Case> cases = all_cases();
+    if (!groups.empty()) std::erase_if(cases, [&](const Case& c) { return groups.count(c.group) == 0; });
     std::vector<Certified> parts(cases.size());
     std::atomic<std::size_t> done{0};
     parallel_for(cases.size(), threads(), [&](std::size_t n) {

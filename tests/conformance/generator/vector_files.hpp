@@ -4,13 +4,14 @@
 
 #include <filesystem>
 #include <map>
+#include <set>
 
 #include "tests/conformance/generator/certify.hpp"
 
 namespace denhartog::conformance::generator {
 
 /// @brief Version of the vectors' content: one higher whenever a vector is added, taken out or changed.
-inline constexpr int content_version = 3;
+inline constexpr int content_version = 4;
 
 /// @brief The files of a set of vectors, by name. @param vectors the vectors, in their order @return contents
 [[nodiscard]] std::map<std::string, std::string> files_of(const std::vector<Vector>& vectors);
@@ -25,8 +26,9 @@ inline constexpr int content_version = 3;
 
 /// @brief All vectors, on as many threads as there are.
 /// @param progress  whether to say on standard error how far it is
+/// @param groups    the groups wanted; none for all
 /// @return          the vectors with what was refused
-[[nodiscard]] Certified certify_all(bool progress);
+[[nodiscard]] Certified certify_all(bool progress, const std::set<std::string>& groups = {});
 
 /// @brief Computes some of a folder's vectors anew and compares them byte for byte.
 /// @param folder  the folder

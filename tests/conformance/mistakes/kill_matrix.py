@@ -17,7 +17,7 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
-ADAPTER = HERE.parent / "adapters" / "python"
+ADAPTERS = HERE.parent / "adapters"
 WRONG = ("wrong", "as-printed", "wrong-regime")
 MOST_CAUGHT = 24  # vectors that claim to catch the mistake
 MOST_A_QUANTITY = 3  # vectors besides, of every quantity
@@ -27,9 +27,9 @@ def text(lines):
     return lines if isinstance(lines, str) else "\n".join(lines)
 
 
-def edited(folder, edits):
-    """The adapter with the edits in a folder of its own."""
-    files = {path.name: path.read_text() for path in ADAPTER.glob("*.py")}
+def edited(folder, edits, adapter):
+    """An adapter with the edits in a folder of its own."""
+    files = {path.name: path.read_text() for path in (ADAPTERS / adapter).glob("*.py")}
     for edit in edits:
         old, content = text(edit["old"]), files[edit["file"]]
         if content.count(old) != 1:
@@ -45,7 +45,10 @@ def spread(vectors, most):
 
 
 def chosen(vectors, subject):
-    """The vectors that a program is asked: one in so many of all, or those that claim to catch it and some of every quantity."""
+    """The vectors that a program is asked: one in so many of all, or those that claim to catch it and some of every quantity.
+
+    An edit of the adapter `systems` is asked about systems beyond the paper, any other program about scenes of the paper."""
+    vectors = [v for v in vectors if v["group"].startswith("systems-") == (subject.get("adapter") == "systems")]
     if "of_all" in subject:
         return [v for v in vectors if subject.get("without") not in v["flags"]][:: subject["of_all"]]
     names = subject["diagnosis"]
@@ -71,11 +74,11 @@ def run(options, vectors, subject):
             (folder / "vectors" / group).write_text("\n".join(lines) + "\n")
         (folder / "program").mkdir()
         if "edits" in subject:
-            command = edited(folder / "program", subject["edits"])
+            command = edited(folder / "program", subject["edits"], subject.get("adapter", "python"))
         else:
             command = [sys.executable, str(HERE / subject["program"][0]), *subject["program"][1:]]
-        done = subprocess.run([options.program, "conform", "run", "--vectors", str(folder / "vectors"), "--format", "json",
-                               "--timeout", "30", "--", *command], capture_output=True, text=True)
+        done = subprocess.run([options.program, "conform", "run", "--vectors", str(folder / "vectors"), "--systems", "--format",
+                               "json", "--timeout", "30", "--", *command], capture_output=True, text=True)
         if done.returncode not in (0, 1):
             return {"asked": len(asked), "status": done.returncode, "error": done.stderr[-400:], "wrong": 0, "groups": {},
                     "findings": [], "counts": {}, "mistaken": []}

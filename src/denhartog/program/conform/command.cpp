@@ -25,7 +25,9 @@ using conformance::Vector;
 
 void list(const SelectionOptions& options, bool summary) {
     const std::vector<Vector> all = conformance::read_vectors(options.vectors);
-    const std::vector<const Vector*> chosen = selected(options, all);
+    SelectionOptions choice = options;
+    choice.systems = options.systems || (summary && options.groups.empty()); // a summary tells what there is
+    const std::vector<const Vector*> chosen = selected(choice, all);
     std::vector<std::vector<std::string>> rows;
     if (summary) {
         std::map<std::string, std::map<std::string, int>> groups;
@@ -54,8 +56,10 @@ void list(const SelectionOptions& options, bool summary) {
 // As docs/vectors.md says it, for those who read no JSON.
 void list_csv(const SelectionOptions& options) {
     const std::vector<Vector> all = conformance::read_vectors(options.vectors);
-    std::string csv = conformance::vector_csv_heading() + "\n";
-    for (const Vector* v : selected(options, all)) csv += conformance::vector_csv(*v) + "\n";
+    const std::vector<const Vector*> chosen = selected(options, all);
+    const bool systems = std::any_of(chosen.begin(), chosen.end(), [](const Vector* v) { return is_of_systems(*v); });
+    std::string csv = conformance::vector_csv_heading(systems) + "\n";
+    for (const Vector* v : chosen) csv += conformance::vector_csv(*v, systems) + "\n";
     write_standard_output(csv);
 }
 

@@ -38,15 +38,30 @@ bool is_wanted(const std::vector<std::string>& wanted, const std::string& name) 
     return wanted.empty() || std::find(wanted.begin(), wanted.end(), name) != wanted.end();
 }
 
+bool is_named(const std::string& group, const conformance::Vector& v) {
+    return group == v.group || (group == "systems" && is_of_systems(v));
+}
+
+// Systems beyond the paper are asked about where they are chosen: an implementation of the paper need not know them.
+bool is_wanted(const SelectionOptions& options, const conformance::Vector& v) {
+    if (options.systems && is_of_systems(v)) return true;
+    if (options.groups.empty()) return !is_of_systems(v);
+    return std::any_of(options.groups.begin(), options.groups.end(), [&](const std::string& each) { return is_named(each, v); });
+}
+
 } // namespace
 
 void add_selection_options(CLI::App& command, SelectionOptions& options) {
     options.vectors = vectors_folder();
     command.add_option("--vectors", options.vectors, "folder with the vectors, files *.jsonl")->capture_default_str();
     command.add_option("--filter", options.filter, "regular expression that must match a part of the id");
-    command.add_option("--group", options.groups, "groups, separated by commas; by default all")
+    command
+        .add_option("--group", options.groups,
+                    "groups, separated by commas; `systems` stands for all that start with systems-; by default all others")
         ->delimiter(',')
         ->allow_extra_args(false);
+    command.add_flag("--systems", options.systems,
+                     "also ask about systems beyond the paper: contacts between two masses, several loads, moving bases, matrices");
     command.add_option("--tier", options.tiers, "tiers, separated by commas: must, should, stress; by default all")
         ->delimiter(',')
         ->allow_extra_args(false);
@@ -106,14 +121,17 @@ std::vector<const conformance::Vector*> selected(const SelectionOptions& options
         if (tier != "must" && tier != "should" && tier != "stress")
             throw InputError("tier", "must be must, should or stress", tier);
     for (const std::string& group : options.groups)
-        if (std::none_of(all.begin(), all.end(), [&](const conformance::Vector& v) { return v.group == group; }))
+        if (std::none_of(all.begin(), all.end(), [&](const conformance::Vector& v) { return is_named(group, v); }))
             throw InputError("group", "must be one of the vectors' (`denhartog conform list --summary` has them)", group);
     std::vector<const conformance::Vector*> chosen;
     for (const conformance::Vector& v : all)
-        if (is_wanted(options.tiers, v.tier) && is_wanted(options.groups, v.group) &&
-            !(options.skip_must_fail && !v.reject.empty()) && matches(v.question.id, filter, options.filter))
+        if (is_wanted(options.tiers, v.tier) && is_wanted(options, v) && !(options.skip_must_fail && !v.reject.empty()) &&
+            matches(v.question.id, filter, options.filter))
             chosen.push_back(&v);
-    if (chosen.empty()) throw InputError("the selection", "must leave at least one vector", "0 of " + std::to_string(all.size()));
+    if (chosen.empty())
+        throw InputError("the selection",
+                         "must leave at least one vector (--systems or --group systems choose those of systems beyond the paper)",
+                         "0 of " + std::to_string(all.size()));
     return chosen;
 }
 

@@ -18,7 +18,8 @@ namespace denhartog::program {
 struct SelectionOptions {
     std::string vectors;             ///< folder
     std::string filter;              ///< regular expression on ids; empty for all
-    std::vector<std::string> groups; ///< groups; empty for all
+    std::vector<std::string> groups; ///< groups, `systems` for all of systems beyond the paper; empty for those of the paper
+    bool systems = false;            ///< those of systems beyond the paper besides
     std::vector<std::string> tiers;  ///< tiers; empty for all
     bool skip_must_fail = false;     ///< without the questions that have to be rejected
 };

@@ -20,10 +20,11 @@ const Vector& vector_named(const std::string& id, const std::vector<Vector>& all
     throw InputError("id", "must be a vector's", legible(id));
 }
 
-std::string runner_command(const ConformOptions& options) {
+std::string runner_command(const ConformOptions& options, const Vector& v) {
     std::vector<std::string> words{this_program(), "conform", "run"};
     if (options.selection.vectors != vectors_folder()) words.insert(words.end(), {"--vectors", options.selection.vectors});
     if (options.method != conformance::methods().front().name) words.insert(words.end(), {"--method", options.method});
+    if (is_of_systems(v)) words.emplace_back("--systems");
     words.insert(words.end(), {"--filter", "^" + options.repro + "$", "--verbose", "--"});
     words.insert(words.end(), options.command.begin(), options.command.end());
     return shell_text(words);
@@ -71,7 +72,7 @@ void conform_repro(const ConformOptions& options, ExitStatus& status) {
     const conformance::WithoutBrokenPipeSignal guard;
     const conformance::Partner partner = conformance::shake_hands(settings);
     const std::string line = conformance::line_for(partner, v.question);
-    write_standard_output("# with the runner\n" + runner_command(options) + "\n\n# as a bare pipe\n" +
+    write_standard_output("# with the runner\n" + runner_command(options, v) + "\n\n# as a bare pipe\n" +
                           pipe_command(options, line) + "\n\n# what came of it\n");
     const conformance::Reply reply = partner.process->ask(line, settings.seconds);
     const bool answered = reply.heard == conformance::Heard::line;

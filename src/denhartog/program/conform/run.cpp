@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -121,10 +122,15 @@ void conform_run(const ConformOptions& options, ExitStatus& status) {
 void conform_grade(const ConformOptions& options, ExitStatus& status) {
     static_cast<void>(needed_quantities(options));
     const std::vector<Vector> all = vectors_for(options);
-    const std::vector<const Vector*> chosen = selected(options.selection, all);
     std::set<std::string> ids;
     for (const Vector& v : all) ids.insert(v.question.id);
     const std::map<std::string, conformance::Answer> answers = conformance::answers_in(read_input(options.answers), ids);
+    SelectionOptions choice = options.selection;
+    if (choice.groups.empty()) // who answers about systems beyond the paper asks for the verdict
+        choice.systems = choice.systems || std::any_of(all.begin(), all.end(), [&](const Vector& v) {
+                             return is_of_systems(v) && answers.contains(v.question.id);
+                         });
+    const std::vector<const Vector*> chosen = selected(choice, all);
     const std::optional<Verdicts> earlier = earlier_verdicts(options);
     ConformReport report;
     report.subject = legible(options.answers);
