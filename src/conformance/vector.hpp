@@ -14,7 +14,7 @@
 namespace denhartog::conformance {
 
 /// @brief Version of the format of the vector files.
-inline constexpr int format_version = 1;
+inline constexpr int format_version = 2;
 
 /// @brief Largest errors that a verdict allows, relative to the vector's scale.
 struct Tolerance {
