@@ -39,8 +39,8 @@ def score(options, folder, build, start, questions):
         subprocess.run([str(word) for word in build], check=True)
     report = folder / "report.json"
     report.unlink(missing_ok=True)
-    run = subprocess.run([options.program, "conform", "run", "--vectors", options.vectors, "--filter", questions,
-                          *(["--systems"] if questions.startswith("^systems") else []), "--jobs", "2", "--timeout", "60", "--format", "json", "--output", str(report), "--", *map(str, start)],
+    run = subprocess.run([options.program, "conform", "run", "--vectors", options.vectors, "--systems", "--filter", questions,
+                          "--jobs", "2", "--timeout", "60", "--format", "json", "--output", str(report), "--", *map(str, start)],
                          capture_output=True, text=True)
     if run.returncode > 1:
         raise SystemExit(f"{start[0]}: status {run.returncode}\n{run.stderr[-1000:]}")
@@ -48,10 +48,11 @@ def score(options, folder, build, start, questions):
 
 
 def tiers(report):
-    """By tier: questions, verdicts, and the least of what its groups have in digits."""
+    """By tier, systems beyond the paper by themselves: questions, verdicts, and the least of what its groups have in digits."""
     rows = {}
     for s in report["scores"]:
-        row = rows.setdefault(s["tier"], {"asked": 0, "counts": {}, "median_digits": None, "worst_digits": None})
+        tier = "systems" if s["group"].startswith("systems-") else s["tier"]
+        row = rows.setdefault(tier, {"asked": 0, "counts": {}, "median_digits": None, "worst_digits": None})
         row["asked"] += s["asked"]
         for verdict, n in s["counts"].items():
             row["counts"][verdict] = row["counts"].get(verdict, 0) + n
@@ -71,7 +72,9 @@ def table(scores, skipped):
             digits = [f"{row[key]:.1f}" if row[key] is not None else "" for key in ("median_digits", "worst_digits")]
             lines.append(f"| {name} | {tier} | {row['asked']} | " + " | ".join(str(counts[v]) for v in RIGHT) +
                          f" | {other} | {digits[0]} | {digits[1]} |")
-    text = "\n".join(lines) + "\n\nSkipped are motions with stops, which no closed form gives; the library and the JavaScript answer them from event to event.\n"
+    text = "\n".join(lines) + ("\n\nSkipped are motions with stops, which no closed form gives; the library and the JavaScript answer "
+                               "them from event to event. In the rows `systems`, which are about systems beyond the paper, whoever "
+                               "answers about chains alone skips every question.\n")
     return text + ("\nNot installed here, and not asked: " + ", ".join(skipped) + ".\n" if skipped else "")
 
 

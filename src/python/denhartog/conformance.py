@@ -86,7 +86,9 @@ class Vectors:
     filter : str
         Regular expression that the ids have to match somewhere.
     group, tier : str or sequence of str
-        Groups, such as ``boundary``, and tiers: ``must``, ``should``, ``stress``; default all.
+        Groups, such as ``boundary``, and tiers: ``must``, ``should``, ``stress``; default all that are about scenes of the paper.
+    systems : bool
+        Whether to ask about systems beyond the paper as well; the group ``systems`` stands for these alone.
     method : str
         By which the function answers; it decides the tolerances. ``denhartog conform list --methods`` has them.
     """
@@ -94,13 +96,13 @@ class Vectors:
     def __init__(self, program: Union[str, "os.PathLike[str]", None] = None, *,
                  vectors: Union[str, "os.PathLike[str]", None] = None, filter: Optional[str] = None,
                  group: Union[str, Sequence[str], None] = None, tier: Union[str, Sequence[str], None] = None,
-                 method: str = "closed-form") -> None:
+                 systems: bool = False, method: str = "closed-form") -> None:
         self.program = _program(program)
         self.folder = pathlib.Path(vectors) if vectors is not None else self._folder_of_program()
         if not any(self.folder.glob("*.jsonl")):
             raise InputError(f"vectors must be a folder with files *.jsonl (in a clone tests/conformance/vectors), but is "
                              f"{self.folder}")
-        self._selection = ["--vectors", str(self.folder)]
+        self._selection = ["--vectors", str(self.folder), *(["--systems"] if systems else [])]
         for option, value in (("--filter", filter), ("--group", group), ("--tier", tier)):
             if value is not None:
                 self._selection += [option, value if isinstance(value, str) else ",".join(value)]
@@ -177,7 +179,7 @@ def run(function: Function, program: Union[str, "os.PathLike[str]", None] = None
     filter : str
         Regular expression that the ids of the questions have to match somewhere; default all.
     **selection
-        `vectors`, `group`, `tier`, `method`: see `Vectors`.
+        `vectors`, `group`, `tier`, `systems`, `method`: see `Vectors`.
 
     Returns
     -------

@@ -39,8 +39,7 @@ static int answer(const Scene* s, const char* q, int k, int samples, double tau,
 int main(void) {
     static const char* const regimes[] = {"continuous", "stick_slip", "permanent_sticking"};
     static char line[1 << 16], id[1 << 16], q[1 << 16];
-    static double x[1 << 14], tau; /* no answer is longer */
-    static Scene s;
+    static Scene s; static double x[1 << 14], tau; /* no answer is longer */
     if (!fgets(line, sizeof line, stdin)) return 1;
     for (puts("denhartog-conform 1 plain closed form in C"); fflush(stdout), fgets(line, sizeof line, stdin); puts("")) {
         int k, samples, count = 0, finite = 1, end = 0;
@@ -52,7 +51,8 @@ int main(void) {
         const int good = end > 0 && *p == '\n' && keeps_rules(&s) && k >= 0 && k <= s.N && samples >= 0 && samples <= 1 << 14;
         if (good) solve_scene(&s), count = answer(&s, q, k > 0 ? k - 1 : 0, samples, tau, x);
         for (int i = 0; i < count; ++i) finite = finite && isfinite(x[i]);
-        if (!good) printf("%s reject a ratio, a mass or mu, r, beta breaks its rule", id);
+        if (end > 0 && strpbrk(line + end, "_l")) printf("%s skip not a scene of the paper", id); /* contact_with, loads, ... */
+        else if (!good) printf("%s reject a ratio, a mass or mu, r, beta breaks its rule", id);
         else if (!strcmp(q, "regime") && s.regime != AT_A_POLE) printf("%s value %s", id, regimes[s.regime]);
         else printf("%s %s", id, count > 0 && finite ? "value" : "skip the closed form has no number here");
         for (int i = 0; i < count && finite; ++i) printf(" %.17g", x[i]);

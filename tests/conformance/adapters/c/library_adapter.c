@@ -30,11 +30,15 @@ int main(void) {
         dh_system* system = NULL;
         size_t n = 0;
         for (size_t i = 0; N <= MOST && i < 3 * N; ++i) ratios[i / N][i % N] = number();
-        if (strtok(NULL, " \n")) status = DH_ERROR_SIZE; /* more numbers than N asks for */
+        const char* more = strtok(NULL, " \n");
+        const int of_paper = !more || !strpbrk(more, "_l"); /* contact_with, loads, base_motion, a matrix */
+        if (more) status = DH_ERROR_SIZE;
         if (status == DH_OK) status = dh_system_from_ratios(N, ratios[0], ratios[1], ratios[2], contact, load, &system);
         if (status == DH_OK)
             status = dh_quantity(system, quantity, r, beta, mu, mass, tau, samples_matter ? samples : ROOM, x, &n);
-        if (status == DH_ERROR_INPUT || status == DH_ERROR_SIZE)
+        if (!of_paper)
+            printf("%s skip not a scene of the paper", id);
+        else if (status == DH_ERROR_INPUT || status == DH_ERROR_SIZE)
             printf("%s reject %s", id, system ? dh_last_message() : dh_status_text(status));
         else if (status != DH_OK)
             printf("%s skip %s", id, status == DH_ERROR_MEMORY ? dh_status_text(status) : dh_last_message());

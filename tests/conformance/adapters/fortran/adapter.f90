@@ -8,8 +8,7 @@ program adapter
   character(100) :: id, q
   character(20), parameter :: regimes(3) = [character(20) :: 'continuous', 'stick_slip', 'permanent_sticking']
   integer :: i, k, samples, fault
-  real(dp) :: tau, start(2), at_tau(2), a(2)
-  real(dp), allocatable :: x(:)
+  real(dp) :: tau, start(2), at_tau(2), a(2); real(dp), allocatable :: x(:)
   logical :: good, slides, held
   read (*, '(a)') line; print '(a)', 'denhartog-conform 1 plain closed form in Fortran'
   do
@@ -23,6 +22,8 @@ program adapter
     good = good .and. mu >= 1 .and. r > 0 .and. beta >= 0 .and. mu + r + beta <= huge(1d0) .and. all(gamma > 0)
     good = good .and. all(kappa > 0) .and. all(zeta >= 0) .and. all(gamma + kappa + zeta <= huge(1d0))
     if (good) good = abs(gamma(1) - 1) + abs(kappa(1) - 1) <= 0
+    if (index(line, '_matrix') + index(line, 'contact_with') + index(line, 'base_motion') + index(line, ' loads ') > 0) then
+      print '(a)', trim(id) // ' skip not a scene of the paper'; cycle; end if
     if (.not. good) then; print '(a)', trim(id) // ' reject a ratio, a mass or mu, r, beta breaks its rule'; cycle; end if
     call solve_scene; k = max(k, 1); slides = regime == continuous; held = regime == permanent_sticking
     start = motion(k, 0d0); at_tau = motion(k, tau)
@@ -34,10 +35,9 @@ program adapter
     case ('H_j'); x = [H_j]; case ('S_j'); x = [S_j]
     case ('beta_lim_exact'); x = [exact]; case ('beta_lim_approximate'); x = [approximate]
     case ('beta_lim_paper'); x = [(largest(demand, i, instants - 1), i = 1, N)]; x = [beta_lim(sum(x(1::3)))] ! (56)
-    case ('beta_lim_sticking'); x = [sticking]; case ('rest_interval'); if (held) x = [rest]
-    case ('beta_lim_high_frequency'); if (j == l) x = [1 / hypot(mu, pi / 2)] ! (86)
-    case ('amplitude'); if (slides .or. held) x = [a(1)]
-    case ('phase'); if (a(1) > 0) x = [a(2)]
+    case ('beta_lim_sticking'); x = [sticking]; case ('beta_lim_high_frequency'); if (j == l) x = [1 / hypot(mu, pi / 2)] ! (86)
+    case ('rest_interval'); if (held) x = [rest]
+    case ('amplitude'); if (slides .or. held) x = [a(1)]; case ('phase'); if (a(1) > 0) x = [a(2)]
     case ('initial_displacement'); if (slides) x = [start(1)]; case ('initial_velocity'); if (slides) x = [start(2)]
     case ('displacement'); if (slides) x = [at_tau(1)]
     case ('amplitude_monoharmonic'); if (slides) x = [norm2(start)] ! (52)

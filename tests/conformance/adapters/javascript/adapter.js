@@ -1,7 +1,6 @@
 // Answers the questions of `denhartog conform` in the json dialect: by closed_form.js, motions with stops by contact_motion.js.
 'use strict';
 const { ContactMotion, wrapped } = require('./contact_motion.js');
-
 const quantities = { // c: the closed form of the scene; k: the mass, from 0; q: the question
     natural_frequency_ratios: (c) => c.modes.map((m) => m.r_n),
     modal_frequency_ratios: (c) => c.modes.map((m) => m.R),
@@ -29,7 +28,7 @@ const quantities = { // c: the closed form of the scene; k: the mass, from 0; q:
     stop_durations: (c) => c.stops().map(({ from, to }) => to - from).sort((a, b) => a - b),
     motion_under_force: (c, k, q) => c.motionUnderForce(k, [...Array(q.samples).keys()].map((n) => 2 * Math.PI * n / q.samples)),
 };
-
+const isOfPaper = (s) => [s.contact, s.load].every(Number.isInteger) && !Object.keys(s).some((key) => key.endsWith('matrix'));
 function brokenRule({ scene: s, mass = 1, tau = 0, samples = 1 }) {
     const springs = s.stiffness_ratios, ratios = [...s.mass_ratios, ...springs], N = s.mass_ratios.length;
     const finite = [...ratios, ...s.damping_ratios, s.mu, s.r, s.beta].every(Number.isFinite);
@@ -42,6 +41,7 @@ function brokenRule({ scene: s, mass = 1, tau = 0, samples = 1 }) {
 }
 
 function reply(q) {
+    if (!isOfPaper(q.scene)) return { skip: 'not a scene of the paper' };
     const broken = brokenRule(q);
     if (broken) return { reject: broken };
     if (!(q.quantity in quantities)) return { skip: 'not among what this program computes' };

@@ -6,8 +6,7 @@ function value = answer(quantity, c, k, tau, samples)
     case 'natural_frequency_ratios', value = c.r_n; case 'modal_frequency_ratios', value = c.R;
     case 'mode_shape_products', value = c.phi(k, :) .* c.phi(c.j, :) / c.r^2;
     case 'complex_response', value = [real(c.V(k)), imag(c.V(k))];
-    case 'first_damping_function', value = c.U(k);
-    case 'second_damping_function', value = c.G(k);
+    case 'first_damping_function', value = c.U(k); case 'second_damping_function', value = c.G(k);
     case 'H_j', value = c.H_j; case 'S_j', value = demand(c, c.psi_j_squared);
     case 'beta_lim_exact', value = beta_lim(c, demand(c, c.psi_j_squared));
     case 'beta_lim_paper', value = beta_lim(c, sum(arrayfun(@(i) demand(c, c.psi_j_squared .* (c.R == c.R(i))), 1:numel(c.R))));
@@ -44,6 +43,7 @@ while true
   try words = strsplit(input('', 's')); catch, break; end % fgetl would wait for the line after
   x = str2double(words(3:end));
   if numel(words) < 3, printf("denhartog-conform 1 plain closed form in Octave\n");
+  elseif any(isnan(x)), printf("%s skip not a scene of the paper\n", words{1}); % a word such as contact_with among the numbers
   elseif !isempty(rule = broken_rule(words{2}, x)), printf("%s reject %s\n", words{1}, rule);
   else
     try
