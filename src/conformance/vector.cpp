@@ -171,8 +171,9 @@ Vector vector_from_json(const nlohmann::json& object) {
 bool is_of_systems(const Vector& v) { return v.group.starts_with("systems-"); }
 
 std::string vector_csv_heading(bool systems) {
-    return std::string("id,group,equation,tier,quantity,contact,load,mass,samples,tau,mu,r,beta,mass_ratios,stiffness_ratios,"
-                       "damping_ratios,value,hex,scale,pass,loose,inaccurate,condition,regime,margin,flags,catches,routes,digits") +
+    return std::string(
+               "id,group,equation,tier,quantity,contact,load,mass,samples,tau,mu,r,beta,mass_ratios,stiffness_ratios,"
+               "damping_ratios,value,hex,scale,pass,loose,inaccurate,condition,regime,margin,flags,catches,routes,digits") +
            (systems ? ",base_motion,mass_matrix,stiffness_matrix,damping_matrix" : "");
 }
 

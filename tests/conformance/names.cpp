@@ -23,8 +23,8 @@ constexpr std::size_t catching = 4; // vectors besides that catch a known mistak
 
 bool is_hard(const Vector& v) { return v.regime == "stick_slip" && v.question.quantity != "regime"; }
 
-// Certified vectors: some of every quantity, and some that catch each known mistake. They are about scenes of the paper; mistakes in
-// what only other systems have are for kill_matrix.py and diagnose_known.cpp.
+// Certified vectors: some of every quantity, and some that catch each known mistake. They are about scenes of the paper; mistakes
+// in what only other systems have are for kill_matrix.py and diagnose_known.cpp.
 const std::vector<Vector>& some_vectors() {
     static const std::vector<Vector> some = [] {
         std::set<std::string> chosen;

@@ -72,9 +72,9 @@ def table(scores, skipped):
             digits = [f"{row[key]:.1f}" if row[key] is not None else "" for key in ("median_digits", "worst_digits")]
             lines.append(f"| {name} | {tier} | {row['asked']} | " + " | ".join(str(counts[v]) for v in RIGHT) +
                          f" | {other} | {digits[0]} | {digits[1]} |")
-    text = "\n".join(lines) + ("\n\nSkipped are motions with stops, which no closed form gives; the library and the JavaScript answer "
-                               "them from event to event. In the rows `systems`, which are about systems beyond the paper, whoever "
-                               "answers about chains alone skips every question.\n")
+    text = "\n".join([*lines, "", "Skipped are motions with stops, which no closed form gives; the library and the JavaScript "
+                      "answer them from event to event. The rows `systems` are about systems beyond the paper; an implementation "
+                      "of the paper skips all of them.\n"])
     return text + ("\nNot installed here, and not asked: " + ", ".join(skipped) + ".\n" if skipped else "")
 
 

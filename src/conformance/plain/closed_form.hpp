@@ -37,8 +37,7 @@ struct Needed {
 [[nodiscard]] PlainLimits plain_limits(const Question& q, const PlainModes& m, const Choices& c, const Needed& needed = {});
 
 /// @brief The answer of the plain closed form to a question; beyond the sliding regime that of the exact solver in double.
-/// @param q  the question, of a scene of the paper; it may break the rules that friction has, and is then answered by the formulas
-///           as they stand
+/// @param q  the question, of a scene of the paper; where it breaks a rule that friction has, the formulas answer as they stand
 /// @param c  the points of variation
 /// @return   the answer; none where it is not finite, or the question has none
 [[nodiscard]] std::optional<Value> plain_answer(const Question& q, const Choices& c);

@@ -15,7 +15,7 @@ int write(const std::string& folder, const std::set<std::string>& groups) {
     Certified all = certify_all(true, groups);
     std::filesystem::create_directories(folder);
     if (!groups.empty()) // the others stay as they are
-        for (Vector& v : read_vectors(folder))
+        for (denhartog::conformance::Vector& v : denhartog::conformance::read_vectors(folder))
             if (groups.count(v.group) == 0) all.vectors.push_back(std::move(v));
     for (const auto& entry : std::filesystem::directory_iterator(folder)) // groups that are no more
         if (entry.path().extension() == ".jsonl") std::filesystem::remove(entry.path());

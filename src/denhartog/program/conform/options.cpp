@@ -60,8 +60,9 @@ void add_selection_options(CLI::App& command, SelectionOptions& options) {
                     "groups, separated by commas; `systems` stands for all that start with systems-; by default all others")
         ->delimiter(',')
         ->allow_extra_args(false);
-    command.add_flag("--systems", options.systems,
-                     "also ask about systems beyond the paper: contacts between two masses, several loads, moving bases, matrices");
+    command.add_flag(
+        "--systems", options.systems,
+        "also ask about systems beyond the paper: contacts between two masses, several loads, moving bases, matrices");
     command.add_option("--tier", options.tiers, "tiers, separated by commas: must, should, stress; by default all")
         ->delimiter(',')
         ->allow_extra_args(false);
