@@ -18,7 +18,8 @@ def pytest_addoption(parser: pytest.Parser) -> None:
     group = parser.getgroup("denhartog", "certified questions on friction-damped vibration")
     group.addoption("--denhartog-function", metavar="MODULE:FUNCTION",
                     help="the function that answers; without it nothing is asked")
-    group.addoption("--denhartog-group", metavar="GROUPS", help="groups of questions, separated by commas; default all")
+    group.addoption("--denhartog-group", metavar="GROUPS",
+                    help="groups of questions, separated by commas; default all about scenes of the paper")
     group.addoption("--denhartog-filter", metavar="REGEX", help="regular expression that must match a part of the id")
     group.addoption("--denhartog-tier", metavar="TIERS", help="must, should, stress, separated by commas; default must")
 
