@@ -8,6 +8,7 @@
 #include "tests/catch.hpp"
 #include "tests/conformance/runner_fixtures.hpp"
 #include "tests/conformance/seeded_questions.hpp"
+#include "tests/conformance/shell.hpp"
 #include "tests/conformance/vector_folder.hpp"
 
 using namespace denhartog;
