@@ -201,7 +201,7 @@ std::vector<Case> cases_of_systems() {
     });
     add_group(cases, "matrix", 5, 20, [](Draw& draw, Question& q, int n) {
         put_springs(draw, q);
-        if (n % 2 == 1) spread_masses(draw, q);
+        if (n % 2 == 1 || n % 8 == 2) spread_masses(draw, q); // every other system, and some that stick and slip
         if (n % 3 == 1) put_dashpots(draw, q);
         if (n % 5 == 4) rub_two_masses(draw, q);
         if (n % 5 == 2) move_base(q, n % 3 == 1 ? "with_wall" : "alone");
