@@ -61,6 +61,7 @@ std::vector<conformance::Question> seeded_systems(std::uint64_t seed, int count)
             q.mass = n % 8 == 0 ? 0 : q.mass;
         } else if (n % 4 == 1) {
             for (std::size_t k = 0; k < N; ++k) q.loads.push_back(fraction(random, 4, 16, 16));
+            q.loads[static_cast<std::size_t>(q.contact - 1)] = 0.125; // the largest elsewhere: alone on the contact it is refused
         } else if (n % 4 == 2) {
             q.base_motion = n % 8 == 2 ? "with_wall" : "alone";
             if (q.base_motion == "alone") q.damping_ratios.assign(N, 0);
