@@ -628,4 +628,20 @@ Definition eq_86 : Prop := forall mu zeta, 0 < mu -> 0 <= zeta < 1 ->
 Definition eq_86_as_printed : Prop := ~ forall mu zeta, 1 <= mu -> 0 <= zeta < 1 ->
   filterlim (limit_of_single_mass mu zeta) (Rbar_locally p_infty) (locally (2 / sqrt (4 * mu + PI ^ 2))).
 
+(* (67) with the load on the contact, for any number of masses: all is divided by the sum of (65), and a i is the share of mode i
+   in it. *)
+Definition limit_by_shares (n : nat) (a R_ zeta : nat -> R) (mu : R) :=
+  sqrt ((Sum n (fun i => a i * (R_ i ^ 2 * v_re (R_ i) (zeta i))) ^ 2 +
+         Sum n (fun i => a i * (R_ i ^ 2 * v_im (R_ i) (zeta i))) ^ 2) /
+        (Sum n (fun i => a i * (R_ i ^ 2 * u (R_ i) (zeta i))) ^ 2 +
+         (Sum n (fun i => a i * (g (R_ i) (zeta i) + 2 * zeta i * (R_ i * u (R_ i) (zeta i)))) + mu) ^ 2)).
+Definition eq_67_by_shares : Prop := forall s mu, is_scene s -> loaded s = contact s ->
+  sqrt (V_abs s (contact s) ^ 2 / (U s (contact s) ^ 2 + (H_j s + mu * mobility s) ^ 2)) =
+  limit_by_shares (masses s) (fun i => shape s (contact s) i ^ 2 / mobility s) (ratio s) (damping_ratio s) mu.
+(* (86) as corrected for any number of masses: the frequency ratios of all modes grow with r. *)
+Definition eq_86_all_masses : Prop := forall n (a rho zeta : nat -> R) mu, 0 < mu -> Sum n a = 1 ->
+  (forall i, (i < n)%nat -> 0 < rho i /\ 0 <= zeta i < 1) ->
+  filterlim (fun r => limit_by_shares n a (fun i => r * rho i) zeta mu) (Rbar_locally p_infty)
+    (locally (2 / sqrt (4 * mu ^ 2 + PI ^ 2))).
+
 (* What is proved of rounding stands in RoundingStatements.v. *)
