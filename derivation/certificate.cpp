@@ -155,6 +155,8 @@ public:
             for (const auto& [place, cofactor] : part.cofactors) c.terms += terms_of(cofactor);
             c.holds = c.holds && part.rest.is_zero();
         }
+        c.lacks = (left_out_.relation && std::ranges::any_of(parts_, [](const Combination& part) { return !part.cofactors.empty(); })) ||
+                  (left_out_.divisor && std::ranges::any_of(divisors_.all, [](const Divisor& d) { return d.name != "PI"; }));
         const std::string left = text(left_), right = text(right_);
         c.statement = statement(name, left, right);
         c.proof = proof();

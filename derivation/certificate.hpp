@@ -31,6 +31,7 @@ struct Certificate {
     std::vector<std::pair<std::string, std::string>> generators; ///< names of generators and what they stand for
     std::size_t terms = 0; ///< terms of numerators and cofactors
     bool holds = false;    ///< whether the reduction leaves nothing, so that the kernel is expected to accept it
+    bool lacks = false;    ///< whether something that the proof needs was left out
     std::string in_functions;     ///< the lemma on the functions themselves, from `Lemma` to `Qed.`; empty where there is none
     std::string why_no_functions; ///< why there is none; empty where there is one, or where there is no function in it
 };

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <map>
 #include <ostream>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 #include <sys/wait.h>
@@ -105,17 +106,15 @@ json judged_twin(const fs::path& folder, json twin, const std::string& coqc) {
     return twin;
 }
 
-/// What the independent checker says of all compiled files: empty where it accepts them; and the axioms that they rest on.
-std::pair<std::string, json> checked_again(const fs::path& folder, const json& files, const std::string& coqchk) {
+/// What the independent checker says of some compiled files: empty where it accepts them; and the axioms that they rest on.
+std::pair<std::string, json> said_again(const fs::path& folder, const std::vector<std::string>& files, const std::string& coqchk) {
     std::string modules;
-    for (const json& file : files) {
-        const fs::path path = file.at("file").get<std::string>();
+    for (const fs::path path : files) {
         modules += std::string(" -norec ") + (path.parent_path() == "functions" ? "Functions." : "Certificates.") + path.stem().string();
     }
-    if (modules.empty()) return {};
     const auto [said, status] =
         run("cd " + quoted(folder.string()) + " && " + coqchk + " -silent -o -Q certificates Certificates -Q functions Functions" + modules);
-    if (status != 0) return {said, json::array()};
+    if (status != 0) return {said + "(exit status " + std::to_string(status) + ")", json::array()};
     json axioms = json::array();
     std::istringstream lines(said);
     bool among_them = false;
@@ -127,11 +126,31 @@ std::pair<std::string, json> checked_again(const fs::path& folder, const json& f
     return {"", axioms};
 }
 
-json files_accepted(const json& files) {
-    json accepted = json::array();
-    for (const json& file : files)
-        if (file.at("status") == "checked") accepted.push_back(file);
-    return accepted;
+/// Has the independent checker read the compiled files that it has not read before, and notes the axioms of each. All at once they
+/// take more memory than many computers have. @return what it refuses; empty where it accepts them
+std::string check_again(const fs::path& folder, json& files, std::size_t workers, const std::string& coqchk) {
+    constexpr std::size_t files_at_once = 10;
+    std::vector<std::vector<std::size_t>> groups;
+    for (std::size_t i = 0; i < files.size(); ++i) {
+        if (files[i].at("status") != "checked" || files[i].contains("axioms")) continue;
+        if (groups.empty() || groups.back().size() == files_at_once) groups.emplace_back();
+        groups.back().push_back(i);
+    }
+    const auto task = [&](std::size_t group) {
+        std::vector<std::string> names;
+        for (const std::size_t i : groups[group]) names.push_back(files[i].at("file"));
+        const auto [refused, axioms] = said_again(folder, names, coqchk);
+        return json{{"refused", refused}, {"axioms", axioms}}.dump();
+    };
+    std::string all_refused;
+    in_processes(groups.size(), workers, task, [&](std::size_t group, const Delivery& delivery) {
+        if (!delivery.fault.empty()) throw std::runtime_error(delivery.fault);
+        const json found = json::parse(delivery.text);
+        all_refused += found.at("refused").get<std::string>();
+        if (found.at("refused") == "")
+            for (const std::size_t i : groups[group]) files[i]["axioms"] = found.at("axioms");
+    });
+    return all_refused;
 }
 
 /// The entries of the files that an earlier check has accepted.
@@ -243,7 +262,10 @@ bool check_certificates(const fs::path& folder, std::size_t workers, const std::
     }
     std::sort(record["files"].begin(), record["files"].end(),
               [](const json& a, const json& b) { return a.at("file") < b.at("file"); });
-    const auto [refused, axioms] = checked_again(folder, files_accepted(record.at("files")), coqchk);
+    const std::string refused = check_again(folder, record["files"], workers, coqchk);
+    std::set<std::string> axioms;
+    for (const json& file : record["files"])
+        for (const json& axiom : file.value("axioms", json::array())) axioms.insert(axiom);
     record["checked_again"] = refused.empty() ? "accepted" : refused;
     record["axioms"] = axioms;
     if (!refused.empty()) {
@@ -265,7 +287,7 @@ bool check_certificates(const fs::path& folder, std::size_t workers, const std::
         << static_cast<long>(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()) << " s; "
         << count(record.at("twins"), "rejected", true) << " of " << twins.size() << " twins rejected; " << coqchk << ": "
         << (refused.empty() ? "accepted" : "REFUSED") << ", axioms:";
-    for (const json& axiom : axioms) out << " " << axiom.get<std::string>();
+    for (const std::string& axiom : axioms) out << " " << axiom;
     out << "\n";
     return good;
 }

@@ -395,6 +395,12 @@ Definition eq_69 : Prop := forall mu S, is_scene -> 1 <= mu -> 0 < beta -> 0 < V
   (responds /\ slides phi /\ mu * beta < Rabs (holding_friction phi) <->
    beta < sqrt (V_abs j ^ 2 / (U j ^ 2 + Rmax S (H_j + mu * mobility) ^ 2))).
 
+(* Where 2 R_i >= w_i in every mode, the limit (69) is (67): the largest demand is that at the start. *)
+Definition eq_67_is_the_limit : Prop := forall mu, is_scene -> (forall i, (i < N)%nat -> w (zeta i) <= 2 * R_ i) -> 1 <= mu ->
+  0 < beta -> 0 < V_abs j -> forall phi, is_phase phi ->
+  (responds /\ slides phi /\ mu * beta < Rabs (holding_friction phi) <->
+   beta < sqrt (V_abs j ^ 2 / (U j ^ 2 + (H_j + mu * mobility) ^ 2))).
+
 (* (56): the sum of the modes' own maxima is sufficient. *)
 Definition sum_of_maxima_is_sufficient : Prop := forall S : nat -> R, is_scene -> 0 < beta -> responds ->
   (forall i t, (i < N)%nat -> 0 < t < PI -> demand_of_mode (R_ i) (zeta i) t / sin t <= S i) ->
@@ -542,6 +548,20 @@ Definition eq_70_71 : Prop := forall R_i zeta, admissible R_i zeta ->
   is_lim (expansion R_i zeta) 0 (1 + g R_i zeta + 2 * zeta * R_i * u R_i zeta).
 Definition eq_70_as_printed : Prop := ~ forall R_i zeta l, admissible R_i zeta ->
   is_lim (fun t => demand_of_mode R_i zeta t / sin t) 0 (Finite l) -> is_lim (expansion_printed R_i zeta) 0 (Finite l).
+(* Where 2 R_i >= w_i, (57) as corrected is nowhere larger than what it tends to at the start, (71). *)
+Definition eq_57_largest_at_start : Prop := forall R_i zeta t, admissible R_i zeta -> w zeta <= 2 * R_i -> 0 < t < PI ->
+  demand_of_mode R_i zeta t / sin t <= 1 + g R_i zeta + 2 * zeta * R_i * u R_i zeta.
+(* Twice the slope of (57) at the start. Beside the start (57) is above (71) where it is positive, and below where it is
+   negative. *)
+Definition slope_at_start R_i zeta := u R_i zeta * (1 - R_i ^ 2 - 4 * zeta ^ 2) - 2 * zeta * (1 + g R_i zeta) / R_i.
+Definition eq_57_beside_the_start : Prop := forall R_i zeta, admissible R_i zeta ->
+  let at_start := 1 + g R_i zeta + 2 * zeta * R_i * u R_i zeta in
+  (0 < slope_at_start R_i zeta -> exists d, 0 < d /\ forall t, 0 < t < d -> at_start < demand_of_mode R_i zeta t / sin t) /\
+  (slope_at_start R_i zeta < 0 -> exists d, 0 < d /\ forall t, 0 < t < d -> demand_of_mode R_i zeta t / sin t < at_start).
+(* The damping from which on (57) rises from the start at no frequency lies between 0.138 and 0.141. *)
+Definition eq_57_threshold : Prop :=
+  (forall zeta, 0 <= zeta <= 138 / 1000 -> exists R_i, admissible R_i zeta /\ 0 < slope_at_start R_i zeta) /\
+  (forall R_i zeta, admissible R_i zeta -> 141 / 1000 <= zeta -> slope_at_start R_i zeta <= 0).
 (* (72): what all modes demand at the start is H_j and the sum of (65). *)
 Definition eq_72 : Prop := forall s, is_scene s -> is_lim (demand s) 0 (H_j s + mobility s).
 
@@ -607,5 +627,21 @@ Definition eq_86 : Prop := forall mu zeta, 0 < mu -> 0 <= zeta < 1 ->
   filterlim (limit_of_single_mass mu zeta) (Rbar_locally p_infty) (locally (2 / sqrt (4 * mu ^ 2 + PI ^ 2))).
 Definition eq_86_as_printed : Prop := ~ forall mu zeta, 1 <= mu -> 0 <= zeta < 1 ->
   filterlim (limit_of_single_mass mu zeta) (Rbar_locally p_infty) (locally (2 / sqrt (4 * mu + PI ^ 2))).
+
+(* (67) with the load on the contact, for any number of masses: all is divided by the sum of (65), and a i is the share of mode i
+   in it. *)
+Definition limit_by_shares (n : nat) (a R_ zeta : nat -> R) (mu : R) :=
+  sqrt ((Sum n (fun i => a i * (R_ i ^ 2 * v_re (R_ i) (zeta i))) ^ 2 +
+         Sum n (fun i => a i * (R_ i ^ 2 * v_im (R_ i) (zeta i))) ^ 2) /
+        (Sum n (fun i => a i * (R_ i ^ 2 * u (R_ i) (zeta i))) ^ 2 +
+         (Sum n (fun i => a i * (g (R_ i) (zeta i) + 2 * zeta i * (R_ i * u (R_ i) (zeta i)))) + mu) ^ 2)).
+Definition eq_67_by_shares : Prop := forall s mu, is_scene s -> loaded s = contact s ->
+  sqrt (V_abs s (contact s) ^ 2 / (U s (contact s) ^ 2 + (H_j s + mu * mobility s) ^ 2)) =
+  limit_by_shares (masses s) (fun i => shape s (contact s) i ^ 2 / mobility s) (ratio s) (damping_ratio s) mu.
+(* (86) as corrected for any number of masses: the frequency ratios of all modes grow with r. *)
+Definition eq_86_all_masses : Prop := forall n (a rho zeta : nat -> R) mu, 0 < mu -> Sum n a = 1 ->
+  (forall i, (i < n)%nat -> 0 < rho i /\ 0 <= zeta i < 1) ->
+  filterlim (fun r => limit_by_shares n a (fun i => r * rho i) zeta mu) (Rbar_locally p_infty)
+    (locally (2 / sqrt (4 * mu ^ 2 + PI ^ 2))).
 
 (* What is proved of rounding stands in RoundingStatements.v. *)

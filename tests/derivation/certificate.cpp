@@ -88,6 +88,16 @@ TEST_CASE("without a relation or a condition that it needs, a certificate is ref
     }
 }
 
+TEST_CASE("what a proof does without cannot be left out of it", "[kernel]") {
+    // the sides are the same polynomial once the quotient is cleared: no relation is used, and nothing divides
+    const ex s = GiNaC::sin(theta()), c = GiNaC::cos(theta());
+    const Certificate sums = certificate((s + c) * (s - c), s * s - c * c, {.relation = true, .divisor = true});
+    CHECK(sums.holds);
+    CHECK_FALSE(sums.lacks);
+    CHECK_FALSE(certificate(s * s + c * c, 1).lacks);
+    CHECK(certificate(s * s + c * c, 1, {.relation = true}).lacks);
+}
+
 TEST_CASE("sums and multiples of angles are taken apart before the kernel's eyes", "[kernel]") {
     const ex phi = symbols().phi_j, half = theta() / 2;
     const Certificate c =

@@ -1,0 +1,184 @@
+(* (86) for any number of masses. *)
+Require Import Reals Lra Lia Psatz PeanoNat.
+From Coquelicot Require Import Coquelicot.
+From Kernel Require Import Statements Modes SteadyMode Sums Masses Contact OneVelocity ContactMotion Misprints Limits.
+Open Scope R_scope.
+
+Theorem eq_67_by_shares : Statements.eq_67_by_shares.
+Proof.
+  intros s mu Sc L. pose proof (mobility_pos s Sc) as Mp. unfold limit_by_shares. f_equal.
+  set (m := mobility s) in *.
+  assert (Sh : forall f : nat -> R, Sum (masses s) (fun i => shape s (contact s) i ^ 2 / m * f i)
+    = / m * Sum (masses s) (fun i => shape s (contact s) i ^ 2 * f i)).
+  { intros f. rewrite <- Sum_scal. apply Sum_ext. intros. unfold Rdiv. ring. }
+  rewrite !Sh.
+  replace (Sum (masses s) (fun i => shape s (contact s) i ^ 2 * (ratio s i ^ 2 * v_re (ratio s i) (damping_ratio s i))))
+    with (V_re s (contact s)) by (unfold V_re; rewrite L; apply Sum_ext; intros; ring).
+  replace (Sum (masses s) (fun i => shape s (contact s) i ^ 2 * (ratio s i ^ 2 * v_im (ratio s i) (damping_ratio s i))))
+    with (V_im s (contact s)) by (unfold V_im; rewrite L; apply Sum_ext; intros; ring).
+  replace (Sum (masses s) (fun i => shape s (contact s) i ^ 2 * (ratio s i ^ 2 * u (ratio s i) (damping_ratio s i))))
+    with (U s (contact s)) by (unfold U; apply Sum_ext; intros; ring).
+  replace (Sum (masses s) (fun i => shape s (contact s) i ^ 2 * (g (ratio s i) (damping_ratio s i)
+    + 2 * damping_ratio s i * (ratio s i * u (ratio s i) (damping_ratio s i)))))
+    with (H_j s) by (unfold H_j; apply Sum_ext; intros; ring).
+  unfold V_abs. rewrite <- Rsqr_pow2, Rsqr_sqrt by (apply Rplus_le_le_0_compat; apply pow2_ge_0).
+  set (V1 := V_re _ _). set (V2 := V_im _ _). set (Uj := U _ _). set (H := H_j s).
+  replace ((/ m * V1) ^ 2 + (/ m * V2) ^ 2) with (/ m ^ 2 * (V1 ^ 2 + V2 ^ 2)) by (field; lra).
+  replace ((/ m * Uj) ^ 2 + (/ m * H + mu) ^ 2) with (/ m ^ 2 * (Uj ^ 2 + (H + mu * m) ^ 2)) by (field; lra).
+  unfold Rdiv. rewrite Rinv_mult, Rinv_inv.
+  replace (/ m ^ 2 * (V1 ^ 2 + V2 ^ 2) * (m ^ 2 * / (Uj ^ 2 + (H + mu * m) ^ 2)))
+    with (/ m ^ 2 * m ^ 2 * ((V1 ^ 2 + V2 ^ 2) * / (Uj ^ 2 + (H + mu * m) ^ 2))) by ring.
+  rewrite Rinv_l by (apply Rgt_not_eq; nra). ring.
+Qed.
+
+(* A limit for e -> 0 of a function of e = 1 / R is one for R -> oo. *)
+Lemma by_reciprocal (f h : R -> R) a : is_lim h 0 (Finite a) -> (forall r, 2 < r -> h (/ r) = f r) -> is_lim f p_infty (Finite a).
+Proof.
+  intros L E. assert (L' : is_lim (fun r => h (/ r)) p_infty a).
+  { apply (is_lim_comp h Rinv p_infty _ 0); [exact L | |].
+    - replace (Finite 0) with (Rbar_inv p_infty) by reflexivity. apply (is_lim_inv (fun r => r)); [apply is_lim_id |
+      discriminate].
+    - exists 1. intros r Hr K. injection K as K. pose proof (Rinv_0_lt_compat r ltac:(lra)). lra. }
+  apply (is_lim_ext_loc _ f) in L'; [exact L'|]. exists 2. exact E.
+Qed.
+
+Section Mode.
+Variable z : R.
+Hypothesis Hz : 0 <= z < 1.
+Let Hw : 0 < w z := w_pos z Hz.
+
+Lemma bottom_above r : 2 < r -> 0 < bottom_e z (/ r).
+Proof.
+  intros Hr. pose proof PI_RGT_0 as P. pose proof (w_sq z Hz) as W. assert (w z <= 1) by nra. unfold bottom_e.
+  assert (Ri : 0 < / r < / 2) by (split; [apply Rinv_0_lt_compat | apply Rinv_lt_contravar]; lra).
+  assert (WR : 0 < w z * / r < / 2).
+  { split; [apply Rmult_lt_0_compat; lra | apply Rle_lt_trans with (1 * / r); [apply Rmult_le_compat_r; lra | lra]]. }
+  assert (0 < cos (PI * w z * / r)) by (rewrite Rmult_assoc; apply cos_gt_0; nra). assert (0 < cosh (PI * z * / r)) by (unfold
+    cosh; pose proof (exp_pos (PI * z * / r)); pose proof (exp_pos (- (PI * z * / r))); lra).
+  lra.
+Qed.
+
+Lemma bottom_limit_e : is_lim (bottom_e z) 0 2.
+Proof.
+  apply limit_value; [unfold bottom_e, cosh; auto_derive; trivial | unfold bottom_e; rewrite !Rmult_0_r, cosh_0, cos_0; ring].
+Qed.
+
+Lemma v_re_at_infinity : is_lim (fun r => r ^ 2 * v_re r z) p_infty (-1).
+Proof.
+  apply (by_reciprocal _ (fun e => (e ^ 2 - 1) / ((e ^ 2 - 1) ^ 2 + (2 * z * e) ^ 2))).
+  - apply limit_value; [auto_derive; simpl; nra | field].
+  - intros r Hr. unfold v_re. assert (3 < r * r) by nra. assert (0 < (1 - r * r) ^ 2) by nra. pose proof (pow2_ge_0 (2 * z * r)).
+    replace ((/ r) ^ 2 - 1) with (/ r ^ 2 * (1 - r * r)) by (field; lra).
+    replace ((/ r ^ 2 * (1 - r * r)) ^ 2 + (2 * z * / r) ^ 2)
+      with (/ r ^ 4 * ((1 - r * r) ^ 2 + (2 * z * r) ^ 2)) by (field; lra).
+    assert (D : (1 - r * r) ^ 2 + (2 * z * r) ^ 2 <> 0) by lra.
+    field; repeat split; try lra; intro K; apply D; rewrite <- K; ring.
+Qed.
+
+Lemma v_im_at_infinity : is_lim (fun r => r ^ 2 * v_im r z) p_infty 0.
+Proof.
+  apply (by_reciprocal _ (fun e => - (2 * z * e) / ((e ^ 2 - 1) ^ 2 + (2 * z * e) ^ 2))).
+  - apply limit_value; [auto_derive; simpl; nra | field].
+  - intros r Hr. unfold v_im. assert (3 < r * r) by nra. assert (0 < (1 - r * r) ^ 2) by nra. pose proof (pow2_ge_0 (2 * z * r)).
+    replace ((/ r) ^ 2 - 1) with (/ r ^ 2 * (1 - r * r)) by (field; lra).
+    replace ((/ r ^ 2 * (1 - r * r)) ^ 2 + (2 * z * / r) ^ 2)
+      with (/ r ^ 4 * ((1 - r * r) ^ 2 + (2 * z * r) ^ 2)) by (field; lra).
+    assert (D : (1 - r * r) ^ 2 + (2 * z * r) ^ 2 <> 0) by lra.
+    field; repeat split; try lra; intro K; apply D; rewrite <- K; ring.
+Qed.
+
+Lemma sine_limit : is_lim (fun e => sin (PI * w z * e) / (e - 0) / (w z * bottom_e z e)) 0 (PI / 2).
+Proof.
+  pose proof PI_RGT_0 as P. replace (PI / 2) with (PI * w z / (w z * 2)) by (field; lra).
+  apply ratio_limit; [| apply (product_limit (fun _ => w z)); [apply is_lim_const | exact bottom_limit_e] | nra].
+  apply (slope_limit (fun e => sin (PI * w z * e))); [rewrite Rmult_0_r; apply sin_0|]. auto_derive; [trivial|]. rewrite
+    Rmult_0_r, cos_0. ring.
+Qed.
+
+Lemma angles r : theta r z = PI * w z * / r /\ decay r z = PI * z * / r.
+Proof. split; reflexivity. Qed.
+
+Lemma u_at_infinity : is_lim (fun r => r ^ 2 * u r z) p_infty (PI / 2).
+Proof.
+  apply (by_reciprocal _ _ _ sine_limit). intros r Hr. pose proof (bottom_above r Hr) as B. unfold u, bottom_e in *.
+  destruct (angles r) as [-> ->]. set (c := cosh _ + cos _) in *. field. repeat split; lra.
+Qed.
+
+Lemma u_falls : is_lim (fun r => r * u r z) p_infty 0.
+Proof.
+  apply (by_reciprocal _ (fun e => e * (sin (PI * w z * e) / (e - 0) / (w z * bottom_e z e)))).
+  - replace 0 with (0 * (PI / 2)) at 2 by ring. apply (product_limit (fun e => e)); [apply is_lim_id | exact sine_limit].
+  - intros r Hr. pose proof (bottom_above r Hr) as B. unfold u, bottom_e in *.
+    destruct (angles r) as [-> ->]. set (c := cosh _ + cos _) in *. field. repeat split; lra.
+Qed.
+
+Lemma g_at_infinity : is_lim (fun r => g r z) p_infty 0.
+Proof.
+  apply (by_reciprocal _ (fun e => (sinh (PI * z * e) - z / w z * sin (PI * w z * e)) / bottom_e z e)).
+  - replace 0 with (0 / 2) at 2 by field. apply ratio_limit; [| exact bottom_limit_e | lra].
+    apply limit_value; [unfold sinh; auto_derive; trivial | rewrite !Rmult_0_r, sinh_0, sin_0; ring].
+  - intros r Hr. unfold g, bottom_e. destruct (angles r) as [-> ->]. reflexivity.
+Qed.
+End Mode.
+
+Lemma scaled (f : R -> R) a rho : 0 < rho -> is_lim f p_infty (Finite a) -> is_lim (fun r => f (r * rho)) p_infty (Finite a).
+Proof.
+  intros Hr L. apply (is_lim_comp f (fun r => r * rho) p_infty a p_infty); [exact L | | exists 0; intros; discriminate].
+  apply (is_lim_ext (fun r => rho * r)); [intros; ring|].
+  replace p_infty with (Rbar_mult rho p_infty) at 2.
+  - apply (is_lim_scal_l (fun r => r)), is_lim_id.
+  - simpl. destruct (Rle_dec 0 rho) as [H|H]; [|lra]. destruct (Rle_lt_or_eq_dec 0 rho H); [reflexivity | lra].
+Qed.
+
+Lemma Sum_limit n (a c : nat -> R) (f : nat -> R -> R) : (forall i, (i < n)%nat -> is_lim (f i) p_infty (Finite (c i))) ->
+  is_lim (fun r => Sum n (fun i => a i * f i r)) p_infty (Sum n (fun i => a i * c i)).
+Proof.
+  induction n; intros H; simpl; [apply is_lim_const|]. apply is_lim_plus'; [apply IHn; intros; apply H; lia|].
+  apply (is_lim_scal_l (f n) (a n) p_infty (c n)), H. lia.
+Qed.
+
+Lemma square_limit (f : R -> R) p a : is_lim f p (Finite a) -> is_lim (fun e => f e ^ 2) p (a ^ 2).
+Proof.
+  intros L. apply (is_lim_ext (fun e => f e * f e)); [intros; ring|].
+  replace (Finite (a ^ 2)) with (Rbar_mult a a) by (simpl; f_equal; ring). apply is_lim_mult; [exact L | exact L | exact I].
+Qed.
+
+Theorem eq_86_all_masses : Statements.eq_86_all_masses.
+Proof.
+  intros n a rho zeta mu Hm Ha Hmodes. pose proof PI_RGT_0 as P.
+  assert (Lim : forall (f : R -> R -> R) c, (forall z, 0 <= z < 1 -> is_lim (fun r => f r z) p_infty (Finite c)) ->
+    is_lim (fun r => Sum n (fun i => a i * f (r * rho i) (zeta i))) p_infty c).
+  { intros f c H. replace c with (Sum n (fun i => a i * c)) by (rewrite Sum_scal_r, Ha; ring).
+    apply (Sum_limit n a (fun _ => c) (fun i r => f (r * rho i) (zeta i))). intros i Hi. destruct (Hmodes i Hi) as [Hr Hz].
+    apply (scaled (fun r => f r (zeta i))); [exact Hr | apply H, Hz]. }
+  assert (L1 := Lim (fun r z => r ^ 2 * v_re r z) _ v_re_at_infinity).
+  assert (L2 := Lim (fun r z => r ^ 2 * v_im r z) _ v_im_at_infinity).
+  assert (L3 := Lim (fun r z => r ^ 2 * u r z) _ u_at_infinity).
+  assert (L4 := Lim (fun r z => g r z + 2 * z * (r * u r z)) 0).
+  assert (L5 : forall z, 0 <= z < 1 -> is_lim (fun r => g r z + 2 * z * (r * u r z)) p_infty 0).
+  { intros z Hz. assert (X : is_lim (fun r => g r z + 2 * z * (r * u r z)) p_infty (0 + 2 * z * 0)).
+    { apply is_lim_plus'; [apply g_at_infinity|].
+      apply (is_lim_scal_l (fun r => r * u r z) (2 * z) p_infty 0), u_falls, Hz. }
+    replace (0 + 2 * z * 0) with 0 in X by ring. exact X. }
+  specialize (L4 L5). cbv beta in L1, L2, L3, L4.
+  assert (LN := is_lim_plus' _ _ _ _ _ (square_limit _ _ _ L1) (square_limit _ _ _ L2)).
+  assert (LD := is_lim_plus' _ _ _ _ _ (square_limit _ _ _ L3)
+    (square_limit _ _ _ (is_lim_plus' _ _ _ _ _ L4 (is_lim_const mu p_infty)))).
+  assert (Nz : (PI / 2) ^ 2 + (0 + mu) ^ 2 <> 0) by (apply Rgt_not_eq; nra).
+  assert (LQ : is_lim (fun r => (Sum n (fun i => a i * ((r * rho i) ^ 2 * v_re (r * rho i) (zeta i))) ^ 2
+      + Sum n (fun i => a i * ((r * rho i) ^ 2 * v_im (r * rho i) (zeta i))) ^ 2) /
+    (Sum n (fun i => a i * ((r * rho i) ^ 2 * u (r * rho i) (zeta i))) ^ 2
+      + (Sum n (fun i => a i * (g (r * rho i) (zeta i) + 2 * zeta i * (r * rho i * u (r * rho i) (zeta i)))) + mu) ^ 2)) p_infty
+    (((-1) ^ 2 + 0 ^ 2) / ((PI / 2) ^ 2 + (0 + mu) ^ 2))).
+  { pose proof (is_lim_div _ _ p_infty _ _ LN LD) as Q. simpl in Q.
+    apply Q; [intros K; injection K as K; apply Nz; simpl; lra | exact I]. }
+  pose proof (is_lim_comp_continuous _ sqrt p_infty _ LQ (continuous_sqrt _)) as LC.
+  replace (2 / sqrt (4 * mu ^ 2 + PI ^ 2)) with (sqrt (((-1) ^ 2 + 0 ^ 2) / ((PI / 2) ^ 2 + (0 + mu) ^ 2))); [exact LC|].
+  assert (Q : 0 < 4 * mu ^ 2 + PI ^ 2) by nra. pose proof (sqrt_lt_R0 _ Q).
+  replace (((-1) ^ 2 + 0 ^ 2) / ((PI / 2) ^ 2 + (0 + mu) ^ 2))
+    with ((2 / sqrt (4 * mu ^ 2 + PI ^ 2)) * (2 / sqrt (4 * mu ^ 2 + PI ^ 2))).
+  - apply sqrt_square. apply Rlt_le, Rdiv_lt_0_compat; lra.
+  - replace (2 / sqrt (4 * mu ^ 2 + PI ^ 2) * (2 / sqrt (4 * mu ^ 2 + PI ^ 2)))
+      with (4 / (sqrt (4 * mu ^ 2 + PI ^ 2) * sqrt (4 * mu ^ 2 + PI ^ 2))) by (field; lra).
+    rewrite sqrt_sqrt by lra. field. repeat split; nra.
+Qed.
