@@ -87,8 +87,8 @@ std::string steps_text(const Json& claim) {
     std::string out = "<ol class=\"steps\">\n", abbreviations;
     for (const Json& step : claim.at("steps")) {
         const std::string text = step.at("text"), latex = step.at("latex");
-        if (text == abbreviated) { // below the steps: what they stand for is looked up
-            abbreviations = "<p class=\"abbreviations\">Here</p>\n" + displayed(latex);
+        if (text == abbreviated) { // last, as what they stand for is looked up
+            abbreviations = "<li class=\"here\">Here\n" + displayed(latex) + "</li>\n";
             continue;
         }
         if (text == divisors && out.ends_with("</li>\n")) { // a condition of the step before
@@ -109,7 +109,7 @@ std::string steps_text(const Json& claim) {
             out += displayed(latex);
         out += "</li>\n";
     }
-    return out + "</ol>\n" + abbreviations;
+    return out + abbreviations + "</ol>\n";
 }
 
 std::string witness_text(const RunRecord& run, const Json& witness) {

@@ -35,9 +35,9 @@ bool left_out(const std::string& name, const std::string& text) {
         const bool of_library = file.starts_with("src/denhartog/") && !file.starts_with("src/denhartog/program/");
         return text.find(from) != std::string::npos && !of_library && !file.starts_with("src/conformance/");
     }
-    if (name.find("_8") == std::string::npos || name.ends_with("_source.html")) return false;
-    const std::string folder = between(between(text, "<li class=\"navelem\">", "</li>"), ">", "<");
-    return folder != "src" || name.ends_with("_8cpp.html");
+    if (name.ends_with("_8cpp.html")) return true;
+    const bool of_header = name.ends_with("_8hpp.html") || name.ends_with("_8h.html");
+    return of_header && between(between(text, "<li class=\"navelem\">", "</li>"), ">", "<") != "src";
 }
 
 /// A page without its links to what is left out.
