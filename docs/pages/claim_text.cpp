@@ -12,7 +12,7 @@ namespace denhartog::pages {
 namespace {
 
 /// Longer formulas are left to the record: nobody reads them, and they take seconds to typeset.
-constexpr std::size_t longest_formula = 4000;
+constexpr std::size_t longest_formula = 1500;
 
 /// Steps of the record that are no steps of the argument.
 constexpr const char *abbreviated = "Abbreviations", *divisors = "where no divisor is zero";

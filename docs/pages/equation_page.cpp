@@ -418,8 +418,8 @@ std::vector<Page> equation_pages(const Book& book, const std::string& equation) 
                 equation + ")\": " + parts + ".</p>\n";
     }
     std::vector<Page> pages{{name, page_head(name, "Equation (" + equation + ")") + navigation(equation) +
-                                       contents(body, equation) + explore_link(book, equation) + statement(book, entry) + facts(entry) + body + "\n" +
-                                       navigation(equation)}};
+                                       contents(body, equation) + explore_link(book, equation) + statement(book, entry) +
+                                       facts(entry) + body + "\n" + navigation(equation)}};
     if (!has_more) return pages;
     std::string text = page_head(more, "Behind equation (" + equation + ")") +
                        "<div class=\"eq-nav\">\n<span class=\"previous\">" + "back to " + equation_link(equation) +

@@ -255,7 +255,8 @@ Page figure_page(const Book& book, const FigureRecord& figure) {
 Page accuracy_page(const Book& book) {
     std::string out = page_head("accuracy_page", "Accuracy");
     out += "<p>" + accuracy_in_short(book.run) +
-           "</p>\n\n\\section accuracy_closed_form The closed form against a second witness\n\n<p>The second witness solves the half-period boundary-value problem on physical coordinates with a matrix "
+           "</p>\n\n\\section accuracy_closed_form The closed form against a second witness\n\n<p>The second witness solves the "
+           "half-period boundary-value problem on physical coordinates with a matrix "
            "exponential in multiprecision and shares nothing with the closed form. The errors are relative to the largest "
            "amplitude.</p>\n<div class=\"table-box\" tabindex=\"0\">\n<table class=\"doxtable\">\n<tr><th>scenes</th><th>how "
            "many</th><th>worst in double</th><th>where</th><th>worst in 50 "

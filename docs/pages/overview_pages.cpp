@@ -44,7 +44,8 @@ std::string counts(const Json& ledger, const char* key) {
 /// What the departures of a kind are, for somebody who has not seen the others.
 std::string fair_words(const std::string& kind) {
     if (kind == "scan")
-        return "A glyph came out wrong in the scanned text at hand and the sentences around it set it right. This says nothing about "
+        return "A glyph came out wrong in the scanned text at hand and the sentences around it set it right. This says nothing "
+               "about "
                "the journal's own page, and none of these counts as refuted. If you have the printed paper, you can settle "
                "a case: docs/ledger/README.md says how.";
     if (kind == "misprint")
@@ -127,16 +128,18 @@ Page errata_page(const Book& book) {
     const std::size_t departures = book.run.ledger.size() - kinds["none"].size();
     std::string out = page_head("errata", "Departures from the printed text");
     out += "<p>" + std::to_string(departures) + " of the " + counted(book.run.ledger.size(), "equation", "equations") +
-           " depart from the printed text in some way. The text at hand is a scan of the article, so some of the departures are the scanner's and not the "
+           " depart from the printed text in some way. The text at hand is a scan of the article, so some of the departures are "
+           "the scanner's and not the "
            "authors'. Every verdict is computed. A refuted form comes with a point where it fails, and the form that replaces "
            "it comes with a proof.</p>\n";
     const std::vector<std::pair<std::string, std::string>> order = {{"misprint", "Misprints"},
                                                                     {"substance", "What does not hold as it is meant"},
                                                                     {"scan", "Slips of the scan"},
                                                                     {"convention", "Conventions left unsaid"}};
-    out += "<p>\\ref errata_sheet \"The errata on one sheet\", to print<span class=\"pdf\"></span>.</p>\n<div class=\"table-box\" "
-           "tabindex=\"0\">\n<table "
-           "class=\"doxtable errata\">\n<tr><th>equation</th><th>as printed</th><th>what is wrong</th></tr>\n";
+    out +=
+        "<p>\\ref errata_sheet \"The errata on one sheet\", to print<span class=\"pdf\"></span>.</p>\n<div class=\"table-box\" "
+        "tabindex=\"0\">\n<table "
+        "class=\"doxtable errata\">\n<tr><th>equation</th><th>as printed</th><th>what is wrong</th></tr>\n";
     for (const auto& [kind, title] : order) {
         out += "<tr><th colspan=\"3\">\\ref errata_" + kind + " \"" + title + "\": " + std::to_string(kinds[kind].size()) +
                "</th></tr>\n";

@@ -117,8 +117,8 @@ std::map<std::string, std::string> part(const std::string& name, std::map<std::s
         const std::string part_name = name.substr(0, name.size() - 5) + "_in_" + file + ".html";
         list += "<dt><a class=\"el\" href=\"" + part_name + "\">" + header_name(file) + "</a></dt>\n<dd>";
         for (const Item& item : of_file) {
-            list += (&item == &of_file.front() ? "" : ", ") + ("<a class=\"el\" href=\"" + part_name) + "#" + item.anchor + "\">" +
-                    html(item.name) + "</a>";
+            list += (&item == &of_file.front() ? "" : ", ") + ("<a class=\"el\" href=\"" + part_name) + "#" + item.anchor +
+                    "\">" + html(item.name) + "</a>";
             for (const std::string& anchor : values_of(item.text, "id")) moved[name + "#" + anchor] = part_name + "#" + anchor;
         }
         list += "</dd>\n";

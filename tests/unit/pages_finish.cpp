@@ -85,8 +85,8 @@ TEST_CASE("the site leaves out pages that nobody reads and parts a namespace by 
     const std::string folder = "<li class=\"navelem\"><a class=\"el\" href=\"dir_1.html\">";
     const std::string struct_of = "was generated from the following file:<ul><li>";
     const auto item = [](const std::string& anchor, const std::string& name, const std::string& file) {
-        return "<a id=\"" + anchor + "\" name=\"" + anchor + "\"></a>\n<h2 class=\"memtitle\"><span class=\"permalink\"></span>" + name +
-               "</h2>\n<p>Says " + name + " of file <a class=\"el\" href=\"" + file + "_source.html\">x</a>.</p>\n";
+        return "<a id=\"" + anchor + "\" name=\"" + anchor + "\"></a>\n<h2 class=\"memtitle\"><span class=\"permalink\"></span>" +
+               name + "</h2>\n<p>Says " + name + " of file <a class=\"el\" href=\"" + file + "_source.html\">x</a>.</p>\n";
     };
     std::map<std::string, std::string> texts{
         {"eq_80.html", "<a href=\"structA-members.html\">list</a> <a href=\"namespacedenhartog.html#a1\">f</a>"},
