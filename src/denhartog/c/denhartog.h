@@ -11,8 +11,8 @@
 /// else. No call runs without end, because its work is counted; see dh_set_effort().
 ///
 /// A struct that may grow has its size as its first member. The caller sets it to `sizeof` before the call, and the call writes
-/// no more than that many bytes. As long as the number in the name of the shared library stays the same, names are added but never
-/// changed or taken away.
+/// no more than that many bytes. As long as the number in the name of the shared library stays the same, names are added but
+/// never changed or taken away.
 #ifndef DENHARTOG_H
 #define DENHARTOG_H
 
@@ -315,8 +315,8 @@ DH_EXPORT int dh_solution_stops(const dh_solution* solution, size_t count, doubl
 /// @brief The motion at equally spaced instants of its period, tau = 2 pi periods n / samples, **from the maximum of the force**.
 ///
 /// If the contact slides throughout, the displacements have 10 digits, like those of dh_displacement(); their place relative to
-/// the force comes from the solution's phase, which has the digits that dh_solve() was asked for. Otherwise the motion is computed in
-/// double. A contact that rests for ever is taken to rest at zero.
+/// the force comes from the solution's phase, which has the digits that dh_solve() was asked for. Otherwise the motion is
+/// computed in double. A contact that rests for ever is taken to rest at zero.
 /// @param solution  a solution
 /// @param samples   instants, from 1 to #DH_MOST_SAMPLES, times N at most #DH_MOST_DISPLACEMENTS
 /// @param count     samples times N
