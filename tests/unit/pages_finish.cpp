@@ -3,6 +3,7 @@
 #include <fstream>
 
 #include "pages/finish.hpp"
+#include "pages/trim.hpp"
 #include "tests/catch.hpp"
 
 using namespace denhartog::pages;
@@ -103,7 +104,7 @@ TEST_CASE("the site leaves out pages that nobody reads and parts a namespace by 
              item("a1", "f()", "one_8hpp") + item("a2", "g()", "two_2x__y_8hpp") + "</div><!-- contents -->"},
         {"one_8hpp_source.html", ""},
         {"two_2x__y_8hpp_source.html", ""}};
-    trim(texts);
+    denhartog::pages::trim(texts);
     CHECK_FALSE(texts.contains("structA-members.html"));
     CHECK_FALSE(texts.contains("structB.html"));
     CHECK_FALSE(texts.contains("x_8hpp.html"));
