@@ -154,7 +154,8 @@ std::string followed(const std::string& page, const std::map<std::string, std::s
 
 /// The lists of types and files: what is left out has no row, and all rows are shown, as no script opens them.
 std::string whole_list(std::string page, const std::map<std::string, std::string>& out_of_site) {
-    const std::string row = "<tr id=\"row_", levels = "<div class=\"levels\">";
+    const std::string row = "<tr id=\"row_", levels = "<div class=\"levels\">",
+                      icon = "<span class=\"icondoc\"></span></a>"; // of a link that has no name
     for (std::size_t at = page.find(row); at != std::string::npos;) {
         const std::size_t end = page.find("</tr>", at) + 5;
         std::string text = page.substr(at, end - at);
@@ -162,6 +163,8 @@ std::string whole_list(std::string page, const std::map<std::string, std::string
         const bool out = of_type && out_of_site.contains(between(text, "href=\"", "\""));
         const std::size_t hidden = text.find(" style=\"display:none;\"");
         if (hidden != std::string::npos) text.erase(hidden, 22);
+        const std::size_t mark = text.find(icon);
+        if (mark != std::string::npos) text.erase(text.rfind("<a ", mark), mark + icon.size() - text.rfind("<a ", mark));
         page.replace(at, end - at, out ? "" : text);
         at = page.find(row, at + (out ? 0 : text.size()));
     }
