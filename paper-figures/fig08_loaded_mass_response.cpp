@@ -129,7 +129,7 @@ void inversions(Figure& figure, Record& record, const std::vector<Damped>& all) 
 Record make(Figure& figure) {
     const std::vector<Damped> all = two_damped_masses(figure, mass, least_phase);
     for (const Damped& d : all) add_stuck(figure, d);
-    Record record = two_masses_record("Amplitude and phase of m_1, where the load acts, over the frequency ratio");
+    Record record = two_masses_record("Amplitude and phase of mass 1, where the load acts, over the frequency ratio");
     record.equations = {"52", "53", "69", "87", "88"};
     record.given.push_back("the stuck configuration dotted");
     record.chosen.push_back(

@@ -58,7 +58,7 @@ void touching(Figure& figure, Record& record, const std::vector<Damped>& all) {
 
 Record make(Figure& figure) {
     const std::vector<Damped> all = two_damped_masses(figure, mass, least_phase);
-    Record record = two_masses_record("Amplitude and phase of m_2, the mass in contact, over the frequency ratio");
+    Record record = two_masses_record("Amplitude and phase of mass 2, the mass in contact, over the frequency ratio");
     record.equations = {"38", "39", "69"};
     record.chosen.push_back("no markers where the contact rests for good: m_2 then stays where it came to rest");
     two_masses_statements(record, all, mass);

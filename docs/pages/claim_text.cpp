@@ -12,7 +12,17 @@ namespace denhartog::pages {
 namespace {
 
 /// Longer formulas are left to the record: nobody reads them, and they take seconds to typeset.
-constexpr std::size_t longest_formula = 4000;
+constexpr std::size_t longest_formula = 1500;
+
+/// Steps of the record that are no steps of the argument.
+constexpr const char *abbreviated = "Abbreviations", *divisors = "where no divisor is zero";
+
+std::size_t count_of_steps(const Json& record) {
+    const Json& steps = record.at("steps");
+    return static_cast<std::size_t>(std::count_if(steps.begin(), steps.end(), [](const Json& step) {
+        return step.at("text") != abbreviated && step.at("text") != divisors;
+    }));
+}
 
 std::string role_text(const std::string& role) {
     if (role == "both") return "on the formula as printed and as shipped";
@@ -74,9 +84,18 @@ std::string claim_link(const Json& record) {
 }
 
 std::string steps_text(const Json& claim) {
-    std::string out = "<ol class=\"steps\">\n";
+    std::string out = "<ol class=\"steps\">\n", abbreviations;
     for (const Json& step : claim.at("steps")) {
         const std::string text = step.at("text"), latex = step.at("latex");
+        if (text == abbreviated) { // last, as what they stand for is looked up
+            abbreviations = "<li class=\"here\">Here\n" + displayed(latex) + "</li>\n";
+            continue;
+        }
+        if (text == divisors && out.ends_with("</li>\n")) { // a condition of the step before
+            out.erase(out.size() - 6);
+            out += text + "\n" + displayed(latex) + "</li>\n";
+            continue;
+        }
         const bool generators = latex.empty() && text.find("zero with") != std::string::npos;
         out += "<li>" + (step.contains("text_latex") ? typeset(step.at("text_latex"), claim.at("claim")) : step_sentence(text)) +
                (!latex.empty() ? ":"
@@ -90,7 +109,7 @@ std::string steps_text(const Json& claim) {
             out += displayed(latex);
         out += "</li>\n";
     }
-    return out + "</ol>\n";
+    return out + abbreviations + "</ol>\n";
 }
 
 std::string witness_text(const RunRecord& run, const Json& witness) {
@@ -124,7 +143,7 @@ std::string claim_text(const Book& book, const Json& claim, const std::string& e
     if (here) out += "\\anchor " + claim_label(record) + "\n";
     out += "<p class=\"claim-title\"><strong>" + prose(claim.at("what")) + "</strong></p>\n";
     out += "<p>" + verdict_mark(claim.at("verdict")) + ", " + kind_text(claim) + ", " + role_text(claim.at("role")) +
-           "; claim <code>" + escaped(id) + "</code>, made in " + source_link(place.file, place.line, place.file) + "</p>\n";
+           "; claim <code>" + escaped(id) + "</code>, made in " + source_link(place.file, place.line, place.file) + ".</p>\n";
     if (!claim.at("assumptions").empty()) {
         out += "<p>Assumed: ";
         bool first = true;
@@ -141,7 +160,7 @@ std::string claim_text(const Book& book, const Json& claim, const std::string& e
                witness_text(book.run, claim.at("witness"));
     if (!here) return out + "<p>Its steps: " + claim_link(record) + ", on the page of " + equation_link(home) + ".</p>\n</div>\n";
     const std::string steps = steps_text(record);
-    const std::string count = counted(record.at("steps").size(), "step", "steps");
+    const std::string count = counted(count_of_steps(record), "step", "steps");
     return out + "<details" + (is_long(record) ? "" : " open=\"open\"") + ">\n<summary>" + count +
            " of the derivation</summary>\n" + steps + "</details>\n</div>\n";
 }

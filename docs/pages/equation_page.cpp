@@ -147,6 +147,12 @@ Json of_formula(const RunRecord& run, const Json& witness, const std::string& la
     return kept.empty() ? witness : kept;
 }
 
+/// A part that opens. Raw, as Doxygen takes a fold with paragraphs in it to pieces.
+std::string folded_part(const std::string& summary, const std::string& body) {
+    return "\n\\htmlonly[block]\n<details>\n<summary>" + summary + "</summary>\n\\endhtmlonly\n\n" + body +
+           "\n\\htmlonly[block]\n</details>\n\\endhtmlonly\n\n";
+}
+
 /// What the print costs, the point where it fails, the scene that shows it, the run's own spelling of what holds.
 std::string evidence(const Book& book, const Json& entry) {
     const std::string consequence = entry.at("consequence"), correction = entry.at("correction");
@@ -155,22 +161,22 @@ std::string evidence(const Book& book, const Json& entry) {
     if (!consequence.empty())
         out += "<p>Coded as printed: " + prose(consequence) + ".</p>\n";
     else if (fails_here)
-        out += "<p>Coded as printed: no loss to measure.</p>\n";
+        out += "<p>There is no loss to measure if it is coded as printed.</p>\n";
     if (!entry.at("witness").empty())
         out += "<p>A point where " + std::string(fails_here ? "the print fails:" : "it was evaluated:") + "</p>\n" +
                witness_text(book.run, of_formula(book.run, entry.at("witness"),
                                                  entry.at("statement").get<std::string>() + " " + correction));
     const auto departure = book.run.departures.find(entry.at("equation").get<std::string>());
     if (!correction.empty() && departure != book.run.departures.end() && !departure->second.printed.empty())
-        out +=
-            "<details>\n<summary>What holds, as the derivation writes it</summary>\n" +
-            std::string(entry.value("correction_by", "") == "hand" ? "<p>The derivation takes this spelling from a person.</p>\n"
-                                                                   : "") +
-            displayed(correction) + "</details>\n";
+        out += folded_part("What holds, as the derivation writes it",
+                           std::string(entry.value("correction_by", "") == "hand"
+                                           ? "<p>The derivation takes this spelling from a person.</p>\n"
+                                           : "") +
+                               displayed(correction));
     else if (entry.value("correction_by", "") == "hand")
-        out += "<p>A person wrote the formula above, and not the run.</p>\n";
+        out += "<p>A person wrote the formula above, not the run.</p>\n";
     const std::string scene = scene_text(entry);
-    if (!scene.empty()) out += "<details>\n<summary>A scene that shows it</summary>\n" + scene + "</details>\n";
+    if (!scene.empty()) out += folded_part("A scene that shows it", scene);
     return out;
 }
 
@@ -268,6 +274,15 @@ SortedClaims sorted_claims(const Json& entry, const std::string& equation) {
         else
             sorted.others.push_back(&claim);
     }
+    // (A.12) is decided by how a shipped formula follows from others.
+    if (std::none_of(sorted.own.begin(), sorted.own.end(), [](const Json* claim) { return claim->at("role") != "printed"; }))
+        for (auto at = sorted.others.begin(); at != sorted.others.end();) {
+            const Json& claim = **at;
+            const bool decides = claim.at("role") != "step" && claim.value("same_as", "").empty();
+            const bool its = decides && claim.at("id").get<std::string>().starts_with(equation + "/");
+            if (its) sorted.own.push_back(&claim);
+            at = its ? sorted.others.erase(at) : at + 1;
+        }
     auto& rest = sorted.own.empty() ? sorted.own : sorted.others; // (26) is decided by the claims on (A.13)
     rest.insert(rest.begin(), decisive.begin(), decisive.end());
     if (sorted.own.empty() && !sorted.others.empty()) {
@@ -317,16 +332,16 @@ std::string tests(const Book& book, const Json& entry, const std::string& equati
 
 std::string pictures(const Book& book, const Json& entry, const std::string& equation) {
     if (entry.at("figures").empty()) return {};
-    std::string out = section(equation, "figures", "Figures") + "<div class=\"thumbnails\">\n";
+    std::string out = section(equation, "figures", "Figures") + "<ul class=\"thumbnails\">\n";
     for (const Json& name : entry.at("figures")) {
         const auto figure =
             std::find_if(book.run.figures.begin(), book.run.figures.end(), [&](const FigureRecord& f) { return f.name == name; });
         if (figure == book.run.figures.end())
             throw InputError("figure " + name.get<std::string>(), "must be drawn; run ./verify figures", "");
-        out += "<div class=\"thumbnail\">\n<img loading=\"lazy\" src=\"figures/" + figure->name + ".svg\" alt=\"\">\n<p>\\ref " +
-               label("figure", figure->name) + " \"" + figure_title(*figure) + "\"</p>\n</div>\n";
+        out += "<li><img loading=\"lazy\" src=\"figures/" + figure->name + ".svg\" alt=\"\"> \\ref " +
+               label("figure", figure->name) + " \"" + figure_title(*figure) + "\"</li>\n";
     }
-    return out + "</div>\n";
+    return out + "</ul>\n";
 }
 
 std::string observations(const Book& book, const SortedClaims& claims, const std::string& equation) {
@@ -403,8 +418,8 @@ std::vector<Page> equation_pages(const Book& book, const std::string& equation) 
                 equation + ")\": " + parts + ".</p>\n";
     }
     std::vector<Page> pages{{name, page_head(name, "Equation (" + equation + ")") + navigation(equation) +
-                                       contents(body, equation) + explore_link(book, equation) + statement(book, entry) + facts(entry) + body + "\n" +
-                                       navigation(equation)}};
+                                       contents(body, equation) + explore_link(book, equation) + statement(book, entry) +
+                                       facts(entry) + body + "\n" + navigation(equation)}};
     if (!has_more) return pages;
     std::string text = page_head(more, "Behind equation (" + equation + ")") +
                        "<div class=\"eq-nav\">\n<span class=\"previous\">" + "back to " + equation_link(equation) +

@@ -7,6 +7,8 @@
 
 #include "denhartog/program/files.hpp"
 #include "derivation/source_text.hpp"
+#include "html.hpp"
+#include "trim.hpp"
 
 namespace denhartog::pages {
 
@@ -28,24 +30,6 @@ void cut(std::string& text, const std::string& open, const std::string& close) {
         if (end == std::string::npos) return;
         text.erase(at, end + close.size() - at);
     }
-}
-
-/// What stands between two marks, from a place on; empty where they are not there.
-std::string between(const std::string& text, const std::string& open, const std::string& close, std::size_t from = 0) {
-    const std::size_t at = text.find(open, from);
-    const std::size_t end = at == std::string::npos ? at : text.find(close, at + open.size());
-    return end == std::string::npos ? "" : text.substr(at + open.size(), end - at - open.size());
-}
-
-/// Values of an attribute in the tags of a page.
-std::vector<std::string> values_of(const std::string& page, const std::string& attribute) {
-    const std::string open = " " + attribute + "=\"";
-    std::vector<std::string> values;
-    for (std::size_t at = page.find(open); at != std::string::npos; at = page.find(open, at + 1)) {
-        const std::size_t from = at + open.size();
-        values.push_back(page.substr(from, page.find('"', from) - from));
-    }
-    return values;
 }
 
 /// What the search keeps of a text: not too much, and formulas without their TeX.
@@ -200,15 +184,20 @@ FinishedSite finish_site(const fs::path& site) {
     std::map<std::string, Page> pages;
     std::string map;
     nlohmann::json documents = nlohmann::json::array();
-    for (const fs::path& file : derivation::files_in(site, ".html")) {
-        if (file.parent_path() != site) continue;
-        const std::string name = file.filename().string(), before = derivation::text_of(file);
-        const bool is_source = name.ends_with("_source.html");
-        Page page{finished_page(before), {}};
-        if (page.text != before) program::write_file(file.string(), page.text);
+    std::map<std::string, std::string> before, texts;
+    for (const fs::path& file : derivation::files_in(site, ".html"))
+        if (file.parent_path() == site) before.emplace(file.filename().string(), derivation::text_of(file));
+    for (const auto& [name, text] : before) texts.emplace(name, finished_page(text));
+    trim(texts);
+    for (const auto& [name, text] : before)
+        if (!texts.contains(name)) fs::remove(site / name);
+    for (auto& [name, text] : texts) {
+        const auto old = before.find(name);
+        if (old == before.end() || text != old->second) program::write_file((site / name).string(), text);
+        Page page{std::move(text), {}};
         for (const char* attribute : {"id", "name"})
             for (const std::string& value : values_of(page.text, attribute)) page.anchors.insert(value);
-        if (!is_source)
+        if (!name.ends_with("_source.html"))
             for (nlohmann::json& each : search_documents(page.text, name)) {
                 each["kind"] = kind_of_page(name);
                 documents.push_back(std::move(each));

@@ -143,32 +143,28 @@ Page home_page(const Book& book) {
            "<input id=\"go\" name=\"q\" autocomplete=\"off\" placeholder=\"57, A.12, Fig. 8, 2.6\"> <button "
            "type=\"submit\">Go</button></form>\n"
            "\\endhtmlonly\n\n";
-    out += "<ul>\n<li>Of " + counted(ledger.size(), "numbered equation", "numbered equations") + " " +
-           std::to_string(count_of(ledger, "printed", "refuted")) + " do not hold as printed, and " +
-           std::to_string(count_of(ledger, "printed", "illegible")) +
-           " more are spoiled by the scan at hand; each has its correction.</li>\n<li>" +
+    out += "<ul>\n<li>" + std::to_string(count_of(ledger, "printed", "refuted")) + " of the " + std::to_string(ledger.size()) +
+           " numbered equations do not hold as printed, and the scan at hand spoils " +
+           std::to_string(count_of(ledger, "printed", "illegible")) + " more. Each has its correction here.</li>\n<li>" +
            counted(count_of(ledger, "shipped", "proved"), "equation is", "equations are") +
            " proved by machine in the form that the library computes, and " +
            std::to_string(count_of(ledger, "shipped", "approximation")) +
-           " are approximations with the order of their error.</li>\n<li>" + std::to_string(departing) +
-           " depart from the print in some way: \\ref errata \"the errata\" list them, and the page of an equation shows the "
-           "difference in "
-           "colour.</li>\n</ul>\n\n";
+           " are approximations with a proved order of their error.</li>\n<li>\\ref errata \"The errata\" list all " +
+           std::to_string(departing) +
+           " departures from the printed text, and the page of an equation shows the difference in colour.</li>\n</ul>\n\n";
     out += "\n\\section home_costly The five costliest misprints\n\n" + costliest(book);
     out += "\n\\section home_doors What you can do here\n\n\\htmlonly[block]\n<ul class=\"doors\">\n"
-           "<li><strong><a href=\"equations.html\">Read with the paper</a></strong> Each equation: what is printed, what holds, "
-           "the proof, the "
-           "function, the figure, the tests.</li>\n"
-           "<li><strong><a href=\"derivation_chapter.html\">Follow the derivation</a></strong> From the equation of motion to "
-           "the boundary of "
-           "sliding, each step by machine.</li>\n"
-           "<li><strong><a href=\"test_your_implementation.html\">Test your own code</a></strong> Certified questions, and the "
-           "name of the "
-           "mistake where an answer is wrong.</li>\n"
-           "<li><strong><a href=\"explore/index.html\">Explore</a></strong> Move a friction force and see the motion change.</li>"
+           "<li><strong><a href=\"equations.html\">Read with the paper</a></strong> The page of an equation has the printed "
+           "form, the form that holds, its proof, its function, its figures and its tests.</li>\n"
+           "<li><strong><a href=\"derivation_chapter.html\">Follow the derivation</a></strong> It leads from the equation of "
+           "motion to the boundary of sliding, and a machine checks each step.</li>\n"
+           "<li><strong><a href=\"test_your_implementation.html\">Test your own code</a></strong> The kit asks your program "
+           "certified questions and names the mistake behind a wrong answer.</li>\n"
+           "<li><strong><a href=\"explore/index.html\">Explore</a></strong> Change the friction and see how the motion "
+           "changes.</li>"
            "</ul>\n\\endhtmlonly\n\n";
-    out += "<p><a href=\"about.html\">About this reference</a>: what \"proved\" means, all pages, and how everything is made "
-           "again.</p>\n";
+    out += "<p><a href=\"about.html\">About this reference</a> says what \"proved\" means, lists all pages and tells how "
+           "to make everything again.</p>\n";
     return {"home", out};
 }
 

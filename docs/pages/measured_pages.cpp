@@ -57,15 +57,10 @@ std::string agreements(const Json& record) {
     return out + "</table>\n</div>\n";
 }
 
-/// What somebody sees who cannot see the picture: the title and the statements that the data bear out.
+/// What somebody hears who cannot see the picture: the title, and the caption without its marks of formulas.
 std::string alternative_text(const FigureRecord& figure) {
-    std::string out = figure_title(figure) + ".";
-    if (figure.record.is_null()) return out;
-    for (const Json& statement : figure.record.at("statements"))
-        if (statement.at("borne_out").get<bool>() && out.size() < 400) {
-            const std::string text = statement.at("text");
-            out += " " + text + (text.ends_with('.') ? "" : ".");
-        }
+    std::string out = figure_title(figure) + ". " + figure.caption;
+    for (const char mark : {'$', '\\'}) std::erase(out, mark);
     return out;
 }
 
@@ -76,17 +71,18 @@ std::string to_see(const Json& record, const std::string& name) {
         if (statement.at("borne_out").get<bool>())
             items += "<li>" + prose(statement.at("text")) + ": " + prose(statement.at("found")) + "</li>\n";
     for (const Json& remark : record.at("remarks")) items += "<li>" + prose(remark.get<std::string>()) + "</li>\n";
-    return items.empty() ? "" : "\n\\section see_" + name + " What to see in it\n\n<ul>\n" + items + "</ul>\n";
+    return items.empty() ? "" : "\n\\section see_" + name + " What the run found in it\n\n<ul>\n" + items + "</ul>\n";
 }
 
-/// The worst zone of each function in double, as the paper has it and as it is shipped.
-std::string accuracy_summary(const RunRecord& run) {
-    struct Worst {
-        double printed = 0, shipped = 0;
-        bool printed_fails = false;
-        long points = 0;
-        Json equations;
-    };
+/// The worst zone of a function in double, as the paper has it and as it is shipped.
+struct Worst {
+    double printed = 0, shipped = 0;
+    bool printed_fails = false;
+    long points = 0;
+    Json equations;
+};
+
+std::map<std::string, Worst> worst_of_functions(const RunRecord& run) {
     std::map<std::string, Worst> functions;
     for (const Json& record : run.accuracy) {
         if (record.at("type") != "double") continue;
@@ -101,8 +97,12 @@ std::string accuracy_summary(const RunRecord& run) {
             if (!row.at("shipped").is_null()) worst.shipped = std::max(worst.shipped, row.at("shipped").get<double>());
         }
     }
+    return functions;
+}
+
+std::string accuracy_summary(const RunRecord& run) {
     std::string rows;
-    for (const auto& [name, worst] : functions)
+    for (const auto& [name, worst] : worst_of_functions(run))
         rows += "<tr><td>" + prose(name) + "</td><td>" + equation_links(worst.equations) + "</td><td>" +
                 std::to_string(worst.points) + "</td><td>" +
                 (worst.printed_fails ? "not finite somewhere" : digits(worst.printed, "%.2g")) + "</td><td>" +
@@ -111,6 +111,31 @@ std::string accuracy_summary(const RunRecord& run) {
            "class=\"doxtable\">\n<tr><th>function</th><th>equations</th><th>points</th>"
            "<th>paper's form, worst</th><th>shipped form, worst</th></tr>\n" +
            rows + "</table>\n</div>\n";
+}
+
+/// The page on accuracy in a few sentences.
+std::string accuracy_in_short(const RunRecord& run) {
+    double in_double = 0, in_50 = 0;
+    long scenes = 0;
+    for (const Json& group : run.run.at("agreement")) {
+        scenes += group.at("scenes").get<long>();
+        in_double = std::max(in_double, group.at("double").at("worst").get<double>());
+        in_50 = std::max(in_50, group.at("50 digits").at("worst").get<double>());
+    }
+    std::string out = "On " + std::to_string(scenes) + " scenes of the paper the closed form differs from a second, unrelated " +
+                      "computation by " + digits(in_double, "%.2g") + " at most in double, and by " + digits(in_50, "%.2g") +
+                      " in 50 digits.";
+    double shipped = 0;
+    std::size_t failing = 0;
+    const auto functions = worst_of_functions(run);
+    for (const auto& [name, worst] : functions) {
+        shipped = std::max(shipped, worst.shipped);
+        failing += worst.printed_fails ? 1 : 0;
+    }
+    if (functions.empty()) return out;
+    return out + " Each of " + counted(functions.size(), "function", "functions") + " was measured against more digits. " +
+           std::to_string(failing) + " of them give no finite number somewhere if they are coded as the paper has them; " +
+           "the shipped forms err by " + digits(shipped, "%.2g") + " units at most.";
 }
 
 std::vector<std::string> cells_of(const std::string& line) {
@@ -172,24 +197,22 @@ Page figures_page(const Book& book) {
     StatementCounts of_the_text, of_ours;
     for (const FigureRecord& figure : book.run.figures)
         if (!figure.record.is_null()) count_statements(figure, figure.name.starts_with("fig") ? of_the_text : of_ours);
-    out += "<p>" + counted(book.run.figures.size(), "figure", "figures") +
-           ". What the paper's text says of its own was checked against their data: of " +
-           counted(of_the_text.said, "statement", "statements") + " " + std::to_string(of_the_text.borne_out) +
-           " are borne out, " + std::to_string(of_the_text.not_to_measure) +
-           " are not to a number of ours that stands for a vague word, and " +
-           std::to_string(of_the_text.said - of_the_text.borne_out - of_the_text.not_to_measure) +
-           " are not. The figures beyond the paper were asked " + counted(of_ours.said, "statement", "statements") +
-           " of our own, of which " + std::to_string(of_ours.borne_out) +
-           " hold. <code>./verify figures</code> makes all but those of the chart.</p>\n";
+    const std::size_t refuted = of_the_text.said - of_the_text.borne_out - of_the_text.not_to_measure;
+    out += "<p>The page of each figure says what to see in it, and has its data. The paper's text makes " +
+           counted(of_the_text.said, "statement", "statements") + " about its figures. The data confirm " +
+           std::to_string(of_the_text.borne_out) + " of them and contradict " + std::to_string(refuted) + "; the other " +
+           std::to_string(of_the_text.not_to_measure) +
+           " use a vague word, and the data do not meet the number that we put in its place. Of the figures beyond the paper we "
+           "expected " +
+           counted(of_ours.said, "thing", "things") + ", and " + std::to_string(of_ours.borne_out) + " came true.</p>\n";
     for (const bool of_the_paper : {true, false}) {
         out += std::string("\n\\section figures_") + (of_the_paper ? "paper Figures of the paper" : "beyond Beyond the paper") +
-               "\n\n<div class=\"thumbnails\">\n";
+               "\n\n<ul class=\"thumbnails\">\n";
         for (const FigureRecord& figure : book.run.figures)
             if (figure_number(figure).empty() != of_the_paper)
-                out += "<div class=\"thumbnail\">\n<img loading=\"lazy\" src=\"figures/" + figure.name +
-                       ".svg\" alt=\"\">\n<p>\\subpage " + label("figure", figure.name) + " \"" + figure_title(figure) +
-                       "\"</p>\n</div>\n";
-        out += "</div>\n";
+                out += "<li><img loading=\"lazy\" src=\"figures/" + figure.name + ".svg\" alt=\"\"> \\subpage " +
+                       label("figure", figure.name) + " \"" + figure_title(figure) + "\"</li>\n";
+        out += "</ul>\n";
     }
     return {"figures_page", out};
 }
@@ -201,6 +224,7 @@ Page figure_page(const Book& book, const FigureRecord& figure) {
                       "<div class=\"eq-nav\">\n<span class=\"index\">\\ref figures_page \"all figures\"</span>\n</div>\n\n";
     out += "<p class=\"figure\"><a href=\"" + picture + "\"><img src=\"" + picture + "\" alt=\"" +
            html(alternative_text(figure)) + "\"></a></p>\n";
+    out += "<p class=\"said\">" + typeset(figure.caption, "docs/ledger/figures.json") + "</p>\n";
     if (!figure.record.is_null()) {
         if (!figure.record.at("equations").empty())
             out += "<p>Draws " + equation_links(figure.record.at("equations")) + ".</p>\n";
@@ -230,9 +254,9 @@ Page figure_page(const Book& book, const FigureRecord& figure) {
 
 Page accuracy_page(const Book& book) {
     std::string out = page_head("accuracy_page", "Accuracy");
-    out += "<p>All figures on this page were written by a run.</p>\n\n\\section accuracy_closed_form The closed form against the "
-           "second "
-           "witness\n\n<p>The second witness solves the half-period boundary-value problem on physical coordinates with a matrix "
+    out += "<p>" + accuracy_in_short(book.run) +
+           "</p>\n\n\\section accuracy_closed_form The closed form against a second witness\n\n<p>The second witness solves the "
+           "half-period boundary-value problem on physical coordinates with a matrix "
            "exponential in multiprecision and shares nothing with the closed form. The errors are relative to the largest "
            "amplitude.</p>\n<div class=\"table-box\" tabindex=\"0\">\n<table class=\"doxtable\">\n<tr><th>scenes</th><th>how "
            "many</th><th>worst in double</th><th>where</th><th>worst in 50 "

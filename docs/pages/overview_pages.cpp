@@ -44,10 +44,10 @@ std::string counts(const Json& ledger, const char* key) {
 /// What the departures of a kind are, for somebody who has not seen the others.
 std::string fair_words(const std::string& kind) {
     if (kind == "scan")
-        return "A glyph came out wrong in the scanned text at hand and the sentences around it set it right. It says nothing of "
-               "the journal's own page, and none of these is counted as refuted. Whoever has the printed paper can settle a "
-               "case: "
-               "docs/ledger/README.md says how.";
+        return "A glyph came out wrong in the scanned text at hand and the sentences around it set it right. This says nothing "
+               "about "
+               "the journal's own page, and none of these counts as refuted. If you have the printed paper, you can settle "
+               "a case: docs/ledger/README.md says how.";
     if (kind == "misprint")
         return "A sign, a function or a factor is wrong in a formula that can be read, and other equations of the paper "
                "contradict it. "
@@ -103,9 +103,8 @@ Page index_page(const Book& book) {
     out += "<p>" + counted(book.run.ledger.size(), "equation", "equations") +
            " in the paper's order. As printed: " + counts(book.run.ledger, "printed") +
            ". As shipped: " + counts(book.run.ledger, "shipped") +
-           ". Where the scan slipped or the printed form is refuted, the column shows the form that holds; the page of the "
-           "equation has "
-           "both.</p>\n";
+           ". Where the scan is wrong or the printed form is refuted, the table shows the form that holds; the page of the "
+           "equation has both.</p>\n";
     std::string section;
     for (const Json& entry : book.run.ledger) {
         if (entry.at("section") != section) {
@@ -128,20 +127,19 @@ Page errata_page(const Book& book) {
     for (const Json& entry : book.run.ledger) kinds[entry.at("departure").get<std::string>()].push_back(&entry);
     const std::size_t departures = book.run.ledger.size() - kinds["none"].size();
     std::string out = page_head("errata", "Departures from the printed text");
-    out += "<p>Of " + counted(book.run.ledger.size(), "equation", "equations") + " " + std::to_string(departures) +
-           " depart from the print in some way, and " + std::to_string(kinds["none"].size()) +
-           " do not. The text at hand is a scan of the article, so part of this is the scanner's and not the authors'. Every "
-           "verdict is "
-           "computed: a printed form that is called refuted comes with the point where it fails, and the form that replaces it "
-           "with its "
-           "proof.</p>\n";
+    out += "<p>" + std::to_string(departures) + " of the " + counted(book.run.ledger.size(), "equation", "equations") +
+           " depart from the printed text in some way. The text at hand is a scan of the article, so some of the departures are "
+           "the scanner's and not the "
+           "authors'. Every verdict is computed. A refuted form comes with a point where it fails, and the form that replaces "
+           "it comes with a proof.</p>\n";
     const std::vector<std::pair<std::string, std::string>> order = {{"misprint", "Misprints"},
                                                                     {"substance", "What does not hold as it is meant"},
                                                                     {"scan", "Slips of the scan"},
                                                                     {"convention", "Conventions left unsaid"}};
-    out += "<p>\\ref errata_sheet \"The errata on one sheet\", to print<!--pdf-->.</p>\n<div class=\"table-box\" "
-           "tabindex=\"0\">\n<table "
-           "class=\"doxtable errata\">\n<tr><th>equation</th><th>as printed</th><th>what is wrong</th></tr>\n";
+    out +=
+        "<p>\\ref errata_sheet \"The errata on one sheet\", to print<span class=\"pdf\"></span>.</p>\n<div class=\"table-box\" "
+        "tabindex=\"0\">\n<table "
+        "class=\"doxtable errata\">\n<tr><th>equation</th><th>as printed</th><th>what is wrong</th></tr>\n";
     for (const auto& [kind, title] : order) {
         out += "<tr><th colspan=\"3\">\\ref errata_" + kind + " \"" + title + "\": " + std::to_string(kinds[kind].size()) +
                "</th></tr>\n";

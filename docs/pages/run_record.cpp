@@ -42,6 +42,7 @@ std::string title_of_script(const fs::path& script) {
 }
 
 std::vector<FigureRecord> read_figures(const fs::path& folder, const fs::path& source) {
+    const Json captions = read_json(source / "docs/ledger/figures.json");
     std::vector<FigureRecord> figures;
     for (const fs::path& picture : derivation::files_in(folder, ".svg")) {
         FigureRecord figure{picture.stem().string(), "", nullptr, ""};
@@ -55,6 +56,9 @@ std::vector<FigureRecord> read_figures(const fs::path& folder, const fs::path& s
                 if (data.filename().string().starts_with(figure.name)) figure.data.push_back(data.filename().string());
         figure.title =
             figure.record.is_null() ? title_of_script(source / figure.script) : figure.record.at("title").get<std::string>();
+        if (!captions.contains(figure.name))
+            throw InputError("figure " + figure.name, "must have its caption in docs/ledger/figures.json", "");
+        figure.caption = captions.at(figure.name);
         figures.push_back(std::move(figure));
     }
     std::stable_partition(figures.begin(), figures.end(), [](const FigureRecord& f) { return f.name.starts_with("fig"); });

@@ -19,10 +19,11 @@ using ledger::Json;
 /// @brief A figure of the run.
 struct FigureRecord {
     std::string name;                   ///< of its files
-    std::string title;                  ///< what is to be seen
+    std::string title;                  ///< what is drawn
     Json record;                        ///< what its program wrote; null where it has none
     std::string script;                 ///< its plot script, from the root of the sources
     std::vector<std::string> data = {}; ///< names of the files with its data
+    std::string caption = {};           ///< what to see in it, as a person wrote it, with formulas between dollars
 };
 
 /// @brief The number of a figure in the paper. @param figure the figure @return e.g. `Fig. 7`; empty where the paper has

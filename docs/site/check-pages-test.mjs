@@ -23,6 +23,7 @@ const pages = {
   mute: ["<p>" + drawn("x", "<math></math>") + "</p>", "1 formulas have nothing for who listens"],
   strokes: ["<p>" + drawn("x", undefined, "") + "</p>", "1 formulas would be read stroke by stroke"],
   stop: ["<p class='formulaDsp' tabindex='0'>" + drawn("x") + "</p>", "1 needless stops of the keyboard at formulas"],
+  folded: ["<details>A part that nothing names.</details>", "1 folded parts have no name"],
   wide: ["<div style='width: 500px'>Wider than a telephone.</div>", "is 1?\\d\\d pixels too wide at 375"],
   console: ["<script>console.error('of the page')</script>", "console: of the page"],
   script: ["<script>throw new Error('of the page')</script>", "script: of the page"],

@@ -3,6 +3,7 @@
 #include <fstream>
 
 #include "pages/finish.hpp"
+#include "pages/trim.hpp"
 #include "tests/catch.hpp"
 
 using namespace denhartog::pages;
@@ -79,4 +80,45 @@ TEST_CASE("a broken link, a missing place and an address elsewhere are faults of
         INFO(wrong);
         CHECK(finish_site(site.path).faults.size() == 1);
     }
+}
+
+TEST_CASE("the site leaves out pages that nobody reads and parts a namespace by header", "[pages]") {
+    const std::string folder = "<li class=\"navelem\"><a class=\"el\" href=\"dir_1.html\">";
+    const std::string struct_of = "was generated from the following file:<ul><li>";
+    const auto item = [](const std::string& anchor, const std::string& name, const std::string& file) {
+        return "<a id=\"" + anchor + "\" name=\"" + anchor + "\"></a>\n<h2 class=\"memtitle\"><span class=\"permalink\"></span>" +
+               name + "</h2>\n<p>Says " + name + " of file <a class=\"el\" href=\"" + file + "_source.html\">x</a>.</p>\n";
+    };
+    std::map<std::string, std::string> texts{
+        {"eq_80.html", "<a href=\"structA-members.html\">list</a> <a href=\"namespacedenhartog.html#a1\">f</a>"},
+        {"structA-members.html", ""},
+        {"structA.html", struct_of + "src/denhartog/scene/<a"},
+        {"structB.html", struct_of + "tests/unit/<a"},
+        {"x_8hpp.html", folder + "tests</a></li>"},
+        {"x_8hpp_source.html", "<a href=\"x_8hpp.html\">Go to the documentation of this file.</a><a href=\"structB.html\">B</a>"},
+        {"c_8h.html", folder + "src</a></li><a href=\"x_8hpp.html#there\">x</a>"},
+        {"namespacedenhartog.html",
+         "<title>t</title><h1 class=\"title\">denhartog Namespace Reference</h1><div class=\"contents\">\n<p>All.</p><table "
+         "class=\"memberdecls\"><a id=\"func-members\" name=\"func-members\"></a></table><h2 class=\"groupheader\">Function "
+         "Documentation</h2>\n" +
+             item("a1", "f()", "one_8hpp") + item("a2", "g()", "two_2x__y_8hpp") + "</div><!-- contents -->"},
+        {"one_8hpp_source.html", ""},
+        {"two_2x__y_8hpp_source.html", ""}};
+    denhartog::pages::trim(texts);
+    CHECK_FALSE(texts.contains("structA-members.html"));
+    CHECK_FALSE(texts.contains("structB.html"));
+    CHECK_FALSE(texts.contains("x_8hpp.html"));
+    CHECK(texts.contains("structA.html"));
+    CHECK(texts.contains("c_8h.html"));
+    CHECK(texts.at("eq_80.html") == "list <a href=\"namespacedenhartog_in_one_8hpp.html#a1\">f</a>");
+    CHECK(texts.at("x_8hpp_source.html") == "B");
+    CHECK(texts.at("c_8h.html").find("<a href=\"x_8hpp_source.html\">x</a>") != std::string::npos);
+    const std::string& list = texts.at("namespacedenhartog.html");
+    CHECK(list.find("memberdecls") == std::string::npos);
+    CHECK(list.find("Says") == std::string::npos);
+    CHECK(list.find("namespacedenhartog_in_two_2x__y_8hpp.html#a2\">g()</a>") != std::string::npos);
+    const std::string& part = texts.at("namespacedenhartog_in_two_2x__y_8hpp.html");
+    CHECK(part.find("<h1 class=\"title\">denhartog in two/x_y.hpp</h1>") != std::string::npos);
+    CHECK(part.find("Says g()") != std::string::npos);
+    CHECK(part.find("Says f()") == std::string::npos);
 }

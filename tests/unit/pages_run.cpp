@@ -196,7 +196,7 @@ TEST_CASE("departures and the index count what the ledger has", "[pages]") {
     const Sources sources(small.folder.path());
     const Book book{small.run, sources};
     const std::string errata = errata_page(book).text;
-    CHECK(has(errata, "Of 2 equations 1 depart"));
+    CHECK(has(errata, "1 of the 2 equations depart"));
     CHECK(has(errata, "\\ref claim_38_amplitude"));
     const std::string stand_ins = stand_ins_page(book).text;
     CHECK(has(stand_ins, "<code>sinc</code>"));

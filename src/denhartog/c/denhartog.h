@@ -1,18 +1,18 @@
 /// @file
 /// @brief The library from C, and from any language that calls C: opaque handles, codes in place of exceptions, a stable ABI.
 ///
-/// The header is C99 and C++. Masses and modes count from 1; modes ascend by natural frequency. Displacements are in units of
-/// P / k_1, angles in radians; docs/c-interface.md has an example and the conventions.
+/// The header is C99 and C++. Masses and modes count from 1, and modes are in the order of ascending natural frequency.
+/// Displacements are in units of P / k_1 and angles in radians. docs/c-interface.md has an example and the conventions.
 ///
-/// Every function that can fail returns a status, #DH_OK or one of the others, and the text of the fault is kept for the calling
-/// thread, see dh_last_message(). On a fault no output is written. No exception leaves a function. Numbers handed out are finite.
-/// A handle does not change once it is made: any number of threads may use one at the same time; one of them destroys it, after
-/// all are done. Apart from the text of the last fault and what dh_set_effort() was told, which each thread has for itself, the
-/// interface keeps nothing. No call works on without end: its work is counted, see dh_set_effort().
+/// Every function that can fail returns a status, #DH_OK or one of the others. dh_last_message() has the text of the calling
+/// thread's last fault. A call that fails writes no output. No exception leaves a function, and every number that it returns is
+/// finite. A handle does not change after it is made, so any number of threads may use it at the same time; one of them destroys
+/// it when all are done. Each thread has its own last fault and its own limits from dh_set_effort(); the interface keeps nothing
+/// else. No call runs without end, because its work is counted; see dh_set_effort().
 ///
-/// A struct that may grow has its size as its first member; the caller sets it to `sizeof` before the call, and no more than that
-/// many bytes are written. Names are added and never changed or taken away as long as the number in the name of the shared
-/// library stays the same.
+/// A struct that may grow has its size as its first member. The caller sets it to `sizeof` before the call, and the call writes
+/// no more than that many bytes. As long as the number in the name of the shared library stays the same, names are added but
+/// never changed or taken away.
 #ifndef DENHARTOG_H
 #define DENHARTOG_H
 
@@ -25,17 +25,17 @@
 #define DH_EXPORT
 #endif
 
-/// @brief Version of the ABI that this header describes; compare with dh_abi_version().
+/// @brief Version of the ABI that this header describes; compare it with dh_abi_version().
 #define DH_ABI_VERSION 0
 
-/// @brief Most masses of a system. The eigenproblem is dense: a boundary of so many takes about a second and 60 megabytes in
-/// double, some minutes and 400 megabytes in 50 digits; a motion with stops takes far longer.
+/// @brief The largest number of masses in a system. The eigenproblem is dense: with that many masses a boundary takes about a
+/// second and 60 megabytes in double, and some minutes and 400 megabytes in 50 digits. A motion with stops takes far longer.
 #define DH_MOST_MASSES 1000
 
-/// @brief Most instants at which a motion is given by one call.
+/// @brief The largest number of instants in one call for a motion.
 #define DH_MOST_SAMPLES 10000000
 
-/// @brief Most displacements in one answer, instants times masses.
+/// @brief The largest number of displacements in one answer: instants times masses.
 #define DH_MOST_DISPLACEMENTS 100000000
 
 /// @brief Tells C++ that no exception leaves a function.
@@ -46,7 +46,7 @@ extern "C" {
 #define DH_NOEXCEPT
 #endif
 
-/// @brief What a call came to.
+/// @brief How a call ended.
 enum dh_status {
     DH_OK = 0,              ///< done
     DH_ERROR_NULL = 1,      ///< a pointer that is needed is null
@@ -54,7 +54,7 @@ enum dh_status {
     DH_ERROR_INPUT = 3,     ///< a number or a text breaks a rule; the message names quantity, rule and value
     DH_ERROR_DOMAIN = 4,    ///< a formula was asked for where it does not hold, e.g. the sliding motion where the contact sticks
     DH_ERROR_PRECISION = 5, ///< the digits asked for were not reached, or a result is no finite double
-    DH_ERROR_MEMORY = 6,    ///< memory is short
+    DH_ERROR_MEMORY = 6,    ///< there is not enough memory
     DH_ERROR_INTERNAL = 7   ///< anything else: a defect of the library
 };
 
@@ -71,14 +71,14 @@ typedef struct dh_system dh_system;
 /// @brief The steady motion at one point.
 typedef struct dh_solution dh_solution;
 
-/// @brief The friction ratios that part the regimes at one frequency ratio.
+/// @brief The friction ratios between the regimes at one frequency ratio.
 typedef struct dh_boundary {
     size_t size;         ///< sizeof(dh_boundary), set by the caller
     double exact;        ///< beta_lim, Eq. (69), with the maximum over tau of the sum over modes
     double paper;        ///< (69) with (56): the sum of the maxima of the modes; never above `exact`
     double approximate;  ///< (67); never below `exact`
-    double sticking;     ///< smallest beta at which the contact never moves; 0 where there is none
-    int sticking_exists; ///< 0 where no friction holds the contact, as the system resonates while it is held
+    double sticking;     ///< smallest beta at which the contact never moves; 0 if there is none
+    int sticking_exists; ///< 0 if no friction holds the contact, because the system with a held contact resonates
 } dh_boundary;
 
 /// @brief What a mass does while the contact slides throughout, by the closed form. tau = 0 is the maximum of the contact.
@@ -97,13 +97,13 @@ typedef struct dh_sliding_mass {
 typedef struct dh_summary {
     size_t size;              ///< sizeof(dh_summary), set by the caller
     int regime;               ///< one of enum dh_regime
-    int on_boundary;          ///< 1 where the regime could be the neighbour, beta being on a boundary as far as it is known
-    int unique;               ///< 1 where the steady velocities are known not to depend on the start
-    int symmetric;            ///< 1 where the motion mirrors itself after half its period, Eq. (25)
+    int on_boundary;          ///< 1 if beta lies on a boundary to within its error, so that the neighbouring regime is possible
+    int unique;               ///< 1 if the steady velocities are known not to depend on the start
+    int symmetric;            ///< 1 if the motion mirrors itself after half its period, Eq. (25)
     int periods;              ///< period of the motion in periods of the force
     int rest_interval_exists; ///< 1 in permanent sticking
     size_t stops;             ///< rests of the contact of positive length within the period of the motion
-    double rest_from;         ///< lower end of the interval where the contact may rest for ever; 0 where there is none
+    double rest_from;         ///< lower end of the interval in which the contact may rest for ever; 0 if there is none
     double rest_to;           ///< upper end
     double rest_error;        ///< bound of the error of the ends
     double relative_error;    ///< the largest error of the amplitudes, relative, and of the phases
@@ -119,20 +119,20 @@ typedef struct dh_mass {
     int moves;          ///< 0 where the mass does not move and has no phase
 } dh_mass;
 
-/// @brief Version of the library. @return a text such as `0.2.0`; it stays
+/// @brief Version of the library. @return a text such as `0.2.0`, valid for ever
 DH_EXPORT const char* dh_version(void) DH_NOEXCEPT;
 
 /// @brief Version of the ABI that the library has. @return #DH_ABI_VERSION of the header it was built with
 DH_EXPORT int dh_abi_version(void) DH_NOEXCEPT;
 
-/// @brief A status in words. @param status what a function returned @return a text; it stays
+/// @brief A status in words. @param status what a function returned @return a text, valid for ever
 DH_EXPORT const char* dh_status_text(int status) DH_NOEXCEPT;
 
 /// @brief What the last fault of the calling thread was: quantity, rule and value.
-/// @return a text, empty before any fault; it stays until this thread's next fault
+/// @return a text, empty before any fault; it is valid until this thread's next fault
 DH_EXPORT const char* dh_last_message(void) DH_NOEXCEPT;
 
-/// @brief A chain of N masses from ratios, each the same binary fraction in every precision.
+/// @brief A chain of N masses from ratios. Each ratio is taken as exactly the double that you give, in every precision.
 /// @param N                 number of masses, from 1 to #DH_MOST_MASSES
 /// @param mass_ratios       m_i / m_1, Eq. (9), N values, positive, the first 1
 /// @param stiffness_ratios  k_i / k_1, Eq. (73), N values, positive, the first 1
@@ -146,21 +146,21 @@ DH_EXPORT int dh_system_from_ratios(size_t N, const double* mass_ratios, const d
 
 /// @brief A system from the text of a scene in JSON, see docs/scene.schema.json; matrices and dimensional scenes as well.
 ///
-/// Its r, beta and mu are checked and not used: every call has its own point.
+/// The scene's r, beta and mu are checked but not used, because every call has its own point.
 /// @param text    UTF-8
-/// @param length  bytes of it, without an ending zero
+/// @param length  its length in bytes, without an ending zero
 /// @param system  receives the handle; to be destroyed by dh_system_destroy()
-/// @return        as dh_system_from_ratios()
+/// @return        the same as dh_system_from_ratios()
 DH_EXPORT int dh_system_from_json(const char* text, size_t length, dh_system** system) DH_NOEXCEPT;
 
-/// @brief Destroys a system. Solutions made of it stay. @param system a handle, or null
+/// @brief Destroys a system. Solutions made from it stay valid. @param system a handle, or null
 DH_EXPORT void dh_system_destroy(dh_system* system) DH_NOEXCEPT;
 
 /// @brief Number of masses, contact and load.
 /// @param system   a system
 /// @param N        receives the number of masses
-/// @param contact  receives j, from 1, of two masses that rub against each other the first; may be null
-/// @param load     receives l, from 1; where the load is no single mass, one that it acts on or moves; may be null
+/// @param contact  receives j, from 1; if two masses rub against each other, the first of them; may be null
+/// @param load     receives l, from 1; if several masses are loaded, one of them; may be null
 /// @return         #DH_OK, #DH_ERROR_NULL
 DH_EXPORT int dh_system_masses(const dh_system* system, size_t* N, size_t* contact, size_t* load) DH_NOEXCEPT;
 
@@ -172,7 +172,7 @@ DH_EXPORT int dh_system_masses(const dh_system* system, size_t* N, size_t* conta
 /// @return        #DH_OK, #DH_ERROR_NULL, #DH_ERROR_SIZE
 DH_EXPORT int dh_natural_frequency_ratios(const dh_system* system, size_t count, double* r_n, double* zeta) DH_NOEXCEPT;
 
-/// @brief Mode shapes normalised by (17) with the non-dimensional mass matrix, so that they go as 1 / r.
+/// @brief Mode shapes, normalised by (17) with the non-dimensional mass matrix, so that they are proportional to 1 / r.
 /// @param system  a system
 /// @param r       frequency ratio, Eq. (10), positive
 /// @param count   N times N
@@ -195,8 +195,9 @@ DH_EXPORT int dh_modal_functions(const dh_system* system, double r, size_t count
 
 /// @brief Sums over the modes: (33)-(35), (64), and the largest sum of (57).
 ///
-/// To 10 digits, in double where it has them, else in 50 digits: far above the natural frequencies the sums of a mass far from
-/// load or contact cancel. What is below 1e-25 of the largest of its kind may come out as zero.
+/// The sums have 10 digits. They are computed in double if it has these digits, and in 50 digits otherwise: far above the natural
+/// frequencies the sums of a mass far from load or contact cancel. A sum below 1e-25 of the largest of its kind may come out as
+/// zero.
 /// @param system  a system
 /// @param r       frequency ratio, Eq. (10), positive
 /// @param count   N
@@ -209,13 +210,13 @@ DH_EXPORT int dh_modal_functions(const dh_system* system, double r, size_t count
 DH_EXPORT int dh_sums(const dh_system* system, double r, size_t count, double* V, double* U, double* G, double* H_j,
                       double* S_j) DH_NOEXCEPT;
 
-/// @brief The friction ratios that part the regimes: (56), (57), (67), (69), and permanent sticking; to 10 digits.
+/// @brief The friction ratios between the regimes, to 10 digits: (56), (57), (67), (69), and permanent sticking.
 ///
-/// Where (69) is below 1e-25, as at an antiresonance of the contact, it counts as zero, and no digits are asked of the others.
+/// If (69) is below 1e-25, as at an antiresonance of the contact, it counts as zero, and the others may have fewer digits.
 /// @param system    a system
 /// @param r         frequency ratio, Eq. (10), positive
 /// @param mu        static over kinetic friction, Eq. (3), at least 1
-/// @param boundary  its size set; receives the rest
+/// @param boundary  receives the result; the caller has set its size
 /// @return          as dh_modal_functions()
 DH_EXPORT int dh_boundaries(const dh_system* system, double r, double mu, dh_boundary* boundary) DH_NOEXCEPT;
 
@@ -233,15 +234,16 @@ DH_EXPORT int dh_high_frequency_limit(const dh_system* system, double mu, double
 /// @param beta    friction ratio, Eq. (11), not negative
 /// @param mu      static over kinetic friction, Eq. (3), at least 1
 /// @param mass    k, from 1 to N
-/// @param result  its size set; receives the rest
+/// @param result  receives the result; the caller has set its size
 /// @return        as dh_modal_functions(); #DH_ERROR_DOMAIN from the boundary (69) on
 DH_EXPORT int dh_sliding_motion(const dh_system* system, double r, double beta, double mu, size_t mass,
                                 dh_sliding_mass* result) DH_NOEXCEPT;
 
 /// @brief Displacement of a mass while the contact slides throughout, Eq. (46) as corrected.
 ///
-/// To 10 digits of the amplitude (52) of the mass: in double where it has them, else in 50 digits, which takes some ten
-/// microseconds a mode and instant. A mass whose amplitude is below 1e-25 of the largest may come out at rest.
+/// The displacement is accurate to 10 digits of the amplitude (52) of the mass. It is computed in double if that suffices, and
+/// otherwise in 50 digits, which takes some ten microseconds for each mode and instant. A mass whose amplitude is below 1e-25 of
+/// the largest may come out at rest.
 /// @param system  a system
 /// @param r       frequency ratio, Eq. (10), positive
 /// @param beta    friction ratio, Eq. (11), not negative
@@ -254,21 +256,21 @@ DH_EXPORT int dh_sliding_motion(const dh_system* system, double r, double beta, 
 DH_EXPORT int dh_displacement(const dh_system* system, double r, double beta, double mu, size_t mass, size_t count,
                               const double* tau, double* x) DH_NOEXCEPT;
 
-/// @brief Asked now and then while a question is worked on, by the thread that asked it.
+/// @brief Your function, which the calling thread asks now and then whether to go on with a question.
 /// @param context  as given to dh_set_effort()
-/// @return         not 0 where the question is to end
+/// @return         0 to go on, anything else to end the question
 typedef int (*dh_cancelled)(void* context);
 
-/// @brief What each further call of the calling thread may cost. A call that has spent it, or is cancelled, returns
-/// #DH_ERROR_PRECISION and says so.
-/// @param operations  of about a tenth of a microsecond, the evaluation of a mode at an instant in double; 1 to 1e18, or 0 for the
-///                    default: 1e7, for more than 12 masses 8e5 a mass
-/// @param cancelled   may be null; must return fast, and not by an exception
-/// @param context     handed to it
+/// @brief Limits the work of each further call of the calling thread. A call that reaches the limit, or is cancelled, returns
+/// #DH_ERROR_PRECISION, and its message says which.
+/// @param operations  the limit, 1 to 1e18. An operation is the evaluation of a mode at an instant in double, about a tenth of a
+///                    microsecond. 0 is the default: 1e7, or 8e5 for each mass if there are more than 12
+/// @param cancelled   your function, or null; it must return fast and throw no exception
+/// @param context     passed on to `cancelled`
 /// @return            #DH_OK, #DH_ERROR_INPUT
 DH_EXPORT int dh_set_effort(double operations, dh_cancelled cancelled, void* context) DH_NOEXCEPT;
 
-/// @brief The steady motion at a point, in every regime, by the cheapest model that is certain to have the digits.
+/// @brief The steady motion at a point, in any regime, by the cheapest model that is certain to have the digits.
 /// @param system    a system
 /// @param r         frequency ratio, Eq. (10), positive
 /// @param beta      friction ratio, Eq. (11), not negative
@@ -276,7 +278,7 @@ DH_EXPORT int dh_set_effort(double operations, dh_cancelled cancelled, void* con
 /// @param digits    significant digits asked for, 1 to 15; 0 aims at 6
 /// @param solution  receives the handle; to be destroyed by dh_solution_destroy()
 /// @return          #DH_OK, #DH_ERROR_NULL, #DH_ERROR_INPUT, #DH_ERROR_DOMAIN at a pole of an undamped mode, #DH_ERROR_PRECISION
-///                  where no model reaches the digits asked for or no steady motion is found, #DH_ERROR_MEMORY
+///                  if no model reaches the digits asked for or no steady motion is found, #DH_ERROR_MEMORY
 DH_EXPORT int dh_solve(const dh_system* system, double r, double beta, double mu, int digits, dh_solution** solution) DH_NOEXCEPT;
 
 /// @brief Destroys a solution. @param solution a handle, or null
@@ -284,21 +286,21 @@ DH_EXPORT void dh_solution_destroy(dh_solution* solution) DH_NOEXCEPT;
 
 /// @brief Regime, number of stops, interval of rest, errors.
 /// @param solution  a solution
-/// @param summary   its size set; receives the rest
+/// @param summary   receives the result; the caller has set its size
 /// @return          #DH_OK, #DH_ERROR_NULL, #DH_ERROR_SIZE, #DH_ERROR_PRECISION
 DH_EXPORT int dh_solution_summary(const dh_solution* solution, dh_summary* summary) DH_NOEXCEPT;
 
 /// @brief Amplitude and phase of a mass with their errors.
 /// @param solution  a solution
 /// @param mass      k, from 1 to N
-/// @param result    its size set; receives the rest
+/// @param result    receives the result; the caller has set its size
 /// @return          #DH_OK, #DH_ERROR_NULL, #DH_ERROR_SIZE, #DH_ERROR_INPUT, #DH_ERROR_PRECISION
 DH_EXPORT int dh_solution_mass(const dh_solution* solution, size_t mass, dh_mass* result) DH_NOEXCEPT;
 
-/// @brief Amplitude and phase of the contact with their errors: where two masses rub against each other, of the first relative to the
-/// second; else those of the mass in contact.
+/// @brief Amplitude and phase of the contact with their errors. If two masses rub against each other, the motion is that of the
+/// first relative to the second; otherwise it is that of the mass in contact.
 /// @param solution  a solution
-/// @param result    its size set; receives the rest
+/// @param result    receives the result; the caller has set its size
 /// @return          #DH_OK, #DH_ERROR_NULL, #DH_ERROR_SIZE, #DH_ERROR_PRECISION
 DH_EXPORT int dh_solution_contact(const dh_solution* solution, dh_mass* result) DH_NOEXCEPT;
 
@@ -312,8 +314,9 @@ DH_EXPORT int dh_solution_stops(const dh_solution* solution, size_t count, doubl
 
 /// @brief The motion at equally spaced instants of its period, tau = 2 pi periods n / samples, **from the maximum of the force**.
 ///
-/// Where the contact slides throughout, to 10 digits as dh_displacement(), but placed under the force by the solution's phase,
-/// which has the digits that dh_solve() was asked for; else in double. A contact that rests for ever is taken to rest at zero.
+/// If the contact slides throughout, the displacements have 10 digits, like those of dh_displacement(); their place relative to
+/// the force comes from the solution's phase, which has the digits that dh_solve() was asked for. Otherwise the motion is
+/// computed in double. A contact that rests for ever is taken to rest at zero.
 /// @param solution  a solution
 /// @param samples   instants, from 1 to #DH_MOST_SAMPLES, times N at most #DH_MOST_DISPLACEMENTS
 /// @param count     samples times N
@@ -323,20 +326,20 @@ DH_EXPORT int dh_solution_stops(const dh_solution* solution, size_t count, doubl
 DH_EXPORT int dh_solution_motion(const dh_solution* solution, size_t samples, size_t count, double* x,
                                  double* x_prime) DH_NOEXCEPT;
 
-/// @brief What became of a point of dh_map(), dh_solve_points() or dh_solve_systems().
+/// @brief How a point of dh_map(), dh_solve_points() or dh_solve_systems() ended.
 enum dh_point_status {
-    DH_POINT_ANSWERED = 0,      ///< all numbers are there
-    DH_POINT_ON_BOUNDARY = 1,   ///< they are there; beta equals a boundary to rounding, and the regime could be the neighbour
+    DH_POINT_ANSWERED = 0,    ///< all numbers are there
+    DH_POINT_ON_BOUNDARY = 1, ///< all are there; beta equals a boundary to rounding, so that the neighbouring regime is possible
     DH_POINT_NOT_CONVERGED = 2, ///< no steady motion was found
     DH_POINT_AT_A_POLE = 3,     ///< a mode without damping resonates
     DH_POINT_FAILED = 4         ///< the digits of the number types do not suffice, or the work allowed is spent
 };
 
-/// @brief Your function, which hears how much of a call is done. One thread at a time calls it, not always the one that called.
+/// @brief Your function, which is told how much of a call is done. One thread at a time calls it, not always the calling one.
 /// @param done     columns or points that are done
 /// @param all      of how many
 /// @param context  as given to the call
-/// @return         not 0 where the call is to end: it then returns #DH_ERROR_PRECISION, and no output is written
+/// @return         0 to go on; anything else ends the call, which returns #DH_ERROR_PRECISION and writes no output
 typedef int (*dh_progress)(size_t done, size_t all, void* context);
 
 /// @brief A grid of points of one system.
@@ -345,14 +348,14 @@ typedef struct dh_map_request {
     size_t r_count;       ///< number of frequency ratios
     const double* r;      ///< frequency ratios, Eq. (10), positive
     size_t beta_count;    ///< number of friction ratios
-    const double* beta;   ///< friction ratios, Eq. (11), not negative; ascending ones help each other
+    const double* beta;   ///< friction ratios, Eq. (11), not negative; faster in ascending order
     double mu;            ///< static over kinetic friction, Eq. (3), at least 1
-    int from_sliding;     ///< 0: where mu > 1, the motion from rest; else the sliding motion as far as it exists
+    int from_sliding;     ///< for mu > 1; 0: the motion that starts from rest; else the sliding motion as far as it exists
     size_t mass_count;    ///< masses whose amplitudes are wanted
     const size_t* masses; ///< these masses, from 1 to N; null for all N, whatever `mass_count` says
     unsigned threads;     ///< 0 for as many as the machine has; the numbers are the same for any
-    dh_progress progress; ///< told of columns; null: nobody
-    void* context;        ///< handed to it
+    dh_progress progress; ///< is told how many columns are done; may be null
+    void* context;        ///< passed on to it
 } dh_map_request;
 
 /// @brief Where the numbers of a map go. What is null is not asked for. Steps count elements, not bytes.
@@ -372,13 +375,13 @@ typedef struct dh_map_result {
 
 /// @brief Regime, amplitudes and stops over a grid: what `denhartog map` computes, to the last bit.
 ///
-/// A point costs a few nanoseconds where the contact slides or rests and its amplitude alone is asked for, some ten microseconds
-/// where it sticks and slips. To 6 digits of every amplitude. What dh_set_effort() allows counts for a point; `cancelled` of it is
-/// not asked.
+/// Every amplitude has 6 digits. A point costs a few nanoseconds if the contact slides or rests and only its amplitude is wanted,
+/// and some ten microseconds if it sticks and slips. The limit of dh_set_effort() applies to each point; its `cancelled` is not
+/// called.
 /// @param system   a system
-/// @param request  its size set; the grid
-/// @param result   its size set; where the numbers go. Written once all are there
-/// @return         #DH_OK, #DH_ERROR_NULL, #DH_ERROR_SIZE, #DH_ERROR_INPUT, #DH_ERROR_PRECISION where `progress` ended it,
+/// @param request  the grid; the caller has set its size
+/// @param result   where the numbers go, written when all are there; the caller has set its size
+/// @return         #DH_OK, #DH_ERROR_NULL, #DH_ERROR_SIZE, #DH_ERROR_INPUT, #DH_ERROR_PRECISION if `progress` ended it,
 ///                 #DH_ERROR_MEMORY
 DH_EXPORT int dh_map(const dh_system* system, const dh_map_request* request, const dh_map_result* result) DH_NOEXCEPT;
 
@@ -391,12 +394,12 @@ typedef struct dh_points_request {
     const double* beta;   ///< friction ratios, Eq. (11), not negative
     ptrdiff_t beta_step;  ///< elements from one to the next; 0 takes the first for all
     double mu;            ///< static over kinetic friction, Eq. (3), at least 1
-    int digits;           ///< as of dh_solve()
+    int digits;           ///< as in dh_solve()
     size_t mass_count;    ///< masses whose numbers are wanted
     const size_t* masses; ///< these masses, from 1 to N; null for all N, whatever `mass_count` says
     unsigned threads;     ///< 0 for as many as the machine has; the numbers are the same for any
-    dh_progress progress; ///< told of points; null: nobody
-    void* context;        ///< handed to it
+    dh_progress progress; ///< is told how many points are done; may be null
+    void* context;        ///< passed on to it
 } dh_points_request;
 
 /// @brief Where the numbers of points go. What is null is not asked for, and what is not asked for may make a point cheaper.
@@ -415,14 +418,14 @@ typedef struct dh_points {
     double* phase_error;   ///< receives bounds of their errors
 } dh_points;
 
-/// @brief The steady motions at any points, as dh_solve() has them one by one.
+/// @brief The steady motions at any points, the same as dh_solve() gives for each.
 /// @param system   a system
-/// @param request  its size set; the points
-/// @param points   its size set; where the numbers go. Written once all are there
+/// @param request  the points; the caller has set its size
+/// @param points   where the numbers go, written when all are there; the caller has set its size
 /// @return         as dh_map()
 DH_EXPORT int dh_solve_points(const dh_system* system, const dh_points_request* request, const dh_points* points) DH_NOEXCEPT;
 
-/// @brief Points of many systems: any point of any of them.
+/// @brief Points of many systems; a system may have any number of points.
 typedef struct dh_systems_request {
     size_t size;                     ///< sizeof(dh_systems_request), set by the caller
     size_t count;                    ///< number of points
@@ -434,40 +437,40 @@ typedef struct dh_systems_request {
     ptrdiff_t beta_step;             ///< elements from one to the next; 0 takes the first for all
     const double* mu;                ///< static over kinetic friction, Eq. (3), at least 1
     ptrdiff_t mu_step;               ///< elements from one to the next; 0 takes the first for all
-    int digits;                      ///< as of dh_solve()
+    int digits;                      ///< as in dh_solve()
     size_t mass_count;               ///< masses whose numbers are wanted
     const size_t* masses;            ///< these masses, which every system must have; null for all masses of each system
     unsigned threads;                ///< 0 for as many as the machine has; the numbers are the same for any
-    dh_progress progress;            ///< told of points; null: nobody
-    void* context;                   ///< handed to it
+    dh_progress progress;            ///< is told how many points are done; may be null
+    void* context;                   ///< passed on to it
 } dh_systems_request;
 
-/// @brief The steady motions of many systems, each at a point of its own, as dh_solve() has them one by one.
+/// @brief The steady motions of many systems, each at its own point, the same as dh_solve() gives for each.
 ///
-/// Where `masses` is null, the arrays over masses must have room for the masses of the largest system; NaN stands for a mass that
-/// a system does not have.
-/// @param request  its size set; systems and points
-/// @param points   its size set; where the numbers go. Written once all are there
+/// If `masses` is null, the arrays over masses must have room for the masses of the largest system. NaN stands for a mass that a
+/// system does not have.
+/// @param request  systems and points; the caller has set its size
+/// @param points   where the numbers go, written when all are there; the caller has set its size
 /// @return         as dh_map()
 DH_EXPORT int dh_solve_systems(const dh_systems_request* request, const dh_points* points) DH_NOEXCEPT;
 
 /// @brief Any quantity of docs/protocol.md by its name there, with the conventions of that page; the regime as enum dh_regime.
 ///
-/// One function for languages in which structs and handles are hard to pass. What needs the steady motion is solved for anew by
-/// every call, to 12 digits. If you want more than one number of a point, call dh_solve() once.
+/// This function is for languages in which structs are hard to pass. Every call solves for the steady motion again, to 12 digits,
+/// if the quantity needs it. If you want more than one number of a point, call dh_solve() once.
 /// @param system  a system
 /// @param name    e.g. `amplitude`
 /// @param r       frequency ratio, Eq. (10), positive
 /// @param beta    friction ratio, Eq. (11), not negative
 /// @param mu      static over kinetic friction, Eq. (3), at least 1
-/// @param mass    k, from 1 to N; not looked at where the quantity is of no mass
-/// @param tau     for `displacement`; not looked at otherwise
+/// @param mass    k, from 1 to N; ignored if the quantity belongs to no mass
+/// @param tau     for `displacement`; ignored otherwise
 /// @param size    length of `values`: at least as many as the quantity has, and for `motion_under_force` the number of samples,
 ///                with the limits of dh_solution_motion()
 /// @param values  receives the numbers
-/// @param count   receives how many; 0 only where there is no stop to give a duration of
-/// @return        #DH_OK, #DH_ERROR_NULL, #DH_ERROR_SIZE, #DH_ERROR_INPUT, #DH_ERROR_DOMAIN where the quantity does not exist,
-///                such as the phase of a mass at rest, or none has this name, #DH_ERROR_PRECISION, #DH_ERROR_MEMORY
+/// @param count   receives how many there are; 0 only if there is no stop whose duration could be given
+/// @return        #DH_OK, #DH_ERROR_NULL, #DH_ERROR_SIZE, #DH_ERROR_INPUT, #DH_ERROR_DOMAIN if the quantity does not exist,
+///                such as the phase of a mass at rest, or if no quantity has this name, #DH_ERROR_PRECISION, #DH_ERROR_MEMORY
 DH_EXPORT int dh_quantity(const dh_system* system, const char* name, double r, double beta, double mu, size_t mass, double tau,
                           size_t size, double* values, size_t* count) DH_NOEXCEPT;
 
