@@ -121,7 +121,7 @@ Onsets onsets_of_half_period(const Design& d) {
     const Index N = p.M.rows(), j = static_cast<Index>(p.contact.index), l = static_cast<Index>(p.load.index);
     const Real50 mu(d.mu);
     const LinearHalfPeriod<Real50> h = linear_half_period(p, 512);
-    const Real50 re = h.Y(j, 0), im = h.Y(N + j, 0), U = U_of(h, j);
+    const Real50 re = h.Y(j, 0), im = h.Y(N + j, 0), U = U_of(h, h.w);
     const Real50 demand = std::max(largest_demand(h), Real50(acceleration_at_start(h) + (mu - 1) / p.M(j, j)));
     Matrix<Real50> A(2 * N, 2 * N), load = Matrix<Real50>::Zero(2 * N, 1);
     A << p.K - p.M, -p.C, p.C, p.K - p.M;
