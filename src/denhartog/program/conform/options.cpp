@@ -129,10 +129,13 @@ std::vector<const conformance::Vector*> selected(const SelectionOptions& options
         if (is_wanted(options.tiers, v.tier) && is_wanted(options, v) && !(options.skip_must_fail && !v.reject.empty()) &&
             matches(v.question.id, filter, options.filter))
             chosen.push_back(&v);
-    if (chosen.empty())
+    if (chosen.empty()) {
+        const bool more = std::any_of(all.begin(), all.end(), [](const conformance::Vector& v) { return is_named("systems", v); });
         throw InputError("the selection",
-                         "must leave at least one vector (--systems or --group systems choose those of systems beyond the paper)",
+                         more ? "must leave at least one vector (--systems or --group systems choose those of systems beyond the paper)"
+                              : "must leave at least one vector",
                          "0 of " + std::to_string(all.size()));
+    }
     return chosen;
 }
 
