@@ -1,4 +1,4 @@
-(* (86) for any number of masses. *)
+(* (86), for any number of masses and for one. *)
 Require Import Reals Lra Lia Psatz PeanoNat.
 From Coquelicot Require Import Coquelicot.
 From Kernel Require Import Statements Modes SteadyMode Sums Masses Contact OneVelocity ContactMotion Misprints Limits.
@@ -30,6 +30,9 @@ Proof.
     with (/ m ^ 2 * m ^ 2 * ((V1 ^ 2 + V2 ^ 2) * / (Uj ^ 2 + (H + mu * m) ^ 2))) by ring.
   rewrite Rinv_l by (apply Rgt_not_eq; nra). ring.
 Qed.
+
+(* What (28) and (29) divide by, as a function of e = 1 / R *)
+Definition bottom_e z e := cosh (PI * z * e) + cos (PI * w z * e).
 
 (* A limit for e -> 0 of a function of e = 1 / R is one for R -> oo. *)
 Lemma by_reciprocal (f h : R -> R) a : is_lim h 0 (Finite a) -> (forall r, 2 < r -> h (/ r) = f r) -> is_lim f p_infty (Finite a).
@@ -63,27 +66,21 @@ Proof.
   apply limit_value; [unfold bottom_e, cosh; auto_derive; trivial | unfold bottom_e; rewrite !Rmult_0_r, cosh_0, cos_0; ring].
 Qed.
 
-Lemma v_re_at_infinity : is_lim (fun r => r ^ 2 * v_re r z) p_infty (-1).
+(* What (23) divides by, likewise *)
+Lemma resonance_denominator r : 2 < r ->
+  ((/ r) ^ 2 - 1) ^ 2 + (2 * z * / r) ^ 2 = / r ^ 4 * ((1 - r * r) ^ 2 + (2 * z * r) ^ 2) /\
+  (1 - r * r) ^ 2 + (2 * z * r) ^ 2 <> 0.
 Proof.
-  apply (by_reciprocal _ (fun e => (e ^ 2 - 1) / ((e ^ 2 - 1) ^ 2 + (2 * z * e) ^ 2))).
-  - apply limit_value; [auto_derive; simpl; nra | field].
-  - intros r Hr. unfold v_re. assert (3 < r * r) by nra. assert (0 < (1 - r * r) ^ 2) by nra. pose proof (pow2_ge_0 (2 * z * r)).
-    replace ((/ r) ^ 2 - 1) with (/ r ^ 2 * (1 - r * r)) by (field; lra).
-    replace ((/ r ^ 2 * (1 - r * r)) ^ 2 + (2 * z * / r) ^ 2)
-      with (/ r ^ 4 * ((1 - r * r) ^ 2 + (2 * z * r) ^ 2)) by (field; lra).
-    assert (D : (1 - r * r) ^ 2 + (2 * z * r) ^ 2 <> 0) by lra.
-    field; repeat split; try lra; intro K; apply D; rewrite <- K; ring.
+  intros Hr. split; [field; lra|]. assert (3 < r * r) by nra. assert (0 < (1 - r * r) ^ 2) by nra. pose proof (pow2_ge_0 (2 * z
+    * r)). lra.
 Qed.
 
-Lemma v_im_at_infinity : is_lim (fun r => r ^ 2 * v_im r z) p_infty 0.
+Lemma v_at_infinity : is_lim (fun r => r ^ 2 * v_re r z) p_infty (-1) /\ is_lim (fun r => r ^ 2 * v_im r z) p_infty 0.
 Proof.
-  apply (by_reciprocal _ (fun e => - (2 * z * e) / ((e ^ 2 - 1) ^ 2 + (2 * z * e) ^ 2))).
-  - apply limit_value; [auto_derive; simpl; nra | field].
-  - intros r Hr. unfold v_im. assert (3 < r * r) by nra. assert (0 < (1 - r * r) ^ 2) by nra. pose proof (pow2_ge_0 (2 * z * r)).
-    replace ((/ r) ^ 2 - 1) with (/ r ^ 2 * (1 - r * r)) by (field; lra).
-    replace ((/ r ^ 2 * (1 - r * r)) ^ 2 + (2 * z * / r) ^ 2)
-      with (/ r ^ 4 * ((1 - r * r) ^ 2 + (2 * z * r) ^ 2)) by (field; lra).
-    assert (D : (1 - r * r) ^ 2 + (2 * z * r) ^ 2 <> 0) by lra.
+  split; [apply (by_reciprocal _ (fun e => (e ^ 2 - 1) / ((e ^ 2 - 1) ^ 2 + (2 * z * e) ^ 2)))
+    | apply (by_reciprocal _ (fun e => - (2 * z * e) / ((e ^ 2 - 1) ^ 2 + (2 * z * e) ^ 2)))];
+    try (apply limit_value; [auto_derive; simpl; nra | field]);
+    intros r Hr; destruct (resonance_denominator r Hr) as [E D]; rewrite E; unfold v_re, v_im;
     field; repeat split; try lra; intro K; apply D; rewrite <- K; ring.
 Qed.
 
@@ -151,8 +148,8 @@ Proof.
   { intros f c H. replace c with (Sum n (fun i => a i * c)) by (rewrite Sum_scal_r, Ha; ring).
     apply (Sum_limit n a (fun _ => c) (fun i r => f (r * rho i) (zeta i))). intros i Hi. destruct (Hmodes i Hi) as [Hr Hz].
     apply (scaled (fun r => f r (zeta i))); [exact Hr | apply H, Hz]. }
-  assert (L1 := Lim (fun r z => r ^ 2 * v_re r z) _ v_re_at_infinity).
-  assert (L2 := Lim (fun r z => r ^ 2 * v_im r z) _ v_im_at_infinity).
+  assert (L1 := Lim (fun r z => r ^ 2 * v_re r z) _ (fun z Hz => proj1 (v_at_infinity z Hz))).
+  assert (L2 := Lim (fun r z => r ^ 2 * v_im r z) _ (fun z Hz => proj2 (v_at_infinity z Hz))).
   assert (L3 := Lim (fun r z => r ^ 2 * u r z) _ u_at_infinity).
   assert (L4 := Lim (fun r z => g r z + 2 * z * (r * u r z)) 0).
   assert (L5 : forall z, 0 <= z < 1 -> is_lim (fun r => g r z + 2 * z * (r * u r z)) p_infty 0).
@@ -181,4 +178,36 @@ Proof.
   - replace (2 / sqrt (4 * mu ^ 2 + PI ^ 2) * (2 / sqrt (4 * mu ^ 2 + PI ^ 2)))
       with (4 / (sqrt (4 * mu ^ 2 + PI ^ 2) * sqrt (4 * mu ^ 2 + PI ^ 2))) by (field; lra).
     rewrite sqrt_sqrt by lra. field. repeat split; nra.
+Qed.
+
+(* One mass is the mode whose share is 1. *)
+Lemma single_by_shares mu z r : 0 < r ->
+  limit_of_single_mass mu z r = limit_by_shares 1%nat (fun _ => 1) (fun _ => r) (fun _ => z) mu.
+Proof.
+  intros Hr. unfold limit_of_single_mass, limit_by_shares, v_abs. cbn [Sum]. f_equal.
+  rewrite <- Rsqr_pow2, Rsqr_sqrt by (apply Rplus_le_le_0_compat; apply pow2_ge_0).
+  set (V1 := v_re r z). set (V2 := v_im r z). set (U := u r z). set (G := g r z).
+  replace (U ^ 2 + (/ r ^ 2 * (G + 2 * z * r * U) + mu / r ^ 2) ^ 2)
+    with (/ r ^ 4 * ((0 + 1 * (r ^ 2 * U)) ^ 2 + (0 + 1 * (G + 2 * z * (r * U)) + mu) ^ 2)) by (field; lra).
+  replace ((0 + 1 * (r ^ 2 * V1)) ^ 2 + (0 + 1 * (r ^ 2 * V2)) ^ 2) with (r ^ 4 * (V1 ^ 2 + V2 ^ 2)) by ring.
+  set (X := (0 + 1 * (r ^ 2 * U)) ^ 2 + _). unfold Rdiv. rewrite Rinv_mult, Rinv_inv. ring.
+Qed.
+
+Theorem eq_86 : Statements.eq_86.
+Proof.
+  intros mu z Hm Hz.
+  assert (L := eq_86_all_masses 1%nat (fun _ => 1) (fun _ => 1) (fun _ => z) mu Hm ltac:(simpl; ring) ltac:(intros; lra)).
+  apply (is_lim_ext_loc _ (limit_of_single_mass mu z) p_infty (2 / sqrt (4 * mu ^ 2 + PI ^ 2))) in L; [exact L|].
+  exists 0. intros r Hr. rewrite single_by_shares by exact Hr. unfold limit_by_shares. rewrite Rmult_1_r. reflexivity.
+Qed.
+Theorem eq_86_as_printed : Statements.eq_86_as_printed.
+Proof.
+  intros H. specialize (H 2 0 ltac:(lra) ltac:(lra)). pose proof (eq_86 2 0 ltac:(lra) ltac:(lra)) as E. pose proof PI_RGT_0 as P.
+  assert (X : 2 / sqrt (4 * 2 + PI ^ 2) = 2 / sqrt (4 * 2 ^ 2 + PI ^ 2)).
+  { apply (one_limit (limit_of_single_mass 2 0) p_infty); [exact H | exact E]. }
+  assert (A : 0 < 4 * 2 + PI ^ 2) by nra. assert (B : 0 < 4 * 2 ^ 2 + PI ^ 2) by nra.
+  assert (C : sqrt (4 * 2 + PI ^ 2) < sqrt (4 * 2 ^ 2 + PI ^ 2)) by (apply sqrt_lt_1_alt; lra).
+  pose proof (sqrt_lt_R0 _ A). pose proof (sqrt_lt_R0 _ B). set (p := sqrt (4 * 2 + PI ^ 2)) in *. set (q := sqrt (4 * 2 ^ 2 +
+    PI ^ 2)) in *.
+  assert (2 * q = 2 * p); [|lra]. transitivity (2 / p * (p * q)); [field; lra|]. rewrite X. field; lra.
 Qed.
