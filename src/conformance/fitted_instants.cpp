@@ -7,6 +7,7 @@
 #include "conformance/plain/closed_form.hpp"
 #include "conformance/spread.hpp"
 #include "denhartog/formulas/as_printed.hpp"
+#include "denhartog/number/elementary.hpp"
 #include "denhartog/number/number_text.hpp"
 
 namespace denhartog::conformance {
@@ -55,10 +56,10 @@ double printed_of_mode(const PlainModes& m, std::size_t i, double tau) {
 // Steps from an end of the half-period at which a function that is large there has a value.
 void add_steps(std::vector<double>& steps, const std::function<double(double)>& f, double value) {
     constexpr int pieces = 160;
-    const double least = std::log(1e-9), most = std::log(largest_step);
-    double before = std::exp(least), f_before = f(before);
+    const double least = elementary::log(1e-9), most = elementary::log(largest_step);
+    double before = elementary::exp(least), f_before = f(before);
     for (int n = 1; n <= pieces; ++n) {
-        const double at = std::exp(least + (most - least) * n / pieces), f_at = f(at);
+        const double at = elementary::exp(least + (most - least) * n / pieces), f_at = f(at);
         if ((f_before - value) * (f_at - value) < 0) {
             double a = before, b = at;
             for (int halvings = 0; halvings < 60; ++halvings) {

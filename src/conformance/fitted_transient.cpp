@@ -6,6 +6,7 @@
 #include "conformance/mistakes/mistake_definition.hpp"
 #include "conformance/plain/integration.hpp"
 #include "conformance/spread.hpp"
+#include "denhartog/number/elementary.hpp"
 #include "denhartog/number/errors.hpp"
 
 namespace denhartog::conformance {
@@ -54,7 +55,7 @@ Shown shown_by(const std::vector<std::vector<double>>& all) {
             const double apart = of_one[static_cast<std::size_t>(n - 1)];
             if (!std::isfinite(apart)) continue;
             ++of_n.agreeing;
-            of_n.distance += std::log10(std::max(apart, 1e-16));
+            of_n.distance += elementary::log10(std::max(apart, 1e-16));
         }
         if (of_n.agreeing > best.agreeing || (of_n.agreeing == best.agreeing && of_n.distance < best.distance)) best = of_n;
     }

@@ -8,6 +8,7 @@
 #include "conformance/chain.hpp"
 #include "conformance/plain/closed_form.hpp"
 #include "conformance/spread.hpp"
+#include "denhartog/number/elementary.hpp"
 #include "denhartog/number/number.hpp"
 #include "denhartog/number/number_text.hpp"
 
@@ -123,7 +124,7 @@ bool fits_some(const Guess& guess, std::span<const Judged* const> answers) {
 // Factors of an input by which the closed form answers as was answered.
 void add_factors(std::vector<Guess>& all, const Input& input, std::span<const Judged* const> answers, const Judged& one) {
     constexpr int pieces = 48;
-    const double reach = std::log(12.0);
+    const double reach = elementary::log(12.0);
     const Choices c = closed_form_alone();
     const auto apart = [&](double factor) {
         Question q = one.vector->question;
@@ -131,9 +132,9 @@ void add_factors(std::vector<Guess>& all, const Input& input, std::span<const Ju
         const std::optional<Value> value = plain_answer(q, c);
         return value && !value->numbers.empty() ? value->numbers.front() - one.given.numbers.front() : std::nan("");
     };
-    double before = std::exp(-reach), off_before = apart(before);
+    double before = elementary::exp(-reach), off_before = apart(before);
     for (int n = 1; n <= pieces; ++n) {
-        const double at = std::exp(reach * (2.0 * n / pieces - 1)), off = apart(at);
+        const double at = elementary::exp(reach * (2.0 * n / pieces - 1)), off = apart(at);
         if (off_before * off < 0) {
             double a = before, b = at;
             for (int halvings = 0; halvings < 48; ++halvings) {

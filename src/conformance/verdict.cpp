@@ -1,4 +1,5 @@
 #include "conformance/verdict.hpp"
+#include "denhartog/number/elementary.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -50,7 +51,7 @@ int badness(Verdict verdict) {
 double digits(double error) {
     constexpr double most = 17;
     if (!(error > 0)) return most;
-    return error < 1 ? std::min(-std::log10(error), most) : 0;
+    return error < 1 ? std::min(-elementary::log10(error), most) : 0;
 }
 
 } // namespace denhartog::conformance

@@ -10,6 +10,7 @@
 #include "denhartog/formulas/high_frequency.hpp"
 #include "denhartog/formulas/motion.hpp"
 #include "denhartog/formulas/other_masses.hpp"
+#include "denhartog/number/elementary.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/sliding/maximum.hpp"
 
@@ -64,7 +65,7 @@ double monoharmonic_sine(const PlainModes& m, const Choices& c, std::size_t k) {
 
 double monoharmonic_amplitude(const PlainModes& m, const Choices& c, std::size_t k) {
     if (c.amplitude_from_parts || c.motion_from_start)
-        return std::hypot(monoharmonic_cosine(m, c, k), monoharmonic_sine(m, c, k));
+        return elementary::hypot(monoharmonic_cosine(m, c, k), monoharmonic_sine(m, c, k));
     return c.monoharmonic_as_printed
                ? as_printed::displacement_transmissibility(m.V[k], m.V[m.j], m.U[m.j], m.U[k], m.G[k], m.beta)
                : paper::displacement_transmissibility(m.V[k], m.V[m.j], m.U[m.j], m.U[k], m.G[k], m.beta);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "denhartog/model/modal_basis.hpp"
+#include "denhartog/number/elementary.hpp"
 #include "denhartog/number/number.hpp"
 #include "denhartog/stick_slip/periodic_orbit.hpp"
 #include "denhartog/stick_slip/stuck_response.hpp"
@@ -121,8 +122,11 @@ std::optional<Value> answer_of_creep(const Question& q, double width) {
     const auto path = [&](double s) {
         constexpr int steps = 2048;
         double sum = 0;
-        for (int n = 0; n < steps; ++n) sum += std::atanh(share * std::cos(s * (n + 0.5) / steps));
-        return -width * sum * s / steps;
+        for (int n = 0; n < steps; ++n) {
+            const double x = share * elementary::cos(s * (n + 0.5) / steps);
+            sum += elementary::log((1 + x) / (1 - x));
+        }
+        return -width * sum * s / (2 * steps);
     };
     if (q.quantity == "amplitude") return Value{{std::abs(path(period / 4))}, ""};
     if (q.quantity != "motion_under_force") return std::nullopt;

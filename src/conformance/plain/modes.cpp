@@ -10,6 +10,7 @@
 #include "denhartog/formulas/motion.hpp"
 #include "denhartog/formulas/superposition.hpp"
 #include "denhartog/model/modal_basis.hpp"
+#include "denhartog/number/elementary.hpp"
 #include "denhartog/number/errors.hpp"
 
 namespace denhartog::conformance {
@@ -63,10 +64,10 @@ PlainMotion truncated_braces(double tau, int highest, double R, double zeta) {
 }
 
 PlainMotion printed_braces(double tau, double R, double zeta, double u, double g) {
-    const double w = std::sqrt(1 - zeta * zeta), a = w * tau / R, e = std::exp(-zeta * tau / R);
-    const double bracket = std::sin(a) + zeta / w * std::cos(a);
-    const double rate = w / R * (std::cos(a) - zeta / w * std::sin(a)) - zeta / R * bracket;
-    const double rate_of_sine = w / R * std::cos(a) - zeta / R * std::sin(a);
+    const double w = std::sqrt(1 - zeta * zeta), a = w * tau / R, e = elementary::exp(-zeta * tau / R);
+    const double bracket = elementary::sin(a) + zeta / w * elementary::cos(a);
+    const double rate = w / R * (elementary::cos(a) - zeta / w * elementary::sin(a)) - zeta / R * bracket;
+    const double rate_of_sine = w / R * elementary::cos(a) - zeta / R * elementary::sin(a);
     return {as_printed::friction_motion(tau, R, zeta, u, g), -(1 + g) * e * rate - u * R / w * e * rate_of_sine};
 }
 
@@ -123,7 +124,7 @@ PlainModes plain_modes(const Question& q, const Choices& c) {
                       : c.factor_in_23 == 2 ? evaluation::complex_response(R, zeta)
                                             : paper::complex_response(R, double(zeta * c.factor_in_23 / 2)));
     }
-    m.sum_of_squares = 1 / (q.mass_ratios[m.j] * std::pow(q.r, c.power_of_r_in_65));
+    m.sum_of_squares = 1 / (q.mass_ratios[m.j] * (c.power_of_r_in_65 == 1 ? q.r : q.r * q.r));
     if (c.change_modes) c.change_modes(m);
     sum_modes(m);
     if (c.change_sums) c.change_sums(m);
@@ -153,13 +154,13 @@ PlainMotion plain_motion(const PlainModes& m, const Choices& c, std::size_t k, d
     const double C = start.x + m.beta * m.G[k], S = start.v + m.beta * m.U[k];
     const double x = c.motion_from_start ? paper::displacement(t, start.x, start.v, m.G[k], m.U[k], m.beta, friction.x)
                                          : paper::steady_displacement(t, m.V[k], m.V[m.j], m.U[m.j], m.beta, friction.x);
-    return {sign * x, sign * (S * std::cos(t) - C * std::sin(t) + m.beta * friction.v)};
+    return {sign * x, sign * (S * elementary::cos(t) - C * elementary::sin(t) + m.beta * friction.v)};
 }
 
 double plain_phase(const PlainModes& m, const Choices& c) {
     const Complex<double>& V_j = m.V[m.j];
     const double phase = paper::phase_of_contact(V_j, m.U[m.j], m.beta);
-    return c.argument_in_half_plane ? phase + argument(V_j) - std::atan(V_j.im / V_j.re) : phase;
+    return c.argument_in_half_plane ? phase + argument(V_j) - elementary::atan(V_j.im / V_j.re) : phase;
 }
 
 int plain_steps(const PlainModes& m) {

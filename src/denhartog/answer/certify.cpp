@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <charconv>
 #include <cmath>
 
 namespace denhartog {
@@ -10,22 +11,24 @@ namespace {
 
 std::atomic<long> steps{0};
 
-// Ten to the minus n.
-double tolerance_of(int digits) {
-    static const std::array<double, most_digits + 1> powers = [] {
-        std::array<double, most_digits + 1> all{};
-        for (int n = 0; n <= most_digits; ++n) all[static_cast<std::size_t>(n)] = std::pow(10.0, -n);
-        return all;
-    }();
-    return powers[static_cast<std::size_t>(digits)];
-}
-
 void append_in_words(std::string& words, const Aim& aim) {
     words.append(std::to_string(aim.digits)).append(aim.digits == 1 ? " digit" : " digits");
     words.append(aim.asked_for ? " asked for" : " aimed at");
 }
 
 } // namespace
+
+double tolerance_of(int digits) {
+    static const std::array<double, most_digits + 1> powers = [] {
+        std::array<double, most_digits + 1> all{};
+        for (int n = 0; n <= most_digits; ++n) {
+            const std::string text = "1e-" + std::to_string(n);
+            std::from_chars(text.data(), text.data() + text.size(), all[static_cast<std::size_t>(n)]);
+        }
+        return all;
+    }();
+    return powers[static_cast<std::size_t>(digits)];
+}
 
 Aim aim_of(std::optional<int> digits) {
     if (digits && (*digits < 1 || *digits > most_digits))
@@ -41,7 +44,9 @@ std::string in_words(const Aim& aim) {
 }
 
 int digits_of(double error) {
-    return error > 0 ? std::clamp(static_cast<int>(std::floor(-std::log10(error))), 0, most_digits) : most_digits;
+    int digits = 0;
+    while (digits < most_digits && error <= tolerance_of(digits + 1)) ++digits;
+    return digits;
 }
 
 std::string name(Precision precision) {

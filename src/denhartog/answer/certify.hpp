@@ -32,6 +32,9 @@ struct Aim {
 /// @brief The same in words. @param aim the aim @return e.g. `6 digits aimed at`
 [[nodiscard]] std::string in_words(const Aim& aim);
 
+/// @brief The relative error that leaves so many digits. @param digits from 0 to `most_digits` @return ten to the minus digits
+[[nodiscard]] double tolerance_of(int digits);
+
 /// @brief How many digits an error leaves. @param error relative @return from 0 to `most_digits`
 [[nodiscard]] int digits_of(double error);
 

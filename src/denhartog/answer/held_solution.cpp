@@ -13,7 +13,6 @@ namespace denhartog {
 namespace {
 
 using std::abs;
-using std::asin;
 
 // A number of which no bound is known.
 template <class T>

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "denhartog/answer/certify.hpp"
 #include "denhartog/sliding/instants_of_maxima.hpp"
 #include "denhartog/sums/chain_sums.hpp"
 
@@ -157,7 +158,7 @@ SlidingPoint<T> sliding_point(const Scene<T>& scene, BoundedModes<T>& modes, con
         if (wish.digits <= most_digits_searched_in_double) {
             try {
                 SlidingPoint<T> point = point_at(scene, sums, wish, in_double(sums));
-                if (point.attempted.decided && point.attempted.relative <= std::pow(10.0, -wish.digits)) return point;
+                if (point.attempted.decided && point.attempted.relative <= tolerance_of(wish.digits)) return point;
             } catch (const DomainError&) {
             } catch (const PrecisionError&) {
             }

@@ -25,7 +25,6 @@ template <class T>
 /// @brief \f$ e^x - 1 \f$. @param x a number @return exp(x) - 1 without cancellation near 0
 template <class T>
 [[nodiscard]] T exp_minus_one(const T& x) {
-    using std::expm1;
     return expm1(x);
 }
 

@@ -11,21 +11,15 @@
 #include <cstdint>
 
 #include "denhartog/evaluation/batch_forms.hpp"
+#include "denhartog/number/exact_arithmetic.hpp"
+#include "denhartog/number/series_tables.hpp"
 
 namespace denhartog::evaluation {
 
-/// @brief 1 / n!, rounded from a quotient in long double. @param n a number up to 27 @return the inverse
-[[nodiscard]] constexpr double inverse_factorial(int n) {
-    long double factorial = 1;
-    for (int k = 2; k <= n; ++k) factorial *= k;
-    return static_cast<double>(1 / factorial);
-}
+using elementary::nearest_whole;
 
-/// @brief Nearest whole number, ties to even. @param x a number of size up to 2^51 @return the whole number
-[[nodiscard, gnu::always_inline]] inline double nearest_whole(double x) {
-    const double shift = 0x1.8p52;
-    return (x + shift) - shift;
-}
+/// @brief 1 / n!. @param n a number up to 27 @return the inverse, rounded
+[[nodiscard]] constexpr double inverse_factorial(int n) { return elementary::inverse_factorials[n]; }
 
 /// @brief Sum of four terms of a polynomial, the pairs apart so that they do not wait for each other.
 /// @param a   first coefficient

@@ -6,19 +6,25 @@
 #include <limits>
 #include <type_traits>
 
+#include "denhartog/model/product_of_doubles.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/multiprecision.hpp"
 
 namespace denhartog {
 namespace {
 
-// Blocks that fit a cache are worth their time to the compiler for machine numbers alone.
+// Eigen's own products of doubles add up in an order that depends on the processor and its caches.
 template <class T, class Left, class Right>
 auto times(const Left& A, const Right& B) {
-    if constexpr (std::floating_point<T>)
-        return (A * B).eval();
-    else
+    if constexpr (std::same_as<T, double>) {
+        const Eigen::Ref<const Matrix<double>> a(A), b(B);
+        Eigen::Matrix<double, Eigen::Dynamic, Right::ColsAtCompileTime> product(a.rows(), b.cols());
+        product_of_doubles({a.data(), a.rows(), a.cols(), a.outerStride()}, {b.data(), b.rows(), b.cols(), b.outerStride()},
+                           product.data());
+        return product;
+    } else {
         return A.lazyProduct(B).eval();
+    }
 }
 
 // Factors of more digits than a double has are computed in 100 digits and no other type: Eigen's solvers take the compiler longer than

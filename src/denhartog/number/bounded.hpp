@@ -3,7 +3,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <boost/math/special_functions/expm1.hpp>
 #include <cmath>
 #include <concepts>
 #include <limits>
@@ -34,47 +33,40 @@ template <class T>
 /// @brief What the error of an exponent makes of an exponential. @param a the exponent @param value exp(a.x) @return the error
 template <class T>
 [[nodiscard]] T error_of_exponential(const Bounded<T>& a, const T& value) {
-    using std::exp;
-    // Boost's function throws where the result leaves the number type; a large error is bounded by the largest value.
-    return a.e < T(1) / 2 ? T(value * boost::math::expm1(a.e)) : T(exp(T(a.x + a.e)));
+    // A large error is bounded by the largest value.
+    return a.e < T(1) / 2 ? T(value * expm1(a.e)) : T(exp(T(a.x + a.e)));
 }
 /// @brief Exponential. @param a a number @return exp(a)
 template <class T>
 [[nodiscard, gnu::noinline]] Bounded<T> exp(const Bounded<T>& a) {
-    using std::exp;
     const T value = exp(a.x);
     return Bounded<T>::rounded(value, error_of_exponential(a, value), library_units);
 }
 /// @brief Sine. @param a radians @return sin(a)
 template <class T>
 [[nodiscard, gnu::noinline]] Bounded<T> sin(const Bounded<T>& a) {
-    using std::cos, std::sin;
     const T error = a.e > 0 ? std::min(T(2), T(a.e * (size_of_number(T(cos(a.x))) + a.e))) : T(0);
     return Bounded<T>::rounded(sin(a.x), error, library_units);
 }
 /// @brief Cosine. @param a radians @return cos(a)
 template <class T>
 [[nodiscard, gnu::noinline]] Bounded<T> cos(const Bounded<T>& a) {
-    using std::cos, std::sin;
     const T error = a.e > 0 ? std::min(T(2), T(a.e * (size_of_number(T(sin(a.x))) + a.e))) : T(0);
     return Bounded<T>::rounded(cos(a.x), error, library_units);
 }
 /// @brief Hyperbolic cosine. @param a a number @return cosh(a)
 template <class T>
 [[nodiscard, gnu::noinline]] Bounded<T> cosh(const Bounded<T>& a) {
-    using std::cosh, std::sinh;
     return Bounded<T>::rounded(cosh(a.x), T(sinh(a.most()) * a.e), composed_units);
 }
 /// @brief Hyperbolic sine. @param a a number @return sinh(a)
 template <class T>
 [[nodiscard, gnu::noinline]] Bounded<T> sinh(const Bounded<T>& a) {
-    using std::cosh, std::sinh;
     return Bounded<T>::rounded(sinh(a.x), T(cosh(a.most()) * a.e), composed_units);
 }
 /// @brief Angle of the point (x, y). @param y ordinate @param x abscissa @return radians in (-pi, pi]
 template <class T>
 [[nodiscard, gnu::noinline]] Bounded<T> atan2(const Bounded<T>& y, const Bounded<T>& x) {
-    using std::atan, std::atan2;
     const T size = std::max(size_of_number(x.x), size_of_number(y.x));
     const T X = size_of_number(x.x) / size, Y = size_of_number(y.x) / size;
     const T across = X * (y.e / size) + Y * (x.e / size), along = X * X + Y * Y - X * (x.e / size) - Y * (y.e / size);
@@ -105,9 +97,8 @@ template <class T>
 /// @brief \f$ e^x - 1 \f$. @param a a number @return exp(a) - 1
 template <class T>
 [[nodiscard, gnu::noinline]] Bounded<T> exp_minus_one(const Bounded<T>& a) {
-    using std::exp;
     const T power = exp(a.x);
-    const T value = a.x > 1 ? T(power - 1) : T(boost::math::expm1(a.x));
+    const T value = a.x > 1 ? T(power - 1) : T(expm1(a.x));
     return Bounded<T>::rounded(value, error_of_exponential(a, power), composed_units);
 }
 /// @brief Sine and cosine of \f$ \pi\,[1/(2R) - y] \f$. @param R a positive number @param y a number

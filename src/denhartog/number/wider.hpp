@@ -4,11 +4,12 @@
 /// What has to do with 50 digits stands in `multiprecision.hpp`, so that double alone does without it.
 #pragma once
 
+#include "denhartog/number/double_double.hpp"
+
 namespace denhartog {
 
 /// @brief The next wider number type, for a difference whose terms may not be rounded first; the type itself where none is wider.
 ///
-/// Where `long double` is `double`, nothing is wider than `double` either.
 /// @tparam T  the number type
 template <class T>
 struct WiderOf {
@@ -22,7 +23,7 @@ struct WiderOf<float> {
 /// @brief Of `double`.
 template <>
 struct WiderOf<double> {
-    using type = long double; ///< the wider type
+    using type = DoubleDouble; ///< the wider type
 };
 template <>
 struct WiderOf<long double>; // 50 digits, in multiprecision.hpp: without it nothing compiles that needs them

@@ -103,7 +103,7 @@ double ContactEquations::load_on_contact(std::span<const double> y, double tau) 
     const std::span<const double> row = contact_row_;
     const double load =
         paper::dynamic_load_on_contact<double>(row.subspan(N), row.first(N), y.first(N), y.subspan(N), delta_lj_, tau);
-    return inertial_load_ == 0 ? -load : inertial_load_ * std::cos(tau) - load;
+    return inertial_load_ == 0 ? -load : inertial_load_ * elementary::cos(tau) - load;
 }
 
 double ContactEquations::load_error(std::span<const double> y) const {

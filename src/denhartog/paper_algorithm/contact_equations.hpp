@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "denhartog/model/modal_basis.hpp"
+#include "denhartog/number/elementary.hpp"
 
 namespace denhartog {
 
@@ -51,7 +52,7 @@ public:
     /// @param tau      non-dimensional time, zero at a maximum of the force; radians
     void operator()(const std::vector<double>& y, std::vector<double>& y_prime, double tau) {
         ++evaluations;
-        const double force = std::cos(tau);
+        const double force = elementary::cos(tau);
         const double* row = rows_;
         for (std::size_t k = 0; k < N; ++k, row += 2 * N) {
             double sum = friction_[k] + load_column_[k] * force;

@@ -85,7 +85,7 @@ private:
             equations_.set(0);
             equations_(step_.y_0, step_.f_0, tau_);
             const double load = equations_.load_on_contact(step_.y_0, tau_);
-            const double rate = equations_.linear_load(step_.f_0) - equations_.harmonic_load * std::sin(tau_);
+            const double rate = equations_.linear_load(step_.f_0) - equations_.harmonic_load * elementary::sin(tau_);
             // Rounding, that of the time included.
             const double error = equations_.load_error(step_.y_0) + 2 * epsilon * std::abs(tau_ * rate);
             const double margin = paper::sticking_margin(std::abs(load), equations_.mu, equations_.beta);
@@ -172,7 +172,7 @@ private:
         const StepPolynomial linear = step_.over_step([this](const DenseStep::Y& y) { return equations_.linear_load(y); });
         // Where the largest load that the coefficients allow is small there is nothing to look for.
         const auto [low, high] = std::minmax_element(linear.b.begin(), linear.b.begin() + linear.degree + 1);
-        const double f_0 = force * std::cos(tau_), f_1 = force * std::cos(tau_ + h), bulge = std::abs(force) * h * h / 8;
+        const double f_0 = force * elementary::cos(tau_), f_1 = force * elementary::cos(tau_ + h), bulge = std::abs(force) * h * h / 8;
         if (*high + std::max(f_0, f_1) + bulge<limit&& * low + std::min(f_0, f_1) - bulge> - limit) return std::nullopt;
         StepPolynomial upwards = force == 0 ? linear : with_cosine(linear, force, tau_, h);
         StepPolynomial downwards = upwards;

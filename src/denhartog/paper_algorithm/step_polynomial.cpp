@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 
+#include "denhartog/number/elementary.hpp"
 #include "denhartog/sliding/maximum.hpp"
 
 namespace denhartog {
@@ -103,7 +104,7 @@ StepPolynomial with_cosine(const StepPolynomial& p, double a, double tau, double
     StepPolynomial sum = p;
     for (; sum.degree < StepPolynomial::highest_degree; ++sum.degree) raise_degree(sum.b, sum.degree);
     // Taylor's series about the middle of the step.
-    const double cosine = std::cos(tau + h / 2), sine = std::sin(tau + h / 2);
+    const double cosine = elementary::cos(tau + h / 2), sine = elementary::sin(tau + h / 2);
     const std::array<double, 4> derivatives = {cosine, -sine, -cosine, sine};
     double factor = a;
     for (int k = 0; k <= StepPolynomial::highest_degree; ++k) {

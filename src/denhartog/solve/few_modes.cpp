@@ -5,6 +5,8 @@
 #include <limits>
 #include <numeric>
 
+#include "denhartog/answer/certify.hpp"
+#include "denhartog/number/elementary.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/sliding/contact_modes.hpp"
 #include "denhartog/sliding/steady_state.hpp"
@@ -32,7 +34,7 @@ Harmonics harmonics_of(const Bounded<double>& R_i, double zeta) {
     for (long harmonic = 0; harmonic < one_by_one; ++harmonic) {
         const double n = static_cast<double>(2 * harmonic + 3);
         const double nR = n * R, uncertain = 2 * n * n * R * R_i.e;
-        const double size = std::hypot((1 - nR) * (1 + nR), 2 * zeta * nR) * (1 - 1e-9) - uncertain;
+        const double size = elementary::hypot((1 - nR) * (1 + nR), 2 * zeta * nR) * (1 - 1e-9) - uncertain;
         const double each = size > 0 ? 4 / std::numbers::pi / size : infinite;
         all.displacement += each / n;
         all.velocity += each;
@@ -48,7 +50,7 @@ public:
     FewModes(const Scene<double>& scene, BoundedModes<double>& evaluated_, int digits, bool phases_, std::optional<Mass> only_)
         : j(scene.system.contact.index), l(scene.system.load.index), beta(as_input(*scene.beta)), evaluated(evaluated_),
           basis(evaluated.basis()), contact(contact_modes(evaluated.shared_basis(), scene.system.contact, scene.system.load)),
-          tolerance(std::pow(10.0, -digits)), phases(phases_), only(only_) {
+          tolerance(tolerance_of(digits)), phases(phases_), only(only_) {
         const bool others = N() > 1 && !(only && only->index == j);
         for (std::size_t i = 0; i < N(); ++i) {
             const Bounded<double> R = evaluated.r() / basis.r_n[i];
@@ -145,7 +147,7 @@ private:
             return false;
         }
         const double turn = velocity_left_out / (amplitude.x - amplitude.e);
-        const double phase_error = turn < 1 ? phase.e + std::asin(turn) : std::numbers::pi;
+        const double phase_error = turn < 1 ? phase.e + elementary::asin(turn) : std::numbers::pi;
         if (phases && !(phase_error <= tolerance)) return false;
         all.masses.push_back({{amplitude.x, error, {}}, Certified{wrapped(phase.x), phase_error, {}}, std::nullopt});
         all.relative = std::max({all.relative, error / amplitude.x, phases ? phase_error : 0});

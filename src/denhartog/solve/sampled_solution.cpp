@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "denhartog/model/coordinates.hpp"
+#include "denhartog/number/elementary.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/number_text.hpp"
 #include "denhartog/scene/limits.hpp"
@@ -39,8 +40,8 @@ std::vector<State<double>> of_stuck_masses(const std::vector<SolvedMass>& masses
         State<double> state;
         for (const SolvedMass& m : masses) {
             const double angle = instant - (m.phase ? m.phase->value : 0), amplitude = m.phase ? m.amplitude.value : 0;
-            state.x.push_back(amplitude * std::cos(angle));
-            state.x_prime.push_back(-amplitude * std::sin(angle));
+            state.x.push_back(amplitude * elementary::cos(angle));
+            state.x_prime.push_back(-amplitude * elementary::sin(angle));
         }
         states.push_back(std::move(state));
     }

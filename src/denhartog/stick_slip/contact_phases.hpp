@@ -223,7 +223,6 @@ struct ContactPhases {
     /// @param length  length of the stretch that is left
     /// @return        the event
     Event<T> end_of_sticking_alone(const T& tau, const T& length) {
-        using std::acos;
         using std::ceil;
         const T holds = e.mu * e.beta;
         const T force = system->stuck.k_jj * x[0];

@@ -1,10 +1,10 @@
 #include "denhartog/sums/chain_sums.hpp"
 
 #include <algorithm>
-#include <boost/math/special_functions/zeta.hpp>
 #include <cmath>
 
 #include "denhartog/number/multiprecision.hpp"
+#include "denhartog/number/series_tables.hpp"
 #include "denhartog/sums/coupled_sums.hpp"
 
 namespace denhartog {
@@ -22,9 +22,9 @@ Bounded<double> spring_behind(const std::vector<Bounded<double>>& kappa, std::si
     return i + 1 < kappa.size() ? kappa[i + 1] : Bounded<double>(0);
 }
 
-// (4 / pi) (1 - 4^-n) zeta(2n); the zeta function of an argument of 2 and more is good to two units.
+// (4 / pi) (1 - 4^-n) zeta(2n); the zeta function of 54 and more is 1 but for a rounding.
 Bounded<double> coefficient(int n) {
-    const double z = boost::math::zeta(2.0 * n);
+    const double z = n < elementary::zetas ? elementary::zeta_of_twice[n] : 1;
     return 4 / pi<Bounded<double>>() * (1 - Bounded<double>(std::ldexp(1.0, -2 * n))) *
            Bounded<double>::rounded(z, 0, composed_units);
 }

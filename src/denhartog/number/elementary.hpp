@@ -1,0 +1,48 @@
+/// @file
+/// @brief Elementary functions of a double that have the same digits on every machine.
+///
+/// They are made of the operations of IEEE 754 and of tables, and call no function of the system: those of glibc differ from
+/// processor to processor, and from version to version. Each is rounded within 0.53 units in the last place, the hyperbolic ones
+/// within 0.8; results below the normal range within 1. `tests/unit/elementary.cpp` measures that against MPFR. Arguments are
+/// reduced exactly, however large they are. Outside its domain a function gives what is no number, beyond the range of a double
+/// infinity.
+///
+/// The templates of the formulas find them by the names in `number.hpp`.
+#pragma once
+
+#include <cmath>
+
+namespace denhartog::elementary {
+
+/// @brief Exponential. @param x a number @return exp(x)
+[[nodiscard, gnu::const]] double exp(double x) noexcept;
+/// @brief Exponential less one. @param x a number @return exp(x) - 1, without cancellation near 0
+[[nodiscard, gnu::const]] double expm1(double x) noexcept;
+/// @brief Hyperbolic sine. @param x a number @return sinh(x)
+[[nodiscard, gnu::const]] double sinh(double x) noexcept;
+/// @brief Hyperbolic cosine. @param x a number @return cosh(x)
+[[nodiscard, gnu::const]] double cosh(double x) noexcept;
+/// @brief Natural logarithm. @param x a number, not negative @return log(x)
+[[nodiscard, gnu::const]] double log(double x) noexcept;
+/// @brief Decimal logarithm. @param x a number, not negative @return log(x) / log(10)
+[[nodiscard, gnu::const]] double log10(double x) noexcept;
+/// @brief Sine. @param x radians @return sin(x)
+[[nodiscard, gnu::const]] double sin(double x) noexcept;
+/// @brief Cosine. @param x radians @return cos(x)
+[[nodiscard, gnu::const]] double cos(double x) noexcept;
+/// @brief Sine of half turns. @param x half turns @return sin(pi x), exact at multiples of a quarter turn
+[[nodiscard, gnu::const]] double sine_of_half_turns(double x) noexcept;
+/// @brief Cosine of half turns. @param x half turns @return cos(pi x), exact at multiples of a quarter turn
+[[nodiscard, gnu::const]] double cosine_of_half_turns(double x) noexcept;
+/// @brief Angle of the point (x, y). @param y ordinate @param x abscissa @return radians, from -pi to pi
+[[nodiscard, gnu::const]] double atan2(double y, double x) noexcept;
+/// @brief Arc tangent. @param x a number @return radians, from -pi / 2 to pi / 2
+[[nodiscard, gnu::const]] double atan(double x) noexcept;
+/// @brief Arc sine. @param x a number from -1 to 1 @return radians, from -pi / 2 to pi / 2
+[[nodiscard, gnu::const]] double asin(double x) noexcept;
+/// @brief Arc cosine. @param x a number from -1 to 1 @return radians, from 0 to pi
+[[nodiscard, gnu::const]] double acos(double x) noexcept;
+/// @brief Length of (x, y). @param x a number @param y a number @return sqrt(x^2 + y^2), neither square beyond the range
+[[nodiscard, gnu::const]] double hypot(double x, double y) noexcept;
+
+} // namespace denhartog::elementary

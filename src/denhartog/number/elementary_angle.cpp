@@ -1,0 +1,227 @@
+/// @file
+/// @brief Sines, cosines and their inverses.
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "denhartog/number/double_double.hpp"
+#include "denhartog/number/elementary.hpp"
+#include "denhartog/number/elementary_kernels.hpp"
+
+namespace denhartog {
+namespace elementary {
+
+using Wide = unsigned __int128;
+
+// With x = m 2^e, m a whole number, bits of 2 / pi that make multiples of 128 steps of it are left out: 256 bits behind them
+// hold the steps, their fraction, and 60 bits more than a double can come close to a multiple.
+ReducedAngle reduce_by_all_bits(double x) {
+    const auto bits = std::bit_cast<std::uint64_t>(x);
+    const auto exponent = static_cast<int>(bits >> 52U & 2047U) - 1075; // m 2^exponent
+    const std::uint64_t m = (bits & 0xfffffffffffffU) | 0x10000000000000U;
+    const auto from = static_cast<unsigned>(exponent - 2 + 128); // 64 / pi = 32 (2 / pi), and 128 = 2^7
+    const std::uint64_t* word = two_over_pi + from / 64;
+    const unsigned shift = from % 64;
+    std::uint64_t product[4]; // of m and 256 bits, the last first
+    std::uint64_t carried = 0;
+    for (int n = 3; n >= 0; --n) {
+        const std::uint64_t window = shift == 0 ? word[n] : word[n] << shift | word[n + 1] >> (64 - shift);
+        const Wide sum = static_cast<Wide>(m) * window + carried;
+        product[3 - n] = static_cast<std::uint64_t>(sum);
+        carried = static_cast<std::uint64_t>(sum >> 64U);
+    }
+    std::uint64_t n = product[3] >> 57U;
+    std::uint64_t a = product[3] << 7U | product[2] >> 57U, b = product[2] << 7U | product[1] >> 57U,
+                  c = product[1] << 7U | product[0] >> 57U; // 192 bits of the fraction
+    const bool over = a >> 63U != 0;                        // more than half a step: the next multiple
+    if (over) {
+        ++n;
+        a = ~a;
+        b = ~b;
+        c = ~c;
+    }
+    int zeros = 0;
+    if (a == 0) {
+        a = b;
+        b = c;
+        c = 0;
+        zeros = 64;
+    }
+    const int leading = std::countl_zero(a | 1U);
+    if (leading > 0) {
+        a = a << leading | b >> (64 - leading);
+        b = b << leading | c >> (64 - leading);
+    }
+    const double first = static_cast<double>(a >> 11U), second = static_cast<double>((a & 2047U) << 42U | b >> 22U);
+    const double unit = power_of_two(-53 - zeros - leading), high = first * unit, low = second * unit * 0x1p-53;
+    const Parts whole = exact_product(high, step_high);
+    const double rest = whole.low + (high * step_low + low * step_high);
+    const double sign = over != (bits >> 63U != 0) ? -1 : 1;
+    return {bits >> 63U != 0 ? -n : n, sign * whole.high, sign * rest};
+}
+
+} // namespace elementary
+
+namespace {
+
+using namespace elementary;
+
+constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
+
+// An angle in half turns without whole turns, where there are many: exact.
+double without_many_turns(double x) { return std::fabs(x) < 0x1p43 ? x : x - 2 * std::floor(x / 2); }
+
+bool is_finite(double x) { return x - x == 0; }
+
+// The angle of (x, y), both positive, y not above x and not below 2^-60 x, within the range where products are exact.
+Parts angle_in_first_octant(const Parts& y, const Parts& x) {
+    const double by_x = 1 / x.high, c = nearest_whole(y.high * by_x * 64), n = c * 0x1p-6;
+    const ArcTangent& at = angles[static_cast<int>(c)];
+    const double x_1 = first_half(x.high), y_1 = first_half(y.high), of_y = n * y.high;
+    const Parts up = exact_sum(y.high - n * x_1, -(n * (x.high - x_1))), along = ordered_sum(x.high, of_y);
+    const double up_low = up.low + (y.low - n * x.low);
+    const double along_low = along.low + (((n * y_1 - of_y) + n * (y.high - y_1)) + (x.low + n * y.low));
+    const double t = up.high / along.high;
+    const Parts back = exact_product(t, along.high);
+    const double t_low = (((up.high - back.high) - back.low) + up_low - t * along_low) * (by_x * at.slope);
+    const double z = t * t, series = t * z * ((-1.0 / 3 + z * (1.0 / 5)) + z * z * (-1.0 / 7 + z * (1.0 / 9)));
+    const Parts head = ordered_sum(at.high, t);
+    return {head.high, head.low + (at.low + (t_low + series))};
+}
+
+// The angle of (x, y), not both zero, finite.
+Parts angle_of(Parts y, Parts x) {
+    const bool left = x.high < 0, below = y.high < 0;
+    if (left) x = {-x.high, -x.low};
+    if (below) y = {-y.high, -y.low};
+    const bool steep = y.high > x.high;
+    if (steep) std::swap(x, y);
+    Parts angle{0, 0};
+    if (y.high < x.high * 0x1p-60) {
+        angle.high = y.high / x.high;
+    } else {
+        const double scale = x.high > 0x1p700 ? 0x1p-600 : x.high < 0x1p-700 ? 0x1p600 : 1;
+        angle = angle_in_first_octant({y.high * scale, y.low * scale}, {x.high * scale, x.low * scale});
+    }
+    if (steep || left) {
+        const double base = steep ? pi_high / 2 : pi_high, base_low = steep ? pi_low / 2 : pi_low;
+        const double sign = steep == left ? 1 : -1;
+        const Parts head = ordered_sum(base, sign * angle.high);
+        angle = {head.high, head.low + (base_low + sign * angle.low)};
+    }
+    return below ? Parts{-angle.high, -angle.low} : angle;
+}
+
+// The root of 1 - x^2, x of size up to 1.
+Parts other_side(double x) {
+    const Parts square = exact_product(x, x), rest = ordered_sum(1, -square.high);
+    const DoubleDouble root = sqrt(DoubleDouble(rest.high, rest.low - square.low));
+    return {root.high, root.low};
+}
+
+} // namespace
+
+double elementary::sin(double x) noexcept {
+    if (!is_finite(x)) return no_number;
+    if (std::fabs(x) < 0x1p-30) return x;
+    const Parts s = sine(reduce(x, 0));
+    return s.high + s.low;
+}
+
+double elementary::cos(double x) noexcept {
+    if (!is_finite(x)) return no_number;
+    const Parts c = cosine(reduce(x, 0));
+    return c.high + c.low;
+}
+
+double elementary::sine_of_half_turns(double x) noexcept {
+    x = without_many_turns(x);
+    if (!is_finite(x)) return no_number;
+    if (std::fabs(x) < 0x1p-60) {
+        if (x == 0) return x;
+        const Parts s = exact_product(x * 0x1p600, pi_high);
+        return (s.high + (s.low + x * 0x1p600 * pi_low)) * 0x1p-600;
+    }
+    const Parts s = sine(reduce_half_turns(x, 0));
+    return s.high + s.low;
+}
+
+double elementary::cosine_of_half_turns(double x) noexcept {
+    x = without_many_turns(x);
+    if (!is_finite(x)) return no_number;
+    const Parts c = cosine(reduce_half_turns(x, 0));
+    return c.high + c.low;
+}
+
+double elementary::atan2(double y, double x) noexcept {
+    if (x != x || y != y) return no_number;
+    if (!is_finite(x) || !is_finite(y))
+        return atan2(std::copysign(is_finite(y) ? 0 : 1, y), std::copysign(is_finite(x) ? 0 : 1, x));
+    if (y == 0) return std::signbit(x) ? std::copysign(pi_high, y) : y;
+    const Parts angle = angle_of({y, 0}, {x, 0});
+    return angle.high + angle.low;
+}
+
+double elementary::atan(double x) noexcept { return atan2(x, 1); }
+
+double elementary::asin(double x) noexcept {
+    if (!(std::fabs(x) <= 1)) return no_number;
+    if (x == 0) return x;
+    const Parts angle = angle_of({x, 0}, other_side(x));
+    return angle.high + angle.low;
+}
+
+double elementary::acos(double x) noexcept {
+    if (!(std::fabs(x) <= 1)) return no_number;
+    const Parts angle = angle_of(other_side(x), {x, 0});
+    return angle.high + angle.low;
+}
+
+double elementary::hypot(double x, double y) noexcept {
+    x = std::fabs(x);
+    y = std::fabs(y);
+    if (!is_finite(x) || !is_finite(y))
+        return std::isinf(x) || std::isinf(y) ? std::numeric_limits<double>::infinity() : no_number;
+    const double largest = x > y ? x : y;
+    if (largest == 0) return 0;
+    const double scale = largest > 0x1p400 ? 0x1p-600 : largest < 0x1p-400 ? 0x1p600 : 1;
+    const Parts a = exact_product(x * scale, x * scale), b = exact_product(y * scale, y * scale);
+    const Parts sum = a.high > b.high ? ordered_sum(a.high, b.high) : ordered_sum(b.high, a.high);
+    return sqrt(DoubleDouble(sum.high, sum.low + (a.low + b.low))).high / scale;
+}
+
+DoubleDouble sin(const DoubleDouble& a) {
+    if (!is_finite(a.high)) return DoubleDouble(no_number);
+    if (std::fabs(a.high) < 0x1p-40) return a;
+    return DoubleDouble(sine(reduce(a.high, a.low)));
+}
+
+DoubleDouble cos(const DoubleDouble& a) {
+    if (!is_finite(a.high)) return DoubleDouble(no_number);
+    return DoubleDouble(cosine(reduce(a.high, a.low)));
+}
+
+DoubleDouble sine_of_half_turns(const DoubleDouble& a) {
+    if (std::fabs(a.high) < 0x1p-60) return PiOf<DoubleDouble>::value() * a;
+    const double x = without_many_turns(a.high);
+    if (!is_finite(x)) return DoubleDouble(no_number);
+    return DoubleDouble(sine(reduce_half_turns(x, a.low)));
+}
+
+DoubleDouble cosine_of_half_turns(const DoubleDouble& a) {
+    const double x = without_many_turns(a.high);
+    if (!is_finite(x)) return DoubleDouble(no_number);
+    return DoubleDouble(cosine(reduce_half_turns(x, a.low)));
+}
+
+DoubleDouble atan2(const DoubleDouble& y, const DoubleDouble& x) {
+    if (y.high == 0 || !is_finite(x.high) || !is_finite(y.high)) return DoubleDouble(atan2(y.high, x.high));
+    return DoubleDouble(angle_of({y.high, y.low}, {x.high, x.low}));
+}
+
+DoubleDouble remainder_of_one(const DoubleDouble& m) {
+    const double n = std::nearbyint(1 / m.high);
+    return m.low == 0 ? DoubleDouble(std::remainder(1.0, m.high)) : 1 - DoubleDouble(n) * m;
+}
+
+} // namespace denhartog

@@ -1,0 +1,147 @@
+/// @file
+/// @brief Exponentials, hyperbolic functions and logarithms.
+#include <cmath>
+#include <limits>
+
+#include "denhartog/number/double_double.hpp"
+#include "denhartog/number/elementary.hpp"
+#include "denhartog/number/elementary_kernels.hpp"
+
+namespace denhartog {
+namespace {
+
+using namespace elementary;
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double one_is_nothing = 40; // from here on e^x - 1 and e^x are one double, and so are e^x + e^-x and e^x
+
+// e^x 2^by where it may leave the normal range: powers of two in two steps, so that the last operation alone rounds there.
+[[gnu::noinline]] DoubleDouble exponential_far_out(double x, double low, int by) {
+    if (x != x) return DoubleDouble(x);
+    if (x > 800) return DoubleDouble(infinite);
+    if (x < -800) return DoubleDouble(0);
+    const TakenApart e = exponential(x, low);
+    const std::int64_t m = e.m + by, half = m / 2;
+    const double first = power_of_two(half), second = power_of_two(m - half);
+    const Parts value = ordered_sum(e.t * first, e.t * (e.r + e.s) * first);
+    return m > -900 ? DoubleDouble(value.high * second, value.low * second) : DoubleDouble(value.high * second);
+}
+
+DoubleDouble scaled_exponential(const DoubleDouble& a, int by) {
+    if (!(std::fabs(a.high) < 600)) return exponential_far_out(a.high, a.low, by);
+    const TakenApart e = exponential(a.high, a.low);
+    const double scaled = e.t * power_of_two(e.m + by);
+    return {scaled, scaled * (e.r + e.s)};
+}
+
+// e^x, x not negative and below 40.
+Parts exponential_below_overflow(double x) {
+    const TakenApart e = short_exponential(x);
+    const double scaled = e.t * power_of_two(e.m);
+    return ordered_sum(scaled, scaled * (e.r + e.s));
+}
+
+// log(x) in two parts, x positive and finite.
+Parts logarithm(double x) {
+    double exponent = 0;
+    if (x < std::numeric_limits<double>::min()) {
+        x *= 0x1p54;
+        exponent = -54;
+    }
+    const auto bits = std::bit_cast<std::uint64_t>(x);
+    const std::uint64_t n = bits >> 45U & 127U;
+    const bool up = n >= 53; // taken as half of the next power of two
+    exponent += static_cast<double>(static_cast<std::int64_t>(bits >> 52U) - 1023 + (up ? 1 : 0));
+    const double m = std::bit_cast<double>((bits & 0xfffffffffffffU) | 0x3ff0000000000000U), first = first_half(m);
+    const Logarithm& at = logarithms[n];
+    const Parts r = exact_sum(first * at.inverse - 1, (m - first) * at.inverse);
+    const double z = r.high * r.high, R = r.high;
+    const double series = (-1.0 / 2 + R * (1.0 / 3)) +
+                          z * ((-1.0 / 4 + R * (1.0 / 5)) + z * ((-1.0 / 6 + R * (1.0 / 7)) + z * (-1.0 / 8 + R * (1.0 / 9))));
+    const Parts head = ordered_sum(exponent * ln_2_high + at.high, R);
+    return {head.high, head.low + ((exponent * ln_2_low + at.low) + (r.low * (1 - R) + z * series))};
+}
+
+double logarithm_at_ends(double x) { return x == 0 ? -infinite : x > 0 ? x : std::numeric_limits<double>::quiet_NaN(); }
+
+bool has_logarithm(double x) { return x > 0 && x < infinite; }
+
+} // namespace
+
+DoubleDouble exp(const DoubleDouble& a) { return scaled_exponential(a, 0); }
+
+DoubleDouble expm1(const DoubleDouble& a) {
+    if (!(std::fabs(a.high) < one_is_nothing)) return a.high > 0 ? exp(a) : exp(a) - 1;
+    if (std::fabs(a.high) < 0x1p-60) return a;
+    return DoubleDouble(exponential_less_one(a.high, a.low));
+}
+
+DoubleDouble sinh(const DoubleDouble& a) {
+    if (a.high < 0) return -sinh(-a);
+    if (!(a.high < one_is_nothing)) return scaled_exponential(a, -1);
+    if (a.high < 0x1p-60) return a;
+    const DoubleDouble less_one(exponential_less_one(a.high, a.low)), twice = less_one + less_one / (1 + less_one);
+    return {twice.high / 2, twice.low / 2};
+}
+
+DoubleDouble cosh(const DoubleDouble& a) {
+    const DoubleDouble size = abs(a);
+    if (!(size.high < one_is_nothing)) return scaled_exponential(size, -1);
+    const DoubleDouble power = exp(size), twice = power + 1 / power;
+    return {twice.high / 2, twice.low / 2};
+}
+
+double elementary::exp(double x) noexcept {
+    if (!(std::fabs(x) < 600)) [[unlikely]]
+        return exponential_far_out(x, 0, 0).high;
+    const TakenApart e = short_exponential(x);
+    return (e.t + e.t * (e.r + e.s)) * power_of_two(e.m);
+}
+
+double elementary::expm1(double x) noexcept {
+    if (std::fabs(x) < 0x1p-9) {
+        if (std::fabs(x) < 0x1p-60) return x;
+        const double z = x * x;
+        return x + z * ((0.5 + x * (1.0 / 6)) + z * ((1.0 / 24 + x * (1.0 / 120)) + z * (1.0 / 720)));
+    }
+    if (!(std::fabs(x) < one_is_nothing)) return x > 0 ? exp(x) : exp(x) - 1;
+    const Parts e = exponential_less_one(x, 0);
+    return e.high + e.low;
+}
+
+double elementary::sinh(double x) noexcept {
+    const double size = std::fabs(x);
+    if (size < 1) {
+        const double z = x * x, z_2 = z * z, z_4 = z_2 * z_2;
+        const double first = (1.0 / 6 + z * (1.0 / 120)) + z_2 * (1.0 / 5040 + z * (1.0 / 362880));
+        const double second =
+            (1.0 / 39916800 + z * (1.0 / 6227020800)) + z_2 * (1.0 / 1307674368000 + z * (1.0 / 355687428096000));
+        return x + x * z * (first + z_4 * second);
+    }
+    if (!(size < one_is_nothing)) return std::copysign(scaled_exponential(DoubleDouble(size), -1).high, x);
+    const Parts power = exponential_below_overflow(size);
+    const Parts difference = ordered_sum(power.high, -1 / power.high);
+    return std::copysign(0.5 * (difference.high + (difference.low + power.low)), x);
+}
+
+double elementary::cosh(double x) noexcept {
+    const double size = std::fabs(x);
+    if (!(size < one_is_nothing)) return scaled_exponential(DoubleDouble(size), -1).high;
+    const Parts power = exponential_below_overflow(size);
+    const double inverse = 1 / power.high;
+    const Parts sum = ordered_sum(power.high, inverse);
+    return 0.5 * (sum.high + (sum.low + power.low * (1 - inverse * inverse)));
+}
+
+double elementary::log(double x) noexcept {
+    if (!has_logarithm(x)) return logarithm_at_ends(x);
+    const Parts l = logarithm(x);
+    return l.high + l.low;
+}
+
+double elementary::log10(double x) noexcept {
+    if (!has_logarithm(x)) return logarithm_at_ends(x);
+    return (DoubleDouble(logarithm(x)) * DoubleDouble(log10_e_high, log10_e_low)).high;
+}
+
+} // namespace denhartog

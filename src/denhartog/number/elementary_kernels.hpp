@@ -1,0 +1,112 @@
+/// @file
+/// @brief The kernels of the elementary functions: the argument and the result in two parts, the second good to 2^-58 of the
+/// whole.
+#pragma once
+
+#include <cmath>
+
+#include "denhartog/number/circle_tables.hpp"
+#include "denhartog/number/exact_arithmetic.hpp"
+#include "denhartog/number/power_tables.hpp"
+
+namespace denhartog::elementary {
+
+/// @brief 2^n. @param n a whole number from -1022 to 1023 @return the power
+[[nodiscard, gnu::always_inline]] inline double power_of_two(std::int64_t n) {
+    return std::bit_cast<double>(static_cast<std::uint64_t>(n + 1023) << 52U);
+}
+
+/// @brief \f$ e^x = 2^m t (1 + r + s) \f$.
+struct TakenApart {
+    std::int64_t m; ///< exponent of two
+    double t;       ///< \f$ 2^{k/128} \f$, from the table
+    double r;       ///< what is left of the argument, up to ln 2 / 256
+    double s;       ///< the rest of the series, and what r and t lack
+};
+
+/// @brief Takes \f$ e^x \f$ apart: x less a multiple of ln 2 / 128, then a polynomial of degree 6.
+/// @param x    a number of size up to 800
+/// @param low  a small one, to be added to it
+/// @return     the parts
+[[nodiscard, gnu::always_inline]] inline TakenApart exponential(double x, double low) {
+    const double shift = 0x1.8p52, shifted = x * parts_in_one + shift, k = shifted - shift;
+    const auto whole = static_cast<std::int64_t>(std::bit_cast<std::uint64_t>(shifted) << 13U) >> 13U;
+    const Power& power = powers[whole & 127];
+    const double first = x - k * part_high, behind = k * part_low - low;
+    const double r = first - behind, r_low = (first - r) - behind, z = r * r;
+    const double series = (0.5 + r * (1.0 / 6)) + z * ((1.0 / 24 + r * (1.0 / 120)) + z * (1.0 / 720));
+    return {whole >> 7U, power.value, r, z * series + (r_low + (power.relative + power.relative * r))};
+}
+
+/// @brief The same for a double, as far as it takes to round a result to one. @param x a number of size up to 800
+/// @return the parts
+[[nodiscard, gnu::always_inline]] inline TakenApart short_exponential(double x) {
+    const double shift = 0x1.8p52, shifted = x * parts_in_one + shift, k = shifted - shift;
+    const auto whole = static_cast<std::int64_t>(std::bit_cast<std::uint64_t>(shifted) << 13U) >> 13U;
+    const Power& power = powers[whole & 127];
+    const double r = (x - k * part_high) - k * part_low, z = r * r;
+    return {whole >> 7U, power.value, r, power.relative + z * ((0.5 + r * (1.0 / 6)) + z * (1.0 / 24 + r * (1.0 / 120)))};
+}
+
+/// @brief \f$ e^x - 1 \f$. @param x a number of size up to 40 @param low a small one, to be added to it @return both parts
+[[nodiscard, gnu::always_inline]] inline Parts exponential_less_one(double x, double low) {
+    const TakenApart e = exponential(x, low);
+    const Parts less_one = exact_sum(power_of_two(e.m) * e.t, -1), head = ordered_sum(less_one.high, e.r);
+    return {head.high, head.low + (less_one.low + (e.s + less_one.high * (e.r + e.s)))};
+}
+
+/// @brief An angle as a multiple of pi / 64 and the rest.
+struct ReducedAngle {
+    std::uint64_t n; ///< the multiple, but for whole turns in its first 7 bits
+    double d;        ///< the rest, up to pi / 128
+    double d_low;    ///< what d lacks
+};
+
+/// @brief Reduces an angle of any size by as many bits of 2 / pi as it takes. @param x radians, finite, from 2^-60 on
+/// @return it reduced
+[[nodiscard]] ReducedAngle reduce_by_all_bits(double x);
+
+/// @brief Reduces an angle. pi / 64 is taken in three parts, whose first two have exact products with whole numbers up to 2^29.
+/// @param x    radians, finite
+/// @param low  a small angle, to be added to it
+/// @return     it reduced; the rest is good to 2^-60 of itself
+[[nodiscard, gnu::always_inline]] inline ReducedAngle reduce(double x, double low) {
+    const double shift = 0x1.8p52, shifted = x * steps_in_radian + shift, k = shifted - shift;
+    const double behind = k * step_third - low, first = (x - k * step_first) - k * step_second;
+    const double d = first - behind;
+    if (!(std::fabs(x) < 0x1p24) || (std::fabs(d) < 0x1p-16 && k != 0)) [[unlikely]] {
+        ReducedAngle angle = reduce_by_all_bits(x);
+        const Parts sum = exact_sum(angle.d, angle.d_low + low);
+        return {angle.n, sum.high, sum.low};
+    }
+    return {std::bit_cast<std::uint64_t>(shifted), d, (first - d) - behind};
+}
+
+/// @brief Reduces an angle in half turns. @param x half turns, of size up to 2^43 @param low a small one, to be added to it
+/// @return it reduced
+[[nodiscard, gnu::always_inline]] inline ReducedAngle reduce_half_turns(double x, double low) {
+    const double shift = 0x1.8p52, shifted = x * 64 + shift, t = x - (shifted - shift) * 0x1p-6;
+    const Parts d = exact_product(t, pi_high);
+    const Parts sum = ordered_sum(d.high, d.low + (t * pi_low + pi_high * low));
+    return {std::bit_cast<std::uint64_t>(shifted), sum.high, sum.low};
+}
+
+/// @brief The sine of a reduced angle from that of the multiple:
+/// \f$ S + \sigma d + [(C-\sigma)d + C(\sin d-d) + S(\cos d-1)] \f$, where \f$ \sigma \f$ is the whole number next to C. The
+/// first two terms are added without rounding, and the bracket is small beside their sum.
+/// @param a  a reduced angle
+/// @return   both parts
+[[nodiscard, gnu::always_inline]] inline Parts sine(const ReducedAngle& a) {
+    const Direction& at = circle[a.n & 127U];
+    const double d = a.d, z = d * d, along = at.whole * d;
+    const double of_sine = d * z * (-1.0 / 6 + z * (1.0 / 120 - z * (1.0 / 5040)));
+    const double of_cosine = z * (-0.5 + z * ((1.0 / 24 - z * (1.0 / 720)) + z * z * (1.0 / 40320)));
+    const Parts head = ordered_sum(at.sine, along);
+    const double first = at.cosine_less_whole * d + at.sine * of_cosine + (at.rest + at.whole * a.d_low);
+    return {head.high, head.low + (first + (at.whole + at.cosine_less_whole) * of_sine)};
+}
+
+/// @brief The cosine: the sine a quarter turn on. @param a a reduced angle @return both parts
+[[nodiscard, gnu::always_inline]] inline Parts cosine(const ReducedAngle& a) { return sine({a.n + 32, a.d, a.d_low}); }
+
+} // namespace denhartog::elementary
