@@ -8,8 +8,8 @@
 ///  - `pi<T>()`.
 ///
 /// It asks for no comparison and no conversion from a floating-point literal, so that the derivation can instantiate the same
-/// source with a symbolic scalar. `double` is served by `elementary.hpp`, with the same
-/// digits on every machine, and so are `float` and `long double`, which only the formulas know, by the system;
+/// source with a symbolic scalar. `double` is served by `elementary.hpp`, with the same digits on every machine; `float` and
+/// `long double`, which only the formulas know, by the system;
 /// the multiprecision types are served in `multiprecision.hpp`, the symbolic scalar in `derivation/symbolic.hpp`.
 #pragma once
 
@@ -47,62 +47,82 @@ concept MachineNumber = std::floating_point<T>;
 /// @brief Exponential. @param x a number @return exp(x)
 template <MachineNumber T>
 [[nodiscard]] T exp(T x) {
-    if constexpr (std::same_as<T, double>) return elementary::exp(x);
-    return std::exp(x);
+    if constexpr (std::same_as<T, double>)
+        return elementary::exp(x);
+    else
+        return std::exp(x);
 }
 /// @brief Exponential less one. @param x a number @return exp(x) - 1
 template <MachineNumber T>
 [[nodiscard]] T expm1(T x) {
-    if constexpr (std::same_as<T, double>) return elementary::expm1(x);
-    return std::expm1(x);
+    if constexpr (std::same_as<T, double>)
+        return elementary::expm1(x);
+    else
+        return std::expm1(x);
 }
 /// @brief Hyperbolic sine. @param x a number @return sinh(x)
 template <MachineNumber T>
 [[nodiscard]] T sinh(T x) {
-    if constexpr (std::same_as<T, double>) return elementary::sinh(x);
-    return std::sinh(x);
+    if constexpr (std::same_as<T, double>)
+        return elementary::sinh(x);
+    else
+        return std::sinh(x);
 }
 /// @brief Hyperbolic cosine. @param x a number @return cosh(x)
 template <MachineNumber T>
 [[nodiscard]] T cosh(T x) {
-    if constexpr (std::same_as<T, double>) return elementary::cosh(x);
-    return std::cosh(x);
+    if constexpr (std::same_as<T, double>)
+        return elementary::cosh(x);
+    else
+        return std::cosh(x);
 }
 /// @brief Sine. @param x radians @return sin(x)
 template <MachineNumber T>
 [[nodiscard]] T sin(T x) {
-    if constexpr (std::same_as<T, double>) return elementary::sin(x);
-    return std::sin(x);
+    if constexpr (std::same_as<T, double>)
+        return elementary::sin(x);
+    else
+        return std::sin(x);
 }
 /// @brief Cosine. @param x radians @return cos(x)
 template <MachineNumber T>
 [[nodiscard]] T cos(T x) {
-    if constexpr (std::same_as<T, double>) return elementary::cos(x);
-    return std::cos(x);
+    if constexpr (std::same_as<T, double>)
+        return elementary::cos(x);
+    else
+        return std::cos(x);
 }
 /// @brief Arc sine. @param x a number from -1 to 1 @return radians
 template <MachineNumber T>
 [[nodiscard]] T asin(T x) {
-    if constexpr (std::same_as<T, double>) return elementary::asin(x);
-    return std::asin(x);
+    if constexpr (std::same_as<T, double>)
+        return elementary::asin(x);
+    else
+        return std::asin(x);
 }
 /// @brief Arc cosine. @param x a number from -1 to 1 @return radians
 template <MachineNumber T>
 [[nodiscard]] T acos(T x) {
-    if constexpr (std::same_as<T, double>) return elementary::acos(x);
-    return std::acos(x);
+    if constexpr (std::same_as<T, double>)
+        return elementary::acos(x);
+    else
+        return std::acos(x);
 }
 /// @brief Arc tangent. @param x a number @return radians
 template <MachineNumber T>
 [[nodiscard]] T atan(T x) {
-    if constexpr (std::same_as<T, double>) return elementary::atan(x);
-    return std::atan(x);
+    if constexpr (std::same_as<T, double>)
+        return elementary::atan(x);
+    else
+        return std::atan(x);
 }
 /// @brief Angle of the point (x, y). @param y ordinate @param x abscissa @return radians
 template <MachineNumber T>
 [[nodiscard]] T atan2(T y, T x) {
-    if constexpr (std::same_as<T, double>) return elementary::atan2(y, x);
-    return std::atan2(y, x);
+    if constexpr (std::same_as<T, double>)
+        return elementary::atan2(y, x);
+    else
+        return std::atan2(y, x);
 }
 
 } // namespace denhartog

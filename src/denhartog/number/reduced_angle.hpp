@@ -22,17 +22,23 @@ template <class T>
 /// @brief \f$ \sin(\pi x) \f$. @param x an angle in half turns @return its sine; NaN where x is not finite
 template <class T>
 [[nodiscard]] T sine_of_half_turns(const T& x) {
-    if constexpr (std::same_as<T, double>) return elementary::sine_of_half_turns(x);
-    const T reduced = without_many_turns(x);
-    return reduced == reduced ? T(boost::math::sin_pi(reduced)) : reduced;
+    if constexpr (std::same_as<T, double>) {
+        return elementary::sine_of_half_turns(x);
+    } else {
+        const T reduced = without_many_turns(x);
+        return reduced == reduced ? T(boost::math::sin_pi(reduced)) : reduced;
+    }
 }
 
 /// @brief \f$ \cos(\pi x) \f$. @param x an angle in half turns @return its cosine; NaN where x is not finite
 template <class T>
 [[nodiscard]] T cosine_of_half_turns(const T& x) {
-    if constexpr (std::same_as<T, double>) return elementary::cosine_of_half_turns(x);
-    const T reduced = without_many_turns(x);
-    return reduced == reduced ? T(boost::math::cos_pi(reduced)) : reduced;
+    if constexpr (std::same_as<T, double>) {
+        return elementary::cosine_of_half_turns(x);
+    } else {
+        const T reduced = without_many_turns(x);
+        return reduced == reduced ? T(boost::math::cos_pi(reduced)) : reduced;
+    }
 }
 
 /// @brief Remainder of 1 after division by m, of the least size: exact, whatever the quotient.
