@@ -60,11 +60,7 @@ ReducedAngle reduce_by_all_bits(double x) {
     return {bits >> 63U != 0 ? -n : n, sign * whole.high, sign * rest};
 }
 
-} // namespace elementary
-
 namespace {
-
-using namespace elementary;
 
 constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 
@@ -121,20 +117,20 @@ Parts other_side(double x) {
 
 } // namespace
 
-double elementary::sin(double x) noexcept {
+double sin(double x) noexcept {
     if (!is_finite(x)) return no_number;
     if (std::fabs(x) < 0x1p-30) return x;
     const Parts s = sine(reduce(x, 0));
     return s.high + s.low;
 }
 
-double elementary::cos(double x) noexcept {
+double cos(double x) noexcept {
     if (!is_finite(x)) return no_number;
     const Parts c = cosine(reduce(x, 0));
     return c.high + c.low;
 }
 
-double elementary::sine_of_half_turns(double x) noexcept {
+double sine_of_half_turns(double x) noexcept {
     x = without_many_turns(x);
     if (!is_finite(x)) return no_number;
     if (std::fabs(x) < 0x1p-60) {
@@ -146,14 +142,14 @@ double elementary::sine_of_half_turns(double x) noexcept {
     return s.high + s.low;
 }
 
-double elementary::cosine_of_half_turns(double x) noexcept {
+double cosine_of_half_turns(double x) noexcept {
     x = without_many_turns(x);
     if (!is_finite(x)) return no_number;
     const Parts c = cosine(reduce_half_turns(x, 0));
     return c.high + c.low;
 }
 
-double elementary::atan2(double y, double x) noexcept {
+double atan2(double y, double x) noexcept {
     if (x != x || y != y) return no_number;
     if (!is_finite(x) || !is_finite(y))
         return atan2(std::copysign(is_finite(y) ? 0 : 1, y), std::copysign(is_finite(x) ? 0 : 1, x));
@@ -162,22 +158,22 @@ double elementary::atan2(double y, double x) noexcept {
     return angle.high + angle.low;
 }
 
-double elementary::atan(double x) noexcept { return atan2(x, 1); }
+double atan(double x) noexcept { return atan2(x, 1); }
 
-double elementary::asin(double x) noexcept {
+double asin(double x) noexcept {
     if (!(std::fabs(x) <= 1)) return no_number;
     if (x == 0) return x;
     const Parts angle = angle_of({x, 0}, other_side(x));
     return angle.high + angle.low;
 }
 
-double elementary::acos(double x) noexcept {
+double acos(double x) noexcept {
     if (!(std::fabs(x) <= 1)) return no_number;
     const Parts angle = angle_of(other_side(x), {x, 0});
     return angle.high + angle.low;
 }
 
-double elementary::hypot(double x, double y) noexcept {
+double hypot(double x, double y) noexcept {
     x = std::fabs(x);
     y = std::fabs(y);
     if (!is_finite(x) || !is_finite(y))
@@ -190,33 +186,36 @@ double elementary::hypot(double x, double y) noexcept {
     return sqrt(DoubleDouble(sum.high, sum.low + (a.low + b.low))).high / scale;
 }
 
+} // namespace elementary
+
 DoubleDouble sin(const DoubleDouble& a) {
-    if (!is_finite(a.high)) return DoubleDouble(no_number);
+    if (!elementary::is_finite(a.high)) return DoubleDouble(elementary::no_number);
     if (std::fabs(a.high) < 0x1p-40) return a;
-    return DoubleDouble(sine(reduce(a.high, a.low)));
+    return DoubleDouble(elementary::sine(elementary::reduce(a.high, a.low)));
 }
 
 DoubleDouble cos(const DoubleDouble& a) {
-    if (!is_finite(a.high)) return DoubleDouble(no_number);
-    return DoubleDouble(cosine(reduce(a.high, a.low)));
+    if (!elementary::is_finite(a.high)) return DoubleDouble(elementary::no_number);
+    return DoubleDouble(elementary::cosine(elementary::reduce(a.high, a.low)));
 }
 
 DoubleDouble sine_of_half_turns(const DoubleDouble& a) {
     if (std::fabs(a.high) < 0x1p-60) return PiOf<DoubleDouble>::value() * a;
-    const double x = without_many_turns(a.high);
-    if (!is_finite(x)) return DoubleDouble(no_number);
-    return DoubleDouble(sine(reduce_half_turns(x, a.low)));
+    const double x = elementary::without_many_turns(a.high);
+    if (!elementary::is_finite(x)) return DoubleDouble(elementary::no_number);
+    return DoubleDouble(elementary::sine(elementary::reduce_half_turns(x, a.low)));
 }
 
 DoubleDouble cosine_of_half_turns(const DoubleDouble& a) {
-    const double x = without_many_turns(a.high);
-    if (!is_finite(x)) return DoubleDouble(no_number);
-    return DoubleDouble(cosine(reduce_half_turns(x, a.low)));
+    const double x = elementary::without_many_turns(a.high);
+    if (!elementary::is_finite(x)) return DoubleDouble(elementary::no_number);
+    return DoubleDouble(elementary::cosine(elementary::reduce_half_turns(x, a.low)));
 }
 
 DoubleDouble atan2(const DoubleDouble& y, const DoubleDouble& x) {
-    if (y.high == 0 || !is_finite(x.high) || !is_finite(y.high)) return DoubleDouble(atan2(y.high, x.high));
-    return DoubleDouble(angle_of({y.high, y.low}, {x.high, x.low}));
+    if (y.high == 0 || !elementary::is_finite(x.high) || !elementary::is_finite(y.high))
+        return DoubleDouble(elementary::atan2(y.high, x.high));
+    return DoubleDouble(elementary::angle_of({y.high, y.low}, {x.high, x.low}));
 }
 
 DoubleDouble remainder_of_one(const DoubleDouble& m) {

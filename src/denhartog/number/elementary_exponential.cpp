@@ -8,9 +8,8 @@
 #include "denhartog/number/elementary_kernels.hpp"
 
 namespace denhartog {
+namespace elementary {
 namespace {
-
-using namespace elementary;
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double one_is_nothing = 40; // from here on e^x - 1 and e^x are one double, and so are e^x + e^-x and e^x
@@ -68,37 +67,14 @@ bool has_logarithm(double x) { return x > 0 && x < infinite; }
 
 } // namespace
 
-DoubleDouble exp(const DoubleDouble& a) { return scaled_exponential(a, 0); }
-
-DoubleDouble expm1(const DoubleDouble& a) {
-    if (!(std::fabs(a.high) < one_is_nothing)) return a.high > 0 ? exp(a) : exp(a) - 1;
-    if (std::fabs(a.high) < 0x1p-60) return a;
-    return DoubleDouble(exponential_less_one(a.high, a.low));
-}
-
-DoubleDouble sinh(const DoubleDouble& a) {
-    if (a.high < 0) return -sinh(-a);
-    if (!(a.high < one_is_nothing)) return scaled_exponential(a, -1);
-    if (a.high < 0x1p-60) return a;
-    const DoubleDouble less_one(exponential_less_one(a.high, a.low)), twice = less_one + less_one / (1 + less_one);
-    return {twice.high / 2, twice.low / 2};
-}
-
-DoubleDouble cosh(const DoubleDouble& a) {
-    const DoubleDouble size = abs(a);
-    if (!(size.high < one_is_nothing)) return scaled_exponential(size, -1);
-    const DoubleDouble power = exp(size), twice = power + 1 / power;
-    return {twice.high / 2, twice.low / 2};
-}
-
-double elementary::exp(double x) noexcept {
+double exp(double x) noexcept {
     if (!(std::fabs(x) < 600)) [[unlikely]]
         return exponential_far_out(x, 0, 0).high;
     const TakenApart e = short_exponential(x);
     return (e.t + e.t * (e.r + e.s)) * power_of_two(e.m);
 }
 
-double elementary::expm1(double x) noexcept {
+double expm1(double x) noexcept {
     if (std::fabs(x) < 0x1p-9) {
         if (std::fabs(x) < 0x1p-60) return x;
         const double z = x * x;
@@ -109,7 +85,7 @@ double elementary::expm1(double x) noexcept {
     return e.high + e.low;
 }
 
-double elementary::sinh(double x) noexcept {
+double sinh(double x) noexcept {
     const double size = std::fabs(x);
     if (size < 1) {
         const double z = x * x, z_2 = z * z, z_4 = z_2 * z_2;
@@ -124,7 +100,7 @@ double elementary::sinh(double x) noexcept {
     return std::copysign(0.5 * (difference.high + (difference.low + power.low)), x);
 }
 
-double elementary::cosh(double x) noexcept {
+double cosh(double x) noexcept {
     const double size = std::fabs(x);
     if (!(size < one_is_nothing)) return scaled_exponential(DoubleDouble(size), -1).high;
     const Parts power = exponential_below_overflow(size);
@@ -133,15 +109,40 @@ double elementary::cosh(double x) noexcept {
     return 0.5 * (sum.high + (sum.low + power.low * (1 - inverse * inverse)));
 }
 
-double elementary::log(double x) noexcept {
+double log(double x) noexcept {
     if (!has_logarithm(x)) return logarithm_at_ends(x);
     const Parts l = logarithm(x);
     return l.high + l.low;
 }
 
-double elementary::log10(double x) noexcept {
+double log10(double x) noexcept {
     if (!has_logarithm(x)) return logarithm_at_ends(x);
     return (DoubleDouble(logarithm(x)) * DoubleDouble(log10_e_high, log10_e_low)).high;
+}
+
+} // namespace elementary
+
+DoubleDouble exp(const DoubleDouble& a) { return elementary::scaled_exponential(a, 0); }
+
+DoubleDouble expm1(const DoubleDouble& a) {
+    if (!(std::fabs(a.high) < elementary::one_is_nothing)) return a.high > 0 ? exp(a) : exp(a) - 1;
+    if (std::fabs(a.high) < 0x1p-60) return a;
+    return DoubleDouble(elementary::exponential_less_one(a.high, a.low));
+}
+
+DoubleDouble sinh(const DoubleDouble& a) {
+    if (a.high < 0) return -sinh(-a);
+    if (!(a.high < elementary::one_is_nothing)) return elementary::scaled_exponential(a, -1);
+    if (a.high < 0x1p-60) return a;
+    const DoubleDouble less_one(elementary::exponential_less_one(a.high, a.low)), twice = less_one + less_one / (1 + less_one);
+    return {twice.high / 2, twice.low / 2};
+}
+
+DoubleDouble cosh(const DoubleDouble& a) {
+    const DoubleDouble size = abs(a);
+    if (!(size.high < elementary::one_is_nothing)) return elementary::scaled_exponential(size, -1);
+    const DoubleDouble power = exp(size), twice = power + 1 / power;
+    return {twice.high / 2, twice.low / 2};
 }
 
 } // namespace denhartog
