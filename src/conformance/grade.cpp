@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 #include "conformance/curve.hpp"
 #include "conformance/mistakes/mistake_definition.hpp"
 #include "denhartog/number/legible.hpp"
-#include "denhartog/number/number.hpp"
+#include "denhartog/number/multiprecision.hpp"
 
 namespace denhartog::conformance {
 namespace {
@@ -28,9 +27,9 @@ Difference error_of(const Vector& v, const Quantity& asked, const std::vector<do
     if (asked.shape == Shape::samples) return difference(asked, given, v.nearest);
     Difference worst;
     for (std::size_t n = 0; n < given.size(); ++n) {
-        const long double error = static_cast<long double>(given[n]) - std::strtold(v.value[n].c_str(), nullptr);
-        const double size = std::abs(
-            static_cast<double>(round_the_circle(asked, given[n]) ? std::remainder(error, 2 * pi<long double>()) : error));
+        const Real50 error = given[n] - Real50(v.value[n]);
+        const Real50 nearest = round_the_circle(asked, given[n]) ? Real50(remainder(error, Real50(2 * pi<Real50>()))) : error;
+        const double size = std::abs(static_cast<double>(nearest));
         if (size > worst.size) worst = {size, n};
     }
     return worst;

@@ -72,6 +72,8 @@ TEST_CASE("the normal quantile is the inverse of the distribution, and Boost's t
         CHECK(normal_probability(x) == Approx(u).epsilon(1e-14));
     }
     CHECK(normal_quantile(0.25) == -normal_quantile(0.75));
+    CHECK(normal_quantile(0.5) == 0);
+    CHECK(normal_quantile(0.5 + 0x1p-40) == Approx(0x1p-40 * 2.5066282746310002).epsilon(1e-15)); // sqrt(2 pi)
 }
 
 TEST_CASE("samples have the mean and the deviation that their distribution says, and stay within its bounds", "[sweep]") {

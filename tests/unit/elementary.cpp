@@ -163,7 +163,7 @@ TEST_CASE("sines and cosines keep their digits next to every multiple of a 128th
     }
 }
 
-TEST_CASE("angles and lengths of points are within 0.53 units of MPFR's, however far the coordinates are apart",
+TEST_CASE("angles of points are within 0.53 units of MPFR's and lengths within 0.6, however far the coordinates are apart",
           "[accuracy][elementary]") {
     std::mt19937_64 random(31);
     const auto share = [&] { return 1 + static_cast<double>(random() >> 11U) * 0x1p-53; };
@@ -189,7 +189,7 @@ TEST_CASE("angles and lengths of points are within 0.53 units of MPFR's, however
     INFO("angle " << angle.units << " units at " << tests::hexadecimal(angle.x) << ", " << tests::hexadecimal(angle.y));
     CHECK(angle.units <= 0.53);
     INFO("length " << length.units << " units at " << tests::hexadecimal(length.x) << ", " << tests::hexadecimal(length.y));
-    CHECK(length.units <= 0.53);
+    CHECK(length.units <= 0.6);
 }
 
 TEST_CASE("elementary functions of two doubles are good to 57 bits", "[accuracy][elementary]") {
@@ -311,7 +311,7 @@ TEST_CASE("the tables of the elementary functions are MPFR's to the last bit", "
         mpfr_div_d(x.x, x.x, power.value, MPFR_RNDN);
         CHECK(power.relative == split(1));
         const elementary::Logarithm& logarithm = elementary::logarithms[n];
-        mpfr_set_d(rest.x, logarithm.inverse * (n >= 53 ? 2 : 1), MPFR_RNDN);
+        mpfr_set_d(rest.x, logarithm.inverse, MPFR_RNDN);
         mpfr_log(x.x, rest.x, MPFR_RNDN);
         mpfr_neg(x.x, x.x, MPFR_RNDN);
         CHECK(logarithm.low == split(logarithm.high));

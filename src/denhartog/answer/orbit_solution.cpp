@@ -6,6 +6,7 @@
 
 #include "denhartog/answer/certify.hpp"
 #include "denhartog/model/coordinates.hpp"
+#include "denhartog/stick_slip/floquet.hpp"
 
 namespace denhartog {
 namespace {
@@ -107,7 +108,7 @@ OrbitSolution orbit_solution(ExactSolver<T>& solver, const PeriodicOrbit<T>& orb
 template <class T>
 Stability stability_of(const PeriodicOrbit<T>& orbit) {
     Stability stability{orbit.stable, {}};
-    for (const std::complex<double>& each : orbit.multipliers) stability.multipliers.push_back(std::abs(each));
+    for (const std::complex<double>& each : orbit.multipliers) stability.multipliers.push_back(size_of(each));
     return stability;
 }
 

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cmath>
+#include <concepts>
 #include <limits>
 
 #include "denhartog/number/circle_tables.hpp"
@@ -22,7 +23,8 @@ struct DoubleDouble {
 
     DoubleDouble() = default;
     /// @param n  a whole number
-    DoubleDouble(int n) : high(n) {}
+    template <std::same_as<int> Whole> // a double is not cut off to a whole number on its way here
+    DoubleDouble(Whole n) : high(n) {}
     /// @param x  a number
     explicit DoubleDouble(double x) : high(x) {}
     /// @param x     a number
@@ -80,10 +82,12 @@ struct DoubleDouble {
     [[nodiscard]] friend bool operator<=(const DoubleDouble& a, const DoubleDouble& b) { return a < b || a == b; }
     /// @brief Compares. @param a a number @param b a number @return whether a is not less
     [[nodiscard]] friend bool operator>=(const DoubleDouble& a, const DoubleDouble& b) { return b <= a; }
+
+    /// @brief Size. A function of the class, since one of the namespace would hide that of a double.
+    /// @param a a number @return |a|
+    [[nodiscard]] friend DoubleDouble abs(const DoubleDouble& a) { return a.high < 0 ? -a : a; }
 };
 
-/// @brief Size. @param a a number @return |a|
-[[nodiscard]] inline DoubleDouble abs(const DoubleDouble& a) { return a.high < 0 ? -a : a; }
 /// @brief Square root. @param a a number, not negative @return its root
 [[nodiscard]] inline DoubleDouble sqrt(const DoubleDouble& a) {
     const double root = std::sqrt(a.high);

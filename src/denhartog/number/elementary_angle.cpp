@@ -173,17 +173,32 @@ double acos(double x) noexcept {
     return angle.high + angle.low;
 }
 
+// The root and, from the exact difference to the larger or the smaller side, what it lacks: Borges, ACM Transactions on
+// Mathematical Software 47 (2020), 9.
+[[gnu::always_inline]] inline double length(double larger, double smaller) {
+    const double root = std::sqrt(larger * larger + smaller * smaller);
+    double excess;
+    if (root <= 2 * smaller) {
+        const double d = root - smaller;
+        excess = larger * (2 * d - larger) + (d - 2 * (larger - smaller)) * d;
+    } else {
+        const double d = root - larger;
+        excess = 2 * d * (larger - 2 * smaller) + ((4 * d - smaller) * smaller + d * d);
+    }
+    return root - excess / (2 * root);
+}
+
 double hypot(double x, double y) noexcept {
     x = std::fabs(x);
     y = std::fabs(y);
+    const double larger = x > y ? x : y, smaller = x > y ? y : x;
+    if (larger < 0x1p500 && smaller > 0x1p-400) [[likely]]
+        return length(larger, smaller);
     if (!is_finite(x) || !is_finite(y))
         return std::isinf(x) || std::isinf(y) ? std::numeric_limits<double>::infinity() : no_number;
-    const double largest = x > y ? x : y;
-    if (largest == 0) return 0;
-    const double scale = largest > 0x1p400 ? 0x1p-600 : largest < 0x1p-400 ? 0x1p600 : 1;
-    const Parts a = exact_product(x * scale, x * scale), b = exact_product(y * scale, y * scale);
-    const Parts sum = a.high > b.high ? ordered_sum(a.high, b.high) : ordered_sum(b.high, a.high);
-    return sqrt(DoubleDouble(sum.high, sum.low + (a.low + b.low))).high / scale;
+    if (smaller <= larger * 0x1p-54) return larger + smaller;
+    const double scale = larger >= 0x1p500 ? 0x1p-600 : 0x1p600;
+    return length(larger * scale, smaller * scale) / scale;
 }
 
 } // namespace elementary

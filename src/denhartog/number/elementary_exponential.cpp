@@ -40,30 +40,35 @@ Parts exponential_below_overflow(double x) {
     return ordered_sum(scaled, scaled * (e.r + e.s));
 }
 
-// log(x) in two parts, x positive and finite.
-Parts logarithm(double x) {
-    double exponent = 0;
-    if (x < std::numeric_limits<double>::min()) {
-        x *= 0x1p54;
-        exponent = -54;
-    }
-    const auto bits = std::bit_cast<std::uint64_t>(x);
-    const std::uint64_t n = bits >> 45U & 127U;
-    const bool up = n >= 53; // taken as half of the next power of two
-    exponent += static_cast<double>(static_cast<std::int64_t>(bits >> 52U) - 1023 + (up ? 1 : 0));
-    const double m = std::bit_cast<double>((bits & 0xfffffffffffffU) | 0x3ff0000000000000U), first = first_half(m);
-    const Logarithm& at = logarithms[n];
-    const Parts r = exact_sum(first * at.inverse - 1, (m - first) * at.inverse);
-    const double z = r.high * r.high, R = r.high;
-    const double series = (-1.0 / 2 + R * (1.0 / 3)) +
-                          z * ((-1.0 / 4 + R * (1.0 / 5)) + z * ((-1.0 / 6 + R * (1.0 / 7)) + z * (-1.0 / 8 + R * (1.0 / 9))));
-    const Parts head = ordered_sum(exponent * ln_2_high + at.high, R);
-    return {head.high, head.low + ((exponent * ln_2_low + at.low) + (r.low * (1 - R) + z * series))};
+// log(x) in two parts, x positive and normal by its bits, or such a number times 2^-54.
+[[gnu::always_inline]] inline Parts logarithm(std::uint64_t bits, double shift) {
+    constexpr std::uint64_t least = 0x3fe6a00000000000U; // m is taken from here to its double
+    const std::uint64_t exponent = (bits - least) & 0xfff0000000000000U;
+    const double m = std::bit_cast<double>(bits - exponent), first = first_half(m);
+    const double k = static_cast<double>(static_cast<std::int32_t>(exponent >> 32U) >> 20U) + shift;
+    const Logarithm& at = logarithms[bits >> 45U & 127U];
+    // The product of 35 bits less 1 has none below 2^-35, far above the last of the other: the sum is exact as if it were the
+    // larger.
+    const Parts r = ordered_sum(first * at.inverse - 1, (m - first) * at.inverse);
+    const double R = r.high, z = R * R;
+    const double series =
+        (-1.0 / 2 + R * (1.0 / 3)) + z * ((-1.0 / 4 + R * (1.0 / 5)) + z * ((-1.0 / 6 + R * (1.0 / 7)) - z * (1.0 / 8)));
+    const Parts head = ordered_sum(k * ln_2_high + at.high, R);
+    return {head.high, head.low + ((k * ln_2_low + at.low) + (r.low + z * series))};
 }
 
-double logarithm_at_ends(double x) { return x == 0 ? -infinite : x > 0 ? x : std::numeric_limits<double>::quiet_NaN(); }
+constexpr std::uint64_t least_normal = 0x0010000000000000U, of_infinity = 0x7ff0000000000000U;
 
-bool has_logarithm(double x) { return x > 0 && x < infinite; }
+// Whether the bits are those of a positive normal number.
+bool is_normal(std::uint64_t bits) { return bits - least_normal < of_infinity - least_normal; }
+
+// log(x) where x is no positive normal number.
+[[gnu::noinline]] Parts logarithm_far_out(double x) {
+    if (x == 0) return {-infinite, 0};
+    if (!(x > 0)) return {std::numeric_limits<double>::quiet_NaN(), 0};
+    if (x == infinite) return {x, 0};
+    return logarithm(std::bit_cast<std::uint64_t>(x * 0x1p54), -54);
+}
 
 } // namespace
 
@@ -110,14 +115,18 @@ double cosh(double x) noexcept {
 }
 
 double log(double x) noexcept {
-    if (!has_logarithm(x)) return logarithm_at_ends(x);
-    const Parts l = logarithm(x);
+    const auto bits = std::bit_cast<std::uint64_t>(x);
+    const Parts l = is_normal(bits) ? logarithm(bits, 0) : logarithm_far_out(x);
     return l.high + l.low;
 }
 
 double log10(double x) noexcept {
-    if (!has_logarithm(x)) return logarithm_at_ends(x);
-    return (DoubleDouble(logarithm(x)) * DoubleDouble(log10_e_high, log10_e_low)).high;
+    const auto bits = std::bit_cast<std::uint64_t>(x);
+    const Parts l = is_normal(bits) ? logarithm(bits, 0) : logarithm_far_out(x);
+    if (!(l.high - l.high == 0)) [[unlikely]]
+        return l.high;
+    const Parts product = exact_product(l.high, log10_e_high);
+    return product.high + (product.low + (l.high * log10_e_low + l.low * log10_e_high));
 }
 
 } // namespace elementary

@@ -137,13 +137,13 @@ def angles():
 
 
 def logarithms():
-    """1 / m to nine bits and the logarithm of its inverse, for m in the middle of each 128th of [1, 2)."""
+    """1 / m to nine bits and the logarithm of its inverse, for m in the middle of each 128th of [1, 2), from the 53rd on of half of it."""
     for n in range(128):
         inverse = round(Fraction(256 * 256, 257 + 2 * n)) if n else 256
         inverse = 256 if n == 0 else 128 if n == 127 else inverse
         value = logarithm(256, inverse) - (LN_2 if n >= 53 else 0)
         head = cut(value, max(1, abs(value).bit_length() - (BITS - 42))) if value else 0
-        yield row([inverse / 256, rounded(head), rounded(value - head)])
+        yield row([inverse / (128 if n >= 53 else 256), rounded(head), rounded(value - head)])
 
 
 def words_of_two_over_pi():
@@ -243,10 +243,10 @@ def write_powers():
         "/// @brief A number that is nearly 1 / m, and its logarithm.",
         "struct Logarithm {",
         "    double inverse; ///< nine bits",
-        "    double high;    ///< minus its logarithm, as a multiple of 2^-42; from n = 53 on less ln 2",
+        "    double high;    ///< minus its logarithm, as a multiple of 2^-42",
         "    double low;     ///< the rest",
         "};",
-        *table("For m from 1 + n / 128 to the next.", "Logarithm", "logarithms", 128, logarithms()),
+        *table("For m from 1 + n / 128 to the next, from n = 53 on for half of it.", "Logarithm", "logarithms", 128, logarithms()),
     ])
 
 

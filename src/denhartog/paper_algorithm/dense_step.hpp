@@ -2,12 +2,14 @@
 /// @brief One step of the Runge-Kutta method of Dormand and Prince with its dense output.
 #pragma once
 
+#include <algorithm>
 #include <boost/numeric/odeint/stepper/controlled_runge_kutta.hpp>
 #include <boost/numeric/odeint/stepper/runge_kutta_dopri5.hpp>
 #include <functional>
 #include <utility>
 #include <vector>
 
+#include "denhartog/number/elementary.hpp"
 #include "denhartog/paper_algorithm/contact_equations.hpp"
 #include "denhartog/paper_algorithm/step_polynomial.hpp"
 
@@ -64,10 +66,18 @@ public:
 private:
     using Stepper = boost::numeric::odeint::runge_kutta_dopri5<Y>;
     using Checker = boost::numeric::odeint::default_error_checker<double, Stepper::algebra_type, Stepper::operations_type>;
-    // Limits a step where its length is chosen; the length tried may be longer by the rounding of its end.
+    // The rule of odeint's own, by powers that are the same on every machine. It limits a step where its length is chosen; the length
+    // tried may be longer by the rounding of its end.
     struct Adjuster : boost::numeric::odeint::default_step_adjuster<double, double> {
         using default_step_adjuster::default_step_adjuster;
+        [[nodiscard]] double decrease_step(double step, double error, int order) const {
+            return std::min(step * std::max(0.9 * root_of_inverse(error, order - 1), 0.2), m_max_dt);
+        }
+        [[nodiscard]] double increase_step(double step, double error, int order) const {
+            return error < 0.5 ? std::min(step * std::min(0.9 * root_of_inverse(error, order), 4.5), m_max_dt) : step;
+        }
         [[nodiscard]] static bool check_step_size_limit(double) { return true; }
+        [[nodiscard]] static double root_of_inverse(double x, int order) { return elementary::exp(-elementary::log(x) / order); }
     };
     boost::numeric::odeint::controlled_runge_kutta<Stepper, Checker, Adjuster> stepper_;
 

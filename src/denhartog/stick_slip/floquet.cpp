@@ -15,7 +15,7 @@ double row_norm(const Matrix<double>& A) { return A.cwiseAbs().rowwise().sum().m
 
 void sort_by_size(std::vector<std::complex<double>>& values) {
     std::sort(values.begin(), values.end(), [](const std::complex<double>& a, const std::complex<double>& b) {
-        const double size_a = elementary::hypot(a.real(), a.imag()), size_b = elementary::hypot(b.real(), b.imag());
+        const double size_a = size_of(a), size_b = size_of(b);
         return size_a != size_b ? size_a > size_b : a.imag() > b.imag();
     });
 }
@@ -41,6 +41,8 @@ std::vector<std::complex<double>> eigenvalues_of(const Matrix<double>& T) {
 }
 
 } // namespace
+
+double size_of(const std::complex<double>& multiplier) { return elementary::hypot(multiplier.real(), multiplier.imag()); }
 
 std::vector<std::complex<double>> multipliers_of(const Matrix<double>& jacobian) {
     if (jacobian.rows() == 0 || !jacobian.allFinite()) return {};

@@ -9,6 +9,9 @@
 
 namespace denhartog {
 
+/// @brief Size of a multiplier, the same on every machine. @param multiplier one @return its absolute value
+[[nodiscard]] double size_of(const std::complex<double>& multiplier);
+
 /// @brief Eigenvalues of a map's Jacobian.
 /// @param jacobian  a square matrix
 /// @return          its eigenvalues by descending size; none where they were not found

@@ -142,7 +142,7 @@ private:
         if (!bound || !(100 * *bound < map_.norm(z))) return false;
         candidate_ = {z, h, map_.jacobian(), map_.rounding_norm(), false, 0};
         const std::vector<std::complex<double>> multipliers = multipliers_of(in_double(candidate_.jacobian));
-        candidate_.largest_multiplier = multipliers.empty() ? 1 : std::abs(multipliers.front());
+        candidate_.largest_multiplier = multipliers.empty() ? 1 : size_of(multipliers.front());
         candidate_.stable = attracts(map_);
         return true;
     }

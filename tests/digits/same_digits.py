@@ -1,21 +1,29 @@
 #!/usr/bin/env python3
 """Asks a program the same questions in several ways, and compares what it prints, byte for byte.
 
-The questions: solve with 6, 13 and 30 digits of seeded scenes of every kind, and maps of some of them. The ways: with the code paths that
-glibc takes on this processor and with those of an older one; with 1, 2 and 4 threads; and by other programs, such as a build by another
-compiler, or one for another processor under an emulator.
-Usage: same_digits.py [--scenes N] [--digits 6,13,30] [--maps N] [--other COMMAND]... [--others-only] PROGRAM
+The questions: solve with 6, 13 and 30 digits of seeded scenes of every kind, maps of some of them, and all quantities of the scenes of the
+certified vectors. The ways: with the code paths that glibc takes on this processor and with those of an older one; with 1, 2 and 4 threads;
+and by other programs, such as a build by another compiler, or one for another processor under an emulator.
+Usage: same_digits.py [--scenes N] [--digits 6,13,30] [--maps N] [--vectors EVERY] [--other [NAME=]COMMAND]... [--others-only]
+                      [--twin] [--record FILE] PROGRAM
+With --twin the digits of PROGRAM must differ, and the status says whether they do: it is one that calls the system's exp, or another
+that differs from the first. With --record FILE the counts are written there, those of ways in FILE that were not asked are kept.
 """
 import argparse
+import csv
 import hashlib
 import json
 import os
 import random
+import re
 import shlex
 import subprocess
+from pathlib import Path
 
 HWCAPS = ("-FMA", "-AVX2", "-AVX512F", "-AVX2,-FMA,-AVX512F")
 THREADS = ("1", "2", "4")
+VECTORS = Path(__file__).resolve().parents[1] / "conformance" / "vectors"
+FIELDS = ("way", "scenes", "runs", "bytes", "differ")
 
 
 def chain(draw, N):
@@ -63,7 +71,14 @@ def scenes(count):
     return [scene(draw, n % 8) for n in range(count)]
 
 
-def questions(count, digits, maps):
+def scenes_of_vectors(every):
+    """Every scene of the certified vectors once, of these each `every`th."""
+    lines = [line for path in sorted(VECTORS.glob("*.jsonl")) for line in path.read_text().splitlines()]
+    vectors = [json.loads(line) for line in lines]
+    return list(dict.fromkeys(json.dumps(v["scene"]) for v in vectors if "reject" not in v))[::every]
+
+
+def questions(count, digits, maps, every):
     """What is asked of every way: a name, arguments, what is read, and whether threads matter."""
     every = scenes(count)
     lines = [json.dumps(s) for s in every]
@@ -75,6 +90,30 @@ def questions(count, digits, maps):
         line = lines[n * 7 % count]
         yield f"map of scene {n * 7 % count + 1}", ["map", "--r", "0.21:2.7:12", "--beta", "0.01:1.5:12"], line, True
         yield f"boundaries of scene {n * 7 % count + 1}", ["map", "--r", "0.21:2.7:60", "--boundaries"], line, True
+    if every:
+        text = "\n".join(scenes_of_vectors(every))
+        yield "solve --all, scenes of the vectors", ["solve", "--json", "--all"], text, False
+        yield "functions, scenes of the vectors", ["functions", "--json"], text, False
+
+
+def named(command):
+    """NAME=COMMAND, or a command that is its own name."""
+    found = re.fullmatch(r"([^=]*)=(.*)", command, re.DOTALL)
+    return (found[1], found[2]) if found else (command, command)
+
+
+def record(path, ways, count):
+    """The counts, with those that are in the file of ways that were not asked now."""
+    rows = {}
+    if path.exists():
+        with path.open(newline="") as file:
+            rows = {row["way"]: row for row in csv.DictReader(file)}
+    for way in ways:
+        rows[way.name] = dict(zip(FIELDS, (way.name, count, way.runs, way.bytes, way.different)))
+    with path.open("w", newline="") as file:
+        writer = csv.DictWriter(file, FIELDS, lineterminator="\n")
+        writer.writeheader()
+        writer.writerows(rows.values())
 
 
 class Way:
@@ -103,14 +142,17 @@ def main():
     options.add_argument("--maps", type=int, default=40)
     options.add_argument("--other", action="append", default=[])
     options.add_argument("--others-only", action="store_true")
+    options.add_argument("--vectors", type=int, default=1, metavar="EVERY", help="each so manieth scene of the vectors; 0: none")
+    options.add_argument("--twin", action="store_true")
+    options.add_argument("--record", type=Path)
     given = options.parse_args()
     command = shlex.split(given.program)
     first = Way("as it is", command)
     ways = [Way(f"glibc.cpu.hwcaps={caps}", command, hwcaps=caps) for caps in HWCAPS]
     ways += [Way(f"{threads} threads", command, threads=threads) for threads in THREADS[1:]]
-    ways = [Way(other, shlex.split(other)) for other in given.other] + ([] if given.others_only else ways)
+    ways = [Way(name, shlex.split(other)) for name, other in map(named, given.other)] + ([] if given.others_only else ways)
     whole = hashlib.sha256()
-    for name, arguments, text, threads_matter in questions(given.scenes, given.digits.split(","), given.maps):
+    for name, arguments, text, threads_matter in questions(given.scenes, given.digits.split(","), given.maps, given.vectors):
         expected = first.ask(arguments, text, threads_matter)
         whole.update(expected[1].encode())
         for way in ways:
@@ -127,7 +169,10 @@ def main():
     for way in (first, *ways):
         print(f"{way.name}: {way.runs} runs, {way.bytes} bytes, {way.different} runs differ")
     print(f"sha256 of the answers: {whole.hexdigest()}")
-    raise SystemExit(any(way.different for way in ways))
+    if given.record:
+        record(given.record, (first, *ways), given.scenes)
+    differ = any(way.different for way in ways)
+    raise SystemExit(not differ if given.twin else differ)
 
 
 if __name__ == "__main__":
