@@ -78,7 +78,7 @@ def scenes_of_vectors(every):
     return list(dict.fromkeys(json.dumps(v["scene"]) for v in vectors if "reject" not in v))[::every]
 
 
-def questions(count, digits, maps, every):
+def questions(count, digits, maps, of_vectors):
     """What is asked of every way: a name, arguments, what is read, and whether threads matter."""
     every = scenes(count)
     lines = [json.dumps(s) for s in every]
@@ -90,8 +90,8 @@ def questions(count, digits, maps, every):
         line = lines[n * 7 % count]
         yield f"map of scene {n * 7 % count + 1}", ["map", "--r", "0.21:2.7:12", "--beta", "0.01:1.5:12"], line, True
         yield f"boundaries of scene {n * 7 % count + 1}", ["map", "--r", "0.21:2.7:60", "--boundaries"], line, True
-    if every:
-        text = "\n".join(scenes_of_vectors(every))
+    if of_vectors:
+        text = "\n".join(scenes_of_vectors(of_vectors))
         yield "solve --all, scenes of the vectors", ["solve", "--json", "--all"], text, False
         yield "functions, scenes of the vectors", ["functions", "--json"], text, False
 
