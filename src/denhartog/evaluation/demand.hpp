@@ -234,6 +234,8 @@ template <class T>
 [[nodiscard]] T s_d_integrand(const T& tau, const T& R, const T& zeta) {
     using Wide = typename WiderOf<T>::type;
     if (zeta == 0 && at_undamped_pole(R)) return zeta / zeta;
+    if constexpr (std::is_same_v<T, double>)
+        if (!within_range_of_two_doubles(tau, R, zeta)) return s_d_integrand_in_50_digits(tau, R, zeta);
     const Wide wide_R(R), wide_zeta(zeta);
     return static_cast<T>(s_d_integrand_of(Wide(tau), wide_R, wide_zeta, selected_damping_functions(wide_R, wide_zeta)));
 }

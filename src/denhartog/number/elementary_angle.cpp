@@ -203,28 +203,50 @@ double hypot(double x, double y) noexcept {
 
 } // namespace elementary
 
+namespace {
+
+// From here on the second part of an angle is no small one.
+constexpr double of_many_turns = 0x1p40;
+
+// The sine of the sum of two angles, or of that a quarter turn on.
+DoubleDouble sine_of_sum(double x, double y, std::uint64_t steps_on) {
+    const elementary::ReducedAngle of_x = elementary::reduce(x, 0), of_y = elementary::reduce(y, 0);
+    const elementary::ReducedAngle on{of_x.n + steps_on, of_x.d, of_x.d_low};
+    return DoubleDouble(elementary::sine(on)) * DoubleDouble(elementary::cosine(of_y)) +
+           DoubleDouble(elementary::cosine(on)) * DoubleDouble(elementary::sine(of_y));
+}
+
+// An angle in half turns without whole turns, in neither part.
+elementary::Parts without_many_turns(const DoubleDouble& a) {
+    return elementary::exact_sum(elementary::without_many_turns(a.high), elementary::without_many_turns(a.low));
+}
+
+} // namespace
+
 DoubleDouble sin(const DoubleDouble& a) {
     if (!elementary::is_finite(a.high)) return DoubleDouble(elementary::no_number);
     if (std::fabs(a.high) < 0x1p-40) return a;
+    if (std::fabs(a.high) >= of_many_turns) return sine_of_sum(a.high, a.low, 0);
     return DoubleDouble(elementary::sine(elementary::reduce(a.high, a.low)));
 }
 
 DoubleDouble cos(const DoubleDouble& a) {
     if (!elementary::is_finite(a.high)) return DoubleDouble(elementary::no_number);
+    if (std::fabs(a.high) >= of_many_turns) return sine_of_sum(a.high, a.low, 32);
     return DoubleDouble(elementary::cosine(elementary::reduce(a.high, a.low)));
 }
 
 DoubleDouble sine_of_half_turns(const DoubleDouble& a) {
     if (std::fabs(a.high) < 0x1p-60) return PiOf<DoubleDouble>::value() * a;
-    const double x = elementary::without_many_turns(a.high);
-    if (!elementary::is_finite(x)) return DoubleDouble(elementary::no_number);
-    return DoubleDouble(elementary::sine(elementary::reduce_half_turns(x, a.low)));
+    if (!elementary::is_finite(a.high)) return DoubleDouble(elementary::no_number);
+    const elementary::Parts x = without_many_turns(a);
+    return DoubleDouble(elementary::sine(elementary::reduce_half_turns(x.high, x.low)));
 }
 
 DoubleDouble cosine_of_half_turns(const DoubleDouble& a) {
-    const double x = elementary::without_many_turns(a.high);
-    if (!elementary::is_finite(x)) return DoubleDouble(elementary::no_number);
-    return DoubleDouble(elementary::cosine(elementary::reduce_half_turns(x, a.low)));
+    if (!elementary::is_finite(a.high)) return DoubleDouble(elementary::no_number);
+    const elementary::Parts x = without_many_turns(a);
+    return DoubleDouble(elementary::cosine(elementary::reduce_half_turns(x.high, x.low)));
 }
 
 DoubleDouble atan2(const DoubleDouble& y, const DoubleDouble& x) {
