@@ -96,6 +96,7 @@ function double_strokes() {
   for (const each of document.querySelectorAll(".katex-html *"))
     for (const node of each.childNodes)
       if (node.nodeType === Node.TEXT_NODE && node.data.trim().length === 1) node.data += node.data;
+  dispatchEvent(new Event("resize")); // what is wider now may scroll, and is then a stop of the keyboard
 }
 
 // In the page: leaves of the strokes of a formula that have all this in common the first, within all that is around it.
