@@ -3,13 +3,14 @@
 //   node check-pages.mjs SITE REPORT.json [--only REGEXP] [--screenshots FOLDER] [--limit SECONDS]
 //        [--equations EQUATIONS.json]
 //
-// It looks for an error in the console, a file that is not there, a call to another host; raw \f or \( left in the text; a formula
-// that is not drawn, was rejected, or says nothing to a listener; a folded part without a name; a tab stop within a formula, or on
-// one that does not scroll; a page wider than the window at 375 or 1280 pixels, with folded parts closed and open; an equation of
-// EQUATIONS.json without a page of its own; a serious fault by axe-core in light and dark, with folded parts open, on ten pages with
-// all formulas as they are, on the others with each colour of a formula once, and on a sample of the pages that are alike but for
-// their lines; a page that does not come to its end within the limit, 300 seconds. Standard error has a line for each fault; the
-// exit status is 1 if there is any, 2 for usage. Run from the folder where axe-core and puppeteer-core are.
+// It looks for an error in the console, a file that is not there, a call to another host; raw \f or \( left in the text; a
+// formula that is not drawn, was rejected, or says nothing to a listener; a folded part without a name; a tab stop within a
+// formula, or on one that does not scroll; a page wider than the window at 375 or 1280 pixels, with folded parts closed and
+// open; an equation of EQUATIONS.json without a page of its own; a serious fault by axe-core in light and dark, with folded
+// parts open, on ten pages with all formulas as they are, on the others with each colour of a formula once, and on a sample of
+// the pages that are alike but for their lines; a page that does not come to its end within the limit, 300 seconds. Standard
+// error has a line for each fault; the exit status is 1 if there is any, 2 for usage. Run from the folder where axe-core and
+// puppeteer-core are.
 import {createRequire} from "node:module";
 import fs from "node:fs";
 import os from "node:os";
