@@ -2,8 +2,8 @@
 //
 //   node check-pages-test.mjs
 //
-// Opens a page for each kind of fault, and pages without a fault; these in a browser that writes much on standard error. Exit status
-// 1 if a fault is not told, or is told of a good page. Run from the folder where axe-core and puppeteer-core are.
+// Opens a page for each kind of fault, and pages without a fault; these in a browser that writes much on standard error. The exit
+// status is 1 if a fault is not told, or is told of a good page. Run from the folder where axe-core and puppeteer-core are.
 import {spawnSync} from "node:child_process";
 import fs from "node:fs";
 import os from "node:os";
@@ -40,7 +40,8 @@ const pages = {
   dark: ["<style>@media (prefers-color-scheme: dark) { p { color: #333; background: #222; } }</style><p>Too dark.</p>",
          "axe, dark: color-contrast"],
   within_fold: ["<details><summary>More</summary><p style='color: #ccc'>Too pale.</p></details>", "axe, light: color-contrast"],
-  stroke: ["<p>" + drawn("<span>a</span><span>b</span><span style='color: #ccc'>c</span>") + "</p>", "axe, light: color-contrast, 1 times"],
+  stroke: ["<p>" + drawn("<span>a</span><span>b</span><span style='color: #ccc'>c</span>") + "</p>",
+           "axe, light: color-contrast, 1 times"],
   stroke_in_dark: ["<style>@media (prefers-color-scheme: dark) { p { background: #fff; } .pale { color: #ccc; } }</style><p>" +
                    drawn("<span>a</span><span>b</span><span class='pale'>c</span>") + "</p>", "axe, dark: color-contrast, 1 times"],
   busy: ["<script>addEventListener('load', () => setTimeout(() => { for (;;); }))</script>",
