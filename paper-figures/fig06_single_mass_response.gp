@@ -7,4 +7,5 @@ sliding(z) = z == 3 ? 4 : 5 # with zeta = 0.1 no motion at beta = 0.8 slides thr
 stuck = 0; name_points = ''
 damping(z) = 'ζ = '.z
 some = 3; inset = 1; note = ''
+direct = 1
 load 'common/response_over_r.gp'

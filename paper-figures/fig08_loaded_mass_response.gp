@@ -7,4 +7,5 @@ sliding(z) = z == 3 ? 4 : 5
 stuck = 1; name_points = 'invariant points, (87)'
 damping(z) = 'ζ_i = '.z.'/r_{n,i}'
 some = 2; inset = 0; note = '200 periods from rest have not settled'
+direct = 0
 load 'common/response_over_r.gp'

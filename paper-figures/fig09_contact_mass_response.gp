@@ -7,4 +7,5 @@ sliding(z) = z == 3 ? 4 : 5
 stuck = 0; name_points = 'invariant points, U_2 = 0'
 damping(z) = 'ζ_i = '.z.'/r_{n,i}'
 some = 2; inset = 0; note = ''
+direct = 0
 load 'common/response_over_r.gp'

@@ -6,16 +6,17 @@ Open Scope R_scope.
 
 Theorem eq_67_by_shares : Statements.eq_67_by_shares.
 Proof.
-  intros s mu Sc L. pose proof (mobility_pos s Sc) as Mp. unfold limit_by_shares. f_equal.
+  intros s mu Sc. pose proof (mobility_pos s Sc) as Mp. unfold limit_by_shares. f_equal.
   set (m := mobility s) in *.
-  assert (Sh : forall f : nat -> R, Sum (masses s) (fun i => shape s (contact s) i ^ 2 / m * f i)
-    = / m * Sum (masses s) (fun i => shape s (contact s) i ^ 2 * f i)).
-  { intros f. rewrite <- Sum_scal. apply Sum_ext. intros. unfold Rdiv. ring. }
-  rewrite !Sh.
-  replace (Sum (masses s) (fun i => shape s (contact s) i ^ 2 * (ratio s i ^ 2 * v_re (ratio s i) (damping_ratio s i))))
-    with (V_re s (contact s)) by (unfold V_re; rewrite L; apply Sum_ext; intros; ring).
-  replace (Sum (masses s) (fun i => shape s (contact s) i ^ 2 * (ratio s i ^ 2 * v_im (ratio s i) (damping_ratio s i))))
-    with (V_im s (contact s)) by (unfold V_im; rewrite L; apply Sum_ext; intros; ring).
+  assert (Sh : forall f h : nat -> R, Sum (masses s) (fun i => h i / m * f i) = / m * Sum (masses s) (fun i => h i * f i)).
+  { intros f h. rewrite <- Sum_scal. apply Sum_ext. intros. unfold Rdiv. ring. }
+  rewrite !(Sh _ (fun i => shape s (contact s) i ^ 2)), !(Sh _ (fun i => shape s (contact s) i * shape s (loaded s) i)).
+  replace (Sum (masses s) (fun i => shape s (contact s) i * shape s (loaded s) i * (ratio s i ^ 2 * v_re (ratio s i)
+    (damping_ratio
+    s i)))) with (V_re s (contact s)) by (unfold V_re; apply Sum_ext; intros; ring).
+  replace (Sum (masses s) (fun i => shape s (contact s) i * shape s (loaded s) i * (ratio s i ^ 2 * v_im (ratio s i)
+    (damping_ratio
+    s i)))) with (V_im s (contact s)) by (unfold V_im; apply Sum_ext; intros; ring).
   replace (Sum (masses s) (fun i => shape s (contact s) i ^ 2 * (ratio s i ^ 2 * u (ratio s i) (damping_ratio s i))))
     with (U s (contact s)) by (unfold U; apply Sum_ext; intros; ring).
   replace (Sum (masses s) (fun i => shape s (contact s) i ^ 2 * (g (ratio s i) (damping_ratio s i)
@@ -140,49 +141,64 @@ Proof.
   replace (Finite (a ^ 2)) with (Rbar_mult a a) by (simpl; f_equal; ring). apply is_lim_mult; [exact L | exact L | exact I].
 Qed.
 
+Theorem sum_of_shares : Statements.sum_of_shares.
+Proof.
+  intros s Sc Al. pose proof (mobility_pos s Sc) as Mp. pose proof (mobility_alone s Sc Al) as Mo.
+  split; unfold Rdiv; rewrite Sum_scal_r; [apply Rinv_r; lra|].
+  assert (E : mass s (contact s) (contact s) * Sum (masses s) (fun i => shape s (contact s) i * shape s (loaded s) i)
+    = delta (contact s) (loaded s)).
+  { rewrite <- (complete_1 s Sc _ _ (Hj s Sc) (Hl s Sc)), <- Sum_scal. apply Sum_ext. intros i Hi.
+    unfold MP. rewrite (Sum_single (masses s) (contact s) (fun c => mass s (contact s) c * shape s c i));
+      [ring | apply Hj, Sc | intros c Hc Hcj; rewrite Al by assumption; ring]. }
+  rewrite <- E. replace (/ mobility s) with (mass s (contact s) (contact s)); [ring|].
+  apply (Rmult_eq_reg_r (mobility s)); [rewrite Mo; field; lra | lra].
+Qed.
+
 Theorem eq_86_all_masses : Statements.eq_86_all_masses.
 Proof.
-  intros n a rho zeta mu Hm Ha Hmodes. pose proof PI_RGT_0 as P.
-  assert (Lim : forall (f : R -> R -> R) c, (forall z, 0 <= z < 1 -> is_lim (fun r => f r z) p_infty (Finite c)) ->
-    is_lim (fun r => Sum n (fun i => a i * f (r * rho i) (zeta i))) p_infty c).
-  { intros f c H. replace c with (Sum n (fun i => a i * c)) by (rewrite Sum_scal_r, Ha; ring).
-    apply (Sum_limit n a (fun _ => c) (fun i r => f (r * rho i) (zeta i))). intros i Hi. destruct (Hmodes i Hi) as [Hr Hz].
+  intros n a b rho zeta mu Hm Ha Hmodes. pose proof PI_RGT_0 as P.
+  assert (Lim : forall a0 (f : R -> R -> R) c, (forall z, 0 <= z < 1 -> is_lim (fun r => f r z) p_infty (Finite c)) ->
+    is_lim (fun r => Sum n (fun i => a0 i * f (r * rho i) (zeta i))) p_infty (Sum n a0 * c)).
+  { intros a0 f c H. rewrite <- Sum_scal_r. apply (Sum_limit n a0 (fun _ => c) (fun i r => f (r * rho i) (zeta i))). intros i
+    Hi. destruct (Hmodes i Hi) as [Hr Hz].
     apply (scaled (fun r => f r (zeta i))); [exact Hr | apply H, Hz]. }
-  assert (L1 := Lim (fun r z => r ^ 2 * v_re r z) _ (fun z Hz => proj1 (v_at_infinity z Hz))).
-  assert (L2 := Lim (fun r z => r ^ 2 * v_im r z) _ (fun z Hz => proj2 (v_at_infinity z Hz))).
-  assert (L3 := Lim (fun r z => r ^ 2 * u r z) _ u_at_infinity).
-  assert (L4 := Lim (fun r z => g r z + 2 * z * (r * u r z)) 0).
+  assert (L1 := Lim b (fun r z => r ^ 2 * v_re r z) _ (fun z Hz => proj1 (v_at_infinity z Hz))).
+  assert (L2 := Lim b (fun r z => r ^ 2 * v_im r z) _ (fun z Hz => proj2 (v_at_infinity z Hz))).
+  assert (L3 := Lim a (fun r z => r ^ 2 * u r z) _ u_at_infinity).
+  assert (L4 := Lim a (fun r z => g r z + 2 * z * (r * u r z)) 0).
   assert (L5 : forall z, 0 <= z < 1 -> is_lim (fun r => g r z + 2 * z * (r * u r z)) p_infty 0).
   { intros z Hz. assert (X : is_lim (fun r => g r z + 2 * z * (r * u r z)) p_infty (0 + 2 * z * 0)).
     { apply is_lim_plus'; [apply g_at_infinity|].
       apply (is_lim_scal_l (fun r => r * u r z) (2 * z) p_infty 0), u_falls, Hz. }
     replace (0 + 2 * z * 0) with 0 in X by ring. exact X. }
-  specialize (L4 L5). cbv beta in L1, L2, L3, L4.
+  specialize (L4 L5). cbv beta in L1, L2, L3, L4. rewrite Ha in L3, L4. set (c := Sum n b) in *.
   assert (LN := is_lim_plus' _ _ _ _ _ (square_limit _ _ _ L1) (square_limit _ _ _ L2)).
   assert (LD := is_lim_plus' _ _ _ _ _ (square_limit _ _ _ L3)
     (square_limit _ _ _ (is_lim_plus' _ _ _ _ _ L4 (is_lim_const mu p_infty)))).
-  assert (Nz : (PI / 2) ^ 2 + (0 + mu) ^ 2 <> 0) by (apply Rgt_not_eq; nra).
-  assert (LQ : is_lim (fun r => (Sum n (fun i => a i * ((r * rho i) ^ 2 * v_re (r * rho i) (zeta i))) ^ 2
-      + Sum n (fun i => a i * ((r * rho i) ^ 2 * v_im (r * rho i) (zeta i))) ^ 2) /
+  assert (Nz : (1 * (PI / 2)) ^ 2 + (1 * 0 + mu) ^ 2 <> 0) by (apply Rgt_not_eq; nra).
+  assert (LQ : is_lim (fun r => (Sum n (fun i => b i * ((r * rho i) ^ 2 * v_re (r * rho i) (zeta i))) ^ 2
+      + Sum n (fun i => b i * ((r * rho i) ^ 2 * v_im (r * rho i) (zeta i))) ^ 2) /
     (Sum n (fun i => a i * ((r * rho i) ^ 2 * u (r * rho i) (zeta i))) ^ 2
       + (Sum n (fun i => a i * (g (r * rho i) (zeta i) + 2 * zeta i * (r * rho i * u (r * rho i) (zeta i)))) + mu) ^ 2)) p_infty
-    (((-1) ^ 2 + 0 ^ 2) / ((PI / 2) ^ 2 + (0 + mu) ^ 2))).
+    (((c * -1) ^ 2 + (c * 0) ^ 2) / ((1 * (PI / 2)) ^ 2 + (1 * 0 + mu) ^ 2))).
   { pose proof (is_lim_div _ _ p_infty _ _ LN LD) as Q. simpl in Q.
     apply Q; [intros K; injection K as K; apply Nz; simpl; lra | exact I]. }
   pose proof (is_lim_comp_continuous _ sqrt p_infty _ LQ (continuous_sqrt _)) as LC.
-  replace (2 / sqrt (4 * mu ^ 2 + PI ^ 2)) with (sqrt (((-1) ^ 2 + 0 ^ 2) / ((PI / 2) ^ 2 + (0 + mu) ^ 2))); [exact LC|].
-  assert (Q : 0 < 4 * mu ^ 2 + PI ^ 2) by nra. pose proof (sqrt_lt_R0 _ Q).
-  replace (((-1) ^ 2 + 0 ^ 2) / ((PI / 2) ^ 2 + (0 + mu) ^ 2))
-    with ((2 / sqrt (4 * mu ^ 2 + PI ^ 2)) * (2 / sqrt (4 * mu ^ 2 + PI ^ 2))).
-  - apply sqrt_square. apply Rlt_le, Rdiv_lt_0_compat; lra.
-  - replace (2 / sqrt (4 * mu ^ 2 + PI ^ 2) * (2 / sqrt (4 * mu ^ 2 + PI ^ 2)))
-      with (4 / (sqrt (4 * mu ^ 2 + PI ^ 2) * sqrt (4 * mu ^ 2 + PI ^ 2))) by (field; lra).
-    rewrite sqrt_sqrt by lra. field. repeat split; nra.
+  assert (Q : 0 < 4 * mu ^ 2 + PI ^ 2) by nra. pose proof (sqrt_lt_R0 _ Q) as Qs.
+  replace (Rabs c * (2 / sqrt (4 * mu ^ 2 + PI ^ 2))) with (sqrt (((c * -1) ^ 2 + (c * 0) ^ 2) / ((1 * (PI / 2)) ^ 2 + (1 * 0 +
+    mu)
+    ^ 2))); [exact LC|].
+  replace (((c * -1) ^ 2 + (c * 0) ^ 2) / ((1 * (PI / 2)) ^ 2 + (1 * 0 + mu) ^ 2))
+    with ((Rabs c * (2 / sqrt (4 * mu ^ 2 + PI ^ 2))) * (Rabs c * (2 / sqrt (4 * mu ^ 2 + PI ^ 2)))).
+  - apply sqrt_square, Rmult_le_pos; [apply Rabs_pos | apply Rlt_le, Rdiv_lt_0_compat; lra].
+  - replace (Rabs c * (2 / sqrt (4 * mu ^ 2 + PI ^ 2)) * (Rabs c * (2 / sqrt (4 * mu ^ 2 + PI ^ 2))))
+      with (Rabs c ^ 2 * (4 / (sqrt (4 * mu ^ 2 + PI ^ 2) * sqrt (4 * mu ^ 2 + PI ^ 2)))) by (field; lra).
+    rewrite sqrt_sqrt, pow2_abs by lra. field. repeat split; nra.
 Qed.
 
 (* One mass is the mode whose share is 1. *)
 Lemma single_by_shares mu z r : 0 < r ->
-  limit_of_single_mass mu z r = limit_by_shares 1%nat (fun _ => 1) (fun _ => r) (fun _ => z) mu.
+  limit_of_single_mass mu z r = limit_by_shares 1%nat (fun _ => 1) (fun _ => 1) (fun _ => r) (fun _ => z) mu.
 Proof.
   intros Hr. unfold limit_of_single_mass, limit_by_shares, v_abs. cbn [Sum]. f_equal.
   rewrite <- Rsqr_pow2, Rsqr_sqrt by (apply Rplus_le_le_0_compat; apply pow2_ge_0).
@@ -196,7 +212,9 @@ Qed.
 Theorem eq_86 : Statements.eq_86.
 Proof.
   intros mu z Hm Hz.
-  assert (L := eq_86_all_masses 1%nat (fun _ => 1) (fun _ => 1) (fun _ => z) mu Hm ltac:(simpl; ring) ltac:(intros; lra)).
+  assert (L := eq_86_all_masses 1%nat (fun _ => 1) (fun _ => 1) (fun _ => 1) (fun _ => z) mu Hm ltac:(simpl; ring)
+    ltac:(intros; lra)).
+  cbn [Sum] in L. rewrite Rplus_0_l, Rabs_R1, Rmult_1_l in L.
   apply (is_lim_ext_loc _ (limit_of_single_mass mu z) p_infty (2 / sqrt (4 * mu ^ 2 + PI ^ 2))) in L; [exact L|].
   exists 0. intros r Hr. rewrite single_by_shares by exact Hr. unfold limit_by_shares. rewrite Rmult_1_r. reflexivity.
 Qed.

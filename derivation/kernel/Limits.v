@@ -175,15 +175,45 @@ Qed.
 Lemma w_near z : Rabs z < 1 -> 0 < w z.
 Proof. intros H. apply Rabs_lt_between in H. apply sqrt_lt_R0, w_derivable, H. Qed.
 
+Lemma sinh_above x : 0 < x -> 0 < sinh x.
+Proof. intros H. unfold sinh. pose proof (exp_increasing (- x) x ltac:(lra)). lra. Qed.
+Lemma sinh_not_zero z : z <> 0 -> sinh (z * PI) <> 0.
+Proof.
+  intros H. pose proof PI_RGT_0. destruct (Rlt_dec 0 z) as [L|L]; [apply Rgt_not_eq, sinh_above; nra|].
+  pose proof (sinh_above (- (z * PI)) ltac:(nra)) as S. unfold sinh in *. rewrite Ropp_involutive in S. lra.
+Qed.
+Lemma cosh_not_one z : z <> 0 -> cosh (z * PI) - 1 <> 0.
+Proof.
+  intros H. pose proof PI_RGT_0. pose proof (Misprints.cosh_above (z * PI) ltac:(apply Rmult_integral_contrapositive; split;
+    lra)). lra.
+Qed.
+Lemma sinh_limit : is_lim (fun z => sinh (z * PI) / z) 0 PI.
+Proof.
+  apply (is_lim_ext (fun z => sinh (z * PI) / (z - 0))); [intros; rewrite Rminus_0_r; reflexivity|].
+  apply (slope_limit (fun z => sinh (z * PI)) 0); [rewrite Rmult_0_l; apply sinh_0|].
+  unfold sinh. auto_derive; [trivial|]. replace (0 * PI) with 0 by ring. rewrite Ropp_0, exp_0. field.
+Qed.
+Lemma cosh_limit : is_lim (fun z => (cosh (z * PI) - 1) / z ^ 2) 0 (PI ^ 2 / 2).
+Proof.
+  apply (second_slope (fun z => cosh (z * PI) - 1) (fun z => PI * sinh (z * PI)) (PI ^ 2) 1);
+    [lra | rewrite Rmult_0_l, cosh_0; ring | rewrite Rmult_0_l, sinh_0; ring | |].
+  - intros z _. unfold cosh, sinh. auto_derive; [trivial|]. field.
+  - unfold sinh. auto_derive; [trivial|]. replace (0 * PI) with 0 by ring. rewrite Ropp_0, exp_0. field.
+Qed.
+Lemma u_at_resonance : is_lim (u 1) 0 (/ PI).
+Proof.
+  pose proof PI_RGT_0 as P. replace (/ PI) with (PI / 2 / (1 * (PI ^ 2 / 2))) by (field; lra).
+  apply (near_zero (fun z => top z / z ^ 2 / (w z * (bottom z / z ^ 2)))).
+  - intros z H H0. pose proof (w_near z H). pose proof (bottom_not_zero z H0) as B. unfold u, theta, decay, top, bottom in *.
+    replace (PI * w z / 1) with (PI * w z) by field. replace (PI * z / 1) with (z * PI) by field. field. repeat split; try lra;
+      assumption.
+  - apply ratio_limit; [apply top_limit | apply product_limit; [apply w_limit | apply bottom_limit] | nra].
+Qed.
+
 Theorem limits_at_resonance : Statements.limits_at_resonance.
 Proof.
   pose proof PI_RGT_0 as P. split; apply from_the_right.
-  - replace (/ PI) with (PI / 2 / (1 * (PI ^ 2 / 2))) by (field; lra).
-    apply (near_zero (fun z => top z / z ^ 2 / (w z * (bottom z / z ^ 2)))).
-    + intros z H H0. pose proof (w_near z H). pose proof (bottom_not_zero z H0) as B. unfold u, theta, decay, top, bottom in *.
-      replace (PI * w z / 1) with (PI * w z) by field. replace (PI * z / 1) with (z * PI) by field. field. repeat split; try
-        lra; assumption.
-    + apply ratio_limit; [apply top_limit | apply product_limit; [apply w_limit | apply bottom_limit] | nra].
+  - exact u_at_resonance.
   - replace (2 / PI) with (PI / (PI ^ 2 / 2)) by (field; lra).
     apply (near_zero (fun z => (sinh (z * PI) - z / w z * top z) / (z - 0) / (bottom z / z ^ 2))).
     + intros z H H0. pose proof (w_near z H). pose proof (bottom_not_zero z H0) as B. unfold g, theta, decay, top, bottom in *.
@@ -205,8 +235,6 @@ Proof.
   split; [exact A|]. split; [exact B|]. unfold v_abs. rewrite A, B. apply sqrt_of_square; [|ring].
   apply Rlt_le, Rinv_0_lt_compat. lra.
 Qed.
-Lemma sinh_above x : 0 < x -> 0 < sinh x.
-Proof. intros H. unfold sinh. pose proof (exp_increasing (- x) x ltac:(lra)). lra. Qed.
 
 Theorem eq_85_is_the_zero_of_83 : Statements.eq_85_is_the_zero_of_83.
 Proof.
@@ -219,17 +247,7 @@ Qed.
 Theorem eq_85_undamped : Statements.eq_85_undamped.
 Proof.
   pose proof PI_RGT_0 as P. apply from_the_right. replace (PI / 4) with (PI ^ 2 / 2 / (2 * PI)) by (field; lra).
-  apply (not_at_zero (fun z => (cosh (z * PI) - 1) / z ^ 2 / (2 * (sinh (z * PI) / (z - 0))))).
-  - intros z Hz. assert (sinh (z * PI) <> 0).
-    { destruct (Rlt_dec 0 z) as [L|L]; [apply Rgt_not_eq, sinh_above; nra|]. pose proof (sinh_above (- (z * PI)) ltac:(nra)) as S.
-      unfold sinh in *. rewrite Ropp_involutive in S. lra. }
-    rewrite Rminus_0_r. field. split; assumption.
-  - apply ratio_limit; [| |lra].
-    + apply (second_slope (fun z => cosh (z * PI) - 1) (fun z => PI * sinh (z * PI)) (PI ^ 2) 1); [lra | rewrite Rmult_0_l,
-      cosh_0; ring | rewrite Rmult_0_l, sinh_0; ring | |].
-      * intros z _. unfold cosh, sinh. auto_derive; [trivial|]. field.
-      * unfold sinh. auto_derive; [trivial|]. replace (0 * PI) with 0 by ring. rewrite Ropp_0, exp_0. field.
-    + apply (product_limit (fun _ => 2)); [apply is_lim_const|]. apply (slope_limit (fun z => sinh (z * PI)) 0); [rewrite
-      Rmult_0_l; apply sinh_0|].
-      unfold sinh. auto_derive; [trivial|]. replace (0 * PI) with 0 by ring. rewrite Ropp_0, exp_0. field.
+  apply (not_at_zero (fun z => (cosh (z * PI) - 1) / z ^ 2 / (2 * (sinh (z * PI) / z)))).
+  - intros z Hz. pose proof (sinh_not_zero z Hz). field. split; assumption.
+  - apply ratio_limit; [apply cosh_limit | apply (product_limit (fun _ => 2)); [apply is_lim_const | apply sinh_limit] | lra].
 Qed.

@@ -501,6 +501,14 @@ Definition eq_52_as_printed : Prop := ~ forall s k, is_scene s -> responds s -> 
   sqrt (V_abs s k ^ 2 + friction s ^ 2 * (G s k ^ 2 + U s k ^ 2) - 2 * friction s * (V_abs s k / V_abs s (contact s)) *
     (root s * (G s k * cos D + U s k * sin D) + friction s * U s (contact s) * (G s k * sin D + U s k * cos D))).
 
+(* (56) is not necessary: a scene slides although beta times the sum of the modes' own suprema exceeds what it has to stay
+  below. *)
+Definition eq_56_as_printed : Prop := ~ forall s (S : nat -> R) phi, is_scene s -> 0 < friction s -> responds s -> is_phase s
+  phi ->
+  (forall i, (i < masses s)%nat ->
+    is_lub (fun y => exists t, 0 < t < PI /\ y = demand_of_mode (ratio s i) (damping_ratio s i) t / sin t) (S i)) ->
+  slides s phi -> friction s * Sum (masses s) (fun i => shape s (contact s) i ^ 2 * S i) < X_j s + friction s * G s (contact s).
+
 (* (57) as printed: the other bracket, and no cosine of tau *)
 Definition demand_printed R_i zeta t :=
   ((1 + g R_i zeta) * exp (- zeta * t / R_i) * (R_i / w zeta) * sin (w zeta * t / R_i)
@@ -620,6 +628,50 @@ Definition eq_85_is_the_zero_of_83 : Prop := forall psi_l psi_j zeta, 0 < zeta -
 (* (85) tends to |psi_l / psi_j| pi / 4 for vanishing damping. *)
 Definition eq_85_undamped : Prop :=
   filterlim (fun zeta => (cosh (zeta * PI) - 1) / (2 * zeta * sinh (zeta * PI))) (at_right 0) (locally (PI / 4)).
+(* The orders of the errors: f is of the order of zeta^n for zeta -> 0. *)
+Definition of_order (n : nat) (f : R -> R) := exists B e, 0 < e /\ forall zeta, 0 < zeta < e -> Rabs (f zeta) <= B * zeta ^ n.
+(* (79) *)
+Definition second_function_at_resonance zeta := sinh (zeta * PI) / (cosh (zeta * PI) - 1).
+(* (79) against (29) at R_i = 1: the relative error is of second order, with the factor 3/4. *)
+Definition eq_79 : Prop :=
+  filterlim (fun zeta => (g 1 zeta / second_function_at_resonance zeta - 1) / zeta ^ 2) (at_right 0) (locally (- (3 / 4))).
+(* (38) of one mass at r = 1 less (84): of first order, with this factor *)
+Definition eq_84 : Prop := forall beta,
+  filterlim (fun zeta => (X_j (single_mass 1 zeta beta) - (1 / (2 * zeta) - second_function_at_resonance zeta * beta)) / zeta)
+    (at_right 0) (locally (3 * beta / (2 * PI) - beta ^ 2 / PI ^ 2)).
+(* A scene with damping ratios c i zeta, by (19) *)
+Definition lightly_damped (s : scene) (c : nat -> R) (zeta : R) : scene :=
+  Scene (masses s) (mass s) (fun a b => Sum (masses s) (fun i => 2 * (c i * zeta) / ratio s i *
+    Sum (masses s) (fun e => mass s a e * shape s e i) * Sum (masses s) (fun e => mass s b e * shape s e i)))
+    (stiffness s) (shape s) (ratio s) (fun i => c i * zeta) (contact s) (loaded s) (friction s).
+(* Mode p is at its resonance, and no other at a pole of (28) without damping. *)
+Definition at_resonance (s : scene) (c : nat -> R) (p : nat) := (p < masses s)%nat /\ ratio s p = 1 /\ c p = 1 /\
+  forall i, (i < masses s)%nat -> 0 <= c i /\ 0 < ratio s i /\ (i <> p -> 1 + cos (PI / ratio s i) <> 0).
+(* (76), (77): the real part of V_k is of order 0, its imaginary part and its modulus are those printed but for terms of first
+   order *)
+Definition eq_76_77_order : Prop := forall s c p k, at_resonance s c p ->
+  of_order 0 (fun zeta => V_re (lightly_damped s c zeta) k) /\
+  of_order 1 (fun zeta => V_im (lightly_damped s c zeta) k + shape s k p * shape s (loaded s) p / (2 * zeta)) /\
+  (shape s k p * shape s (loaded s) p <> 0 ->
+   of_order 1 (fun zeta => V_abs (lightly_damped s c zeta) k - Rabs (shape s k p * shape s (loaded s) p) / (2 * zeta))).
+(* (80), and U_k *)
+Definition eq_80_order : Prop := forall s c p k, at_resonance s c p ->
+  of_order 1 (fun zeta => G (lightly_damped s c zeta) k - shape s k p * shape s (contact s) p * second_function_at_resonance
+    zeta) /\
+  of_order 0 (fun zeta => U (lightly_damped s c zeta) k).
+(* (83): (52) at a resonance is (83) but for a term of first order. (83) grows like 1 / zeta: the relative error is of second
+   order. *)
+Definition eq_83_order : Prop := forall s c p k, at_resonance s c p ->
+  shape s k p <> 0 -> shape s (contact s) p <> 0 -> shape s (loaded s) p <> 0 ->
+  0 <= friction s < PI / 4 * Rabs (shape s (loaded s) p / shape s (contact s) p) ->
+  of_order 1 (fun zeta => X_k (lightly_damped s c zeta) k - (Rabs (shape s k p * shape s (loaded s) p) / (2 * zeta)
+    - Rabs (shape s k p * shape s (contact s) p) * second_function_at_resonance zeta * friction s)).
+(* (85): (67) at a resonance is (85) but for a term of first order. *)
+Definition eq_85_order : Prop := forall s c p mu, at_resonance s c p ->
+  shape s (contact s) p <> 0 -> shape s (loaded s) p <> 0 ->
+  of_order 1 (fun zeta => let s' := lightly_damped s c zeta in
+    sqrt (V_abs s' (contact s) ^ 2 / (U s' (contact s) ^ 2 + (H_j s' + mu * mobility s') ^ 2))
+    - Rabs (shape s (loaded s) p / shape s (contact s) p) * ((cosh (zeta * PI) - 1) / (2 * zeta * sinh (zeta * PI)))).
 (* (86) as corrected: the limit (67) of one mass, M = r^2 = R^2, for large frequencies *)
 Definition limit_of_single_mass mu zeta R_i :=
   sqrt (v_abs R_i zeta ^ 2 / (u R_i zeta ^ 2 + (/ R_i ^ 2 * (g R_i zeta + 2 * zeta * R_i * u R_i zeta) + mu / R_i ^ 2) ^ 2)).
@@ -628,20 +680,76 @@ Definition eq_86 : Prop := forall mu zeta, 0 < mu -> 0 <= zeta < 1 ->
 Definition eq_86_as_printed : Prop := ~ forall mu zeta, 1 <= mu -> 0 <= zeta < 1 ->
   filterlim (limit_of_single_mass mu zeta) (Rbar_locally p_infty) (locally (2 / sqrt (4 * mu + PI ^ 2))).
 
-(* (67) with the load on the contact, for any number of masses: all is divided by the sum of (65), and a i is the share of mode i
-   in it. *)
-Definition limit_by_shares (n : nat) (a R_ zeta : nat -> R) (mu : R) :=
-  sqrt ((Sum n (fun i => a i * (R_ i ^ 2 * v_re (R_ i) (zeta i))) ^ 2 +
-         Sum n (fun i => a i * (R_ i ^ 2 * v_im (R_ i) (zeta i))) ^ 2) /
+(* (67) for any number of masses: all is divided by the sum of (65). a i is the share of mode i in it, and b i what mode i has in
+   the same sum with the shape of the loaded mass for one of the two factors. *)
+Definition limit_by_shares (n : nat) (a b R_ zeta : nat -> R) (mu : R) :=
+  sqrt ((Sum n (fun i => b i * (R_ i ^ 2 * v_re (R_ i) (zeta i))) ^ 2 +
+         Sum n (fun i => b i * (R_ i ^ 2 * v_im (R_ i) (zeta i))) ^ 2) /
         (Sum n (fun i => a i * (R_ i ^ 2 * u (R_ i) (zeta i))) ^ 2 +
          (Sum n (fun i => a i * (g (R_ i) (zeta i) + 2 * zeta i * (R_ i * u (R_ i) (zeta i)))) + mu) ^ 2)).
-Definition eq_67_by_shares : Prop := forall s mu, is_scene s -> loaded s = contact s ->
+Definition eq_67_by_shares : Prop := forall s mu, is_scene s ->
   sqrt (V_abs s (contact s) ^ 2 / (U s (contact s) ^ 2 + (H_j s + mu * mobility s) ^ 2)) =
-  limit_by_shares (masses s) (fun i => shape s (contact s) i ^ 2 / mobility s) (ratio s) (damping_ratio s) mu.
-(* (86) as corrected for any number of masses: the frequency ratios of all modes grow with r. *)
-Definition eq_86_all_masses : Prop := forall n (a rho zeta : nat -> R) mu, 0 < mu -> Sum n a = 1 ->
+  limit_by_shares (masses s) (fun i => shape s (contact s) i ^ 2 / mobility s)
+    (fun i => shape s (contact s) i * shape s (loaded s) i / mobility s) (ratio s) (damping_ratio s) mu.
+(* Where no inertia couples the contact to another mass, the second shares add up to 1 for j = l and to 0 for j not l. *)
+Definition sum_of_shares : Prop := forall s, is_scene s -> contact_inertia_alone s ->
+  Sum (masses s) (fun i => shape s (contact s) i ^ 2 / mobility s) = 1 /\
+  Sum (masses s) (fun i => shape s (contact s) i * shape s (loaded s) i / mobility s) = delta (contact s) (loaded s).
+(* (86) as corrected, both lines, for any number of masses: the frequency ratios of all modes grow with r. *)
+Definition eq_86_all_masses : Prop := forall n (a b rho zeta : nat -> R) mu, 0 < mu -> Sum n a = 1 ->
   (forall i, (i < n)%nat -> 0 < rho i /\ 0 <= zeta i < 1) ->
-  filterlim (fun r => limit_by_shares n a (fun i => r * rho i) zeta mu) (Rbar_locally p_infty)
-    (locally (2 / sqrt (4 * mu ^ 2 + PI ^ 2))).
+  filterlim (fun r => limit_by_shares n a b (fun i => r * rho i) zeta mu) (Rbar_locally p_infty)
+    (locally (Rabs (Sum n b) * (2 / sqrt (4 * mu ^ 2 + PI ^ 2)))).
+
+(* ---- Invariant points, and a contact that is held: Section 4.3 ------------------------------------------------------ *)
+
+(* (87): without damping, the square of the amplitude (52); with friction it is what it is without where U_k = 0, and where (87)
+   holds. *)
+Definition eq_87 : Prop := forall s k, is_scene s -> (forall i, (i < masses s)%nat -> damping_ratio s i = 0) -> responds s ->
+  X_k s k ^ 2 = V_re s k ^ 2 + friction s ^ 2 * (U s k ^ 2 - 2 * (V_re s k / V_re s (contact s)) * (U s (contact s) * U s k)) /\
+  (0 < friction s -> U s k <> 0 ->
+   (X_k s k = V_abs s k <-> 1 - 2 * (V_re s k / V_re s (contact s)) * (U s (contact s) / U s k) = 0)).
+
+(* A motion with the contact held: X_re k cos(tau) - X_im k sin(tau) solves all rows of (6) but that of the contact. *)
+Definition held_motion (s : scene) (X_re X_im : nat -> R) := X_re (contact s) = 0 /\ X_im (contact s) = 0 /\
+  forall a, (a < masses s)%nat -> a <> contact s ->
+  Sum (masses s) (fun b => (stiffness s a b - mass s a b) * X_re b - damping s a b * X_im b) = delta a (loaded s) /\
+  Sum (masses s) (fun b => (stiffness s a b - mass s a b) * X_im b + damping s a b * X_re b) = 0.
+(* The amplitude of the load that friction has to balance in the row of the contact *)
+Definition held_load (s : scene) (X_re X_im : nat -> R) :=
+  let j := contact s in
+  sqrt ((Sum (masses s) (fun b => (stiffness s j b - mass s j b) * X_re b - damping s j b * X_im b) - delta j (loaded s)) ^ 2 +
+        Sum (masses s) (fun b => (stiffness s j b - mass s j b) * X_im b + damping s j b * X_re b) ^ 2).
+(* (88) as corrected: this is a steady motion of Coulomb's contact if and only if beta is not below the amplitude over mu. *)
+Definition rests (s : scene) (mu : R) (X_re X_im : nat -> R) := steady_contact_motion s mu 0 (2 * PI)
+  (fun k t => X_re k * cos t - X_im k * sin t) (fun k t => - (X_re k * sin t + X_im k * cos t)).
+Definition eq_88 : Prop := forall s mu X_re X_im, (contact s < masses s)%nat -> 0 < mu -> 0 < friction s ->
+  held_motion s X_re X_im -> (rests s mu X_re X_im <-> held_load s X_re X_im / mu <= friction s).
+(* The first two lines: a chain without a damper at the contact, with the load on another mass and one neighbour p that moves. *)
+Definition eq_88_by_spring : Prop := forall s X_re X_im p, contact_inertia_alone s -> (contact s < masses s)%nat ->
+  (p < masses s)%nat -> p <> contact s -> loaded s <> contact s -> held_motion s X_re X_im ->
+  (forall b, (b < masses s)%nat -> b <> contact s -> damping s (contact s) b = 0) ->
+  (forall b, (b < masses s)%nat -> b <> contact s -> b <> p -> stiffness s (contact s) b = 0 \/ X_re b = 0 /\ X_im b = 0) ->
+  held_load s X_re X_im = Rabs (stiffness s (contact s) p) * sqrt (X_re p ^ 2 + X_im p ^ 2).
+(* A held contact divides a chain: with the load on one side of it, the masses on the other side may rest. *)
+Definition held_contact_divides : Prop := forall s X_re X_im (side : nat -> bool), held_motion s X_re X_im ->
+  side (loaded s) = true -> (forall a b, (a < masses s)%nat -> (b < masses s)%nat -> a <> contact s -> b <> contact s ->
+    side a <> side b -> mass s a b = 0 /\ damping s a b = 0 /\ stiffness s a b = 0) ->
+  held_motion s (fun k => if side k then X_re k else 0) (fun k => if side k then X_im k else 0).
+(* The scene of two masses with the contact on the second: the spring between them is 36/25. *)
+Definition two_masses_held (beta : R) : scene :=
+  Scene 2 (entry 1 0 0 1) (entry (16 / 25) (12 / 25) (12 / 25) (9 / 25)) (entry (52 / 25) (- (36 / 25)) (- (36 / 25)) (73 / 25))
+    (entry (3 / 5) (4 / 5) (- (4 / 5)) (3 / 5)) (fun i => match i with O => 1 / 2 | _ => 1 end) (fun i => match i with O => 0 | _
+      => 1 / 2 end) 1 0 beta.
+(* First line as printed: below the bound the contact is not held, *)
+Definition eq_88_first_line_as_printed : Prop := ~ forall s mu X_re X_im p, is_scene s -> contact_inertia_alone s ->
+  contact s = S p -> (loaded s < contact s)%nat -> 1 <= mu -> 0 < friction s -> held_motion s X_re X_im ->
+  (forall b, (contact s < b)%nat -> X_re b = 0 /\ X_im b = 0) ->
+  friction s < - stiffness s (contact s) p * sqrt (X_re p ^ 2 + X_im p ^ 2) / mu -> rests s mu X_re X_im.
+(* nor is it above the bound, where a damping force reaches it. *)
+Definition eq_88_without_the_damping_force : Prop := ~ forall s mu X_re X_im p, is_scene s -> contact_inertia_alone s ->
+  contact s = S p -> (loaded s < contact s)%nat -> 1 <= mu -> 0 < friction s -> held_motion s X_re X_im ->
+  (forall b, (contact s < b)%nat -> X_re b = 0 /\ X_im b = 0) ->
+  - stiffness s (contact s) p * sqrt (X_re p ^ 2 + X_im p ^ 2) / mu <= friction s -> rests s mu X_re X_im.
 
 (* What is proved of rounding stands in RoundingStatements.v. *)

@@ -224,15 +224,15 @@ module.exports = function integrators() {
         );
         const figuresOf = ([key, m]) => {
             const o = found[key];
-            if (!o || o.fault) return [m.name, m.says(setting(key)), '…', o ? P.escaped(o.fault) : '…'];
+            if (!o || o.fault) return [m.name, o ? P.escaped(o.fault) : '…', '…', m.says(setting(key))];
             const error = (o.converged === false ? 'did not converge, ' : '') + short(o.error, 3);
-            return [m.name, m.says(setting(key)), ['cost-' + key, o.evaluations], ['error-' + key, error]];
+            return [m.name, ['error-' + key, error], ['cost-' + key, o.evaluations], m.says(setting(key))];
         };
         const closes = steady ? short(steady.closes, 2) : '…';
         byId('numbers').innerHTML = P.figures(
-            ['method', 'setting', 'evaluations', 'error'],
+            ['method', 'error', 'evaluations', 'setting'],
             [
-                ['exact', 'from event to event', ['cost-exact', motion.evaluations], 'closes to ' + closes],
+                ['exact', 'closes to ' + closes, ['cost-exact', motion.evaluations], 'from event to event'],
                 ...Object.entries(methods).map(figuresOf),
             ],
         );

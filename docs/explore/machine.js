@@ -32,7 +32,7 @@ function reasonOf(regime, c, limits) {
         return `β = ${beta} is below β_lim = ${at}, (69): the load on the contact never lets it rest, and the closed form holds.`;
     if (regime === 'permanent_sticking')
         return `β = ${beta} is not below ${still}, (88) with all forces: the load on the held contact never exceeds μβ.`;
-    return `β = ${beta} is not below β_lim = ${at}, (69), and below ${still}, from which on the contact never moves.`;
+    return `β = ${beta} is not below β_lim = ${at}, (69), but below ${still}, at which the contact stops moving altogether.`;
 }
 function sampled(motion, shown) {
     const all = [],
@@ -86,7 +86,7 @@ module.exports = function machine() {
     const nothing = () => {
         byId('regime').textContent = 'There is no steady motion to show: ' + search.failed + '.';
         byId('regime').dataset.regime = 'none';
-        for (const id of ['machine', 'motion', 'forces', 'law', 'portrait', 'legend', 'numbers']) byId(id).innerHTML = '';
+        for (const id of ['machine', 'motion', 'forces', 'law', 'portrait', 'legend', 'forces-legend', 'numbers']) byId(id).innerHTML = '';
         picture = null;
         standing = '';
         P.announce('No steady motion: ' + search.failed + '.');
@@ -138,16 +138,18 @@ module.exports = function machine() {
             title: `Displacements of ${scene.mass_ratios.length} masses over a period`,
         });
         const top = Math.max(1, motion.holds) * 1.08;
+        const forces = [
+            { points: all.map((s) => [s.tau, s.force]), name: 'load', style: 'm1' },
+            { points: all.map((s) => [s.tau, s.friction]), name: 'friction', style: 'm2' },
+        ];
+        P.legend('forces-legend', forces);
         picture.g = P.plot('forces', {
             x,
             y: { span: [-top, top], label: 'in units of P' },
             bands,
             height: 230,
             rules: [{ at: 0, style: 'now' }],
-            lines: [
-                { points: all.map((s) => [s.tau, s.force]), style: 'm1' },
-                { points: all.map((s) => [s.tau, s.friction]), style: 'm2' },
-            ],
+            lines: forces,
             title: 'The load, solid, and friction, dashed, over a period',
         });
         const fast = Math.max(1e-9, ...all.map((s) => Math.abs(s.v_j))) * 1.08,

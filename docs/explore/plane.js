@@ -295,8 +295,9 @@ module.exports = function plane() {
             }
         context.putImageData(image, 0, 0);
         const bar = Array.from({ length: 11 }, (_, n) => `rgb(${colour(n / 10)})`).join(',');
-        byId('scale').innerHTML = `<span>${stopsShown ? 0 : short(low, 2)}</span><span class="bar" aria-hidden="true"
-style="background: linear-gradient(90deg, ${bar})"></span><span>${short(stopsShown ? max(2, high) : high, 3)},
+        const end = (value, digits) => (Number.isFinite(value) ? short(value, digits) : '…');
+        byId('scale').innerHTML = `<span>${stopsShown ? 0 : end(low, 2)}</span><span class="bar" aria-hidden="true"
+style="background: linear-gradient(90deg, ${bar})"></span><span>${end(stopsShown ? max(2, high) : high, 3)},
 ${quantityName()}${stopsShown ? '' : ', logarithmic'}</span><span>thin strokes: sticks and slips; thick: never moves</span>`;
     };
     const drawSlices = () => {

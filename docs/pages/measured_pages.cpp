@@ -256,9 +256,9 @@ Page accuracy_page(const Book& book) {
     std::string out = page_head("accuracy_page", "Accuracy");
     out += "<p>" + accuracy_in_short(book.run) +
            "</p>\n\n\\section accuracy_closed_form The closed form against a second witness\n\n<p>The second witness solves the "
-           "half-period boundary-value problem on physical coordinates with a matrix "
-           "exponential in multiprecision and shares nothing with the closed form. The errors are relative to the largest "
-           "amplitude.</p>\n<div class=\"table-box\" tabindex=\"0\">\n<table class=\"doxtable\">\n<tr><th>scenes</th><th>how "
+           "half-period boundary-value problem in physical coordinates, by a matrix "
+           "exponential in multiprecision, and shares nothing with the closed form. The errors are relative to the largest "
+           "amplitude.</p>\n<div class=\"table-box\" tabindex=\"0\">\n<table class=\"doxtable accuracy\">\n<tr><th>scenes</th><th>how "
            "many</th><th>worst in double</th><th>where</th><th>worst in 50 "
            "digits</th><th>where</th></tr>\n";
     for (const Json& group : book.run.run.at("agreement")) {
@@ -283,10 +283,11 @@ Page speed_page(const Book& book) {
     std::string out = page_head("speed_page", "Speed");
     if (book.run.chart.empty() && book.run.batch.empty())
         return {"speed_page",
-                out + "<p>Not measured in this run, and so not in the menu: <code>./verify chart</code> measures it.</p>\n"};
+                out + "<p>This run did not measure speed, so the menu does not lead here. <code>./verify chart</code> measures "
+                      "every method on your machine; then this page shows speed against accuracy.</p>\n"};
     out +=
-        "<p>Measured by <code>./verify chart</code> on one machine, whose processor and compiler stand in chart.csv. Times are "
-        "processor time; the digits are those at the worst point of a scene.</p>\n";
+        "<p><code>./verify chart</code> measured these times on one machine; chart.csv names its processor and compiler. Times are "
+        "processor time, and the digits are those at the worst point of a scene.</p>\n";
     for (const char* name : {"speed_against_accuracy", "tolerance_against_error", "batch_cost"})
         for (const FigureRecord& figure : book.run.figures)
             if (figure.name == name)

@@ -32,7 +32,7 @@ do for [row = 1:5] {
         if (m eq 'wide') {
             set xlabel 'R' offset 0, 0.25
             set xrange [-3.01:2.01]
-            set xtics ('10^{−3}' -3, '10^{−2}' -2, '10^{−1}' -1, '1/3' -log10(3), '1' 0, '10' 1, '' 2)
+            set xtics ('10^{−3}' -3, '10^{−2}' -2, '' -1, '1/3' -log10(3), '1' 0, '10' 1, '' 2)
             plot data index m.' '.f.' '.word(whats, column).';' matrix using (-3 + $1 / 37.0):2:3 with image
         } else {
             set xlabel 'R − 1' offset 0, 0.25

@@ -2,7 +2,7 @@
 # betas, last_r, X and phase (labels), column_X and column_phase (of the lines while the contact slides), least_phase,
 # largest_phase, step_phase, sliding(z) (how many of the friction ratios slide anywhere), stuck (1 with the stuck
 # configuration), name_points (of the invariant points, empty without), damping(z) (the title of a column), some (one marker in
-# how many is drawn), inset (1 with the peak of the first column enlarged), note (what is to be said of its markers on the right).
+# how many is drawn), direct (1 with the friction ratios written at the ends of the lines), inset (1 with the peak of the first column enlarged), note (what is to be said of its markers on the right).
 width = 1240; height = 840
 load 'style.gp'
 zetas = '0.001 0.01 0.1'
@@ -14,6 +14,12 @@ held(z) = sprintf('stuck zeta=%s;', word(zetas, z))
 dotted = 'with lines lt 7 lw 2.2 dt (2, 3)'
 star = 'with points lt 7 pt 3 ps 1.3 lc rgb (c == 3 ? "#AAAAAA" : "#000000")'
 star_key = 'with points lt 7 pt 3 ps 1.3'
+at_end(r) = abs(r - last_r) < 1e-9 ? r : NaN
+at_ends(column) = sprintf("using (at_end($1)):%s:(word(betas, b)) with labels left offset 0.4, 0 font ',8'", column)
+direct_X = direct ? ', for [b = 3:4] data index line(c, word(betas, b)) '.at_ends('column_X').\
+                    ', for [b = 4:5] data index line(c, word(betas, b)) '.at_ends('3') : ''
+direct_phase = direct ? ', for [b = 1:sliding(c)] data index line(c, word(betas, b)) '.\
+                        at_ends('(column(column_phase) * degrees)') : ''
 stuck_X = stuck ? ', data index held(c) using 1:2 '.dotted : ''
 stuck_phase = stuck ? ', data index held(c) using 1:($3 * degrees) '.dotted : ''
 stuck_key = stuck ? ', NaN '.dotted." title 'stuck configuration'" : ''
@@ -43,7 +49,7 @@ do for [c = 1:3] {
          data index line(c, '0') using 1:column_X with lines lt 7 lw 1, \
          for [b = 1:sliding(c)] data index line(c, word(betas, b)) using 1:column_X with lines lt b, \
          for [b = 1:5] data index line(c, word(betas, b)) using 1:3 with lines lt b lw 1 dt (9, 5), \
-         for [b = 1:5] data index marks(c, word(betas, b)) using 1:2 every some with points lt b @stuck_X @points_X
+         for [b = 1:5] data index marks(c, word(betas, b)) using 1:2 every some with points lt b @stuck_X @points_X @direct_X
     unset label 9
     unset arrow 9
     unset logscale y
@@ -58,7 +64,7 @@ do for [c = 1:3] {
     plot data index edge(c) using 1:($3 * degrees) with lines lw 5 lc rgb '#BBBBBB', \
          data index line(c, '0') using 1:(column(column_phase) * degrees) with lines lt 7 lw 1, \
          for [b = 1:sliding(c)] data index line(c, word(betas, b)) using 1:(column(column_phase) * degrees) with lines lt b, \
-         for [b = 1:sliding(c)] data index marks(c, word(betas, b)) using 1:($3 * degrees) every some with points lt b @stuck_phase
+         for [b = 1:sliding(c)] data index marks(c, word(betas, b)) using 1:($3 * degrees) every some with points lt b @stuck_phase @direct_phase
     set ytics autofreq
 }
 if (inset) {

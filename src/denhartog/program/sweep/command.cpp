@@ -138,7 +138,7 @@ void add_sweep_command(CLI::App& app, ExitStatus& status, const std::string& com
     command->add_flag("--all", options->all, "all chunks");
     command->add_option("--jobs", options->jobs, "chunks at once")->capture_default_str();
     command->callback([options, &status] { run(*options, status); });
-    command = add(*sweep, "status", "How far it has come", *options);
+    command = add(*sweep, "status", "How much of a study is done", *options);
     command->add_flag("--json", options->json, "JSON in place of lines");
     command->add_option("--workers", options->workers, "how long so many workers would take, simulated from what chunks took");
     command->callback([options] { show_status(*options); });
@@ -147,7 +147,7 @@ void add_sweep_command(CLI::App& app, ExitStatus& status, const std::string& com
     command->callback([options, &status] { merge_chunks(*options, status); });
     sweep->footer(
         "A chunk is written under another name, brought to the disk and renamed; its record, with checksums, comes last.\n"
-        "Who runs a chunk again finds it done. The results are a Zarr store, DIR/result.zarr, format 2, not compressed;\n"
+        "A chunk that is run again is found done. The results are a Zarr store, DIR/result.zarr, format 2, not compressed;\n"
         "its bytes do not depend on workers, engine or the order of chunks. merge has status 1 where a chunk is missing,\n"
         "damaged, or of another program or study.");
 }
