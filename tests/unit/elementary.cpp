@@ -208,18 +208,18 @@ TEST_CASE("elementary functions of two doubles are good to 57 bits", "[accuracy]
                                   {"cos", cos, mpfr_cos, -100, 100},
                                   {"sine of half turns", sine_of_half_turns, sine_of_half_turns_by_mpfr, -3, 3},
                                   {"cosine of half turns", cosine_of_half_turns, cosine_of_half_turns_by_mpfr, -3, 3},
+                                  {"sqrt", sqrt, mpfr_sqrt, 0, 10},
                                   {"sin of many turns", sin, mpfr_sin, -100, 100, 1000},
                                   {"cos of many turns", cos, mpfr_cos, -100, 100, 1000},
                                   {"sine of many half turns", sine_of_half_turns, sine_of_half_turns_by_mpfr, -3, 3, 1000},
-                                  {"cosine of many half turns", cosine_of_half_turns, cosine_of_half_turns_by_mpfr, -3, 3, 1000},
-                                  {"sqrt", sqrt, mpfr_sqrt, 0, 10}};
+                                  {"cosine of many half turns", cosine_of_half_turns, cosine_of_half_turns_by_mpfr, -3, 3, 1000}};
     std::mt19937_64 random(37);
     const auto share = [&] { return static_cast<double>(random() >> 11U) * 0x1p-53; };
     Exact exact;
     for (const Case& f : cases) {
         Worst worst;
         for (int n = 0; n < 4000; ++n) {
-            const int doublings = static_cast<int>(random() % static_cast<unsigned>(f.doublings + 1));
+            const int doublings = f.doublings > 0 ? static_cast<int>(random() % static_cast<unsigned>(f.doublings)) : 0;
             const double x = std::ldexp(f.from + (f.to - f.from) * share(), doublings);
             const DoubleDouble argument(x, (share() - 0.5) * std::ldexp(1, std::ilogb(x) - 53));
             const Exact given(argument);
