@@ -72,6 +72,12 @@ TEST_CASE("a little above the boundary, where no stop can be seen, solve, respon
     const RegimeMap map = regime_map(scene, {{*scene.r}, {*scene.beta}, {Mass{0}, Mass{1}}, MapStart::rest, 1}, never);
     CHECK(map.points.front().regime == Regime::stick_slip);
     CHECK(map.points.front().stops == 0);
+    // 50 digits see the two stops, of 1.3e-7 of a radian, and the words say so.
+    const Solution closer = solve(scene_source(scene), {.digits = 30});
+    CHECK(closer.regime.regime == Regime::stick_slip);
+    CHECK(closer.stops.size() == 2);
+    CHECK(closer.regime.reason.find("no stop was seen") == std::string::npos);
+    CHECK(closer.regime.reason.find("double sees no stop, 50 digits see 2") != std::string::npos);
 }
 
 TEST_CASE("a last digit below permanent sticking no rest is taken for the motion", "[map][solve][eq:88]") {

@@ -50,6 +50,18 @@ void set_regime(const SolveTask& task, Regime met, const std::string& reason, So
     if (task.scene.mu > 1 || task.pole || met == Regime::continuous) s.regime.reason += "; " + reason;
 }
 
+// What the stops of a motion that is not the closed form's say; those of the answer, which may be too short for double.
+void set_regime_by_stops(const SolveTask& task, const PeriodicOrbit<double>& orbit, std::size_t stops, Solution& s) {
+    if (stops > 0) {
+        set_regime(task, Regime::stick_slip, "the contact stops in every period", s);
+        if (orbit.stops.empty()) s.regime.reason += "; double sees no stop, 50 digits see " + std::to_string(stops);
+    } else if (task.scene.mu == 1 && s.regime.regime == Regime::stick_slip) {
+        s.regime.reason += "; no stop was seen in the motion, which is known to " + number_in_digits(orbit.error_bound, 2);
+    } else {
+        set_regime(task, Regime::continuous, "the contact does not stop, but the motion is not that of the closed form", s);
+    }
+}
+
 void answer_by_boundaries(const SolveTask& task, const std::string& model, Solution& s) {
     s.masses.clear();
     s.method.model = model;
@@ -79,22 +91,22 @@ void answer_from_rest(const SolveTask& task, Solution& s) {
     if (rests && task.scene.mu == 1 && !task.pole && s.regime.regime == Regime::stick_slip && !s.regime.on_boundary)
         throw PrecisionError("double does not tell the motion from a rest. What is certain until then: " + s.regime.reason);
     const bool slides = !task.pole && !rests && is_closed_form(orbit, s);
-    if (rests)
+    if (rests) {
         set_regime(task, Regime::permanent_sticking, "from the start from rest " + orbit.reason, s);
-    else if (slides)
+    } else if (slides) {
         set_regime(task, Regime::continuous, "the motion from rest is the sliding motion", s);
-    else if (orbit.stops.empty() && task.scene.mu == 1 && s.regime.regime == Regime::stick_slip)
-        s.regime.reason += "; no stop was seen in the motion, which is known to " + number_in_digits(orbit.error_bound, 2);
-    else if (orbit.stops.empty())
-        set_regime(task, Regime::continuous, "the contact does not stop, but the motion is not that of the closed form", s);
-    else
-        set_regime(task, Regime::stick_slip, "the contact stops in every period", s);
+    } else if (regime_alone) {
+        set_regime_by_stops(task, orbit, orbit.stops.size(), s);
+    } else {
+        answer_by_orbit(task, solver, orbit, s);
+        set_regime_by_stops(task, orbit, s.stops.size(), s);
+        if (!orbit.reason.empty()) s.regime.reason += "; " + orbit.reason;
+        return;
+    }
     if (regime_alone) return answer_by_boundaries(task, "boundaries and exact solver", s);
     if (rests)
         answer_by_stuck_response(
             task, certified(Bounded<double>(orbit.start.x[system.contact.index], orbit.error_bound), task.aim.digits), s);
-    else if (!slides)
-        return answer_by_orbit(task, solver, orbit, s);
     if (task.question.asked == Asked::motion) s.stability = stability_of(orbit);
 }
 

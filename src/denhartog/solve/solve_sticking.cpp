@@ -32,11 +32,10 @@ void write_orbit(const SolveTask& task, ExactSolver<T>& solver, const PeriodicOr
     s.symmetric = orbit.symmetric;
 }
 
-// Whether the orbit found in 50 digits is the one that double had. It may have stops that are too short for double; then both start
-// at one place within the bound of double.
+// Whether the orbit found in 50 digits is the one that double had: both start at one place within the bound of double. The stops are
+// not compared, since some may be too short for double.
 bool same_motion(const PeriodicOrbit<Real50>& orbit, const PeriodicOrbit<double>& near) {
     if (orbit.status != OrbitStatus::periodic || orbit.periods != near.periods || orbit.symmetric != near.symmetric) return false;
-    if (orbit.stops.size() == near.stops.size()) return true;
     return std::ranges::equal(orbit.start.x, near.start.x,
                               [&](const Real50& x, double there) { return abs(Real50(x - there)) <= near.error_bound; });
 }
@@ -110,7 +109,6 @@ void answer_by_orbit(const SolveTask& task, ExactSolver<double>& solver, const P
         s.method.precision = name(Precision::in_double);
         s.method.why = "its residual bounds the error: " + verdict({error}, task.aim) + "; in 50 digits: " + e.what();
     }
-    if (!orbit.reason.empty()) s.regime.reason += "; " + orbit.reason;
     if (task.question.asked == Asked::motion) s.stability = stability_of(orbit);
 }
 
