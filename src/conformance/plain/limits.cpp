@@ -1,8 +1,10 @@
 #include "conformance/plain/closed_form.hpp"
 
 #include <algorithm>
+#include <boost/math/tools/minima.hpp>
 #include <cmath>
 #include <functional>
+#include <limits>
 
 #include "denhartog/evaluation/demand.hpp"
 #include "denhartog/formulas/as_printed.hpp"
@@ -16,9 +18,11 @@
 namespace denhartog::conformance {
 namespace {
 
-// Largest value of a smooth function over [0, pi]: the best of equally spaced samples, refined by golden sections.
+// Largest value of a smooth function over [0, pi]: the best of equally spaced samples, refined by Brent's method to half the digits of the
+// instant, which are all digits of the value.
 double largest_over_half_period(const std::function<double(double)>& f, int steps) {
-    const double h = pi<double>() / steps, golden = (std::sqrt(5.0) - 1) / 2;
+    const double h = pi<double>() / steps;
+    const auto less = [&](double tau) { return -f(tau); };
     std::vector<double> samples;
     for (int n = 0; n <= steps; ++n) samples.push_back(f(n == steps ? pi<double>() : n * h));
     double best = *std::max_element(samples.begin(), samples.end());
@@ -28,12 +32,9 @@ double largest_over_half_period(const std::function<double(double)>& f, int step
         if (samples[at] < best - reach || (n > 0 && samples[at - 1] > samples[at]) ||
             (n < steps && samples[at + 1] > samples[at]))
             continue;
-        double a = std::max(0.0, (n - 1) * h), b = std::min(pi<double>(), (n + 1) * h);
-        for (int halvings = 0; halvings < 48; ++halvings) {
-            const double c = b - golden * (b - a), d = a + golden * (b - a);
-            (f(c) > f(d) ? b : a) = f(c) > f(d) ? d : c;
-        }
-        best = std::max(best, f((a + b) / 2));
+        const double from = std::max(0.0, (n - 1) * h), to = std::min(pi<double>(), (n + 1) * h);
+        best = std::max(best,
+                        -boost::math::tools::brent_find_minima(less, from, to, std::numeric_limits<double>::digits / 2).second);
     }
     return best;
 }
