@@ -28,7 +28,7 @@ std::string role_text(const std::string& role) {
     if (role == "both") return "on the formula as printed and as shipped";
     if (role == "printed") return "on the formula as printed";
     if (role == "shipped") return "on the formula as shipped";
-    if (role == "observation") return "on what the text says of it";
+    if (role == "observation") return "on what the text says about it";
     return "a step of the argument";
 }
 
@@ -127,7 +127,7 @@ std::string scene_text(const Json& entry) {
     const Json scene = entry.value("scene", Json::object());
     if (scene.empty()) return {};
     if (scene.contains("none")) return "<p>No scene shows it: " + prose(scene.at("none")) + ".</p>\n";
-    return "<p>To be seen on " + prose(ledger::scene_sentence(scene)) +
+    return "<p>It can be seen on " + prose(ledger::scene_sentence(scene)) +
            ". The scene, for <code>denhartog solve</code>:</p>\n<p><code>" + escaped(scene.at("scene").get<std::string>()) +
            "</code></p>\n";
 }

@@ -161,18 +161,17 @@ std::string evidence(const Book& book, const Json& entry) {
     if (!consequence.empty())
         out += "<p>Coded as printed: " + prose(consequence) + ".</p>\n";
     else if (fails_here)
-        out += "<p>There is no loss to measure if it is coded as printed.</p>\n";
+        out += "<p>No loss can be measured if it is coded as printed.</p>\n";
     if (!entry.at("witness").empty())
         out += "<p>A point where " + std::string(fails_here ? "the print fails:" : "it was evaluated:") + "</p>\n" +
                witness_text(book.run, of_formula(book.run, entry.at("witness"),
                                                  entry.at("statement").get<std::string>() + " " + correction));
     const auto departure = book.run.departures.find(entry.at("equation").get<std::string>());
     if (!correction.empty() && departure != book.run.departures.end() && !departure->second.printed.empty())
-        out += folded_part("What holds, as the derivation writes it",
-                           std::string(entry.value("correction_by", "") == "hand"
-                                           ? "<p>The derivation takes this spelling from a person.</p>\n"
-                                           : "") +
-                               displayed(correction));
+        out += folded_part(
+            "What holds, as the derivation writes it",
+            std::string(entry.value("correction_by", "") == "hand" ? "<p>A person wrote this form, not the run.</p>\n" : "") +
+                displayed(correction));
     else if (entry.value("correction_by", "") == "hand")
         out += "<p>A person wrote the formula above, not the run.</p>\n";
     const std::string scene = scene_text(entry);
@@ -302,7 +301,7 @@ std::string claims_text(const Book& book, const std::vector<const Json*>& claims
 
 std::string proofs(const Book& book, const Json& entry, const SortedClaims& claims, const std::string& equation) {
     std::string out = section(equation, "proof", "The proof");
-    out += claims.own.empty() ? "<p>No claim is made on it: there is nothing to derive.</p>\n"
+    out += claims.own.empty() ? "<p>There is no claim about it, because there is nothing to derive.</p>\n"
                               : claims_text(book, claims.own, equation);
     return out + evidence(book, entry);
 }
@@ -324,7 +323,7 @@ std::string tests(const Book& book, const Json& entry, const std::string& equati
     };
     const std::string failed = list("tests_failed", "failed");
     const std::string items = failed + list("tests", "passed");
-    if (items.empty()) return out + "<p>No test that ran is tagged with it.</p>\n";
+    if (items.empty()) return out + "<p>No test of this run has its tag.</p>\n";
     const std::string listed = "<ul class=\"tests\">\n" + items + "</ul>\n";
     return out + (count > 8 ? "<details>\n<summary>" + counted(count, "test", "tests") + "</summary>\n" + listed + "</details>\n"
                             : listed);
@@ -346,7 +345,7 @@ std::string pictures(const Book& book, const Json& entry, const std::string& equ
 
 std::string observations(const Book& book, const SortedClaims& claims, const std::string& equation) {
     if (claims.observations.empty()) return {};
-    return section(equation, "observations", "What the text says of it") + claims_text(book, claims.observations, equation);
+    return section(equation, "observations", "What the text says about it") + claims_text(book, claims.observations, equation);
 }
 
 } // namespace

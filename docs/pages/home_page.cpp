@@ -163,7 +163,7 @@ Page home_page(const Book& book) {
            "<li><strong><a href=\"explore/index.html\">Explore</a></strong> Change the friction and see how the motion "
            "changes.</li>"
            "</ul>\n\\endhtmlonly\n\n";
-    out += "<p><a href=\"about.html\">About this reference</a> says what \"proved\" means, lists all pages and tells how "
+    out += "<p><a href=\"about.html\">About this reference</a> says what \"proved\" means, lists all pages, and explains how "
            "to make everything again.</p>\n";
     return {"home", out};
 }
@@ -182,15 +182,16 @@ Page errata_sheet(const Book& book) {
                 "</td></tr>\n";
     }
     std::string out = page_head("errata_sheet", "Errata on one sheet");
-    out += "<div class=\"sheet\">\n<p><strong>Errata</strong> to L. Marino and A. Cicirello, <em>Coulomb friction effect on the "
-           "forced vibration of damped mass-spring "
-           "systems</em>, Journal of Sound and Vibration 535 (2022) 117085, doi:10.1016/j.jsv.2022.117085. Every entry is "
-           "decided by machine; "
-           "the annotated reference <em>denhartog</em> has proof and witness of each. \"Scan\" marks a glyph that is wrong in "
-           "the text at hand and "
-           "says nothing of the journal's page.</p>\n<table class=\"doxtable\">\n<tr><th>equation</th><th>kind</th><th>what is "
-           "wrong</th></tr>\n" +
-           rows + "</table>\n</div>\n";
+    out +=
+        "<div class=\"sheet\">\n<p><strong>Errata</strong> to L. Marino and A. Cicirello, <em>Coulomb friction effect on the "
+        "forced vibration of damped mass-spring "
+        "systems</em>, Journal of Sound and Vibration 535 (2022) 117085, doi:10.1016/j.jsv.2022.117085. Every entry is "
+        "decided by machine; "
+        "the annotated reference <em>denhartog</em> has a proof and a witness for each. \"Scan\" marks a glyph that is wrong in "
+        "the text at hand; it "
+        "says nothing about the journal's page.</p>\n<table class=\"doxtable\">\n<tr><th>equation</th><th>kind</th><th>what is "
+        "wrong</th></tr>\n" +
+        rows + "</table>\n</div>\n";
     return {"errata_sheet", out};
 }
 
@@ -235,11 +236,12 @@ std::map<std::string, std::string> computed_remarks() {
         return conformance::plain_answer(q).value().numbers.front();
     };
     const double excess = 100 * (limit("beta_lim_approximate") / limit("beta_lim_exact") - 1);
-    return {{"67", "(67) asks only that the contact does not stick where its motion turns, and not that it slides on in between. "
-                   "It errs on the "
-                   "unsafe side of the boundary (69) where the two differ: " +
-                       digits(excess, "%.0f") +
-                       " % above (69) at $r = 0.55$ for the two masses of Fig. 10 with $\\zeta_i = 0.001/r_{n,i}$."}};
+    return {
+        {"67", "(67) requires only that the contact does not stick where its motion turns. It does not require that the contact "
+               "slides in between. "
+               "Where (67) and the boundary (69) differ, (67) errs on the unsafe side: " +
+                   digits(excess, "%.0f") +
+                   " % above (69) at $r = 0.55$ for the two masses of Fig. 10 with $\\zeta_i = 0.001/r_{n,i}$."}};
 }
 
 } // namespace denhartog::pages

@@ -55,7 +55,7 @@ std::string lemmas_text(const Json& certificate) {
                    : coq_block(statement);
     }
     if (certificate.at("lemmas").size() > most_statements)
-        out += "<p>The other " + std::to_string(certificate.at("lemmas").size() - most_statements) + " stand in " +
+        out += "<p>The other " + std::to_string(certificate.at("lemmas").size() - most_statements) + " are in " +
                escaped(certificate.at("file").get<std::string>()) + ".</p>\n";
     return out;
 }
@@ -135,7 +135,8 @@ std::string coq_block(const std::string& text) {
 std::string kernel_section(const Book& book, const Json& entry, const std::string& equation) {
     const Json kernel = entry.value("kernel", Json{{"status", "not_run"}});
     const std::string status = kernel.value("status", "not_run");
-    std::string out = "\n\\section " + equation_label(equation) + "_kernel The word of the kernel\n\n<p>" + mark_of(status) + why(kernel) +
+    std::string out = "\n\\section " + equation_label(equation) + "_kernel The verdict of the kernel\n\n<p>" + mark_of(status) +
+                      why(kernel) +
                       ". <a href=\"kernel.html\">What the kernel of Coq checks, and what nobody can prove</a></p>\n";
     out += theorems_text(book, kernel, "theorems", "Theorem") + theorems_text(book, kernel, "negations", "Negation");
     if (status != "not_run")

@@ -64,6 +64,16 @@ std::string alternative_text(const FigureRecord& figure) {
     return out;
 }
 
+/// A figure with its caption, and a link to its page; empty if the run has not drawn it.
+std::string with_caption(const Book& book, const std::string& name) {
+    for (const FigureRecord& figure : book.run.figures)
+        if (figure.name == name)
+            return "<p class=\"figure\"><a href=\"" + label("figure", name) + ".html\"><img src=\"figures/" + name +
+                   ".svg\" alt=\"" + html(alternative_text(figure)) + "\"></a></p>\n<p class=\"said\">" +
+                   typeset(figure.caption, "docs/ledger/figures.json") + "</p>\n";
+    return "";
+}
+
 /// The statements of the text that the data bear out, as what there is to see.
 std::string to_see(const Json& record, const std::string& name) {
     std::string items;
@@ -283,16 +293,20 @@ Page speed_page(const Book& book) {
     std::string out = page_head("speed_page", "Speed");
     if (book.run.chart.empty() && book.run.batch.empty())
         return {"speed_page",
-                out + "<p>This run did not measure speed, so the menu does not lead here. <code>./verify chart</code> measures "
-                      "every method on your machine; then this page shows speed against accuracy.</p>\n"};
+                out +
+                    "<p>This run did not measure speed. <code>./verify chart</code> measures every method on your machine; "
+                    "this page then shows speed against accuracy, and the menu leads to it.</p>\n"
+                    "\n\\section speed_benchmark The stored measurement\n\n"
+                    "<p>The sources contain a measurement that was made on one machine: the time that the library and "
+                    "other solvers take for the scenes of <a href=\"benchmark.html\">the benchmark</a>, which has a table of "
+                    "the numbers. <a href=\"sweep.html\">Studies beyond one machine</a> has the cost of a point of a "
+                    "map.</p>\n" +
+                    with_caption(book, "benchmark_work_precision")};
     out +=
         "<p><code>./verify chart</code> measured these times on one machine; chart.csv names its processor and compiler. Times are "
         "processor time, and the digits are those at the worst point of a scene.</p>\n";
-    for (const char* name : {"speed_against_accuracy", "tolerance_against_error", "batch_cost"})
-        for (const FigureRecord& figure : book.run.figures)
-            if (figure.name == name)
-                out += "<p><a href=\"figures/" + figure.name + ".svg\"><img src=\"figures/" + figure.name + ".svg\" alt=\"" +
-                       html(figure.title) + "\"></a></p>\n";
+    for (const char* name : {"speed_against_accuracy", "tolerance_against_error", "batch_cost", "benchmark_work_precision"})
+        out += with_caption(book, name);
     return {"speed_page", out + tables_as_html(book.run.chart, "speed_chart") + tables_as_html(book.run.batch, "speed_batch")};
 }
 
@@ -306,14 +320,14 @@ Page conformance_page(const Book& book) {
                               {"solvers", "Solvers of others", "./verify chart"},
                               {"methods", "What methods can do", "./verify chart"}};
     std::string out = page_head("conformance_page", "Conformance");
-    out += "<p><code>denhartog conform</code> asks other people's implementations certified questions. Here it is tried itself, "
-           "on programs of "
-           "which it is known what is to be found. All figures on this page were written by a run.</p>\n\n"
-           "<ul>\n<li><a href=\"test_your_implementation.html\">Test your implementation in ten minutes</a>, and "
-           "<a href=\"protocol.html\">the protocol</a>, which a program has to keep</li>\n"
-           "<li><a href=\"vectors.html\">the certified vectors</a>: the questions and their values</li>\n"
-           "<li><a href=\"conformance_output.html\">what a run writes</a></li>\n"
-           "<li><a href=\"solvers.html\">time integrators</a>: how the solvers below are set up</li>\n</ul>\n";
+    out +=
+        "<p><code>denhartog conform</code> asks other people's implementations certified questions. This page shows how it does "
+        "on programs whose mistakes are known. A run wrote all numbers on this page.</p>\n\n"
+        "<ul>\n<li><a href=\"test_your_implementation.html\">Test your implementation in ten minutes</a>, and "
+        "<a href=\"protocol.html\">the protocol</a> that a program has to keep</li>\n"
+        "<li><a href=\"vectors.html\">the certified vectors</a>: the questions and their values</li>\n"
+        "<li><a href=\"conformance_output.html\">what a run writes</a></li>\n"
+        "<li><a href=\"solvers.html\">time integrators</a>: how the solvers below are set up</li>\n</ul>\n";
     for (const Part& part : parts) {
         out += "\n\\section conformance_" + std::string(part.name) + " " + part.title + "\n\n";
         const auto found = book.run.conformance.find(part.name);

@@ -44,18 +44,20 @@ std::string counts(const Json& ledger, const char* key) {
 /// What the departures of a kind are, for somebody who has not seen the others.
 std::string fair_words(const std::string& kind) {
     if (kind == "scan")
-        return "A glyph came out wrong in the scanned text at hand and the sentences around it set it right. This says nothing "
+        return "The scanned text at hand has a wrong glyph, and the sentences around it show which glyph is meant. This says "
+               "nothing "
                "about "
-               "the journal's own page, and none of these counts as refuted. If you have the printed paper, you can settle "
+               "the journal's own page, and none of these equations counts as refuted. If you have the printed paper, you can "
+               "settle "
                "a case: docs/ledger/README.md says how.";
     if (kind == "misprint")
         return "A sign, a function or a factor is wrong in a formula that can be read, and other equations of the paper "
                "contradict it. "
-               "The paper's own figures can have been computed with the right one.";
+               "The paper's own figures may have been computed with the right one.";
     if (kind == "substance")
-        return "What the equation says does not hold as it is meant, or only with a condition that is not stated. The witness "
+        return "The equation does not hold as it is meant, or it holds only under a condition that is not stated. The witness "
                "shows where.";
-    return "The equation holds once a convention is said that the paper leaves unsaid; read without it, it can be taken wrongly.";
+    return "The equation holds under a convention that the paper does not state. Without this convention it can be misread.";
 }
 
 /// The formulas of a departure, with the difference marked where a person has marked it.
@@ -135,7 +137,7 @@ Page errata_page(const Book& book) {
     const std::vector<std::pair<std::string, std::string>> order = {{"misprint", "Misprints"},
                                                                     {"substance", "What does not hold as it is meant"},
                                                                     {"scan", "Slips of the scan"},
-                                                                    {"convention", "Conventions left unsaid"}};
+                                                                    {"convention", "Conventions that the paper does not state"}};
     out +=
         "<p>\\ref errata_sheet \"The errata on one sheet\", to print<span class=\"pdf\"></span>.</p>\n<div class=\"table-box\" "
         "tabindex=\"0\">\n<table "
@@ -156,15 +158,15 @@ Page errata_page(const Book& book) {
 }
 
 Page stand_ins_page(const Book& book) {
-    std::string out = page_head("stand_ins", "What the proofs take by its theorem");
-    out +=
-        "<p>The proofs instantiate the shipped functions with symbols. The functions below compare numbers, sum a series or "
-        "reduce "
-        "an argument, which symbols cannot do; in their place the proofs have what they compute without rounding. This is the "
-        "whole list: any other function that compares numbers does not compile for the proofs. What the listed functions make of "
-        "their theorems in double is measured by the tests.</p>\n"
-        "<div class=\"table-box\" tabindex=\"0\">\n<table class=\"doxtable\">\n<tr><th>function</th><th>header</th><th>stands "
-        "for</th></tr>\n";
+    std::string out = page_head("stand_ins", "Functions that the proofs replace");
+    out += "<p>The proofs instantiate the shipped functions with symbols. The functions below compare numbers, sum a series or "
+           "reduce "
+           "an argument, which symbols cannot do. The proofs use in their place what they compute without rounding. This is the "
+           "whole list: any other function that compares numbers does not compile for the proofs. The tests measure how accurate "
+           "the "
+           "listed functions are in double.</p>\n"
+           "<div class=\"table-box\" tabindex=\"0\">\n<table class=\"doxtable\">\n<tr><th>function</th><th>header</th><th>stands "
+           "for</th></tr>\n";
     for (const Json& s : book.run.run.at("stand_ins"))
         out += "<tr><td><code>" + s.at("name").get<std::string>() + "</code></td><td><code>" + s.at("header").get<std::string>() +
                "</code></td><td>\\f$" + s.at("theorem").get<std::string>() + "\\f$</td></tr>\n";
@@ -176,10 +178,12 @@ Page audit_page(const Book& book) {
     std::string out = page_head("audit", "What remains assumed");
     out +=
         "<p>" + prose(derivation::audit_summary(rows)) +
-        "</p>\n<p>A claim is derived if one of its sides was built from the equation of motion or a condition set to it, and a "
-        "refinement if its other side is a shipped formula; what is restated was typed by hand on one side. The premises are the "
-        "paper's own assumptions that an equation rests on, however far. Roundings are no part of the proofs: they are measured "
-        "on \\ref accuracy_page \"the page on accuracy\".</p>\n"
+        "</p>\n<p>A claim is derived if one of its sides was built from the equation of motion or from a condition on it, and a "
+        "refinement if its other side is a shipped formula. If a claim is restated, one of its sides was typed by hand. The "
+        "premises "
+        "are the paper's own assumptions on which an equation rests, directly or through others. The proofs do not cover "
+        "rounding "
+        "errors: \\ref accuracy_page \"the page on accuracy\" has their measurements.</p>\n"
         "<div class=\"table-box\" tabindex=\"0\">\n<table class=\"doxtable\">\n<tr><th>equation</th><th>claims by "
         "kind</th><th>as "
         "printed</th><th>as shipped</th><th>what remains assumed</th></tr>\n";

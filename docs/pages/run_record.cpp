@@ -145,7 +145,7 @@ std::string departure_text(const std::string& departure) {
     if (departure == "scan") return "a slip of the scan";
     if (departure == "misprint") return "a misprint: the paper's own other equations contradict it";
     if (departure == "substance") return "an error of substance: it does not hold as it is meant";
-    if (departure == "convention") return "a convention that is left unsaid";
+    if (departure == "convention") return "a convention that the paper does not state";
     return "none";
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "class_page.hpp"
 #include "finish.hpp"
 #include "html.hpp"
 #include "text.hpp"
@@ -24,12 +25,17 @@ std::string header_name(const std::string& stem) {
     return out;
 }
 
+/// Whether a page is that of a type.
+bool of_type(const std::string& name) {
+    return name.starts_with("struct") || name.starts_with("class") || name.starts_with("union");
+}
+
 /// Whether a reader of the site has no use for a page.
 bool left_out(const std::string& name, const std::string& text) {
     for (const char* start : {"dir_", "functions", "globals", "namespacemembers", "classes.html", "hierarchy.html"})
         if (name.starts_with(start)) return true;
     if (name.ends_with("-members.html")) return true;
-    if (name.starts_with("struct") || name.starts_with("class") || name.starts_with("union")) {
+    if (of_type(name)) {
         const std::string from = "was generated from the following file";
         const std::string file = between(text, "<li>", "<", std::min(text.find(from), text.size()));
         const bool of_library = file.starts_with("src/denhartog/") && !file.starts_with("src/denhartog/program/");
@@ -159,8 +165,8 @@ std::string whole_list(std::string page, const std::map<std::string, std::string
     for (std::size_t at = page.find(row); at != std::string::npos;) {
         const std::size_t end = page.find("</tr>", at) + 5;
         std::string text = page.substr(at, end - at);
-        const bool of_type = text.find("<span class=\"icon\">C</span>") != std::string::npos;
-        const bool out = of_type && out_of_site.contains(between(text, "href=\"", "\""));
+        const bool lists_type = text.find("<span class=\"icon\">C</span>") != std::string::npos;
+        const bool out = lists_type && out_of_site.contains(between(text, "href=\"", "\""));
         const std::size_t hidden = text.find(" style=\"display:none;\"");
         if (hidden != std::string::npos) text.erase(hidden, 22);
         const std::size_t mark = text.find(icon);
@@ -182,6 +188,8 @@ void trim(std::map<std::string, std::string>& texts) {
     for (const auto& [name, nothing] : out_of_site) texts.erase(name);
     for (const char* list : {"annotated.html", "files.html", "namespaces.html"})
         if (const auto found = texts.find(list); found != texts.end()) found->second = whole_list(found->second, out_of_site);
+    for (auto& [name, text] : texts)
+        if (of_type(name)) text = class_page(text, name);
     std::vector<std::string> namespaces;
     for (const auto& [name, text] : texts)
         if (name.starts_with("namespacedenhartog")) namespaces.push_back(name);

@@ -107,7 +107,7 @@
       const place = form.querySelector(".verdict-of-number"), given = numbers(form.elements.number.value), scene = chosen();
       place.className = "verdict-of-number";
       if (!given.length || given.some((value) => !Number.isFinite(value))) {
-        place.textContent = "Your number must be a number, such as 0.123, or two for a complex one.";
+        place.textContent = "Enter a number, such as 0.123, or two numbers for a complex value.";
         return;
       }
       let right, mistakes = [];
@@ -126,7 +126,7 @@
         }
         const counts = new Set(check.arguments.map((name, i) => check.ofModes.includes(name) ? values[i].length : 0).filter(Boolean));
         if (counts.size > 1) {
-          place.textContent = "Lists of the modes must have as many values each.";
+          place.textContent = "All lists over the modes must have the same number of values.";
           return;
         }
         right = [].concat(check.holds(...values));
@@ -144,8 +144,8 @@
         const found = mistakes.filter(explains);
         place.classList.add("refuted");
         place.textContent = found.length
-          ? "Not right. " + found.map((each) => "This gives it: " + each.what).join(" ") + " The right value is " + shown(right) + "."
-          : "Neither the right value nor that of a mistake known here. The right value is " + shown(right) + ".";
+          ? "Not right. " + found.map((each) => "This mistake gives your number: " + each.what).join(" ") + " The right value is " + shown(right) + "."
+          : "This is neither the right value nor that of a known mistake. The right value is " + shown(right) + ".";
       }
     });
   }

@@ -45,7 +45,7 @@
 
   place.textContent = "";
   const said = document.createElement("p");
-  said.textContent = found.length === 0 ? "There is nothing on " + words + ". Try fewer words, or the number of an equation."
+  said.textContent = found.length === 0 ? "No page was found for " + words + ". Try fewer words, or the number of an equation."
                                         : found.length + (found.length === 1 ? " page" : " pages") + " for " + words + ":";
   place.appendChild(said);
   const list = document.createElement("ol");

@@ -38,7 +38,7 @@ def swept(name, of, jobs=1, workers=1):
     return run, wall, status
 
 
-print("| points | masses | microseconds of a processor a point |\n|---|---|---|")
+print("| points | masses | processor microseconds a point |\n|---|---|---|")
 for masses, columns, rows in ((3, 25, 20), (3, 50, 40), (3, 100, 80), (1, 50, 40), (2, 50, 40), (5, 50, 40), (8, 50, 40)):
     run, _, status = swept(f"{masses}-{columns}", study(masses, columns, rows, 10**6))
     print(f"| {status['points']} | {masses} | {1e6 * run / status['points']:.3g} |")

@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "pages/class_page.hpp"
 #include "pages/finish.hpp"
 #include "pages/trim.hpp"
 #include "tests/catch.hpp"
@@ -121,4 +122,38 @@ TEST_CASE("the site leaves out pages that nobody reads and parts a namespace by 
     CHECK(part.find("<h1 class=\"title\">denhartog in two/x_y.hpp</h1>") != std::string::npos);
     CHECK(part.find("Says g()") != std::string::npos);
     CHECK(part.find("Says f()") == std::string::npos);
+}
+
+TEST_CASE("the page of a type begins with its description and says nothing twice", "[pages]") {
+    const auto row = [](const std::string& id) {
+        return "<tr class=\"memitem:" + id + "\"><td><a class=\"el\" href=\"structA.html#" + id + "\">" + id +
+               "</a></td></tr>\n<tr class=\"memdesc:" + id + "\"><td>says " + id + " <a href=\"structA.html#" + id +
+               "\">More...</a></td></tr>\n";
+    };
+    const auto box = [](const std::string& id, const std::string& more) {
+        return "<a id=\"" + id + "\" name=\"" + id + "\"></a>\n<h2 class=\"memtitle\">" + id +
+               "</h2>\n<div class=\"memdoc\">\n<p>says " + id +
+               "</p>\n<p class=\"definition\">Definition at line <a class=\"el\" href=\"a_8hpp_source.html#l00001\">1</a>.</p>" +
+               more + "</div>\n";
+    };
+    const std::string page = denhartog::pages::class_page(
+        "<h1 class=\"title\">A Struct Reference</h1>\n<p>Brief. <a href=\"structA.html#details\">More...</a></p>\n<table>" +
+            row("one") + row("two") + row("three") +
+            "</table>\n<a name=\"details\" id=\"details\"></a><h2 class=\"groupheader\">Detailed Description</h2>\n"
+            "<div>Brief. All of it.</div><h2 class=\"groupheader\">Member Function Documentation</h2>\n" +
+            box("one", "<dl><dd>its parameters</dd></dl>") + "<h2 class=\"groupheader\">Member Data Documentation</h2>\n" +
+            box("two", "") + box("three", "") +
+            "<hr/>The documentation for this struct was generated from the following file:<ul></ul>",
+        "structA.html");
+    CHECK(page.find("<h1 class=\"title\">A</h1>\n<a name=\"details\" id=\"details\"></a>\n<div>Brief. All of it.</div>") == 0);
+    CHECK(page.find("says one", page.find("in detail")) != std::string::npos);
+    CHECK(page.find("structA.html#one\">More...") != std::string::npos);
+    for (const std::string id : {"two", "three"}) {
+        INFO(id);
+        CHECK(page.find("<a class=\"el\" id=\"" + id + "\" href=\"a_8hpp_source.html#l00001\">" + id) != std::string::npos);
+        CHECK(page.find("says " + id) == page.rfind("says " + id));
+        CHECK(page.find("structA.html#" + id) == std::string::npos);
+    }
+    CHECK(page.find("Data") == std::string::npos);
+    CHECK(page.ends_with("</div>\n<hr/>Declared in:<ul></ul>"));
 }

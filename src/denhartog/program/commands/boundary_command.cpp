@@ -108,11 +108,11 @@ void add_boundary_command(CLI::App& app, ExitStatus& status) {
         "A:B lists the frequency ratios from A to B at which the amplitude of a mass does not depend on friction, (87)");
     command->footer(
         "exact: (69) with the maximum over tau of the sum over modes; paper: (69) with the sum of the modes' maxima, (56);\n"
-        "approximate: (67); sticking: the smallest beta at which the contact never moves, absent where there is none.\n"
+        "approximate: (67); sticking: the smallest beta at which the contact never moves, absent if there is none.\n"
         "binding_condition: 54a, the contact would turn back within the half-period; 54b, static friction would hold it at\n"
         "the end of the half-period.\n"
-        "invariant_points: every mass with its points, damping left out: r, the monoharmonic amplitude (52) there at every\n"
-        "friction ratio, and kind: 87, a root of (87); U_k = 0, the factor that (87) divides out. undecided: stretches of r in\n"
+        "invariant_points: the points of every mass, without damping: r, the monoharmonic amplitude (52) there at every\n"
+        "friction ratio, and kind: 87, a root of (87); U_k = 0, the factor that (87) divides out. undecided: ranges of r in\n"
         "which rounding hides whether there is a point. With --digits they are computed in 50 digits.\n"
         "dimensional: the friction forces of a scene of masses, stiffnesses and force.");
     command->callback([options, &status] {

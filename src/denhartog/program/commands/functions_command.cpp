@@ -77,11 +77,9 @@ void add_functions_command(CLI::App& app, ExitStatus& status) {
     const auto options = std::make_shared<SceneOptions>();
     add_scene_options(*command, *options);
     command->footer(
-        "Complex numbers are pairs [real part, imaginary part]. Computed in double, and the sums over the modes in 50 digits "
-        "where\n"
-        "double does not reach ten. beta is not needed. Where the damping matrix couples the modes they have no v, u and "
-        "g\n"
-        "of their own, and zeta is what the diagonal of the matrix gives.");
+        "Complex numbers are pairs [real part, imaginary part]. The numbers are computed in double; the sums over the modes\n"
+        "are computed in 50 digits if double does not reach ten. beta is not needed. If the damping matrix couples the modes,\n"
+        "they have no v, u and g of their own, and zeta is what the diagonal of the matrix gives.");
     command->callback([options, &status] {
         answer_scenes(
             *options, [&](const SceneText& part) { return evaluate(part, *options); }, status);

@@ -186,8 +186,8 @@ void add_integrate_command(CLI::App& app, ExitStatus& status) {
                         "print this many instants of the last period as CSV: tau, x_1..x_N, v_1..v_N");
     command->footer(
         "Amplitudes are the largest |x_k| over the last period. The phase is the instant of the largest displacement after a\n"
-        "maximum of the force, where the contact does not stop. Stops are those that end in the last period. The exact method\n"
-        "has no tolerances. Exit status 3 where the final time is not reached: status and reason then stand in the answer.");
+        "maximum of the force, if the contact does not stop. Stops are those that end in the last period. The exact method\n"
+        "has no tolerances. If the final time is not reached, the exit status is 3, and the answer has status and reason.");
     command->callback([options, &status] { answer(*options, status); });
 }
 

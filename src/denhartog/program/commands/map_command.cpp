@@ -162,18 +162,18 @@ void add_map_command(CLI::App& app, ExitStatus& status) {
     command->footer(
         "r and beta of the scene are not used. CSV with a line for each point, beta fastest: r, beta, regime (continuous,\n"
         "stick_slip, permanent_sticking), stops_per_period, periods (of the force in a period of the motion), amplitude_K of\n"
-        "each mass K in units of P / k_1, status. Where double does not tell the regime or has fewer than 6 digits of an\n"
+        "each mass K in units of P / k_1, status. If double does not decide the regime or has fewer than 6 digits of an\n"
         "amplitude, `solve` answers the point. status: answered; on_boundary, beta equals a boundary to rounding\n"
-        "and the regime could be the neighbour; not_converged, no steady motion was found; at_a_pole, a mode without damping\n"
+        "and the neighbouring regime is possible; not_converged, no steady motion was found; at_a_pole, a mode without damping\n"
         "resonates; failed, the digits do not suffice. In the last three the numbers are nan and there is no regime.\n"
         "NPY: an array of records (r by beta) with the same fields; regime is 0, 1, 2 in the order above and -1 for none,\n"
-        "status 0 to 4, whole numbers -1 where they are not known. A contact that rests is taken to rest at zero.\n"
+        "status 0 to 4, whole numbers -1 if they are not known. A contact that rests is taken to rest at zero.\n"
         "With mu = 1 and damping in every mode the velocities do not depend on the start. Otherwise --start rest follows the\n"
         "start from rest at every point, as solve does; sliding takes the sliding motion as far as it exists and from there\n"
-        "the motion met as beta rises. With mu = 1 both take the motion from the boundaries.\n"
+        "the motion that is reached as beta rises. With mu = 1 both take the motion from the boundaries.\n"
         "With --frequency-hz and --friction the map is in the units of the scene: columns frequency_hz and friction in place of\n"
         "r and beta, amplitudes and boundaries as lengths and forces; the scene needs its force, or base_displacement.\n"
-        "--boundaries: r, exact, paper, approximate, sticking as `boundary` has them, status; sticking is nan where no\n"
+        "--boundaries: r, exact, paper, approximate, sticking as `boundary` has them, status; sticking is nan if no\n"
         "friction holds the contact. An interruption leaves no file; the exit status is then 128 plus the signal.");
     command->callback([options, &status] {
         try {

@@ -94,9 +94,8 @@ void add_motion_command(CLI::App& app, ExitStatus& status) {
     command->add_option("--output", options->output, "file to write; it appears when it is complete");
     command->footer(
         "Columns: tau from 0 to below 2 pi, 0 at the maximum of the mass in contact; x_1..x_N in units of P / k_1; v_1..v_N,\n"
-        "the derivatives with respect to tau. Only where the contact slides throughout. Digits are relative to the amplitude "
-        "(52)\n"
-        "of the mass; where double does not reach them, 50 digits are used, and standard error says so.");
+        "the derivatives with respect to tau. The contact must slide throughout. Digits are relative to the amplitude (52)\n"
+        "of the mass; if double does not reach them, 50 digits are used, and standard error says so.");
     command->callback([options, &status] {
         try {
             answer(*options);

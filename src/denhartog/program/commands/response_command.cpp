@@ -61,11 +61,11 @@ void add_response_command(CLI::App& app, ExitStatus& status) {
     add_scene_options(*command, *options);
     add_digits_option(*command, *options);
     command->footer(
-        "In the regimes stick_slip and permanent_sticking there is a reason and no amplitude; `solve` answers there too.\n"
+        "In the regimes stick_slip and permanent_sticking the answer has a reason and no amplitude; `solve` gives the motion.\n"
         "other_regimes: regimes that exist at the same point from other initial values; on_boundary: beta equals a boundary\n"
         "to the accuracy computed. error_bound is absolute and covers x0, v0 and both amplitudes of the mass: it is computed\n"
         "with the answer. A mass that does not move has no phase. Without --digits the aim is\n"
-        "6 digits, and more precision is used where double does not reach them.\n"
+        "6 digits, and more precision is used if double does not reach them.\n"
         "dimensional: the same in the units of a scene that was given by masses and stiffnesses.");
     command->callback([options, &status] {
         answer_scenes(

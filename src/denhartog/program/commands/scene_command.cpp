@@ -46,7 +46,7 @@ void add_scene_options(CLI::App& command, SceneOptions& options) {
 void add_damping_option(CLI::App& command, std::string& damping) {
     command
         .add_option("--damping", damping,
-                    "what becomes of a damping matrix that couples the modes: as-given takes the coupling in;\n"
+                    "how to treat a damping matrix that couples the modes: as-given includes the coupling;\n"
                     "nearest-classical leaves it out, as the paper does")
         ->check(CLI::IsMember({as_given, nearest_classical}))
         ->capture_default_str();
@@ -60,14 +60,15 @@ SceneSource source_of(const SceneText& part, const std::string& damping) {
 void add_digits_option(CLI::App& command, SceneOptions& options) {
     command.add_option("--digits", options.digits,
                        "significant digits to be reached, 1 to " + std::to_string(most_digits) +
-                           "; above 15 numbers in JSON are text. Where they cannot be reached the exit status is 3");
+                           "; above 15, numbers in JSON are text. If they cannot be reached, the exit status is 3");
 }
 
 void add_effort_option(CLI::App& command, std::optional<double>& effort) {
     command.add_option(
         "--effort", effort,
-        "work that a question may cost, in operations of about a tenth of a microsecond; one evaluates a mode at an instant "
-        "in double. If it does not suffice, the exit status is 3. Default: 1e7, or 8e5 for each mass if there are more than 12");
+        "work that a question may cost, in operations of about a tenth of a microsecond, each of which evaluates a mode at an "
+        "instant in double. If it does not suffice, the exit status is 3. Default: 1e7, or 8e5 for each mass if there are more "
+        "than 12");
 }
 
 std::optional<long> allowed_operations(const std::optional<double>& effort) {

@@ -89,21 +89,21 @@ void add_solve_command(CLI::App& app, ExitStatus& status) {
         "v_1..v_N (derivatives with respect to tau)");
     add_units_option(*command, options->units);
     command->footer(
-        "The answer is that of `response` where the contact slides throughout. Where it sticks and slips, amplitudes and phases\n"
+        "The answer is that of `response` if the contact slides throughout. If it sticks and slips, amplitudes and phases\n"
         "come from a periodic orbit of the exact solver; stops lists start and end of each stop, tau from the maximum of the\n"
         "force, within the period of the motion (periods, in periods of the force), and where the contact rests; start is the\n"
-        "state at tau = 0. Where it rests for ever, rest_interval is where it may rest, and amplitudes are for rest at zero.\n"
+        "state at tau = 0. If it rests for ever, rest_interval is where it may rest, and amplitudes are for rest at zero.\n"
         "method says which model answers, in which precision, and why: the cheapest that is certain to have the digits.\n"
         "unique: whether the velocities are known not to depend on the start. If not, the answer is the motion that the start\n"
         "from rest leads to. stable: all Floquet multipliers are inside the unit circle; multipliers are their sizes.\n"
-        "regime_by_56: the regime by the paper's condition, where it differs. beta_lim.at_least: a bound that was enough.\n"
+        "regime_by_56: the regime by the paper's condition, if it differs. beta_lim.at_least: a bound that was enough.\n"
         "error_bound is absolute, in units of P / k_1; phase_error_bound in radians. counters: what the answer cost.\n"
         "dimensional: the same in the units of a scene that was given by masses and stiffnesses; times from the maximum of the\n"
         "force.\n"
-        "damping: of a damping matrix that couples the modes, whether the coupling was taken in, and how large it is.\n"
+        "damping: for a damping matrix that couples the modes, whether the coupling was included, and how large it is.\n"
         "--all: motions lists each motion found, with its stability, from, a state at the maximum of the force that leads to\n"
         "it, and found, where that start comes from. A motion that is not listed may still exist.\n"
-        "Where no steady motion is found, or not to the digits asked for, there is a reason and the exit status is 3.");
+        "If no steady motion is found, or not to the digits asked for, the answer has a reason and the exit status is 3.");
     command->callback([options, &status] {
         answer_scenes(
             options->scene, [&](const SceneText& part) { return solved(part, *options); }, status);

@@ -102,7 +102,7 @@ void add_list(CLI::App& conform) {
     add_selection_options(*command, *options);
     const auto csv = std::make_shared<bool>(false);
     command->add_flag("--summary", *summary, "the number of vectors in each group and tier");
-    command->add_flag("--csv", *csv, "all that is known of each vector, as comma-separated values, with a heading")
+    command->add_flag("--csv", *csv, "all that is known about each vector, as comma-separated values, with a heading")
         ->excludes("--summary");
     const auto known = std::make_shared<bool>(false);
     command->add_flag("--mistakes", *known, "the known mistakes, with their equations and what to look at");
@@ -116,7 +116,8 @@ void add_list(CLI::App& conform) {
 }
 
 void add_show(CLI::App& conform) {
-    CLI::App* command = conform.add_subcommand("show", "One vector: its question in both dialects, and all that is known of it");
+    CLI::App* command =
+        conform.add_subcommand("show", "One vector: its question in both dialects, and all that is known about it");
     const auto options = std::make_shared<SelectionOptions>();
     const auto id = std::make_shared<std::string>();
     command->add_option("ID", *id, "id of the vector")->required();

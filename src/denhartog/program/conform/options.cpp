@@ -90,7 +90,7 @@ void add_report_options(CLI::App& command, ConformOptions& options) {
         ->check(CLI::IsMember({"text", "json", "junit", "markdown"}))
         ->capture_default_str();
     command.add_option("--output", options.output, "file of the report, instead of standard output");
-    command.add_flag("--verbose", options.verbose, "tell every answer");
+    command.add_flag("--verbose", options.verbose, "list every answer");
 }
 
 conformance::RunSettings run_settings(const ConformOptions& options) {

@@ -131,7 +131,7 @@ void add_sweep_command(CLI::App& app, ExitStatus& status, const std::string& com
     command->add_option("STUDY", options->study, "the study as JSON, see docs/study.schema.json; - for standard input")
         ->required();
     command->add_option("DIR", options->folder, "the folder to write")->required();
-    command->add_flag("--without-estimate", options->without_estimate, "measure nothing");
+    command->add_flag("--without-estimate", options->without_estimate, "do not measure what the study will cost");
     command->callback([options] { plan(*options); });
     command = add(*sweep, "run", "Compute chunks that are not done", *options);
     command->add_option("CHUNK", options->chunks, "numbers of chunks, or ranges such as 20-29");
@@ -139,17 +139,18 @@ void add_sweep_command(CLI::App& app, ExitStatus& status, const std::string& com
     command->add_option("--jobs", options->jobs, "chunks at once")->capture_default_str();
     command->callback([options, &status] { run(*options, status); });
     command = add(*sweep, "status", "How much of a study is done", *options);
-    command->add_flag("--json", options->json, "JSON in place of lines");
-    command->add_option("--workers", options->workers, "how long so many workers would take, simulated from what chunks took");
+    command->add_flag("--json", options->json, "JSON instead of text");
+    command->add_option("--workers", options->workers,
+                        "simulate how long this many workers would take, from the times of the chunks that are done");
     command->callback([options] { show_status(*options); });
     command = add(*sweep, "merge", "Check that every chunk is there once, and complete the results", *options);
     command->add_option("--to", options->to, "also write them into this NetCDF file, .nc");
     command->callback([options, &status] { merge_chunks(*options, status); });
     sweep->footer(
-        "A chunk is written under another name, brought to the disk and renamed; its record, with checksums, comes last.\n"
-        "A chunk that is run again is found done. The results are a Zarr store, DIR/result.zarr, format 2, not compressed;\n"
-        "its bytes do not depend on workers, engine or the order of chunks. merge has status 1 where a chunk is missing,\n"
-        "damaged, or of another program or study.");
+        "The files of a chunk are written under other names, flushed to the disk and renamed; a record with checksums comes\n"
+        "last. A chunk that is done is not computed again. The results are an uncompressed Zarr store of format 2,\n"
+        "DIR/result.zarr; its bytes do not depend on workers, engine or the order of chunks. The status of merge is 1 if a\n"
+        "chunk is missing, damaged, or of another program or study.");
 }
 
 } // namespace denhartog::program
