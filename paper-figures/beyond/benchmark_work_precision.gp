@@ -17,7 +17,7 @@ set yrange [1e-5:10]
 set xrange [-0.3:16.5]
 set ylabel 'processor seconds a scene, median' offset 1
 do for [panel = 1:2] {
-    set title panel == 1 ? '(a)  the median scene answered' : '(b)  nine scenes of ten; no answer has no digits' offset 0, -0.6
+    set title panel == 1 ? '(a)  the median scene answered' : '(b)  nine scenes of ten; a missing answer has 0 digits' offset 0, -0.6
     set xlabel panel == 1 ? 'digits, median' : 'digits that nine of ten scenes have'
     if (panel == 2) { set key at graph 0.86, graph 0.42 right noenhanced font ',10' } else { unset key }
     if (panel == 2) { unset ylabel }

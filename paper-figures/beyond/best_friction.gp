@@ -3,8 +3,8 @@
 width = 1240; height = 520
 load '../style.gp'
 data = 'best_friction.dat'
-set multiplot layout 1, 2 margins 0.06, 0.93, 0.12, 0.92 spacing 0.15, 0
-set xlabel 'third stiffness ratio'
+set multiplot layout 1, 2 margins 0.06, 0.93, 0.15, 0.92 spacing 0.15, 0
+set xlabel 'third stiffness ratio' offset 0, 0.4
 set ylabel 'second stiffness ratio' offset 1
 set xrange [-2.25:2.25]
 set yrange [-2.25:2.25]
@@ -12,7 +12,7 @@ set xtics ('1/4' -2, '1/2' -1, '1' 0, '2' 1, '4' 2)
 set ytics ('1/4' -2, '1/2' -1, '1' 0, '2' 1, '4' 2)
 set palette defined (0 '#F7FBFF', 0.5 '#6BAED6', 1 '#08306B')
 exponent(x) = log(x) / log(2)
-set title '(a)  best friction ratio; at 3 the axis ends' offset 0, -0.6
+set title '(a)  best friction ratio; the search ends at 3' offset 0, -0.6
 plot data index 0 nonuniform matrix using (exponent($1)):(exponent($2)):3 with image pixels
 set title '(b)  the lowest peak, units of P / k_1' offset 0, -0.6
 set logscale cb

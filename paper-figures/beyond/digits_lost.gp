@@ -9,7 +9,7 @@ set cbrange [-1:17]
 unset grid
 unset colorbox
 set border 15
-set multiplot layout 5, 3 margins 0.105, 0.985, 0.12, 0.977 spacing 0.02, 0.056
+set multiplot layout 5, 3 margins 0.105, 0.985, 0.12, 0.977 spacing 0.02, 0.066
 set yrange [-0.5:94.5]
 functions = 'u u g g v'
 maps = 'wide near wide near near'
@@ -21,7 +21,7 @@ do for [row = 1:5] {
     m = word(maps, row)
     do for [column = 1:3] {
         panel = panel + 1
-        set title sprintf('(%s)  %s, %s', substr('abcdefghijklmno', panel, panel), f, word(titles, column)) offset 0, -0.7
+        set title sprintf('(%s)  %s, %s', substr('abcdefghijklmno', panel, panel), f, word(titles, column)) offset 0, -0.8
         set ylabel 'damping ratio ζ' offset 0.5
         set ytics ('10^{−16}' 0, '10^{−12}' 16, '10^{−8}' 32, '10^{−4}' 48, '1/2' 62.5, '1 − 10^{−6}' 74, '1 − 10^{−11}' 84, \
             '1 − 10^{−16}' 94)
@@ -30,12 +30,12 @@ do for [row = 1:5] {
             set ytics ('' 0, '' 16, '' 32, '' 48, '' 62.5, '' 74, '' 84, '' 94)
         }
         if (m eq 'wide') {
-            set xlabel 'R' offset 0, 0.25
+            set xlabel 'R' offset 0, 0.6
             set xrange [-3.01:2.01]
             set xtics ('10^{−3}' -3, '10^{−2}' -2, '' -1, '1/3' -log10(3), '1' 0, '10' 1, '' 2)
             plot data index m.' '.f.' '.word(whats, column).';' matrix using (-3 + $1 / 37.0):2:3 with image
         } else {
-            set xlabel 'R − 1' offset 0, 0.25
+            set xlabel 'R − 1' offset 0, 0.6
             set xrange [-61.5:61.5]
             set xtics ('−10^{−2}' -55, '−10^{−8}' -31, '0' 0, '10^{−8}' 31, '10^{−2}' 55)
             plot data index m.' '.f.' '.word(whats, column).';' matrix using ($1 - 61):2:3 with image

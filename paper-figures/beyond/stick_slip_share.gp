@@ -3,24 +3,24 @@
 width = 1240; height = 520
 load '../style.gp'
 data = 'stick_slip_share.dat'
-set multiplot layout 1, 2 margins 0.06, 0.985, 0.12, 0.92 spacing 0.13, 0
+set multiplot layout 1, 2 margins 0.06, 0.985, 0.14, 0.92 spacing 0.13, 0
 set title '(a)  share of stick-slip' offset 0, -0.6
-set xlabel 'r'
-set ylabel 'beta' offset 1
+set xlabel 'frequency ratio r' offset 0, 0.4
+set ylabel 'friction ratio β' offset 1
 set xrange [0.1:2]
 set yrange [0.05:2.5]
 set cbrange [0:1]
 set palette defined (0 '#F7FBFF', 0.5 '#6BAED6', 1 '#08306B')
 plot data index 0 nonuniform matrix using 2:1:3 with image pixels
 set title '(b)  amplitude of the contact, 5th to 95th percentile' offset 0, -0.6
-set ylabel 'X_2, units of P / k_1' offset 1
+set ylabel 'amplitude X̄_2' offset 1
 set autoscale y
 set logscale y
 set format y '%g'
 set yrange [0.02:*]
 set key top right
 plot data index 1 using 1:2:4 with filledcurves lc rgb '#0072B2' fs transparent solid 0.25 noborder, \
-     data index 1 using 1:3 with lines lt 1 title 'beta = 0.5, median', \
+     data index 1 using 1:3 with lines lt 1 title 'β = 0.5, median', \
      data index 2 using 1:2:4 with filledcurves lc rgb '#D55E00' fs transparent solid 0.25 noborder, \
-     data index 2 using 1:3 with lines lt 2 title 'beta = 1.5, median'
+     data index 2 using 1:3 with lines lt 2 title 'β = 1.5, median'
 unset multiplot

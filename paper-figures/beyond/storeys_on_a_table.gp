@@ -7,10 +7,10 @@ set xlabel 'frequency, Hz' offset 0, 0.4
 set label 1 '(a)  over frequency' at graph 0.03, 1.05
 set key top left Left reverse
 set xrange [1:4.5]
-plot for [n = 1:6] data index 'a '.word('0 5 20 40 60 120', n).' N;' using 1:2 with lines lt n title word('0 5 20 40 60 120', n).' N'
+plot for [n = 1:6] data index 'a '.word('0 5 20 40 60 120', n).' N;' using 1:2 with lines lt n dt n title word('0 5 20 40 60 120', n).' N'
 set xlabel 'friction force, N'
 set label 1 '(b)  over the friction force'
 set key bottom left
 set xrange [0:120]
-plot for [n = 1:3] data index 'b '.word('2.6 2.9 3.2', n).' Hz;' using 1:2 with lines lt n title word('2.6 2.9 3.2', n).' Hz'
+plot for [n = 1:3] data index 'b '.word('2.6 2.9 3.2', n).' Hz;' using 1:2 with lines lt n dt n title word('2.6 2.9 3.2', n).' Hz'
 unset multiplot

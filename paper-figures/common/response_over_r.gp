@@ -60,7 +60,7 @@ do for [c = 1:3] {
     set xtics format '%g'
     set xlabel 'frequency ratio r'
     set ylabel (c == 1 ? 'phase '.phase.' in degrees' : '') offset 1, 0
-    set title sprintf('(%s)', word('d e f', c)) offset 0, -0.6
+    set title sprintf('(%s)', word('d e f', c)) offset 0, -0.9
     plot data index edge(c) using 1:($3 * degrees) with lines lw 5 lc rgb '#BBBBBB', \
          data index line(c, '0') using 1:(column(column_phase) * degrees) with lines lt 7 lw 1, \
          for [b = 1:sliding(c)] data index line(c, word(betas, b)) using 1:(column(column_phase) * degrees) with lines lt b, \
