@@ -34,7 +34,8 @@ Values shipped_motion(int N) {
         y.push_back({Symbolic(braces), Symbolic(braces.diff(time_symbol())), Symbolic(braces.diff(time_symbol(), 2))});
     }
     const evaluation::MotionOfMass<Symbolic> motion =
-        evaluation::motion_of_mass<Symbolic>(Symbolic(s.tau), shipped_harmonic_part(), Symbolic(s.beta), weights, y);
+        evaluation::motion_of_mass<Symbolic>(cos(Symbolic(s.tau)), sin(Symbolic(s.tau)), shipped_harmonic_part(),
+                                             Symbolic(s.beta), weights, y);
     return {motion.x, motion.x_prime, motion.x_double_prime};
 }
 

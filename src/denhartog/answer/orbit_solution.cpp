@@ -13,27 +13,34 @@ namespace {
 
 using std::abs;
 
-// Displacement and velocity of a mass on the orbit that the solver moved along last.
+// The states of an orbit. One that mirrors itself after half its period is moved along that half alone.
 template <class T>
 class OnOrbit {
 public:
-    OnOrbit(ExactSolver<T>& solver_, const ExactMotion<T>& motion, const T& period_) : solver(solver_), period(period_) {
-        for (const Phase<T>& p : motion.phases) ends.push_back(p.end);
+    OnOrbit(ExactSolver<T>& solver_, const PeriodicOrbit<T>& orbit)
+        : solver(solver_), mirrors(orbit.symmetric), stretch((mirrors ? 1 : 2) * orbit.periods * pi<T>()) {
+        for (const Phase<T>& p : solver.run(orbit.start, T(0), stretch).phases) ends.push_back(p.end);
     }
 
     State<T> at(T tau) {
-        while (tau < 0) tau += period;
-        while (tau > period) tau -= period;
+        bool mirrored = false;
+        for (; tau < 0; tau += stretch) mirrored = mirrors && !mirrored;
+        for (; tau > stretch; tau -= stretch) mirrored = mirrors && !mirrored;
         const auto found = std::lower_bound(ends.begin(), ends.end(), tau);
         const auto last = static_cast<std::ptrdiff_t>(ends.size()) - 1;
         State<T> state = solver.state_at(static_cast<std::size_t>(std::min(found - ends.begin(), last)), tau);
-        for (std::vector<T>* part : {&state.x, &state.x_prime}) add_displacements(solver.system().coordinates, *part);
+        for (std::vector<T>* part : {&state.x, &state.x_prime}) {
+            add_displacements(solver.system().coordinates, *part);
+            for (T& each : *part)
+                if (mirrored) each = -each;
+        }
         return state;
     }
 
 private:
     ExactSolver<T>& solver;
-    T period;
+    bool mirrors;
+    T stretch;
     std::vector<T> ends;
 };
 
@@ -68,8 +75,7 @@ T error_of_extremum(OnOrbit<T>& orbit, std::size_t k, const MassMotion<T>& mass,
 
 template <class T>
 OrbitSolution orbit_solution(ExactSolver<T>& solver, const PeriodicOrbit<T>& orbit, int digits, std::optional<Mass> only) {
-    const T period = 2 * orbit.periods * pi<T>();
-    OnOrbit<T> on_orbit(solver, solver.run(orbit.start, T(0), period), period);
+    OnOrbit<T> on_orbit(solver, orbit);
     const T fastest = velocity_over_displacement(solver);
     const std::size_t j = solver.system().contact.index,
                       count = orbit.start.x.size() + solver.system().coordinates.replaced.size();

@@ -46,7 +46,12 @@ SceneSource scene_source(const SceneText& part) {
 }
 
 SceneSource scene_source(const Scene<double>& scene) {
-    return source_of([scene]<class T>(T) { return in_own_coordinates(converted<T>(scene)); });
+    return source_of([shared = std::make_shared<const Scene<double>>(scene)]<class T>(T) { // by all copies of the source
+        if constexpr (std::same_as<T, double>)
+            return in_own_coordinates(*shared);
+        else
+            return in_own_coordinates(converted<T>(*shared));
+    });
 }
 
 SceneSource at_point(const SceneSource& source, double r, double beta) {

@@ -66,7 +66,8 @@ template <class T>
 
 /// @brief Motion of a mass over the half-period: (46) as corrected, with (40) from the motions of the modes, and its derivatives.
 /// @eq{40,46}  @derivation{evaluation_of_motion}  @domain{sliding regime, Eq. (69); 0 <= tau <= pi}
-/// @param tau   non-dimensional time; zero at a maximum of x_j
+/// @param C     cosine of the non-dimensional time tau, which is zero at a maximum of x_j
+/// @param S     sine of tau
 /// @param h     the harmonic part
 /// @param beta  friction ratio, Eq. (11)
 /// @param w     weights psi_ki psi_ji R_i^2 of the modes in (40)
@@ -74,10 +75,9 @@ template <class T>
 /// @param so_far  weighted sums over the modes before these
 /// @return      displacement, velocity, acceleration, in units of P / k_1
 template <class T>
-[[nodiscard]] MotionOfMass<T> motion_of_mass(const T& tau, const HarmonicPart<T>& h, const T& beta, std::span<const T> w,
-                                             std::span<const FrictionMotion<T>> y,
+[[nodiscard]] MotionOfMass<T> motion_of_mass(const T& C, const T& S, const HarmonicPart<T>& h, const T& beta,
+                                             std::span<const T> w, std::span<const FrictionMotion<T>> y,
                                              const FrictionMotion<T>& so_far = {T(0), T(0), T(0)}) {
-    const T C = cos(tau), S = sin(tau);
     T F_k = so_far.value, F_prime = so_far.prime, F_double_prime = so_far.double_prime;
     for (std::size_t i = 0; i < y.size(); ++i) {
         F_k = F_k + w[i] * y[i].value;

@@ -7,7 +7,6 @@
 #include <charconv>
 #include <cmath>
 #include <concepts>
-#include <cstdio>
 #include <limits>
 
 #include "denhartog/number/multiprecision.hpp"
@@ -124,8 +123,7 @@ NumberFault number_from_text(std::string_view text, T& value) {
 
 std::string number_in_digits(double x, int digits) {
     std::array<char, 64> text{};
-    std::snprintf(text.data(), text.size(), "%.*g", digits, x);
-    return text.data();
+    return {text.data(), std::to_chars(text.begin(), text.end(), x, std::chars_format::general, digits).ptr};
 }
 
 template std::string number_to_text(const double&);

@@ -50,8 +50,9 @@ struct Demand {
     const std::vector<T>& weights;
 
     Sample<T> operator()(const T& tau) const {
-        const std::vector<evaluation::FrictionMotion<T>>& now = y.at(tau);
-        const T C = cos(tau), S = sin(tau);
+        const FrictionMotionsAt<T>& at = y.at(tau);
+        const std::pmr::vector<evaluation::FrictionMotion<T>>& now = at.y;
+        const T &C = at.cosine, &S = at.sine;
         T N(0), N_prime(0), Z(0);
         for (std::size_t n = 0; n < weights.size(); ++n) {
             const T& R = s.R[first + n];

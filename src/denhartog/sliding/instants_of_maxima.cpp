@@ -20,14 +20,17 @@ template <class T>
 T rate_of_friction(const ModeSums<T>& s, const std::vector<T>& weights, const FrictionMotionsAt<T>& at, const T& h) {
     constexpr int most_terms = 16;
     const std::size_t N = weights.size();
-    std::vector<T> sizes(N), one(N), two(N); // bounds of a derivative of each term, and the two derivatives below it
+    struct Term {
+        T size;     // bound of a derivative
+        T one, two; // the derivatives one and two below it
+    };
+    std::vector<Term> terms(N);
     bool oscillates = true;
     T rest(0);
     for (std::size_t i = 0; i < N; ++i) {
-        sizes[i] = size_of_number(weights[i]) * at.size[i] / (s.R[i] * s.R[i] * s.R[i]);
-        two[i] = weights[i] * at.y[i].prime;
-        one[i] = weights[i] * at.y[i].double_prime;
-        rest += sizes[i];
+        terms[i] = {size_of_number(weights[i]) * at.size[i] / (s.R[i] * s.R[i] * s.R[i]), weights[i] * at.y[i].double_prime,
+                    weights[i] * at.y[i].prime};
+        rest += terms[i].size;
         oscillates = oscillates && s.zeta[i] < 1;
     }
     if (!oscillates) return rest; // the sizes are those of this derivative alone
@@ -37,13 +40,14 @@ T rate_of_friction(const ModeSums<T>& s, const std::vector<T>& weights, const Fr
         rest = T(0);
         for (std::size_t i = 0; i < N; ++i) {
             const T& R = s.R[i];
-            const T next = -(2 * s.zeta[i] * one[i] + two[i] / R) / R;
-            two[i] = one[i];
-            one[i] = next;
+            Term& term = terms[i];
+            const T next = -(2 * s.zeta[i] * term.one + term.two / R) / R;
+            term.two = term.one;
+            term.one = next;
             sum += next;
-            rounding += sizes[i];
-            sizes[i] = sizes[i] / R;
-            rest += sizes[i];
+            rounding += term.size;
+            term.size = term.size / R;
+            rest += term.size;
         }
         known += power * (size_of_number(sum) + 16 * unit_of<T>() * rounding);
         power = power * h / n;
@@ -60,8 +64,12 @@ std::pair<T, T> instant_and_spread(const ModeSums<T>& s, FrictionMotions<T>& y, 
     const MassInMotion<T> mass(s, k, beta);
     const T harmonic_size = modulus(Complex<T>{mass.h.A, mass.h.B});
     Curve<T> curve;
+    const auto at_instant = [&](const T& tau) {
+        const FrictionMotionsAt<T>& now = y.at(tau);
+        return mass.at(now.cosine, now.sine, now.y);
+    };
     curve.sample = [&](const T& tau) {
-        const evaluation::MotionOfMass<T> at = mass.at(tau, y.at(tau));
+        const evaluation::MotionOfMass<T> at = at_instant(tau);
         return Sample<T>{at.x < 0 ? T(-at.x) : at.x, at.x_prime, at.x_double_prime};
     };
     curve.rate = [&](const T& a, const T& b) {
@@ -75,7 +83,7 @@ std::pair<T, T> instant_and_spread(const ModeSums<T>& s, FrictionMotions<T>& y, 
     curve.cost = static_cast<long>(s.R.size() + 2) * cost_of_mode<T>(); // two for the search itself
     const Maximum<T> found =
         global_maximum<T>(curve, T(0), pi<T>(), T(2 * unit_of<T>() * terms), nullptr, std::numeric_limits<T>::lowest(), error);
-    const auto is_negative = [&](const T& tau) { return mass.at(tau, y.at(tau)).x < 0; };
+    const auto is_negative = [&](const T& tau) { return at_instant(tau).x < 0; };
     return {found.instant, spread_of_phases(found.places, T(0), pi<T>(), found.instant, is_negative)};
 }
 

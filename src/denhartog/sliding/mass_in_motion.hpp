@@ -42,19 +42,21 @@ struct MassInMotion {
     /// @param s modes @param k mass @param beta_ friction ratio
     MassInMotion(const ModeSums<T>& s, std::size_t k, const T& beta_)
         : h(harmonic_part(s, k, beta_)), beta(beta_), weights(friction_weights(s, k)) {}
-    /// @brief The motion. @eq{46} @param tau instant in [0, pi] @param y friction's share of every mode there
+    /// @brief The motion. @eq{46} @param C cosine of an instant in [0, pi] @param S its sine
+    /// @param y       friction's share of every mode there
     /// @param so_far  friction's share that is no mode's
     /// @return        x, x', x''
-    [[nodiscard]] evaluation::MotionOfMass<T> at(const T& tau, const std::vector<evaluation::FrictionMotion<T>>& y,
+    [[nodiscard]] evaluation::MotionOfMass<T> at(const T& C, const T& S, std::span<const evaluation::FrictionMotion<T>> y,
                                                  const evaluation::FrictionMotion<T>& so_far = {T(0), T(0), T(0)}) const {
-        return evaluation::motion_of_mass(tau, h, beta, std::span<const T>(weights),
-                                          std::span<const evaluation::FrictionMotion<T>>(y), so_far);
+        return evaluation::motion_of_mass(C, S, h, beta, std::span<const T>(weights), y, so_far);
     }
 };
 
 /// @brief Friction's share of the motion at an instant: of every mode, or of a mass where damping couples them.
 template <class T>
 struct FrictionShare {
+    T cosine;                                            ///< of the instant
+    T sine;                                              ///< of the instant
     std::vector<evaluation::FrictionMotion<T>> of_modes; ///< N; none where damping couples the modes
     evaluation::FrictionMotion<T> of_mass;               ///< then that of the mass, else zero
 };
@@ -62,8 +64,15 @@ struct FrictionShare {
 /// @brief The same of a mass. @param s modes @param k its place @param tau instant in [0, pi] @return friction's share
 template <class T>
 [[nodiscard]] FrictionShare<T> friction_share(const ModeSums<T>& s, std::size_t k, const T& tau) {
-    if (s.coupled) return {{}, s.coupled->motion(k, tau)};
-    return {friction_motions(s, tau), {T(0), T(0), T(0)}};
+    if (s.coupled) return {cos(tau), sin(tau), {}, s.coupled->motion(k, tau)};
+    return {cos(tau), sin(tau), friction_motions(s, tau), {T(0), T(0), T(0)}};
+}
+
+/// @brief Motion (46) of a mass with friction's share at an instant. @eq{46} @param mass the mass @param y that share
+/// @return x, x', x''
+template <class T>
+[[nodiscard]] evaluation::MotionOfMass<T> motion_with(const MassInMotion<T>& mass, const FrictionShare<T>& y) {
+    return mass.at(y.cosine, y.sine, y.of_modes, y.of_mass);
 }
 
 /// @brief Motion (46) of a mass at an instant. @eq{46} @param s modes @param mass the mass @param k its place @param tau in [0, pi]
@@ -71,8 +80,7 @@ template <class T>
 template <class T>
 [[nodiscard]] evaluation::MotionOfMass<T> motion_at(const ModeSums<T>& s, const MassInMotion<T>& mass, std::size_t k,
                                                     const T& tau) {
-    const FrictionShare<T> y = friction_share(s, k, tau);
-    return mass.at(tau, y.of_modes, y.of_mass);
+    return motion_with(mass, friction_share(s, k, tau));
 }
 
 } // namespace denhartog

@@ -1,10 +1,12 @@
 #include "denhartog/sliding/regime.hpp"
 
+#include <concepts>
 #include <limits>
 #include <sstream>
 
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/multiprecision.hpp"
+#include "denhartog/number/number_text.hpp"
 #include "denhartog/scene/point_rules.hpp"
 
 namespace denhartog {
@@ -12,8 +14,10 @@ namespace {
 
 template <class T>
 std::string text(const T& x) {
+    constexpr int digits = 12;
+    if constexpr (std::same_as<T, double>) return number_in_digits(x, digits);
     std::ostringstream out;
-    out.precision(12);
+    out.precision(digits);
     out << x;
     return out.str();
 }

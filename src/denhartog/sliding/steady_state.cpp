@@ -70,15 +70,14 @@ T newton_step(const evaluation::MotionOfMass<T>& at) {
 template <class T>
 void settle_maximum(const ModeSums<T>& s, SteadyState<T>& state, std::size_t k, T instant) {
     const MassInMotion<T> mass(s, k, state.beta);
-    const auto at = [&](const T& tau, const FrictionShare<T>& y) { return mass.at(tau, y.of_modes, y.of_mass); };
     const auto leads_out = [](const T& tau, const T& step) { return (tau <= 0 && step < 0) || (tau >= pi<T>() && step > 0); };
     FrictionShare<T> share = friction_share(s, k, instant);
-    evaluation::MotionOfMass<T> now = at(instant, share);
+    evaluation::MotionOfMass<T> now = motion_with(mass, share);
     T step = newton_step(now);
     if (leads_out(instant, step)) {
         const T other = instant <= 0 ? pi<T>() : T(0);
         FrictionShare<T> share_there = friction_share(s, k, other);
-        const evaluation::MotionOfMass<T> there = at(other, share_there);
+        const evaluation::MotionOfMass<T> there = motion_with(mass, share_there);
         const T from_there = newton_step(there);
         if (leads_out(other, from_there)) {
             step = T(0);
@@ -147,20 +146,28 @@ SteadyState<T> steady_state_at(const ModeSums<T>& s, const T& beta, const std::v
 }
 
 template <class T>
-Motion<T> motion(const ModeSums<T>& s, const SteadyState<T>& state, const T& tau) {
-    const T halves = floor(T(tau / pi<T>()));
-    const T instant = in_half_period(T(tau - halves * pi<T>()));
-    const bool mirrored = halves - 2 * floor(T(halves / 2)) != 0;
-    const std::vector<evaluation::FrictionMotion<T>> y =
-        s.coupled ? std::vector<evaluation::FrictionMotion<T>>() : friction_motions(s, instant);
-    Motion<T> all;
-    for (std::size_t k = 0; k < state.masses.size(); ++k) {
-        const MassInMotion<T> mass(s, k, state.beta);
-        const evaluation::MotionOfMass<T> at = s.coupled ? motion_at(s, mass, k, instant) : mass.at(instant, y);
-        all.x.push_back(mirrored ? T(-at.x) : at.x);
-        all.x_prime.push_back(mirrored ? T(-at.x_prime) : at.x_prime);
+std::vector<Motion<T>> motions(const ModeSums<T>& s, const SteadyState<T>& state, std::span<const T> tau) {
+    std::vector<MassInMotion<T>> masses;
+    for (std::size_t k = 0; k < state.masses.size(); ++k) masses.emplace_back(s, k, state.beta);
+    std::vector<Motion<T>> all(tau.size());
+    for (std::size_t n = 0; n < tau.size(); ++n) {
+        const T halves = floor(T(tau[n] / pi<T>()));
+        const T instant = in_half_period(T(tau[n] - halves * pi<T>()));
+        const bool mirrored = halves - 2 * floor(T(halves / 2)) != 0;
+        FrictionShare<T> share = friction_share(s, 0, instant);
+        for (std::size_t k = 0; k < masses.size(); ++k) {
+            if (s.coupled && k > 0) share.of_mass = s.coupled->motion(k, instant);
+            const evaluation::MotionOfMass<T> at = motion_with(masses[k], share);
+            all[n].x.push_back(mirrored ? T(-at.x) : at.x);
+            all[n].x_prime.push_back(mirrored ? T(-at.x_prime) : at.x_prime);
+        }
     }
     return all;
+}
+
+template <class T>
+Motion<T> motion(const ModeSums<T>& s, const SteadyState<T>& state, const T& tau) {
+    return motions(s, state, std::span<const T>(&tau, 1)).front();
 }
 
 template double wrapped(const double&);
@@ -170,24 +177,29 @@ template Motion<double> motion(const ModeSums<double>&, const SteadyState<double
 template Real50 wrapped(const Real50&);
 template SteadyState<Real50> steady_state(const ModeSums<Real50>&, const RegimeBoundary<Real50>&, const Real50&,
                                           std::optional<Mass>);
+template std::vector<Motion<Real50>> motions(const ModeSums<Real50>&, const SteadyState<Real50>&, std::span<const Real50>);
 template Motion<Real50> motion(const ModeSums<Real50>&, const SteadyState<Real50>&, const Real50&);
 template Real100 wrapped(const Real100&);
 template SteadyState<Real100> steady_state(const ModeSums<Real100>&, const RegimeBoundary<Real100>&, const Real100&,
                                            std::optional<Mass>);
+template std::vector<Motion<Real100>> motions(const ModeSums<Real100>&, const SteadyState<Real100>&, std::span<const Real100>);
 template Motion<Real100> motion(const ModeSums<Real100>&, const SteadyState<Real100>&, const Real100&);
 template SteadyState<Bounded<double>> steady_state_at(const ModeSums<Bounded<double>>&, const Bounded<double>&,
                                                       const std::vector<Bounded<double>>&, std::optional<Mass>);
 template SteadyState<Bounded<double>> steady_state_without_maxima(const ModeSums<Bounded<double>>&, const Bounded<double>&);
+template std::vector<Motion<Bounded<double>>> motions(const ModeSums<Bounded<double>>&, const SteadyState<Bounded<double>>&, std::span<const Bounded<double>>);
 template Motion<Bounded<double>> motion(const ModeSums<Bounded<double>>&, const SteadyState<Bounded<double>>&,
                                         const Bounded<double>&);
 template SteadyState<Bounded<Real50>> steady_state_at(const ModeSums<Bounded<Real50>>&, const Bounded<Real50>&,
                                                       const std::vector<Bounded<Real50>>&, std::optional<Mass>);
 template SteadyState<Bounded<Real50>> steady_state_without_maxima(const ModeSums<Bounded<Real50>>&, const Bounded<Real50>&);
+template std::vector<Motion<Bounded<Real50>>> motions(const ModeSums<Bounded<Real50>>&, const SteadyState<Bounded<Real50>>&, std::span<const Bounded<Real50>>);
 template Motion<Bounded<Real50>> motion(const ModeSums<Bounded<Real50>>&, const SteadyState<Bounded<Real50>>&,
                                         const Bounded<Real50>&);
 template SteadyState<Bounded<Real100>> steady_state_at(const ModeSums<Bounded<Real100>>&, const Bounded<Real100>&,
                                                        const std::vector<Bounded<Real100>>&, std::optional<Mass>);
 template SteadyState<Bounded<Real100>> steady_state_without_maxima(const ModeSums<Bounded<Real100>>&, const Bounded<Real100>&);
+template std::vector<Motion<Bounded<Real100>>> motions(const ModeSums<Bounded<Real100>>&, const SteadyState<Bounded<Real100>>&, std::span<const Bounded<Real100>>);
 template Motion<Bounded<Real100>> motion(const ModeSums<Bounded<Real100>>&, const SteadyState<Bounded<Real100>>&,
                                          const Bounded<Real100>&);
 

@@ -2,6 +2,7 @@
 /// @brief The steady state in the sliding regime: motion, initial values, amplitude and phase of every mass, (38)-(53).
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "denhartog/evaluation/mass.hpp"
@@ -77,6 +78,11 @@ template <class T>
 /// @return       displacements and velocities
 template <class T>
 [[nodiscard]] Motion<T> motion(const ModeSums<T>& sums, const SteadyState<T>& state, const T& tau);
+
+/// @brief The same at many instants. @eq{41,46} @param sums modes @param state the steady state @param tau the instants
+/// @return displacements and velocities, instant by instant
+template <class T>
+[[nodiscard]] std::vector<Motion<T>> motions(const ModeSums<T>& sums, const SteadyState<T>& state, std::span<const T> tau);
 
 /// @brief An angle wrapped to (-pi, pi]. @param angle radians @return the same direction
 template <class T>

@@ -243,8 +243,7 @@ void add_motion(Quantities<T>& q, const ModeSums<T>& s, const T& beta, const std
     const SteadyState<T> state = steady_state_without_maxima(s, beta);
     q.X_j = state.X_j;
     q.phi_j = state.phi_j;
-    for (const T& instant : tau) {
-        const Motion<T> at = motion(s, state, instant);
+    for (const Motion<T>& at : motions(s, state, std::span<const T>(tau))) {
         q.x.insert(q.x.end(), at.x.begin(), at.x.end());
         q.x_prime.insert(q.x_prime.end(), at.x_prime.begin(), at.x_prime.end());
     }

@@ -10,21 +10,21 @@ namespace {
 
 constexpr std::size_t most_remembered = std::size_t(1) << 22; // modes times instants
 
-template <class T>
-std::vector<evaluation::FrictionMotion<T>> friction_motions_in(const ModeSums<T>& sums, const T& tau, std::size_t first,
-                                                               std::size_t last) {
-    std::vector<evaluation::FrictionMotion<T>> y;
+// Adds the modes of a range to a list.
+template <class T, class List>
+void add_friction_motions(const ModeSums<T>& sums, const T& tau, std::size_t first, std::size_t last, List& y) {
     y.reserve(last - first);
     for (std::size_t i = first; i < last; ++i)
         y.push_back(evaluation::friction_motion(tau, sums.R[i], sums.zeta[i], sums.u[i], sums.g[i]));
-    return y;
 }
 
 } // namespace
 
 template <class T>
 std::vector<evaluation::FrictionMotion<T>> friction_motions(const ModeSums<T>& sums, const T& tau) {
-    return friction_motions_in(sums, tau, 0, sums.R.size());
+    std::vector<evaluation::FrictionMotion<T>> y;
+    add_friction_motions(sums, tau, 0, sums.R.size(), y);
+    return y;
 }
 
 template <class T>
@@ -54,12 +54,16 @@ T FrictionMotions<T>::size_of(const evaluation::FrictionMotion<T>& y, std::size_
 
 template <class T>
 FrictionMotionsAt<T>& FrictionMotions<T>::known_at(const T& tau) {
-    const auto found = known.lower_bound(tau);
-    if (found != known.end() && found->first == tau) return found->second;
-    if (known.size() * c.size() < most_remembered)
-        return known.emplace_hint(found, tau, FrictionMotionsAt<T>{friction_motions_in(sums, tau, first, last), {}})->second;
-    known.clear();
-    return known.emplace(tau, FrictionMotionsAt<T>{friction_motions_in(sums, tau, first, last), {}}).first->second;
+    auto place = known.lower_bound(tau);
+    if (place != known.end() && place->first == tau) return place->second;
+    if (known.size() * c.size() >= most_remembered) {
+        known.clear();
+        memory.release();
+        place = known.end();
+    }
+    FrictionMotionsAt<T> now{cos(tau), sin(tau), std::pmr::vector<evaluation::FrictionMotion<T>>(&memory), std::pmr::vector<T>(&memory)};
+    add_friction_motions(sums, tau, first, last, now.y);
+    return known.emplace_hint(place, tau, std::move(now))->second;
 }
 
 template <class T>

@@ -8,6 +8,8 @@
 #pragma once
 
 #include <map>
+#include <memory_resource>
+#include <span>
 #include <vector>
 
 #include "denhartog/evaluation/friction_motion.hpp"
@@ -18,8 +20,10 @@ namespace denhartog {
 /// @brief The braces of (40) at an instant, and what bounds their derivatives from there on.
 template <class T>
 struct FrictionMotionsAt {
-    std::vector<evaluation::FrictionMotion<T>> y; ///< braces and derivatives, one entry a mode of the range
-    std::vector<T> size;                          ///< over R_i^n it bounds the n-th derivative from there on, n = 2, 3, 4
+    T cosine;                                          ///< of the instant
+    T sine;                                            ///< of the instant
+    std::pmr::vector<evaluation::FrictionMotion<T>> y; ///< braces and derivatives, one entry a mode of the range
+    std::pmr::vector<T> size; ///< over R_i^n it bounds the n-th derivative from there on, n = 2, 3, 4; empty until it is asked for
 };
 
 /// @brief Braces of (40) at instants of the half-period, remembered: the masses of a system share their instants.
@@ -34,7 +38,7 @@ public:
     /// @brief Braces and derivatives at an instant.
     /// @param tau  non-dimensional time in [0, pi]
     /// @return     one entry a mode of the range, valid until the next call
-    const std::vector<evaluation::FrictionMotion<T>>& at(const T& tau) { return known_at(tau).y; }
+    const FrictionMotionsAt<T>& at(const T& tau) { return known_at(tau); }
 
     /// @brief The same with bounds of the derivatives from there on. @param tau non-dimensional time in [0, pi] @return valid until the next call
     const FrictionMotionsAt<T>& with_sizes_at(const T& tau);
@@ -43,7 +47,8 @@ private:
     const ModeSums<T>& sums;
     std::size_t first, last;
     std::vector<T> c;
-    std::map<T, FrictionMotionsAt<T>> known;
+    std::pmr::monotonic_buffer_resource memory; // of what is known: an instant costs no allocation of its own
+    std::pmr::map<T, FrictionMotionsAt<T>> known{&memory};
 
     FrictionMotionsAt<T>& known_at(const T& tau);
     [[nodiscard]] T size_of(const evaluation::FrictionMotion<T>& y, std::size_t i, const T& tau) const;
