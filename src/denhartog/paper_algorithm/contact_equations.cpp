@@ -22,7 +22,7 @@ void check_matrix(const Matrix<double>& A, Eigen::Index N, const char* name) {
 
 void check(const ContactProblem& p) {
     const Eigen::Index N = p.matrices.M.rows();
-    if (N < 1) throw InputError("M", "must have a row a mass", "no rows");
+    if (N < 1) throw InputError("M", "must have one row for each mass", "no rows");
     check_matrix(p.matrices.M, N, "M");
     check_matrix(p.matrices.C, N, "C");
     check_matrix(p.matrices.K, N, "K");

@@ -100,7 +100,7 @@ conformance::RunSettings run_settings(const ConformOptions& options) {
     if (options.jobs < 1 || options.jobs > most_jobs)
         throw InputError("jobs", "must be from 1 to " + std::to_string(most_jobs), std::to_string(options.jobs));
     if (!(options.total_seconds >= 0 && options.total_seconds <= longest_run))
-        throw InputError("total-timeout", "must be from 0, which is no end, to " + number_to_text(longest_run) + " seconds",
+        throw InputError("total-timeout", "must be from 0, which means no limit, to " + number_to_text(longest_run) + " seconds",
                          number_to_text(options.total_seconds));
     return {options.command, options.seconds, static_cast<unsigned>(options.jobs), options.total_seconds};
 }
