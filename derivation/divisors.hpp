@@ -26,7 +26,8 @@ public:
 
     /// An expression with the inverses in place of what is divided by.
     GiNaC::ex without_quotients(const GiNaC::ex& e);
-    /// An expanded polynomial times the least product of divisors that leaves no inverse in it, and that product; divisors by symbols.
+    /// An expanded polynomial times the least product of divisors that leaves no inverse in it, and that product;
+    /// divisors by symbols.
     std::pair<GiNaC::ex, GiNaC::ex> cleared(const GiNaC::ex& polynomial) const;
     /// An expression with the polynomials in place of the divisors' symbols.
     GiNaC::ex with_polynomials(const GiNaC::ex& e) const;

@@ -87,18 +87,21 @@ json judged(const fs::path& folder, const std::string& file, const std::vector<j
     for (const json& claim : claims) {
         Compiled one = whole;
         if (!whole.accepted && claims.size() > 1) {
-            const fs::path part = (folder / file).parent_path() / ("alone_" + claim.at("lemmas").front().at("name").get<std::string>() + ".v");
+            const fs::path part =
+                (folder / file).parent_path() / ("alone_" + claim.at("lemmas").front().at("name").get<std::string>() + ".v");
             write(part, alone(text, claim));
             one = compile_with_coq(part, coqc);
-            for (const char* ending : {".v", ".vo", ".vok", ".vos", ".glob"}) fs::remove(fs::path(part).replace_extension(ending));
+            for (const char* ending : {".v", ".vo", ".vok", ".vos", ".glob"})
+                fs::remove(fs::path(part).replace_extension(ending));
         }
         of_claims[claim.at("claim").get<std::string>()] = {{"status", one.accepted ? "checked" : "failed"},
                                                            {"message", one.message}};
     }
-    return {{"file", {{"file", file},
-                      {"status", whole.accepted ? "checked" : "failed"},
-                      {"seconds", whole.seconds},
-                      {"checksum", checksum_of(folder, file)}}},
+    return {{"file",
+             {{"file", file},
+              {"status", whole.accepted ? "checked" : "failed"},
+              {"seconds", whole.seconds},
+              {"checksum", checksum_of(folder, file)}}},
             {"claims", of_claims}};
 }
 
@@ -111,15 +114,18 @@ json judged_twin(const fs::path& folder, json twin, const std::string& coqc) {
     return twin;
 }
 
-/// What the independent checker says of a compiled file: `refused`, empty where it accepts it; the axioms that it rests on; seconds
-/// and gigabytes taken. What the file rests on is not read again with it: each certificate is checked as a file of its own, and Coq's
+/// What the independent checker says of a compiled file: `refused`, empty where it accepts it; the axioms that it rests on;
+/// seconds
+/// and gigabytes taken. What the file rests on is not read again with it: each certificate is checked as a file of its own,
+/// and Coq's
 /// library is taken as it is installed. The memory is bounded.
 json said_again(const fs::path& folder, const fs::path& file, const std::string& coqchk) {
     constexpr long kilobytes_at_most = 4'000'000;
     const auto start = std::chrono::steady_clock::now();
     const std::string module = (file.parent_path() == "functions" ? "Functions." : "Certificates.") + file.stem().string();
-    const auto [said, status] = run("cd " + quoted(folder.string()) + " && ulimit -v " + std::to_string(kilobytes_at_most) + " && " + coqchk +
-                                    " -silent -o -Q certificates Certificates -Q functions Functions -norec " + module);
+    const auto [said, status] =
+        run("cd " + quoted(folder.string()) + " && ulimit -v " + std::to_string(kilobytes_at_most) + " && " + coqchk +
+            " -silent -o -Q certificates Certificates -Q functions Functions -norec " + module);
     rusage used{};
     ::getrusage(RUSAGE_CHILDREN, &used);
     json found{{"refused", status == 0 ? "" : module + ": " + said + "(exit status " + std::to_string(status) + ")"},
@@ -144,7 +150,9 @@ std::string check_again(const fs::path& folder, json& files, std::size_t workers
     std::vector<std::size_t> open;
     for (std::size_t i = 0; i < files.size(); ++i)
         if (files[i].at("status") == "checked" && !files[i].contains("axioms")) open.push_back(i);
-    const auto task = [&](std::size_t i) { return said_again(folder, files[open[i]].at("file").get<std::string>(), coqchk).dump(); };
+    const auto task = [&](std::size_t i) {
+        return said_again(folder, files[open[i]].at("file").get<std::string>(), coqchk).dump();
+    };
     std::string all_refused;
     in_processes(open.size(), workers, task, [&](std::size_t i, const Delivery& delivery) {
         if (!delivery.fault.empty()) throw std::runtime_error(delivery.fault);
@@ -180,7 +188,8 @@ std::string dearest(const json& files, const char* key, const char* unit) {
         if (most == nullptr || file.value(key, 0.0) > most->value(key, 0.0)) most = &file;
     if (most == nullptr) return "none";
     std::ostringstream out;
-    out << std::fixed << std::setprecision(1) << most->value(key, 0.0) << unit << " (" << most->at("file").get<std::string>() << ")";
+    out << std::fixed << std::setprecision(1) << most->value(key, 0.0) << unit << " (" << most->at("file").get<std::string>()
+        << ")";
     return out.str();
 }
 
@@ -197,8 +206,9 @@ Compiled compile_with_coq(const fs::path& file, const std::string& coqc) {
     const fs::path folder = file.parent_path();
     const std::string part = folder.filename().string();
     const std::string library = part == "functions" ? "Functions" : part == "twins" ? "Twins" : "Certificates";
-    const auto [said, status] = run("cd " + quoted(folder.string()) + " && ulimit -t 120 && timeout 900 " + coqc + " -q -Q . " + library +
-                                    (library == "Functions" ? " -Q ../certificates Certificates " : " ") + quoted(file.filename().string()));
+    const auto [said, status] =
+        run("cd " + quoted(folder.string()) + " && ulimit -t 120 && timeout 900 " + coqc + " -q -Q . " + library +
+            (library == "Functions" ? " -Q ../certificates Certificates " : " ") + quoted(file.filename().string()));
     if (status == 127) throw std::runtime_error("cannot run " + coqc);
     std::string message = status == 124 || status >= 128 ? "longer than two minutes" : said;
     while (!message.empty() && std::isspace(static_cast<unsigned char>(message.back())) != 0) message.pop_back();

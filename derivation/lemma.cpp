@@ -107,9 +107,8 @@ void Lemma::order_relations() {
         const std::string name = names_.names.at(generator), g = name + " ^ 2";
         const std::string of = name.starts_with("sin_") ? "circle_" + name.substr(4) : name + "_squared";
         const std::string factor = scale.is_equal(1) ? "" : text(scale) + " * ";
-        const std::string equation = name.starts_with("sin_")
-                                         ? g + " + " + "cos_" + name.substr(4) + " ^ 2 = 1"
-                                         : factor + g + " = " + text((scale * square).expand());
+        const std::string equation = name.starts_with("sin_") ? g + " + " + "cos_" + name.substr(4) + " ^ 2 = 1"
+                                                              : factor + g + " = " + text((scale * square).expand());
         open.push_back({generator, square, scale, of, equation});
     }
     std::sort(open.begin(), open.end(), [](const Relation& a, const Relation& b) { return a.name < b.name; });

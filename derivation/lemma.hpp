@@ -84,7 +84,8 @@ private:
     bool follows(const Divisor& divisor, const std::map<std::string, GiNaC::ex>& divided) const;
     /// Whether a function or a root stands in one of the sides.
     bool occurs(const GiNaC::ex& function) const;
-    /// The same of the functions themselves: each is what the generators say, these have their relations, and the first lemma applies.
+    /// The same of the functions themselves: each is what the generators say, these have their relations, and the first
+    /// lemma applies.
     std::string in_functions(const std::string& name) const;
 };
 

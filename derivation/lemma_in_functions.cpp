@@ -176,8 +176,9 @@ std::string Lemma::in_functions(const std::string& name) const {
     }
     for (const Relation& r : relations_)
         if (const ex& meaning = meaning_.at(r.generator); GiNaC::is_a<GiNaC::power>(meaning))
-            out += "  assert (" + (r.scale.is_equal(1) ? "" : text(r.scale) + " * ") + coq_text(meaning) + " ^ 2 = " + meant((r.scale * r.square).expand()) +
-                   ") by (rewrite (root_squared (" + coq_text(meaning.op(0)) + ")) by assumption; ring).\n";
+            out += "  assert (" + (r.scale.is_equal(1) ? "" : text(r.scale) + " * ") + coq_text(meaning) +
+                   " ^ 2 = " + meant((r.scale * r.square).expand()) + ") by (rewrite (root_squared (" + coq_text(meaning.op(0)) +
+                   ")) by assumption; ring).\n";
     std::vector<std::pair<std::size_t, std::string>> by_length; // outer functions first
     for (const auto& [generator, meaning] : identity_.generators) {
         const std::string m = coq_text(meaning);
@@ -188,9 +189,8 @@ std::string Lemma::in_functions(const std::string& name) const {
     for (const auto& [length, step] : by_length) out += step;
     out += "  eapply through.\n  - apply (" + name;
     for (const std::string& variable : of_lemma) {
-        const auto divisor = std::find_if(divisors_.all.begin(), divisors_.all.end(), [&variable](const Divisor& d) {
-            return !d.plain && d.name == variable;
-        });
+        const auto divisor = std::find_if(divisors_.all.begin(), divisors_.all.end(),
+                                          [&variable](const Divisor& d) { return !d.plain && d.name == variable; });
         out += " " + (divisor == divisors_.all.end() ? variable : "(" + divisor->text + ")");
     }
     return out + "); first [reflexivity | assumption | lra | not_zero].\n  - same_side.\n  - same_side.\nQed.\n";

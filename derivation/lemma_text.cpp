@@ -21,8 +21,9 @@ Certificate Lemma::written(const std::string& name) const {
         for (const auto& [place, cofactor] : part.cofactors) c.terms += number_of_terms(cofactor);
         c.holds = c.holds && part.rest.is_zero();
     }
-    c.lacks = (left_out_.relation && std::ranges::any_of(parts_, [](const Combination& part) { return !part.cofactors.empty(); })) ||
-              (left_out_.divisor && std::ranges::any_of(divisors_.all, [](const Divisor& d) { return d.name != "PI"; }));
+    c.lacks =
+        (left_out_.relation && std::ranges::any_of(parts_, [](const Combination& part) { return !part.cofactors.empty(); })) ||
+        (left_out_.divisor && std::ranges::any_of(divisors_.all, [](const Divisor& d) { return d.name != "PI"; }));
     const std::string left = text(left_), right = text(right_);
     c.statement = statement(name, left, right);
     c.proof = proof();
@@ -124,7 +125,8 @@ std::string Lemma::proof() const {
     for (const Combination& part : parts_) {
         out += "apply part_is_zero.\n    { ";
         for (const auto& [place, cofactor] : part.cofactors)
-            if (!is_left_out(relations_[place])) out += "apply (by_relation _ _ _ (" + text(cofactor) + ") " + relations_[place].name + ").\n      ";
+            if (!is_left_out(relations_[place]))
+                out += "apply (by_relation _ _ _ (" + text(cofactor) + ") " + relations_[place].name + ").\n      ";
         out += "ring. }\n    ";
     }
     return out + "reflexivity.\nQed.\n";
