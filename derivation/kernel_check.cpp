@@ -5,11 +5,14 @@
 #include <cstdint>
 #include <cstdio>
 #include <fstream>
+#include <functional>
+#include <iomanip>
 #include <map>
 #include <ostream>
 #include <set>
 #include <sstream>
 #include <stdexcept>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <vector>
 
@@ -21,6 +24,8 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 
 namespace {
+
+constexpr const char* unfinished = "kernel_unfinished.json"; // the files of a check that has not come to its end
 
 std::string text_of(const fs::path& file) {
     std::ifstream in(file, std::ios::binary);
@@ -82,18 +87,21 @@ json judged(const fs::path& folder, const std::string& file, const std::vector<j
     for (const json& claim : claims) {
         Compiled one = whole;
         if (!whole.accepted && claims.size() > 1) {
-            const fs::path part = (folder / file).parent_path() / ("alone_" + claim.at("lemmas").front().at("name").get<std::string>() + ".v");
+            const fs::path part =
+                (folder / file).parent_path() / ("alone_" + claim.at("lemmas").front().at("name").get<std::string>() + ".v");
             write(part, alone(text, claim));
             one = compile_with_coq(part, coqc);
-            for (const char* ending : {".v", ".vo", ".vok", ".vos", ".glob"}) fs::remove(fs::path(part).replace_extension(ending));
+            for (const char* ending : {".v", ".vo", ".vok", ".vos", ".glob"})
+                fs::remove(fs::path(part).replace_extension(ending));
         }
         of_claims[claim.at("claim").get<std::string>()] = {{"status", one.accepted ? "checked" : "failed"},
                                                            {"message", one.message}};
     }
-    return {{"file", {{"file", file},
-                      {"status", whole.accepted ? "checked" : "failed"},
-                      {"seconds", whole.seconds},
-                      {"checksum", checksum_of(folder, file)}}},
+    return {{"file",
+             {{"file", file},
+              {"status", whole.accepted ? "checked" : "failed"},
+              {"seconds", whole.seconds},
+              {"checksum", checksum_of(folder, file)}}},
             {"claims", of_claims}};
 }
 
@@ -106,63 +114,83 @@ json judged_twin(const fs::path& folder, json twin, const std::string& coqc) {
     return twin;
 }
 
-/// What the independent checker says of some compiled files: empty where it accepts them; and the axioms that they rest on.
-std::pair<std::string, json> said_again(const fs::path& folder, const std::vector<std::string>& files, const std::string& coqchk) {
-    std::string modules;
-    for (const fs::path path : files) {
-        modules += std::string(" -norec ") + (path.parent_path() == "functions" ? "Functions." : "Certificates.") + path.stem().string();
-    }
+/// What the independent checker says of a compiled file: `refused`, empty where it accepts it; the axioms that it rests on;
+/// seconds
+/// and gigabytes taken. What the file rests on is not read again with it: each certificate is checked as a file of its own,
+/// and Coq's
+/// library is taken as it is installed. The memory is bounded.
+json said_again(const fs::path& folder, const fs::path& file, const std::string& coqchk) {
+    constexpr long kilobytes_at_most = 4'000'000;
+    const auto start = std::chrono::steady_clock::now();
+    const std::string module = (file.parent_path() == "functions" ? "Functions." : "Certificates.") + file.stem().string();
     const auto [said, status] =
-        run("cd " + quoted(folder.string()) + " && " + coqchk + " -silent -o -Q certificates Certificates -Q functions Functions" + modules);
-    if (status != 0) return {said + "(exit status " + std::to_string(status) + ")", json::array()};
-    json axioms = json::array();
+        run("cd " + quoted(folder.string()) + " && ulimit -v " + std::to_string(kilobytes_at_most) + " && " + coqchk +
+            " -silent -o -Q certificates Certificates -Q functions Functions -norec " + module);
+    rusage used{};
+    ::getrusage(RUSAGE_CHILDREN, &used);
+    json found{{"refused", status == 0 ? "" : module + ": " + said + "(exit status " + std::to_string(status) + ")"},
+               {"axioms", json::array()},
+               {"seconds", std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()},
+               {"gigabytes", static_cast<double>(used.ru_maxrss) / 1e6}};
+    if (status != 0) return found;
     std::istringstream lines(said);
     bool among_them = false;
     for (std::string line; std::getline(lines, line);) {
         if (line.starts_with("* ")) among_them = line.starts_with("* Axioms:");
         const std::size_t from = line.find_first_not_of(' ');
-        if (among_them && from != std::string::npos && from > 0) axioms.push_back(line.substr(from));
+        if (among_them && from != std::string::npos && from > 0) found["axioms"].push_back(line.substr(from));
     }
-    return {"", axioms};
+    return found;
 }
 
-/// Has the independent checker read the compiled files that it has not read before, and notes the axioms of each. All at once they
-/// take more memory than many computers have. @return what it refuses; empty where it accepts them
-std::string check_again(const fs::path& folder, json& files, std::size_t workers, const std::string& coqchk) {
-    constexpr std::size_t files_at_once = 10;
-    std::vector<std::vector<std::size_t>> groups;
-    for (std::size_t i = 0; i < files.size(); ++i) {
-        if (files[i].at("status") != "checked" || files[i].contains("axioms")) continue;
-        if (groups.empty() || groups.back().size() == files_at_once) groups.emplace_back();
-        groups.back().push_back(i);
-    }
-    const auto task = [&](std::size_t group) {
-        std::vector<std::string> names;
-        for (const std::size_t i : groups[group]) names.push_back(files[i].at("file"));
-        const auto [refused, axioms] = said_again(folder, names, coqchk);
-        return json{{"refused", refused}, {"axioms", axioms}}.dump();
+/// Has the independent checker read each compiled file that it has not read before, one at a time, and notes what it says.
+/// @param noted  called after each file @return what it refuses; empty where it accepts them
+std::string check_again(const fs::path& folder, json& files, std::size_t workers, const std::string& coqchk,
+                        const std::function<void()>& noted) {
+    std::vector<std::size_t> open;
+    for (std::size_t i = 0; i < files.size(); ++i)
+        if (files[i].at("status") == "checked" && !files[i].contains("axioms")) open.push_back(i);
+    const auto task = [&](std::size_t i) {
+        return said_again(folder, files[open[i]].at("file").get<std::string>(), coqchk).dump();
     };
     std::string all_refused;
-    in_processes(groups.size(), workers, task, [&](std::size_t group, const Delivery& delivery) {
+    in_processes(open.size(), workers, task, [&](std::size_t i, const Delivery& delivery) {
         if (!delivery.fault.empty()) throw std::runtime_error(delivery.fault);
         const json found = json::parse(delivery.text);
         all_refused += found.at("refused").get<std::string>();
-        if (found.at("refused") == "")
-            for (const std::size_t i : groups[group]) files[i]["axioms"] = found.at("axioms");
+        json& file = files[open[i]];
+        if (found.at("refused") == "") file["axioms"] = found.at("axioms");
+        file["seconds_again"] = found.at("seconds");
+        file["gigabytes_again"] = found.at("gigabytes");
+        noted();
     });
     return all_refused;
 }
 
-/// The entries of the files that an earlier check has accepted.
-std::map<std::string, json> accepted_before(const fs::path& record, const std::string& version) {
+/// The entries of the files that earlier checks have accepted; the last of them may have been broken off.
+std::map<std::string, json> accepted_before(const fs::path& folder, const std::string& version) {
     std::map<std::string, json> accepted;
-    std::ifstream in(record);
-    if (!in) return accepted;
-    const json before = json::parse(in, nullptr, false);
-    if (before.is_discarded() || before.value("coq", "") != version) return accepted;
-    for (const json& file : before.value("files", json::array()))
-        if (file.value("status", "") == "checked") accepted[file.at("file").get<std::string>()] = file;
+    for (const char* record : {"kernel.json", unfinished}) {
+        std::ifstream in(folder / record);
+        if (!in) continue;
+        const json before = json::parse(in, nullptr, false);
+        if (before.is_discarded() || before.value("coq", "") != version) continue;
+        for (const json& file : before.value("files", json::array()))
+            if (file.value("status", "") == "checked") accepted[file.at("file").get<std::string>()] = file;
+    }
     return accepted;
+}
+
+/// The file whose second check took most of something.
+std::string dearest(const json& files, const char* key, const char* unit) {
+    const json* most = nullptr;
+    for (const json& file : files)
+        if (most == nullptr || file.value(key, 0.0) > most->value(key, 0.0)) most = &file;
+    if (most == nullptr) return "none";
+    std::ostringstream out;
+    out << std::fixed << std::setprecision(1) << most->value(key, 0.0) << unit << " (" << most->at("file").get<std::string>()
+        << ")";
+    return out.str();
 }
 
 } // namespace
@@ -178,8 +206,9 @@ Compiled compile_with_coq(const fs::path& file, const std::string& coqc) {
     const fs::path folder = file.parent_path();
     const std::string part = folder.filename().string();
     const std::string library = part == "functions" ? "Functions" : part == "twins" ? "Twins" : "Certificates";
-    const auto [said, status] = run("cd " + quoted(folder.string()) + " && ulimit -t 120 && timeout 900 " + coqc + " -q -Q . " + library +
-                                    (library == "Functions" ? " -Q ../certificates Certificates " : " ") + quoted(file.filename().string()));
+    const auto [said, status] =
+        run("cd " + quoted(folder.string()) + " && ulimit -t 120 && timeout 900 " + coqc + " -q -Q . " + library +
+            (library == "Functions" ? " -Q ../certificates Certificates " : " ") + quoted(file.filename().string()));
     if (status == 127) throw std::runtime_error("cannot run " + coqc);
     std::string message = status == 124 || status >= 128 ? "longer than two minutes" : said;
     while (!message.empty() && std::isspace(static_cast<unsigned char>(message.back())) != 0) message.pop_back();
@@ -197,11 +226,12 @@ bool check_certificates(const fs::path& folder, std::size_t workers, const std::
     std::size_t lemmas = 0;
     for (const json& claim : exported.at("certificates"))
         for (const json& lemma : claim.at("lemmas")) lemmas += lemma.at("in_functions") == "" ? 1 : 2;
-    const std::map<std::string, json> before = accepted_before(folder / "kernel.json", version);
+    const std::map<std::string, json> before = accepted_before(folder, version);
     json record{{"coq", version}, {"claims", json::object()}, {"twins", json::array()}, {"files", json::array()}};
     const json& twins = exported.at("twins");
     bool good = true;
     std::size_t lines = 0, compiled_now = 0;
+    const auto keep = [&] { write(folder / unfinished, json{{"coq", version}, {"files", record.at("files")}}.dump(1) + "\n"); };
     // first the certificates, with the twins, then what makes use of them
     for (const char* key : {"file", "functions_file"}) {
         const bool first = std::string(key) == "file";
@@ -248,6 +278,7 @@ bool check_certificates(const fs::path& folder, std::size_t workers, const std::
             json found = json::parse(delivery.text);
             if (i < open.size()) {
                 record["files"].push_back(found.at("file"));
+                keep();
                 for (const auto& [claim, said] : found.at("claims").items()) note(claim, said);
                 return;
             }
@@ -262,7 +293,7 @@ bool check_certificates(const fs::path& folder, std::size_t workers, const std::
     }
     std::sort(record["files"].begin(), record["files"].end(),
               [](const json& a, const json& b) { return a.at("file") < b.at("file"); });
-    const std::string refused = check_again(folder, record["files"], workers, coqchk);
+    const std::string refused = check_again(folder, record["files"], workers, coqchk, keep);
     std::set<std::string> axioms;
     for (const json& file : record["files"])
         for (const json& axiom : file.value("axioms", json::array())) axioms.insert(axiom);
@@ -278,6 +309,7 @@ bool check_certificates(const fs::path& folder, std::size_t workers, const std::
     record["lines"] = lines;
     record["seconds"] = sum;
     write(folder / "kernel.json", record.dump(1) + "\n");
+    fs::remove(folder / unfinished);
     const auto count = [](const json& list, const char* key, const json& value) {
         return std::count_if(list.begin(), list.end(), [&](const json& item) { return item.at(key) == value; });
     };
@@ -286,7 +318,9 @@ bool check_certificates(const fs::path& folder, std::size_t workers, const std::
         << compiled_now << " of them compiled now in "
         << static_cast<long>(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()) << " s; "
         << count(record.at("twins"), "rejected", true) << " of " << twins.size() << " twins rejected; " << coqchk << ": "
-        << (refused.empty() ? "accepted" : "REFUSED") << ", axioms:";
+        << (refused.empty() ? "accepted" : "REFUSED") << ", one file at a time, at most "
+        << dearest(record.at("files"), "seconds_again", " s") << " and " << dearest(record.at("files"), "gigabytes_again", " GB")
+        << ", axioms:";
     for (const std::string& axiom : axioms) out << " " << axiom;
     out << "\n";
     return good;

@@ -11,14 +11,17 @@ namespace denhartog::derivation {
 
 /// @brief Compiles the certificates in a folder with Coq, and the twins, which must not compile; writes `kernel.json`.
 ///
-/// A file that was accepted before and has not changed since is not compiled again. Where a file is refused, each of its claims is
+/// A file that was accepted before and has not changed since is not compiled again, also where that run was broken off. Where
+/// a file is refused, each of its claims is
 /// compiled by itself, so that one lemma costs no other its word. A twin counts as rejected only where a tactic finds that its
 /// identity does not hold or that a condition is missing; any other message is a fault of the file.
 ///
 /// `kernel.json` holds `coq`, the version; `claims`, for each claim with lemmas `status`, which is `checked` or `failed`,
 /// `message`, and `in_functions`, which is `checked`, or `not_proved` where Coq does not get through a lemma on the functions
-/// themselves: the certificate stands without it; `twins`, each with `file`, `claim`, `what`, `rejected` and `message`; `files`, each with `file`, `status`, `seconds` and
-/// `checksum`; `checked_again`, the word of coqchk; `axioms`, what the files rest on; `lemmas`, `lines`, `seconds`.
+/// themselves: the certificate stands without it; `twins`, each with `file`, `claim`, `what`, `rejected` and `message`;
+/// `files`, each with `file`, `status`,
+/// `seconds`, `checksum`, and `seconds_again`, `gigabytes_again` of the second check; `checked_again`, the word of coqchk;
+/// `axioms`, what the files rest on; `lemmas`, `lines`, `seconds`.
 /// @param folder   with `certificates.json`, as `export_certificates` leaves it
 /// @param workers  how many processes work at a time
 /// @param coqc     the compiler
@@ -26,8 +29,8 @@ namespace denhartog::derivation {
 /// @param out      gets a line on every file that is not as it should be, and the counts
 /// @return         whether all certificates were accepted and all twins rejected
 /// @throws         std::runtime_error where the compiler cannot be run or the record cannot be read or written
-bool check_certificates(const std::filesystem::path& folder, std::size_t workers, const std::string& coqc, const std::string& coqchk,
-                        std::ostream& out);
+bool check_certificates(const std::filesystem::path& folder, std::size_t workers, const std::string& coqc,
+                        const std::string& coqchk, std::ostream& out);
 
 /// @brief What a compiler says of a source, and how long it takes.
 struct Compiled {
@@ -36,7 +39,8 @@ struct Compiled {
     double seconds = 0;    ///< time taken
 };
 
-/// @brief Compiles a source of Coq, in two minutes of the processor at most. @param file the source @param coqc the compiler @return what it says
+/// @brief Compiles a source of Coq, in two minutes of the processor at most. @param file the source @param coqc the compiler
+/// @return what it says
 [[nodiscard]] Compiled compile_with_coq(const std::filesystem::path& file, const std::string& coqc);
 
 /// @brief Whether a message says that a tactic has found no proof, and not that the file is at fault. @param message the message

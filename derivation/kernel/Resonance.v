@@ -292,6 +292,32 @@ Proof.
     + apply (same_order n (f i)); [intros; rewrite delta_other by exact D; ring | apply B; assumption].
 Qed.
 
+(* What tends to a number is above any smaller one near zeta = 0, and below any larger one. *)
+Lemma above_near_zero (f : R -> R) l a : is_lim f 0 (Finite l) -> a < l -> exists e, 0 < e /\ forall z, 0 < z < e -> a < f z.
+Proof.
+  intros L H. apply is_lim_spec in L. destruct (L (mkposreal (l - a) ltac:(lra))) as [e He]. exists e. split; [apply cond_pos|].
+  intros z Hz. assert (A : Rabs (f z - l) < l - a).
+  { apply He; [|lra]. change (Rabs (z - 0) < e). rewrite Rminus_0_r, Rabs_right; lra. }
+  apply Rabs_lt_between in A. lra.
+Qed.
+
+(* The root of a square of something positive, changed a little *)
+Lemma order_root_near n E m m0 : 0 < m0 -> (exists e, 0 < e /\ forall z, 0 < z < e -> m0 < m z) ->
+  of_order (S n) (fun z => E z - m z ^ 2) -> of_order (S n) (fun z => sqrt (E z) - m z).
+Proof.
+  intros Hm [e1 [He1 M]] A.
+  assert (A' : of_order (S n) (fun z => E z - m z ^ 2 + m0 ^ 2 - m0 ^ 2)) by
+    (apply (same_order _ (fun z => E z - m z ^ 2)); [intros; ring | exact A]).
+  destruct (order_away n (fun z => E z - m z ^ 2 + m0 ^ 2) (m0 ^ 2) A' ltac:(nra)) as [e2 [He2 Q]].
+  assert (He : 0 < Rmin e1 e2) by (apply Rmin_glb_lt; assumption).
+  apply (near_zero_order (S n) (fun z => (E z - m z ^ 2) / (sqrt (E z) + m z)) _ (Rmin e1 e2) He).
+  - intros z Hz. pose proof (Rmin_l e1 e2). pose proof (Rmin_r e1 e2). specialize (M z ltac:(lra)). specialize (Q z ltac:(lra)).
+    assert (0 <= E z) by nra. pose proof (sqrt_pos (E z)). pose proof (sqrt_sqrt (E z) ltac:(lra)) as S.
+    rewrite <- S at 1. field. lra.
+  - apply (order_bounded_below (S n) (fun z => sqrt (E z) + m z) m0); [exact Hm | | exact A].
+    exists e1. split; [exact He1|]. intros z Hz. pose proof (sqrt_pos (E z)). specialize (M z Hz). lra.
+Qed.
+
 Section At_resonance.
 Variables (s : scene) (c : nat -> R) (p : nat).
 Hypothesis Hs : at_resonance s c p.
@@ -387,52 +413,8 @@ Proof.
   - intros z Hz. rewrite sqrt_pow2; [reflexivity|]. apply Rmult_le_pos; [lra | apply sqrt_pos].
   - apply (order_root 1); [lra | apply hat_V_abs_sq].
 Qed.
-End At_resonance.
 
-Theorem eq_76_77_order : Statements.eq_76_77_order.
-Proof.
-  intros s c p k Hs. split; [apply (order_V_re s c p Hs)|]. split; [apply (order_V_im s c p Hs)|]. intros Ha.
-  apply (same_order 1 (fun z => (z * V_abs (lightly_damped s c z) k - Rabs (shape s k p * shape s (loaded s) p) / 2) / z));
-    [intros; field; lra | apply order_divided, (hat_V_abs s c p Hs k Ha)].
-Qed.
-Theorem eq_80_order : Statements.eq_80_order.
-Proof. intros s c p k Hs. split; [apply (order_G s c p Hs) | apply (order_U s c p Hs)]. Qed.
-
-(* What tends to a number is above any smaller one near zeta = 0, and below any larger one. *)
-Lemma above_near_zero (f : R -> R) l a : is_lim f 0 (Finite l) -> a < l -> exists e, 0 < e /\ forall z, 0 < z < e -> a < f z.
-Proof.
-  intros L H. apply is_lim_spec in L. destruct (L (mkposreal (l - a) ltac:(lra))) as [e He]. exists e. split; [apply cond_pos|].
-  intros z Hz. assert (A : Rabs (f z - l) < l - a).
-  { apply He; [|lra]. change (Rabs (z - 0) < e). rewrite Rminus_0_r, Rabs_right; lra. }
-  apply Rabs_lt_between in A. lra.
-Qed.
-
-(* The root of a square of something positive, changed a little *)
-Lemma order_root_near n E m m0 : 0 < m0 -> (exists e, 0 < e /\ forall z, 0 < z < e -> m0 < m z) ->
-  of_order (S n) (fun z => E z - m z ^ 2) -> of_order (S n) (fun z => sqrt (E z) - m z).
-Proof.
-  intros Hm [e1 [He1 M]] A.
-  assert (A' : of_order (S n) (fun z => E z - m z ^ 2 + m0 ^ 2 - m0 ^ 2)) by
-    (apply (same_order _ (fun z => E z - m z ^ 2)); [intros; ring | exact A]).
-  destruct (order_away n (fun z => E z - m z ^ 2 + m0 ^ 2) (m0 ^ 2) A' ltac:(nra)) as [e2 [He2 Q]].
-  assert (He : 0 < Rmin e1 e2) by (apply Rmin_glb_lt; assumption).
-  apply (near_zero_order (S n) (fun z => (E z - m z ^ 2) / (sqrt (E z) + m z)) _ (Rmin e1 e2) He).
-  - intros z Hz. pose proof (Rmin_l e1 e2). pose proof (Rmin_r e1 e2). specialize (M z ltac:(lra)). specialize (Q z ltac:(lra)).
-    assert (0 <= E z) by nra. pose proof (sqrt_pos (E z)). pose proof (sqrt_sqrt (E z) ltac:(lra)) as S.
-    rewrite <- S at 1. field. lra.
-  - apply (order_bounded_below (S n) (fun z => sqrt (E z) + m z) m0); [exact Hm | | exact A].
-    exists e1. split; [exact He1|]. intros z Hz. pose proof (sqrt_pos (E z)). specialize (M z Hz). lra.
-Qed.
-
-Section Amplitude_at_resonance.
-Variables (s : scene) (c : nat -> R) (p : nat).
-Hypothesis Hs : at_resonance s c p.
-Local Notation psi := (shape s).
-Local Notation j := (contact s).
-Local Notation l := (loaded s).
-Local Notation beta := (friction s).
-Local Notation at_ z := (lightly_damped s c z).
-Local Notation h z := (z * second_function_at_resonance z).
+(* A mass and a load that take part in the resonant mode *)
 Hypothesis Hj : psi j p <> 0.
 Hypothesis Hl : psi l p <> 0.
 Let a k := psi k p * psi l p.
@@ -445,26 +427,26 @@ Proof. apply (order_of_lim _ (2 / PI)), second_function_limit. Qed.
 Lemma hat_G k : of_order 2 (fun z => z * G (at_ z) k - b k * h z).
 Proof.
   apply (same_order 2 (fun z => z * (G (at_ z) k - b k * second_function_at_resonance z))); [intros; ring|].
-  apply hat, (order_G s c p Hs).
+  apply hat, order_G.
 Qed.
 Lemma hat_U k : of_order 1 (fun z => z * U (at_ z) k).
-Proof. apply hat, (order_U s c p Hs). Qed.
+Proof. apply hat, order_U. Qed.
 (* Re and Im of V_k / V_j *)
 Definition P_k k z := (V_re (at_ z) k * V_re (at_ z) j + V_im (at_ z) k * V_im (at_ z) j) / V_abs (at_ z) j ^ 2.
 Definition Q_k k z := (V_im (at_ z) k * V_re (at_ z) j - V_re (at_ z) k * V_im (at_ z) j) / V_abs (at_ z) j ^ 2.
 Lemma contact_responds : exists e, 0 < e /\ forall z, 0 < z < e -> Rabs (a j) / 4 < z * V_abs (at_ z) j /\ 0 < V_abs (at_ z) j.
 Proof.
-  destruct (order_away 1 _ _ (hat_V_abs s c p Hs j aj) ltac:(fold (a j); lra)) as [e [He H]]. fold (a j) in H. exists e. split;
+  destruct (order_away 1 _ _ (hat_V_abs j aj) ltac:(fold (a j); lra)) as [e [He H]]. fold (a j) in H. exists e. split;
     [exact He|].
   intros z Hz. specialize (H z Hz). split; [lra|]. apply Rnot_le_lt. intros K. nra.
 Qed.
 Lemma hat_V_im k : of_order 2 (fun z => z * V_im (at_ z) k + a k / 2).
 Proof.
   apply (same_order 2 (fun z => z * (V_im (at_ z) k + psi k p * psi l p / (2 * z)))); [intros; unfold a; field; lra|].
-  apply hat, (order_V_im s c p Hs).
+  apply hat, order_V_im.
 Qed.
 Lemma hat_V_re k : of_order 1 (fun z => z * V_re (at_ z) k).
-Proof. apply hat, (order_V_re s c p Hs). Qed.
+Proof. apply hat, order_V_re. Qed.
 Lemma divided_by_V n f : of_order n f -> of_order n (fun z => f z / (z * V_abs (at_ z) j) ^ 2).
 Proof.
   destruct contact_responds as [e [He H]]. apply (order_bounded_below n (fun z => (z * V_abs (at_ z) j) ^ 2) ((Rabs (a j) / 4)
@@ -483,7 +465,7 @@ Proof.
     + apply (order_mult 1 1); apply hat_V_re.
     + apply order_product; [apply (same_order 2 (fun z => z * V_im (at_ z) k + a k / 2)) |
         apply (same_order 2 (fun z => z * V_im (at_ z) j + a j / 2))]; try (intros; ring); apply hat_V_im.
-    + apply order_scal, (hat_V_abs_sq s c p Hs).
+    + apply order_scal, hat_V_abs_sq.
 Qed.
 Lemma order_Q k : of_order 1 (fun z => Q_k k z).
 Proof.
@@ -506,7 +488,7 @@ Proof.
     apply (same_order 2 (fun z => (z * V_abs (at_ z) j) ^ 2 - (Rabs (a j) / 2) ^ 2 - beta ^ 2 * (z * U (at_ z) j * (z * U (at_
       z) j))));
       [intros; ring|].
-    apply order_minus; [apply (hat_V_abs_sq s c p Hs)|]. apply order_scal, (order_mult 1 1); apply hat_U.
+    apply order_minus; [apply hat_V_abs_sq|]. apply order_scal, (order_mult 1 1); apply hat_U.
 Qed.
 
 (* (52) by these *)
@@ -555,7 +537,7 @@ Proof.
     assert (BR : of_order 0 (fun z => z * root (at_ z))).
     { apply (same_order 0 (fun z => z * root (at_ z) - Rabs (a j) / 2 + Rabs (a j) / 2)); [intros; ring|].
       apply order_plus; [apply (order_weaker 2 0); [lia | apply hat_root] | apply order_const]. }
-    apply order_plus; [apply (hat_V_abs_sq s c p Hs)|]. apply order_plus; apply order_scal; apply order_plus.
+    apply order_plus; [apply hat_V_abs_sq|]. apply order_plus; apply order_scal; apply order_plus.
     + apply (order_mult 2 0); [apply hat_G|]. apply order_plus; [exact BG | apply order_scal, order_h].
     + apply (order_mult 1 1); apply hat_U.
     + apply (same_order 2 (fun z => (z * root (at_ z) - Rabs (a j) / 2) * (z * G (at_ z) k * P_k k z)
@@ -616,11 +598,11 @@ Proof.
         * (z * (H_j (at_ z) - bj * second_function_at_resonance z) + mu * mobility s * z + 2 * bj * h z))).
     - intros z Hz. unfold D. change (mobility (at_ z)) with (mobility s). ring.
     - assert (H1 : of_order 1 (fun z => z * (H_j (at_ z) - bj * second_function_at_resonance z) + mu * mobility s * z)).
-      { apply order_plus; [apply (order_weaker 2 1); [lia | apply hat, (order_H s c p Hs)] | apply order_scal, order_id]. }
+      { apply order_plus; [apply (order_weaker 2 1); [lia | apply hat, order_H] | apply order_scal, order_id]. }
       apply order_plus; [apply (order_weaker 2 1); [lia | apply (order_mult 1 1); apply hat_U]|].
       apply (order_mult 1 0); [exact H1|]. apply order_plus; [apply (order_weaker 1 0); [lia | exact H1] | apply order_scal,
         order_h]. }
-  assert (HV := hat_V_abs_sq s c p Hs j). fold (a j) in HV.
+  assert (HV := hat_V_abs_sq j). fold (a j) in HV.
   set (d0 := (bj * (2 / PI) / 2) ^ 2). assert (D0 : 0 < d0) by (unfold d0; nra).
   assert (HD' : of_order 1 (fun z => D z - (bj * h z) ^ 2 + d0 - d0)) by
     (apply (same_order 1 (fun z => D z - (bj * h z) ^ 2)); [intros; ring | exact HD]).
@@ -653,7 +635,16 @@ Proof.
       * apply order_minus; [|apply order_scal, HD]. apply (order_weaker 2 1); [lia|]. apply (order_mult 2 0); [exact HV|].
         apply (order_mult 0 0); apply order_scal, order_h.
 Qed.
-End Amplitude_at_resonance.
+End At_resonance.
+
+Theorem eq_76_77_order : Statements.eq_76_77_order.
+Proof.
+  intros s c p k Hs. split; [apply (order_V_re s c p Hs)|]. split; [apply (order_V_im s c p Hs)|]. intros Ha.
+  apply (same_order 1 (fun z => (z * V_abs (lightly_damped s c z) k - Rabs (shape s k p * shape s (loaded s) p) / 2) / z));
+    [intros; field; lra | apply order_divided, (hat_V_abs s c p Hs k Ha)].
+Qed.
+Theorem eq_80_order : Statements.eq_80_order.
+Proof. intros s c p k Hs. split; [apply (order_G s c p Hs) | apply (order_U s c p Hs)]. Qed.
 
 Theorem eq_83_order : Statements.eq_83_order.
 Proof. intros s c p k Hs Hk Hj Hl Hb. apply order_X_k; assumption. Qed.
