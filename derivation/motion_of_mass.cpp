@@ -33,9 +33,8 @@ Values shipped_motion(int N) {
         const ex braces = paper::friction_motion(Symbolic(s.tau), m.R[i], m.zeta[i], m.u[i], m.g[i]).expression();
         y.push_back({Symbolic(braces), Symbolic(braces.diff(time_symbol())), Symbolic(braces.diff(time_symbol(), 2))});
     }
-    const evaluation::MotionOfMass<Symbolic> motion =
-        evaluation::motion_of_mass<Symbolic>(cos(Symbolic(s.tau)), sin(Symbolic(s.tau)), shipped_harmonic_part(),
-                                             Symbolic(s.beta), weights, y);
+    const evaluation::MotionOfMass<Symbolic> motion = evaluation::motion_of_mass<Symbolic>(
+        cos(Symbolic(s.tau)), sin(Symbolic(s.tau)), shipped_harmonic_part(), Symbolic(s.beta), weights, y);
     return {motion.x, motion.x_prime, motion.x_double_prime};
 }
 

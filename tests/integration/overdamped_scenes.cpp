@@ -201,7 +201,7 @@ TEST_CASE("what bounds the derivatives of the braces from an instant on holds fo
                 const double size = y.with_sizes_at(pi<double>() * start / 32).size[i];
                 double largest = 0;
                 for (int n = start; n <= 256; n += n < 64 ? 1 : 8) {
-                    const evaluation::FrictionMotion<double> f = y.at(pi<double>() * std::max(n / 256.0, start / 32.0))[i];
+                    const evaluation::FrictionMotion<double> f = y.at(pi<double>() * std::max(n / 256.0, start / 32.0)).y[i];
                     const double y_1 = s.R[i] * f.prime, y_2 = s.R[i] * s.R[i] * f.double_prime;
                     const double y_3 = -2 * s.zeta[i] * y_2 - y_1, y_4 = -2 * s.zeta[i] * y_3 - y_2;
                     largest = std::max({largest, std::abs(y_2), std::abs(y_3), std::abs(y_4)});

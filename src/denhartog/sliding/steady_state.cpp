@@ -187,19 +187,22 @@ template Motion<Real100> motion(const ModeSums<Real100>&, const SteadyState<Real
 template SteadyState<Bounded<double>> steady_state_at(const ModeSums<Bounded<double>>&, const Bounded<double>&,
                                                       const std::vector<Bounded<double>>&, std::optional<Mass>);
 template SteadyState<Bounded<double>> steady_state_without_maxima(const ModeSums<Bounded<double>>&, const Bounded<double>&);
-template std::vector<Motion<Bounded<double>>> motions(const ModeSums<Bounded<double>>&, const SteadyState<Bounded<double>>&, std::span<const Bounded<double>>);
+template std::vector<Motion<Bounded<double>>> motions(const ModeSums<Bounded<double>>&, const SteadyState<Bounded<double>>&,
+                                                      std::span<const Bounded<double>>);
 template Motion<Bounded<double>> motion(const ModeSums<Bounded<double>>&, const SteadyState<Bounded<double>>&,
                                         const Bounded<double>&);
 template SteadyState<Bounded<Real50>> steady_state_at(const ModeSums<Bounded<Real50>>&, const Bounded<Real50>&,
                                                       const std::vector<Bounded<Real50>>&, std::optional<Mass>);
 template SteadyState<Bounded<Real50>> steady_state_without_maxima(const ModeSums<Bounded<Real50>>&, const Bounded<Real50>&);
-template std::vector<Motion<Bounded<Real50>>> motions(const ModeSums<Bounded<Real50>>&, const SteadyState<Bounded<Real50>>&, std::span<const Bounded<Real50>>);
+template std::vector<Motion<Bounded<Real50>>> motions(const ModeSums<Bounded<Real50>>&, const SteadyState<Bounded<Real50>>&,
+                                                      std::span<const Bounded<Real50>>);
 template Motion<Bounded<Real50>> motion(const ModeSums<Bounded<Real50>>&, const SteadyState<Bounded<Real50>>&,
                                         const Bounded<Real50>&);
 template SteadyState<Bounded<Real100>> steady_state_at(const ModeSums<Bounded<Real100>>&, const Bounded<Real100>&,
                                                        const std::vector<Bounded<Real100>>&, std::optional<Mass>);
 template SteadyState<Bounded<Real100>> steady_state_without_maxima(const ModeSums<Bounded<Real100>>&, const Bounded<Real100>&);
-template std::vector<Motion<Bounded<Real100>>> motions(const ModeSums<Bounded<Real100>>&, const SteadyState<Bounded<Real100>>&, std::span<const Bounded<Real100>>);
+template std::vector<Motion<Bounded<Real100>>> motions(const ModeSums<Bounded<Real100>>&, const SteadyState<Bounded<Real100>>&,
+                                                       std::span<const Bounded<Real100>>);
 template Motion<Bounded<Real100>> motion(const ModeSums<Bounded<Real100>>&, const SteadyState<Bounded<Real100>>&,
                                          const Bounded<Real100>&);
 

@@ -61,7 +61,8 @@ FrictionMotionsAt<T>& FrictionMotions<T>::known_at(const T& tau) {
         memory.release();
         place = known.end();
     }
-    FrictionMotionsAt<T> now{cos(tau), sin(tau), std::pmr::vector<evaluation::FrictionMotion<T>>(&memory), std::pmr::vector<T>(&memory)};
+    FrictionMotionsAt<T> now{cos(tau), sin(tau), std::pmr::vector<evaluation::FrictionMotion<T>>(&memory),
+                             std::pmr::vector<T>(&memory)};
     add_friction_motions(sums, tau, first, last, now.y);
     return known.emplace_hint(place, tau, std::move(now))->second;
 }

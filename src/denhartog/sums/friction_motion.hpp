@@ -23,7 +23,8 @@ struct FrictionMotionsAt {
     T cosine;                                          ///< of the instant
     T sine;                                            ///< of the instant
     std::pmr::vector<evaluation::FrictionMotion<T>> y; ///< braces and derivatives, one entry a mode of the range
-    std::pmr::vector<T> size; ///< over R_i^n it bounds the n-th derivative from there on, n = 2, 3, 4; empty until it is asked for
+    std::pmr::vector<T>
+        size; ///< over R_i^n it bounds the n-th derivative from there on, n = 2, 3, 4; empty until it is asked for
 };
 
 /// @brief Braces of (40) at instants of the half-period, remembered: the masses of a system share their instants.
