@@ -102,7 +102,7 @@ const Register claims_of_one_more_mode([] {
     Claim without_modes = claim(
         "46/no-mode", {"46"}, "Over no mode the motion that callers get is its harmonic part",
         [=] {
-            const auto motion = evaluation::motion_of_mass<Symbolic>(tau, harmonic, beta, {}, {});
+            const auto motion = evaluation::motion_of_mass<Symbolic>(cos(tau), sin(tau), harmonic, beta, {}, {});
             return Values{motion.x, motion.x_prime, motion.x_double_prime};
         },
         [=] { return with_rates(harmonic_motion); });
@@ -177,7 +177,7 @@ const Register claims_of_one_more_mode([] {
                 const std::vector<evaluation::FrictionMotion<Symbolic>> y{
                     {Symbolic(braces), Symbolic(tau_rate(braces)), Symbolic(tau_rate(tau_rate(braces)))}};
                 const auto motion = evaluation::motion_of_mass<Symbolic>(
-                    tau, harmonic, beta, w, y, {Symbolic(p.F), Symbolic(p.F_prime), Symbolic(p.F_second)});
+                    cos(tau), sin(tau), harmonic, beta, w, y, {Symbolic(p.F), Symbolic(p.F_prime), Symbolic(p.F_second)});
                 return Values{one_more_F(), motion.x, motion.x_prime, motion.x_double_prime};
             },
             [=, &s, &p] {

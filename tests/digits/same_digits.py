@@ -7,7 +7,8 @@ and by other programs, such as a build by another compiler, or one for another p
 Usage: same_digits.py [--scenes N] [--digits 6,13,30] [--maps N] [--vectors EVERY] [--other [NAME=]COMMAND]... [--others-only]
                       [--twin] [--record FILE] PROGRAM
 With --twin the digits of PROGRAM must differ, and the status says whether they do: it is one that calls the system's exp, or another
-that differs from the first. With --record FILE the counts are written there, those of ways in FILE that were not asked are kept.
+that differs from the first. With --record FILE the counts are written there, those of ways in FILE that were not asked are kept; with
+--others-only that is also the program as it is.
 """
 import argparse
 import csv
@@ -170,7 +171,7 @@ def main():
         print(f"{way.name}: {way.runs} runs, {way.bytes} bytes, {way.different} runs differ")
     print(f"sha256 of the answers: {whole.hexdigest()}")
     if given.record:
-        record(given.record, (first, *ways), given.scenes)
+        record(given.record, ways if given.others_only else (first, *ways), given.scenes)
     differ = any(way.different for way in ways)
     raise SystemExit(not differ if given.twin else differ)
 
