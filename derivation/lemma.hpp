@@ -16,9 +16,11 @@ namespace denhartog::derivation {
 
 /// @brief A relation with whole coefficients: scale * y^2 = scale * square.
 struct Relation {
-    GiNaC::ex generator, square;
-    GiNaC::numeric scale;
-    std::string name, text; // text: the equation
+    GiNaC::ex generator;  ///< y
+    GiNaC::ex square;     ///< what its square is
+    GiNaC::numeric scale; ///< makes the coefficients whole
+    std::string name;     ///< what Coq calls it
+    std::string text;     ///< the equation in Coq
 };
 
 /// @brief The symbols in an expression. @param e the expression @param found gets them
@@ -27,9 +29,10 @@ void symbols_in(const GiNaC::ex& e, GiNaC::exset& found);
 /// @brief A lemma on an identity of polynomials, and the same of the functions themselves.
 class Lemma {
 public:
+    /// @param identity what it says, which has to outlive it @param left_out what a twin leaves out
     Lemma(const Identity& identity, const LeftOut& left_out);
 
-    /// The lemma under a name.
+    /// @brief The lemma under a name. @param name the name @return its statement and its proof
     Certificate written(const std::string& name) const;
 
 private:

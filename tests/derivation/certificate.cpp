@@ -147,4 +147,8 @@ TEST_CASE("only a tactic that finds no proof counts as a rejection", "[kernel]")
     CHECK(finds_no_proof("Error: Tactic failure: not a valid ring equation."));
     CHECK_FALSE(finds_no_proof("Error: Syntax error: '.' expected after [gallina] (in [vernac_aux])."));
     CHECK_FALSE(finds_no_proof("longer than two minutes"));
+    CHECK(can_be_read("longer than two minutes"));
+    CHECK(can_be_read("Error: Tactic failure: not a valid field equation."));
+    CHECK_FALSE(can_be_read("Error: Syntax error: [bindings] expected after 'with' (in [simple_tactic])."));
+    CHECK_FALSE(can_be_read("Error: The reference same_sides was not found in the current environment."));
 }
