@@ -256,7 +256,8 @@ bool check_certificates(const fs::path& folder, std::size_t workers, const std::
             const std::string message = said.at("message").get<std::string>();
             const bool red = first || !can_be_read(message);
             good = good && !red;
-            out << (red ? "failed: claim " : "not proved in the functions themselves: claim ") << claim << ": " << message << "\n";
+            out << (red ? "failed: claim " : "not proved in the functions themselves: claim ") << claim << ": " << message
+                << "\n";
         };
         for (const auto& [file, claims] : claims_of) {
             const std::string text = text_of(folder / file);

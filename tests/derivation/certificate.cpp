@@ -25,7 +25,8 @@ bool coq_is_there() { return std::system("command -v coqc >/dev/null 2>&1") == 0
 /// What Coq says of a certificate, and of its lemma on the functions where there is one.
 Compiled said_of(const Certificate& c) {
     const denhartog::tests::Folder folder;
-    const std::string file = folder.write("lemma.v", certificate_prelude() + functions_prelude() + c.statement + c.proof + c.in_functions);
+    const std::string file =
+        folder.write("lemma.v", certificate_prelude() + functions_prelude() + c.statement + c.proof + c.in_functions);
     return compile_with_coq(file, "coqc");
 }
 
@@ -41,13 +42,12 @@ ex first_function_by_exponentials(int sign) {
            (R() * (1 - zeta() * zeta()) * (GiNaC::exp(delta) + GiNaC::exp(-delta) + sign * 2 * GiNaC::cos(theta())));
 }
 
-ex shipped_first_function() {
-    return denhartog::paper::first_damping_function(Symbolic(R()), Symbolic(zeta())).expression();
-}
+ex shipped_first_function() { return denhartog::paper::first_damping_function(Symbolic(R()), Symbolic(zeta())).expression(); }
 
 } // namespace
 
-TEST_CASE("a formula and its form in exponentials have a certificate, of the generators and of the functions", "[kernel][eq:28]") {
+TEST_CASE("a formula and its form in exponentials have a certificate, of the generators and of the functions",
+          "[kernel][eq:28]") {
     const Certificate c = certificate(shipped_first_function(), first_function_by_exponentials(1));
     CHECK(c.holds);
     CHECK(c.statement.find("root_1_squared : root_1 ^ 2 = 1 - zeta ^ 2") != std::string::npos);
@@ -101,8 +101,8 @@ TEST_CASE("what a proof does without cannot be left out of it", "[kernel]") {
 TEST_CASE("sums and multiples of angles are taken apart before the kernel's eyes", "[kernel]") {
     const ex phi = symbols().phi_j, half = theta() / 2;
     const Certificate c =
-        certificate(GiNaC::sin(theta() + phi - GiNaC::Pi / 2),
-                    2 * GiNaC::sin(phi) * GiNaC::sin(half) * GiNaC::cos(half) - GiNaC::cos(phi) * (2 * GiNaC::pow(GiNaC::cos(half), 2) - 1));
+        certificate(GiNaC::sin(theta() + phi - GiNaC::Pi / 2), 2 * GiNaC::sin(phi) * GiNaC::sin(half) * GiNaC::cos(half) -
+                                                                   GiNaC::cos(phi) * (2 * GiNaC::pow(GiNaC::cos(half), 2) - 1));
     CHECK(c.holds);
     CHECK_FALSE(c.in_functions.empty());
     if (!coq_is_there()) {
