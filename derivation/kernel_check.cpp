@@ -26,6 +26,7 @@ using nlohmann::json;
 namespace {
 
 constexpr const char* unfinished = "kernel_unfinished.json"; // the files of a check that has not come to its end
+constexpr const char* takes_too_long = "longer than two minutes";
 
 std::string text_of(const fs::path& file) {
     std::ifstream in(file, std::ios::binary);
@@ -216,7 +217,7 @@ Compiled compile_with_coq(const fs::path& file, const std::string& coqc) {
         run("cd " + quoted(folder.string()) + " && ulimit -t 120 && timeout 900 " + coqc + " -q -Q . " + library +
             (library == "Functions" ? " -Q ../certificates Certificates " : " ") + quoted(file.filename().string()));
     if (status == 127) throw std::runtime_error("cannot run " + coqc);
-    std::string message = status == 124 || status >= 128 ? "longer than two minutes" : said;
+    std::string message = status == 124 || status >= 128 ? takes_too_long : said;
     while (!message.empty() && std::isspace(static_cast<unsigned char>(message.back())) != 0) message.pop_back();
     return {status == 0, status == 0 ? "" : message,
             std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()};
@@ -321,9 +322,15 @@ bool check_certificates(const fs::path& folder, std::size_t workers, const std::
     const auto count = [](const json& list, const char* key, const json& value) {
         return std::count_if(list.begin(), list.end(), [&](const json& item) { return item.at(key) == value; });
     };
+    std::size_t with_functions = 0, in_functions = 0;
+    for (const json& claim : record.at("claims")) {
+        with_functions += claim.contains("in_functions") ? 1 : 0;
+        in_functions += claim.value("in_functions", "") == "checked" ? 1 : 0;
+    }
     out << "Coq " << version << ": " << count(record.at("claims"), "status", "checked") << " of " << record.at("claims").size()
-        << " claims checked, " << lemmas << " lemmas, " << lines << " lines in " << record.at("files").size() << " files, "
-        << compiled_now << " of them compiled now in "
+        << " claims checked, " << in_functions << " of " << with_functions << " in the functions themselves, " << lemmas
+        << " lemmas, " << lines << " lines in " << record.at("files").size() << " files, " << compiled_now
+        << " of them compiled now in "
         << static_cast<long>(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()) << " s; "
         << count(record.at("twins"), "rejected", true) << " of " << twins.size() << " twins rejected; " << coqchk << ": "
         << (refused.empty() ? "accepted" : "REFUSED") << ", one file at a time, at most "
