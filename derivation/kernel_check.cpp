@@ -26,7 +26,6 @@ using nlohmann::json;
 namespace {
 
 constexpr const char* unfinished = "kernel_unfinished.json"; // the files of a check that has not come to its end
-constexpr const char* takes_too_long = "longer than two minutes";
 
 std::string text_of(const fs::path& file) {
     std::ifstream in(file, std::ios::binary);
@@ -217,7 +216,7 @@ Compiled compile_with_coq(const fs::path& file, const std::string& coqc) {
         run("cd " + quoted(folder.string()) + " && ulimit -t 120 && timeout 900 " + coqc + " -q -Q . " + library +
             (library == "Functions" ? " -Q ../certificates Certificates " : " ") + quoted(file.filename().string()));
     if (status == 127) throw std::runtime_error("cannot run " + coqc);
-    std::string message = status == 124 || status >= 128 ? takes_too_long : said;
+    std::string message = status == 124 || status >= 128 ? "longer than two minutes" : said;
     while (!message.empty() && std::isspace(static_cast<unsigned char>(message.back())) != 0) message.pop_back();
     return {status == 0, status == 0 ? "" : message,
             std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()};

@@ -27,8 +27,7 @@ namespace denhartog::derivation {
 /// @param coqc     the compiler
 /// @param coqchk   the checker that reads compiled files again, without the compiler's tactics
 /// @param out      gets a line on every file that is not as it should be, and the counts
-/// @return         whether all certificates were accepted and all twins rejected, and no lemma on the functions fails but by a proof
-///                 that is not found or takes too long
+/// @return         whether all certificates were accepted and all twins rejected, and Coq could read every lemma on the functions
 /// @throws         std::runtime_error where the compiler cannot be run or the record cannot be read or written
 bool check_certificates(const std::filesystem::path& folder, std::size_t workers, const std::string& coqc,
                         const std::string& coqchk, std::ostream& out);
