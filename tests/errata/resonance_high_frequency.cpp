@@ -26,7 +26,8 @@ TEST_CASE("next to the boundary at resonance (81) is the amplitude to better tha
     const double X = paper::displacement_transmissibility_of_contact(m.V[0], m.U[0], m.G[0], beta);
     const double V = paper::complex_response_amplitude_at_resonance(1.0, 1.0, zeta);
     const double G = evaluation::second_damping_function_at_resonance(zeta);
-    CHECK(paper::transmissibility_at_resonance(V, m.U[0], m.U[0], G, 1.0, 1.0, beta) == Approx(X).epsilon(1e-3));
+    CHECK(paper::transmissibility_at_resonance(V, m.U[0], m.U[0], G, 1.0, 1.0, beta) ==
+          Approx(X).epsilon(1e-3)); // (81) is off by 9.3e-4
     CHECK(as_printed::transmissibility_at_resonance(V, m.U[0], m.U[0], G, beta) > X * (1 + 1e-3));
 }
 
@@ -36,7 +37,8 @@ TEST_CASE("the peak at resonance is |V| - beta |G|, not the modulus of the compl
     const double X = paper::displacement_transmissibility_of_contact(m.V[0], m.U[0], m.G[0], beta);
     const Complex<double> V = paper::complex_response_at_resonance(1.0, 1.0, zeta);
     const double G = evaluation::second_damping_function_at_resonance(zeta);
-    CHECK(paper::transmissibility_at_resonance_without_U(modulus(V), G, beta) == Approx(X).epsilon(1e-3));
+    CHECK(paper::transmissibility_at_resonance_without_U(modulus(V), G, beta) ==
+          Approx(X).epsilon(1e-4)); // (82) is off by 3.9e-5
     CHECK(as_printed::transmissibility_at_resonance_without_U(V, G, beta) > 2 * X);
 }
 
