@@ -3,11 +3,9 @@
 ///
 /// The lemma is about real numbers: the symbols, the generators of the zero test with their relations, and a name for what each
 /// side divides by. Its conditions are the ranges of the symbols, the signs of roots and exponentials, and that no divisor is
-/// zero.
-/// A second lemma says the same of sine, cosine, exponential and root themselves, by the addition theorems and from the first.
-/// The difference of the sides is a sum of quotients whose numerators are combinations of the relations; the coefficients of
-/// these,
-/// the cofactors of the reduction, are written into the proof. Nothing is searched when it is checked.
+/// zero. A second lemma says the same of sine, cosine, exponential and root themselves, by the addition theorems and from the
+/// first. The difference of the sides is a sum of quotients whose numerators are combinations of the relations; the coefficients
+/// of these, the cofactors of the reduction, are written into the proof. Nothing is searched when it is checked.
 #pragma once
 
 #include <cstddef>

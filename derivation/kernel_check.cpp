@@ -115,10 +115,8 @@ json judged_twin(const fs::path& folder, json twin, const std::string& coqc) {
 }
 
 /// What the independent checker says of a compiled file: `refused`, empty where it accepts it; the axioms that it rests on;
-/// seconds
-/// and gigabytes taken. What the file rests on is not read again with it: each certificate is checked as a file of its own,
-/// and Coq's
-/// library is taken as it is installed. The memory is bounded.
+/// seconds and gigabytes taken. What the file rests on is not read again with it: each certificate is checked as a file of its
+/// own, and Coq's library is taken as it is installed. The memory is bounded.
 json said_again(const fs::path& folder, const fs::path& file, const std::string& coqchk) {
     constexpr long kilobytes_at_most = 4'000'000;
     const auto start = std::chrono::steady_clock::now();

@@ -12,16 +12,15 @@ namespace denhartog::derivation {
 /// @brief Compiles the certificates in a folder with Coq, and the twins, which must not compile; writes `kernel.json`.
 ///
 /// A file that was accepted before and has not changed since is not compiled again, also where that run was broken off. Where
-/// a file is refused, each of its claims is
-/// compiled by itself, so that one lemma costs no other its word. A twin counts as rejected only where a tactic finds that its
-/// identity does not hold or that a condition is missing; any other message is a fault of the file.
+/// a file is refused, each of its claims is compiled by itself, so that one lemma costs no other the compiler's word; coqchk
+/// does not read such a file. A twin counts as rejected only where a tactic finds that its identity does not hold or that a
+/// condition is missing; any other message is a fault of the file.
 ///
 /// `kernel.json` holds `coq`, the version; `claims`, for each claim with lemmas `status`, which is `checked` or `failed`,
 /// `message`, and `in_functions`, which is `checked`, or `not_proved` where Coq does not get through a lemma on the functions
 /// themselves: the certificate stands without it; `twins`, each with `file`, `claim`, `what`, `rejected` and `message`;
-/// `files`, each with `file`, `status`,
-/// `seconds`, `checksum`, and `seconds_again`, `gigabytes_again` of the second check; `checked_again`, the word of coqchk;
-/// `axioms`, what the files rest on; `lemmas`, `lines`, `seconds`.
+/// `files`, each with `file`, `status`, `seconds`, `checksum`, and `seconds_again`, `gigabytes_again` of the second check;
+/// `checked_again`, the word of coqchk; `axioms`, what the files rest on; `lemmas`, `lines`, `seconds`.
 /// @param folder   with `certificates.json`, as `export_certificates` leaves it
 /// @param workers  how many processes work at a time
 /// @param coqc     the compiler

@@ -50,7 +50,7 @@ private:
     std::string text(const GiNaC::ex& e) const { return coq_text(e, names_); }
 
     // lemma.cpp: the parts
-    /// Generators by what they stand for, so that a lemma reads the same on every run.
+    /// Generators by what they stand for and not by GiNaC's order. Signs that GiNaC chooses still differ from run to run.
     void name_generators();
     /// Each divisor in that of the ways in which it is written that comes first by its text.
     void find_divisors();
