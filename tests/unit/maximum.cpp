@@ -218,6 +218,39 @@ TEST_CASE("a peak that is lower by less than the error may be the largest", "[ma
     CHECK(others[0].reach == 0);
 }
 
+TEST_CASE("maxima in places that touch are told apart", "[maximum]") {
+    // from, to, instant, value, upper, reach
+    using Places = std::vector<Place<double>>;
+    const auto reach_of = [](const Places& places) {
+        const Places one = joined(places);
+        REQUIRE(one.size() == 1);
+        CHECK(one[0].value == 2);
+        CHECK(one[0].instant == 0.25);
+        return one[0].reach;
+    };
+    const Place<double> larger{0, 1, 0.25, 2, 2, 0};
+    CHECK(reach_of({larger, {1, 2, 1.75, 1.9, 1.9, 0}}) == 1.5);
+    CHECK(reach_of({{1, 2, 1.75, 1.9, 1.9, 0}, larger}) == 1.5);
+    CHECK(reach_of({{-1, 0, -0.5, 1.9, 1.9, 0.125}, larger}) == 0.875);
+    CHECK(reach_of({larger, {1, 2, 1, 1.9, 1.9, 0.5}}) == 1.25);
+    CHECK(reach_of({larger, {1, 2, 1, 1.9, 1.9, 0}}) == 0); // it falls from the border on
+    CHECK(reach_of({{-1, 0, 0, 1.9, 1.9, 0}, larger}) == 0); // it rises up to the border
+    CHECK(reach_of({larger, {1, 1, 1, 1.9, 1.9, 0}, {1, 2, 1.5, 1.95, 1.95, 0}}) == 1.25);
+    CHECK(joined(Places{larger, {1.5, 2, 1.75, 1.9, 1.9, 0}}).size() == 2);
+}
+
+TEST_CASE("a place at one end may have a maximum that the other end does not go on to", "[maximum]") {
+    using Places = std::vector<Place<double>>;
+    const auto count = [](const Places& places) { return rivals(places, 0.0, 3.0).size(); };
+    const Place<double> start{0, 0.5, 0.25, 2, 2, 0};
+    CHECK(count({start, {2.5, 3, 3, 1.9, 1.9, 0}}) == 0);
+    CHECK(count({start, {2.5, 3, 2.75, 1.9, 1.9, 0}}) == 1);
+    CHECK(count({start, {2.5, 3, 3, 1.9, 1.9, 0.5}}) == 1);
+    CHECK(count({start, {1, 2, 1.5, 1.9, 1.9, 0}, {2.5, 3, 3, 1.9, 1.9, 0}}) == 1);
+    CHECK(count({{0, 0.5, 0.25, 2, 2, 0.125}}) == 1);
+    CHECK(count({start}) == 0);
+}
+
 TEST_CASE("the two ends of a half-period are one instant", "[maximum]") {
     const Curve<double> curve = smooth<double>([](double t) { return std::abs(std::cos(t)); },
                                                [](double t) { return std::cos(t) < 0 ? std::sin(t) : -std::sin(t); },

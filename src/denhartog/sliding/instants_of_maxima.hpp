@@ -19,7 +19,7 @@ namespace denhartog {
 /// @param b            its end, where the motion goes on as at a, or mirrored
 /// @param instant      the instant of the maximum
 /// @param is_negative  whether the displacement is negative at an instant
-/// @return             radians; zero where there is one place alone
+/// @return             radians; zero where no other instant can be that of the maximum
 template <class T, class Sign>
 [[nodiscard]] T spread_of_phases(const std::vector<Place<T>>& places, const T& a, const T& b, const T& instant,
                                  const Sign& is_negative) {

@@ -148,13 +148,15 @@ std::vector<Place<T>> joined(std::vector<Place<T>> places) {
             continue;
         }
         Place<T>& last = kept.back();
-        last.to = std::max(last.to, each.to);
-        last.upper = std::max(last.upper, each.upper);
-        if (each.value > last.value) {
-            last.instant = each.instant;
-            last.value = each.value;
-            last.reach = each.reach;
-        }
+        const bool is_larger = each.value > last.value;
+        const Place<T>& larger = is_larger ? each : last;
+        const Place<T>& smaller = is_larger ? last : each;
+        const T& border = is_larger ? last.to : each.from;
+        // A function that rises up to the border goes on rising beyond it: that is no maximum of its own.
+        const bool goes_on = smaller.reach == 0 && smaller.instant == border;
+        const T reach =
+            goes_on ? larger.reach : std::max(larger.reach, T(absolute(T(smaller.instant - larger.instant)) + smaller.reach));
+        last = {last.from, std::max(last.to, each.to), larger.instant, larger.value, std::max(last.upper, each.upper), reach};
     }
     return kept;
 }
@@ -164,11 +166,12 @@ std::vector<Place<T>> rivals(const std::vector<Place<T>>& places, const T& a, co
     const auto largest =
         std::max_element(places.begin(), places.end(), [](const Place<T>& x, const Place<T>& y) { return x.value < y.value; });
     const bool across = !places.empty() && !(a < places.front().from) && !(places.back().to < b);
+    const bool is_largest_end = largest == places.begin() || largest + 1 == places.end();
     std::vector<Place<T>> others;
     for (auto each = places.begin(); each != places.end(); ++each) {
-        const bool is_end = each == places.begin() || each + 1 == places.end();
-        const bool is_largest_end = largest == places.begin() || largest + 1 == places.end();
-        if (each != largest && !(across && is_end && is_largest_end)) others.push_back(*each);
+        const bool is_at_end = (each == places.begin() && each->instant == a) || (each + 1 == places.end() && each->instant == b);
+        const bool goes_on = across && is_largest_end && is_at_end;
+        if (each == largest ? each->reach > 0 : !(goes_on && each->reach == 0)) others.push_back(*each);
     }
     return others;
 }

@@ -40,7 +40,7 @@ struct Place {
     T instant; ///< where the largest value in it was seen
     T value;   ///< that value
     T upper;   ///< no value in it is larger, but for the error of a sample
-    T reach;   ///< how far from there its largest value may be; zero where it was found as a root of w
+    T reach;   ///< how far from there the largest value in it may be; zero where it was found as a root of w
 };
 
 /// @brief A maximum and where it lies.
@@ -71,17 +71,17 @@ template <class T>
                                         Effort* effort = nullptr, const T& least = std::numeric_limits<T>::lowest(),
                                         const T& error = T(0));
 
-/// @brief The places with those that touch made one.
+/// @brief The places with those that touch made one, which reaches as far as its maxima lie apart.
 /// @param places  places of one function, in any order
 /// @return        ascending, no two touch
 template <class T>
 [[nodiscard]] std::vector<Place<T>> joined(std::vector<Place<T>> places);
 
-/// @brief The places besides that of the largest value, of a function that goes on at a as it ends at b.
+/// @brief Where besides the instant of its largest value a function may be largest that goes on at a as it ends at b.
 /// @param places  ascending, no two touch
 /// @param a       start of the stretch
 /// @param b       its end
-/// @return        where else the function may be largest; empty where there is one place alone
+/// @return        where else the function may be largest, with the place of its largest value where that has a reach
 template <class T>
 [[nodiscard]] std::vector<Place<T>> rivals(const std::vector<Place<T>>& places, const T& a, const T& b);
 

@@ -233,9 +233,10 @@ std::vector<Extremum<T>> ExactSolver<T>::largest_displacements(const T& error) {
             const auto row = static_cast<Eigen::Index>(p.direction == 0 && k > j ? k - 1 : k);
             const Maximum<T> found = global_maximum(displacements.size_of(row), T(0), length, displacements.noise(row, T(0)),
                                                     work.effort, T(abs(largest[k].x) - 2 * error), error);
+            const auto in_orbit = [&](const T& tau) { return tau < length ? T(p.start + tau) : p.end; };
             for (const Place<T>& place : found.places)
-                places[k].push_back({T(p.start + place.from), place.to < length ? T(p.start + place.to) : p.end,
-                                     T(p.start + place.instant), place.value, place.upper, place.reach});
+                places[k].push_back({in_orbit(place.from), in_orbit(place.to), in_orbit(place.instant), place.value, place.upper,
+                                     place.reach});
             if (found.value > abs(largest[k].x)) take(k, displacements.of(row, found.instant), T(p.start + found.instant));
             if (!found.settled) largest[k].unsure = std::max(largest[k].unsure, T(found.upper - abs(largest[k].x)));
         }
