@@ -191,3 +191,31 @@ TEST_CASE("questions that had no end have one within their budget, counted", "[e
         CHECK(effort.spent() <= default_effort(N) + default_effort(N) / 10);
     }
 }
+
+TEST_CASE("everyday questions cost no more operations than they were seen to", "[effort][solve]") {
+    struct Everyday {
+        const char* what;
+        System<double> system;
+        std::vector<double> r;
+        double beta;
+        long operations, phases; // counted when this was written
+    };
+    Everyday curve{"two masses along r, all masses", two_masses(0.01), {}, 0.3, 0, 0};
+    for (int n = 10; n <= 250; ++n) curve.r.push_back(n / 100.0);
+    for (const Everyday& each : {curve, Everyday{"five masses, sliding", five_masses<double>(3, 0.01), {0.9}, 0.2, 0, 0},
+                                 Everyday{"one mass, stick-slip", single_mass(0.01), {0.1}, 0.2, 0, 0},
+                                 Everyday{"one mass, sliding", single_mass(0.01), {0.9}, 0.2, 0, 0}}) {
+        const QuestionEffort effort(number_of_masses(each.system));
+        const long phases = phases_propagated();
+        Scene<double> scene;
+        scene.system = each.system;
+        scene.beta = each.beta;
+        for (const double r : each.r) {
+            scene.r = r;
+            (void)solve(scene_source(scene), {Asked::amplitude});
+        }
+        INFO(each.what << ": " << effort.spent() << " operations");
+        CHECK(effort.spent() <= each.operations);
+        CHECK(phases_propagated() - phases <= each.phases);
+    }
+}

@@ -98,7 +98,7 @@ SlidingPoint<T> point_at(const Scene<T>& scene, const ModeSums<Bounded<T>>& sums
             return widened<T>(instants);
     };
     const std::vector<Searched> demands = instants_of_demands(values);
-    SlidingPoint<T> point{sums, boundary_with(sums, as_input(scene.mu), in_type(demands)), std::nullopt, std::nullopt};
+    SlidingPoint<T> point{boundary_with(sums, as_input(scene.mu), in_type(demands)), std::nullopt, std::nullopt};
     Boundary<Bounded<T>>& b = point.boundary;
     if constexpr (!std::same_as<T, Searched>) { // a larger value elsewhere is larger by no more than the search could tell
         const Boundary<Bounded<double>> narrow = boundary_with(searched, as_input(static_cast<double>(scene.mu)), demands);

@@ -31,7 +31,6 @@ template <class T>
 /// @brief What is known of a point.
 template <class T>
 struct SlidingPoint {
-    ModeSums<Bounded<T>> sums;                    ///< modes at the frequency ratio
     Boundary<Bounded<T>> boundary;                ///< the boundary there
     std::optional<RegimeAtPoint> regime;          ///< the regime; none without a friction ratio
     std::optional<SteadyState<Bounded<T>>> state; ///< the steady state, in the sliding regime and where it was asked for

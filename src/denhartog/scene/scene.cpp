@@ -16,9 +16,9 @@ namespace denhartog {
 namespace {
 
 /// Throws with the place `/quantity/index...` where places are asked for; indices of the place count from 0, as JSON pointers do.
-[[noreturn]] void fail(const SceneNames& names, const std::string& quantity, std::string rule, std::string value,
+[[noreturn]] void fail(const SceneNames& names, std::string_view quantity, std::string rule, std::string value,
                        const std::string& within = {}) {
-    throw InputError(quantity, std::move(rule), std::move(value),
+    throw InputError(std::string(quantity), std::move(rule), std::move(value),
                      names.places ? std::string("/").append(quantity).append(within) : "");
 }
 
@@ -36,28 +36,31 @@ std::string number(std::size_t index) { return std::to_string(index + 1); }
 
 template <class T>
 void check_given_once(const std::vector<T>& ratios, const Matrix<T>& matrix, const SceneNames& names,
-                      const std::string& ratios_name, const std::string& matrix_name) {
-    if (!ratios.empty() && matrix.size() > 0) fail(names, matrix_name, "must not be given together with " + ratios_name, "");
+                      std::string_view ratios_name, std::string_view matrix_name) {
+    if (!ratios.empty() && matrix.size() > 0)
+        fail(names, matrix_name, std::string("must not be given together with ").append(ratios_name), "");
     if (ratios.empty() && matrix.size() == 0)
-        throw InputError(ratios_name, "must have at least one value (or " + matrix_name + " be given)", "");
+        throw InputError(std::string(ratios_name),
+                         std::string("must have at least one value (or ").append(matrix_name).append(" be given)"), "");
 }
 
 /// Ratios of masses or springs: `of` is `mass` or `spring`.
 template <class T>
-void check_ratios(const std::vector<T>& x, std::size_t N, const SceneNames& names, const std::string& name,
-                  const std::string& of) {
+void check_ratios(const std::vector<T>& x, std::size_t N, const SceneNames& names, std::string_view name, const char* of) {
     if (x.size() != N)
         fail(names, name, "must have as many values as there are masses (" + std::to_string(N) + ")", std::to_string(x.size()));
+    const auto rule_of = [of](std::size_t i, const char* rule) {
+        return std::string("of ").append(of).append(" ").append(number(i)).append(" ").append(rule);
+    };
     for (std::size_t i = 0; i < N; ++i) {
-        if (const char* rule = broken_rule(x[i]))
-            fail(names, name, "of " + of + " " + number(i) + " " + rule, number_to_text(x[i]), at(i));
-        if (!(x[i] > 0)) fail(names, name, "of " + of + " " + number(i) + " must be positive", number_to_text(x[i]), at(i));
+        if (const char* rule = broken_rule(x[i])) fail(names, name, rule_of(i, rule), number_to_text(x[i]), at(i));
+        if (!(x[i] > 0)) fail(names, name, rule_of(i, "must be positive"), number_to_text(x[i]), at(i));
     }
-    if (x[0] != 1) fail(names, name, "of " + of + " 1 must be 1, its own unit", number_to_text(x[0]), at(0));
+    if (x[0] != 1) fail(names, name, rule_of(0, "must be 1, its own unit"), number_to_text(x[0]), at(0));
 }
 
 template <class T>
-void check_symmetric(const Matrix<T>& A, std::size_t N, const SceneNames& names, const std::string& name) {
+void check_symmetric(const Matrix<T>& A, std::size_t N, const SceneNames& names, std::string_view name) {
     const auto n = static_cast<Eigen::Index>(N);
     if (A.rows() != n || A.cols() != n)
         fail(names, name, "must have " + std::to_string(N) + " rows and columns",
@@ -77,7 +80,7 @@ void check_symmetric(const Matrix<T>& A, std::size_t N, const SceneNames& names,
 }
 
 template <class T>
-void check_positive_definite(const Matrix<T>& A, const SceneNames& names, const std::string& name) {
+void check_positive_definite(const Matrix<T>& A, const SceneNames& names, std::string_view name) {
     const Cholesky<T> factor = cholesky(A);
     if (factor.failed_order == 0) return;
     const std::string order = std::to_string(factor.failed_order);
@@ -88,22 +91,26 @@ void check_positive_definite(const Matrix<T>& A, const SceneNames& names, const 
 
 template <class T>
 void check_damping_ratios(const std::vector<T>& zeta, std::size_t N, const SceneNames& names) {
-    const std::string name = "damping_ratios";
+    constexpr std::string_view name = "damping_ratios";
     if (zeta.size() != N)
         fail(names, name, "must have as many values as there are masses (" + std::to_string(N) + ")",
              std::to_string(zeta.size()));
     for (std::size_t i = 0; i < N; ++i) {
-        const std::string of = std::string("of mode ").append(number(i));
-        const std::string within = names.one_zeta ? "" : at(i);
-        if (const char* rule = broken_rule(zeta[i])) fail(names, name, of + " " + rule, number_to_text(zeta[i]), within);
-        if (zeta[i] < 0) fail(names, name, of + " must not be negative", number_to_text(zeta[i]), within);
-        if (zeta[i] > largest_damping_ratio) fail(names, name, of + " must be at most 1e300", number_to_text(zeta[i]), within);
+        const char* rule = broken_rule(zeta[i]);
+        if (rule == nullptr && zeta[i] < 0) rule = "must not be negative";
+        if (rule == nullptr && zeta[i] > largest_damping_ratio) rule = "must be at most 1e300";
+        if (rule != nullptr)
+            fail(names, name, std::string("of mode ").append(number(i)).append(" ").append(rule), number_to_text(zeta[i]),
+                 names.one_zeta ? "" : at(i));
     }
 }
 
+std::string which_mass(std::size_t N) { return "must be a mass from 1 to " + std::to_string(N); }
+
 template <class T>
-void check_between(const System<T>& s, const std::string& which, const SceneNames& names) {
-    if (s.contact_with->index >= number_of_masses(s)) fail(names, "contact", which, number(s.contact_with->index), at(1));
+void check_between(const System<T>& s, const SceneNames& names) {
+    const std::size_t N = number_of_masses(s);
+    if (s.contact_with->index >= N) fail(names, "contact", which_mass(N), number(s.contact_with->index), at(1));
     if (*s.contact_with == s.contact)
         fail(names, "contact", "must be between two masses, not between one and itself", number(s.contact.index), at(1));
 }
@@ -165,10 +172,9 @@ void check_system(const System<T>& s, const SceneNames& names) {
         check_symmetric(s.damping_matrix, N, names, "damping_matrix");
     else
         check_damping_ratios(s.damping_ratios, N, names);
-    const std::string which = "must be a mass from 1 to " + std::to_string(N);
-    if (s.contact.index >= N) fail(names, "contact", which, number(s.contact.index));
-    if (s.load_vector.empty() && s.load.index >= N) fail(names, "load", which, number(s.load.index));
-    if (s.contact_with) check_between(s, which, names);
+    if (s.contact.index >= N) fail(names, "contact", which_mass(N), number(s.contact.index));
+    if (s.load_vector.empty() && s.load.index >= N) fail(names, "load", which_mass(N), number(s.load.index));
+    if (s.contact_with) check_between(s, names);
     if (!s.load_vector.empty()) check_load(s, names);
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "denhartog/scene/limits.hpp"
 #include "denhartog/scene/scene.hpp"
@@ -22,12 +23,12 @@ inline constexpr double largest_damping_tolerance = 2;
 
 /// @brief What the author of a scene calls its quantities, and whether messages point into a JSON text.
 struct SceneNames {
-    std::string masses = "mass_ratios";                ///< `masses` in a dimensional scene
-    std::string stiffnesses = "stiffness_ratios";      ///< `stiffnesses` in a dimensional scene
-    std::string mass_matrix = "mass_matrix";           ///< `masses` in a dimensional scene
-    std::string stiffness_matrix = "stiffness_matrix"; ///< `stiffnesses` in a dimensional scene
-    std::string r = "r";                               ///< `frequency` in a dimensional scene
-    std::string beta = "beta";                         ///< `friction` in a dimensional scene
+    std::string_view masses = "mass_ratios";                ///< `masses` in a dimensional scene
+    std::string_view stiffnesses = "stiffness_ratios";      ///< `stiffnesses` in a dimensional scene
+    std::string_view mass_matrix = "mass_matrix";           ///< `masses` in a dimensional scene
+    std::string_view stiffness_matrix = "stiffness_matrix"; ///< `stiffnesses` in a dimensional scene
+    std::string_view r = "r";                               ///< `frequency` in a dimensional scene
+    std::string_view beta = "beta";                         ///< `friction` in a dimensional scene
     bool one_zeta = false;                             ///< one damping ratio was given for all modes
     bool places = false;                               ///< errors carry the JSON pointer
 };

@@ -61,7 +61,7 @@ struct Demand {
             N_prime += weights[n] * R * R * (now[n].double_prime - u * S);
             Z -= weights[n] * (2 * s.zeta[first + n] * R * now[n].double_prime + (1 - R) * (1 + R) * now[n].prime);
         }
-        if (tau > 0 && tau < pi<T>()) return {N / S, N_prime * S - N * C, Z};
+        if (tau > 0 && tau < pi<T>()) return {N / S, N_prime * S - N * C, Z, Z * S};
         T limit(0);
         for (std::size_t n = 0; n < weights.size(); ++n) limit += weights[n] * s_d(s, first + n, tau);
         return {limit, T(0), Z};

@@ -32,6 +32,11 @@ T absolute(const T& x) {
 }
 
 template <class T>
+T rounding_of(const T& x) {
+    return std::numeric_limits<T>::epsilon() * absolute(x);
+}
+
+template <class T>
 bool opposite_signs(const T& a, const T& b) {
     return (a < 0 && b > 0) || (a > 0 && b < 0);
 }
@@ -42,11 +47,11 @@ public:
     MaximumSearch(const Curve<T>& curve, const T& a, const T& b, const T& noise, Effort& effort, const T& least, const T& error)
         : curve_(curve), noise_(noise), error_(std::max(noise, error)), effort_(effort), best_{least, a, least, true, {}} {
         open_.reserve(2 * first_intervals);
-        for (int n = 0; n <= first_intervals; ++n) {
-            const T tau = n == first_intervals ? b : T(a + (b - a) * n / first_intervals);
-            const Node<T> right = node(tau);
-            if (n > 0) open_.push_back({left_, right, right, T(0), false});
-            left_ = right;
+        Node<T> left = node(a);
+        for (int n = 1; n <= first_intervals; ++n) {
+            const Node<T> right = node(n == first_intervals ? b : T(a + (b - a) * n / first_intervals));
+            open_.push_back({left, right, right, T(0), false});
+            left = right;
         }
         for (Interval<T>& each : open_) each = bounded(each.left, each.right);
         std::sort(open_.begin(), open_.end(), [](const Interval<T>& x, const Interval<T>& y) {
@@ -78,7 +83,7 @@ public:
     }
 
 private:
-    T rounding() const { return std::numeric_limits<T>::epsilon() * absolute(best_.value); }
+    T rounding() const { return rounding_of(best_.value); }
 
     Node<T> node(const T& tau) {
         effort_.spend(curve_.cost);
@@ -105,13 +110,28 @@ private:
         open_.push_back(std::move(second));
     }
 
+    // By Newton's method, kept between two places where w has opposite signs. Near the maximum f is flat: it is looked at in the root
+    // alone, else rounding would choose the instant.
     Node<T> at_root(const Interval<T>& in) {
-        // Near the maximum f is flat: it is looked at in the root alone, else rounding would choose the instant.
-        const std::function<T(const T&)> w = [&](const T& tau) {
+        constexpr int most_steps = 200;
+        T a = in.left.tau, b = in.right.tau, tau = in.middle.tau, step_before = b - a;
+        Sample<T> at = in.middle.at;
+        bool newton_before = false;
+        for (int n = 0; n < most_steps && at.w != 0; ++n) {
+            (opposite_signs(in.left.at.w, at.w) ? b : a) = tau;
+            const T newton = T(tau - at.w / at.slope);
+            const bool falls_off = newton > a && newton < b && 2 * absolute(T(newton - tau)) < step_before;
+            const T next = falls_off ? newton : T(a + (b - a) / 2), step = absolute(T(next - tau)), tiny = rounding_of(next);
+            tau = next;
+            // A step of Newton's method is a multiple of the square of the one before: the next would be as small as this tells.
+            const bool ends = step <= tiny || (newton_before && falls_off && step * step * step <= tiny * step_before * step_before);
+            if (ends || !(a < next && next < b)) break;
+            step_before = falls_off ? step : T(b - a);
+            newton_before = falls_off;
             effort_.spend(curve_.cost);
-            return curve_.sample(tau).w;
-        };
-        return node(bracketed_root(w, in.left.tau, in.right.tau, in.left.at.w, in.right.at.w));
+            at = curve_.sample(tau);
+        }
+        return node(tau);
     }
 
     // Below it no value can be the largest.
@@ -133,7 +153,6 @@ private:
     Effort& effort_;
     Maximum<T> best_;
     std::vector<Interval<T>> open_;
-    Node<T> left_;
 };
 
 } // namespace

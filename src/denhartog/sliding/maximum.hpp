@@ -17,9 +17,10 @@ namespace denhartog {
 /// @brief A function at one instant.
 template <class T>
 struct Sample {
-    T f; ///< the function
-    T w; ///< zero at every interior maximum: the derivative, or a function with its sign
-    T z; ///< w is monotone wherever z keeps its sign
+    T f;         ///< the function
+    T w;         ///< zero at every interior maximum: the derivative, or a function with its sign
+    T z;         ///< w is monotone wherever z keeps its sign
+    T slope = z; ///< the derivative of w: z times what is not negative
 };
 
 /// @brief A function with what bounds it between samples.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "denhartog/answer/held_solution.hpp"
 #include "denhartog/answer/orbit_solution.hpp"
@@ -113,11 +114,11 @@ void answer_from_rest(const SolveTask& task, Solution& s) {
 void answer(SolveTask& task, Solution& s) {
     const bool few = task.question.asked == Asked::amplitude || task.question.asked == Asked::phase;
     if (few && task.scene.mu == 1 && !task.basis->coupled() && answer_by_few_modes(task, s)) return;
-    const Solution kept = s;
+    const auto [unique, because] = std::pair(s.unique, s.unique_because);
     try {
         s = sliding_solution(task.source, {task.question.asked, task.question.digits, task.question.mass, &*task.modes});
-        s.unique = kept.unique;
-        s.unique_because = kept.unique_because;
+        s.unique = unique;
+        s.unique_because = because;
     } catch (const DomainError& e) {
         task.pole = e.what();
         s.regime.reason = std::string("the boundaries are not known: ") + e.what();

@@ -116,8 +116,8 @@ struct ContactPhases {
         const std::size_t j = system->contact.index;
         const T r2 = e.r * e.r;
         if (direction != 0) {
-            column(sliding.q[0]) = system->momentum * column(x);
-            column(sliding.q[1]) = system->momentum * column(v);
+            column(sliding.q[0]).noalias() = system->momentum * column(x);
+            column(sliding.q[1]).noalias() = system->momentum * column(v);
             column(sliding.G) = -direction * e.beta / r2 * system->basis.phi.row(j).transpose();
         } else if (N > 1) {
             Column<T> others_x(N - 1), others_v(N - 1);
@@ -125,8 +125,8 @@ struct ContactPhases {
                 others_x(n) = x[system->stuck.masses[n].index];
                 others_v(n) = v[system->stuck.masses[n].index];
             }
-            column(sticking.q[0]) = stuck_momentum * others_x;
-            column(sticking.q[1]) = stuck_momentum * others_v;
+            column(sticking.q[0]).noalias() = stuck_momentum * others_x;
+            column(sticking.q[1]).noalias() = stuck_momentum * others_v;
             column(sticking.G) = -x[j] / r2 * k_j;
         }
         motion.start(tau);
@@ -139,7 +139,7 @@ struct ContactPhases {
     void masses_of(int direction, int order, std::vector<T>& out) const {
         out.resize(N);
         if (direction != 0) {
-            column(out) = system->basis.phi * column(sliding.q[order]);
+            column(out).noalias() = system->basis.phi * column(sliding.q[order]);
             return;
         }
         out[system->contact.index] = order == 0 ? x[system->contact.index] : T(0);

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <map>
+#include <memory_resource>
+#include <vector>
 
 #include "denhartog/sliding/maximum.hpp"
 #include "denhartog/stick_slip/linear_motion.hpp"
@@ -17,7 +19,7 @@ public:
     /// @param phi     mode shapes, mass by coordinate
     /// @param effort  what the evaluations spend
     Displacements(LinearMotion<T>& motion, const Matrix<T>& phi, Effort& effort)
-        : motion_(motion), phi_(phi), effort_(effort), sizes_(phi.cwiseAbs()) {
+        : motion_(motion), phi_(phi), effort_(effort), sizes_(phi.cwiseAbs()), norms_(phi.cols()) {
         const Column<T> F = column(motion_.F);
         growth_ = motion_.coupled() ? Column<T>(phi_.rowwise().norm() * F.norm()) : Column<T>(sizes_ * F.cwiseAbs());
     }
@@ -46,12 +48,12 @@ public:
         Curve<T> curve;
         curve.cost = 0; // the effort is spent where an instant is new
         curve.sample = [this, row](const T& t) {
-            const Matrix<T>& x = at(t);
+            const Known x = at(t);
             return Sample<T>{abs(x(row, 0)), x(row, 1), x(row, 2)};
         };
         // The third derivative by its energy norm, or by a Taylor polynomial and the energy norm of the fifth.
         curve.rate = [this, row](const T& a, const T& b) {
-            const Matrix<T>& x = at(a);
+            const Known x = at(a);
             const T h = b - a, growth = growth_(row) * h;
             return std::min(T(x(row, 5) + growth), T(abs(x(row, 3)) + h * (abs(x(row, 4)) + h * (x(row, 6) + growth) / 2)));
         };
@@ -60,22 +62,28 @@ public:
     }
 
 private:
+    static constexpr Eigen::Index columns = 7;
+    using Known = Eigen::Map<const Matrix<T>>;
+
     // Derivatives 0 to 4 of every mass, then what bounds the third and the fifth ahead, but for the growth.
-    const Matrix<T>& at(const T& t) {
-        const auto found = known_.find(t);
-        if (found != known_.end()) return found->second;
+    Known at(const T& t) {
+        const auto place = known_.lower_bound(t);
+        if (place != known_.end() && place->first == t) return {place->second.data(), phi_.rows(), columns};
         effort_.spend(motion_.cost() + cost_of_mode<T>() * static_cast<long>(phi_.size() / 16));
         motion_.differentiate_at(t);
-        Matrix<T> x(phi_.rows(), 7);
+        std::pmr::vector<T> numbers(static_cast<std::size_t>(phi_.rows() * columns), &memory_);
+        Eigen::Map<Matrix<T>> x(numbers.data(), phi_.rows(), columns);
         for (int m = 0; m < 5; ++m) x.col(m).noalias() = phi_.lazyProduct(column(motion_.q[m]));
         if (carried_.size() > 0) x.col(0) += carried_;
         for (const int m : {2, 4}) {
-            Column<T> norms(phi_.cols());
-            for (Eigen::Index i = 0; i < norms.size(); ++i) norms(i) = motion_.energy_norm(m, static_cast<std::size_t>(i));
-            x.col(4 + m / 2) = motion_.coupled() ? Column<T>(phi_.rowwise().norm() * motion_.energy_norm(m))
-                                                 : Column<T>(sizes_.lazyProduct(norms));
+            if (motion_.coupled()) {
+                x.col(4 + m / 2) = phi_.rowwise().norm() * motion_.energy_norm(m);
+                continue;
+            }
+            for (Eigen::Index i = 0; i < norms_.size(); ++i) norms_(i) = motion_.energy_norm(m, static_cast<std::size_t>(i));
+            x.col(4 + m / 2).noalias() = sizes_.lazyProduct(norms_);
         }
-        return known_.emplace(t, std::move(x)).first->second;
+        return {known_.emplace_hint(place, t, std::move(numbers))->second.data(), phi_.rows(), columns};
     }
 
     LinearMotion<T>& motion_;
@@ -84,7 +92,9 @@ private:
     Matrix<T> sizes_;
     Column<T> growth_;
     Column<T> carried_; // empty where no displacement has a part of the contact's
-    std::map<T, Matrix<T>> known_;
+    Column<T> norms_;
+    std::pmr::monotonic_buffer_resource memory_; // of what is known: an instant costs no allocation of its own
+    std::pmr::map<T, std::pmr::vector<T>> known_{&memory_};
 };
 
 } // namespace denhartog

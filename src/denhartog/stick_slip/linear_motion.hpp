@@ -112,16 +112,24 @@ struct LinearMotion {
         differentiated_ = true;
         at_ = t;
         const std::array<T, 4> wave{cos_tau_, T(-sin_tau_), T(-cos_tau_), sin_tau_};
-        for (int m = 0; m + 2 < orders; ++m)
-            for (std::size_t i = 0; i < size(); ++i) {
-                T damping(0);
-                if (coupled())
+        if (coupled()) {
+            for (int m = 0; m + 2 < orders; ++m)
+                for (std::size_t i = 0; i < size(); ++i) {
+                    T damping(0);
                     for (std::size_t n = 0; n < size(); ++n) damping += D(i, n) * q[m + 1][n];
-                else
-                    damping = 2 * decay[i] * q[m + 1][i];
-                q[m + 2][i] =
-                    evaluation::acceleration(q[m][i], omega_0[i], damping, m == 0 ? T(F[i] * wave[0] + G[i]) : T(F[i] * wave[m]));
+                    q[m + 2][i] = evaluation::acceleration(q[m][i], omega_0[i], damping, force(wave, m, i));
+                }
+            return;
+        }
+        for (std::size_t i = 0; i < size(); ++i) {
+            T below = q[0][i], last = q[1][i];
+            const T &omega = omega_0[i], twice = 2 * decay[i];
+            for (int m = 0; m + 2 < orders; ++m) {
+                const T next = evaluation::acceleration(below, omega, T(twice * last), force(wave, m, i));
+                below = last;
+                last = q[m + 2][i] = next;
             }
+        }
     }
 
     /// @brief Cosine of tau at the instant last evaluated. @return cos tau
@@ -177,6 +185,11 @@ struct LinearMotion {
     }
 
 private:
+    // A derivative of the force on a coordinate, `wave` being those of cos tau.
+    [[nodiscard]] T force(const std::array<T, 4>& wave, int order, std::size_t i) const {
+        return order == 0 ? T(F[i] * wave[0] + G[i]) : T(F[i] * wave[order]);
+    }
+
     // Of the coupled system: z = (q less that at rest, q', cos tau, sin tau) obeys z' = A z.
     [[nodiscard]] Eigen::Index rows() const { return 2 * static_cast<Eigen::Index>(size()) + 2; }
 

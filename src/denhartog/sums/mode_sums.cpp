@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <boost/math/special_functions/fpclassify.hpp>
+#include <utility>
 
 #include "denhartog/formulas/superposition.hpp"
 #include "denhartog/number/bounded.hpp"
@@ -18,9 +19,9 @@ template <class T>
 void check_arguments(const ModalBasis<T>& basis, Mass contact, Mass load, const T& r) {
     const auto N = static_cast<std::size_t>(basis.phi.rows());
     check_frequency_ratio(r);
-    const std::string rule = "must be a mass from 1 to " + std::to_string(N);
-    if (contact.index >= N) throw InputError("contact", rule, std::to_string(contact.index + 1));
-    if (load.index >= N) throw InputError("load", rule, std::to_string(load.index + 1));
+    for (const auto& [name, mass] : {std::pair("contact", contact), std::pair("load", load)})
+        if (mass.index >= N)
+            throw InputError(name, "must be a mass from 1 to " + std::to_string(N), std::to_string(mass.index + 1));
     if (basis.coupled())
         throw InputError("damping_matrix", "must not couple the modes: (23), (28), (29) are those of a mode that moves by itself",
                          "K M^-1 C is not C M^-1 K");
@@ -82,6 +83,10 @@ ModeSums<T> mode_sums(const ModalBasis<T>& basis, Mass contact, Mass load, const
     s.psi.reserve(masses * N);
     for (std::size_t k = 0; k < masses; ++k)
         for (std::size_t i = 0; i < N; ++i) s.psi.push_back(basis.phi(k, i) / r);
+    for (std::vector<T>* of_modes : {&s.R, &s.u, &s.g}) of_modes->reserve(N);
+    for (std::vector<T>* of_masses : {&s.U, &s.G}) of_masses->reserve(masses);
+    s.v.reserve(N);
+    s.V.reserve(masses);
     for (std::size_t i = 0; i < N; ++i) {
         s.R.push_back(r / basis.r_n[i]);
         s.v.push_back(functions[i].v);
