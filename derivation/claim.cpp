@@ -17,10 +17,17 @@ namespace denhartog::derivation {
 
 namespace {
 
-std::vector<std::function<std::vector<Claim>()>>& makers() {
-    static std::vector<std::function<std::vector<Claim>()>> m;
+struct Maker {
+    std::string file;
+    std::function<std::vector<Claim>()> made;
+};
+
+std::vector<Maker>& makers() {
+    static std::vector<Maker> m;
     return m;
 }
+
+bool is_named_after_its_equation(const Claim& claim) { return claim.id.starts_with(claim.equations.front() + "/"); }
 
 std::string text(const GiNaC::numeric& n) {
     std::ostringstream out;
@@ -95,15 +102,19 @@ long& altered_statements_refuted() {
     return count;
 }
 
-Register::Register(std::function<std::vector<Claim>()> made) { makers().push_back(std::move(made)); }
+Register::Register(std::function<std::vector<Claim>()> made, std::source_location where) {
+    makers().push_back({where.file_name(), std::move(made)});
+}
 
 const std::vector<Claim>& claims() {
     static const std::vector<Claim> all = [] {
         std::vector<Claim> list;
-        for (const auto& make : makers())
-            for (Claim& claim : make()) list.push_back(std::move(claim));
-        std::stable_sort(list.begin(), list.end(), [](const Claim& a, const Claim& b) {
-            return position_of_equation(a.equations.front()) < position_of_equation(b.equations.front());
+        // Constructors of several sources run in the linker's order.
+        std::ranges::stable_sort(makers(), {}, &Maker::file);
+        for (const Maker& maker : makers())
+            for (Claim& claim : maker.made()) list.push_back(std::move(claim));
+        std::ranges::stable_sort(list, {}, [](const Claim& claim) {
+            return std::pair(position_of_equation(claim.equations.front()), !is_named_after_its_equation(claim));
         });
         for (std::size_t i = 0; i < list.size(); ++i)
             for (std::size_t k = 0; k < i; ++k)

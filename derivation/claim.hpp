@@ -7,6 +7,7 @@
 
 #include <functional>
 #include <map>
+#include <source_location>
 #include <string>
 #include <vector>
 
@@ -75,13 +76,14 @@ struct Claim {
 };
 
 /// @brief All claims, in the order of their equations.
-/// @return the registered claims
+/// @return the registered claims, in the order of their first equations: those named after it before others
 [[nodiscard]] const std::vector<Claim>& claims();
 
 /// @brief Registers claims when constructed at namespace scope.
 struct Register {
-    /// @param made  makes the claims; called once, before the first use of `claims`
-    explicit Register(std::function<std::vector<Claim>()> made);
+    /// @param made   makes the claims; called once, before the first use of `claims`
+    /// @param where  the file that makes them
+    explicit Register(std::function<std::vector<Claim>()> made, std::source_location where = std::source_location::current());
 };
 
 /// @brief What became of a claim.

@@ -24,7 +24,7 @@ struct Factor {
     ex expression = 0; // of a sum
 };
 
-enum Rank { number_pi = 5, group = 46, other_symbol = 60, root = 100, exponential = 180, sum = 200, function = 310 };
+enum Rank { number_pi = 5, mode_group = 46, other_symbol = 60, root = 100, exponential = 180, sum = 200, function = 310 };
 
 /// Where the paper puts a symbol among the factors of a term.
 int rank_of_symbol(const std::string& name) {
@@ -126,7 +126,7 @@ Factor factor_of(const ex& base, const numeric& exponent) {
     if (GiNaC::is_a<GiNaC::symbol>(base)) {
         f.base = printed(base);
         f.rank = rank_of_symbol(GiNaC::ex_to<GiNaC::symbol>(base).get_name());
-        if (f.base.find("(\\tau)") != std::string::npos || f.base.find("(\\pi)") != std::string::npos) f.rank = group;
+        if (f.base.find("(\\tau)") != std::string::npos || f.base.find("(\\pi)") != std::string::npos) f.rank = mode_group;
     } else if (is_function(base, GiNaC::exp_SERIAL::serial)) {
         f.rank = exponential;
         f.name = "e";
@@ -174,7 +174,7 @@ std::string power_of(const Factor& f, const numeric& exponent, bool alone) {
     if (f.base.find('\'') != std::string::npos) return "{" + f.base + "}" + n;
     if (f.base.starts_with("\\mathrm{Re}") || f.base.starts_with("\\mathrm{Im}")) return bracketed(f.base) + n;
     const std::size_t of = f.base.find("(\\");
-    if (f.rank == group && of != std::string::npos) return f.base.substr(0, of) + n + f.base.substr(of);
+    if (f.rank == mode_group && of != std::string::npos) return f.base.substr(0, of) + n + f.base.substr(of);
     return f.base + n;
 }
 

@@ -15,8 +15,6 @@ using GiNaC::ex;
 
 namespace {
 
-ex rate(const ex& e) { return e.diff(GiNaC::ex_to<GiNaC::symbol>(symbols().tau)); }
-
 /// The residual of (20) for any combination of the two motions, with friction and load.
 Values residual(const FreeMotions& f) {
     const Symbols& s = symbols();

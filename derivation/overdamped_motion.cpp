@@ -12,8 +12,6 @@ using GiNaC::lst;
 
 namespace {
 
-ex rate(const ex& e) { return e.diff(GiNaC::ex_to<GiNaC::symbol>(symbols().tau)); }
-
 /// Sum and product of the rates sigma for which exp(sigma tau) solves (20) without its right side, both times their power of R.
 std::pair<ex, ex> derived_sum_and_product(const ex& zeta) {
     from_premise(); // (20)
@@ -26,6 +24,8 @@ std::pair<ex, ex> derived_sum_and_product(const ex& zeta) {
 }
 
 } // namespace
+
+ex rate(const ex& e) { return e.diff(GiNaC::ex_to<GiNaC::symbol>(symbols().tau)); }
 
 /// A damping ratio above 1.
 const ex& heavy() {

@@ -41,6 +41,9 @@ struct FreeMotions {
 /// @param f  the motions @return the braces in u and g
 [[nodiscard]] GiNaC::ex derived_braces(const FreeMotions& f);
 
+/// @brief The derivative in tau. @param e an expression @return its rate
+[[nodiscard]] GiNaC::ex rate(const GiNaC::ex& e);
+
 /// @brief An expression with its first two rates in tau. @param e the expression @return the three
 [[nodiscard]] std::vector<GiNaC::ex> with_two_rates(const GiNaC::ex& e);
 

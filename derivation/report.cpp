@@ -32,7 +32,7 @@ std::string three_digits(double x) {
 }
 
 /// Whole digits on which two routes agree.
-int digits(double error) { return error > 0 ? static_cast<int>(std::floor(-std::log10(error))) : 99; }
+int digits_agreed(double error) { return error > 0 ? static_cast<int>(std::floor(-std::log10(error))) : 99; }
 
 std::string counts(const json& counted) {
     std::string text;
@@ -248,8 +248,8 @@ std::string status_markdown(const ReportParts& p) {
         in_double = std::max(in_double, group.at("double").at("worst").get<double>());
         in_50 = std::max(in_50, group.at("50 digits").at("worst").get<double>());
     }
-    out << " |\n| closed form against second witness | " << scenes << " of the paper's scenes: " << digits(in_double)
-        << " digits in double, " << digits(in_50) << " in 50 digits |\n";
+    out << " |\n| closed form against second witness | " << scenes << " of the paper's scenes: " << digits_agreed(in_double)
+        << " digits in double, " << digits_agreed(in_50) << " in 50 digits |\n";
     return out.str();
 }
 

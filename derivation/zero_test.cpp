@@ -209,8 +209,9 @@ Decision decide_equal(const ex& left, const ex& right, const std::vector<Range>&
         const std::vector<ex> free = free_symbols(l, r, domain, generators);
         zero = true;
         for (const ex& c : coefficients(l - r, free)) zero = zero && generators.reduced_numerator(c).is_zero();
-        for (const ex& side : {l, r})
-            for (const ex& c : coefficients(side, free)) generators.note_divisions(c);
+        if (zero)
+            for (const ex& side : {l, r})
+                for (const ex& c : coefficients(side, free)) generators.note_divisions(c);
         decision.denominators = generators.denominators;
         decision.generators = generators.names;
         decision.roots = generators.roots;

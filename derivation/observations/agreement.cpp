@@ -20,7 +20,7 @@ namespace {
 constexpr std::size_t parts = 16;
 
 /// The worst error of a group, and where.
-struct Worst {
+struct WorstDigits {
     double error = 0;
     std::string scene;
     long scenes = 0;
@@ -51,8 +51,8 @@ json errors_on_paper(std::size_t part) {
     return errors;
 }
 
-std::map<std::string, Worst> worst_of_groups(std::vector<json> errors, std::vector<std::string>& order) {
-    std::map<std::string, Worst> groups;
+std::map<std::string, WorstDigits> worst_of_groups(std::vector<json> errors, std::vector<std::string>& order) {
+    std::map<std::string, WorstDigits> groups;
     std::sort(errors.begin(), errors.end());
     for (const json& error : errors) {
         const std::string group = error[1];
@@ -62,7 +62,7 @@ std::map<std::string, Worst> worst_of_groups(std::vector<json> errors, std::vect
     return groups;
 }
 
-json entry(const std::string& group, const Worst& in_double, double gate_double, const Worst& in_50, double gate_50) {
+json entry(const std::string& group, const WorstDigits& in_double, double gate_double, const WorstDigits& in_50, double gate_50) {
     return {{"group", group},
             {"scenes", in_double.scenes},
             {"double", {{"worst", in_double.error}, {"scene", in_double.scene}, {"gate", gate_double}}},
@@ -83,7 +83,7 @@ json agreement_with_second_witness(std::size_t workers) {
         in_50.insert(in_50.end(), errors[1].begin(), errors[1].end());
     });
     std::vector<std::string> order, same_order;
-    std::map<std::string, Worst> groups_in_double = worst_of_groups(in_double, order),
+    std::map<std::string, WorstDigits> groups_in_double = worst_of_groups(in_double, order),
                                  groups_in_50 = worst_of_groups(in_50, same_order);
     json groups = json::array();
     for (const std::string& group : order)

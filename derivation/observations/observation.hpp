@@ -14,6 +14,9 @@
 
 namespace denhartog::derivation {
 
+/// @brief A number of GiNaC's as text. @param n a real number @return as of a double
+[[nodiscard]] inline std::string text(const GiNaC::numeric& n) { return text(n.to_double()); }
+
 /// @brief A claim with Role::observation.
 /// @param id           unique name
 /// @param equations    the equations it speaks of

@@ -25,8 +25,6 @@ const Path& path() {
     return p;
 }
 
-std::string digits(const numeric& n) { return text(n.to_double()); }
-
 ex slope(const ex& zeta) { return paper::second_damping_function_at_resonance(Symbolic(zeta)).expression(); }
 
 void add_limit(Outcome& outcome, const ex& e, const LeadingTerm& expected, const std::string& what, const std::string& latex) {
@@ -56,9 +54,9 @@ Outcome first_damping_function_at_resonance() {
     const numeric zeta(1, 100), value = evaluate(first_function(1, path().x), {{path().x, zeta}});
     if (limits.verdict == Verdict::proved && value > numeric(1, 10)) outcome.verdict = Verdict::refuted;
     outcome.witness = {{"R_i", "1"},
-                       {"zeta_i", digits(zeta)},
-                       {"u_di", digits(value)},
-                       {"limit for zeta_i -> 0", digits(GiNaC::ex_to<numeric>((1 / Pi).evalf()))}};
+                       {"zeta_i", text(zeta)},
+                       {"u_di", text(value)},
+                       {"limit for zeta_i -> 0", text(GiNaC::ex_to<numeric>((1 / Pi).evalf()))}};
     return outcome;
 }
 
@@ -77,7 +75,7 @@ Outcome no_peculiar_behaviour() {
                   below = evaluate(first_function(1 - x, x), {{x, zeta}});
     if (limits.verdict == Verdict::proved && above > 1) outcome.verdict = Verdict::refuted;
     outcome.witness = {
-        {"zeta_i", digits(zeta)}, {"u_di at R_i = 1 + zeta_i", digits(above)}, {"u_di at R_i = 1 - zeta_i", digits(below)}};
+        {"zeta_i", text(zeta)}, {"u_di at R_i = 1 + zeta_i", text(above)}, {"u_di at R_i = 1 - zeta_i", text(below)}};
     return outcome;
 }
 

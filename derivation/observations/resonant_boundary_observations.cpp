@@ -4,6 +4,7 @@
 #include "denhartog/formulas/mode.hpp"
 #include "denhartog/formulas/resonance.hpp"
 #include "limits.hpp"
+#include "observation.hpp"
 #include "observed_systems.hpp"
 #include "symbols.hpp"
 
@@ -20,8 +21,6 @@ const ex& small() {
     static const ex x = new_symbol("x_85", "x", numeric(1, 1000), numeric(1, 100));
     return x;
 }
-
-std::string digits(const numeric& n) { return text(n.to_double()); }
 
 ex limit_at_resonance(const ex& psi_li, const ex& psi_ji, const ex& zeta) {
     return paper::friction_ratio_limit_at_resonance(Symbolic(psi_li), Symbolic(psi_ji), Symbolic(zeta)).expression();
@@ -41,7 +40,7 @@ Outcome value_without_damping() {
     const numeric zeta("1/1000000");
     const numeric value = evaluate(limit_at_resonance(1, 1, small()), {{small(), zeta}});
     if (limit == Verdict::proved && abs(value - 1) > numeric(1, 10)) outcome.verdict = Verdict::refuted;
-    outcome.witness = {{"psi_li / psi_ji", "1"}, {"zeta_i", digits(zeta)}, {"(85)", digits(value)}, {"value in the text", "1"}};
+    outcome.witness = {{"psi_li / psi_ji", "1"}, {"zeta_i", text(zeta)}, {"(85)", text(value)}, {"value in the text", "1"}};
     return outcome;
 }
 
