@@ -1,6 +1,7 @@
 #include "denhartog/solve/solve.hpp"
 
 #include "denhartog/number/errors.hpp"
+#include "denhartog/solve/solve_task.hpp"
 #include "denhartog/stick_slip/periodic_orbit.hpp"
 #include "tests/catch.hpp"
 #include "tests/unit/response_fixtures.hpp"
@@ -92,6 +93,38 @@ TEST_CASE("between the boundaries the exact solver answers, to 30 digits as well
         CHECK(b.masses[k].amplitude.error < 1e-29 * b.masses[k].amplitude.value); // the rounding of 30 decimals is in it
     }
     CHECK_THROWS_AS(asking(scene, Asked::motion, 60), PrecisionError);
+}
+
+TEST_CASE("a motion of 50 digits that does not start where that of double does is refused", "[solve][eq:74]") {
+    const Scene<double> scene = two_masses(0.5, 0.5);
+    const ContactSystem<double> system = contact_system(scene.system);
+    ExactSolver<double> solver(system, {*scene.r, *scene.beta, scene.mu});
+    const PeriodicOrbit<double> found = periodic_orbit(solver, at_rest<double>(2));
+    REQUIRE(found.status == OrbitStatus::periodic);
+    const SceneSource source = scene_source(scene);
+    const Question question{Asked::motion, 30, false};
+    const auto answer_to = [&](const PeriodicOrbit<double>& near) {
+        const SolveTask task{source, question, scene, aim_of(30), scene_with_modes<double>(source).basis, nullptr};
+        Solution s;
+        s.contact = scene.system.contact;
+        answer_by_orbit(task, solver, near, s);
+        return s;
+    };
+    CHECK(answer_to(found).method.precision == "50 digits");
+    // Newton's method comes back to the one motion from each of these, and sees that it is another than it was told.
+    const auto altered = [&](const std::function<void(PeriodicOrbit<double>&)>& change) {
+        PeriodicOrbit<double> near = found;
+        change(near);
+        return near;
+    };
+    for (const PeriodicOrbit<double>& near : {altered([&](auto& o) { o.start.x[0] += 4 * o.error_bound; }),
+                                              altered([&](auto& o) { o.start.x[1] -= 1e-3; }),
+                                              altered([](auto& o) { o.symmetric = !o.symmetric; })}) {
+        INFO("start " << near.start.x[0] << ", " << near.start.x[1] << " instead of " << found.start.x[0] << ", "
+                      << found.start.x[1] << ", bound " << near.error_bound);
+        CHECK_THROWS_AS(answer_to(near), PrecisionError);
+    }
+    CHECK_NOTHROW(answer_to(altered([](auto& o) { o.start.x[0] += o.error_bound / 8; })));
 }
 
 TEST_CASE("in stick-slip next to a friction ratio at which a phase jumps, its bound holds", "[solve][accuracy]") {

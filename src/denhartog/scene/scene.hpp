@@ -86,14 +86,6 @@ template <class T>
     return s.mass_matrix.size() > 0 ? static_cast<std::size_t>(s.mass_matrix.rows()) : s.mass_ratios.size();
 }
 
-/// @brief Number of displacements that are told of: those of the coordinates, and of the masses that are none of them.
-/// @param s  a system
-/// @return   N for a scene of the paper
-template <class T>
-[[nodiscard]] std::size_t number_of_displacements(const System<T>& s) {
-    return number_of_masses(s) + s.coordinates.replaced.size();
-}
-
 /// @brief Checks every rule of a system; throws InputError naming quantity, rule and value of the first that is broken.
 /// @param system  the system
 /// @throws        InputError

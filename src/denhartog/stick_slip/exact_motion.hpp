@@ -108,7 +108,7 @@ public:
 
     /// @brief Largest size of every displacement over the last motion, guaranteed between samples.
     /// @param error  bound of the errors of the displacements: one that is smaller by less than twice that much may be the largest
-    /// @return       the extremum of every displacement, see `number_of_displacements`; of the contact without what else may be
+    /// @return       the extremum of every coordinate, then of the masses that are none; of the contact without what else may be
     [[nodiscard]] std::vector<Extremum<T>> largest_displacements(const T& error = T(0));
 
 private:

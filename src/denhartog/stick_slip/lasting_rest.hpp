@@ -46,8 +46,6 @@ public:
     [[nodiscard]] MassMotion<T> motion(std::size_t k, const T& x_j) const;
 
 private:
-    [[nodiscard]] T static_displacement(std::size_t n, const T& x_j) const;
-
     const ContactSystem<T>* system_;
     Excitation<T> e_;
     std::optional<StuckResponse<T>> response_; // none at an undamped resonance: no steady motion
