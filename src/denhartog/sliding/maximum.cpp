@@ -64,12 +64,14 @@ public:
             const Interval<T> now = open_.back();
             open_.pop_back();
             const bool passed_over = now.highest <= best_.value + noise_ + rounding();
-            if (passed_over || !(now.left.tau < now.middle.tau && now.middle.tau < now.right.tau)) {
+            const bool has_root = opposite_signs(now.left.at.w, now.right.at.w);
+            if (now.monotone && !has_root) { // it rises or falls from one end to the other
+                const Node<T>& top = now.left.at.f > now.right.at.f ? now.left : now.right;
+                dismiss(now, top, top.at.f, T(0));
+            } else if (passed_over || !(now.left.tau < now.middle.tau && now.middle.tau < now.right.tau)) {
                 dismiss(now, now.middle, now.highest, T(now.right.tau - now.left.tau));
             } else if (now.monotone) {
-                const Node<T> top = opposite_signs(now.left.at.w, now.right.at.w) ? at_root(now)
-                                    : now.left.at.f > now.right.at.f              ? now.left
-                                                                                  : now.right;
+                const Node<T> top = at_root(now);
                 dismiss(now, top, top.at.f, T(0));
             } else {
                 halve(now);
@@ -167,7 +169,7 @@ std::vector<Place<T>> joined(std::vector<Place<T>> places) {
             continue;
         }
         Place<T>& last = kept.back();
-        const bool is_larger = each.value > last.value;
+        const bool is_larger = each.value > last.value || (each.value == last.value && last.instant == each.from);
         const Place<T>& larger = is_larger ? each : last;
         const Place<T>& smaller = is_larger ? last : each;
         const T& border = is_larger ? last.to : each.from;
