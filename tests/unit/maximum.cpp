@@ -235,6 +235,7 @@ TEST_CASE("maxima in places that touch are told apart", "[maximum]") {
     CHECK(reach_of({larger, {1, 2, 1, 1.9, 1.9, 0.5}}) == 1.25);
     CHECK(reach_of({larger, {1, 2, 1, 1.9, 1.9, 0}}) == 0); // it falls from the border on
     CHECK(reach_of({{-1, 0, 0, 1.9, 1.9, 0}, larger}) == 0); // it rises up to the border
+    CHECK(reach_of({{-1, 0, 0, 2, 2, 0}, larger}) == 0); // the border is as high as the maximum beyond, to rounding
     CHECK(reach_of({larger, {1, 1, 1, 1.9, 1.9, 0}, {1, 2, 1.5, 1.95, 1.95, 0}}) == 1.25);
     CHECK(joined(Places{larger, {1.5, 2, 1.75, 1.9, 1.9, 0}}).size() == 2);
 }
@@ -245,6 +246,7 @@ TEST_CASE("a place at one end may have a maximum that the other end does not go 
     const Place<double> start{0, 0.5, 0.25, 2, 2, 0};
     CHECK(count({start, {2.5, 3, 3, 1.9, 1.9, 0}}) == 0);
     CHECK(count({start, {2.5, 3, 2.75, 1.9, 1.9, 0}}) == 1);
+    CHECK(count({{0, 0.5, 0, 2, 2, 0}, {2.5, 3, 2.75, 2, 2, 0}}) == 0); // one maximum, near the end
     CHECK(count({start, {2.5, 3, 3, 1.9, 1.9, 0.5}}) == 1);
     CHECK(count({start, {1, 2, 1.5, 1.9, 1.9, 0}, {2.5, 3, 3, 1.9, 1.9, 0}}) == 1);
     CHECK(count({{0, 0.5, 0.25, 2, 2, 0.125}}) == 1);

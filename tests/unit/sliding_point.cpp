@@ -2,6 +2,7 @@
 
 #include "denhartog/answer/scene_source.hpp"
 #include "denhartog/number/errors.hpp"
+#include "denhartog/solve/solve.hpp"
 #include "tests/catch.hpp"
 #include "tests/support/sample_scenes.hpp"
 #include "tests/unit/response_fixtures.hpp"
@@ -106,7 +107,11 @@ TEST_CASE("phases at frequencies far below all natural ones keep their bounds, a
                 const Bounded<double>& phase = low.state->masses[k].phase;
                 INFO("r = " << r << ", beta = " << *scene.beta << ", mass " << k + 1 << ", bound " << phase.e);
                 CHECK(abs(wrapped(Real100(Real100(phase.x) - high.steady_state->masses[k].phase))) <= Real100(phase.e));
-                CHECK(phase.e < 1e-12);
+                // With friction the modes ring so fast that double does not tell the maxima of a ripple apart: 50 digits do.
+                CHECK(phase.e < (part > 0 && r < 1e-6 ? 1e-5 : 1e-12));
+                const Certified sure = *solve(scene_source(scene), {Asked::phase, 12}).masses[k].phase;
+                CHECK(sure.error < 1e-12);
+                CHECK(abs(wrapped(Real100(Real100(sure.value) - high.steady_state->masses[k].phase))) <= Real100(sure.error));
             }
         }
 }

@@ -168,16 +168,18 @@ std::vector<Place<T>> joined(std::vector<Place<T>> places) {
             kept.push_back(std::move(each));
             continue;
         }
-        Place<T>& last = kept.back();
-        const bool is_larger = each.value > last.value || (each.value == last.value && last.instant == each.from);
-        const Place<T>& larger = is_larger ? each : last;
-        const Place<T>& smaller = is_larger ? last : each;
-        const T& border = is_larger ? last.to : each.from;
         // A function that rises up to the border goes on rising beyond it: that is no maximum of its own.
-        const bool goes_on = smaller.reach == 0 && smaller.instant == border;
-        const T reach =
-            goes_on ? larger.reach : std::max(larger.reach, T(absolute(T(smaller.instant - larger.instant)) + smaller.reach));
-        last = {last.from, std::max(last.to, each.to), larger.instant, larger.value, std::max(last.upper, each.upper), reach};
+        Place<T>& last = kept.back();
+        const bool last_goes_on = last.reach == 0 && last.instant == last.to;
+        const bool each_goes_on = each.reach == 0 && each.instant == each.from;
+        const bool takes_each = !each_goes_on && (last_goes_on || each.value > last.value);
+        const Place<T>& taken = takes_each ? each : last;
+        const Place<T>& other = takes_each ? last : each;
+        const T reach = last_goes_on || each_goes_on
+                            ? taken.reach
+                            : std::max(taken.reach, T(absolute(T(other.instant - taken.instant)) + other.reach));
+        last = {last.from, std::max(last.to, each.to), taken.instant, std::max(last.value, each.value),
+                std::max(last.upper, each.upper), reach};
     }
     return kept;
 }
@@ -186,13 +188,16 @@ template <class T>
 std::vector<Place<T>> rivals(const std::vector<Place<T>>& places, const T& a, const T& b) {
     const auto largest =
         std::max_element(places.begin(), places.end(), [](const Place<T>& x, const Place<T>& y) { return x.value < y.value; });
+    const auto goes_on = [&](auto place) { // beyond the end of the stretch, where that is the end of another place
+        const bool at_end = (place == places.begin() && place->instant == a) || (place + 1 == places.end() && place->instant == b);
+        return at_end && place->reach == 0;
+    };
+    const auto is_end = [&](auto place) { return place == places.begin() || place + 1 == places.end(); };
     const bool across = !places.empty() && !(a < places.front().from) && !(places.back().to < b);
-    const bool is_largest_end = largest == places.begin() || largest + 1 == places.end();
     std::vector<Place<T>> others;
     for (auto each = places.begin(); each != places.end(); ++each) {
-        const bool is_at_end = (each == places.begin() && each->instant == a) || (each + 1 == places.end() && each->instant == b);
-        const bool goes_on = across && is_largest_end && is_at_end;
-        if (each == largest ? each->reach > 0 : !(goes_on && each->reach == 0)) others.push_back(*each);
+        const bool is_same = across && is_end(each) && is_end(largest) && (goes_on(each) || goes_on(largest));
+        if (each == largest ? each->reach > 0 : !is_same) others.push_back(*each);
     }
     return others;
 }
