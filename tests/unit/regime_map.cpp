@@ -77,7 +77,7 @@ TEST_CASE("a little above the boundary, where no stop can be seen, solve, respon
     CHECK(closer.regime.regime == Regime::stick_slip);
     CHECK(closer.stops.size() == 2);
     CHECK(closer.regime.reason.find("no stop was seen") == std::string::npos);
-    CHECK(closer.regime.reason.find("double sees no stop, 50 digits see 2") != std::string::npos);
+    CHECK(closer.regime.reason.find("double precision finds no stop, 50 digits find 2") != std::string::npos);
 }
 
 TEST_CASE("a last digit below permanent sticking no rest is taken for the motion", "[map][solve][eq:88]") {

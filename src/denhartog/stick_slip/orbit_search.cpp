@@ -22,7 +22,7 @@ std::string in_words(const SearchWithoutOrbit& seen) {
     std::ostringstream s;
     s.precision(3);
     if (!seen.ended.empty()) s << seen.ended << ": ";
-    s << (seen.chattering ? "phases of no length follow each other" : "it comes to no periodic motion") << " within "
+    s << (seen.chattering ? "phases of zero length follow each other" : "it comes to no periodic motion") << " within "
       << seen.periods << " periods";
     if (seen.grows_to > 0)
         s << ". The motion still grows, to " << seen.grows_to;
