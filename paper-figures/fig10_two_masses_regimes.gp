@@ -1,19 +1,19 @@
-width = 1200; height = 600
+width = 1200; height = 720
 load 'style.gp'
 set dashtype 2 (10,4)
 set dashtype 3 (3,2.5)
 array zeta[3] = ['0.001', '0.01', '0.1']
-set multiplot layout 1,2 margins 0.065, 0.985, 0.125, 0.93 spacing 0.075
+set multiplot layout 1,2 margins 0.07, 0.985, 0.27, 0.935 spacing 0.085
 set xlabel 'r'
 set ylabel 'β' offset 1
-set key at graph 0.995, 0.985 right top reverse Left samplen 3
+set key at screen 0.5, 0.135 center top horizontal maxrows 3 reverse Left samplen 3 width 2
 set title '(a)' offset 0, -0.4
 set xrange [0:3]
 set yrange [0:3]
 set xtics 0.5
 set ytics 0.5
-set label 'permanent sticking' at 0.5, 1.6 center
-set label 'stick-slip' at 0.21, 0.34 center
+set label 'permanent sticking' at 0.55, 1.6 center
+set label 'stick-slip' at 0.32, 0.6 center
 set label 'continuous' at 1.5, 0.3 center
 plot for [n=1:3] data index 'zeta='.zeta[n].';' using 1:2 with lines lt n dt n lw 2.4 title 'ζ_i = '.zeta[n].'/r_{n,i}, (69)', \
      for [n=1:3] data index 'zeta='.zeta[n].';' using 1:5 with lines lt n dt n lw 1.2 title 'ζ_i = '.zeta[n].'/r_{n,i}, (88)', \
