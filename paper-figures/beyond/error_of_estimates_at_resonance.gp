@@ -24,7 +24,7 @@ plot data index 'b (79);' using 1:2 with lines lt 1 title '(79)', \
      '' index 'b (80);' using 1:2 with lines lt 2 dt '-' title '(80), mode 1', \
      '' index 'b (80) second;' using 1:2 with lines lt 3 dt '.' lw 2.4 title '(80), mode 2'
 set ylabel 'error' offset 1
-set label 1 '(c)  amplitude at rₙ,ᵢ'
+set label 1 '(c)  amplitude at r_{n,i}'
 plot data index 'c (81);' using 1:2 with lines lt 1 title '(81)', \
      '' index 'c (82);' using 1:2 with lines lt 2 dt '-' title '(82), (83)', \
      '' index 'c (84);' using 1:2 with lines lt 3 dt '.' lw 2.4 title '(84), SDOF'
@@ -42,7 +42,7 @@ set format x
 set xtics 0.2
 set xrange [0:1]
 set yrange [1e-8:10]
-set xlabel 'β / βₙ'
+set xlabel 'β / β_n'
 plot data index 'e zeta=0.001;' using 1:2 with lines lt 1 title 'ζ = 0.001', \
      '' index 'e zeta=0.01;' using 1:2 with lines lt 2 dt '-' title 'ζ = 0.01', \
      '' index 'e zeta=0.1;' using 1:2 with lines lt 3 dt '.' lw 2.4 title 'ζ = 0.1'

@@ -19,7 +19,7 @@ plot data index 'b;' using 2:($3) with lines lt 1, \
      '' index 'b;' using 2:($5) with lines lt 3 dt '.' lw 2.4, \
      '' index 'markers b;' using 2:3 with points lt 7 pt 6
 set key at screen 0.67, 0.985 left top Left reverse maxrows 4
-set label 1 '(c)  r = rₙ₁'
+set label 1 '(c)  r = r_{n,1}'
 plot data index 'c;' using 1:3 with lines lt 1 lw 3.5 title '(81) as corrected', \
      '' index 'c;' using 1:5 with lines lt 2 dt '-' title '(81) as printed', \
      '' index 'c;' using 1:4 with lines lt 4 dt '.' lw 2.4 title '(82) as corrected', \
