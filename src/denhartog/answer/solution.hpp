@@ -49,7 +49,6 @@ struct Method {
 /// @brief The friction ratios that separate the regimes at one frequency ratio.
 ///
 /// Below `exact` the contact slides throughout. Always `paper` <= `exact` <= `approximate`.
-/// @eq{56,67,69,88}
 struct Limits {
     Certified exact;                   ///< (69) with the maximum over tau of the sum over modes; the true boundary
     Certified paper;                   ///< (69) with (56), the sum of the maxima of the modes

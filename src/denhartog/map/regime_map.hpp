@@ -94,7 +94,6 @@ struct BoundaryPoint {
 };
 
 /// @brief Computes the four boundaries over r.
-/// @eq{56,67,69}
 /// @param scene  system and mu; its r and beta are not used
 /// @param r      frequency ratios, Eq. (10), positive
 /// @return       one point for each frequency ratio

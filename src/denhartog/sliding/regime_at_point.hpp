@@ -27,7 +27,6 @@ struct RegimeAtPoint {
 };
 
 /// @brief The condition of (54) that ends the sliding regime as beta grows.
-/// @eq{54}
 enum class BindingCondition {
     velocity,        ///< (54)a: beyond it the contact would turn back within the half-period
     static_friction, ///< (54)b: beyond it static friction would hold the contact at the end of the half-period
