@@ -39,7 +39,7 @@ set arrow from 70.3, 12 to 64.5, 12 lw 2.2 lc rgb '#D55E00' size 1.2, 20 filled
 # masses, displacements, springs' names
 do for [n=1:4] {
     set object rectangle from mass[n], 14 to mass[n] + 10, 27 fc rgb '#0072B2' fs solid 0.12 border lc rgb ink
-    set label sprintf('{/:Italic m_{%s}}', index[n]) at mass[n] + 5, 20.5 center font ',15'
+    set label sprintf('{/:Italic m_{%s}}', index[n]) at mass[n] + 5, 20.5 center font sprintf(',%g', (format eq 'svg' ? 1.2 : 0.9) * type)
     set arrow from mass[n] + 5, 28.5 to mass[n] + 5, 32 nohead lw 1 lc rgb ink
     set arrow from mass[n] + 5, 30.5 to mass[n] + 10, 30.5 lw 1.2 lc rgb ink size 0.9, 20 filled
     set label sprintf('{/:Italic x_{%s}}', index[n]) at mass[n] + 10.6, 30.8 left
@@ -47,6 +47,6 @@ do for [n=1:4] {
 }
 set arrow from 51, 17.5 to 58, 17.5 lw 2.2 lc rgb '#009E73' size 1.2, 20 filled
 set label '{/:Italic P} cos {/:Italic ωt}' at 51.6, 19.8 left
-set label 'Viscous damping is not drawn: it acts on the modes, by the ratios {/:Italic ζ_i} of (18) and (19).' at 6, 2 left font ',11'
+set label 'Viscous damping is not drawn: it acts on the modes, by the ratios {/:Italic ζ_i} of (18) and (19).' at 6, 2 left
 plot for [n=1:4] $spring using (left[n] + (right[n] - left[n]) * $1):(23.5 + 1.7 * $2) with lines lc rgb ink lw 1.5, \
      for [n=1:3] '+' using (gap_from[n] + (gap_to[n] - gap_from[n]) * $0 / 99):(23.5) with lines lc rgb ink lw 1.2 dt (3, 4)

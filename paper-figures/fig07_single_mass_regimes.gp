@@ -13,7 +13,7 @@ set label 'permanent sticking' at 1.5, 1.1 center
 set label 'stick-slip' at 2, 0.8 center
 set label 'continuous' at 1.2, 0.3 center
 stats data index 'limit;' using 2 name 'limit' nooutput
-set label sprintf('β_∞ = %.3f, (86)', limit_max) at 0.03, limit_max + 0.03 font ',11'
+set label sprintf('β_∞ = %.3f, (86)', limit_max) at 0.03, limit_max + 0.03
 set margins 9, 3, 4, 1
 array zeta[3] = ['0.001', '0.01', '0.1']
 plot data index 'limit;' using 1:2 with lines lt 7 lw 1.2 dt (6,5), \

@@ -1,27 +1,25 @@
-width = 1200; height = 600
+width = 1200; height = 720
 load 'style.gp'
 set dashtype 2 (10,4)
 set dashtype 3 (3,2.5)
 array zeta[3] = ['0.001', '0.01', '0.1']
-set multiplot layout 1,2 margins 0.065, 0.985, 0.125, 0.93 spacing 0.075
+set multiplot layout 1,2 margins 0.08, 0.985, 0.27, 0.935 spacing 0.085
 set xlabel 'r'
 set ylabel 'β' offset 1
-set key at graph 0.995, 0.985 right top reverse Left samplen 3
+unset key
 set title '(a)' offset 0, -0.4
 set xrange [0:3]
 set yrange [0:3]
 set xtics 0.5
 set ytics 0.5
-set label 'permanent sticking' at 0.5, 1.6 center
-set label 'stick-slip' at 0.21, 0.34 center
+set label 'permanent sticking' at 0.55, 1.6 center
+set label 'stick-slip' at 0.95, 0.63 center
 set label 'continuous' at 1.5, 0.3 center
-plot for [n=1:3] data index 'zeta='.zeta[n].';' using 1:2 with lines lt n dt n lw 2.4 title 'ζ_i = '.zeta[n].'/r_{n,i}, (69)', \
-     for [n=1:3] data index 'zeta='.zeta[n].';' using 1:5 with lines lt n dt n lw 1.2 title 'ζ_i = '.zeta[n].'/r_{n,i}, (88)', \
-     keyentry with points lt 7 pt 6 ps 0.75 lw 1.2 title 'numerical', \
+plot for [n=1:3] data index 'zeta='.zeta[n].';' using 1:2 with lines lt n dt n lw 2.4, \
+     for [n=1:3] data index 'zeta='.zeta[n].';' using 1:5 with lines lt n dt n lw 1.2, \
      for [n=1:3] data index 'numerical zeta='.zeta[n].';' using 1:2 with points lt n pt 6 ps 0.75 lw 1.2, \
      for [n=1:3] data index 'numerical zeta='.zeta[n].';' using 1:3 with points lt n pt 6 ps 0.75 lw 1.2
 unset label
-unset key
 set title '(b) both axes logarithmic'
 set logscale xy
 set xrange [0.05:30]
@@ -33,4 +31,16 @@ set label 'stick-slip' at 0.1, 0.08 center
 set label 'continuous' at 1, 0.01 center
 plot for [n=1:3] data index 'wide zeta='.zeta[n].';' using 1:2 with lines lt n dt n lw 2.4, \
      for [n=1:3] data index 'wide zeta='.zeta[n].';' using 1:5 with lines lt n dt n lw 1.2
+# the key, below the panels
+unset logscale
+set lmargin at screen 0
+set rmargin at screen 1
+set tmargin at screen 0.17
+set bmargin at screen 0
+unset title; unset xlabel; unset ylabel; unset border; unset tics; unset grid; unset label
+set yrange [0:1]
+set key at screen 0.5, 0.15 center top horizontal maxrows 3 reverse Left samplen 3
+plot for [n=1:3] NaN with lines lt n dt n lw 2.4 title 'ζ_i = '.zeta[n].'/r_{n,i}, (69)', \
+     for [n=1:3] NaN with lines lt n dt n lw 1.2 title 'ζ_i = '.zeta[n].'/r_{n,i}, (88)', \
+     NaN with points lt 7 pt 6 ps 0.75 lw 1.2 title 'numerical'
 unset multiplot

@@ -10,8 +10,8 @@ set ytics 0.2
 set key at graph 0.99, 0.99 right top reverse Left maxrows 2 samplen 3.5 width 2
 set margins 9, 3, 4, 1
 levels = '1 2 5 10 20 50 100 200'
-set for [n=1:8] label n 'X̄ = '.word(levels, n) at 0.43 / real(word(levels, n)), 0.07 right font ',11'
-set label 9 'π/4' at 0.00102, pi / 4 + 0.025 font ',11'
+set for [n=1:8] label n 'X̄ = '.word(levels, n) at 0.43 / real(word(levels, n)), 0.07 right
+set label 9 'π/4' at 0.00102, pi / 4 + 0.025
 plot for [X in levels] data index 'estimated X='.X.';' using 1:2 with lines lt 1 lw 1.6 \
          title X eq '1' ? 'estimated peak (84)' : '', \
      for [X in levels] data index 'actual X='.X.';' using 1:2 with points lt 2 pt 6 ps 0.8 lw 1.4 \

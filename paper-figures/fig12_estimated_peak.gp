@@ -1,8 +1,8 @@
-width = 1250; height = 500
+width = 1250; height = 560
 load 'style.gp'
 array zeta[3] = ['0.001', '0.01', '0.1']
 array dashes[3] = [2, 3, 1]
-set multiplot layout 1,3 margins 0.055, 0.985, 0.14, 0.91 spacing 0.075
+set multiplot layout 1,3 margins 0.06, 0.985, 0.17, 0.91 spacing 0.09
 set xlabel 'β'
 set xrange [0:0.8]
 set xtics 0.2
@@ -23,9 +23,10 @@ set xlabel 'β / β_{lim}, (69) at r = 1'
 set ylabel 'percent'
 set xrange [0:1]
 set logscale y
-set yrange [1e-5:100]
+set yrange [1e-5:1e5]
 set format y '10^{%L}'
-set key at graph 0.02, 0.99 left top
+set ytics 100
+set key at graph 0.02, 0.995 left top
 plot for [n=1:3] data index 'actual zeta='.zeta[n].';' using 4:6 with lines lt n dt dashes[n] title 'peak, ζ = '.zeta[n], \
      for [n=1:3] data index 'actual zeta='.zeta[n].';' using 4:7 every 4 with points lt n pt 6 ps 0.7 lw 1.2, \
      keyentry with points lt 7 pt 6 ps 0.7 lw 1.2 title 'r = 1'

@@ -64,13 +64,19 @@ std::string alternative_text(const FigureRecord& figure) {
     return out;
 }
 
-/// A figure with its caption, and a link to its page; empty if the run has not drawn it.
+std::string picture_of(const FigureRecord& figure) { return "figures/" + figure.name + ".svg"; }
+
+/// A figure with its caption, as a link.
+std::string with_caption(const FigureRecord& figure, const std::string& link) {
+    return "<p class=\"figure\"><a href=\"" + link + "\"><img src=\"" + picture_of(figure) + "\" alt=\"" +
+           html(alternative_text(figure)) + "\"></a></p>\n<p class=\"said\">" +
+           typeset(figure.caption, "docs/ledger/figures.json") + "</p>\n";
+}
+
+/// A figure of a name with its caption, and a link to its page; empty if the run has not drawn it.
 std::string with_caption(const Book& book, const std::string& name) {
     for (const FigureRecord& figure : book.run.figures)
-        if (figure.name == name)
-            return "<p class=\"figure\"><a href=\"" + label("figure", name) + ".html\"><img src=\"figures/" + name +
-                   ".svg\" alt=\"" + html(alternative_text(figure)) + "\"></a></p>\n<p class=\"said\">" +
-                   typeset(figure.caption, "docs/ledger/figures.json") + "</p>\n";
+        if (figure.name == name) return with_caption(figure, label("figure", name) + ".html");
     return "";
 }
 
@@ -220,7 +226,7 @@ Page figures_page(const Book& book) {
                "\n\n<ul class=\"thumbnails\">\n";
         for (const FigureRecord& figure : book.run.figures)
             if (figure_number(figure).empty() != of_the_paper)
-                out += "<li><img loading=\"lazy\" src=\"figures/" + figure.name + ".svg\" alt=\"\"> \\subpage " +
+                out += "<li><img loading=\"lazy\" src=\"" + picture_of(figure) + "\" alt=\"\"> \\subpage " +
                        label("figure", figure.name) + " \"" + figure_title(figure) + "\"</li>\n";
         out += "</ul>\n";
     }
@@ -228,13 +234,11 @@ Page figures_page(const Book& book) {
 }
 
 Page figure_page(const Book& book, const FigureRecord& figure) {
-    const std::string name = label("figure", figure.name), picture = "figures/" + figure.name + ".svg";
+    const std::string name = label("figure", figure.name), picture = picture_of(figure);
     const bool chart = figure.script.find("/chart/") != std::string::npos;
     std::string out = page_head(name, figure_title(figure)) +
                       "<div class=\"eq-nav\">\n<span class=\"index\">\\ref figures_page \"all figures\"</span>\n</div>\n\n";
-    out += "<p class=\"figure\"><a href=\"" + picture + "\"><img src=\"" + picture + "\" alt=\"" +
-           html(alternative_text(figure)) + "\"></a></p>\n";
-    out += "<p class=\"said\">" + typeset(figure.caption, "docs/ledger/figures.json") + "</p>\n";
+    out += with_caption(figure, picture);
     if (!figure.record.is_null()) {
         if (!figure.record.at("equations").empty())
             out += "<p>Draws " + equation_links(figure.record.at("equations")) + ".</p>\n";
@@ -268,7 +272,8 @@ Page accuracy_page(const Book& book) {
            "</p>\n\n\\section accuracy_closed_form The closed form against a second witness\n\n<p>The second witness solves the "
            "half-period boundary-value problem in physical coordinates, by a matrix "
            "exponential in multiprecision, and shares nothing with the closed form. The errors are relative to the largest "
-           "amplitude.</p>\n<div class=\"table-box\" tabindex=\"0\">\n<table class=\"doxtable accuracy\">\n<tr><th>scenes</th><th>how "
+           "amplitude.</p>\n<div class=\"table-box\" tabindex=\"0\">\n<table class=\"doxtable accuracy\">\n"
+           "<tr><th>scenes</th><th>how "
            "many</th><th>worst in double</th><th>where</th><th>worst in 50 "
            "digits</th><th>where</th></tr>\n";
     for (const Json& group : book.run.run.at("agreement")) {
@@ -302,9 +307,8 @@ Page speed_page(const Book& book) {
                     "the numbers. <a href=\"sweep.html\">Studies beyond one machine</a> has the cost of a point of a "
                     "map.</p>\n" +
                     with_caption(book, "benchmark_work_precision")};
-    out +=
-        "<p><code>./verify chart</code> measured these times on one machine; chart.csv names its processor and compiler. Times are "
-        "processor time, and the digits are those at the worst point of a scene.</p>\n";
+    out += "<p><code>./verify chart</code> measured these times on one machine; chart.csv names its processor and compiler. "
+           "Times are processor time, and the digits are those at the worst point of a scene.</p>\n";
     for (const char* name : {"speed_against_accuracy", "tolerance_against_error", "batch_cost", "benchmark_work_precision"})
         out += with_caption(book, name);
     return {"speed_page", out + tables_as_html(book.run.chart, "speed_chart") + tables_as_html(book.run.batch, "speed_batch")};

@@ -1,9 +1,9 @@
 # A chain of three masses: the friction ratio at which the largest displacement of the loaded mass over all frequencies is lowest, and that
 # displacement, over two stiffness ratios. The data come from a sweep, docs/sweep.md, by sweep_data.py; they stand beside this script.
-width = 1240; height = 520
+width = 1240; height = 560
 load '../style.gp'
 data = 'best_friction.dat'
-set multiplot layout 1, 2 margins 0.06, 0.93, 0.15, 0.92 spacing 0.15, 0
+set multiplot layout 1, 2 margins 0.08, 0.92, 0.16, 0.92 spacing 0.17, 0
 set xlabel 'third stiffness ratio' offset 0, 0.4
 set ylabel 'second stiffness ratio' offset 1
 set xrange [-2.25:2.25]

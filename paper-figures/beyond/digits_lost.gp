@@ -1,6 +1,6 @@
 # Colours are those of viridis, light for few digits; orange where a form gives no number, grey where the function is below
 # the range of double. The axes of R - 1 and of zeta near 1 go by the decades of the distance.
-width = 1240; height = 1400
+width = 1240; height = 1560
 load '../style.gp'
 set palette maxcolors 18 defined (0 '#BBBBBB', 1 '#FFFFEE', 2 '#FDE725', 3 '#D8E219', 4 '#B0DD2F', 5 '#89D548', 6 '#65CB5E', \
     7 '#46C06F', 8 '#2EB37C', 9 '#21A585', 10 '#1F978B', 11 '#23898E', 12 '#2A788E', 13 '#31688E', 14 '#3A548C', \
@@ -9,7 +9,7 @@ set cbrange [-1:17]
 unset grid
 unset colorbox
 set border 15
-set multiplot layout 5, 3 margins 0.105, 0.985, 0.12, 0.977 spacing 0.02, 0.066
+set multiplot layout 5, 3 margins 0.125, 0.985, 0.13, 0.977 spacing 0.025, 0.075
 set yrange [-0.5:94.5]
 functions = 'u u g g v'
 maps = 'wide near wide near near'
@@ -22,7 +22,7 @@ do for [row = 1:5] {
     do for [column = 1:3] {
         panel = panel + 1
         set title sprintf('(%s)  %s, %s', substr('abcdefghijklmno', panel, panel), f, word(titles, column)) offset 0, -0.8
-        set ylabel 'damping ratio ζ' offset 0.5
+        set ylabel 'ζ' offset 0.5
         set ytics ('10^{−16}' 0, '10^{−12}' 16, '10^{−8}' 32, '10^{−4}' 48, '1/2' 62.5, '1 − 10^{−6}' 74, '1 − 10^{−11}' 84, \
             '1 − 10^{−16}' 94)
         if (column > 1) {

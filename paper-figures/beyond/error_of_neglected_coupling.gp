@@ -1,6 +1,6 @@
-width = 1200; height = 460
+width = 1200; height = 540
 load '../style.gp'
-set multiplot layout 1, 3 margins 0.065, 0.955, 0.14, 0.82 spacing 0.08, 0.095
+set multiplot layout 1, 3 margins 0.085, 0.945, 0.16, 0.81 spacing 0.1, 0.095
 set key at screen 0.05, 0.99 left top Left reverse maxrows 1 width 2
 set logscale y
 set format y '10^{%L}'
@@ -8,7 +8,7 @@ set yrange [1e-6:10]
 set ytics 1e1
 set ylabel 'error' offset 1
 set arrow 1 from graph 0, first 1e-2 to graph 1, first 1e-2 nohead lt 7 lw 1 dt 2 back
-set label 2 '1 %' at graph 1.01, first 1e-2 font ',9'
+set label 2 '1 %' at graph 1.01, first 1e-2
 titles = '"(a)  amplitudes, β = 0.02" "(b)  boundary (69)" "(c)  amplitudes at the worst r"'
 do for [n = 1:3] {
     p = substr('abc', n, n)
@@ -23,5 +23,6 @@ do for [n = 1:3] {
          '' index p.' light;' using 1:2 with lines lt 2 dt '-' title (n == 1 ? 'a fifth of them' : ''), \
          '' index p.' nearly even;' using 1:2 with lines lt 3 dt '.' lw 2.4 title (n == 1 ? '0.2, 0.3, 0.25' : '')
     unset key
+    unset ylabel
 }
 unset multiplot

@@ -1,7 +1,7 @@
-width = 1250; height = 780
+width = 1250; height = 920
 load '../style.gp'
-set multiplot layout 2, 3 margins 0.06, 0.985, 0.1, 0.875 spacing 0.065, 0.15
-set key at screen 0.05, 0.995 left top Left reverse maxrows 2 width 1
+set multiplot layout 2, 3 margins 0.075, 0.985, 0.095, 0.83 spacing 0.085, 0.15
+set key at screen 0.05, 0.995 left top Left reverse maxrows 3 width 1
 set logscale x
 set xrange [1e-15:1]
 set format x '10^{%L}'
@@ -37,7 +37,7 @@ set yrange [*:*]
 set xlabel 't'
 set ylabel 'u'
 set key default
-set key noautotitle spacing 1.15 samplen 2.2 font ',11' bottom right
+set key noautotitle spacing 1.15 samplen 2.2 bottom right
 set xzeroaxis lc rgb '#888888'
 set label 1 '(d)  R = 1 + t ζ²'
 plot data index 'beside;' using 1:4 with lines lt 7 title 'ζ → 0', \

@@ -1,6 +1,6 @@
-width = 1250; height = 760
+width = 1250; height = 840
 load '../style.gp'
-set multiplot layout 2, 3 margins 0.062, 0.985, 0.1, 0.885 spacing 0.06, 0.14
+set multiplot layout 2, 3 margins 0.075, 0.985, 0.1, 0.875 spacing 0.08, 0.14
 set key at screen 0.05, 0.99 left top Left reverse maxrows 1 width 2
 set xrange [0:2.5]
 set yrange [0:*]

@@ -1,6 +1,6 @@
-width = 1150; height = 480
+width = 1150; height = 520
 load '../style.gp'
-set multiplot layout 1, 2 margins 0.06, 0.985, 0.16, 0.86 spacing 0.07, 0.1
+set multiplot layout 1, 2 margins 0.07, 0.985, 0.17, 0.87 spacing 0.09, 0.1
 unset key
 set xlabel 'r'
 set ylabel 'β' offset 1
@@ -10,7 +10,7 @@ set logscale x
 set xrange [0.5:300]
 do for [n = 0:3] {
     mu = word('1 1.5 2 3', n + 1)
-    set label (10 + n) 'μ = '.mu at 5.5, word('0.560 0.484 0.417 0.321', n + 1) + 0 font ',10'
+    set label (10 + n) 'μ = '.mu at 5.5, word('0.560 0.484 0.417 0.321', n + 1) + 0
 }
 plot for [n = 2:5] data index 'a;' using 1:n with lines lt 1, \
      for [n = 0:3] '' index 'limits;' every ::n::n using (20):2:(280):(0) with vectors nohead lt 7 dt '.' lw 2, \

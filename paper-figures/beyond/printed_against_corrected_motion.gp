@@ -1,6 +1,6 @@
-width = 1250; height = 460
+width = 1250; height = 540
 load '../style.gp'
-set multiplot layout 1, 3 margins 0.055, 0.985, 0.165, 0.80 spacing 0.06, 0.1
+set multiplot layout 1, 3 margins 0.065, 0.985, 0.165, 0.77 spacing 0.08, 0.1
 set key at screen 0.05, 0.985 left top Left reverse maxrows 2 width 0
 set xlabel 'τ / π'
 set xtics 0.5

@@ -1,9 +1,9 @@
 # Five masses with uncertain damping, friction and static friction: the share of the samples in which the contact sticks and slips, and
 # quantiles of its amplitude at two friction ratios. The data come from a sweep, docs/sweep.md, by sweep_data.py; they stand beside this script.
-width = 1240; height = 520
+width = 1240; height = 560
 load '../style.gp'
 data = 'stick_slip_share.dat'
-set multiplot layout 1, 2 margins 0.06, 0.985, 0.14, 0.92 spacing 0.13, 0
+set multiplot layout 1, 2 margins 0.085, 0.985, 0.155, 0.92 spacing 0.16, 0
 set title '(a)  share of stick-slip' offset 0, -0.6
 set xlabel 'frequency ratio r' offset 0, 0.4
 set ylabel 'friction ratio β' offset 1

@@ -1,5 +1,5 @@
 # Colours are those of viridis, light for few stops; white while the contact slides, grey while it rests.
-width = 1240; height = 600
+width = 1240; height = 720
 load '../style.gp'
 zetas = '0.001 0.01 0.1'
 left = log10(0.02)
@@ -10,15 +10,15 @@ set cbrange [-3:25]
 set cbtics 2 scale 0 offset 0, 0.4
 set cbtics add ('rest' -2)
 set cblabel 'stops of the contact in a period of the force' offset 0, 0.8
-set multiplot layout 1, 3 margins 0.066, 0.985, 0.3, 0.94 spacing 0.02
+set multiplot layout 1, 3 margins 0.075, 0.985, 0.39, 0.945 spacing 0.03
 set xrange [log10(0.02):log10(3)]
 set yrange [0:1.1]
 set xtics ('0.02' log10(0.02), '0.05' log10(0.05), '0.1' -1, '0.2' log10(0.2), '0.5' log10(0.5), '1' 0, '2' log10(2))
 set xlabel 'frequency ratio r' offset 0, 0.4
 set ylabel 'friction ratio β' offset 1.6
 set ytics 0.2
-set label 1 'permanent sticking' at log10(0.25), 1.035 center front
-set label 2 'continuous' at log10(1), 0.33 center front
+set label 1 'permanent sticking' at log10(0.25), 1.045 center front
+set label 2 'continuous' at log10(1), 0.3 center front
 unset grid
 unset colorbox
 do for [c = 1:3] {
@@ -35,12 +35,12 @@ do for [c = 1:3] {
 # the keys, below the panels
 set lmargin at screen 0
 set rmargin at screen 1
-set tmargin at screen 0.2
+set tmargin at screen 0.27
 set bmargin at screen 0.01
 unset title; unset label; unset xlabel; unset ylabel; unset border; unset xtics; unset ytics
 set yrange [0:1]
-set key at screen 0.5, 0.195 center top horizontal samplen 2.5 width 1 Left reverse
-set colorbox horizontal user origin screen 0.25, 0.085 size screen 0.5, 0.035
+set key at screen 0.5, 0.275 center top horizontal maxrows 2 samplen 2.5 width 1 Left reverse
+set colorbox horizontal user origin screen 0.2, 0.115 size screen 0.6, 0.03
 plot NaN with lines lt 7 title 'boundary of continuous motion (69)', NaN with lines lt 7 dt (8,4) title 'β = 1/μ, (88)', \
      NaN with points lt 7 pt 6 ps 0.6 title 'numerical, as many stops', \
      NaN with points lt 7 pt 2 ps 0.6 title 'another number', \

@@ -16,7 +16,7 @@ namespace denhartog::conformance {
 /// @param text   the file
 /// @param known  the ids of all vectors
 /// @return       the answers by id
-/// @throws       InputError where there is no heading, a line is none, or an id is unknown or given twice
+/// @throws       InputError if the heading is missing, a line is not an answer, or an id is unknown or given twice
 [[nodiscard]] std::map<std::string, Answer> answers_in(std::string_view text, const std::set<std::string>& known);
 
 } // namespace denhartog::conformance

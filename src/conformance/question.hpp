@@ -17,16 +17,16 @@ namespace denhartog::conformance {
 enum class Shape {
     number,    ///< one
     complex,   ///< real and imaginary part
-    modes,     ///< one a mode, by ascending natural frequency
-    durations, ///< one a stop of the contact, ascending; none where it does not stop
+    modes,     ///< one for each mode, by ascending natural frequency
+    durations, ///< one for each stop of the contact, ascending; none if it does not stop
     samples,   ///< as many as the question has samples
-    word       ///< the name of a regime in place of numbers
+    word       ///< the name of a regime instead of numbers
 };
 
 /// @brief A quantity that may be asked for.
 struct Quantity {
-    std::string_view name;     ///< as the protocol has it
-    std::string_view equation; ///< number of its equation in the paper, e.g. `38`; empty where it has none
+    std::string_view name;     ///< its name in the protocol
+    std::string_view equation; ///< number of its equation in the paper, e.g. `38`; empty if it has none
     Shape shape;               ///< how many numbers
     bool of_mass;              ///< whether a question names the mass k
     bool angle;                ///< whether it is an angle: compared round the circle, in radians
@@ -38,10 +38,10 @@ struct Quantity {
 /// @brief A quantity by its name.
 /// @param name  its name
 /// @return      the quantity
-/// @throws      InputError for a name that is none
+/// @throws      InputError if no quantity has the name
 [[nodiscard]] const Quantity& quantity(std::string_view name);
 
-/// @brief A question. Its numbers may break any rule of a scene: some questions are to be rejected.
+/// @brief A question. Its numbers may break any rule of a scene, because an implementation must reject some questions.
 struct Question {
     std::string id;                       ///< letters, digits and hyphens
     std::string quantity;                 ///< what is asked, a name of `quantities`
@@ -53,7 +53,7 @@ struct Question {
     double mu = 1;                        ///< static over kinetic friction, Eq. (3)
     double r = 1;                         ///< frequency ratio, Eq. (10)
     double beta = 0;                      ///< friction ratio, Eq. (11)
-    int mass = 0;                   ///< k, counted from 1; 0 where the quantity is of no mass, or of a contact between two masses
+    int mass = 0;                   ///< k, counted from 1; 0 if the quantity belongs to no mass, or to a contact between two
     double tau = 0;                 ///< non-dimensional time, for `displacement`
     int samples = 0;                ///< instants, for `motion_under_force`
     int contact_with = 0;           ///< the mass that the contact rubs against, counted from 1; 0 for a wall
@@ -75,7 +75,7 @@ void check_of_the_paper(const Question& q);
 /// @brief Number of masses of a question's scene. @param q the question @return N
 [[nodiscard]] std::size_t masses_of(const Question& q);
 
-/// @brief What is beyond the paper in a question's scene, by the names that flags have, e.g. `contact-between-masses`.
+/// @brief What a question's scene has that the paper does not treat, by the names of flags, e.g. `contact-between-masses`.
 /// @param q  the question
 /// @return   the names; none for a scene of the paper
 [[nodiscard]] std::vector<std::string> beyond_the_paper(const Question& q);
@@ -86,7 +86,7 @@ void check_of_the_paper(const Question& q);
 /// @brief The scene of a question, its numbers taken as exact.
 /// @param q  the question
 /// @return   the scene, checked; a moving base as the load that it is
-/// @throws   InputError where a number breaks a rule of the scene, or the mass asked about is not there
+/// @throws   InputError if a number breaks a rule of the scene, or the scene does not have the mass asked about
 template <class T>
 [[nodiscard]] Scene<T> scene_of(const Question& q);
 
@@ -96,19 +96,19 @@ template <class T>
 /// @brief A question as the line of the protocol's `plain` dialect. @param q the question @return the line, without its end
 [[nodiscard]] std::string question_plain(const Question& q);
 
-/// @brief A question from the object of the `json` dialect; members that are no question's are passed over.
+/// @brief Reads a question from the object of the `json` dialect. Unknown members are ignored.
 /// @param object  the object
 /// @return        the question
-/// @throws        InputError where a member is missing or of another type
+/// @throws        InputError if a member is missing or has another type
 [[nodiscard]] Question question_from_json(const nlohmann::json& object);
 
 /// @brief Numbers, or the name of a regime.
 struct Value {
     std::vector<double> numbers; ///< finite
-    std::string word;            ///< the regime; empty where there are numbers
+    std::string word;            ///< the regime; empty if there are numbers
 };
 
-/// @brief The question was found to break a rule.
+/// @brief The implementation found that the question breaks a rule.
 struct Rejected {
     std::string reason; ///< in the implementation's words
 };
@@ -118,7 +118,7 @@ struct Skipped {
     std::string reason; ///< in the implementation's words
 };
 
-/// @brief The answer cannot be used: not finite, no number, nothing that the protocol knows.
+/// @brief The answer cannot be used: it is not finite, not a number, or not in the protocol.
 struct Unusable {
     std::string reason; ///< what is wrong with it
 };
@@ -129,13 +129,13 @@ using Answer = std::variant<Value, Rejected, Skipped, Unusable>;
 /// @brief An answer from a line of the `json` dialect, whose id has to be the question's.
 /// @param line  the line
 /// @param id    the question's id
-/// @return      the answer; `Unusable` with the reason for whatever is none
+/// @return      the answer; `Unusable` with the reason if the line is not an answer
 [[nodiscard]] Answer answer_from_json(std::string_view line, std::string_view id);
 
 /// @brief An answer from a line of the `plain` dialect.
 /// @param line  the line
 /// @param id    the question's id
-/// @return      the answer; `Unusable` with the reason for whatever is none
+/// @return      the answer; `Unusable` with the reason if the line is not an answer
 [[nodiscard]] Answer answer_from_plain(std::string_view line, std::string_view id);
 
 /// @brief An answer from the cell of an answers file: numbers separated by spaces, a regime, `reject`, or `skip`.

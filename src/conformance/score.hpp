@@ -1,5 +1,5 @@
 /// @file
-/// @brief The score of an implementation: counts of verdicts and digits, a tier and group at a time. Never one percentage.
+/// @brief The score of an implementation: counts of verdicts and digits for each tier and group, but never one percentage.
 #pragma once
 
 #include <optional>
@@ -21,8 +21,8 @@ struct Score {
     std::string group;                   ///< the group
     std::size_t asked = 0;               ///< number of questions
     Counts counts{};                     ///< verdicts on them
-    std::optional<double> median_digits; ///< of the answers in numbers; none where there are none
-    std::optional<double> worst_digits;  ///< of the answers in numbers
+    std::optional<double> median_digits; ///< median of the correct digits of numerical answers; empty if there are none
+    std::optional<double> worst_digits;  ///< fewest correct digits of a numerical answer; empty if there are none
 };
 
 /// @brief Counts verdicts. @param judged the answers @return the counts
@@ -31,15 +31,15 @@ struct Score {
 /// @brief Scores by tier, most binding first, and group. @param judged the answers @return the scores
 [[nodiscard]] std::vector<Score> scores(std::span<const Judged> judged);
 
-/// @brief Error over what passes. @param judged an answer @return the quotient; none where no error was measured
+/// @brief Error divided by the tolerance of `pass`. @param judged an answer @return the quotient; empty without an error
 [[nodiscard]] std::optional<double> error_over_tolerance(const Judged& judged);
 
-/// @brief Answers against which something is to be said, the worst first: by verdict, then by error over tolerance.
+/// @brief The answers that are not right, the worst first: by verdict, then by error over tolerance.
 /// @param judged  the answers
-/// @return        pointers into them; skipped ones are left out
+/// @return        pointers into them, without the skipped ones
 [[nodiscard]] std::vector<const Judged*> worst_first(std::span<const Judged> judged);
 
-/// @brief Whether an implementation conforms: something was answered, every question of the tier `must` is right or skipped, and
+/// @brief Whether an implementation conforms: it answered something, every answer of the tier `must` is right or skipped, and
 /// none of the needed quantities is skipped.
 /// @param judged  the answers
 /// @param needed  quantities that must not be skipped

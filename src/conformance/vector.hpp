@@ -27,7 +27,7 @@ struct Tolerance {
 struct Vector {
     Question question;    ///< what is asked
     std::string group;    ///< what the vector is about: the name of its file without its end
-    std::string equation; ///< number of the equation in the paper; empty where there is none
+    std::string equation; ///< number of the equation in the paper; empty if there is none
     std::string tier;     ///< `must`, `should` or `stress`
     std::vector<std::string>
         value;          ///< 40 significant digits each; empty where the question has to be rejected or its answer is a word
@@ -57,10 +57,10 @@ struct Vector {
 /// @brief A vector from an object of a vector file.
 /// @param object  the object
 /// @return        the vector
-/// @throws        InputError with quantity and rule where the object is none
+/// @throws        InputError that names quantity and rule, if the object is not a vector
 [[nodiscard]] Vector vector_from_json(const nlohmann::json& object);
 
-/// @brief Whether a vector is about a system beyond the paper: such are asked where they are chosen. @param v the vector
+/// @brief Whether a vector is about a system beyond the paper. Such vectors are asked only if chosen. @param v the vector
 /// @return   whether its group is one of those that start with `systems-`
 [[nodiscard]] bool is_of_systems(const Vector& v);
 
@@ -78,7 +78,7 @@ struct Vector {
 /// @brief All vectors of a folder: its files *.jsonl in the order of their names.
 /// @param folder  the folder
 /// @return        the vectors
-/// @throws        InputError where a file cannot be read, a line is no vector, or an id is given twice
+/// @throws        InputError if a file cannot be read, a line is not a vector, or an id is given twice
 [[nodiscard]] std::vector<Vector> read_vectors(const std::filesystem::path& folder);
 
 } // namespace denhartog::conformance

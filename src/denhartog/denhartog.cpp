@@ -17,8 +17,8 @@ Solution solve(const Scene<double>& scene, const Question& question) { return so
 Limits boundary(const Scene<double>& scene, std::optional<int> digits) {
     const Solution s = sliding_solution(without_friction_ratio(scene_source(scene)), {Asked::regime, digits, {}});
     if (digits && !s.digits_reached)
-        throw PrecisionError("the " + std::to_string(*digits) + " digits asked for are not reached, only " +
-                             std::to_string(digits_of(s.relative_error)) + " are sure");
+        throw PrecisionError("the " + std::to_string(*digits) + " digits asked for are not reached: only " +
+                             std::to_string(digits_of(s.relative_error)) + " are certain");
     return *s.limits;
 }
 

@@ -85,7 +85,7 @@ TEST_CASE("both chains are answered to 14 digits, in double or in more with the 
         CHECK(precision_steps() > before);
         CHECK(measured.digits_reached);
         CHECK(measured.method.precision != "double");
-        CHECK(measured.method.why.find("in double: the error bound does not leave the 14 digits") == 0);
+        CHECK(measured.method.why.find("in double: the error bound does not guarantee the 14 digits") == 0);
         CHECK(error_over(X_j, Real100(measured.masses[N - 1].amplitude.value)) < 1e-14);
         for (const int digits : {12, 14}) {
             const Solution solved = solve(scene_source(scene), {Asked::motion, digits});

@@ -1,6 +1,7 @@
 # Cost of a batch against the number of modes, of frequency ratios, of points (r, beta). Reads batch_cost.csv, which
 # `speed-accuracy batch --output FOLDER` writes into the folder of the pictures; without it the picture says so.
 width = 1240; height = 480
+type = 14
 load '../../style.gp'
 csv = folder.'/batch_cost.csv'
 if (system("test -f '".csv."' && echo yes") ne 'yes') {

@@ -1,6 +1,7 @@
 # Microseconds of an answer against its digits, a panel a scene; what failed anywhere stands left of zero, by kind, and in small
 # at the digits that it had where it was right. Grey: condition times eps of double, and one exp, sin and cos a mode.
 width = 1500; height = 1300
+type = 14
 load '../../style.gp'
 names = int(system("grep -c '^# name ' ".data))
 titles = int(system("grep -c '^# title ' ".data))

@@ -1,5 +1,6 @@
 # Honesty: the error got against the tolerance asked for, at the worst point of every scene where the answer was right.
 width = 1500; height = 1300
+type = 14
 load '../../style.gp'
 names = int(system("grep -c '^# name ' ".data))
 titles = int(system("grep -c '^# title ' ".data))

@@ -75,7 +75,7 @@ Precision highest_precision(const Aim& aim, std::size_t masses, Precision last) 
 std::string verdict(const Attempted& attempted, const Aim& aim) {
     std::string words;
     words.reserve(64); // one allocation: a point of a map costs little more
-    words = attempted.relative <= aim.tolerance ? "the error bound leaves the " : "the error bound does not leave the ";
+    words = attempted.relative <= aim.tolerance ? "the error bound guarantees the " : "the error bound does not guarantee the ";
     append_in_words(words, aim);
     if (!attempted.decided) words += ", but beta lies on a boundary";
     return words;

@@ -1,5 +1,8 @@
 /// @file
-/// @brief What is asked of a scene, and the answer: certified numbers, the method, the error and the work it took.
+/// @brief What you can ask of a scene, and the answer: certified numbers, the method, the error and the work it took.
+///
+/// Displacements are in units of P / k_1. Time is tau = omega t, zero where the force is largest. Phases are lags behind the
+/// force in radians. Equation numbers are the paper's.
 #pragma once
 
 #include <cstdint>
@@ -15,107 +18,109 @@
 
 namespace denhartog {
 
-/// @brief The most digits that can be asked for.
+/// @brief The largest number of significant digits that you can ask for.
 constexpr int most_digits = 95;
-/// @brief The digits aimed at where none are asked for.
+/// @brief The number of significant digits that the library aims at if you ask for none.
 constexpr int digits_by_default = 6;
 
-/// @brief What is asked of a scene.
+/// @brief What you ask of a scene; asking for less is cheaper.
 enum class Asked : std::uint8_t {
     amplitude, ///< amplitudes of all masses
-    phase,     ///< their phases, and the amplitudes besides
-    motion,    ///< the whole motion
-    regime     ///< the regime and its boundaries alone
+    phase,     ///< amplitudes and phases of all masses
+    motion,    ///< the whole motion: amplitudes, phases, stops, states and stability
+    regime     ///< only the regime and its boundaries
 };
 
-/// @brief A question to a scene.
+/// @brief A question about a scene.
 struct Question {
     Asked asked = Asked::motion; ///< what is asked
-    std::optional<int> digits;   ///< significant digits; without, 6 are aimed at
-    bool all = false;            ///< whether other motions are looked for, from seeded starts and sweeps
-    std::optional<Mass> mass{};  ///< the one mass that is asked about: others have no digits and are not listed; none for all
+    std::optional<int> digits;   ///< significant digits, 1 to `most_digits`; by default the aim is 6, and it may be missed
+    bool all = false;            ///< whether to look for other motions too, from seeded starts and sweeps
+    std::optional<Mass> mass{};  ///< ask about this mass alone: only it is listed, only it must have the digits; empty: all
 };
 
 /// @brief How an answer was computed.
 struct Method {
     std::string model;     ///< the model that answers, e.g. `closed form`
     std::string precision; ///< `double`, `50 digits` or `100 digits`
-    std::string why;       ///< why this model in this precision
+    std::string why;       ///< why this model answers, and in this precision
 };
 
-/// @brief The friction ratios that part the regimes at one frequency ratio.
+/// @brief The friction ratios that separate the regimes at one frequency ratio.
+///
+/// Below `exact` the contact slides throughout. Always `paper` <= `exact` <= `approximate`.
 struct Limits {
-    Certified exact;                   ///< (69) with the maximum over tau of the sum over modes
-    Certified paper;                   ///< (69) with (56): the sum of the maxima of the modes
+    Certified exact;                   ///< (69) with the maximum over tau of the sum over modes; the true boundary
+    Certified paper;                   ///< (69) with (56), the sum of the maxima of the modes
     Certified approximate;             ///< (67)
-    std::optional<Certified> sticking; ///< the smallest beta at which the contact never moves; none where nothing holds it
-    BindingCondition binding{};        ///< the condition that ends the sliding regime first
+    std::optional<Certified> sticking; ///< the smallest beta at which the contact never moves; empty if no friction holds it
+    BindingCondition binding{};        ///< which condition of (54) ends the sliding regime
 };
 
 /// @brief What the closed form says of a mass besides its amplitude and phase.
 struct SlidingOfMass {
-    Certified x0;                     ///< displacement at the maximum of x_j, Eq. (44)
-    Certified v0;                     ///< velocity d/dtau there, Eq. (45)
-    Certified instant;                ///< tau in [0, pi] where the displacement is largest in size
-    Certified amplitude_monoharmonic; ///< Eq. (52)
-    Certified phase_monoharmonic;     ///< phi_j + phi_kj, Eq. (53); radians in (-pi, pi]
+    Certified x0;                     ///< displacement where the contact is at its maximum, Eq. (44); units of P / k_1
+    Certified v0;                     ///< velocity dx/dtau there, Eq. (45); units of P / k_1
+    Certified instant;                ///< time in [0, pi] from the maximum of the contact to the largest |x_k|, tau of (46)
+    Certified amplitude_monoharmonic; ///< amplitude of the monoharmonic approximation, Eq. (52); units of P / k_1
+    Certified phase_monoharmonic;     ///< its phase phi_j + phi_kj, Eq. (53); radians in (-pi, pi]
 };
 
 /// @brief What a mass does in the steady motion.
 struct SolvedMass {
-    Certified amplitude;                    ///< largest displacement, units of P / k_1
-    std::optional<Certified> phase;         ///< lag behind the force, radians in (-pi, pi]; none where the mass does not move
-    std::optional<SlidingOfMass> sliding{}; ///< the rest of the closed form, where it is the answer and was asked for
+    Certified amplitude;                    ///< largest |x_k| over the motion; units of P / k_1
+    std::optional<Certified> phase;         ///< lag behind the force, radians in (-pi, pi]; empty if the mass does not move
+    std::optional<SlidingOfMass> sliding{}; ///< the rest of the closed form, if it is the answer and was asked for
 };
 
-/// @brief Bound of the errors of all displacements of a mass. @param m the mass @return the largest, in units of P / k_1
+/// @brief Bound of the errors of all displacements that are given of a mass. @param m the mass @return it, in units of P / k_1
 [[nodiscard]] double error_of_displacements(const SolvedMass& m);
 
 /// @brief A stop of the contact within the period of the motion.
 struct SolvedStop {
-    Certified start; ///< tau where the contact comes to rest, from the maximum of the force
-    Certified end;   ///< tau where it breaks away
-    Certified x;     ///< where it rests
+    Certified start; ///< tau where the contact comes to rest, measured from the maximum of the force
+    Certified end;   ///< tau where it breaks away again
+    Certified x;     ///< the displacement at which it rests; units of P / k_1
 };
 
 /// @brief The state of all masses at an instant.
 struct SolvedState {
-    std::vector<Certified> x;       ///< displacements, N values
-    std::vector<Certified> x_prime; ///< velocities with respect to tau, N values
+    std::vector<Certified> x;       ///< displacements, N values in units of P / k_1
+    std::vector<Certified> x_prime; ///< velocities dx/dtau, N values in units of P / k_1
 };
 
 /// @brief Where the contact may rest for ever.
 struct RestInterval {
     Certified from;                      ///< lower end, units of P / k_1
     Certified to;                        ///< upper end
-    std::optional<Certified> rests_at{}; ///< where the motion from rest comes to rest, where it was followed
+    std::optional<Certified> rests_at{}; ///< where the motion from rest comes to rest, if it was followed
 };
 
-/// @brief Stability of a motion as its Floquet multipliers have it.
+/// @brief Stability of a motion, from its Floquet multipliers.
 struct Stability {
-    bool stable = false;             ///< whether all are inside the unit circle, by more than their error
-    std::vector<double> multipliers; ///< their sizes over the period of the motion, descending
+    bool stable = false;             ///< whether all multipliers are inside the unit circle, by more than their error
+    std::vector<double> multipliers; ///< sizes of the multipliers over the period of the motion, descending
 };
 
 /// @brief What an answer cost.
 struct Work {
-    long eigen_solves = 0;      ///< eigenproblems (15)
-    long mode_evaluations = 0;  ///< modes evaluated at a frequency ratio
-    long phases_propagated = 0; ///< phases of sliding and sticking in the exact solver
+    long eigen_solves = 0;      ///< number of eigenproblems (15) solved
+    long mode_evaluations = 0;  ///< number of modes evaluated at a frequency ratio
+    long phases_propagated = 0; ///< number of phases of sliding and sticking that the exact solver followed
 };
 
 /// @brief A steady motion of the same scene from another start.
 struct OtherMotion {
     Regime regime;                             ///< how the contact moves
     State<double> from;                        ///< a state at the maximum of the force that leads to it
-    std::string found;                         ///< how it was found
+    std::string found;                         ///< how it was found, in words
     int periods = 1;                           ///< its period in periods of the force
     bool symmetric = false;                    ///< whether it mirrors itself after half its period
     Stability stability;                       ///< its stability
-    std::vector<SolvedMass> masses;            ///< amplitudes and phases; in permanent sticking for rest at zero
-    std::vector<SolvedStop> stops;             ///< stops within its period
+    std::vector<SolvedMass> masses;            ///< amplitudes and phases; in permanent sticking for a contact at zero
+    std::vector<SolvedStop> stops;             ///< stops of the contact within its period
     State<double> start;                       ///< its own state at the maximum of the force
-    std::optional<RestInterval> rest_interval; ///< in permanent sticking
+    std::optional<RestInterval> rest_interval; ///< where the contact may rest; in permanent sticking only
 };
 
 /// @brief The answer to a question.
@@ -123,49 +128,50 @@ struct Solution {
     Asked asked = Asked::motion;               ///< what was asked
     Certified r;                               ///< frequency ratio, Eq. (10)
     Certified mu;                              ///< static over kinetic friction, Eq. (3)
-    std::optional<Certified> beta;             ///< friction ratio, Eq. (11); none where the boundary alone was asked for
+    std::optional<Certified> beta;             ///< friction ratio, Eq. (11); empty if only the boundary was asked for
     Mass contact;                              ///< the mass in contact, j
-    std::optional<Mass> contact_with{};        ///< the mass that it rubs against, where that is no wall
-    std::optional<SolvedMass> between{};       ///< then the motion of the one relative to the other
+    std::optional<Mass> contact_with{};        ///< the mass that it rubs against; empty for a wall
+    std::optional<SolvedMass> between{};       ///< if there is one: the motion of `contact` relative to `contact_with`
     RegimeAtPoint regime;                      ///< the regime, with the reason
-    std::optional<Regime> regime_by_56;        ///< the regime by (69) with (56), where it differs
+    std::optional<Regime> regime_by_56;        ///< the regime by (69) with (56), if it differs from `regime`
     Method method;                             ///< model, precision, and why
-    std::optional<Limits> limits;              ///< the boundary at r, where it was computed
-    std::optional<Certified> slides_below;     ///< what it is not below, where that was enough
-    std::optional<Certified> sticking_by_88;   ///< the boundary of permanent sticking by (88) as printed, for chains
-    std::vector<SolvedMass> masses;            ///< N, or one; empty where the regime alone was asked for
-    std::optional<Mass> only;                  ///< the one mass listed, where one was asked about
+    std::optional<Limits> limits;              ///< the boundary at r, if it was computed
+    std::optional<Certified> slides_below;     ///< a lower bound of `Limits::exact`, if that bound was enough
+    std::optional<Certified> sticking_by_88;   ///< boundary of permanent sticking by (88) as printed; for chains only
+    std::vector<SolvedMass> masses;            ///< N values, or one if one mass was asked about; empty for `Asked::regime`
+    std::optional<Mass> only;                  ///< the mass that `masses` lists, if one mass was asked about
     std::vector<SolvedStop> stops;             ///< stops of the contact within the period of the motion
-    std::optional<SolvedState> start;          ///< the state at the maximum of the force, where the exact solver answered
-    std::optional<RestInterval> rest_interval; ///< in permanent sticking
-    double relative_error = 0;                 ///< what is sure of them: the largest error, as digits count
-    bool digits_reached = true;                ///< whether the digits asked for, or aimed at, are there
+    std::optional<SolvedState> start;          ///< the state at the maximum of the force, if the exact solver answered
+    std::optional<RestInterval> rest_interval; ///< where the contact may rest; in permanent sticking only
+    double relative_error = 0;                 ///< largest bound of a relative error among the numbers asked for
+    bool digits_reached = true;                ///< whether they have the digits asked for, or aimed at
     bool unique = false;                       ///< whether the steady velocities are known not to depend on the start
-    std::string_view unique_because;           ///< why, or why it is not known
-    int periods = 1;                           ///< period of the motion in periods of the force
+    std::string_view unique_because;           ///< the reason, or why it is not known
+    int periods = 1;                           ///< period of the motion, in periods of the force
     bool symmetric = true;                     ///< whether the motion mirrors itself after half its period, Eq. (25)
-    std::optional<Stability> stability;        ///< where the exact solver answered
-    std::vector<OtherMotion> motions;          ///< all motions found, where they were looked for
+    std::optional<Stability> stability;        ///< stability of the motion, if the exact solver followed it
+    std::vector<OtherMotion> motions;          ///< all motions that were found, if `Question::all` was set
     Work work;                                 ///< what the answer cost
 
-    /// @brief Amplitude of a mass, units of P / k_1. @param k a mass that is listed @return its largest displacement
-    /// @throws DomainError where the answer has no amplitudes
+    /// @brief Amplitude of a mass. @param k a mass that the answer lists @return its largest |x_k|; units of P / k_1
+    /// @throws DomainError if the answer has no amplitude of the mass
     [[nodiscard]] const Certified& amplitude(Mass k) const;
-    /// @brief Phase of a mass. @param k a mass that is listed @return its lag behind the force; none where it does not move
-    /// @throws DomainError where the answer has no amplitudes
+    /// @brief Phase of a mass. @param k a mass that the answer lists @return its lag behind the force in radians, in (-pi, pi];
+    /// empty if it does not move @throws DomainError if the answer has no amplitude of the mass
     [[nodiscard]] const std::optional<Certified>& phase(Mass k) const;
 };
 
-/// @brief Puts an answer that was found in coordinates of its own in the order of the masses.
-/// @param c  the coordinates; nothing is done where there are none
-/// @param s  the answer
+/// @brief Rewrites an answer that was found in other coordinates, in the order of the masses. For the library's own use.
+/// @param c  the coordinates; without any, nothing changes
+/// @param s  the answer; it is changed in place
 void put_in_order_of_masses(const Coordinates<double>& c, Solution& s);
 
-/// @brief What is known of a mass. @param s an answer @param k a mass, listed in it @return the mass
+/// @brief What an answer says of a mass. @param s an answer @param k a mass that it lists @return the mass
+/// @throws DomainError if the answer has no amplitude of the mass
 [[nodiscard]] const SolvedMass& mass_of(const Solution& s, Mass k);
 
-/// @brief How often a rung of precision did not have the digits and the next was taken, since the program started.
-/// @return the count; tests gate on it
+/// @brief How often a precision did not suffice and the next higher one was taken, since the program started.
+/// @return the count, over all threads
 [[nodiscard]] long precision_steps();
 
 } // namespace denhartog

@@ -75,7 +75,8 @@ Solution closed_form_at(const dh_system* system, double r, double beta, double m
 
 void need_digits(const Solution& found) {
     if (!found.digits_reached)
-        throw PrecisionError("no " + std::to_string(digits_without_bound) + " digits are there: " + found.method.why);
+        throw PrecisionError("the result does not have the " + std::to_string(digits_without_bound) +
+                             " digits aimed at: " + found.method.why);
 }
 
 [[noreturn]] void throw_not_sliding(double beta, double beta_lim) {

@@ -28,8 +28,8 @@ public:
           amplitudes(amplitudes_),
           contact_alone(std::ranges::all_of(map.masses, [&](Mass k) { return k == map.system().contact; })) {}
 
-    // The point in double; by `solve`, where the bounds do not tell the regime or leave an amplitude too few digits. Where `solve`
-    // finds no more, the point is next to a boundary and has the numbers that double has.
+    // The point in double; by `solve`, where the bounds do not tell the regime or leave an amplitude too few digits. Where
+    // `solve` finds no more, the point is next to a boundary and has the numbers that double has.
     void answer(std::size_t n) {
         try {
             if (answer_in_double(n)) return;
@@ -190,12 +190,12 @@ private:
     // As users ask: it follows the start from rest where there is more than one motion, and no other.
     void answer_by_solve(std::size_t n) {
         if (map.mu > 1 && map.start == MapStart::sliding && map.beta[n] > 0)
-            throw PrecisionError("double does not tell the regime, or has too few digits of an amplitude");
+            throw PrecisionError("double precision does not decide the regime, or gives fewer than 6 digits of an amplitude");
         Question question;
         question.asked = Asked::amplitude;
         if (map.masses.size() == 1) question.mass = map.masses.front();
         const Solution s = solve(map.prepared, r, map.beta[n], question);
-        if (!s.digits_reached) throw PrecisionError("an amplitude has too few digits");
+        if (!s.digits_reached) throw PrecisionError("an amplitude has fewer than 6 certain digits");
         for (std::size_t m = 0; m < map.masses.size(); ++m)
             amplitudes[n * map.masses.size() + m] = s.amplitude(map.masses[m]).value;
         points[n] = {s.regime.on_boundary ? PointStatus::on_boundary : PointStatus::answered, s.regime.regime,

@@ -1,10 +1,11 @@
 /// @file
 /// @brief The regime, the amplitudes and the stops per period over a grid of (r, beta), in double as far as that is certain.
 ///
-/// A column is a frequency ratio: one evaluation of the modes and one boundary serve all its friction ratios. Where the contact
-/// slides throughout the closed form answers, where it rests the stuck response; where it sticks and slips the periodic orbit is
-/// found from that of the friction ratio before it. Where the bounds of double do not tell the regime, or leave an amplitude fewer
-/// than 6 digits, `solve` answers. Columns know nothing of each other, so that the map is the same for any number of threads.
+/// A column of the map belongs to one frequency ratio: one evaluation of the modes and one boundary serve all its friction
+/// ratios. If the contact slides throughout, the closed form answers; if it rests, the response with the contact held does. If it
+/// sticks and slips, the periodic motion is found from that of the friction ratio before it. `solve` answers a point if the error
+/// bounds in double do not decide its regime, or give an amplitude fewer than 6 digits. Columns do not depend on each other, so
+/// that the map is the same for any number of threads.
 #pragma once
 
 #include <atomic>
@@ -19,22 +20,22 @@
 
 namespace denhartog {
 
-/// @brief Which motion a map shows where there can be more than one, at mu > 1.
+/// @brief Which motion a map shows if there can be more than one, which is so at mu > 1.
 enum class MapStart : std::uint8_t {
-    rest,   ///< the one that the start from rest leads to, as `solve` has it
-    sliding ///< the sliding motion as far as it exists, and from there the one met as beta rises
+    rest,   ///< the motion that the start from rest leads to, as in `solve`
+    sliding ///< the sliding motion as long as it exists, and beyond it the motion that is met as beta rises
 };
 
-/// @brief What became of a point.
+/// @brief Whether a point of a map has an answer.
 enum class PointStatus : std::int8_t {
-    answered = 0,      ///< all numbers are there
-    on_boundary = 1,   ///< all numbers are there; beta equals a boundary to rounding, the regime could be the neighbour
-    not_converged = 2, ///< no steady motion was found: no regime, no number
-    at_a_pole = 3,     ///< a mode without damping resonates: no number
-    failed = 4         ///< the digits of the number types do not suffice: no number
+    answered = 0,      ///< the point has all numbers
+    on_boundary = 1,   ///< it has all numbers; beta equals a boundary to rounding, and the neighbouring regime is possible
+    not_converged = 2, ///< no steady motion was found; the point has no regime and no numbers
+    at_a_pole = 3,     ///< a mode without damping resonates; the point has no numbers
+    failed = 4         ///< no number type has enough digits; the point has no numbers
 };
 
-/// @brief Name of a status as files have it. @param status a status @return e.g. `not_converged`
+/// @brief Name of a status, as files write it. @param status a status @return e.g. `not_converged`
 [[nodiscard]] std::string name(PointStatus status);
 
 /// @brief Whether a point has a regime and amplitudes. @param status of the point @return true if so
@@ -44,56 +45,59 @@ enum class PointStatus : std::int8_t {
 
 /// @brief A point of a map, without its amplitudes.
 struct MapPoint {
-    PointStatus status = PointStatus::failed; ///< whether there are numbers
-    Regime regime = Regime::continuous;       ///< the regime; means nothing without numbers
-    std::int32_t stops = 0;                   ///< stops in a period of the motion
-    std::int32_t periods = 1;                 ///< that period, in periods of the force
+    PointStatus status = PointStatus::failed; ///< whether the point has numbers
+    Regime regime = Regime::continuous;       ///< the regime; meaningless if the point has no numbers
+    std::int32_t stops = 0;                   ///< number of stops of the contact in a period of the motion
+    std::int32_t periods = 1;                 ///< period of the motion, in periods of the force
 };
 
-/// @brief What a map is asked for.
+/// @brief What you ask of a map.
 struct MapRequest {
-    std::vector<double> r;           ///< frequency ratios, the columns
-    std::vector<double> beta;        ///< friction ratios; neighbours help each other where they ascend
-    std::vector<Mass> masses;        ///< masses whose amplitudes are wanted
-    MapStart start = MapStart::rest; ///< which motion, where there are several
-    unsigned threads = 1;            ///< threads, at least 1
-    std::optional<long> effort{};    ///< operations allowed a point; without, what `QuestionEffort` has
+    std::vector<double> r;           ///< frequency ratios, Eq. (10), positive; one column each
+    std::vector<double> beta;        ///< friction ratios, Eq. (11), zero or positive; ascending values are faster
+    std::vector<Mass> masses;        ///< masses whose amplitudes are wanted, at least one
+    MapStart start = MapStart::rest; ///< which motion, if there are several
+    unsigned threads = 1;            ///< number of threads, at least 1
+    std::optional<long> effort{};    ///< operations allowed for a point; by default those of `QuestionEffort`
 };
 
 /// @brief A map.
 struct RegimeMap {
-    std::vector<MapPoint> points;   ///< point n of column m at m times the number of friction ratios plus n
-    std::vector<double> amplitudes; ///< amplitude of each mass asked for, point after point; NaN where a point has no numbers
-    bool complete = false;          ///< false where it was stopped
+    std::vector<MapPoint> points;   ///< point n of column m is at m times the number of friction ratios plus n
+    std::vector<double> amplitudes; ///< of the masses asked for, point after point; units of P / k_1; NaN without numbers
+    bool complete = false;          ///< whether all points were computed; false if the map was stopped
 };
 
-/// @brief Checks the size of a map. @param columns frequencies @param amplitudes of a column @throws InputError where it is too large
+/// @brief Checks the size of a map.
+/// @param columns     number of frequency ratios
+/// @param amplitudes  number of amplitudes in a column
+/// @throws            InputError if their product is too large
 void check_size_of_map(std::size_t columns, std::size_t amplitudes);
 
 /// @brief Computes a map.
 /// @param scene    system and mu; its r and beta are not used
 /// @param request  grid, masses, threads
-/// @param stop     set by the caller or a signal to stop the computation early
-/// @param done     told the number of columns done after each, by one thread at a time; may be empty
-/// @return         the map
-/// @throws         InputError where the scene, the grid or a mass breaks a rule
+/// @param stop     the caller or a signal handler may set it, to stop the computation early
+/// @param done     called after each column with the number of columns done, by one thread at a time; may be empty
+/// @return         the map; a point without an answer has a status, not an exception
+/// @throws         InputError if the scene, the grid or a mass breaks a rule
 [[nodiscard]] RegimeMap regime_map(const Scene<double>& scene, const MapRequest& request, const std::atomic<bool>& stop,
                                    const std::function<void(std::size_t done)>& done = {});
 
-/// @brief The four boundaries at one frequency ratio, for curves over r.
+/// @brief The four boundaries at one frequency ratio, for curves over r. They are those of `Limits`, in double.
 struct BoundaryPoint {
-    PointStatus status = PointStatus::failed; ///< whether there are numbers
-    double exact = 0;                         ///< `Boundary::exact`
-    double paper = 0;                         ///< `Boundary::paper`
-    double approximate = 0;                   ///< `Boundary::approximate`
-    std::optional<double> sticking;           ///< `Boundary::sticking`
+    PointStatus status = PointStatus::failed; ///< whether the boundaries are known
+    double exact = 0;                         ///< (69) with the maximum over tau of the sum over modes
+    double paper = 0;                         ///< (69) with (56), the sum of the maxima of the modes
+    double approximate = 0;                   ///< (67)
+    std::optional<double> sticking;           ///< the smallest beta at which the contact never moves; empty if there is none
 };
 
-/// @brief Boundary curves over r.
-/// @param scene  system and mu
-/// @param r      frequency ratios
-/// @return       a point each
-/// @throws       InputError where the scene or a frequency ratio breaks a rule
+/// @brief Computes the four boundaries over r.
+/// @param scene  system and mu; its r and beta are not used
+/// @param r      frequency ratios, Eq. (10), positive
+/// @return       one point for each frequency ratio
+/// @throws       InputError if the scene or a frequency ratio breaks a rule
 [[nodiscard]] std::vector<BoundaryPoint> boundary_curves(const Scene<double>& scene, const std::vector<double>& r);
 
 } // namespace denhartog

@@ -1,19 +1,19 @@
 /// @file
-/// @brief A number of an answer: a double with a bound of its error and, where more than 15 digits were asked for, its decimals.
+/// @brief A number of an answer: a double with a bound of its error and, if you ask for more than 15 digits, its decimals.
 #pragma once
 
 #include <string>
 
 namespace denhartog {
 
-/// @brief The most significant digits that a double holds for certain.
+/// @brief The largest number of significant decimal digits that every double holds.
 constexpr int most_digits_of_a_double = 15;
 
 /// @brief A number of an answer.
 struct Certified {
-    double value = 0;      ///< the number
-    double error = 0;      ///< bound of its error: of the decimals where there are some, else of the value, its rounding included
-    std::string decimal{}; ///< its decimals; empty where a double was asked for
+    double value = 0;      ///< the number, rounded to a double
+    double error = 0;      ///< absolute bound of the error of `decimal`; if that is empty, of `value`, rounding included
+    std::string decimal{}; ///< the number with the digits asked for, as text; empty up to 15 digits
 };
 
 } // namespace denhartog

@@ -7,15 +7,15 @@
 
 namespace denhartog {
 
-/// @brief Input that breaks a rule: says which quantity, which rule, which value and, for a file, where.
+/// @brief Input that breaks a rule. It says which quantity, which rule, which value and, in a file, where.
 ///
-/// Every message with text from outside is made here: each part is made legible, so that neither control characters nor texts
-/// without end reach a terminal or a log.
+/// `what()` reads "QUANTITY RULE, but is VALUE (at PLACE)". Text from outside is made legible: control characters are replaced
+/// and long texts are cut, so that neither reaches a terminal or a log.
 struct InputError : std::invalid_argument {
     /// @param quantity_  the quantity as the user wrote it, e.g. `mass_ratios`
     /// @param rule_      the rule it breaks, e.g. `must be positive`
     /// @param value_     the value found, as text
-    /// @param place_     JSON pointer or line and column; empty where the input is no file
+    /// @param place_     JSON pointer, or line and column; empty if the input is not a file
     InputError(const std::string& quantity_, const std::string& rule_, const std::string& value_, const std::string& place_ = {});
     std::string quantity; ///< the quantity as the user wrote it
     std::string rule;     ///< the rule that it breaks
@@ -23,24 +23,24 @@ struct InputError : std::invalid_argument {
     std::string place;    ///< JSON pointer, or line and column
 };
 
-/// @brief A formula asked for where it does not hold, e.g. the sliding motion beyond the boundary (69).
+/// @brief A formula was asked for outside its domain, e.g. the sliding motion beyond the boundary (69).
 struct DomainError : std::domain_error {
     using std::domain_error::domain_error;
 };
 
-/// @brief A computation that could not reach the digits asked for.
+/// @brief A computation could not reach the digits asked for, or spent the work that it is allowed, or found no steady motion.
 struct PrecisionError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// @brief Whether a number that was computed left the range of its type.
-/// @param fault  what was thrown
-/// @return       whether it tells of an overflow or the like
+/// @brief Whether an exception says that a computed number left the range of its type.
+/// @param fault  the exception
+/// @return       true for an overflow, an underflow or a range error of the standard library
 [[nodiscard]] bool is_beyond_range(const std::exception& fault) noexcept;
 
-/// @brief What was thrown, in the words of this library: quantity and rule, whoever threw it.
-/// @param fault  what was thrown
-/// @return       the text of an error of this library; of any other a text about memory, range, the system, or a defect
+/// @brief The text of an exception, in the words of this library, whoever threw it.
+/// @param fault  the exception
+/// @return       `what()` of an error of this library; for any other, a sentence about memory, range, the system, or a defect
 [[nodiscard]] const char* in_own_words(const std::exception& fault) noexcept;
 
 } // namespace denhartog

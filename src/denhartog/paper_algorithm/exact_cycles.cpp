@@ -17,7 +17,7 @@ bool failed(const ExactMotion<double>& run, PaperMotion& motion) {
     if (run.status == MotionStatus::complete) return false;
     motion.status = IntegrationStatus::chattering;
     motion.reason = run.status == MotionStatus::open ? "the motion changes faster than the number type can follow"
-                                                     : "phases of no length follow each other";
+                                                     : "phases of zero length follow each other";
     return true;
 }
 

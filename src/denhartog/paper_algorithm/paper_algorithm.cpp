@@ -107,9 +107,9 @@ private:
         phases_in_cycle_ = cycle == cycle_ ? phases_in_cycle_ + 1 : 1;
         cycle_ = cycle;
         if (phases_in_cycle_ > s_.most_phases_per_cycle)
-            fail(IntegrationStatus::chattering, "more than " + std::to_string(s_.most_phases_per_cycle) + " phases in a period");
+            fail(IntegrationStatus::chattering, "a period has more than " + std::to_string(s_.most_phases_per_cycle) + " phases");
         else if (phases_of_no_length_ > most_phases_of_no_length)
-            fail(IntegrationStatus::chattering, "phases of no length follow each other");
+            fail(IntegrationStatus::chattering, "phases of zero length follow each other");
     }
 
     // One step of the phase; true where the phase ends with it.
@@ -117,11 +117,12 @@ private:
         const bool final = tau_ + step_.next >= end_;
         if (final) step_.next = end_ - tau_;
         if (motion_.steps + motion_.rejected_steps >= s_.most_steps) {
-            fail(IntegrationStatus::step_limit, "more than " + std::to_string(s_.most_steps) + " steps");
+            fail(IntegrationStatus::step_limit,
+                 "reaching the final time takes more than " + std::to_string(s_.most_steps) + " steps");
             return true;
         }
         if (!(tau_ + step_.next > tau_)) {
-            fail(IntegrationStatus::step_limit, "steps too short to advance the time");
+            fail(IntegrationStatus::step_limit, "the steps are too short to advance the time");
             return true;
         }
         const double wanted = step_.next;
@@ -172,7 +173,8 @@ private:
         const StepPolynomial linear = step_.over_step([this](const DenseStep::Y& y) { return equations_.linear_load(y); });
         // Where the largest load that the coefficients allow is small there is nothing to look for.
         const auto [low, high] = std::minmax_element(linear.b.begin(), linear.b.begin() + linear.degree + 1);
-        const double f_0 = force * elementary::cos(tau_), f_1 = force * elementary::cos(tau_ + h), bulge = std::abs(force) * h * h / 8;
+        const double f_0 = force * elementary::cos(tau_), f_1 = force * elementary::cos(tau_ + h),
+                     bulge = std::abs(force) * h * h / 8;
         if (*high + std::max(f_0, f_1) + bulge<limit&& * low + std::min(f_0, f_1) - bulge> - limit) return std::nullopt;
         StepPolynomial upwards = force == 0 ? linear : with_cosine(linear, force, tau_, h);
         StepPolynomial downwards = upwards;

@@ -17,7 +17,8 @@ using denhartog::program::report;
 std::string version_text() {
     const std::string commit = DENHARTOG_COMMIT;
     return "denhartog " DENHARTOG_VERSION "\n" + (commit.empty() ? "" : "commit " + commit + ", ") +
-           "built by " DENHARTOG_COMPILER "\nThe digits are the same on every machine with numbers of IEEE 754, from every compiler that rounds by it";
+           "built by " DENHARTOG_COMPILER
+           "\nThe digits are the same on every machine with numbers of IEEE 754, from every compiler that rounds by it";
 }
 
 int run(int argc, char** argv, ExitStatus& status) {

@@ -1,8 +1,9 @@
 /// @file
-/// @brief Scenes as JSON: the one place where masses counted from 1 become masses counted from 0.
+/// @brief Reads and writes scenes as JSON. Masses are counted from 1 in JSON and from 0 in C++.
 ///
-/// Keys, units and conventions stand in docs/scene.schema.json. A number is a JSON number, which means the double, or a text
-/// that is written like a JSON number and is rounded once to the number type.
+/// docs/scene.schema.json lists the keys with their units and conventions. A number is either a JSON number, which stands for the
+/// nearest double, or a text written like a JSON number, which is rounded once to the number type: "0.1" in 50 digits is one
+/// tenth to 50 digits.
 #pragma once
 
 #include <cstddef>
@@ -19,17 +20,17 @@
 
 namespace denhartog {
 
-/// @brief A scene from a JSON value.
+/// @brief Reads a scene from a JSON value.
 /// @param object  the value
-/// @return        the scene, checked; dimensional quantities divided by k_1, m_1 and P, Eqs. (7)-(11), (73)
-/// @throws        InputError with quantity, rule, value and JSON pointer
+/// @return        the scene, checked; physical quantities are divided by k_1, m_1 and P, Eqs. (7)-(11), (73)
+/// @throws        InputError that names quantity, rule, value and JSON pointer
 template <class T>
 [[nodiscard]] Scene<T> scene_from_json(const nlohmann::json& object);
 
-/// @brief A scene from JSON text.
+/// @brief Reads a scene from JSON text.
 /// @param text  the text of one scene
 /// @return      the scene, checked
-/// @throws      InputError with quantity, rule, value and JSON pointer, or line and column where the text is no JSON
+/// @throws      InputError that names quantity, rule, value and JSON pointer; line and column if the text is not JSON
 template <class T>
 [[nodiscard]] Scene<T> read_scene(std::string_view text);
 
@@ -37,38 +38,38 @@ template <class T>
 struct SceneText {
     std::string_view text; ///< part of the whole text
     std::size_t line = 1;  ///< the line on which it starts
-    bool alone = true;     ///< it is the only one; else places are given with their line
+    bool alone = true;     ///< whether it is the only scene; if not, messages name its line
 };
 
-/// @brief Divides a text into scenes: one object over any number of lines, or JSON Lines, one object a line.
-/// @param text  the text; outlives the result
-/// @return      one part a scene, in order, at least one; blank lines between scenes are passed over
+/// @brief Divides a text into scenes: one object over any number of lines, or JSON Lines with one object on each line.
+/// @param text  the text; it must outlive the result
+/// @return      one part for each scene, in order, at least one; blank lines between scenes are skipped
 [[nodiscard]] std::vector<SceneText> split_scenes(std::string_view text);
 
-/// @brief A scene or the reason why there is none.
+/// @brief A scene, or the error if there is none.
 template <class T>
 struct SceneOrError {
     std::size_t line = 1;            ///< the line on which the scene starts
     std::optional<Scene<T>> scene;   ///< the scene, checked
-    std::optional<InputError> error; ///< the error where there is no scene
+    std::optional<InputError> error; ///< the error, if there is no scene
 };
 
-/// @brief One scene of a text that may hold many.
+/// @brief Reads one scene of a text that may hold many.
 /// @param part  the part, from `split_scenes`
 /// @return      the scene or its error
 template <class T>
 [[nodiscard]] SceneOrError<T> read_scene(const SceneText& part);
 
-/// @brief All scenes of a text, each with its own error.
+/// @brief Reads all scenes of a text. An error in one does not affect the others.
 /// @param text  one object, or JSON Lines
-/// @return      one entry a scene, in order, at least one
+/// @return      one entry for each scene, in order, at least one
 template <class T>
 [[nodiscard]] std::vector<SceneOrError<T>> read_scenes(std::string_view text);
 
-/// @brief A scene as a JSON object from which the same scene can be read again, to the last bit.
-/// @param scene  the scene; checked
-/// @return       non-dimensional keys; numbers that no double holds are text
-/// @throws       InputError where the scene breaks a rule
+/// @brief Writes a scene as a JSON object from which the same scene can be read again, to the last bit.
+/// @param scene  the scene; it is checked
+/// @return       the object, with non-dimensional keys; a number that no double holds is written as text
+/// @throws       InputError if the scene breaks a rule
 template <class T>
 [[nodiscard]] nlohmann::ordered_json write_scene(const Scene<T>& scene);
 

@@ -1,5 +1,5 @@
 /// @file
-/// @brief The keys of a scene: which there are, and which may stand together.
+/// @brief The keys of a scene in JSON: which exist, and which may be given together.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -12,12 +12,14 @@ namespace denhartog {
 /// @return  the keys, in the order of the documentation
 [[nodiscard]] std::span<const std::string_view> scene_keys();
 
-/// @brief Checks the keys of a scene. One that is none is told the nearest, all there are, and what a scene does not hold.
+/// @brief Checks the keys of a scene. The error for an unknown key names the nearest key and lists them all.
 /// @param object  the value
-/// @throws        InputError where it is no object, has a key that is none, or keys of both kinds of scenes
+/// @throws        InputError if it is not an object, has an unknown key, or has keys of both ratios and physical units
 void check_keys(const nlohmann::json& object);
 
-/// @brief Whether a scene is dimensional. @param object an object with the keys of a scene @return true where it has such a key
+/// @brief Whether a scene is in physical units.
+/// @param object  an object with the keys of a scene
+/// @return        true if it has a key of physical units
 [[nodiscard]] bool is_dimensional(const nlohmann::json& object);
 
 } // namespace denhartog

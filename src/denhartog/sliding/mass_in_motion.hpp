@@ -14,7 +14,12 @@
 
 namespace denhartog {
 
-/// @brief The load's part of the motion of a mass. @eq{41} @param s modes @param k mass @param beta friction ratio @return its terms
+/// @brief The load's part of the motion of a mass.
+/// @eq{41}
+/// @param s     the modes
+/// @param k     the mass
+/// @param beta  friction ratio
+/// @return      its terms
 template <class T>
 [[nodiscard]] evaluation::HarmonicPart<T> harmonic_part(const ModeSums<T>& s, std::size_t k, const T& beta) {
     const std::size_t j = s.contact.index;
@@ -75,8 +80,13 @@ template <class T>
     return mass.at(y.cosine, y.sine, y.of_modes, y.of_mass);
 }
 
-/// @brief Motion (46) of a mass at an instant. @eq{46} @param s modes @param mass the mass @param k its place @param tau in [0, pi]
-/// @return x, x', x''
+/// @brief Motion (46) of a mass at an instant.
+/// @eq{46}
+/// @param s     the modes
+/// @param mass  the mass
+/// @param k     its place
+/// @param tau   the instant, in [0, pi]
+/// @return      x, x', x''
 template <class T>
 [[nodiscard]] evaluation::MotionOfMass<T> motion_at(const ModeSums<T>& s, const MassInMotion<T>& mass, std::size_t k,
                                                     const T& tau) {

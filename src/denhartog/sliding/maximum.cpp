@@ -216,8 +216,8 @@ Maximum<T> global_maximum(const Curve<T>& curve, const T& a, const T& b, const T
     const Maximum<T> found = MaximumSearch<T>(curve, a, b, noise, effort != nullptr ? *effort : own, least, error).largest();
     if (effort == nullptr && !found.settled)
         throw PrecisionError(
-            "the largest value over the half-period is not settled: " + (own.exhausted() ? own.ending() + "; " : "") +
-            "the motion has too many oscillations, or its maximum is too flat for the digits carried");
+            "the search does not settle the largest value over the half-period: " + (own.exhausted() ? own.ending() + "; " : "") +
+            "the motion has too many oscillations, or its maximum is too flat for the digits of the number type");
     return found;
 }
 

@@ -1,5 +1,5 @@
 /// @file
-/// @brief The regimes of the steady state, and what ends the sliding one.
+/// @brief The regimes of the steady motion, and the condition that ends the sliding regime.
 #pragma once
 
 #include <string>
@@ -7,29 +7,30 @@
 
 namespace denhartog {
 
-/// @brief How the contact moves in the steady state.
+/// @brief How the contact moves in the steady motion.
 enum class Regime {
-    continuous,        ///< it slides throughout, but for its two turning points a period
+    continuous,        ///< it slides all the time, except at the two turning points in each period
     stick_slip,        ///< it moves, and rests for a part of every period
-    permanent_sticking ///< it rests
+    permanent_sticking ///< it never moves
 };
 
-/// @brief Name of a regime as answers have it. @param regime a regime @return `continuous`, `stick_slip` or `permanent_sticking`
+/// @brief Name of a regime, as answers write it. @param regime a regime @return `continuous`, `stick_slip` or
+/// `permanent_sticking`
 [[nodiscard]] std::string name(Regime regime);
 
 /// @brief The regime at a point.
 struct RegimeAtPoint {
-    Regime regime;             ///< the regime; `continuous` wherever the closed form holds
-    std::vector<Regime> other; ///< regimes that exist at the same point, from other initial values
-    bool on_boundary = false;  ///< beta equals a boundary to the accuracy of the boundary: the regime could be the neighbour
-    std::string reason;        ///< why, in a sentence
+    Regime regime;             ///< the regime; `continuous` if the closed form holds
+    std::vector<Regime> other; ///< other regimes that exist at the same point, reached from other initial values
+    bool on_boundary = false;  ///< beta equals a boundary to the accuracy of that boundary; the neighbouring regime is possible
+    std::string reason;        ///< why it is this regime, in words
 };
 
-/// @brief The condition that ends the sliding regime first.
+/// @brief The condition of (54) that ends the sliding regime as beta grows.
 enum class BindingCondition {
-    velocity,        ///< (54)a: the contact would turn back within the half-period
-    static_friction, ///< (54)b: static friction would hold it at the end of the half-period
-    both             ///< the two coincide: mu = 1 and the sum over modes is largest for tau -> 0
+    velocity,        ///< (54)a: beyond it the contact would turn back within the half-period
+    static_friction, ///< (54)b: beyond it static friction would hold the contact at the end of the half-period
+    both             ///< the two coincide, because mu = 1 and the sum over modes is largest for tau -> 0
 };
 
 } // namespace denhartog

@@ -65,8 +65,9 @@ T newton_step(const evaluation::MotionOfMass<T>& at) {
     return at.x_double_prime == 0 ? T(0) : T(-(at.x_prime / at.x_double_prime));
 }
 
-// The maximum next to an instant, one step of Newton's method on, with what the step neglects. The motion goes on mirrored at both
-// ends of the half-period: a step out of it is one into it at the other end, and an end that both lead out of is the maximum.
+// The maximum next to an instant: one more step of Newton's method, with a bound of what the step neglects. The motion continues
+// mirrored at both ends of the half-period. A step out of it at one end is a step into it at the other, and an end from which
+// both steps lead out is itself the maximum.
 template <class T>
 void settle_maximum(const ModeSums<T>& s, SteadyState<T>& state, std::size_t k, T instant) {
     const MassInMotion<T> mass(s, k, state.beta);

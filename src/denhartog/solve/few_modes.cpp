@@ -190,9 +190,10 @@ bool answer_by_few_modes(SolveTask& task, Solution& s) {
     s.slides_below = Certified{few->slides_below, 0, {}};
     s.masses = std::move(few->masses);
     s.regime = {Regime::continuous, {}, false, certainly_slides};
-    std::string why = "the bound of rounding and of what is left out leaves the " + in_words(task.aim);
+    std::string why = "the error bound, which includes the modes left out, guarantees the " + in_words(task.aim);
     if (few->modes < N)
-        why = std::to_string(few->modes) + " of " + std::to_string(N) + " modes, the others by their static displacement; " + why;
+        why = std::to_string(few->modes) + " of " + std::to_string(N) +
+              " modes are summed, the others give their static displacement; " + why;
     s.method = {N == 1 ? "closed form" : "closed form, first harmonic of the masses not in contact", "double", why};
     s.relative_error = few->relative;
     return true;

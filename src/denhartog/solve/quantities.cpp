@@ -189,9 +189,9 @@ QuantitiesAnswer quantities_at(const SceneSource& asked_source, std::shared_ptr<
     };
     const Certainty found = certify(aim, attempt);
     if (!found.settled)
-        throw PrecisionError("100 digits do not suffice for the digits asked for of " +
-                             (largest.name.empty() ? "beta_lim" : largest.name) + "; " + found.why);
-    const std::string zeros = has_zeros ? ", but for what is below 1e-25 of the largest of its kind and given as zero" : "";
+        throw PrecisionError("computing in 100 digits does not give " + (largest.name.empty() ? "beta_lim" : largest.name) +
+                             " to the digits asked for; " + found.why);
+    const std::string zeros = has_zeros ? "; numbers below 1e-25 of the largest of their kind are given as zero" : "";
     put_in_order_of_masses(scene.system.coordinates, answer.numbers);
     answer.method = {"closed form", name(found.precision), found.why + zeros};
     answer.relative = found.relative;

@@ -53,7 +53,9 @@ std::vector<State<double>> of_closed_form(const Scene<double>& scene, double phi
     constexpr int digits = 10;
     for (double& instant : tau) instant -= phi_j;
     const Quantities<Bounded<double>> q = quantities(scene_source(scene), tau, digits, PointNumbers::motion).numbers;
-    if (!q.X_j) throw PrecisionError("beta = " + number_to_text(*scene.beta) + " is beta_lim to the digits of the answer");
+    if (!q.X_j)
+        throw PrecisionError("beta = " + number_to_text(*scene.beta) +
+                             " equals beta_lim to the digits of the answer, so that its motion is not known");
     std::vector<State<double>> states(tau.size());
     for (std::size_t n = 0; n < q.x.size(); ++n) {
         State<double>& state = states[n / q.x_size.size()];

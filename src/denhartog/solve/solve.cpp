@@ -27,7 +27,7 @@ void say_whether_unique(const ModalBasis<Bounded<double>>& basis, double mu, Sol
                   "force become the same"
                 : "mu = 1 and every mode is damped: the velocities of any two motions under the same force become the same";
     else if (mu > 1)
-        s.unique_because = "not known: with mu > 1 the motion may depend on the start; this is the one from rest";
+        s.unique_because = "not known: with mu > 1 the motion may depend on the start; this motion is the one from rest";
     else if (basis.coupled())
         s.unique_because = "not known: the damping matrix is not positive definite, and the motion may depend on the start";
     else
@@ -55,9 +55,9 @@ void set_regime(const SolveTask& task, Regime met, const std::string& reason, So
 void set_regime_by_stops(const SolveTask& task, const PeriodicOrbit<double>& orbit, std::size_t stops, Solution& s) {
     if (stops > 0) {
         set_regime(task, Regime::stick_slip, "the contact stops in every period", s);
-        if (orbit.stops.empty()) s.regime.reason += "; double sees no stop, 50 digits see " + std::to_string(stops);
+        if (orbit.stops.empty()) s.regime.reason += "; double precision finds no stop, 50 digits find " + std::to_string(stops);
     } else if (task.scene.mu == 1 && s.regime.regime == Regime::stick_slip) {
-        s.regime.reason += "; no stop was seen in the motion, which is known to " + number_in_digits(orbit.error_bound, 2);
+        s.regime.reason += "; the motion shows no stop, and the bound of its error is " + number_in_digits(orbit.error_bound, 2);
     } else {
         set_regime(task, Regime::continuous, "the contact does not stop, but the motion is not that of the closed form", s);
     }
@@ -85,12 +85,14 @@ void answer_from_rest(const SolveTask& task, Solution& s) {
     if (orbit.status == OrbitStatus::not_converged) {
         if (task.pole) throw DomainError(*task.pole + "; " + orbit.reason);
         throw PrecisionError("no steady motion was found from the start from rest: " + orbit.reason +
-                             ". What is certain until then: " + s.regime.reason);
+                             ". This much is certain: " + s.regime.reason);
     }
     const bool rests = orbit.status == OrbitStatus::permanently_stuck;
     // With mu = 1 the boundaries tell that it never rests for ever: only rounding does not see it move.
     if (rests && task.scene.mu == 1 && !task.pole && s.regime.regime == Regime::stick_slip && !s.regime.on_boundary)
-        throw PrecisionError("double does not tell the motion from a rest. What is certain until then: " + s.regime.reason);
+        throw PrecisionError(
+            "the contact moves too little for double precision to tell its motion from rest. This much is certain: " +
+            s.regime.reason);
     const bool slides = !task.pole && !rests && is_closed_form(orbit, s);
     if (rests) {
         set_regime(task, Regime::permanent_sticking, "from the start from rest " + orbit.reason, s);
@@ -164,8 +166,8 @@ Solution solve_at(const PreparedSystem& p, const SolvePoint& at, const Question&
         s.asked = question.asked;
         s.digits_reached = s.relative_error <= task.aim.tolerance;
         if (question.digits && !s.digits_reached)
-            throw PrecisionError("the " + in_words(task.aim) + " are not reached, only " +
-                                 std::to_string(digits_of(s.relative_error)) + " are sure");
+            throw PrecisionError("the " + in_words(task.aim) + " are not reached: only " +
+                                 std::to_string(digits_of(s.relative_error)) + " are certain");
         if (question.all) s.motions = other_motions(task.scene);
         keep_asked_mass(question, s);
     }

@@ -32,8 +32,8 @@ void write_orbit(const SolveTask& task, ExactSolver<T>& solver, const PeriodicOr
     s.symmetric = orbit.symmetric;
 }
 
-// Whether the orbit found in 50 digits is the one that double had: both start at one place within the bound of double. The stops are
-// not compared, since some may be too short for double.
+// Whether the orbit found in 50 digits is the one that double had: both start at one place within the bound of double. The stops
+// are not compared, since some may be too short for double.
 bool same_motion(const PeriodicOrbit<Real50>& orbit, const PeriodicOrbit<double>& near) {
     if (orbit.status != OrbitStatus::periodic || orbit.periods != near.periods || orbit.symmetric != near.symmetric) return false;
     return std::ranges::equal(orbit.start.x, near.start.x,
@@ -54,7 +54,8 @@ void orbit_in_50_digits(const SolveTask& task, const PeriodicOrbit<double>& near
     how.with_stability = false;
     how.contact_only = task.question.mass == system.contact;
     const PeriodicOrbit<Real50> orbit = periodic_orbit(solver, start, how);
-    if (!same_motion(orbit, near)) throw PrecisionError("the motion of double is not found again");
+    if (!same_motion(orbit, near))
+        throw PrecisionError("the search in 50 digits does not find the motion that double precision found");
     write_orbit(task, solver, orbit, orbit_solution(solver, orbit, task.aim.digits, task.question.mass), s);
 }
 
@@ -80,7 +81,7 @@ void answer_by_stuck_response(const SolveTask& task, const std::optional<Certifi
     };
     const Certainty found = certify(task.aim, attempt);
     s.method = {"stuck response", name(found.precision),
-                "bounded by what it leaves over in the equations of motion: " + found.why};
+                "its residual in the equations of motion bounds the error: " + found.why};
     s.relative_error = found.relative;
 }
 
@@ -102,9 +103,9 @@ void answer_by_orbit(const SolveTask& task, ExactSolver<double>& solver, const P
         s.method.why = "its residual bounds the error: " + found.why;
     } catch (const PrecisionError& e) {
         if (task.question.digits)
-            throw PrecisionError("the " + in_words(task.aim) + " are not reached by the exact solver, which has at most " +
-                                 std::to_string(most_digits_in(Precision::in_50_digits)) + ": in double " +
-                                 std::to_string(digits_of(error)) + " are sure; " + e.what());
+            throw PrecisionError("the exact solver does not reach the " + in_words(task.aim) + ": double precision gives " +
+                                 std::to_string(digits_of(error)) + ", and 50 digits give at most " +
+                                 std::to_string(most_digits_in(Precision::in_50_digits)) + "; " + e.what());
         write_orbit(task, solver, orbit, in_double, s);
         s.method.precision = name(Precision::in_double);
         s.method.why = "its residual bounds the error: " + verdict({error}, task.aim) + "; in 50 digits: " + e.what();

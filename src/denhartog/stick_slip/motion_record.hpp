@@ -1,5 +1,5 @@
 /// @file
-/// @brief What the two time-domain solvers share: states, phases of sliding and sticking, stops.
+/// @brief States, phases of sliding and sticking, and stops of a motion. The library's two time-domain solvers share them.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,7 @@ struct State {
     std::vector<T> x_prime; ///< velocities with respect to tau, N values
 };
 
-/// @brief All masses at rest at zero.
+/// @brief The state of all masses at rest at zero.
 /// @param N  number of masses
 /// @return   the state
 template <class T>
@@ -22,7 +22,7 @@ template <class T>
     return {std::vector<T>(N, T(0)), std::vector<T>(N, T(0))};
 }
 
-/// @brief A time of sliding in one direction or of sticking.
+/// @brief An interval of time in which the contact slides in one direction, or sticks.
 template <class T>
 struct Phase {
     int direction; ///< sign of the contact's velocity: 1 or -1 while it slides, 0 while it sticks
@@ -33,27 +33,27 @@ struct Phase {
 /// @brief A stop of the contact: a sticking phase of positive length.
 template <class T>
 struct Stop {
-    T start; ///< tau where the contact comes to rest; from the maximum of the force
-    T end;   ///< tau where it breaks away
-    T x;     ///< where it rests
+    T start; ///< tau where the contact comes to rest, measured from the maximum of the force
+    T end;   ///< tau where it breaks away again
+    T x;     ///< the displacement at which it rests, in units of P / k_1
 };
 
-/// @brief The displacement of a mass where it is largest in size.
+/// @brief The displacement of a mass at the instant at which |x_k| is largest.
 template <class T>
 struct Extremum {
     T x;             ///< the displacement, with its sign
     T instant;       ///< tau there; where the mass rests, the start of the rest
-    T unsure = T(0); ///< how much larger a displacement may be, where the effort did not suffice to exclude it; else 0
-    T spread = T(0); ///< how far the phase of another instant is, where the displacement may be the largest as well; else 0
+    T unsure = T(0); ///< how much larger a displacement may be, if the effort did not suffice to exclude it; otherwise 0
+    T spread = T(0); ///< distance in phase to another instant at which |x_k| may be as large; 0 if there is none
 };
 
 /// @brief What a mass does over the steady motion.
 template <class T>
 struct MassMotion {
-    T amplitude; ///< largest |x_k| over the motion
-    /// tau of the extremum as a lag behind the force, half a period later where x_k is negative there; in (-pi, pi]
+    T amplitude; ///< largest |x_k| over the motion, in units of P / k_1
+    /// tau of the extremum as a lag behind the force in (-pi, pi]; if x_k is negative there, half a period is added
     T phase;
-    T spread = T(0); ///< how far the phase of another instant is, where |x_k| may be the largest as well; else 0
+    T spread = T(0); ///< distance in phase to another instant at which |x_k| may be as large; 0 if there is none
 };
 
 } // namespace denhartog

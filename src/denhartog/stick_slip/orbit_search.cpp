@@ -22,13 +22,13 @@ std::string in_words(const SearchWithoutOrbit& seen) {
     std::ostringstream s;
     s.precision(3);
     if (!seen.ended.empty()) s << seen.ended << ": ";
-    s << (seen.chattering ? "phases of no length follow each other" : "it comes to no periodic motion") << " within "
+    s << (seen.chattering ? "phases of zero length follow each other" : "the motion comes to no periodic motion") << " within "
       << seen.periods << " periods";
     if (seen.grows_to > 0)
-        s << ". The motion still grows, to " << seen.grows_to;
+        s << ". The motion still grows; its size is " << seen.grows_to;
     else if (seen.repeats_after > 0)
-        s << ". The motion repeats itself best after " << seen.repeats_after << " half-periods, to " << seen.repeats_to
-          << " of its size";
+        s << ". After " << seen.repeats_after << " half-periods the motion comes nearest to repeating itself: it is "
+          << seen.repeats_to << " of its size away";
     if (seen.orbit > 0)
         s << ". A periodic motion of " << seen.orbit << " half-periods exists, which is "
           << (seen.orbit_is_stable ? "stable" : "not certainly stable") << " with a largest multiplier of "

@@ -180,7 +180,7 @@ private:
         return rest_at(done % 2 != 0 ? T(-z.x[j_]) : z.x[j_], done, T(0),
                        verdict == Verdict::lasts
                            ? "the contact came to rest and stays there: the load on it never reaches mu beta again"
-                           : "the contact came to rest and the load on it reaches mu beta to rounding: it is "
+                           : "the contact came to rest and the load on it equals mu beta to rounding: beta is "
                              "on the boundary of permanent sticking");
     }
 
@@ -202,7 +202,7 @@ private:
         if (!near && done < 2 * search_.most_periods) return false;
         return rest_at(done % 2 != 0 ? T(-x_j) : x_j, done, apart,
                        "rest is steady, and with mu = 1 and damping the steady velocities are unique: the contact comes to rest, "
-                       "or slips by less and less; the error bound says how well it is known where");
+                       "or slips by less and less; the error bound covers where it rests");
     }
 
     // The answer that the contact rests at x_j, no mass more than `apart` from where it is then.

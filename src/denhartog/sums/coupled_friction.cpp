@@ -182,7 +182,7 @@ void CoupledFriction<T>::set_start() {
             throw DomainError(
                 "a motion without damping mirrors itself every half-period: friction at this frequency ratio has no "
                 "steady motion");
-        throw PrecisionError("the number type does not tell the motion under friction over half a period");
+        throw PrecisionError("the number type has too few digits to follow the motion under friction over half a period");
     }
     error_of_c_ = 2 * (lost * c_.norm() + size * error_of_rest_);
 }

@@ -110,8 +110,8 @@ Solution answer_or_reason(const SceneSource& source, std::optional<int> digits) 
         Solution found = sliding_solution(source, {Asked::motion, digits, {}});
         put_in_order_of_masses(source.in_double().system.coordinates, found);
         if (!digits || found.digits_reached) return found;
-        throw PrecisionError("the " + std::to_string(*digits) + " digits asked for are not reached, only " +
-                             std::to_string(digits_of(found.relative_error)) + " are sure");
+        throw PrecisionError("the " + std::to_string(*digits) + " digits asked for are not reached: only " +
+                             std::to_string(digits_of(found.relative_error)) + " are certain");
     } catch (const DomainError& e) {
         throw at_a_pole(e);
     }

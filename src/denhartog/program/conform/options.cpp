@@ -130,11 +130,10 @@ std::vector<const conformance::Vector*> selected(const SelectionOptions& options
             matches(v.question.id, filter, options.filter))
             chosen.push_back(&v);
     if (chosen.empty()) {
-        const bool more = std::any_of(all.begin(), all.end(), [](const conformance::Vector& v) { return is_named("systems", v); });
-        throw InputError("the selection",
-                         more ? "must leave at least one vector (--systems or --group systems choose those of systems beyond the paper)"
-                              : "must leave at least one vector",
-                         "0 of " + std::to_string(all.size()));
+        const bool more =
+            std::any_of(all.begin(), all.end(), [](const conformance::Vector& v) { return is_named("systems", v); });
+        const std::string hint = more ? " (--systems or --group systems choose those of systems beyond the paper)" : "";
+        throw InputError("the selection", "must leave at least one vector" + hint, "0 of " + std::to_string(all.size()));
     }
     return chosen;
 }

@@ -85,7 +85,7 @@ void run(const SweepOptions& options, ExitStatus& status) {
     const std::string said = std::to_string(ran.computed) + " computed, " + std::to_string(ran.found_done) + " done before";
     if (ran.signal) {
         status.signal = *ran.signal;
-        report("interrupted: " + said + "; what was not finished has left nothing");
+        report("interrupted: " + said + "; unfinished chunks have left no files");
         return;
     }
     write_standard_output("chunks: " + said + "\n");
@@ -105,12 +105,12 @@ void merge_chunks(const SweepOptions& options, ExitStatus& status) {
     for (const std::string& each : found.faults) report(each);
     if (!found.none()) {
         status.failed = true;
-        report("nothing is put together: `sweep run` computes what is missing or damaged");
+        report("nothing is merged: `sweep run` computes the chunks that are missing or damaged");
         return;
     }
     merge(study);
     if (!options.to.empty()) write_netcdf(study, options.to);
-    write_standard_output("all " + std::to_string(study.plan.chunks) + " chunks are there, each once: " +
+    write_standard_output("all " + std::to_string(study.plan.chunks) + " chunks are present, each once: " +
                           study.file(sweep::result_folder) + (options.to.empty() ? "" : ", " + options.to) + "\n");
 }
 
