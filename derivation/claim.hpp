@@ -123,7 +123,10 @@ struct MutantCount {
     std::vector<std::string> holes; ///< which were proved or unknown
 };
 
-/// @brief Runs every mutated twin of a claim through the zero test.
+/// @brief Looks for a value that refutes each mutated twin of a claim.
+///
+/// A twin without such a value goes through the whole zero test, and so does every fourth operation that is replaced: its reduction
+/// must not come to zero.
 ///
 /// A twin has one operation of the kernel replaced or a term dropped, two of its symbols exchanged (the contact's mode shapes for
 /// those of the load, u for g, the mass k for j), or the first or last mode left out. Further twins have the derived side altered:
