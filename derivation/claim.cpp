@@ -27,6 +27,11 @@ std::vector<Maker>& makers() {
     return m;
 }
 
+std::vector<Range> domain_of_component(const Symbolic& kernel, const GiNaC::ex& derived, std::vector<GiNaC::ex> real) {
+    real.insert(real.end(), {kernel.expression(), derived});
+    return domain_of(real);
+}
+
 bool is_named_after_its_equation(const Claim& claim) { return claim.id.starts_with(claim.equations.front() + "/"); }
 
 std::string text(const GiNaC::numeric& n) {
@@ -92,9 +97,11 @@ std::string kind_of_check(const Claim& claim, const Outcome& outcome, const Watc
 } // namespace
 
 Decision decide_component(const Symbolic& kernel, const GiNaC::ex& derived, const std::vector<GiNaC::ex>& real) {
-    std::vector<GiNaC::ex> all = real;
-    all.insert(all.end(), {kernel.expression(), derived});
-    return decide_equal(kernel.expression(), derived, domain_of(all), real);
+    return decide_equal(kernel.expression(), derived, domain_of_component(kernel, derived, real), real);
+}
+
+bool component_differs(const Symbolic& kernel, const GiNaC::ex& derived, const std::vector<GiNaC::ex>& real) {
+    return differs_at_samples(kernel.expression(), derived, domain_of_component(kernel, derived, real), real);
 }
 
 long& altered_statements_refuted() {

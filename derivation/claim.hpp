@@ -109,6 +109,12 @@ struct Result {
 /// @param real  roots in the derived side, real wherever the claim is made @return the decision
 [[nodiscard]] Decision decide_component(const Symbolic& kernel, const GiNaC::ex& derived, const std::vector<GiNaC::ex>& real);
 
+/// @brief Whether values at sample points refute a component, without the reduction.
+/// @param kernel   what the kernel gives @param derived what it ought to equal
+/// @param real     roots that are real wherever the statement is made
+/// @return         true where they differ
+[[nodiscard]] bool component_differs(const Symbolic& kernel, const GiNaC::ex& derived, const std::vector<GiNaC::ex>& real = {});
+
 /// @brief Decides a claim.
 /// @param claim  the claim
 /// @return       the result

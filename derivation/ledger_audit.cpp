@@ -10,7 +10,7 @@ using nlohmann::json;
 
 namespace {
 
-bool decides_role(const json& claim) {
+bool decides_the_equation(const json& claim) {
     const std::string role = claim.at("role");
     return role != "step" && role != "observation" && !claim.contains("same_as");
 }
@@ -23,7 +23,7 @@ bool is_proof_of_a_kind(const json& claim) {
 std::string kinds_of(const json& entry) {
     std::map<std::string, int> count;
     for (const json& claim : entry.at("claims"))
-        if (decides_role(claim)) ++count[claim.value("kind", "")];
+        if (decides_the_equation(claim)) ++count[claim.value("kind", "")];
     std::string text;
     for (const auto& [kind, n] : count) text += (text.empty() ? "" : ", ") + std::to_string(n) + " " + kind;
     return text.empty() ? "none: " + entry.at("kind").get<std::string>() : text;
@@ -44,7 +44,7 @@ std::vector<const json*> claims_in_use(const json& entry) {
     std::vector<const json*> list;
     for (const json& claim : entry.at("claims")) {
         const bool of_use = claim.at("role") == "both" || claim.at("role") == (shipped ? "shipped" : "printed");
-        if (of_use && decides_role(claim) && is_proof_of_a_kind(claim)) list.push_back(&claim);
+        if (of_use && decides_the_equation(claim) && is_proof_of_a_kind(claim)) list.push_back(&claim);
     }
     return list;
 }
