@@ -107,8 +107,8 @@ TEST_CASE("phases at frequencies far below all natural ones keep their bounds, a
                 const Bounded<double>& phase = low.state->masses[k].phase;
                 INFO("r = " << r << ", beta = " << *scene.beta << ", mass " << k + 1 << ", bound " << phase.e);
                 CHECK(abs(wrapped(Real100(Real100(phase.x) - high.steady_state->masses[k].phase))) <= Real100(phase.e));
-                // With friction the modes ring so fast that double does not tell the maxima of a ripple apart: 50 digits do.
-                CHECK(phase.e < (part > 0 && r < 1e-6 ? 1e-5 : 1e-12));
+                // With friction the modes ring: at r = 1e-9 the maxima of that ripple differ by less than double can tell.
+                CHECK(phase.e < (part > 0 && r == 1e-9 ? 1e-7 : 1e-12));
                 const Certified sure = *solve(scene_source(scene), {Asked::phase, 12}).masses[k].phase;
                 CHECK(sure.error < 1e-12);
                 CHECK(abs(wrapped(Real100(Real100(sure.value) - high.steady_state->masses[k].phase))) <= Real100(sure.error));

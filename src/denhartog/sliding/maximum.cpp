@@ -11,6 +11,7 @@ namespace denhartog {
 namespace {
 
 constexpr int first_intervals = 8; // each is looked at in its middle too
+constexpr int second_looks = 256;  // at halves of intervals that hold no larger value, but perhaps one as large
 
 template <class T>
 struct Node {
@@ -64,21 +65,21 @@ public:
             const Interval<T> now = open_.back();
             open_.pop_back();
             const bool passed_over = now.highest <= best_.value + noise_ + rounding();
-            const bool has_root = opposite_signs(now.left.at.w, now.right.at.w);
-            if (now.monotone && !has_root) { // it rises or falls from one end to the other
-                const Node<T>& top = now.left.at.f > now.right.at.f ? now.left : now.right;
-                dismiss(now, top, top.at.f, T(0));
-            } else if (passed_over || !(now.left.tau < now.middle.tau && now.middle.tau < now.right.tau)) {
-                dismiss(now, now.middle, now.highest, T(now.right.tau - now.left.tau));
+            if (now.monotone && !has_root(now)) {
+                dismiss_monotone(now);
+            } else if (is_narrowest(now)) {
+                dismiss_unseen(now);
+            } else if (passed_over) {
+                passed_over_.push_back(now);
             } else if (now.monotone) {
-                const Node<T> top = at_root(now);
-                dismiss(now, top, top.at.f, T(0));
+                dismiss_monotone(now);
             } else {
                 halve(now);
             }
         }
         best_.settled = open_.empty();
-        for (const Interval<T>& each : open_) dismiss(each, each.middle, each.highest, T(each.right.tau - each.left.tau));
+        for (const Interval<T>& each : open_) dismiss_unseen(each);
+        look_into_passed_over();
         best_.upper = std::max(best_.upper, best_.value) + noise_;
         gather_places();
         return std::move(best_);
@@ -86,6 +87,9 @@ public:
 
 private:
     T rounding() const { return rounding_of(best_.value); }
+
+    static bool has_root(const Interval<T>& in) { return opposite_signs(in.left.at.w, in.right.at.w); }
+    static bool is_narrowest(const Interval<T>& in) { return !(in.left.tau < in.middle.tau && in.middle.tau < in.right.tau); }
 
     Node<T> node(const T& tau) {
         effort_.spend(curve_.cost);
@@ -139,6 +143,34 @@ private:
     // Below it no value can be the largest.
     T level() const { return best_.value - 2 * error_ - rounding(); }
 
+    // What was passed over holds no larger value, but perhaps one as large: where that is taken is narrowed down, all at the same
+    // rate, as far as the effort goes.
+    void look_into_passed_over() {
+        std::vector<Interval<T>> now = std::move(passed_over_), next;
+        for (int looks = 0; !now.empty(); now = std::move(next), next.clear())
+            for (const Interval<T>& each : now) {
+                if (each.highest < level()) {
+                    dismiss_unseen(each);
+                } else if (each.monotone) {
+                    dismiss_monotone(each);
+                } else if (is_narrowest(each) || looks == second_looks || effort_.exhausted()) {
+                    dismiss_unseen(each);
+                } else {
+                    next.push_back(bounded(each.left, each.middle));
+                    next.push_back(bounded(each.middle, each.right));
+                    ++looks;
+                }
+            }
+    }
+
+    // It rises or falls from one end to the other, or up to a root and down again.
+    void dismiss_monotone(const Interval<T>& in) {
+        const Node<T> top = has_root(in) ? at_root(in) : in.left.at.f > in.right.at.f ? in.left : in.right;
+        dismiss(in, top, top.at.f, T(0));
+    }
+
+    void dismiss_unseen(const Interval<T>& in) { dismiss(in, in.middle, in.highest, T(in.right.tau - in.left.tau)); }
+
     void dismiss(const Interval<T>& in, const Node<T>& top, const T& highest, const T& reach) {
         best_.upper = std::max(best_.upper, highest);
         if (highest < level()) return;
@@ -154,7 +186,7 @@ private:
     T noise_, error_;
     Effort& effort_;
     Maximum<T> best_;
-    std::vector<Interval<T>> open_;
+    std::vector<Interval<T>> open_, passed_over_;
 };
 
 } // namespace
