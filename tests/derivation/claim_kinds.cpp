@@ -2,6 +2,7 @@
 #include "claim.hpp"
 #include "denhartog/formulas/mode.hpp"
 #include "derived.hpp"
+#include "equation_order.hpp"
 #include "limits.hpp"
 #include "run.hpp"
 #include "symbols.hpp"
@@ -39,6 +40,21 @@ TEST_CASE("the kind of a claim is computed from what its sides call", "[claim]")
     CHECK(restated.kind == "restated");
     CHECK(restated.fingerprint == refined.fingerprint);
     CHECK_FALSE(restated.fingerprint.empty());
+}
+
+TEST_CASE("claims come in the order of their equations, those named after one before the others", "[claim]") {
+    std::size_t followed = 0; // own claims that another one follows
+    const std::vector<Claim>& all = claims();
+    const auto is_own = [](const Claim& claim) { return claim.id.starts_with(claim.equations.front() + "/"); };
+    for (std::size_t n = 1; n < all.size(); ++n) {
+        const Claim &before = all[n - 1], &claim = all[n];
+        INFO(before.id << ", " << claim.id);
+        const auto first = position_of_equation(before.equations.front()), second = position_of_equation(claim.equations.front());
+        CHECK(first <= second);
+        if (first == second) CHECK((is_own(before) || !is_own(claim)));
+        followed += first == second && is_own(before) && !is_own(claim) ? 1 : 0;
+    }
+    CHECK(followed > 0);
 }
 
 TEST_CASE("a check is an argument where a person argued, and a consequence where none did", "[claim]") {
