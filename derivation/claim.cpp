@@ -40,8 +40,8 @@ std::string text(const GiNaC::numeric& n) {
     return out.str();
 }
 
-/// Both sides at a point, in digits, and the number of symbols in them: for more masses there are more, also where the values are the
-/// same. Empty where nothing can be told from them.
+/// Both sides at a point, in digits, and the number of symbols in them: for more masses there are more, also where the values are
+/// the same. Empty where nothing can be told from them.
 std::string fingerprint_of(const Symbolic& kernel, const GiNaC::ex& derived) {
     std::string found;
     try {

@@ -131,13 +131,13 @@ struct MutantCount {
 
 /// @brief Looks for a value that refutes each mutated twin of a claim.
 ///
-/// A twin without such a value goes through the whole zero test, and so does every fourth operation that is replaced: its reduction
-/// must not come to zero.
+/// A twin without such a value goes through the whole zero test, and so does every fourth operation that is replaced: its
+/// reduction must not come to zero.
 ///
 /// A twin has one operation of the kernel replaced or a term dropped, two of its symbols exchanged (the contact's mode shapes for
-/// those of the load, u for g, the mass k for j), or the first or last mode left out. Further twins have the derived side altered:
-/// one added, the sign changed, doubled, a term dropped. Where the claim is a special case, in which operations of the kernel meet
-/// a zero and do not matter, operations are left alone.
+/// those of the load, u for g, the mass k for j), or the first or last mode left out. Further twins have the derived side
+/// altered: one added, the sign changed, doubled, a term dropped. Where the claim is a special case, in which operations of the
+/// kernel meet a zero and do not matter, operations are left alone.
 /// @param claim  a claim whose kernel is proved
 /// @return       the counts
 [[nodiscard]] MutantCount mutate(const Claim& claim);

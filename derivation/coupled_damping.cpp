@@ -1,5 +1,5 @@
-// Damping that couples the modes, which the paper leaves out: its energy coordinates, friction's share of the motion, and that both are
-// the paper's where the modes are not coupled.
+// Damping that couples the modes, which the paper leaves out: its energy coordinates, friction's share of the motion, and that
+// both are the paper's where the modes are not coupled.
 #include "denhartog/evaluation/coupled_damping.hpp"
 #include "claim.hpp"
 #include "derived.hpp"

@@ -25,12 +25,12 @@ class Divisors {
 public:
     std::vector<Divisor> all; ///< in the order in which they were found
 
-    /// @brief An expression with the inverses in place of what is divided by. @param e the expression @return it without quotients
+    /// @brief An expression with the inverses in place of its divisors. @param e the expression @return it without quotients
     GiNaC::ex without_quotients(const GiNaC::ex& e);
     /// @brief An expanded polynomial times the least product of divisors that leaves no inverse in it; divisors by symbols.
     /// @param polynomial  the polynomial @return  the product of the two, and the second of them
     std::pair<GiNaC::ex, GiNaC::ex> cleared(const GiNaC::ex& polynomial) const;
-    /// @brief An expression with the polynomials in place of the divisors' symbols. @param e the expression @return it without them
+    /// @brief An expression with the polynomials in place of the divisors' symbols. @param e it @return it without the symbols
     GiNaC::ex with_polynomials(const GiNaC::ex& e) const;
     /// @brief Adds a divisor. @param polynomial what is divided by
     void add(const GiNaC::ex& polynomial);

@@ -1,5 +1,5 @@
-// (16)-(20) for systems of every number of masses, by the step of the sums: with opaque sums over the masses before, one more mass
-// adds its part, and with an opaque sum over the modes before, one more mode. The matrices are any symmetric ones.
+// (16)-(20) for systems of every number of masses, by the step of the sums: with opaque sums over the masses before, one more
+// mass adds its part, and with an opaque sum over the modes before, one more mode. The matrices are any symmetric ones.
 #include "claim.hpp"
 #include "denhartog/formulas/modal_coordinate.hpp"
 #include "denhartog/formulas/system.hpp"

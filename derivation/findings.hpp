@@ -12,8 +12,8 @@
 
 namespace denhartog::derivation {
 
-/// @brief Findings by the names of the claims: `record`, what `denhartog derive` shows; `fingerprint`, by which claims that say the
-///        same are found; `twins`, counts, or null where none were tried;
+/// @brief Findings by the names of the claims: `record`, what `denhartog derive` shows; `fingerprint`, by which claims that say
+///        the same are found; `twins`, counts, or null where none were tried;
 ///        `fault`, why there is no verdict, empty where there is one.
 using Findings = std::map<std::string, nlohmann::json>;
 

@@ -46,7 +46,7 @@ struct Compiled {
 /// @return true where it does
 [[nodiscard]] bool finds_no_proof(const std::string& message);
 
-/// @brief Whether Coq could read a source that it did not accept: a fault of its text is no missing proof. @param message what it said
+/// @brief Whether Coq could read a source that it refused: a fault of the text is no missing proof. @param message what it said
 /// @return false where it says that the text is at fault
 [[nodiscard]] bool can_be_read(const std::string& message);
 

@@ -23,9 +23,9 @@ struct AuditRow {
 
 /// @brief The audit of a ledger.
 ///
-/// Steps and observations decide no equation and are not counted; nor is a claim that says what another one has said. The premises
-/// are the equations of the kind `assumption` that are reached by `rests_on`. The domain has the assumptions of the claims, `derived`
-/// or `refinement`, on the form that is shipped, or on the printed form where none is.
+/// Steps and observations decide no equation and are not counted; nor is a claim that says what another one has said. The
+/// premises are the equations of the kind `assumption` that are reached by `rests_on`. The domain has the assumptions of the
+/// claims, `derived` or `refinement`, on the form that is shipped, or on the printed form where none is.
 /// @param entries  the ledger
 /// @return         a row an equation, in the paper's order
 [[nodiscard]] std::vector<AuditRow> audit_of(const nlohmann::json& entries);

@@ -20,16 +20,16 @@ struct KernelRecord {
 };
 
 /// @brief Reads the record of a check.
-/// @param folder      with `certificates.json` and `kernel.json`, and `theorems.json` where the theorems were checked; empty: not run
-/// @param statements  the list of theorems by hand, `derivation/kernel/statements.json`, beside `equations.json`, which says of every
-///                    equation which of them speak of it, or why none; need not be there
+/// @param folder      with `certificates.json` and `kernel.json`, and `theorems.json` if theorems were checked; empty: not run
+/// @param statements  the list of theorems by hand, `derivation/kernel/statements.json`, beside `equations.json`, which says of
+///                    every equation which of them speak of it, or why none; need not be there
 /// @return            the record
 [[nodiscard]] KernelRecord read_kernel_record(const std::filesystem::path& folder, const std::filesystem::path& statements);
 
 /// @brief Writes into each claim of the ledger, and into each equation, the key `kernel`.
 ///
-/// Its `status` is `checked`; `not_exported`, with `reason`; `failed`, with `message`; or `not_run`. An equation is `failed` where one
-/// of its claims is or one of its theorems, `checked` where at least one claim or theorem on it is, and has `theorems` and `negations`.
+/// Its `status` is `checked`; `not_exported`, with `reason`; `failed`, with `message`; or `not_run`. An equation is `failed` if
+/// one of its claims or theorems is, `checked` if at least one claim or theorem on it is, and it has `theorems` and `negations`.
 /// @param entries  the ledger
 /// @param record   what the check left
 /// @return         a sentence for each claim or theorem that failed

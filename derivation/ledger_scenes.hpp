@@ -15,8 +15,8 @@ constexpr double visible_loss = 0.01;
 /// @param entries  the ledger
 /// @param scenes   by the number of the equation: `where`, `scene`, `regime`, `quantity`, `printed`, `holds`, `loss`; or `none`,
 ///                 the reason why no scene shows it
-/// @return         a sentence for each refuted or illegible equation with neither, for each scene with a loss below `visible_loss`,
-///                 and for each scene of an equation that stands
+/// @return         a sentence for each refuted or illegible equation with neither, for each scene with a loss below
+///                 `visible_loss`, and for each scene of an equation that stands
 [[nodiscard]] std::vector<std::string> add_scenes(nlohmann::json& entries, const nlohmann::json& scenes);
 
 /// @brief A scene in a sentence, or why there is none. @param scene an entry's `scene`, not empty @return Markdown

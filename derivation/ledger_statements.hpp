@@ -1,6 +1,6 @@
 /// @file
-/// @brief What the paper's text says, statement by statement, with the verdict on each: the rows of `docs/ledger/statements.json` and
-///        the claims that decide them brought together.
+/// @brief What the paper's text says, statement by statement, with the verdict on each: the rows of `docs/ledger/statements.json`
+///        and the claims that decide them brought together.
 #pragma once
 
 #include <filesystem>

@@ -1,6 +1,6 @@
-// The derivation program: `run` decides every claim and writes what it found, `join` brings in the results of the tests and of the
-// kernel, `status` puts the counts and the figures' numbers into README.md, docs/what-was-found.md and paper-figures/README.md,
-// `kernel` writes what is proved as lemmas for Coq and has them checked.
+// The derivation program: `run` decides every claim and writes what it found, `join` brings in the results of the tests and of
+// the kernel, `status` puts the counts and the figures' numbers into README.md, docs/what-was-found.md and
+// paper-figures/README.md, `kernel` writes what is proved as lemmas for Coq and has them checked.
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <fstream>

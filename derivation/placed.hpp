@@ -61,11 +61,11 @@ inline Placed operator/(const Placed& a, const Placed& b) { return {a.symbolic()
 inline Placed operator-(const Placed& a) { return {-a.symbolic(), -a.value()}; }
 /// @brief Whether one place is less than another; the comparison is kept. @param a a number @param b a number @return the outcome
 inline bool operator<(const Placed& a, const Placed& b) { return noted(a, b, false, a.value() < b.value()); }
-/// @brief Whether one place is greater than another; the comparison is kept. @param a a number @param b a number @return the outcome
+/// @brief Whether one place is greater than another; the comparison is kept. @param a one @param b the other @return the outcome
 inline bool operator>(const Placed& a, const Placed& b) { return noted(a, b, false, a.value() > b.value()); }
-/// @brief Whether one place is less than or equal to another; the comparison is kept. @param a a number @param b a number @return the outcome
+/// @brief Whether one place is not above another; the comparison is kept. @param a one @param b the other @return the outcome
 inline bool operator<=(const Placed& a, const Placed& b) { return noted(a, b, false, a.value() <= b.value()); }
-/// @brief Whether one place is greater than or equal to another; the comparison is kept. @param a a number @param b a number @return the outcome
+/// @brief Whether one place is not below another; the comparison is kept. @param a one @param b the other @return the outcome
 inline bool operator>=(const Placed& a, const Placed& b) { return noted(a, b, false, a.value() >= b.value()); }
 /// @brief Whether one place is equal to another; the comparison is kept. @param a a number @param b a number @return the outcome
 inline bool operator==(const Placed& a, const Placed& b) { return noted(a, b, true, a.value() == b.value()); }

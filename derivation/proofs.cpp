@@ -1,4 +1,4 @@
-// `proofs FILE`: decides the claims that need no solver, before the library is built, and leaves what it found for `derivation run`.
+// `proofs FILE`: decides claims that need no solver, before the library is built, and leaves its findings for `derivation run`.
 #include <fstream>
 #include <iostream>
 #include <thread>

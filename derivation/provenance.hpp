@@ -4,8 +4,8 @@
 
 namespace denhartog::derivation {
 
-/// @brief Says that GiNaC derives from a premise of the paper: the springs' energy, the equation of motion (4), (6), (12) or (20),
-///        or a condition that is set to it, (17), (18), (25) or (30). Called where the derivation states the premise, nowhere else.
+/// @brief Says that GiNaC derives from a premise of the paper: the springs' energy, the equation of motion (4), (6), (12) or
+///        (20), or a condition that is set to it, (17), (18), (25) or (30). Only the place that states the premise calls it.
 void from_premise();
 
 /// @brief Watches whether a premise is stated while it lives.

@@ -1,11 +1,11 @@
 /// @file
 /// @brief An expression in the form that a reader wants: the paper's groups recognised, common factors collected.
 ///
-/// GiNaC's expressions come out of linear systems, expanded and over one denominator. Here functions and roots become symbols, the
-/// paper's groups \f$ d_i, q_i, w_i, [v_{di}\cos\phi_j] \f$ are put in by exact substitution, and the result is factored as a
-/// whole or term by term. Of several such forms the one that is narrowest on the page is taken. None is trusted: the zero test has
-/// to prove that the form, with the groups' meanings put back, equals the expression; what it does not prove is shown as GiNaC
-/// made it.
+/// GiNaC's expressions come out of linear systems, expanded and over one denominator. Here functions and roots become symbols,
+/// the paper's groups \f$ d_i, q_i, w_i, [v_{di}\cos\phi_j] \f$ are put in by exact substitution, and the result is factored as a
+/// whole or term by term. Of several such forms the one that is narrowest on the page is taken. None is trusted: the zero test
+/// has to prove that the form, with the groups' meanings put back, equals the expression; what it does not prove is shown as
+/// GiNaC made it.
 #pragma once
 
 #include <ginac/ginac.h>

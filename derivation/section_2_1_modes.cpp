@@ -39,7 +39,7 @@ matrix shipped_damping_matrix(int N) {
     return result;
 }
 
-/// (20) for every mode of a symbolic system; eta, eta', eta'' are the symbols u, g, Re v. Contact on the first mass, load on the last.
+/// (20) for every mode of a symbolic system; u, g, Re v stand for eta, eta', eta''. Contact on mass 1, load on the last.
 Values modal_equations(int N) {
     const SymbolicSystem& s = symbolic_system(N);
     const SymbolicModes m = symbolic_modes(N);

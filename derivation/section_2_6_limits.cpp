@@ -1,4 +1,4 @@
-// Section 2.6, (54), (58), (67)-(69): the load on the contact, and the limits of the friction ratio that the conditions amount to.
+// Section 2.6, (54), (58), (67)-(69): the load on the contact, and the limits that the conditions set to the friction ratio.
 #include "claim.hpp"
 #include "denhartog/formulas/boundary.hpp"
 #include "modal_sums.hpp"

@@ -199,7 +199,7 @@ struct NumericLess {
 };
 using Axis = std::set<numeric, NumericLess>;
 
-/// The places of a coordinate at which a condition on it alone changes its outcome, and what lies between, beyond and next to them.
+/// The places of a coordinate where a condition on it alone changes its outcome, and what lies between, beyond and next to them.
 void add_edges(Axis& axis, const ex& coordinate, const std::vector<ex>& conditions) {
     for (const ex& condition : conditions) {
         if (!condition.is_polynomial(coordinate) || condition.degree(coordinate) != 1) continue;

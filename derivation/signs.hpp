@@ -1,8 +1,8 @@
 /// @file
 /// @brief Which polynomials are never negative on a domain, and why.
 ///
-/// A root may be taken apart, or exchanged for another of the same square, only where signs are certain on all of the domain. They
-/// are found here by bounds alone; a sample point certifies nothing.
+/// A root may be taken apart, or exchanged for another of the same square, only where signs are certain on all of the domain.
+/// They are found here by bounds alone; a sample point certifies nothing.
 #pragma once
 
 #include <ginac/ginac.h>

@@ -43,7 +43,7 @@ std::vector<ex> functions_of_mode(const ex& R, const ex& zeta) {
     return functions;
 }
 
-/// What an array has for a mode: exponential, products of the half angle and series stand for themselves, as in `batch_forms.cpp`.
+/// What an array has for a mode: exponential, products of the half angle and series stand for themselves as in `batch_forms.cpp`.
 std::vector<Placed> array_of_mode(const Placed& R, const Placed& zeta) {
     const evaluation::VectorRange<Placed> range{exactly(evaluation::least_vector_ratio()),
                                                 exactly(evaluation::largest_vector_ratio()),

@@ -23,9 +23,9 @@ class Symbolic;
 
 /// @brief Replaces one operation while it lives: the `position`-th that the symbolic scalar carries out, counted from 0.
 ///
-/// Sum and difference are exchanged or lose their second term; product and quotient are exchanged, sine and cosine, hyperbolic sine
-/// and cosine, the arguments of atan2; an exponential gets the opposite sign, a root and a unary minus are left out, an integer
-/// grows by one, pi is 3.
+/// Sum and difference are exchanged or lose their second term; product and quotient are exchanged, sine and cosine, hyperbolic
+/// sine and cosine, the arguments of atan2; an exponential gets the opposite sign, a root and a unary minus are left out, an
+/// integer grows by one, pi is 3.
 class Mutation {
 public:
     /// @param position  which operation to replace; negative: none, count only

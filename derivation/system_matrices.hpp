@@ -9,8 +9,8 @@ namespace denhartog::derivation {
 
 /// @brief Symbolic system: any diagonal mass matrix, any orthogonal modal matrix, any natural frequencies.
 ///
-/// The modal matrix is \f$ \overline{M}^{-1/2}Q \f$ with a rotation Q by Cayley's formula, rational in its parameters; the stiffness
-/// and damping matrices follow from natural frequencies and damping ratios. Every system with distinct frequencies is of this form.
+/// The modal matrix is \f$ \overline{M}^{-1/2}Q \f$ with a rotation Q by Cayley's formula, rational in its parameters. Stiffness
+/// and damping matrices follow from natural frequencies and damping ratios. All systems with distinct frequencies have this form.
 struct SymbolicSystem {
     GiNaC::matrix M;              ///< non-dimensional mass matrix
     GiNaC::matrix C;              ///< non-dimensional damping matrix

@@ -7,10 +7,10 @@
 
 namespace denhartog::derivation {
 
-/// @brief Width of typeset LaTeX in characters: of a fraction the wider part, indices at 0.6. @param latex LaTeX @return the width
+/// @brief Width of typeset LaTeX in characters: the wider part of a fraction, 0.6 for an index. @param latex it @return the width
 [[nodiscard]] double visible_width(const std::string& latex);
 
-/// @brief Numerator and denominator of a piece of LaTeX that is one fraction. @param latex LaTeX @return both; empty where it is not
+/// @brief Numerator and denominator of LaTeX that is one fraction. @param latex LaTeX @return both; empty if it is none
 [[nodiscard]] std::pair<std::string, std::string> parts_of_fraction(const std::string& latex);
 
 /// @brief A sentence for a terminal: what stands between dollar signs in plain characters, `$\psi_{ji}R_i^2$` as `psi_ji R_i^2`.

@@ -1,7 +1,7 @@
 // The motion that is shipped, put into (12), (25) and (30) for one, two and three masses, every place of contact and load.
 //
-// No relation between the steps of the paper is used: modes with any modal matrix, the formulas (23), (28), (29), (33)-(35), (38),
-// (39), (46) as templates, and the conditions. An error that the formulas and the derivation of the steps share shows here.
+// No relation between the steps of the paper is used: modes with any modal matrix, the formulas (23), (28), (29), (33)-(35),
+// (38), (39), (46) as templates, and the conditions. An error that the formulas and the derivation of the steps share shows here.
 #include "whole_motion.hpp"
 
 #include <algorithm>

@@ -16,8 +16,8 @@ struct Delivery {
 
 /// @brief Runs tasks, each in a process forked from this one.
 ///
-/// Every task starts from the state that this process has now. What it returns therefore does not depend on the number of workers, nor on
-/// the tasks that ran before it.
+/// Every task starts from the state that this process has now. What it returns therefore does not depend on the number of
+/// workers, nor on the tasks that ran before it.
 /// @param count      how many tasks there are; they start in the order of their numbers
 /// @param workers    how many processes run at a time, at least 1
 /// @param task       a task by its number from 0; runs in the process of its own

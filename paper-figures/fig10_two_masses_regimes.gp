@@ -13,13 +13,15 @@ set yrange [0:3]
 set xtics 0.5
 set ytics 0.5
 set label 'permanent sticking' at 0.55, 1.6 center
-set label 'stick-slip' at 0.95, 0.63 center
+set label 'stick-slip' at 2.1, 1.3 left
+set arrow 1 from 2.08, 1.26 to 1.72, 1.0 lw 1 lc rgb '#333333' size screen 0.006, 20 filled
 set label 'continuous' at 1.5, 0.3 center
 plot for [n=1:3] data index 'zeta='.zeta[n].';' using 1:2 with lines lt n dt n lw 2.4, \
      for [n=1:3] data index 'zeta='.zeta[n].';' using 1:5 with lines lt n dt n lw 1.2, \
      for [n=1:3] data index 'numerical zeta='.zeta[n].';' using 1:2 with points lt n pt 6 ps 0.75 lw 1.2, \
      for [n=1:3] data index 'numerical zeta='.zeta[n].';' using 1:3 with points lt n pt 6 ps 0.75 lw 1.2
 unset label
+unset arrow 1
 set title '(b) both axes logarithmic'
 set logscale xy
 set xrange [0.05:30]

@@ -1,4 +1,5 @@
-# From ctest's JUnit file: a line for every program of tests, then "N passed, N failed, N skipped". A check that prints no count is one test.
+# From ctest's JUnit file: a line for every program of tests, then "N passed, N failed, N skipped". A check that prints no count
+# is one test.
 /<testcase / {
     name = $0; sub(/.*<testcase name="/, "", name); sub(/" .*/, "", name)
     status = $0; sub(/.* status="/, "", status); sub(/".*/, "", status)

@@ -1,5 +1,5 @@
-// Section 2.6: "only if"s and observations of the text on the boundary of the sliding regime. Proved where possible; else searched by
-// a fixed seed, with the counterexample or the number of cases tried.
+// Section 2.6: "only if"s and observations of the text on the boundary of the sliding regime. Proved where possible; else
+// searched by a fixed seed, with the counterexample or the number of cases tried.
 #include <algorithm>
 #include <cmath>
 

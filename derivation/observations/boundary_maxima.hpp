@@ -16,8 +16,8 @@ namespace denhartog::derivation {
 /// @return  the loss
 [[nodiscard]] double loss_by_56(const Boundary<double>& b);
 
-/// @brief The largest value of a function of the boundary over the frequency ratio, mu = 1: a grid of 1000 parts, then closer round
-///        its highest peaks. Poles of a mode without damping are passed over.
+/// @brief The largest value of a function of the boundary over the frequency ratio, mu = 1: a grid of 1000 parts, then closer
+///        round its highest peaks. Poles of a mode without damping are passed over.
 /// @param s     a system
 /// @param low   least frequency ratio
 /// @param high  largest

@@ -94,7 +94,7 @@ double mode_by_mode_error(const SlidingScene& s) {
     return 0;
 }
 
-/// Relative error of the boundary by (58) and "(67) or (68)" with (68) as printed: where (68) begins below (58), (58) alone is left.
+/// Relative error of the boundary by (58) and "(67) or (68)" with (68) as printed: if (68) begins below (58), (58) alone is left.
 double error_with_68(const SlidingScene& s) {
     const ModeSums<double>& m = s.sums;
     const std::size_t j = m.contact.index;

@@ -40,7 +40,7 @@ constexpr std::uint64_t seed_of_scenes = 2022;
 /// @brief The boundary (69) with a sum S_dj of one's own. @param scene a scene @param S the sum @return the friction ratio
 [[nodiscard]] double limit_with_sum(const SlidingScene& scene, double S);
 
-/// @brief Whether every mode meets (63), which is (59) with (62) in it, on its own. @param scene a scene @param beta friction ratio
+/// @brief Whether every mode on its own meets (63), which is (59) with (62). @param scene a scene @param beta friction ratio
 /// @return  whether all do
 [[nodiscard]] bool every_mode_meets_63(const SlidingScene& scene, double beta);
 

@@ -1,4 +1,4 @@
-// Sections 2.1, 2.6 and 3.1: what static friction changes and what it does not, and where the contact rests while it sticks and slips.
+// Sections 2.1, 2.6 and 3.1: what static friction changes and what it does not, and where the contact rests in stick-slip.
 #include <algorithm>
 #include <cmath>
 

@@ -1,8 +1,8 @@
 /// @file
 /// @brief For each printed equation that does not hold, a scene of an actual system in which somebody sees it.
 ///
-/// A point that refutes in symbols need be no system: u and g of a mode do not go with its R and zeta there. The scenes here are the
-/// paper's own or chains with ordinary numbers, and are solved; what the equation gives is compared with what holds.
+/// A point that refutes in symbols need be no system: u and g of a mode do not go with its R and zeta there. The scenes here are
+/// the paper's own or chains with ordinary numbers, and are solved; what the equation gives is compared with what holds.
 #pragma once
 
 #include <functional>
@@ -42,8 +42,8 @@ struct RefutationScene {
 
 /// @brief Solves a scene and compares.
 /// @param scene  the scene
-/// @return       `where`, `scene` as users write it, `regime`, `quantity`, `printed`, `holds`, and `loss`, the difference over the
-///               size
+/// @return       `where`, `scene` as users write it, `regime`, `quantity`, `printed`, `holds`, and `loss`, the difference over
+///               the size
 /// @throws       std::logic_error where the scene is not in the regime that it is said to be in
 [[nodiscard]] nlohmann::json solved(const RefutationScene& scene);
 

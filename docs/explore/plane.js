@@ -173,7 +173,8 @@ module.exports = function plane() {
         }
         curves = found;
     }
-    // Columns from coarse to fine, those of high r first, which cost least; in a column upwards, each search from the motion below.
+    // Columns from coarse to fine, those of high r first, which cost least; in a column upwards, each search from the motion
+    // below.
     function* fill() {
         const own = cells,
             { columns, rows } = own,

@@ -1,5 +1,6 @@
-// Each equation that does not hold as the text at hand prints it, as curves: as printed and as corrected, over what shows it best.
-// The printed forms are those of src/denhartog/formulas/as_printed.hpp. Verdicts and losses are the ledger's; none stands here.
+// Each equation that does not hold as the text at hand prints it, as curves: as printed and as corrected, over what shows it
+// best. The printed forms are those of src/denhartog/formulas/as_printed.hpp. Verdicts and losses are the ledger's; none stands
+// here.
 'use strict';
 const { ContactMotion, eliminated, stateAt } = require('../../tests/conformance/adapters/javascript/contact_motion.js');
 const { PI, sin, cos, exp, sqrt, abs, hypot, max, min, sign, atan2, cosh, sinh } = Math;

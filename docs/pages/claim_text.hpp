@@ -38,7 +38,7 @@ struct Book {
 /// @return text for Doxygen; empty where there is none
 [[nodiscard]] std::string witness_text(const RunRecord& run, const Json& witness);
 
-/// @brief The scene in which somebody sees that a printed equation does not hold, or why there is none. @param entry of the ledger
+/// @brief The scene that shows that a printed equation does not hold, or why there is none. @param entry of the ledger
 /// @return text for Doxygen; empty where the printed form stands
 [[nodiscard]] std::string scene_text(const Json& entry);
 

@@ -1,5 +1,5 @@
 /// @file
-/// @brief The section of an equation's page on the kernel of Coq: the theorems, the certificates, and what the kernel says of them.
+/// @brief The section of an equation's page on the kernel of Coq: theorems, certificates, and what the kernel says of them.
 #pragma once
 
 #include <string>

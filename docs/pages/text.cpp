@@ -84,10 +84,11 @@ std::string formula_at(const std::string& text, std::size_t at, std::size_t& end
         end = close + 1;
         return "\\" + word + "(" + inner + ")";
     }
-    const bool path =
-        (at > 0 && std::string("./:`#").find(text[at - 1]) != std::string::npos && text.compare(at, 5, "r_n,i") != 0) ||
-        (end < text.size() && std::string("(:*`").find(text[end]) != std::string::npos) ||
-        (end + 1 < text.size() && text[end] == '.' && is_word(text[end + 1]));
+    const bool over_one = at > 1 && text.compare(at - 2, 2, "1/") == 0 && (at == 2 || !is_word(text[at - 3]));
+    const bool path = (at > 0 && std::string("./:`#").find(text[at - 1]) != std::string::npos &&
+                       text.compare(at, 5, "r_n,i") != 0 && !over_one) ||
+                      (end < text.size() && std::string("(:*`").find(text[end]) != std::string::npos) ||
+                      (end + 1 < text.size() && text[end] == '.' && is_word(text[end + 1]));
     if (path) return {};
     std::string latex = symbol(word, false);
     if (word == "r_n" && text.compare(end, 2, ",i") == 0) {

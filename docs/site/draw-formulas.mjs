@@ -3,9 +3,9 @@
 //   node draw-formulas.mjs SITE DATA KATEX
 //
 // A formula becomes HTML for the eye and MathML for who listens. In displayed formulas of the equations' pages the symbols of
-// DATA/symbols.json carry the number of their entry, for reader.js. SITE/symbols.js and SITE/statements.js hold the meanings of the
-// symbols and the statements of the equations, drawn. KATEX is the folder of katex.min.js. A formula that KaTeX rejects is told, a
-// line each; exit status 1 where there is any.
+// DATA/symbols.json carry the number of their entry, for reader.js. SITE/symbols.js and SITE/statements.js hold the meanings of
+// the symbols and the statements of the equations, drawn. KATEX is the folder of katex.min.js. A formula that KaTeX rejects is
+// told, a line each; exit status 1 where there is any.
 import {createRequire} from "node:module";
 import fs from "node:fs";
 import path from "node:path";

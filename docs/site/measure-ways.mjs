@@ -4,7 +4,8 @@
 //
 // Opens the pages of ten equations at 1280 by 900 pixels and looks for each of the four: a link to it that is in sight costs a
 // click, a fold that hides it another, and without such a link one scrolls. What is told: clicks, pixels to scroll, seconds
-// until the page is loaded and until the last formula in sight is drawn, height of the page. Needs puppeteer-core, as check-pages.mjs does.
+// until the page is loaded and until the last formula in sight is drawn, height of the page. Needs puppeteer-core, as
+// check-pages.mjs does.
 import {createRequire} from "node:module";
 import fs from "node:fs";
 import path from "node:path";

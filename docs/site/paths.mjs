@@ -2,10 +2,10 @@
 //
 //   node paths.mjs SITE [EQUATION...]
 //
-// Opens the page of each equation at 1280 by 900 pixels and looks, as a reader would, for its own proof, its function, a test and a
-// figure: what is on the screen is there; what is further down costs a click on the contents, or a second for each screen that is
-// scrolled; a folded part costs a click. Prints a line an equation with clicks, seconds until the page is drawn, and pixels to each
-// target. Run from the folder where puppeteer-core is.
+// Opens the page of each equation at 1280 by 900 pixels and looks, as a reader would, for its own proof, its function, a test and
+// a figure: what is on the screen is there; what is further down costs a click on the contents, or a second for each screen that
+// is scrolled; a folded part costs a click. Prints a line an equation with clicks, seconds until the page is drawn, and pixels to
+// each target. Run from the folder where puppeteer-core is.
 import {createRequire} from "node:module";
 import path from "node:path";
 import {pathToFileURL} from "node:url";

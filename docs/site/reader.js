@@ -1,5 +1,6 @@
-// What the pages do besides being read: symbols and equations explained where they stand, code to copy, a reader's number checked,
-// and a box that goes to an equation, a figure or a section. Without this script every page is complete and its links work.
+// What the pages do besides being read: symbols and equations explained where they stand, code to copy, a reader's number
+// checked, and a box that goes to an equation, a figure or a section. Without this script every page is complete and its links
+// work.
 (function () {
   "use strict";
   const base = new URL(".", document.currentScript.src).href;
@@ -89,7 +90,8 @@
     setTimeout(() => { button.textContent = "Copy"; }, 1500);
   });
 
-  // A reader's number: right where six digits agree, else the mistake with which six digits agree and that is not right, else neither.
+  // A reader's number: right where six digits agree, else the mistake with which six digits agree and that is not right, else
+  // neither.
   const numbers = (text) => text.trim().split(/[\s,;]+/).filter(Boolean).map((each) => Number(each.replace("−", "-")));
   const shown = (values) => values.map((value) => Number(value.toPrecision(12))).join(", ");
   const near = (a, b) => {

@@ -1,5 +1,6 @@
-# A chain of three masses: the friction ratio at which the largest displacement of the loaded mass over all frequencies is lowest, and that
-# displacement, over two stiffness ratios. The data come from a sweep, docs/sweep.md, by sweep_data.py; they stand beside this script.
+# A chain of three masses: the friction ratio at which the largest displacement of the loaded mass over all frequencies is lowest,
+# and that displacement, over two stiffness ratios. The data come from a sweep, docs/sweep.md, by sweep_data.py; they stand beside
+# this script.
 width = 1240; height = 560
 load '../style.gp'
 data = 'best_friction.dat'

@@ -22,7 +22,7 @@ do for [row = 1:5] {
     do for [column = 1:3] {
         panel = panel + 1
         set title sprintf('(%s)  %s, %s', substr('abcdefghijklmno', panel, panel), f, word(titles, column)) offset 0, -0.8
-        set ylabel 'ζ' offset 0.5
+        set ylabel 'ζ' offset 2.4
         set ytics ('10^{−16}' 0, '10^{−12}' 16, '10^{−8}' 32, '10^{−4}' 48, '1/2' 62.5, '1 − 10^{−6}' 74, '1 − 10^{−11}' 84, \
             '1 − 10^{−16}' 94)
         if (column > 1) {

@@ -7,8 +7,8 @@
 
 namespace denhartog::figures::error_of_neglected_coupling {
 
-/// Three equal masses and springs with dashpots, the contact on the second mass, the load on the first. The modes and the diagonal of
-/// the modal damping matrix stay; the part off the diagonal is taken times a factor.
+/// Three equal masses and springs with dashpots, the contact on the second mass, the load on the first. The modes and the
+/// diagonal of the modal damping matrix stay; the part off the diagonal is taken times a factor.
 struct Dashpots {
     System<double> system; ///< with the dashpots
     ModalBasis<double> basis;

@@ -1,4 +1,5 @@
-# A table for each of v, u, g: a row for each path has the limit and the digits kept, dark if few of those of the number type are left.
+# A table for each of v, u, g: a row for each path has the limit and the digits kept, dark if few of those of the number type are
+# left.
 width = 900; height = 1650
 load '../style.gp'
 unset key; unset grid; unset border; unset xtics; unset ytics; unset colorbox

@@ -1,7 +1,7 @@
 width = 1250; height = 840
 load '../style.gp'
 set multiplot layout 2, 3 margins 0.075, 0.985, 0.1, 0.875 spacing 0.08, 0.14
-set key at screen 0.05, 0.99 left top Left reverse maxrows 1 width 2
+set key at screen 0.05, 0.99 left top Left reverse maxrows 2 width 2
 set xrange [0:2.5]
 set yrange [0:*]
 set xlabel 'r' offset 0, 0.4
@@ -11,7 +11,7 @@ array titles[6] = ['(a)  (57), ζ = 0.1', '(b)  (56), j = 4', '(c)  (59), (63), 
 do for [n = 1:6] {
     panel = substr('abcdef', n, n)
     set label 1 titles[n] at graph 0.03, 1.05
-    if (n == 2) { set xrange [0.1:1]; set yrange [0:0.3] } else { set xrange [0:2.5]; set yrange [0:*] }
+    if (n == 2) { set xrange [0.1:1]; set xtics 0.3; set yrange [0:0.3] } else { set xrange [0:2.5]; set xtics 0.5; set yrange [0:*] }
     if (n == 6) { set logscale y; set yrange [*:*]; set format y '10^{%L}' }
     if (n == 1) {
         plot data index panel.';' using 1:2 with lines lt 1 title 'as corrected', \

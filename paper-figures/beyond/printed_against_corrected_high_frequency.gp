@@ -1,6 +1,6 @@
 width = 1150; height = 520
 load '../style.gp'
-set multiplot layout 1, 2 margins 0.07, 0.985, 0.17, 0.87 spacing 0.09, 0.1
+set multiplot layout 1, 2 margins 0.085, 0.985, 0.17, 0.87 spacing 0.09, 0.1
 unset key
 set xlabel 'r'
 set ylabel 'β' offset 1

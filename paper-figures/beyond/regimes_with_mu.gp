@@ -6,7 +6,7 @@ set dashtype 4 (10,3,2,3)
 array mu[4] = ['1', '1.5', '2', '3']
 plane(c, n) = word('SDOF 2DOF', c).' mu='.mu[n].';'
 name(c) = c == 1 ? 'one mass' : 'two masses, contact on 2, load on 1'
-left(c) = 0.08 + 0.495 * (c - 1)
+left(c) = 0.08 + 0.5 * (c - 1)
 set style fill transparent solid 0.3 noborder
 set xlabel 'frequency ratio r' offset 0, 0.6
 set multiplot
@@ -17,7 +17,7 @@ set bmargin at screen 0.67
 set ylabel 'friction ratio β' offset 0.5
 do for [c = 1:2] {
     set lmargin at screen left(c)
-    set rmargin at screen left(c) + 0.42
+    set rmargin at screen left(c) + 0.395
     set title sprintf('(%s)  %s', word('a b', c), name(c)) offset 0, -0.6
     set yrange [0:(c == 1 ? 1.1 : 1.3)]
     set ytics 0.2
@@ -37,7 +37,7 @@ set xtics ('0.02' 0.02, '0.05' 0.05, '0.1' 0.1, '0.2' 0.2, '0.5' 0.5, '1' 1, '2'
 set ytics 10 format '10^{%T}'
 do for [c = 1:2] {
     set lmargin at screen left(c)
-    set rmargin at screen left(c) + 0.42
+    set rmargin at screen left(c) + 0.395
     set title sprintf('(%s)  %s, logarithmic', word('c d', c), name(c)) offset 0, -0.6
     set yrange [5e-5:(c == 1 ? 2 : 6)]
     plot for [n=1:4] data index 'wide '.plane(c, n) using 1:5 with lines lt n dt n lw 1.2, \

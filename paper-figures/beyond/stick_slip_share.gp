@@ -1,5 +1,6 @@
-# Five masses with uncertain damping, friction and static friction: the share of the samples in which the contact sticks and slips, and
-# quantiles of its amplitude at two friction ratios. The data come from a sweep, docs/sweep.md, by sweep_data.py; they stand beside this script.
+# Five masses with uncertain damping, friction and static friction: the share of the samples in which the contact sticks and
+# slips, and quantiles of its amplitude at two friction ratios. The data come from a sweep, docs/sweep.md, by sweep_data.py; they
+# stand beside this script.
 width = 1240; height = 560
 load '../style.gp'
 data = 'stick_slip_share.dat'
@@ -19,8 +20,8 @@ set logscale y
 set format y '%g'
 set yrange [0.02:*]
 set key top right
-plot data index 1 using 1:2:4 with filledcurves lc rgb '#0072B2' fs transparent solid 0.25 noborder, \
+plot data index 1 using 1:2:4 with filledcurves lc rgb colour[1] fs transparent solid 0.25 noborder, \
      data index 1 using 1:3 with lines lt 1 title 'β = 0.5, median', \
-     data index 2 using 1:2:4 with filledcurves lc rgb '#D55E00' fs transparent solid 0.25 noborder, \
-     data index 2 using 1:3 with lines lt 2 title 'β = 1.5, median'
+     data index 2 using 1:2:4 with filledcurves lc rgb colour[2] fs transparent solid 0.25 noborder, \
+     data index 2 using 1:3 with lines lt 2 dt (8, 4) title 'β = 1.5, median'
 unset multiplot

@@ -18,7 +18,7 @@ set xlabel 'frequency ratio r' offset 0, 0.4
 set ylabel 'friction ratio β' offset 1.6
 set ytics 0.2
 set label 1 'permanent sticking' at log10(0.25), 1.045 center front
-set label 2 'continuous' at log10(1), 0.3 center front
+set label 2 'continuous' at log10(2.9), 0.3 right front
 unset grid
 unset colorbox
 do for [c = 1:3] {

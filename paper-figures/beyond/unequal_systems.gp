@@ -37,9 +37,9 @@ do for [c = 1:3] {
     set xtics format '%g'
     set xlabel 'frequency ratio r' offset 0, 0.6
     set ylabel (c == 1 ? 'friction ratio β' : '')
-    set yrange [0.001:20]
-    set label 1 'permanent sticking' at 2.95, 10.5 right
-    if (c == 1) { set label 2 'stick-slip' at 0.1, 1.2 }
+    set yrange [0.001:60]
+    set label 1 'permanent sticking' at 2.95, 28 right
+    if (c == 1) { set label 2 'stick-slip' at 0.1, 2.6 }
     set label 3 'continuous' at 1.6, 0.02
     plot for [b = 1:3] word(betas, b) + 0 with lines lt b lw 0.8 dt 2, \
          data index 'printed '.word(chains, c).';' using 1:2 with lines lt 4 lw 4, \

@@ -62,8 +62,8 @@ public:
     /// @brief Shows on a terminal how far the work is. @param done pieces done @param all pieces in all
     void progress(std::size_t done, std::size_t all) const;
 
-    /// @brief Writes `NAME.dat` and `NAME.json`, each whole or not at all. Data that are there already stay untouched, so that their
-    ///        pictures need not be drawn again.
+    /// @brief Writes `NAME.dat` and `NAME.json`, each whole or not at all. Data that are there already stay untouched, so that
+    ///        their pictures need not be drawn again.
     /// @param record   what the figure shows
     /// @param seconds  time taken
     void write(const Record& record, double seconds) const;

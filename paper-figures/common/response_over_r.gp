@@ -2,8 +2,8 @@
 # betas, last_r, X and phase (labels), column_X and column_phase (of the lines while the contact slides), least_phase,
 # largest_phase, step_phase, sliding(z) (how many of the friction ratios slide anywhere), stuck (1 with the stuck
 # configuration), name_points (of the invariant points, empty without), damping(z) (the title of a column), some (one marker in
-# how many is drawn), direct (1 with the friction ratios written at the ends of the lines), inset (1 with the peak of the first column enlarged), note
-# (what is to be said of its markers on the right).
+# how many is drawn), direct (1 with the friction ratios written at the ends of the lines), inset (1 with the peak of the first
+# column enlarged), note (what is to be said of its markers on the right).
 width = 1240; height = 980
 load 'style.gp'
 zetas = '0.001 0.01 0.1'
@@ -43,8 +43,8 @@ do for [c = 1:3] {
     set ylabel (c == 1 ? 'transmissibility '.X : '') offset 1, 0
     set title sprintf('(%s)  %s', word('a b c', c), damping(word(zetas, c))) offset 0, -0.6
     if (c == 1 && note ne '') {
-        set label 9 note at last_r - 0.04, 0.052 right textcolor rgb '#333333'
-        set arrow 9 from last_r - 0.45, 0.065 to last_r - 0.45, 0.3 lw 1 lc rgb '#333333' size screen 0.006, 20 filled
+        set label 9 note at last_r - 0.04, 0.12 right textcolor rgb '#333333'
+        set arrow 9 from last_r - 0.45, 0.15 to last_r - 0.45, 0.32 lw 1 lc rgb '#333333' size screen 0.006, 20 filled
     }
     plot data index edge(c) using 1:2 with lines lw 5 lc rgb '#BBBBBB', \
          data index line(c, '0') using 1:column_X with lines lt 7 lw 1, \

@@ -17,8 +17,8 @@ struct Link {
     std::size_t wrong = 0;    ///< of these the wrong ones in question
 };
 
-/// @brief Which link a question belongs to. @param q the question @return its place, from 0; the functions of one mass come before
-/// the sums over modes
+/// @brief Which link a question belongs to. @param q the question @return its place, from 0; the functions of one mass come
+/// before the sums over modes
 [[nodiscard]] std::size_t place_in_chain(const Question& q);
 
 /// @brief The chain from the frequencies to the motion: natural frequencies, R, shapes, v, u, g, V, U, G, H, S, boundary,

@@ -1,17 +1,19 @@
 /// @file
-/// @brief What is the matter with an implementation: known mistakes whose answers its wrong answers are, and what the rest of the
-/// wrong ones have in common.
+/// @brief What is wrong with an implementation: the known mistakes whose answers it gives, and what its other wrong answers have
+/// in common.
 ///
 /// A mistake is a signature. It explains a wrong answer that agrees with the answer of the mistake, to the mistake's own
-/// `agreement`, and is at least ten times nearer to it than to the truth. It is contradicted by every right answer, to whatever
-/// quantity, that it would have made wrong, and by every wrong one, to a quantity in which it explains something, that is another
-/// than its own. A mistake gets its name where it explains three answers, or all where fewer are wrong in the whole, which is
-/// then called weak; where the shares of `Thresholds` are reached; and where it explains a number, if it would have made a number
-/// wrong. One that says of what equation it is has to explain a quantity of that equation; others it need not reach. Words and
-/// counts alone, which agree by chance, have to be more than chance explains.
+/// `agreement`, and that is at least ten times nearer to it than to the truth. A right answer to any quantity contradicts the
+/// mistake if the mistake would have made it wrong. A wrong answer contradicts it if it explains others to the same quantity, but
+/// not this one.
 ///
-/// The mistake with the most explained minus contradicted is told first; of two that have as many, the one that other answers
-/// contradict less. What it explains is set aside; and so on while one is left.
+/// The diagnosis names a mistake if all of this holds: it explains three answers, or all if fewer are wrong, and then the finding
+/// is called weak; it reaches the shares of `Thresholds`; and it explains a number, if it would have made a number wrong. A
+/// mistake in an equation has to explain a quantity of that equation, and need not explain others. Words and counts agree by
+/// chance, so there must be more of them than chance explains.
+///
+/// The report begins with the mistake for which explained minus contradicted answers are most; of two equal ones, with the one
+/// that fewer answers contradict. The answers that it explains are set aside, and the search starts again with the rest.
 #pragma once
 
 #include <functional>
@@ -31,83 +33,82 @@ namespace denhartog::conformance {
 
 /// @brief The known mistakes, or others in their place.
 struct Signatures {
-    std::span<const Mistake> mistakes;                                                           ///< what is known
-    std::function<std::optional<Value>(std::string_view name, const Question& question)> answer; ///< as `answer_with_mistake`
+    std::span<const Mistake> mistakes;                                                           ///< the mistakes
+    std::function<std::optional<Value>(std::string_view name, const Question& question)> answer; ///< see `answer_with_mistake`
     /// The number that was found from the answers, in words; empty where a mistake has none of its own.
     std::function<std::string(std::string_view name)> number = {};
 };
 
-/// @brief The mistakes of `mistake.hpp`; those with a number of their own, as a grid of instants, with the number that
-/// fits some answers best.
+/// @brief The mistakes of `mistake.hpp`. A mistake with a number of its own, such as a grid of instants, has the number that fits
+/// some of the answers best.
 /// @param judged  the answers
 /// @return        the mistakes with their answers
 [[nodiscard]] Signatures known_signatures(std::span<const Judged> judged = {});
 
-/// @brief The mistakes of `mistake.hpp`, some with the numbers that fit.
-/// @param fitted  these
-/// @param answer  what the others answer
+/// @brief The mistakes of `mistake.hpp`, some of them with the numbers that fit.
+/// @param fitted  the mistakes with numbers
+/// @param answer  gives the answers of the other mistakes
 /// @return        the mistakes with their answers
 [[nodiscard]] Signatures signatures_with(FittedMistakes fitted,
                                          std::function<std::optional<Value>(std::string_view, const Question&)> answer);
 
-/// @brief What a mistake must reach to get its name. docs/diagnosis.md shows what happens without each of them.
+/// @brief What a mistake must reach to be named. docs/diagnosis.md shows what happens without each threshold.
 struct Thresholds {
-    double consistency = 0.95; ///< of what it explains and what contradicts it, the share that it explains
-    double of_solvers = 0.9;   ///< the same for a mistake of solvers, whose answers are near to its own in some digits only
-    double of_its_own = 0.5; ///< of all answers, to whatever quantity, that it would have made wrong, the share that it explains
-    double of_the_wrong =
-        0.5;              ///< of the wrong answers in the links of the chain in which it explains something, the share explained
-    double agreement = 0; ///< least agreement: what the method of the program can show, if that is less than a mistake asks
-    std::size_t words = 17; ///< words and counts where it explains nothing else: 2^-17 times the mistakes is below 1/1000
+    double consistency = 0.95; ///< explained answers over the sum of those and the ones that contradict it
+    double of_solvers = 0.9;   ///< the same for a mistake of solvers, whose answers agree with it in a few digits only
+    double of_its_own = 0.5;   ///< explained answers over all answers, to any quantity, that it would have made wrong
+    double of_the_wrong = 0.5; ///< explained answers over the wrong ones in those links of the chain in which it explains any
+    double agreement = 0;      ///< the agreement asked of a mistake is at least this, which the program's method can reach
+    std::size_t words = 17;    ///< words and counts, if it explains nothing else: 2^-17 times the mistakes is below 1/1000
 };
 
-/// @brief A mistake found.
+/// @brief A known mistake that was found.
 struct Finding {
-    const Mistake* mistake = nullptr;    ///< which
-    std::size_t explained = 0;           ///< wrong answers that are its answers
-    std::size_t contradicted = 0;        ///< answers that it would make wrong, but that are right or others
-    std::string number;                  ///< the number of its own that the answers show, in words; empty where it has none
-    bool weak = false;                   ///< whether fewer than three answers are all that it rests on
-    std::vector<std::string> quantities; ///< of the answers that it explains
-    const Judged* example = nullptr;     ///< the answer explained whose error is the largest
+    const Mistake* mistake = nullptr;    ///< the mistake
+    std::size_t explained = 0;           ///< number of wrong answers that it explains
+    std::size_t contradicted = 0;        ///< number of answers that contradict it
+    std::string number;                  ///< the number of its own that the answers show, in words; empty if it has none
+    bool weak = false;                   ///< whether fewer than three answers are its only evidence
+    std::vector<std::string> quantities; ///< the quantities of the answers that it explains
+    const Judged* example = nullptr;     ///< the explained answer with the largest error
     Value mistaken;                      ///< what the mistake answers there
 };
 
-/// @brief Something that wrong answers have in common.
+/// @brief A property that wrong answers have in common.
 struct InCommon {
     std::string property;      ///< in words: `mu > 1`
-    std::size_t wrong = 0;     ///< unexplained wrong answers that have it
-    std::size_t all_wrong = 0; ///< unexplained wrong answers
-    std::size_t asked = 0;     ///< answers to the same quantities that have it
-    std::size_t all_asked = 0; ///< answers to the same quantities
+    std::size_t wrong = 0;     ///< number of unexplained wrong answers that have it
+    std::size_t all_wrong = 0; ///< number of all unexplained wrong answers
+    std::size_t asked = 0;     ///< number of answers to the same quantities that have it
+    std::size_t all_asked = 0; ///< number of all answers to the same quantities
 };
 
-/// @brief A simple explanation of answers that no known mistake explains; it names no culprit.
+/// @brief A simple explanation of answers that no known mistake explains. It does not say where the mistake is.
 struct Simple {
     std::string told;                    ///< in words: `beta times 1.414`
-    std::size_t explained = 0;           ///< wrong answers that are as it says
-    std::size_t contradicted = 0;        ///< answers that it would make wrong, but that are right or others
-    std::vector<std::string> quantities; ///< of the answers that it explains
+    std::size_t explained = 0;           ///< number of wrong answers that it explains
+    std::size_t contradicted = 0;        ///< number of answers that contradict it
+    std::vector<std::string> quantities; ///< the quantities of the answers that it explains
 };
 
-/// @brief What was found.
+/// @brief The diagnosis of an implementation.
 struct Diagnosis {
-    std::size_t wrong = 0;                       ///< answers that are wrong or inaccurate
-    std::vector<Finding> findings;               ///< most telling first
-    std::vector<const Judged*> unexplained;      ///< wrong answers of no mistake found
-    std::vector<Link> chain;                     ///< where these stand along the chain of quantities
-    std::vector<Simple> simple;                  ///< simple explanations of these, most telling first
-    std::vector<InCommon> by_quantity;           ///< these by quantity; `asked` counts the answers to the quantity
-    std::vector<InCommon> in_common;             ///< what these have in common and the right ones have less often
-    std::map<std::string, std::size_t> accepted; ///< broken rules of questions that were answered, with their number
+    std::size_t wrong = 0;                       ///< number of answers that are wrong or inaccurate
+    std::vector<Finding> findings;               ///< the mistakes that were found, the strongest evidence first
+    std::vector<const Judged*> unexplained;      ///< wrong answers that no mistake found explains
+    std::vector<Link> chain;                     ///< the chain of quantities with the unexplained answers in each link
+    std::vector<Simple> simple;                  ///< simple explanations of the unexplained answers, the best first
+    std::vector<InCommon> by_quantity;           ///< the unexplained answers by quantity; `asked` counts all answers to it
+    std::vector<InCommon> in_common;             ///< properties that unexplained answers have more often than right ones
+    std::map<std::string, std::size_t> accepted; ///< rules broken by questions that were answered, and how many questions
 };
 
 /// @brief Looks for known mistakes.
-/// @param judged      the answers; wrong ones that are an equation's print become `as-printed`
+/// @param judged      the answers; a wrong answer that an equation gives as printed gets the verdict `as-printed`
 /// @param signatures  the mistakes
-/// @param least       what a name needs
-/// @param guess       whether simple explanations are sought as well
-/// @return            what was found; refers to the answers
+/// @param least       what a mistake must reach to be named
+/// @param guess       whether to look for simple explanations as well
+/// @return            the diagnosis; it refers to the answers
 [[nodiscard]] Diagnosis diagnose(std::span<Judged> judged, const Signatures& signatures, const Thresholds& least = {},
                                  bool guess = true);
 

@@ -1,9 +1,9 @@
 /// @file
-/// @brief Mistakes with a number of their own, which is found from the answers.
+/// @brief Mistakes that have a number of their own, which the answers reveal.
 ///
-/// The maximum in (57) is sought at instants. As printed (57) has no maximum, and as corrected a coarse grid misses it: either
-/// way the answer depends on the instants. What is read off before the motion has settled depends on the period. Such a number
-/// is found where several answers show the same.
+/// Programs look for the maximum in (57) at instants. As printed (57) has no maximum, and a coarse grid misses the maximum of the
+/// corrected (57): either way the answer depends on the instants. If a program reads off a motion before it has settled, the
+/// answer depends on the period. Such a number counts as found if several answers show the same one.
 #pragma once
 
 #include <functional>
@@ -16,33 +16,33 @@
 
 namespace denhartog::conformance {
 
-/// @brief How many answers have to show the same number.
+/// @brief The number of answers that have to show the same number.
 inline constexpr std::size_t least_agreeing = 3;
 
 /// @brief A mistake with the number that fits.
 struct Fitted {
     std::string number;                                          ///< in words: `read off in period 7 from rest`
-    std::function<std::optional<Value>(const Question&)> answer; ///< what the mistake answers with it
+    std::function<std::optional<Value>(const Question&)> answer; ///< the answer of the mistake with this number
 };
 
-/// @brief Mistakes with the numbers that fit, by their names.
+/// @brief Mistakes with the numbers that fit, by name.
 using FittedMistakes = std::map<std::string, Fitted>;
 
 /// @brief Fits `57-as-printed`, `coarse-grid-of-tau` and `transient` to the wrong answers.
 /// @param judged  the answers
-/// @return        those mistakes of which three answers or more show the same number
+/// @return        those mistakes for which three or more answers show the same number
 [[nodiscard]] FittedMistakes fitted_mistakes(std::span<const Judged> judged);
 
-/// @brief Fits the instants at which the maximum of (57) is sought to wrong answers for S_j and the boundaries.
+/// @brief Finds the instants at which a program looks for the maximum of (57), from wrong answers for S_j and the boundaries.
 ///
-/// The instants may be the same in every scene, or go with r, 1 / r, R_1 or R_N.
+/// The instants may be the same in every scene, or proportional to r, 1 / r, R_1 or R_N.
 /// @param judged  the answers
-/// @return        `57-as-printed` or `coarse-grid-of-tau`, if three answers or more show the same instants
+/// @return        `57-as-printed` or `coarse-grid-of-tau`, if three or more answers show the same instants
 [[nodiscard]] FittedMistakes fitted_instants(std::span<const Judged> judged);
 
-/// @brief Fits the period from rest, up to the 200th, in which wrong answers for amplitude and motion are read off.
+/// @brief Finds the period from rest, up to the 200th, in which a program reads off wrong amplitudes and motions.
 /// @param judged  the answers
-/// @return        `transient`, if three answers or more show the same period
+/// @return        `transient`, if three or more answers show the same period
 [[nodiscard]] FittedMistakes fitted_transient(std::span<const Judged> judged);
 
 } // namespace denhartog::conformance

@@ -1,6 +1,6 @@
 /// @file
-/// @brief Simple explanations of wrong answers that no known mistake explains: a factor or an offset of the answers, another value
-/// of one input, another end of the chain. They are guesses; the diagnosis weighs them as it weighs known mistakes.
+/// @brief Simple explanations of wrong answers that no known mistake explains: a factor or an offset in the answers, another
+/// value of one input, a chain read from its other end. They are guesses, which the diagnosis weighs as it weighs known mistakes.
 #pragma once
 
 #include <functional>
@@ -16,10 +16,10 @@ namespace denhartog::conformance {
 /// @brief A simple explanation.
 struct Guess {
     std::string told;                                             ///< in words: `beta times 1.414`
-    std::function<std::optional<Value>(const Question&)> answers; ///< what is answered then; none where it says nothing
+    std::function<std::optional<Value>(const Question&)> answers; ///< the answer by this guess; none if it says nothing
 };
 
-/// @brief Guesses that fit one of the wrong answers or need none to fit. @param wrong the wrong answers @return the guesses
+/// @brief Guesses whose number fits a wrong answer, and guesses without a number. @param wrong these @return the guesses
 [[nodiscard]] std::vector<Guess> guesses_at(std::span<const Judged* const> wrong);
 
 } // namespace denhartog::conformance

@@ -9,6 +9,7 @@
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/multiprecision.hpp"
 #include "denhartog/number/number_text.hpp"
+#include "denhartog/scene/mass_rules.hpp"
 #include "denhartog/scene/scene_json.hpp"
 
 namespace denhartog::conformance {
@@ -53,16 +54,7 @@ std::vector<T> exact(const std::vector<double>& numbers) {
 // Of a contact between two masses, 0 stands for its own displacement.
 void check_mass(const Question& q) {
     if (!quantity(q.quantity).of_mass) return;
-    const int least = q.contact_with != 0 ? 0 : 1;
-    const auto N = static_cast<int>(masses_of(q));
-    if (q.mass < least || q.mass > N)
-        throw InputError("mass", "must be a mass from 1 to " + std::to_string(N), std::to_string(q.mass));
-}
-
-int place(int counted_from_1, const char* name, std::size_t N) {
-    if (counted_from_1 < 1 || static_cast<std::size_t>(counted_from_1) > N)
-        throw InputError(name, "must be a mass from 1 to " + std::to_string(N), std::to_string(counted_from_1));
-    return counted_from_1 - 1;
+    if (q.mass != 0 || q.contact_with == 0) (void)mass_from(q.mass, masses_of(q), "mass");
 }
 
 template <class T>
@@ -228,8 +220,8 @@ Scene<T> scene_of(const Question& q) {
     scene.system.mass_ratios = exact<T>(q.mass_ratios);
     scene.system.stiffness_ratios = exact<T>(q.stiffness_ratios);
     scene.system.damping_ratios = exact<T>(q.damping_ratios);
-    scene.system.contact = Mass{static_cast<std::size_t>(place(q.contact, "contact", N))};
-    scene.system.load = Mass{static_cast<std::size_t>(place(q.load, "load", N))};
+    scene.system.contact = mass_from(q.contact, N, "contact");
+    scene.system.load = mass_from(q.load, N, "load");
     scene.mu = T(q.mu);
     scene.r = T(q.r);
     scene.beta = T(q.beta);

@@ -7,7 +7,7 @@
 
 namespace denhartog::conformance {
 
-/// @brief A few of a list, equally far apart in it. @param all the list @param most how many at most @return the few, in its order
+/// @brief Some elements of a list, equally spaced. @param all the list @param most how many at most @return these, in its order
 template <class T>
 [[nodiscard]] std::vector<T> spread(const std::vector<T>& all, std::size_t most) {
     const std::size_t count = std::min(all.size(), most);

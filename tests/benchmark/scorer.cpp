@@ -1,4 +1,4 @@
-// The scorer of the benchmark: what it makes of right, wrong and bad results; and the table in the repository is what solvers give.
+// The scorer of the benchmark: what it makes of right, wrong and bad results. The table in the repository is what solvers give.
 #include <algorithm>
 #include <cmath>
 #include <map>

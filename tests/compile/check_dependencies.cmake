@@ -1,5 +1,5 @@
-# All that the files matching PATTERN include, directly or not: paths matching FORBIDDEN must be absent (or present, where the check
-# itself is tried).
+# All that the files matching PATTERN include, directly or not: paths matching FORBIDDEN must be absent (or present, where the
+# check itself is tried).
 file(GLOB_RECURSE files ${SOURCE}/src/denhartog/${PATTERN})
 list(FILTER files EXCLUDE REGEX /program/)
 list(LENGTH files count)

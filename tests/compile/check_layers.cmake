@@ -1,6 +1,6 @@
 # No file includes a room above its own, no two rooms include each other, none but the derivation includes GiNaC, and what the
-# derivation refutes (as_printed.hpp) is included by the conformance kit, which has to know it, and by nothing else that is shipped.
-# The rooms from the bottom to the top; those of one line know nothing of each other.
+# derivation refutes (as_printed.hpp) is included by the conformance kit, which has to know it, and by nothing else that is
+# shipped. The rooms from the bottom to the top; those of one line know nothing of each other.
 set(rank 0)
 foreach(rooms version number formulas evaluation scene model sums sliding stick_slip paper_algorithm answer "solve;ledger" map denhartog "c;conformance;sweep" program)
   math(EXPR rank "${rank} + 1")

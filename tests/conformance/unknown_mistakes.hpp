@@ -29,7 +29,7 @@ struct UnknownMistake {
 /// @brief One mistake on top of another. @param a the one @param b the other @return both
 [[nodiscard]] UnknownMistake both(const UnknownMistake& a, const UnknownMistake& b);
 
-/// @brief What a program answers that makes a mistake, and has the closed form alone. @param mistake the mistake @param q the question
+/// @brief What a program with a mistake answers that has the closed form alone. @param mistake the mistake @param q the question
 /// @return the answer; none where it has none
 [[nodiscard]] std::optional<conformance::Value> answer_of(const UnknownMistake& mistake, const conformance::Question& q);
 

@@ -1,4 +1,4 @@
-// What `57/largest-at-start` proves, by numbers: no instant demands more than the start from half the damped natural frequency on.
+// What `57/largest-at-start` proves, by numbers: from half the damped natural frequency on the start demands most.
 #include <cmath>
 
 #include "denhartog/evaluation/demand.hpp"

@@ -1,4 +1,4 @@
-// The shipped motion with all its formulas at once in (12), (25) and (30), by 50-digit values: no formula in it can be altered unseen.
+// The shipped motion with all its formulas at once in (12), (25) and (30), in 50 digits: no formula in it can be altered unseen.
 #include "derivation/whole_motion.hpp"
 
 #include <algorithm>

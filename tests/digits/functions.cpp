@@ -1,5 +1,5 @@
-// Prints, for each elementary function, how many values it gave and a number made of all their bits. The arguments are seeded and made
-// without any function: the lines are the same from every compiler and on every machine.
+// Prints, for each elementary function, how many values it gave and a number made of all their bits. The arguments are seeded and
+// made without any function: the lines are the same from every compiler and on every machine.
 #include <bit>
 #include <cstdint>
 #include <cstdio>

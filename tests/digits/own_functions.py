@@ -7,8 +7,8 @@ import re
 import subprocess
 import sys
 
-# Functions of libm that are not rounded correctly, for each type, and those of complex numbers; what vectors and -ffast-math make of
-# them; and quotients of complex numbers, which libgcc computes with fused products where the processor has them.
+# Functions of libm that are not rounded correctly, for each type, and those of complex numbers; what vectors and -ffast-math make
+# of them; and quotients of complex numbers, which libgcc computes with fused products where the processor has them.
 INEXACT = re.compile(
     r"_*(ZGV\w+_)?(a?(sin|cos|tan)h?|atan2|sincos|(sin|cos|tan|asin|acos|atan|atan2)pi|exp|exp2|exp10|expm1|pow10|log|log2|log10|log1p|pow|cbrt"
     r"|hypot|erfc?|[lt]?gamma|j[01n]|y[01n]|c(abs|arg|exp|log|log10|pow|sqrt|a?(sin|cos|tan)h?))(f|l|f32|f64|f128)?(_r|_finite)?$"

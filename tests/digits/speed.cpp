@@ -1,6 +1,6 @@
-// Prints the nanoseconds of each elementary function beside those of the system's, the least of many runs: a call after another that do
-// not wait for each other, and calls each of which waits for the one before.
-// Usage: g++ -std=c++20 -O2 -ffp-contract=off -fno-builtin -Isrc tests/digits/speed.cpp src/denhartog/number/elementary_*.cpp && ./a.out
+// Prints the nanoseconds of each elementary function beside those of the system's, the least of many runs: a call after another
+// that do not wait for each other, and calls each of which waits for the one before.
+// Usage: g++ -std=c++20 -O2 -ffp-contract=off -fno-builtin -Isrc tests/digits/speed.cpp src/denhartog/number/elementary_*.cpp
 #include <algorithm>
 #include <chrono>
 #include <cmath>

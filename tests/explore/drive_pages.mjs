@@ -2,11 +2,11 @@
 //
 //   node drive_pages.mjs SITE/explore DENHARTOG REPORT.json [--states N]
 //
-// Sets sliders to N seeded states (200) and compares the numbers of the machine with those of `denhartog solve` to 9 digits; presses
-// keys; types what breaks a rule; opens every table; reloads addresses; runs what "copy as command" shows; looks for console
-// messages, requests, pages too wide, and whatever axe-core finds, in light and dark. Last a copy of the pages, in which friction is
-// too small by a thousandth, has to be found out. Times are reported; what is gated on are counters. One line a fault on
-// standard error; exit status 1 where there is any, 2 for usage. Run from the folder where axe-core and puppeteer-core are.
+// Sets sliders to N seeded states (200) and compares the numbers of the machine with those of `denhartog solve` to 9 digits;
+// presses keys; types what breaks a rule; opens every table; reloads addresses; runs what "copy as command" shows; looks for
+// console messages, requests, pages too wide, and whatever axe-core finds, in light and dark. Last a copy of the pages, in which
+// friction is too small by a thousandth, has to be found out. Times are reported; what is gated on are counters. One line a fault
+// on standard error; exit status 1 where there is any, 2 for usage. Run from the folder where axe-core and puppeteer-core are.
 import { spawnSync } from "node:child_process";
 import { createRequire } from "node:module";
 import fs from "node:fs";

@@ -1,5 +1,5 @@
-// The C interface: bytes choose functions, numbers, counts, and pointers that are null. Every call returns a status of the header,
-// no exception leaves it, and outputs are written all or not at all.
+// The C interface: bytes choose functions, numbers, counts, and pointers that are null. Every call returns a status of the
+// header, no exception leaves it, and outputs are written all or not at all.
 #include <array>
 #include <cmath>
 #include <memory>

@@ -1,4 +1,4 @@
-// The commands that answer scenes. The first line is a command with its options; the rest is the standard input. The program's own
+// The commands that answer scenes. The first line is a command with its options, the rest the standard input. The program's own
 // main runs, in this process, and does little work: its options are refused here where a user would have to wait for the answer.
 #include <algorithm>
 #include <cmath>

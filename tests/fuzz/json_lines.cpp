@@ -1,4 +1,4 @@
-// JSON Lines: every part of a text is a scene or an error in its place, and scenes written a line each are read again as they are.
+// JSON Lines: every part of a text is a scene or an error in its place, and scenes written one a line are read again as they are.
 #include <nlohmann/json.hpp>
 
 #include "denhartog/scene/scene_json.hpp"

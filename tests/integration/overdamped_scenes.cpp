@@ -198,7 +198,7 @@ TEST_CASE("what bounds the derivatives of the braces from an instant on holds fo
         for (std::size_t i = 0; i < 2; ++i) {
             if (s.zeta[i] < 1) continue;
             for (int start = 0; start < 32; ++start) {
-                const double size = y.with_sizes_at(pi<double>() * start / 32).size[i];
+                const double size = y.at(pi<double>() * start / 32, true).size[i];
                 double largest = 0;
                 for (int n = start; n <= 256; n += n < 64 ? 1 : 8) {
                     const evaluation::FrictionMotion<double> f = y.at(pi<double>() * std::max(n / 256.0, start / 32.0)).y[i];

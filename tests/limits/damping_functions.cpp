@@ -88,7 +88,7 @@ TEST_CASE("the shipped forms keep the digits that their conditioning leaves, whe
     struct Place {
         double R, zeta;
     };
-    // R small: cosh and sinh of more than 710 overflow; R large: the numerator of (29) cancels; near 1/3 and 1/5: poles at zeta = 0
+    // R small: cosh and sinh of more than 710 overflow; R large: the numerator of (29) cancels; near 1/3, 1/5: poles at zeta = 0
     for (const Place& p : {Place{1.0 / 64, 0.125}, Place{1.0 / 4096, 0.125}, Place{64, 0.125}, Place{4096, 0.125}, Place{1, 1e-7},
                            Place{1.0 / 3, 1e-7}, Place{0.2, 1e-7}, Place{0.2, 1e-3}, Place{1.0009765625, 1e-4}}) {
         const evaluation::ModeFunctions<double> f = evaluation::mode_functions(p.R, p.zeta);

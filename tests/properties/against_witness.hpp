@@ -30,7 +30,7 @@ W number_of(const Certified& x) {
     return value;
 }
 
-/// @brief What differences may come to, over the amplitude. @param digits asked for: answers are rounded to 45 @return the tolerance
+/// @brief Tolerance of differences, over the amplitude. @param digits asked for: answers are rounded to 45 @return the tolerance
 inline double tolerance_of_witness(int digits) { return digits < 45 ? std::pow(10.0, -digits) : 5e-45; }
 
 /// @brief Amplitudes and phases of all masses, and of the contact, against the half-period in coordinates of the masses.
@@ -85,7 +85,7 @@ void check_by_witness(const std::vector<RandomScene<double>>& scenes, std::size_
     CHECK(found.worst < tolerance_of_witness(digits));
 }
 
-/// @brief Every scene against the second witness, to 12 digits, and those of up to four masses to 45, with a line of what was found.
+/// @brief Every scene against the second witness, to 12 digits, those of up to four masses to 45, with a line of what was found.
 /// @param scenes  the scenes
 inline void survey_by_witness(const std::vector<RandomScene<double>>& scenes) {
     Found found, in_50_digits;

@@ -1,5 +1,5 @@
-// Damping that couples the modes, against routes that know no modes: the half-period by the exponential of the state in more digits, and
-// the paper's Runge-Kutta.
+// Damping that couples the modes, against routes that know no modes: the half-period by the exponential of the state in more
+// digits, and the paper's Runge-Kutta.
 #include "tests/properties/against_witness.hpp"
 #include "tests/support/coupled_scenes.hpp"
 

@@ -30,8 +30,8 @@ struct NamedNumber {
 /// @brief The numbers of a point. @param q the numbers with their bounds @return the same with their names
 [[nodiscard]] std::vector<NamedNumber> numbers_of(const Quantities<Bounded<double>>& q);
 
-/// @brief What no number of an answer may be: not finite, negative where it cannot be, decimals that are no number, a bound that is
-/// none or negative.
+/// @brief What no number of an answer may be: not finite, negative where it cannot be, decimals that are no number, a bound that
+/// is none or negative.
 /// @param numbers  the numbers
 /// @return         a sentence for each
 [[nodiscard]] std::vector<std::string> faults_of(const std::vector<NamedNumber>& numbers);

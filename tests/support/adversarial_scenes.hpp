@@ -2,9 +2,9 @@
 /// @brief Seeded scenes from the corners of what a scene may be, to find what breaks there.
 ///
 /// Frequencies that coincide to the last bits, contrasts of masses and springs, masses far from contact and load in long chains,
-/// friction at the boundary of the regimes, damping from none to a million times critical, frequency ratios over all that a double
-/// holds. Every number is drawn in binary, so that a seed gives the same scenes on every platform. Where a scene is to stand at a
-/// natural frequency or at the boundary, that is said as a multiple, and `placed` asks the library where these are.
+/// friction at the boundary of the regimes, damping from none to a million times critical, frequency ratios over all that a
+/// double holds. Every number is drawn in binary, so that a seed gives the same scenes on every platform. Where a scene is to
+/// stand at a natural frequency or at the boundary, that is said as a multiple, and `placed` asks the library where these are.
 #pragma once
 
 #include <cstdint>
@@ -30,7 +30,7 @@ struct AdversarialRange {
     bool every_kind; ///< whether contacts between two masses, loads on several, and dashpots that couple the modes are among them
 };
 
-/// @brief All that a scene may be, of every kind: r from 5e-324 to 1e300, contrasts to 1e15, damping ratios to 1e6, up to 200 masses.
+/// @brief All that a scene may be, of every kind: r from 5e-324 to 1e300, contrasts to 1e15, damping ratios to 1e6, 200 masses.
 inline constexpr AdversarialRange everything{-1074, 996, -1074, 996, 50, -60, 19, 19, 200, true};
 /// @brief What a user may meet: r from 1e-9 to 10, contrasts to 1e12, damping ratios to 30, up to 12 masses.
 inline constexpr AdversarialRange contrasts{-30, 3, -30, 6, 40, -40, 4, 6, 12, false};

@@ -49,8 +49,8 @@ void connect(Matrix<T>& K, Eigen::Index i, Eigen::Index k, const T& c) {
     K(k, i) -= c;
 }
 
-/// @brief The stiffness matrix of a chain, Eq. (1), or its damping matrix. @param k spring i between masses i - 1 and i, the first
-/// to the ground @return the matrix
+/// @brief The stiffness matrix of a chain, Eq. (1), or its damping matrix. @param k spring i between masses i - 1 and i, the
+/// first to the ground @return the matrix
 template <class T>
 [[nodiscard]] Matrix<T> matrix_of_chain(const std::vector<T>& k) {
     const auto N = static_cast<Eigen::Index>(k.size());

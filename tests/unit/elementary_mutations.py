@@ -13,9 +13,10 @@ from pathlib import Path
 COEFFICIENT = re.compile(r"1\.0 / ([0-9]+)")
 ENTRY = re.compile(r"0x1\.[0-9a-f]{13}p")
 
-# What no test can find. A constant that only chooses the nearest multiple may be its neighbour: then the reduced argument is a little larger
-# than half a step, and the series still has its digits. The last terms of a series, and the last parts of a constant in two or three parts,
-# are below the 57 bits that are promised; so is the last digit of a slope that multiplies such a part.
+# What no test can find. A constant that only chooses the nearest multiple may be its neighbour: then the reduced argument is a
+# little larger than half a step, and the series still has its digits. The last terms of a series, and the last parts of a
+# constant in two or three parts, are below the 57 bits that are promised; so is the last digit of a slope that multiplies such a
+# part.
 CHOOSES = "it only chooses the nearest multiple"
 BELOW = "it is below the bits that are promised"
 UNSEEN = {

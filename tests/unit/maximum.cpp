@@ -164,7 +164,7 @@ TEST_CASE("values that are known to be exceeded are passed over", "[maximum][eff
 }
 
 TEST_CASE("where the terms of a curve cancel, the search ends at the error that their sum has", "[maximum][effort]") {
-    // cos t - 2 cos(1 + e)t + cos(1 + 2e)t: of the size of e^2 beside terms of 1, as a mass far from the load among nearly equal ones.
+    // cos t - 2 cos(1 + e)t + cos(1 + 2e)t: e^2 beside terms of 1, as a mass far from the load among nearly equal ones.
     for (const double e : {1e-3, 1e-6, 1e-8, 1e-10}) {
         const std::array<std::array<double, 2>, 3> terms{{{1, 1}, {-2, 1 + e}, {1, 1 + 2 * e}}};
         const auto derivative = [&](double t, int order) {

@@ -50,6 +50,8 @@ TEST_CASE("a sentence of the run gets its links and symbols, and paths stay as t
     CHECK(prose("mode_functions.hpp, beta.hpp") == "mode\\_functions.hpp, beta.hpp");
     CHECK(prose("SDOF zeta=0.001 r=0.95.") == "SDOF \\f$\\zeta=0.001\\f$ \\f$r=0.95\\f$.");
     CHECK(prose("x_j'/sin(tau)") == "\\f$\\bar{x}_{j}'\\f$/\\f$\\sin(\\tau)\\f$");
+    CHECK(prose("zeta_i > 0 or 1/R_i not odd") == "\\f$\\zeta_{i}\\f$ &gt; 0 or 1/\\f$R_{i}\\f$ not odd");
+    CHECK(prose("tests/limits/R_i") == "tests/limits/R\\_i");
     CHECK(prose("zeta/r_n,i") == "\\f$\\zeta\\f$/\\f$r_{n,i}\\f$");
     CHECK(witness_value("-329/333") == "\\f$-\\tfrac{329}{333}\\f$");
     CHECK(witness_value("0.105313493022638536325369615526715714") == "0.10531349302263853632…");

@@ -7,7 +7,6 @@ titles = int(system("grep -c '^# title ' ".data))
 entry(what, n) = system(sprintf("sed -n 's/^# %s %d //p' %s", what, n, data))
 grey = '#999999'
 array mark[13] = [7, 6, 4, 8, 12, 10, 2, 1, 3, 5, 9, 11, 13]
-array colour[7] = ['#0072B2', '#D55E00', '#009E73', '#CC79A7', '#E69F00', '#56B4E9', '#000000']
 do for [m = 1:names] {
     wide = entry('name', m) eq 'solve' ? 3.5 : 1.2
     set style line m lc rgb colour[1 + (m - 1) % 7] pt mark[1 + m % 13] lw wide ps 0.8

@@ -1,5 +1,5 @@
 /// @file
-/// @brief Known mistakes, each as the answers that an implementation gives that makes it.
+/// @brief Known mistakes. Each is given by the answers of an implementation that makes it.
 #pragma once
 
 #include <optional>
@@ -12,34 +12,34 @@
 
 namespace denhartog::conformance {
 
-/// @brief How near an answer is to that of a mistake that explains it, in units of its distance from the truth.
+/// @brief The largest distance from the answer of a mistake that explains it, in units of the distance from the truth.
 inline constexpr double nearer_than_truth = 0.1;
 
 /// @brief A known mistake.
 struct Mistake {
     std::string name;     ///< stable name, e.g. `46-as-printed`, `mu-ignored`
-    std::string equation; ///< equation of the paper that it is about; empty where it is about none
-    bool as_printed;      ///< whether it is the paper's print
-    std::string told;     ///< what it is, a sentence with the equation
-    std::string look_at;  ///< what to look at in the code that makes it
-    /// How near, relative to its size, answers of implementations that make it come to `answer_with_mistake`: rounding where it
-    /// is one formula for another, the steps in time or the harmonics of a solver where the mistake is a solver's.
+    std::string equation; ///< equation of the paper that it concerns; empty if it concerns none
+    bool as_printed;      ///< whether the code follows the equation as the paper prints it
+    std::string told;     ///< a sentence that says what the mistake is, with the equation
+    std::string look_at;  ///< the place to look at in code that makes it; completes "Look at ..."
+    /// The relative distance from `answer_with_mistake` within which implementations that make the mistake answer. Rounding
+    /// decides it if one formula stands for another; the steps in time or the harmonics decide it if the mistake is a solver's.
     double agreement = 1e-6;
-    /// The quantities of its own equation, where it need not reach the others that it says something of: a program that has
-    /// (44) as printed may take the motion from (46). Empty where it reaches all.
+    /// The quantities of its own equation, if the mistake need not affect the other quantities that it can affect: a program
+    /// that has (44) as printed may take the motion from (46). Empty if it affects all of them.
     std::vector<std::string> core = {};
 };
 
-/// @brief All known mistakes, by name. @return the mistakes
+/// @brief All known mistakes, sorted by name. @return the mistakes
 [[nodiscard]] std::span<const Mistake> mistakes();
 
-/// @brief What an implementation that makes a mistake answers, in double.
+/// @brief The answer of an implementation that makes a mistake, in double.
 ///
-/// Whatever of the answer the mistake does not touch is right to the accuracy of the plain closed form in double.
+/// The parts of the answer that the mistake does not affect are as accurate as the plain closed form in double.
 /// @param name  name of the mistake
-/// @param q     the question; its scene keeps the rules
-/// @return      the answer; none where the mistake says nothing about the quantity, or its answer cannot be computed
-/// @throws      InputError for a name that is none
+/// @param q     the question; its scene obeys the rules
+/// @return      the answer; none if the mistake does not affect the quantity, or if its answer cannot be computed
+/// @throws      InputError if no mistake has this name
 [[nodiscard]] std::optional<Value> answer_with_mistake(std::string_view name, const Question& q);
 
 } // namespace denhartog::conformance

@@ -1,5 +1,5 @@
 /// @file
-/// @brief A known mistake with the function that answers as it does; the parts of the list of all mistakes.
+/// @brief A known mistake with the function that gives its answers, and the parts of the list of all mistakes.
 #pragma once
 
 #include <functional>
@@ -12,41 +12,41 @@
 
 namespace denhartog::conformance {
 
-/// @brief Agreement of mistakes that solvers make which go in steps through time.
+/// @brief Agreement of the mistakes that time-stepping solvers make.
 inline constexpr double of_steps_in_time = 3e-2;
 
-/// @brief A mistake and what it answers.
+/// @brief A mistake with its answers.
 struct MistakeDefinition {
-    Mistake mistake;                                             ///< what is told of it
-    std::function<std::optional<Value>(const Question&)> answer; ///< what it answers; none where it says nothing
+    Mistake mistake;                                             ///< the description for reports
+    std::function<std::optional<Value>(const Question&)> answer; ///< its answer; none if it does not affect the quantity
 };
 
-/// @brief A mistake in the formulas: the plain closed form with other choices.
-/// @param mistake  what is told of it
-/// @param touched  the quantities of which it says something; all where empty
+/// @brief Defines a mistake in the formulas: the plain closed form with other choices.
+/// @param mistake  the description for reports
+/// @param touched  the quantities that it affects; all if empty
 /// @param choose   makes the choices
 /// @return         the definition
 [[nodiscard]] MistakeDefinition by_formulas(Mistake mistake, std::vector<std::string_view> touched,
                                             std::function<void(Choices&)> choose);
 
-/// @brief Mistakes in what is read from a question: every answer is that to another question. @return the mistakes
+/// @brief Mistakes in reading a question: every answer is the right answer to another question. @return the mistakes
 [[nodiscard]] std::vector<MistakeDefinition> mistakes_of_input();
-/// @brief Formulas as the paper prints them where the derivation refutes them. @return the mistakes
+/// @brief Formulas as the paper prints them, if the derivation refutes them. @return the mistakes
 [[nodiscard]] std::vector<MistakeDefinition> mistakes_of_print();
-/// @brief Mistakes in the closed form that are not the paper's print. @return the mistakes
+/// @brief Mistakes in the closed form that the paper does not print. @return the mistakes
 [[nodiscard]] std::vector<MistakeDefinition> mistakes_of_form();
-/// @brief Mistakes in the convention by which an answer is given. @return the mistakes
+/// @brief Mistakes in the convention of an answer, such as its unit or sign. @return the mistakes
 [[nodiscard]] std::vector<MistakeDefinition> mistakes_of_output();
 /// @brief Mistakes that solvers of the motion make. @return the mistakes
 [[nodiscard]] std::vector<MistakeDefinition> mistakes_of_integrators();
 
-/// @brief Mistakes in what only systems beyond the paper have. @return the mistakes
+/// @brief Mistakes that only systems beyond the paper can show. @return the mistakes
 [[nodiscard]] std::vector<MistakeDefinition> mistakes_of_systems();
 
-/// @brief Whether a question asks for one of some quantities.
+/// @brief Whether a question asks for one of several quantities.
 /// @param q      the question
 /// @param names  the quantities
-/// @return       whether it does
+/// @return       true if it does
 [[nodiscard]] bool asks_for(const Question& q, std::initializer_list<std::string_view> names);
 
 } // namespace denhartog::conformance

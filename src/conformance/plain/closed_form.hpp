@@ -9,45 +9,45 @@
 
 namespace denhartog::conformance {
 
-/// @brief The boundaries of the regimes as the plain closed form has them.
+/// @brief The boundaries of the regimes by the plain closed form.
 struct PlainLimits {
-    double S = 0;           ///< what (69) takes for the largest demand: the maximum of the sum over modes
-    double exact = 0;       ///< (69) with it
+    double S = 0;           ///< the largest demand in (69): the maximum of the sum over modes
+    double exact = 0;       ///< (69) with S
     double paper = 0;       ///< (69) with (56)
     double approximate = 0; ///< (67)
     double sticking = 0;    ///< the smallest beta at which the contact never moves
 };
 
-/// @brief Which boundaries are computed; searches for a maximum cost most.
+/// @brief Says which boundaries to compute. The searches for a maximum cost most of the time.
 struct Needed {
     bool S = true;        ///< S and `exact`
     bool paper = true;    ///< `paper`
     bool sticking = true; ///< `sticking`
 };
 
-/// @brief The boundaries that a quantity needs. @param quantity its name @return what is needed
+/// @brief The boundaries that a quantity needs. @param quantity its name @return which boundaries to compute
 [[nodiscard]] Needed needed_for(std::string_view quantity);
 
 /// @brief The boundaries at a question's frequency ratio.
 /// @param q  the question
 /// @param m  its modes
 /// @param c  the points of variation
-/// @param needed  which of them
-/// @return   the boundaries; 0 where one is not needed
+/// @param needed  which of them to compute
+/// @return   the boundaries; 0 for one that is not needed
 [[nodiscard]] PlainLimits plain_limits(const Question& q, const PlainModes& m, const Choices& c, const Needed& needed = {});
 
-/// @brief The answer of the plain closed form to a question; beyond the sliding regime that of the exact solver in double.
-/// @param q  the question, of a scene of the paper; where it breaks a rule that friction has, the formulas answer as they stand
+/// @brief The answer of the plain closed form to a question; beyond the sliding regime the exact solver answers in double.
+/// @param q  the question, of a scene of the paper; the formulas are used as they stand even if it breaks a rule of friction
 /// @param c  the points of variation
-/// @return   the answer; none where it is not finite, or the question has none
+/// @return   the answer; none if it is not finite, or if the question has no answer
 [[nodiscard]] std::optional<Value> plain_answer(const Question& q, const Choices& c);
 
-/// @brief The same without variation, and of any system: one beyond the paper is answered by `answer_of_system`.
+/// @brief The same without variation, for any system: `answer_of_system` answers for systems beyond the paper.
 /// @param q  the question
-/// @return   the answer; none where it is not finite, or the question has none
+/// @return   the answer; none if it is not finite, or if the question has no answer
 [[nodiscard]] std::optional<Value> plain_answer(const Question& q);
 
-/// @brief An angle as the protocol has it. @param angle radians @return the same direction in (-pi, pi]
+/// @brief An angle as the protocol gives it. @param angle radians @return the same direction in (-pi, pi]
 [[nodiscard]] double wrapped_angle(double angle);
 
 } // namespace denhartog::conformance

@@ -1,5 +1,5 @@
 /// @file
-/// @brief What integrators answer beyond the sliding regime and on the way to the steady motion, by the exact solver in double.
+/// @brief The answers of integrators beyond the sliding regime and before the motion is steady, by the exact solver in double.
 #pragma once
 
 #include <optional>
@@ -9,25 +9,25 @@
 
 namespace denhartog::conformance {
 
-/// @brief The answer where the contact rests for a part of every period, or for ever.
+/// @brief The answer for a contact that rests during a part of every period, or permanently.
 /// @param q  the question, of a quantity of the motion
-/// @return   the answer; none where no steady motion of one period is found
+/// @return   the answer; none if no steady motion of one period is found
 [[nodiscard]] std::optional<Value> answer_of_steady_motion(const Question& q);
 
-/// @brief The answers read off some periods on the way from rest to the steady motion.
+/// @brief The answers that are read off some of the periods between rest and the steady motion.
 /// @param q      the question, of a quantity of the motion
-/// @param first  the first period of the force that is read off, at least 1
-/// @param last   the last
-/// @return       the answers, a period each; none where the quantity is none of a motion, or the scene none of the paper
+/// @param first  the first of these periods of the force, at least 1
+/// @param last   the last of them
+/// @return       one answer for each period; none if the quantity does not belong to a motion, or the scene not to the paper
 [[nodiscard]] std::vector<std::optional<Value>> answers_of_transient(const Question& q, int first, int last);
 
-/// @brief The answer of a solver that replaces sgn by a hyperbolic tangent, where the contact should rest for ever: it creeps.
+/// @brief The answer of a solver that replaces sgn by a hyperbolic tangent: a contact that should rest permanently creeps.
 ///
 /// \f[ \bar{x}_j' = -\varepsilon\,\mathrm{artanh}\frac{|\lambda|\cos(\tau+\angle\lambda)}{\beta} \f] with the load
-/// \f$ \lambda \f$ of (88) on the held contact, to first order in the width.
+/// \f$ \lambda \f$ of (88) on the held contact; this is of first order in the width.
 /// @param q      the question, of amplitude or motion
 /// @param width  velocity over which friction changes its sign, in the unit of d x / d tau
-/// @return       the answer; none where the contact is not asked about, moves, or is held by static friction alone
+/// @return       the answer; none if another mass is asked about, the contact moves, or only static friction holds it
 [[nodiscard]] std::optional<Value> answer_of_creep(const Question& q, double width);
 
 } // namespace denhartog::conformance

@@ -18,8 +18,8 @@
 namespace denhartog::conformance {
 namespace {
 
-// Largest value of a smooth function over [0, pi]: the best of equally spaced samples, refined by Brent's method to half the digits of the
-// instant, which are all digits of the value.
+// Largest value of a smooth function over [0, pi]: the best of equally spaced samples, refined by Brent's method to half the
+// digits of the instant, which are all digits of the value.
 double largest_over_half_period(const std::function<double(double)>& f, int steps) {
     const double h = pi<double>() / steps;
     const auto less = [&](double tau) { return -f(tau); };

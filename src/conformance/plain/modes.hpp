@@ -1,9 +1,9 @@
 /// @file
 /// @brief The modes, sums over modes and motions of the plain closed form, with the points at which it may be varied.
 ///
-/// The closed form as somebody codes it who follows the paper as corrected: in double, by sampling where a maximum is sought,
-/// without bounds of errors. Every point of variation is a place where implementations are known to differ; without any the
-/// numbers are right to the accuracy of double.
+/// This is the closed form as a reader of the corrected paper would code it: in double, without error bounds, and with samples in
+/// the search for a maximum. Implementations are known to differ at every point of variation. Without variation the numbers have
+/// the accuracy of double.
 #pragma once
 
 #include <cstddef>
@@ -19,22 +19,22 @@ namespace denhartog::conformance {
 /// @brief How mode shapes are normalised.
 enum class Normalisation {
     mass_matrix,   ///< with r^2 diag(m_i / m_1), Eq. (17)
-    without_r,     ///< with diag(m_i / m_1): r is left out
-    largest_entry, ///< the largest entry of each is 1
-    unit_length    ///< the squares of the entries of each add up to 1
+    without_r,     ///< with diag(m_i / m_1), without r
+    largest_entry, ///< the largest entry of each shape is 1
+    unit_length    ///< the squares of the entries of each shape add up to 1
 };
 
-/// @brief What is taken for the boundary of permanent sticking, (88).
+/// @brief The form of the boundary of permanent sticking, (88).
 enum class StickingForm {
     exact,               ///< all forces on the contact
-    as_printed,          ///< the spring between the contact and its neighbour alone, with modal superposition
-    without_damping_load ///< the damping forces of the moving masses on the contact left out, all else exact
+    as_printed,          ///< only the spring between the contact and its neighbour, with modal superposition
+    without_damping_load ///< all forces except the damping forces of the moving masses on the contact
 };
 
 /// @brief Equally spaced instants in the half-period.
 struct Instants {
     double first = 0;       ///< the first
-    double before_end = 0;  ///< how long before pi the last is
+    double before_end = 0;  ///< time from the last one to pi
     std::size_t count = 14; ///< number of instants
 };
 
@@ -43,7 +43,7 @@ struct PlainModes;
 /// @brief The points of variation of the plain closed form.
 struct Choices {
     Normalisation normalisation = Normalisation::mass_matrix; ///< of the mode shapes
-    bool descending = false;                                  ///< modes are listed by descending natural frequency
+    bool descending = false;                                  ///< the modes are in descending order of natural frequency
     bool motion_as_printed = false;                           ///< the bracket of (46) as printed
     bool initial_displacement_as_printed = false;             ///< (44) as printed
     bool initial_velocity_as_printed = false;                 ///< (45) as printed
@@ -53,37 +53,37 @@ struct Choices {
     bool monoharmonic_as_printed = false;                     ///< (52) as printed
     bool maximum_of_each_mode = false;                        ///< (56) in place of the maximum of the sum over modes
     bool demand_at_start = false;                             ///< (72) in place of the maximum of the sum over modes, and of (56)
-    bool load_of_each_mode = false;                           ///< (67) from (63) asked of every mode on its own
-    bool sliding_beyond_68 = false;                           ///< sliding by (58) and "(67) or (68)", (68) as printed
-    bool mu_at_high_frequency = false;                        ///< (86) as printed
-    StickingForm sticking = StickingForm::exact;              ///< the boundary of permanent sticking
-    bool argument_in_half_plane = false;                      ///< the argument of V_dj by the arcus tangent of a quotient
-    bool no_half_period_for_minima = false;                   ///< (47) without the half-period where the mass is at a minimum
-    bool beyond_the_boundary = false;                         ///< the closed form in every regime
-    bool closed_form_alone = false;                           ///< no answer to the motion beyond the sliding regime
-    double factor_in_23 = 2;                                  ///< of zeta R in (23)
-    double sign_of_mu = 1;                                    ///< of mu / (gamma_j r^2) in (67)
-    double power_of_r_in_65 = 2;                              ///< of r in (65)
-    bool demand_as_printed = false;                           ///< (57) as printed, which needs `instants`
-    std::optional<Instants> instants;                         ///< where the maximum of (57) is sought; none: everywhere
-    bool without_load_condition = false;                      ///< (69) from the maximum alone, without the load condition (67)
-    bool hysteretic = false;                                  ///< 2 zeta in place of 2 zeta R in (23)
-    int harmonics = 0;                                        ///< highest harmonic of friction kept; 0: all
-    std::function<void(PlainModes&)> change_modes;            ///< changes the modes before they are summed; empty: leaves them
-    std::function<void(PlainModes&)> change_sums;             ///< changes the sums over the modes; empty: leaves them
+    bool load_of_each_mode = false;                           ///< (67) from (63), required of every mode by itself
+    bool sliding_beyond_68 = false;                ///< the condition of sliding is (58) and "(67) or (68)", with (68) as printed
+    bool mu_at_high_frequency = false;             ///< (86) as printed
+    StickingForm sticking = StickingForm::exact;   ///< the boundary of permanent sticking
+    bool argument_in_half_plane = false;           ///< the argument of V_dj is the arctangent of a quotient
+    bool no_half_period_for_minima = false;        ///< (47) leaves out the half-period if the mass is at a minimum
+    bool beyond_the_boundary = false;              ///< the closed form answers in every regime
+    bool closed_form_alone = false;                ///< there is no answer for the motion beyond the sliding regime
+    double factor_in_23 = 2;                       ///< the factor of zeta R in (23)
+    double sign_of_mu = 1;                         ///< the sign of mu / (gamma_j r^2) in (67)
+    double power_of_r_in_65 = 2;                   ///< the power of r in (65)
+    bool demand_as_printed = false;                ///< (57) as printed, which needs `instants`
+    std::optional<Instants> instants;              ///< where to look for the maximum of (57); none: everywhere
+    bool without_load_condition = false;           ///< (69) from the maximum alone, without the load condition (67)
+    bool hysteretic = false;                       ///< 2 zeta in place of 2 zeta R in (23)
+    int harmonics = 0;                             ///< the highest harmonic of friction that is kept; 0: all
+    std::function<void(PlainModes&)> change_modes; ///< changes the modes before the sums; empty: no change
+    std::function<void(PlainModes&)> change_sums;  ///< changes the sums over the modes; empty: no change
 };
 
 /// @brief Modes and sums over modes of a question's scene.
 struct PlainModes {
-    std::size_t j = 0;                    ///< the mass in contact, from 0
-    std::size_t l = 0;                    ///< the loaded mass, from 0
+    std::size_t j = 0;                    ///< the mass in contact, counted from 0
+    std::size_t l = 0;                    ///< the loaded mass, counted from 0
     double r = 0;                         ///< frequency ratio
     double beta = 0;                      ///< friction ratio
     double mu = 1;                        ///< static over kinetic friction
     std::vector<double> r_n;              ///< natural frequency ratios, ascending
     std::vector<double> R;                ///< modal frequency ratios, Eq. (22)
     std::vector<double> zeta;             ///< modal damping ratios
-    std::vector<std::vector<double>> psi; ///< mode shapes, a row a mass
+    std::vector<std::vector<double>> psi; ///< mode shapes, one row for each mass
     std::vector<double> u;                ///< first damping functions of the modes, Eq. (28)
     std::vector<double> g;                ///< second damping functions of the modes, Eq. (29)
     std::vector<Complex<double>> v;       ///< complex response functions of the modes, Eq. (23)
@@ -99,7 +99,7 @@ struct PlainModes {
 /// @param q  the question; places from 1 to N, positive ratios
 /// @param c  the points of variation
 /// @return   modes and sums; not finite at a pole of a mode without damping
-/// @throws   InputError where a place is not there or the modes are none
+/// @throws   InputError if there is no such mass, or if the matrices have no modes
 [[nodiscard]] PlainModes plain_modes(const Question& q, const Choices& c);
 
 /// @brief A displacement and its rate.
@@ -111,9 +111,9 @@ struct PlainMotion {
 /// @brief Motion of a mass in the sliding regime at any instant, (46), or (41) from (44) and (45).
 /// @param m    modes
 /// @param c    the points of variation
-/// @param k    the mass, from 0
+/// @param k    the mass, counted from 0
 /// @param tau  non-dimensional time, zero at the maximum of the contact
-/// @return     the motion; beyond the half-period mirrored
+/// @return     the motion; after the half-period it is mirrored
 [[nodiscard]] PlainMotion plain_motion(const PlainModes& m, const Choices& c, std::size_t k, double tau);
 
 /// @brief Phase of the mass in contact, (39). @param m modes @param c the points of variation @return phi_j, not wrapped
@@ -122,13 +122,13 @@ struct PlainMotion {
 /// @brief Displacement and velocity of a mass at the maximum of the contact, (44), (45).
 /// @param m  modes
 /// @param c  the points of variation
-/// @param k  the mass, from 0
+/// @param k  the mass, counted from 0
 /// @return   x_k0 and x'_k0
 [[nodiscard]] PlainMotion plain_start(const PlainModes& m, const Choices& c, std::size_t k);
 
 /// @brief Number of equal steps of the half-period that shows every oscillation of the modes.
 /// @param m  modes
-/// @return   the number
+/// @return   their number
 [[nodiscard]] int plain_steps(const PlainModes& m);
 
 } // namespace denhartog::conformance

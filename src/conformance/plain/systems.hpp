@@ -10,8 +10,8 @@ namespace denhartog::conformance {
 
 /// @brief The answer to a question about a system beyond the paper, by the library in double.
 /// @param q  the question
-/// @return   the answer; none where the quantity is one of a chain alone, or the motion has more than one period
-/// @throws   InputError where the question breaks a rule; DomainError and PrecisionError where the library has no answer
+/// @return   the answer; none if only a chain has the quantity, or if the motion takes more than one period to repeat
+/// @throws   InputError if the question breaks a rule; DomainError and PrecisionError if the library has no answer
 [[nodiscard]] std::optional<Value> answer_of_system(const Question& q);
 
 } // namespace denhartog::conformance

@@ -78,7 +78,7 @@ double error_of_masses(const SteadyState<Bounded<T>>& state, std::optional<Mass>
     return error;
 }
 
-// What the errors of the sums make of displacements over the half-period: some times that of displacement and velocity at its start.
+// What the errors of the sums make of displacements over the half-period: a multiple of the errors at its start.
 template <class T>
 std::vector<T> errors_of_displacements(const SteadyState<Bounded<T>>& state) {
     std::vector<T> errors;

@@ -4,6 +4,7 @@
 
 #include "denhartog/c/guarded.hpp"
 #include "denhartog/scene/limits.hpp"
+#include "denhartog/scene/mass_rules.hpp"
 #include "denhartog/solve/solve.hpp"
 
 /// @brief A system prepared for every regime at mu = 1, with its modes. Nothing in it changes.
@@ -21,13 +22,6 @@ struct dh_solution {
 namespace denhartog::c_interface {
 
 static_assert(DH_MOST_MASSES == most_masses && DH_MOST_SAMPLES == most_samples && DH_MOST_DISPLACEMENTS == most_displacements);
-
-/// @brief A mass or its number from C. @param mass counted from 1 @param N number of masses @param name what it is called
-/// @return counted from 0 @throws InputError where there is no such mass
-[[nodiscard]] inline Mass mass_from(std::size_t mass, std::size_t N, const char* name) {
-    if (mass < 1 || mass > N) throw InputError(name, "must be a mass from 1 to " + std::to_string(N), std::to_string(mass));
-    return {mass - 1};
-}
 
 /// @brief Digits from C. @param digits as a caller gives them @return none for 0 @throws InputError for more than a double has
 [[nodiscard]] inline std::optional<int> digits_from(int digits) {

@@ -140,7 +140,7 @@ template <class T>
     return zeta >= 1 || (zeta > 0 && zeta < range.least_damping);
 }
 
-/// @brief Whether a mode is left to the scalar forms by its frequency ratio. @param R modal frequency ratio @param range the range
+/// @brief Whether the frequency ratio leaves a mode to the scalar forms. @param R modal frequency ratio @param range the range
 /// @return  whether it is
 template <class T>
 [[nodiscard, gnu::always_inline]] inline bool ratio_beyond_vectors(const T& R, const VectorRange<T>& range) {
@@ -221,7 +221,7 @@ template <class T>
 /// ends and of which the derivative is Z sin, Z = N'' + N. Z is a damped sine with zeros \f$ \pi R/w \f$ apart. The expression is
 /// \f$ R\,Z(\pi) \f$, and \f$ R\,Z(0) \f$ is its opposite less \f$ 4\zeta \f$. Where it is positive and 2 R > w, Z therefore goes
 /// from negative to positive once in the half-period: W is nowhere positive, and (57) is largest for tau -> 0.
-/// (`derivation/section_2_6_largest_at_start.cpp` shows that 2 R >= w suffices by itself; this condition is stricter than need be.)
+/// (`derivation/section_2_6_largest_at_start.cpp` shows that 2 R >= w suffices; this condition is stricter than it need be.)
 /// @eq{57,71}  @derivation{batch_forms}  @domain{R > 0, 0 <= zeta < 1}
 /// @param two_zeta  2 zeta
 /// @param R         modal frequency ratio, Eq. (22)

@@ -1,8 +1,8 @@
 /// @file
 /// @brief The sliding motion where damping couples the modes: its energy coordinates, and friction's share of it.
 ///
-/// The paper leaves such damping out (Section 2.1). These formulas are not in it; they follow from (12) as its own do, and are its own
-/// where the modes are not coupled.
+/// The paper leaves such damping out (Section 2.1). These formulas are not in it; they follow from (12) as its own do, and are
+/// its own where the modes are not coupled.
 #pragma once
 
 #include <cstddef>
@@ -13,10 +13,10 @@ namespace denhartog::evaluation {
 
 /// @brief The rates of the energy coordinates of a system that moves freely.
 ///
-/// With \f$ \mathbf{M} = \mathbf{L}\mathbf{L}^T \f$ and \f$ \mathbf{K} = \mathbf{G}\mathbf{G}^T \f$ in units of m_1 and k_1 the coordinates are
-/// \f$ \mathbf{s} = (\mathbf{G}^T\mathbf{x}/r,\ \mathbf{L}^T\mathbf{x}') \f$, and (12) without its forces is
-/// \f[ \mathbf{s}' = \mathbf{A}\mathbf{s}, \qquad \mathbf{A} = \frac{1}{r}\begin{pmatrix} \mathbf{0} & \mathbf{P}^T \\ -\mathbf{P} &
-///     -\mathbf{B} \end{pmatrix}, \qquad \mathbf{P} = \mathbf{L}^{-1}\mathbf{G}, \quad
+/// With \f$ \mathbf{M} = \mathbf{L}\mathbf{L}^T \f$ and \f$ \mathbf{K} = \mathbf{G}\mathbf{G}^T \f$ in units of m_1 and k_1 the
+/// coordinates are \f$ \mathbf{s} = (\mathbf{G}^T\mathbf{x}/r,\ \mathbf{L}^T\mathbf{x}') \f$, and (12) without its forces is
+/// \f[ \mathbf{s}' = \mathbf{A}\mathbf{s}, \qquad \mathbf{A} = \frac{1}{r}\begin{pmatrix} \mathbf{0} & \mathbf{P}^T \\
+///     -\mathbf{P} & -\mathbf{B} \end{pmatrix}, \qquad \mathbf{P} = \mathbf{L}^{-1}\mathbf{G}, \quad
 ///     \mathbf{B} = \mathbf{L}^{-1}\mathbf{C}\mathbf{L}^{-T}. \f]
 /// @eq{20}  @derivation{coupled_damping}  @domain{any positive definite M and K, any symmetric C}
 /// @param P  N x N, row-major

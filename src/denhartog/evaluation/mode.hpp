@@ -217,8 +217,8 @@ template <class T>
     return damping_functions_half_angle(R, zeta, h);
 }
 
-/// @brief \f$ u_{di} \f$ and \f$ g_i \f$ as callers get them: in the next wider type under heavy damping, where the roundings of w,
-/// of the decay and of its square add up to four units, and in float, so that (40) keeps its digits.
+/// @brief \f$ u_{di} \f$ and \f$ g_i \f$ as callers get them: in the next wider type under heavy damping, where the roundings of
+/// w, of the decay and of its square add up to four units, and in float, so that (40) keeps its digits.
 /// @eq{28,29}  @derivation{evaluation_forms}  @domain{R > 0, zeta >= 0}
 /// @param R     modal frequency ratio, Eq. (22)
 /// @param zeta  modal damping ratio

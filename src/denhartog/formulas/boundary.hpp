@@ -88,7 +88,7 @@ template <class T>
 ///
 /// With \f$ S = S_{dj} \f$ it is (58), with \f$ S = H_j+\mu/(\gamma_j r^2) \f$ it is (67), with
 /// \f$ S = H_j-\mu/(\gamma_j r^2) \f$ it is (68), and with the larger of the first two it is (69), \f$ \beta_{\lim} \f$.
-/// @eq{58,67,68,69}  @derivation{section_2_6_domain_of_validity}  @domain{S > 0; (68) excludes nothing where its S is not positive}
+/// @eq{58,67,68,69}  @derivation{section_2_6_domain_of_validity}  @domain{S > 0; (68) excludes nothing if its S is not positive}
 /// @param V_dj  complex response function of the mass in contact, Eq. (33)
 /// @param U_dj  first damping function of the mass in contact, Eq. (34)
 /// @param S     what the amplitude has to exceed, per unit of friction ratio

@@ -1,8 +1,8 @@
 /// @file
 /// @brief Complex numbers as pairs, and the reading of \f$ v\cos(\tau+\phi) \f$.
 ///
-/// The paper multiplies the complex \f$ v_{di} \f$ by a real cosine, (21), (26), (27), (31), (32), (42)-(45), (A.2)-(A.14), and takes
-/// the real part at the end. What that means, made precise: \f$ v\cos a \f$ stands for
+/// The paper multiplies the complex \f$ v_{di} \f$ by a real cosine, (21), (26), (27), (31), (32), (42)-(45), (A.2)-(A.14), and
+/// takes the real part at the end. What that means, made precise: \f$ v\cos a \f$ stands for
 /// \f$ \mathrm{Re}\{v\,e^{ia}\} = |v|\cos(a+\angle v) \f$ and \f$ v\sin a \f$ for
 /// \f$ \mathrm{Im}\{v\,e^{ia}\} = |v|\sin(a+\angle v) \f$. With this reading (36), (37) and (60) follow.
 #pragma once

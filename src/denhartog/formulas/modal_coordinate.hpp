@@ -1,7 +1,7 @@
 /// @file
 /// @brief The motion of one modal coordinate over the half-period: (20), (21), (26), (27), (40), (60), (62), (A.1)-(A.15).
-/// @details The half-period \f$ 0 \le \tau \le \pi \f$ runs from a maximum of the displacement of the mass in contact to its minimum.
-/// A product of \f$ v_{di} \f$ with \f$ \cos\phi_j \f$ or \f$ \sin\phi_j \f$ is read as in `complex.hpp`.
+/// @details The half-period \f$ 0 \le \tau \le \pi \f$ runs from a maximum of the displacement of the mass in contact to its
+/// minimum. A product of \f$ v_{di} \f$ with \f$ \cos\phi_j \f$ or \f$ \sin\phi_j \f$ is read as in `complex.hpp`.
 #pragma once
 
 #include "denhartog/formulas/mode.hpp"
@@ -146,7 +146,7 @@ template <class T>
 /// \f[ \begin{aligned} \mathcal{A} &= -\psi_{li}R_i^2[1+d_i(\pi)], & \mathcal{B} &= \psi_{li}R_i^3 q_i(\pi), &
 ///     \mathcal{C} &= [1+d_i(\pi)]\eta_{i0} + R_i q_i(\pi)\eta_{i0}' + \psi_{ji}R_i^2[1-d_i(\pi)]\beta \\[2pt]
 ///     \mathcal{P} &= \psi_{li}R_i q_i(\pi), & \mathcal{Q} &= \psi_{li}R_i^2[1+R_i q_i'(\pi)], &
-///     \mathcal{R} &= -\tfrac{q_i(\pi)}{R_i}\eta_{i0} + [1+R_i q_i'(\pi)]\eta_{i0}' + \psi_{ji}R_i q_i(\pi)\beta \end{aligned} \f]
+///     \mathcal{R} &= -\tfrac{q_i(\pi)}{R_i}\eta_{i0}+[1+R_i q_i'(\pi)]\eta_{i0}' + \psi_{ji}R_i q_i(\pi)\beta \end{aligned} \f]
 /// @eq{A.11}  @derivation{appendix/a10_final_conditions}  @domain{R > 0, 0 <= zeta < 1}
 /// @param m      the mode
 /// @param start  initial values, Eq. (24)

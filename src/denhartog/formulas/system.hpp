@@ -82,7 +82,7 @@ template <class T>
     return omega / k_1 * c;
 }
 
-/// @brief Stiffness over the stiffness of the first spring: entry of \f$ \overline{K} \f$ (7), stiffness ratio \f$ \kappa_i \f$ (73).
+/// @brief Stiffness over that of the first spring: entry of \f$ \overline{K} \f$ (7), stiffness ratio \f$ \kappa_i \f$ (73).
 /// @eq{7,73}  @derivation{section_2_1_formulation}  @domain{k_1 > 0}
 /// @param k    a stiffness, or an entry of K
 /// @param k_1  stiffness of the first spring

@@ -9,6 +9,7 @@
 #include "denhartog/evaluation/mode_arrays.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/parallel.hpp"
+#include "denhartog/scene/mass_rules.hpp"
 #include "denhartog/scene/point_rules.hpp"
 
 namespace denhartog {
@@ -159,9 +160,8 @@ void compute(const std::vector<WeightedMode>& modes, std::span<const double> r, 
 void contact_sums(const ModalBasis<Bounded<double>>& basis, Mass contact, Mass load, std::span<const double> r, unsigned threads,
                   ContactSums& s) {
     const std::size_t N = basis.r_n.size(), points = r.size();
-    const std::string rule = "must be a mass from 1 to " + std::to_string(N);
-    if (contact.index >= N) throw InputError("contact", rule, std::to_string(contact.index + 1));
-    if (load.index >= N) throw InputError("load", rule, std::to_string(load.index + 1));
+    check_mass(contact, N, "contact");
+    check_mass(load, N, "load");
     if (threads < 1) throw InputError("threads", "must be at least 1", std::to_string(threads));
     for (const double each : r) check_frequency_ratio(each);
     for (std::vector<double>* each : all_of(s)) each->resize(points);

@@ -3,8 +3,8 @@
 ///
 /// Each mode is evaluated once a frequency ratio. With \f$ \psi_i=\phi_i/r \f$ and \f$ R_i=r/r_{n,i} \f$ the weights
 /// \f$ \psi_{ki}\psi_{li}R_i^2 \f$ of (33)-(35) are \f$ \phi_{ki}\phi_{li}/r_{n,i}^2 \f$: nothing of them depends on r. Memory is
-/// that of the results and a few blocks. Each sum comes with the size of its terms: what rounding and the errors of the modes make
-/// of a term is below `error_of_size()` of that.
+/// that of the results and a few blocks. Each sum comes with the size of its terms: what rounding and the errors of the modes
+/// make of a term is below `error_of_size()` of that.
 #pragma once
 
 #include <cstdint>

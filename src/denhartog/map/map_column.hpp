@@ -41,7 +41,7 @@ struct ContactColumn {
 /// @brief Computes a column.
 /// @param map         what the columns share
 /// @param r           frequency ratio
-/// @param arrays      what the arrays tell of it, where its limits part the friction ratios for certain; else it is evaluated here
+/// @param arrays      what the arrays tell of it, if its limits part the friction ratios for certain; else it is evaluated here
 /// @param stop        leaves the rest of the column undone once it is set
 /// @param points      where the points go
 /// @param amplitudes  where the amplitudes go, filled with NaN before

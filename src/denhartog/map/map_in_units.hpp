@@ -16,7 +16,7 @@ struct FrequenciesInUnits {
 };
 
 /// @brief Frequencies in the units of a scene. @param scene a scene of masses, stiffnesses and a force @param hertz frequencies
-/// @return the frequencies with their ratios @throws InputError where the scene has no units or no force, or a frequency is not positive
+/// @return the frequencies with their ratios @throws InputError if the scene lacks units or force, or a frequency is not positive
 [[nodiscard]] FrequenciesInUnits frequencies_in_units(const Scene<double>& scene, const std::vector<double>& hertz);
 
 /// @brief A map with amplitudes in the scene's unit of length. One beyond the range of a double leaves its point `failed`.

@@ -9,6 +9,7 @@
 #include "denhartog/model/coordinates.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/parallel.hpp"
+#include "denhartog/scene/mass_rules.hpp"
 #include "denhartog/scene/point_rules.hpp"
 
 namespace denhartog {
@@ -34,8 +35,7 @@ void check_request(const MapRequest& request, std::size_t N) {
     if (request.beta.empty()) throw InputError("beta", "must have at least one value", "none");
     for (const double beta : request.beta) check_friction_ratio(beta);
     if (request.masses.empty()) throw InputError("mass", "must be given at least once", "none");
-    for (const Mass k : request.masses)
-        if (k.index >= N) throw InputError("mass", "must be a mass from 1 to " + std::to_string(N), std::to_string(k.index + 1));
+    for (const Mass k : request.masses) check_mass(k, N, "mass");
     if (request.threads < 1) throw InputError("threads", "must be at least 1", std::to_string(request.threads));
     check_size_of_map(request.r.size(), request.beta.size() * request.masses.size());
 }

@@ -27,8 +27,8 @@ auto times(const Left& A, const Right& B) {
     }
 }
 
-// Factors of more digits than a double has are computed in 100 digits and no other type: Eigen's solvers take the compiler longer than
-// all else.
+// Factors of more digits than a double has are computed in 100 digits and no other type: Eigen's solvers take the compiler longer
+// than all else.
 template <class T>
 using Inside = std::conditional_t<std::floating_point<T>, T, Real100>;
 

@@ -1,7 +1,7 @@
 /// @file
 /// @brief Products, linear systems and symmetric eigenproblems: Eigen's, compiled once for the three number types.
 ///
-/// In multiprecision they take the compiler longer than all else. Eigenproblems and linear systems of 50 digits are solved in 100.
+/// In multiprecision nothing else takes the compiler as long. Eigenproblems and linear systems of 50 digits are solved in 100.
 #pragma once
 
 #include <memory>

@@ -12,8 +12,8 @@ namespace denhartog {
 /// square root of M divided out on both sides the condition is A B = B A. The distance from it is measured as \f$ \|AB - BA\|_F
 /// / (\|A\|_F \|B\|_F) \f$ (0 to sqrt 2) and must not exceed 8 N eps of the number type: what rounding explains. In a higher
 /// precision matrices therefore have to meet the condition to more digits; decimal fractions are then given as text. Where
-/// natural frequencies coincide the mode shapes are turned to those that diagonalise C as well. Where C breaks the condition by more,
-/// and by more than what is to be neglected, it couples the modes, and the ratios are those of its diagonal.
+/// natural frequencies coincide the mode shapes are turned to those that diagonalise C as well. Where C breaks the condition by
+/// more, and by more than what is to be neglected, it couples the modes, and the ratios are those of its diagonal.
 /// @eq{18}
 /// @param L      lower triangular factor of the mass matrix in units of m_1, M = L L^T
 /// @param K      stiffness matrix in units of k_1

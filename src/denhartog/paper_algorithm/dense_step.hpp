@@ -66,8 +66,8 @@ public:
 private:
     using Stepper = boost::numeric::odeint::runge_kutta_dopri5<Y>;
     using Checker = boost::numeric::odeint::default_error_checker<double, Stepper::algebra_type, Stepper::operations_type>;
-    // The rule of odeint's own, by powers that are the same on every machine. It limits a step where its length is chosen; the length
-    // tried may be longer by the rounding of its end.
+    // The rule of odeint's own, by powers that are the same on every machine. It limits a step where its length is chosen; the
+    // length tried may be longer by the rounding of its end.
     struct Adjuster : boost::numeric::odeint::default_step_adjuster<double, double> {
         using default_step_adjuster::default_step_adjuster;
         [[nodiscard]] double decrease_step(double step, double error, int order) const {

@@ -80,7 +80,7 @@ struct PaperMotion {
 /// @brief Checks settings. @param settings the settings @param N number of masses @throws InputError for the first rule broken
 void check(const PaperSettings& settings, std::size_t N);
 
-/// @brief Settings with their start in the coordinates of a system. @param settings of its masses @param system in its coordinates
+/// @brief Settings with their start in a system's coordinates. @param settings of its masses @param system in its coordinates
 /// @return the settings @throws InputError as `check`
 [[nodiscard]] PaperSettings in_own_coordinates(PaperSettings settings, const System<double>& system);
 

@@ -22,8 +22,8 @@ struct MapGrid {
     std::vector<Mass> masses; ///< masses whose amplitudes the map has
 };
 
-/// @brief A map as CSV: a line a point, columns r, beta (or what the axes are called), regime, stops_per_period, periods, amplitude_K
-/// for each mass K, status.
+/// @brief A map as CSV: a line a point, columns r, beta (or what the axes are called), regime, stops_per_period, periods,
+/// amplitude_K for each mass K, status.
 /// @param grid  the grid
 /// @param map   the map
 /// @return      the text; a point without numbers has nan in their place and no regime
@@ -38,7 +38,7 @@ struct MapGrid {
 /// @return      the bytes
 [[nodiscard]] std::string map_npy(const MapGrid& grid, const RegimeMap& map);
 
-/// @brief Boundary curves as CSV: a line a frequency, columns r (or what the axis is called), exact, paper, approximate, sticking, status.
+/// @brief Boundary curves as CSV: a line for each frequency, r (or the axis's name), exact, paper, approximate, sticking, status.
 /// @param axis    frequencies
 /// @param curves  the boundaries there
 /// @return        the text; sticking is nan where no friction holds the contact

@@ -10,6 +10,7 @@
 #include "denhartog/number/number_text.hpp"
 #include "denhartog/scene/cholesky.hpp"
 #include "denhartog/scene/converted.hpp"
+#include "denhartog/scene/mass_rules.hpp"
 #include "denhartog/scene/scene_rules.hpp"
 
 namespace denhartog {
@@ -105,12 +106,10 @@ void check_damping_ratios(const std::vector<T>& zeta, std::size_t N, const Scene
     }
 }
 
-std::string which_mass(std::size_t N) { return "must be a mass from 1 to " + std::to_string(N); }
-
 template <class T>
 void check_between(const System<T>& s, const SceneNames& names) {
     const std::size_t N = number_of_masses(s);
-    if (s.contact_with->index >= N) fail(names, "contact", which_mass(N), number(s.contact_with->index), at(1));
+    if (s.contact_with->index >= N) fail(names, "contact", mass_rule(N), number(s.contact_with->index), at(1));
     if (*s.contact_with == s.contact)
         fail(names, "contact", "must be between two masses, not between one and itself", number(s.contact.index), at(1));
 }
@@ -172,8 +171,8 @@ void check_system(const System<T>& s, const SceneNames& names) {
         check_symmetric(s.damping_matrix, N, names, "damping_matrix");
     else
         check_damping_ratios(s.damping_ratios, N, names);
-    if (s.contact.index >= N) fail(names, "contact", which_mass(N), number(s.contact.index));
-    if (s.load_vector.empty() && s.load.index >= N) fail(names, "load", which_mass(N), number(s.load.index));
+    if (s.contact.index >= N) fail(names, "contact", mass_rule(N), number(s.contact.index));
+    if (s.load_vector.empty() && s.load.index >= N) fail(names, "load", mass_rule(N), number(s.load.index));
     if (s.contact_with) check_between(s, names);
     if (!s.load_vector.empty()) check_load(s, names);
 }

@@ -134,8 +134,8 @@ T read_in_units_of_first(const Item& x, std::vector<T>& ratios, Matrix<T>& matri
     return list[0];
 }
 
-/// The force that ratios are in units of: given, or what a base does that moves by `base_displacement`. With the wall it moves a load
-/// that is known with the frequency.
+/// The force that ratios are in units of: given, or what a base does that moves by `base_displacement`. With the wall it moves a
+/// load that is known with the frequency.
 template <class T>
 std::optional<T> read_force(const json& object, const T& m_1, const T& k_1, const std::optional<T>& omega, Units& units) {
     if (!object.contains("base_displacement")) {

@@ -13,7 +13,7 @@ namespace denhartog {
 /// @brief Largest modal damping ratio: beyond, rates and their products leave the range of a double.
 inline constexpr double largest_damping_ratio = 1e300;
 
-/// @brief Largest tolerance of a damping matrix: no distance is as large, so that it takes the nearest classical damping in any case.
+/// @brief Largest tolerance of a damping matrix: no distance is as large, so that it always takes the nearest classical damping.
 inline constexpr double largest_damping_tolerance = 2;
 
 /// @brief The rule of the largest number of masses. @param of `values` or `rows` @return the rule in words

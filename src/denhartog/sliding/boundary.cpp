@@ -68,7 +68,7 @@ struct Demand {
     }
 
     T rate(const T& a) const {
-        const FrictionMotionsAt<T>& now = y.with_sizes_at(a);
+        const FrictionMotionsAt<T>& now = y.at(a, true);
         T bound(0);
         for (std::size_t n = 0; n < weights.size(); ++n) {
             const T &R = s.R[first + n], &zeta = s.zeta[first + n];

@@ -34,8 +34,8 @@ struct Boundary : RegimeBoundary<T> {
 ///
 /// The contact can rest where a force of at most mu beta makes its displacement zero: \f$ V_{dj} - f Y_{jj} = 0 \f$, hence
 /// `sticking` \f$ = |V_{dj}/Y_{jj}|/\mu \f$, which is \f$ 1/\mu \f$ where the load acts on the contact. All four are zero where
-/// V_dj is below the rounding of its own terms: the load does not reach the contact. Where damping couples the modes (56) has no modes
-/// to sum over, and `paper` is `exact`.
+/// V_dj is below the rounding of its own terms: the load does not reach the contact. Where damping couples the modes (56) has no
+/// modes to sum over, and `paper` is `exact`.
 /// @eq{54,56,57,58,67,69,71,72}
 /// @param sums  modes at the frequency ratio
 /// @param mu    static over kinetic friction, Eq. (3); at least 1

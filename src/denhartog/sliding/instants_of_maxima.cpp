@@ -73,11 +73,11 @@ std::pair<T, T> instant_and_spread(const ModeSums<T>& s, FrictionMotions<T>& y, 
         return Sample<T>{at.x < 0 ? T(-at.x) : at.x, at.x_prime, at.x_double_prime};
     };
     curve.rate = [&](const T& a, const T& b) {
-        return T(harmonic_size + beta * rate_of_friction(s, mass.weights, y.with_sizes_at(a), T(b - a)));
+        return T(harmonic_size + beta * rate_of_friction(s, mass.weights, y.at(a, true), T(b - a)));
     };
     curve.rise = [](const T& a, const T& b, const T& z_bound) { return T(z_bound * (b - a) * (b - a) / 8); };
     // What rounding leaves of the displacement is no reason to look further.
-    const FrictionMotionsAt<T>& start = y.with_sizes_at(T(0));
+    const FrictionMotionsAt<T>& start = y.at(T(0), true);
     T terms = harmonic_size;
     for (std::size_t i = 0; i < mass.weights.size(); ++i) terms += beta * size_of_number(mass.weights[i]) * (1 + start.size[i]);
     curve.cost = static_cast<long>(s.R.size() + 2) * cost_of_mode<T>(); // two for the search itself

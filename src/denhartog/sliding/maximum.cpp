@@ -116,8 +116,8 @@ private:
         open_.push_back(std::move(second));
     }
 
-    // By Newton's method, kept between two places where w has opposite signs. Near the maximum f is flat: it is looked at in the root
-    // alone, else rounding would choose the instant.
+    // By Newton's method, kept between two places where w has opposite signs. Near the maximum f is flat: it is looked at in the
+    // root alone, else rounding would choose the instant.
     Node<T> at_root(const Interval<T>& in) {
         constexpr int most_steps = 200;
         T a = in.left.tau, b = in.right.tau, tau = in.middle.tau, step_before = b - a;

@@ -2,9 +2,9 @@
 /// @brief Amplitudes and phases in the sliding regime from the modes that matter, with a bound of what is left out.
 ///
 /// A mode far above the frequency of the force counts by `static_mode_functions`, with the bounds of what that leaves out, in the
-/// same sums as a mode that is evaluated. The motion of the contact needs no more: see `contact_modes.hpp`. The others move by the
-/// first harmonic of load and friction up to the higher harmonics of friction, \f$ 4\beta/(n\pi) \f$ for odd n from 3 on, each times
-/// the response of every mode to it.
+/// same sums as a mode that is evaluated. The motion of the contact needs no more: see `contact_modes.hpp`. The others move by
+/// the first harmonic of load and friction up to the higher harmonics of friction, \f$ 4\beta/(n\pi) \f$ for odd n from 3 on,
+/// each times the response of every mode to it.
 #pragma once
 
 #include "denhartog/answer/solution.hpp"

@@ -3,6 +3,7 @@
 #include "denhartog/answer/sliding_point.hpp"
 #include "denhartog/model/coordinates.hpp"
 #include "denhartog/number/errors.hpp"
+#include "denhartog/scene/mass_rules.hpp"
 
 namespace denhartog {
 namespace {
@@ -21,8 +22,7 @@ void prepare_every_regime(PreparedSystem& p) {
 
 void check(const Question& question, std::size_t N) {
     (void)aim_of(question.digits);
-    if (question.mass && question.mass->index >= N)
-        throw InputError("mass", "must be a mass from 1 to " + std::to_string(N), std::to_string(question.mass->index + 1));
+    if (question.mass) check_mass(*question.mass, N, "mass");
 }
 
 Question of_displacements(Question question, const System<double>& s) {

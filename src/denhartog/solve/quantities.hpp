@@ -1,9 +1,9 @@
 /// @file
 /// @brief The numbers of one point, each with a bound of its error: V, U, G, H, S, beta_lim, X_j, phi_j, and x_k at instants.
 ///
-/// They are computed on numbers that carry a bound of their error, in double and, where that exceeds what is asked for, in 50 and in
-/// 100 digits. The values handed out are doubles in every case; the bound then holds their rounding. What made a step necessary
-/// is said, and steps are counted.
+/// They are computed on numbers that carry a bound of their error, in double and, where that exceeds what is asked for, in 50 and
+/// in 100 digits. The values handed out are doubles in every case; the bound then holds their rounding. What made a step
+/// necessary is said, and steps are counted.
 #pragma once
 
 #include <functional>

@@ -2,7 +2,7 @@
 /// @brief `solve`: the answer in every regime by the cheapest model that is certain to have the digits asked for.
 ///
 /// The models, cheapest first:
-///  1. amplitude or phase of the mass in contact alone, at mu = 1: (38), (39) below a lower bound of (69), see `contact_modes.hpp`;
+///  1. amplitude or phase of the mass in contact alone, mu = 1: (38), (39) below a lower bound of (69), see `contact_modes.hpp`;
 ///  2. amplitudes or phases at mu = 1 from the modes that matter, with bounds of what is left out, see `few_modes.hpp`;
 ///  3. boundary, regime and closed form of all masses, or of the one that is asked about, see `sliding_solution`; V and U of a
 ///     chain without damping without a sum over modes where that is sharper;

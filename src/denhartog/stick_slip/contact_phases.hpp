@@ -217,8 +217,8 @@ struct ContactPhases {
         return {zero->t, 0, 0, T(direction * along), true};
     }
 
-    /// @brief Where a sticking phase of a single mass ends: the load on it is cos tau - k_jj x_j, whose passage out of the cone is
-    /// an arc cosine.
+    /// @brief Where a sticking phase of a single mass ends: the load on it is cos tau - k_jj x_j, whose passage out of the cone
+    /// is an arc cosine.
     /// @param tau     instant of the start
     /// @param length  length of the stretch that is left
     /// @return        the event

@@ -107,7 +107,7 @@ public:
     [[nodiscard]] State<T> state_at(std::size_t phase, const T& tau);
 
     /// @brief Largest size of every displacement over the last motion, guaranteed between samples.
-    /// @param error  bound of the errors of the displacements: one that is smaller by less than twice that much may be the largest
+    /// @param error  bound of the errors of the displacements: one that is smaller by less than twice this may be the largest
     /// @return       the extremum of every coordinate, then of the masses that are none; of the contact without what else may be
     [[nodiscard]] std::vector<Extremum<T>> largest_displacements(const T& error = T(0));
 

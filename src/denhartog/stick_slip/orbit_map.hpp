@@ -142,10 +142,10 @@ public:
 
     /// @brief What rounding makes of the map's image: a bound of each modal coordinate's error that is kept until the next call.
     ///
-    /// Every phase adds some units in the last place of what the coordinate is summed from. A natural frequency that is some units
+    /// Every phase adds some units in the last place of the terms of the coordinate. A natural frequency that is some units
     /// off, at least N, turns the mode by that part of its phase angle, which is the larger the more of its periods fit in the
     /// stretch. Modes of nearly one frequency are turned towards each other by rounding; where they are damped differently, that
-    /// damps each of them by some of the other's damping. Both errors are taken as an eighth of the bounds that the closed form is given.
+    /// damps each of them by some of the other's damping. Both errors are taken as an eighth of the bounds of the closed form.
     void measure_rounding() {
         using std::abs;
         const ContactSystem<T>& s = solver_->system();
@@ -232,7 +232,7 @@ public:
     [[nodiscard]] long half_periods_in_all() const { return half_periods_in_all_; }
 
 private:
-    // Damping hands the rounding of one mode to the others: in energy it is that of all of them, over as many steps as the series takes.
+    // Damping hands the rounding of one mode to the others: in energy it is that of all of them, over the steps of the series.
     void add_rounding_of_coupled_modes(const std::vector<T>& amplitudes) {
         const ModalBasis<T>& basis = solver_->system().basis;
         const T& r = solver_->excitation().r;

@@ -56,16 +56,16 @@ std::vector<Stop<T>> stops_of(const OrbitMap<T>& map) {
     return stops;
 }
 
-/// Amplitude and phase of the mass in contact, which is farthest out where it turns back or comes to rest. A place where it is out
-/// by no less than the error of the displacements can tell may be the farthest as well.
+/// Amplitude and phase of the mass in contact, which is farthest out where it turns back or comes to rest. A place where it is
+/// out by no less than the error of the displacements can tell may be the farthest as well.
 template <class T>
 MassMotion<T> contact_motion(const OrbitMap<T>& map, const T& error) {
     using std::abs;
     const ExactMotion<T>& motion = map.motion();
     const auto N = static_cast<std::size_t>(map.N);
     const std::size_t j = map.solver().system().contact.index;
-    // A rest counts from its start: neither where it ends, nor, of one across the start of the stretch, what the stretch has of it
-    // first. Elsewhere the start of the stretch comes last and has to be larger by more than rounding.
+    // A rest counts from its start: neither where it ends, nor, of one across the start of the stretch, what the stretch has of
+    // it first. Elsewhere the start of the stretch comes last and has to be larger by more than rounding.
     const bool rests_across =
         motion.phases.size() > 1 && motion.phases.front().direction == 0 && motion.phases.back().direction == 0;
     T x = rests_across ? T(0) : T(motion.states[j] * (1 - 16 * std::numeric_limits<T>::epsilon())), tau(0);

@@ -34,7 +34,7 @@ void check_search(const OrbitSearch<T>& search, const State<T>& start, std::size
 
 /// @brief Periods after which a motion from a start is no transient any more, where it has not become periodic.
 /// @param solver  system, frequency and friction
-/// @param most    no more than these @return 500 and thirty times the slowest decay time of a mode; `most` where damping couples the modes
+/// @param most    no more than these @return 500 and thirty times a mode's slowest decay time; `most` if damping couples modes
 template <class T>
 [[nodiscard]] int periods_to_follow(const ExactSolver<T>& solver, int most);
 

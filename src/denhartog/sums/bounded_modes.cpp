@@ -20,8 +20,8 @@ constexpr int trust = 8;         // units in the last place a mode that an eigen
 constexpr int units_of_mode = 8; // twice what the forms of v, u, g are good to where they are well conditioned
 constexpr int units_of_form = 4; // elsewhere they are good to what that many units of R and zeta change
 
-// What an entry of a mode changes by where the mode turns by a unit angle: the root of the entry of the inverse mass matrix, which
-// is that of a sum over all modes. A light mass moves far.
+// What an entry of a mode changes by where the mode turns by a unit angle: the root of the entry of the inverse mass matrix,
+// which is that of a sum over all modes. A light mass moves far.
 template <class T>
 std::vector<T> reach_of_masses(const System<T>& system, const ModalBasis<T>& basis, const std::vector<Mass>* masses) {
     std::vector<T> reach;

@@ -13,8 +13,8 @@
 
 namespace denhartog {
 
-/// @brief Sums over modes with bounds of their errors; in double, of a chain without damping, V and U the other way where that has
-/// the smaller bound.
+/// @brief Sums over modes with bounds of their errors; in double, of a chain without damping, V and U the other way where that
+/// has the smaller bound.
 /// @eq{33,34}
 /// @param system  the system
 /// @param modes   its modes

@@ -1,19 +1,19 @@
 /// @file
-/// @brief The sliding motion of a system whose damping couples the modes: the share of friction, for any symmetric damping matrix.
+/// @brief Friction's share of the sliding motion of a system whose damping couples the modes, for any symmetric damping matrix.
 ///
 /// Between two stops (12) is linear whatever its damping matrix is, and the friction force is constant. With
 /// \f$ \mathbf{M} = \mathbf{L}\mathbf{L}^T \f$, \f$ \mathbf{K} = \mathbf{G}\mathbf{G}^T \f$ and the energy coordinates
 /// \f$ \mathbf{s} = (\mathbf{G}^T\mathbf{x}/r,\ \mathbf{L}^T\mathbf{x}') \f$ the free motion obeys
-/// \f[ \mathbf{s}' = \mathbf{A}\mathbf{s}, \qquad \mathbf{A} = \frac{1}{r}\begin{pmatrix} \mathbf{0} & \mathbf{P}^T \\ -\mathbf{P} &
-///     -\mathbf{B} \end{pmatrix}, \qquad \mathbf{P} = \mathbf{L}^{-1}\mathbf{G}, \quad
+/// \f[ \mathbf{s}' = \mathbf{A}\mathbf{s}, \qquad \mathbf{A} = \frac{1}{r}\begin{pmatrix} \mathbf{0} & \mathbf{P}^T \\
+///     -\mathbf{P} & -\mathbf{B} \end{pmatrix}, \qquad \mathbf{P} = \mathbf{L}^{-1}\mathbf{G}, \quad
 ///     \mathbf{B} = \mathbf{L}^{-1}\mathbf{C}\mathbf{L}^{-T}, \f]
-/// and \f$ |\mathbf{s}| \f$ never grows, so that errors add up and do not multiply. A unit friction force that changes sign every half
-/// period moves the system by
+/// and \f$ |\mathbf{s}| \f$ never grows, so that errors add up and do not multiply. A unit friction force that changes sign every
+/// half period moves the system by
 /// \f[ \mathbf{s}_F(\tau) = \mathbf{s}_0 - e^{\mathbf{A}\tau}\mathbf{c}, \qquad (\mathbf{1}+e^{\mathbf{A}\pi})\,\mathbf{c} =
 ///     2\mathbf{s}_0, \f]
-/// where \f$ \mathbf{s}_0 \f$ is rest under the force: the only such motion that mirrors itself, (25). Of mass k it is what the sum over
-/// modes of the braces of (40) is where the modes are not coupled, and \f$ U_{dk} \f$, \f$ G_k \f$ are its velocity and its displacement
-/// at \f$ \tau = 0 \f$ with the other sign. All that the paper builds of V, U and G then holds as it stands.
+/// where \f$ \mathbf{s}_0 \f$ is rest under the force: the only such motion that mirrors itself, (25). Of mass k it is what the
+/// sum over modes of the braces of (40) is where the modes are not coupled, and \f$ U_{dk} \f$, \f$ G_k \f$ are its velocity and
+/// its displacement at \f$ \tau = 0 \f$ with the other sign. All that the paper builds of V, U and G then holds as it stands.
 #pragma once
 
 #include <map>
@@ -47,15 +47,15 @@ public:
     [[nodiscard]] std::size_t size() const { return static_cast<std::size_t>(A_.rows() / 2); }
     /// @brief Operations that an instant costs. @return their number
     [[nodiscard]] long cost() const { return cost_of_mode<T>() * (10 + A_.size() / 4); }
-    /// @brief The static compliance between a displacement and the contact. @param k a displacement @return its movement under a unit
-    /// force on the contact
+    /// @brief The static compliance between a displacement and the contact. @param k a displacement @return its movement under a
+    /// unit force on the contact
     [[nodiscard]] Bounded<T> compliance(std::size_t k) const { return along(displacement_, k, rest_, error_of_rest_); }
     /// @brief \f$ \mathbf{w}^T\mathbf{M}^{-1}\mathbf{w}/r^2 \f$, which (65) is at the contact. @return the sum
     [[nodiscard]] Bounded<T> inverse_inertia() const { return inverse_inertia_; }
 
     /// @brief The free part of the motion at an instant. @param tau in [0, pi] @return valid until the next call
     [[nodiscard]] const CoupledState<T>& at(const T& tau) const;
-    /// @brief A derivative of a displacement over the half-period. @param k a displacement @param order 1 to 3 @param s the free part
+    /// @brief A derivative of a displacement over the half-period. @param k which @param order 1 to 3 @param s the free part
     /// @return the derivative
     [[nodiscard]] T derivative(std::size_t k, int order, const CoupledState<T>& s) const;
     /// @brief A bound of a derivative of a displacement from an instant on. @param k a displacement @param order 1 to 3

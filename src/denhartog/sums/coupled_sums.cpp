@@ -7,8 +7,8 @@
 namespace denhartog {
 namespace {
 
-// Complex responses of all displacements to a unit force on one coordinate, by the equations of motion taken as real ones of twice the
-// size; errors by what the solution leaves over.
+// Complex responses of all displacements to a unit force on one coordinate, by the equations of motion taken as real ones of
+// twice the size; errors by what the solution leaves over.
 template <class T>
 class Responses {
 public:

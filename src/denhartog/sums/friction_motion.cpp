@@ -53,24 +53,21 @@ T FrictionMotions<T>::size_of(const evaluation::FrictionMotion<T>& y, std::size_
 }
 
 template <class T>
-FrictionMotionsAt<T>& FrictionMotions<T>::known_at(const T& tau) {
+const FrictionMotionsAt<T>& FrictionMotions<T>::at(const T& tau, bool sizes) {
     auto place = known.lower_bound(tau);
-    if (place != known.end() && place->first == tau) return place->second;
-    if (known.size() * c.size() >= most_remembered) {
-        known.clear();
-        memory.release();
-        place = known.end();
+    if (place == known.end() || place->first != tau) {
+        if (known.size() * c.size() >= most_remembered) {
+            known.clear();
+            memory.release();
+            place = known.end();
+        }
+        FrictionMotionsAt<T> braces{cos(tau), sin(tau), std::pmr::vector<evaluation::FrictionMotion<T>>(&memory),
+                                    std::pmr::vector<T>(&memory)};
+        add_friction_motions(sums, tau, first, last, braces.y);
+        place = known.emplace_hint(place, tau, std::move(braces));
     }
-    FrictionMotionsAt<T> now{cos(tau), sin(tau), std::pmr::vector<evaluation::FrictionMotion<T>>(&memory),
-                             std::pmr::vector<T>(&memory)};
-    add_friction_motions(sums, tau, first, last, now.y);
-    return known.emplace_hint(place, tau, std::move(now))->second;
-}
-
-template <class T>
-const FrictionMotionsAt<T>& FrictionMotions<T>::with_sizes_at(const T& tau) {
-    FrictionMotionsAt<T>& now = known_at(tau);
-    if (!now.size.empty()) return now;
+    FrictionMotionsAt<T>& now = place->second;
+    if (!sizes || !now.size.empty()) return now;
     now.size.reserve(last - first);
     for (std::size_t i = first; i < last; ++i) now.size.push_back(size_of(now.y[i - first], i, tau));
     return now;

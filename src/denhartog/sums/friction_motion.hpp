@@ -37,12 +37,10 @@ public:
     FrictionMotions(const ModeSums<T>& sums, std::size_t first, std::size_t last);
 
     /// @brief Braces and derivatives at an instant.
-    /// @param tau  non-dimensional time in [0, pi]
-    /// @return     one entry a mode of the range, valid until the next call
-    const FrictionMotionsAt<T>& at(const T& tau) { return known_at(tau); }
-
-    /// @brief The same with bounds of the derivatives from there on. @param tau non-dimensional time in [0, pi] @return valid until the next call
-    const FrictionMotionsAt<T>& with_sizes_at(const T& tau);
+    /// @param tau    non-dimensional time in [0, pi]
+    /// @param sizes  whether bounds of the derivatives from there on are needed as well
+    /// @return       one entry for each mode of the range, valid until the next call
+    const FrictionMotionsAt<T>& at(const T& tau, bool sizes = false);
 
 private:
     const ModeSums<T>& sums;
@@ -51,7 +49,6 @@ private:
     std::pmr::monotonic_buffer_resource memory; // of what is known: an instant costs no allocation of its own
     std::pmr::map<T, FrictionMotionsAt<T>> known{&memory};
 
-    FrictionMotionsAt<T>& known_at(const T& tau);
     [[nodiscard]] T size_of(const evaluation::FrictionMotion<T>& y, std::size_t i, const T& tau) const;
 };
 

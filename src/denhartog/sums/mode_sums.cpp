@@ -8,6 +8,7 @@
 #include "denhartog/number/bounded.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/multiprecision.hpp"
+#include "denhartog/scene/mass_rules.hpp"
 #include "denhartog/scene/point_rules.hpp"
 
 namespace denhartog {
@@ -20,8 +21,7 @@ void check_arguments(const ModalBasis<T>& basis, Mass contact, Mass load, const 
     const auto N = static_cast<std::size_t>(basis.phi.rows());
     check_frequency_ratio(r);
     for (const auto& [name, mass] : {std::pair("contact", contact), std::pair("load", load)})
-        if (mass.index >= N)
-            throw InputError(name, "must be a mass from 1 to " + std::to_string(N), std::to_string(mass.index + 1));
+        check_mass(mass, N, name);
     if (basis.coupled())
         throw InputError("damping_matrix", "must not couple the modes: (23), (28), (29) are those of a mode that moves by itself",
                          "K M^-1 C is not C M^-1 K");

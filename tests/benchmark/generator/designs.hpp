@@ -1,5 +1,5 @@
 /// @file
-/// @brief The scenes of the benchmark as they were chosen: systems, and where friction lies between the boundaries of the regimes.
+/// @brief The scenes of the benchmark as they were chosen: systems, and where friction lies between the regimes' boundaries.
 #pragma once
 
 #include <cstdint>

@@ -41,7 +41,8 @@ chunks=8
 "$program" sweep run "$scratch/one" --all >/dev/null
 "$program" sweep merge "$scratch/one" --to "$scratch/one.nc" >/dev/null
 
-# What the engine runs in place of the program: the same, but the first to come (in Slurm: on node two) is stopped in the middle of its chunk.
+# What the engine runs in place of the program: the same, but the first to come (in Slurm: on node two) is stopped in the middle
+# of its chunk.
 cat >"$scratch/worker" <<WORKER
 #!/bin/bash
 "$program" "\$@" &

@@ -15,6 +15,7 @@
 #include "denhartog/program/grid_option.hpp"
 #include "denhartog/program/interruptible.hpp"
 #include "denhartog/program/map_file.hpp"
+#include "denhartog/scene/mass_rules.hpp"
 #include "denhartog/scene/scene_json.hpp"
 #include "denhartog/scene/scene_rules.hpp"
 
@@ -57,9 +58,7 @@ std::vector<Mass> masses_of(const std::vector<long>& numbers, const Scene<double
     const std::size_t N = number_of_masses(scene.system);
     std::vector<Mass> masses;
     for (const long k : numbers) {
-        if (k < 1 || static_cast<std::size_t>(k) > N)
-            throw InputError("mass", "must be a mass from 1 to " + std::to_string(N), std::to_string(k));
-        const Mass mass{static_cast<std::size_t>(k) - 1};
+        const Mass mass = mass_from(k, N, "mass");
         if (std::ranges::find(masses, mass) != masses.end())
             throw InputError("mass", "must not be given twice", std::to_string(k));
         masses.push_back(mass);

@@ -10,6 +10,7 @@
 #include "denhartog/program/motion_file.hpp"
 #include "denhartog/program/solution_json.hpp"
 #include "denhartog/scene/limits.hpp"
+#include "denhartog/scene/mass_rules.hpp"
 #include "denhartog/solve/sampled_solution.hpp"
 #include "denhartog/solve/solve.hpp"
 
@@ -35,10 +36,7 @@ Asked asked(const std::string& text) {
 // The question; masses count from 1 here and from 0 there.
 Question question_of(const SolveOptions& options, std::size_t N) {
     Question question{asked(options.ask), options.scene.digits, options.all};
-    if (!options.mass) return question;
-    if (*options.mass < 1 || static_cast<std::size_t>(*options.mass) > N)
-        throw InputError("mass", "must be a mass from 1 to " + std::to_string(N), std::to_string(*options.mass));
-    question.mass = Mass{static_cast<std::size_t>(*options.mass - 1)};
+    if (options.mass) question.mass = mass_from(*options.mass, N, "mass");
     return question;
 }
 

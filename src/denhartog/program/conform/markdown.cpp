@@ -71,19 +71,21 @@ std::string diagnosis_rows(const conformance::Diagnosis& d) {
     for (const conformance::Finding& f : d.findings)
         text += "- **" + markdown_cell(f.mistake->name) + "**" +
                 (f.mistake->equation.empty() ? "" : ", Eq. (" + f.mistake->equation + ")") + ": " +
-                markdown_cell(f.mistake->told) + " Explains " + std::to_string(f.explained) + " of " + std::to_string(d.wrong) +
-                " wrong answers, contradicted by " + std::to_string(f.contradicted) + ", for example " +
-                f.example->vector->question.id + ". Look at: " + markdown_cell(f.mistake->look_at) + "\n";
-    if (!d.unexplained.empty()) text += "- " + std::to_string(d.unexplained.size()) + " match no known mistake.\n";
+                markdown_cell(f.mistake->told) + " It explains " + std::to_string(f.explained) + " of " +
+                std::to_string(d.wrong) + " wrong answers, for example " + f.example->vector->question.id + "; " +
+                contradicted_by(f.contradicted) + ". Look at " + markdown_cell(f.mistake->look_at) + ".\n";
+    if (!d.unexplained.empty())
+        text += "- Wrong answers that match no known mistake: " + std::to_string(d.unexplained.size()) + ".\n";
     const auto first = std::find_if(d.chain.begin(), d.chain.end(), [](const conformance::Link& link) { return link.wrong > 0; });
     if (first != d.chain.end())
-        text += "  - first wrong along the chain: " + markdown_cell(first->name) + " (" + std::to_string(first->wrong) + " of " +
-                std::to_string(first->answered) + ")\n";
+        text += "  - The first wrong quantity along the chain is: " + markdown_cell(first->name) + ", in " +
+                std::to_string(first->wrong) + " of " + std::to_string(first->answered) + " answers.\n";
     for (const conformance::Simple& simple : d.simple)
-        text += "  - as if: " + markdown_cell(simple.told) + " (explains " + std::to_string(simple.explained) + ")\n";
+        text +=
+            "  - A guess is: " + markdown_cell(simple.told) + ". It explains " + std::to_string(simple.explained) + " of them.\n";
     for (const conformance::InCommon& one : d.in_common)
-        text += "  - in common: " + markdown_cell(one.property) + " (" + std::to_string(one.wrong) + " of " +
-                std::to_string(one.all_wrong) + ")\n";
+        text += "  - They have in common: " + markdown_cell(one.property) + ", in " + std::to_string(one.wrong) + " of " +
+                std::to_string(one.all_wrong) + ".\n";
     return text;
 }
 
@@ -92,7 +94,7 @@ std::string diagnosis_rows(const conformance::Diagnosis& d) {
 std::string report_markdown(const ConformReport& report) {
     std::string text = "## " + markdown_cell(report.subject) + "\n\nMethod: " + report.method + "\n\n" + score_rows(report) +
                        worst_rows(report) + diagnosis_rows(report.diagnosis);
-    if (!report.notes.empty()) text += "\n### Besides\n\n";
+    if (!report.notes.empty()) text += "\n### Notes\n\n";
     for (const std::string& note : report.notes) text += "- " + markdown_cell(note) + "\n";
     if (report.changes) {
         text += "\n### Since the last run\n\n";

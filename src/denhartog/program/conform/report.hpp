@@ -50,6 +50,9 @@ struct ConformReport {
 /// @return        lines
 [[nodiscard]] std::string answer_text(const conformance::Judged& one, const std::string& indent);
 
+/// @brief How many answers contradict an explanation. @param answers their number @return a clause
+[[nodiscard]] std::string contradicted_by(std::size_t answers);
+
 /// @brief Words as a shell takes them. @param words a command @return its text
 [[nodiscard]] std::string shell_text(const std::vector<std::string>& words);
 

@@ -80,9 +80,9 @@ std::string digits_text(const ConformReport& report) {
         if (worst == nullptr || one.error.value_or(0) > worst->error.value_or(0)) worst = &one;
     }
     if (worst == nullptr || inaccurate != report.diagnosis.wrong) return "";
-    return "\nDigits are missing in " + std::to_string(inaccurate) +
-           " answers, and nothing else is wrong: " + digits_cell(conformance::digits(*worst->error)) + " digits at the worst, " +
-           worst->vector->question.id + ", " + worst->vector->question.quantity + ".\n";
+    return "\nDigits are missing in " + std::to_string(inaccurate) + " answers, and nothing else is wrong. The worst has " +
+           digits_cell(conformance::digits(*worst->error)) + " digits: " + worst->vector->question.id + ", " +
+           worst->vector->question.quantity + ".\n";
 }
 
 std::string worst_text(const ConformReport& report) {
@@ -98,14 +98,15 @@ std::string worst_text(const ConformReport& report) {
 
 std::string finding_text(const conformance::Finding& f, std::size_t number, std::size_t wrong) {
     const std::string equation = f.mistake->equation.empty() ? "" : ", Eq. (" + f.mistake->equation + ")";
-    return "  " + std::to_string(number) + ". " + f.mistake->name + equation + ": " + f.mistake->told +
-           (f.weak ? "\n     weak, for few answers are wrong: explains " : "\n     explains ") + std::to_string(f.explained) +
-           " of " + std::to_string(wrong) + " wrong answers (" + joined(f.quantities) + "); contradicted by " +
-           std::to_string(f.contradicted) + (f.number.empty() ? "" : "\n     as your answers show: " + f.number) +
-           "\n     look at: " + f.mistake->look_at +
+    return "  " + std::to_string(number) + ". " + f.mistake->name + equation + ": " + f.mistake->told + "\n     It explains " +
+           std::to_string(f.explained) + " of " + std::to_string(wrong) + " wrong answers (" + joined(f.quantities) + "); " +
+           contradicted_by(f.contradicted) + "." +
+           (f.weak ? "\n     This is weak evidence, because few answers are wrong." : "") +
+           (f.number.empty() ? "" : "\n     Your answers show its number: " + f.number + ".") + "\n     Look at " +
+           f.mistake->look_at + "." +
            (f.mistake->equation.empty() ? ""
-                                        : "\n     its statement and correction: denhartog equations " + f.mistake->equation) +
-           "\n     for example " + f.example->vector->question.id + "\n       answer        " + value_text(f.example->given) +
+                                        : "\n     See its statement and correction: denhartog equations " + f.mistake->equation) +
+           "\n     An example is " + f.example->vector->question.id + ":\n       answer        " + value_text(f.example->given) +
            "\n       this mistake  " + value_text(f.mistaken) + "\n       true          " +
            value_text(truth_of(*f.example->vector)) + "\n";
 }
@@ -115,37 +116,38 @@ std::string chain_text(const std::vector<conformance::Link>& chain) {
     std::string right;
     for (const conformance::Link& link : chain) {
         if (link.wrong > 0)
-            return (right.empty() ? "    along the chain " : "    right along the chain: " + right + "; ") +
-                   "first wrong: " + link.name + ", " + std::to_string(link.wrong) + " of " + std::to_string(link.answered) +
-                   " answers\n";
+            return "    Along the chain of quantities the first wrong one is: " + link.name + ", in " +
+                   std::to_string(link.wrong) + " of " + std::to_string(link.answered) + " answers." +
+                   (right.empty() ? "" : " Before it all is right: " + right + ".") + "\n";
         right += (right.empty() ? "" : ", ") + link.name;
     }
     return "";
 }
 
 std::string simple_text(const conformance::Simple& simple) {
-    return "    as if: " + simple.told + "; that explains " + std::to_string(simple.explained) + " (" +
-           joined(simple.quantities) + "), contradicted by " + std::to_string(simple.contradicted) + "\n";
+    return "    A guess is: " + simple.told + ". It explains " + std::to_string(simple.explained) + " of them (" +
+           joined(simple.quantities) + "); " + contradicted_by(simple.contradicted) + ".\n";
 }
 
 std::string diagnosis_text(const conformance::Diagnosis& d) {
     std::string text;
-    if (d.wrong > 0) text += "\nDiagnosis, of " + std::to_string(d.wrong) + " answers that are wrong or inaccurate:\n";
+    if (d.wrong > 0) text += "\nDiagnosis (" + std::to_string(d.wrong) + " answers are wrong or inaccurate):\n";
     for (std::size_t n = 0; n < d.findings.size(); ++n) text += finding_text(d.findings[n], n + 1, d.wrong);
     if (!d.unexplained.empty()) {
-        text += "  " + std::to_string(d.unexplained.size()) + " match no known mistake.\n" + chain_text(d.chain);
+        text +=
+            "  Wrong answers that match no known mistake: " + std::to_string(d.unexplained.size()) + ".\n" + chain_text(d.chain);
         for (const conformance::Simple& simple : d.simple) text += simple_text(simple);
         for (const conformance::InCommon& one : d.by_quantity)
-            text +=
-                "    " + one.property + ": " + std::to_string(one.wrong) + " of the " + std::to_string(one.asked) + " answers\n";
+            text += "    For " + one.property + " they are " + std::to_string(one.wrong) + " of the " +
+                    std::to_string(one.asked) + " answers.\n";
         for (const conformance::InCommon& one : d.in_common)
-            text += "    in common: " + one.property + ", " + std::to_string(one.wrong) + " of the " +
-                    std::to_string(one.all_wrong) + "; of all answers to these quantities " + std::to_string(one.asked) + " of " +
-                    std::to_string(one.all_asked) + " have it\n";
+            text += "    They have in common: " + one.property + ", in " + std::to_string(one.wrong) + " of the " +
+                    std::to_string(one.all_wrong) + ". Of all answers to these quantities " + std::to_string(one.asked) + " of " +
+                    std::to_string(one.all_asked) + " have it.\n";
     }
     for (const auto& [rule, count] : d.accepted)
-        text += (text.empty() ? "\n" : "") + std::string("  Answered although it breaks a rule (") + std::to_string(count) +
-                "): " + rule + "\n";
+        text += (text.empty() ? "\n" : "") + std::string("  Questions that the program answered although they break a rule: ") +
+                std::to_string(count) + " (" + rule + ").\n";
     return text;
 }
 
@@ -175,6 +177,11 @@ std::string end_text(const ConformReport& report) {
 
 } // namespace
 
+std::string contradicted_by(std::size_t answers) {
+    if (answers == 0) return "no answer contradicts it";
+    return answers == 1 ? "1 answer contradicts it" : std::to_string(answers) + " answers contradict it";
+}
+
 std::string answer_text(const Judged& one, const std::string& indent) {
     const conformance::Vector& v = *one.vector;
     std::string text = indent + v.question.id + "  " + std::string(name(one.verdict)) +
@@ -200,7 +207,7 @@ std::string report_text(const ConformReport& report) {
         for (const Judged& one : report.judged)
             if (conformance::is_right(one.verdict) || one.verdict == Verdict::skipped) text += answer_text(one, "  ");
     }
-    if (!report.notes.empty()) text += "\nBesides:\n";
+    if (!report.notes.empty()) text += "\nNotes:\n";
     for (const std::string& note : report.notes) text += "  " + note + "\n";
     if (report.changes) text += changes_text(*report.changes);
     return text + end_text(report);

@@ -27,9 +27,9 @@ struct SteadyMotion {
 ///
 /// Where the contact rests for ever the answer is for rest at zero, as `solve` has it: all masses are moved by what the contact's
 /// displacement makes of them at rest, and the integration goes on. With mu > 1,
-/// where several motions may exist, sliding throughout goes before, looked for from the motion without friction, then rest for ever, looked for
-/// from rest with the contact held until the other masses have settled. So is rest for ever where the contact hardly moves: it
-/// may creep up to the edge of where it can rest and never get there.
+/// where several motions may exist, sliding throughout goes before, looked for from the motion without friction, then rest for
+/// ever, looked for from rest with the contact held until the other masses have settled. So is rest for ever where the contact
+/// hardly moves: it may creep up to the edge of where it can rest and never get there.
 /// @param scene       the scene
 /// @param integrator  the integrator
 /// @return            the motion, or why there is none

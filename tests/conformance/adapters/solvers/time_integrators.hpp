@@ -12,7 +12,7 @@ namespace denhartog::tests {
 /// @brief SUNDIALS CVODE, Adams' methods, with root finding. @param tolerance absolute and relative @return the integrator
 [[nodiscard]] TimeIntegrator cvode_time_integrator(double tolerance);
 
-/// @brief Siconos' Moreau-Jean scheme, from 256 steps a period on. @param most_steps steps a period at last @return the integrator
+/// @brief Siconos' Moreau-Jean scheme, from 256 steps a period. @param most_steps the most steps a period @return the integrator
 [[nodiscard]] TimeIntegrator siconos_time_integrator(int most_steps);
 
 } // namespace denhartog::tests
