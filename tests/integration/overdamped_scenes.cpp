@@ -4,8 +4,8 @@
 
 #include "denhartog/map/regime_map.hpp"
 #include "denhartog/paper_algorithm/exact_cycles.hpp"
-#include "denhartog/solve/few_modes.hpp"
 #include "denhartog/solve/solve.hpp"
+#include "denhartog/solve/truncated_modes.hpp"
 #include "denhartog/sums/friction_motion.hpp"
 #include "tests/integration/orbit_scenes.hpp"
 #include "tests/support/second_witness.hpp"
@@ -175,7 +175,7 @@ TEST_CASE("the few modes that a digit or two need bound what overdamped modes ar
         for (std::size_t i = 0; i < 24; ++i) zeta.push_back(0.125 + static_cast<double>(i) * step);
         const Scene<double> scene = with_beta(chain(ones, ones, zeta, 5, 1, 1, r), 0x1p-15);
         BoundedModes<double> modes = modes_of(scene);
-        const std::optional<FewModesSolution> few = few_modes_solution(scene, modes, digits, true);
+        const std::optional<TruncatedModesSolution> few = truncated_modes_solution(scene, modes, digits, true);
         INFO("r = " << r << ", digits " << digits);
         REQUIRE(few);
         CHECK(few->modes < 24); // and the last eight or more are overdamped

@@ -1,8 +1,8 @@
 /// @file
-/// @brief The ladder of precisions: a question is asked in double, in 50 and in 100 digits, until the digits are certain.
+/// @brief A question is answered in double, in 50 digits or in 100: in the first of them that makes its digits certain.
 ///
-/// Every rung evaluates the same templates on numbers that carry a bound of their error, `Bounded<T>`. No error is measured by
-/// computing twice. The first rung whose bounds leave the digits asked for answers.
+/// Each of them evaluates the same templates on numbers that carry a bound of their error, `Bounded<T>`. No error is measured by
+/// computing twice. The first precision whose bounds leave the digits asked for answers.
 #pragma once
 
 #include <cmath>
@@ -38,52 +38,52 @@ struct Aim {
 /// @brief How many digits an error leaves. @param error relative @return from 0 to `most_digits`
 [[nodiscard]] int digits_of(double error);
 
-/// @brief The rungs of the ladder.
+/// @brief The precisions in which a question is evaluated, in this order.
 enum class Precision : std::uint8_t {
     in_double,     ///< double
     in_50_digits,  ///< 50 decimal digits
     in_100_digits, ///< 100 decimal digits
 };
 
-/// @brief Name of a rung. @param precision the rung @return `double`, `50 digits` or `100 digits`
+/// @brief Its name. @param precision the precision @return `double`, `50 digits` or `100 digits`
 [[nodiscard]] std::string name(Precision precision);
 
-/// @brief The most digits that are tried for on a rung. @param precision the rung @return the digits
+/// @brief The most digits that are tried for in it. @param precision the precision @return the digits
 [[nodiscard]] int most_digits_in(Precision precision);
 
-/// @brief The last rung of a question. A system of more than 40 masses stays in double where no digits are asked for.
+/// @brief The last precision of a question. A system of more than 40 masses stays in double where no digits are asked for.
 /// @param aim    the digits
 /// @param masses N
-/// @param last   the last rung that there is
-/// @return       the rung
+/// @param last   the last precision that there is
+/// @return       the precision
 [[nodiscard]] Precision highest_precision(const Aim& aim, std::size_t masses, Precision last = Precision::in_100_digits);
 
-/// @brief What an attempt on one rung came to.
+/// @brief What an attempt in one precision came to.
 struct Attempted {
     double relative;     ///< largest error of what must have the digits, relative as they count
     bool decided = true; ///< whether its regime is certain
 };
 
-/// @brief The rung that answers.
+/// @brief The attempt that answers.
 struct Certainty {
-    Precision precision = Precision::in_double; ///< the rung
+    Precision precision = Precision::in_double; ///< its precision
     bool settled = false;                       ///< whether its bounds leave the digits
     double relative = 0;                        ///< what it came to
-    std::string why;                            ///< what the rungs before left open, and its own verdict
+    std::string why;                            ///< what the precisions before left open, and its own verdict
 };
 
-/// @brief Counts a rung that did not have the digits, for `precision_steps`.
+/// @brief Counts a precision that did not have the digits, for `precision_steps`.
 void count_precision_step();
 
 /// @brief What is said of an attempt. @param attempted what it came to @param aim the digits @return a clause
 [[nodiscard]] std::string verdict(const Attempted& attempted, const Aim& aim);
 
-/// @brief Runs up the rungs until one has the digits. The last one answers in any case.
+/// @brief Tries one precision after the other until one has the digits. The last one answers in any case.
 /// @param aim      the digits
 /// @param attempt  called with `std::type_identity<T>` for T of double, 50 and 100 digits; keeps its own result
-/// @param highest  the last rung
-/// @return         the rung that answers
-/// @throws         what the last rung throws
+/// @param highest  the last precision
+/// @return         the attempt that answers
+/// @throws         what the last precision throws
 template <class Attempt>
 Certainty certify(const Aim& aim, const Attempt& attempt, Precision highest = Precision::in_100_digits) {
     Certainty found;

@@ -16,7 +16,7 @@ namespace denhartog {
 /// @brief Which points are prepared for.
 enum class Prepared : std::uint8_t {
     sliding_contact, ///< the cheapest: where the contact alone is asked for, points at which it slides; else every regime
-    every_regime     ///< all that the cheaper rungs of `solve` may need
+    every_regime     ///< all that the cheaper models of `solve` may need
 };
 
 /// @brief A system prepared for a question. Nothing in it changes when it is used.

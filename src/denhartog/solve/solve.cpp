@@ -115,7 +115,7 @@ void answer_from_rest(const SolveTask& task, Solution& s) {
 
 void answer(SolveTask& task, Solution& s) {
     const bool few = task.question.asked == Asked::amplitude || task.question.asked == Asked::phase;
-    if (few && task.scene.mu == 1 && !task.basis->coupled() && answer_by_few_modes(task, s)) return;
+    if (few && task.scene.mu == 1 && !task.basis->coupled() && answer_by_truncated_modes(task, s)) return;
     const auto [unique, because] = std::pair(s.unique, s.unique_because);
     try {
         s = sliding_solution(task.source, {task.question.asked, task.question.digits, task.question.mass, &*task.modes});

@@ -3,12 +3,12 @@
 ///
 /// The models, cheapest first:
 ///  1. amplitude or phase of the mass in contact alone, mu = 1: (38), (39) below a lower bound of (69), see `contact_modes.hpp`;
-///  2. amplitudes or phases at mu = 1 from the modes that matter, with bounds of what is left out, see `few_modes.hpp`;
+///  2. amplitudes or phases at mu = 1 from the modes that matter, with bounds of what is left out, see `truncated_modes.hpp`;
 ///  3. boundary, regime and closed form of all masses, or of the one that is asked about, see `sliding_solution`; V and U of a
 ///     chain without damping without a sum over modes where that is sharper;
 ///  4. for a contact that rests the stuck response, see `held_solution`;
 ///  5. the exact solver's periodic orbit, in double, then in 50 digits.
-/// Models 1, 3 and 4 run up the rungs of `certify`: double, 50 and 100 digits, each with the bounds of its own numbers.
+/// Models 1, 3 and 4 try the precisions of `certify`: double, 50 and 100 digits, each with the bounds of its own numbers.
 /// The boundaries tell the regime where mu = 1. Where mu > 1 more than one motion may exist: the exact solver then follows the
 /// start from rest, and where that leads into the closed form or the stuck response these give the numbers.
 #pragma once

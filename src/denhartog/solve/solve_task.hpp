@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "denhartog/answer/sliding_solution.hpp"
-#include "denhartog/solve/few_modes.hpp"
+#include "denhartog/solve/truncated_modes.hpp"
 #include "denhartog/solve/prepared_system.hpp"
 #include "denhartog/stick_slip/periodic_orbit.hpp"
 
@@ -50,7 +50,7 @@ struct SolveTask {
 /// @param task  the task
 /// @param s     gets the answer
 /// @return      false where this has not the digits, or sliding is not certain
-[[nodiscard]] bool answer_by_few_modes(SolveTask& task, Solution& s);
+[[nodiscard]] bool answer_by_truncated_modes(SolveTask& task, Solution& s);
 
 /// @brief The stuck response as the answer, in the first precision that has the digits.
 /// @param task      the task, its boundary found

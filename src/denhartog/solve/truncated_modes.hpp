@@ -13,7 +13,7 @@
 namespace denhartog {
 
 /// @brief What the modes that matter give.
-struct FewModesSolution {
+struct TruncatedModesSolution {
     std::vector<SolvedMass> masses; ///< N; zero where not asked about
     double slides_below;            ///< the boundary (69) is not below it
     std::size_t modes;              ///< how many modes were evaluated
@@ -28,8 +28,8 @@ struct FewModesSolution {
 /// @param phases   whether the phases must have them too
 /// @param only     the one mass that must have them, and whose numbers are wanted; none for all
 /// @return         the solution; none where sliding is not certain, or the digits are out of reach this way
-[[nodiscard]] std::optional<FewModesSolution> few_modes_solution(const Scene<double>& scene, BoundedModes<double>& modes,
-                                                                 int digits, bool phases,
-                                                                 std::optional<Mass> only = std::nullopt);
+[[nodiscard]] std::optional<TruncatedModesSolution> truncated_modes_solution(const Scene<double>& scene,
+                                                                             BoundedModes<double>& modes, int digits, bool phases,
+                                                                             std::optional<Mass> only = std::nullopt);
 
 } // namespace denhartog

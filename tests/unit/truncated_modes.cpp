@@ -1,4 +1,4 @@
-#include "denhartog/solve/few_modes.hpp"
+#include "denhartog/solve/truncated_modes.hpp"
 
 #include "denhartog/answer/scene_source.hpp"
 #include "tests/catch.hpp"
@@ -29,7 +29,7 @@ TEST_CASE("amplitudes and phases from few modes keep their bounds against all of
         scene.mu = 1;
         scene.beta = boundary(sums_of(scene), 1.0).exact * each.fraction_of_limit / 8;
         BoundedModes<double> modes = modes_of(scene);
-        const std::optional<FewModesSolution> few = few_modes_solution(scene, modes, 1, true);
+        const std::optional<TruncatedModesSolution> few = truncated_modes_solution(scene, modes, 1, true);
         if (!few) continue;
         ++answered;
         const Response<double> all = response(scene);
@@ -50,7 +50,7 @@ TEST_CASE("far above the frequency of the force modes are left out, the fewer th
     for (const int digits : {1, 2}) {
         BoundedModes<double> modes = modes_of(scene);
         const long before = mode_evaluations();
-        const std::optional<FewModesSolution> few = few_modes_solution(scene, modes, digits, false);
+        const std::optional<TruncatedModesSolution> few = truncated_modes_solution(scene, modes, digits, false);
         REQUIRE(few);
         CHECK(mode_evaluations() - before == static_cast<long>(few->modes));
         taken.push_back(few->modes);
@@ -63,10 +63,10 @@ TEST_CASE("at the boundary of sliding, or where static friction is larger, few m
     Scene<double> scene = oscillator(0.0625, 1.5);
     scene.beta = boundary(sums_of(scene), 1.0).exact;
     BoundedModes<double> modes = modes_of(scene);
-    CHECK_FALSE(few_modes_solution(scene, modes, 3, false));
+    CHECK_FALSE(truncated_modes_solution(scene, modes, 3, false));
     scene.beta = 0.125;
     scene.mu = 1.5;
-    CHECK_FALSE(few_modes_solution(scene, modes, 3, false));
+    CHECK_FALSE(truncated_modes_solution(scene, modes, 3, false));
     scene.mu = 1;
-    CHECK(few_modes_solution(scene, modes, 3, false));
+    CHECK(truncated_modes_solution(scene, modes, 3, false));
 }

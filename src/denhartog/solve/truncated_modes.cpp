@@ -1,4 +1,4 @@
-#include "denhartog/solve/few_modes.hpp"
+#include "denhartog/solve/truncated_modes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -45,9 +45,10 @@ Harmonics harmonics_of(const Bounded<double>& R_i, double zeta) {
     return all;
 }
 
-class FewModes {
+class TruncatedModes {
 public:
-    FewModes(const Scene<double>& scene, BoundedModes<double>& evaluated_, int digits, bool phases_, std::optional<Mass> only_)
+    TruncatedModes(const Scene<double>& scene, BoundedModes<double>& evaluated_, int digits, bool phases_,
+                   std::optional<Mass> only_)
         : j(scene.system.contact.index), l(scene.system.load.index), beta(as_input(*scene.beta)), evaluated(evaluated_),
           basis(evaluated.basis()), contact(contact_modes(evaluated.shared_basis(), scene.system.contact, scene.system.load)),
           tolerance(tolerance_of(digits)), phases(phases_), only(only_) {
@@ -59,12 +60,12 @@ public:
         }
     }
 
-    std::optional<FewModesSolution> answer() {
+    std::optional<TruncatedModesSolution> answer() {
         const std::vector<std::size_t> order = by_importance();
         std::size_t done = 0;
         for (std::size_t next = 1; done < N(); next *= 2) {
             for (; done < std::min(next, N()); ++done) functions[order[done]] = evaluated.at(order[done]);
-            std::optional<FewModesSolution> found = attempt(done);
+            std::optional<TruncatedModesSolution> found = attempt(done);
             if (out_of_reach) return std::nullopt;
             if (found) return found;
         }
@@ -105,12 +106,12 @@ private:
         return V;
     }
 
-    std::optional<FewModesSolution> attempt(std::size_t modes_evaluated) {
+    std::optional<TruncatedModesSolution> attempt(std::size_t modes_evaluated) {
         const std::optional<ContactSolution<double>> of_contact =
             contact_solution(sums_at_contact(contact, evaluated.r(), functions), beta);
         if (!of_contact) return std::nullopt;
         const Bounded<double>& phi_j = of_contact->phase;
-        FewModesSolution all{{}, of_contact->slides_below.x, modes_evaluated, 0};
+        TruncatedModesSolution all{{}, of_contact->slides_below.x, modes_evaluated, 0};
         for (std::size_t k = 0; k < N(); ++k) {
             if (only && k != only->index) {
                 all.masses.push_back({});
@@ -138,7 +139,7 @@ private:
     }
 
     // Notes a mass; false where it has not the digits.
-    bool add(FewModesSolution& all, const Bounded<double>& amplitude, const Bounded<double>& phase, double left_out,
+    bool add(TruncatedModesSolution& all, const Bounded<double>& amplitude, const Bounded<double>& phase, double left_out,
              double velocity_left_out) {
         const double error = amplitude.e + left_out;
         if (!(error <= tolerance * amplitude.x)) {
@@ -169,19 +170,19 @@ private:
 
 } // namespace
 
-std::optional<FewModesSolution> few_modes_solution(const Scene<double>& scene, BoundedModes<double>& modes, int digits,
-                                                   bool phases, std::optional<Mass> only) {
+std::optional<TruncatedModesSolution> truncated_modes_solution(const Scene<double>& scene, BoundedModes<double>& modes,
+                                                               int digits, bool phases, std::optional<Mass> only) {
     if (scene.mu != 1) return std::nullopt;
-    return FewModes(scene, modes, digits, phases, only).answer();
+    return TruncatedModes(scene, modes, digits, phases, only).answer();
 }
 
-bool answer_by_few_modes(SolveTask& task, Solution& s) {
-    constexpr int most_digits_few_modes = 8; // beyond, harmonics and static modes are too coarse
-    if (task.aim.digits > most_digits_few_modes || !task.scene.system.coordinates.replaced.empty()) return false;
-    std::optional<FewModesSolution> few;
+bool answer_by_truncated_modes(SolveTask& task, Solution& s) {
+    constexpr int most_digits = 8; // beyond, harmonics and static modes are too coarse
+    if (task.aim.digits > most_digits || !task.scene.system.coordinates.replaced.empty()) return false;
+    std::optional<TruncatedModesSolution> few;
     try {
-        few =
-            few_modes_solution(task.scene, *task.modes, task.aim.digits, task.question.asked == Asked::phase, task.question.mass);
+        few = truncated_modes_solution(task.scene, *task.modes, task.aim.digits, task.question.asked == Asked::phase,
+                                       task.question.mass);
     } catch (const DomainError&) {
         return false; // the next model says where the pole is
     }
