@@ -15,8 +15,8 @@ namespace denhartog::evaluation {
 ///
 /// With \f$ \mathbf{M} = \mathbf{L}\mathbf{L}^T \f$ and \f$ \mathbf{K} = \mathbf{G}\mathbf{G}^T \f$ in units of m_1 and k_1 the
 /// coordinates are \f$ \mathbf{s} = (\mathbf{G}^T\mathbf{x}/r,\ \mathbf{L}^T\mathbf{x}') \f$, and (12) without its forces is
-/// \f[ \mathbf{s}' = \mathbf{A}\mathbf{s}, \qquad \mathbf{A} = \frac{1}{r}\begin{pmatrix} \mathbf{0} & \mathbf{P}^T \\
-///     -\mathbf{P} & -\mathbf{B} \end{pmatrix}, \qquad \mathbf{P} = \mathbf{L}^{-1}\mathbf{G}, \quad
+/// \f[ \mathbf{s}' = \mathbf{A}\mathbf{s}, \qquad \mathbf{A} = \frac{1}{r}\begin{pmatrix} \mathbf{0} & \mathbf{P}^T
+///     \\ -\mathbf{P} & -\mathbf{B} \end{pmatrix}, \qquad \mathbf{P} = \mathbf{L}^{-1}\mathbf{G}, \quad
 ///     \mathbf{B} = \mathbf{L}^{-1}\mathbf{C}\mathbf{L}^{-T}. \f]
 /// @eq{20}  @derivation{coupled_damping}  @domain{any positive definite M and K, any symmetric C}
 /// @param P  N x N, row-major
