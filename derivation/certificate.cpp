@@ -14,7 +14,8 @@ std::string certificate_prelude() {
            "Proof. intros factor n rest zero zero_rest. rewrite zero, zero_rest. ring. Qed.\n\n"
            "Ltac not_zero := let zero := fresh in intro zero;\n"
            "  match goal with H : ?d <> 0 |- False =>\n"
-           "    apply H; first [lra | field_simplify_eq; [lra | repeat split; first [assumption | exact PI_neq0]]] end.\n"
+           "    apply H; first [lra | field_simplify_eq; [lra | repeat split; first [assumption | exact PI_neq0]] |\n"
+           "                    rewrite zero; field; repeat split; first [assumption | exact PI_neq0]] end.\n"
            "Ltac nonzero := repeat split; first [assumption | exact PI_neq0 | not_zero].\n";
 }
 
@@ -39,8 +40,9 @@ std::string functions_prelude() {
            "Lemma quotient_not_negative : forall a b : R, 0 <= a -> 0 <= b -> b <> 0 -> 0 <= a / b.\n"
            "Proof.\n  intros a b above below not_zero. apply Rmult_le_pos; [exact above |].\n"
            "  left. apply Rinv_0_lt_compat. lra.\nQed.\n\n"
-           "Ltac not_negative :=\n  repeat first [assumption | lra | apply Rmult_le_pos | apply pow_le | apply sqrt_pos |\n"
-           "                apply quotient_not_negative | solve [nonzero]].\n\n"
+           "Ltac not_negative :=\n"
+           "  repeat first [assumption | apply sqrt_pos | exact (Rlt_le _ _ PI_RGT_0) | lra | apply quotient_not_negative |\n"
+           "                apply Rmult_le_pos | apply pow_le | solve [nonzero]].\n\n"
            "(* Sums that stand on both sides get a name first, so that neither they nor what they divide by are multiplied out. "
            "*)\n"
            "Ltac name_shared_sums := repeat match goal with |- ?one = ?other =>\n"

@@ -68,6 +68,7 @@ std::string Lemma::sum_of_units(const ex& argument, const std::vector<ex>& units
 
 std::string Lemma::why_function(const ex& function, const ex& value, const std::string& inner,
                                 const std::string& by_squares) const {
+    if (coq_text(function) == meant(value)) return {}; // the root of a number
     std::vector<ex> angles{GiNaC::Pi / 2}, exponents;
     for (const auto& [generator, meaning] : identity_.generators) {
         if (value.is_equal(generator) && coq_text(function) == coq_text(meaning)) return {};
@@ -118,6 +119,9 @@ std::string Lemma::assert_squares(std::string& out) const {
         const std::string square = "square_" + std::to_string(++number), under = coq_text(meaning.op(0));
         out += "  assert (" + square + " : sqrt (" + under + ") ^ 2 = " + under + ") by (apply root_squared; assumption).\n";
         known += (known.empty() ? "" : " ") + square;
+        const auto divides = [&g = generator](const auto& function) { return function.second.normal().denom().has(g); };
+        if (std::any_of(identity_.functions.begin(), identity_.functions.end(), divides)) // not zero, where the ranges say so
+            out += "  try (assert (sqrt (" + under + ") <> 0) by (apply Rgt_not_eq, sqrt_lt_R0; lra)).\n";
     }
     return known.empty() ? "field; nonzero" : "field [" + known + "]; nonzero";
 }
