@@ -85,7 +85,8 @@ bool is_exponential(const ex& e) {
 
 /// Whether a function or a root stands in it.
 bool makes_generators(const ex& e) {
-    if (GiNaC::is_a<GiNaC::function>(e) || (GiNaC::is_a<GiNaC::power>(e) && !e.op(1).info(GiNaC::info_flags::integer))) return true;
+    const bool root = GiNaC::is_a<GiNaC::power>(e) && !e.op(1).info(GiNaC::info_flags::integer);
+    if (root || GiNaC::is_a<GiNaC::function>(e)) return true;
     return std::any_of(e.begin(), e.end(), makes_generators);
 }
 
