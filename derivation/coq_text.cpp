@@ -1,6 +1,7 @@
 #include "coq_text.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <set>
 #include <sstream>
 #include <stdexcept>
@@ -132,6 +133,20 @@ std::string coq_name(const std::string& name) {
 }
 
 std::string coq_text(const ex& e, const CoqNames& names) { return Printer(names).text(e); }
+
+void sort_by_text(std::vector<ex>::iterator first, std::vector<ex>::iterator last) {
+    const auto shown = [](const ex& e) {
+        try {
+            return coq_text(e);
+        } catch (const std::domain_error&) {
+            return std::string();
+        }
+    };
+    std::vector<std::pair<std::string, ex>> sorted;
+    std::transform(first, last, std::back_inserter(sorted), [&](const ex& e) { return std::pair(shown(e), e); });
+    std::stable_sort(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::transform(sorted.begin(), sorted.end(), first, [](const auto& pair) { return pair.second; });
+}
 
 std::string coq_comment(std::string sentence) {
     std::replace(sentence.begin(), sentence.end(), '"', '\'');

@@ -4,6 +4,8 @@
 #include <cstdlib>
 #include <stdexcept>
 
+#include "coq_text.hpp"
+
 namespace denhartog::derivation {
 
 using GiNaC::ex;
@@ -22,6 +24,23 @@ ex reduced(const ex& polynomial, const std::vector<SquareRelation>& relations) {
         }
     }
     return p;
+}
+
+ex rationalised(const ex& rational, const std::vector<SquareRelation>& relations) {
+    const auto stands_in = [](const ex& e) { return [&e](const SquareRelation& relation) { return e.has(relation.first); }; };
+    if (std::none_of(relations.begin(), relations.end(), stands_in(rational))) return rational;
+    const ex fraction = rational.normal();
+    ex n = fraction.numer(), d = reduced(fraction.denom(), relations);
+    if (std::none_of(relations.begin(), relations.end(), stands_in(d))) return rational;
+    for (auto relation = relations.rbegin(); relation != relations.rend(); ++relation) {
+        const ex& y = relation->first;
+        if (!d.has(y)) continue;
+        const ex conjugate = d.coeff(y, 0) - d.coeff(y, 1) * y;
+        n = reduced(n * conjugate, relations);
+        d = reduced(d * conjugate, relations);
+        if (d.is_zero()) throw std::domain_error("a denominator that has no conjugate");
+    }
+    return (n / d).normal();
 }
 
 namespace {
@@ -64,6 +83,21 @@ bool is_exponential(const ex& e) {
            GiNaC::is_the_function<GiNaC::cosh_SERIAL>(e);
 }
 
+/// Whether a function or a root stands in it.
+bool makes_generators(const ex& e) {
+    const bool root = GiNaC::is_a<GiNaC::power>(e) && !e.op(1).info(GiNaC::info_flags::integer);
+    if (root || GiNaC::is_a<GiNaC::function>(e)) return true;
+    return std::any_of(e.begin(), e.end(), makes_generators);
+}
+
+/// The operands of a sum or a product, those that make generators by their text: GiNaC's own order changes from run to run.
+std::vector<ex> in_order(const ex& e) {
+    std::vector<ex> parts(e.begin(), e.end());
+    const auto first = std::stable_partition(parts.begin(), parts.end(), [](const ex& part) { return !makes_generators(part); });
+    if (parts.end() - first > 1) sort_by_text(first, parts.end());
+    return parts;
+}
+
 void collect_symbols(const ex& e, std::map<ex, bool, GiNaC::ex_is_less>& seen) {
     if (GiNaC::is_a<symbol>(e) || e.is_equal(GiNaC::Pi)) seen.emplace(e, e.info(GiNaC::info_flags::positive));
     for (const ex& part : e) collect_symbols(part, seen);
@@ -77,10 +111,11 @@ void Generators::collect(const ex& e, bool real_there) {
 }
 
 void Generators::collect(const ex& e) {
-    for (const ex& part : e) collect(part);
+    const bool commutes = GiNaC::is_a<GiNaC::add>(e) || GiNaC::is_a<GiNaC::mul>(e);
+    for (const ex& part : commutes ? in_order(e) : std::vector<ex>(e.begin(), e.end())) collect(part);
     if (is_circular(e) || is_exponential(e)) {
         auto& units = is_circular(e) ? angle_unit_ : exponent_unit_;
-        for (const auto& [monomial, coefficient] : linear_terms(rationalised(replace(e.op(0))))) {
+        for (const auto& [monomial, coefficient] : linear_terms(rationalised(replace(e.op(0)), relations_))) {
             auto [place, fresh] = units.emplace(monomial, numeric(1));
             place->second = lcm(place->second, coefficient.denom());
         }
@@ -97,23 +132,6 @@ ex Generators::reduced_numerator(const ex& rational) {
     ex numerator = reduced(fraction.numer(), relations_);
     note_denominator(fraction.denom());
     return numerator;
-}
-
-/// The same with no root in its denominator, so that the sum in an angle shows: multiplied by the conjugates.
-ex Generators::rationalised(const ex& argument) const {
-    const auto has_root = [](const ex& e) { return [&e](const Root& root) { return e.has(root.generator); }; };
-    if (std::none_of(roots_.begin(), roots_.end(), has_root(argument))) return argument;
-    const ex fraction = argument.normal();
-    ex n = fraction.numer(), d = reduced(fraction.denom(), relations_);
-    if (std::none_of(roots_.begin(), roots_.end(), has_root(d))) return argument;
-    for (auto root = roots_.rbegin(); root != roots_.rend(); ++root) {
-        if (!d.has(root->generator)) continue;
-        const ex conjugate = d.coeff(root->generator, 0) - d.coeff(root->generator, 1) * root->generator;
-        n = reduced(n * conjugate, relations_);
-        d = reduced(d * conjugate, relations_);
-        if (d.is_zero()) throw std::domain_error("a denominator that has no conjugate");
-    }
-    return (n / d).normal();
 }
 
 ex Generators::new_generator(const std::string& name, const ex& stands_for, const Bounds& bounds) {
@@ -244,11 +262,11 @@ ex Generators::exponential(const ex& argument) {
 /// A function or a root in generators.
 ex Generators::replaced_function(const ex& e) {
     if (is_circular(e)) {
-        const auto [c, s] = angle(rationalised(replace(e.op(0))));
+        const auto [c, s] = angle(rationalised(replace(e.op(0)), relations_));
         return GiNaC::is_the_function<GiNaC::cos_SERIAL>(e) ? c : s;
     }
     if (is_exponential(e)) {
-        const ex grown = exponential(rationalised(replace(e.op(0))));
+        const ex grown = exponential(rationalised(replace(e.op(0)), relations_));
         if (GiNaC::is_the_function<GiNaC::exp_SERIAL>(e)) return grown;
         return GiNaC::is_the_function<GiNaC::sinh_SERIAL>(e) ? (grown - 1 / grown) / 2 : (grown + 1 / grown) / 2;
     }
@@ -283,7 +301,7 @@ ex Generators::replace(const ex& e) {
         throw std::domain_error("a number that is not rational");
     if (GiNaC::is_a<GiNaC::add>(e) || GiNaC::is_a<GiNaC::mul>(e)) {
         ex result = GiNaC::is_a<GiNaC::add>(e) ? 0 : 1;
-        for (const ex& part : e) result = GiNaC::is_a<GiNaC::add>(e) ? result + replace(part) : result * replace(part);
+        for (const ex& part : in_order(e)) result = GiNaC::is_a<GiNaC::add>(e) ? result + replace(part) : result * replace(part);
         return result;
     }
     return e;

@@ -21,6 +21,13 @@ using SquareRelation = std::pair<GiNaC::ex, GiNaC::ex>;
 /// @return            its remainder, of degree one at most in each generator
 [[nodiscard]] GiNaC::ex reduced(const GiNaC::ex& polynomial, const std::vector<SquareRelation>& relations);
 
+/// @brief A quotient without generators in its denominator: it is multiplied by the conjugates, so that a sum in an angle shows.
+/// @param rational   a rational function of the generators
+/// @param relations  generators with their squares, newest last
+/// @return           the same, wherever the relations hold
+/// @throws           std::domain_error where a conjugate is zero
+[[nodiscard]] GiNaC::ex rationalised(const GiNaC::ex& rational, const std::vector<SquareRelation>& relations);
+
 /// @brief A root in a proof.
 struct RootReason {
     GiNaC::ex radicand; ///< what is under it, in symbols
@@ -92,7 +99,6 @@ private:
     void collect(const GiNaC::ex& e);
     GiNaC::ex replace(const GiNaC::ex& e);
     GiNaC::ex replaced_function(const GiNaC::ex& e);
-    GiNaC::ex rationalised(const GiNaC::ex& argument) const;
     GiNaC::ex new_generator(const std::string& name, const GiNaC::ex& stands_for, const Bounds& bounds);
     GiNaC::ex root(const GiNaC::ex& polynomial, const std::string& reason = "");
     GiNaC::ex known_root(const GiNaC::ex& a, bool certain) const;

@@ -179,6 +179,9 @@ std::map<std::string, json> accepted_before(const fs::path& folder, const std::s
     return accepted;
 }
 
+/// What to add to a reason. @param reasons sentences so far; gets one more @param more the sentence
+void add_reason(std::string& reasons, const std::string& more) { reasons += (reasons.empty() ? "" : "; ") + more; }
+
 /// The file whose second check took most of something.
 std::string dearest(const json& files, const char* key, const char* unit) {
     const json* most = nullptr;
@@ -192,6 +195,19 @@ std::string dearest(const json& files, const char* key, const char* unit) {
 }
 
 } // namespace
+
+std::string why_not_in_functions(const json& claim) {
+    std::map<std::string, std::size_t> counts; // reason -> lemmas
+    for (const json& lemma : claim.at("lemmas")) {
+        if (lemma.at("in_functions") != "") continue;
+        const std::string reason = lemma.at("why_no_functions");
+        ++counts[reason.empty() ? "no function and no root stands in it" : reason];
+    }
+    std::string reasons;
+    for (const auto& [reason, count] : counts)
+        add_reason(reasons, std::to_string(count) + " of " + std::to_string(claim.at("lemmas").size()) + ": " + reason);
+    return reasons;
+}
 
 bool finds_no_proof(const std::string& message) {
     for (const char* said : {"not a valid ring equation", "not a valid field equation", "No applicable tactic"})
@@ -252,6 +268,7 @@ bool check_certificates(const fs::path& folder, std::size_t workers, const std::
                 of_claim["in_functions"] = accepted ? "checked" : "not_proved"; // the certificate stands by itself
             if (accepted) return;
             const std::string message = said.at("message").get<std::string>();
+            if (!first) of_claim["why_not_in_functions"] = "Coq does not prove it: " + message;
             const bool red = first || !can_be_read(message);
             good = good && !red;
             out << (red ? "failed: claim " : "not proved in the functions themselves: claim ") << claim << ": " << message
@@ -297,6 +314,12 @@ bool check_certificates(const fs::path& folder, std::size_t workers, const std::
         });
         for (const auto& [i, twin] : found_of_twins) record["twins"].push_back(twin);
     }
+    for (const json& claim : exported.at("certificates"))
+        if (std::string reasons = why_not_in_functions(claim); !reasons.empty() && claim.contains("file")) {
+            json& of_claim = record["claims"][claim.at("claim").get<std::string>()];
+            if (of_claim.contains("why_not_in_functions")) add_reason(reasons, of_claim.at("why_not_in_functions"));
+            of_claim["why_not_in_functions"] = reasons;
+        }
     std::sort(record["files"].begin(), record["files"].end(),
               [](const json& a, const json& b) { return a.at("file") < b.at("file"); });
     const std::string refused = check_again(folder, record["files"], workers, coqchk, keep);

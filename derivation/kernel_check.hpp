@@ -18,7 +18,8 @@ namespace denhartog::derivation {
 ///
 /// `kernel.json` holds `coq`, the version; `claims`, for each claim with lemmas `status`, which is `checked` or `failed`,
 /// `message`, and `in_functions`, which is `checked`, or `not_proved` where Coq does not get through a lemma on the functions
-/// themselves: the certificate stands without it; `twins`, each with `file`, `claim`, `what`, `rejected` and `message`;
+/// themselves: the certificate stands without it; `why_not_in_functions`, where a lemma of the claim is not stated of the functions
+/// or Coq does not prove it: how many lemmas, and the reason; `twins`, each with `file`, `claim`, `what`, `rejected` and `message`;
 /// `files`, each with `file`, `status`, `seconds`, `checksum`, and `seconds_again`, `gigabytes_again` of the second check;
 /// `checked_again`, the word of coqchk; `axioms`, what the files rest on; `lemmas`, `lines`, `seconds`.
 /// @param folder   with `certificates.json`, as `export_certificates` leaves it
@@ -41,6 +42,10 @@ struct Compiled {
 /// @brief Compiles a source of Coq, in two minutes of the processor at most. @param file the source @param coqc the compiler
 /// @return what it says
 [[nodiscard]] Compiled compile_with_coq(const std::filesystem::path& file, const std::string& coqc);
+
+/// @brief Why lemmas of a claim are not stated of the functions themselves. @param claim its entry in `certificates.json`
+/// @return for each reason how many lemmas have it; empty where all are stated so
+[[nodiscard]] std::string why_not_in_functions(const nlohmann::json& claim);
 
 /// @brief Whether a message says that a tactic has found no proof, and not that the file is at fault. @param message the message
 /// @return true where it does

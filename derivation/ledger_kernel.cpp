@@ -47,6 +47,7 @@ json kernel_of_claim(const KernelRecord& record, const std::string& id) {
     if (lemmas > 0) {
         found["file"] = certificate.at("file");
         found["lemmas"] = lemmas;
+        if (said.contains("why_not_in_functions")) found["why_not_in_functions"] = said.at("why_not_in_functions");
     }
     return found;
 }

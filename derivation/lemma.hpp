@@ -80,7 +80,11 @@ private:
     /// An angle or an exponent as a sum of whole multiples of those of the generators, as text.
     std::string sum_of_units(const GiNaC::ex& argument, const std::vector<GiNaC::ex>& units) const;
     /// Why a function is what the generators say, as a tactic; empty where it is a generator itself.
-    std::string why_function(const GiNaC::ex& function, const GiNaC::ex& value, const std::string& inner) const;
+    /// @param inner rewrites the roots in its argument @param by_squares proves an equation of quotients
+    std::string why_function(const GiNaC::ex& function, const GiNaC::ex& value, const std::string& inner,
+                             const std::string& by_squares) const;
+    /// Adds what the squares of the roots among the generators are. @return a tactic that proves an equation of quotients by them
+    std::string assert_squares(std::string& out) const;
     /// What is divided by, by its text: in the sides, in arguments and under roots.
     static void collect_divided(const GiNaC::ex& e, std::map<std::string, GiNaC::ex>& found);
     /// Whether a divisor of the first lemma is, but for a number, the numerator of something that is divided by.

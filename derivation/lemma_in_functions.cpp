@@ -47,7 +47,7 @@ ex Lemma::in_roots(const ex& argument) const {
 
 std::string Lemma::sum_of_units(const ex& argument, const std::vector<ex>& units) const {
     std::string sum;
-    const ex expanded = replaced(argument).expand();
+    const ex expanded = rationalised(replaced(argument), identity_.relations).expand();
     const auto take = [&](const ex& term) {
         for (const ex& unit : units) {
             const ex n = (term / in_roots(unit)).normal();
@@ -66,27 +66,21 @@ std::string Lemma::sum_of_units(const ex& argument, const std::vector<ex>& units
     return sum;
 }
 
-std::string Lemma::why_function(const ex& function, const ex& value, const std::string& inner) const {
+std::string Lemma::why_function(const ex& function, const ex& value, const std::string& inner,
+                                const std::string& by_squares) const {
+    if (coq_text(function) == meant(value)) return {}; // the root of a number
     std::vector<ex> angles{GiNaC::Pi / 2}, exponents;
     for (const auto& [generator, meaning] : identity_.generators) {
         if (value.is_equal(generator) && coq_text(function) == coq_text(meaning)) return {};
         if (GiNaC::is_the_function<GiNaC::cos_SERIAL>(meaning)) angles.push_back(meaning.op(0));
         if (GiNaC::is_the_function<GiNaC::exp_SERIAL>(meaning)) exponents.push_back(meaning.op(0));
     }
-    if (GiNaC::is_a<GiNaC::power>(function)) { // a root: a factor that is not negative times a generator
-        for (const auto& [generator, meaning] : identity_.generators) {
-            if (!GiNaC::is_a<GiNaC::power>(meaning) || !value.has(generator)) continue;
-            const ex factor = (value / generator).normal();
-            if (factor.has(generator)) break;
-            return "transitivity ((" + meant(factor) + ") * sqrt (" + coq_text(meaning.op(0)) +
-                   ")); [apply root_of_product; [not_negative | assumption | field; nonzero] | field; nonzero]";
-        }
-        throw std::domain_error("a root that is taken apart");
-    }
+    if (GiNaC::is_a<GiNaC::power>(function))
+        return "apply root_is; [not_negative | " + inner + by_squares + "]";
     const bool circular =
         GiNaC::is_the_function<GiNaC::sin_SERIAL>(function) || GiNaC::is_the_function<GiNaC::cos_SERIAL>(function);
     return "transitivity (" + GiNaC::ex_to<GiNaC::function>(function).get_name() + " (" +
-           sum_of_units(function.op(0), circular ? angles : exponents) + ")); [f_equal; " + inner + "field; nonzero | " +
+           sum_of_units(function.op(0), circular ? angles : exponents) + ")); [f_equal; " + inner + by_squares + " | " +
            (circular ? "addition]" : "unfold sinh, cosh; exponents]");
 }
 
@@ -115,6 +109,21 @@ bool Lemma::occurs(const ex& function) const {
         return std::any_of(e.begin(), e.end(), stands_in);
     };
     return stands_in(identity_.left) || stands_in(identity_.right);
+}
+
+std::string Lemma::assert_squares(std::string& out) const {
+    std::string known;
+    int number = 0;
+    for (const auto& [generator, meaning] : identity_.generators) {
+        if (!GiNaC::is_a<GiNaC::power>(meaning)) continue;
+        const std::string square = "square_" + std::to_string(++number), under = coq_text(meaning.op(0));
+        out += "  assert (" + square + " : sqrt (" + under + ") ^ 2 = " + under + ") by (apply root_squared; assumption).\n";
+        known += (known.empty() ? "" : " ") + square;
+        const auto divides = [&g = generator](const auto& function) { return function.second.normal().denom().has(g); };
+        if (std::any_of(identity_.functions.begin(), identity_.functions.end(), divides)) // not zero, where the ranges say so
+            out += "  try (assert (sqrt (" + under + ") <> 0) by (apply Rgt_not_eq, sqrt_lt_R0; lra)).\n";
+    }
+    return known.empty() ? "field; nonzero" : "field [" + known + "]; nonzero";
 }
 
 std::string Lemma::in_functions(const std::string& name) const {
@@ -154,11 +163,12 @@ std::string Lemma::in_functions(const std::string& name) const {
     out += "  " + coq_text(identity_.left) + "\n  = " + coq_text(identity_.right) + ".\nProof.\n  intros.\n";
     std::vector<std::string> rewritten;
     std::string inner; // roots stand in arguments
+    const std::string by_squares = assert_squares(out);
     for (const auto& [function, value] : identity_.functions) {
         if (!occurs(function)) continue;
-        const std::string why = why_function(function, value, inner);
+        const std::string why = why_function(function, value, inner, by_squares);
         if (why.empty()) continue;
-        if (GiNaC::is_a<GiNaC::power>(function)) inner += "rewrite ?function_" + std::to_string(rewritten.size() + 1) + "; ";
+        if (GiNaC::is_a<GiNaC::power>(function)) inner += "rewrite ?function_" + std::to_string(rewritten.size() + 1) + " in *; ";
         rewritten.push_back("function_" + std::to_string(rewritten.size() + 1));
         out += "  assert (" + rewritten.back() + " : " + coq_text(function) + " = " + meant(value) + ") by (" + why + ").\n";
     }

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <stdexcept>
 
+#include "coq_text.hpp"
 #include "kept_identities.hpp"
 
 namespace denhartog::derivation {
@@ -186,7 +187,9 @@ std::vector<Point> sample_points(const std::vector<Range>& domain, int count) {
 std::vector<ex> roots_in(const std::vector<ex>& expressions) {
     GiNaC::exset found;
     for (const ex& e : expressions) collect_roots(e, found);
-    return {found.begin(), found.end()};
+    std::vector<ex> roots(found.begin(), found.end());
+    sort_by_text(roots.begin(), roots.end());
+    return roots;
 }
 
 bool differs_at_samples(const ex& left, const ex& right, const std::vector<Range>& domain, const std::vector<ex>& real) {

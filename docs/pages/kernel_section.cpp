@@ -67,6 +67,8 @@ std::string claim_line(const Book& book, const Json& claim) {
     const Json* certificate = status == "not_run" ? nullptr : certificate_of(book.run, id);
     if (certificate == nullptr) return out;
     const std::string of_it = status == "not_exported" ? " that it uses" : "";
+    if (const std::string reasons = kernel.value("why_not_in_functions", ""); !reasons.empty())
+        out += "<p>Not stated of the functions themselves, only of their names: " + escaped(reasons) + ".</p>\n";
     return out + "<details>\n<summary>" + counted(certificate->at("lemmas").size(), "identity", "identities") + of_it +
            "</summary>\n" + lemmas_text(*certificate) + "</details>\n";
 }

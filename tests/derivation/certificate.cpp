@@ -112,6 +112,41 @@ TEST_CASE("sums and multiples of angles are taken apart before the kernel's eyes
     CHECK(said_of(c).message == "");
 }
 
+TEST_CASE("a root of a product and a sum in an angle that shows by squares are proved; a wrong sign or factor is refused", "[kernel]") {
+    const ex z = zeta(), product = GiNaC::sqrt((1 + z) * (1 - z));
+    const auto angle = [&](int sign) { return GiNaC::Pi * (1 - sign * z * z / (1 + w())) / R(); };
+    const Certificate c = certificate(product * GiNaC::cos(angle(1)), w() * GiNaC::cos(theta()));
+    CHECK(c.holds);
+    CHECK_FALSE(c.in_functions.empty());
+    const Certificate wrong = certificate(product * GiNaC::cos(angle(-1)), w() * GiNaC::cos(theta()));
+    CHECK_FALSE(wrong.holds);
+    CHECK(wrong.in_functions.empty());
+    if (!coq_is_there()) {
+        SKIPPED("coqc is not installed");
+        return;
+    }
+    CHECK(said_of(c).message == "");
+    const std::string value = " = (sqrt (1 - zeta ^ 2))) by (apply root_is";
+    const std::size_t at = c.in_functions.find(value);
+    REQUIRE(at != std::string::npos);
+    for (const char* altered : {" = (- sqrt (1 - zeta ^ 2))) by (apply root_is", " = (2 * sqrt (1 - zeta ^ 2))) by (apply root_is"}) {
+        Certificate twin = c;
+        twin.in_functions.replace(at, value.size(), altered);
+        const Compiled said = said_of(twin);
+        CHECK_FALSE(said.accepted);
+        CHECK(can_be_read(said.message));
+    }
+}
+
+TEST_CASE("the record says for how many lemmas of a claim the functions are not stated, and why", "[kernel]") {
+    const nlohmann::json stated{{"in_functions", "Lemma"}, {"why_no_functions", ""}};
+    const nlohmann::json point{{"in_functions", ""}, {"why_no_functions", "the angle of a point"}};
+    const nlohmann::json polynomial{{"in_functions", ""}, {"why_no_functions", ""}};
+    CHECK(why_not_in_functions({{"lemmas", {stated}}}) == "");
+    CHECK(why_not_in_functions({{"lemmas", {stated, point, polynomial, point}}}) ==
+          "1 of 4: no function and no root stands in it; 2 of 4: the angle of a point");
+}
+
 TEST_CASE("quotients within quotients are cleared, and each divisor is named once whatever its sign", "[kernel]") {
     const ex a = symbols().U_k, b = symbols().U_j;
     const Certificate c = certificate(1 / (1 + a / (R() + b)) + a / (a - b) + b / (b - a), (R() + b) / (R() + a + b) + 1);

@@ -42,9 +42,11 @@ TEST_CASE("where the kernel was not run the ledger says so, and nothing else", "
 TEST_CASE("a claim is checked where the kernel accepted its lemmas, and not exported with the reason", "[ledger][kernel]") {
     const tests::Folder folder;
     folder.write("certificates.json", exported);
-    folder.write("kernel.json", R"({"claims": {"28/formula": {"status": "checked", "message": ""}}})");
+    folder.write("kernel.json", R"({"claims": {"28/formula": {"status": "checked", "message": "",
+                                    "why_not_in_functions": "1 of 2: the angle of a point"}}})");
     const json entries = joined(folder);
     const json& claims = entries[0].at("claims");
+    CHECK(claims[0].at("kernel").at("why_not_in_functions") == "1 of 2: the angle of a point");
     CHECK(claims[0].at("kernel").at("status") == "checked");
     CHECK(claims[0].at("kernel").at("lemmas") == 2);
     CHECK(claims[1].at("kernel").at("status") == "not_exported");
