@@ -213,7 +213,7 @@ TEST_CASE("everyday questions cost no more operations than they were seen to", "
         scene.beta = each.beta;
         for (const double r : each.r) {
             scene.r = r;
-            (void)solve(scene_source(scene), {Asked::amplitude});
+            (void)solve(scene_source(scene), {.asked = Asked::amplitude});
         }
         INFO(each.what << ": " << effort.spent() << " operations");
         CHECK(effort.spent() <= each.operations);
