@@ -72,12 +72,17 @@ function draw(given, displayed, explained, where, output = "htmlAndMathml") {
   return out;
 }
 
-const displays = /(?<!\\)\\\[([\s\S]*?)(?<!\\)\\\]/g, inlines = /(?<!\\)\\\(([\s\S]*?)(?<!\\)\\\)/g;
+const displays = /(?<!\\)\\\[([\s\S]*?)(?<!\\)\\\]/g, inlines = /(?<!\\)\\\(([\s\S]*?)(?<!\\)\\\)([,.;:)]+)?/g;
 const untouched = /<(script|style|pre|code|textarea|title)\b[\s\S]*?<\/\1>|<div class="fragment"[\s\S]*?<!-- fragment -->|<!--[\s\S]*?-->|<[^>]*>/g;
+
+// Browsers break a line between a formula and a comma. A short formula keeps the sign that follows it.
+const longest_unbroken = 24;
+const with_sign = (formula, latex, sign = "") =>
+    sign && latex.length <= longest_unbroken ? '<span class="unbroken">' + formula + sign + "</span>" : formula + sign;
 
 function draw_in(text, explained, where) {
   return text.replace(displays, (_, latex) => draw(plain(latex), true, explained, where))
-             .replace(inlines, (_, latex) => draw(plain(latex), false, false, where));
+             .replace(inlines, (_, latex, sign) => with_sign(draw(plain(latex), false, false, where), latex, sign));
 }
 
 function draw_page(page, explained, where) {
