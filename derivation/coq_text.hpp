@@ -28,7 +28,9 @@ struct CoqNames {
 /// @throws       std::domain_error where a part of it has no name in Coq
 [[nodiscard]] std::string coq_text(const GiNaC::ex& e, const CoqNames& names = {});
 
-/// @brief Sorts expressions by their text in Coq; those that have none come first. @param first the first @param last behind the last
+/// @brief Sorts expressions by their text in Coq; those that have none come first.
+/// @param first  the first
+/// @param last   behind the last
 void sort_by_text(std::vector<GiNaC::ex>::iterator first, std::vector<GiNaC::ex>::iterator last);
 
 /// @brief A sentence that can stand in a comment of Coq. @param sentence the sentence @return the same without quotes and marks

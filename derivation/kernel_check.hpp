@@ -18,8 +18,9 @@ namespace denhartog::derivation {
 ///
 /// `kernel.json` holds `coq`, the version; `claims`, for each claim with lemmas `status`, which is `checked` or `failed`,
 /// `message`, and `in_functions`, which is `checked`, or `not_proved` where Coq does not get through a lemma on the functions
-/// themselves: the certificate stands without it; `why_not_in_functions`, where a lemma of the claim is not stated of the functions
-/// or Coq does not prove it: how many lemmas, and the reason; `twins`, each with `file`, `claim`, `what`, `rejected` and `message`;
+/// themselves: the certificate stands without it; `why_not_in_functions`, where a lemma of the claim is not stated of the
+/// functions or Coq does not prove it: how many lemmas, and the reason; `twins`, each with `file`, `claim`, `what`, `rejected`
+/// and `message`;
 /// `files`, each with `file`, `status`, `seconds`, `checksum`, and `seconds_again`, `gigabytes_again` of the second check;
 /// `checked_again`, the word of coqchk; `axioms`, what the files rest on; `lemmas`, `lines`, `seconds`.
 /// @param folder   with `certificates.json`, as `export_certificates` leaves it
