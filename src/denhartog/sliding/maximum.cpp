@@ -67,7 +67,7 @@ public:
             const bool passed_over = now.highest <= best_.value + noise_ + rounding();
             if (now.monotone && !has_root(now)) {
                 dismiss_monotone(now);
-            } else if (is_narrowest(now)) {
+            } else if (is_narrowest(now) || now.highest < level()) {
                 dismiss_unseen(now);
             } else if (passed_over) {
                 passed_over_.push_back(now);
