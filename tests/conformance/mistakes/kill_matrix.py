@@ -4,8 +4,9 @@ A mistake is made by edits of the closed form in Python (edits.json) or by argum
 has to be found wrong, and the first diagnosis has to be the right one; a correct program has to pass, one in single precision to
 be found inaccurate and nowhere wrong. Where the vectors that show a mistake are no `must`, the run conforms but finds it all the
 same. An edit whose text is not there exactly once is an error. Usage:
-kill_matrix.py --program DENHARTOG --vectors FOLDER --output FOLDER [--only NAME]
-With --only one of them is run, and no table written.
+kill_matrix.py --program DENHARTOG --vectors FOLDER --output FOLDER [--only NAME] [--all]
+With --only one of them is run, and no table written. A program that is asked one in so many of all vectors is asked a quarter of
+these, and with --all each of them.
 """
 import argparse
 import json
@@ -44,13 +45,13 @@ def spread(vectors, most):
     return vectors if len(vectors) <= most else [vectors[n * len(vectors) // most] for n in range(most)]
 
 
-def chosen(vectors, subject):
+def chosen(vectors, subject, is_all):
     """The vectors that a program is asked: one in so many of all, or those that claim to catch it and some of every quantity.
 
     An edit of the adapter `systems` is asked about systems beyond the paper, any other program about scenes of the paper."""
     vectors = [v for v in vectors if v["group"].startswith("systems-") == (subject.get("adapter") == "systems")]
     if "of_all" in subject:
-        return [v for v in vectors if subject.get("without") not in v["flags"]][:: subject["of_all"]]
+        return [v for v in vectors if subject.get("without") not in v["flags"]][:: subject["of_all"] * (1 if is_all else 4)]
     names = subject["diagnosis"]
     groups = subject.get("asks")
     asked = [v for v in vectors if not groups or v["quantity"] in groups]
@@ -67,7 +68,7 @@ def chosen(vectors, subject):
 def run(options, vectors, subject):
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
-        asked = chosen(vectors, subject)
+        asked = chosen(vectors, subject, options.all)
         (folder / "vectors").mkdir()
         for group in sorted({v["file"] for v in asked}):
             lines = [v["line"] for v in asked if v["file"] == group]
@@ -124,6 +125,7 @@ def main():
     for option in ("--program", "--vectors", "--output"):
         parser.add_argument(option, required=True)
     parser.add_argument("--only")
+    parser.add_argument("--all", action="store_true")
     options = parser.parse_args()
     vectors = []
     for path in sorted(Path(options.vectors).glob("*.jsonl")):
