@@ -68,6 +68,22 @@ std::vector<double> sampled(const Question& q, const Scene<double>& scene, const
     return x;
 }
 
+// The motion of a question's system. Questions about one system come one after the other: the motion of the last one is kept.
+const Solution& motion_of(const Question& q, const Scene<double>& scene) {
+    thread_local std::string kept_for;
+    thread_local std::optional<Solution> kept;
+    Question of_system = q;
+    of_system.id = of_system.quantity = "any";
+    of_system.mass = of_system.samples = 0;
+    of_system.tau = 0;
+    const std::string system = question_plain(of_system);
+    if (!kept || system != kept_for) {
+        kept = solve(scene_source(scene), {Asked::motion, digits_asked, false});
+        kept_for = system;
+    }
+    return *kept;
+}
+
 // The steady motion in any regime.
 std::optional<Value> of_motion(const Question& q) {
     const Scene<double> scene = scene_of<double>(q);
@@ -76,7 +92,7 @@ std::optional<Value> of_motion(const Question& q) {
         const Regime regime = solve(scene_source(scene), {Asked::regime, digits_asked, false}).regime.regime;
         return Value{{}, std::string(denhartog::name(regime))};
     }
-    const Solution solution = solve(scene_source(scene), {Asked::motion, digits_asked, false});
+    const Solution& solution = motion_of(q, scene);
     if (solution.periods != 1) return std::nullopt;
     if (name == "rest_interval")
         return solution.rest_interval ? std::optional(Value{{solution.rest_interval->to.value}, ""}) : std::nullopt;
