@@ -74,6 +74,11 @@ std::vector<Mistake> known_mistakes() {
     return known;
 }
 
+// One program in so many is asked: all of them in the preset `sweeps`, and to write the tables.
+std::size_t one_in() {
+    return std::getenv("DENHARTOG_SWEEPS") != nullptr || std::getenv("DENHARTOG_WRITE_PAGES") != nullptr ? 1 : 3;
+}
+
 struct Program {
     std::string rule, told;
     std::vector<std::string> allowed; // names that it may get; the first it has to get
@@ -109,28 +114,31 @@ bool is_wrong_there(const std::string& name, const Vector& v) {
 const std::vector<Program>& programs() {
     static const std::vector<Program> all = [] {
         std::vector<Program> made;
+        std::size_t number = 0;
+        const auto add = [&](const std::string& rule, const std::string& told, const std::vector<std::string>& allowed,
+                             bool second_half, const auto& answering) {
+            if (number++ % one_in() == 0) made.push_back(program(rule, told, allowed, second_half, answering));
+        };
         const std::vector<Mistake> known = known_mistakes();
         for (std::size_t n = 0; n < known.size(); ++n)
-            made.push_back(program("a known mistake", known[n].name, {known[n].name}, n % 2 == 1,
-                                   [&](const Vector& v) { return known_answer(known[n].name, v); }));
+            add("a known mistake", known[n].name, {known[n].name}, n % 2 == 1,
+                [&](const Vector& v) { return known_answer(known[n].name, v); });
         // Two known ones in different functions of a program: the second where it makes a difference.
         for (std::size_t n = 0; n + 7 < known.size(); n += 3) {
             const std::string &a = known[n].name, &b = known[n + 7].name;
-            made.push_back(program("two known ones", a + "; " + b, {"", a, b}, n % 2 == 1, [&](const Vector& v) {
-                return is_wrong_there(b, v) ? known_answer(b, v) : known_answer(a, v);
-            }));
+            add("two known ones", a + "; " + b, {"", a, b}, n % 2 == 1,
+                [&](const Vector& v) { return is_wrong_there(b, v) ? known_answer(b, v) : known_answer(a, v); });
         }
         // The second half has numbers of its own, drawn after the thresholds were chosen.
         std::vector<UnknownMistake> unknown = unknown_mistakes(2022);
         const std::vector<UnknownMistake> drawn_later = unknown_mistakes(20261123);
         for (std::size_t n = 1; n < unknown.size(); n += 2) unknown[n] = drawn_later[n];
         for (std::size_t n = 0; n < unknown.size(); ++n)
-            made.push_back(program(unknown[n].rule, unknown[n].told, {}, n % 2 == 1,
-                                   [&](const Vector& v) { return answer_of(unknown[n], v.question); }));
+            add(unknown[n].rule, unknown[n].told, {}, n % 2 == 1,
+                [&](const Vector& v) { return answer_of(unknown[n], v.question); });
         for (std::size_t n = 0; n + 11 < unknown.size(); n += 3) {
             const UnknownMistake pair = both(unknown[n], unknown[n + 11]);
-            made.push_back(
-                program(pair.rule, pair.told, {}, n / 3 % 2 == 1, [&](const Vector& v) { return answer_of(pair, v.question); }));
+            add(pair.rule, pair.told, {}, n / 3 % 2 == 1, [&](const Vector& v) { return answer_of(pair, v.question); });
         }
         return made;
     }();
@@ -230,15 +238,22 @@ std::string confusion_text(const std::vector<Outcome>& outcomes) {
     return text;
 }
 
-std::string unknown_text(const std::vector<Outcome>& outcomes) {
-    std::string text =
-        "| rule | mistake | wrong answers | name | first wrong | simple explanation |\n|---|---|--:|---|---|---|\n";
+// A row for each program with a mistake that is not known.
+std::vector<std::string> unknown_rows(const std::vector<Outcome>& outcomes) {
+    std::vector<std::string> rows;
     for (std::size_t n = 0; n < outcomes.size(); ++n) {
         const Program& p = programs()[n];
         if (!p.allowed.empty()) continue;
-        text += "| " + p.rule + " | " + p.told + " | " + cell(outcomes[n].wrong) + " | " + joined(outcomes[n].names) + " | " +
-                outcomes[n].first_wrong + " | " + outcomes[n].simple + " |\n";
+        rows.push_back("| " + p.rule + " | " + p.told + " | " + cell(outcomes[n].wrong) + " | " + joined(outcomes[n].names) +
+                       " | " + outcomes[n].first_wrong + " | " + outcomes[n].simple + " |\n");
     }
+    return rows;
+}
+
+std::string unknown_text(const std::vector<Outcome>& outcomes) {
+    std::string text =
+        "| rule | mistake | wrong answers | name | first wrong | simple explanation |\n|---|---|--:|---|---|---|\n";
+    for (const std::string& row : unknown_rows(outcomes)) text += row;
     return text;
 }
 
@@ -274,7 +289,7 @@ TEST_CASE("no mistake that is not known gets a name, nor a pair of them, and kno
         CHECK_FALSE(o.first_wrong.empty());
         unknown += p.rule != "two of them";
     }
-    CHECK(unknown >= 60);
+    CHECK(unknown >= 60 / one_in());
 }
 
 TEST_CASE("a mistake in one input is guessed from the answers", "[conformance][diagnosis][names]") {
@@ -286,10 +301,11 @@ TEST_CASE("a mistake in one input is guessed from the answers", "[conformance][d
         const std::string factor = p.told.substr(p.told.rfind(' ') + 1, 4);
         guessed += outcomes()[n].simple.find(factor) != std::string::npos;
     }
-    CHECK(scaled >= 12);
-    CHECK(guessed + 2 >= scaled);
+    CHECK(scaled >= 12 / one_in());
+    CHECK(guessed + 2 / one_in() >= scaled);
 }
 
+// Where not all programs are asked: the rows of those that are.
 TEST_CASE("the page on the diagnosis has the tables of this run", "[conformance][diagnosis][names]") {
     const std::filesystem::path page = std::filesystem::path(std::getenv("DENHARTOG_SOURCE_DIR")) / "docs" / "diagnosis.md";
     std::ifstream file(page);
@@ -302,7 +318,9 @@ TEST_CASE("the page on the diagnosis has the tables of this run", "[conformance]
     if (std::getenv("DENHARTOG_WRITE_PAGES") != nullptr) {
         text.replace(from + start.size(), written.size(), tables());
         std::ofstream(page) << text;
-    } else {
+    } else if (one_in() == 1) {
         CHECK(written == tables());
+    } else {
+        for (const std::string& row : unknown_rows(outcomes())) CHECK(written.find("\n" + row) != std::string::npos);
     }
 }
