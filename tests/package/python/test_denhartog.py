@@ -238,6 +238,8 @@ class InPython(unittest.TestCase):
 
     def test_an_interruption_ends_a_map(self):
         system = System(**CHAIN)
+        # A process in the background of a shell ignores the interruption, and Python then leaves it so.
+        self.addCleanup(signal.signal, signal.SIGINT, signal.signal(signal.SIGINT, signal.default_int_handler))
         threading.Timer(0.2, os.kill, (os.getpid(), signal.SIGINT)).start()
         with self.assertRaises(KeyboardInterrupt):
             system.map(np.linspace(0.05, 3, 20000), np.linspace(0, 1, 500))
