@@ -11,7 +11,7 @@ using GiNaC::lst;
 
 namespace {
 
-constexpr long every_reduced = 4; // of the operations, those whose twins are reduced as well, and not refuted by values alone
+constexpr long every_reduced = 16; // of the operations, those whose twins are reduced as well, and not refuted by values alone
 
 /// Whether some component has another value than the derived one, where it has one.
 bool differs(const Values& kernel, const std::vector<ex>& derived, const std::vector<ex>& real) {
