@@ -118,6 +118,31 @@ TEST_CASE("a search works on what is above the error of its samples and no furth
     CHECK(best.places[0].to - best.places[0].from <= 3.0 / 8); // one of the first intervals: noise hides all within it
 }
 
+TEST_CASE("a stretch that may be as high as the highest is looked into 256 times at most", "[maximum][effort]") {
+    // Flat, its slope of a sign that no search foresees: no interval holds a larger value, and none becomes monotone.
+    long samples = 0;
+    const Curve<double> flat = smooth<double>(
+        [&](double) {
+            ++samples;
+            return 1;
+        },
+        [](double t) { return 1e-9 * std::sin(1e12 * t * t); }, [](double) { return 0; }, 1e-9);
+    Effort effort{1'000'000};
+    const Maximum<double> best = global_maximum(flat, 0.0, 3.0, 1e-6, &effort);
+    CHECK(best.settled);
+    CHECK(best.upper >= 1);
+    CHECK(best.upper <= 1 + 4e-6);
+    CHECK(effort.spent == samples);
+    CHECK(samples > 2 * 256);
+    CHECK(samples <= 2 * 256 + 50);
+    REQUIRE(best.places.size() == 1);
+    CHECK(best.places[0].from == 0);
+    CHECK(best.places[0].to == 3);
+    Effort little{200};
+    CHECK(global_maximum(flat, 0.0, 3.0, 1e-6, &little).settled);
+    CHECK(little.spent <= 202);
+}
+
 TEST_CASE("maxima that the samples do not tell apart are all listed", "[maximum]") {
     const Curve<double> curve =
         smooth<double>([](double t) { return std::cos(6 * t); }, [](double t) { return -6 * std::sin(6 * t); },
