@@ -305,7 +305,7 @@ TEST_CASE("a mistake in one input is guessed from the answers", "[conformance][d
     CHECK(guessed + 2 / one_in() >= scaled);
 }
 
-// Where not all programs are asked: the rows of those that are.
+// If not all programs are asked, the page must have the rows of those that are.
 TEST_CASE("the page on the diagnosis has the tables of this run", "[conformance][diagnosis][names]") {
     const std::filesystem::path page = std::filesystem::path(std::getenv("DENHARTOG_SOURCE_DIR")) / "docs" / "diagnosis.md";
     std::ifstream file(page);
