@@ -1,4 +1,4 @@
-# What the three engines' tests share: a study, its results on one machine, and what must hold after a worker was killed.
+# What the engines' tests share: a study, its results on one machine, and what must hold after a worker was killed.
 # Sourced with the program as first argument. Needs no network but the loopback.
 set -euo pipefail
 export LC_ALL=C.UTF-8
@@ -13,15 +13,9 @@ finish() {
 }
 trap finish EXIT
 
-skip() {
-    echo "skipped: $*"
-    exit 77
-}
-
 say() { echo "$(date +%T) $*"; }
 
-# needs COMMAND PACKAGE
-needs() { command -v "$1" >/dev/null || skip "$1 is missing (Debian package $2)"; }
+free_port() { /usr/bin/env python3 -c 'import socket; s = socket.socket(); s.bind(("127.0.0.1", 0)); print(s.getsockname()[1])'; }
 
 # Eight chunks of half a second or so, each with a part in a reduction.
 cat >"$scratch/study.json" <<'STUDY'
@@ -41,12 +35,12 @@ chunks=8
 "$program" sweep run "$scratch/one" --all >/dev/null
 "$program" sweep merge "$scratch/one" --to "$scratch/one.nc" >/dev/null
 
-# What the engine runs in place of the program: the same, but the first to come (in Slurm: on node two) is stopped in the middle
-# of its chunk.
+# What the engine runs in place of the program: the same, but the first to come (where there are nodes: on node two) is stopped in the
+# middle of its chunk.
 cat >"$scratch/worker" <<WORKER
 #!/bin/bash
 "$program" "\$@" &
-if [ "\${SLURMD_NODENAME:-two}" = two ] && mkdir "$scratch/victim" 2>/dev/null; then
+if [ "\${SLURMD_NODENAME:-\${NODE:-two}}" = two ] && mkdir "$scratch/victim" 2>/dev/null; then
     sleep 0.1
     kill -STOP \$!
     echo "\$! \$\$ \${!#}" >"$scratch/victim/new" && mv "$scratch/victim/new" "$scratch/victim/who"
