@@ -2,8 +2,10 @@
 
 #include <cmath>
 
+#include "denhartog/evaluation/driven_motion.hpp"
+#include "denhartog/model/coupled_motion.hpp"
 #include "denhartog/number/errors.hpp"
-#include "denhartog/number/number.hpp"
+#include "denhartog/number/multiprecision.hpp"
 #include "tests/catch.hpp"
 #include "tests/support/half_period.hpp"
 #include "tests/support/scene_builder.hpp"
@@ -50,6 +52,62 @@ Energy energy_of(ExactSolver<double>& solver, const ExactMotion<double>& run, co
     e.gain = stored(motion.end) - stored(solver.state_at(0, motion.phases.front().start));
     e.size = stored(motion.end) + std::abs(e.work);
     return e;
+}
+
+// Two oscillators that do not feel each other, R = 0.25, zeta = 0.0625 and R = 2, zeta = 0.5, in coordinates that mix them.
+template <class T>
+struct MixedOscillators {
+    std::vector<T> R{T(0.25), T(2)}, zeta{T(0.0625), T(0.5)};
+    Matrix<T> mixing = Matrix<T>::Identity(4, 4), A = Matrix<T>::Zero(4, 4);
+
+    MixedOscillators() {
+        mixing(0, 1) = mixing(2, 3) = T(0.5); // x = mixing y; its inverse has -0.5 there
+        Matrix<T> back = Matrix<T>::Identity(4, 4), apart = Matrix<T>::Zero(4, 4);
+        back(0, 1) = back(2, 3) = T(-0.5);
+        for (Eigen::Index i = 0; i < 2; ++i) {
+            const T& each = R[static_cast<std::size_t>(i)];
+            apart(i, 2 + i) = T(1);
+            apart(2 + i, i) = -1 / (each * each);
+            apart(2 + i, 2 + i) = -2 * zeta[static_cast<std::size_t>(i)] / each;
+        }
+        A = mixing * apart * back;
+    }
+
+    // By the closed form of each oscillator from y = (1, -2), y' = (0.5, 0.25).
+    Column<T> closed_form(const T& t) const {
+        const T start[4] = {T(1), T(-2), T(0.5), T(0.25)};
+        Column<T> y(4);
+        for (std::size_t i = 0; i < 2; ++i) {
+            const evaluation::FreeMotion<T> free = evaluation::free_motion(t, R[i], zeta[i]);
+            const auto row = static_cast<Eigen::Index>(i);
+            y(row) = start[i] * free.d + start[2 + i] * R[i] * free.q;
+            y(2 + row) = start[i] * free.d_prime + start[2 + i] * R[i] * free.q_prime;
+        }
+        return mixing * y;
+    }
+
+    Column<T> start() const {
+        Column<T> y(4);
+        y << T(1), T(-2), T(0.5), T(0.25);
+        return mixing * y;
+    }
+};
+
+template <class T>
+void check_coupled_motion(const T& unit) {
+    const MixedOscillators<T> mixed;
+    for (const auto asked : {CoupledMotion<T>::Asked::instants_of_one_start, CoupledMotion<T>::Asked::many_starts}) {
+        CoupledMotion<T> motion(mixed.A, T(4.5), asked, nullptr);
+        motion.start(mixed.start());
+        for (const double t : {0.0, 0.001, 0.3, 0.31, 2.5, 0.3, 7.0, 40.0}) {
+            INFO("t = " << t << ", many starts: " << (asked == CoupledMotion<T>::Asked::many_starts));
+            const Column<T> expected = mixed.closed_form(T(t)), found = motion.at(T(t));
+            const Matrix<T> carried = motion.carried(T(t), Matrix<T>(mixed.start()));
+            const T allowed = 64 * (1 + T(t) * T(4.5)) * unit;
+            CHECK((found - expected).cwiseAbs().maxCoeff() <= allowed);
+            CHECK((carried.col(0) - expected).cwiseAbs().maxCoeff() <= allowed);
+        }
+    }
 }
 
 } // namespace
@@ -167,4 +225,20 @@ TEST_CASE("the exact solver names the quantity, the rule and the value of bad in
     CHECK_THROWS_AS(Solver(system, {std::nan(""), 0.2, 1.0}), InputError);
     Solver solver(system, {1.0, 0.2, 1.0});
     CHECK_THROWS_AS(solver.run(at_rest<double>(2), 0.0, 1.0), InputError);
+}
+
+TEST_CASE("coupled coordinates move as the oscillators do that they mix, with short steps and with long ones",
+          "[model][coupled_damping]") {
+    check_coupled_motion<double>(0x1p-53);
+    check_coupled_motion<Real50>(std::numeric_limits<Real50>::epsilon() / 2);
+}
+
+TEST_CASE("the products that coupled motions form are paid for, and end where nothing is left to pay", "[model][effort]") {
+    const MixedOscillators<Real50> mixed;
+    Effort allowed{100};
+    Effort* const paying = &allowed;
+    CoupledMotion<Real50> motion(mixed.A, Real50(4.5), CoupledMotion<Real50>::Asked::many_starts, &paying);
+    CHECK_THROWS_AS(motion.carried(Real50(40), Matrix<Real50>(Matrix<Real50>::Identity(4, 4))), PrecisionError);
+    CHECK(allowed.spent > 100);
+    CHECK(allowed.spent < 300); // a product more than was allowed, and no further
 }

@@ -11,24 +11,29 @@ namespace denhartog {
 namespace {
 
 constexpr int most_terms = 200;
-constexpr std::uint64_t most_single_steps = 16;
-constexpr std::size_t most_series = 64; // kept at a time
+constexpr std::uint64_t most_single_steps = 16; // without the exponentials, which are dear
+constexpr int parts_of_a_step = 16;             // for many starts
+constexpr std::size_t most_series = 64;         // kept at a time
 
 template <class T>
-Column<T> sum_of(const Matrix<T>& terms, const T& s) {
-    Column<T> sum = terms.col(terms.cols() - 1);
-    for (Eigen::Index k = terms.cols() - 2; k >= 0; --k) sum = terms.col(k) + s * sum;
+Column<T> sum_of(const PowerSeries<T>& series, const T& s) {
+    Column<T> sum = series.terms.col(series.count - 1);
+    for (Eigen::Index k = series.count - 2; k >= 0; --k) {
+        const T* const term = series.terms.col(k).data();
+        for (Eigen::Index i = 0; i < sum.size(); ++i) sum(i) = term[i] + s * sum(i);
+    }
     return sum;
 }
 
 } // namespace
 
 template <class T>
-CoupledMotion<T>::CoupledMotion(Matrix<T> A, const T& rate, Effort* const* effort)
-    : A_(std::move(A)), rate_(rate), effort_(effort) {
-    for (Eigen::Index row = 0; row < A_.rows(); ++row) {
-        for (Eigen::Index column = 0; column < A_.cols(); ++column)
-            if (A_(row, column) != 0) entries_.push_back({column, A_(row, column)});
+CoupledMotion<T>::CoupledMotion(const Matrix<T>& A, const T& rate, Asked asked, Effort* const* effort)
+    : rate_(asked == Asked::many_starts ? parts_of_a_step * rate : rate),
+      single_steps_(asked == Asked::many_starts ? 0 : most_single_steps), effort_(effort) {
+    for (Eigen::Index row = 0; row < A.rows(); ++row) {
+        for (Eigen::Index column = 0; column < A.cols(); ++column)
+            if (A(row, column) != 0) entries_.push_back({column, A(row, column)});
         ends_.push_back(entries_.size());
     }
 }
@@ -51,27 +56,45 @@ Matrix<T> CoupledMotion<T>::carried(const T& t, Matrix<T> z) {
     const std::optional<std::uint64_t> n = steps_in(t);
     if (!n) return z * std::numeric_limits<T>::quiet_NaN();
     leap_over(*n, z);
-    return z + growth(A_ * T(part_after(*n, t) / rate_), z);
+    const T s = part_after(*n, t) / rate_;
+    std::vector<T> scaled;
+    scaled.reserve(entries_.size());
+    for (const Entry& entry : entries_) scaled.push_back(entry.value * s);
+    return z + growth(scaled, z);
 }
 
-// A product of the system with some columns is to be formed.
+// So many products of two numbers are to be formed.
 template <class T>
-void CoupledMotion<T>::spend_product(Eigen::Index columns) const {
+void CoupledMotion<T>::spend_products(Eigen::Index count) const {
     if (effort_ == nullptr) return;
-    (*effort_)->spend(cost_of_products<T>(static_cast<long>(A_.size() * columns)));
+    (*effort_)->spend(cost_of_products<T>(static_cast<long>(count)));
     if ((*effort_)->exhausted()) throw PrecisionError((*effort_)->ending());
 }
 
-// exp(B) z - z by its series; no entry of B is much larger than 1 once its rows are scaled.
+// exp(B) z - z by its series, where B has the given entries in the places of A's. No entry of B is much larger than 1 once its
+// rows are scaled.
 template <class T>
-Matrix<T> CoupledMotion<T>::growth(const Matrix<T>& B, Matrix<T> z) const {
-    Matrix<T> sum = Matrix<T>::Zero(z.rows(), z.cols());
-    for (int k = 1; k <= most_terms; ++k) {
-        spend_product(z.cols());
-        z = product(B, z) / T(k);
-        Matrix<T> next = sum + z;
-        if (next == sum) break;
-        sum.swap(next);
+Matrix<T> CoupledMotion<T>::growth(const std::vector<T>& entries, Matrix<T> z) const {
+    Matrix<T> sum = Matrix<T>::Zero(z.rows(), z.cols()), next(z.rows(), z.cols());
+    bool grows = true;
+    for (int k = 1; grows && k <= most_terms; ++k) {
+        spend_products(static_cast<Eigen::Index>(entries_.size()) * z.cols());
+        const T inverse = 1 / T(k);
+        grows = false;
+        for (Eigen::Index column = 0; column < z.cols(); ++column) {
+            const T* const before = z.col(column).data();
+            T* const after = next.col(column).data();
+            T* const known = sum.col(column).data();
+            for (std::size_t row = 0, entry = 0; row < ends_.size(); ++row) {
+                T each(0);
+                for (; entry < ends_[row]; ++entry) each += entries[entry] * before[entries_[entry].column];
+                after[row] = each * inverse;
+                const T grown = known[row] + after[row];
+                grows = grows || grown != known[row];
+                known[row] = grown;
+            }
+        }
+        z.swap(next);
     }
     return sum;
 }
@@ -79,7 +102,7 @@ Matrix<T> CoupledMotion<T>::growth(const Matrix<T>& B, Matrix<T> z) const {
 // From exp(B) less the identity the same of 2 B.
 template <class T>
 Matrix<T> CoupledMotion<T>::doubled(const Matrix<T>& grown) const {
-    spend_product(A_.cols());
+    spend_products(rows() * rows() * rows());
     return product(grown, grown) + T(2) * grown;
 }
 
@@ -88,8 +111,9 @@ template <class T>
 const Matrix<T>& CoupledMotion<T>::leap(std::size_t k) {
     constexpr int doublings = std::numeric_limits<T>::digits / 32;
     if (leaps_.empty()) {
-        const Matrix<T> part = A_ / T(rate_ * (1 << doublings));
-        Matrix<T> grown = growth(part, Matrix<T>::Identity(A_.rows(), A_.cols()));
+        std::vector<T> part;
+        for (const Entry& entry : entries_) part.push_back(entry.value / T(rate_ * (1 << doublings)));
+        Matrix<T> grown = growth(part, Matrix<T>::Identity(rows(), rows()));
         for (int n = 0; n < doublings; ++n) grown = doubled(grown);
         leaps_.push_back(std::move(grown));
     }
@@ -120,7 +144,7 @@ void CoupledMotion<T>::leap_over(std::uint64_t n, Numbers& z) {
 
 // The terms of exp(A s / rate) z for s up to 1, a column each, as many as s = 1 needs.
 template <class T>
-Matrix<T> CoupledMotion<T>::terms_from(const Column<T>& z) const {
+PowerSeries<T> CoupledMotion<T>::terms_from(const Column<T>& z) const {
     constexpr Eigen::Index first_room = 32;
     Matrix<T> terms(z.size(), first_room);
     terms.col(0) = z;
@@ -128,14 +152,14 @@ Matrix<T> CoupledMotion<T>::terms_from(const Column<T>& z) const {
     Eigen::Index k = 1;
     for (bool grows = true; grows && k <= most_terms; ++k) {
         if (k == terms.cols()) terms.conservativeResize(Eigen::NoChange, 2 * k);
-        const T divisor(static_cast<int>(k) * rate_);
+        const T inverse = 1 / (static_cast<int>(k) * rate_);
         const T* const before = terms.col(k - 1).data();
         T* const term = terms.col(k).data();
         grows = false;
         for (std::size_t i = 0, entry = 0; i < ends_.size(); ++i) {
             T each(0);
             for (; entry < ends_[i]; ++entry) each += entries_[entry].value * before[entries_[entry].column];
-            each /= divisor;
+            each *= inverse;
             term[i] = each;
             T& known = sum(static_cast<Eigen::Index>(i));
             const T next = known + each;
@@ -143,17 +167,16 @@ Matrix<T> CoupledMotion<T>::terms_from(const Column<T>& z) const {
             known = next;
         }
     }
-    terms.conservativeResize(Eigen::NoChange, k);
-    return terms;
+    return {std::move(terms), k};
 }
 
-// The series over the step after n of them: the first few step by step, without the exponentials, which are dear.
+// The series over the step after n of them.
 template <class T>
-const Matrix<T>& CoupledMotion<T>::series_after(std::uint64_t n) {
+const PowerSeries<T>& CoupledMotion<T>::series_after(std::uint64_t n) {
     const auto known = series_.find(n);
     if (known != series_.end()) return known->second;
     if (series_.size() >= most_series) series_.clear();
-    if (n == 0 || n > most_single_steps) {
+    if (n == 0 || n > single_steps_) {
         Column<T> z = state_;
         leap_over(n, z);
         return series_.emplace(n, terms_from(z)).first->second;

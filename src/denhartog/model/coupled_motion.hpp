@@ -1,9 +1,10 @@
 /// @file
 /// @brief A linear system \f$ z' = A z \f$ from a start, at any instants in any order.
 ///
-/// The state is carried by exponentials of the system over \f$ 2^k \f$ times a step that is one over its largest rate: the work
-/// grows as the logarithm of rate times time. Each exponential is kept less the identity, so that slow motions keep their digits
-/// beside fast ones. Within a step the state is a power series in time, kept for other instants.
+/// The state is carried by exponentials of the system over \f$ 2^k \f$ times a step: the work grows as the logarithm of rate times
+/// time. Each exponential is kept less the identity, so that slow motions keep their digits beside fast ones. Within a step the
+/// state is a power series in time, kept for other instants. A step is one over the largest rate where many instants of one start
+/// are asked; where many starts have a few instants each, it is a part of that, whose series is shorter.
 #pragma once
 
 #include <cstdint>
@@ -17,15 +18,29 @@
 
 namespace denhartog {
 
+/// @brief A power series in a part of a step.
+template <class T>
+struct PowerSeries {
+    Matrix<T> terms;    ///< a column for each power, and some that are not used
+    Eigen::Index count; ///< columns in use
+};
+
 /// @brief The motion of a linear system.
 template <class T>
 class CoupledMotion {
 public:
+    /// @brief What is asked most often.
+    enum class Asked : std::uint8_t {
+        instants_of_one_start, ///< many instants of one start
+        many_starts            ///< a few instants of many starts
+    };
+
     CoupledMotion() = default;
     /// @param A       the system
     /// @param rate    no rate of it is faster: its entries over it are not much larger than 1 once its rows are scaled
+    /// @param asked   what is asked of it
     /// @param effort  what its exponentials spend; null: nothing
-    CoupledMotion(Matrix<T> A, const T& rate, Effort* const* effort);
+    CoupledMotion(const Matrix<T>& A, const T& rate, Asked asked, Effort* const* effort);
 
     /// @brief Starts at t = 0. @param z the state
     void start(Column<T> z);
@@ -38,16 +53,17 @@ public:
     Matrix<T> carried(const T& t, Matrix<T> z);
 
 private:
-    void spend_product(Eigen::Index columns) const;
-    [[nodiscard]] Matrix<T> growth(const Matrix<T>& B, Matrix<T> z) const;
+    [[nodiscard]] Eigen::Index rows() const { return static_cast<Eigen::Index>(ends_.size()); }
+    void spend_products(Eigen::Index count) const;
+    [[nodiscard]] Matrix<T> growth(const std::vector<T>& entries, Matrix<T> z) const;
     [[nodiscard]] Matrix<T> doubled(const Matrix<T>& grown) const;
     const Matrix<T>& leap(std::size_t k);
     [[nodiscard]] std::optional<std::uint64_t> steps_in(const T& t) const;
     [[nodiscard]] T part_after(std::uint64_t n, const T& t) const;
     template <class Numbers>
     void leap_over(std::uint64_t n, Numbers& z);
-    [[nodiscard]] Matrix<T> terms_from(const Column<T>& z) const;
-    const Matrix<T>& series_after(std::uint64_t n);
+    [[nodiscard]] PowerSeries<T> terms_from(const Column<T>& z) const;
+    const PowerSeries<T>& series_after(std::uint64_t n);
 
     // An entry of a row that is not zero. Most entries are zero: half of the rows say that a velocity is one.
     struct Entry {
@@ -55,14 +71,14 @@ private:
         T value;
     };
 
-    Matrix<T> A_;
-    std::vector<Entry> entries_;    // row by row
-    std::vector<std::size_t> ends_; // of each row in them
-    T rate_ = T(1);
+    std::vector<Entry> entries_;     // of A, row by row
+    std::vector<std::size_t> ends_;  // of each row in them
+    T rate_ = T(1);                  // steps a unit of time
+    std::uint64_t single_steps_ = 0; // so many are made one by one
     Effort* const* effort_ = nullptr;
-    Column<T> state_;                           // at the start
-    std::vector<Matrix<T>> leaps_;              // as `leap` has them
-    std::map<std::uint64_t, Matrix<T>> series_; // as `series_after` has them
+    Column<T> state_;                                // at the start
+    std::vector<Matrix<T>> leaps_;                   // as `leap` has them
+    std::map<std::uint64_t, PowerSeries<T>> series_; // as `series_after` has them
 };
 
 } // namespace denhartog

@@ -208,7 +208,7 @@ private:
         A(2 * n, 2 * n + 1) = T(-1);
         A(2 * n + 1, 2 * n) = T(1);
         rate += D.cwiseAbs().rowwise().sum().maxCoeff();
-        together_ = CoupledMotion<T>(std::move(A), rate, effort);
+        together_ = CoupledMotion<T>(A, rate, CoupledMotion<T>::Asked::many_starts, effort);
     }
 
     T tau_0_, cos_tau_, sin_tau_;

@@ -162,7 +162,7 @@ void CoupledFriction<T>::set_coordinates(const System<T>& system, const T& r) {
 
 template <class T>
 void CoupledFriction<T>::set_motion() {
-    motion_ = CoupledMotion<T>(A_, std::max(T(1), size_of_A_), nullptr);
+    motion_ = CoupledMotion<T>(A_, std::max(T(1), size_of_A_), CoupledMotion<T>::Asked::instants_of_one_start, nullptr);
 }
 
 template <class T>
