@@ -1,10 +1,12 @@
 // Scenes on which a search would run on without end: each ends within its budget, counted in operations, and says what is
 // certain.
+#include <atomic>
 #include <cmath>
 #include <cstdio>
 #include <limits>
 #include <random>
 
+#include "denhartog/map/regime_map.hpp"
 #include "denhartog/number/number.hpp"
 #include "denhartog/sliding/invariant_points.hpp"
 #include "denhartog/solve/solve.hpp"
@@ -219,4 +221,22 @@ TEST_CASE("everyday questions cost no more operations than they were seen to", "
         CHECK(effort.spent() <= each.operations);
         CHECK(phases_propagated() - phases <= each.phases);
     }
+}
+
+TEST_CASE("a map at mu > 1 follows its motions over no more phases than it was seen to", "[effort][map]") {
+    Scene<double> scene;
+    scene.system = equal_chain<double>(5, 2, 5, std::vector<double>(5, 0.02));
+    scene.mu = 1.15;
+    MapRequest grid{{0.5, 0.9, 1.7}, {}, {Mass{1}}, MapStart::sliding, 1};
+    for (int n = 1; n <= 50; ++n) grid.beta.push_back(n / 20.0);
+    const std::atomic<bool> never{false};
+    const long before = phases_propagated();
+    const RegimeMap map = regime_map(scene, grid, never);
+    const long phases = phases_propagated() - before;
+    int met[3] = {0, 0, 0};
+    for (const MapPoint& point : map.points)
+        if (point.status == PointStatus::answered) ++met[static_cast<int>(point.regime)];
+    INFO(phases << " phases; " << met[0] << " slide, " << met[1] << " stop, " << met[2] << " rest");
+    CHECK(met[1] > 10);
+    CHECK(phases <= 1223); // counted when this was written
 }

@@ -20,13 +20,32 @@ namespace {
 
 constexpr double least_accuracy = 1e-6; // relative to an amplitude: what has less is left to `solve`
 
+// A periodic orbit by its state at tau = 0, with its friction ratio.
+struct Orbit {
+    State<double> start;
+    double beta;
+};
+
+// None far from both.
+std::optional<State<double>> on_line_through(const Orbit& a, const Orbit& b, double beta) {
+    const double part = (beta - b.beta) / (b.beta - a.beta);
+    if (!(std::abs(part) <= 2)) return std::nullopt;
+    State<double> z = b.start;
+    for (std::size_t k = 0; k < z.x.size(); ++k) {
+        z.x[k] += part * (b.start.x[k] - a.start.x[k]);
+        z.x_prime[k] += part * (b.start.x_prime[k] - a.start.x_prime[k]);
+    }
+    return z;
+}
+
 class MapColumn {
 public:
     MapColumn(const MapSystem& map_, double r_, const std::optional<ContactColumn>& arrays, std::span<MapPoint> points_,
               std::span<double> amplitudes_)
         : map(map_), r(r_), by_arrays(arrays.has_value()), column(arrays ? *arrays : evaluated()), points(points_),
           amplitudes(amplitudes_),
-          contact_alone(std::ranges::all_of(map.masses, [&](Mass k) { return k == map.system().contact; })) {}
+          contact_alone(std::ranges::all_of(map.masses, [&](Mass k) { return k == map.system().contact; })),
+          damped(every_motion_is_damped(map.system().basis)) {}
 
     // The point in double; by `solve`, where the bounds do not tell the regime or leave an amplitude too few digits. Where
     // `solve` finds no more, the point is next to a boundary and has the numbers that double has.
@@ -152,17 +171,21 @@ private:
         return true;
     }
 
-    // From the motion at the friction ratio before; where that leads nowhere, from rest.
+    // From the motion at the friction ratio before; where that leads nowhere, from rest. On the line through the motions at the
+    // two ratios before there is one that Newton's method comes from in fewer steps.
     bool sweep(std::size_t n) {
         if (!last && sliding) {
             const ModeSums<double> here = values_of(sums());
-            last = at_maximum_of_force(here, steady_state_without_maxima(here, map.beta[*sliding]));
+            last = Orbit{at_maximum_of_force(here, steady_state_without_maxima(here, map.beta[*sliding])), map.beta[*sliding]};
+            before_last.reset();
         }
-        if (last && follow(n, *last) && points[n].status == PointStatus::answered) return true;
+        std::optional<State<double>> ahead;
+        if (last && before_last) ahead = on_line_through(*before_last, *last, map.beta[n]);
+        if (last && follow(n, last->start, ahead ? &*ahead : nullptr) && points[n].status == PointStatus::answered) return true;
         return follow(n, at_rest<double>(map.system().basis.r_n.size()));
     }
 
-    bool follow(std::size_t n, const State<double>& start) {
+    bool follow(std::size_t n, const State<double>& start, const State<double>* guess = nullptr) {
         const Excitation<double> excitation{r, map.beta[n], map.mu};
         if (solver)
             solver->set(excitation);
@@ -172,6 +195,7 @@ private:
         search.follow_start = map.mu > 1 && map.start == MapStart::rest;
         search.contact_only = contact_alone;
         search.with_stability = false;
+        search.guess = guess;
         const PeriodicOrbit<double> orbit = periodic_orbit(*solver, start, search);
         if (orbit.status == OrbitStatus::permanently_stuck && map.mu > 1) return is_told(n) && stick(n);
         points[n].status = PointStatus::not_converged;
@@ -180,10 +204,12 @@ private:
             return Bounded<double>(contact_alone ? orbit.contact.amplitude : orbit.masses[k].amplitude, orbit.error_bound);
         };
         if (!is_told(n) || !write(n, number)) return false;
-        // With mu = 1 the boundary tells the regime, also where it is so near that no stop is seen.
-        const Regime regime = orbit.stops.empty() && map.mu > 1 ? Regime::continuous : Regime::stick_slip;
-        points[n] = {PointStatus::answered, regime, static_cast<std::int32_t>(orbit.stops.size()), orbit.periods};
-        last = orbit.start;
+        // A damped motion without stops is the closed form's: beyond the boundary there are stops, if none that is long enough to be
+        // seen. With mu = 1 the boundary tells the regime anyway.
+        const bool stops = !orbit.stops.empty() || (!slides(map.beta[n]) && (map.mu == 1 || damped));
+        points[n] = {PointStatus::answered, stops ? Regime::stick_slip : Regime::continuous,
+                     static_cast<std::int32_t>(orbit.stops.size()), orbit.periods};
+        before_last = std::exchange(last, Orbit{orbit.start, map.beta[n]});
         return true;
     }
 
@@ -210,9 +236,10 @@ private:
     std::span<MapPoint> points;
     std::span<double> amplitudes;
     bool contact_alone;
+    bool damped;                               // every motion
     bool is_near = false;                      // whether the point is taken as double has it
     std::optional<std::size_t> sliding;        // the last point where the closed form answered
-    std::optional<State<double>> last;         // the last periodic orbit
+    std::optional<Orbit> last, before_last;    // the last periodic orbits, that of sliding among them
     std::optional<HeldSolution> held;          // found when it is first needed
     std::optional<ExactSolver<double>> solver; // set up when it is first needed
 };

@@ -20,7 +20,7 @@ namespace denhartog {
 template <class T>
 struct ContactPhases {
     const ContactSystem<T>* system; ///< the system
-    Excitation<T> e;                ///< frequency and friction
+    Excitation<T> e{};              ///< frequency and friction
     std::size_t N;                  ///< number of masses
     LinearMotion<T> sliding;        ///< the motion while the contact slides
     LinearMotion<T> sticking;       ///< the motion while it sticks
@@ -57,7 +57,10 @@ struct ContactPhases {
         check_frequency_ratio(excitation.r);
         check_friction_ratio(excitation.beta);
         check_static_friction(excitation.mu);
+        step = T(1);
+        const bool same_frequency = excitation.r == e.r;
         e = excitation;
+        if (same_frequency) return;
         const ModalBasis<T>& basis = system->basis;
         const T r2 = e.r * e.r;
         for (std::size_t i = 0; i < N; ++i) {
@@ -70,7 +73,6 @@ struct ContactPhases {
         inertia = 1 / w[system->contact.index];
         direct = system->load == system->contact ? T(1) : T(0);
         set_sticking(r2);
-        step = T(1);
     }
 
     /// @brief Sets a mode of a motion at the frequency of the load. @param m the motion @param i the mode

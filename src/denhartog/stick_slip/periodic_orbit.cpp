@@ -53,6 +53,7 @@ private:
         const int most = 2 * most_periods_;
         const std::size_t kept = 2 * static_cast<std::size_t>(search_.most_subharmonic) + 1;
         recent_.assign(1, z);
+        if (search_.guess != nullptr && is_found_near(*search_.guess)) return;
         int done = 0, next = std::min(2 * search_.periods_before, most);
         for (;;) {
             for (; done < next; ++done) {
@@ -70,17 +71,23 @@ private:
         }
     }
 
+    // An orbit of one half-period near a state, where it does not matter whether the motion from the start tends to it.
+    bool is_found_near(State<T> z) {
+        if (search_.follow_start && !(no_expansion_ && damped_)) return false;
+        return shooting_.fixed_point(z, 1, AfterBadStep::end) && answer(orbit_of(map_, z, search_));
+    }
+
     // No two motions move apart, so that an orbit that attracts its neighbours attracts all: any way to it will do.
     bool settle(const State<T>& z, int done) {
         if (neutral_) {
             const bool arrived = candidate_.h > 0 && map_.norm(difference(z, candidate_.z)) <= 64 * candidate_.rounding;
-            return arrived && answer_by_candidate();
+            return arrived && return_to_candidate() && answer(orbit_of(map_, candidate_.z, search_));
         }
         if (done > 0 && only_rest_is_steady()) return tends_to_rest(z, done);
         if (best_step_ < 0 || (last_step_ >= 0 && last_step_ < best_step_)) best_ = z;
         if (held_ && steady_rest().exists())
             best_ = steady_rest().steady_state(z.x[j_]); // ahead of the motion: what the others tend to
-        const bool found = shooting_.fixed_point(best_, 1, true);
+        const bool found = shooting_.fixed_point(best_, 1, AfterBadStep::go_on_from_image_at_last);
         best_step_ = shooting_.residual();
         if (!found) return false;
         if (damped_ || !search_.follow_start || attracts(map_)) return answer(orbit_of(map_, best_, search_));
@@ -92,14 +99,17 @@ private:
     // An orbit that attracts is not looked for anew before the motion had twice the time to come to it.
     bool find_orbit(const State<T>& z, int done) {
         const auto accepted = [&] {
-            return (!search_.follow_start || (candidate_.stable && approached(z))) && answer_by_candidate();
+            if (search_.follow_start && !(candidate_.stable && approached(z) && return_to_candidate())) return false;
+            if (answer(orbit_of(map_, candidate_.z, search_))) return true;
+            if (!search_.follow_start) judge_candidate();
+            return false;
         };
-        if (candidate_.h > 0 && accepted()) return true;
+        if (search_.follow_start && candidate_.h > 0 && accepted()) return true;
         if (search_.follow_start && candidate_.h > 0 && candidate_.stable && done < 2 * looked_for_at_) return false;
         looked_for_at_ = done;
         for (const int h : lengths()) {
             State<T> w = z;
-            if (shooting_.fixed_point(w, h, false) && take(w, h) && accepted()) return true;
+            if (shooting_.fixed_point(w, h, AfterBadStep::shorten) && take(w, h) && accepted()) return true;
         }
         return false;
     }
@@ -124,34 +134,44 @@ private:
         return back > recent_.size() ? T(0) : map_.norm(difference(recent_.back(), recent_[recent_.size() - back]));
     }
 
-    // A fixed point, of no more half-periods than it needs.
+    // A fixed point that was just found, of no more half-periods than it needs. The map was applied to it last.
     bool take(State<T>& z, int h) {
+        bool applied = true;
         for (int part = 1; part < h; ++part) {
-            if (h % part != 0 || !map_.apply(z, part, false)) continue;
+            if (h % part != 0) continue;
+            applied = false;
+            if (!map_.apply(z, part, false)) continue;
             const T apart = map_.norm(map_.difference());
             State<T> w = z;
             if (apart * apart < std::numeric_limits<T>::epsilon() * map_.norm(z) * map_.norm(z) &&
-                shooting_.fixed_point(w, part, false)) {
+                shooting_.fixed_point(w, part, AfterBadStep::shorten)) {
                 z = w;
                 h = part;
+                applied = true;
             }
         }
-        if (!map_.apply(z, h, true)) return false;
-        map_.measure_rounding();
+        if (!applied && !apply(z, h)) return false;
         const std::optional<T> bound = error_bound_of(map_);
         if (!bound || !(100 * *bound < map_.norm(z))) return false;
         candidate_ = {z, h, map_.jacobian(), map_.rounding_norm(), false, 0};
-        const std::vector<std::complex<double>> multipliers = multipliers_of(in_double(candidate_.jacobian));
-        candidate_.largest_multiplier = multipliers.empty() ? 1 : size_of(multipliers.front());
-        candidate_.stable = attracts(map_);
+        if (search_.follow_start) judge_candidate();
         return true;
     }
 
-    bool answer_by_candidate() {
-        if (!map_.apply(candidate_.z, candidate_.h, true)) return false;
-        map_.measure_rounding();
-        return answer(orbit_of(map_, candidate_.z, search_));
+    // Whether motions next to the candidate tend to it. The map was applied to it last.
+    void judge_candidate() {
+        const std::vector<std::complex<double>> multipliers = multipliers_of(in_double(candidate_.jacobian));
+        candidate_.largest_multiplier = multipliers.empty() ? 1 : size_of(multipliers.front());
+        candidate_.stable = attracts(map_);
     }
+
+    bool apply(const State<T>& z, int h) {
+        if (!map_.apply(z, h, true)) return false;
+        map_.measure_rounding();
+        return true;
+    }
+
+    bool return_to_candidate() { return apply(candidate_.z, candidate_.h); }
 
     // Whether the motion comes nearer to the candidate for long, as its linearisation tells. A motion of another orbit that
     // passes by does so for some periods too.

@@ -27,7 +27,8 @@ enum class OrbitStatus : std::uint8_t {
 /// @brief How far to search, and what is asked of the orbit.
 template <class T>
 struct OrbitSearch {
-    int periods_before = 1;   ///< periods of propagation before the first Newton step
+    const State<T>* guess = nullptr; ///< a state near which an orbit is looked for before the start is followed; null: none
+    int periods_before = 1;          ///< periods of propagation before the first Newton step from the start
     int most_periods = 20000; ///< periods of propagation after which the search gives up; with mu > 1 no more than 30 decay times
     int most_subharmonic = 8; ///< longest period looked for, in periods of the force
     T tolerance = T(0);       ///< Newton's method may end where the residual is that small, relative to the state; 0: at rounding

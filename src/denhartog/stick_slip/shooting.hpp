@@ -2,11 +2,20 @@
 /// @brief Newton's method for a fixed point of the map over half-periods.
 #pragma once
 
+#include <cstdint>
+
 #include "denhartog/stick_slip/orbit_map.hpp"
 
 namespace denhartog {
 
-/// @brief Newton's method with the exact Jacobian, steps halved where the residual does not fall.
+/// @brief What Newton's method does where the residual does not fall by a step.
+enum class AfterBadStep : std::uint8_t {
+    end,                     ///< it ends
+    shorten,                 ///< it halves the step, a few times in all
+    go_on_from_image_at_last ///< it halves the step, and then goes on from the image of the last good state
+};
+
+/// @brief Newton's method with the exact Jacobian.
 template <class T>
 class Shooting {
 public:
@@ -15,13 +24,17 @@ public:
     Shooting(OrbitMap<T>& map, const T& tolerance) : map_(&map), tolerance_(tolerance), j_(map.solver().system().contact.index) {}
 
     /// @brief Looks for a fixed point in which the contact moves.
-    /// @param z                 where to start; the fixed point, or the state that the search ended at
-    /// @param h                 half-periods of the map
-    /// @param go_on_from_image  whether to go on from the image of the last good state where a step has to be taken back
-    /// @return                  true where it was found; the map was then applied to it last, with its Jacobian and its rounding
-    bool fixed_point(State<T>& z, int h, bool go_on_from_image) {
+    ///
+    /// Where the map jumps, or the contact rests for ever, Newton's method may come nearer to that place by every half step and be
+    /// taken back by every whole one. Nearly every orbit is found without a bad step.
+    /// @param z               where to start; the fixed point, or the state that the search ended at
+    /// @param h               half-periods of the map
+    /// @param after_bad_step  what to do where the residual does not fall
+    /// @return                true where it was found; the map was then applied to it last, with its Jacobian and its rounding
+    bool fixed_point(State<T>& z, int h, AfterBadStep after_bad_step) {
         residual_ = T(-1);
         T least(-1), part(1); // residual where the last step started, negative where there is none; part of it that is taken
+        int bad_steps = 0;
         for (int n = 0; n < most_runs; ++n) {
             if (!map_->apply(z, h, true)) return false;
             const bool held = map_->held();
@@ -33,13 +46,15 @@ public:
             const bool falls = !held && (least < 0 || residual < least * (1 - part / 8));
             if (falls) residual_ = residual;
             if (!held && (residual <= enough(z, rounding) || (!falls && residual <= 8 * rounding))) return true;
+            bad_steps += !falls;
+            if (bad_steps > most_bad_steps(after_bad_step)) return false;
             part = falls ? prepare_step(z) : T(part / 2);
             if (falls) least = residual;
             if (8 * part >= 1) {
                 take_step(part, z);
                 continue;
             }
-            if (!go_on_from_image) return false;
+            if (after_bad_step != AfterBadStep::go_on_from_image_at_last) return false;
             z = image_;
             least = T(-1);
             part = T(1);
@@ -54,6 +69,10 @@ public:
 
 private:
     static constexpr int most_runs = 40;
+
+    static int most_bad_steps(AfterBadStep after_bad_step) {
+        return after_bad_step == AfterBadStep::end ? 0 : after_bad_step == AfterBadStep::shorten ? 16 : most_runs;
+    }
 
     T enough(const State<T>& z, const T& rounding) const {
         const T at_rounding = rounding / 8; // which is a bound, and some way above what is seen
