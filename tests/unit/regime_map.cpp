@@ -80,6 +80,29 @@ TEST_CASE("a little above the boundary, where no stop can be seen, solve, respon
     CHECK(closer.regime.reason.find("double precision finds no stop, 50 digits find 2") != std::string::npos);
 }
 
+TEST_CASE("where static friction is hardly larger, stops too short for double are found in 50 digits, or told as not seen",
+          "[solve][eq:69]") {
+    Scene<double> scene = chain({1, 2.0946804396078478}, {1, 0.7414127923646818}, {0.01, 0.02}, 1, 2, 1.0000001, 1.3);
+    scene.beta = 0.20606163917974474; // 1e-14 above the boundary
+    const Solution found = solve(scene_source(scene), {.digits = 10});
+    CHECK(found.regime.regime == Regime::stick_slip);
+    CHECK(found.stops.size() == 2);
+    CHECK(found.regime.reason.find("double precision finds no stop, 50 digits find 2") != std::string::npos);
+    CHECK(found.regime.other.empty());
+    scene.mu = 1.000000000001;
+    scene.r = 0.1434919;
+    scene.beta = 0.006821971779371876; // a last digit above the boundary
+    const Solution unseen = solve(scene_source(scene), {.digits = 10});
+    CHECK(unseen.regime.regime == Regime::stick_slip);
+    CHECK(unseen.stops.empty());
+    CHECK(unseen.regime.reason.find("the motion shows no stop") != std::string::npos);
+    const RegimeMap map = regime_map(scene, {{*scene.r}, {*scene.beta}, {Mass{0}, Mass{1}}, MapStart::sliding, 1}, never);
+    CHECK(map.points.front().regime == Regime::stick_slip);
+    // A millionth part above the boundary double sees the stops.
+    scene.beta = 0.006821971779371876 * (1 + 1e-6);
+    CHECK(solve(scene_source(scene), {.digits = 10}).stops.size() == 2);
+}
+
 TEST_CASE("a last digit below permanent sticking no rest is taken for the motion", "[map][solve][eq:88]") {
     Scene<double> scene = chain({1, 0.75446287041036153, 0.90910697215540848, 0.56008440847893404},
                                 {1, 0.73985774937320514, 0.98323358945340977, 0.50054355969969855},

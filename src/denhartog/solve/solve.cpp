@@ -51,12 +51,13 @@ void set_regime(const SolveTask& task, Regime met, const std::string& reason, So
     if (task.scene.mu > 1 || task.pole || met == Regime::continuous) s.regime.reason += "; " + reason;
 }
 
-// What the stops of a motion that is not the closed form's say; those of the answer, which may be too short for double.
+// What the stops of a motion that is not the closed form's say; those of the answer, which may be too short for double. Static
+// friction acts in stops alone: a motion without any is one with mu = 1, and where all motions are damped that is the closed form.
 void set_regime_by_stops(const SolveTask& task, const PeriodicOrbit<double>& orbit, std::size_t stops, Solution& s) {
     if (stops > 0) {
         set_regime(task, Regime::stick_slip, "the contact stops in every period", s);
         if (orbit.stops.empty()) s.regime.reason += "; double precision finds no stop, 50 digits find " + std::to_string(stops);
-    } else if (task.scene.mu == 1 && s.regime.regime == Regime::stick_slip) {
+    } else if (s.regime.regime == Regime::stick_slip && (task.scene.mu == 1 || every_motion_is_damped(*task.basis))) {
         s.regime.reason += "; the motion shows no stop, and the bound of its error is " + number_in_digits(orbit.error_bound, 2);
     } else {
         set_regime(task, Regime::continuous, "the contact does not stop, but the motion is not that of the closed form", s);
