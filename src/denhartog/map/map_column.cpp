@@ -204,8 +204,8 @@ private:
             return Bounded<double>(contact_alone ? orbit.contact.amplitude : orbit.masses[k].amplitude, orbit.error_bound);
         };
         if (!is_told(n) || !write(n, number)) return false;
-        // A damped motion without stops is the closed form's: beyond the boundary there are stops, if none that is long enough to be
-        // seen. With mu = 1 the boundary tells the regime anyway.
+        // A damped motion without stops is the closed form's: beyond the boundary there are stops, if none that is long enough to
+        // be seen. With mu = 1 the boundary tells the regime anyway.
         const bool stops = !orbit.stops.empty() || (!slides(map.beta[n]) && (map.mu == 1 || damped));
         points[n] = {PointStatus::answered, stops ? Regime::stick_slip : Regime::continuous,
                      static_cast<std::int32_t>(orbit.stops.size()), orbit.periods};

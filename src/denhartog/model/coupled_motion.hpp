@@ -1,10 +1,10 @@
 /// @file
 /// @brief A linear system \f$ z' = A z \f$ from a start, at any instants in any order.
 ///
-/// The state is carried by exponentials of the system over \f$ 2^k \f$ times a step: the work grows as the logarithm of rate times
-/// time. Each exponential is kept less the identity, so that slow motions keep their digits beside fast ones. Within a step the
-/// state is a power series in time, kept for other instants. A step is one over the largest rate where many instants of one start
-/// are asked; where many starts have a few instants each, it is a part of that, whose series is shorter.
+/// The state is carried by exponentials of the system over \f$ 2^k \f$ times a step: the work grows as the logarithm of rate
+/// times time. Each exponential is kept less the identity, so that slow motions keep their digits beside fast ones. Within a step
+/// the state is a power series in time, kept for other instants. A step is one over the largest rate where many instants of one
+/// start are asked; where many starts have a few instants each, it is a part of that, whose series is shorter.
 #pragma once
 
 #include <cstdint>

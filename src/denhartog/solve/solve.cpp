@@ -52,7 +52,7 @@ void set_regime(const SolveTask& task, Regime met, const std::string& reason, So
 }
 
 // What the stops of a motion that is not the closed form's say; those of the answer, which may be too short for double. Static
-// friction acts in stops alone: a motion without any is one with mu = 1, and where all motions are damped that is the closed form.
+// friction acts in stops alone: a motion without any is one with mu = 1, which is the closed form where all motions are damped.
 void set_regime_by_stops(const SolveTask& task, const PeriodicOrbit<double>& orbit, std::size_t stops, Solution& s) {
     if (stops > 0) {
         set_regime(task, Regime::stick_slip, "the contact stops in every period", s);

@@ -46,7 +46,7 @@ public:
     /// @brief Applies the map.
     /// @param z              the state at tau = 0
     /// @param half_periods   how many half-periods, h
-    /// @param with_jacobian  whether the Jacobian is wanted
+    /// @param with_jacobian  whether the Jacobian and the rounding of the image are wanted
     /// @return               false where the motion chatters
     bool apply(const State<T>& z, int half_periods, bool with_jacobian) {
         h_ = half_periods;
@@ -61,6 +61,7 @@ public:
             difference_(k) = image_.x[n] - z.x[n];
             difference_(N + k) = image_.x_prime[n] - z.x_prime[n];
         }
+        if (with_jacobian) measure_rounding();
         return true;
     }
 
@@ -140,12 +141,53 @@ public:
         return J;
     }
 
-    /// @brief What rounding makes of the map's image: a bound of each modal coordinate's error that is kept until the next call.
-    ///
-    /// Every phase adds some units in the last place of the terms of the coordinate. A natural frequency that is some units
-    /// off, at least N, turns the mode by that part of its phase angle, which is the larger the more of its periods fit in the
-    /// stretch. Modes of nearly one frequency are turned towards each other by rounding; where they are damped differently, that
-    /// damps each of them by some of the other's damping. Both errors are taken as an eighth of the bounds of the closed form.
+    /// @brief Norm of the rounding measured last. @return its norm
+    [[nodiscard]] T rounding_norm() const {
+        const ContactSystem<T>& s = solver_->system();
+        T sum(0);
+        for (Eigen::Index i = 0; i < N; ++i) {
+            const T velocity = modal_(i) * s.basis.r_n[static_cast<std::size_t>(i)] / solver_->excitation().r;
+            sum += 2 * velocity * velocity;
+        }
+        return sqrt(sum);
+    }
+
+    /// @brief The rounding measured last, mass by mass.
+    /// @param of_modes  whether with what turned modes make of it
+    /// @return          bounds for displacements, then velocities
+    [[nodiscard]] Column<T> rounding(bool of_modes = false) const {
+        using std::abs;
+        const ContactSystem<T>& s = solver_->system();
+        Column<T> bound = Column<T>::Zero(2 * N);
+        for (Eigen::Index k = 0; k < N; ++k)
+            for (Eigen::Index i = 0; i < N; ++i) {
+                const T x = abs(s.basis.phi(k, i)) * (of_modes ? T(modal_(i) + turned_(i)) : modal_(i));
+                bound(k) += x;
+                bound(N + k) += x * s.basis.r_n[static_cast<std::size_t>(i)] / solver_->excitation().r;
+            }
+        return bound;
+    }
+
+    /// @brief The solver. @return the solver, which holds the motion of the last application
+    [[nodiscard]] ExactSolver<T>& solver() const { return *solver_; }
+    /// @brief The motion from the start, in the frame that is not mirrored. @return the motion
+    [[nodiscard]] const ExactMotion<T>& motion() const { return *motion_; }
+    /// @brief Image of the last application. @return the state
+    [[nodiscard]] const State<T>& image() const { return image_; }
+    /// @brief Image less start. @return displacements, then velocities
+    [[nodiscard]] const Column<T>& difference() const { return difference_; }
+    /// @brief Half-periods of the last application. @return h
+    [[nodiscard]] int half_periods() const { return h_; }
+    /// @brief Half-periods of all applications. @return their sum
+    [[nodiscard]] long half_periods_in_all() const { return half_periods_in_all_; }
+
+private:
+    // What rounding makes of the image: a bound of each modal coordinate's error that is kept until the next time.
+    //
+    // Every phase adds some units in the last place of the terms of the coordinate. A natural frequency that is some units
+    // off, at least N, turns the mode by that part of its phase angle, which is the larger the more of its periods fit in the
+    // stretch. Modes of nearly one frequency are turned towards each other by rounding; where they are damped differently, that
+    // damps each of them by some of the other's damping. Both errors are taken as an eighth of the bounds of the closed form.
     void measure_rounding() {
         using std::abs;
         const ContactSystem<T>& s = solver_->system();
@@ -191,47 +233,6 @@ public:
             }
     }
 
-    /// @brief Norm of the rounding measured last. @return its norm
-    [[nodiscard]] T rounding_norm() const {
-        const ContactSystem<T>& s = solver_->system();
-        T sum(0);
-        for (Eigen::Index i = 0; i < N; ++i) {
-            const T velocity = modal_(i) * s.basis.r_n[static_cast<std::size_t>(i)] / solver_->excitation().r;
-            sum += 2 * velocity * velocity;
-        }
-        return sqrt(sum);
-    }
-
-    /// @brief The rounding measured last, mass by mass.
-    /// @param of_modes  whether with what turned modes make of it
-    /// @return          bounds for displacements, then velocities
-    [[nodiscard]] Column<T> rounding(bool of_modes = false) const {
-        using std::abs;
-        const ContactSystem<T>& s = solver_->system();
-        Column<T> bound = Column<T>::Zero(2 * N);
-        for (Eigen::Index k = 0; k < N; ++k)
-            for (Eigen::Index i = 0; i < N; ++i) {
-                const T x = abs(s.basis.phi(k, i)) * (of_modes ? T(modal_(i) + turned_(i)) : modal_(i));
-                bound(k) += x;
-                bound(N + k) += x * s.basis.r_n[static_cast<std::size_t>(i)] / solver_->excitation().r;
-            }
-        return bound;
-    }
-
-    /// @brief The solver. @return the solver, which holds the motion of the last application
-    [[nodiscard]] ExactSolver<T>& solver() const { return *solver_; }
-    /// @brief The motion from the start, in the frame that is not mirrored. @return the motion
-    [[nodiscard]] const ExactMotion<T>& motion() const { return *motion_; }
-    /// @brief Image of the last application. @return the state
-    [[nodiscard]] const State<T>& image() const { return image_; }
-    /// @brief Image less start. @return displacements, then velocities
-    [[nodiscard]] const Column<T>& difference() const { return difference_; }
-    /// @brief Half-periods of the last application. @return h
-    [[nodiscard]] int half_periods() const { return h_; }
-    /// @brief Half-periods of all applications. @return their sum
-    [[nodiscard]] long half_periods_in_all() const { return half_periods_in_all_; }
-
-private:
     // Damping hands the rounding of one mode to the others: in energy it is that of all of them, over the steps of the series.
     void add_rounding_of_coupled_modes(const std::vector<T>& amplitudes) {
         const ModalBasis<T>& basis = solver_->system().basis;

@@ -196,7 +196,6 @@ std::optional<PeriodicOrbit<T>> rest_of(OrbitMap<T>& map, const LastingRest<T>& 
     PeriodicOrbit<T> orbit;
     orbit.start = rest.steady_state(x_j);
     if (!map.apply(orbit.start, 2, true) || !map.held()) return std::nullopt;
-    map.measure_rounding();
     orbit.status = OrbitStatus::permanently_stuck;
     orbit.symmetric = x_j == 0;
     orbit.stops = {{T(0), T(2 * pi<T>()), x_j}};

@@ -51,7 +51,6 @@ private:
 
     void follow(State<T> z) {
         const int most = 2 * most_periods_;
-        const std::size_t kept = 2 * static_cast<std::size_t>(search_.most_subharmonic) + 1;
         recent_.assign(1, z);
         if (search_.guess != nullptr && is_found_near(*search_.guess)) return;
         int done = 0, next = std::min(2 * search_.periods_before, most);
@@ -62,7 +61,7 @@ private:
                 last_step_ = map_.norm(map_.difference());
                 held_ = map_.held();
                 if (held_ && rests_for_ever(before, done)) return;
-                if (recent_.size() == kept) recent_.erase(recent_.begin());
+                if (recent_.size() > 2 * static_cast<std::size_t>(search_.most_subharmonic)) recent_.erase(recent_.begin());
                 recent_.push_back(z);
             }
             if (no_expansion_ ? settle(z, done) : find_orbit(z, done)) return;
@@ -81,7 +80,7 @@ private:
     bool settle(const State<T>& z, int done) {
         if (neutral_) {
             const bool arrived = candidate_.h > 0 && map_.norm(difference(z, candidate_.z)) <= 64 * candidate_.rounding;
-            return arrived && return_to_candidate() && answer(orbit_of(map_, candidate_.z, search_));
+            return arrived && map_.apply(candidate_.z, candidate_.h, true) && answer(orbit_of(map_, candidate_.z, search_));
         }
         if (done > 0 && only_rest_is_steady()) return tends_to_rest(z, done);
         if (best_step_ < 0 || (last_step_ >= 0 && last_step_ < best_step_)) best_ = z;
@@ -99,7 +98,8 @@ private:
     // An orbit that attracts is not looked for anew before the motion had twice the time to come to it.
     bool find_orbit(const State<T>& z, int done) {
         const auto accepted = [&] {
-            if (search_.follow_start && !(candidate_.stable && approached(z) && return_to_candidate())) return false;
+            if (search_.follow_start && !(candidate_.stable && approached(z) && map_.apply(candidate_.z, candidate_.h, true)))
+                return false;
             if (answer(orbit_of(map_, candidate_.z, search_))) return true;
             if (!search_.follow_start) judge_candidate();
             return false;
@@ -150,7 +150,7 @@ private:
                 applied = true;
             }
         }
-        if (!applied && !apply(z, h)) return false;
+        if (!applied && !map_.apply(z, h, true)) return false;
         const std::optional<T> bound = error_bound_of(map_);
         if (!bound || !(100 * *bound < map_.norm(z))) return false;
         candidate_ = {z, h, map_.jacobian(), map_.rounding_norm(), false, 0};
@@ -164,14 +164,6 @@ private:
         candidate_.largest_multiplier = multipliers.empty() ? 1 : size_of(multipliers.front());
         candidate_.stable = attracts(map_);
     }
-
-    bool apply(const State<T>& z, int h) {
-        if (!map_.apply(z, h, true)) return false;
-        map_.measure_rounding();
-        return true;
-    }
-
-    bool return_to_candidate() { return apply(candidate_.z, candidate_.h); }
 
     // Whether the motion comes nearer to the candidate for long, as its linearisation tells. A motion of another orbit that
     // passes by does so for some periods too.

@@ -25,12 +25,12 @@ public:
 
     /// @brief Looks for a fixed point in which the contact moves.
     ///
-    /// Where the map jumps, or the contact rests for ever, Newton's method may come nearer to that place by every half step and be
-    /// taken back by every whole one. Nearly every orbit is found without a bad step.
+    /// Where the map jumps, or the contact rests for ever, Newton's method may come nearer to that place by every half step and
+    /// be taken back by every whole one. Nearly every orbit is found without a bad step.
     /// @param z               where to start; the fixed point, or the state that the search ended at
     /// @param h               half-periods of the map
     /// @param after_bad_step  what to do where the residual does not fall
-    /// @return                true where it was found; the map was then applied to it last, with its Jacobian and its rounding
+    /// @return                true where it was found; the map was then applied to it last, with its Jacobian
     bool fixed_point(State<T>& z, int h, AfterBadStep after_bad_step) {
         residual_ = T(-1);
         T least(-1), part(1); // residual where the last step started, negative where there is none; part of it that is taken
@@ -41,7 +41,6 @@ public:
             if (held && least < 0) return false;
             const T residual = map_->norm(map_->difference());
             if (!(residual - residual == T(0))) return false;
-            map_->measure_rounding();
             const T rounding = map_->rounding_norm();
             const bool falls = !held && (least < 0 || residual < least * (1 - part / 8));
             if (falls) residual_ = residual;
