@@ -171,8 +171,8 @@ private:
         return true;
     }
 
-    // From the motion at the friction ratio before; where that leads nowhere, from rest. On the line through the motions at the
-    // two ratios before there is one that Newton's method comes from in fewer steps.
+    // From the motion at the friction ratio before; where that leads nowhere, from rest. Newton's method starts on the line
+    // through the motions at the two ratios before, which is nearer.
     bool sweep(std::size_t n) {
         if (!last && sliding) {
             const ModeSums<double> here = values_of(sums());

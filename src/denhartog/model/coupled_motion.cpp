@@ -33,7 +33,10 @@ CoupledMotion<T>::CoupledMotion(const Matrix<T>& A, const T& rate, Asked asked, 
       single_steps_(asked == Asked::many_starts ? 0 : most_single_steps), effort_(effort) {
     for (Eigen::Index row = 0; row < A.rows(); ++row) {
         for (Eigen::Index column = 0; column < A.cols(); ++column)
-            if (A(row, column) != 0) entries_.push_back({column, A(row, column)});
+            if (A(row, column) != 0) {
+                entries_.push_back(A(row, column));
+                columns_.push_back(column);
+            }
         ends_.push_back(entries_.size());
     }
 }
@@ -57,9 +60,8 @@ Matrix<T> CoupledMotion<T>::carried(const T& t, Matrix<T> z) {
     if (!n) return z * std::numeric_limits<T>::quiet_NaN();
     leap_over(*n, z);
     const T s = part_after(*n, t) / rate_;
-    std::vector<T> scaled;
-    scaled.reserve(entries_.size());
-    for (const Entry& entry : entries_) scaled.push_back(entry.value * s);
+    std::vector<T> scaled = entries_;
+    for (T& entry : scaled) entry *= s;
     return z + growth(scaled, z);
 }
 
@@ -69,6 +71,22 @@ void CoupledMotion<T>::spend_products(Eigen::Index count) const {
     if (effort_ == nullptr) return;
     (*effort_)->spend(cost_of_products<T>(static_cast<long>(count)));
     if ((*effort_)->exhausted()) throw PrecisionError((*effort_)->ending());
+}
+
+// Forms a term of a series from the one before, a factor times its product with the matrix that has the given entries in the
+// places of A's, and adds it. Whether the sum changes.
+template <class T>
+bool CoupledMotion<T>::add_term(const std::vector<T>& entries, const T& factor, const T* before, T* term, T* sum) const {
+    bool changes = false;
+    for (std::size_t row = 0, entry = 0; row < ends_.size(); ++row) {
+        T each(0);
+        for (; entry < ends_[row]; ++entry) each += entries[entry] * before[columns_[entry]];
+        term[row] = each * factor;
+        const T next = sum[row] + term[row];
+        changes = changes || next != sum[row];
+        sum[row] = next;
+    }
+    return changes;
 }
 
 // exp(B) z - z by its series, where B has the given entries in the places of A's. No entry of B is much larger than 1 once its
@@ -81,19 +99,8 @@ Matrix<T> CoupledMotion<T>::growth(const std::vector<T>& entries, Matrix<T> z) c
         spend_products(static_cast<Eigen::Index>(entries_.size()) * z.cols());
         const T inverse = 1 / T(k);
         grows = false;
-        for (Eigen::Index column = 0; column < z.cols(); ++column) {
-            const T* const before = z.col(column).data();
-            T* const after = next.col(column).data();
-            T* const known = sum.col(column).data();
-            for (std::size_t row = 0, entry = 0; row < ends_.size(); ++row) {
-                T each(0);
-                for (; entry < ends_[row]; ++entry) each += entries[entry] * before[entries_[entry].column];
-                after[row] = each * inverse;
-                const T grown = known[row] + after[row];
-                grows = grows || grown != known[row];
-                known[row] = grown;
-            }
-        }
+        for (Eigen::Index column = 0; column < z.cols(); ++column)
+            grows |= add_term(entries, inverse, z.col(column).data(), next.col(column).data(), sum.col(column).data());
         z.swap(next);
     }
     return sum;
@@ -111,8 +118,8 @@ template <class T>
 const Matrix<T>& CoupledMotion<T>::leap(std::size_t k) {
     constexpr int doublings = std::numeric_limits<T>::digits / 32;
     if (leaps_.empty()) {
-        std::vector<T> part;
-        for (const Entry& entry : entries_) part.push_back(entry.value / T(rate_ * (1 << doublings)));
+        std::vector<T> part = entries_;
+        for (T& entry : part) entry /= T(rate_ * (1 << doublings));
         Matrix<T> grown = growth(part, Matrix<T>::Identity(rows(), rows()));
         for (int n = 0; n < doublings; ++n) grown = doubled(grown);
         leaps_.push_back(std::move(grown));
@@ -153,19 +160,7 @@ PowerSeries<T> CoupledMotion<T>::terms_from(const Column<T>& z) const {
     for (bool grows = true; grows && k <= most_terms; ++k) {
         if (k == terms.cols()) terms.conservativeResize(Eigen::NoChange, 2 * k);
         const T inverse = 1 / (static_cast<int>(k) * rate_);
-        const T* const before = terms.col(k - 1).data();
-        T* const term = terms.col(k).data();
-        grows = false;
-        for (std::size_t i = 0, entry = 0; i < ends_.size(); ++i) {
-            T each(0);
-            for (; entry < ends_[i]; ++entry) each += entries_[entry].value * before[entries_[entry].column];
-            each *= inverse;
-            term[i] = each;
-            T& known = sum(static_cast<Eigen::Index>(i));
-            const T next = known + each;
-            grows = grows || next != known;
-            known = next;
-        }
+        grows = add_term(entries_, inverse, terms.col(k - 1).data(), terms.col(k).data(), sum.data());
     }
     return {std::move(terms), k};
 }

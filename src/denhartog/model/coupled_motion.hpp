@@ -55,6 +55,7 @@ public:
 private:
     [[nodiscard]] Eigen::Index rows() const { return static_cast<Eigen::Index>(ends_.size()); }
     void spend_products(Eigen::Index count) const;
+    bool add_term(const std::vector<T>& entries, const T& factor, const T* before, T* term, T* sum) const;
     [[nodiscard]] Matrix<T> growth(const std::vector<T>& entries, Matrix<T> z) const;
     [[nodiscard]] Matrix<T> doubled(const Matrix<T>& grown) const;
     const Matrix<T>& leap(std::size_t k);
@@ -65,16 +66,12 @@ private:
     [[nodiscard]] PowerSeries<T> terms_from(const Column<T>& z) const;
     const PowerSeries<T>& series_after(std::uint64_t n);
 
-    // An entry of a row that is not zero. Most entries are zero: half of the rows say that a velocity is one.
-    struct Entry {
-        Eigen::Index column;
-        T value;
-    };
-
-    std::vector<Entry> entries_;     // of A, row by row
-    std::vector<std::size_t> ends_;  // of each row in them
-    T rate_ = T(1);                  // steps a unit of time
-    std::uint64_t single_steps_ = 0; // so many are made one by one
+    // Entries of A that are not zero, row by row. Most are zero: half of the rows say that a velocity is one.
+    std::vector<T> entries_;
+    std::vector<Eigen::Index> columns_; // of each of them
+    std::vector<std::size_t> ends_;     // of each row in them
+    T rate_ = T(1);                     // steps a unit of time
+    std::uint64_t single_steps_ = 0;    // so many are made one by one
     Effort* const* effort_ = nullptr;
     Column<T> state_;                                // at the start
     std::vector<Matrix<T>> leaps_;                   // as `leap` has them
