@@ -90,6 +90,9 @@ const Register claims_of_overdamped_modes([] {
         const ex difference = 1 - derived_free_motions(f)[0];
         return std::vector<ex>{difference, difference};
     };
+    const auto derived_demand = [&s](const FreeMotions& f) {
+        return s.R * s.R * rate(derived_braces(f) + s.u * GiNaC::sin(s.tau)) / GiNaC::sin(s.tau);
+    };
     const std::vector<Step> steps_above = steps_of_damping_functions("of two decaying exponentials", derived_two_rates());
     const std::vector<Step> steps_at = steps_of_damping_functions("of a double rate", derived_double_rate());
     const auto claim = [](std::string id, std::vector<std::string> equations, std::string title,
@@ -179,10 +182,14 @@ const Register claims_of_overdamped_modes([] {
         claim(
             "s-d-integrand", {"57"}, "The expression under the maximum in (57) from the rate of the braces", above,
             [=, &s] { return Values{evaluation::s_d_integrand_from_rate(Symbolic(s.tau), R, Symbolic(s.u), rate_of_braces)}; },
-            [&s] {
-                const ex harmonic = s.u * GiNaC::sin(s.tau);
-                return std::vector<ex>{s.R * s.R * rate(derived_braces(derived_two_rates()) + harmonic) / GiNaC::sin(s.tau)};
-            }),
+            [=] { return std::vector<ex>{derived_demand(derived_two_rates())}; }),
+        claim(
+            "s-d-integrand-from-start", {"57"}, "The same in terms that vanish at the start one by one", above,
+            [=, &s] {
+                return Values{
+                    evaluation::overdamped_s_d_integrand_from_start(Symbolic(s.tau), R, more, Symbolic(s.u), Symbolic(s.g))};
+            },
+            [=] { return std::vector<ex>{derived_demand(derived_two_rates())}; }),
         claim(
             "critical-solves", {"20", "21"}, "At zeta = 1 the motion with the factor tau satisfies the equation of motion", at,
             [] { return residual(derived_double_rate()); }, [] { return std::vector<ex>{0}; }),
@@ -213,6 +220,14 @@ const Register claims_of_overdamped_modes([] {
                               evaluation::overdamped_one_minus_d_of_positive_terms(x, one));
             },
             [] { return with_two_rates(derived_braces(derived_double_rate())); }),
+        claim(
+            "critical-s-d-integrand-from-start", {"57"}, "The expression in (57) at zeta = 1 in terms that vanish at the start",
+            at,
+            [=, &s] {
+                return Values{
+                    evaluation::overdamped_s_d_integrand_from_start(Symbolic(s.tau), R, one, Symbolic(s.u), Symbolic(s.g))};
+            },
+            [=] { return std::vector<ex>{derived_demand(derived_double_rate())}; }),
     };
     for (Claim& c : list) c.special_case = c.id.find("/critical-") != std::string::npos;
     return list;

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "denhartog/evaluation/demand.hpp"
 #include "denhartog/evaluation/mode.hpp"
 #include "denhartog/formulas/mode.hpp"
 #include "denhartog/number/bounded.hpp"
@@ -178,6 +179,28 @@ void check(const std::string& type, int points, double allowed) {
     }
 }
 
+/// The expression of (57) at tau, R, zeta, from the functions above.
+template <class Wide>
+Wide plain_s_d(const std::array<Wide, 3>& a) {
+    const auto& [tau, R, zeta] = a;
+    const All<Wide> f = plain(R, zeta, Wide(tau / R));
+    return R * ((1 + f[3]) * f[5] - f[2] * R * (f[6] - cos(tau))) / sin(tau);
+}
+
+/// The error of a value of the expression of (57) over eps and over its size and what it changes with its arguments.
+double error_of_s_d(double value, const std::array<double, 3>& at) {
+    const Real250 h = ldexp(Real250(1), -200);
+    const std::array<Real250, 3> a{Real250(at[0]), Real250(at[1]), Real250(at[2])};
+    const Real250 truth = plain_s_d(a);
+    Real250 size = abs(truth);
+    for (std::size_t k = 0; k < 3; ++k) {
+        std::array<Real250, 3> other = a;
+        other[k] *= 1 + h;
+        size += abs(Real250((plain_s_d(other) - truth) / h));
+    }
+    return static_cast<double>(Real250(abs(Real250(Real250(value) - truth)) / size)) / std::numeric_limits<double>::epsilon();
+}
+
 /// u and g of a mode from the exponential of its system over the half-period: with unit friction and no load the state at the
 /// start is -(I + Phi)^-1 (I - Phi) (R^2, 0), which is -R^2 (g, u).
 std::array<Real100, 2> by_matrix_exponential(const Real100& R, const Real100& zeta) {
@@ -218,6 +241,26 @@ TEST_CASE("critical and overdamped modes keep their digits in long double",
 TEST_CASE("critical and overdamped modes keep their digits in 50 digits",
           "[eq:23][eq:28][eq:29][eq:A.8][eq:A.9][accuracy][form][overdamped]") {
     check<Real50>("50 digits", 300, 16);
+}
+
+TEST_CASE("from zeta = 1 on the expression of (57) keeps its digits up to both ends of the half-period",
+          "[eq:57][accuracy][form][overdamped]") {
+    tests::Source<double> source(20220157);
+    double worst = 0, worst_plain = 0;
+    for (int n = 0; n < 1500; ++n) {
+        const double zeta = std::max(n % 3 == 0 ? 1 + source.spread(-15, 0) : source.spread(0, 3), 1.0), R = source.spread(-1, 3);
+        const bool early = n % 2 == 0;
+        const double from_end = source.spread(early ? -30 : -15.9, 0.19);
+        const std::array<double, 3> at{early ? from_end : pi<double>() - from_end, R, zeta};
+        INFO("tau = " << at[0] << " = pi - " << pi<double>() - at[0] << ", R = " << R << ", zeta = " << zeta);
+        const double error = error_of_s_d(evaluation::s_d_integrand(at[0], R, zeta), at);
+        CHECK(error <= 0.75);
+        worst = std::max(worst, error);
+        worst_plain = std::max(worst_plain, error_of_s_d(plain_s_d(at), at));
+    }
+    std::printf("(57) at zeta >= 1: worst error %.2f eps over the condition number; as it stands %.1e\n", worst, worst_plain);
+    CHECK(worst > 0.25);
+    CHECK(worst_plain > 1e6);
 }
 
 TEST_CASE("u and g of an overdamped mode are those of the exponential of its system over the half-period",

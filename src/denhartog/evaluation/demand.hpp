@@ -8,6 +8,8 @@
 /// Where the decay over the half-period is large, \f$ 1 - g_i \f$ and \f$ u_{di} \f$ are both of the size of that decay, which is
 /// taken out. Around the middle the difference that is left is of half the size of its terms or less and each of them has
 /// roundings of its own, which would add up to five units in the last place: the forms are evaluated in the next wider type.
+/// From \f$ \zeta_i = 1 \f$ on there is no form from the end: both exponentials decay, and backwards in time the faster one has
+/// to cancel. Beyond the middle such a mode is evaluated in 50 digits, which keeps more than 30 of them next to \f$ \pi \f$.
 #pragma once
 
 #include "denhartog/evaluation/friction_motion.hpp"
@@ -198,6 +200,28 @@ template <class T>
     return R * R * (prime + u * cos(tau)) / sin(tau);
 }
 
+/// @brief The expression in (57) from the start of the half-period, from \f$ \zeta = 1 \f$ on: with \f$ x = \tau/R_i \f$ and
+/// C, S of `overdamped.hpp`
+/// \f[ \frac{R_i}{\sin\tau}\left\{(1+g_i)e^{-\zeta_ix}S - u_{di}R_i\left[(e^{-\zeta_ix}-1)C + (C-1) + 2\sin^2\frac{\tau}{2}
+///     - \zeta_ie^{-\zeta_ix}S\right]\right\} \f]
+/// The terms in brackets vanish at \f$ \tau \to 0 \f$ one by one.
+/// @eq{57}  @derivation{overdamped_modes}  @domain{0 < tau < pi, R > 0, zeta >= 1; keeps its digits for zeta tau / R up to 1}
+/// @param tau   non-dimensional time, Eq. (5); radians
+/// @param R     modal frequency ratio, Eq. (22)
+/// @param zeta  modal damping ratio
+/// @param u     first damping function of the mode, Eq. (28)
+/// @param g     second damping function of the mode, Eq. (29)
+/// @return      the expression; dimensionless
+template <class T>
+[[nodiscard]] T overdamped_s_d_integrand_from_start(const T& tau, const T& R, const T& zeta, const T& u, const T& g) {
+    const T x = tau / R;
+    const T decayed = exp_minus_one(T(-zeta * x)), risen = overdamped_cosine_less_one(zeta, x);
+    const T S = (1 + decayed) * x * overdamped_sinc(zeta, x);
+    const T sine_half = sin(T(tau / 2));
+    const T difference = decayed * (1 + risen) + risen + 2 * sine_half * sine_half - zeta * S;
+    return R * ((1 + g) * S - u * R * difference) / sin(tau);
+}
+
 /// @brief The expression in (57) of a mode from \f$ \zeta = 1 \f$ on, its limits at both ends included.
 /// @eq{57,71}  @derivation{overdamped_modes}  @domain{0 <= tau <= pi, R > 0, zeta >= 1}
 /// @param tau   non-dimensional time, Eq. (5); radians
@@ -208,6 +232,7 @@ template <class T>
 template <class T>
 [[nodiscard]] T overdamped_s_d_integrand(const T& tau, const T& R, const T& zeta, const DampingFunctions<T>& f) {
     if (!(tau > 0)) return paper::s_d_at_zero(R, zeta, f.u, f.g);
+    if (2 * tau < pi<T>() && zeta * tau < R) return overdamped_s_d_integrand_from_start(tau, R, zeta, f.u, f.g);
     if (tau < pi<T>()) return s_d_integrand_from_rate(tau, R, f.u, friction_motion(tau, R, zeta, f.u, f.g).prime);
     return -R * R * friction_motion(pi<T>(), R, zeta, f.u, f.g).double_prime;
 }
@@ -235,7 +260,8 @@ template <class T>
     using Wide = typename WiderOf<T>::type;
     if (zeta == 0 && at_undamped_pole(R)) return zeta / zeta;
     if constexpr (std::is_same_v<T, double>)
-        if (!within_range_of_two_doubles(tau, R, zeta)) return s_d_integrand_in_50_digits(tau, R, zeta);
+        if (!within_range_of_two_doubles(tau, R, zeta) || (zeta >= 1 && 2 * tau > pi<T>()))
+            return s_d_integrand_in_50_digits(tau, R, zeta);
     const Wide wide_R(R), wide_zeta(zeta);
     return static_cast<T>(s_d_integrand_of(Wide(tau), wide_R, wide_zeta, selected_damping_functions(wide_R, wide_zeta)));
 }

@@ -42,14 +42,21 @@ template <class T>
     return 1 + odd_series_without_leading_term(square_of_overdamped_angle(zeta, x));
 }
 
-/// @brief \f$ \cosh w_1x = 1 + \tfrac12(w_1x)^2\left[\sinh(\tfrac12w_1x)/(\tfrac12w_1x)\right]^2 \f$.
+/// @brief \f$ \cosh w_1x - 1 = \tfrac12(w_1x)^2\left[\sinh(\tfrac12w_1x)/(\tfrac12w_1x)\right]^2 \f$.
 /// @param zeta  modal damping ratio, 1 or more
 /// @param x     a number, w_1 x not much beyond 1
-/// @return      the hyperbolic cosine
+/// @return      the hyperbolic cosine less 1
+template <class T>
+[[nodiscard]] T overdamped_cosine_less_one(const T& zeta, const T& x) {
+    const T half = overdamped_sinc(zeta, T(x / 2));
+    return square_of_overdamped_angle(zeta, x) / 2 * half * half;
+}
+
+/// @brief \f$ \cosh w_1x \f$. @param zeta modal damping ratio, 1 or more @param x a number, w_1 x not much beyond 1
+/// @return the hyperbolic cosine
 template <class T>
 [[nodiscard]] T overdamped_cosine(const T& zeta, const T& x) {
-    const T half = overdamped_sinc(zeta, T(x / 2));
-    return 1 + square_of_overdamped_angle(zeta, x) / 2 * half * half;
+    return 1 + overdamped_cosine_less_one(zeta, x);
 }
 
 /// @brief \f$ (1-e^{-2w_1x})/(2w_1) \f$.
