@@ -24,7 +24,7 @@ template <class T, class Sign>
 [[nodiscard]] T spread_of_phases(const std::vector<Place<T>>& places, const T& a, const T& b, const T& instant,
                                  const Sign& is_negative) {
     T spread(0);
-    for (const Place<T>& rival : rivals(places, a, b)) {
+    for (const Place<T>& rival : rivals(places, a, b, instant)) {
         const bool opposite = is_negative(rival.instant) != is_negative(instant);
         const T apart = wrapped(T(rival.instant - instant + (opposite ? pi<T>() : T(0))));
         spread = std::max(spread, T(size_of_number(apart) + rival.reach));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <string>
+#include <utility>
 
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/multiprecision.hpp"
@@ -10,7 +11,7 @@
 namespace denhartog {
 namespace {
 
-constexpr int first_intervals = 8; // each is looked at in its middle too
+constexpr int first_intervals = 4; // each is looked at in its middle too
 constexpr int second_looks = 256;  // at halves of intervals that hold no larger value, but perhaps one as large
 
 template <class T>
@@ -40,6 +41,14 @@ T rounding_of(const T& x) {
 template <class T>
 bool opposite_signs(const T& a, const T& b) {
     return (a < 0 && b > 0) || (a > 0 && b < 0);
+}
+
+// Where w is zero: tau as a polynomial of third degree in w, through two samples with their slopes.
+template <class T>
+T zero_by_interpolation(const Node<T>& now, const Node<T>& before) {
+    const T span = before.at.w - now.at.w, t = -now.at.w / span, rest = 1 - t;
+    return now.tau + t * rest * rest * (span / now.at.slope) +
+           t * t * ((1 + 2 * rest) * (before.tau - now.tau) - rest * (span / before.at.slope));
 }
 
 template <class T>
@@ -116,28 +125,29 @@ private:
         open_.push_back(std::move(second));
     }
 
-    // By Newton's method, kept between two places where w has opposite signs. Near the maximum f is flat: it is looked at in the
+    // By interpolation, kept between two places where w has opposite signs. Near the maximum f is flat: it is looked at in the
     // root alone, else rounding would choose the instant.
     Node<T> at_root(const Interval<T>& in) {
         constexpr int most_steps = 200;
-        T a = in.left.tau, b = in.right.tau, tau = in.middle.tau, step_before = b - a;
-        Sample<T> at = in.middle.at;
-        bool newton_before = false;
-        for (int n = 0; n < most_steps && at.w != 0; ++n) {
-            (opposite_signs(in.left.at.w, at.w) ? b : a) = tau;
-            const T newton = T(tau - at.w / at.slope);
-            const bool falls_off = newton > a && newton < b && 2 * absolute(T(newton - tau)) < step_before;
-            const T next = falls_off ? newton : T(a + (b - a) / 2), step = absolute(T(next - tau)), tiny = rounding_of(next);
-            tau = next;
-            // A step of Newton's method is a multiple of the square of the one before: the next would be as small as this tells.
-            const bool ends = step <= tiny || (newton_before && falls_off && step * step * step <= tiny * step_before * step_before);
-            if (ends || !(a < next && next < b)) break;
+        T a = in.left.tau, b = in.right.tau, step_before = b - a;
+        Node<T> now = in.middle, before = opposite_signs(in.left.at.w, now.at.w) ? in.left : in.right;
+        bool fell_off = false;
+        for (int n = 0; n < most_steps && now.at.w != 0; ++n) {
+            (opposite_signs(in.left.at.w, now.at.w) ? b : a) = now.tau;
+            const T zero = zero_by_interpolation(now, before);
+            const bool falls_off = zero > a && zero < b && 2 * absolute(T(zero - now.tau)) < step_before;
+            const T next = falls_off ? zero : T(a + (b - a) / 2), step = absolute(T(next - now.tau)), tiny = rounding_of(next);
+            // Steps fall off at least as those of Newton's method, each a multiple of the square of the one before. That multiple is
+            // the one seen, or 1, if that is more: it is seen too small where the first step started next to the root.
+            const bool falls_to_nothing = step * step <= tiny && step * step * step <= tiny * step_before * step_before;
+            const bool ends = step <= tiny || (fell_off && falls_off && falls_to_nothing);
+            if (ends || !(a < next && next < b)) return node(next);
             step_before = falls_off ? step : T(b - a);
-            newton_before = falls_off;
+            fell_off = falls_off;
             effort_.spend(curve_.cost);
-            at = curve_.sample(tau);
+            before = std::exchange(now, Node<T>{next, curve_.sample(next)});
         }
-        return node(tau);
+        return node(now.tau);
     }
 
     // Below it no value can be the largest.
@@ -210,26 +220,34 @@ std::vector<Place<T>> joined(std::vector<Place<T>> places) {
         const T reach = last_goes_on || each_goes_on
                             ? taken.reach
                             : std::max(taken.reach, T(absolute(T(other.instant - taken.instant)) + other.reach));
-        last = {last.from, std::max(last.to, each.to), taken.instant, std::max(last.value, each.value),
-                std::max(last.upper, each.upper), reach};
+        last = {last.from,
+                std::max(last.to, each.to),
+                taken.instant,
+                std::max(last.value, each.value),
+                std::max(last.upper, each.upper),
+                reach};
     }
     return kept;
 }
 
 template <class T>
-std::vector<Place<T>> rivals(const std::vector<Place<T>>& places, const T& a, const T& b) {
-    const auto largest =
-        std::max_element(places.begin(), places.end(), [](const Place<T>& x, const Place<T>& y) { return x.value < y.value; });
+std::vector<Place<T>> rivals(const std::vector<Place<T>>& places, const T& a, const T& b, const T& instant) {
+    const auto from_instant = [&](const Place<T>& place) {
+        return std::max({T(place.from - instant), T(instant - place.to), T(0)});
+    };
+    const auto own = std::min_element(places.begin(), places.end(),
+                                      [&](const Place<T>& x, const Place<T>& y) { return from_instant(x) < from_instant(y); });
     const auto goes_on = [&](auto place) { // beyond the end of the stretch, where that is the end of another place
-        const bool at_end = (place == places.begin() && place->instant == a) || (place + 1 == places.end() && place->instant == b);
+        const bool at_end =
+            (place == places.begin() && place->instant == a) || (place + 1 == places.end() && place->instant == b);
         return at_end && place->reach == 0;
     };
     const auto is_end = [&](auto place) { return place == places.begin() || place + 1 == places.end(); };
     const bool across = !places.empty() && !(a < places.front().from) && !(places.back().to < b);
     std::vector<Place<T>> others;
     for (auto each = places.begin(); each != places.end(); ++each) {
-        const bool is_same = across && is_end(each) && is_end(largest) && (goes_on(each) || goes_on(largest));
-        if (each == largest ? each->reach > 0 : !is_same) others.push_back(*each);
+        const bool is_same = across && is_end(each) && is_end(own) && (goes_on(each) || goes_on(own));
+        if (each == own ? each->reach > 0 : !is_same) others.push_back(*each);
     }
     return others;
 }
@@ -260,15 +278,15 @@ template Maximum<Real50> global_maximum(const Curve<Real50>&, const Real50&, con
 template Maximum<Real100> global_maximum(const Curve<Real100>&, const Real100&, const Real100&, const Real100&, Effort*,
                                          const Real100&, const Real100&);
 template std::vector<Place<double>> joined(std::vector<Place<double>>);
-template std::vector<Place<double>> rivals(const std::vector<Place<double>>&, const double&, const double&);
+template std::vector<Place<double>> rivals(const std::vector<Place<double>>&, const double&, const double&, const double&);
 template std::pair<double, double> root_bracket(const std::function<double(const double&)>&, const double&, const double&,
                                                 const double&, const double&);
 template std::vector<Place<Real50>> joined(std::vector<Place<Real50>>);
-template std::vector<Place<Real50>> rivals(const std::vector<Place<Real50>>&, const Real50&, const Real50&);
+template std::vector<Place<Real50>> rivals(const std::vector<Place<Real50>>&, const Real50&, const Real50&, const Real50&);
 template std::pair<Real50, Real50> root_bracket(const std::function<Real50(const Real50&)>&, const Real50&, const Real50&,
                                                 const Real50&, const Real50&);
 template std::vector<Place<Real100>> joined(std::vector<Place<Real100>>);
-template std::vector<Place<Real100>> rivals(const std::vector<Place<Real100>>&, const Real100&, const Real100&);
+template std::vector<Place<Real100>> rivals(const std::vector<Place<Real100>>&, const Real100&, const Real100&, const Real100&);
 template std::pair<Real100, Real100> root_bracket(const std::function<Real100(const Real100&)>&, const Real100&, const Real100&,
                                                   const Real100&, const Real100&);
 

@@ -79,12 +79,13 @@ template <class T>
 [[nodiscard]] std::vector<Place<T>> joined(std::vector<Place<T>> places);
 
 /// @brief Where besides the instant of its largest value a function may be largest that goes on at a as it ends at b.
-/// @param places  ascending, no two touch
-/// @param a       start of the stretch
-/// @param b       its end
-/// @return        where else the function may be largest, with the place of its largest value where that has a reach
+/// @param places   ascending, no two touch
+/// @param a        start of the stretch
+/// @param b        its end
+/// @param instant  where the largest value was taken; other places may have one as large
+/// @return         where else the function may be largest, with the place of the instant where that has a reach
 template <class T>
-[[nodiscard]] std::vector<Place<T>> rivals(const std::vector<Place<T>>& places, const T& a, const T& b);
+[[nodiscard]] std::vector<Place<T>> rivals(const std::vector<Place<T>>& places, const T& a, const T& b, const T& instant);
 
 /// @brief Two neighbouring numbers between which a continuous function changes its sign.
 /// @param f    the function
