@@ -13,7 +13,8 @@ inline constexpr double step_high = 0x1.921fb54442d18p-5; ///< pi / 64, rounded
 inline constexpr double step_low = 0x1.1a62633145c07p-59; ///< what its rounding lacks
 inline constexpr double step_first = 0x1.921fb40000000p-5; ///< the first 24 bits of pi / 64
 inline constexpr double step_second = 0x1.4442d00000000p-29; ///< the next 24
-inline constexpr double step_third = 0x1.8469898cc5170p-53; ///< the rest
+inline constexpr double step_third = 0x1.8469898cc5170p-53; ///< the next 53
+inline constexpr double step_fourth = 0x1.b839a252049c1p-109; ///< the rest
 
 /// @brief A point of the circle.
 struct Direction {

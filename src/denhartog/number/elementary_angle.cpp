@@ -60,6 +60,11 @@ ReducedAngle reduce_by_all_bits(double x) {
     return {bits >> 63U != 0 ? -n : n, sign * whole.high, sign * rest};
 }
 
+Parts beyond_multiple(double k, double first, double low) {
+    const Parts third = exact_product(k, step_third), beyond = exact_sum(first, -third.high);
+    return exact_sum(beyond.high, beyond.low - (third.low + (k * step_fourth - low)));
+}
+
 namespace {
 
 constexpr double no_number = std::numeric_limits<double>::quiet_NaN();

@@ -66,6 +66,13 @@ struct ReducedAngle {
 /// @return it reduced
 [[nodiscard]] ReducedAngle reduce_by_all_bits(double x);
 
+/// @brief What an angle next to a multiple of pi / 64 has beyond it, all four parts of pi / 64 taken.
+/// @param k      the multiple, up to 2^29
+/// @param first  the angle less k times the first two parts
+/// @param low    a small angle, to be added
+/// @return       both parts
+[[nodiscard]] Parts beyond_multiple(double k, double first, double low);
+
 /// @brief Reduces an angle. pi / 64 is taken in three parts, whose first two have exact products with whole numbers up to 2^29.
 /// @param x    radians, finite
 /// @param low  a small angle, to be added to it
@@ -74,10 +81,14 @@ struct ReducedAngle {
     const double shift = 0x1.8p52, shifted = x * steps_in_radian + shift, k = shifted - shift;
     const double behind = k * step_third - low, first = (x - k * step_first) - k * step_second;
     const double d = first - behind;
-    if (!(std::fabs(x) < 0x1p24) || (std::fabs(d) < 0x1p-16 && k != 0)) [[unlikely]] {
+    if (!(std::fabs(x) < 0x1p24)) [[unlikely]] {
         ReducedAngle angle = reduce_by_all_bits(x);
         const Parts sum = exact_sum(angle.d, angle.d_low + low);
         return {angle.n, sum.high, sum.low};
+    }
+    if (std::fabs(d) < 0x1p-16 && k != 0) [[unlikely]] {
+        const Parts rest = beyond_multiple(k, first, low);
+        return {std::bit_cast<std::uint64_t>(shifted), rest.high, rest.low};
     }
     return {std::bit_cast<std::uint64_t>(shifted), d, (first - d) - behind};
 }

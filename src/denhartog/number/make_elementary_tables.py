@@ -188,7 +188,7 @@ def write(name, brief, lines):
 
 def write_circle():
     step = PI // 64
-    first, second, third = in_doubles(step, 24, 24)
+    first, second, third, fourth = in_doubles(step, 24, 24, 53)
     write("circle_tables.hpp", "Sines, arc tangents and the bits of 2 / pi", [
         constant("pi_high", pair(PI)[0], "pi, rounded"),
         constant("pi_low", pair(PI)[1], "what its rounding lacks"),
@@ -197,7 +197,8 @@ def write_circle():
         constant("step_low", pair(step)[1], "what its rounding lacks"),
         constant("step_first", first, "the first 24 bits of pi / 64"),
         constant("step_second", second, "the next 24"),
-        constant("step_third", third, "the rest"),
+        constant("step_third", third, "the next 53"),
+        constant("step_fourth", fourth, "the rest"),
         "",
         "/// @brief A point of the circle.",
         "struct Direction {",
