@@ -182,7 +182,8 @@ TEST_CASE("next to a friction ratio at which a phase jumps, its bound holds or r
     const auto instant = [&](const Real50& beta) {
         const Scene<Real50> wide = scene_source(scene).in_50_digits();
         const ModeSums<Real50> sums = mode_sums(modal_basis(wide.system), wide.system.contact, wide.system.load, *wide.r);
-        return instants_of_maxima(sums, beta, Mass{0}).instants[0];
+        FrictionMotions<Real50> y(sums);
+        return instants_of_maxima(y, beta, Mass{0}).instants[0];
     };
     Real50 below = Real50(jump) * (1 - Real50(1e-12)), above = Real50(jump) * (1 + Real50(1e-12));
     const Real50 left = instant(below);
@@ -191,10 +192,23 @@ TEST_CASE("next to a friction ratio at which a phase jumps, its bound holds or r
         const Real50 middle = (below + above) / 2;
         (abs(Real50(instant(middle) - left)) < Real50(0.1) ? below : above) = middle;
     }
-    const std::string text = R"({"mass_ratios": [1, 1, 1.25, 3.25], "stiffness_ratios": [1, 0.5, 0.5, 2], "r": 0.28,
-                                 "damping_ratios": [0.02, 0.02, 0.02, 0.02], "contact": 4, "load": 2, "beta": ")" +
-                             number_to_text(below) + "\"}";
-    const Solution closest = answer(scene_source(SceneText{text}), 10);
+    const auto at = [](const Real50& beta, int digits) {
+        const std::string text = R"({"mass_ratios": [1, 1, 1.25, 3.25], "stiffness_ratios": [1, 0.5, 0.5, 2], "r": 0.28,
+                                     "damping_ratios": [0.02, 0.02, 0.02, 0.02], "contact": 4, "load": 2, "beta": ")" +
+                                 number_to_text(beta) + "\"}";
+        return answer(scene_source(SceneText{text}), digits);
+    };
+    const Solution closest = at(below, 10);
     CHECK(closest.method.precision == "100 digits");
     CHECK(closest.digits_reached);
+
+    // Nearer and nearer, from both sides: the two displacements are then the same to all digits of double, and one is found first.
+    for (const char* apart : {"1e-18", "1e-24", "1e-36", "1e-45", "1e-47", "1e-48", "1e-49"})
+        for (const int side : {-1, 1}) {
+            const Real50 beta = below * (1 + side * Real50(apart));
+            const Solution low = at(beta, 10), high = at(beta, 60);
+            INFO("apart by " << apart << ", side " << side);
+            CHECK(std::abs(low.masses[0].phase->value - high.masses[0].phase->value) <= low.masses[0].phase->error);
+            CHECK(low.masses[0].phase->error < 1e-10);
+        }
 }

@@ -97,7 +97,8 @@ SlidingPoint<T> point_at(const Scene<T>& scene, const ModeSums<Bounded<T>>& sums
         else
             return widened<T>(instants);
     };
-    const std::vector<Searched> demands = instants_of_demands(values);
+    FrictionMotions<Searched> motions(values);
+    const std::vector<Searched> demands = instants_of_demands(motions);
     SlidingPoint<T> point{boundary_with(sums, as_input(scene.mu), in_type(demands)), std::nullopt, std::nullopt};
     Boundary<Bounded<T>>& b = point.boundary;
     if constexpr (!std::same_as<T, Searched>) { // a larger value elsewhere is larger by no more than the search could tell
@@ -112,7 +113,7 @@ SlidingPoint<T> point_at(const Scene<T>& scene, const ModeSums<Bounded<T>>& sums
     if (point.regime->regime != Regime::continuous || !wish.motion) return point;
     const Bounded<Searched> beta = as_input(static_cast<Searched>(*scene.beta));
     const std::vector<Searched> errors = errors_of_displacements(steady_state_without_maxima(searched, beta));
-    const InstantsOfMaxima<Searched> maxima = instants_of_maxima(values, beta.x, wish.only, errors);
+    const InstantsOfMaxima<Searched> maxima = instants_of_maxima(motions, beta.x, wish.only, errors);
     point.state = steady_state_at(sums, as_input(*scene.beta), as_bounded(in_type(maxima.instants)), wish.only);
     if constexpr (!std::same_as<T, Searched>) {
         const SteadyState<Bounded<double>> narrow = steady_state_at(searched, beta, as_bounded(maxima.instants), wish.only);

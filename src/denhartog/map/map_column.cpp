@@ -101,6 +101,14 @@ private:
         return *sums_;
     }
 
+    // For all friction ratios: the searches for the largest displacements share many of their instants.
+    FrictionMotions<double>& remembered_motions() {
+        constexpr std::size_t most_remembered = std::size_t(1) << 16;
+        if (!values_) values_ = values_of(sums());
+        if (!motions || motions->remembered() > most_remembered) motions.emplace(*values_);
+        return *motions;
+    }
+
     ContactColumn evaluated() {
         const std::size_t j = map.system().contact.index;
         return {sums().V[j], sums().U[j], sums().G[j], regime_boundary(sums(), as_input(map.mu))};
@@ -144,7 +152,7 @@ private:
     bool slide(std::size_t n) {
         const Bounded<double> beta = as_input(map.beta[n]);
         const std::optional<Mass> only = map.masses.size() == 1 ? std::optional(map.masses.front()) : std::nullopt;
-        const std::vector<double> instants = instants_of_maxima(values_of(sums()), beta.x, only).instants;
+        const std::vector<double> instants = instants_of_maxima(remembered_motions(), beta.x, only).instants;
         const SteadyState<Bounded<double>> state =
             steady_state_at(sums(), beta, std::vector<Bounded<double>>(instants.begin(), instants.end()), only);
         if (!write(n, [&](std::size_t k) { return state.masses[k].amplitude; })) return false;
@@ -231,7 +239,9 @@ private:
     const MapSystem& map;
     double r;
     std::optional<ModeSums<Bounded<double>>> sums_; // evaluated when they are first needed
-    bool by_arrays;                                 // whether `column` comes from the arrays
+    std::optional<ModeSums<double>> values_;        // the same without bounds
+    std::optional<FrictionMotions<double>> motions;
+    bool by_arrays; // whether `column` comes from the arrays
     ContactColumn column;
     std::span<MapPoint> points;
     std::span<double> amplitudes;

@@ -28,12 +28,7 @@ std::atomic<long> searches{0};
 // The expression of (57) of one mode, with its limits.
 template <class T>
 T s_d(const ModeSums<T>& s, std::size_t i, const T& tau) {
-    if (!(tau > 0)) return paper::s_d_at_zero(s.R[i], s.zeta[i], s.u[i], s.g[i]);
-    return evaluation::s_d_integrand(tau, s.R[i], s.zeta[i]);
-}
-template <class T>
-Bounded<T> s_d(const ModeSums<Bounded<T>>& s, std::size_t i, const Bounded<T>& tau) {
-    return evaluation::s_d_integrand_of(tau, s.R[i], s.zeta[i], evaluation::DampingFunctions<Bounded<T>>{s.u[i], s.g[i]});
+    return evaluation::s_d_integrand_of(tau, s.R[i], s.zeta[i], evaluation::DampingFunctions<T>{s.u[i], s.g[i]});
 }
 
 // Some modes, with their weights, as a function of tau to be maximised: F = N / sin, where N = sum weight R^2 (y' + u cos).
@@ -44,10 +39,10 @@ Bounded<T> s_d(const ModeSums<Bounded<T>>& s, std::size_t i, const Bounded<T>& t
 // is large. Without oscillations it is at most sum weight |c| (1 / R^2 + 1).
 template <class T>
 struct Demand {
-    const ModeSums<T>& s;
-    FrictionMotions<T>& y;
+    FrictionMotions<T>& y; // of the modes from `first` on, as many as there are weights
     std::size_t first;
     const std::vector<T>& weights;
+    const ModeSums<T>& s = y.sums();
 
     Sample<T> operator()(const T& tau) const {
         const FrictionMotionsAt<T>& at = y.at(tau);
@@ -107,15 +102,17 @@ ModeSums<Real50> in_50_digits(const ModeSums<double>& s, std::size_t first, std:
 }
 
 template <class T>
-T instant_of_largest(const ModeSums<T>& s, std::size_t first, const std::vector<T>& weights) {
+T instant_of_largest(FrictionMotions<T>& y, std::size_t first, const std::vector<T>& weights) {
+    const ModeSums<T>& s = y.sums();
     if constexpr (std::is_same_v<T, double>) {
-        if (terms_hide_demand(s, first, weights))
-            return static_cast<double>(instant_of_largest(in_50_digits(s, first, weights.size()), 0,
-                                                          std::vector<Real50>(weights.begin(), weights.end())));
+        if (terms_hide_demand(s, first, weights)) {
+            const ModeSums<Real50> wide = in_50_digits(s, first, weights.size());
+            FrictionMotions<Real50> wide_y(wide);
+            return static_cast<double>(instant_of_largest(wide_y, 0, std::vector<Real50>(weights.begin(), weights.end())));
+        }
     }
     ++searches;
-    FrictionMotions<T> y(s, first, first + weights.size());
-    const Demand<T> demand{s, y, first, weights};
+    const Demand<T> demand{y, first, weights};
     Curve<T> curve;
     curve.sample = [&](const T& tau) { return demand(tau); };
     curve.rate = [&](const T& a, const T&) { return demand.rate(a); };
@@ -216,7 +213,8 @@ Boundary<T> boundary_at(const ModeSums<T>& s, const T& mu, const T& instant, con
 }
 
 template <class T>
-T instant_of_largest_demand(const ModeSums<T>& s) {
+T instant_of_largest_demand(FrictionMotions<T>& y) {
+    const ModeSums<T>& s = y.sums();
     if (s.coupled) {
         ++searches;
         return instant_of_largest_demand_where_coupled(s);
@@ -226,7 +224,13 @@ T instant_of_largest_demand(const ModeSums<T>& s) {
     if (at_start) return T(0);
     std::vector<T> squares;
     for (const T& psi_ji : mode_shapes_at(s, s.contact)) squares.push_back(psi_ji * psi_ji);
-    return instant_of_largest(s, 0, squares);
+    return instant_of_largest(y, 0, squares);
+}
+
+template <class T>
+T instant_of_largest_demand(const ModeSums<T>& s) {
+    FrictionMotions<T> y(s);
+    return instant_of_largest_demand(y);
 }
 
 bool largest_at_start(const ModeSums<double>& s) {
@@ -246,19 +250,23 @@ RegimeBoundary<Bounded<double>> regime_boundary(const ModeSums<Bounded<double>>&
 long demand_searches() { return searches; }
 
 template <class T>
-std::vector<T> instants_of_demands(const ModeSums<T>& s) {
-    std::vector<T> instants{instant_of_largest_demand(s)};
+std::vector<T> instants_of_demands(FrictionMotions<T>& y) {
+    const ModeSums<T>& s = y.sums();
+    std::vector<T> instants{instant_of_largest_demand(y)};
+    const auto of_mode = [&s](std::size_t i) {
+        FrictionMotions<T> alone(s, i, i + 1);
+        return instant_of_largest(alone, i, std::vector<T>{T(1)});
+    };
     for (std::size_t i = 0; i < s.R.size(); ++i)
-        instants.push_back(s.R.size() == 1                  ? instants.front()
-                           : mode_is_largest_at_start(s, i) ? T(0)
-                                                            : instant_of_largest(s, i, std::vector<T>{T(1)}));
+        instants.push_back(s.R.size() == 1 ? instants.front() : mode_is_largest_at_start(s, i) ? T(0) : of_mode(i));
     return instants;
 }
 
 template <class T>
 Boundary<T> boundary(const ModeSums<T>& s, const T& mu) {
     check_static_friction(mu);
-    const std::vector<T> instants = instants_of_demands(s);
+    FrictionMotions<T> y(s);
+    const std::vector<T> instants = instants_of_demands(y);
     return boundary_at(s, mu, instants.front(), std::vector<T>(instants.begin() + 1, instants.end()));
 }
 
@@ -271,9 +279,9 @@ template Bounded<Real100> sliding_demand(const ModeSums<Bounded<Real100>>&, cons
 template double instant_of_largest_demand(const ModeSums<double>&);
 template Real50 instant_of_largest_demand(const ModeSums<Real50>&);
 template Real100 instant_of_largest_demand(const ModeSums<Real100>&);
-template std::vector<double> instants_of_demands(const ModeSums<double>&);
-template std::vector<Real50> instants_of_demands(const ModeSums<Real50>&);
-template std::vector<Real100> instants_of_demands(const ModeSums<Real100>&);
+template std::vector<double> instants_of_demands(FrictionMotions<double>&);
+template std::vector<Real50> instants_of_demands(FrictionMotions<Real50>&);
+template std::vector<Real100> instants_of_demands(FrictionMotions<Real100>&);
 template Boundary<double> boundary_at(const ModeSums<double>&, const double&, const double&, const std::vector<double>&);
 template Boundary<Bounded<double>> boundary_at(const ModeSums<Bounded<double>>&, const Bounded<double>&, const Bounded<double>&,
                                                const std::vector<Bounded<double>>&);

@@ -7,6 +7,7 @@
 
 #include "denhartog/number/bounded.hpp"
 #include "denhartog/sliding/regime_at_point.hpp"
+#include "denhartog/sums/friction_motion.hpp"
 #include "denhartog/sums/mode_sums.hpp"
 
 namespace denhartog {
@@ -90,10 +91,10 @@ template <class T>
 
 /// @brief Where the sum over the modes of (57)'s expression is largest, and where that of each mode is.
 /// @eq{56,57}
-/// @param sums  modes at a frequency ratio
+/// @param y     braces of (40) of all modes at a frequency ratio; what it remembers serves the next search
 /// @return      N + 1 instants in [0, pi]; 0 stands for the limit
 /// @throws      PrecisionError where a maximum is not settled
 template <class T>
-[[nodiscard]] std::vector<T> instants_of_demands(const ModeSums<T>& sums);
+[[nodiscard]] std::vector<T> instants_of_demands(FrictionMotions<T>& y);
 
 } // namespace denhartog

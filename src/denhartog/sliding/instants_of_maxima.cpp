@@ -60,7 +60,8 @@ T rate_of_friction(const ModeSums<T>& s, const std::vector<T>& weights, const Fr
 }
 
 template <class T>
-std::pair<T, T> instant_and_spread(const ModeSums<T>& s, FrictionMotions<T>& y, const T& beta, std::size_t k, const T& error) {
+std::pair<T, T> instant_and_spread(FrictionMotions<T>& y, const T& beta, std::size_t k, const T& error) {
+    const ModeSums<T>& s = y.sums();
     const MassInMotion<T> mass(s, k, beta);
     const T harmonic_size = modulus(Complex<T>{mass.h.A, mass.h.B});
     Curve<T> curve;
@@ -90,24 +91,24 @@ std::pair<T, T> instant_and_spread(const ModeSums<T>& s, FrictionMotions<T>& y, 
 } // namespace
 
 template <class T>
-InstantsOfMaxima<T> instants_of_maxima(const ModeSums<T>& s, const T& beta, std::optional<Mass> only,
+InstantsOfMaxima<T> instants_of_maxima(FrictionMotions<T>& y, const T& beta, std::optional<Mass> only,
                                        const std::vector<T>& errors) {
-    FrictionMotions<T> y(s, 0, s.R.size());
+    const ModeSums<T>& s = y.sums();
     InstantsOfMaxima<T> all{std::vector<T>(s.V.size(), T(0)), std::vector<T>(s.V.size(), T(0))};
     for (std::size_t k = 0; k < s.V.size(); ++k) {
         if (k == s.contact.index || (only && k != only->index)) continue;
         const T error = errors.empty() ? T(0) : errors[k];
         std::tie(all.instants[k], all.spreads[k]) =
-            s.coupled ? instant_and_spread_where_coupled(s, beta, k, error) : instant_and_spread(s, y, beta, k, error);
+            s.coupled ? instant_and_spread_where_coupled(s, beta, k, error) : instant_and_spread(y, beta, k, error);
     }
     return all;
 }
 
-template InstantsOfMaxima<double> instants_of_maxima(const ModeSums<double>&, const double&, std::optional<Mass>,
+template InstantsOfMaxima<double> instants_of_maxima(FrictionMotions<double>&, const double&, std::optional<Mass>,
                                                      const std::vector<double>&);
-template InstantsOfMaxima<Real50> instants_of_maxima(const ModeSums<Real50>&, const Real50&, std::optional<Mass>,
+template InstantsOfMaxima<Real50> instants_of_maxima(FrictionMotions<Real50>&, const Real50&, std::optional<Mass>,
                                                      const std::vector<Real50>&);
-template InstantsOfMaxima<Real100> instants_of_maxima(const ModeSums<Real100>&, const Real100&, std::optional<Mass>,
+template InstantsOfMaxima<Real100> instants_of_maxima(FrictionMotions<Real100>&, const Real100&, std::optional<Mass>,
                                                       const std::vector<Real100>&);
 
 } // namespace denhartog

@@ -9,6 +9,7 @@
 #include "denhartog/scene/scene.hpp"
 #include "denhartog/sliding/maximum.hpp"
 #include "denhartog/sliding/steady_state.hpp"
+#include "denhartog/sums/friction_motion.hpp"
 #include "denhartog/sums/mode_sums.hpp"
 
 namespace denhartog {
@@ -43,13 +44,13 @@ struct InstantsOfMaxima {
 
 /// @brief Where the displacements of the masses are largest, guaranteed by `global_maximum`.
 /// @eq{46}
-/// @param sums    modes at a frequency ratio
+/// @param y       braces of (40) of all modes at a frequency ratio; what it remembers serves the next search
 /// @param beta    friction ratio, Eq. (11), in the sliding regime
 /// @param only    the one mass whose maximum is wanted besides that of the contact; none for all
 /// @param errors  bounds of the errors that the sums make of the displacements, N; empty for none
 /// @return        the instants
 template <class T>
-[[nodiscard]] InstantsOfMaxima<T> instants_of_maxima(const ModeSums<T>& sums, const T& beta,
+[[nodiscard]] InstantsOfMaxima<T> instants_of_maxima(FrictionMotions<T>& y, const T& beta,
                                                      std::optional<Mass> only = std::nullopt, const std::vector<T>& errors = {});
 
 } // namespace denhartog

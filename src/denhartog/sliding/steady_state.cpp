@@ -135,7 +135,8 @@ SteadyState<T> steady_state_without_maxima(const ModeSums<T>& s, const T& beta) 
 template <class T>
 SteadyState<T> steady_state(const ModeSums<T>& s, const RegimeBoundary<T>& boundary, const T& beta, std::optional<Mass> only) {
     check_sliding(boundary, beta);
-    return steady_state_at(s, beta, instants_of_maxima(s, beta, only).instants, only);
+    FrictionMotions<T> y(s);
+    return steady_state_at(s, beta, instants_of_maxima(y, beta, only).instants, only);
 }
 
 template <class T>

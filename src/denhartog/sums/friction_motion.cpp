@@ -28,8 +28,8 @@ std::vector<evaluation::FrictionMotion<T>> friction_motions(const ModeSums<T>& s
 }
 
 template <class T>
-FrictionMotions<T>::FrictionMotions(const ModeSums<T>& sums_, std::size_t first_, std::size_t last_)
-    : sums(sums_), first(first_), last(last_) {
+FrictionMotions<T>::FrictionMotions(const ModeSums<T>& sums, std::size_t first_, std::size_t last_)
+    : sums_(sums), first(first_), last(last_) {
     for (std::size_t i = first; i < last; ++i) {
         const T& zeta = sums.zeta[i];
         if (zeta >= 1) {
@@ -45,7 +45,7 @@ FrictionMotions<T>::FrictionMotions(const ModeSums<T>& sums_, std::size_t first_
 
 template <class T>
 T FrictionMotions<T>::size_of(const evaluation::FrictionMotion<T>& y, std::size_t i, const T& tau) const {
-    const T &R = sums.R[i], &zeta = sums.zeta[i];
+    const T &R = sums_.R[i], &zeta = sums_.zeta[i];
     if (zeta < 1) return c[i - first] * exp(T(-zeta * tau / R));
     const T y_1 = R * y.prime, y_2 = R * R * y.double_prime;
     const T y_3 = -(2 * zeta * y_2 + y_1), y_4 = -(2 * zeta * y_3 + y_2);
@@ -56,14 +56,14 @@ template <class T>
 const FrictionMotionsAt<T>& FrictionMotions<T>::at(const T& tau, bool sizes) {
     auto place = known.lower_bound(tau);
     if (place == known.end() || place->first != tau) {
-        if (known.size() * c.size() >= most_remembered) {
+        if (remembered() >= most_remembered) {
             known.clear();
             memory.release();
             place = known.end();
         }
         FrictionMotionsAt<T> braces{cos(tau), sin(tau), std::pmr::vector<evaluation::FrictionMotion<T>>(&memory),
                                     std::pmr::vector<T>(&memory)};
-        add_friction_motions(sums, tau, first, last, braces.y);
+        add_friction_motions(sums_, tau, first, last, braces.y);
         place = known.emplace_hint(place, tau, std::move(braces));
     }
     FrictionMotionsAt<T>& now = place->second;

@@ -36,14 +36,23 @@ public:
     /// @param last   one past the last mode of the range
     FrictionMotions(const ModeSums<T>& sums, std::size_t first, std::size_t last);
 
+    /// @brief Of all modes. @param sums modes at a frequency ratio; must outlive the object
+    explicit FrictionMotions(const ModeSums<T>& sums) : FrictionMotions(sums, 0, sums.R.size()) {}
+
     /// @brief Braces and derivatives at an instant.
     /// @param tau    non-dimensional time in [0, pi]
     /// @param sizes  whether bounds of the derivatives from there on are needed as well
     /// @return       one entry for each mode of the range, valid until the next call
     const FrictionMotionsAt<T>& at(const T& tau, bool sizes = false);
 
+    /// @brief The modes. @return what was given
+    [[nodiscard]] const ModeSums<T>& sums() const { return sums_; }
+
+    /// @brief Number of modes times number of instants that are remembered. @return the product
+    [[nodiscard]] std::size_t remembered() const { return known.size() * c.size(); }
+
 private:
-    const ModeSums<T>& sums;
+    const ModeSums<T>& sums_;
     std::size_t first, last;
     std::vector<T> c;
     std::pmr::monotonic_buffer_resource memory; // of what is known: an instant costs no allocation of its own
