@@ -107,7 +107,7 @@ TEST_CASE("a motion of 50 digits that does not start where that of double does i
         const SolveTask task{source, question, scene, aim_of(30), scene_with_modes<double>(source).basis, nullptr};
         Solution s;
         s.contact = scene.system.contact;
-        answer_by_orbit(task, solver, near, s);
+        answer_by_orbit(task, solver, near, false, s);
         return s;
     };
     CHECK(answer_to(found).method.precision == "50 digits");

@@ -77,7 +77,7 @@ std::string verdict(const Attempted& attempted, const Aim& aim) {
     words.reserve(64); // one allocation: a point of a map costs little more
     words = attempted.relative <= aim.tolerance ? "the error bound guarantees the " : "the error bound does not guarantee the ";
     append_in_words(words, aim);
-    if (!attempted.decided) words += ", but beta lies on a boundary";
+    if (!attempted.decided) words.append(", but ").append(attempted.doubt);
     return words;
 }
 

@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <string>
+#include <string_view>
 #include <type_traits>
 
 #include "denhartog/answer/solution.hpp"
@@ -60,8 +61,9 @@ enum class Precision : std::uint8_t {
 
 /// @brief What an attempt in one precision came to.
 struct Attempted {
-    double relative;     ///< largest error of what must have the digits, relative as they count
-    bool decided = true; ///< whether its regime is certain
+    double relative;                                    ///< largest error of what must have the digits, relative as they count
+    bool decided = true;                                ///< whether its regime is certain
+    std::string_view doubt = "beta lies on a boundary"; ///< why it is not
 };
 
 /// @brief The attempt that answers.

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 
 #include "denhartog/answer/solution.hpp"
 #include "denhartog/stick_slip/periodic_orbit.hpp"
@@ -37,6 +38,16 @@ template <class T>
 template <class T>
 [[nodiscard]] OrbitSolution orbit_solution(ExactSolver<T>& solver, const PeriodicOrbit<T>& orbit, int digits,
                                            std::optional<Mass> only = std::nullopt);
+
+/// @brief Whether an orbit is the sliding motion of the closed form as far as double can tell. Its stops are left aside: next to the
+/// boundary they may be rounding.
+/// @param orbit  a periodic orbit
+/// @param X_j    amplitude of the contact by the closed form
+/// @return       whether it is
+[[nodiscard]] inline bool is_sliding_motion(const PeriodicOrbit<double>& orbit, double X_j) {
+    return orbit.symmetric && orbit.periods == 1 &&
+           std::abs(orbit.contact.amplitude - X_j) <= 16 * orbit.error_bound + 1e-9 * X_j;
+}
 
 /// @brief Sizes of the multipliers and the verdict.
 /// @param orbit  an orbit whose stability was computed

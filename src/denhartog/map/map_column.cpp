@@ -5,8 +5,10 @@
 #include <functional>
 
 #include "denhartog/answer/held_solution.hpp"
+#include "denhartog/answer/orbit_solution.hpp"
 #include "denhartog/evaluation/contact.hpp"
 #include "denhartog/map/contact_amplitudes.hpp"
+#include "denhartog/map/orbit_on_line.hpp"
 #include "denhartog/number/effort.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/sliding/instants_of_maxima.hpp"
@@ -19,24 +21,6 @@ namespace denhartog {
 namespace {
 
 constexpr double least_accuracy = 1e-6; // relative to an amplitude: what has less is left to `solve`
-
-// A periodic orbit by its state at tau = 0, with its friction ratio.
-struct Orbit {
-    State<double> start;
-    double beta;
-};
-
-// None far from both.
-std::optional<State<double>> on_line_through(const Orbit& a, const Orbit& b, double beta) {
-    const double part = (beta - b.beta) / (b.beta - a.beta);
-    if (!(std::abs(part) <= 2)) return std::nullopt;
-    State<double> z = b.start;
-    for (std::size_t k = 0; k < z.x.size(); ++k) {
-        z.x[k] += part * (b.start.x[k] - a.start.x[k]);
-        z.x_prime[k] += part * (b.start.x_prime[k] - a.start.x_prime[k]);
-    }
-    return z;
-}
 
 class MapColumn {
 public:
@@ -184,7 +168,7 @@ private:
     bool sweep(std::size_t n) {
         if (!last && sliding) {
             const ModeSums<double> here = values_of(sums());
-            last = Orbit{at_maximum_of_force(here, steady_state_without_maxima(here, map.beta[*sliding])), map.beta[*sliding]};
+            last = OrbitAt{at_maximum_of_force(here, steady_state_without_maxima(here, map.beta[*sliding])), map.beta[*sliding]};
             before_last.reset();
         }
         std::optional<State<double>> ahead;
@@ -211,13 +195,16 @@ private:
         const auto number = [&](std::size_t k) {
             return Bounded<double>(contact_alone ? orbit.contact.amplitude : orbit.masses[k].amplitude, orbit.error_bound);
         };
-        if (!is_told(n) || !write(n, number)) return false;
         // A damped motion without stops is the closed form's: beyond the boundary there are stops, if none that is long enough to
         // be seen. With mu = 1 the boundary tells the regime anyway.
-        const bool stops = !orbit.stops.empty() || (!slides(map.beta[n]) && (map.mu == 1 || damped));
+        const bool unseen = orbit.stops.empty() && !slides(map.beta[n]) && (map.mu == 1 || damped);
+        const bool rounding = !orbit.stops.empty() && slides(map.beta[n]) && is_sliding_motion(orbit, contact_amplitude(n).x);
+        const bool open = (unseen || rounding) && !is_near && (map.mu == 1 || map.start == MapStart::rest); // `solve` tells
+        if (open || !is_told(n) || !write(n, number)) return false;
+        const bool stops = !orbit.stops.empty() || unseen;
         points[n] = {PointStatus::answered, stops ? Regime::stick_slip : Regime::continuous,
                      static_cast<std::int32_t>(orbit.stops.size()), orbit.periods};
-        before_last = std::exchange(last, Orbit{orbit.start, map.beta[n]});
+        before_last = std::exchange(last, OrbitAt{orbit.start, map.beta[n]});
         return true;
     }
 
@@ -230,8 +217,11 @@ private:
         if (map.masses.size() == 1) question.mass = map.masses.front();
         const Solution s = solve(map.prepared, r, map.beta[n], question);
         if (!s.digits_reached) throw PrecisionError("an amplitude has fewer than 6 certain digits");
-        for (std::size_t m = 0; m < map.masses.size(); ++m)
-            amplitudes[n * map.masses.size() + m] = s.amplitude(map.masses[m]).value;
+        for (std::size_t m = 0; m < map.masses.size(); ++m) {
+            const Certified& amplitude =
+                s.amplitude(map.masses[m]); // of a mass that does not move it is within its error of zero
+            amplitudes[n * map.masses.size() + m] = amplitude.error < amplitude.value ? amplitude.value : 0;
+        }
         points[n] = {s.regime.on_boundary ? PointStatus::on_boundary : PointStatus::answered, s.regime.regime,
                      static_cast<std::int32_t>(s.stops.size()), s.periods};
     }
@@ -249,7 +239,7 @@ private:
     bool damped;                               // every motion
     bool is_near = false;                      // whether the point is taken as double has it
     std::optional<std::size_t> sliding;        // the last point where the closed form answered
-    std::optional<Orbit> last, before_last;    // the last periodic orbits, that of sliding among them
+    std::optional<OrbitAt> last, before_last;  // the last periodic orbits, that of sliding among them
     std::optional<HeldSolution> held;          // found when it is first needed
     std::optional<ExactSolver<double>> solver; // set up when it is first needed
 };

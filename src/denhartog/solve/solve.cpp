@@ -34,13 +34,6 @@ void say_whether_unique(const ModalBasis<Bounded<double>>& basis, double mu, Sol
         s.unique_because = "not known: a mode has no damping, and the motion may depend on the start";
 }
 
-// Whether an orbit is the sliding motion of the closed form.
-bool is_closed_form(const PeriodicOrbit<double>& orbit, const Solution& s) {
-    if (s.masses.empty() || !orbit.stops.empty() || !orbit.symmetric || orbit.periods != 1) return false;
-    const double X_j = s.masses[s.contact.index].amplitude.value;
-    return std::abs(orbit.contact.amplitude - X_j) <= 16 * orbit.error_bound + 1e-9 * X_j;
-}
-
 // The regime that was met; the one that the boundaries have instead, which then exists besides at mu > 1.
 void set_regime(const SolveTask& task, Regime met, const std::string& reason, Solution& s) {
     if (!task.pole && s.regime.regime != met) {
@@ -51,16 +44,25 @@ void set_regime(const SolveTask& task, Regime met, const std::string& reason, So
     if (task.scene.mu > 1 || task.pole || met == Regime::continuous) s.regime.reason += "; " + reason;
 }
 
-// What the stops of a motion that is not the closed form's say; those of the answer, which may be too short for double. Static
-// friction acts in stops alone: a motion without any is one with mu = 1, which is the closed form where all motions are damped.
+// Static friction acts in stops alone: a motion without any is one with mu = 1, which is the closed form where all motions are
+// damped. Beyond the boundary, where that does not hold, there are stops.
+bool stops_are_certain(const SolveTask& task, const Solution& s) {
+    return s.regime.regime == Regime::stick_slip && (task.scene.mu == 1 || every_motion_is_damped(*task.basis));
+}
+
+// What the stops of a motion that is not the closed form's say; those of the answer, which may be too short for double.
 void set_regime_by_stops(const SolveTask& task, const PeriodicOrbit<double>& orbit, std::size_t stops, Solution& s) {
     if (stops > 0) {
         set_regime(task, Regime::stick_slip, "the contact stops in every period", s);
         if (orbit.stops.empty()) s.regime.reason += "; double precision finds no stop, 50 digits find " + std::to_string(stops);
-    } else if (s.regime.regime == Regime::stick_slip && (task.scene.mu == 1 || every_motion_is_damped(*task.basis))) {
+    } else if (stops_are_certain(task, s)) {
         s.regime.reason += "; the motion shows no stop, and the bound of its error is " + number_in_digits(orbit.error_bound, 2);
     } else {
-        set_regime(task, Regime::continuous, "the contact does not stop, but the motion is not that of the closed form", s);
+        const bool sliding = !task.pole && every_motion_is_damped(*task.basis);
+        set_regime(task, Regime::continuous,
+                   sliding ? "the motion from rest is the sliding motion"
+                           : "the contact does not stop, but the motion is not that of the closed form",
+                   s);
     }
 }
 
@@ -94,15 +96,18 @@ void answer_from_rest(const SolveTask& task, Solution& s) {
         throw PrecisionError(
             "the contact moves too little for double precision to tell its motion from rest. This much is certain: " +
             s.regime.reason);
-    const bool slides = !task.pole && !rests && is_closed_form(orbit, s);
+    const bool slides =
+        !task.pole && !rests && !s.masses.empty() && is_sliding_motion(orbit, s.masses[s.contact.index].amplitude.value);
+    // Next to the boundary stops may be rounding, or too short to be seen: 50 digits tell.
+    const bool open = orbit.stops.empty() ? !task.pole && !rests && stops_are_certain(task, s) : slides;
     if (rests) {
         set_regime(task, Regime::permanent_sticking, "from the start from rest " + orbit.reason, s);
-    } else if (slides) {
+    } else if (slides && orbit.stops.empty()) {
         set_regime(task, Regime::continuous, "the motion from rest is the sliding motion", s);
     } else if (regime_alone) {
-        set_regime_by_stops(task, orbit, orbit.stops.size(), s);
+        set_regime_by_stops(task, orbit, open ? stops_in_50_digits(task, orbit) : orbit.stops.size(), s);
     } else {
-        answer_by_orbit(task, solver, orbit, s);
+        answer_by_orbit(task, solver, orbit, open, s);
         set_regime_by_stops(task, orbit, s.stops.size(), s);
         if (!orbit.reason.empty()) s.regime.reason += "; " + orbit.reason;
         return;

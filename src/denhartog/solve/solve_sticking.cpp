@@ -40,8 +40,9 @@ bool same_motion(const PeriodicOrbit<Real50>& orbit, const PeriodicOrbit<double>
                               [&](const Real50& x, double there) { return abs(Real50(x - there)) <= near.error_bound; });
 }
 
-// The same orbit in 50 digits.
-void orbit_in_50_digits(const SolveTask& task, const PeriodicOrbit<double>& near, Solution& s) {
+// The same orbit in 50 digits, for whoever takes it with its solver.
+template <class Take>
+void find_in_50_digits(const SolveTask& task, const PeriodicOrbit<double>& near, bool contact_only, const Take& take) {
     const SceneIn<Real50> in = scene_with_modes<Real50>(task.source);
     const ContactSystem<Real50> system = contact_system(in.scene.system);
     ExactSolver<Real50> solver(system, {*in.scene.r, *in.scene.beta, in.scene.mu});
@@ -52,11 +53,18 @@ void orbit_in_50_digits(const SolveTask& task, const PeriodicOrbit<double>& near
     how.periods_before = near.periods;
     how.follow_start = false;
     how.with_stability = false;
-    how.contact_only = task.question.mass == system.contact;
+    how.contact_only = contact_only;
     const PeriodicOrbit<Real50> orbit = periodic_orbit(solver, start, how);
     if (!same_motion(orbit, near))
         throw PrecisionError("the search in 50 digits does not find the motion that double precision found");
-    write_orbit(task, solver, orbit, orbit_solution(solver, orbit, task.aim.digits, task.question.mass), s);
+    take(solver, orbit);
+}
+
+void orbit_in_50_digits(const SolveTask& task, const PeriodicOrbit<double>& near, Solution& s) {
+    const bool contact_only = task.question.mass == task.scene.system.contact;
+    find_in_50_digits(task, near, contact_only, [&](ExactSolver<Real50>& solver, const PeriodicOrbit<Real50>& orbit) {
+        write_orbit(task, solver, orbit, orbit_solution(solver, orbit, task.aim.digits, task.question.mass), s);
+    });
 }
 
 } // namespace
@@ -85,7 +93,18 @@ void answer_by_stuck_response(const SolveTask& task, const std::optional<Certifi
     s.relative_error = found.relative;
 }
 
-void answer_by_orbit(const SolveTask& task, ExactSolver<double>& solver, const PeriodicOrbit<double>& orbit, Solution& s) {
+std::size_t stops_in_50_digits(const SolveTask& task, const PeriodicOrbit<double>& orbit) {
+    std::size_t stops = orbit.stops.size();
+    try {
+        find_in_50_digits(task, orbit, true,
+                          [&](const auto&, const PeriodicOrbit<Real50>& found) { stops = found.stops.size(); });
+    } catch (const PrecisionError&) {
+    }
+    return stops;
+}
+
+void answer_by_orbit(const SolveTask& task, ExactSolver<double>& solver, const PeriodicOrbit<double>& orbit, bool open,
+                     Solution& s) {
     const OrbitSolution in_double = orbit_solution(solver, orbit, task.aim.digits, task.question.mass);
     const double error = relative_error(task, in_double);
     const auto attempt = [&]<class T>(std::type_identity<T>) {
@@ -93,7 +112,7 @@ void answer_by_orbit(const SolveTask& task, ExactSolver<double>& solver, const P
             write_orbit(task, solver, orbit, in_double, s);
         else if constexpr (std::same_as<T, Real50>)
             orbit_in_50_digits(task, orbit, s);
-        return Attempted{s.relative_error};
+        return Attempted{s.relative_error, !open || std::same_as<T, Real50>, "double does not tell whether the contact stops"};
     };
     s.method.model = "exact solver";
     try {

@@ -62,8 +62,16 @@ void answer_by_stuck_response(const SolveTask& task, const std::optional<Certifi
 /// @param task    the task
 /// @param solver  the solver that found the orbit
 /// @param orbit   the orbit, with its masses
+/// @param open    whether it is for 50 digits to say if the motion stops
 /// @param s       gets the answer
 /// @throws        PrecisionError where the digits asked for are out of reach
-void answer_by_orbit(const SolveTask& task, ExactSolver<double>& solver, const PeriodicOrbit<double>& orbit, Solution& s);
+void answer_by_orbit(const SolveTask& task, ExactSolver<double>& solver, const PeriodicOrbit<double>& orbit, bool open,
+                     Solution& s);
+
+/// @brief Number of stops of a motion of which double does not tell whether it stops.
+/// @param task   the task
+/// @param orbit  the orbit
+/// @return       those that 50 digits find; those of the orbit, where these do not find it
+[[nodiscard]] std::size_t stops_in_50_digits(const SolveTask& task, const PeriodicOrbit<double>& orbit);
 
 } // namespace denhartog
