@@ -186,8 +186,8 @@ Found compared_quantities(const Scene<double>& scene) {
 }
 
 // Numbers that are handed out without their bounds, to 6 digits: of a map and of the curves of the boundary. A mass that does not
-// move by double, to 1024 roundings of the largest amplitude as `solve` has it, is none; a boundary that 50 digits do not tell from
-// zero is zero.
+// move by double, to 1024 roundings of the largest amplitude as `solve` has it, is none; a boundary that 50 digits do not tell
+// from zero is zero.
 Found compared_map(const Scene<double>& scene) {
     AnswerComparer comparer;
     const auto in_double = [](double x) { return Certified{x, x == 0 ? 0x1p-140 : 1e-6 * std::abs(x), {}}; };

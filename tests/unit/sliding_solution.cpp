@@ -202,7 +202,7 @@ TEST_CASE("next to a friction ratio at which a phase jumps, its bound holds or r
     CHECK(closest.method.precision == "100 digits");
     CHECK(closest.digits_reached);
 
-    // Nearer and nearer, from both sides: the two displacements are then the same to all digits of double, and one is found first.
+    // Nearer and nearer, from both sides: the two displacements are the same to all digits of double, and one is found first.
     for (const char* apart : {"1e-18", "1e-24", "1e-36", "1e-45", "1e-47", "1e-48", "1e-49"})
         for (const int side : {-1, 1}) {
             const Real50 beta = below * (1 + side * Real50(apart));

@@ -39,8 +39,8 @@ template <class T>
 [[nodiscard]] OrbitSolution orbit_solution(ExactSolver<T>& solver, const PeriodicOrbit<T>& orbit, int digits,
                                            std::optional<Mass> only = std::nullopt);
 
-/// @brief Whether an orbit is the sliding motion of the closed form as far as double can tell. Its stops are left aside: next to the
-/// boundary they may be rounding.
+/// @brief Whether an orbit is the sliding motion of the closed form as far as double can tell. Its stops are left aside: next to
+/// the boundary they may be rounding.
 /// @param orbit  a periodic orbit
 /// @param X_j    amplitude of the contact by the closed form
 /// @return       whether it is

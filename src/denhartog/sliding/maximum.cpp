@@ -137,8 +137,8 @@ private:
             const T zero = zero_by_interpolation(now, before);
             const bool falls_off = zero > a && zero < b && 2 * absolute(T(zero - now.tau)) < step_before;
             const T next = falls_off ? zero : T(a + (b - a) / 2), step = absolute(T(next - now.tau)), tiny = rounding_of(next);
-            // Steps fall off at least as those of Newton's method, each a multiple of the square of the one before. That multiple is
-            // the one seen, or 1, if that is more: it is seen too small where the first step started next to the root.
+            // Steps fall off at least as those of Newton's method, each a multiple of the square of the one before. That multiple
+            // is the one seen, or 1, if that is more: it is seen too small where the first step started next to the root.
             const bool falls_to_nothing = step * step <= tiny && step * step * step <= tiny * step_before * step_before;
             const bool ends = step <= tiny || (fell_off && falls_off && falls_to_nothing);
             if (ends || !(a < next && next < b)) return node(next);

@@ -3,6 +3,7 @@
 #include "denhartog/answer/held_solution.hpp"
 #include "denhartog/answer/orbit_solution.hpp"
 #include "denhartog/model/coordinates.hpp"
+#include "denhartog/number/effort.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/solve/solve_task.hpp"
 
@@ -95,10 +96,12 @@ void answer_by_stuck_response(const SolveTask& task, const std::optional<Certifi
 
 std::size_t stops_in_50_digits(const SolveTask& task, const PeriodicOrbit<double>& orbit) {
     std::size_t stops = orbit.stops.size();
+    if (highest_precision(task.aim, number_of_masses(task.scene.system)) == Precision::in_double) return stops;
     try {
         find_in_50_digits(task, orbit, true,
                           [&](const auto&, const PeriodicOrbit<Real50>& found) { stops = found.stops.size(); });
     } catch (const PrecisionError&) {
+        if (QuestionEffort::exhausted()) throw;
     }
     return stops;
 }

@@ -71,7 +71,8 @@ void answer_by_orbit(const SolveTask& task, ExactSolver<double>& solver, const P
 /// @brief Number of stops of a motion of which double does not tell whether it stops.
 /// @param task   the task
 /// @param orbit  the orbit
-/// @return       those that 50 digits find; those of the orbit, where these do not find it
+/// @return       those that 50 digits find; those of the orbit, where these do not find it or the masses are too many for them
+/// @throws       PrecisionError where the effort is spent
 [[nodiscard]] std::size_t stops_in_50_digits(const SolveTask& task, const PeriodicOrbit<double>& orbit);
 
 } // namespace denhartog
