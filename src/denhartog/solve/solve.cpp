@@ -1,7 +1,6 @@
 #include "denhartog/solve/solve.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "denhartog/answer/held_solution.hpp"
