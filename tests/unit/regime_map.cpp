@@ -106,6 +106,13 @@ TEST_CASE("where static friction is hardly larger, stops too short for double ar
     CHECK(unseen.regime.regime == Regime::stick_slip);
     CHECK(unseen.stops.empty());
     CHECK(unseen.regime.reason.find("the motion shows no stop") != std::string::npos);
+    long_chain.mu = 1 + 1e-12;
+    long_chain.beta = boundary(sums_of(long_chain), long_chain.mu).exact * (1 + 4e-15);
+    Question regime;
+    regime.asked = Asked::regime;
+    CHECK(solve(scene_source(long_chain), regime).regime.reason.find("the motion shows no stop") != std::string::npos);
+    regime.digits = 10; // then 50 digits are used
+    CHECK(solve(scene_source(long_chain), regime).regime.reason.find("50 digits find 2") != std::string::npos);
 }
 
 TEST_CASE("next to the boundary 50 digits tell stops from rounding, to 6 digits as well as to 30, and in a map",
