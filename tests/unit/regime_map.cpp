@@ -115,6 +115,26 @@ TEST_CASE("where static friction is hardly larger, stops too short for double ar
     CHECK(solve(scene_source(long_chain), regime).regime.reason.find("50 digits find 2") != std::string::npos);
 }
 
+TEST_CASE("of undamped masses too, every question and the map give the stops that double does not see", "[map][solve][eq:69]") {
+    // A last digit above the boundary.
+    Scene<double> two = chain({1, 1.3}, {1, 2}, {0, 0}, 1, 1, 1.0000004, 1.7);
+    two.beta = 0.767003822550217;
+    Scene<double> three = chain({1, 1.2, 0.9}, {1, 1, 0.125}, {0, 0, 0}, 3, 1, 1.0000004, 0.81);
+    three.beta = 0.13807294341070753;
+    for (const Scene<double>& scene : {two, three}) {
+        for (const Asked asked : {Asked::motion, Asked::amplitude, Asked::regime}) {
+            Question question;
+            question.asked = asked;
+            const Solution found = solve(scene_source(scene), question);
+            CHECK(found.regime.regime == Regime::stick_slip);
+            CHECK(found.regime.reason.find("double precision finds no stop, 50 digits find 2") != std::string::npos);
+        }
+        const RegimeMap map = regime_map(scene, {{*scene.r}, {*scene.beta}, {Mass{0}}, MapStart::rest, 1}, never);
+        CHECK(map.points.front().regime == Regime::stick_slip);
+        CHECK(map.points.front().stops == 2);
+    }
+}
+
 TEST_CASE("next to the boundary 50 digits tell stops from rounding, to 6 digits as well as to 30, and in a map",
           "[map][solve][eq:69]") {
     // Below the boundary by its last digits: double finds two stops of 3e-14, or none to its error.

@@ -49,6 +49,25 @@ template <class T>
            std::abs(orbit.contact.amplitude - X_j) <= 16 * orbit.error_bound + 1e-9 * X_j;
 }
 
+/// @brief Whether a motion has stops even if double sees none. Static friction acts in stops alone: a motion without any is one
+/// with mu = 1, which is the closed form where all motions are damped, and that does not hold beyond the boundary.
+/// @param beyond  whether the friction ratio is beyond the boundary of sliding
+/// @param mu      static over kinetic friction, Eq. (3)
+/// @param damped  whether every free motion is damped
+/// @return        whether it must have stops
+[[nodiscard]] inline bool stops_for_certain(bool beyond, double mu, bool damped) { return beyond && (mu == 1 || damped); }
+
+/// @brief Whether double does not tell if the contact stops: beyond the boundary the stops of a motion may be too short to be
+/// seen, and of the sliding motion they may be rounding.
+/// @param orbit   a periodic orbit
+/// @param beyond  whether the friction ratio is beyond the boundary of sliding
+/// @param stops   whether the motion has stops for certain
+/// @param slides  whether it is the sliding motion of the closed form
+/// @return        whether 50 digits have to tell
+[[nodiscard]] inline bool stops_are_open(const PeriodicOrbit<double>& orbit, bool beyond, bool stops, bool slides) {
+    return orbit.stops.empty() ? stops || (beyond && orbit.symmetric && orbit.periods == 1) : slides;
+}
+
 /// @brief Sizes of the multipliers and the verdict.
 /// @param orbit  an orbit whose stability was computed
 /// @return       its stability

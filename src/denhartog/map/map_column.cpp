@@ -195,13 +195,11 @@ private:
         const auto number = [&](std::size_t k) {
             return Bounded<double>(contact_alone ? orbit.contact.amplitude : orbit.masses[k].amplitude, orbit.error_bound);
         };
-        // A damped motion without stops is the closed form's: beyond the boundary there are stops, if none that is long enough to
-        // be seen. With mu = 1 the boundary tells the regime anyway.
-        const bool unseen = orbit.stops.empty() && !slides(map.beta[n]) && (map.mu == 1 || damped);
-        const bool rounding = !orbit.stops.empty() && slides(map.beta[n]) && is_sliding_motion(orbit, contact_amplitude(n).x);
-        const bool open = (unseen || rounding) && !is_near && (map.mu == 1 || map.start == MapStart::rest); // `solve` tells
+        const bool beyond = !slides(map.beta[n]), must_stop = stops_for_certain(beyond, map.mu, damped);
+        const bool open = !is_near && (map.mu == 1 || map.start == MapStart::rest) && // where `solve` tells
+                          stops_are_open(orbit, beyond, must_stop, !beyond && is_sliding_motion(orbit, contact_amplitude(n).x));
         if (open || !is_told(n) || !write(n, number)) return false;
-        const bool stops = !orbit.stops.empty() || unseen;
+        const bool stops = !orbit.stops.empty() || must_stop;
         points[n] = {PointStatus::answered, stops ? Regime::stick_slip : Regime::continuous,
                      static_cast<std::int32_t>(orbit.stops.size()), orbit.periods};
         before_last = std::exchange(last, OrbitAt{orbit.start, map.beta[n]});

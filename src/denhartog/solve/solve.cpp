@@ -43,10 +43,8 @@ void set_regime(const SolveTask& task, Regime met, const std::string& reason, So
     if (task.scene.mu > 1 || task.pole || met == Regime::continuous) s.regime.reason += "; " + reason;
 }
 
-// Static friction acts in stops alone: a motion without any is one with mu = 1, which is the closed form where all motions are
-// damped. Beyond the boundary, where that does not hold, there are stops.
-bool stops_are_certain(const SolveTask& task, const Solution& s) {
-    return s.regime.regime == Regime::stick_slip && (task.scene.mu == 1 || every_motion_is_damped(*task.basis));
+bool must_stop(const SolveTask& task, const Solution& s) {
+    return stops_for_certain(s.regime.regime == Regime::stick_slip, task.scene.mu, every_motion_is_damped(*task.basis));
 }
 
 // What the stops of a motion that is not the closed form's say; those of the answer, which may be too short for double.
@@ -54,7 +52,7 @@ void set_regime_by_stops(const SolveTask& task, const PeriodicOrbit<double>& orb
     if (stops > 0) {
         set_regime(task, Regime::stick_slip, "the contact stops in every period", s);
         if (orbit.stops.empty()) s.regime.reason += "; double precision finds no stop, 50 digits find " + std::to_string(stops);
-    } else if (stops_are_certain(task, s)) {
+    } else if (must_stop(task, s)) {
         s.regime.reason += "; the motion shows no stop, and the bound of its error is " + number_in_digits(orbit.error_bound, 2);
     } else {
         const bool sliding = !task.pole && every_motion_is_damped(*task.basis);
@@ -97,8 +95,8 @@ void answer_from_rest(const SolveTask& task, Solution& s) {
             s.regime.reason);
     const bool slides =
         !task.pole && !rests && !s.masses.empty() && is_sliding_motion(orbit, s.masses[s.contact.index].amplitude.value);
-    // Next to the boundary stops may be rounding, or too short to be seen: 50 digits tell.
-    const bool open = orbit.stops.empty() ? !task.pole && !rests && stops_are_certain(task, s) : slides;
+    const bool open =
+        !task.pole && !rests && stops_are_open(orbit, s.regime.regime == Regime::stick_slip, must_stop(task, s), slides);
     if (rests) {
         set_regime(task, Regime::permanent_sticking, "from the start from rest " + orbit.reason, s);
     } else if (slides && orbit.stops.empty()) {
