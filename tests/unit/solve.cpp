@@ -163,6 +163,21 @@ TEST_CASE("a contact that rests gives the stuck response and the interval of res
     CHECK(more.masses[0].amplitude.value == Approx(std::abs(X)).epsilon(1e-13));
 }
 
+TEST_CASE("where double loses the springs that hold the contact, 50 digits bound the interval of rest", "[solve][eq:88]") {
+    // Beside the spring of 2^40 the contact's own, 2^-40, is lost: the matrix of double is singular.
+    const double stiff = 0x1p40, soft = 0x1p-40, mu = 1.25;
+    Scene<double> scene = chain({1, stiff, 1, 1}, {1, soft, soft, stiff}, {0.5, 0.5, 0.5, 0.5}, 3, 3, mu, 2.1);
+    scene.beta = 64;
+    const double half = (64 * mu - 1) * (1 + 2 * stiff); // the springs to the wall in series
+    for (const Asked asked : {Asked::motion, Asked::amplitude}) {
+        const Solution s = asking(scene, asked);
+        REQUIRE(s.rest_interval);
+        CHECK(s.method.precision == "50 digits");
+        CHECK(std::abs(s.rest_interval->to.value - half) <= s.rest_interval->to.error + 1e-16 * half);
+        CHECK(s.rest_interval->to.error <= 1e-6 * half);
+    }
+}
+
 TEST_CASE("with mu above 1 the answer is that of the start from rest and is not called unique", "[solve]") {
     const Scene<double> scene = with_beta(oscillator(0.05, 1, 2), 0.55);
     const Solution s = asking(scene, Asked::motion);

@@ -174,6 +174,7 @@ HeldSolution held_solution(const Scene<T>& scene, const StuckConfiguration<T>& s
     const T error = errors.load * compliance.most() + abs(to) * (of_compliance + 4 * unit_of<T>());
     solution.rest_interval = {certified(Bounded<T>(T(-to), error), digits), certified(Bounded<T>(to, error), digits),
                               std::nullopt};
+    if (!(error - error == 0)) solution.relative = std::max(solution.relative, 1.0); // the stiffness is singular in this type
     solution.sticking_by_88 = limit_by_88(scene, stuck, response, digits);
     return solution;
 }

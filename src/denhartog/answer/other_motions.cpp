@@ -139,9 +139,11 @@ private:
             const HeldSolution held =
                 held_solution(scene, system.stuck, with_errors(scene.system, system.basis), digits_by_default);
             motion.masses = held.masses;
-            motion.rest_interval = held.rest_interval;
-            motion.rest_interval->rests_at =
-                certified(Bounded<double>(orbit.start.x[system.contact.index], orbit.error_bound), digits_by_default);
+            if (std::isfinite(held.rest_interval.to.error)) { // where double gives one
+                motion.rest_interval = held.rest_interval;
+                motion.rest_interval->rests_at =
+                    certified(Bounded<double>(orbit.start.x[system.contact.index], orbit.error_bound), digits_by_default);
+            }
         } else {
             const OrbitSolution found_orbit = orbit_solution(solver, orbit, digits_by_default);
             motion.masses = found_orbit.masses;
