@@ -204,6 +204,7 @@ int main(int argc, char** argv) {
             run.range = ranges.at(range);
             run.questions = questions;
             run.contradictions = !questions;
+            if (!questions) run.seconds_a_question *= 20; // a comparison asks up to 20
             return adversarial(run);
         });
         sub->add_option("--scenes", run.scenes, "How many scenes")->check(CLI::PositiveNumber);
