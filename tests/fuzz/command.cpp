@@ -1,5 +1,5 @@
-// The commands that answer scenes. The first line is a command with its options, the rest the standard input. The program's own
-// main runs, in this process, and does little work: its options are refused here where a user would have to wait for the answer.
+// The commands that answer scenes. The first line is a command with its options, the rest the standard input. The program
+// runs in this process, and does little work: its options are refused here where a user would have to wait for the answer.
 #include <algorithm>
 #include <cmath>
 #include <iostream>
@@ -8,9 +8,8 @@
 #include <vector>
 
 #include "denhartog/number/effort.hpp"
+#include "denhartog/program/program.hpp"
 #include "tests/fuzz/claims.hpp"
-
-int denhartog_main(int argc, char** argv); // src/denhartog/program/main.cpp, compiled under this name
 
 namespace {
 
@@ -69,7 +68,7 @@ int run(std::vector<std::string> words, std::string input) {
     std::FILE* const before = stdin;
     stdin = fmemopen(input.data(), input.size(), "r");
     const QuestionEffort effort(0, operations);
-    const int status = denhartog_main(static_cast<int>(words.size()), arguments.data());
+    const int status = program::run_program(static_cast<int>(words.size()), arguments.data(), {});
     std::fclose(stdin);
     stdin = before;
     return status;

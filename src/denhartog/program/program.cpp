@@ -1,0 +1,68 @@
+#include "denhartog/program/program.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include "denhartog/number/errors.hpp"
+#include "denhartog/program/commands/commands.hpp"
+#include "denhartog/program/files.hpp"
+#include "denhartog/program/sweep/command.hpp"
+#include "denhartog/version.hpp"
+
+namespace denhartog::program {
+namespace {
+
+std::string version_text(const Build& build) {
+    return "denhartog " DENHARTOG_VERSION "\n" + (build.commit.empty() ? "" : "commit " + build.commit + ", ") + "built by " +
+           build.compiler +
+           "\nThe digits are the same on every machine with numbers of IEEE 754, from every compiler that rounds by it";
+}
+
+int run(int argc, char** argv, const Build& build, ExitStatus& status) {
+    CLI::App app{"Steady forced vibration of damped mass-spring systems with a Coulomb contact", "denhartog"};
+    app.set_version_flag("--version", version_text(build), "Print the version, the commit and the compiler, and exit");
+    app.require_subcommand(1);
+    app.footer("Exit status: 0 answered; 1 an implementation under test does not conform; 2 bad input or usage;\n"
+               "3 could not compute to the digits asked for, or a program under test broke.\n"
+               "`denhartog SUBCOMMAND --help` explains a subcommand.");
+    add_solve_command(app, status);
+    add_response_command(app, status);
+    add_motion_command(app, status);
+    add_boundary_command(app, status);
+    add_map_command(app, status);
+    add_sweep_command(app, status, build.commit);
+    add_integrate_command(app, status);
+    add_functions_command(app, status);
+    add_equations_command(app);
+    add_derive_command(app);
+    add_conform_command(app, status, {argv, argv + argc});
+    add_describe_command(app);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::Success& help_or_version) {
+        app.exit(help_or_version);
+    } catch (const CLI::ParseError& e) {
+        status.bad_input = true;
+        const bool unknown = app.get_subcommands().empty() && !app.remaining().empty();
+        report(unknown ? "there is no subcommand '" + app.remaining().front() + "'" : std::string(e.what()));
+    }
+    write_standard_output("");
+    return status.value();
+}
+
+} // namespace
+
+int run_program(int argc, char** argv, const Build& build) {
+    ExitStatus status;
+    try {
+        return run(argc, argv, build, status);
+    } catch (const InputError& e) {
+        status.bad_input = true;
+        report(e.what());
+    } catch (const std::exception& e) {
+        status.digits_missing = true;
+        report(in_own_words(e));
+    }
+    return status.value();
+}
+
+} // namespace denhartog::program
