@@ -19,7 +19,7 @@ TEST_CASE("the demand (57) is largest for tau -> 0 where 2 R is at least w, and 
                 if (!std::isfinite(f.u) || std::abs(f.u) > 1e6) continue; // next to a pole
                 const double at_start = paper::s_d_at_zero(R, zeta, f.u, f.g);
                 for (int i = 1; i < 64; ++i) {
-                    const double excess = evaluation::s_d_integrand(pi<double>() * i / 64, R, zeta) / at_start - 1;
+                    const double excess = evaluation::s_d_integrand_of(pi<double>() * i / 64, R, zeta, {f.u, f.g}) / at_start - 1;
                     double& worst = below ? most_below : most;
                     worst = std::max(worst, excess);
                 }

@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "denhartog/evaluation/demand.hpp"
 #include "denhartog/number/multiprecision.hpp"
 #include "denhartog/number/reduced_angle.hpp"
 
@@ -38,6 +39,18 @@ std::string hexadecimal(T x) {
         x -= digit;
     }
     return text + "p" + std::to_string(exponent);
+}
+
+/// The expression under the maximum in (57) with (28) and (29), by the forms that ship, in more digits and rounded once.
+template <class T>
+T s_d_rounded_once(const T& tau, const T& R, const T& zeta) {
+    const auto in = [&]<class Wide>(std::type_identity<Wide>) {
+        const Wide wide_R(R), wide_zeta(zeta);
+        return static_cast<T>(evaluation::s_d_integrand_of(Wide(tau), wide_R, wide_zeta,
+                                                           evaluation::selected_damping_functions(wide_R, wide_zeta)));
+    };
+    if constexpr (std::is_same_v<T, double>) return in(std::type_identity<Real50>());
+    return in(std::type_identity<typename WiderOf<T>::type>());
 }
 
 /// Seeded numbers, the same on every machine.

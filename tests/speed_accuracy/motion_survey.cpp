@@ -36,7 +36,7 @@ std::array<T, 4> shipped_free_motion(const std::array<T, 3>& a) {
 template <class T>
 std::array<T, 5> shipped_motion(const T& tau, const T& R, const T& zeta) {
     const std::array<T, 4> f = shipped_free_motion<T>({tau, R, zeta});
-    return {f[0], f[1], f[2], f[3], evaluation::s_d_integrand(tau, R, zeta)};
+    return {f[0], f[1], f[2], f[3], s_d_rounded_once(tau, R, zeta)};
 }
 
 template <std::size_t n, class Wide>

@@ -7,9 +7,10 @@
 /// \f$ \sigma = \pi - \tau \f$ it is minus the same expression at \f$ \sigma \f$ with \f$ -\zeta_i \f$ and \f$ -g_i \f$.
 /// Where the decay over the half-period is large, \f$ 1 - g_i \f$ and \f$ u_{di} \f$ are both of the size of that decay, which is
 /// taken out. Around the middle the difference that is left is of half the size of its terms or less and each of them has
-/// roundings of its own, which would add up to five units in the last place: the forms are evaluated in the next wider type.
+/// roundings of its own, which add up to five units in the last place.
 /// From \f$ \zeta_i = 1 \f$ on there is no form from the end: both exponentials decay, and backwards in time the faster one has
-/// to cancel. Beyond the middle such a mode is evaluated in 50 digits, which keeps more than 30 of them next to \f$ \pi \f$.
+/// to cancel, so that next to \f$ \pi \f$ digits are lost. The number type carries its bound of the error, and where that does
+/// not suffice the forms are evaluated in 50 digits, which keep more than 30 of them there.
 #pragma once
 
 #include "denhartog/evaluation/friction_motion.hpp"
@@ -247,23 +248,6 @@ template <class T>
 template <class T>
 [[nodiscard]] T s_d_integrand_of(const T& tau, const T& R, const T& zeta, const DampingFunctions<T>& f) {
     return zeta >= 1 ? overdamped_s_d_integrand(tau, R, zeta, f) : oscillating_s_d_integrand(tau, R, zeta, f);
-}
-
-/// @brief The expression under the maximum in (57), (28) and (29) in it included, in the next wider type.
-/// @eq{57,71}  @derivation{evaluation_of_motion}  @domain{0 <= tau <= pi, R > 0, zeta >= 0}
-/// @param tau   non-dimensional time, Eq. (5); radians
-/// @param R     modal frequency ratio, Eq. (22)
-/// @param zeta  modal damping ratio
-/// @return      the expression, rounded once; not a number at the poles at zeta = 0, R = 1/n, n odd
-template <class T>
-[[nodiscard]] T s_d_integrand(const T& tau, const T& R, const T& zeta) {
-    using Wide = typename WiderOf<T>::type;
-    if (zeta == 0 && at_undamped_pole(R)) return zeta / zeta;
-    if constexpr (std::is_same_v<T, double>)
-        if (!within_range_of_two_doubles(tau, R, zeta) || (zeta >= 1 && 2 * tau > pi<T>()))
-            return s_d_integrand_in_50_digits(tau, R, zeta);
-    const Wide wide_R(R), wide_zeta(zeta);
-    return static_cast<T>(s_d_integrand_of(Wide(tau), wide_R, wide_zeta, selected_damping_functions(wide_R, wide_zeta)));
 }
 
 } // namespace denhartog::evaluation

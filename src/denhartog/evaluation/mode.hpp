@@ -229,7 +229,7 @@ template <class T>
     if (zeta == 0 && at_undamped_pole(R)) return {T(1 / zeta), T(zeta / zeta)};
     if (!std::is_same_v<T, float> && (2 * zeta < 1 || zeta >= 1)) return selected_damping_functions(R, zeta);
     if constexpr (std::is_same_v<T, double>)
-        if (!within_range_of_two_doubles(0, R, zeta)) return damping_functions_in_50_digits(R, zeta);
+        if (!within_range_of_two_doubles(R, zeta)) return damping_functions_in_50_digits(R, zeta);
     const DampingFunctions<Wide> f = selected_damping_functions(Wide(R), Wide(zeta));
     return {static_cast<T>(f.u), static_cast<T>(f.g)};
 }
