@@ -92,7 +92,7 @@ void add_boundary(Figure& figure, Record& record) {
     Table table{"boundary", {"x", "below", "above", "float", "double", "long double", "50 digits"}, {}};
     bool regimes = true;
     double off = 0;
-    const ModesAtContact<Real100> modes = response_paths::modes_of_chain(single_mass_at(b.exact).in_double());
+    const ModesAtContact<Real100> modes = response_paths::modes_of_chain(single_mass_at(b.exact)->in_double());
     for (int e = -1; e >= -19; --e) {
         const Real100 x = pow(Real100(10), e);
         std::vector<double> row{static_cast<double>(x)};

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -205,17 +206,30 @@ namespace response_paths {
             response_paths::steps(2, 29, 3)};
 }
 
-/// @brief A single mass, r = 3/4, zeta = 1/16, mu = 1, at a friction ratio next to its boundary in every number type.
-/// @param beta  the friction ratio
-[[nodiscard]] inline SceneSource single_mass_at(const Real100& beta) {
-    const Scene<double> scene = response_paths::chain({1}, {1}, 1, 1, 0x1p-4, 0.75, static_cast<double>(beta));
-    const auto with = [=](auto s) {
-        s.beta = static_cast<std::decay_t<decltype(*s.beta)>>(beta);
+/// @brief A single mass, r = 3/4, zeta = 1/16, mu = 1, at a friction ratio that is the same in every number type.
+class SingleMassAt final : public SceneReader {
+public:
+    /// @param beta_  the friction ratio
+    explicit SingleMassAt(const Real100& beta_)
+        : beta(beta_), scene(response_paths::chain({1}, {1}, 1, 1, 0x1p-4, 0.75, static_cast<double>(beta_))) {}
+    [[nodiscard]] const Scene<double>& in_double() const override { return scene; }
+    [[nodiscard]] Scene<Real50> in_50_digits() const override { return in<Real50>(); }
+    [[nodiscard]] Scene<Real100> in_100_digits() const override { return in<Real100>(); }
+
+private:
+    template <class T>
+    [[nodiscard]] Scene<T> in() const {
+        Scene<T> s = converted<T>(scene);
+        s.beta = static_cast<T>(beta);
         return s;
-    };
-    return {[=] { return scene; }, [=] { return with(converted<Real50>(scene)); },
-            [=] { return with(converted<Real100>(scene)); }};
-}
+    }
+
+    Real100 beta;
+    Scene<double> scene;
+};
+
+/// @brief That mass as a source. @param beta the friction ratio @return the source
+[[nodiscard]] inline SceneSource single_mass_at(const Real100& beta) { return std::make_shared<const SingleMassAt>(beta); }
 
 /// @brief The boundary of that mass, the amplitude there and its rate of change.
 struct AtBoundary {
@@ -227,7 +241,7 @@ struct AtBoundary {
 
 /// @brief The boundary of the single mass by the formulas of one mode. @return in 100 digits
 [[nodiscard]] inline AtBoundary boundary_of_single_mass() {
-    const Scene<Real100> scene = single_mass_at(Real100(0)).in_100_digits();
+    const Scene<Real100> scene = single_mass_at(Real100(0))->in_100_digits();
     const ModeSums<Real100> s = mode_sums(modal_basis(scene.system), Mass{0}, Mass{0}, *scene.r);
     const Boundary<Real100> b = boundary(s, Real100(1));
     const Real100 S = s.H_j + s.sum_of_squares;

@@ -180,7 +180,7 @@ TEST_CASE("questions that had no end have one within their budget, counted", "[e
         {"a chain of 60", chain(60, "0.03", R"("contact":20,"load":1,"mu":1,"r":0.7,"beta":0.4)"), motion}};
     for (const Hard& each : questions) {
         const SceneSource source = scene_source(split_scenes(each.scene).front());
-        const std::size_t N = number_of_masses(source.in_double().system);
+        const std::size_t N = number_of_masses(source->in_double().system);
         const QuestionEffort effort(N);
         std::string ending = "answered";
         try {

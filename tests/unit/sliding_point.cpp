@@ -26,7 +26,7 @@ TEST_CASE("error bounds known beforehand hold against 50 digits and leave more t
         Scene<double> scene = three_masses(r);
         scene.beta = 0.75 * boundary(sums_of(scene), scene.mu).exact;
         const SlidingPoint<double> low = bounded_point(scene);
-        const Response<Real50> high = response(scene_source(scene).in_50_digits());
+        const Response<Real50> high = response(scene_source(scene)->in_50_digits());
         CHECK(low.attempted.relative < 1e-7);
         REQUIRE(low.state);
         for (std::size_t k = 0; k < 3; ++k) {
@@ -49,7 +49,7 @@ TEST_CASE("error bounds known beforehand hold on random systems", "[eq:38][eq:69
         if (scene.system.damping_ratios.empty() || ++number % 16 != 0) continue;
         scene.beta = each.fraction_of_limit * boundary(sums_of(scene), scene.mu).exact;
         const SlidingPoint<double> low = bounded_point(scene);
-        const Response<Real50> high = response(scene_source(scene).in_50_digits());
+        const Response<Real50> high = response(scene_source(scene)->in_50_digits());
         REQUIRE(low.state);
         ++compared;
         INFO(each.name);
@@ -101,7 +101,7 @@ TEST_CASE("phases at frequencies far below all natural ones keep their bounds, a
             Scene<double> scene = chain({1, 1}, {1, 1}, {0.05, 0.05}, 2, 1, 1, r);
             scene.beta = part * boundary(sums_of(scene), 1.0).exact;
             const SlidingPoint<double> low = bounded_point(scene);
-            const Response<Real100> high = response(scene_source(scene).in_100_digits());
+            const Response<Real100> high = response(scene_source(scene)->in_100_digits());
             REQUIRE(low.state);
             for (std::size_t k = 0; k < 2; ++k) {
                 const Bounded<double>& phase = low.state->masses[k].phase;

@@ -31,7 +31,7 @@ TEST_CASE("the error bound of double holds against 100 digits", "[accuracy]") {
         Scene<double> scene = three_masses(r);
         scene.beta = 0.75 * boundary(sums_of(scene), scene.mu).exact;
         const Solution low = answer(scene_source(scene));
-        const Response<Real100> high = response(scene_source(scene).in_100_digits());
+        const Response<Real100> high = response(scene_source(scene)->in_100_digits());
         for (std::size_t k = 0; k < 3; ++k) {
             const SolvedMass& m = low.masses[k];
             const MassResponse<Real100>& w = high.steady_state->masses[k];
@@ -79,10 +79,10 @@ TEST_CASE("the digits of 50 agree with those of 100", "[accuracy]") {
 
 TEST_CASE("a number written as text is read anew in every precision", "[accuracy]") {
     const SceneText part{one_tenth};
-    CHECK(scene_source(part).in_100_digits().beta == Real100(1) / 10);
-    CHECK(scene_source(part).in_double().beta == 0.1);
-    Scene<double> rounded = scene_source(part).in_double();
-    CHECK(scene_source(rounded).in_100_digits().beta == Real100(0.1));
+    CHECK(scene_source(part)->in_100_digits().beta == Real100(1) / 10);
+    CHECK(scene_source(part)->in_double().beta == 0.1);
+    Scene<double> rounded = scene_source(part)->in_double();
+    CHECK(scene_source(rounded)->in_100_digits().beta == Real100(0.1));
     // The difference between one tenth and its double shows in the 17th digit of the answer.
     const Solution exact = answer(scene_source(part), 30), near = answer(scene_source(rounded), 30);
     const Real100 difference = abs(Real100(decimals_of(exact.masses[1].amplitude) / decimals_of(near.masses[1].amplitude) - 1));
@@ -115,7 +115,7 @@ TEST_CASE("a friction ratio that differs from the boundary by its rounding is de
     const Solution found = answer(scene_source(scene));
     CHECK(found.method.precision == "50 digits");
     CHECK_FALSE(found.regime.on_boundary);
-    const Scene<Real50> wide_scene = scene_source(scene).in_50_digits();
+    const Scene<Real50> wide_scene = scene_source(scene)->in_50_digits();
     CHECK((found.regime.regime == Regime::continuous) == (*wide_scene.beta < response(wide_scene).boundary.exact));
 }
 
@@ -180,7 +180,7 @@ TEST_CASE("next to a friction ratio at which a phase jumps, its bound holds or r
 
     // The same to all digits of 50: those of 100 tell.
     const auto instant = [&](const Real50& beta) {
-        const Scene<Real50> wide = scene_source(scene).in_50_digits();
+        const Scene<Real50> wide = scene_source(scene)->in_50_digits();
         const ModeSums<Real50> sums = mode_sums(modal_basis(wide.system), wide.system.contact, wide.system.load, *wide.r);
         FrictionMotions<Real50> y(sums);
         return instants_of_maxima(y, beta, Mass{0}).instants[0];

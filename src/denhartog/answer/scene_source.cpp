@@ -1,6 +1,5 @@
 #include "denhartog/answer/scene_source.hpp"
 
-#include <memory>
 #include <utility>
 
 #include "denhartog/model/coordinates.hpp"
@@ -8,49 +7,57 @@
 namespace denhartog {
 namespace {
 
-template <class Convert>
-SceneSource source_of(const Convert& convert) {
-    return {[convert] { return convert(double()); }, [convert] { return convert(Real50()); },
-            [convert] { return convert(Real100()); }};
+// A scene in double, or what is wrong with it, and a function that gives it in more digits.
+template <class Read>
+struct ReadBy final : SceneReader {
+    SceneOrError<double> narrow;
+    Read read;
+    ReadBy(SceneOrError<double> narrow_, Read read_) : narrow(std::move(narrow_)), read(std::move(read_)) {}
+    [[nodiscard]] const Scene<double>& in_double() const override {
+        if (narrow.error) throw InputError(*narrow.error);
+        return *narrow.scene;
+    }
+    [[nodiscard]] Scene<Real50> in_50_digits() const override { return read(Real50(), narrow); }
+    [[nodiscard]] Scene<Real100> in_100_digits() const override { return read(Real100(), narrow); }
+};
+
+template <class Read>
+SceneSource source_by(SceneOrError<double> narrow, Read read) {
+    return std::make_shared<const ReadBy<Read>>(std::move(narrow), std::move(read));
 }
 
 // The same source with something of its scene changed.
 template <class Change>
 SceneSource changed(const SceneSource& source, const Change& change) {
-    const auto then = [change](const auto& read) {
-        return [read, change] {
-            auto scene = read();
-            change(scene);
-            return scene;
-        };
-    };
-    return {then(source.in_double), then(source.in_50_digits), then(source.in_100_digits)};
+    SceneOrError<double> narrow;
+    change(narrow.scene.emplace(source->in_double()));
+    return source_by(std::move(narrow), [source, change]<class T>(T, const auto&) {
+        Scene<T> scene = scene_in<T>(source);
+        change(scene);
+        return scene;
+    });
 }
 
 } // namespace
 
 SceneSource scene_source(const SceneText& part) {
-    SceneSource source = source_of([text = std::string(part.text), line = part.line, alone = part.alone]<class T>(T) {
-        SceneOrError<T> read = read_scene<T>(SceneText{text, line, alone});
-        if (read.error) throw InputError(*read.error);
-        return in_own_coordinates(*read.scene);
-    });
-    // In double it is asked for more than once: it is read once.
-    SceneOrError<double> read = read_scene<double>(part);
-    if (read.scene) read.scene = in_own_coordinates(*read.scene);
-    source.in_double = [read = std::make_shared<const SceneOrError<double>>(std::move(read))] {
-        if (read->error) throw InputError(*read->error);
-        return *read->scene;
-    };
-    return source;
+    SceneOrError<double> narrow = read_scene<double>(part);
+    if (narrow.scene) narrow.scene = in_own_coordinates(*narrow.scene);
+    return source_by(std::move(narrow),
+                     [text = std::string(part.text), line = part.line, alone = part.alone]<class T>(T, const auto&) {
+                         const SceneOrError<T> read = read_scene<T>(SceneText{text, line, alone});
+                         if (read.error) throw InputError(*read.error);
+                         return in_own_coordinates(*read.scene);
+                     });
 }
 
 SceneSource scene_source(const Scene<double>& scene) {
-    return source_of([shared = std::make_shared<const Scene<double>>(scene)]<class T>(T) { // by all copies of the source
-        if constexpr (std::same_as<T, double>)
-            return in_own_coordinates(*shared);
-        else
-            return in_own_coordinates(converted<T>(*shared));
+    SceneOrError<double> narrow;
+    narrow.scene = in_own_coordinates(scene);
+    std::optional<Scene<double>> given; // where it is another
+    if (scene.system.contact_with || !scene.system.load_vector.empty()) given = scene;
+    return source_by(std::move(narrow), [given = std::move(given)]<class T>(T, const SceneOrError<double>& own) {
+        return in_own_coordinates(converted<T>(given ? *given : *own.scene));
     });
 }
 
@@ -67,6 +74,14 @@ SceneSource with_static_friction(const SceneSource& source, double mu) {
 
 SceneSource with_damping_tolerance(const SceneSource& source, double tolerance) {
     return changed(source, [tolerance](auto& scene) { scene.system.damping_tolerance = tolerance; });
+}
+
+SceneSource without_point(const SceneSource& source) {
+    return changed(source, [](auto& scene) {
+        scene.mu = 1;
+        scene.r.reset();
+        scene.beta.reset();
+    });
 }
 
 SceneSource without_friction_ratio(const SceneSource& source) {

@@ -2,31 +2,36 @@
 /// @brief A scene that can be had in every number type.
 #pragma once
 
-#include <functional>
+#include <memory>
 
 #include "denhartog/number/multiprecision.hpp"
 #include "denhartog/scene/scene_json.hpp"
 
 namespace denhartog {
 
+/// @brief How a scene is had in every number type.
+struct SceneReader {
+    virtual ~SceneReader() = default;
+    [[nodiscard]] virtual const Scene<double>&
+    in_double() const = 0;                                          ///< @return the scene in double, which lives as long as this
+    [[nodiscard]] virtual Scene<Real50> in_50_digits() const = 0;   ///< @return the scene in 50 digits
+    [[nodiscard]] virtual Scene<Real100> in_100_digits() const = 0; ///< @return the scene in 100 digits
+};
+
 /// @brief A scene in every number type: one tenth written as text is one tenth to all the digits of each.
 ///
 /// It is in the paper's form, see `in_own_coordinates`: what is computed from it comes in the order of `displacement_of`.
-struct SceneSource {
-    std::function<Scene<double>()> in_double;      ///< the scene in double
-    std::function<Scene<Real50>()> in_50_digits;   ///< the scene in 50 digits
-    std::function<Scene<Real100>()> in_100_digits; ///< the scene in 100 digits
-};
+using SceneSource = std::shared_ptr<const SceneReader>;
 
-/// @brief The scene in a number type. @param source the source @return the scene
+/// @brief The scene in a number type. @param source the source @return the scene; of double it is the source's own
 template <class T>
-[[nodiscard]] Scene<T> scene_in(const SceneSource& source) {
+[[nodiscard]] decltype(auto) scene_in(const SceneSource& source) {
     if constexpr (std::same_as<T, double>)
-        return source.in_double();
+        return source->in_double();
     else if constexpr (std::same_as<T, Real50>)
-        return source.in_50_digits();
+        return source->in_50_digits();
     else
-        return source.in_100_digits();
+        return source->in_100_digits();
 }
 
 /// @brief A scene from its JSON text.
@@ -50,6 +55,11 @@ template <class T>
 /// @brief The same scene with another tolerance of its damping matrix. @param source a scene @param tolerance see `System`
 /// @return the source
 [[nodiscard]] SceneSource with_damping_tolerance(const SceneSource& source, double tolerance);
+
+/// @brief The same system at mu = 1, with frequency ratio and friction ratio left out.
+/// @param source  a scene
+/// @return        the source
+[[nodiscard]] SceneSource without_point(const SceneSource& source);
 
 /// @brief The same scene with the friction ratio left out: its boundary is asked for, not its regime.
 /// @param source  a scene

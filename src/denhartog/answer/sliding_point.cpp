@@ -135,20 +135,13 @@ SlidingPoint<T> point_at(const Scene<T>& scene, const ModeSums<Bounded<T>>& sums
 template <class T>
 SceneIn<T> scene_with_modes(const SceneSource& source) {
     Scene<T> scene = scene_in<T>(source);
-    const auto with = [&] {
-        return std::make_shared<const ModalBasis<Bounded<T>>>(with_errors(scene.system, modal_basis(scene.system)));
-    };
-    if (is_double<T> || scene.system.damping_matrix.size() == 0) {
-        auto basis = with();
-        return {std::move(scene), std::move(basis)};
-    }
-    auto basis = with();
-    if (!basis->coupled()) return {std::move(scene), std::move(basis)};
-    const ModalBasis<double> narrow = modal_basis(source.in_double().system);
+    auto basis = modes_with_errors(scene.system);
+    if (is_double<T> || scene.system.damping_matrix.size() == 0 || !basis->coupled()) return {std::move(scene), std::move(basis)};
+    const ModalBasis<double> narrow = modal_basis(source->in_double().system);
     if (narrow.coupled()) return {std::move(scene), std::move(basis)};
     scene.system.damping_ratios.assign(narrow.zeta.begin(), narrow.zeta.end());
     scene.system.damping_matrix.resize(0, 0);
-    basis = with();
+    basis = modes_with_errors(scene.system);
     return {std::move(scene), std::move(basis)};
 }
 

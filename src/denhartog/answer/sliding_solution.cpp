@@ -42,7 +42,7 @@ void write_point(const Scene<T>& scene, const SlidingPoint<T>& point, int digits
 
 Solution sliding_solution(const SceneSource& source, const SlidingQuestion& question) {
     const Aim aim = aim_of(question.digits);
-    const Scene<double> scene = source.in_double();
+    const Scene<double>& scene = source->in_double();
     check(scene);
     (void)frequency_ratio_of(scene);
     const QuestionEffort effort(number_of_masses(scene.system));
@@ -51,23 +51,26 @@ Solution sliding_solution(const SceneSource& source, const SlidingQuestion& ques
     s.contact = scene.system.contact;
     const auto attempt = [&]<class T>(std::type_identity<T>) {
         SceneIn<T> in;
+        const Scene<T>* place = &in.scene;
         std::optional<BoundedModes<T>> own;
         BoundedModes<T>* modes = nullptr;
-        if constexpr (std::same_as<T, double>) modes = question.modes;
-        if (modes != nullptr) {
-            in.scene = scene_in<T>(source);
-        } else {
+        if constexpr (std::same_as<T, double>)
+            if (question.modes != nullptr) {
+                place = &scene;
+                modes = question.modes;
+            }
+        if (modes == nullptr) {
             in = scene_with_modes<T>(source);
             modes = &own.emplace(in.basis, as_input(*in.scene.r));
         }
         // Where mu > 1 the motion from rest may be the sliding one.
         const bool motion = question.asked != Asked::regime || scene.mu > 1;
         const bool limits = question.asked == Asked::motion || question.asked == Asked::regime;
-        const SlidingPoint<T> point = sliding_point(in.scene, *modes, {motion, limits, question.only, aim.digits});
-        s.r = exactly(*in.scene.r, aim.digits);
-        s.mu = exactly(in.scene.mu, aim.digits);
-        if (in.scene.beta) s.beta = exactly(*in.scene.beta, aim.digits);
-        write_point(in.scene, point, aim.digits, question.asked, s);
+        const SlidingPoint<T> point = sliding_point(*place, *modes, {motion, limits, question.only, aim.digits});
+        s.r = exactly(*place->r, aim.digits);
+        s.mu = exactly(place->mu, aim.digits);
+        if (place->beta) s.beta = exactly(*place->beta, aim.digits);
+        write_point(*place, point, aim.digits, question.asked, s);
         s.method.model = point.state ? "closed form" : "boundary of the sliding regime";
         return point.attempted;
     };

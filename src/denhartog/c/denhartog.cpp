@@ -19,21 +19,7 @@ namespace {
 
 std::size_t masses_of(const dh_system* system) {
     need(system, "system");
-    return number_of_masses(system->prepared.scene.system);
-}
-
-// The scene of any text at mu = 1 and without a point.
-SceneSource without_point(const SceneSource& source) {
-    const auto plain = [](const auto& read) {
-        return [read] {
-            auto scene = read();
-            scene.mu = 1;
-            scene.r.reset();
-            scene.beta.reset();
-            return scene;
-        };
-    };
-    return {plain(source.in_double), plain(source.in_50_digits), plain(source.in_100_digits)};
+    return number_of_masses(system->prepared.scene().system);
 }
 
 void make_system(const SceneSource& source, dh_system** system) {
@@ -48,7 +34,7 @@ void make_system(const SceneSource& source, dh_system** system) {
 }
 
 ModeSums<double> sums_at(const dh_system* system, double r) {
-    const System<double>& s = system->prepared.scene.system;
+    const System<double>& s = system->prepared.scene().system;
     return mode_sums(system->prepared.moving->basis, s.contact, s.load, r);
 }
 
@@ -157,9 +143,9 @@ int dh_system_masses(const dh_system* system, size_t* N, size_t* contact, size_t
         const std::size_t count = masses_of(system);
         need(N, "N");
         *N = count;
-        const System<double>& s = system->prepared.scene.system;
+        const System<double>& s = system->prepared.scene().system;
         if (contact != nullptr) *contact = (s.coordinates.between.empty() ? s.contact : s.coordinates.between[0]).index + 1;
-        if (load != nullptr) *load = system->prepared.scene.system.load.index + 1;
+        if (load != nullptr) *load = system->prepared.scene().system.load.index + 1;
     });
 }
 
@@ -248,7 +234,7 @@ int dh_high_frequency_limit(const dh_system* system, double mu, double* beta_lim
         need(system, "system");
         need(beta_lim, "beta_lim");
         check_static_friction(mu);
-        const System<double>& s = system->prepared.scene.system;
+        const System<double>& s = system->prepared.scene().system;
         if (s.contact != s.load) throw DomainError("(86) is for a contact that bears the load, j = l");
         *beta_lim = paper::friction_ratio_limit_at_high_frequency(mu);
     });
@@ -258,7 +244,7 @@ int dh_sliding_motion(const dh_system* system, double r, double beta, double mu,
     return guarded([&] {
         const Mass k = mass_from(mass, masses_of(system), "mass");
         need_struct(result, "result");
-        const Mass row = displacement_of(system->prepared.scene.system, k);
+        const Mass row = displacement_of(system->prepared.scene().system, k);
         const Solution found = closed_form_at(system, r, beta, mu, Asked::motion, row);
         if (found.masses.empty()) throw_not_sliding(beta, found.limits->exact.value);
         const SolvedMass& m = found.masses[row.index];

@@ -150,7 +150,7 @@ std::pair<std::size_t, std::size_t> numbers_of_masses(const dh_systems_request& 
     for (std::size_t n = 0; n < request.count; ++n) {
         const dh_system* system = element(request.systems, request.system_step, n);
         if (system == nullptr) throw CallError(DH_ERROR_NULL, "request->systems[" + std::to_string(n) + "] must not be null");
-        const std::size_t N = number_of_masses(system->prepared.scene.system);
+        const std::size_t N = number_of_masses(system->prepared.scene().system);
         least = std::min(least, N);
         largest = std::max(largest, N);
     }
@@ -171,7 +171,7 @@ int dh_map(const dh_system* system, const dh_map_request* request, const dh_map_
         need(request->r, "request->r");
         need(request->beta, "request->beta");
         check_static_friction(request->mu);
-        Scene<double> scene = system->prepared.scene;
+        Scene<double> scene = system->prepared.scene();
         scene.mu = request->mu;
         MapRequest map_request;
         map_request.r.assign(request->r, request->r + request->r_count);
@@ -206,7 +206,7 @@ int dh_solve_points(const dh_system* system, const dh_points_request* request, c
         check_static_friction(request->mu);
         check_points(*request);
         const std::vector<Mass> masses =
-            masses_from(request->mass_count, request->masses, number_of_masses(system->prepared.scene.system));
+            masses_from(request->mass_count, request->masses, number_of_masses(system->prepared.scene().system));
         const Question question = question_of(*points, request->digits, masses);
         const PreparedSystem prepared =
             prepare(with_static_friction(system->prepared.source, request->mu), question, Prepared::every_regime);
@@ -236,7 +236,7 @@ int dh_solve_systems(const dh_systems_request* request, const dh_points* points)
             const PreparedSystem& prepared = element(request->systems, request->system_step, n)->prepared;
             const double mu = element(request->mu, request->mu_step, n);
             std::vector<Mass> masses = of_largest;
-            if (request->masses == nullptr) masses.resize(number_of_masses(prepared.scene.system));
+            if (request->masses == nullptr) masses.resize(number_of_masses(prepared.scene().system));
             const auto ask = [&](const PreparedSystem& at_mu) {
                 return answer_at(at_mu, element(request->r, request->r_step, n), element(request->beta, request->beta_step, n),
                                  question, masses, allowed);

@@ -38,7 +38,7 @@ Numbers existing(bool exists, double x, const char* why) {
 Numbers shape_products(const AtPoint& a) {
     Numbers psi(a.N * a.N), products;
     done(dh_mode_shapes(a.system, a.r, psi.size(), psi.data()));
-    const std::vector<Mass>& between = a.system->prepared.scene.system.coordinates.between;
+    const std::vector<Mass>& between = a.system->prepared.scene().system.coordinates.between;
     for (size_t i = 0; i < a.N; ++i) {
         const double psi_ji = psi[(a.contact - 1) * a.N + i] - (between.empty() ? 0 : psi[between[1].index * a.N + i]);
         products.push_back(psi[(a.mass - 1) * a.N + i] * psi_ji);

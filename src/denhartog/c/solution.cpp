@@ -43,7 +43,7 @@ int dh_solve(const dh_system* system, double r, double beta, double mu, int digi
         Question question;
         question.digits = digits_from(digits);
         auto made = std::make_unique<dh_solution>();
-        made->scene = system->prepared.scene;
+        made->scene = system->prepared.scene();
         made->scene.mu = mu;
         made->scene.r = r;
         made->scene.beta = beta;

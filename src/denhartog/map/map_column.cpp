@@ -80,7 +80,7 @@ private:
     const ModeSums<Bounded<double>>& sums() {
         if (!sums_) {
             BoundedModes<double> modes(map.prepared.bounded, as_input(r));
-            sums_ = bounded_sums(map.prepared.scene.system, modes);
+            sums_ = bounded_sums(map.prepared.scene().system, modes);
         }
         return *sums_;
     }
@@ -148,7 +148,7 @@ private:
 
     bool stick(std::size_t n) {
         if (!contact_alone && !held) {
-            Scene<double> scene = map.prepared.scene;
+            Scene<double> scene = map.prepared.scene();
             scene.r = r;
             scene.beta = map.beta[n];
             held = held_solution(scene, map.system().stuck, *map.prepared.bounded, 6);

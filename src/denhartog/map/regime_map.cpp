@@ -92,7 +92,7 @@ RegimeMap regime_map(const Scene<double>& scene, const MapRequest& request, cons
     check_request(request, number_of_masses(scene.system));
     PreparedSystem prepared = prepare(scene_source(scene), {}, Prepared::every_regime);
     std::vector<Mass> rows_of_masses;
-    for (const Mass k : request.masses) rows_of_masses.push_back(displacement_of(prepared.scene.system, k));
+    for (const Mass k : request.masses) rows_of_masses.push_back(displacement_of(prepared.scene().system, k));
     const MapSystem shared{std::move(prepared), scene.mu, request.start, request.beta, std::move(rows_of_masses), request.effort};
     Arrays arrays(shared);
     const std::size_t columns = request.r.size(), rows = request.beta.size(), masses = request.masses.size();
@@ -123,7 +123,7 @@ std::vector<BoundaryPoint> boundary_curves(const Scene<double>& of_masses, const
     check_frequencies(r);
     SlidingQuestion question;
     question.asked = Asked::regime;
-    const auto basis = std::make_shared<const ModalBasis<Bounded<double>>>(with_errors(scene.system, modal_basis(scene.system)));
+    const auto basis = modes_with_errors(scene.system);
     std::vector<BoundaryPoint> curves(r.size());
     for (std::size_t n = 0; n < r.size(); ++n) {
         try {

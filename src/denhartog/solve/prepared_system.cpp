@@ -11,7 +11,7 @@ namespace {
 constexpr int most_digits_of_contact_in_double = 11; // beyond, the modes of 50 digits may be needed
 
 void prepare_every_regime(PreparedSystem& p) {
-    const System<double>& s = p.scene.system;
+    const System<double>& s = p.scene().system;
     const ModalBasis<double> basis = modal_basis(s);
     auto moving = std::make_shared<ContactSystem<double>>(contact_system(s, basis));
     p.bounded = std::make_shared<const ModalBasis<Bounded<double>>>(with_errors(s, basis));
@@ -36,7 +36,8 @@ bool asks_for_contact(const Question& question, Mass contact) {
 
 template <class T>
 ContactModes<T> contact_modes_of(const SceneSource& source) {
-    const System<T> s = scene_in<T>(source).system;
+    const Scene<T>& scene = scene_in<T>(source);
+    const System<T>& s = scene.system;
     const bool same = s.contact == s.load;
     const std::vector<Mass> rows = same ? std::vector<Mass>{s.contact} : std::vector<Mass>{s.contact, s.load};
     return contact_modes(std::make_shared<const ModalBasis<Bounded<T>>>(bounded_basis_at(s, rows)), Mass{0},
@@ -44,11 +45,11 @@ ContactModes<T> contact_modes_of(const SceneSource& source) {
 }
 
 PreparedSystem prepare(const SceneSource& source, const Question& question, Prepared points) {
-    PreparedSystem p{source, source.in_double()};
-    check(p.scene);
-    const System<double>& s = p.scene.system;
+    PreparedSystem p{source};
+    check(p.scene());
+    const System<double>& s = p.scene().system;
     check(question, number_of_masses(s));
-    if (s.damping_matrix.size() == 0 && p.scene.mu == 1 && asks_for_contact(of_displacements(question, s), s.contact)) {
+    if (s.damping_matrix.size() == 0 && p.scene().mu == 1 && asks_for_contact(of_displacements(question, s), s.contact)) {
         p.contact = contact_modes_of<double>(source);
         if (aim_of(question.digits).digits > most_digits_of_contact_in_double)
             p.contact_in_50 = std::make_shared<const ContactModes<Real50>>(contact_modes_of<Real50>(source));
@@ -64,7 +65,6 @@ PreparedSystem prepare(const System<double>& system, const Question& question, P
 }
 
 PreparedSystem with_static_friction(PreparedSystem system, double mu) {
-    system.scene.mu = mu;
     system.source = with_static_friction(system.source, mu);
     return system;
 }

@@ -24,11 +24,12 @@ enum class Prepared : std::uint8_t {
 /// A point that needs more than is there, such as a wider number type than the digits let expect, solves for it by itself.
 struct PreparedSystem {
     SceneSource source;                                          ///< the system in every number type; its r and beta are not used
-    Scene<double> scene;                                         ///< the same in double, checked
     std::optional<ContactModes<double>> contact{};               ///< modes as the contact has them
     std::shared_ptr<const ContactModes<Real50>> contact_in_50{}; ///< the same in 50 digits
     std::shared_ptr<const ModalBasis<Bounded<double>>> bounded{}; ///< the whole basis in double with its errors
     std::shared_ptr<const ContactSystem<double>> moving{};        ///< the system as the exact solver needs it
+
+    [[nodiscard]] const Scene<double>& scene() const { return source->in_double(); } ///< @return the same in double, checked
 };
 
 /// @brief Checks a question to a system. @param question the question @param N number of masses

@@ -150,21 +150,20 @@ void keep_asked_mass(const Question& question, Solution& s) {
 }
 
 Solution solve_at(const PreparedSystem& p, const SolvePoint& at, const Question& of_masses, const Work& before) {
-    const Question question = of_displacements(of_masses, p.scene.system);
+    const Question question = of_displacements(of_masses, p.scene().system);
     Solution s;
     s.asked = question.asked;
     if (answer_by_contact(p, at, question, s)) {
-        say_whether_unique(*p.contact->basis, p.scene.mu, s);
+        say_whether_unique(*p.contact->basis, p.scene().mu, s);
     } else {
-        SolveTask task{source_at(p, at), question, p.scene, aim_of(question.digits), p.bounded, p.moving};
-        task.scene.r = at.r;
-        task.scene.beta = at.beta;
-        if (!task.basis) task.basis = scene_with_modes<double>(task.source).basis;
+        const SceneSource source = source_at(p, at);
+        SolveTask task{source, question, source->in_double(), aim_of(question.digits), p.bounded, p.moving};
+        if (!task.basis) task.basis = modes_with_errors(p.scene().system);
         task.modes.emplace(task.basis, as_input(at.r));
-        say_whether_unique(*task.basis, p.scene.mu, s);
+        say_whether_unique(*task.basis, p.scene().mu, s);
         s.r = exactly(at.r, 1);
         s.beta = exactly(at.beta, 1);
-        s.contact = p.scene.system.contact;
+        s.contact = p.scene().system.contact;
         answer(task, s);
         s.asked = question.asked;
         s.digits_reached = s.relative_error <= task.aim.tolerance;
@@ -174,9 +173,9 @@ Solution solve_at(const PreparedSystem& p, const SolvePoint& at, const Question&
         if (question.all) s.motions = other_motions(task.scene);
         keep_asked_mass(question, s);
     }
-    put_in_order_of_masses(p.scene.system.coordinates, s);
+    put_in_order_of_masses(p.scene().system.coordinates, s);
     if (s.only) s.only = of_masses.mass;
-    s.mu = exactly(p.scene.mu, 1);
+    s.mu = exactly(p.scene().mu, 1);
     const Work after = work_so_far();
     s.work = {after.eigen_solves - before.eigen_solves, after.mode_evaluations - before.mode_evaluations,
               after.phases_propagated - before.phases_propagated};
@@ -188,17 +187,17 @@ Solution solve_at(const PreparedSystem& p, const SolvePoint& at, const Question&
 Solution solve(const SceneSource& source, const Question& question) {
     const Work before = work_so_far();
     const PreparedSystem p = prepare(source, question);
-    const QuestionEffort effort(number_of_masses(p.scene.system));
-    (void)frequency_ratio_of(p.scene);
-    (void)friction_ratio_of(p.scene);
-    return solve_at(p, {*p.scene.r, *p.scene.beta, &source}, question, before);
+    const QuestionEffort effort(number_of_masses(p.scene().system));
+    (void)frequency_ratio_of(p.scene());
+    (void)friction_ratio_of(p.scene());
+    return solve_at(p, {*p.scene().r, *p.scene().beta, &source}, question, before);
 }
 
 Solution solve(const PreparedSystem& system, double r, double beta, const Question& question) {
-    check(question, number_of_masses(system.scene.system));
+    check(question, number_of_masses(system.scene().system));
     check_frequency_ratio(r);
     check_friction_ratio(beta);
-    const QuestionEffort effort(number_of_masses(system.scene.system));
+    const QuestionEffort effort(number_of_masses(system.scene().system));
     return solve_at(system, {r, beta, nullptr}, question, work_so_far());
 }
 

@@ -10,7 +10,7 @@ SceneSource source_at(const PreparedSystem& p, const SolvePoint& at) {
 }
 
 bool answer_by_contact(const PreparedSystem& p, const SolvePoint& at, const Question& question, Solution& s) {
-    if (!p.contact || !asks_for_contact(question, p.scene.system.contact)) return false;
+    if (!p.contact || !asks_for_contact(question, p.scene().system.contact)) return false;
     const Aim aim = aim_of(question.digits);
     bool slides = true;
     const auto attempt = [&]<class T>(std::type_identity<T>) {
@@ -48,7 +48,7 @@ bool answer_by_contact(const PreparedSystem& p, const SolvePoint& at, const Ques
     } catch (const PrecisionError&) {
         return false;
     }
-    s.contact = p.scene.system.contact;
+    s.contact = p.scene().system.contact;
     s.only = s.contact;
     s.regime = {Regime::continuous, {}, false, certainly_slides};
     return true;

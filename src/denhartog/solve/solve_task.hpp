@@ -6,8 +6,8 @@
 #include <optional>
 
 #include "denhartog/answer/sliding_solution.hpp"
-#include "denhartog/solve/truncated_modes.hpp"
 #include "denhartog/solve/prepared_system.hpp"
+#include "denhartog/solve/truncated_modes.hpp"
 #include "denhartog/stick_slip/periodic_orbit.hpp"
 
 namespace denhartog {
@@ -30,7 +30,7 @@ struct SolvePoint {
 struct SolveTask {
     SceneSource source;                                       ///< the scene in every number type
     Question question;                                        ///< what is asked
-    Scene<double> scene;                                      ///< the scene in double
+    const Scene<double>& scene;                               ///< the scene in double, which `source` holds
     Aim aim;                                                  ///< the digits
     std::shared_ptr<const ModalBasis<Bounded<double>>> basis; ///< its modal basis
     std::shared_ptr<const ContactSystem<double>> moving;      ///< for the exact solver; none where it is still to be prepared

@@ -25,6 +25,16 @@ namespace denhartog {
 template <class T>
 [[nodiscard]] ModalBasis<Bounded<T>> with_errors(const System<T>& system, const ModalBasis<T>& basis);
 
+/// @brief The modes of a system with bounds of their errors, as several answers share them.
+/// @eq{14,15}
+/// @param system  the system
+/// @return        its basis with errors
+/// @throws        as `modal_basis`
+template <class T>
+[[nodiscard]] std::shared_ptr<const ModalBasis<Bounded<T>>> modes_with_errors(const System<T>& system) {
+    return std::make_shared<const ModalBasis<Bounded<T>>>(with_errors(system, modal_basis(system)));
+}
+
 /// @brief The same with the shapes at a few masses alone, see `modal_basis_at`: one eigen-solve.
 /// @eq{14,15}
 /// @param system  the system

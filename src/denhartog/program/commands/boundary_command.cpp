@@ -82,13 +82,13 @@ std::string bound(const SceneText& part, const BoundaryOptions& options) {
     const NumberWriter write{options.digits};
     const Solution found = answer_or_reason(source, options.digits);
     Json answer = boundary_json(found, write);
-    const std::optional<Units> units = source.in_double().units;
+    const std::optional<Units> units = source->in_double().units;
     if (units) answer["dimensional"] = dimensional_json(found, *units);
     if (!options.range.empty()) {
         if (options.digits.value_or(0) > 45)
             throw InputError("--digits", "must be at most 45 for invariant points", std::to_string(*options.digits));
-        answer["invariant_points"] = options.digits ? invariant_points_json(source.in_50_digits(), options.range, write)
-                                                    : invariant_points_json(source.in_double(), options.range, write);
+        answer["invariant_points"] = options.digits ? invariant_points_json(source->in_50_digits(), options.range, write)
+                                                    : invariant_points_json(source->in_double(), options.range, write);
     }
     if (options.json) return answer.dump() + "\n";
     return boundary_table(answer) + (units ? dimensional_table(answer.at("dimensional")) + "\n" : "") +

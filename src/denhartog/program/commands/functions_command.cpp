@@ -19,7 +19,7 @@ Json pair(const Complex<double>& z, const NumberWriter& write) { return Json::ar
 constexpr int digits_of_sums = 10;
 
 Json functions_json(const SceneSource& source) {
-    const Scene<double> scene = source.in_double();
+    const Scene<double>& scene = source->in_double();
     (void)frequency_ratio_of(scene);
     const NumberWriter write;
     const ModalBasis<double> basis = modal_basis(scene.system);

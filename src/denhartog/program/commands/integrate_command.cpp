@@ -134,7 +134,7 @@ State<double> start_from(const std::string& text, std::size_t N) {
 }
 
 std::string integrated(const SceneText& part, const IntegrateOptions& options, ExitStatus& status) {
-    const Scene<double> scene = source_of(part, options.scene.damping).in_double();
+    const Scene<double> scene = source_of(part, options.scene.damping)->in_double();
     PaperSettings settings = options.settings;
     if (!options.start.empty()) settings.start = start_from(options.start, number_of_masses(scene.system));
     const PaperMotion motion = options.method == "paper" ? paper_algorithm(scene, settings) : exact_cycles(scene, settings);

@@ -41,7 +41,7 @@ SampledSolution as_motion(std::vector<double> tau, const Quantities<Bounded<doub
 
 std::string sampled(const SceneText& part, const MotionOptions& options) {
     const SceneSource source = source_of(part, options.damping);
-    const Scene<double> scene = source.in_double();
+    const Scene<double>& scene = source->in_double();
     (void)frequency_ratio_of(scene);
     (void)friction_ratio_of(scene);
     check_samples("samples", static_cast<std::size_t>(options.samples), number_of_masses(scene.system));

@@ -42,11 +42,11 @@ std::string response_table(const Json& a) {
 
 std::string respond(const SceneText& part, const SceneOptions& options) {
     const SceneSource source = source_of(part, options.damping);
-    (void)friction_ratio_of(source.in_double());
+    (void)friction_ratio_of(source->in_double());
     const Solution found = answer_or_reason(source, options.digits);
     Json answer = response_json(found, NumberWriter{options.digits});
-    if (const std::optional<Json> damping = damping_json(source.in_double())) answer["damping"] = *damping;
-    const std::optional<Units> units = source.in_double().units;
+    if (const std::optional<Json> damping = damping_json(source->in_double())) answer["damping"] = *damping;
+    const std::optional<Units> units = source->in_double().units;
     if (units) answer["dimensional"] = dimensional_json(found, *units);
     if (options.json) return answer.dump() + "\n";
     return response_table(answer) + (units ? dimensional_table(answer.at("dimensional")) + "\n" : "");

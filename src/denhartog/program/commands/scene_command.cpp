@@ -108,7 +108,7 @@ InputError at_a_pole(const DomainError& e) { return InputError("r", std::string(
 Solution answer_or_reason(const SceneSource& source, std::optional<int> digits) {
     try {
         Solution found = sliding_solution(source, {Asked::motion, digits, {}});
-        put_in_order_of_masses(source.in_double().system.coordinates, found);
+        put_in_order_of_masses(source->in_double().system.coordinates, found);
         if (!digits || found.digits_reached) return found;
         throw PrecisionError("the " + std::to_string(*digits) + " digits asked for are not reached: only " +
                              std::to_string(digits_of(found.relative_error)) + " are certain");

@@ -50,15 +50,15 @@ std::string solved(const SceneText& part, const SolveOptions& options) {
     if (options.samples > 0 && options.mass) throw InputError("samples", "must be given without --mass", "both");
     try {
         const SceneSource source = source_of(part, options.scene.damping);
-        const std::size_t N = number_of_masses(source.in_double().system);
+        const std::size_t N = number_of_masses(source->in_double().system);
         if (options.samples > 0) check_samples("samples", static_cast<std::size_t>(options.samples), N);
         const Solution solution = solve(source, question_of(options, N));
         if (options.samples > 0)
-            return motion_csv(sampled_solution(source.in_double(), solution, static_cast<std::size_t>(options.samples)),
-                              motion_units(source.in_double(), options.units));
+            return motion_csv(sampled_solution(source->in_double(), solution, static_cast<std::size_t>(options.samples)),
+                              motion_units(source->in_double(), options.units));
         Json answer = solution_json(solution, NumberWriter{options.scene.digits});
-        if (const std::optional<Json> damping = damping_json(source.in_double())) answer["damping"] = *damping;
-        const std::optional<Units> units = source.in_double().units;
+        if (const std::optional<Json> damping = damping_json(source->in_double())) answer["damping"] = *damping;
+        const std::optional<Units> units = source->in_double().units;
         if (units) answer["dimensional"] = dimensional_json(solution, *units);
         if (options.scene.json) return answer.dump() + "\n";
         return solution_table(answer) + (answer.contains("damping") ? damping_table(answer.at("damping")) + "\n" : "") +
