@@ -3,6 +3,7 @@
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/number_text.hpp"
 #include "denhartog/sliding/instants_of_maxima.hpp"
+#include "denhartog/solve/solve.hpp"
 #include "tests/catch.hpp"
 #include "tests/unit/response_fixtures.hpp"
 
@@ -141,7 +142,7 @@ TEST_CASE("a mass that nothing moves has no amplitude beyond its error bound", "
     CHECK(still.amplitude.error < 1e-12);
 }
 
-TEST_CASE("a damping matrix rounded to double counts in more digits as the damping ratios that it has in double",
+TEST_CASE("a damping matrix rounded to double counts in more digits with what it takes from each mode alone",
           "[eq:18][accuracy]") {
     Scene<double> scene = sliding();
     const NonDimensionalMatrices<double> m = matrices_of(scene);
@@ -155,6 +156,32 @@ TEST_CASE("a damping matrix rounded to double counts in more digits as the dampi
     CHECK(more.digits_reached);
     for (std::size_t k = 0; k < 3; ++k)
         CHECK(std::abs(found.masses[k].amplitude.value - more.masses[k].amplitude.value) <= found.masses[k].amplitude.error);
+}
+
+TEST_CASE("a soft mode that double knows to few digits has its damping to all digits in fifty", "[eq:18][accuracy]") {
+    // Double has the square of the soft frequency to an eps of the stiff one's, and the damping ratio with it; the mode's impedance
+    // is its dashpot's. The off-diagonal entry leaves the modes uncoupled in double alone, and changes nothing to 20 digits.
+    Scene<double> scene;
+    scene.system.mass_ratios = {1, 1};
+    scene.system.stiffness_matrix = Matrix<double>{{1, -1e-12}, {-1e-12, 1e-9}};
+    scene.system.damping_matrix = Matrix<double>{{0.3, -1e-20}, {-1e-20, 0.3}};
+    scene.system.contact = scene.system.load = Mass{1};
+    scene.r = 1e-5;
+    scene.beta = 0;
+    const Matrix<double>&K = scene.system.stiffness_matrix, &C = scene.system.damping_matrix;
+    const Real50 r(*scene.r), stiff(K(0, 0)), soft(K(1, 1)), between(K(0, 1)), c(C(0, 0));
+    const Complex<Real50> impedance{Real50(soft - r * r), Real50(r * c)}, other{Real50(stiff - r * r), Real50(r * c)};
+    const Real50 of_other = between * between / (other.re * other.re + other.im * other.im);
+    const Complex<Real50> loaded{Real50(impedance.re - of_other * other.re), Real50(impedance.im + of_other * other.im)};
+    const Solution found = answer(scene_source(scene), 30);
+    CHECK(found.method.precision == "50 digits");
+    CHECK(abs(Real50(Real50(found.masses[1].amplitude.decimal) * modulus(loaded) - 1)) < 1e-20);
+    // Where the contact rests the other mass moves by the matrix as it was given.
+    scene.system.contact = Mass{0};
+    scene.beta = 1;
+    const Solution held = solve(scene_source(scene), {.digits = 30});
+    REQUIRE(held.regime.regime == Regime::permanent_sticking);
+    CHECK(abs(Real50(Real50(held.masses[1].amplitude.decimal) * modulus(impedance) - 1)) < 1e-29);
 }
 
 TEST_CASE("next to a friction ratio at which a phase jumps, its bound holds or reaches to the other maximum",

@@ -130,6 +130,19 @@ SlidingPoint<T> point_at(const Scene<T>& scene, const ModeSums<Bounded<T>>& sums
     return point;
 }
 
+// Of a damping matrix that couples the modes in T but not in double: what it takes from each mode alone. Modes that coincide in
+// double have the damping that they have there, since rounding chose their shapes in T.
+template <class T>
+std::vector<T> uncoupled_damping_ratios(const ModalBasis<Bounded<T>>& basis, const ModalBasis<double>& narrow) {
+    const std::size_t N = narrow.r_n.size();
+    const double near = 8 * static_cast<double>(N) * std::numeric_limits<double>::epsilon() * narrow.r_n.back();
+    const auto coincide = [&](std::size_t i) { return i > 0 && i < N && narrow.r_n[i] - narrow.r_n[i - 1] <= near; };
+    std::vector<T> zeta;
+    for (std::size_t i = 0; i < N; ++i)
+        zeta.push_back(coincide(i) || coincide(i + 1) ? T(T(narrow.zeta[i]) * narrow.r_n[i] / basis.r_n[i].x) : basis.zeta[i].x);
+    return zeta;
+}
+
 } // namespace
 
 template <class T>
@@ -139,7 +152,7 @@ SceneIn<T> scene_with_modes(const SceneSource& source) {
     if (is_double<T> || scene.system.damping_matrix.size() == 0 || !basis->coupled()) return {std::move(scene), std::move(basis)};
     const ModalBasis<double> narrow = modal_basis(source->in_double().system);
     if (narrow.coupled()) return {std::move(scene), std::move(basis)};
-    scene.system.damping_ratios.assign(narrow.zeta.begin(), narrow.zeta.end());
+    scene.system.damping_ratios = uncoupled_damping_ratios(*basis, narrow);
     scene.system.damping_matrix.resize(0, 0);
     basis = modes_with_errors(scene.system);
     return {std::move(scene), std::move(basis)};

@@ -21,7 +21,7 @@ struct SceneIn {
 };
 
 /// @brief A scene in a number type. A damping matrix that is rounded to double need not decouple the modes to more digits than
-/// those: it then counts as the damping ratios that it has in double.
+/// those: it then counts with what it takes from each mode alone.
 /// @param source  the scene
 /// @return        the scene with its basis
 /// @throws        InputError where the scene breaks a rule; PrecisionError as `modal_basis`

@@ -78,8 +78,10 @@ void answer_by_stuck_response(const SolveTask& task, const std::optional<Certifi
                 task.moving ? task.moving->stuck : stuck_configuration(task.scene.system, modal_basis(task.scene.system));
             held = held_solution(task.scene, stuck, *task.basis, task.aim.digits, task.question.mass);
         } else {
-            const SceneIn<T> in = scene_with_modes<T>(task.source);
-            held = held_solution(in.scene, stuck_configuration(in.scene.system, modal_basis(in.scene.system)), *in.basis,
+            // As in double the damping matrix counts as it was given: nothing is made of modes here.
+            const Scene<T> scene = scene_in<T>(task.source);
+            const ModalBasis<T> basis = modal_basis(scene.system);
+            held = held_solution(scene, stuck_configuration(scene.system, basis), with_errors(scene.system, basis),
                                  task.aim.digits, task.question.mass);
         }
         s.masses = held.masses;
