@@ -65,6 +65,16 @@ T newton_step(const evaluation::MotionOfMass<T>& at) {
     return at.x_double_prime == 0 ? T(0) : T(-(at.x_prime / at.x_double_prime));
 }
 
+// How far a step may lead the other way, where its error hides the direction.
+template <class T>
+T may_lead_back(const T&) {
+    return T(0);
+}
+template <class T>
+Bounded<T> may_lead_back(const Bounded<T>& step) {
+    return {std::max(T(0), T(step.e - size_of_number(step.x))), T(0)};
+}
+
 // The maximum next to an instant: one more step of Newton's method, with a bound of what the step neglects. The motion continues
 // mirrored at both ends of the half-period. A step out of it at one end is a step into it at the other, and an end from which
 // both steps lead out is itself the maximum.
@@ -81,7 +91,7 @@ void settle_maximum(const ModeSums<T>& s, SteadyState<T>& state, std::size_t k, 
         const evaluation::MotionOfMass<T> there = motion_with(mass, share_there);
         const T from_there = newton_step(there);
         if (leads_out(other, from_there)) {
-            step = T(0);
+            step = with_neglected(T(0), T(may_lead_back(step) + may_lead_back(from_there)));
         } else {
             instant = other;
             share = std::move(share_there);
