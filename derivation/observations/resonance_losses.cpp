@@ -29,7 +29,8 @@ std::optional<double> error_at_resonances(const SlidingScene& s, const std::func
         const double psi_ji = mode_shapes_at(m, m.contact)[i], psi_li = mode_shapes_at(m, m.load)[i];
         if (!(beta < boundary(m, s.mu).exact)) continue;
         if (!(beta < evaluation::friction_ratio_limit_at_resonance(psi_li, psi_ji, zeta))) continue;
-        const SteadyState<double> state = steady_state_at(m, beta, std::vector<double>(m.V.size(), 0.0));
+        const SteadyState<double> state =
+            with_maxima(m, steady_state_without_maxima(m, beta), std::vector<double>(m.V.size(), 0.0));
         double largest = 0, largest_error = 0;
         for (std::size_t k = 0; k < m.V.size(); ++k) {
             const double psi_ki = mode_shapes_at(m, Mass{k})[i];

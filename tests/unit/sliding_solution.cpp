@@ -1,5 +1,7 @@
 #include "denhartog/answer/sliding_solution.hpp"
 
+#include <complex>
+
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/number_text.hpp"
 #include "denhartog/sliding/instants_of_maxima.hpp"
@@ -142,8 +144,7 @@ TEST_CASE("a mass that nothing moves has no amplitude beyond its error bound", "
     CHECK(still.amplitude.error < 1e-12);
 }
 
-TEST_CASE("a damping matrix rounded to double counts in more digits with what it takes from each mode alone",
-          "[eq:18][accuracy]") {
+TEST_CASE("a damping matrix that double takes for uncoupled counts in more digits as it was given", "[eq:18][accuracy]") {
     Scene<double> scene = sliding();
     const NonDimensionalMatrices<double> m = matrices_of(scene);
     scene.system.damping_ratios.clear();
@@ -156,6 +157,27 @@ TEST_CASE("a damping matrix rounded to double counts in more digits with what it
     CHECK(more.digits_reached);
     for (std::size_t k = 0; k < 3; ++k)
         CHECK(std::abs(found.masses[k].amplitude.value - more.masses[k].amplitude.value) <= found.masses[k].amplitude.error);
+}
+
+TEST_CASE("of modes that coincide in double alone the damping matrix chooses the shapes, to any number of digits",
+          "[eq:18][accuracy]") {
+    // The dashpot between the masses is all that couples them.
+    Scene<double> scene;
+    scene.system.mass_ratios = {1, 1};
+    scene.system.stiffness_matrix = Matrix<double>{{1, 0}, {0, 1 + 0x1p-52}};
+    scene.system.damping_matrix = Matrix<double>{{0.25, -0.125}, {-0.125, 0.25}};
+    scene.system.contact = Mass{0};
+    scene.system.load = Mass{1};
+    scene.r = 0.875;
+    scene.beta = 0;
+    const std::complex<double> own(1 - 0.875 * 0.875, 0.25 * 0.875), between(0, -0.125 * 0.875);
+    const double amplitude = std::abs(between / (own * own - between * between));
+    for (const int digits : {6, 12, 30}) {
+        const Solution found = answer(scene_source(scene), digits);
+        CHECK(found.regime.regime == Regime::continuous);
+        CHECK(found.masses[0].amplitude.value == Approx(amplitude).epsilon(1e-13));
+    }
+    CHECK(solve(scene_source(scene), {.digits = 30}).masses[0].amplitude.value == Approx(amplitude).epsilon(1e-13));
 }
 
 TEST_CASE("a soft mode that double knows to few digits has its damping to all digits in fifty", "[eq:18][accuracy]") {

@@ -248,7 +248,7 @@ TEST_CASE("outside the sliding regime there is an error and no number", "[eq:69]
     const Boundary<double> b = boundary(s, 1.375);
     CHECK_THROWS_AS(steady_state(s, b, b.exact), DomainError);
     CHECK_THROWS_AS(steady_state(s, b, 2 * b.exact), DomainError);
-    CHECK_THROWS_AS(steady_state_at(s, 1000.0, {0.0, 0.0, 0.0}), DomainError);
+    CHECK_THROWS_AS(steady_state_without_maxima(s, 1000.0), DomainError);
     CHECK_THROWS_AS(steady_state(s, b, -0.125), InputError);
     CHECK_THROWS_AS(steady_state(s, b, std::numeric_limits<double>::quiet_NaN()), InputError);
     CHECK_NOTHROW(steady_state(s, b, std::nextafter(b.exact, 0.0)));

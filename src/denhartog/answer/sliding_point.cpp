@@ -112,13 +112,17 @@ SlidingPoint<T> point_at(const Scene<T>& scene, const ModeSums<Bounded<T>>& sums
     point.attempted.decided = !point.regime->on_boundary;
     if (point.regime->regime != Regime::continuous || !wish.motion) return point;
     const Bounded<Searched> beta = as_input(static_cast<Searched>(*scene.beta));
-    const std::vector<Searched> errors = errors_of_displacements(steady_state_without_maxima(searched, beta));
+    SteadyState<Bounded<Searched>> known = steady_state_without_maxima(searched, beta);
+    const std::vector<Searched> errors = errors_of_displacements(known);
     const InstantsOfMaxima<Searched> maxima = instants_of_maxima(motions, beta.x, wish.only, errors);
-    point.state = steady_state_at(sums, as_input(*scene.beta), as_bounded(in_type(maxima.instants)), wish.only);
-    if constexpr (!std::same_as<T, Searched>) {
-        const SteadyState<Bounded<double>> narrow = steady_state_at(searched, beta, as_bounded(maxima.instants), wish.only);
+    known = with_maxima(searched, std::move(known), as_bounded(maxima.instants), wish.only);
+    if constexpr (std::same_as<T, Searched>) {
+        point.state = std::move(known);
+    } else {
+        point.state = with_maxima(sums, steady_state_without_maxima(sums, as_input(*scene.beta)),
+                                  as_bounded(in_type(maxima.instants)), wish.only);
         for (std::size_t k = 0; k < errors.size(); ++k)
-            if (k != sums.contact.index) point.state->masses[k].amplitude.e += T(narrow.masses[k].amplitude.e);
+            if (k != sums.contact.index) point.state->masses[k].amplitude.e += T(known.masses[k].amplitude.e);
     }
     for (std::size_t k = 0; k < errors.size(); ++k) {
         MassResponse<Bounded<T>>& m = point.state->masses[k];
@@ -130,31 +134,12 @@ SlidingPoint<T> point_at(const Scene<T>& scene, const ModeSums<Bounded<T>>& sums
     return point;
 }
 
-// Of a damping matrix that couples the modes in T but not in double: what it takes from each mode alone. Modes that coincide in
-// double have the damping that they have there, since rounding chose their shapes in T.
-template <class T>
-std::vector<T> uncoupled_damping_ratios(const ModalBasis<Bounded<T>>& basis, const ModalBasis<double>& narrow) {
-    const std::size_t N = narrow.r_n.size();
-    const double near = 8 * static_cast<double>(N) * std::numeric_limits<double>::epsilon() * narrow.r_n.back();
-    const auto coincide = [&](std::size_t i) { return i > 0 && i < N && narrow.r_n[i] - narrow.r_n[i - 1] <= near; };
-    std::vector<T> zeta;
-    for (std::size_t i = 0; i < N; ++i)
-        zeta.push_back(coincide(i) || coincide(i + 1) ? T(T(narrow.zeta[i]) * narrow.r_n[i] / basis.r_n[i].x) : basis.zeta[i].x);
-    return zeta;
-}
-
 } // namespace
 
 template <class T>
 SceneIn<T> scene_with_modes(const SceneSource& source) {
     Scene<T> scene = scene_in<T>(source);
     auto basis = modes_with_errors(scene.system);
-    if (is_double<T> || scene.system.damping_matrix.size() == 0 || !basis->coupled()) return {std::move(scene), std::move(basis)};
-    const ModalBasis<double> narrow = modal_basis(source->in_double().system);
-    if (narrow.coupled()) return {std::move(scene), std::move(basis)};
-    scene.system.damping_ratios = uncoupled_damping_ratios(*basis, narrow);
-    scene.system.damping_matrix.resize(0, 0);
-    basis = modes_with_errors(scene.system);
     return {std::move(scene), std::move(basis)};
 }
 

@@ -20,8 +20,8 @@ struct SceneIn {
     std::shared_ptr<const ModalBasis<Bounded<T>>> basis; ///< its modes with bounds of their errors
 };
 
-/// @brief A scene in a number type. A damping matrix that is rounded to double need not decouple the modes to more digits than
-/// those: it then counts with what it takes from each mode alone.
+/// @brief A scene in a number type with its modes. A damping matrix counts as it was given: one that rounding has left uncoupled
+/// in double alone couples the modes in more digits.
 /// @param source  the scene
 /// @return        the scene with its basis
 /// @throws        InputError where the scene breaks a rule; PrecisionError as `modal_basis`

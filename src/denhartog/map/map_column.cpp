@@ -138,7 +138,8 @@ private:
         const std::optional<Mass> only = map.masses.size() == 1 ? std::optional(map.masses.front()) : std::nullopt;
         const std::vector<double> instants = instants_of_maxima(remembered_motions(), beta.x, only).instants;
         const SteadyState<Bounded<double>> state =
-            steady_state_at(sums(), beta, std::vector<Bounded<double>>(instants.begin(), instants.end()), only);
+            with_maxima(sums(), steady_state_without_maxima(sums(), beta),
+                        std::vector<Bounded<double>>(instants.begin(), instants.end()), only);
         if (!write(n, [&](std::size_t k) { return state.masses[k].amplitude; })) return false;
         points[n] = {PointStatus::answered, Regime::continuous, 0, 1};
         sliding = n;

@@ -146,12 +146,11 @@ template <class T>
 SteadyState<T> steady_state(const ModeSums<T>& s, const RegimeBoundary<T>& boundary, const T& beta, std::optional<Mass> only) {
     check_sliding(boundary, beta);
     FrictionMotions<T> y(s);
-    return steady_state_at(s, beta, instants_of_maxima(y, beta, only).instants, only);
+    return with_maxima(s, steady_state_without_maxima(s, beta), instants_of_maxima(y, beta, only).instants, only);
 }
 
 template <class T>
-SteadyState<T> steady_state_at(const ModeSums<T>& s, const T& beta, const std::vector<T>& instants, std::optional<Mass> only) {
-    SteadyState<T> state = steady_state_without_maxima(s, beta);
+SteadyState<T> with_maxima(const ModeSums<T>& s, SteadyState<T> state, const std::vector<T>& instants, std::optional<Mass> only) {
     for (std::size_t k = 0; k < state.masses.size(); ++k)
         if (k != s.contact.index && (!only || k == only->index)) settle_maximum(s, state, k, instants[k]);
     return state;
@@ -196,34 +195,34 @@ template SteadyState<Real100> steady_state(const ModeSums<Real100>&, const Regim
                                            std::optional<Mass>);
 template std::vector<Motion<Real100>> motions(const ModeSums<Real100>&, const SteadyState<Real100>&, std::span<const Real100>);
 template Motion<Real100> motion(const ModeSums<Real100>&, const SteadyState<Real100>&, const Real100&);
-template SteadyState<Bounded<double>> steady_state_at(const ModeSums<Bounded<double>>&, const Bounded<double>&,
-                                                      const std::vector<Bounded<double>>&, std::optional<Mass>);
+template SteadyState<Bounded<double>> with_maxima(const ModeSums<Bounded<double>>&, SteadyState<Bounded<double>>,
+                                                  const std::vector<Bounded<double>>&, std::optional<Mass>);
 template SteadyState<Bounded<double>> steady_state_without_maxima(const ModeSums<Bounded<double>>&, const Bounded<double>&);
 template std::vector<Motion<Bounded<double>>> motions(const ModeSums<Bounded<double>>&, const SteadyState<Bounded<double>>&,
                                                       std::span<const Bounded<double>>);
 template Motion<Bounded<double>> motion(const ModeSums<Bounded<double>>&, const SteadyState<Bounded<double>>&,
                                         const Bounded<double>&);
-template SteadyState<Bounded<Real50>> steady_state_at(const ModeSums<Bounded<Real50>>&, const Bounded<Real50>&,
-                                                      const std::vector<Bounded<Real50>>&, std::optional<Mass>);
+template SteadyState<Bounded<Real50>> with_maxima(const ModeSums<Bounded<Real50>>&, SteadyState<Bounded<Real50>>,
+                                                  const std::vector<Bounded<Real50>>&, std::optional<Mass>);
 template SteadyState<Bounded<Real50>> steady_state_without_maxima(const ModeSums<Bounded<Real50>>&, const Bounded<Real50>&);
 template std::vector<Motion<Bounded<Real50>>> motions(const ModeSums<Bounded<Real50>>&, const SteadyState<Bounded<Real50>>&,
                                                       std::span<const Bounded<Real50>>);
 template Motion<Bounded<Real50>> motion(const ModeSums<Bounded<Real50>>&, const SteadyState<Bounded<Real50>>&,
                                         const Bounded<Real50>&);
-template SteadyState<Bounded<Real100>> steady_state_at(const ModeSums<Bounded<Real100>>&, const Bounded<Real100>&,
-                                                       const std::vector<Bounded<Real100>>&, std::optional<Mass>);
+template SteadyState<Bounded<Real100>> with_maxima(const ModeSums<Bounded<Real100>>&, SteadyState<Bounded<Real100>>,
+                                                   const std::vector<Bounded<Real100>>&, std::optional<Mass>);
 template SteadyState<Bounded<Real100>> steady_state_without_maxima(const ModeSums<Bounded<Real100>>&, const Bounded<Real100>&);
 template std::vector<Motion<Bounded<Real100>>> motions(const ModeSums<Bounded<Real100>>&, const SteadyState<Bounded<Real100>>&,
                                                        std::span<const Bounded<Real100>>);
 template Motion<Bounded<Real100>> motion(const ModeSums<Bounded<Real100>>&, const SteadyState<Bounded<Real100>>&,
                                          const Bounded<Real100>&);
 
-template SteadyState<Real100> steady_state_at(const ModeSums<Real100>&, const Real100&, const std::vector<Real100>&,
-                                              std::optional<Mass>);
-template SteadyState<Real50> steady_state_at(const ModeSums<Real50>&, const Real50&, const std::vector<Real50>&,
-                                             std::optional<Mass>);
-template SteadyState<double> steady_state_at(const ModeSums<double>&, const double&, const std::vector<double>&,
-                                             std::optional<Mass>);
+template SteadyState<Real100> with_maxima(const ModeSums<Real100>&, SteadyState<Real100>, const std::vector<Real100>&,
+                                          std::optional<Mass>);
+template SteadyState<Real50> with_maxima(const ModeSums<Real50>&, SteadyState<Real50>, const std::vector<Real50>&,
+                                         std::optional<Mass>);
+template SteadyState<double> with_maxima(const ModeSums<double>&, SteadyState<double>, const std::vector<double>&,
+                                         std::optional<Mass>);
 template SteadyState<Real50> steady_state_without_maxima(const ModeSums<Real50>&, const Real50&);
 template SteadyState<Real100> steady_state_without_maxima(const ModeSums<Real100>&, const Real100&);
 template Bounded<double> wrapped(const Bounded<double>&);

@@ -59,16 +59,15 @@ template <class T>
 template <class T>
 [[nodiscard]] SteadyState<T> steady_state_without_maxima(const ModeSums<T>& sums, const T& beta);
 
-/// @brief The same steady state with the instants of the maxima known, also in another number type.
+/// @brief A steady state with the maxima of the masses not in contact, whose instants are known, also in another number type.
 /// @param sums      modes at a frequency ratio
-/// @param beta      friction ratio, Eq. (11), in the sliding regime
+/// @param state     the steady state without maxima
 /// @param instants  where the displacements are largest, to about half the digits of T; N values
 /// @param only      the one mass whose maximum is wanted besides that of the contact; none for all
 /// @return          the steady state; instants corrected by one step of Newton's method
-/// @throws          DomainError where the amplitude (38) is not a positive number
 template <class T>
-[[nodiscard]] SteadyState<T> steady_state_at(const ModeSums<T>& sums, const T& beta, const std::vector<T>& instants,
-                                             std::optional<Mass> only = std::nullopt);
+[[nodiscard]] SteadyState<T> with_maxima(const ModeSums<T>& sums, SteadyState<T> state, const std::vector<T>& instants,
+                                         std::optional<Mass> only = std::nullopt);
 
 /// @brief Motion of all masses, (46) over the half-period and antisymmetric beyond.
 /// @eq{41,46}

@@ -78,7 +78,6 @@ void answer_by_stuck_response(const SolveTask& task, const std::optional<Certifi
                 task.moving ? task.moving->stuck : stuck_configuration(task.scene.system, modal_basis(task.scene.system));
             held = held_solution(task.scene, stuck, *task.basis, task.aim.digits, task.question.mass);
         } else {
-            // As in double the damping matrix counts as it was given: nothing is made of modes here.
             const Scene<T> scene = scene_in<T>(task.source);
             const ModalBasis<T> basis = modal_basis(scene.system);
             held = held_solution(scene, stuck_configuration(scene.system, basis), with_errors(scene.system, basis),

@@ -83,7 +83,7 @@ private:
         if (near_) {
             std::vector<T> instants;
             for (const MassResponse<T>& m : near_->state().masses) instants.push_back(m.instant);
-            state_ = steady_state_at(sums(), *scene_.beta, instants);
+            state_ = with_maxima(sums(), steady_state_without_maxima(sums(), *scene_.beta), instants);
         } else {
             state_ = steady_state(sums(), limits(), *scene_.beta);
         }
