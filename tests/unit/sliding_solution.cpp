@@ -157,6 +157,19 @@ TEST_CASE("a damping matrix that double takes for uncoupled counts in more digit
     CHECK(more.digits_reached);
     for (std::size_t k = 0; k < 3; ++k)
         CHECK(std::abs(found.masses[k].amplitude.value - more.masses[k].amplitude.value) <= found.masses[k].amplitude.error);
+    // (56) of modes that rounding alone couples is that of the modes, and not (69), which stands for it where they are coupled.
+    Scene<double> other = chain({1, 0.4270386714783879, 1.4318314422854959, 0.7084766250547844},
+                                {1, 2.4821655187041753, 1.1658029398218572, 0.15781309896140538}, {0, 0, 0, 0}, 1, 3, 1, 1.37);
+    const NonDimensionalMatrices<double> of_other = matrices_of(other);
+    other.system.damping_ratios.clear();
+    other.system.damping_matrix = 0.01 * of_other.M + 0.02 * of_other.K;
+    other.beta = 0;
+    const Solution less = answer(scene_source(other)), most = answer(scene_source(other), 30);
+    REQUIRE(less.limits);
+    REQUIRE(most.limits);
+    CHECK(less.method.precision == "double");
+    CHECK(std::abs(less.limits->paper.value - most.limits->paper.value) <= less.limits->paper.error);
+    CHECK(most.limits->paper.value < most.limits->exact.value * (1 - 1e-4));
 }
 
 TEST_CASE("of modes that coincide in double alone the damping matrix chooses the shapes, to any number of digits",

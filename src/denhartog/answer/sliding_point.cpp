@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "denhartog/answer/certify.hpp"
 #include "denhartog/sliding/instants_of_maxima.hpp"
@@ -89,7 +90,7 @@ std::vector<T> errors_of_displacements(const SteadyState<Bounded<T>>& state) {
 // The point with the instants known from a search on the values of `searched`: the sums themselves, or rounded to double.
 template <class T, class Searched>
 SlidingPoint<T> point_at(const Scene<T>& scene, const ModeSums<Bounded<T>>& sums, const PointWish& wish,
-                         const ModeSums<Bounded<Searched>>& searched) {
+                         const std::optional<Bounded<T>>& by_56, const ModeSums<Bounded<Searched>>& searched) {
     const ModeSums<Searched> values = values_of(searched);
     const auto in_type = [](const std::vector<Searched>& instants) {
         if constexpr (std::same_as<T, Searched>)
@@ -106,6 +107,7 @@ SlidingPoint<T> point_at(const Scene<T>& scene, const ModeSums<Bounded<T>>& sums
         b.exact.e += T(narrow.exact.e);
         b.paper.e += T(narrow.paper.e);
     }
+    if (by_56) b.paper = *by_56;
     if (wish.limits || !scene.beta || !is_finite(b)) point.attempted = errors_of_boundary(b);
     if (!scene.beta) return point;
     point.regime = regime_at(b, *scene.beta);
@@ -134,36 +136,67 @@ SlidingPoint<T> point_at(const Scene<T>& scene, const ModeSums<Bounded<T>>& sums
     return point;
 }
 
+// Whether no two natural frequencies coincide in double: modes that do have there the shapes that the damping matrix chooses.
+bool are_apart(const std::vector<double>& r_n) {
+    const double near = 8 * static_cast<double>(r_n.size()) * std::numeric_limits<double>::epsilon() * r_n.back();
+    for (std::size_t i = 1; i < r_n.size(); ++i)
+        if (r_n[i] - r_n[i - 1] <= near) return false;
+    return true;
+}
+
 } // namespace
 
 template <class T>
 SceneIn<T> scene_with_modes(const SceneSource& source) {
     Scene<T> scene = scene_in<T>(source);
     auto basis = modes_with_errors(scene.system);
-    return {std::move(scene), std::move(basis)};
+    bool by_rounding = false;
+    if constexpr (!is_double<T>)
+        if (basis->coupled()) {
+            const ModalBasis<double> narrow = modal_basis(source->in_double().system);
+            by_rounding = !narrow.coupled() && are_apart(narrow.r_n);
+        }
+    return {std::move(scene), std::move(basis), by_rounding};
 }
 
 template <class T>
-SlidingPoint<T> sliding_point(const Scene<T>& scene, BoundedModes<T>& modes, const PointWish& wish) {
+Bounded<T> boundary_by_56_without_coupling(const SceneIn<T>& in, int digits) {
+    Scene<T> scene = in.scene;
+    scene.beta.reset();
+    scene.system.damping_matrix.resize(0, 0);
+    scene.system.damping_ratios.clear();
+    for (const Bounded<T>& zeta : in.basis->zeta) scene.system.damping_ratios.push_back(zeta.x);
+    BoundedModes<T> modes(modes_with_errors(scene.system), as_input(*scene.r));
+    return sliding_point(scene, modes, {false, true, std::nullopt, digits}).boundary.paper;
+}
+
+template <class T>
+SlidingPoint<T> sliding_point(const Scene<T>& scene, BoundedModes<T>& modes, const PointWish& wish,
+                              const std::optional<Bounded<T>>& by_56) {
     const ModeSums<Bounded<T>> sums = bounded_sums(scene.system, modes);
     if constexpr (!is_double<T>) {
         if (wish.digits <= most_digits_searched_in_double) {
             try {
-                SlidingPoint<T> point = point_at(scene, sums, wish, in_double(sums));
+                SlidingPoint<T> point = point_at(scene, sums, wish, by_56, in_double(sums));
                 if (point.attempted.decided && point.attempted.relative <= tolerance_of(wish.digits)) return point;
             } catch (const DomainError&) {
             } catch (const PrecisionError&) {
             }
         }
     }
-    return point_at(scene, sums, wish, sums);
+    return point_at(scene, sums, wish, by_56, sums);
 }
 
 template SceneIn<double> scene_with_modes(const SceneSource&);
 template SceneIn<Real50> scene_with_modes(const SceneSource&);
 template SceneIn<Real100> scene_with_modes(const SceneSource&);
-template SlidingPoint<double> sliding_point(const Scene<double>&, BoundedModes<double>&, const PointWish&);
-template SlidingPoint<Real50> sliding_point(const Scene<Real50>&, BoundedModes<Real50>&, const PointWish&);
-template SlidingPoint<Real100> sliding_point(const Scene<Real100>&, BoundedModes<Real100>&, const PointWish&);
+template SlidingPoint<double> sliding_point(const Scene<double>&, BoundedModes<double>&, const PointWish&,
+                                            const std::optional<Bounded<double>>&);
+template SlidingPoint<Real50> sliding_point(const Scene<Real50>&, BoundedModes<Real50>&, const PointWish&,
+                                            const std::optional<Bounded<Real50>>&);
+template Bounded<Real50> boundary_by_56_without_coupling(const SceneIn<Real50>&, int);
+template SlidingPoint<Real100> sliding_point(const Scene<Real100>&, BoundedModes<Real100>&, const PointWish&,
+                                             const std::optional<Bounded<Real100>>&);
+template Bounded<Real100> boundary_by_56_without_coupling(const SceneIn<Real100>&, int);
 
 } // namespace denhartog

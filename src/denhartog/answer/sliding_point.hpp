@@ -18,6 +18,7 @@ template <class T>
 struct SceneIn {
     Scene<T> scene;                                      ///< the scene
     std::shared_ptr<const ModalBasis<Bounded<T>>> basis; ///< its modes with bounds of their errors
+    bool coupled_by_rounding = false; ///< whether they are coupled, but not in double, where no two frequencies coincide
 };
 
 /// @brief A scene in a number type with its modes. A damping matrix counts as it was given: one that rounding has left uncoupled
@@ -45,6 +46,15 @@ struct PointWish {
     int digits = digits_by_default; ///< significant digits wanted
 };
 
+/// @brief The boundary by (56) of a system whose modes are coupled by what was rounded off its damping matrix alone: of the modes
+/// with the damping that each has by itself. Where modes are coupled for good (56) is not defined, and is (69).
+/// @eq{56}
+/// @param in      the scene with its modes, coupled by rounding
+/// @param digits  significant digits wanted
+/// @return        the friction ratio
+template <class T>
+[[nodiscard]] Bounded<T> boundary_by_56_without_coupling(const SceneIn<T>& in, int digits);
+
 /// @brief The point of a scene.
 ///
 /// The instants of the maxima are searched for on values alone, in double where that settles them to the digits wanted, and the
@@ -54,9 +64,11 @@ struct PointWish {
 /// @param scene  the scene, with r; without beta the boundary alone is computed
 /// @param modes  its modes at r
 /// @param wish   what is asked
+/// @param by_56  the boundary by (56) where it is known already
 /// @return       the point
 /// @throws       DomainError at a pole of a mode without damping; PrecisionError where a maximum is not settled
 template <class T>
-[[nodiscard]] SlidingPoint<T> sliding_point(const Scene<T>& scene, BoundedModes<T>& modes, const PointWish& wish);
+[[nodiscard]] SlidingPoint<T> sliding_point(const Scene<T>& scene, BoundedModes<T>& modes, const PointWish& wish,
+                                            const std::optional<Bounded<T>>& by_56 = {});
 
 } // namespace denhartog
