@@ -49,19 +49,12 @@ template <class T>
            std::abs(orbit.contact.amplitude - X_j) <= 16 * orbit.error_bound + 1e-9 * X_j;
 }
 
-/// @brief Whether a motion has stops even if double sees none. Static friction acts in stops alone: a motion without any is one
-/// with mu = 1, which is the closed form where all motions are damped, and that does not hold beyond the boundary.
-/// @param beyond  whether the friction ratio is beyond the boundary of sliding
-/// @param mu      static over kinetic friction, Eq. (3)
-/// @param damped  whether every free motion is damped
-/// @return        whether it must have stops
-[[nodiscard]] inline bool stops_for_certain(bool beyond, double mu, bool damped) { return beyond && (mu == 1 || damped); }
-
 /// @brief Whether double does not tell if the contact stops: beyond the boundary the stops of a motion may be too short to be
 /// seen, and of the sliding motion they may be rounding.
 /// @param orbit   a periodic orbit
 /// @param beyond  whether the friction ratio is beyond the boundary of sliding
-/// @param stops   whether the motion has stops for certain
+/// @param stops   whether the motion has stops for certain: beyond the boundary where mu = 1 or every free motion is damped. Static
+///                friction acts in stops alone, so that a motion without any is one with mu = 1, and that the closed form's
 /// @param slides  whether it is the sliding motion of the closed form
 /// @return        whether 50 digits have to tell
 [[nodiscard]] inline bool stops_are_open(const PeriodicOrbit<double>& orbit, bool beyond, bool stops, bool slides) {

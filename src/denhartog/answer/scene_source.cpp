@@ -55,7 +55,7 @@ SceneSource scene_source(const Scene<double>& scene) {
     SceneOrError<double> narrow;
     narrow.scene = in_own_coordinates(scene);
     std::optional<Scene<double>> given; // where it is another
-    if (scene.system.contact_with || !scene.system.load_vector.empty()) given = scene;
+    if (!is_of_papers_form(scene.system)) given = scene;
     return source_by(std::move(narrow), [given = std::move(given)]<class T>(T, const SceneOrError<double>& own) {
         return in_own_coordinates(converted<T>(given ? *given : *own.scene));
     });

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "denhartog/answer/certify.hpp"
+#include "denhartog/model/modal_damping.hpp"
 #include "denhartog/sliding/instants_of_maxima.hpp"
 #include "denhartog/sums/chain_sums.hpp"
 
@@ -136,12 +137,13 @@ SlidingPoint<T> point_at(const Scene<T>& scene, const ModeSums<Bounded<T>>& sums
     return point;
 }
 
-// Whether no two natural frequencies coincide in double: modes that do have there the shapes that the damping matrix chooses.
-bool are_apart(const std::vector<double>& r_n) {
-    const double near = 8 * static_cast<double>(r_n.size()) * std::numeric_limits<double>::epsilon() * r_n.back();
-    for (std::size_t i = 1; i < r_n.size(); ++i)
-        if (r_n[i] - r_n[i - 1] <= near) return false;
-    return true;
+// Whether modes are uncoupled and told apart in double. Those that coincide have the shapes that the damping matrix chooses.
+bool are_apart(const ModalBasis<double>& basis) {
+    const std::size_t N = basis.r_n.size();
+    const double tolerance = 8 * static_cast<double>(N) * std::numeric_limits<double>::epsilon();
+    for (std::size_t i = 0; i + 1 < N; ++i)
+        if (coincides_with_next(basis.r_n, i, tolerance)) return false;
+    return !basis.coupled();
 }
 
 } // namespace
@@ -150,17 +152,12 @@ template <class T>
 SceneIn<T> scene_with_modes(const SceneSource& source) {
     Scene<T> scene = scene_in<T>(source);
     auto basis = modes_with_errors(scene.system);
-    bool by_rounding = false;
-    if constexpr (!is_double<T>)
-        if (basis->coupled()) {
-            const ModalBasis<double> narrow = modal_basis(source->in_double().system);
-            by_rounding = !narrow.coupled() && are_apart(narrow.r_n);
-        }
-    return {std::move(scene), std::move(basis), by_rounding};
+    return {std::move(scene), std::move(basis)};
 }
 
 template <class T>
-Bounded<T> boundary_by_56_without_coupling(const SceneIn<T>& in, int digits) {
+std::optional<Bounded<T>> boundary_by_56_without_coupling(const SceneSource& source, const SceneIn<T>& in, int digits) {
+    if (!in.basis->coupled() || !are_apart(modal_basis(source->in_double().system))) return std::nullopt;
     Scene<T> scene = in.scene;
     scene.beta.reset();
     scene.system.damping_matrix.resize(0, 0);
@@ -194,9 +191,9 @@ template SlidingPoint<double> sliding_point(const Scene<double>&, BoundedModes<d
                                             const std::optional<Bounded<double>>&);
 template SlidingPoint<Real50> sliding_point(const Scene<Real50>&, BoundedModes<Real50>&, const PointWish&,
                                             const std::optional<Bounded<Real50>>&);
-template Bounded<Real50> boundary_by_56_without_coupling(const SceneIn<Real50>&, int);
+template std::optional<Bounded<Real50>> boundary_by_56_without_coupling(const SceneSource&, const SceneIn<Real50>&, int);
 template SlidingPoint<Real100> sliding_point(const Scene<Real100>&, BoundedModes<Real100>&, const PointWish&,
                                              const std::optional<Bounded<Real100>>&);
-template Bounded<Real100> boundary_by_56_without_coupling(const SceneIn<Real100>&, int);
+template std::optional<Bounded<Real100>> boundary_by_56_without_coupling(const SceneSource&, const SceneIn<Real100>&, int);
 
 } // namespace denhartog

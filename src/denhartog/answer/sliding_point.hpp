@@ -18,7 +18,6 @@ template <class T>
 struct SceneIn {
     Scene<T> scene;                                      ///< the scene
     std::shared_ptr<const ModalBasis<Bounded<T>>> basis; ///< its modes with bounds of their errors
-    bool coupled_by_rounding = false; ///< whether they are coupled, but not in double, where no two frequencies coincide
 };
 
 /// @brief A scene in a number type with its modes. A damping matrix counts as it was given: one that rounding has left uncoupled
@@ -49,11 +48,13 @@ struct PointWish {
 /// @brief The boundary by (56) of a system whose modes are coupled by what was rounded off its damping matrix alone: of the modes
 /// with the damping that each has by itself. Where modes are coupled for good (56) is not defined, and is (69).
 /// @eq{56}
-/// @param in      the scene with its modes, coupled by rounding
+/// @param source  the scene
+/// @param in      the same in T with its modes
 /// @param digits  significant digits wanted
-/// @return        the friction ratio
+/// @return        the friction ratio; none where double tells that the modes are coupled, or does not tell them apart
 template <class T>
-[[nodiscard]] Bounded<T> boundary_by_56_without_coupling(const SceneIn<T>& in, int digits);
+[[nodiscard]] std::optional<Bounded<T>> boundary_by_56_without_coupling(const SceneSource& source, const SceneIn<T>& in,
+                                                                        int digits);
 
 /// @brief The point of a scene.
 ///

@@ -67,8 +67,7 @@ Solution sliding_solution(const SceneSource& source, const SlidingQuestion& ques
         const bool motion = question.asked != Asked::regime || scene.mu > 1;
         const bool limits = question.asked == Asked::motion || question.asked == Asked::regime;
         std::optional<Bounded<T>> by_56;
-        if constexpr (!std::same_as<T, double>)
-            if (in.coupled_by_rounding) by_56 = boundary_by_56_without_coupling(in, aim.digits);
+        if constexpr (!std::same_as<T, double>) by_56 = boundary_by_56_without_coupling(source, in, aim.digits);
         const SlidingPoint<T> point = sliding_point(*place, *modes, {motion, limits, question.only, aim.digits}, by_56);
         s.r = exactly(*place->r, aim.digits);
         s.mu = exactly(place->mu, aim.digits);

@@ -196,7 +196,7 @@ private:
         const auto number = [&](std::size_t k) {
             return Bounded<double>(contact_alone ? orbit.contact.amplitude : orbit.masses[k].amplitude, orbit.error_bound);
         };
-        const bool beyond = !slides(map.beta[n]), must_stop = stops_for_certain(beyond, map.mu, damped);
+        const bool beyond = !slides(map.beta[n]), must_stop = beyond && (map.mu == 1 || damped);
         const bool open = !is_near && (map.mu == 1 || map.start == MapStart::rest) && // where `solve` tells
                           stops_are_open(orbit, beyond, must_stop, !beyond && is_sliding_motion(orbit, contact_amplitude(n).x));
         if (open || !is_told(n) || !write(n, number)) return false;

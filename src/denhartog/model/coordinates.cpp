@@ -126,7 +126,7 @@ Matrix<T> stiffness_matrix(const System<T>& s) {
 
 template <class T>
 Scene<T> in_own_coordinates(const Scene<T>& scene) {
-    if (!scene.system.contact_with && scene.system.load_vector.empty()) return scene;
+    if (is_of_papers_form(scene.system)) return scene;
     check(scene);
     using W = Wide<T>;
     const System<W> s = in_type<W>(scene.system);

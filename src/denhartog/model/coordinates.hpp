@@ -22,6 +22,13 @@ template <class T>
 template <class T>
 [[nodiscard]] Matrix<T> stiffness_matrix(const System<T>& s);
 
+/// @brief Whether a system is of the paper's form. @param s the system @return true where one mass is in contact with the wall, and
+/// one is loaded
+template <class T>
+[[nodiscard]] bool is_of_papers_form(const System<T>& s) {
+    return !s.contact_with && s.load_vector.empty();
+}
+
 /// @brief A scene in coordinates of its own, where its contact is between two masses or its load acts on several.
 ///
 /// The matrices are taken there in more digits and rounded once: every entry is off by no more than a unit in its last place.

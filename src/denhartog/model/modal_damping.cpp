@@ -49,10 +49,9 @@ void check_passive(const Matrix<T>& C) {
 template <class T>
 void turn_coinciding_modes(const Matrix<T>& C, const T& tolerance, const std::vector<T>& r_n, Matrix<T>& phi) {
     const std::size_t N = r_n.size();
-    const T near = tolerance * r_n[N - 1];
     for (std::size_t first = 0, last = 0; first < N; first = last + 1) {
         last = first;
-        while (last + 1 < N && r_n[last + 1] - r_n[last] <= near) ++last;
+        while (last + 1 < N && coincides_with_next(r_n, last, tolerance)) ++last;
         if (last == first) continue;
         const auto at = static_cast<Eigen::Index>(first);
         const auto count = static_cast<Eigen::Index>(last - first + 1);

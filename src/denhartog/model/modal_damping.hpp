@@ -33,6 +33,16 @@ void set_modal_damping(const Matrix<T>& L, const Matrix<T>& K, const Matrix<T>& 
 template <class T>
 [[nodiscard]] T largest_coupling(const Matrix<T>& D, const T& rounding);
 
+/// @brief Whether the natural frequency of a mode coincides with the next one.
+/// @param r_n        natural frequency ratios, ascending
+/// @param i          the mode, not the last one
+/// @param tolerance  differences up to this times the highest one count as none
+/// @return           whether it does
+template <class T>
+[[nodiscard]] bool coincides_with_next(const std::vector<T>& r_n, std::size_t i, const T& tolerance) {
+    return r_n[i + 1] - r_n[i] <= tolerance * r_n.back();
+}
+
 /// @brief Turns the mode shapes of every group of coinciding natural frequencies to those that diagonalise C within the group.
 /// @param C          damping matrix in units of sqrt(k_1 m_1)
 /// @param tolerance  differences of neighbouring frequencies up to this times the highest one count as none

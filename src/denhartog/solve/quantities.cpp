@@ -161,7 +161,7 @@ QuantitiesAnswer quantities_at(const SceneSource& asked_source, std::shared_ptr<
     if (digits < 1 || digits > most_digits_of_quantities)
         throw InputError("digits", "must be from 1 to " + std::to_string(most_digits_of_quantities), std::to_string(digits));
     const SceneSource source = asked == PointNumbers::sums ? without_friction_ratio(asked_source) : asked_source;
-    const Scene<double> scene = source->in_double();
+    const Scene<double>& scene = source->in_double();
     check(scene);
     (void)frequency_ratio_of(scene);
     if (asked != PointNumbers::sums) (void)friction_ratio_of(scene);

@@ -44,7 +44,7 @@ void set_regime(const SolveTask& task, Regime met, const std::string& reason, So
 }
 
 bool must_stop(const SolveTask& task, const Solution& s) {
-    return stops_for_certain(s.regime.regime == Regime::stick_slip, task.scene.mu, every_motion_is_damped(*task.basis));
+    return s.regime.regime == Regime::stick_slip && (task.scene.mu == 1 || every_motion_is_damped(*task.basis));
 }
 
 // What the stops of a motion that is not the closed form's say; those of the answer, which may be too short for double.
