@@ -1,5 +1,6 @@
 #include "denhartog/solve/solve.hpp"
 
+#include "denhartog/answer/held_solution.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/solve/solve_task.hpp"
 #include "denhartog/stick_slip/periodic_orbit.hpp"
@@ -117,9 +118,9 @@ TEST_CASE("a motion of 50 digits that does not start where that of double does i
         change(near);
         return near;
     };
-    for (const PeriodicOrbit<double>& near : {altered([&](auto& o) { o.start.x[0] += 4 * o.error_bound; }),
-                                              altered([&](auto& o) { o.start.x[1] -= 1e-3; }),
-                                              altered([](auto& o) { o.symmetric = !o.symmetric; })}) {
+    for (const PeriodicOrbit<double>& near :
+         {altered([&](auto& o) { o.start.x[0] += 4 * o.error_bound; }), altered([&](auto& o) { o.start.x[1] -= 1e-3; }),
+          altered([](auto& o) { o.symmetric = !o.symmetric; })}) {
         INFO("start " << near.start.x[0] << ", " << near.start.x[1] << " instead of " << found.start.x[0] << ", "
                       << found.start.x[1] << ", bound " << near.error_bound);
         CHECK_THROWS_AS(answer_to(near), PrecisionError);
@@ -176,6 +177,44 @@ TEST_CASE("where double loses the springs that hold the contact, 50 digits bound
         CHECK(std::abs(s.rest_interval->to.value - half) <= s.rest_interval->to.error + 1e-16 * half);
         CHECK(s.rest_interval->to.error <= 1e-6 * half);
     }
+}
+
+namespace {
+
+// The amplitudes where the contact rests, with their bounds, in one number type.
+template <class T>
+std::vector<Certified> amplitudes_at_rest(const Scene<double>& given, int digits) {
+    const Scene<T> scene = scene_in<T>(scene_source(given));
+    const ModalBasis<T> basis = modal_basis(scene.system);
+    std::vector<Certified> amplitudes;
+    for (const SolvedMass& mass :
+         held_solution(scene, stuck_configuration(scene.system, basis), with_errors(scene.system, basis), digits).masses)
+        amplitudes.push_back(mass.amplitude);
+    return amplitudes;
+}
+
+} // namespace
+
+TEST_CASE("damping made from modes far apart keeps its bound at a contact that rests, in double and in 50 digits",
+          "[solve][eq:19][eq:88][accuracy]") {
+    // Mass 4 moves by what damping alone brings to it, through entries of (19) that rounding makes 1e11 times as large.
+    Scene<double> scene =
+        chain({1, 86732.13364453071, 471299635721.2514, 6.012947084168863e-09}, {1, 0x1p-40, 0x1p-40, 0x1p40},
+              {1.0000000000000004, 1.0000744419158798, 0.9999999988688767, 1.000000002590393}, 3, 2, 1, 15.403547107133631);
+    scene.beta = 0.5404485080277784;
+    const auto reference = amplitudes_at_rest<Real100>(scene, 70);
+    const auto check = [&](const std::vector<Certified>& amplitudes, double half_digit) {
+        for (const std::size_t k : {0u, 1u, 3u}) {
+            const Certified& a = amplitudes[k];
+            const Real100 true_value(reference[k].decimal), found = a.decimal.empty() ? Real100(a.value) : Real100(a.decimal);
+            INFO("mass " << k + 1 << ": " << found << " +- " << a.error);
+            CHECK(abs(Real100(found - true_value)) <= Real100(a.error) + half_digit * true_value);
+        }
+    };
+    check(amplitudes_at_rest<double>(scene, 17), 1e-16);
+    const std::vector<Certified> fine = amplitudes_at_rest<Real50>(scene, 45);
+    check(fine, 1e-44);
+    CHECK(fine[3].error / fine[3].value <= 1e-15); // and the bound says something
 }
 
 TEST_CASE("with mu above 1 the answer is that of the start from rest and is not called unique", "[solve]") {

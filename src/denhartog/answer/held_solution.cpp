@@ -37,22 +37,28 @@ struct HeldErrors {
     T load;
 };
 
-// Bounds of what turned modes make of the damping matrix (19): modes of nearly one frequency, damped differently, are turned
-// towards each other by rounding.
+// Bounds of what errors of the modes make of the damping matrix (19): those of frequencies, of ratios and of the modes' sizes, and
+// modes that rounding turns towards each other, which have different damping. A mode far from all others is turned as well.
 template <class T>
 Matrix<T> errors_of_damping(const Scene<T>& scene, const ModalBasis<Bounded<T>>& basis) {
     const System<T>& s = scene.system;
     const auto N = static_cast<Eigen::Index>(basis.r_n.size());
     if (damping_matrix_counts(s, basis)) return Matrix<T>::Zero(N, N);
     const Matrix<T> phi = basis.phi.topRows(N).unaryExpr([](const Bounded<T>& entry) { return T(abs(entry.x)); });
+    const T unit = 2 * basis.r_n.back().e / basis.r_n.back().x; // what the solver is trusted with
+    std::vector<Bounded<T>> rates;                              // of decay, (18)
+    for (std::size_t i = 0; i < basis.r_n.size(); ++i) rates.push_back(T(2) * basis.zeta[i] * basis.r_n[i]);
     Matrix<T> in_modes = Matrix<T>::Zero(N, N);
     for (Eigen::Index i = 0; i < N; ++i)
         for (Eigen::Index k = 0; k < N; ++k) {
             const auto a = static_cast<std::size_t>(i), b = static_cast<std::size_t>(k);
-            if (k == i) continue;
-            const Bounded<T>&r_i = basis.r_n[a], &r_k = basis.r_n[b];
-            const T angle = angle_of_turn(r_i, r_k);
-            const T apart = 2 * abs(T(basis.zeta[a].x * r_i.x - basis.zeta[b].x * r_k.x));
+            const T of_both = unit * (rates[a].x + rates[b].x);
+            in_modes(i, k) += of_both;
+            if (k == i) {
+                in_modes(i, i) += rates[a].e;
+                continue;
+            }
+            const T angle = angle_of_turn(basis.r_n[a], basis.r_n[b]), apart = abs(T(rates[a].x - rates[b].x));
             in_modes(i, k) += angle * apart;
             in_modes(i, i) += angle * angle * apart; // a mode turned by a right angle has the other's damping
         }
