@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "denhartog/number/angle_tables.hpp"
 #include "denhartog/number/circle_tables.hpp"
 #include "denhartog/number/double_double.hpp"
 #include "denhartog/number/power_tables.hpp"
@@ -295,6 +296,78 @@ TEST_CASE("elementary functions end where a double ends, and give no number outs
     CHECK(std::isnan(elementary::atan2(1, none)));
 }
 
+namespace {
+
+// The coefficients of an expansion in their order, from that of the first power, less one, to that of the eighth.
+std::vector<double> coefficients_of(const elementary::Expansion& at) {
+    return {at.slope_less_one, at.second, at.third, at.fourth, at.fifth, at.sixth, at.seventh, at.eighth};
+}
+
+// Coefficient k of atan next to c: (-1)^(k-1) sin(k theta) / (k (1 + c^2)^(k/2)), tan(theta) = 1 / c.
+void coefficient_of_arc_tangent(mpfr_t y, double c, unsigned long k) {
+    Exact theta(1), size(c * c + 1);
+    mpfr_atan2(theta.x, theta.x, Exact(c).x, MPFR_RNDN);
+    mpfr_mul_ui(theta.x, theta.x, k, MPFR_RNDN);
+    mpfr_sin(y, theta.x, MPFR_RNDN);
+    mpfr_sqrt(size.x, size.x, MPFR_RNDN);
+    mpfr_pow_ui(size.x, size.x, k, MPFR_RNDN);
+    mpfr_mul_ui(size.x, size.x, k, MPFR_RNDN);
+    mpfr_div(y, y, size.x, MPFR_RNDN);
+    if (k % 2 == 0) mpfr_neg(y, y, MPFR_RNDN);
+    if (mpfr_regular_p(y) != 0 && mpfr_get_exp(y) < -200) mpfr_set_zero(y, 1); // the sine of a multiple of pi
+}
+
+// Coefficient k = m + 1 of asin next to c, by Legendre's polynomials:
+// 2^-m / (k s^(m+1)) times the sum of binomial(m, n) binomial(2m - 2n, m) (c / s)^(m - 2n), s^2 = 1 - c^2.
+void coefficient_of_arc_sine(mpfr_t y, double c, unsigned long k) {
+    const unsigned long m = k - 1;
+    Exact s(1 - c * c), ratio(c), term;
+    mpfr_sqrt(s.x, s.x, MPFR_RNDN);
+    mpfr_div(ratio.x, ratio.x, s.x, MPFR_RNDN);
+    mpfr_set_zero(y, 1);
+    for (unsigned long n = 0; 2 * n <= m; ++n) {
+        mpfr_pow_ui(term.x, ratio.x, m - 2 * n, MPFR_RNDN);
+        for (unsigned long i = 0; i < n; ++i) {
+            mpfr_mul_ui(term.x, term.x, m - i, MPFR_RNDN);
+            mpfr_div_ui(term.x, term.x, i + 1, MPFR_RNDN);
+        }
+        for (unsigned long i = 0; i < m; ++i) {
+            mpfr_mul_ui(term.x, term.x, 2 * m - 2 * n - i, MPFR_RNDN);
+            mpfr_div_ui(term.x, term.x, i + 1, MPFR_RNDN);
+        }
+        mpfr_add(y, y, term.x, MPFR_RNDN);
+    }
+    mpfr_pow_ui(s.x, s.x, k, MPFR_RNDN);
+    mpfr_div(y, y, s.x, MPFR_RNDN);
+    mpfr_div_ui(y, y, k, MPFR_RNDN);
+    mpfr_div_2ui(y, y, m, MPFR_RNDN);
+}
+
+void check_expansions(const elementary::Expansion* table, int count, Mpfr value,
+                      void (*coefficient)(mpfr_t y, double c, unsigned long k)) {
+    Exact x, rest;
+    for (int n = 0; n < count; ++n) {
+        INFO("expansion " << n);
+        value(x.x, Exact(n / 64.0).x, MPFR_RNDN);
+        CHECK(table[n].high == mpfr_get_d(x.x, MPFR_RNDN));
+        mpfr_sub_d(rest.x, x.x, table[n].high, MPFR_RNDN);
+        CHECK(table[n].low == mpfr_get_d(rest.x, MPFR_RNDN));
+        const std::vector<double> found = coefficients_of(table[n]);
+        for (std::size_t k = 1; k <= found.size(); ++k) {
+            coefficient(x.x, n / 64.0, k);
+            if (k == 1) mpfr_sub_ui(x.x, x.x, 1, MPFR_RNDN);
+            CHECK(found[k - 1] == mpfr_get_d(x.x, MPFR_RNDN));
+        }
+    }
+}
+
+} // namespace
+
+TEST_CASE("the expansions of arc tangent and arc sine are MPFR's to the last bit", "[elementary]") {
+    check_expansions(elementary::arc_tangents, 65, mpfr_atan, coefficient_of_arc_tangent);
+    check_expansions(elementary::arc_sines, 33, mpfr_asin, coefficient_of_arc_sine);
+}
+
 TEST_CASE("the tables of the elementary functions are MPFR's to the last bit", "[elementary]") {
     Exact x, rest, pi;
     mpfr_const_pi(pi.x, MPFR_RNDN);
@@ -324,13 +397,6 @@ TEST_CASE("the tables of the elementary functions are MPFR's to the last bit", "
         mpfr_neg(x.x, x.x, MPFR_RNDN);
         CHECK(logarithm.low == split(logarithm.high));
         CHECK(logarithm.high * 0x1p42 == std::trunc(logarithm.high * 0x1p42));
-    }
-    for (int n = 0; n <= 64; ++n) {
-        const Exact tangent(n / 64.0);
-        mpfr_atan(x.x, tangent.x, MPFR_RNDN);
-        CHECK(elementary::angles[n].high == mpfr_get_d(x.x, MPFR_RNDN));
-        CHECK(elementary::angles[n].low == split(elementary::angles[n].high));
-        CHECK(elementary::angles[n].slope == Approx(1 / (1 + n * n / 4096.0)).epsilon(1e-15));
     }
     mpfr_t bits;
     mpfr_init2(bits, 1300);

@@ -76,18 +76,9 @@ bool is_finite(double x) { return x - x == 0; }
 
 // The angle of (x, y), both positive, y not above x and not below 2^-60 x, within the range where products are exact.
 Parts angle_in_first_octant(const Parts& y, const Parts& x) {
-    const double by_x = 1 / x.high, c = nearest_whole(y.high * by_x * 64), n = c * 0x1p-6;
-    const ArcTangent& at = angles[static_cast<int>(c)];
-    const double x_1 = first_half(x.high), y_1 = first_half(y.high), of_y = n * y.high;
-    const Parts up = exact_sum(y.high - n * x_1, -(n * (x.high - x_1))), along = ordered_sum(x.high, of_y);
-    const double up_low = up.low + (y.low - n * x.low);
-    const double along_low = along.low + (((n * y_1 - of_y) + n * (y.high - y_1)) + (x.low + n * y.low));
-    const double t = up.high / along.high;
-    const Parts back = exact_product(t, along.high);
-    const double t_low = (((up.high - back.high) - back.low) + up_low - t * along_low) * (by_x * at.slope);
-    const double z = t * t, series = t * z * ((-1.0 / 3 + z * (1.0 / 5)) + z * z * (-1.0 / 7 + z * (1.0 / 9)));
-    const Parts head = ordered_sum(at.high, t);
-    return {head.high, head.low + (at.low + (t_low + series))};
+    const double by_x = 1 / x.high, slope = y.high * by_x;
+    const Parts back = exact_product(slope, x.high);
+    return expanded(arc_tangents, slope, (((y.high - back.high) - back.low) + (y.low - slope * x.low)) * by_x);
 }
 
 // The angle of (x, y), not both zero, finite.
@@ -113,11 +104,19 @@ Parts angle_of(Parts y, Parts x) {
     return below ? Parts{-angle.high, -angle.low} : angle;
 }
 
-// The root of 1 - x^2, x of size up to 1.
-Parts other_side(double x) {
-    const Parts square = exact_product(x, x), rest = ordered_sum(1, -square.high);
-    const DoubleDouble root = sqrt(DoubleDouble(rest.high, rest.low - square.low));
-    return {root.high, root.low};
+// A multiple of pi / 2 less an angle of at most that.
+Parts less_than(double high, double low, const Parts& angle) {
+    const Parts head = ordered_sum(high, -angle.high);
+    return {head.high, head.low + (low - angle.low)};
+}
+
+// Twice the arc sine of the root of (1 - x) / 2, which is the arc cosine of x. @param x from 1/2 to 1
+Parts angle_beside_one(double x) {
+    const double square = (1 - x) / 2, root = std::sqrt(square);
+    const Parts back = exact_product(root, root);
+    const double by_root = root * (0.5 / (square + 0x1p-200)); // which does not wait for the root, and is zero for x = 1
+    const Parts half = expanded(arc_sines, root, ((square - back.high) - back.low) * by_root);
+    return {2 * half.high, 2 * half.low};
 }
 
 } // namespace
@@ -163,18 +162,39 @@ double atan2(double y, double x) noexcept {
     return angle.high + angle.low;
 }
 
-double atan(double x) noexcept { return atan2(x, 1); }
+double atan(double x) noexcept {
+    const double size = std::fabs(x);
+    if (size <= 1) {
+        const Parts angle = expanded(arc_tangents, size, 0);
+        return std::copysign(angle.high + angle.low, x);
+    }
+    if (!(size < 0x1p60)) return size == size ? std::copysign(pi_high / 2, x) : no_number;
+    const double inverse = 1 / size;
+    const Parts back = exact_product(inverse, size);
+    const Parts angle =
+        less_than(pi_high / 2, pi_low / 2, expanded(arc_tangents, inverse, ((1 - back.high) - back.low) * inverse));
+    return std::copysign(angle.high + angle.low, x);
+}
 
 double asin(double x) noexcept {
-    if (!(std::fabs(x) <= 1)) return no_number;
-    if (x == 0) return x;
-    const Parts angle = angle_of({x, 0}, other_side(x));
-    return angle.high + angle.low;
+    const double size = std::fabs(x);
+    if (!(size <= 1)) return no_number;
+    const Parts angle = size <= 0.5 ? expanded(arc_sines, size, 0) : less_than(pi_high / 2, pi_low / 2, angle_beside_one(size));
+    return std::copysign(angle.high + angle.low, x);
 }
 
 double acos(double x) noexcept {
-    if (!(std::fabs(x) <= 1)) return no_number;
-    const Parts angle = angle_of(other_side(x), {x, 0});
+    const double size = std::fabs(x);
+    if (!(size <= 1)) return no_number;
+    Parts angle;
+    if (size <= 0.5) {
+        const Parts sine = expanded(arc_sines, size, 0);
+        const double sign = x < 0 ? -1 : 1;
+        angle = less_than(pi_high / 2, pi_low / 2, {sign * sine.high, sign * sine.low});
+    } else {
+        angle = angle_beside_one(size);
+        if (x < 0) angle = less_than(pi_high, pi_low, angle);
+    }
     return angle.high + angle.low;
 }
 

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "denhartog/number/angle_tables.hpp"
 #include "denhartog/number/circle_tables.hpp"
 #include "denhartog/number/exact_arithmetic.hpp"
 #include "denhartog/number/power_tables.hpp"
@@ -119,5 +120,20 @@ struct ReducedAngle {
 
 /// @brief The cosine: the sine a quarter turn on. @param a a reduced angle @return both parts
 [[nodiscard, gnu::always_inline]] inline Parts cosine(const ReducedAngle& a) { return sine({a.n + 32, a.d, a.d_low}); }
+
+/// @brief A function from its expansion: the value at the point and the distance are added without rounding, and the rest is small
+/// beside their sum.
+/// @param table  expansions at the multiples of 1 / 64
+/// @param x      a positive number, at most the last of them
+/// @param low    a small one, to be added to it
+/// @return       both parts
+[[nodiscard, gnu::always_inline]] inline Parts expanded(const Expansion* table, double x, double low) {
+    const double c = nearest_whole(x * 64), r = x - c * 0x1p-6, z = r * r;
+    const Expansion& at = table[static_cast<int>(c)];
+    const double higher = (at.fourth + r * at.fifth) + z * ((at.sixth + r * at.seventh) + z * at.eighth);
+    const double rest = at.slope_less_one * (r + low) + (low + z * ((at.second + r * at.third) + z * higher));
+    const Parts head = ordered_sum(at.high, r);
+    return {head.high, head.low + (at.low + rest)};
+}
 
 } // namespace denhartog::elementary

@@ -1,6 +1,6 @@
 """Writes the tables of the elementary functions, each entry rounded from 1400 bits.
 
-Usage: make_elementary_tables.py FOLDER, which gets circle_tables.hpp, power_tables.hpp and series_tables.hpp.
+Usage: make_elementary_tables.py FOLDER, which gets angle_tables.hpp, circle_tables.hpp, power_tables.hpp and series_tables.hpp.
 Whole numbers alone are used: a number x stands for x / 2^BITS.
 """
 import sys
@@ -131,9 +131,35 @@ def powers():
         yield row([head, rounded(((value - exactly(head)) << BITS) // exactly(head))])
 
 
-def angles():
+def expansion(value, slopes):
+    """A function at a point and its powers of the distance, from the Taylor coefficients of its slope."""
+    coefficients = [rounded(slope // (n + 1)) for n, slope in enumerate(slopes)]
+    columns = [*pair(value), rounded(slopes[0] - ONE), *coefficients[1:]]
+    return ["    {" + ", ".join(text(value) for value in columns[:5]) + ",",
+            "     " + ", ".join(text(value) for value in columns[5:]) + "},"]
+
+
+def arc_tangents():
+    """The slope is 1 / (1 + x^2)."""
     for n in range(65):
-        yield row([*pair(arc_tangent(n, 64) if n else 0), 1 / (1 + (n / 64) ** 2)])
+        c = ONE * n // 64
+        slopes, square = [0], ONE + times(c, c)
+        for k in range(8):
+            right = ONE if k == 0 else -2 * times(c, slopes[-1]) - slopes[-2]
+            slopes.append((right << BITS) // square)
+        yield from expansion(arc_tangent(n, 64) if n else 0, slopes[1:])
+
+
+def arc_sines():
+    """The slope g is 1 / sqrt(1 - x^2), and (1 - x^2) g' = x g."""
+    for n in range(33):
+        c = ONE * n // 64
+        square = ONE - times(c, c)
+        slopes = [0, (ONE << BITS) // square_root(square)]
+        for k in range(7):
+            right = (2 * k + 1) * times(c, slopes[-1]) + k * slopes[-2]
+            slopes.append((right << BITS) // square // (k + 1))
+        yield from expansion(arc_tangent(c, square_root(square)) if n else 0, slopes[1:])
 
 
 def logarithms():
@@ -189,7 +215,7 @@ def write(name, brief, lines):
 def write_circle():
     step = PI // 64
     first, second, third, fourth = in_doubles(step, 24, 24, 53)
-    write("circle_tables.hpp", "Sines, arc tangents and the bits of 2 / pi", [
+    write("circle_tables.hpp", "Sines and the bits of 2 / pi", [
         constant("pi_high", pair(PI)[0], "pi, rounded"),
         constant("pi_low", pair(PI)[1], "what its rounding lacks"),
         constant("steps_in_radian", rounded((ONE << BITS) // step), "64 / pi"),
@@ -209,15 +235,22 @@ def write_circle():
         "};",
         *table("The points at n pi / 64.", "Direction", "circle", 128, circle()),
         "",
-        "/// @brief An arc tangent.",
-        "struct ArcTangent {",
-        "    double high;  ///< rounded",
-        "    double low;   ///< what its rounding lacks",
-        "    double slope; ///< its derivative",
-        "};",
-        *table("atan(n / 64).", "ArcTangent", "angles", 65, angles()),
         *table("The bits of 2 / pi, 64 a word, behind two words of zeros.", "std::uint64_t", "two_over_pi", 22,
                words_of_two_over_pi()),
+    ])
+
+
+def write_angles():
+    write("angle_tables.hpp", "Arc tangents and arc sines", [
+        "/// @brief A function next to a point, in powers of the distance from it.",
+        "struct Expansion {",
+        "    double high;                                                 ///< the value at the point, rounded",
+        "    double low;                                                  ///< what its rounding lacks",
+        "    double slope_less_one;                                       ///< the derivative less one",
+        "    double second, third, fourth, fifth, sixth, seventh, eighth; ///< the coefficients of the powers",
+        "};",
+        *table("atan next to n / 64.", "Expansion", "arc_tangents", 65, arc_tangents()),
+        *table("asin next to n / 64.", "Expansion", "arc_sines", 33, arc_sines()),
     ])
 
 
@@ -263,6 +296,7 @@ def write_series():
 if __name__ == "__main__":
     if len(sys.argv) != 2:
         raise SystemExit(__doc__)
+    write_angles()
     write_circle()
     write_powers()
     write_series()
