@@ -141,6 +141,21 @@ TEST_CASE("in stick-slip next to a friction ratio at which a phase jumps, its bo
     }
 }
 
+TEST_CASE("in stick-slip a maximum so near an end of a phase that it is no larger there keeps the bound of its phase",
+          "[solve][accuracy]") {
+    // Mass 1 is farthest out 3.3e-10 before the start of the half-period, where it is out as far to all digits of double.
+    Scene<double> scene = chain({1, 0.003931476269687536, 6118.650263655756}, {1, 0.999999999999821, 1.0000004213876381},
+                                {0, 0, 0}, 3, 1, 1, 25.901281443472723);
+    scene.beta = 0.001262317429661558;
+    const Solution low = asking(scene, Asked::amplitude, 6), high = asking(scene, Asked::amplitude, 20);
+    REQUIRE(low.method.precision == "double");
+    for (std::size_t k = 0; k < 3; ++k) {
+        INFO("mass " << k + 1 << ", phase " << low.masses[k].phase->value << ", to 20 digits " << high.masses[k].phase->value);
+        CHECK(std::abs(low.masses[k].phase->value - high.masses[k].phase->value) <= low.masses[k].phase->error);
+        CHECK(low.masses[k].phase->error < (k == 2 ? 1e-2 : 1e-8));
+    }
+}
+
 TEST_CASE("a contact that rests gives the stuck response and the interval of rest", "[solve][eq:88]") {
     const Scene<double> scene = two_masses(0.75, 3);
     const Solution s = asking(scene, Asked::motion);

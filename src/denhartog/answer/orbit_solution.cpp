@@ -44,9 +44,10 @@ private:
     std::vector<T> ends;
 };
 
-// How far the extremum of a mass may be from where it was found: to either side as far as the velocity is within its error, a
-// stretch that is doubled until it is left. A contact that comes to rest leaves it on one side only, and by twice the error: what
-// is left of the true velocity then ends within as much again.
+// How far the extremum of a mass may be from where it was found: as far as it takes until its size surely grows on one side and
+// falls on the other, by more than the error of the velocity. A value alone does not tell the place: next to the extremum others
+// are as large to all digits. A contact that comes to rest moves on one side only, and there by twice the error: what is left of
+// the true velocity then ends within as much again.
 template <class T>
 T error_of_extremum(OnOrbit<T>& orbit, std::size_t k, const MassMotion<T>& mass, int periods, const T& velocity_error) {
     T nearest(-1), instant(0);
@@ -57,16 +58,20 @@ T error_of_extremum(OnOrbit<T>& orbit, std::size_t k, const MassMotion<T>& mass,
         nearest = apart;
         instant = tau;
     }
-    const auto velocities = [&](const T& apart) {
-        const T before = abs(orbit.at(T(instant - apart)).x_prime[k]), after = abs(orbit.at(T(instant + apart)).x_prime[k]);
-        return std::pair{std::min(before, after), std::max(before, after)};
+    // How fast the size grows before the instant, and how fast it falls after it.
+    const auto rates = [&](const T& apart) {
+        const auto growth = [&](const State<T>& state) { return state.x[k] < 0 ? T(-state.x_prime[k]) : state.x_prime[k]; };
+        return std::pair{growth(orbit.at(T(instant - apart))), T(-growth(orbit.at(T(instant + apart))))};
     };
-    const T step = T(1) / 1024, acceleration = velocities(step).second / step;
+    const T step = T(1) / 1024;
+    const auto [grows, falls] = rates(step);
+    const T acceleration = std::max(T(abs(grows)), T(abs(falls))) / step;
     T apart = acceleration > 0 ? T(velocity_error / acceleration) : step;
     for (; apart < pi<T>(); apart *= 2) {
-        const auto [less, more] = velocities(apart);
+        const auto [before, after] = rates(apart);
+        const T less = std::min(before, after);
         if (less >= velocity_error) return apart;
-        if (less == 0 && more >= 2 * velocity_error) return 2 * apart;
+        if (less == 0 && std::max(before, after) >= 2 * velocity_error) return 2 * apart;
     }
     return pi<T>();
 }
