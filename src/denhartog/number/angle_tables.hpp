@@ -8,10 +8,16 @@ namespace denhartog::elementary {
 
 /// @brief A function next to a point, in powers of the distance from it.
 struct Expansion {
-    double high;                                                 ///< the value at the point, rounded
-    double low;                                                  ///< what its rounding lacks
-    double slope_less_one;                                       ///< the derivative less one
-    double second, third, fourth, fifth, sixth, seventh, eighth; ///< the coefficients of the powers
+    double high;           ///< the value at the point, rounded
+    double low;            ///< what its rounding lacks
+    double slope_less_one; ///< the derivative less one
+    double second;         ///< the coefficient of the second power
+    double third;          ///< of the third
+    double fourth;         ///< of the fourth
+    double fifth;          ///< of the fifth
+    double sixth;          ///< of the sixth
+    double seventh;        ///< of the seventh
+    double eighth;         ///< of the eighth
 };
 
 /// @brief atan next to n / 64.
