@@ -4,6 +4,7 @@
 
 #include "denhartog/answer/sliding_solution.hpp"
 #include "denhartog/evaluation/contact.hpp"
+#include "denhartog/number/effort.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/solve/solve.hpp"
 #include "tests/catch.hpp"
@@ -133,6 +134,38 @@ TEST_CASE("of undamped masses too, every question and the map give the stops tha
         CHECK(map.points.front().regime == Regime::stick_slip);
         CHECK(map.points.front().stops == 2);
     }
+}
+
+TEST_CASE("a question whose work is spent before 50 digits tell whether the contact stops is not answered by double",
+          "[solve][effort][eq:69]") {
+    // A last digit above the boundary: 50 digits find two stops, double none.
+    Scene<double> two = chain({1, 1.3}, {1, 2}, {0, 0}, 1, 1, 1.0000004, 1.7);
+    two.beta = 0.767003822550217;
+    for (const Asked asked : {Asked::motion, Asked::amplitude, Asked::regime}) {
+        int spent = 0;
+        for (const long allowed : {2'400L, 3'000L, 6'000L, 12'000L, 100'000L}) {
+            INFO("allowed: " << allowed);
+            Question question;
+            question.asked = asked;
+            const QuestionEffort effort(2, allowed);
+            try {
+                const Regime found = solve(scene_source(two), question).regime.regime;
+                CHECK(found == Regime::stick_slip);
+            } catch (const PrecisionError& e) {
+                const std::string message = e.what();
+                CHECK(message.find("double does not tell whether the contact stops") != std::string::npos);
+                CHECK(message.find("the work allowed is spent") != std::string::npos);
+                CHECK(message.find("This much is certain: the closed form does not hold") != std::string::npos);
+                ++spent;
+            }
+        }
+        CHECK(spent == 4);
+    }
+    // With mu = 1 or damping the boundaries tell that there are stops, and double may answer.
+    Scene<double> damped = chain({1, 2.0946804396078478}, {1, 0.7414127923646818}, {0.01, 0.02}, 1, 2, 1.0000001, 1.3);
+    damped.beta = 0.20606163917974474;
+    const QuestionEffort effort(2, 12'000);
+    CHECK(solve(scene_source(damped), {}).regime.regime == Regime::stick_slip);
 }
 
 TEST_CASE("next to the boundary 50 digits tell stops from rounding, to 6 digits as well as to 30, and in a map",

@@ -43,16 +43,15 @@ void set_regime(const SolveTask& task, Regime met, const std::string& reason, So
     if (task.scene.mu > 1 || task.pole || met == Regime::continuous) s.regime.reason += "; " + reason;
 }
 
-bool must_stop(const SolveTask& task, const Solution& s) {
-    return s.regime.regime == Regime::stick_slip && (task.scene.mu == 1 || every_motion_is_damped(*task.basis));
-}
-
-// What the stops of a motion that is not the closed form's say; those of the answer, which may be too short for double.
-void set_regime_by_stops(const SolveTask& task, const PeriodicOrbit<double>& orbit, std::size_t stops, Solution& s) {
-    if (stops > 0) {
+// What the stops of a motion that is not the closed form's say; those of the answer, which may be too short for double. None where
+// 50 digits would have to tell, and do not.
+void set_regime_by_stops(const SolveTask& task, const PeriodicOrbit<double>& orbit, std::optional<std::size_t> stops,
+                         Solution& s) {
+    const bool must = must_stop(task, s);
+    if (stops.value_or(orbit.stops.size()) > 0) {
         set_regime(task, Regime::stick_slip, "the contact stops in every period", s);
-        if (orbit.stops.empty()) s.regime.reason += "; double precision finds no stop, 50 digits find " + std::to_string(stops);
-    } else if (must_stop(task, s)) {
+        if (orbit.stops.empty()) s.regime.reason += "; double precision finds no stop, 50 digits find " + std::to_string(*stops);
+    } else if (must) {
         s.regime.reason += "; the motion shows no stop, and the bound of its error is " + number_in_digits(orbit.error_bound, 2);
     } else {
         const bool sliding = !task.pole && every_motion_is_damped(*task.basis);
@@ -61,6 +60,7 @@ void set_regime_by_stops(const SolveTask& task, const PeriodicOrbit<double>& orb
                            : "the contact does not stop, but the motion is not that of the closed form",
                    s);
     }
+    if (!stops && !must) s.regime.reason += "; double does not tell whether the contact stops";
 }
 
 void answer_by_boundaries(const SolveTask& task, const std::string& model, Solution& s) {
@@ -102,10 +102,11 @@ void answer_from_rest(const SolveTask& task, Solution& s) {
     } else if (slides && orbit.stops.empty()) {
         set_regime(task, Regime::continuous, "the motion from rest is the sliding motion", s);
     } else if (regime_alone) {
-        set_regime_by_stops(task, orbit, open ? stops_in_50_digits(task, orbit) : orbit.stops.size(), s);
+        set_regime_by_stops(task, orbit, open ? stops_in_50_digits(task, orbit, s) : std::optional(orbit.stops.size()), s);
     } else {
         answer_by_orbit(task, solver, orbit, open, s);
-        set_regime_by_stops(task, orbit, s.stops.size(), s);
+        const bool known = !open || s.method.precision != name(Precision::in_double);
+        set_regime_by_stops(task, orbit, known ? std::optional(s.stops.size()) : std::nullopt, s);
         if (!orbit.reason.empty()) s.regime.reason += "; " + orbit.reason;
         return;
     }

@@ -57,7 +57,8 @@ void find_in_50_digits(const SolveTask& task, const PeriodicOrbit<double>& near,
     how.contact_only = contact_only;
     const PeriodicOrbit<Real50> orbit = periodic_orbit(solver, start, how);
     if (!same_motion(orbit, near))
-        throw PrecisionError("the search in 50 digits does not find the motion that double precision found");
+        throw PrecisionError("the search in 50 digits does not find the motion that double precision found" +
+                             (orbit.status == OrbitStatus::not_converged ? ": " + orbit.reason : ""));
     take(solver, orbit);
 }
 
@@ -68,7 +69,18 @@ void orbit_in_50_digits(const SolveTask& task, const PeriodicOrbit<double>& near
     });
 }
 
+// The effort is spent, and with it the way to know whether a motion stops that double does not see stop.
+void require_known_stops(const SolveTask& task, const PrecisionError& e, const Solution& s) {
+    if (QuestionEffort::exhausted() && !must_stop(task, s))
+        throw PrecisionError(std::string("double does not tell whether the contact stops, and ") + e.what() +
+                             ". This much is certain: " + s.regime.reason);
+}
+
 } // namespace
+
+bool must_stop(const SolveTask& task, const Solution& s) {
+    return s.regime.regime == Regime::stick_slip && (task.scene.mu == 1 || every_motion_is_damped(*task.basis));
+}
 
 void answer_by_stuck_response(const SolveTask& task, const std::optional<Certified>& rests_at, Solution& s) {
     const auto attempt = [&]<class T>(std::type_identity<T>) {
@@ -95,14 +107,14 @@ void answer_by_stuck_response(const SolveTask& task, const std::optional<Certifi
     s.relative_error = found.relative;
 }
 
-std::size_t stops_in_50_digits(const SolveTask& task, const PeriodicOrbit<double>& orbit) {
-    std::size_t stops = orbit.stops.size();
+std::optional<std::size_t> stops_in_50_digits(const SolveTask& task, const PeriodicOrbit<double>& orbit, const Solution& s) {
+    std::optional<std::size_t> stops;
     if (highest_precision(task.aim, number_of_masses(task.scene.system)) == Precision::in_double) return stops;
     try {
         find_in_50_digits(task, orbit, true,
                           [&](const auto&, const PeriodicOrbit<Real50>& found) { stops = found.stops.size(); });
-    } catch (const PrecisionError&) {
-        if (QuestionEffort::exhausted()) throw;
+    } catch (const PrecisionError& e) {
+        require_known_stops(task, e, s);
     }
     return stops;
 }
@@ -129,6 +141,7 @@ void answer_by_orbit(const SolveTask& task, ExactSolver<double>& solver, const P
             throw PrecisionError("the exact solver does not reach the " + in_words(task.aim) + ": double precision gives " +
                                  std::to_string(digits_of(error)) + ", and 50 digits give at most " +
                                  std::to_string(most_digits_in(Precision::in_50_digits)) + "; " + e.what());
+        if (open) require_known_stops(task, e, s);
         write_orbit(task, solver, orbit, in_double, s);
         s.method.precision = name(Precision::in_double);
         s.method.why = "its residual bounds the error: " + verdict({error}, task.aim) + "; in 50 digits: " + e.what();

@@ -58,21 +58,30 @@ struct SolveTask {
 /// @param s         gets the answer
 void answer_by_stuck_response(const SolveTask& task, const std::optional<Certified>& rests_at, Solution& s);
 
+/// @brief Whether the boundaries tell that the motion has stops: beyond that of sliding where mu = 1 or every motion is damped.
+/// @param task  the task, its boundary found
+/// @param s     the regime by the boundaries
+/// @return      whether a motion that is not at rest has stops, seen or not
+[[nodiscard]] bool must_stop(const SolveTask& task, const Solution& s);
+
 /// @brief A periodic orbit as the answer, in the first precision that has the digits.
 /// @param task    the task
 /// @param solver  the solver that found the orbit
 /// @param orbit   the orbit, with its masses
 /// @param open    whether it is for 50 digits to say if the motion stops
 /// @param s       gets the answer
-/// @throws        PrecisionError where the digits asked for are out of reach
+/// @throws        PrecisionError where the digits asked for are out of reach, or the effort is spent before it is known whether
+///                the motion stops
 void answer_by_orbit(const SolveTask& task, ExactSolver<double>& solver, const PeriodicOrbit<double>& orbit, bool open,
                      Solution& s);
 
 /// @brief Number of stops of a motion of which double does not tell whether it stops.
 /// @param task   the task
 /// @param orbit  the orbit
-/// @return       those that 50 digits find; those of the orbit, where these do not find it or the masses are too many for them
-/// @throws       PrecisionError where the effort is spent
-[[nodiscard]] std::size_t stops_in_50_digits(const SolveTask& task, const PeriodicOrbit<double>& orbit);
+/// @param s      the regime by the boundaries
+/// @return       those that 50 digits find; none where these do not find the motion, or the masses are too many for them
+/// @throws       PrecisionError where the effort is spent before it is known whether the motion stops
+[[nodiscard]] std::optional<std::size_t> stops_in_50_digits(const SolveTask& task, const PeriodicOrbit<double>& orbit,
+                                                            const Solution& s);
 
 } // namespace denhartog
