@@ -106,8 +106,10 @@ public:
     void compare(const std::string& question, const std::function<std::vector<NamedNumber>()>& ask) {
         try {
             for (const Comparison& c : compared(ask(), many_)) {
+                // JSON has neither infinity nor what is no number.
+                const auto finite = [](double x) { return std::isnan(x) ? 1e300 : std::min(x, 1e300); };
                 const double ratio = c.difference == 0 ? 0 : c.difference / c.allowed;
-                found.compared.push_back({c.name, question, std::isnan(ratio) ? 1e300 : std::min(ratio, 1e300), c.difference});
+                found.compared.push_back({c.name, question, finite(ratio), finite(c.difference)});
             }
         } catch (const InputError&) {
         } catch (const DomainError&) {

@@ -271,6 +271,22 @@ TEST_CASE("boundary curves are the boundaries", "[map][eq:69]") {
     }
 }
 
+TEST_CASE("boundary curves of a contact between two masses have the digits of the boundary where double loses them in its own "
+          "coordinates",
+          "[map][eq:69]") {
+    // Beside a spring of 1.8e13 the coordinates of the contact round one of 0.12.
+    Scene<double> scene =
+        chain({1, 1.0000000000108313, 1.000000000706512, 0.9999999531384343},
+              {1, 177389.19778595105, 0.11988248417876002, 18121340966206.242},
+              {4.8523357956642794e-17, 56299.81855532438, 2.3329965499772993, 75097.36041282877}, 2, 4, 1, 2.636037861397377);
+    scene.system.contact_with = Mass{0};
+    const BoundaryPoint at = boundary_curves(scene, {*scene.r}).front();
+    REQUIRE(at.status == PointStatus::answered);
+    const Solution s = sliding_solution(scene_source(scene), {Asked::regime, 15});
+    CHECK(at.exact == Approx(s.limits->exact.value).epsilon(1e-6));
+    CHECK(at.paper == Approx(s.limits->paper.value).epsilon(1e-6));
+}
+
 TEST_CASE("a grid that breaks a rule is refused", "[map]") {
     const auto with = [](std::vector<double> r, std::vector<double> beta, std::vector<Mass> masses, unsigned threads) {
         return regime_map(two_masses(1), {r, beta, masses, MapStart::rest, threads}, never);

@@ -5,6 +5,7 @@
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/number_text.hpp"
 #include "denhartog/sliding/instants_of_maxima.hpp"
+#include "denhartog/solve/quantities.hpp"
 #include "denhartog/solve/solve.hpp"
 #include "tests/catch.hpp"
 #include "tests/unit/response_fixtures.hpp"
@@ -290,4 +291,17 @@ TEST_CASE("next to a friction ratio at which a phase jumps, its bound holds or r
             CHECK(std::abs(low.masses[0].phase->value - high.masses[0].phase->value) <= low.masses[0].phase->error);
             CHECK(low.masses[0].phase->error < 1e-10);
         }
+}
+
+TEST_CASE("far off in frequency the motion is known whose boundary is no number in double", "[solve][eq:69]") {
+    Scene<double> scene = oscillator(0, 3.5e225);
+    scene.beta = 0.0009; // below 0.537, which is a quotient of 0 and 0 in double
+    const std::vector<double> tau{0, 1};
+    for (const int digits : {6, 15}) {
+        const QuantitiesAnswer found = quantities(scene_source(scene), tau, digits, PointNumbers::motion);
+        CHECK(found.method.precision == "50 digits");
+        CHECK(found.numbers.beta_lim.x == Approx(0.537029272146));
+        REQUIRE(found.numbers.X_j);
+        CHECK(found.numbers.x.size() == 2);
+    }
 }

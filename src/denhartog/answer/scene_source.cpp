@@ -68,6 +68,13 @@ SceneSource at_point(const SceneSource& source, double r, double beta) {
     });
 }
 
+SceneSource at_frequency(const SceneSource& source, double r) {
+    return changed(source, [r](auto& scene) {
+        scene.r = r;
+        scene.beta.reset();
+    });
+}
+
 SceneSource with_static_friction(const SceneSource& source, double mu) {
     return changed(source, [mu](auto& scene) { scene.mu = mu; });
 }

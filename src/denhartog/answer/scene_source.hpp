@@ -48,6 +48,12 @@ template <class T>
 /// @return the source: r and beta are these doubles in every number type
 [[nodiscard]] SceneSource at_point(const SceneSource& source, double r, double beta);
 
+/// @brief The same scene at a frequency ratio, without a friction ratio: its boundary is asked for.
+/// @param source  a scene
+/// @param r       frequency ratio
+/// @return        the source: r is this double in every number type
+[[nodiscard]] SceneSource at_frequency(const SceneSource& source, double r);
+
 /// @brief The same scene with another ratio of static to kinetic friction. @param source a scene @param mu Eq. (3)
 /// @return the source: mu is this double in every number type
 [[nodiscard]] SceneSource with_static_friction(const SceneSource& source, double mu);

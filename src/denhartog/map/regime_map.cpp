@@ -23,13 +23,6 @@ void check_frequencies(const std::vector<double>& r) {
     for (const double each : r) check_frequency_ratio(each);
 }
 
-// A scene at a frequency ratio, its boundary asked for.
-Scene<double> at_frequency(Scene<double> scene, double r) {
-    scene.r = r;
-    scene.beta = std::nullopt;
-    return scene;
-}
-
 void check_request(const MapRequest& request, std::size_t N) {
     check_frequencies(request.r);
     if (request.beta.empty()) throw InputError("beta", "must have at least one value", "none");
@@ -117,19 +110,19 @@ RegimeMap regime_map(const Scene<double>& scene, const MapRequest& request, cons
     return map;
 }
 
-std::vector<BoundaryPoint> boundary_curves(const Scene<double>& of_masses, const std::vector<double>& r) {
-    const Scene<double> scene = in_own_coordinates(of_masses);
+std::vector<BoundaryPoint> boundary_curves(const Scene<double>& scene, const std::vector<double>& r) {
     check(scene);
     check_frequencies(r);
+    const SceneSource source = scene_source(scene);
     SlidingQuestion question;
     question.asked = Asked::regime;
-    const auto basis = modes_with_errors(scene.system);
+    const auto basis = modes_with_errors(source->in_double().system);
     std::vector<BoundaryPoint> curves(r.size());
     for (std::size_t n = 0; n < r.size(); ++n) {
         try {
             BoundedModes<double> modes(basis, as_input(r[n]));
             question.modes = &modes;
-            const Solution s = sliding_solution(scene_source(at_frequency(scene, r[n])), question);
+            const Solution s = sliding_solution(at_frequency(source, r[n]), question);
             const Limits& b = *s.limits;
             bool finite = s.digits_reached; // far off in frequency numbers leave the range of a double
             for (const Certified& limit : {b.exact, b.paper, b.approximate})

@@ -184,7 +184,8 @@ QuantitiesAnswer quantities_at(const SceneSource& asked_source, std::shared_ptr<
         // What 50 digits cannot tell from zero is told as zero.
         has_zeros = !std::same_as<T, double> && tell_zeros(answer.numbers, aim.tolerance) > 0;
         largest = largest_bound(answer.numbers, asked, !std::same_as<T, double>);
-        const bool open = scene.beta && size_of_number(T(q.beta_lim.x - *in.scene.beta)) <= q.beta_lim.e;
+        // A boundary that is no number in this type is open as well.
+        const bool open = scene.beta && !(size_of_number(T(q.beta_lim.x - *in.scene.beta)) > q.beta_lim.e);
         return Attempted{largest.relative, !open};
     };
     const Certainty found = certify(aim, attempt);

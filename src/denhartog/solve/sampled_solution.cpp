@@ -81,7 +81,7 @@ SampledSolution sampled_solution(const Scene<double>& of_masses, const Solution&
         const std::optional<Certified>& phase =
             solution.between ? solution.between->phase : mass_of(solution, solution.contact).phase;
         if (!phase) throw PrecisionError("the contact moves by less than the error of its amplitude: its phase is not known");
-        all.states = of_closed_form(scene, phase->value, all.tau);
+        all.states = of_closed_form(of_masses, phase->value, all.tau);
     }
     return all;
 }
