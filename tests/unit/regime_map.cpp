@@ -271,8 +271,7 @@ TEST_CASE("boundary curves are the boundaries", "[map][eq:69]") {
     }
 }
 
-TEST_CASE("boundary curves of a contact between two masses have the digits of the boundary where double loses them in its own "
-          "coordinates",
+TEST_CASE("boundary curves have the digits of the boundary where double loses them in the coordinates of the contact",
           "[map][eq:69]") {
     // Beside a spring of 1.8e13 the coordinates of the contact round one of 0.12.
     Scene<double> scene =

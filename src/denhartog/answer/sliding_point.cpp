@@ -140,7 +140,7 @@ SlidingPoint<T> point_at(const Scene<T>& scene, const ModeSums<Bounded<T>>& sums
 // Whether modes are uncoupled and told apart in double. Those that coincide have the shapes that the damping matrix chooses.
 bool are_apart(const ModalBasis<double>& basis) {
     const std::size_t N = basis.r_n.size();
-    const double tolerance = 8 * static_cast<double>(N) * std::numeric_limits<double>::epsilon();
+    const auto tolerance = rounding_of_modes<double>(N);
     for (std::size_t i = 0; i + 1 < N; ++i)
         if (coincides_with_next(basis.r_n, i, tolerance)) return false;
     return !basis.coupled();

@@ -81,8 +81,7 @@ void set_modal_damping(const Matrix<T>& L, const Matrix<T>& K, const Matrix<T>& 
     using std::abs;
     using std::sqrt;
     const std::size_t N = basis.r_n.size();
-    const T eps = std::numeric_limits<T>::epsilon();
-    const T tolerance = 8 * static_cast<int>(N) * eps;
+    const T tolerance = rounding_of_modes<T>(N);
     basis.distance_from_classical = N > 1 ? distance_from_commuting(divide_out(L, K), divide_out(L, C)) : T(0);
     const bool commutes = basis.distance_from_classical <= tolerance;
     const bool coupled = basis.distance_from_classical > std::max(tolerance, T(neglected));
@@ -94,14 +93,14 @@ void set_modal_damping(const Matrix<T>& L, const Matrix<T>& K, const Matrix<T>& 
     const T size = D.cwiseAbs().maxCoeff();
     for (std::size_t i = 0; i < N; ++i)
         for (std::size_t k = 0; k < i && commutes; ++k)
-            if (abs(D(i, k)) > sqrt(eps) * size)
+            if (abs(D(i, k)) > sqrt(std::numeric_limits<T>::epsilon()) * size)
                 throw PrecisionError(
                     "damping_matrix: natural frequencies " + std::to_string(k + 1) + " and " + std::to_string(i + 1) +
                     " are too near to each other to tell whether it couples their modes; more digits are needed");
     basis.zeta.assign(N, T(0));
     for (std::size_t i = 0; i < N; ++i) {
-        const bool nothing = abs(D(i, i)) <= tolerance * size;
-        basis.zeta[i] = nothing && D(i, i) < 0 ? T(0) : T(D(i, i) / (2 * basis.r_n[i]));
+        const bool nothing = D(i, i) <= 0 && abs(D(i, i)) <= tolerance * size;
+        basis.zeta[i] = nothing ? T(0) : T(D(i, i) / (2 * basis.r_n[i]));
         check_ratio(basis.zeta[i], i);
     }
 }

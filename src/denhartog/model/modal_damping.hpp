@@ -2,6 +2,10 @@
 /// @brief Modal damping ratios of a system whose damping is given as a matrix, (18).
 #pragma once
 
+#include <cstddef>
+#include <limits>
+#include <vector>
+
 #include "denhartog/model/modal_basis.hpp"
 
 namespace denhartog {
@@ -32,6 +36,15 @@ void set_modal_damping(const Matrix<T>& L, const Matrix<T>& K, const Matrix<T>& 
 /// @return          0 to 1
 template <class T>
 [[nodiscard]] T largest_coupling(const Matrix<T>& D, const T& rounding);
+
+/// @brief What rounding may make of natural frequencies, of the entries of a modal damping matrix and of the measure by which it
+/// couples modes, beside the largest of its kind.
+/// @param N  number of modes
+/// @return   some units in the last place for each mode
+template <class T>
+[[nodiscard]] T rounding_of_modes(std::size_t N) {
+    return 8 * static_cast<int>(N) * std::numeric_limits<T>::epsilon();
+}
 
 /// @brief Whether the natural frequency of a mode coincides with the next one.
 /// @param r_n        natural frequency ratios, ascending

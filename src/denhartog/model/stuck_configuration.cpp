@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
 
 #include "denhartog/model/linear_algebra.hpp"
@@ -129,7 +128,7 @@ StuckConfiguration<T> stuck_configuration(const System<T>& s, const ModalBasis<T
     stuck.modes_diagonalise_damping = true;
     if (N == 1) return stuck;
     NaturalModes<T> modes = stuck_modes(s, stuck);
-    const T tolerance = 8 * static_cast<int>(N) * std::numeric_limits<T>::epsilon();
+    const T tolerance = rounding_of_modes<T>(N);
     turn_coinciding_modes(stuck.C, tolerance, modes.r_n, modes.phi);
     fix_signs(modes.phi);
     stuck.r_n = std::move(modes.r_n);

@@ -62,7 +62,7 @@ int periods_to_follow(const ExactSolver<T>& solver, int most) {
         const T rate = zeta < 1 ? zeta : T(1 / (zeta + sqrt(T((zeta - 1) * (zeta + 1)))));
         slowest = std::min(slowest, T(2 * pi<T>() * rate * basis.r_n[i] / solver.excitation().r));
     }
-    if (!(slowest > 0)) return most; // the ratios of a damping matrix may be less than nothing by rounding
+    if (!(slowest > 0)) return most; // 30 over a damping ratio of -0 is no number of periods
     const T periods = least_periods_followed + decay_times_followed / slowest;
     return periods < most ? static_cast<int>(periods) : most;
 }
