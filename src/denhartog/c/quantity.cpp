@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <memory>
 #include <string_view>
 #include <vector>
 
@@ -73,21 +74,23 @@ dh_sliding_mass sliding(const AtPoint& a) {
 
 // The steady motion in any regime.
 struct Steady {
-    dh_solution* solution = nullptr;
+    struct Destroy {
+        void operator()(dh_solution* solution) const { dh_solution_destroy(solution); }
+    };
+    std::unique_ptr<dh_solution, Destroy> solution;
     dh_summary all{};
     explicit Steady(const AtPoint& a) {
         constexpr int digits = 12;
-        done(dh_solve(a.system, a.r, a.beta, a.mu, digits, &solution));
+        dh_solution* found = nullptr;
+        done(dh_solve(a.system, a.r, a.beta, a.mu, digits, &found));
+        solution.reset(found);
         all.size = sizeof all;
-        done(dh_solution_summary(solution, &all));
+        done(dh_solution_summary(found, &all));
     }
-    Steady(const Steady&) = delete;
-    Steady& operator=(const Steady&) = delete;
-    ~Steady() { dh_solution_destroy(solution); }
     [[nodiscard]] dh_mass mass(size_t k) const {
         dh_mass m{};
         m.size = sizeof m;
-        done(dh_solution_mass(solution, k, &m));
+        done(dh_solution_mass(solution.get(), k, &m));
         return m;
     }
 };
@@ -100,7 +103,7 @@ Numbers phase(const AtPoint& a) {
 Numbers stop_durations(const AtPoint& a) {
     const Steady steady(a);
     Numbers start(steady.all.stops), end(steady.all.stops);
-    done(dh_solution_stops(steady.solution, start.size(), start.data(), end.data()));
+    done(dh_solution_stops(steady.solution.get(), start.size(), start.data(), end.data()));
     for (size_t i = 0; i < start.size(); ++i) end[i] -= start[i];
     std::sort(end.begin(), end.end());
     return end;
@@ -111,7 +114,7 @@ Numbers motion_under_force(const AtPoint& a) {
     const Steady steady(a);
     if (steady.all.periods != 1) throw DomainError("the motion has not the period of the force");
     Numbers x(a.samples * a.N), of_mass;
-    done(dh_solution_motion(steady.solution, a.samples, x.size(), x.data(), nullptr));
+    done(dh_solution_motion(steady.solution.get(), a.samples, x.size(), x.data(), nullptr));
     for (size_t n = 0; n < a.samples; ++n) of_mass.push_back(x[n * a.N + a.mass - 1]);
     return of_mass;
 }
