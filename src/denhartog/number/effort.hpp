@@ -10,6 +10,8 @@
 #include <string>
 #include <utility>
 
+#include "denhartog/number/errors.hpp"
+
 namespace denhartog {
 
 /// @brief Work allowed and spent.
@@ -83,6 +85,14 @@ public:
     [[nodiscard]] long spent() const { return effort_.spent; }
     /// @brief Whether the question of this thread has spent its budget, or was cancelled. @return false where there is none
     [[nodiscard]] static bool exhausted() { return current() != nullptr && current()->effort_.exhausted(); }
+
+    /// @brief Spends of the budget of the question of this thread, where there is one. @param operations how many
+    /// @throws PrecisionError where nothing is left of it
+    static void pay(long operations) {
+        if (current() == nullptr) return;
+        current()->effort_.spend(operations);
+        if (current()->effort_.exhausted()) throw PrecisionError(current()->effort_.ending());
+    }
 
 private:
     friend class SearchEffort;
