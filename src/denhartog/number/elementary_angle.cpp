@@ -75,10 +75,16 @@ double without_many_turns(double x) { return std::fabs(x) < 0x1p43 ? x : x - 2 *
 bool is_finite(double x) { return x - x == 0; }
 
 // The angle of (x, y), both positive, y not above x and not below 2^-60 x, within the range where products are exact.
-Parts angle_in_first_octant(const Parts& y, const Parts& x) {
+[[gnu::always_inline]] inline Parts angle_in_first_octant(const Parts& y, const Parts& x) {
     const double by_x = 1 / x.high, slope = y.high * by_x;
     const Parts back = exact_product(slope, x.high);
     return expanded(arc_tangents, slope, (((y.high - back.high) - back.low) + (y.low - slope * x.low)) * by_x);
+}
+
+// A half turn or a quarter, and an angle of at most that size, added to it or taken from it. @param turns half turns
+[[gnu::always_inline]] inline Parts from_half_turns(double turns, double sign, const Parts& angle) {
+    const Parts head = ordered_sum(turns * pi_high, sign * angle.high);
+    return {head.high, head.low + (turns * pi_low + sign * angle.low)};
 }
 
 // The angle of (x, y), not both zero, finite.
@@ -95,19 +101,8 @@ Parts angle_of(Parts y, Parts x) {
         const double scale = x.high > 0x1p700 ? 0x1p-600 : x.high < 0x1p-700 ? 0x1p600 : 1;
         angle = angle_in_first_octant({y.high * scale, y.low * scale}, {x.high * scale, x.low * scale});
     }
-    if (steep || left) {
-        const double base = steep ? pi_high / 2 : pi_high, base_low = steep ? pi_low / 2 : pi_low;
-        const double sign = steep == left ? 1 : -1;
-        const Parts head = ordered_sum(base, sign * angle.high);
-        angle = {head.high, head.low + (base_low + sign * angle.low)};
-    }
+    if (steep || left) angle = from_half_turns(steep ? 0.5 : 1, steep == left ? 1 : -1, angle);
     return below ? Parts{-angle.high, -angle.low} : angle;
-}
-
-// A multiple of pi / 2 less an angle of at most that.
-Parts less_than(double high, double low, const Parts& angle) {
-    const Parts head = ordered_sum(high, -angle.high);
-    return {head.high, head.low + (low - angle.low)};
 }
 
 // Twice the arc sine of the root of (1 - x) / 2, which is the arc cosine of x. @param x from 1/2 to 1
@@ -169,17 +164,14 @@ double atan(double x) noexcept {
         return std::copysign(angle.high + angle.low, x);
     }
     if (!(size < 0x1p60)) return size == size ? std::copysign(pi_high / 2, x) : no_number;
-    const double inverse = 1 / size;
-    const Parts back = exact_product(inverse, size);
-    const Parts angle =
-        less_than(pi_high / 2, pi_low / 2, expanded(arc_tangents, inverse, ((1 - back.high) - back.low) * inverse));
+    const Parts angle = from_half_turns(0.5, -1, angle_in_first_octant({1, 0}, {size, 0}));
     return std::copysign(angle.high + angle.low, x);
 }
 
 double asin(double x) noexcept {
     const double size = std::fabs(x);
     if (!(size <= 1)) return no_number;
-    const Parts angle = size <= 0.5 ? expanded(arc_sines, size, 0) : less_than(pi_high / 2, pi_low / 2, angle_beside_one(size));
+    const Parts angle = size <= 0.5 ? expanded(arc_sines, size, 0) : from_half_turns(0.5, -1, angle_beside_one(size));
     return std::copysign(angle.high + angle.low, x);
 }
 
@@ -188,12 +180,10 @@ double acos(double x) noexcept {
     if (!(size <= 1)) return no_number;
     Parts angle;
     if (size <= 0.5) {
-        const Parts sine = expanded(arc_sines, size, 0);
-        const double sign = x < 0 ? -1 : 1;
-        angle = less_than(pi_high / 2, pi_low / 2, {sign * sine.high, sign * sine.low});
+        angle = from_half_turns(0.5, x < 0 ? 1 : -1, expanded(arc_sines, size, 0));
     } else {
         angle = angle_beside_one(size);
-        if (x < 0) angle = less_than(pi_high, pi_low, angle);
+        if (x < 0) angle = from_half_turns(1, -1, angle);
     }
     return angle.high + angle.low;
 }
