@@ -99,8 +99,8 @@ void set_modal_damping(const Matrix<T>& L, const Matrix<T>& K, const Matrix<T>& 
                     " are too near to each other to tell whether it couples their modes; more digits are needed");
     basis.zeta.assign(N, T(0));
     for (std::size_t i = 0; i < N; ++i) {
-        const bool nothing = D(i, i) <= 0 && abs(D(i, i)) <= tolerance * size;
-        basis.zeta[i] = nothing ? T(0) : T(D(i, i) / (2 * basis.r_n[i]));
+        const bool nothing = abs(D(i, i)) <= tolerance * size;
+        basis.zeta[i] = nothing && D(i, i) < 0 ? T(0) : T(D(i, i) / (2 * basis.r_n[i]));
         check_ratio(basis.zeta[i], i);
     }
 }
