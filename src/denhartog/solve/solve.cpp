@@ -47,7 +47,7 @@ void set_regime(const SolveTask& task, Regime met, const std::string& reason, So
 // 50 digits would have to tell, and do not.
 void set_regime_by_stops(const SolveTask& task, const PeriodicOrbit<double>& orbit, std::optional<std::size_t> stops,
                          Solution& s) {
-    const bool must = must_stop(task, s);
+    const bool must = stops.value_or(0) == 0 && must_stop(task, s);
     if (stops.value_or(orbit.stops.size()) > 0) {
         set_regime(task, Regime::stick_slip, "the contact stops in every period", s);
         if (orbit.stops.empty()) s.regime.reason += "; double precision finds no stop, 50 digits find " + std::to_string(*stops);
@@ -96,7 +96,8 @@ void answer_from_rest(const SolveTask& task, Solution& s) {
     const bool slides =
         !task.pole && !rests && !s.masses.empty() && is_sliding_motion(orbit, s.masses[s.contact.index].amplitude.value);
     const bool open =
-        !task.pole && !rests && stops_are_open(orbit, s.regime.regime == Regime::stick_slip, must_stop(task, s), slides);
+        !task.pole && !rests &&
+        stops_are_open(orbit, s.regime.regime == Regime::stick_slip, orbit.stops.empty() && must_stop(task, s), slides);
     if (rests) {
         set_regime(task, Regime::permanent_sticking, "from the start from rest " + orbit.reason, s);
     } else if (slides && orbit.stops.empty()) {
