@@ -6,6 +6,8 @@
 #include "denhartog/evaluation/contact.hpp"
 #include "denhartog/number/effort.hpp"
 #include "denhartog/number/errors.hpp"
+#include "denhartog/solve/quantities.hpp"
+#include "denhartog/solve/sampled_solution.hpp"
 #include "denhartog/solve/solve.hpp"
 #include "tests/catch.hpp"
 #include "tests/unit/response_fixtures.hpp"
@@ -284,6 +286,14 @@ TEST_CASE("boundary curves have the digits of the boundary where double loses th
     const Solution s = sliding_solution(scene_source(scene), {Asked::regime, 15});
     CHECK(at.exact == Approx(s.limits->exact.value).epsilon(1e-6));
     CHECK(at.paper == Approx(s.limits->paper.value).epsilon(1e-6));
+    // So have samples of the motion.
+    scene.beta = s.limits->exact.value / 2;
+    const Solution solved = solve(scene_source(scene), {});
+    REQUIRE(solved.between);
+    const std::vector<double> tau{-solved.between->phase->value};
+    const Quantities<Bounded<double>> q = quantities(scene_source(scene), tau, 15, PointNumbers::motion).numbers;
+    const State<double> first = sampled_solution(scene, solved, 1).states.front();
+    for (std::size_t k = 0; k < 4; ++k) CHECK(first.x[k] == Approx(q.x[k].x).epsilon(1e-6));
 }
 
 TEST_CASE("a grid that breaks a rule is refused", "[map]") {

@@ -118,9 +118,9 @@ TEST_CASE("a motion of 50 digits that does not start where that of double does i
         change(near);
         return near;
     };
-    for (const PeriodicOrbit<double>& near :
-         {altered([&](auto& o) { o.start.x[0] += 4 * o.error_bound; }), altered([&](auto& o) { o.start.x[1] -= 1e-3; }),
-          altered([](auto& o) { o.symmetric = !o.symmetric; })}) {
+    for (const PeriodicOrbit<double>& near : {altered([&](auto& o) { o.start.x[0] += 4 * o.error_bound; }),
+                                              altered([&](auto& o) { o.start.x[1] -= 1e-3; }),
+                                              altered([](auto& o) { o.symmetric = !o.symmetric; })}) {
         INFO("start " << near.start.x[0] << ", " << near.start.x[1] << " instead of " << found.start.x[0] << ", "
                       << found.start.x[1] << ", bound " << near.error_bound);
         CHECK_THROWS_AS(answer_to(near), PrecisionError);
