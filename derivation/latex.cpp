@@ -66,7 +66,9 @@ struct OrderedTerm {
 
 OrderedTerm ordered_term(const ex& e);
 
-std::vector<OrderedTerm> ordered_terms(const ex& e) {
+const std::vector<OrderedTerm>& ordered_terms(const ex& e) {
+    static std::map<ex, std::vector<OrderedTerm>, GiNaC::ex_is_less> known; // what stands in a sum is asked for again and again
+    if (const auto place = known.find(e); place != known.end()) return place->second;
     std::vector<OrderedTerm> terms;
     if (GiNaC::is_a<GiNaC::add>(e))
         for (const ex& part : e) terms.push_back(ordered_term(part));
@@ -83,7 +85,7 @@ std::vector<OrderedTerm> ordered_terms(const ex& e) {
         if (a.order.size() != b.order.size()) return a.order.size() < b.order.size();
         return std::tie(a.term.latex, a.negative) < std::tie(b.term.latex, b.negative);
     });
-    return terms;
+    return known.emplace(e, std::move(terms)).first->second;
 }
 
 /// A sum in which the first term is not negative, and the factor that was taken out for it.
@@ -266,7 +268,7 @@ std::string joined(const std::string& a, const std::string& b) {
 
 std::vector<LatexTerm> latex_terms(const ex& e) {
     std::vector<LatexTerm> terms;
-    for (OrderedTerm& term : ordered_terms(e)) terms.push_back(std::move(term.term));
+    for (const OrderedTerm& term : ordered_terms(e)) terms.push_back(term.term);
     const auto positive = std::find_if(terms.begin(), terms.end(), [](const LatexTerm& t) { return !t.negative; });
     if (positive != terms.end()) std::rotate(terms.begin(), positive, positive + 1);
     return terms;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <map>
 #include <stdexcept>
 
 #include "coq_text.hpp"
@@ -123,6 +124,58 @@ std::vector<ex> coefficients(const ex& e, const std::vector<ex>& free) {
 
 bool is_real_value(const numeric& n) { return abs(n.imag()) <= abs(n.real()) * numeric("1e-50"); }
 
+/// The value of an expression at a point, part by part: nothing is simplified on the way, and no function is computed twice. What is
+/// rational stays exact.
+class Evaluation : public GiNaC::map_function {
+public:
+    explicit Evaluation(const Point& point) : point_(point) {
+        for (const auto& [symbol, value] : point) known_[symbol] = value;
+    }
+
+    bool is_at(const Point& point) const {
+        return std::equal(point.begin(), point.end(), point_.begin(), point_.end(),
+                          [](const auto& a, const auto& b) { return a.second == b.second && a.first.is_equal(b.first); });
+    }
+
+    // The same, known where it was asked for before.
+    numeric whole(const ex& e) {
+        const auto place = known_.find(e);
+        return place != known_.end() ? place->second : known_[e] = of(e);
+    }
+
+    numeric of(const ex& e) {
+        if (GiNaC::is_a<numeric>(e)) return GiNaC::ex_to<numeric>(e);
+        if (GiNaC::is_a<GiNaC::add>(e)) {
+            numeric sum = 0;
+            for (const ex& part : e) sum += of(part);
+            return sum;
+        }
+        if (GiNaC::is_a<GiNaC::mul>(e)) {
+            numeric product = 1;
+            for (const ex& part : e) product *= of(part);
+            return product;
+        }
+        if (GiNaC::is_a<GiNaC::power>(e) && e.op(1).info(GiNaC::info_flags::integer)) {
+            const numeric base = of(e.op(0)), exponent = GiNaC::ex_to<numeric>(e.op(1));
+            if (base.is_zero() && exponent.is_negative()) throw GiNaC::pole_error("division by zero", 1);
+            return GiNaC::pow(base, exponent);
+        }
+        const auto known = known_.find(e);
+        if (known != known_.end()) return known->second;
+        return known_[e] = as_numeric(e.map(*this).evalf());
+    }
+    ex operator()(const ex& part) override { return of(part); }
+
+private:
+    static numeric as_numeric(const ex& value) {
+        if (!GiNaC::is_a<numeric>(value)) throw std::domain_error("a symbol without a value");
+        return GiNaC::ex_to<numeric>(value);
+    }
+
+    Point point_;
+    std::map<ex, numeric, GiNaC::ex_is_less> known_;
+};
+
 std::string text(const numeric& n) {
     std::ostringstream out;
     out << n;
@@ -169,12 +222,16 @@ ex remainder(const ex& e, const std::vector<Range>& domain) {
 }
 
 numeric evaluate(const ex& e, const Point& point) {
+    // The twins of a claim are all compared with the same expression at the same points.
+    constexpr std::size_t most_points = 64;
+    static std::vector<Evaluation> met;
     GiNaC::Digits = 60;
-    GiNaC::exmap values;
-    for (const auto& [symbol, value] : point) values[symbol] = value;
-    const ex value = e.subs(values).evalf();
-    if (!GiNaC::is_a<numeric>(value)) throw std::domain_error("a symbol without a value");
-    return GiNaC::ex_to<numeric>(value);
+    auto place = std::find_if(met.begin(), met.end(), [&point](const Evaluation& at) { return at.is_at(point); });
+    if (place == met.end()) {
+        if (met.size() == most_points) met.clear();
+        place = met.emplace(met.end(), point);
+    }
+    return GiNaC::ex_to<numeric>(ex(place->whole(e)).evalf());
 }
 
 std::vector<Point> sample_points(const std::vector<Range>& domain, int count) {
