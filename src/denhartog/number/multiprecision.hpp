@@ -62,6 +62,38 @@ struct PiOf<Multiprecision<digits10>> {
 
 } // namespace denhartog
 
+namespace boost::multiprecision::backends {
+
+/// @brief A number whose digits are in itself, as Boost's operators see it.
+template <unsigned digits10>
+using DigitsInside = mpfr_float_backend<digits10, allocate_stack>;
+
+// Boost 1.74 has these for numbers that allocate their digits alone: for others its operators copy a factor first, a tenth of
+// the time of sums of products.
+
+/// @brief \f$ a+b \f$, rounded once. @param sum the result @param a a number @param b another
+template <unsigned digits10>
+void eval_add(DigitsInside<digits10>& sum, const DigitsInside<digits10>& a, const DigitsInside<digits10>& b) {
+    mpfr_add(sum.data(), a.data(), b.data(), MPFR_RNDN);
+}
+/// @brief \f$ a-b \f$, rounded once. @param difference the result @param a a number @param b another
+template <unsigned digits10>
+void eval_subtract(DigitsInside<digits10>& difference, const DigitsInside<digits10>& a, const DigitsInside<digits10>& b) {
+    mpfr_sub(difference.data(), a.data(), b.data(), MPFR_RNDN);
+}
+/// @brief \f$ ab \f$, rounded once. @param product the result @param a a number @param b another
+template <unsigned digits10>
+void eval_multiply(DigitsInside<digits10>& product, const DigitsInside<digits10>& a, const DigitsInside<digits10>& b) {
+    mpfr_mul(product.data(), a.data(), b.data(), MPFR_RNDN);
+}
+/// @brief \f$ a/b \f$, rounded once. @param quotient the result @param a a number @param b another
+template <unsigned digits10>
+void eval_divide(DigitsInside<digits10>& quotient, const DigitsInside<digits10>& a, const DigitsInside<digits10>& b) {
+    mpfr_div(quotient.data(), a.data(), b.data(), MPFR_RNDN);
+}
+
+} // namespace boost::multiprecision::backends
+
 namespace std {
 
 /// @brief The limits of a multiprecision type. Boost 1.74's own set their values when first asked for, and no lock keeps a second
