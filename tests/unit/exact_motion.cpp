@@ -9,6 +9,7 @@
 #include "tests/catch.hpp"
 #include "tests/support/half_period.hpp"
 #include "tests/support/scene_builder.hpp"
+#include "tests/support/split_mix.hpp"
 
 namespace {
 
@@ -233,6 +234,34 @@ TEST_CASE("coupled coordinates move as the oscillators do that they mix, with sh
     check_coupled_motion<Real50>(std::numeric_limits<Real50>::epsilon() / 2);
 }
 
+TEST_CASE("the square of a mirrored matrix has the digits of its product with itself", "[model][coupled_damping]") {
+    SplitMix64 random(20);
+    Matrix<Real50> A(6, 6);
+    for (Real50& entry : A.reshaped()) entry = Real50(random.over_octaves(-6, 1) - 1) / 3;
+    mirror(A);
+    const Matrix<Real50> S = Column<Real50>((Column<Real50>(6) << 1, 1, 1, -1, -1, -1).finished()).asDiagonal();
+    CHECK(Matrix<Real50>(A.transpose()) == product(product(S, A), S));
+    CHECK(square_of_mirrored(A) == product(A, A));
+}
+
+TEST_CASE("over half a period a mirrored system grows as its motion does", "[model][coupled_damping]") {
+    // Two oscillators in energy coordinates, their damping coupled; at the last rate half a period holds no whole step.
+    Matrix<Real50> A(4, 4);
+    A << 0, 0, 1.3, 0.2, 0, 0, 0.1, 0.7, -1.3, -0.1, -0.3, 0.1, -0.2, -0.7, 0.1, -0.4;
+    const Real50 allowed = 4096 * std::numeric_limits<Real50>::epsilon();
+    for (const double rate : {100.0, 4.0, 2.5, 0.25}) {
+        INFO("rate " << rate);
+        using Motion = CoupledMotion<Real50>;
+        const Matrix<Real50> slowed = A / Real50(std::max(1.0, 1 / rate)), unit = Matrix<Real50>::Identity(4, 4);
+        Motion motion(slowed, Real50(rate), Motion::Asked::instants_of_one_start, nullptr);
+        Motion otherwise(slowed, Real50(3 * rate), Motion::Asked::many_starts, nullptr);
+        const Matrix<Real50> carried = otherwise.carried(pi<Real50>(), unit);
+        CHECK((unit + motion.growth_over_half_period() - carried).cwiseAbs().maxCoeff() < allowed);
+        motion.start(unit.col(1));
+        CHECK((motion.at(pi<Real50>()) - carried.col(1)).cwiseAbs().maxCoeff() < allowed);
+    }
+}
+
 TEST_CASE("the products that coupled motions form are paid for, and end where nothing is left to pay", "[model][effort]") {
     const MixedOscillators<Real50> mixed;
     Effort allowed{100};
@@ -240,7 +269,7 @@ TEST_CASE("the products that coupled motions form are paid for, and end where no
     CoupledMotion<Real50> motion(mixed.A, Real50(4.5), CoupledMotion<Real50>::Asked::many_starts, &paying);
     CHECK_THROWS_AS(motion.carried(Real50(40), Matrix<Real50>(Matrix<Real50>::Identity(4, 4))), PrecisionError);
     CHECK(allowed.spent > 100);
-    CHECK(allowed.spent < 300); // a product more than was allowed, and no further
+    CHECK(allowed.spent < 300);            // a product more than was allowed, and no further
     const QuestionEffort question(2, 100); // which pays a fourth where no search does
     CoupledMotion<Real50> without(mixed.A, Real50(4.5), CoupledMotion<Real50>::Asked::many_starts, nullptr);
     CHECK_THROWS_AS(without.carried(Real50(40), Matrix<Real50>(Matrix<Real50>::Identity(4, 4))), PrecisionError);

@@ -1,6 +1,7 @@
 #include "denhartog/model/coupled_motion.hpp"
 
 #include <cmath>
+#include <concepts>
 #include <limits>
 #include <utility>
 
@@ -14,6 +15,13 @@ constexpr int most_terms = 200;
 constexpr std::uint64_t most_single_steps = 16; // without the exponentials, which are dear
 constexpr int parts_of_a_step = 16;             // for many starts
 constexpr std::size_t most_series = 64;         // kept at a time
+
+// So many doublings of a step that is not longer than one over the rate make half a period.
+template <class T>
+std::size_t doublings_in_half_period(const T& rate) {
+    const double steps = static_cast<double>(T(pi<T>() * rate));
+    return steps > 1 && std::isfinite(steps) ? static_cast<std::size_t>(std::ilogb(steps)) + 1 : 0;
+}
 
 template <class T>
 Column<T> sum_of(const PowerSeries<T>& series, const T& s) {
@@ -29,7 +37,8 @@ Column<T> sum_of(const PowerSeries<T>& series, const T& s) {
 
 template <class T>
 CoupledMotion<T>::CoupledMotion(const Matrix<T>& A, const T& rate, Asked asked, Effort* const* effort)
-    : rate_(asked == Asked::many_starts ? parts_of_a_step * rate : rate),
+    : doublings_(doublings_in_half_period(rate)),
+      rate_(asked == Asked::many_starts ? T(parts_of_a_step * rate) : T(ldexp(T(1), static_cast<int>(doublings_)) / pi<T>())),
       single_steps_(asked == Asked::many_starts ? 0 : most_single_steps), effort_(effort) {
     for (Eigen::Index row = 0; row < A.rows(); ++row) {
         for (Eigen::Index column = 0; column < A.cols(); ++column)
@@ -38,6 +47,11 @@ CoupledMotion<T>::CoupledMotion(const Matrix<T>& A, const T& rate, Asked asked, 
                 columns_.push_back(column);
             }
         ends_.push_back(entries_.size());
+    }
+    if constexpr (!std::floating_point<T>) {
+        Matrix<T> as_mirrored = A;
+        if (A.rows() % 2 == 0) mirror(as_mirrored);
+        mirrored_ = A.rows() % 2 == 0 && as_mirrored == A;
     }
 }
 
@@ -110,7 +124,13 @@ Matrix<T> CoupledMotion<T>::growth(const std::vector<T>& entries, Matrix<T> z) c
 // From exp(B) less the identity the same of 2 B.
 template <class T>
 Matrix<T> CoupledMotion<T>::doubled(const Matrix<T>& grown) const {
-    spend_products(rows() * rows() * rows());
+    const Eigen::Index products = rows() * rows() * rows();
+    if constexpr (!std::floating_point<T>)
+        if (mirrored_) {
+            spend_products(products / 2);
+            return square_of_mirrored(grown) + T(2) * grown;
+        }
+    spend_products(products);
     return product(grown, grown) + T(2) * grown;
 }
 
@@ -122,6 +142,7 @@ const Matrix<T>& CoupledMotion<T>::leap(std::size_t k) {
         std::vector<T> part = entries_;
         for (T& entry : part) entry /= T(rate_ * (1 << doublings));
         Matrix<T> grown = growth(part, Matrix<T>::Identity(rows(), rows()));
+        if (mirrored_) mirror(grown);
         for (int n = 0; n < doublings; ++n) grown = doubled(grown);
         leaps_.push_back(std::move(grown));
     }

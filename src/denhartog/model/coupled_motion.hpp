@@ -3,8 +3,9 @@
 ///
 /// The state is carried by exponentials of the system over \f$ 2^k \f$ times a step: the work grows as the logarithm of rate
 /// times time. Each exponential is kept less the identity, so that slow motions keep their digits beside fast ones. Within a step
-/// the state is a power series in time, kept for other instants. A step is one over the largest rate where many instants of one
-/// start are asked; where many starts have a few instants each, it is a part of that, whose series is shorter.
+/// the state is a power series in time, kept for other instants. A step is not longer than one over the largest rate. Where many
+/// instants of one start are asked, half a period is a power of 2 of them; where many starts have a few instants each, it is a part
+/// of that length, whose series is shorter.
 #pragma once
 
 #include <cstdint>
@@ -48,6 +49,11 @@ public:
     /// @brief The state at an instant. @param t time from the start @return z; not a number where t has no digits left for a step
     [[nodiscard]] Column<T> at(const T& t);
 
+    /// @brief The exponential of the system over half a period, less the identity, where many instants of one start are asked.
+    /// Half a period holds fewer than \f$ 2^{53} \f$ steps.
+    /// @return \f$ e^{A\pi}-\mathbf{1} \f$
+    [[nodiscard]] const Matrix<T>& growth_over_half_period() { return leap(doublings_); }
+
     /// @brief Other states of the same system, carried over a time. @param t the time @param z the states, a column each
     /// @return them then; not numbers where t has no digits left for a step
     Matrix<T> carried(const T& t, Matrix<T> z);
@@ -70,8 +76,10 @@ private:
     std::vector<T> entries_;
     std::vector<Eigen::Index> columns_; // of each of them
     std::vector<std::size_t> ends_;     // of each row in them
+    std::size_t doublings_ = 0;         // of a step, which then is half a period
     T rate_ = T(1);                     // steps a unit of time
     std::uint64_t single_steps_ = 0;    // so many are made one by one
+    bool mirrored_ = false; // whether A is, as `mirror` has it: in double an order of additions that is fast counts more
     Effort* const* effort_ = nullptr;
     Column<T> state_;                                // at the start
     std::vector<Matrix<T>> leaps_;                   // as `leap` has them

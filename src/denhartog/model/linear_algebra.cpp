@@ -23,7 +23,20 @@ auto times(const Left& A, const Right& B) {
                            product.data());
         return product;
     } else {
-        return A.lazyProduct(B).eval();
+        const Matrix<T> rows = A.transpose();
+        const Matrix<T> columns = B;
+        Eigen::Matrix<T, Eigen::Dynamic, Right::ColsAtCompileTime> product(A.rows(), B.cols());
+        T each;
+        for (Eigen::Index k = 0; k < product.cols(); ++k)
+            for (Eigen::Index i = 0; i < product.rows(); ++i) {
+                T sum(0);
+                for (Eigen::Index m = 0; m < rows.rows(); ++m) {
+                    eval_multiply(each.backend(), rows(m, i).backend(), columns(m, k).backend());
+                    eval_add(sum.backend(), each.backend());
+                }
+                product(i, k) = sum;
+            }
+        return product;
     }
 }
 
@@ -66,6 +79,34 @@ Matrix<T> divided_by_transpose(const Matrix<T>& L, const Matrix<T>& X) {
 template <class T>
 Matrix<T> product(const Matrix<T>& A, const Matrix<T>& B) {
     return times<T>(A, B);
+}
+
+template <class T>
+void mirror(Matrix<T>& A) {
+    const Eigen::Index half = A.rows() / 2;
+    for (Eigen::Index k = 0; k < A.cols(); ++k)
+        for (Eigen::Index i = 0; i < k; ++i) A(k, i) = (i < half) == (k < half) ? A(i, k) : T(-A(i, k));
+}
+
+template <class T>
+Matrix<T> square_of_mirrored(const Matrix<T>& A) {
+    const Eigen::Index n = A.rows(), half = n / 2;
+    Matrix<T> square(n, n);
+    T each;
+    for (Eigen::Index k = 0; k < n; ++k)
+        for (Eigen::Index i = 0; i <= k; ++i) {
+            T sum(0);
+            for (Eigen::Index m = 0; m < n; ++m) {
+                eval_multiply(each.backend(), A(m, i).backend(), A(m, k).backend());
+                if (m < half)
+                    eval_add(sum.backend(), each.backend());
+                else
+                    eval_subtract(sum.backend(), each.backend());
+            }
+            square(i, k) = i < half ? sum : T(-sum);
+        }
+    mirror(square);
+    return square;
 }
 
 template <class T>
@@ -138,6 +179,11 @@ template Matrix<Real100> divided_by_transpose(const Matrix<Real100>&, const Matr
 template Matrix<double> product(const Matrix<double>&, const Matrix<double>&);
 template Matrix<Real50> product(const Matrix<Real50>&, const Matrix<Real50>&);
 template Matrix<Real100> product(const Matrix<Real100>&, const Matrix<Real100>&);
+template Matrix<Real50> square_of_mirrored(const Matrix<Real50>&);
+template Matrix<Real100> square_of_mirrored(const Matrix<Real100>&);
+template void mirror(Matrix<double>&);
+template void mirror(Matrix<Real50>&);
+template void mirror(Matrix<Real100>&);
 template Column<double> product(const Matrix<double>&, const Column<double>&);
 template Column<double> product_of_sizes(const Matrix<double>&, const Column<double>&);
 template Matrix<double> transpose_times(const Matrix<double>&, const Matrix<double>&);

@@ -45,6 +45,16 @@ template <class T>
 template <class T>
 [[nodiscard]] Matrix<T> product(const Matrix<T>& A, const Matrix<T>& B);
 
+/// @brief Makes a matrix of even order mirrored: \f$ A^T=SAS \f$ with \f$ S=\mathrm{diag}(\mathbf{1},-\mathbf{1}) \f$, from the
+/// entries on and above its diagonal. @param A the matrix
+template <class T>
+void mirror(Matrix<T>& A);
+
+/// @brief \f$ A^2 \f$ of a mirrored matrix, for the price of half a product. @param A a matrix that `mirror` leaves as it is
+/// @return its square, which is mirrored as well
+template <class T>
+[[nodiscard]] Matrix<T> square_of_mirrored(const Matrix<T>& A);
+
 /// @brief \f$ Ax \f$. @param A a matrix @param x a column of as many numbers as A has columns @return their product
 template <class T>
 [[nodiscard]] Column<T> product(const Matrix<T>& A, const Column<T>& x);

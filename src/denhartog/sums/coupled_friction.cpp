@@ -168,21 +168,22 @@ void CoupledFriction<T>::set_motion() {
 template <class T>
 void CoupledFriction<T>::set_start() {
     const Eigen::Index n = A_.rows();
-    const Matrix<T> unit = Matrix<T>::Identity(n, n);
-    const LinearSystem<T> system(Matrix<T>(unit + motion_.carried(pi<T>(), unit)));
+    const T steps = 1 + pi<T>() * size_of_A_, of_exponential = T(pi<T>() * error_of_A_ + steps * rounding_of_step<T>(n));
+    const PrecisionError too_few_digits(
+        "the number type has too few digits to follow the motion under friction over half a period");
+    if (!(of_exponential < T(1) / 16 && steps < T(0x1p52))) throw too_few_digits;
+    const LinearSystem<T> system(Matrix<T>(T(2) * Matrix<T>::Identity(n, n) + motion_.growth_over_half_period()));
     const Matrix<T> inverse = system.inverse();
     Column<T> force = Column<T>::Zero(n);
     force.head(n / 2) = T(2) * rest_;
     c_ = product(inverse, force);
-    const T steps = 1 + pi<T>() * size_of_A_;
-    const T of_exponential = T(pi<T>() * error_of_A_ + steps * rounding_of_step<T>(n)), size = inverse.norm();
-    const T lost = 2 * size * (of_exponential + 8 * static_cast<int>(n) * unit_of<T>());
+    const T size = inverse.norm(), lost = 2 * size * (of_exponential + 8 * static_cast<int>(n) * unit_of<T>());
     if (!(lost < T(1) / 16)) {
         if (steps * unit_of<T>() < T(1) / 65536 && size > T(1) / 16 / sqrt(unit_of<T>()))
             throw DomainError(
                 "a motion without damping mirrors itself every half-period: friction at this frequency ratio has no "
                 "steady motion");
-        throw PrecisionError("the number type has too few digits to follow the motion under friction over half a period");
+        throw too_few_digits;
     }
     error_of_c_ = 2 * (lost * c_.norm() + size * error_of_rest_);
 }
