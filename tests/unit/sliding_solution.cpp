@@ -305,3 +305,19 @@ TEST_CASE("far off in frequency the motion is known whose boundary is no number 
         CHECK(found.numbers.x.size() == 2);
     }
 }
+
+TEST_CASE("a boundary that is no number is refused where more masses than 40 are answered in double", "[solve][eq:69]") {
+    Scene<double> scene;
+    scene.system = chain_of(std::vector<double>(41, 1.0), std::vector<double>(41, 1.0), 0.01, 36, 12);
+    scene.r = 1e200;
+    for (const bool with_beta : {false, true}) {
+        if (with_beta) scene.beta = 0.5;
+        CHECK_THROWS_WITH(answer(scene_source(scene)), Catch::Contains("beyond the range of the number type"));
+        const Solution in_50_digits = answer(scene_source(scene), 10);
+        REQUIRE(in_50_digits.limits);
+        CHECK(in_50_digits.limits->exact.value >= 0);
+        CHECK(in_50_digits.limits->exact.error < 1e-40);
+    }
+    CHECK_THROWS_AS(solve(scene_source(scene), {Asked::motion, std::nullopt}), PrecisionError);
+    CHECK_THROWS_AS(solve(scene_source(scene), {Asked::regime, std::nullopt}), PrecisionError);
+}

@@ -109,7 +109,8 @@ SlidingPoint<T> point_at(const Scene<T>& scene, const ModeSums<Bounded<T>>& sums
         b.paper.e += T(narrow.paper.e);
     }
     if (by_56) b.paper = *by_56;
-    if (wish.limits || !scene.beta || !is_finite(b)) point.attempted = errors_of_boundary(b);
+    if (!is_finite(b)) throw PrecisionError("far off in frequency the boundary is beyond the range of the number type");
+    if (wish.limits || !scene.beta) point.attempted = errors_of_boundary(b);
     if (!scene.beta) return point;
     point.regime = regime_at(b, *scene.beta);
     point.attempted.decided = !point.regime->on_boundary;
