@@ -108,3 +108,15 @@ TEST_CASE("numbers that are none are named", "[scene][number]") {
     REQUIRE(number_to_text(0.1) == "0.1");
     REQUIRE(number_to_text(Real50(1) / 4) == "0.25");
 }
+
+TEST_CASE("a number for people has the digits that its error leaves", "[number]") {
+    CHECK(number_in_certain_digits(0.63974569583012345, 0.0) == "0.63974569583");
+    CHECK(number_in_certain_digits(0.63974569583012345, 1e-16) == "0.63974569583");
+    CHECK(number_in_certain_digits(0.63974569583012345, 4e-10) == "0.639745696");
+    CHECK(number_in_certain_digits(-0.63974569583012345, 0.03) == "-0.6");
+    CHECK(number_in_certain_digits(1e-51, 7.9e-46) == "0 to within 7.9e-46");
+    CHECK(number_in_certain_digits(-1e-51, 1e300 * 1e300) == "0 to within inf");
+    CHECK(number_in_certain_digits(0.0, 1e-50) == "0");
+    CHECK(number_in_certain_digits(Real50("1e-600"), Real50("3e-609")) == "1e-600");
+    CHECK(number_in_certain_digits(Real50(1) / 3, Real50("1e-5")) == "0.3333");
+}

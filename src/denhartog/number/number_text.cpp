@@ -8,6 +8,7 @@
 #include <cmath>
 #include <concepts>
 #include <limits>
+#include <sstream>
 
 #include "denhartog/number/multiprecision.hpp"
 #include "denhartog/number/number_range.hpp"
@@ -126,9 +127,29 @@ std::string number_in_digits(double x, int digits) {
     return {text.data(), std::to_chars(text.begin(), text.end(), x, std::chars_format::general, digits).ptr};
 }
 
+template <class T>
+std::string number_in_certain_digits(const T& x, const T& error) {
+    constexpr int most = 12;
+    const auto in_digits = [](const T& number, int digits) {
+        if constexpr (std::same_as<T, double>) return number_in_digits(number, digits);
+        std::ostringstream out;
+        out.precision(digits);
+        out << number;
+        return out.str();
+    };
+    const T size = x < 0 ? T(-x) : x;
+    if (x != 0 && size <= error) return "0 to within " + in_digits(T(size + error), 2);
+    int digits = most;
+    for (T smaller = error * T(1e12); digits > 1 && smaller > size; smaller /= 10) --digits;
+    return in_digits(x, digits);
+}
+
 template std::string number_to_text(const double&);
 template std::string number_to_text(const Real50&);
 template std::string number_to_text(const Real100&);
+template std::string number_in_certain_digits(const double&, const double&);
+template std::string number_in_certain_digits(const Real50&, const Real50&);
+template std::string number_in_certain_digits(const Real100&, const Real100&);
 template NumberFault number_from_text(std::string_view, double&);
 template NumberFault number_from_text(std::string_view, Real50&);
 template NumberFault number_from_text(std::string_view, Real100&);

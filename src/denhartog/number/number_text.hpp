@@ -16,6 +16,13 @@ template <class T>
 /// @brief A number rounded for people. @param x the number @param digits significant digits @return its text, e.g. `1.2e-05`
 [[nodiscard]] std::string number_in_digits(double x, int digits);
 
+/// @brief A number rounded for people to the digits that its error leaves, 12 at most.
+/// @param x      the number
+/// @param error  its error; 0 for none
+/// @return       its text; `0 to within` the error where no digit is certain
+template <class T>
+[[nodiscard]] std::string number_in_certain_digits(const T& x, const T& error);
+
 template <class T>
 struct Bounded;
 

@@ -1,9 +1,5 @@
 #include "denhartog/sliding/regime.hpp"
 
-#include <concepts>
-#include <limits>
-#include <sstream>
-
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/multiprecision.hpp"
 #include "denhartog/number/number_text.hpp"
@@ -13,13 +9,8 @@ namespace denhartog {
 namespace {
 
 template <class T>
-std::string text(const T& x) {
-    constexpr int digits = 12;
-    if constexpr (std::same_as<T, double>) return number_in_digits(x, digits);
-    std::ostringstream out;
-    out.precision(digits);
-    out << x;
-    return out.str();
+std::string text(const T& x, const T& error = T(0)) {
+    return number_in_certain_digits(x, error);
 }
 
 std::string explanation(BindingCondition binding) {
@@ -32,8 +23,8 @@ std::string explanation(BindingCondition binding) {
 }
 
 template <class T>
-std::string why_not_sliding(const Boundary<T>& b, const T& beta) {
-    return "the closed form does not hold: beta = " + text(beta) + " is not below beta_lim = " + text(b.exact) +
+std::string why_not_sliding(const Boundary<T>& b, const T& beta, const BoundaryError<T>& error) {
+    return "the closed form does not hold: beta = " + text(beta) + " is not below beta_lim = " + text(b.exact, error.exact) +
            ", Eq. (69), where " + explanation(b.binding);
 }
 
@@ -72,18 +63,18 @@ RegimeAtPoint regime_at(const Boundary<T>& b, const T& beta, const BoundaryError
     RegimeAtPoint point;
     point.regime = regime_of(b, beta);
     if (point.regime == Regime::continuous) {
-        point.reason = "beta = " + text(beta) + " is below beta_lim = " + text(b.exact) + ", Eq. (69): the contact " +
-                       (can_rest ? "can slide" : "slides") + " throughout";
+        point.reason = "beta = " + text(beta) + " is below beta_lim = " + text(b.exact, error.exact) +
+                       ", Eq. (69): the contact " + (can_rest ? "can slide" : "slides") + " throughout";
         if (can_rest) {
             point.other.push_back(Regime::permanent_sticking);
-            point.reason += "; it can also rest for ever, because beta is not below " + text(*b.sticking);
+            point.reason += "; it can also rest for ever, because beta is not below " + text(*b.sticking, error.sticking);
         }
     } else if (can_rest) {
-        point.reason = why_not_sliding(b, beta) + "; from beta = " + text(*b.sticking) +
+        point.reason = why_not_sliding(b, beta, error) + "; from beta = " + text(*b.sticking, error.sticking) +
                        " on static friction outweighs all that the load brings to the contact, which never moves";
     } else {
-        point.reason = why_not_sliding(b, beta) + "; " +
-                       (b.sticking ? "only from beta = " + text(*b.sticking) + " on the contact never moves"
+        point.reason = why_not_sliding(b, beta, error) + "; " +
+                       (b.sticking ? "only from beta = " + text(*b.sticking, error.sticking) + " on the contact never moves"
                                    : std::string("no friction can hold the contact, because the system resonates with it held"));
     }
     point.on_boundary = on_boundary(b, beta, error);

@@ -52,10 +52,11 @@ std::string sampled(const SceneText& part, const MotionOptions& options) {
     try {
         const QuantitiesAnswer found = quantities(source, tau, options.digits, PointNumbers::motion);
         if (!found.numbers.X_j)
-            throw InputError("beta",
-                             "must be below beta_lim = " + number_to_text(found.numbers.beta_lim.x) +
-                                 ", Eq. (69), for the motion to be known",
-                             number_to_text(*scene.beta), "/beta");
+            throw InputError(
+                "beta",
+                "must be below beta_lim = " + number_in_certain_digits(found.numbers.beta_lim.x, found.numbers.beta_lim.e) +
+                    ", Eq. (69), for the motion to be known",
+                number_to_text(*scene.beta), "/beta");
         if (found.method.precision == "50 digits") report("computed in 50 digits: " + found.method.why);
         return motion_csv(as_motion(std::move(tau), found.numbers), units);
     } catch (const DomainError& e) {
