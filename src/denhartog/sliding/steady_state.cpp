@@ -47,16 +47,45 @@ void set_maximum(MassResponse<T>& m, const T& phi_j, const T& instant, const T& 
     m.phase = wrapped(paper::phase_of_mass(phi_j, instant, displacement < 0 ? 1 : 0));
 }
 
-// The terms of the third derivative of a mass at an instant, in size.
+// What a number is at most in size, and at least.
 template <class T>
-T size_of_jerk(const ModeSums<T>& s, const MassInMotion<T>& mass, std::size_t k, const T& tau, const FrictionShare<T>& share) {
+T most_of(const T& x) {
+    return size_of_number(x);
+}
+template <class T>
+T most_of(const Bounded<T>& x) {
+    return x.most();
+}
+template <class T>
+T least_of(const T& x) {
+    return size_of_number(x);
+}
+template <class T>
+T least_of(const Bounded<T>& x) {
+    return x.least();
+}
+
+// A bound of the third derivative of a mass over a step from an instant: its terms there in size, and what the step may add to
+// them. Between stops R^2 y''^2 + y'^2 of a mode under friction falls in time.
+template <class T, class Value = typename ValueOf<T>::type>
+Value size_of_jerk(const ModeSums<T>& s, const MassInMotion<T>& mass, std::size_t k, const T& tau, const T& step,
+                   const FrictionShare<T>& share) {
+    constexpr double slack = 1 + 1.0 / 1024; // more than the roundings here
     const std::vector<evaluation::FrictionMotion<T>>& y = share.of_modes;
-    T sum(0);
-    if (s.coupled) sum = T(s.coupled->largest_derivative(k, 3, s.coupled->at(ValueOf<T>::of(tau))));
-    for (std::size_t i = 0; i < y.size(); ++i)
-        sum += size_of_number(mass.weights[i]) *
-               (2 * s.zeta[i] * size_of_number(y[i].double_prime) + size_of_number(y[i].prime) / s.R[i]) / s.R[i];
-    return size_of_number(mass.h.A) + size_of_number(mass.h.B) + mass.beta * sum;
+    Value sum(0);
+    if (s.coupled)
+        sum = most_of(T(
+            s.coupled->largest_derivative(k, 3, s.coupled->at(ValueOf<T>::of(in_half_period(step < 0 ? T(tau + step) : tau))))));
+    const Value length = most_of(step);
+    for (std::size_t i = 0; i < y.size(); ++i) {
+        const Value R = most_of(s.R[i]), rate = 1 / least_of(s.R[i]), damping = 2 * most_of(s.zeta[i]), turns = length * rate;
+        const Value y_prime = most_of(y[i].prime), R_y_double_prime = R * most_of(y[i].double_prime);
+        const Value lost = step < 0 ? Value(damping * turns) : Value(0),
+                    growth = lost < 1 ? Value(1 + 2 * lost) : Value(exp(lost));
+        const Value added = turns * (1 + damping + damping * damping) * (y_prime + R_y_double_prime) * growth;
+        sum += most_of(mass.weights[i]) * (damping * R_y_double_prime + y_prime + added) * rate * rate;
+    }
+    return (most_of(mass.h.A) + most_of(mass.h.B) + most_of(mass.beta) * sum) * slack;
 }
 
 // A step of Newton's method towards the extremum; none where the acceleration is zero.
@@ -100,10 +129,14 @@ void settle_maximum(const ModeSums<T>& s, SteadyState<T>& state, std::size_t k, 
         }
     }
     const T largest = found_by_search(T(now.x + now.x_prime * step / 2));
-    const T of_displacement = step * step * size_of_jerk(s, mass, k, instant, share); // over the step it is neglected
-    const T of_instant = now.x_double_prime == T(0) ? of_displacement : size_of_number(T(of_displacement / now.x_double_prime));
-    set_maximum(state.masses[k], state.phi_j, with_neglected(T(instant + step), of_instant),
-                with_neglected(largest, T(of_displacement * step)));
+    using Value = typename ValueOf<T>::type;
+    const Value reach = most_of(step), of_acceleration = reach * size_of_jerk(s, mass, k, instant, step, share),
+                of_displacement = reach * of_acceleration, least = least_of(now.x_double_prime);
+    // A step over which the acceleration may vanish tells nothing of the maximum.
+    const bool tells = of_displacement == 0 || 2 * of_acceleration < least;
+    const Value of_instant = !tells ? pi<Value>() : of_displacement == 0 ? Value(0) : Value(of_displacement / least);
+    set_maximum(state.masses[k], state.phi_j, with_neglected(T(instant + step), T(of_instant)),
+                with_neglected(largest, T(of_displacement * reach)));
 }
 
 } // namespace
