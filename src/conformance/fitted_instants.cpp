@@ -1,12 +1,14 @@
 #include "conformance/fitted.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "conformance/mistakes/mistake_definition.hpp"
 #include "conformance/plain/closed_form.hpp"
 #include "conformance/spread.hpp"
 #include "denhartog/formulas/as_printed.hpp"
+#include "denhartog/formulas/boundary.hpp"
 #include "denhartog/number/elementary.hpp"
 #include "denhartog/number/number_text.hpp"
 
@@ -131,31 +133,45 @@ Choices choices_of(const Search& search, const PlainModes& m) {
     return c;
 }
 
-std::size_t agreeing(std::span<const Observed> all, const Search& search) {
-    std::size_t count = 0;
+// How many answers a search explains with the load condition (67), and without it: the maxima are the same.
+std::array<std::size_t, 2> agreeing(std::span<const Observed> all, const Search& search) {
+    std::array<std::size_t, 2> count{};
     for (const Observed& one : all) {
         const std::string& asked = one.question.quantity;
-        const PlainLimits limits = plain_limits(one.question, one.modes, choices_of(search, one.modes), needed_for(asked));
-        const double x = asked == "S_j" ? limits.S : asked == "beta_lim_exact" ? limits.exact : limits.paper;
-        if (std::abs(x - one.given) <= of_instants * std::abs(x)) ++count;
+        const PlainModes& m = one.modes;
+        const PlainLimits limits = plain_limits(one.question, m, choices_of(search, m), needed_for(asked));
+        const bool of_S = asked == "S_j", is_exact = asked == "beta_lim_exact";
+        const auto agrees = [&](double x) { return std::abs(x - one.given) <= of_instants * std::abs(x); };
+        count[0] += agrees(of_S ? limits.S : is_exact ? limits.exact : limits.paper);
+        count[1] +=
+            agrees(of_S ? limits.S : paper::friction_ratio_limit(m.V[m.j], m.U[m.j], is_exact ? limits.S : limits.S_paper));
     }
     return count;
 }
 
 // The best of some grids, each with the sum before the maximum or after it, with the load condition or without.
 std::optional<Search> best_of(const std::vector<Observed>& all, bool as_printed, const std::vector<Grid>& grids) {
+    constexpr std::size_t first_look = 6;
+    const auto first = std::span(all).first(std::min(first_look, all.size()));
     std::optional<Search> best;
     std::size_t most = least_agreeing - 1;
-    for (const Grid& grid : grids)
-        for (const int variant : {0, 1, 2, 3}) {
-            const Search search{grid, as_printed, variant % 2 == 1, variant / 2 == 1};
-            constexpr std::size_t first_look = 6;
-            if (agreeing(std::span(all).first(std::min(first_look, all.size())), search) == 0) continue;
-            const std::size_t count = agreeing(all, search);
-            if (count <= most) continue;
-            most = count;
-            best = search;
+    for (const Grid& grid : grids) {
+        std::array<std::array<std::size_t, 2>, 2> counts{};
+        for (const bool of_each_mode : {false, true}) {
+            const Search search{grid, as_printed, of_each_mode, false};
+            const std::array<std::size_t, 2> seen = agreeing(first, search);
+            if (seen[0] + seen[1] == 0) continue;
+            counts[of_each_mode] = agreeing(all, search);
+            for (const std::size_t without : {0U, 1U})
+                if (seen[without] == 0) counts[of_each_mode][without] = 0;
         }
+        for (const bool without : {false, true})
+            for (const bool of_each_mode : {false, true}) {
+                if (counts[of_each_mode][without] <= most) continue;
+                most = counts[of_each_mode][without];
+                best = Search{grid, as_printed, of_each_mode, without};
+            }
+    }
     return best;
 }
 

@@ -13,6 +13,7 @@ namespace denhartog::conformance {
 struct PlainLimits {
     double S = 0;           ///< the largest demand in (69): the maximum of the sum over modes
     double exact = 0;       ///< (69) with S
+    double S_paper = 0;     ///< that of (56): the sum of the maxima of the modes
     double paper = 0;       ///< (69) with (56)
     double approximate = 0; ///< (67)
     double sticking = 0;    ///< the smallest beta at which the contact never moves

@@ -139,6 +139,7 @@ PlainLimits plain_limits(const Question& q, const PlainModes& m, const Choices& 
         S_paper = m.H_j + m.sum_of_squares;
     else if (needed.paper || (needed.S && is_paper))
         S_paper = sum_of_maxima(m, c);
+    limits.S_paper = S_paper;
     if (needed.S) limits.S = is_paper ? S_paper : maximum_of_sum(m, c);
     limits.approximate = limit(at_rest);
     if (c.load_of_each_mode) limits.approximate = limit_mode_by_mode(m, limits.approximate);
