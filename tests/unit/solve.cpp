@@ -118,9 +118,9 @@ TEST_CASE("a motion of 50 digits that does not start where that of double does i
         change(near);
         return near;
     };
-    for (const PeriodicOrbit<double>& near : {altered([&](auto& o) { o.start.x[0] += 4 * o.error_bound; }),
-                                              altered([&](auto& o) { o.start.x[1] -= 1e-3; }),
-                                              altered([](auto& o) { o.symmetric = !o.symmetric; })}) {
+    for (const PeriodicOrbit<double>& near :
+         {altered([&](auto& o) { o.start.x[0] += 4 * o.error_bound; }), altered([&](auto& o) { o.start.x[1] -= 1e-3; }),
+          altered([](auto& o) { o.symmetric = !o.symmetric; })}) {
         INFO("start " << near.start.x[0] << ", " << near.start.x[1] << " instead of " << found.start.x[0] << ", "
                       << found.start.x[1] << ", bound " << near.error_bound);
         CHECK_THROWS_AS(answer_to(near), PrecisionError);
@@ -322,4 +322,15 @@ TEST_CASE("a pole of the closed form leaves the exact solver, or an error", "[so
     CHECK_THROWS_AS(asking(with_beta(oscillator(0.1, 1), -1), Asked::motion), InputError);
     CHECK_THROWS_AS(asking(oscillator(0.1, 1), Asked::motion), InputError);
     CHECK_THROWS_AS(asking(with_beta(oscillator(0.1, 1), 0.5), Asked::motion, 0), InputError);
+}
+
+TEST_CASE("an interval of rest beyond the range of a double is text, or refused", "[solve][eq:88]") {
+    const Scene<double> scene = read_scene<double>(R"({"mass_ratios": [1, 1], "stiffness_ratios": [1, 8.9e-16],
+        "damping_ratios": [0.1, 0.1], "contact": 2, "load": 1, "mu": 1, "r": 1e-60, "beta": 6e299})");
+    for (const std::optional<int> digits : {std::optional<int>(), std::optional<int>(10)})
+        CHECK_THROWS_WITH(solve(scene_source(scene), {Asked::motion, digits}), Catch::Contains("the interval of rest"));
+    const Solution in_text = solve(scene_source(scene), {Asked::motion, 20});
+    REQUIRE(in_text.rest_interval);
+    CHECK(in_text.rest_interval->to.decimal.substr(0, 4) == "6.74");
+    CHECK(in_text.rest_interval->to.decimal.ends_with("e+314"));
 }

@@ -181,6 +181,8 @@ HeldSolution held_solution(const Scene<T>& scene, const StuckConfiguration<T>& s
     solution.rest_interval = {certified(Bounded<T>(T(-to), error), digits), certified(Bounded<T>(to, error), digits),
                               std::nullopt};
     if (!(error - error == 0)) solution.relative = std::max(solution.relative, 1.0); // the stiffness is singular in this type
+    if (digits <= most_digits_of_a_double && !std::isfinite(static_cast<double>(to)))
+        throw PrecisionError("the interval of rest is beyond the range of a double; 16 digits and more are written as text");
     solution.sticking_by_88 = limit_by_88(scene, stuck, response, digits);
     return solution;
 }
