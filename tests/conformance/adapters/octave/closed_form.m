@@ -92,13 +92,10 @@ function [less_d, q, Rq_prime, difference] = free_motion(tau, R, zeta)
     difference = expm1(-b * x) - a * q + 2 * sin(tau / 2).^2;
   end
   small = max(1, 2 * zeta) * x < 1; % there 1 - d by its power series: m'' + 2 zeta m' + m = 1
-  if !isargout(1) || !any(small)
-    return
-  end
   x = x(small);
   before = total = 0 * x;
   term = x.^2 / 2;
-  for k = 2:21
+  for k = 2:21 * (isargout(1) && any(small))
     total += term;
     next = -(2 * zeta * x * k .* term + x.^2 .* before) / (k * (k + 1));
     before = term;

@@ -58,8 +58,8 @@ def mode_functions(R, zeta):
         g = math.tanh(a * x / 2) - a * R * u
     return v, u, g
 
-def free_motion(tau, R, zeta):
-    """1 - d_i, q_i, R_i q_i' and R_i q_i' - cos tau, (A.8), (A.9); the last without cancellation for tau -> 0, R -> infinity."""
+def free_motion(tau, R, zeta, with_d=True):
+    """1 - d_i, q_i, R_i q_i' and R_i q_i' - cos tau from (A.8), (A.9), without cancellation for tau -> 0 and R -> infinity."""
     x = tau / R
     if zeta < 1:
         w = math.sqrt((1 - zeta) * (1 + zeta))
@@ -72,17 +72,12 @@ def free_motion(tau, R, zeta):
         a, b, q = decay(x, zeta)
         Rq_prime, less_d = np.exp(-b * x) - a * q, -np.expm1(-a * x) - a * q
         difference = np.expm1(-b * x) - a * q + 2 * np.sin(tau / 2) ** 2
-    return less_d, q, Rq_prime, difference
-
-def with_digits(less_d, x, zeta):
-    """1 - d_i at tau = R x, where it is small by its power series: m'' + 2 zeta m' + m = 1."""
-    small = max(1, 2 * zeta) * x < 1
-    x, before, term, total = x[small], 0.0, x[small] ** 2 / 2, 0.0
-    damped, square = 2 * zeta * x, x * x
-    for k in range(2, 22 if x.size else 2):
+    small = max(1, 2 * zeta) * x < 1  # there 1 - d, where it is asked for, by its power series: m'' + 2 zeta m' + m = 1
+    before, term, total, damped, square = 0.0, x[small] ** 2 / 2, 0.0, 2 * zeta * x[small], x[small] ** 2
+    for k in range(2, 22 if with_d and term.size else 2):
         total, before, term = total + term, term, -(damped * k * term + square * before) / (k * (k + 1))
     less_d[small] = total
-    return less_d
+    return less_d, q, Rq_prime, difference
 
 def largest(f, tau):
     """Largest value and its place: f gives a value and a number with the sign of its slope, bisected where that turns."""
@@ -115,7 +110,7 @@ class ClosedForm:
         def at(tau):
             N, N_prime = 0 * tau, 0 * tau  # the sum times sin tau, and its derivative
             for weight, R, zeta, u, g in zip(weights, self.R, self.zeta, self.u, self.g):
-                _, q, Rq_prime, difference = free_motion(tau, R, zeta)
+                _, q, Rq_prime, difference = free_motion(tau, R, zeta, False)
                 N += weight * ((1 + g) * R * q - u * R**2 * difference)
                 N_prime += weight * ((1 + g) * Rq_prime + u * R * (2 * zeta * Rq_prime + q) - u * R**2 * np.sin(tau))
             return N / np.sin(tau), N_prime * np.sin(tau) - N * np.cos(tau)
@@ -168,7 +163,6 @@ class ClosedForm:
         x, x_prime = W.real, -W.imag
         for weight, R, zeta, u, g in zip(self.beta * self.to_contact[k], self.R, self.zeta, self.u, self.g):
             less_d, q, Rq_prime, _ = free_motion(tau, R, zeta)
-            less_d = with_digits(less_d, tau / R, zeta)
             x = x + weight * (less_d - g * (1 - less_d) - u * R * q)
             x_prime = x_prime + weight * ((1 + g) * q / R - u * Rq_prime)
         return (1 - 2 * (half % 2)) * np.array([x, x_prime])
