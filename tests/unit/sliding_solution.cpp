@@ -337,3 +337,28 @@ TEST_CASE("the bound of an instant takes in that a fast mode turns over the last
         CHECK(std::abs(std::remainder(phase.value - many.masses[k].phase->value, 2 * pi<double>())) <= phase.error + 8e-16);
     }
 }
+
+TEST_CASE("forty masses with dashpots are answered to 30 digits within the work allowed", "[solve][coupled_damping][effort]") {
+    constexpr std::size_t N = 40;
+    Scene<double> scene;
+    scene.system = chain_of(std::vector<double>(N, 1.0), std::vector<double>(N, 1.0), 0.0, 20, 1);
+    scene.system.damping_ratios.clear();
+    scene.system.damping_matrix = Matrix<double>::Zero(N, N);
+    for (Eigen::Index i = 0; i < Eigen::Index{N}; ++i) {
+        const double dashpot = i % 3 == 0 ? 0.3 : 0.1;
+        scene.system.damping_matrix(i, i) += dashpot;
+        if (i == 0) continue;
+        scene.system.damping_matrix(i - 1, i - 1) += dashpot;
+        scene.system.damping_matrix(i, i - 1) -= dashpot;
+        scene.system.damping_matrix(i - 1, i) -= dashpot;
+    }
+    scene.r = 0.3;
+    scene.beta = 0.01;
+    const Solution in_double = answer(scene_source(scene)), in_50_digits = answer(scene_source(scene), 30);
+    CHECK(in_50_digits.digits_reached);
+    CHECK(in_50_digits.method.precision == "50 digits");
+    for (std::size_t k = 0; k < N; ++k) {
+        const Certified &few = in_double.masses[k].amplitude, &many = in_50_digits.masses[k].amplitude;
+        CHECK(std::abs(few.value - many.value) <= few.error + 2.3e-16 * many.value);
+    }
+}

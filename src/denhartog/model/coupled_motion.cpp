@@ -62,6 +62,17 @@ void CoupledMotion<T>::start(Column<T> z) {
 }
 
 template <class T>
+Column<T> CoupledMotion<T>::rates(const Column<T>& z) const {
+    Column<T> rates(z.size());
+    for (std::size_t row = 0, entry = 0; row < ends_.size(); ++row) {
+        T sum(0);
+        for (; entry < ends_[row]; ++entry) sum += entries_[entry] * z(columns_[entry]);
+        rates(static_cast<Eigen::Index>(row)) = sum;
+    }
+    return rates;
+}
+
+template <class T>
 Column<T> CoupledMotion<T>::at(const T& t) {
     const std::optional<std::uint64_t> n = steps_in(t);
     if (!n) return state_ * std::numeric_limits<T>::quiet_NaN();

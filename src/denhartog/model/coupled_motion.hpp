@@ -49,6 +49,14 @@ public:
     /// @brief The state at an instant. @param t time from the start @return z; not a number where t has no digits left for a step
     [[nodiscard]] Column<T> at(const T& t);
 
+    /// @brief The rate of a state. @param z a state @return \f$ Az \f$
+    [[nodiscard]] Column<T> rates(const Column<T>& z) const;
+    /// @brief Operations that a state with three derivatives costs at another instant: a series, and two leaps or so.
+    /// @return their number
+    [[nodiscard]] long cost() const {
+        return cost_of_products<T>(64 * rows() + 3 * static_cast<Eigen::Index>(entries_.size()) + 2 * rows() * rows());
+    }
+
     /// @brief The exponential of the system over half a period, less the identity, where many instants of one start are asked.
     /// Half a period holds fewer than \f$ 2^{53} \f$ steps.
     /// @return \f$ e^{A\pi}-\mathbf{1} \f$

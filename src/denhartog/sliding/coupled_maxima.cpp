@@ -23,6 +23,7 @@ T instant_of_largest_demand_where_coupled(const ModeSums<T>& s) {
     curve.rate = [&](const T& a, const T&) { return friction.rate_of_demand(j, friction.at(a)); };
     curve.rise = [](const T& a, const T& b, const T& z_bound) { return rise_of_demand(a, b, z_bound); };
     curve.cost = friction.cost();
+    curve.share = default_effort(friction.size()) / 4;
     const T found = global_maximum(curve, T(0), pi<T>()).instant;
     return coupled_demand(friction, s.contact, T(0)) >= coupled_demand(friction, s.contact, found) ? T(0) : found;
 }
@@ -42,6 +43,7 @@ std::pair<T, T> instant_and_spread_where_coupled(const ModeSums<T>& s, const T& 
     };
     curve.rise = [](const T& a, const T& b, const T& z_bound) { return T(z_bound * (b - a) * (b - a) / 8); };
     curve.cost = friction.cost();
+    curve.share = default_effort(friction.size()) / 4;
     const T noise = 2 * unit_of<T>() * (harmonic_size + beta * friction.compliance(k).most());
     const Maximum<T> found = global_maximum<T>(curve, T(0), pi<T>(), noise, nullptr, std::numeric_limits<T>::lowest(), error);
     const auto is_negative = [&](const T& tau) { return motion_at(s, mass, k, tau).x < 0; };

@@ -262,7 +262,7 @@ std::pair<T, T> root_bracket(const std::function<T(const T&)>& f, const T& a, co
 template <class T>
 Maximum<T> global_maximum(const Curve<T>& curve, const T& a, const T& b, const T& noise, Effort* effort, const T& least,
                           const T& error) {
-    SearchEffort own(default_effort(1) / 4); // a search is one of several that a question needs
+    SearchEffort own(curve.share);
     const Maximum<T> found = MaximumSearch<T>(curve, a, b, noise, effort != nullptr ? *effort : own, least, error).largest();
     if (effort == nullptr && !found.settled)
         throw PrecisionError(

@@ -220,7 +220,7 @@ const CoupledState<T>& CoupledFriction<T>::at(const T& tau) const {
     if (known_.size() >= most_remembered) known_.clear();
     CoupledState<T> s;
     s[0] = motion_.at(tau);
-    for (std::size_t n = 1; n < s.size(); ++n) s[n] = product(A_, s[n - 1]);
+    for (std::size_t n = 1; n < s.size(); ++n) s[n] = motion_.rates(s[n - 1]);
     return known_.emplace(tau, std::move(s)).first->second;
 }
 

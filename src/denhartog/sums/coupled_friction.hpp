@@ -46,7 +46,7 @@ public:
     /// @brief Number of coordinates. @return N
     [[nodiscard]] std::size_t size() const { return static_cast<std::size_t>(A_.rows() / 2); }
     /// @brief Operations that an instant costs. @return their number
-    [[nodiscard]] long cost() const { return cost_of_mode<T>() * (10 + A_.size() / 4); }
+    [[nodiscard]] long cost() const { return motion_.cost() + 10 * cost_of_mode<T>(); }
     /// @brief The static compliance between a displacement and the contact. @param k a displacement @return its movement under a
     /// unit force on the contact
     [[nodiscard]] Bounded<T> compliance(std::size_t k) const { return along(displacement_, k, rest_, error_of_rest_); }
