@@ -50,8 +50,8 @@ CoupledMotion<T>::CoupledMotion(const Matrix<T>& A, const T& rate, Asked asked, 
     }
     if constexpr (!std::floating_point<T>) {
         Matrix<T> as_mirrored = A;
-        if (A.rows() % 2 == 0) mirror(as_mirrored);
-        mirrored_ = A.rows() % 2 == 0 && as_mirrored == A;
+        mirror(as_mirrored);
+        mirrored_ = as_mirrored == A;
     }
 }
 

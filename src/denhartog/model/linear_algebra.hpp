@@ -45,8 +45,8 @@ template <class T>
 template <class T>
 [[nodiscard]] Matrix<T> product(const Matrix<T>& A, const Matrix<T>& B);
 
-/// @brief Makes a matrix of even order mirrored: \f$ A^T=SAS \f$ with \f$ S=\mathrm{diag}(\mathbf{1},-\mathbf{1}) \f$, from the
-/// entries on and above its diagonal. @param A the matrix
+/// @brief Makes a matrix mirrored, \f$ A^T=SAS \f$ with \f$ S=\mathrm{diag}(\mathbf{1},-\mathbf{1}) \f$, half of it each, from
+/// the entries on and above its diagonal. @param A the matrix
 template <class T>
 void mirror(Matrix<T>& A);
 
