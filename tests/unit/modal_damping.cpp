@@ -95,6 +95,36 @@ TEST_CASE("a departure far below the damping itself still couples the modes", "[
     CHECK(distance > 1e-13);
 }
 
+TEST_CASE("two soft modes are coupled of which the distance has no trace beside a stiff mode that is damped", "[model][eq:18]") {
+    // Mass 4 is light; of the soft modes one dashpot to the ground, at mass 3, couples two.
+    System<double> s;
+    s.mass_ratios = {1, 1e10, 1e9, 1e-6};
+    s.stiffness_ratios = {1, 1, 1, 1};
+    s.damping_matrix = Matrix<double>::Zero(4, 4);
+    s.damping_matrix(2, 2) = 1000 + 4000;
+    s.damping_matrix(2, 3) = s.damping_matrix(3, 2) = -4000;
+    s.damping_matrix(3, 3) = 4000;
+    const ModalBasis<double> basis = modal_basis(s);
+    CHECK(basis.distance_from_classical < 1e-15);
+    CHECK(basis.coupled());
+}
+
+TEST_CASE("damping in proportion to stiff and soft springs couples no modes, however far they are apart", "[model][eq:18]") {
+    for (const double soft : {1e-4, 1e-8, 1e-12, 1e-15}) {
+        System<double> s;
+        s.mass_ratios = {1, 0.3, 1e-6, 7};
+        s.stiffness_ratios = {1, soft, 0.7, 3 * soft};
+        s.damping_matrix = Matrix<double>::Zero(4, 4);
+        for (int i = 0; i < 4; ++i) {
+            const auto k = [&](int n) { return n < 4 ? 0.37 * s.stiffness_ratios[static_cast<std::size_t>(n)] : 0; };
+            s.damping_matrix(i, i) = k(i) + k(i + 1) + 0.11 * s.mass_ratios[static_cast<std::size_t>(i)];
+            if (i > 0) s.damping_matrix(i, i - 1) = s.damping_matrix(i - 1, i) = -k(i);
+        }
+        INFO(soft);
+        CHECK_FALSE(modal_basis(s).coupled());
+    }
+}
+
 TEST_CASE("decimal fractions satisfy the condition in fifty digits where they were not rounded to doubles", "[model][eq:18]") {
     const Real50 tenth = Real50(1) / 10;
     const auto coupled = [](const auto& s) { return modal_basis(s).coupled(); };

@@ -334,3 +334,27 @@ TEST_CASE("an interval of rest beyond the range of a double is text, or refused"
     CHECK(in_text.rest_interval->to.decimal.substr(0, 4) == "6.74");
     CHECK(in_text.rest_interval->to.decimal.ends_with("e+314"));
 }
+
+TEST_CASE("amplitudes of a contact that rests of which a double has not the square", "[solve][eq:88]") {
+    const SceneSource scene = scene_source(read_scene<double>(R"({"mass_ratios": [1, 5.5e-11, 1.55e-4],
+        "stiffness_ratios": [1, 1, 1], "damping_ratios": [0.03, 0.03, 0.03], "contact": 2, "load": 3, "mu": 1, "r": 1.2e61,
+        "beta": 0.25})"));
+    const Certified in_double = solve(scene, {Asked::motion, 10}).masses.at(0).amplitude;
+    const Certified more = solve(scene, {Asked::motion, 30}).masses.at(0).amplitude;
+    CHECK(std::abs(in_double.value - more.value) <= in_double.error + more.error);
+    CHECK(in_double.value > 1e-184);
+}
+
+TEST_CASE("two soft modes that a dashpot couples beside a light mass far more damped are coupled in double", "[solve][eq:69]") {
+    const SceneSource scene = scene_source(read_scene<double>(R"({"mass_ratios": [1, 1.4e10, 1.5e9, 4e-7],
+        "stiffness_ratios": [1, 1, 1, 1], "damping_matrix": [[0, 0, 0, 0], [0, 0, 0, 0], [0, 0, 4788.25, -3840.875],
+        [0, 0, -3840.875, 3840.875]], "contact": 3, "load": 2, "mu": 1, "r": 1546, "beta": 0})"));
+    for (const Asked asked : {Asked::amplitude, Asked::phase}) {
+        const SolvedMass in_double = solve(scene, {asked, std::nullopt, false, Mass{1}}).masses.at(0);
+        const SolvedMass more = solve(scene, {asked, 30, false, Mass{1}}).masses.at(0);
+        CHECK(std::abs(in_double.amplitude.value - more.amplitude.value) <= in_double.amplitude.error + more.amplitude.error);
+        REQUIRE(in_double.phase);
+        CHECK(std::abs(in_double.phase->value - more.phase->value) <= in_double.phase->error + more.phase->error);
+    }
+    CHECK(solve(scene, {Asked::regime, {}}).limits.value().exact.value < 1e-16);
+}

@@ -44,6 +44,24 @@ void check_passive(const Matrix<T>& C) {
                          number_in_digits(static_cast<double>(least), 3));
 }
 
+// Whether C couples two modes by more than rounding makes of its entry between them, however small that entry is beside those of
+// stiffer modes: the rounding of the products, and the angle by which the solver may turn the two modes towards each other.
+template <class T>
+bool couples_a_pair(const Matrix<T>& C, const Matrix<T>& D, const ModalBasis<T>& basis, FrequencyErrors errors,
+                    const T& tolerance) {
+    using std::abs;
+    const Matrix<T> sizes = in_coordinates(Matrix<T>(basis.phi.cwiseAbs()), Matrix<T>(C.cwiseAbs()));
+    for (Eigen::Index i = 0; i < D.rows(); ++i)
+        for (Eigen::Index k = 0; k < i; ++k) {
+            const T &r_i = basis.r_n[static_cast<std::size_t>(i)], &r_k = basis.r_n[static_cast<std::size_t>(k)];
+            const T& stiffest = errors == FrequencyErrors::of_each ? r_i : basis.r_n.back();
+            const T turn = tolerance * stiffest * stiffest, apart = (r_i - r_k) * (r_i + r_k);
+            const T angle = turn < apart ? T(turn / apart) : T(1);
+            if (abs(D(i, k)) > tolerance * sizes(i, k) + angle * (abs(D(i, i)) + abs(D(k, k)))) return true;
+        }
+    return false;
+}
+
 } // namespace
 
 template <class T>
@@ -77,17 +95,20 @@ T largest_coupling(const Matrix<T>& D, const T& rounding) {
 }
 
 template <class T>
-void set_modal_damping(const Matrix<T>& L, const Matrix<T>& K, const Matrix<T>& C, double neglected, ModalBasis<T>& basis) {
+void set_modal_damping(const Matrix<T>& L, const Matrix<T>& K, const Matrix<T>& C, double neglected, FrequencyErrors errors,
+                       ModalBasis<T>& basis) {
     using std::abs;
     using std::sqrt;
     const std::size_t N = basis.r_n.size();
     const T tolerance = rounding_of_modes<T>(N);
     basis.distance_from_classical = N > 1 ? distance_from_commuting(divide_out(L, K), divide_out(L, C)) : T(0);
-    const bool commutes = basis.distance_from_classical <= tolerance;
-    const bool coupled = basis.distance_from_classical > std::max(tolerance, T(neglected));
-    if (N > 1 && !coupled) turn_coinciding_modes(C, tolerance, basis.r_n, basis.phi);
+    bool commutes = basis.distance_from_classical <= tolerance;
+    const bool neglects = basis.distance_from_classical <= T(neglected);
+    if (N > 1 && (commutes || neglects)) turn_coinciding_modes(C, tolerance, basis.r_n, basis.phi);
     fix_signs(basis.phi); // D goes with them
     const Matrix<T> D = in_coordinates(basis.phi, C);
+    commutes = commutes && !couples_a_pair(C, D, basis, errors, tolerance);
+    const bool coupled = !commutes && !neglects;
     if (!commutes) check_passive(C);
     if (coupled) basis.D = (D + D.transpose()) / T(2);
     const T size = D.cwiseAbs().maxCoeff();
@@ -111,9 +132,11 @@ template Real100 largest_coupling(const Matrix<Real100>&, const Real100&);
 template void turn_coinciding_modes(const Matrix<double>&, const double&, const std::vector<double>&, Matrix<double>&);
 template void turn_coinciding_modes(const Matrix<Real50>&, const Real50&, const std::vector<Real50>&, Matrix<Real50>&);
 template void turn_coinciding_modes(const Matrix<Real100>&, const Real100&, const std::vector<Real100>&, Matrix<Real100>&);
-template void set_modal_damping(const Matrix<double>&, const Matrix<double>&, const Matrix<double>&, double, ModalBasis<double>&);
-template void set_modal_damping(const Matrix<Real50>&, const Matrix<Real50>&, const Matrix<Real50>&, double, ModalBasis<Real50>&);
-template void set_modal_damping(const Matrix<Real100>&, const Matrix<Real100>&, const Matrix<Real100>&, double,
+template void set_modal_damping(const Matrix<double>&, const Matrix<double>&, const Matrix<double>&, double, FrequencyErrors,
+                                ModalBasis<double>&);
+template void set_modal_damping(const Matrix<Real50>&, const Matrix<Real50>&, const Matrix<Real50>&, double, FrequencyErrors,
+                                ModalBasis<Real50>&);
+template void set_modal_damping(const Matrix<Real100>&, const Matrix<Real100>&, const Matrix<Real100>&, double, FrequencyErrors,
                                 ModalBasis<Real100>&);
 
 } // namespace denhartog

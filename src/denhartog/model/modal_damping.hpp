@@ -10,6 +10,12 @@
 
 namespace denhartog {
 
+/// @brief What the natural frequencies of an eigen-solver are good to.
+enum class FrequencyErrors {
+    of_each,    ///< units in the last place of each, as those of a chain are
+    of_highest, ///< squares good to units in the last place of the highest one
+};
+
 /// @brief Modal damping ratios from the damping matrix, \f$ 2\zeta_i r_{n,i} = \phi_i^T C \phi_i \f$.
 ///
 /// There are such ratios where \f$ K M^{-1} C = C M^{-1} K \f$. With A and B the stiffness and damping matrices that have the
@@ -17,17 +23,20 @@ namespace denhartog {
 /// / (\|A\|_F \|B\|_F) \f$ (0 to sqrt 2) and must not exceed 8 N eps of the number type: what rounding explains. In a higher
 /// precision matrices therefore have to meet the condition to more digits; decimal fractions are then given as text. Where
 /// natural frequencies coincide the mode shapes are turned to those that diagonalise C as well. Where C breaks the condition by
-/// more, and by more than what is to be neglected, it couples the modes, and the ratios are those of its diagonal.
+/// more, and by more than what is to be neglected, it couples the modes, and the ratios are those of its diagonal. So it does where
+/// it couples two soft modes of which the distance, beside a stiff mode with much damping, has no trace.
 /// @eq{18}
 /// @param L      lower triangular factor of the mass matrix in units of m_1, M = L L^T
 /// @param K      stiffness matrix in units of k_1
 /// @param C      damping matrix in units of sqrt(k_1 m_1)
 /// @param neglected  the distance up to which C counts as uncoupled all the same; 0: none
+/// @param errors     what the natural frequencies are good to
 /// @param basis  natural frequency ratios and mode shapes; gets the damping ratios and, where they are coupled, D
 /// @throws InputError where C feeds energy into a motion, or gives a ratio beyond its range;
 ///         PrecisionError where two natural frequencies are too near to tell whether C couples their modes
 template <class T>
-void set_modal_damping(const Matrix<T>& L, const Matrix<T>& K, const Matrix<T>& C, double neglected, ModalBasis<T>& basis);
+void set_modal_damping(const Matrix<T>& L, const Matrix<T>& K, const Matrix<T>& C, double neglected, FrequencyErrors errors,
+                       ModalBasis<T>& basis);
 
 /// @brief How much damping couples modes: the largest \f$ |D_{ik}| / \sqrt{D_{ii} D_{kk}} \f$ of \f$ D = \phi^T C \phi \f$.
 /// @eq{18}

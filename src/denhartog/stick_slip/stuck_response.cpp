@@ -7,6 +7,7 @@
 #include "denhartog/formulas/stuck.hpp"
 #include "denhartog/model/linear_algebra.hpp"
 #include "denhartog/model/natural_modes.hpp"
+#include "denhartog/number/elementary.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/multiprecision.hpp"
 #include "denhartog/scene/point_rules.hpp"
@@ -15,6 +16,14 @@ namespace denhartog {
 namespace {
 
 using std::abs;
+
+// The modulus, also where its square is beyond the range of a double.
+double size_of(const Complex<double>& X) { return elementary::hypot(X.re, X.im); }
+
+template <class T>
+T size_of(const Complex<T>& X) {
+    return modulus(X);
+}
 
 template <class T>
 T rounding(std::size_t modes) {
@@ -94,14 +103,14 @@ T neighbour_amplitude(const StuckChain<T>& chain, const StuckResponse<T>& respon
         X = X + chain.phi(neighbour, n) * mode_amplitude(T(chain.phi(load, n)), chain.r_n[i], T(2 * chain.zeta[i] * chain.r_n[i]),
                                                          response.r, rounding<T>(chain.r_n.size()));
     }
-    return modulus(X);
+    return size_of(X);
 }
 
 } // namespace
 
 template <class T>
 StuckMass<T> motion_of(const Complex<T>& X) {
-    StuckMass<T> mass{X, modulus(X), std::nullopt};
+    StuckMass<T> mass{X, size_of(X), std::nullopt};
     if (mass.amplitude == 0) return mass;
     mass.phase = X.im == 0 ? (X.re < 0 ? pi<T>() : T(0)) : T(-argument(X));
     return mass;
