@@ -2,6 +2,7 @@
 
 #include <complex>
 
+#include "denhartog/answer/certify.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/number_text.hpp"
 #include "denhartog/sliding/instants_of_maxima.hpp"
@@ -306,20 +307,47 @@ TEST_CASE("far off in frequency the motion is known whose boundary is no number 
     }
 }
 
-TEST_CASE("a boundary that is no number is refused where more masses than 40 are answered in double", "[solve][eq:69]") {
+TEST_CASE("a boundary that is no number in double is one in 50 digits, and refused of more than 200 masses", "[solve][eq:69]") {
     Scene<double> scene;
-    scene.system = chain_of(std::vector<double>(41, 1.0), std::vector<double>(41, 1.0), 0.01, 36, 12);
+    const auto with_masses = [&](std::size_t N) {
+        scene.system = chain_of(std::vector<double>(N, 1.0), std::vector<double>(N, 1.0), 0.01, 36, 12);
+    };
     scene.r = 1e200;
     for (const bool with_beta : {false, true}) {
         if (with_beta) scene.beta = 0.5;
+        with_masses(41);
+        for (const std::optional<int> digits : {std::optional<int>(), std::optional<int>(10)}) {
+            const Solution in_50_digits = answer(scene_source(scene), digits);
+            CHECK(in_50_digits.method.precision == "50 digits");
+            REQUIRE(in_50_digits.limits);
+            CHECK(in_50_digits.limits->exact.value >= 0);
+            CHECK(in_50_digits.limits->exact.error < 1e-40);
+        }
+        with_masses(201);
         CHECK_THROWS_WITH(answer(scene_source(scene)), Catch::Contains("beyond the range of the number type"));
-        const Solution in_50_digits = answer(scene_source(scene), 10);
-        REQUIRE(in_50_digits.limits);
-        CHECK(in_50_digits.limits->exact.value >= 0);
-        CHECK(in_50_digits.limits->exact.error < 1e-40);
     }
     CHECK_THROWS_AS(solve(scene_source(scene), {Asked::motion, std::nullopt}), PrecisionError);
     CHECK_THROWS_AS(solve(scene_source(scene), {Asked::regime, std::nullopt}), PrecisionError);
+}
+
+TEST_CASE("an answer of too few digits stands where more digits fail and none were asked for", "[solve]") {
+    bool fails = true;
+    const auto attempt = [&]<class T>(std::type_identity<T>) {
+        if (!std::same_as<T, double> && fails) throw PrecisionError("too much work");
+        return Attempted{1e-3};
+    };
+    const Certainty found = certify(aim_of({}), attempt);
+    CHECK(found.precision == Precision::in_double);
+    CHECK(found.relative == 1e-3);
+    CHECK_FALSE(found.settled);
+    CHECK_THAT(found.why, Catch::Contains("in 100 digits: too much work"));
+    CHECK_THROWS_AS(certify(aim_of(6), attempt), PrecisionError);
+    const auto open = [&]<class T>(std::type_identity<T> type) {
+        return Attempted{attempt(type).relative, false};
+    };
+    CHECK_THROWS_AS(certify(aim_of({}), open), PrecisionError);
+    fails = false;
+    CHECK(certify(aim_of({}), open).precision == Precision::in_100_digits);
 }
 
 TEST_CASE("the bound of an instant takes in that a fast mode turns over the last step to it", "[solve][eq:47]") {

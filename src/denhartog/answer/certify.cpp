@@ -68,8 +68,9 @@ int most_digits_in(Precision precision) {
 }
 
 Precision highest_precision(const Aim& aim, std::size_t masses, Precision last) {
-    constexpr std::size_t most_masses_to_step_up = 40;
-    return masses > most_masses_to_step_up && !aim.asked_for ? Precision::in_double : last;
+    constexpr std::size_t most_masses_in_100_digits = 40, most_masses_in_50_digits = 200;
+    if (aim.asked_for || masses <= most_masses_in_100_digits) return last;
+    return masses <= most_masses_in_50_digits ? std::min(last, Precision::in_50_digits) : Precision::in_double;
 }
 
 std::string verdict(const Attempted& attempted, const Aim& aim) {

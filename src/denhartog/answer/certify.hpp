@@ -52,7 +52,8 @@ enum class Precision : std::uint8_t {
 /// @brief The most digits that are tried for in it. @param precision the precision @return the digits
 [[nodiscard]] int most_digits_in(Precision precision);
 
-/// @brief The last precision of a question. A system of more than 40 masses stays in double where no digits are asked for.
+/// @brief The last precision of a question. Where no digits are asked for, 50 digits are the last of more than 40 masses, and
+/// double of more than 200.
 /// @param aim    the digits
 /// @param masses N
 /// @param last   the last precision that there is
@@ -80,18 +81,20 @@ void count_precision_step();
 /// @brief What is said of an attempt. @param attempted what it came to @param aim the digits @return a clause
 [[nodiscard]] std::string verdict(const Attempted& attempted, const Aim& aim);
 
-/// @brief Tries one precision after the other until one has the digits. The last one answers in any case.
+/// @brief Tries one precision after the other until one has the digits. The last one answers in any case; where it fails and no
+/// digits were asked for, the one before it, if that decided the regime.
 /// @param aim      the digits
-/// @param attempt  called with `std::type_identity<T>` for T of double, 50 and 100 digits; keeps its own result
+/// @param attempt  called with `std::type_identity<T>` for T of double, 50 and 100 digits; keeps its own result, and that of the
+///                 precision before where it throws
 /// @param highest  the last precision
 /// @return         the attempt that answers
 /// @throws         what the last precision throws
 template <class Attempt>
 Certainty certify(const Aim& aim, const Attempt& attempt, Precision highest = Precision::in_100_digits) {
     Certainty found;
+    bool has_answer = false;
     const auto has_digits = [&]<class T>(std::type_identity<T> type, Precision precision) {
         if (aim.digits > most_digits_in(precision) && precision != highest) return false;
-        found.precision = precision;
         const auto leave_open = [&](const std::string& words) {
             found.why += "in " + name(precision) + ": " + words + "; ";
             count_precision_step();
@@ -99,6 +102,8 @@ Certainty certify(const Aim& aim, const Attempt& attempt, Precision highest = Pr
         };
         try {
             const Attempted attempted = attempt(type);
+            has_answer = attempted.decided;
+            found.precision = precision;
             found.relative = attempted.relative;
             found.settled = attempted.relative <= aim.tolerance && attempted.decided;
             std::string words = verdict(attempted, aim);
@@ -109,8 +114,11 @@ Certainty certify(const Aim& aim, const Attempt& attempt, Precision highest = Pr
             if (precision == highest) throw;
             return leave_open(e.what());
         } catch (const PrecisionError& e) {
-            if (precision == highest || QuestionEffort::exhausted()) throw;
-            return leave_open(e.what());
+            const bool is_last = precision == highest || QuestionEffort::exhausted();
+            if (!is_last) return leave_open(e.what());
+            if (!has_answer || aim.asked_for) throw;
+            found.why += "in " + name(precision) + ": " + e.what();
+            return true;
         }
     };
     (void)(has_digits(std::type_identity<double>{}, Precision::in_double) || highest == Precision::in_double ||

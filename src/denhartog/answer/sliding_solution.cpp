@@ -69,11 +69,20 @@ Solution sliding_solution(const SceneSource& source, const SlidingQuestion& ques
         std::optional<Bounded<T>> by_56;
         if constexpr (!std::same_as<T, double>) by_56 = boundary_by_56_without_coupling(source, in, aim.digits);
         const SlidingPoint<T> point = sliding_point(*place, *modes, {motion, limits, question.only, aim.digits}, by_56);
-        s.r = exactly(*place->r, aim.digits);
-        s.mu = exactly(place->mu, aim.digits);
-        if (place->beta) s.beta = exactly(*place->beta, aim.digits);
-        write_point(*place, point, aim.digits, question.asked, s);
-        s.method.model = point.state ? "closed form" : "boundary of the sliding regime";
+        const auto write = [&](Solution& to) {
+            to.r = exactly(*place->r, aim.digits);
+            to.mu = exactly(place->mu, aim.digits);
+            if (place->beta) to.beta = exactly(*place->beta, aim.digits);
+            write_point(*place, point, aim.digits, question.asked, to);
+            to.method.model = point.state ? "closed form" : "boundary of the sliding regime";
+        };
+        if constexpr (std::same_as<T, double>) {
+            write(s);
+        } else {
+            Solution to = s; // what double answered stays where a number is refused
+            write(to);
+            s = std::move(to);
+        }
         return point.attempted;
     };
     const Certainty found = certify(aim, attempt, highest_precision(aim, number_of_masses(scene.system)));
