@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "denhartog/denhartog.hpp"
+#include "tests/speed_accuracy/answer_numbers.hpp"
 #include "tests/catch.hpp"
 
 using namespace denhartog;
@@ -71,6 +73,33 @@ TEST_CASE("answers of few digits and of many contradict each other in no number 
     CHECK(survey.quantities.size() > 20);
     CHECK(survey.most_eigen_solves <= 134);
     CHECK(survey.most_mode_evaluations <= 344);
+}
+
+TEST_CASE("an answer whose boundaries are out of order, or whose displacement is beyond its amplitude, contradicts itself",
+          "[accuracy]") {
+    const auto number = [](double x) { return Certified{x, 0.125, {}}; };
+    Solution s = solve(scene(R"({"mass_ratios": [1], "stiffness_ratios": [1], "damping_ratios": [0.05], "contact": 1, "load": 1,
+        "r": 0.5, "beta": 0.1})"));
+    Limits& limits = s.limits.value();
+    limits.exact = number(2);
+    limits.paper = number(2.25);
+    limits.approximate = number(1.75);
+    s.slides_below = number(2.25);
+    s.masses[0].amplitude = number(1);
+    s.masses[0].sliding.value().x0 = number(-1.25);
+    s.start = SolvedState{{number(-1.25)}, {number(9)}};
+    CHECK(contradictions_within(s).empty());
+    const auto is_found = [&](Certified& x, double value) {
+        const Certified before = std::exchange(x, number(value));
+        const bool found = contradictions_within(s).size() == 1;
+        x = before;
+        return found;
+    };
+    CHECK(is_found(limits.paper, 2.5));
+    CHECK(is_found(limits.approximate, 1.5));
+    CHECK(is_found(*s.slides_below, 2.5));
+    CHECK(is_found(s.masses[0].sliding->x0, -1.5));
+    CHECK(is_found(s.start->x[0], -1.5));
 }
 
 TEST_CASE("a point at the end of a double's range is answered or refused by an error of the project's own", "[accuracy]") {

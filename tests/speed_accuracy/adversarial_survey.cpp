@@ -137,6 +137,7 @@ Found compared_solutions(const Scene<double>& scene) {
             const Solution few = solve(scene, question);
             const bool sure = few.digits_reached && !few.regime.on_boundary && !many.regime.on_boundary;
             if (sure) comparer.same("regime", name, few.regime.regime == many.regime.regime);
+            for (const std::string& each : contradictions_within(few)) comparer.found.faults.push_back(name + ": " + each);
             const bool whole = sure && question.asked == Asked::motion;
             if (whole) comparer.same("number of stops", name, few.stops.size() == many.stops.size());
             if (whole && few.stops.size() != many.stops.size()) return std::vector<NamedNumber>{};

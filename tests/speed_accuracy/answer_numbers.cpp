@@ -119,8 +119,32 @@ std::vector<std::string> faults_of(const std::vector<NamedNumber>& numbers) {
     return faults;
 }
 
+std::vector<std::string> contradictions_within(const Solution& s) {
+    std::vector<std::string> found;
+    // Whether a number is larger than another, by more than both bounds.
+    const auto larger = [](const Certified& a, const Certified& b) {
+        return abs(value_of(a)) - abs(value_of(b)) > Real100(a.error) + Real100(b.error);
+    };
+    const auto need = [&found](bool holds, const char* what) {
+        if (!holds) found.emplace_back(what);
+    };
+    if (s.limits) {
+        need(!larger(s.limits->paper, s.limits->exact), "beta_lim by (56) is above the exact one");
+        need(!larger(s.limits->exact, s.limits->approximate), "beta_lim is above that of (67)");
+        if (s.slides_below) need(!larger(*s.slides_below, s.limits->exact), "the lower bound of beta_lim is above it");
+    }
+    for (std::size_t k = 0; k < s.masses.size(); ++k) {
+        const SolvedMass& mass = s.masses[k];
+        if (mass.sliding) need(!larger(mass.sliding->x0, mass.amplitude), "x0 is larger than the amplitude");
+        if (s.start && !s.only)
+            need(!larger(s.start->x[k], mass.amplitude), "a displacement at the maximum of the force is larger than the amplitude");
+    }
+    return found;
+}
+
 std::vector<std::string> faults_of(const Solution& s) {
     std::vector<std::string> faults = faults_of(numbers_of(s));
+    for (std::string& each : contradictions_within(s)) faults.push_back(std::move(each));
     const auto add = [&faults](const std::vector<std::string>& more, const std::string& of) {
         for (const std::string& each : more) faults.push_back(of + each);
     };

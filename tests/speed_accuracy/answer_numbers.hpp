@@ -36,6 +36,12 @@ struct NamedNumber {
 /// @return         a sentence for each
 [[nodiscard]] std::vector<std::string> faults_of(const std::vector<NamedNumber>& numbers);
 
+/// @brief What contradicts itself within one answer: the boundaries are in order, (56), exact, (67), and no displacement is larger
+/// than its amplitude.
+/// @param s  the answer
+/// @return   a sentence for each contradiction beyond the bounds of both numbers
+[[nodiscard]] std::vector<std::string> contradictions_within(const Solution& s);
+
 /// @brief The same of all numbers of an answer, with those that carry no bound. @param s the answer @return a sentence for each
 [[nodiscard]] std::vector<std::string> faults_of(const Solution& s);
 
