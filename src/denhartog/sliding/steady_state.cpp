@@ -133,7 +133,7 @@ void settle_maximum(const ModeSums<T>& s, SteadyState<T>& state, std::size_t k, 
     const Value reach = most_of(step), of_acceleration = reach * size_of_jerk(s, mass, k, instant, step, share),
                 of_displacement = reach * of_acceleration, least = least_of(now.x_double_prime);
     // A step over which the acceleration may vanish tells nothing of the maximum.
-    const bool tells = of_displacement == 0 || 2 * of_acceleration < least;
+    const bool tells = least > 0 && (of_displacement == 0 || 2 * of_acceleration < least);
     const Value of_instant = !tells ? pi<Value>() : of_displacement == 0 ? Value(0) : Value(of_displacement / least);
     set_maximum(state.masses[k], state.phi_j, with_neglected(T(instant + step), T(of_instant)),
                 with_neglected(largest, T(of_displacement * reach)));
