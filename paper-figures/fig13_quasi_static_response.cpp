@@ -23,8 +23,9 @@ StickSlipMotion motion_at(const Figure& figure, double zeta, double r, double be
     scene.system = single_mass(zeta);
     scene.r = r;
     scene.beta = beta;
-    const Solution solution = solve(scene_source(scene), {});
-    StickSlipMotion motion{zeta, sampled_solution(scene, solution, samples), solution.masses.front().amplitude.value, 0, 0, 0,
+    const SceneSource source = scene_source(scene);
+    const Solution solution = solve(source, {});
+    StickSlipMotion motion{zeta, sampled_solution(source, solution, samples), solution.masses.front().amplitude.value, 0, 0, 0,
                            {}};
     motion.stops = static_cast<int>(solution.stops.size()) / solution.periods;
     for (const SolvedStop& stop : solution.stops)

@@ -31,7 +31,7 @@ RegimeMap map(const Scene<double>& scene, const std::vector<double>& r, const st
 
 SampledSolution motion(const Scene<double>& scene, std::size_t samples) {
     check_samples("samples", samples, std::max<std::size_t>(number_of_masses(scene.system), 1));
-    return sampled_solution(scene, solve(scene), samples);
+    return sampled_solution(scene_source(scene), solve(scene), samples);
 }
 
 } // namespace denhartog

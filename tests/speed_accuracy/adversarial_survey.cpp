@@ -19,6 +19,8 @@
 #include "denhartog/denhartog.hpp"
 #include "denhartog/model/modal_basis.hpp"
 #include "denhartog/sliding/invariant_points.hpp"
+#include "denhartog/solve/sampled_solution.hpp"
+#include "denhartog/solve/solve.hpp"
 #include "denhartog/stick_slip/exact_motion.hpp"
 #include "denhartog/sums/mode_sums.hpp"
 #include "tests/speed_accuracy/answer_numbers.hpp"
@@ -46,12 +48,22 @@ void need_finite(const std::vector<double>& numbers, const char* what, Faults& f
 }
 
 Faults faults_of_motion(const Scene<double>& scene) {
+    constexpr std::size_t instants = 16;
     Faults faults;
-    const SampledSolution sampled = motion(scene, 16);
-    for (const State<double>& state : sampled.states) {
-        need_finite(state.x, "a displacement", faults);
-        need_finite(state.x_prime, "a velocity", faults);
-        if (state.x.size() != number_of_masses(scene.system)) faults.emplace_back("a sample lacks masses");
+    const SceneSource source = scene_source(scene);
+    const Solution solution = solve(source, {});
+    const std::vector<State<double>> states = sampled_solution(source, solution, instants).states;
+    for (std::size_t n = 0; n < instants; ++n) {
+        need_finite(states[n].x, "a displacement", faults);
+        need_finite(states[n].x_prime, "a velocity", faults);
+        if (states[n].x.size() != number_of_masses(scene.system)) faults.emplace_back("a sample lacks masses");
+        for (std::size_t k = 0; k < states[n].x.size(); ++k) {
+            const Certified& amplitude = solution.masses[k].amplitude;
+            const double allowed = amplitude.error + 1e-6 * amplitude.value;
+            if (std::abs(states[n].x[k]) > amplitude.value + allowed) faults.emplace_back("a sample is beyond its amplitude");
+            if (solution.symmetric && std::abs(states[n].x[k] + states[(n + instants / 2) % instants].x[k]) > allowed)
+                faults.emplace_back("samples of a symmetric motion do not mirror themselves");
+        }
     }
     return faults;
 }

@@ -315,8 +315,9 @@ DH_EXPORT int dh_solution_stops(const dh_solution* solution, size_t count, doubl
 /// @brief The motion at equally spaced instants of its period, tau = 2 pi periods n / samples, **from the maximum of the force**.
 ///
 /// If the contact slides throughout, the displacements have 10 digits, like those of dh_displacement(); their place relative to
-/// the force comes from the solution's phase, which has the digits that dh_solve() was asked for. Otherwise the motion is
-/// computed in double. A contact that rests for ever is taken to rest at zero.
+/// the force comes from the solution's phase, which has the digits that dh_solve() was asked for. Otherwise a displacement is good
+/// to 1e-6 of the amplitude of its mass beside the error of that amplitude, or there is #DH_ERROR_PRECISION. A contact that rests
+/// for ever is taken to rest at zero.
 /// @param solution  a solution
 /// @param samples   instants, from 1 to #DH_MOST_SAMPLES, times N at most #DH_MOST_DISPLACEMENTS
 /// @param count     samples times N

@@ -123,7 +123,7 @@ int dh_solution_motion(const dh_solution* solution, size_t samples, size_t count
         const std::size_t N = number_of_masses(solution->scene.system);
         need_length(samples, most_samples_of(N), "samples");
         need_count(count, samples * N);
-        const SampledSolution motion = sampled_solution(solution->scene, solution->solution, samples);
+        const SampledSolution motion = sampled_solution(scene_source(solution->scene), solution->solution, samples);
         for (const State<double>& state : motion.states) {
             need_finite(state.x);
             need_finite(state.x_prime);

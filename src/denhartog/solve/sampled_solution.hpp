@@ -2,6 +2,7 @@
 /// @brief The motion that an answer describes, sampled over its period.
 #pragma once
 
+#include "denhartog/answer/scene_source.hpp"
 #include "denhartog/answer/solution.hpp"
 
 namespace denhartog {
@@ -12,13 +13,16 @@ struct SampledSolution {
     std::vector<State<double>> states; ///< displacements and velocities of all masses at these instants
 };
 
-/// @brief Samples the motion of an answer over its period, in double.
-/// @param scene     the scene that was solved
+/// @brief Samples the motion of an answer over its period.
+///
+/// A displacement is good to 1e-6 of the amplitude of its mass beside the error of that amplitude. A motion with stops is followed
+/// from its start and has to come back to it, with the stops of the answer: in double, or in 50 digits if the answer needed them
+/// or double fails.
+/// @param source    the scene that was solved
 /// @param solution  its answer to `Asked::motion`
 /// @param samples   number of instants in a period of the motion, at least 1
 /// @return          the samples; a contact that never moves is taken to rest at zero
-/// @throws          PrecisionError if the closed form does not give ten digits of a mass, or the phase of the contact is not
-/// known
-[[nodiscard]] SampledSolution sampled_solution(const Scene<double>& scene, const Solution& solution, std::size_t samples);
+/// @throws          PrecisionError if the samples do not have these digits
+[[nodiscard]] SampledSolution sampled_solution(const SceneSource& source, const Solution& solution, std::size_t samples);
 
 } // namespace denhartog

@@ -5,6 +5,7 @@
 #include "denhartog/model/coordinates.hpp"
 #include "denhartog/number/effort.hpp"
 #include "denhartog/number/errors.hpp"
+#include "denhartog/solve/orbit_in_50_digits.hpp"
 #include "denhartog/solve/solve_task.hpp"
 
 namespace denhartog {
@@ -33,38 +34,9 @@ void write_orbit(const SolveTask& task, ExactSolver<T>& solver, const PeriodicOr
     s.symmetric = orbit.symmetric;
 }
 
-// Whether the orbit found in 50 digits is the one that double had: both start at one place within the bound of double. The stops
-// are not compared, since some may be too short for double.
-bool same_motion(const PeriodicOrbit<Real50>& orbit, const PeriodicOrbit<double>& near) {
-    if (orbit.status != OrbitStatus::periodic || orbit.periods != near.periods || orbit.symmetric != near.symmetric) return false;
-    return std::ranges::equal(orbit.start.x, near.start.x,
-                              [&](const Real50& x, double there) { return abs(Real50(x - there)) <= near.error_bound; });
-}
-
-// The same orbit in 50 digits, for whoever takes it with its solver.
-template <class Take>
-void find_in_50_digits(const SolveTask& task, const PeriodicOrbit<double>& near, bool contact_only, const Take& take) {
-    const SceneIn<Real50> in = scene_with_modes<Real50>(task.source);
-    const ContactSystem<Real50> system = contact_system(in.scene.system);
-    ExactSolver<Real50> solver(system, {*in.scene.r, *in.scene.beta, in.scene.mu});
-    State<Real50> start;
-    start.x.assign(near.start.x.begin(), near.start.x.end());
-    start.x_prime.assign(near.start.x_prime.begin(), near.start.x_prime.end());
-    OrbitSearch<Real50> how;
-    how.periods_before = near.periods;
-    how.follow_start = false;
-    how.with_stability = false;
-    how.contact_only = contact_only;
-    const PeriodicOrbit<Real50> orbit = periodic_orbit(solver, start, how);
-    if (!same_motion(orbit, near))
-        throw PrecisionError("the search in 50 digits does not find the motion that double precision found" +
-                             (orbit.status == OrbitStatus::not_converged ? ": " + orbit.reason : ""));
-    take(solver, orbit);
-}
-
 void orbit_in_50_digits(const SolveTask& task, const PeriodicOrbit<double>& near, Solution& s) {
     const bool contact_only = task.question.mass == task.scene.system.contact;
-    find_in_50_digits(task, near, contact_only, [&](ExactSolver<Real50>& solver, const PeriodicOrbit<Real50>& orbit) {
+    find_in_50_digits(task.source, near, contact_only, [&](ExactSolver<Real50>& solver, const PeriodicOrbit<Real50>& orbit) {
         write_orbit(task, solver, orbit, orbit_solution(solver, orbit, task.aim.digits, task.question.mass), s);
     });
 }
@@ -111,7 +83,7 @@ std::optional<std::size_t> stops_in_50_digits(const SolveTask& task, const Perio
     std::optional<std::size_t> stops;
     if (highest_precision(task.aim, number_of_masses(task.scene.system)) == Precision::in_double) return stops;
     try {
-        find_in_50_digits(task, orbit, true,
+        find_in_50_digits(task.source, orbit, true,
                           [&](const auto&, const PeriodicOrbit<Real50>& found) { stops = found.stops.size(); });
     } catch (const PrecisionError& e) {
         require_known_stops(task, e, s);

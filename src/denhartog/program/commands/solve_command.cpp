@@ -54,7 +54,7 @@ std::string solved(const SceneText& part, const SolveOptions& options) {
         if (options.samples > 0) check_samples("samples", static_cast<std::size_t>(options.samples), N);
         const Solution solution = solve(source, question_of(options, N));
         if (options.samples > 0)
-            return motion_csv(sampled_solution(source->in_double(), solution, static_cast<std::size_t>(options.samples)),
+            return motion_csv(sampled_solution(source, solution, static_cast<std::size_t>(options.samples)),
                               motion_units(source->in_double(), options.units));
         Json answer = solution_json(solution, NumberWriter{options.scene.digits});
         if (const std::optional<Json> damping = damping_json(source->in_double())) answer["damping"] = *damping;
