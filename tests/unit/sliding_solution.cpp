@@ -390,3 +390,13 @@ TEST_CASE("forty masses with dashpots are answered to 30 digits within the work 
         CHECK(std::abs(few.value - many.value) <= few.error + 2.3e-16 * many.value);
     }
 }
+
+TEST_CASE("where nothing bounds an amplitude its bound is infinite, and never no number", "[solve]") {
+    // Far above all frequencies the masses far from the load move by less than 50 digits tell.
+    const SceneSource source = scene_source(read_scene<double>(R"({"mass_ratios": [1, 1, 1, 1, 1, 1],
+        "stiffness_ratios": [1, 1, 1, 1, 1, 1], "damping_matrix": [[0.04, -0.02, 0, 0, 0, 0], [-0.02, 0.04, -0.02, 0, 0, 0],
+        [0, -0.02, 0.04, -0.02, 0, 0], [0, 0, -0.02, 0.04, -0.02, 0], [0, 0, 0, -0.02, 0.04, -0.02], [0, 0, 0, 0, -0.02, 0.02]],
+        "contact": [5, 1], "load": 6, "mu": 1, "r": 3e81, "beta": 0})"));
+    for (const std::optional<int> digits : {std::optional<int>(), std::optional<int>(30)})
+        for (const SolvedMass& mass : answer(source, digits).masses) CHECK(mass.amplitude.error >= 0);
+}

@@ -2,10 +2,13 @@
 /// @brief The motion that an answer describes, sampled over its period.
 #pragma once
 
-#include "denhartog/answer/scene_source.hpp"
+#include <memory>
+
 #include "denhartog/answer/solution.hpp"
 
 namespace denhartog {
+
+struct SceneReader;
 
 /// @brief A motion at equally spaced instants.
 struct SampledSolution {
@@ -18,11 +21,12 @@ struct SampledSolution {
 /// A displacement is good to 1e-6 of the amplitude of its mass beside the error of that amplitude. A motion with stops is followed
 /// from its start and has to come back to it, with the stops of the answer: in double, or in 50 digits if the answer needed them
 /// or double fails.
-/// @param source    the scene that was solved
+/// @param source    the scene that was solved, a `SceneSource`
 /// @param solution  its answer to `Asked::motion`
 /// @param samples   number of instants in a period of the motion, at least 1
 /// @return          the samples; a contact that never moves is taken to rest at zero
 /// @throws          PrecisionError if the samples do not have these digits
-[[nodiscard]] SampledSolution sampled_solution(const SceneSource& source, const Solution& solution, std::size_t samples);
+[[nodiscard]] SampledSolution sampled_solution(const std::shared_ptr<const SceneReader>& source, const Solution& solution,
+                                               std::size_t samples);
 
 } // namespace denhartog

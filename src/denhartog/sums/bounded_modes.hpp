@@ -112,10 +112,11 @@ template <class T>
 /// @brief The same with a bound, which takes in what was neglected.
 /// @param value      the number
 /// @param neglected  its size
-/// @return           the number with that bound
+/// @return           the number with that bound; it is infinite where the size is no number
 template <class T>
 [[nodiscard]] Bounded<T> with_neglected(const Bounded<T>& value, const Bounded<T>& neglected) {
-    return {value.x, T(value.e + neglected.most())};
+    const T bound = value.e + neglected.most();
+    return {value.x, bound >= 0 ? bound : std::numeric_limits<T>::infinity()};
 }
 
 /// @brief The modes of a system at a frequency ratio, each evaluated with its error when it is first needed.

@@ -4,6 +4,7 @@
 #include <map>
 #include <numbers>
 
+#include "denhartog/answer/scene_source.hpp"
 #include "denhartog/denhartog.hpp"
 #include "denhartog/paper_algorithm/contact_equations.hpp"
 #include "tests/benchmark/solvers/pack_runner.hpp"
