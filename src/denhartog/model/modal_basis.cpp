@@ -79,21 +79,21 @@ ModalBasis<T> modal_basis(const System<T>& s) {
     check(s);
     const std::size_t N = number_of_masses(s);
     const std::vector<T> gamma = lumped_masses(s);
-    const bool is_chain = !gamma.empty() && !s.stiffness_ratios.empty();
+    const bool lumped = !gamma.empty() && !s.stiffness_ratios.empty();
     ModalBasis<T> basis;
     if (N == 1) {
         const T m = gamma[0];
-        const T k = is_chain ? s.stiffness_ratios[0] : s.stiffness_matrix(0, 0);
+        const T k = lumped ? s.stiffness_ratios[0] : s.stiffness_matrix(0, 0);
         basis = {{sqrt(T(k / m))}, Matrix<T>::Constant(1, 1, T(1 / sqrt(m))), {}};
     } else {
         NaturalModes<T> modes =
-            is_chain ? chain_modes(gamma, s.stiffness_ratios) : general_modes(mass_factor(s, gamma), stiffness_matrix(s));
+            lumped ? chain_modes(gamma, s.stiffness_ratios) : general_modes(mass_factor(s, gamma), stiffness_matrix(s));
         count_eigen_solve();
         basis = {std::move(modes.r_n), std::move(modes.phi), {}};
     }
     if (s.damping_matrix.size() > 0)
         set_modal_damping(mass_factor(s, gamma), stiffness_matrix(s), s.damping_matrix, s.damping_tolerance,
-                          is_chain ? FrequencyErrors::of_each : FrequencyErrors::of_highest, basis);
+                          lumped ? FrequencyErrors::of_each : FrequencyErrors::of_highest, basis);
     else
         basis.zeta = s.damping_ratios;
     fix_signs(basis.phi);
@@ -108,7 +108,7 @@ ModalBasis<T> modal_basis(const System<T>& s) {
 
 template <class T>
 ModalBasis<T> modal_basis_at(const System<T>& s, const std::vector<Mass>& masses) {
-    const bool chain = !s.mass_ratios.empty() && !s.stiffness_ratios.empty() && !s.damping_ratios.empty();
+    const bool chain = is_chain(s) && !s.damping_ratios.empty();
     ModalBasis<T> basis;
     if (chain && s.mass_ratios.size() > 1) {
         check(s);

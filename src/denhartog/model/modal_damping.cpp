@@ -44,25 +44,23 @@ void check_passive(const Matrix<T>& C) {
                          number_in_digits(static_cast<double>(least), 3));
 }
 
-// Whether C couples two modes by more than rounding makes of its entry between them, however small that entry is beside those of
-// stiffer modes: the rounding of the products, and the angle by which the solver may turn the two modes towards each other.
+} // namespace
+
 template <class T>
-bool couples_a_pair(const Matrix<T>& C, const Matrix<T>& D, const ModalBasis<T>& basis, FrequencyErrors errors,
-                    const T& tolerance) {
+bool couples_a_pair(const Matrix<T>& C, const Matrix<T>& D, const NaturalModes<T>& modes, FrequencyErrors errors) {
     using std::abs;
-    const Matrix<T> sizes = in_coordinates(Matrix<T>(basis.phi.cwiseAbs()), Matrix<T>(C.cwiseAbs()));
+    const T tolerance = rounding_of_modes<T>(modes.r_n.size());
+    const Matrix<T> sizes = in_coordinates(Matrix<T>(modes.phi.cwiseAbs()), Matrix<T>(C.cwiseAbs()));
     for (Eigen::Index i = 0; i < D.rows(); ++i)
         for (Eigen::Index k = 0; k < i; ++k) {
-            const T &r_i = basis.r_n[static_cast<std::size_t>(i)], &r_k = basis.r_n[static_cast<std::size_t>(k)];
-            const T& stiffest = errors == FrequencyErrors::of_each ? r_i : basis.r_n.back();
+            const T &r_i = modes.r_n[static_cast<std::size_t>(i)], &r_k = modes.r_n[static_cast<std::size_t>(k)];
+            const T& stiffest = errors == FrequencyErrors::of_each ? r_i : modes.r_n.back();
             const T turn = tolerance * stiffest * stiffest, apart = (r_i - r_k) * (r_i + r_k);
             const T angle = turn < apart ? T(turn / apart) : T(1);
             if (abs(D(i, k)) > tolerance * sizes(i, k) + angle * (abs(D(i, i)) + abs(D(k, k)))) return true;
         }
     return false;
 }
-
-} // namespace
 
 template <class T>
 void turn_coinciding_modes(const Matrix<T>& C, const T& tolerance, const std::vector<T>& r_n, Matrix<T>& phi) {
@@ -107,7 +105,7 @@ void set_modal_damping(const Matrix<T>& L, const Matrix<T>& K, const Matrix<T>& 
     if (N > 1 && (commutes || neglects)) turn_coinciding_modes(C, tolerance, basis.r_n, basis.phi);
     fix_signs(basis.phi); // D goes with them
     const Matrix<T> D = in_coordinates(basis.phi, C);
-    commutes = commutes && !couples_a_pair(C, D, basis, errors, tolerance);
+    commutes = commutes && !couples_a_pair(C, D, {basis.r_n, basis.phi}, errors);
     const bool coupled = !commutes && !neglects;
     if (!commutes) check_passive(C);
     if (coupled) basis.D = (D + D.transpose()) / T(2);
@@ -126,8 +124,11 @@ void set_modal_damping(const Matrix<T>& L, const Matrix<T>& K, const Matrix<T>& 
     }
 }
 
+template bool couples_a_pair(const Matrix<double>&, const Matrix<double>&, const NaturalModes<double>&, FrequencyErrors);
 template double largest_coupling(const Matrix<double>&, const double&);
+template bool couples_a_pair(const Matrix<Real50>&, const Matrix<Real50>&, const NaturalModes<Real50>&, FrequencyErrors);
 template Real50 largest_coupling(const Matrix<Real50>&, const Real50&);
+template bool couples_a_pair(const Matrix<Real100>&, const Matrix<Real100>&, const NaturalModes<Real100>&, FrequencyErrors);
 template Real100 largest_coupling(const Matrix<Real100>&, const Real100&);
 template void turn_coinciding_modes(const Matrix<double>&, const double&, const std::vector<double>&, Matrix<double>&);
 template void turn_coinciding_modes(const Matrix<Real50>&, const Real50&, const std::vector<Real50>&, Matrix<Real50>&);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "denhartog/model/modal_basis.hpp"
+#include "denhartog/model/natural_modes.hpp"
 
 namespace denhartog {
 
@@ -37,6 +38,17 @@ enum class FrequencyErrors {
 template <class T>
 void set_modal_damping(const Matrix<T>& L, const Matrix<T>& K, const Matrix<T>& C, double neglected, FrequencyErrors errors,
                        ModalBasis<T>& basis);
+
+/// @brief Whether C couples two modes by more than rounding makes of its entry between them, however small that entry is beside
+/// those of stiffer modes: the rounding of the products, and the angle by which the solver may turn the two towards each other.
+/// @eq{18}
+/// @param C       damping matrix in units of sqrt(k_1 m_1)
+/// @param D       the same in the modes, phi^T C phi
+/// @param modes   the modes
+/// @param errors  what their frequencies are good to
+/// @return        whether there are such modes
+template <class T>
+[[nodiscard]] bool couples_a_pair(const Matrix<T>& C, const Matrix<T>& D, const NaturalModes<T>& modes, FrequencyErrors errors);
 
 /// @brief How much damping couples modes: the largest \f$ |D_{ik}| / \sqrt{D_{ii} D_{kk}} \f$ of \f$ D = \phi^T C \phi \f$.
 /// @eq{18}

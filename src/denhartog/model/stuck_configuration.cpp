@@ -67,7 +67,7 @@ NaturalModes<T> stuck_modes(const System<T>& s, const StuckConfiguration<T>& stu
     if (stuck.masses.size() == 1)
         return {{sqrt(T(stuck.K(0, 0) / stuck.M(0, 0)))}, Matrix<T>::Constant(1, 1, T(1 / sqrt(stuck.M(0, 0))))};
     count_eigen_solve();
-    if (!s.stiffness_ratios.empty() && !s.mass_ratios.empty()) return modes_of_two_chains(s);
+    if (is_chain(s)) return modes_of_two_chains(s);
     return general_modes(cholesky(stuck.M).L, stuck.K);
 }
 
@@ -84,11 +84,11 @@ T compliance(const ModalBasis<T>& basis, Eigen::Index j) {
 
 /// Whether the modes couple, and how much; an entry below the rounding of the largest is compared with that rounding.
 template <class T>
-void set_coupling(StuckConfiguration<T>& stuck, const T& tolerance) {
+void set_coupling(StuckConfiguration<T>& stuck, FrequencyErrors errors, const T& tolerance) {
     const Matrix<T>& D = stuck.damping;
     const T rounding = tolerance * D.cwiseAbs().maxCoeff();
     stuck.coupling = largest_coupling(D, rounding);
-    stuck.modes_diagonalise_damping = true;
+    stuck.modes_diagonalise_damping = !couples_a_pair(stuck.C, D, {stuck.r_n, stuck.phi}, errors);
     for (Eigen::Index i = 0; i < D.rows(); ++i)
         for (Eigen::Index k = 0; k < i; ++k)
             stuck.modes_diagonalise_damping = stuck.modes_diagonalise_damping && abs(D(i, k)) <= rounding;
@@ -140,7 +140,7 @@ StuckConfiguration<T> stuck_configuration(const System<T>& s, const ModalBasis<T
     }
     const Matrix<T> D = in_coordinates(stuck.phi, stuck.C);
     stuck.damping = (D + D.transpose()) / T(2);
-    set_coupling(stuck, tolerance);
+    set_coupling(stuck, is_chain(s) ? FrequencyErrors::of_each : FrequencyErrors::of_highest, tolerance);
     return stuck;
 }
 

@@ -86,6 +86,12 @@ template <class T>
     return s.mass_matrix.size() > 0 ? static_cast<std::size_t>(s.mass_matrix.rows()) : s.mass_ratios.size();
 }
 
+/// @brief Whether a system is given as a chain. @param s a system @return true where masses and stiffnesses are ratios
+template <class T>
+[[nodiscard]] bool is_chain(const System<T>& s) {
+    return !s.mass_ratios.empty() && !s.stiffness_ratios.empty();
+}
+
 /// @brief Checks every rule of a system.
 /// @param system  the system
 /// @throws        InputError that names quantity, rule and value, for the first rule that is broken

@@ -1,6 +1,7 @@
 #include "denhartog/stick_slip/stuck_response.hpp"
 
 #include <boost/math/special_functions/fpclassify.hpp>
+#include <cmath>
 #include <limits>
 #include <string>
 
@@ -17,8 +18,11 @@ namespace {
 
 using std::abs;
 
-// The modulus, also where its square is beyond the range of a double.
-double size_of(const Complex<double>& X) { return elementary::hypot(X.re, X.im); }
+// The modulus, also where its square is at an end of the range of a double.
+double size_of(const Complex<double>& X) {
+    const double square = squared_modulus(X);
+    return square > 0x1p-900 && square < 0x1p900 ? std::sqrt(square) : elementary::hypot(X.re, X.im);
+}
 
 template <class T>
 T size_of(const Complex<T>& X) {
@@ -154,7 +158,7 @@ StuckResponse<T> stuck_response(const StuckConfiguration<T>& stuck, Mass contact
 
 template <class T>
 std::optional<StuckChain<T>> stuck_chain(const System<T>& s, const StuckConfiguration<T>& stuck) {
-    if (s.stiffness_ratios.empty() || s.mass_ratios.empty()) return std::nullopt;
+    if (!is_chain(s)) return std::nullopt;
     StuckChain<T> chain;
     if (s.load == s.contact) return chain;
     const auto j = static_cast<std::ptrdiff_t>(s.contact.index);

@@ -45,7 +45,7 @@ template <class T>
 ModalBasis<Bounded<T>> bounded(const System<T>& system, const ModalBasis<T>& basis, const std::vector<Mass>* masses) {
     const std::size_t N = basis.r_n.size();
     const T of_input = unit_of<T>(), unit = (trust * static_cast<int>(N) + 4) * of_input;
-    const bool chain = !system.stiffness_ratios.empty() && !system.mass_ratios.empty();
+    const bool chain = is_chain(system);
     const T highest = basis.r_n.back();
     ModalBasis<Bounded<T>> bounded;
     bounded.phi.resize(basis.phi.rows(), static_cast<Eigen::Index>(N));
@@ -121,8 +121,7 @@ ModalBasis<Bounded<T>> with_errors(const System<T>& system, const ModalBasis<T>&
 
 template <class T>
 ModalBasis<Bounded<T>> bounded_basis_at(const System<T>& system, const std::vector<Mass>& masses) {
-    if (!system.stiffness_ratios.empty() && !system.mass_ratios.empty() && system.damping_matrix.size() == 0)
-        return bounded(system, modal_basis_at(system, masses), &masses);
+    if (is_chain(system) && system.damping_matrix.size() == 0) return bounded(system, modal_basis_at(system, masses), &masses);
     ModalBasis<Bounded<T>> all = with_errors(system, modal_basis(system));
     Matrix<Bounded<T>> rows(static_cast<Eigen::Index>(masses.size()), all.phi.cols());
     for (std::size_t n = 0; n < masses.size(); ++n)
