@@ -387,3 +387,17 @@ TEST_CASE("samples of a motion that needed 50 digits do not leave its amplitudes
             }
     }
 }
+
+TEST_CASE("beta_lim by (56) is that of the modes only where their coupling makes no difference to the exact one",
+          "[solve][eq:56]") {
+    // The contact moves by the coupling alone: of the springs, and as much of the damping.
+    const SceneSource source = scene_source(read_scene<double>(R"({"mass_ratios": [1, 0.9999999968506912],
+        "stiffness_matrix": [[0.4885150950357411, -2.6899020211579865e-15], [-2.6899020211579865e-15, 0.48815845126359786]],
+        "damping_matrix": [[0.4397378218474953, 0], [0, 0.15733276234555957]], "contact": 2, "load": 1, "mu": 1,
+        "r": 0.691245343265655, "beta": 0.03})"));
+    for (const std::optional<int> digits : {std::optional<int>(), std::optional<int>(30)}) {
+        const Limits limits = solve(source, {Asked::regime, digits}).limits.value();
+        CHECK(limits.paper.value <= limits.exact.value);
+        CHECK(limits.exact.value == Approx(5.83883071769e-15));
+    }
+}

@@ -63,6 +63,12 @@ bool is_finite(const Boundary<Bounded<T>>& b) {
     return sum - sum == 0;
 }
 
+// Whether two boundaries are one, to more than anybody can measure.
+template <class T>
+bool makes_no_difference(const Bounded<T>& a, const Bounded<T>& b) {
+    return size_of_number(T(a.x - b.x)) <= a.e + b.e + T(1e-9) * size_of_number(b.x);
+}
+
 template <class T>
 double error_of_masses(const SteadyState<Bounded<T>>& state, std::optional<Mass> only) {
     T largest(0);
@@ -91,7 +97,8 @@ std::vector<T> errors_of_displacements(const SteadyState<Bounded<T>>& state) {
 // The point with the instants known from a search on the values of `searched`: the sums themselves, or rounded to double.
 template <class T, class Searched>
 SlidingPoint<T> point_at(const Scene<T>& scene, const ModeSums<Bounded<T>>& sums, const PointWish& wish,
-                         const std::optional<Bounded<T>>& by_56, const ModeSums<Bounded<Searched>>& searched) {
+                         const std::optional<Boundary<Bounded<T>>>& without_coupling,
+                         const ModeSums<Bounded<Searched>>& searched) {
     const ModeSums<Searched> values = values_of(searched);
     const auto in_type = [](const std::vector<Searched>& instants) {
         if constexpr (std::same_as<T, Searched>)
@@ -108,7 +115,7 @@ SlidingPoint<T> point_at(const Scene<T>& scene, const ModeSums<Bounded<T>>& sums
         b.exact.e += T(narrow.exact.e);
         b.paper.e += T(narrow.paper.e);
     }
-    if (by_56) b.paper = *by_56;
+    if (without_coupling && makes_no_difference(without_coupling->exact, b.exact)) b.paper = without_coupling->paper;
     if (!is_finite(b)) throw PrecisionError("far off in frequency the boundary is beyond the range of the number type");
     if (wish.limits || !scene.beta) point.attempted = errors_of_boundary(b);
     if (!scene.beta) return point;
@@ -157,44 +164,49 @@ SceneIn<T> scene_with_modes(const SceneSource& source) {
 }
 
 template <class T>
-std::optional<Bounded<T>> boundary_by_56_without_coupling(const SceneSource& source, const SceneIn<T>& in, int digits) {
+std::optional<Boundary<Bounded<T>>> boundary_without_coupling(const SceneSource& source, const SceneIn<T>& in, int digits) {
     if (!in.basis->coupled() || !are_apart(modal_basis(source->in_double().system))) return std::nullopt;
     Scene<T> scene = in.scene;
     scene.beta.reset();
     scene.system.damping_matrix.resize(0, 0);
     scene.system.damping_ratios.clear();
     for (const Bounded<T>& zeta : in.basis->zeta) scene.system.damping_ratios.push_back(zeta.x);
-    BoundedModes<T> modes(modes_with_errors(scene.system), as_input(*scene.r));
-    return sliding_point(scene, modes, {false, true, std::nullopt, digits}).boundary.paper;
+    try {
+        BoundedModes<T> modes(modes_with_errors(scene.system), as_input(*scene.r));
+        return sliding_point(scene, modes, {false, true, std::nullopt, digits}).boundary;
+    } catch (const DomainError&) {
+    } catch (const PrecisionError&) {
+    }
+    return std::nullopt;
 }
 
 template <class T>
 SlidingPoint<T> sliding_point(const Scene<T>& scene, BoundedModes<T>& modes, const PointWish& wish,
-                              const std::optional<Bounded<T>>& by_56) {
+                              const std::optional<Boundary<Bounded<T>>>& without_coupling) {
     const ModeSums<Bounded<T>> sums = bounded_sums(scene.system, modes);
     if constexpr (!is_double<T>) {
         if (wish.digits <= most_digits_searched_in_double) {
             try {
-                SlidingPoint<T> point = point_at(scene, sums, wish, by_56, in_double(sums));
+                SlidingPoint<T> point = point_at(scene, sums, wish, without_coupling, in_double(sums));
                 if (point.attempted.decided && point.attempted.relative <= tolerance_of(wish.digits)) return point;
             } catch (const DomainError&) {
             } catch (const PrecisionError&) {
             }
         }
     }
-    return point_at(scene, sums, wish, by_56, sums);
+    return point_at(scene, sums, wish, without_coupling, sums);
 }
 
 template SceneIn<double> scene_with_modes(const SceneSource&);
 template SceneIn<Real50> scene_with_modes(const SceneSource&);
 template SceneIn<Real100> scene_with_modes(const SceneSource&);
 template SlidingPoint<double> sliding_point(const Scene<double>&, BoundedModes<double>&, const PointWish&,
-                                            const std::optional<Bounded<double>>&);
+                                            const std::optional<Boundary<Bounded<double>>>&);
 template SlidingPoint<Real50> sliding_point(const Scene<Real50>&, BoundedModes<Real50>&, const PointWish&,
-                                            const std::optional<Bounded<Real50>>&);
-template std::optional<Bounded<Real50>> boundary_by_56_without_coupling(const SceneSource&, const SceneIn<Real50>&, int);
+                                            const std::optional<Boundary<Bounded<Real50>>>&);
+template std::optional<Boundary<Bounded<Real50>>> boundary_without_coupling(const SceneSource&, const SceneIn<Real50>&, int);
 template SlidingPoint<Real100> sliding_point(const Scene<Real100>&, BoundedModes<Real100>&, const PointWish&,
-                                             const std::optional<Bounded<Real100>>&);
-template std::optional<Bounded<Real100>> boundary_by_56_without_coupling(const SceneSource&, const SceneIn<Real100>&, int);
+                                             const std::optional<Boundary<Bounded<Real100>>>&);
+template std::optional<Boundary<Bounded<Real100>>> boundary_without_coupling(const SceneSource&, const SceneIn<Real100>&, int);
 
 } // namespace denhartog

@@ -45,16 +45,17 @@ struct PointWish {
     int digits = digits_by_default; ///< significant digits wanted
 };
 
-/// @brief The boundary by (56) of a system whose modes are coupled by what was rounded off its damping matrix alone: of the modes
-/// with the damping that each has by itself. Where modes are coupled for good (56) is not defined, and is (69).
+/// @brief The boundary of a system whose modes may be coupled by what was rounded off its damping matrix alone: of the modes with the
+/// damping that each has by itself. (56) is that of these modes, if the coupling makes no difference to (69). Where modes are coupled
+/// for good (56) is not defined, and is (69).
 /// @eq{56}
 /// @param source  the scene
 /// @param in      the same in T with its modes
 /// @param digits  significant digits wanted
-/// @return        the friction ratio; none where double tells that the modes are coupled, or does not tell them apart
+/// @return        the boundary; none where double tells that the modes are coupled, or does not tell them apart, or it is not found
 template <class T>
-[[nodiscard]] std::optional<Bounded<T>> boundary_by_56_without_coupling(const SceneSource& source, const SceneIn<T>& in,
-                                                                        int digits);
+[[nodiscard]] std::optional<Boundary<Bounded<T>>> boundary_without_coupling(const SceneSource& source, const SceneIn<T>& in,
+                                                                            int digits);
 
 /// @brief The point of a scene.
 ///
@@ -62,14 +63,14 @@ template <class T>
 /// formulas are then evaluated there with bounds. Errors count relative to amplitudes and friction ratios, absolute for phases. A
 /// mass that does not move, and a contact that the load does not reach, have none.
 /// @eq{38,39,44,45,47,52,53,69}
-/// @param scene  the scene, with r; without beta the boundary alone is computed
-/// @param modes  its modes at r
-/// @param wish   what is asked
-/// @param by_56  the boundary by (56) where it is known already
-/// @return       the point
-/// @throws       DomainError at a pole of a mode without damping; PrecisionError where a maximum is not settled
+/// @param scene             the scene, with r; without beta the boundary alone is computed
+/// @param modes             its modes at r
+/// @param wish              what is asked
+/// @param without_coupling  the boundary of the modes by themselves, as `boundary_without_coupling` has it; none elsewhere
+/// @return                  the point
+/// @throws                  DomainError at a pole of a mode without damping; PrecisionError where a maximum is not settled
 template <class T>
 [[nodiscard]] SlidingPoint<T> sliding_point(const Scene<T>& scene, BoundedModes<T>& modes, const PointWish& wish,
-                                            const std::optional<Bounded<T>>& by_56 = {});
+                                            const std::optional<Boundary<Bounded<T>>>& without_coupling = {});
 
 } // namespace denhartog

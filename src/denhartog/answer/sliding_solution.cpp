@@ -66,9 +66,10 @@ Solution sliding_solution(const SceneSource& source, const SlidingQuestion& ques
         // Where mu > 1 the motion from rest may be the sliding one.
         const bool motion = question.asked != Asked::regime || scene.mu > 1;
         const bool limits = question.asked == Asked::motion || question.asked == Asked::regime;
-        std::optional<Bounded<T>> by_56;
-        if constexpr (!std::same_as<T, double>) by_56 = boundary_by_56_without_coupling(source, in, aim.digits);
-        const SlidingPoint<T> point = sliding_point(*place, *modes, {motion, limits, question.only, aim.digits}, by_56);
+        std::optional<Boundary<Bounded<T>>> without_coupling;
+        if constexpr (!std::same_as<T, double>) without_coupling = boundary_without_coupling(source, in, aim.digits);
+        const SlidingPoint<T> point =
+            sliding_point(*place, *modes, {motion, limits, question.only, aim.digits}, without_coupling);
         const auto write = [&](Solution& to) {
             to.r = exactly(*place->r, aim.digits);
             to.mu = exactly(place->mu, aim.digits);

@@ -50,14 +50,17 @@ template <class T>
 bool couples_a_pair(const Matrix<T>& C, const Matrix<T>& D, const NaturalModes<T>& modes, FrequencyErrors errors) {
     using std::abs;
     const T tolerance = rounding_of_modes<T>(modes.r_n.size());
-    const Matrix<T> sizes = in_coordinates(Matrix<T>(modes.phi.cwiseAbs()), Matrix<T>(C.cwiseAbs()));
+    // An entry of a mode is good to the rounding of the root of the entry of the inverse mass matrix, the sum over all modes.
+    const Matrix<T> forces = product(Matrix<T>(C.cwiseAbs()), Matrix<T>(modes.phi.cwiseAbs()));
+    const Matrix<T> of_entries = transpose_times(Matrix<T>(modes.phi.rowwise().norm()), forces);
     for (Eigen::Index i = 0; i < D.rows(); ++i)
         for (Eigen::Index k = 0; k < i; ++k) {
             const T &r_i = modes.r_n[static_cast<std::size_t>(i)], &r_k = modes.r_n[static_cast<std::size_t>(k)];
-            const T& stiffest = errors == FrequencyErrors::of_each ? r_i : modes.r_n.back();
-            const T turn = tolerance * stiffest * stiffest, apart = (r_i - r_k) * (r_i + r_k);
-            const T angle = turn < apart ? T(turn / apart) : T(1);
-            if (abs(D(i, k)) > tolerance * sizes(i, k) + angle * (abs(D(i, i)) + abs(D(k, k)))) return true;
+            const T& highest = modes.r_n.back();
+            const T of_squares = tolerance * (errors == FrequencyErrors::of_each ? T(r_i * r_k) : T(highest * highest));
+            const T apart = (r_i - r_k) * (r_i + r_k), angle = of_squares < apart ? T(of_squares / apart) : T(1);
+            const T rounding = tolerance * (of_entries(0, i) + of_entries(0, k)) + angle * abs(T(D(i, i) - D(k, k)));
+            if (abs(D(i, k)) > rounding) return true;
         }
     return false;
 }
@@ -100,15 +103,10 @@ void set_modal_damping(const Matrix<T>& L, const Matrix<T>& K, const Matrix<T>& 
     const std::size_t N = basis.r_n.size();
     const T tolerance = rounding_of_modes<T>(N);
     basis.distance_from_classical = N > 1 ? distance_from_commuting(divide_out(L, K), divide_out(L, C)) : T(0);
-    bool commutes = basis.distance_from_classical <= tolerance;
-    const bool neglects = basis.distance_from_classical <= T(neglected);
+    const bool commutes = basis.distance_from_classical <= tolerance, neglects = basis.distance_from_classical <= T(neglected);
     if (N > 1 && (commutes || neglects)) turn_coinciding_modes(C, tolerance, basis.r_n, basis.phi);
     fix_signs(basis.phi); // D goes with them
     const Matrix<T> D = in_coordinates(basis.phi, C);
-    commutes = commutes && !couples_a_pair(C, D, {basis.r_n, basis.phi}, errors);
-    const bool coupled = !commutes && !neglects;
-    if (!commutes) check_passive(C);
-    if (coupled) basis.D = (D + D.transpose()) / T(2);
     const T size = D.cwiseAbs().maxCoeff();
     for (std::size_t i = 0; i < N; ++i)
         for (std::size_t k = 0; k < i && commutes; ++k)
@@ -116,6 +114,9 @@ void set_modal_damping(const Matrix<T>& L, const Matrix<T>& K, const Matrix<T>& 
                 throw PrecisionError(
                     "damping_matrix: natural frequencies " + std::to_string(k + 1) + " and " + std::to_string(i + 1) +
                     " are too near to each other to tell whether it couples their modes; more digits are needed");
+    const bool couples = !commutes || couples_a_pair(C, D, {basis.r_n, basis.phi}, errors);
+    if (couples) check_passive(C);
+    if (couples && !neglects) basis.D = (D + D.transpose()) / T(2);
     basis.zeta.assign(N, T(0));
     for (std::size_t i = 0; i < N; ++i) {
         const bool nothing = abs(D(i, i)) <= tolerance * size;

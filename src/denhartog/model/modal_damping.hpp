@@ -40,7 +40,7 @@ void set_modal_damping(const Matrix<T>& L, const Matrix<T>& K, const Matrix<T>& 
                        ModalBasis<T>& basis);
 
 /// @brief Whether C couples two modes by more than rounding makes of its entry between them, however small that entry is beside
-/// those of stiffer modes: the rounding of the products, and the angle by which the solver may turn the two towards each other.
+/// those of stiffer modes: the rounding of the shapes, and the angle by which the solver may turn the two towards each other.
 /// @eq{18}
 /// @param C       damping matrix in units of sqrt(k_1 m_1)
 /// @param D       the same in the modes, phi^T C phi
