@@ -26,6 +26,7 @@ using SceneSource = std::shared_ptr<const SceneReader>;
 /// @brief The scene in a number type. @param source the source @return the scene; of double it is the source's own
 template <class T>
 [[nodiscard]] decltype(auto) scene_in(const SceneSource& source) {
+    if constexpr (!std::same_as<T, double>) free_constants_at_end_of_thread();
     if constexpr (std::same_as<T, double>)
         return source->in_double();
     else if constexpr (std::same_as<T, Real50>)

@@ -45,12 +45,15 @@ struct ConstantsOfThread {
     ~ConstantsOfThread() { mpfr_free_cache(); }
 };
 
+/// @brief Has the constants that MPFR keeps for this thread freed at its end. An arc tangent leaves some as well.
+inline void free_constants_at_end_of_thread() { thread_local const ConstantsOfThread freed_at_its_end; }
+
 /// @brief pi for the multiprecision types. @tparam digits10 the digits
 template <unsigned digits10>
 struct PiOf<Multiprecision<digits10>> {
     /// @return pi, correctly rounded
     static Multiprecision<digits10> value() {
-        thread_local const ConstantsOfThread freed_at_its_end;
+        free_constants_at_end_of_thread();
         static const Multiprecision<digits10> pi = [] {
             Multiprecision<digits10> x;
             mpfr_const_pi(x.backend().data(), MPFR_RNDN);
