@@ -130,7 +130,8 @@ class System:
 
     def amplitude_and_phase(self, d):
         if self.regime == "permanent_sticking":
-            return abs(d @ self.held[0]), -np.angle(d @ self.held[0])
+            x = 0j if (d == self.w).all() else d @ self.held[0]  # the contact rests
+            return abs(x), 0 - np.angle(x)
         if (d == self.w).all():
             return self.motion(d, 0)[0, 0], self.sliding[0]
         def size(tau):
