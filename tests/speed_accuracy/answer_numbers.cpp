@@ -130,7 +130,7 @@ std::vector<std::string> contradictions_within(const Solution& s) {
         if (!holds) found.emplace_back(what);
     };
     if (s.limits) {
-        constexpr double rounding = 1e-12; // (56) leaves out the coupling of modes that rounding of the scene alone makes
+        constexpr double rounding = 1e-9; // (56) leaves out the coupling of modes that makes no larger a difference
         need(!larger(s.limits->paper, s.limits->exact, rounding), "beta_lim by (56) is above the exact one");
         need(!larger(s.limits->exact, s.limits->approximate), "beta_lim is above that of (67)");
         if (s.slides_below) need(!larger(*s.slides_below, s.limits->exact), "the lower bound of beta_lim is above it");
