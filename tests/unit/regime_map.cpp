@@ -117,6 +117,10 @@ TEST_CASE("where static friction is hardly larger, stops too short for double ar
         long_chain.mu = 1 + 1e-12;
         long_chain.beta = boundary(sums_of(long_chain), long_chain.mu).exact * (1 + 4e-15);
         CHECK_THAT(solve(scene_source(long_chain), regime).regime.reason, Catch::Contains(words));
+        if (!seen) continue;
+        Question with_digits = regime;
+        with_digits.digits = 10;
+        CHECK_THAT(solve(scene_source(long_chain), with_digits).regime.reason, Catch::Contains("50 digits find 2"));
     }
 }
 

@@ -45,14 +45,14 @@ struct PointWish {
     int digits = digits_by_default; ///< significant digits wanted
 };
 
-/// @brief The boundary of a system whose modes may be coupled by what was rounded off its damping matrix alone: of the modes with the
-/// damping that each has by itself. (56) is that of these modes, if the coupling makes no difference to (69). Where modes are coupled
-/// for good (56) is not defined, and is (69).
+/// @brief The boundary of a system whose modes may be coupled by what was rounded off its damping matrix alone: of the modes with
+/// the damping that each has by itself. (56) is that of these modes, if the coupling makes no difference to (69). Where modes are
+/// coupled for good (56) is not defined, and is (69).
 /// @eq{56}
 /// @param source  the scene
 /// @param in      the same in T with its modes
 /// @param digits  significant digits wanted
-/// @return        the boundary; none where double tells that the modes are coupled, or does not tell them apart, or it is not found
+/// @return        the boundary; none where double tells that the modes are coupled or does not tell them apart, or it fails
 template <class T>
 [[nodiscard]] std::optional<Boundary<Bounded<T>>> boundary_without_coupling(const SceneSource& source, const SceneIn<T>& in,
                                                                             int digits);

@@ -30,10 +30,10 @@ std::size_t stops_in(const std::vector<Phase<T>>& phases) {
 // The motion of an answer over its period, by the solver that found it. None where it does not come back to its start, by
 // `most_apart` of what each mass does, or has other stops than the answer: where the number type does not have the digits.
 template <class T>
-std::optional<std::vector<State<double>>> along_orbit(ExactSolver<T>& solver, const Coordinates<T>& coordinates, State<T> start,
-                                                      const Solution& solution, const std::vector<double>& tau) {
-    const auto to_masses = [&coordinates](State<T>& state) {
-        for (std::vector<T>* part : {&state.x, &state.x_prime}) take_to_masses(coordinates, *part);
+std::optional<std::vector<State<double>>> along_orbit(ExactSolver<T>& solver, State<T> start, const Solution& solution,
+                                                      const std::vector<double>& tau) {
+    const auto to_masses = [&solver](State<T>& state) {
+        for (std::vector<T>* part : {&state.x, &state.x_prime}) take_to_masses(solver.system().coordinates, *part);
     };
     const ExactMotion<T>& motion = solver.run(start, T(0), T(2 * pi<T>() * solution.periods));
     if (motion.status != MotionStatus::complete || stops_in(motion.phases) != solution.stops.size()) return std::nullopt;
@@ -89,13 +89,13 @@ std::vector<State<double>> of_orbit(const SceneSource& source, const Solution& s
     if (solution.method.precision == name(Precision::in_double)) {
         const ContactSystem<double> system = contact_system(scene.system);
         ExactSolver<double> solver(system, {*scene.r, *scene.beta, scene.mu});
-        states = along_orbit(solver, scene.system.coordinates, orbit.start, solution, tau);
+        states = along_orbit(solver, orbit.start, solution, tau);
         if (states) return *states;
     }
     const std::string failed = "the samples of the motion are not certain to 6 digits: ";
     try {
         find_in_50_digits(source, orbit, true, [&](ExactSolver<Real50>& solver, const PeriodicOrbit<Real50>& found) {
-            states = along_orbit(solver, scene_in<Real50>(source).system.coordinates, found.start, solution, tau);
+            states = along_orbit(solver, found.start, solution, tau);
         });
     } catch (const PrecisionError& e) {
         throw PrecisionError(failed + e.what());
