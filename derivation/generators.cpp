@@ -143,11 +143,15 @@ ex Generators::new_generator(const std::string& name, const ex& stands_for, cons
     return g;
 }
 
-/// A product or a quotient of roots that are known, where all signs are certain; otherwise the root of the same polynomial.
-ex Generators::known_root(const ex& a, bool certain) const {
+/// The root of the same polynomial, whatever its sign; 0 where there is none.
+ex Generators::same_root(const ex& a) const {
     for (const Root& root : roots_)
         if ((root.square - a).expand().is_zero()) return root.generator;
-    if (!certain) return 0;
+    return 0;
+}
+
+/// A product or a quotient of roots that are known, all signs being certain; 0 where there is none.
+ex Generators::composed_root(const ex& a) const {
     for (const Root& one : roots_)
         for (const Root& other : roots_) {
             if (!one.certain || !other.certain) continue;
@@ -177,8 +181,10 @@ ex Generators::root(const ex& polynomial, const std::string& reason) {
         }
     }
     if (GiNaC::is_a<numeric>(a)) return outside * GiNaC::sqrt(a);
+    if (const ex same = same_root(a); !same.is_zero()) return outside * same;
     const std::string why = reason.empty() ? why_not_negative(a, known_) : reason;
-    if (const ex known = known_root(a, !why.empty()); !known.is_zero()) return outside * known;
+    const ex composed = why.empty() ? ex(0) : composed_root(a);
+    if (!composed.is_zero()) return outside * composed;
     if (why.empty() && !real_there_) throw std::domain_error("a root of what may be negative");
     const ex y = new_generator("y", GiNaC::sqrt(a), {numeric(0), {}});
     roots.push_back({names.back().second.op(0), why.empty() ? "the statement is made where the root is real" : why});

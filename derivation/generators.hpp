@@ -101,7 +101,8 @@ private:
     GiNaC::ex replaced_function(const GiNaC::ex& e);
     GiNaC::ex new_generator(const std::string& name, const GiNaC::ex& stands_for, const Bounds& bounds);
     GiNaC::ex root(const GiNaC::ex& polynomial, const std::string& reason = "");
-    GiNaC::ex known_root(const GiNaC::ex& a, bool certain) const;
+    [[nodiscard]] GiNaC::ex same_root(const GiNaC::ex& a) const;
+    [[nodiscard]] GiNaC::ex composed_root(const GiNaC::ex& a) const;
     GiNaC::ex root_of_fraction(const GiNaC::ex& radicand, const std::string& reason = "");
     Circular unit_angle_of_arc(const GiNaC::ex& arc, const GiNaC::numeric& unit);
     Circular unit_angle(const GiNaC::ex& monomial);

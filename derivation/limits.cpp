@@ -1,5 +1,6 @@
 #include "limits.hpp"
 
+#include <map>
 #include <optional>
 #include <stdexcept>
 
@@ -16,11 +17,16 @@ namespace {
 
 std::optional<LeadingTerm> first_term(const ex& e, const ex& x, int highest) {
     keep(Ground::series);
+    static std::map<ex, LeadingTerm, GiNaC::ex_is_less> found; // the twins of a statement ask for the same series
+    const ex question = GiNaC::lst{e, x};
+    if (const auto place = found.find(question); place != found.end())
+        return place->second.power <= highest ? std::optional(place->second) : std::nullopt;
     const int spare = 3; // the last terms of a quotient of series can come out as orders of magnitude
     const ex series = GiNaC::series_to_poly(e.series(x == 0, highest + 1 + spare)).expand();
     for (int power = series.ldegree(x); power <= highest; ++power) {
         const ex coefficient = series.coeff(x, power);
-        if (!remainder(coefficient, domain_of({coefficient})).is_zero()) return LeadingTerm{coefficient, power};
+        if (!remainder(coefficient, domain_of({coefficient})).is_zero())
+            return found.emplace(question, LeadingTerm{coefficient, power}).first->second;
     }
     return std::nullopt;
 }

@@ -1,5 +1,6 @@
 #include "overdamped_motion.hpp"
 
+#include <map>
 #include <stdexcept>
 
 #include "provenance.hpp"
@@ -73,11 +74,16 @@ std::pair<ex, ex> derived_phase(const FreeMotions& f) {
 
 /// u and g: what friction alone adds to -v sin(phi_j) and v cos(phi_j), over psi_ji beta / psi_li.
 std::vector<ex> derived_damping_functions(const FreeMotions& f) {
-    const Symbols& s = symbols();
-    const auto [v_cos, v_sin] = derived_phase(f);
-    const ex unit = s.psi_li / (s.psi_ji * s.beta);
-    const lst at_rest{s.eta_0 == 0, s.eta_prime_0 == 0};
-    return {-v_sin.subs(at_rest) * unit, v_cos.subs(at_rest) * unit};
+    static std::map<ex, std::vector<ex>, GiNaC::ex_is_less> known; // a selection asks at each of its points
+    std::vector<ex>& functions = known[lst{f.zeta, f.first, f.second}];
+    if (functions.empty()) {
+        const Symbols& s = symbols();
+        const auto [v_cos, v_sin] = derived_phase(f);
+        const ex unit = s.psi_li / (s.psi_ji * s.beta);
+        const lst at_rest{s.eta_0 == 0, s.eta_prime_0 == 0};
+        functions = {-v_sin.subs(at_rest) * unit, v_cos.subs(at_rest) * unit};
+    }
+    return functions;
 }
 
 /// The braces of (40): what is left of the motion over beta psi_ji R^2 once its harmonic part is taken off.
