@@ -369,6 +369,12 @@ TEST_CASE("a dimensional scene may have matrices, a frequency in hertz and a bas
     CHECK_THROWS_WITH(read_scene<double>(s.dump()), Catch::Matchers::StartsWith("frequency_hz must not be given together with"));
 
     s = dimensional();
+    s.erase("masses");
+    s["mass_matrix"] = {{4, 1, 0}, {1, 10, 0}, {0, 0, 3}};
+    CHECK_THROWS_WITH(read_scene<double>(s.dump()), Catch::Matchers::StartsWith("mass_matrix must not be given together with ") &&
+                                                        Catch::Matchers::Contains("a dimensional one has masses instead"));
+
+    s = dimensional();
     s.erase("load");
     s.erase("force");
     s["base_motion"] = "with_wall";

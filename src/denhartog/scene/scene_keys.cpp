@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <numeric>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "denhartog/number/errors.hpp"
@@ -40,8 +41,13 @@ constexpr auto keys = std::to_array<std::string_view>({"mass_ratios",
                                                        "comment"});
 constexpr auto dimensional_keys =
     std::to_array<const char*>({"masses", "stiffnesses", "force", "friction", "frequency", "frequency_hz", "base_displacement"});
-constexpr auto ratio_keys =
-    std::to_array<const char*>({"mass_ratios", "stiffness_ratios", "mass_matrix", "stiffness_matrix", "r", "beta"});
+// Keys of a scene in ratios, each with its name in a dimensional scene.
+constexpr auto ratio_keys = std::to_array<std::pair<const char*, const char*>>({{"mass_ratios", "masses"},
+                                                                                {"stiffness_ratios", "stiffnesses"},
+                                                                                {"mass_matrix", "masses"},
+                                                                                {"stiffness_matrix", "stiffnesses"},
+                                                                                {"r", "frequency or frequency_hz"},
+                                                                                {"beta", "friction"}});
 
 /// The first of some keys that a scene has; null where it has none.
 template <std::size_t n>
@@ -95,11 +101,13 @@ void check_keys(const json& object) {
         if (std::ranges::find(keys, entry.key()) == keys.end())
             throw InputError(entry.key(), rule_of_keys(entry.key()), "", pointer_step(entry.key()));
     const char* dimensional = first_of(object, dimensional_keys);
-    const char* ratio = first_of(object, ratio_keys);
-    if (dimensional && ratio)
-        throw InputError(ratio,
-                         std::string("must not be given together with ") + dimensional + ": a scene is dimensional or it is not",
-                         "", pointer_step(ratio));
+    if (dimensional == nullptr) return;
+    for (const auto& [key, dimensional_key] : ratio_keys)
+        if (object.contains(key))
+            throw InputError(key,
+                             std::string("must not be given together with ") + dimensional +
+                                 ": a scene is dimensional or it is not; a dimensional one has " + dimensional_key + " instead",
+                             "", pointer_step(key));
 }
 
 bool is_dimensional(const json& object) { return first_of(object, dimensional_keys) != nullptr; }
