@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "denhartog/answer/coupled_damping.hpp"
 #include "denhartog/model/modal_basis.hpp"
 #include "denhartog/model/modal_damping.hpp"
 #include "denhartog/number/errors.hpp"
@@ -176,13 +177,41 @@ TEST_CASE("where the precision cannot tell whether near modes are coupled the er
     System<double> s;
     s.mass_ratios = {1, 1};
     s.stiffness_matrix = Matrix<double>{{1, 0}, {0, 1 + 0x1p-40}};
-    s.damping_matrix = Matrix<double>{{0.125, 0x1p-11}, {0x1p-11, 0.125}};
+    const auto fifty = [&s] {
+        System<Real50> wide;
+        wide.mass_ratios = {Real50(1), Real50(1)};
+        wide.stiffness_matrix = s.stiffness_matrix.cast<Real50>();
+        wide.damping_matrix = s.damping_matrix.cast<Real50>();
+        return wide;
+    };
+    s.damping_matrix = Matrix<double>{{0.125, 0x1p-12}, {0x1p-12, 0.25}};
     REQUIRE_THROWS_AS(modal_basis(s), PrecisionError);
-    System<Real50> fifty;
-    fifty.mass_ratios = {Real50(1), Real50(1)};
-    fifty.stiffness_matrix = s.stiffness_matrix.cast<Real50>();
-    fifty.damping_matrix = s.damping_matrix.cast<Real50>();
-    CHECK(modal_basis(fifty).coupled());
+    CHECK(modal_basis(fifty()).coupled());
+    s.damping_matrix = Matrix<double>{{0.125, 0x1p-11}, {0x1p-11, 0.125}}; // whatever turns these modes leaves the coupling
+    CHECK(modal_basis(s).coupled());
+    CHECK(modal_basis(fifty()).coupled());
+}
+
+TEST_CASE("a mode without damping does not make the coupling of the others endless", "[model][eq:18]") {
+    Scene<double> scene;
+    scene.system.mass_ratios = {1, 1, 1};
+    scene.system.stiffness_matrix = Matrix<double>{{1, 0, 0}, {0, 2, 0}, {0, 0, 3}};
+    scene.system.damping_matrix = Matrix<double>{{0.1, 0.05, 1e-20}, {0.05, 0.1, 0}, {1e-20, 0, 0}};
+    const std::optional<CoupledDamping> damping = coupled_damping(scene_source(scene));
+    REQUIRE(damping);
+    CHECK(damping->taken_in);
+    CHECK(damping->largest_coupling == Approx(0.5).epsilon(1e-15));
+    CHECK(damping->damping_ratios.size() == 3);
+}
+
+TEST_CASE("light masses do not hide that a damping matrix couples the others", "[model]") {
+    System<double> s;
+    s.mass_ratios = {1, 2, 1e-9};
+    s.stiffness_matrix = Matrix<double>{{2, -1, 0}, {-1, 2, -1}, {0, -1, 1}};
+    s.damping_matrix = Matrix<double>{{0.1, 0, 0}, {0, 0.001, -0.001}, {0, -0.001, 0.001}};
+    const ModalBasis<double> basis = modal_basis(s);
+    REQUIRE(basis.coupled());
+    CHECK(basis.distance_from_classical < 1e-10); // as norms have it, which are those of the light mass
 }
 
 TEST_CASE("damping ratios from a matrix must be in their range, by the name of the mode", "[model][bad-input][eq:18]") {

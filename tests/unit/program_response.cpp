@@ -163,3 +163,14 @@ TEST_CASE("the motion is a table of one period that mirrors itself", "[program]"
     CHECK(run_program("motion --samples 0", scene).status == 2);
     CHECK(run_program("motion", with_beta("0.125") + "\n" + with_beta("0.25")).status == 2);
 }
+
+TEST_CASE("how far damping couples the modes is told of a scene of which double has no modes", "[program][response][eq:18]") {
+    const Run run = run_program("response --json", R"({"masses": [[27, 0], [0, 3e-9]],
+        "stiffnesses": [[546451, -511864], [-511864, 661600]], "damping_matrix": [[300, -200], [-200, 400]], "contact": 1,
+        "base_motion": "with_wall", "base_displacement": 0.001, "frequency": 64, "friction": 12})");
+    REQUIRE(run.status == 0);
+    const json damping = json::parse(run.output)["damping"];
+    CHECK(damping["coupling"] == "taken_in");
+    CHECK(damping["largest_coupling"] > 0.1);
+    CHECK(damping["largest_coupling"] < 1);
+}

@@ -165,13 +165,14 @@ SceneIn<T> scene_with_modes(const SceneSource& source) {
 
 template <class T>
 std::optional<Boundary<Bounded<T>>> boundary_without_coupling(const SceneSource& source, const SceneIn<T>& in, int digits) {
-    if (!in.basis->coupled() || !are_apart(modal_basis(source->in_double().system))) return std::nullopt;
-    Scene<T> scene = in.scene;
-    scene.beta.reset();
-    scene.system.damping_matrix.resize(0, 0);
-    scene.system.damping_ratios.clear();
-    for (const Bounded<T>& zeta : in.basis->zeta) scene.system.damping_ratios.push_back(zeta.x);
+    if (!in.basis->coupled()) return std::nullopt;
     try {
+        if (!are_apart(modal_basis(source->in_double().system))) return std::nullopt;
+        Scene<T> scene = in.scene;
+        scene.beta.reset();
+        scene.system.damping_matrix.resize(0, 0);
+        scene.system.damping_ratios.clear();
+        for (const Bounded<T>& zeta : in.basis->zeta) scene.system.damping_ratios.push_back(zeta.x);
         BoundedModes<T> modes(modes_with_errors(scene.system), as_input(*scene.r));
         return sliding_point(scene, modes, {false, true, std::nullopt, digits}).boundary;
     } catch (const DomainError&) {

@@ -56,7 +56,7 @@ std::vector<T> lumped_masses(const System<T>& s) {
 /// The lower triangular factor of the mass matrix.
 template <class T>
 Matrix<T> mass_factor(const System<T>& s, const std::vector<T>& gamma) {
-    if (gamma.empty()) return cholesky(s.mass_matrix).L;
+    if (gamma.empty()) return factor_of_masses(s.mass_matrix);
     Matrix<T> L = Matrix<T>::Zero(static_cast<Eigen::Index>(gamma.size()), static_cast<Eigen::Index>(gamma.size()));
     for (std::size_t i = 0; i < gamma.size(); ++i) L(i, i) = sqrt(gamma[i]);
     return L;

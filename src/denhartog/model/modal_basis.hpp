@@ -50,9 +50,9 @@ template <class T>
 /// @eq{14,15}
 /// @param s  the system
 /// @return   the basis
-/// @throws   InputError where `check` throws, K is singular to working precision, or C feeds energy into the motion;
-///           PrecisionError where the iteration does not converge, a mode is beyond the range of the number type, or two natural
-///           frequencies are too near to tell whether C couples their modes
+/// @throws   InputError where `check` throws, or C feeds energy into the motion; PrecisionError where the iteration does not
+///           converge, the lowest natural frequency is too low beside the highest, a mode is beyond the range of the number type,
+///           or two natural frequencies are too near to tell whether C couples their modes
 template <class T>
 [[nodiscard]] ModalBasis<T> modal_basis(const System<T>& s);
 

@@ -28,7 +28,9 @@ T distance_from_commuting(const Matrix<T>& A, const Matrix<T>& B) {
 }
 
 template <class T>
-void check_ratio(const T& zeta, std::size_t i) {
+void check_ratio(const T& zeta, std::size_t i, const T& rounding) {
+    if (zeta < 0 && -zeta <= rounding)
+        throw PrecisionError("damping_matrix: rounding does not leave the damping of mode " + std::to_string(i + 1) + " a digit");
     const std::string rule = "must give mode " + std::to_string(i + 1) + " a damping ratio ";
     if (zeta < 0) throw InputError("damping_matrix", rule + "that is not negative", number_to_text(zeta));
     if (!(zeta <= largest_damping_ratio)) throw InputError("damping_matrix", rule + "of at most 1e300", number_to_text(zeta));
@@ -108,20 +110,21 @@ void set_modal_damping(const Matrix<T>& L, const Matrix<T>& K, const Matrix<T>& 
     fix_signs(basis.phi); // D goes with them
     const Matrix<T> D = in_coordinates(basis.phi, C);
     const T size = D.cwiseAbs().maxCoeff();
+    const bool couples = !commutes || couples_a_pair(C, D, {basis.r_n, basis.phi}, errors);
     for (std::size_t i = 0; i < N; ++i)
-        for (std::size_t k = 0; k < i && commutes; ++k)
+        for (std::size_t k = 0; k < i && !couples; ++k)
             if (abs(D(i, k)) > sqrt(std::numeric_limits<T>::epsilon()) * size)
                 throw PrecisionError(
                     "damping_matrix: natural frequencies " + std::to_string(k + 1) + " and " + std::to_string(i + 1) +
                     " are too near to each other to tell whether it couples their modes; more digits are needed");
-    const bool couples = !commutes || couples_a_pair(C, D, {basis.r_n, basis.phi}, errors);
     if (couples) check_passive(C);
     if (couples && !neglects) basis.D = (D + D.transpose()) / T(2);
     basis.zeta.assign(N, T(0));
     for (std::size_t i = 0; i < N; ++i) {
         const bool nothing = abs(D(i, i)) <= tolerance * size;
         basis.zeta[i] = nothing && D(i, i) < 0 ? T(0) : T(D(i, i) / (2 * basis.r_n[i]));
-        check_ratio(basis.zeta[i], i);
+        const Column<T> sizes = basis.phi.col(static_cast<Eigen::Index>(i)).cwiseAbs();
+        check_ratio(basis.zeta[i], i, T(tolerance * sizes.dot(product_of_sizes(C, sizes)) / basis.r_n[i]));
     }
 }
 

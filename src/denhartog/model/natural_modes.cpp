@@ -11,7 +11,7 @@
 #include "denhartog/model/modal_basis.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/multiprecision.hpp"
-#include "denhartog/number/number_text.hpp"
+#include "denhartog/scene/converted.hpp"
 
 namespace denhartog {
 namespace {
@@ -90,12 +90,13 @@ template <class T>
 NaturalModes<T> general_modes(const Matrix<T>& L, const Matrix<T>& K) {
     const Eigen::Index N = K.rows();
     const SymmetricEigenproblem<T> solved = symmetric_eigenproblem(divide_out(L, K));
-    const T lowest = solved.values.front();
-    const T highest = solved.values.back();
-    if (!(lowest > std::numeric_limits<T>::epsilon() * static_cast<int>(N) * highest))
-        throw InputError("stiffness_matrix", "must be positive definite",
-                         "singular to working precision: squared natural frequency ratio 1 comes out as " +
-                             number_to_text(lowest));
+    if (!(solved.values.front() > std::numeric_limits<T>::epsilon() * static_cast<int>(N) * solved.values.back())) {
+        if constexpr (std::same_as<T, double>) {
+            const NaturalModes<Real50> wide = general_modes(in_type<Real50>(L), in_type<Real50>(K));
+            return {in_type<double>(wide.r_n), in_type<double>(wide.phi)};
+        }
+        throw PrecisionError("the lowest natural frequency is too low beside the highest for the number type");
+    }
     NaturalModes<T> modes{std::vector<T>(static_cast<std::size_t>(N)), Matrix<T>(N, N)};
     for (std::size_t i = 0; i < modes.r_n.size(); ++i) modes.r_n[i] = sqrt(solved.values[i]);
     modes.phi = divided_by_transpose(L, solved.vectors);

@@ -39,12 +39,13 @@ template <class T>
 [[nodiscard]] NaturalModes<T> chain_modes(const std::vector<T>& gamma, const std::vector<T>& kappa,
                                           const std::vector<Mass>& masses);
 
-/// @brief Modes of any system: errors of the squared frequencies are about N eps of the highest one.
+/// @brief Modes of any system: errors of the squared frequencies are about N eps of the highest one. Double takes those of 50
+/// digits where the lowest one is not above that.
 /// @eq{14,15}
 /// @param L  lower triangular factor of the mass matrix, M = L L^T
 /// @param K  stiffness matrix
 /// @return   the modes
-/// @throws   InputError where K is singular to working precision; PrecisionError where the iteration does not converge
+/// @throws   PrecisionError where 50 digits do not tell the lowest from zero, or the iteration does not converge
 template <class T>
 [[nodiscard]] NaturalModes<T> general_modes(const Matrix<T>& L, const Matrix<T>& K);
 

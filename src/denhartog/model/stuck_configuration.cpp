@@ -68,7 +68,7 @@ NaturalModes<T> stuck_modes(const System<T>& s, const StuckConfiguration<T>& stu
         return {{sqrt(T(stuck.K(0, 0) / stuck.M(0, 0)))}, Matrix<T>::Constant(1, 1, T(1 / sqrt(stuck.M(0, 0))))};
     count_eigen_solve();
     if (is_chain(s)) return modes_of_two_chains(s);
-    return general_modes(cholesky(stuck.M).L, stuck.K);
+    return general_modes(factor_of_masses(stuck.M), stuck.K);
 }
 
 /// (K^-1)_jj as a sum of squares over the modes.

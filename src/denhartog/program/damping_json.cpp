@@ -1,23 +1,19 @@
 #include "denhartog/program/damping_json.hpp"
 
-#include "denhartog/model/modal_damping.hpp"
+#include "denhartog/answer/coupled_damping.hpp"
 #include "denhartog/program/table.hpp"
 
 namespace denhartog::program {
 
-std::optional<Json> damping_json(const Scene<double>& scene) {
-    if (scene.system.damping_matrix.size() == 0) return std::nullopt;
-    System<double> system = scene.system;
-    system.damping_tolerance = 0;
-    const ModalBasis<double> basis = modal_basis(system);
-    if (!basis.coupled()) return std::nullopt;
-    const bool taken_in = basis.distance_from_classical > scene.system.damping_tolerance;
+std::optional<Json> damping_json(const SceneSource& source) {
+    const std::optional<CoupledDamping> damping = coupled_damping(source);
+    if (!damping) return std::nullopt;
     const NumberWriter write;
-    Json all{{"coupling", taken_in ? "taken_in" : "left_out"},
-             {"distance_from_classical", write(basis.distance_from_classical)},
-             {"largest_coupling", write(largest_coupling(basis.D, 0.0))},
+    Json all{{"coupling", damping->taken_in ? "taken_in" : "left_out"},
+             {"distance_from_classical", write(damping->distance_from_classical)},
+             {"largest_coupling", write(damping->largest_coupling)},
              {"damping_ratios", Json::array()}};
-    for (const double zeta : basis.zeta) all["damping_ratios"].push_back(write(zeta));
+    for (const double zeta : damping->damping_ratios) all["damping_ratios"].push_back(write(zeta));
     return all;
 }
 

@@ -4,15 +4,15 @@
 
 #include <optional>
 
+#include "denhartog/answer/scene_source.hpp"
 #include "denhartog/program/number_json.hpp"
-#include "denhartog/scene/scene.hpp"
 
 namespace denhartog::program {
 
 /// @brief Whether the coupling of the modes was taken in or left out, how large it is, and the damping ratios without it.
-/// @param scene  a scene
+/// @param source  a scene
 /// @return       the object; none where damping was given by ratios, or by a matrix that does not couple the modes
-[[nodiscard]] std::optional<Json> damping_json(const Scene<double>& scene);
+[[nodiscard]] std::optional<Json> damping_json(const SceneSource& source);
 
 /// @brief The same for reading. @param damping the object @return a line of text
 [[nodiscard]] std::string damping_table(const Json& damping);

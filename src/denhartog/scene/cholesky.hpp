@@ -5,7 +5,9 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <utility>
 
+#include "denhartog/number/errors.hpp"
 #include "denhartog/scene/scene.hpp"
 
 namespace denhartog {
@@ -43,6 +45,15 @@ template <class T>
         L.col(j).tail(N - j) /= T(sqrt(pivot));
     }
     return result;
+}
+
+/// @brief The factor of a mass matrix that was positive definite as it was given. @param M the matrix, in any coordinates
+/// @return its factor @throws PrecisionError where rounding leaves it indefinite
+template <class T>
+[[nodiscard]] Matrix<T> factor_of_masses(const Matrix<T>& M) {
+    Cholesky<T> factor = cholesky(M);
+    if (factor.failed_order > 0) throw PrecisionError("the mass matrix is too near to a singular one for the number type");
+    return std::move(factor.L);
 }
 
 } // namespace denhartog

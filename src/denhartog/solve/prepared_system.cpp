@@ -44,15 +44,27 @@ ContactModes<T> contact_modes_of(const SceneSource& source) {
                          Mass{same ? 0U : 1U});
 }
 
+std::shared_ptr<const ModalBasis<Bounded<double>>> modes_in_double(const SceneSource& source) {
+    try {
+        return modes_with_errors(source->in_double().system);
+    } catch (const PrecisionError&) {
+        return std::make_shared<const ModalBasis<Bounded<double>>>(in_double(*scene_with_modes<Real50>(source).basis));
+    }
+}
+
 PreparedSystem prepare(const SceneSource& source, const Question& question, Prepared points) {
     PreparedSystem p{source};
     check(p.scene());
     const System<double>& s = p.scene().system;
     check(question, number_of_masses(s));
     if (s.damping_matrix.size() == 0 && p.scene().mu == 1 && asks_for_contact(of_displacements(question, s), s.contact)) {
-        p.contact = contact_modes_of<double>(source);
-        if (aim_of(question.digits).digits > most_digits_of_contact_in_double)
-            p.contact_in_50 = std::make_shared<const ContactModes<Real50>>(contact_modes_of<Real50>(source));
+        try {
+            p.contact = contact_modes_of<double>(source);
+            if (aim_of(question.digits).digits > most_digits_of_contact_in_double)
+                p.contact_in_50 = std::make_shared<const ContactModes<Real50>>(contact_modes_of<Real50>(source));
+        } catch (const PrecisionError&) {
+            p.contact.reset(); // another model answers
+        }
     }
     if (points == Prepared::every_regime) prepare_every_regime(p);
     return p;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include "denhartog/evaluation/mode.hpp"
@@ -148,6 +149,18 @@ ModeSums<Bounded<double>> in_double(const ModeSums<Bounded<T>>& sums) {
 }
 
 template <class T>
+ModalBasis<Bounded<double>> in_double(const ModalBasis<Bounded<T>>& basis) {
+    const auto narrow = [](const Bounded<T>& a) { return in_double(a); };
+    ModalBasis<Bounded<double>> out;
+    std::ranges::transform(basis.r_n, std::back_inserter(out.r_n), narrow);
+    std::ranges::transform(basis.zeta, std::back_inserter(out.zeta), narrow);
+    out.phi = basis.phi.unaryExpr(narrow);
+    out.D = basis.D.unaryExpr(narrow);
+    out.distance_from_classical = in_double(basis.distance_from_classical);
+    return out;
+}
+
+template <class T>
 evaluation::ModeFunctions<Bounded<T>> bounded_mode_functions(const Bounded<T>& R_i, const Bounded<T>& zeta_i) {
     const T &R = R_i.x, &zeta = zeta_i.x, unit = unit_of<T>();
     const T dzeta = zeta_i.e + units_of_form * unit * zeta;
@@ -182,6 +195,7 @@ template ModeSums<Real100> values_of(const ModeSums<Bounded<Real100>>&);
 template ModeSums<Bounded<double>> in_double(const ModeSums<Bounded<double>>&);
 template ModeSums<Bounded<double>> in_double(const ModeSums<Bounded<Real50>>&);
 template ModeSums<Bounded<double>> in_double(const ModeSums<Bounded<Real100>>&);
+template ModalBasis<Bounded<double>> in_double(const ModalBasis<Bounded<Real50>>&);
 template evaluation::ModeFunctions<Bounded<double>> bounded_mode_functions(const Bounded<double>&, const Bounded<double>&);
 template evaluation::ModeFunctions<Bounded<Real50>> bounded_mode_functions(const Bounded<Real50>&, const Bounded<Real50>&);
 template evaluation::ModeFunctions<Bounded<Real100>> bounded_mode_functions(const Bounded<Real100>&, const Bounded<Real100>&);

@@ -39,7 +39,7 @@ Json functions_json(const SceneSource& source) {
             {{"mass", k + 1}, {"V", pair({q.V[k].re.x, q.V[k].im.x}, write)}, {"U", write(q.U[k].x)}, {"G", write(q.G[k].x)}});
     all["H_j"] = write(q.H_j.x);
     all["S_j"] = {{"exact", write(q.S.x)}, {"paper", write(s ? boundary(*s, scene.mu).S_paper : q.S.x)}};
-    if (const std::optional<Json> damping = damping_json(scene)) all["damping"] = *damping;
+    if (const std::optional<Json> damping = damping_json(source)) all["damping"] = *damping;
     return all;
 }
 

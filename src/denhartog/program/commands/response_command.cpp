@@ -45,7 +45,7 @@ std::string respond(const SceneText& part, const SceneOptions& options) {
     (void)friction_ratio_of(source->in_double());
     const Solution found = answer_or_reason(source, options.digits);
     Json answer = response_json(found, NumberWriter{options.digits});
-    if (const std::optional<Json> damping = damping_json(source->in_double())) answer["damping"] = *damping;
+    if (const std::optional<Json> damping = damping_json(source)) answer["damping"] = *damping;
     const std::optional<Units> units = source->in_double().units;
     if (units) answer["dimensional"] = dimensional_json(found, *units);
     if (options.json) return answer.dump() + "\n";

@@ -57,7 +57,7 @@ std::string solved(const SceneText& part, const SolveOptions& options) {
             return motion_csv(sampled_solution(source, solution, static_cast<std::size_t>(options.samples)),
                               motion_units(source->in_double(), options.units));
         Json answer = solution_json(solution, NumberWriter{options.scene.digits});
-        if (const std::optional<Json> damping = damping_json(source->in_double())) answer["damping"] = *damping;
+        if (const std::optional<Json> damping = damping_json(source)) answer["damping"] = *damping;
         const std::optional<Units> units = source->in_double().units;
         if (units) answer["dimensional"] = dimensional_json(solution, *units);
         if (options.scene.json) return answer.dump() + "\n";
