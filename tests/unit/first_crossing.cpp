@@ -57,6 +57,23 @@ TEST_CASE("the first zero of a cosine is found to rounding", "[unit][exact-solve
     CHECK(abs(in_50->t - pi<Real50>() / 6) < Real50("1e-50"));
 }
 
+TEST_CASE("where rounding spoils the fourth derivative the tangent keeps steps long", "[unit][exact-solver][events]") {
+    Waves<double> f{0, {{1, 3, 0}}};
+    auto spoilt = [&f](const double& t) {
+        Jet<double> jet = f(t);
+        jet.f[2] += 1e6;
+        jet.f[3] -= 1e13;
+        jet.bound += 1e20;
+        jet.second = 9;
+        return jet;
+    };
+    double step = 1;
+    const auto zero = first_crossing(spoilt, 0.0, 10.0, 0, step, Effort{});
+    REQUIRE(zero);
+    CHECK(std::abs(zero->t - pi<double>() / 6) <= 1e-14);
+    CHECK(f.evaluations <= 1000); // else 40 times as many
+}
+
 TEST_CASE("a zero at the start is not found again", "[unit][exact-solver][events]") {
     Waves<double> sine{0, {{1, 1, -pi<double>() / 2}}};
     const auto after_simple = first(sine, 0.0, 10.0, 1);

@@ -401,3 +401,69 @@ TEST_CASE("beta_lim by (56) is that of the modes only where their coupling makes
         CHECK(limits.exact.value == Approx(5.83883071769e-15));
     }
 }
+
+TEST_CASE("where rounding keeps a motion from settling in double 50 digits find it", "[solve][eq:74]") {
+    // A light mass between wall and contact; both are loaded, so that the coordinates of load and contact are nearly one.
+    const Solution light = solve(scene_source(SceneText{R"({"masses": [[6e-7, 0], [0, 2.85]],
+        "stiffnesses": [[90000, -16000], [-16000, 91000]], "damping_ratios": [0.1, 0.2], "contact": 2,
+        "base_motion": "with_wall", "base_displacement": 0.001, "frequency": 121, "friction": 32.6})"}),
+                                 {Asked::motion, {}});
+    REQUIRE(light.regime.regime == Regime::stick_slip);
+    CHECK(light.method.precision == "50 digits");
+    CHECK(light.method.why.starts_with("in double: rounding keeps the motion from settling"));
+    CHECK(light.stops.size() == 2);
+    // Without the mass that is no other scene, but for its share in the load; P and k_1 are those of the first mass.
+    const Solution condensed = solve(scene_source(SceneText{R"({"masses": [2.85],
+        "stiffnesses": [88155.555555555556], "damping_ratios": 0.1, "contact": 1,
+        "base_motion": "with_wall", "base_displacement": 0.001, "frequency": 121, "friction": 32.6})"}),
+                                     {Asked::motion, {}});
+    const double unit = 6e-7 / 90000, unit_of_condensed = 2.85 / 88155.555555555556;
+    CHECK(mass_of(light, light.contact).amplitude.value * unit ==
+          Approx(mass_of(condensed, condensed.contact).amplitude.value * unit_of_condensed).epsilon(2e-6));
+}
+
+TEST_CASE("a light mass of which double only sees phases without length moves in 50 digits", "[solve][eq:74]") {
+    const SceneSource scene = scene_source(SceneText{R"({"masses": [[12.69, 0], [0, 2.646e-8]],
+        "stiffnesses": [[252559.5, -215262.2], [-215262.2, 215262.2]], "damping_matrix": [[186.33, -158.81], [-158.81, 158.81]],
+        "contact": [2, 1], "load": 2, "force": 100, "frequency": 38.87, "friction": 87.96})"});
+    const Solution found = solve(scene, {Asked::motion, {}});
+    CHECK(found.regime.regime == Regime::stick_slip);
+    CHECK(found.digits_reached);
+    const Solution more = solve(scene, {Asked::motion, 20});
+    CHECK(std::abs(found.masses[0].amplitude.value - more.masses[0].amplitude.value) <= found.masses[0].amplitude.error);
+}
+
+TEST_CASE("a scene of which double has no modes is answered in 50 digits", "[solve][eq:69]") {
+    const SceneSource scene = scene_source(SceneText{R"({"masses": [[27, 0], [0, 1e-9]],
+        "stiffnesses": [[546451, -511864], [-511864, 661600]], "damping_ratios": [0.01, 0.02], "contact": 1,
+        "base_motion": "with_wall", "base_displacement": 0.001, "frequency": 64, "friction": 12})"});
+    REQUIRE_THROWS_AS(modal_basis(scene->in_double().system), PrecisionError);
+    for (const Asked asked : {Asked::regime, Asked::amplitude, Asked::motion}) {
+        const Solution found = solve(scene, {asked, {}});
+        CHECK(found.regime.regime == Regime::continuous);
+        CHECK(found.digits_reached);
+    }
+}
+
+TEST_CASE("a search that spends its work in exponentials says what is certain", "[solve][effort]") {
+    const SceneSource scene = scene_source(SceneText{R"({"masses": [1.2, 3.3e-5, 1.2e-3, 24, 1],
+        "stiffnesses": [9000, 7000, 12000, 15000, 8000], "damping_ratios": [0.0186, 0.00241, 0.00423, 0.00124, 0.0038],
+        "contact": [2, 5], "load": 1, "force": 100, "friction": 11, "frequency": 70, "mu": 1.107})"});
+    for (const long effort : {20'000L, 200'000L, 2'000'000L}) {
+        const QuestionEffort allowed(5, effort);
+        try {
+            (void)solve(scene, {Asked::motion, {}});
+        } catch (const PrecisionError& e) {
+            CHECK_THAT(e.what(), Catch::Contains("This much is certain") || Catch::Contains("does not settle the largest"));
+        }
+    }
+}
+
+TEST_CASE("a mode too fast to be followed is named with its frequency", "[solve][effort]") {
+    Scene<double> scene = with_beta(chain({1, 1e-8}, {1, 1}, {0.02, 0.03}, 1, 2, 1, 0.3), 0.5);
+    const QuestionEffort allowed(2, 500);
+    CHECK_THROWS_WITH(asking(scene, Asked::motion),
+                      Catch::Contains("The fastest mode has 3.3e+04 times the frequency of the force"));
+    scene.system.mass_ratios[1] = 1e-4;
+    CHECK_THROWS_WITH(asking(scene, Asked::motion), !Catch::Contains("The fastest mode"));
+}

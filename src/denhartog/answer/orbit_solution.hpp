@@ -39,14 +39,16 @@ template <class T>
 [[nodiscard]] OrbitSolution orbit_solution(ExactSolver<T>& solver, const PeriodicOrbit<T>& orbit, int digits,
                                            std::optional<Mass> only = std::nullopt);
 
-/// @brief Whether an orbit is the sliding motion of the closed form as far as double can tell. Its stops are left aside: next to
-/// the boundary they may be rounding.
+/// @brief Whether an orbit is the sliding motion of the closed form as far as its number type can tell. Its stops are left aside:
+/// next to the boundary they may be rounding.
 /// @param orbit  a periodic orbit
 /// @param X_j    amplitude of the contact by the closed form
 /// @return       whether it is
-[[nodiscard]] inline bool is_sliding_motion(const PeriodicOrbit<double>& orbit, double X_j) {
+template <class T>
+[[nodiscard]] bool is_sliding_motion(const PeriodicOrbit<T>& orbit, double X_j) {
     return orbit.symmetric && orbit.periods == 1 &&
-           std::abs(orbit.contact.amplitude - X_j) <= 16 * orbit.error_bound + 1e-9 * X_j;
+           std::abs(static_cast<double>(orbit.contact.amplitude) - X_j) <=
+               16 * static_cast<double>(orbit.error_bound) + 1e-9 * X_j;
 }
 
 /// @brief Whether double does not tell if the contact stops: beyond the boundary the stops of a motion may be too short to be

@@ -9,6 +9,7 @@
 #include "denhartog/number/effort.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/number_text.hpp"
+#include "denhartog/scene/converted.hpp"
 #include "denhartog/scene/point_rules.hpp"
 #include "denhartog/solve/solve_task.hpp"
 
@@ -45,14 +46,15 @@ void set_regime(const SolveTask& task, Regime met, const std::string& reason, So
 
 // What the stops of a motion that is not the closed form's say; those of the answer, which may be too short for double. None where
 // 50 digits would have to tell, and do not.
-void set_regime_by_stops(const SolveTask& task, const PeriodicOrbit<double>& orbit, std::optional<std::size_t> stops,
-                         Solution& s) {
+template <class T>
+void set_regime_by_stops(const SolveTask& task, const PeriodicOrbit<T>& orbit, std::optional<std::size_t> stops, Solution& s) {
     const bool must = stops.value_or(0) == 0 && must_stop(task, s);
     if (stops.value_or(orbit.stops.size()) > 0) {
         set_regime(task, Regime::stick_slip, "the contact stops in every period", s);
         if (orbit.stops.empty()) s.regime.reason += "; double precision finds no stop, 50 digits find " + std::to_string(*stops);
     } else if (must) {
-        s.regime.reason += "; the motion shows no stop, and the bound of its error is " + number_in_digits(orbit.error_bound, 2);
+        s.regime.reason += "; the motion shows no stop, and the bound of its error is " +
+                           number_in_digits(static_cast<double>(orbit.error_bound), 2);
     } else {
         const bool sliding = !task.pole && every_motion_is_damped(*task.basis);
         set_regime(task, Regime::continuous,
@@ -66,56 +68,117 @@ void set_regime_by_stops(const SolveTask& task, const PeriodicOrbit<double>& orb
 void answer_by_boundaries(const SolveTask& task, const std::string& model, Solution& s) {
     s.masses.clear();
     s.method.model = model;
-    s.sticking_by_88 = task.aim.digits <= most_digits_of_a_double
-                           ? sticking_by_88(task.scene, task.aim.digits)
-                           : sticking_by_88(scene_with_modes<Real100>(task.source).scene, task.aim.digits);
+    const auto in_100_digits = [&] { return sticking_by_88(scene_with_modes<Real100>(task.source).scene, task.aim.digits); };
+    try {
+        const bool double_does = task.aim.digits <= most_digits_of_a_double;
+        s.sticking_by_88 = double_does ? sticking_by_88(task.scene, task.aim.digits) : in_100_digits();
+    } catch (const PrecisionError&) {
+        s.sticking_by_88 = in_100_digits();
+    }
 }
 
-// The motion from rest by the exact solver; the closed form or the stuck response give the numbers where it leads there.
-void answer_from_rest(const SolveTask& task, Solution& s) {
+// Why there is no answer from rest in a number type.
+struct NoAnswer {
+    std::string why;                  // empty where there is one
+    bool more_digits_may_tell = true; // whether rounding may be why
+    State<double> last{};             // where the motion was last
+};
+
+// What a fast mode costs the exact solver, which follows it; a sentence, or nothing.
+template <class T>
+std::string cost_of_fast_mode(const ExactSolver<T>& solver, const PeriodicOrbit<T>& none) {
+    constexpr double fast = 1000;
+    const auto fastest = static_cast<double>(velocity_over_displacement(solver));
+    if (!(fastest > fast) || !none.more_digits_may_tell) return {};
+    return ". The fastest mode has " + number_in_digits(fastest, 2) +
+           " times the frequency of the force and takes most of the work: leave out a mass that is as light if it does not "
+           "matter";
+}
+
+// The motion from rest by the exact solver; the closed form or the stuck response give the numbers where it leads there. With
+// mu = 1 and damping it leads where the motion in double was going.
+template <class T>
+NoAnswer answer_from_rest(const SolveTask& task, const ContactSystem<T>& system, const State<double>& in_double, Solution& s) {
     const bool regime_alone = task.question.asked == Asked::regime;
-    const std::shared_ptr<const ContactSystem<double>> moving =
-        task.moving ? task.moving : std::make_shared<const ContactSystem<double>>(contact_system(task.scene.system));
-    const ContactSystem<double>& system = *moving;
-    ExactSolver<double> solver(system, {*task.scene.r, *task.scene.beta, task.scene.mu});
-    OrbitSearch<double> how;
+    const Scene<T>& scene = scene_in<T>(task.source);
+    ExactSolver<T> solver(system, {*scene.r, *scene.beta, scene.mu});
+    OrbitSearch<T> how;
     how.contact_only = regime_alone || task.question.mass == system.contact;
     how.with_stability = task.question.asked == Asked::motion;
-    const PeriodicOrbit<double> orbit = periodic_orbit(solver, at_rest<double>(system.basis.r_n.size()), how);
-    if (orbit.status == OrbitStatus::not_converged) {
-        if (task.pole) throw DomainError(*task.pole + "; " + orbit.reason);
-        throw PrecisionError("no steady motion was found from the start from rest: " + orbit.reason +
-                             ". This much is certain: " + s.regime.reason);
-    }
+    const State<T> last{in_type<T>(in_double.x), in_type<T>(in_double.x_prime)};
+    if (!last.x.empty()) how.guess = &last;
+    const PeriodicOrbit<T> orbit = periodic_orbit(solver, at_rest<T>(system.basis.r_n.size()), how);
+    if (orbit.status == OrbitStatus::not_converged)
+        return {orbit.reason + cost_of_fast_mode(solver, orbit),
+                orbit.more_digits_may_tell,
+                {in_type<double>(orbit.start.x), in_type<double>(orbit.start.x_prime)}};
     const bool rests = orbit.status == OrbitStatus::permanently_stuck;
     // With mu = 1 the boundaries tell that it never rests for ever: only rounding does not see it move.
     if (rests && task.scene.mu == 1 && !task.pole && s.regime.regime == Regime::stick_slip && !s.regime.on_boundary)
-        throw PrecisionError(
-            "the contact moves too little for double precision to tell its motion from rest. This much is certain: " +
-            s.regime.reason);
+        throw PrecisionError(std::string("the contact moves too little for ") +
+                             (std::same_as<T, double> ? "double precision" : "50 digits") +
+                             " to tell its motion from rest. This much is certain: " + s.regime.reason);
     const bool slides =
         !task.pole && !rests && !s.masses.empty() && is_sliding_motion(orbit, s.masses[s.contact.index].amplitude.value);
-    const bool open =
-        !task.pole && !rests &&
-        stops_are_open(orbit, s.regime.regime == Regime::stick_slip, orbit.stops.empty() && must_stop(task, s), slides);
     if (rests) {
         set_regime(task, Regime::permanent_sticking, "from the start from rest " + orbit.reason, s);
     } else if (slides && orbit.stops.empty()) {
         set_regime(task, Regime::continuous, "the motion from rest is the sliding motion", s);
-    } else if (regime_alone) {
-        set_regime_by_stops(task, orbit, open ? stops_in_50_digits(task, orbit, s) : std::optional(orbit.stops.size()), s);
+    } else if constexpr (std::same_as<T, double>) {
+        const bool open = !task.pole && stops_are_open(orbit, s.regime.regime == Regime::stick_slip,
+                                                       orbit.stops.empty() && must_stop(task, s), slides);
+        if (regime_alone) {
+            set_regime_by_stops(task, orbit, open ? stops_in_50_digits(task, orbit, s) : std::optional(orbit.stops.size()), s);
+        } else {
+            answer_by_orbit(task, solver, orbit, open, s);
+            const bool known = !open || s.method.precision != name(Precision::in_double);
+            set_regime_by_stops(task, orbit, known ? std::optional(s.stops.size()) : std::nullopt, s);
+            if (!orbit.reason.empty()) s.regime.reason += "; " + orbit.reason;
+            return {};
+        }
     } else {
-        answer_by_orbit(task, solver, orbit, open, s);
-        const bool known = !open || s.method.precision != name(Precision::in_double);
-        set_regime_by_stops(task, orbit, known ? std::optional(s.stops.size()) : std::nullopt, s);
-        if (!orbit.reason.empty()) s.regime.reason += "; " + orbit.reason;
-        return;
+        set_regime_by_stops(task, orbit, orbit.stops.size(), s);
+        if (!regime_alone) {
+            answer_by_orbit_in_50_digits(task, solver, orbit, s);
+            if (!orbit.reason.empty()) s.regime.reason += "; " + orbit.reason;
+            return {};
+        }
     }
-    if (regime_alone) return answer_by_boundaries(task, "boundaries and exact solver", s);
+    if (regime_alone) {
+        answer_by_boundaries(task, "boundaries and exact solver", s);
+        return {};
+    }
     if (rests)
         answer_by_stuck_response(
-            task, certified(Bounded<double>(orbit.start.x[system.contact.index], orbit.error_bound), task.aim.digits), s);
+            task, certified(Bounded<T>(orbit.start.x[system.contact.index], orbit.error_bound), task.aim.digits), s);
     if (task.question.asked == Asked::motion) s.stability = stability_of(orbit);
+    return {};
+}
+
+// In double; where rounding keeps that from an answer, in 50 digits.
+void answer_from_rest(const SolveTask& task, Solution& s) {
+    NoAnswer none;
+    std::shared_ptr<const ContactSystem<double>> moving = task.moving;
+    try {
+        if (!moving) moving = std::make_shared<const ContactSystem<double>>(contact_system(task.scene.system));
+    } catch (const PrecisionError& e) {
+        none.why = e.what();
+    }
+    if (moving) none = answer_from_rest(task, *moving, {}, s);
+    const bool allowed = highest_precision(task.aim, number_of_masses(task.scene.system)) != Precision::in_double;
+    if (!none.why.empty() && none.more_digits_may_tell && allowed && !QuestionEffort::exhausted()) {
+        const ContactSystem<Real50> system = contact_system(scene_in<Real50>(task.source).system);
+        const NoAnswer in_50_digits = answer_from_rest(task, system, none.last, s);
+        if (in_50_digits.why.empty()) {
+            s.method.why = "in double: " + none.why + "; " + s.method.why;
+            return;
+        }
+        none.why += "; in 50 digits: " + in_50_digits.why;
+    }
+    if (none.why.empty()) return;
+    if (task.pole) throw DomainError(*task.pole + "; " + none.why);
+    throw PrecisionError("no steady motion was found from the start from rest: " + none.why +
+                         ". This much is certain: " + s.regime.reason);
 }
 
 void answer(SolveTask& task, Solution& s) {
@@ -160,7 +223,7 @@ Solution solve_at(const PreparedSystem& p, const SolvePoint& at, const Question&
     } else {
         const SceneSource source = source_at(p, at);
         SolveTask task{source, question, source->in_double(), aim_of(question.digits), p.bounded, p.moving};
-        if (!task.basis) task.basis = modes_with_errors(p.scene().system);
+        if (!task.basis) task.basis = modes_in_double(source);
         task.modes.emplace(task.basis, as_input(at.r));
         say_whether_unique(*task.basis, p.scene().mu, s);
         s.r = exactly(at.r, 1);

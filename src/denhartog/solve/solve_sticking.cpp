@@ -91,6 +91,14 @@ std::optional<std::size_t> stops_in_50_digits(const SolveTask& task, const Perio
     return stops;
 }
 
+void answer_by_orbit_in_50_digits(const SolveTask& task, ExactSolver<Real50>& solver, const PeriodicOrbit<Real50>& orbit,
+                                  Solution& s) {
+    write_orbit(task, solver, orbit, orbit_solution(solver, orbit, task.aim.digits, task.question.mass), s);
+    s.method = {"exact solver", name(Precision::in_50_digits),
+                "its residual bounds the error: " + verdict({s.relative_error}, task.aim)};
+    if (task.question.asked == Asked::motion) s.stability = stability_of(orbit);
+}
+
 void answer_by_orbit(const SolveTask& task, ExactSolver<double>& solver, const PeriodicOrbit<double>& orbit, bool open,
                      Solution& s) {
     const OrbitSolution in_double = orbit_solution(solver, orbit, task.aim.digits, task.question.mass);

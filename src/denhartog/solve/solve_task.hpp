@@ -75,6 +75,14 @@ void answer_by_stuck_response(const SolveTask& task, const std::optional<Certifi
 void answer_by_orbit(const SolveTask& task, ExactSolver<double>& solver, const PeriodicOrbit<double>& orbit, bool open,
                      Solution& s);
 
+/// @brief A periodic orbit that 50 digits found, as the answer.
+/// @param task    the task
+/// @param solver  the solver that found the orbit
+/// @param orbit   the orbit, with its masses
+/// @param s       gets the answer
+void answer_by_orbit_in_50_digits(const SolveTask& task, ExactSolver<Real50>& solver, const PeriodicOrbit<Real50>& orbit,
+                                  Solution& s);
+
 /// @brief Number of stops of a motion of which double does not tell whether it stops.
 /// @param task   the task
 /// @param orbit  the orbit

@@ -158,17 +158,21 @@ struct ContactPhases {
         using std::abs;
         effort->spend(sliding.cost());
         sliding.differentiate_at(t);
-        Jet<T> jet{{T(0), T(0), T(0), T(0)}, T(0), T(0), T(0)};
+        Jet<T> jet{{T(0), T(0), T(0), T(0)}, T(0), T(0), T(0), T(0)};
         for (std::size_t i = 0; i < N; ++i) {
             const T phi = direction * system->basis.phi(system->contact.index, i);
             for (int m = 0; m < 4; ++m) jet.f[m] += phi * sliding.q[m + 1][i];
-            if (!sliding.coupled()) jet.bound += abs(phi) * sliding.energy_norm(4, i);
+            if (!sliding.coupled()) {
+                jet.bound += abs(phi) * sliding.energy_norm(4, i);
+                jet.second += abs(phi) * sliding.energy_norm(2, i);
+            }
             jet.growth += abs(phi * sliding.F[i]);
             jet.noise += abs(phi * sliding.q[1][i]);
         }
         if (sliding.coupled()) { // energy goes from mode to mode
             const T size = system->basis.phi.row(system->contact.index).norm();
             jet.bound = size * sliding.energy_norm(4);
+            jet.second = size * sliding.energy_norm(2);
             jet.growth = size * column(sliding.F).norm();
         }
         jet.noise *= std::numeric_limits<T>::epsilon();
@@ -183,9 +187,8 @@ struct ContactPhases {
         effort->spend(sticking.cost());
         sticking.differentiate_at(t);
         const T &c = sticking.cos_tau(), &s = sticking.sin_tau();
-        const T& x_j = x[system->contact.index];
-        const T k_jj = system->stuck.k_jj;
-        Jet<T> jet{{direct * c - k_jj * x_j, -direct * s, -direct * c, direct * s}, direct, T(0), abs(k_jj * x_j) + direct};
+        const T pull = system->stuck.k_jj * x[system->contact.index];
+        Jet<T> jet{{direct * c - pull, -direct * s, -direct * c, direct * s}, direct, T(0), abs(pull) + direct, direct};
         for (std::size_t i = 0; i + 1 < N; ++i) {
             for (int m = 0; m < 4; ++m)
                 jet.f[m] -= k_j[i] * sticking.q[m][i] + c_j[i] * sticking.q[m + 1][i] + m_j[i] * sticking.q[m + 2][i];
@@ -193,6 +196,7 @@ struct ContactPhases {
         }
         if (N > 1) {
             jet.bound += load_per_energy * sticking.energy_norm(4) + load_rest;
+            jet.second += load_per_energy * sticking.energy_norm(2) + load_rest;
             jet.growth = load_growth;
         }
         jet.noise *= std::numeric_limits<T>::epsilon();

@@ -176,7 +176,12 @@ const ExactMotion<T>& ExactSolver<T>::run(const State<T>& start, const T& tau_0,
         throw InputError("start", "must have a displacement and a velocity for each mass", std::to_string(start.x.size()));
     work.x.assign(start.x.begin(), start.x.end());
     work.v.assign(start.x_prime.begin(), start.x_prime.end());
-    work.run(tau_0, tau_1, with_jacobian);
+    try {
+        work.run(tau_0, tau_1, with_jacobian);
+    } catch (const PrecisionError&) {
+        if (!work.effort->exhausted()) throw; // an exponential of coupled modes had nothing left to spend
+        work.motion.status = MotionStatus::open;
+    }
     return work.motion;
 }
 

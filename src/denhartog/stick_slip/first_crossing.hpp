@@ -4,7 +4,9 @@
 /// At an instant the function comes with three derivatives and a bound of the fourth ahead. Over a step h the Taylor polynomial
 /// is bounded from below by its Bernstein coefficients on [0, h]. Where they exceed the remainder there is no zero in the step;
 /// where the polynomial of the derivative stays negative by more than its remainder there is one at most, and the sign at the
-/// end tells. Else the step is halved. Zeros are lost to rounding of the function alone.
+/// end tells. In short steps a tangent and a bound of the second derivative do as well: of fast modes that hardly move, rounding
+/// makes the fourth derivative too large to tell anything. Else the step is halved. Zeros are lost to rounding of the function
+/// alone.
 #pragma once
 
 #include <algorithm>
@@ -15,6 +17,9 @@
 #include "denhartog/number/effort.hpp"
 
 namespace denhartog {
+
+/// @brief The longest step that a tangent is tried for.
+inline constexpr double tangent_up_to = 0x1p-10;
 
 /// @brief How a phase ends.
 template <class T>
@@ -34,6 +39,8 @@ struct Jet {
     T bound;            ///< |f''''| is at most bound + growth h over [t, t + h]
     T growth;           ///< see `bound`
     T noise;            ///< rounding error of f
+    /// |f''| is at most this + growth h over [t, t + h]; rounding adds to it less than to `bound`
+    T second = std::numeric_limits<T>::infinity();
 };
 
 /// @brief A zero, or where the search had to end.
@@ -53,6 +60,11 @@ struct Crossing {
 template <class T>
 [[nodiscard]] bool stays_positive(const Jet<T>& jet, int order, const T& h) {
     const std::array<T, 4>& f = jet.f;
+    if (h < tangent_up_to) {
+        const T bend = (jet.second + jet.growth * h) * h / 2;
+        if (order == 0 && std::min(f[0], T(f[0] + f[1] * h)) > bend * h) return true;
+        if (order == 1 && f[1] > bend) return true;
+    }
     const T remainder = jet.bound + jet.growth * h;
     if (order == 2) return std::min(T(f[2] / 2), T(f[2] / 2 + f[3] * h / 6)) > remainder * h * h / 24;
     if (order == 1) {
@@ -73,6 +85,7 @@ template <class T>
 template <class T>
 [[nodiscard]] bool falls(const Jet<T>& jet, const T& h) {
     const std::array<T, 4>& f = jet.f;
+    if (h < tangent_up_to && f[1] < -(jet.second + jet.growth * h) * h) return true;
     const T b1 = f[1] + f[2] * h / 2;
     const T b2 = f[1] + f[2] * h + f[3] * h * h / 2;
     return std::max({f[1], b1, b2}) < -(jet.bound + jet.growth * h) * h * h * h / 6;

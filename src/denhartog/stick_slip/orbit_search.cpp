@@ -21,6 +21,7 @@ constexpr int decay_times_followed = 30; // e-folds of the slowest mode
 std::string in_words(const SearchWithoutOrbit& seen) {
     std::ostringstream s;
     s.precision(3);
+    if (seen.restless) s << "rounding keeps the motion from settling: ";
     if (!seen.ended.empty()) s << seen.ended << ": ";
     s << (seen.chattering ? "phases of zero length follow each other" : "the motion comes to no periodic motion") << " within "
       << seen.periods << " periods";

@@ -55,17 +55,17 @@ private:
         if (search_.guess != nullptr && is_found_near(*search_.guess)) return;
         int done = 0, next = std::min(2 * search_.periods_before, most);
         for (;;) {
-            for (; done < next; ++done) {
+            for (; done < next && !is_restless(); ++done) {
                 if (!map_.apply(z, 1, false)) return give_up(done, true);
                 const State<T> before = std::exchange(z, map_.image());
-                last_step_ = map_.norm(map_.difference());
+                settling_.take(map_.norm(map_.difference()));
                 held_ = map_.held();
                 if (held_ && rests_for_ever(before, done)) return;
                 if (recent_.size() > 2 * static_cast<std::size_t>(search_.most_subharmonic)) recent_.erase(recent_.begin());
                 recent_.push_back(z);
             }
             if (no_expansion_ ? settle(z, done) : find_orbit(z, done)) return;
-            if (done >= (neutral_ ? std::min(most, half_periods_to_arrive) : most)) return give_up(done, false);
+            if (done >= (neutral_ ? std::min(most, half_periods_to_arrive) : most) || is_restless()) return give_up(done, false);
             next = std::min(most, done + 2 * std::max(1, done / (no_expansion_ ? 2 : 8)));
         }
     }
@@ -83,7 +83,7 @@ private:
             return arrived && map_.apply(candidate_.z, candidate_.h, true) && answer(orbit_of(map_, candidate_.z, search_));
         }
         if (done > 0 && only_rest_is_steady()) return tends_to_rest(z, done);
-        if (best_step_ < 0 || (last_step_ >= 0 && last_step_ < best_step_)) best_ = z;
+        if (best_step_ < 0 || (settling_.change >= 0 && settling_.change < best_step_)) best_ = z;
         if (held_ && steady_rest().exists())
             best_ = steady_rest().steady_state(z.x[j_]); // ahead of the motion: what the others tend to
         const bool found = shooting_.fixed_point(best_, 1, AfterBadStep::go_on_from_image_at_last);
@@ -225,6 +225,8 @@ private:
         return true;
     }
 
+    bool is_restless() { return no_expansion_ && damped_ && settling_.is_restless() && !only_rest_is_steady(); }
+
     bool answer(std::optional<PeriodicOrbit<T>> found) {
         if (found) orbit_ = std::move(*found);
         return found.has_value();
@@ -238,13 +240,11 @@ private:
     void give_up(int done, bool failed) {
         const Effort& effort = map_.solver().effort();
         const MotionStatus status = failed ? map_.motion().status : MotionStatus::complete;
-        SearchWithoutOrbit seen;
-        seen.periods = done / 2;
-        seen.chattering = status == MotionStatus::chattering;
-        if (effort.exhausted())
-            seen.ended = effort.ending();
-        else if (status == MotionStatus::open)
-            seen.ended = "the motion changes faster than the number type can follow";
+        SearchWithoutOrbit seen{.periods = done / 2, .chattering = status == MotionStatus::chattering, .restless = is_restless()};
+        if (effort.exhausted() || status == MotionStatus::open)
+            seen.ended = effort.exhausted() ? effort.ending() : "the motion changes faster than the number type can follow";
+        orbit_.more_digits_may_tell = seen.restless || status != MotionStatus::complete;
+        orbit_.start = recent_.back();
         const double size = std::max(static_cast<double>(map_.norm(recent_.back())), 1e-300);
         const auto norm = [&](const State<T>& z) { return map_.norm(z); };
         if (recent_.size() > 1 && std::ranges::is_sorted(recent_, std::ranges::less_equal{}, norm)) {
@@ -274,7 +274,7 @@ private:
     PeriodicOrbit<T> orbit_;
     std::optional<LastingRest<T>> rest_;
     std::vector<State<T>> recent_; // after the last half-periods, mirrored after each
-    T last_step_ = T(-1);          // what the last half-period changed; negative before the first
+    Settling<T> settling_;
     State<T> best_;                // nearest to a fixed point so far, where there is one only
     T best_step_ = T(-1);
     Candidate candidate_;
