@@ -1,10 +1,14 @@
 // Motions that the paper's assumption of symmetry leaves out, stability, hard cases, and what a search that fails says.
 #include <Eigen/Eigenvalues>
+#include <Eigen/SVD>
 #include <cmath>
 #include <limits>
 
+#include "denhartog/model/coordinates.hpp"
 #include "denhartog/number/errors.hpp"
+#include "denhartog/scene/scene_json.hpp"
 #include "denhartog/stick_slip/floquet.hpp"
+#include "denhartog/stick_slip/orbit_map.hpp"
 #include "denhartog/stick_slip/orbit_search.hpp"
 #include "denhartog/stick_slip/periodic_orbit.hpp"
 #include "tests/integration/orbit_scenes.hpp"
@@ -143,6 +147,29 @@ TEST_CASE("Floquet multipliers are those of differences in 50 digits", "[exact-s
     compare(prepared_three_masses(1.125, 0.0625), prepared_three_masses<Real50>(1.125, 0.0625));
     compare(prepared_three_masses(0.6875, 0.25), prepared_three_masses<Real50>(0.6875, 0.25));
     compare(prepared_three_masses(0.6875, 0.1875, 1.25), prepared_three_masses<Real50>(0.6875, 0.1875, 1.25));
+}
+
+TEST_CASE("with mu = 1 no deviation grows in energy over half a period, whether the contact is at a wall or between two masses",
+          "[exact-solver][shooting]") {
+    int resting_at_the_start = 0;
+    for (const char* contact : {"[2, 1]", "2"})
+        for (const double beta : {0.1, 0.3, 0.6, 0.9})
+            for (const double r : {0.2, 0.5, 0.9, 1.5}) {
+                const std::string numbers = std::to_string(r) + ", \"beta\": " + std::to_string(beta);
+                const Scene<double> scene = read_scene<double>(R"({"mass_ratios": [1, 30], "stiffness_ratios": [1, 20],
+                    "damping_ratios": [0.02, 0.05], "load": 1, "contact": )" +
+                                                               std::string(contact) + ", \"r\": " + numbers + "}");
+                const ContactSystem<double> system = contact_system(in_own_coordinates(scene).system);
+                ExactSolver<double> solver(system, {*scene.r, *scene.beta, 1});
+                const PeriodicOrbit<double> orbit = periodic_orbit(solver, at_rest<double>(2));
+                if (orbit.status != OrbitStatus::periodic) continue;
+                OrbitMap<double> map(solver);
+                REQUIRE(map.apply(orbit.start, 1, true));
+                resting_at_the_start += map.motion().phases.front().direction == 0;
+                CHECK(Eigen::JacobiSVD<Matrix<double>>(map.energy_jacobian()).singularValues()(0) < 1);
+                CHECK(orbit.stable);
+            }
+    CHECK(resting_at_the_start >= 12);
 }
 
 TEST_CASE("a matrix is seen to contract only where all its eigenvalues are inside the unit circle by more than its error",

@@ -16,14 +16,19 @@ struct Deviations {
     Matrix<T> dx; ///< deviations of displacements, N x 2N
     Matrix<T> dv; ///< deviations of velocities, N x 2N
 
-    /// @brief Starts from those of the state itself.
-    /// @param N      number of masses
-    /// @param stuck  the contact if it sticks: its velocity cannot deviate
-    void start(std::size_t N, const Mass* stuck) {
+    /// @brief Starts from those of the state itself. If the contact sticks its velocity cannot deviate: an impulse of friction
+    /// takes that away, and has the others move with it that inertia ties to the contact.
+    /// @param phases     the phases
+    /// @param direction  of the first one
+    void start(const ContactPhases<T>& phases, int direction) {
+        const std::size_t N = phases.N, j = phases.system->contact.index;
         dx = Matrix<T>::Zero(N, 2 * N);
         dv = Matrix<T>::Zero(N, 2 * N);
         for (std::size_t k = 0; k < N; ++k) dx(k, k) = dv(k, N + k) = T(1);
-        if (stuck) dv.row(stuck->index).setZero();
+        if (direction != 0) return;
+        const std::vector<T>& ties = phases.system->stuck.m_j;
+        if (std::ranges::any_of(ties, [](const T& tie) { return tie != 0; })) dv.col(N + j) = -phases.inertia * phases.w;
+        dv.row(j).setZero();
     }
 
     /// @brief Carries them over the phase that stands at its end.

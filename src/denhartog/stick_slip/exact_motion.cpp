@@ -80,7 +80,7 @@ struct ExactSolver<T>::Work : ContactPhases<T> {
         this->touching = 0;
         T tau = tau_0;
         auto [direction, order] = this->first_direction(tau);
-        if (with_jacobian) deviations.start(N, direction == 0 ? &system->contact : nullptr);
+        if (with_jacobian) deviations.start(*this, direction);
         int without_length = 0;
         const double periods = static_cast<double>(T((tau_1 - tau_0) / (2 * pi<T>())));
         if (effort == &own) own = {static_cast<long>(static_cast<double>(default_effort(N)) * std::min(1e6, 1 + periods))};
