@@ -180,6 +180,35 @@ TEST_CASE("a contact that rests gives the stuck response and the interval of res
     CHECK(more.masses[0].amplitude.value == Approx(std::abs(X)).epsilon(1e-13));
 }
 
+TEST_CASE("masses behind a contact that rests do not move, in any number of digits", "[solve][eq:88]") {
+    Scene<double> scene;
+    System<double>& s = scene.system;
+    s.stiffness_matrix = Matrix<double>::Zero(8, 8);
+    for (int i = 0; i < 8; ++i) {
+        s.mass_ratios.push_back(1 + 0.5 * i);
+        s.stiffness_matrix(i, i) = 2 + 0.25 * i;
+        if (i > 0) s.stiffness_matrix(i, i - 1) = s.stiffness_matrix(i - 1, i) = -1;
+    }
+    s.damping_matrix = s.stiffness_matrix / 16;
+    s.damping_matrix(0, 0) += 0.25;
+    s.contact = Mass{1};
+    s.load = Mass{0};
+    scene.r = 0.9;
+    scene.beta = 3;
+    for (const std::optional<int> digits : {std::optional<int>(), std::optional(18), std::optional(40)}) {
+        const Solution held = asking(scene, Asked::motion, digits);
+        CHECK(held.regime.regime == Regime::permanent_sticking);
+        CHECK(held.digits_reached);
+        CHECK(held.method.precision == "50 digits");
+        for (std::size_t k = 2; k < 8; ++k) {
+            CHECK(held.masses[k].amplitude.value <= held.masses[k].amplitude.error);
+            CHECK(held.masses[k].amplitude.error < 1e-44);
+            CHECK_FALSE(held.masses[k].phase);
+        }
+        CHECK(held.masses[0].amplitude.value > 0.1);
+    }
+}
+
 TEST_CASE("where double loses the springs that hold the contact, 50 digits bound the interval of rest", "[solve][eq:88]") {
     // Beside the spring of 2^40 the contact's own, 2^-40, is lost: the matrix of double is singular.
     const double stiff = 0x1p40, soft = 0x1p-40, mu = 1.25;
