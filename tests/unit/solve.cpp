@@ -417,6 +417,19 @@ TEST_CASE("samples of a motion that needed 50 digits do not leave its amplitudes
     }
 }
 
+TEST_CASE("a frame on a base that moves has samples of a motion from 50 digits", "[solve]") {
+    for (const int friction : {3, 4, 5, 6, 8}) {
+        const SceneSource scene = scene_source(SceneText{R"({"masses": [4, 29, 8, 28, 1, 21, 7],
+            "stiffnesses": [9000, 17200, 16900, 9000, 12000, 8000, 7000], "damping_ratios": [0.02, 0.02, 0.02, 0.02, 0.02, 0.02, 0.02],
+            "contact": [7, 1], "base_motion": "with_wall", "base_displacement": 0.002, "frequency_hz": 1.6, "friction": )" +
+                                                         std::to_string(friction) + "}"});
+        const Solution found = solve(scene, {Asked::motion, 13});
+        REQUIRE(found.regime.regime == Regime::stick_slip);
+        REQUIRE(found.method.precision == "50 digits");
+        CHECK_NOTHROW(sampled_solution(scene, found, 16));
+    }
+}
+
 TEST_CASE("beta_lim by (56) is that of the modes only where their coupling makes no difference to the exact one",
           "[solve][eq:56]") {
     // The contact moves by the coupling alone: of the springs, and as much of the damping.
