@@ -62,6 +62,23 @@ TEST_CASE("every point of a map is what solve answers there", "[map]") {
     }
 }
 
+TEST_CASE("a map has the amplitude of any mass where solve answers a point, on a base that moves as well", "[map]") {
+    const Scene<double> scene =
+        read_scene<double>(R"({"mass_ratios": [1, 287.9], "stiffness_matrix": [[1, -0.6314], [-0.6314, 2.071]],
+        "damping_matrix": [[0.5251, -0.3316], [-0.3316, 1.0875]], "contact": 2, "base_motion": "with_wall", "mu": 1.05})");
+    const std::vector<double> r{0.0277}, beta{60, 91};
+    for (const std::vector<Mass>& masses : {std::vector{Mass{0}}, std::vector{Mass{1}}, std::vector{Mass{1}, Mass{0}}}) {
+        const RegimeMap map = regime_map(scene, {r, beta, masses, MapStart::rest, 1}, never);
+        for (std::size_t n = 0; n < beta.size(); ++n) {
+            REQUIRE(map.points[n].status == PointStatus::answered);
+            const Solution s = solve(at_point(scene_source(scene), r[0], beta[n]), {Asked::amplitude, {}});
+            CHECK(s.method.precision == "50 digits");
+            for (std::size_t m = 0; m < masses.size(); ++m)
+                CHECK(map.amplitudes[n * masses.size() + m] == Approx(s.amplitude(masses[m]).value).epsilon(1e-6));
+        }
+    }
+}
+
 TEST_CASE("a little above the boundary, where no stop can be seen, solve, response and map have one word",
           "[map][solve][eq:69]") {
     Scene<double> scene = chain({1, 2.0946804396078478}, {1, 0.7414127923646818}, {0, 0}, 1, 2, 1, 0.143491911752667);

@@ -86,7 +86,8 @@ RegimeMap regime_map(const Scene<double>& scene, const MapRequest& request, cons
     PreparedSystem prepared = prepare(scene_source(scene), {}, Prepared::every_regime);
     std::vector<Mass> rows_of_masses;
     for (const Mass k : request.masses) rows_of_masses.push_back(displacement_of(prepared.scene().system, k));
-    const MapSystem shared{std::move(prepared), scene.mu, request.start, request.beta, std::move(rows_of_masses), request.effort};
+    const MapSystem shared{std::move(prepared), scene.mu,       request.start, request.beta,
+                           request.masses,      rows_of_masses, request.effort};
     Arrays arrays(shared);
     const std::size_t columns = request.r.size(), rows = request.beta.size(), masses = request.masses.size();
     RegimeMap map;
