@@ -171,6 +171,7 @@ TEST_CASE("keys that exclude each other are both named", "[scene][json][bad-inpu
 
 TEST_CASE("a key that a scene does not have is refused", "[scene][json][bad-input]") {
     REQUIRE(says(after([](json& s) { s["mas_ratios"] = {1}; }), "mas_ratios", "is no key of a scene", "", "/mas_ratios"));
+    REQUIRE(says(after([](json& s) { s["zzz"] = 1; }), "zzz", "is no key of a scene. The keys are mass_ratios, ", "", "/zzz"));
     REQUIRE(says(after([](json& s) { s["a/b"] = 1; }), "a/b", "is no key of a scene", "", "/a~1b"));
     REQUIRE(says(after([](json& s) { s["mas_ratios"] = {1}; }), "mas_ratios", "did you mean mass_ratios?", "", "/mas_ratios"));
     REQUIRE(says(after([](json& s) { s["contacts"] = {1}; }), "contacts", "did you mean contact?", "", "/contacts"));

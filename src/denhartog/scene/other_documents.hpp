@@ -25,4 +25,11 @@ namespace denhartog {
 /// @return         e.g. `; did you mean mass_ratios?`; empty where none is near
 [[nodiscard]] std::string did_you_mean(std::string_view unknown, std::span<const std::string_view> known);
 
+/// @brief The rule that an unknown key breaks, with the key that was meant, if there is one like it, and all keys.
+/// @param of       what has the keys, with its article
+/// @param unknown  the key
+/// @param known    the keys that there are
+/// @return         the rule
+[[nodiscard]] std::string rule_of_keys(std::string_view of, std::string_view unknown, std::span<const std::string_view> known);
+
 } // namespace denhartog

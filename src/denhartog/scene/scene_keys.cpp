@@ -73,14 +73,6 @@ std::size_t letters_apart(std::string_view a, std::string_view b) {
     return row.back();
 }
 
-std::string rule_of_keys(std::string_view unknown) {
-    std::string rule = "is no key of a scene" + did_you_mean(unknown, keys);
-    rule += " The keys are";
-    for (const std::string_view key : keys) rule += (key == keys.front() ? " " : ", ") + std::string(key);
-    return rule + ". A scene has one contact with Coulomb friction and one harmonic load: for several contacts, several "
-                  "harmonics or another law of friction take an integrator over time, e.g. SUNDIALS or Siconos";
-}
-
 } // namespace
 
 std::span<const std::string_view> scene_keys() { return keys; }
@@ -93,13 +85,25 @@ std::string did_you_mean(std::string_view unknown, std::span<const std::string_v
     return apart(nearest) <= nearest.size() / 2 ? "; did you mean " + std::string(nearest) + "?" : "";
 }
 
+std::string rule_of_keys(std::string_view of, std::string_view unknown, std::span<const std::string_view> known) {
+    const std::string guess = did_you_mean(unknown, known);
+    std::string rule = "is no key of " + std::string(of) + (guess.empty() ? "." : guess) + " The keys are";
+    for (const std::string_view key : known) rule.append(key == known.front() ? " " : ", ").append(key);
+    return rule;
+}
+
 void check_keys(const json& object) {
     if (!object.is_object())
         throw InputError("scene", "must be a JSON object",
                          legible(object.dump(-1, ' ', true, json::error_handler_t::replace), most_of_a_value));
     for (const auto& entry : object.items())
         if (std::ranges::find(keys, entry.key()) == keys.end())
-            throw InputError(entry.key(), rule_of_keys(entry.key()), "", pointer_step(entry.key()));
+            throw InputError(
+                entry.key(),
+                rule_of_keys("a scene", entry.key(), keys) +
+                    ". A scene has one contact with Coulomb friction and one harmonic load: for several contacts, "
+                    "several harmonics or another law of friction take an integrator over time, e.g. SUNDIALS or Siconos",
+                "", pointer_step(entry.key()));
     const char* dimensional = first_of(object, dimensional_keys);
     if (dimensional == nullptr) return;
     for (const auto& [key, dimensional_key] : ratio_keys)

@@ -140,9 +140,7 @@ void Item::allow(Words keys, const std::string& of) const {
     if (!value_.is_object()) fail("must be a JSON object");
     for (const auto& entry : value_.items())
         if (std::ranges::find(keys, entry.key()) == keys.end())
-            throw InputError(entry.key(),
-                             "is no key of " + of + did_you_mean(entry.key(), keys) + " The keys are " + listed(keys), "",
-                             place_ + pointer_step(entry.key()));
+            throw InputError(entry.key(), rule_of_keys(of, entry.key(), keys), "", place_ + pointer_step(entry.key()));
 }
 
 std::size_t Item::one_of(Words words) const {
