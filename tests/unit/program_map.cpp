@@ -47,6 +47,14 @@ TEST_CASE("a map is a table, a line a point", "[program][map][threads]") {
     CHECK(run_program("map --r 0.5:2:4 --beta 0:1:3 --threads 3", scene).output == run.output);
 }
 
+TEST_CASE("the scene of a map may come after the masses", "[program][map]") {
+    const std::string file = file_with("scene_after_masses", scene).string();
+    const Run before = run_program("map '" + file + "' --r 0.5:2:4 --beta 0:1:3 --mass 1");
+    const Run after = run_program("map --r 0.5:2:4 --beta 0:1:3 --mass 1 '" + file + "'");
+    REQUIRE(after.status == 0);
+    CHECK(after.output == before.output);
+}
+
 TEST_CASE("a map as NPY has a header that NumPy reads and the numbers of the CSV", "[program][map]") {
     const auto file = scratch() / "map.npy";
     const Run csv = run_program("map --r 0.5:2:4 --beta 0:1:3 --mass 1 --mass 2", scene);

@@ -146,8 +146,9 @@ void add_map_command(CLI::App& app, ExitStatus& status) {
     command->add_option("--frequency-hz", options->frequency_hz,
                         "frequencies in periods per unit of time, instead of --r, for a scene of masses and stiffnesses");
     command->add_option("--friction", options->friction, "friction forces, instead of --beta; goes with --frequency-hz");
-    command->add_option("--mass", options->masses,
-                        "mass whose amplitude is wanted; may be repeated; by default the mass in contact");
+    command
+        ->add_option("--mass", options->masses, "mass whose amplitude is wanted; may be repeated; by default the mass in contact")
+        ->allow_extra_args(false);
     command->add_option("--start", options->start, "which motion, where there is more than one")
         ->check(CLI::IsMember({"rest", "sliding"}))
         ->capture_default_str();
