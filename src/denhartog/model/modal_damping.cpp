@@ -28,8 +28,12 @@ T distance_from_commuting(const Matrix<T>& A, const Matrix<T>& B) {
 }
 
 template <class T>
-void check_ratio(const T& zeta, std::size_t i, const T& rounding) {
-    if (zeta < 0 && -zeta <= rounding)
+void check_ratio(const T& zeta, std::size_t i, const Matrix<T>& C, const ModalBasis<T>& basis) {
+    const auto rounding = [&] { // of the terms of the ratio
+        const Column<T> sizes = basis.phi.col(static_cast<Eigen::Index>(i)).cwiseAbs();
+        return T(rounding_of_modes<T>(basis.r_n.size()) * sizes.dot(product_of_sizes(C, sizes)) / basis.r_n[i]);
+    };
+    if (zeta < 0 && -zeta <= rounding())
         throw PrecisionError("damping_matrix: rounding does not leave the damping of mode " + std::to_string(i + 1) + " a digit");
     const std::string rule = "must give mode " + std::to_string(i + 1) + " a damping ratio ";
     if (zeta < 0) throw InputError("damping_matrix", rule + "that is not negative", number_to_text(zeta));
@@ -123,8 +127,7 @@ void set_modal_damping(const Matrix<T>& L, const Matrix<T>& K, const Matrix<T>& 
     for (std::size_t i = 0; i < N; ++i) {
         const bool nothing = abs(D(i, i)) <= tolerance * size;
         basis.zeta[i] = nothing && D(i, i) < 0 ? T(0) : T(D(i, i) / (2 * basis.r_n[i]));
-        const Column<T> sizes = basis.phi.col(static_cast<Eigen::Index>(i)).cwiseAbs();
-        check_ratio(basis.zeta[i], i, T(tolerance * sizes.dot(product_of_sizes(C, sizes)) / basis.r_n[i]));
+        check_ratio(basis.zeta[i], i, C, basis);
     }
 }
 

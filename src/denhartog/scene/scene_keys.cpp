@@ -49,10 +49,9 @@ constexpr auto ratio_keys = std::to_array<std::pair<const char*, const char*>>({
                                                                                 {"r", "frequency or frequency_hz"},
                                                                                 {"beta", "friction"}});
 
-/// The first of some keys that a scene has; null where it has none.
-template <std::size_t n>
-const char* first_of(const json& object, const std::array<const char*, n>& some) {
-    for (const char* key : some)
+/// The first key of physical units that a scene has; null where it has none.
+const char* first_dimensional_key(const json& object) {
+    for (const char* key : dimensional_keys)
         if (object.contains(key)) return key;
     return nullptr;
 }
@@ -104,7 +103,7 @@ void check_keys(const json& object) {
                     ". A scene has one contact with Coulomb friction and one harmonic load: for several contacts, "
                     "several harmonics or another law of friction take an integrator over time, e.g. SUNDIALS or Siconos",
                 "", pointer_step(entry.key()));
-    const char* dimensional = first_of(object, dimensional_keys);
+    const char* dimensional = first_dimensional_key(object);
     if (dimensional == nullptr) return;
     for (const auto& [key, dimensional_key] : ratio_keys)
         if (object.contains(key))
@@ -114,6 +113,6 @@ void check_keys(const json& object) {
                              "", pointer_step(key));
 }
 
-bool is_dimensional(const json& object) { return first_of(object, dimensional_keys) != nullptr; }
+bool is_dimensional(const json& object) { return first_dimensional_key(object) != nullptr; }
 
 } // namespace denhartog

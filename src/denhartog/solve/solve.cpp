@@ -68,13 +68,14 @@ void set_regime_by_stops(const SolveTask& task, const PeriodicOrbit<T>& orbit, s
 void answer_by_boundaries(const SolveTask& task, const std::string& model, Solution& s) {
     s.masses.clear();
     s.method.model = model;
-    const auto in_100_digits = [&] { return sticking_by_88(scene_with_modes<Real100>(task.source).scene, task.aim.digits); };
     try {
-        const bool double_does = task.aim.digits <= most_digits_of_a_double;
-        s.sticking_by_88 = double_does ? sticking_by_88(task.scene, task.aim.digits) : in_100_digits();
-    } catch (const PrecisionError&) {
-        s.sticking_by_88 = in_100_digits();
+        if (task.aim.digits <= most_digits_of_a_double) {
+            s.sticking_by_88 = sticking_by_88(task.scene, task.aim.digits);
+            return;
+        }
+    } catch (const PrecisionError&) { // double has no modes
     }
+    s.sticking_by_88 = sticking_by_88(scene_with_modes<Real100>(task.source).scene, task.aim.digits);
 }
 
 // Why there is no answer from rest in a number type.

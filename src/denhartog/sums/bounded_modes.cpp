@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <limits>
 
 #include "denhartog/evaluation/mode.hpp"
@@ -151,13 +150,8 @@ ModeSums<Bounded<double>> in_double(const ModeSums<Bounded<T>>& sums) {
 template <class T>
 ModalBasis<Bounded<double>> in_double(const ModalBasis<Bounded<T>>& basis) {
     const auto narrow = [](const Bounded<T>& a) { return in_double(a); };
-    ModalBasis<Bounded<double>> out;
-    std::ranges::transform(basis.r_n, std::back_inserter(out.r_n), narrow);
-    std::ranges::transform(basis.zeta, std::back_inserter(out.zeta), narrow);
-    out.phi = basis.phi.unaryExpr(narrow);
-    out.D = basis.D.unaryExpr(narrow);
-    out.distance_from_classical = in_double(basis.distance_from_classical);
-    return out;
+    return {changed<Bounded<double>>(basis.r_n, narrow), basis.phi.unaryExpr(narrow),
+            changed<Bounded<double>>(basis.zeta, narrow), basis.D.unaryExpr(narrow), in_double(basis.distance_from_classical)};
 }
 
 template <class T>
