@@ -47,7 +47,7 @@ void set_maximum(MassResponse<T>& m, const T& phi_j, const T& instant, const T& 
     m.phase = wrapped(paper::phase_of_mass(phi_j, instant, displacement < 0 ? 1 : 0));
 }
 
-// What a number is at most in size, and at least.
+// What a number is at most in size, by how much it may be off, and what it is at least in size.
 template <class T>
 T most_of(const T& x) {
     return size_of_number(x);
@@ -55,6 +55,14 @@ T most_of(const T& x) {
 template <class T>
 T most_of(const Bounded<T>& x) {
     return x.most();
+}
+template <class T>
+T error_of(const T&) {
+    return T(0);
+}
+template <class T>
+T error_of(const Bounded<T>& x) {
+    return x.e;
 }
 template <class T>
 T least_of(const T& x) {
@@ -130,7 +138,14 @@ void settle_maximum(const ModeSums<T>& s, SteadyState<T>& state, std::size_t k, 
     }
     const T largest = found_by_search(T(now.x + now.x_prime * step / 2));
     using Value = typename ValueOf<T>::type;
-    const Value reach = most_of(step), of_acceleration = reach * size_of_jerk(s, mass, k, instant, step, share),
+    const Value reach = most_of(step);
+    if (!(reach - reach == 0)) { // rounding hides the acceleration; what it makes of the displacement hides the maximum
+        const Value hidden = 8 * std::max(error_of(state.masses[k].x0), error_of(state.masses[k].v0));
+        set_maximum(state.masses[k], state.phi_j, with_neglected(instant, pi<T>()),
+                    with_neglected(found_by_search(now.x), T(hidden)));
+        return;
+    }
+    const Value of_acceleration = reach * size_of_jerk(s, mass, k, instant, step, share),
                 of_displacement = reach * of_acceleration, least = least_of(now.x_double_prime);
     // A step over which the acceleration may vanish tells nothing of the maximum.
     const bool tells = least > 0 && (of_displacement == 0 || 2 * of_acceleration < least);
