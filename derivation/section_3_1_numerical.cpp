@@ -29,16 +29,16 @@ HeldMotion held_motion(int N) {
 }
 
 /// What (6) leaves for beta times the member of (3)'s set: row 1 of the load less inertia, damping and stiffness forces.
-ex friction_needed(int N, int l) {
+ex friction_needed(int N, const ex& direct) {
     from_premise();
     const SymbolicSystem& s = symbolic_system(N);
     const HeldMotion motion = held_motion(N);
     matrix load(N, 1);
-    load(l, 0) = GiNaC::cos(symbols().tau);
+    load(0, 0) = direct * GiNaC::cos(symbols().tau);
     return load.sub(s.M.mul(motion.x_double_prime)).sub(s.C.mul(motion.x_prime)).sub(s.K.mul(motion.x))(0, 0);
 }
 
-Symbolic shipped_load(int N, int l) {
+Symbolic shipped_load(int N, const ex& direct) {
     const SymbolicSystem& s = symbolic_system(N);
     const HeldMotion motion = held_motion(N);
     std::vector<Symbolic> C_j, K_j, x, x_prime;
@@ -48,7 +48,7 @@ Symbolic shipped_load(int N, int l) {
         x.emplace_back(motion.x(k, 0));
         x_prime.emplace_back(motion.x_prime(k, 0));
     }
-    return paper::dynamic_load_on_contact<Symbolic>(C_j, K_j, x, x_prime, l == 0 ? 1 : 0, Symbolic(symbols().tau));
+    return paper::dynamic_load_on_contact<Symbolic>(C_j, K_j, x, x_prime, Symbolic(direct), Symbolic(symbols().tau));
 }
 
 const Register claims_of_section_3_1_numerical([] {
@@ -70,15 +70,26 @@ const Register claims_of_section_3_1_numerical([] {
                     "\\sum_k\\overline{K}_{jk}\\bar{x}_k - "
                     "\\delta_{lj}\\cos\\tau\\right),\\qquad |\\mathrm{sgn}|\\le\\mu"}}},
     };
-    for (const auto& [N, l] : {std::pair(1, 0), {2, 0}, {2, 1}, {3, 0}, {3, 2}})
-        list.push_back({.id = "75/load/N=" + std::to_string(N) + "/l=" + std::to_string(l + 1),
+    struct Case {
+        int N;
+        std::string load; // the loaded mass
+        ex direct;        // part of the load on mass 1, in contact
+    };
+    for (const auto& [N, load, direct] : std::vector<Case>{{1, "l=1", 1},
+                                                           {2, "l=1", 1},
+                                                           {2, "l=2", 0},
+                                                           {3, "l=1", 1},
+                                                           {3, "l=3", 0},
+                                                           {2, "several", s.p_j},
+                                                           {3, "several", s.p_j}})
+        list.push_back({.id = "75/load/N=" + std::to_string(N) + "/" + load,
                         .equations = {"75"},
                         .title = "The load on a contact that is not accelerated is what friction has to balance in (6), with the "
                                  "opposite sign",
                         .assumptions = {"M diagonal", "x_j'' = 0", "j = 1", "N = " + std::to_string(N)},
-                        .kernel = [N = N, l = l] { return Values{shipped_load(N, l)}; },
-                        .derived = [N = N, l = l] { return std::vector<ex>{-friction_needed(N, l)}; },
-                        .special_case = l != 0});
+                        .kernel = [N = N, direct = direct] { return Values{shipped_load(N, direct)}; },
+                        .derived = [N = N, direct = direct] { return std::vector<ex>{-friction_needed(N, direct)}; },
+                        .special_case = !direct.is_equal(1)});
     return list;
 });
 

@@ -45,7 +45,7 @@ const HeldChain& held_chain() {
 
 /// Load on the held contact as a function of tau, by row 2 of (6): x_2 = 0, x_k = Re{X_k exp(i tau)}. The stiffnesses come from
 /// the energy of the chain's springs.
-ex derived_load(bool load_on_contact, bool damping_force) {
+ex derived_load(const ex& direct, bool damping_force) {
     from_premise();
     const HeldChain& c = held_chain();
     const ex tau = symbols().tau;
@@ -55,7 +55,7 @@ ex derived_load(bool load_on_contact, bool damping_force) {
     ex load = energy.diff(x_2).subs(lst{x_1 == motion(0), x_2 == 0, x_3 == motion(1)});
     const GiNaC::symbol t = GiNaC::ex_to<GiNaC::symbol>(tau);
     if (damping_force) load += c.C_21 * motion(0).diff(t) + c.C_23 * motion(1).diff(t);
-    return load_on_contact ? load - GiNaC::cos(tau) : load;
+    return load - direct * GiNaC::cos(tau);
 }
 
 /// Factors of cos(tau) and -sin(tau).
@@ -69,12 +69,12 @@ ex limit_of(const ex& load) {
     return GiNaC::sqrt(re * re + im * im) / symbols().mu;
 }
 
-Complex<Symbolic> shipped_load(bool load_on_contact) {
+Complex<Symbolic> shipped_load(const ex& direct) {
     const HeldChain& c = held_chain();
     const std::vector<Symbolic> C_j{Symbolic(c.C_21), Symbolic(c.C_23)}, K_j{Symbolic(-c.kappa_2), Symbolic(-c.kappa_3)};
     std::vector<Complex<Symbolic>> X;
     for (int k = 0; k < 2; ++k) X.push_back({Symbolic(c.X_re[k]), Symbolic(c.X_im[k])});
-    return paper::load_on_held_contact<Symbolic>(C_j, K_j, X, load_on_contact ? 1 : 0);
+    return paper::load_on_held_contact<Symbolic>(C_j, K_j, X, Symbolic(direct));
 }
 
 /// The three lines of (88); the masses on the other side of the contact at rest, and all of them where it bears the load itself.
@@ -89,9 +89,9 @@ Values lines_of_88() {
 std::vector<ex> derived_lines_of_88(bool damping_force) {
     const HeldChain& c = held_chain();
     const lst first_rests{c.X_re[0] == 0, c.X_im[0] == 0}, last_rests{c.X_re[1] == 0, c.X_im[1] == 0};
-    const ex load = derived_load(false, damping_force);
+    const ex load = derived_load(0, damping_force);
     return {limit_of(load.subs(last_rests)), limit_of(load.subs(first_rests)),
-            limit_of(derived_load(true, damping_force).subs(first_rests).subs(last_rests))};
+            limit_of(derived_load(1, damping_force).subs(first_rests).subs(last_rests))};
 }
 
 const Register claims_of_section_4_3_stuck([] {
@@ -159,25 +159,17 @@ const Register claims_of_section_4_3_stuck([] {
          .assumptions = held,
          .kernel =
              [&s] {
-                 Values values;
-                 for (const bool load_on_contact : {false, true}) {
-                     const Complex<Symbolic> load = shipped_load(load_on_contact);
-                     values.insert(values.end(), {load.re, load.im, paper::sticking_limit(load, Symbolic(s.mu))});
-                 }
-                 return values;
+                 const Complex<Symbolic> load = shipped_load(s.p_j);
+                 return Values{load.re, load.im, paper::sticking_limit(load, Symbolic(s.mu))};
              },
          .derived =
-             [] {
-                 std::vector<ex> values;
-                 for (const bool load_on_contact : {false, true}) {
-                     const ex load = derived_load(load_on_contact, true);
-                     const auto [re, im] = complex_amplitude(load);
-                     values.insert(values.end(), {re, im, limit_of(load)});
-                 }
-                 return values;
+             [&s] {
+                 const ex load = derived_load(s.p_j, true);
+                 const auto [re, im] = complex_amplitude(load);
+                 return std::vector<ex>{re, im, limit_of(load)};
              },
          .steps = {step("Row j of (6) with the contact held at zero: what friction has to balance", "\\Sigma_j(\\tau)",
-                        derived_load(true, true)),
+                        derived_load(1, true)),
                    {"Friction of at most mu beta balances it at every tau where its amplitude is not larger",
                     "\\max_\\tau|\\Sigma_j(\\tau)| \\le \\mu\\beta"}}},
         {.id = "88/side",
@@ -188,12 +180,12 @@ const Register claims_of_section_4_3_stuck([] {
          .assumptions = held,
          .kernel =
              [&s] {
-                 const ex limit = square(paper::sticking_limit(shipped_load(true), Symbolic(s.mu))).expression();
+                 const ex limit = square(paper::sticking_limit(shipped_load(1), Symbolic(s.mu))).expression();
                  return Values{Symbolic(s.mu * s.mu * (s.beta * s.beta - limit))};
              },
          .derived =
              [&s] {
-                 const auto [re, im] = complex_amplitude(derived_load(true, true));
+                 const auto [re, im] = complex_amplitude(derived_load(1, true));
                  return std::vector<ex>{GiNaC::pow(s.mu * s.beta, 2) - re * re - im * im};
              },
          .steps =

@@ -105,6 +105,7 @@ const Symbols& symbols() {
         n.P = positive("P", "P");
         n.F = positive("F", "F");
         n.x = any("x", "x");
+        n.p_j = any("p_j", "p_j");
         n.PA = any("PA", "\\mathcal{A}");
         n.PB = any("PB", "\\mathcal{B}");
         n.PC = any("PC", "\\mathcal{C}");

@@ -78,6 +78,7 @@ struct Symbols {
     GiNaC::ex P;           ///< amplitude of the load
     GiNaC::ex F;           ///< friction force
     GiNaC::ex x;           ///< displacement
+    GiNaC::ex p_j;         ///< part of the load on the mass in contact, where the load is on several
     GiNaC::ex PA;          ///< coefficient A of (A.11)
     GiNaC::ex PB;          ///< coefficient B of (A.11)
     GiNaC::ex PC;          ///< coefficient C of (A.11)

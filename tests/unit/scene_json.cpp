@@ -307,12 +307,9 @@ TEST_CASE("a contact may be between two masses, a load on each, and there is roo
     REQUIRE(says(after([](json& x) { x["contact"] = {2, 2}; }), "contact", "between two masses", "2", "/contact/1"));
     REQUIRE(says(after([](json& x) { x["load"] = {1, 2}; }), "load", "as many values as there are masses (3)", "2", "/load"));
     REQUIRE(says(after([](json& x) { x["load"] = {0, 0, 0}; }), "load", "must act on at least one mass", "0 on all", "/load"));
-    REQUIRE(says(after([](json& x) { x["load"] = {0, 2, 0}; }), "load", "must be 1 there", "2", "/load/1"));
-    REQUIRE(says(after([](json& x) {
-                     x["contact"] = {1, 2};
-                     x["load"] = {-1, 1, 0};
-                 }),
-                 "load", "must be 1 there", "-1", "/load/0"));
+    json on_contact = good();
+    on_contact["load"] = {0, -2, 0};
+    REQUIRE(read_scene<double>(on_contact.dump()).system.load_vector == std::vector<double>{0, -2, 0});
 }
 
 TEST_CASE("a moving base loads the masses by inertia, or by its springs", "[scene][json][vectors]") {

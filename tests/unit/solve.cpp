@@ -445,22 +445,21 @@ TEST_CASE("beta_lim by (56) is that of the modes only where their coupling makes
 }
 
 TEST_CASE("where rounding keeps a motion from settling in double 50 digits find it", "[solve][eq:74]") {
-    // A light mass between wall and contact; both are loaded, so that the coordinates of load and contact are nearly one.
-    const Solution light = solve(scene_source(SceneText{R"({"masses": [[6e-7, 0], [0, 2.85]],
-        "stiffnesses": [[90000, -16000], [-16000, 91000]], "damping_ratios": [0.1, 0.2], "contact": 2,
-        "base_motion": "with_wall", "base_displacement": 0.001, "frequency": 121, "friction": 32.6})"}),
+    // A light mass m between wall and contact, both loaded by p; in place of its displacement p^T x, which is nearly the contact's.
+    const Solution light = solve(scene_source(SceneText{R"({"mass_matrix": [[1, -4750000], [-4750000, 22562504750000]],
+        "stiffness_matrix": [[1, "-4750000.18"], ["-4750000.18", "22562501710001.01"]], "damping_ratios": [0.1, 0.2], "contact": 2,
+        "load": 1, "r": 0.0003124, "beta": 3710000})"}),
                                  {Asked::motion, {}});
     REQUIRE(light.regime.regime == Regime::stick_slip);
     CHECK(light.method.precision == "50 digits");
     CHECK(light.method.why.starts_with("in double: rounding keeps the motion from settling"));
     CHECK(light.stops.size() == 2);
-    // Without the mass that is no other scene, but for its share in the load; P and k_1 are those of the first mass.
-    const Solution condensed = solve(scene_source(SceneText{R"({"masses": [2.85],
-        "stiffnesses": [88155.555555555556], "damping_ratios": 0.1, "contact": 1,
-        "base_motion": "with_wall", "base_displacement": 0.001, "frequency": 121, "friction": 32.6})"}),
+    // Without the mass that is no other scene; its spring has a share of the load.
+    const Solution condensed = solve(scene_source(SceneText{R"({"masses": [4750000], "stiffnesses": [0.9776],
+        "damping_ratios": 0.1, "contact": 1, "load": 1, "force": 4750000.18, "friction": 3710000, "frequency": 0.0003124})"}),
                                      {Asked::motion, {}});
-    const double unit = 6e-7 / 90000, unit_of_condensed = 2.85 / 88155.555555555556;
-    CHECK(mass_of(light, light.contact).amplitude.value * unit ==
+    const double unit_of_condensed = 4750000.18 / 0.9776;
+    CHECK(mass_of(light, light.contact).amplitude.value ==
           Approx(mass_of(condensed, condensed.contact).amplitude.value * unit_of_condensed).epsilon(2e-6));
 }
 
@@ -476,15 +475,95 @@ TEST_CASE("a light mass of which double only sees phases without length moves in
 }
 
 TEST_CASE("a scene of which double has no modes is answered in 50 digits", "[solve][eq:69]") {
-    const SceneSource scene = scene_source(SceneText{R"({"masses": [[27, 0], [0, 1e-9]],
-        "stiffnesses": [[546451, -511864], [-511864, 661600]], "damping_ratios": [0.01, 0.02], "contact": 1,
-        "base_motion": "with_wall", "base_displacement": 0.001, "frequency": 64, "friction": 12})"});
-    REQUIRE_THROWS_AS(modal_basis(scene->in_double().system), PrecisionError);
-    for (const Asked asked : {Asked::regime, Asked::amplitude, Asked::motion}) {
-        const Solution found = solve(scene, {asked, {}});
-        CHECK(found.regime.regime == Regime::continuous);
-        CHECK(found.digits_reached);
+    // Two masses that nothing moves apart are one of 2.5.
+    const std::string rigid = R"({"mass_matrix": [[1, 0.25], [0.25, 1]], "stiffness_ratios": [1, 1e17],
+        "damping_ratios": [0.05, 0.05], "contact": 1, "load": 2, "r": 0.9, "beta": )";
+    const std::string one = R"({"masses": [2.5], "stiffnesses": [1], "damping_ratios": 0.05, "contact": 1, "load": 1, "force": 1,
+        "frequency": 0.9, "friction": )";
+    for (const std::string beta : {"0.3", "0.7", "1.1"}) {
+        const SceneSource scene = scene_source(SceneText{rigid + beta + "}"});
+        REQUIRE_THROWS_AS(modal_basis(scene->in_double().system), PrecisionError);
+        const Solution of_one = solve(scene_source(SceneText{one + beta + "}"}), {Asked::motion, {}});
+        for (const Asked asked : {Asked::amplitude, Asked::motion}) {
+            const Solution found = solve(scene, {asked, {}});
+            CHECK(found.regime.regime == of_one.regime.regime);
+            CHECK(found.digits_reached);
+            CHECK(found.masses[0].amplitude.value == Approx(of_one.masses[0].amplitude.value).epsilon(1e-9));
+        }
     }
+}
+
+TEST_CASE("a light mass on a base that moves costs a motion no digits", "[solve][eq:74]") {
+    // The displacement of the load, M 1 over m_1, is nearly that of the contact. As a coordinate it took 5e10 times the rounding.
+    for (const double beta : {0.3, 0.9, 1.1}) {
+        const Scene<double> at =
+            read_scene<double>(R"({"mass_matrix": [[1, 0], [0, 3.7e-11]], "stiffness_matrix": [[1, -0.9367], [-0.9367, 1.2107]],
+            "damping_ratios": [0.01, 0.02], "contact": 1, "base_motion": "with_wall", "r": 0.45, "beta": )" +
+                               std::to_string(beta) + "}");
+        const Solution found = solve(scene_source(at), {Asked::motion, 14});
+        CHECK(found.digits_reached);
+        CHECK((found.regime.regime == Regime::stick_slip) == (beta == 0.9));
+    }
+}
+
+TEST_CASE("a chain on a base that moves keeps the digits of a chain", "[solve][eq:14]") {
+    const Scene<double> at =
+        read_scene<double>(R"({"mass_ratios": [1, 1, 1], "stiffness_ratios": [1, 1e-14, 1e14], "damping_ratios": 0.05,
+        "contact": 1, "base_motion": "with_wall"})");
+    const SceneSource source = scene_source(at);
+    const System<double>& own = source->in_double().system;
+    CHECK(is_chain(own));
+    const ModalBasis<double> basis = modal_basis(own);
+    CHECK(basis.r_n[0] == Approx(std::sqrt(5e-15)).epsilon(1e-14)); // two masses of one on the weak spring
+    REQUIRE(basis.phi.rows() == 4);
+    for (Eigen::Index i = 0; i < 3; ++i) CHECK(basis.phi(3, i) == Approx(basis.phi.col(i).head(3).sum()).margin(1e-14));
+}
+
+TEST_CASE("a contact between two masses takes the place of the lighter one", "[solve][vectors]") {
+    for (const std::string contact : {"[1, 2]", "[2, 1]"}) {
+        const SceneSource source = scene_source(SceneText{R"({"mass_ratios": [1, 1e-17], "stiffness_ratios": [1, 1],
+            "damping_ratios": 0.05, "load": 2, "contact": )" +
+                                                          contact + "}"});
+        const System<double>& own = source->in_double().system;
+        CHECK(own.contact == Mass{1});
+        CHECK(own.mass_matrix(0, 0) == 1); // the heavier has both, which rounds to 1; the contact keeps the lighter
+        CHECK(own.mass_matrix(1, 1) == 1e-17);
+    }
+}
+
+TEST_CASE("a load on nothing but the contact may have any size and sign", "[solve]") {
+    const std::string of_both = R"("damping_ratios": 0, "contact": 1, "base_motion": "alone", "base_displacement": 0.001,
+        "frequency": 20, "friction": 0.1})";
+    const Solution by_matrices =
+        solve(scene_source(SceneText{R"({"masses": [[2, 0], [0, 3]], "stiffnesses": [[1500, -800], [-800, 800]], )" + of_both}),
+              {Asked::motion, 12});
+    const Solution chain =
+        solve(scene_source(SceneText{R"({"masses": [2, 3], "stiffnesses": [700, 800], )" + of_both}), {Asked::motion, 12});
+    CHECK(by_matrices.regime.regime == Regime::continuous);
+    for (const std::size_t k : {0, 1}) // in units of P / k_1, where P = k_1 X of the base
+        CHECK(by_matrices.masses[k].amplitude.value == Approx(chain.masses[k].amplitude.value).epsilon(1e-11));
+    // A force of -2 P at the contact, between two masses as well, under twice the friction, is the motion half a period later.
+    for (const std::string contact : {"2", "[2, 1]"})
+        for (const std::string damping : {R"("damping_ratios": [0.02, 0.04])", R"("damping_matrix": [[0.2, -0.1], [-0.1, 0.1]])"})
+            for (const double beta : {0.1, 0.9, 5.0}) {
+                const auto at = [&](double c, const std::string& load) {
+                    return solve(scene_source(SceneText{R"({"mass_ratios": [1, 2], "stiffness_ratios": [1, 1], )" + damping +
+                                                        R"(, "contact": )" + contact + R"(, "load": )" + load +
+                                                        R"(, "r": 0.8, "beta": )" + std::to_string(c * beta) + "}"}),
+                                 {Asked::motion, 12});
+                };
+                INFO(contact << " " << damping << " " << beta);
+                const Solution one = at(1, contact == "2" ? "2" : "[-1, 1]"),
+                               other = at(2, contact == "2" ? "[0, -2]" : "[2, -2]");
+                CHECK(one.regime.regime == other.regime.regime);
+                CHECK(one.stops.size() == other.stops.size());
+                for (std::size_t k = 0; k < 2; ++k) {
+                    CHECK(other.masses[k].amplitude.value == Approx(2 * one.masses[k].amplitude.value).epsilon(1e-11));
+                    if (one.masses[k].phase)
+                        CHECK(std::abs(std::abs(one.masses[k].phase->value - other.masses[k].phase->value) - std::acos(-1)) <
+                              1e-9);
+                }
+            }
 }
 
 TEST_CASE("a search that spends its work in exponentials says what is certain", "[solve][effort]") {
@@ -507,4 +586,16 @@ TEST_CASE("a mode too fast to be followed is named with its frequency", "[solve]
                       Catch::Contains("The fastest mode has 3.3e+04 times the frequency of the force"));
     scene.system.mass_ratios[1] = 1e-4;
     CHECK_THROWS_WITH(asking(scene, Asked::motion), !Catch::Contains("The fastest mode"));
+}
+
+TEST_CASE("a mass that hardly moves has a bound, whatever rounding leaves of its acceleration", "[solve][accuracy]") {
+    const SceneSource scene = scene_source(SceneText{R"({"mass_ratios": [1, 1.9e-08, 1.44e-08, 0.00326, 3.03e-06, 0.312, 1.06e-07,
+        0.441], "stiffness_ratios": [1, 0.731, 0.911, 1.63, 2.61, 3, 2.56, 0.472], "damping_matrix": [[0, 0, 0, 0, 0, 0, 0, 0],
+        [0, 0, 0, 0, 0, 0, 0, 0], [0, 0, 0, 0, 0, 0, 0, 0], [0, 0, 0, 0.004, 0, -0.004, 0, 0], [0, 0, 0, 0, 0, 0, 0, 0],
+        [0, 0, 0, -0.004, 0, 0.021, -0.017, 0], [0, 0, 0, 0, 0, -0.017, 0.017, 0], [0, 0, 0, 0, 0, 0, 0, 0]],
+        "contact": [4, 5], "load": 2, "r": 5358, "beta": 0.0002})"});
+    const Solution found = solve(scene, {Asked::motion, {}});
+    REQUIRE(found.regime.regime == Regime::continuous);
+    for (const SolvedMass& mass : found.masses) CHECK(std::isfinite(mass.amplitude.error));
+    CHECK(found.masses[7].amplitude.error < 1e-9 * found.masses[1].amplitude.value);
 }

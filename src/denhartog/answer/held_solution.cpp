@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "denhartog/answer/certify.hpp"
+#include "denhartog/model/coordinates.hpp"
 #include "denhartog/model/linear_algebra.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/stick_slip/stuck_response.hpp"
@@ -78,7 +79,8 @@ HeldErrors<T> errors_of(const Scene<T>& scene, const StuckConfiguration<T>& stuc
                         const StuckResponse<T>& response) {
     const auto n = static_cast<Eigen::Index>(stuck.masses.size());
     const T r = *scene.r, eps = unit_of<T>(), rounding = 8 * static_cast<int>(n + 1) * eps;
-    HeldErrors<T> errors{{}, T(eps + rounding * scene.mu * *scene.beta)};
+    const std::vector<T> p = load_on_coordinates(scene.system);
+    HeldErrors<T> errors{{}, T(eps * std::max(T(1), T(abs(p[scene.system.contact.index]))) + rounding * scene.mu * *scene.beta)};
     if (n == 0) return errors;
     const Matrix<T> stiffness = stuck.K - r * r * stuck.M, damping = r * stuck.C;
     Matrix<T> A(2 * n, 2 * n);
@@ -88,7 +90,7 @@ HeldErrors<T> errors_of(const Scene<T>& scene, const StuckConfiguration<T>& stuc
         const Mass k = stuck.masses[static_cast<std::size_t>(i)];
         X(i) = response.masses[k.index].X.re;
         X(n + i) = response.masses[k.index].X.im;
-        if (k == scene.system.load) b(i) = T(1);
+        b(i) = p[k.index];
     }
     const Column<T> size = X.cwiseAbs();
     const Matrix<T> entries = stuck.K.cwiseAbs() + r * r * stuck.M.cwiseAbs();

@@ -9,8 +9,7 @@
 #include "denhartog/answer/orbit_solution.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/stick_slip/at_maximum_of_force.hpp"
-#include "denhartog/sums/bounded_modes.hpp"
-#include "denhartog/sums/coupled_sums.hpp"
+#include "denhartog/sums/chain_sums.hpp"
 
 namespace denhartog {
 namespace {
@@ -28,12 +27,13 @@ State<double> scaled(State<double> z, double factor) {
 
 class Explorer {
 public:
-    explicit Explorer(const Scene<double>& scene_)
-        : scene(scene_), system(contact_system(scene.system)), solver(system, at(*scene.r, *scene.beta)),
-          N(system.basis.r_n.size()), size(N, 1) {
+    Explorer(const Scene<double>& scene_, const ContactSystem<double>& system_,
+             const std::shared_ptr<const ModalBasis<Bounded<double>>>& basis_)
+        : scene(scene_), system(system_), basis(*basis_), solver(system, at(*scene.r, *scene.beta)), N(system.basis.r_n.size()),
+          size(N, 1) {
         try {
-            const ModeSums<double> sums = system.basis.coupled() ? values_of(coupled_sums(scene.system, as_input(*scene.r)))
-                                                                 : mode_sums(system.basis, system.contact, system.load, *scene.r);
+            BoundedModes<double> modes(basis_, as_input(*scene.r));
+            const ModeSums<double> sums = values_of(bounded_sums(scene.system, modes));
             for (std::size_t k = 0; k < N; ++k) size[k] = std::max(modulus(sums.V[k]), 1e-3);
             const Boundary<double> limits = boundary(sums, scene.mu);
             if (*scene.beta < limits.exact) sliding = at_maximum_of_force(sums, steady_state(sums, limits, *scene.beta));
@@ -136,8 +136,7 @@ private:
                            orbit.start,
                            std::nullopt};
         if (rests) {
-            const HeldSolution held =
-                held_solution(scene, system.stuck, with_errors(scene.system, system.basis), digits_by_default);
+            const HeldSolution held = held_solution(scene, system.stuck, basis, digits_by_default);
             motion.masses = held.masses;
             if (std::isfinite(held.rest_interval.to.error)) { // where double gives one
                 motion.rest_interval = held.rest_interval;
@@ -171,7 +170,8 @@ private:
     }
 
     const Scene<double>& scene;
-    ContactSystem<double> system;
+    const ContactSystem<double>& system;
+    const ModalBasis<Bounded<double>>& basis;
     ExactSolver<double> solver;
     std::size_t N;
     std::vector<double> size; // of the motion without friction
@@ -181,6 +181,9 @@ private:
 
 } // namespace
 
-std::vector<OtherMotion> other_motions(const Scene<double>& scene) { return Explorer(scene).all(); }
+std::vector<OtherMotion> other_motions(const Scene<double>& scene, const ContactSystem<double>& system,
+                                       const std::shared_ptr<const ModalBasis<Bounded<double>>>& basis) {
+    return Explorer(scene, system, basis).all();
+}
 
 } // namespace denhartog

@@ -5,7 +5,11 @@
 /// same in every run.
 #pragma once
 
+#include <memory>
+
 #include "denhartog/answer/solution.hpp"
+#include "denhartog/stick_slip/exact_motion.hpp"
+#include "denhartog/sums/bounded_modes.hpp"
 
 namespace denhartog {
 
@@ -15,8 +19,11 @@ namespace denhartog {
 /// states in the size of the motion without friction; the orbits of neighbouring r and beta, from both sides. Unstable orbits
 /// are those that Newton's method finds from the same starts. Where the motion is known to be unique the start from rest alone
 /// is followed.
-/// @param scene  the scene, with r and beta
-/// @return       the motions; none where no start leads to one
-[[nodiscard]] std::vector<OtherMotion> other_motions(const Scene<double>& scene);
+/// @param scene   the scene, with r and beta
+/// @param system  the system of the scene, as the exact solver needs it
+/// @param basis   its modal basis with bounds of its errors
+/// @return        the motions; none where no start leads to one
+[[nodiscard]] std::vector<OtherMotion> other_motions(const Scene<double>& scene, const ContactSystem<double>& system,
+                                                     const std::shared_ptr<const ModalBasis<Bounded<double>>>& basis);
 
 } // namespace denhartog

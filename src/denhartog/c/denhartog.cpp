@@ -1,5 +1,6 @@
 #include "denhartog/c/denhartog.h"
 
+#include <algorithm>
 #include <array>
 #include <memory>
 
@@ -31,11 +32,6 @@ void make_system(const SceneSource& source, dh_system** system) {
             moving.further.row(static_cast<Eigen::Index>(n));
     need_finite(made->basis.r_n);
     *system = made.release();
-}
-
-ModeSums<double> sums_at(const dh_system* system, double r) {
-    const System<double>& s = system->prepared.scene().system;
-    return mode_sums(system->prepared.moving->basis, s.contact, s.load, r);
 }
 
 // Significant digits of the numbers that come without a bound of their error.
@@ -145,7 +141,9 @@ int dh_system_masses(const dh_system* system, size_t* N, size_t* contact, size_t
         *N = count;
         const System<double>& s = system->prepared.scene().system;
         if (contact != nullptr) *contact = (s.coordinates.between.empty() ? s.contact : s.coordinates.between[0]).index + 1;
-        if (load != nullptr) *load = system->prepared.scene().system.load.index + 1;
+        const std::vector<double> p = load_on_coordinates(s);
+        const auto is_loaded = [](double force) { return force != 0; };
+        if (load != nullptr) *load = static_cast<std::size_t>(std::ranges::find_if(p, is_loaded) - p.begin()) + 1;
     });
 }
 
@@ -186,7 +184,8 @@ int dh_modal_functions(const dh_system* system, double r, size_t count, double* 
             need_finite(ratios);
             return hand_out(ratios, R);
         }
-        const ModeSums<double> s = sums_at(system, r);
+        const Mass contact = system->prepared.scene().system.contact;
+        const ModeSums<double> s = mode_sums(system->prepared.moving->basis, contact, contact, r);
         const std::vector<double> parts = interleaved(s.v);
         need_all_finite({s.R, parts, s.u, s.g});
         hand_out(s.R, R);

@@ -17,12 +17,12 @@ namespace denhartog::paper {
 /// @param K_j      row j of the non-dimensional stiffness matrix, Eq. (7), N values
 /// @param x        displacements, N values
 /// @param x_prime  velocities with respect to tau, N values
-/// @param delta_lj 1 where the load acts on the mass in contact, else 0
+/// @param delta_lj part of the load on the mass in contact: 1 where it acts on no other, 0 where it acts on another; p_j of several
 /// @param tau      non-dimensional time, Eq. (5), zero at a maximum of the force; radians
 /// @return         the load, in units of P
 template <class T>
 [[nodiscard]] T dynamic_load_on_contact(std::span<const T> C_j, std::span<const T> K_j, std::span<const T> x,
-                                        std::span<const T> x_prime, int delta_lj, const T& tau) {
+                                        std::span<const T> x_prime, const T& delta_lj, const T& tau) {
     T load = -delta_lj * cos(tau);
     for (std::size_t k = 0; k < x.size(); ++k) load = load + C_j[k] * x_prime[k] + K_j[k] * x[k];
     return load;
@@ -62,12 +62,12 @@ template <class T>
 /// @param C_j      row j of the non-dimensional damping matrix, Eq. (7)
 /// @param K_j      row j of the non-dimensional stiffness matrix, Eq. (7); less that of the mass matrix where it is not diagonal
 /// @param X        complex amplitudes of the displacements with the contact held, \f$ \bar{x}_k = \mathrm{Re}\{X_ke^{i\tau}\} \f$
-/// @param delta_lj 1 where the load acts on the mass in contact, else 0
+/// @param delta_lj part of the load on the mass in contact: 1 where it acts on no other, 0 where it acts on another; p_j of several
 /// @return         the amplitude, complex; in units of P
 template <class T>
 [[nodiscard]] Complex<T> load_on_held_contact(std::span<const T> C_j, std::span<const T> K_j, std::span<const Complex<T>> X,
-                                              int delta_lj) {
-    Complex<T> load{T(-delta_lj), T(0)};
+                                              const T& delta_lj) {
+    Complex<T> load{-delta_lj, T(0)};
     for (std::size_t k = 0; k < X.size(); ++k)
         load = load + Complex<T>{K_j[k] * X[k].re - C_j[k] * X[k].im, K_j[k] * X[k].im + C_j[k] * X[k].re};
     return load;

@@ -161,7 +161,7 @@ void contact_sums(const ModalBasis<Bounded<double>>& basis, Mass contact, Mass l
                   ContactSums& s) {
     const std::size_t N = basis.r_n.size(), points = r.size();
     check_mass(contact, N, "contact");
-    check_mass(load, N, "load");
+    check_mass(load, static_cast<std::size_t>(basis.phi.rows()), "load");
     if (threads < 1) throw InputError("threads", "must be at least 1", std::to_string(threads));
     for (const double each : r) check_frequency_ratio(each);
     for (std::vector<double>* each : all_of(s)) each->resize(points);

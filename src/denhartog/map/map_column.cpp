@@ -179,6 +179,8 @@ private:
     }
 
     bool follow(std::size_t n, const State<double>& start, const State<double>* guess = nullptr) {
+        const bool as_solve_does = !is_near && (map.mu == 1 || map.start == MapStart::rest);
+        if (as_solve_does && !map.system().rounded_because.empty()) return false;
         const Excitation<double> excitation{r, map.beta[n], map.mu};
         if (solver)
             solver->set(excitation);
@@ -197,7 +199,7 @@ private:
             return Bounded<double>(contact_alone ? orbit.contact.amplitude : orbit.masses[k].amplitude, orbit.error_bound);
         };
         const bool beyond = !slides(map.beta[n]), must_stop = beyond && (map.mu == 1 || damped);
-        const bool open = !is_near && (map.mu == 1 || map.start == MapStart::rest) && // where `solve` tells
+        const bool open = as_solve_does &&
                           stops_are_open(orbit, beyond, must_stop, !beyond && is_sliding_motion(orbit, contact_amplitude(n).x));
         if (open || !is_told(n) || !write(n, number)) return false;
         const bool stops = !orbit.stops.empty() || must_stop;

@@ -1,6 +1,6 @@
 #include "denhartog/model/coordinates.hpp"
 
-#include <cstdint>
+#include <algorithm>
 #include <span>
 
 #include "denhartog/formulas/system.hpp"
@@ -16,93 +16,42 @@ using Wide = std::conditional_t<std::same_as<T, double>, Real50, Real100>;
 template <class T>
 using RowMajor = Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-// Two coordinates and what they are: y_a = w^T x, y_b = p^T x.
-template <class T>
-struct TwoCoordinates {
-    std::vector<T> w;
-    std::vector<T> p;
-    std::size_t a = 0;
-    std::size_t b = 0;
-    T determinant = T(0); // of the two equations for x_a and x_b
+// The displacement of the contact between two masses, y = x_j - x_k, in the place of mass a: x_a = y + x_b, or x_b - y.
+struct OfContact {
+    Eigen::Index a, b;
+    int sign; // of x_a in y
 };
 
+// It takes the place of the lighter mass: the other then has the inertia of both, and neither hides in the rounding of the other.
 template <class T>
-T size_of(const T& x) {
-    return x < 0 ? T(-x) : x;
+OfContact of_contact(const System<T>& s) {
+    const auto j = static_cast<Eigen::Index>(s.contact.index), k = static_cast<Eigen::Index>(s.contact_with->index);
+    const Matrix<T> M = mass_matrix(s);
+    return M(j, j) <= M(k, k) ? OfContact{j, k, 1} : OfContact{k, j, -1};
 }
 
-// The masses whose places contact and load take: those for which x is best told from y.
-template <class T>
-TwoCoordinates<T> two_coordinates(const System<T>& s) {
-    const std::size_t N = number_of_masses(s);
-    TwoCoordinates<T> two{std::vector<T>(N, T(0)), s.load_vector, 0, 0, T(0)};
-    two.w[s.contact.index] = T(1);
-    if (s.contact_with) two.w[s.contact_with->index] = T(-1);
-    if (two.p.empty()) {
-        two.p.assign(N, T(0));
-        two.p[s.load.index] = T(1);
-    }
-    for (std::size_t a = 0; a < N; ++a)
-        for (std::size_t b = 0; b < N; ++b) {
-            if (a == b || two.w[a] == 0 || two.p[b] == 0) continue;
-            const T determinant = two.w[a] * two.p[b] - two.w[b] * two.p[a];
-            if (size_of(determinant) <= size_of(two.determinant)) continue;
-            two.a = a;
-            two.b = b;
-            two.determinant = determinant;
-        }
-    if (two.determinant == 0) two.a = two.b = s.contact.index; // the load acts on the contact
-    return two;
-}
-
-// Rows a and b of O; of one coordinate for both, row a.
-template <class T>
-Matrix<T> two_rows(const TwoCoordinates<T>& two) {
-    const auto N = static_cast<Eigen::Index>(two.w.size());
-    const bool one = two.a == two.b;
-    Matrix<T> rows(one ? 1 : 2, N);
-    for (Eigen::Index n = 0; n < N; ++n) {
-        const auto k = static_cast<std::size_t>(n);
-        const T &w_a = two.w[two.a], &p_a = two.p[two.a], &w_b = two.w[two.b], &p_b = two.p[two.b];
-        if (one) {
-            rows(0, n) = (k == two.a ? T(1) : T(-two.w[k])) / w_a;
-        } else if (k == two.a) {
-            rows(0, n) = p_b / two.determinant;
-            rows(1, n) = -p_a / two.determinant;
-        } else if (k == two.b) {
-            rows(0, n) = -w_b / two.determinant;
-            rows(1, n) = w_a / two.determinant;
-        } else {
-            rows(0, n) = (w_b * two.p[k] - p_b * two.w[k]) / two.determinant;
-            rows(1, n) = (p_a * two.w[k] - w_a * two.p[k]) / two.determinant;
-        }
-    }
-    return rows;
-}
-
-// A O, where O has ones on its diagonal and nothing else, but for rows a and b.
-template <class T>
-Matrix<T> times_coordinates(const Matrix<T>& A, const TwoCoordinates<T>& two, const Matrix<T>& rows) {
-    Matrix<T> product = A;
-    const std::size_t places[] = {two.a, two.b};
-    for (Eigen::Index n = 0; n < rows.rows(); ++n) product.col(static_cast<Eigen::Index>(places[n])).setZero();
-    for (Eigen::Index n = 0; n < rows.rows(); ++n) {
-        const auto from = static_cast<Eigen::Index>(places[n]);
-        for (Eigen::Index k = 0; k < A.cols(); ++k)
-            if (rows(n, k) != 0)
-                for (Eigen::Index i = 0; i < A.rows(); ++i) product(i, k) += A(i, from) * rows(n, k);
-    }
-    return product;
-}
-
-// O^T A O, symmetric to the last bit.
+// O^T A O, symmetric to the last bit; O has ones on its diagonal and nothing else, but for row a.
 template <class T, class W>
-Matrix<T> in_two_coordinates(const Matrix<W>& A, const TwoCoordinates<W>& two, const Matrix<W>& rows) {
-    const Matrix<W> half = times_coordinates(A, two, rows).transpose();
-    Matrix<T> all = in_type<T>(times_coordinates(half, two, rows));
-    for (Eigen::Index i = 0; i < all.rows(); ++i)
-        for (Eigen::Index k = 0; k < i; ++k) all(i, k) = all(k, i);
-    return all;
+Matrix<T> in_coordinates_of(const OfContact& y, Matrix<W> A) {
+    A.col(y.b) += A.col(y.a);
+    A.row(y.b) += A.row(y.a);
+    A.col(y.a) *= W(y.sign);
+    A.row(y.a) *= W(y.sign);
+    return in_type<T>(A);
+}
+
+// The load is on one coordinate where it can be said so.
+template <class T>
+void set_load(const std::vector<T>& p, System<T>& s) {
+    const auto one = std::ranges::find(p, T(1));
+    const bool on_one = one != p.end() && std::ranges::count(p, T(0)) + 1 == std::ssize(p);
+    s.load_vector.clear();
+    if (on_one) {
+        s.load = Mass{static_cast<std::size_t>(one - p.begin())};
+    } else {
+        s.coordinates.load = p;
+        s.load = Mass{p.size() + s.coordinates.replaced.size()};
+    }
 }
 
 } // namespace
@@ -130,39 +79,32 @@ Scene<T> in_own_coordinates(const Scene<T>& scene) {
     check(scene);
     using W = Wide<T>;
     const System<W> s = in_type<W>(scene.system);
-    const TwoCoordinates<W> two = two_coordinates(s);
-    const Matrix<W> rows = two_rows(two);
+    std::vector<W> p = s.load_vector.empty() ? load_on_coordinates(s) : s.load_vector;
     Scene<T> out = scene;
     System<T>& t = out.system;
-    t.contact = Mass{two.a};
-    t.load = Mass{two.b};
-    t.contact_with.reset();
-    t.load_vector.clear();
-    const std::size_t places[] = {two.a, two.b};
-    std::vector<Eigen::Index> kept;
-    for (const std::size_t n : two.a < two.b ? std::vector<std::size_t>{0, 1} : std::vector<std::size_t>{1, 0}) {
-        if (static_cast<Eigen::Index>(n) >= rows.rows()) continue;
-        const auto row = static_cast<Eigen::Index>(n);
-        bool is_itself = true;
-        for (Eigen::Index k = 0; k < rows.cols(); ++k)
-            is_itself = is_itself && rows(row, k) == W(static_cast<std::size_t>(k) == places[n] ? 1 : 0);
-        if (is_itself) continue;
-        t.coordinates.replaced.push_back(Mass{places[n]});
-        kept.push_back(row);
+    if (s.contact_with) {
+        const OfContact y = of_contact(s);
+        const auto N = static_cast<Eigen::Index>(p.size());
+        Coordinates<T>& c = t.coordinates;
+        c.replaced = {Mass{static_cast<std::size_t>(y.a)}};
+        c.between = {scene.system.contact, *scene.system.contact_with};
+        c.displacements = c.of_masses = Matrix<T>::Zero(1, N);
+        c.displacements(0, y.a) = T(y.sign);
+        c.displacements(0, y.b) = T(1);
+        c.of_masses(0, y.a) = T(y.sign);
+        c.of_masses(0, y.b) = T(-y.sign);
+        t.contact = c.replaced.front();
+        t.contact_with.reset();
+        t.mass_matrix = in_coordinates_of<T>(y, mass_matrix(s));
+        t.stiffness_matrix = in_coordinates_of<T>(y, stiffness_matrix(s));
+        if (s.damping_matrix.size() > 0) t.damping_matrix = in_coordinates_of<T>(y, s.damping_matrix);
+        t.mass_ratios.clear();
+        t.stiffness_ratios.clear();
+        const auto a = static_cast<std::size_t>(y.a), b = static_cast<std::size_t>(y.b);
+        p[b] += p[a];
+        p[a] *= y.sign;
     }
-    if (kept.empty()) return out;
-    if (scene.system.contact_with) t.coordinates.between = {scene.system.contact, *scene.system.contact_with};
-    t.coordinates.displacements = in_type<T>(Matrix<W>(rows(kept, Eigen::all)));
-    t.coordinates.of_masses.resize(static_cast<Eigen::Index>(kept.size()), rows.cols());
-    for (std::size_t n = 0; n < kept.size(); ++n)
-        for (Eigen::Index k = 0; k < rows.cols(); ++k)
-            t.coordinates.of_masses(static_cast<Eigen::Index>(n), k) =
-                static_cast<T>((kept[n] == 0 ? two.w : two.p)[static_cast<std::size_t>(k)]);
-    t.mass_matrix = in_two_coordinates<T>(mass_matrix(s), two, rows);
-    t.stiffness_matrix = in_two_coordinates<T>(stiffness_matrix(s), two, rows);
-    if (s.damping_matrix.size() > 0) t.damping_matrix = in_two_coordinates<T>(s.damping_matrix, two, rows);
-    t.mass_ratios.clear();
-    t.stiffness_ratios.clear();
+    set_load(in_type<T>(p), t);
     return out;
 }
 

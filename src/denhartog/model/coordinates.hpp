@@ -1,11 +1,11 @@
 /// @file
-/// @brief Coordinates in which the contact acts on one of them and the load on one of them, for systems where they are no masses.
+/// @brief Coordinates in which the contact acts on one of them, for systems where it is between two masses, and loads on several.
 ///
-/// With the displacement of the contact, \f$ y_a = \mathbf{w}^T\mathbf{x} \f$, and that of the load,
-/// \f$ y_b = \mathbf{p}^T\mathbf{x} \f$, in the places of two masses, \f$ \mathbf{x} = \mathbf{O}\,\mathbf{y} \f$ and the
-/// equations (6) keep their form with \f$ \mathbf{O}^T\mathbf{M}\mathbf{O} \f$, \f$ \mathbf{O}^T\mathbf{C}\mathbf{O} \f$,
-/// \f$ \mathbf{O}^T\mathbf{K}\mathbf{O} \f$: friction acts on coordinate a alone, the load on coordinate b alone. All that the
-/// paper derives from (6) holds of them, with \f$ \mathbf{w}^T\boldsymbol\psi_i \f$ for \f$ \psi_{ji} \f$ and
+/// With the displacement of the contact, \f$ y_a = \mathbf{w}^T\mathbf{x} = x_j - x_k \f$, in the place of the lighter of the two
+/// masses, \f$ \mathbf{x} = \mathbf{O}\,\mathbf{y} \f$ and the equations (6) keep their form with
+/// \f$ \mathbf{O}^T\mathbf{M}\mathbf{O} \f$, \f$ \mathbf{O}^T\mathbf{C}\mathbf{O} \f$,
+/// \f$ \mathbf{O}^T\mathbf{K}\mathbf{O} \f$ and the load \f$ \mathbf{O}^T\mathbf{p} \f$: friction acts on coordinate a alone. All
+/// that the paper derives from (6) holds of them, with \f$ \mathbf{w}^T\boldsymbol\psi_i \f$ for \f$ \psi_{ji} \f$ and
 /// \f$ \mathbf{p}^T\boldsymbol\psi_i \f$ for \f$ \psi_{li} \f$; natural frequencies and damping ratios are the same.
 #pragma once
 
@@ -38,6 +38,28 @@ template <class T>
 /// @throws       InputError where `check` throws
 template <class T>
 [[nodiscard]] Scene<T> in_own_coordinates(const Scene<T>& scene);
+
+/// @brief Displacements that are no coordinates, in terms of these: the mass that the contact replaces, then that of the load.
+/// @param c  the coordinates of a system
+/// @return   a row each, N columns; none for a scene of the paper
+template <class T>
+[[nodiscard]] Matrix<T> further_displacements(const Coordinates<T>& c) {
+    if (c.load.empty()) return c.displacements;
+    const auto N = static_cast<Eigen::Index>(c.load.size());
+    Matrix<T> rows(c.displacements.rows() + 1, N);
+    if (c.displacements.rows() > 0) rows.topRows(c.displacements.rows()) = c.displacements;
+    for (Eigen::Index k = 0; k < N; ++k) rows(c.displacements.rows(), k) = c.load[static_cast<std::size_t>(k)];
+    return rows;
+}
+
+/// @brief The force on each coordinate. @param s a system in its own coordinates @return p, N values in units of P
+template <class T>
+[[nodiscard]] std::vector<T> load_on_coordinates(const System<T>& s) {
+    if (!s.coordinates.load.empty()) return s.coordinates.load;
+    std::vector<T> p(number_of_masses(s), T(0));
+    p[s.load.index] = T(1);
+    return p;
+}
 
 /// @brief The place of a mass among displacements. @param s a system @param k a mass
 /// @return k itself where it is a coordinate, else its place behind them

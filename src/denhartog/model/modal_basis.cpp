@@ -97,7 +97,7 @@ ModalBasis<T> modal_basis(const System<T>& s) {
     else
         basis.zeta = s.damping_ratios;
     fix_signs(basis.phi);
-    if (const Matrix<T>& others = s.coordinates.displacements; others.size() > 0) {
+    if (const Matrix<T> others = further_displacements(s.coordinates); others.size() > 0) {
         const Matrix<T> further = product(others, basis.phi);
         basis.phi.conservativeResize(basis.phi.rows() + further.rows(), Eigen::NoChange);
         basis.phi.bottomRows(further.rows()) = further;
@@ -108,7 +108,7 @@ ModalBasis<T> modal_basis(const System<T>& s) {
 
 template <class T>
 ModalBasis<T> modal_basis_at(const System<T>& s, const std::vector<Mass>& masses) {
-    const bool chain = is_chain(s) && !s.damping_ratios.empty();
+    const bool chain = is_chain(s) && !s.damping_ratios.empty() && s.coordinates.load.empty();
     ModalBasis<T> basis;
     if (chain && s.mass_ratios.size() > 1) {
         check(s);

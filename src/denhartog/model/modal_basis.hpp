@@ -17,8 +17,7 @@ namespace denhartog {
 template <class T>
 struct ModalBasis {
     std::vector<T> r_n; ///< natural frequency ratios omega_i sqrt(m_1 / k_1), ascending, N values
-    Matrix<T>
-        phi; ///< mode shapes, mass by mode, phi^T M phi = 1, N x N; masses that are no coordinate of the system in further rows
+    Matrix<T> phi; ///< mode shapes, mass by mode, phi^T M phi = 1, N x N; `further_displacements` of the system in further rows
     std::vector<T> zeta;         ///< modal damping ratios, N values; where damping couples the modes those that its diagonal has
     Matrix<T> D{};               ///< phi^T C phi where damping couples the modes, N x N; else empty
     T distance_from_classical{}; ///< of a damping matrix, as `set_modal_damping` measures it; 0 without one

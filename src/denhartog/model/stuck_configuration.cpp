@@ -124,6 +124,7 @@ StuckConfiguration<T> stuck_configuration(const System<T>& s, const ModalBasis<T
     stuck.k_j = entries(all.K, j, others);
     stuck.k_jj = all.K(j, j);
     stuck.k_contact = N == 1 ? stuck.k_jj : T(1 / compliance(basis, j));
+    stuck.load = s.coordinates.load;
     stuck.coupling = T(0);
     stuck.modes_diagonalise_damping = true;
     if (N == 1) return stuck;

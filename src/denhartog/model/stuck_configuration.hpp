@@ -29,10 +29,35 @@ struct StuckConfiguration {
     Matrix<T> phi;                    ///< mode shapes, mass by mode, phi^T M phi = 1
     Matrix<T> further;                ///< the same of the masses that are no coordinate of the system, a row each
     std::vector<T> carried;           ///< how far each of these goes with the contact
+    std::vector<T> load;              ///< force on each coordinate where it acts on several, N values; else none
     Matrix<T> damping;                ///< phi^T C phi; its diagonal is 2 zeta*_i r_n,i
     T coupling;                       ///< largest off-diagonal |D_ik| / sqrt(D_ii D_kk) of `damping`; zero for fewer than two
     bool modes_diagonalise_damping{}; ///< whether `coupling` is explained by rounding: zeta*_i then describe the motion
 };
+
+/// @brief What a load brings to each stuck mode. @param stuck the stuck configuration @param load the loaded mass, l; none of them
+/// where the load acts on several
+/// @return phi^T p, N - 1 values
+template <class T>
+[[nodiscard]] std::vector<T> load_on_stuck_modes(const StuckConfiguration<T>& stuck, Mass load) {
+    std::vector<T> of_modes(stuck.masses.size(), T(0));
+    for (std::size_t n = 0; n < of_modes.size(); ++n) {
+        const Mass k = stuck.masses[n];
+        const T force = stuck.load.empty() ? T(k == load ? 1 : 0) : stuck.load[k.index];
+        if (force == 0) continue;
+        for (std::size_t i = 0; i < of_modes.size(); ++i)
+            of_modes[i] += force * stuck.phi(static_cast<Eigen::Index>(n), static_cast<Eigen::Index>(i));
+    }
+    return of_modes;
+}
+
+/// @brief The part of a load that acts on the contact itself. @param stuck the stuck configuration @param contact the mass in contact
+/// @param load the loaded mass, l; none of them where the load acts on several
+/// @return     delta_lj, or p_j
+template <class T>
+[[nodiscard]] T direct_load(const StuckConfiguration<T>& stuck, Mass contact, Mass load) {
+    return stuck.load.empty() ? T(load == contact ? 1 : 0) : stuck.load[contact.index];
+}
 
 /// @brief The stuck configuration of a system; one more eigenproblem (15), none where N is 1 or 2.
 /// @param s      the system

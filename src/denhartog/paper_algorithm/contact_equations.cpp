@@ -1,6 +1,7 @@
 #include "denhartog/paper_algorithm/contact_equations.hpp"
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -31,7 +32,7 @@ void check(const ContactProblem& p) {
             throw InputError(name, "must be from 1 to " + std::to_string(N), std::to_string(m.index + 1));
     };
     index("contact", p.contact);
-    index("load", p.load);
+    if (p.coordinates.load.empty()) index("load", p.load);
     if (!(p.mu >= 1) || !std::isfinite(p.mu)) throw InputError("mu", "must be finite and at least 1", number_to_text(p.mu));
     if (!(p.beta >= 0) || !std::isfinite(p.beta))
         throw InputError("beta", "must be finite and not negative", number_to_text(p.beta));
@@ -51,7 +52,13 @@ ContactEquations::ContactEquations(const ContactProblem& p) : beta(p.beta), mu(p
     check(p);
     const auto& [M, C, K] = p.matrices;
     const Eigen::Index rows = M.rows();
-    const auto contact = static_cast<Eigen::Index>(p.contact.index), load = static_cast<Eigen::Index>(p.load.index);
+    const auto contact = static_cast<Eigen::Index>(p.contact.index);
+    const std::vector<double>& several = p.coordinates.load;
+    Eigen::VectorXd load = Eigen::VectorXd::Zero(rows);
+    if (several.empty())
+        load(static_cast<Eigen::Index>(p.load.index)) = 1;
+    else
+        std::ranges::copy(several, load.begin());
     const Eigen::LLT<Matrix<double>> factor(M);
     if (factor.info() != Eigen::Success) throw InputError("M", "must be positive definite", "");
     const Matrix<double> inverse = factor.solve(Matrix<double>::Identity(rows, rows));
@@ -65,7 +72,8 @@ ContactEquations::ContactEquations(const ContactProblem& p) : beta(p.beta), mu(p
     // With the contact held, the reaction takes its acceleration away.
     const Matrix<double> held = inverse.col(contact) / compliance;
     const Matrix<double> held_accelerations = accelerations - held * accelerations.row(contact);
-    const Matrix<double> held_load = inverse.col(load) - held * inverse(contact, load);
+    const Matrix<double> of_load = inverse * load;
+    const Matrix<double> held_load = of_load - held * of_load(contact, 0);
     // The contact's row with the accelerations of the others eliminated; for a diagonal M it is row j itself.
     const Matrix<double> row = inverse.row(contact) / compliance * forces;
     sliding_.resize(N * 2 * N);
@@ -79,14 +87,14 @@ ContactEquations::ContactEquations(const ContactProblem& p) : beta(p.beta), mu(p
             sliding_[k * 2 * N + n] = accelerations(a, b);
             sticking_[k * 2 * N + n] = k == j ? 0 : held_accelerations(a, b);
         }
-        sliding_load_[k] = inverse(a, load);
+        sliding_load_[k] = of_load(a, 0);
         sticking_load_[k] = k == j ? 0 : held_load(a, 0);
         contact_column_[k] = inverse(a, contact);
     }
     for (std::size_t n = 0; n < 2 * N; ++n) contact_row_[n] = -row(0, static_cast<Eigen::Index>(n));
-    harmonic_load = inverse(contact, load) / compliance;
-    delta_lj_ = contact == load ? 1 : 0;
-    inertial_load_ = harmonic_load - delta_lj_;
+    harmonic_load = of_load(contact, 0) / compliance;
+    direct_load_ = load(contact);
+    inertial_load_ = harmonic_load - direct_load_;
     for (const std::vector<double>& each : {sliding_, sticking_, sliding_load_, contact_row_})
         for (const double x : each)
             if (!std::isfinite(x)) throw InputError("M", "must not be singular to working precision", "");
@@ -102,7 +110,7 @@ void ContactEquations::set(int direction) {
 double ContactEquations::load_on_contact(std::span<const double> y, double tau) const {
     const std::span<const double> row = contact_row_;
     const double load =
-        paper::dynamic_load_on_contact<double>(row.subspan(N), row.first(N), y.first(N), y.subspan(N), delta_lj_, tau);
+        paper::dynamic_load_on_contact<double>(row.subspan(N), row.first(N), y.first(N), y.subspan(N), direct_load_, tau);
     return inertial_load_ == 0 ? -load : inertial_load_ * elementary::cos(tau) - load;
 }
 

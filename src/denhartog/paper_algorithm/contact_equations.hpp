@@ -17,10 +17,10 @@ namespace denhartog {
 struct ContactProblem {
     NonDimensionalMatrices<double> matrices; ///< M, C, K of (6); symmetric, M positive definite
     Mass contact;                            ///< the mass in contact, j
-    Mass load;                               ///< the loaded mass, l
+    Mass load;                               ///< the loaded mass, l; none of them where `coordinates` has a load on several
     double mu = 1;                           ///< static over kinetic friction, Eq. (3); at least 1
     double beta = 0;                         ///< friction ratio, Eq. (11); not negative
-    Coordinates<double> coordinates{};       ///< the masses that are no coordinates
+    Coordinates<double> coordinates{};       ///< the masses that are no coordinates, and a load on several
 };
 
 /// @brief The problem at the point of a scene.
@@ -98,7 +98,7 @@ private:
     std::vector<double> sliding_load_, sticking_load_; // accelerations per unit of force
     std::vector<double> contact_column_;               // accelerations per unit force on the contact
     std::vector<double> contact_row_;                  // K and C of the contact's row, 2N
-    int delta_lj_;
+    double direct_load_;                               // part of the force that acts on the contact itself
     double inertial_load_;
 };
 

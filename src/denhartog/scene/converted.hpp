@@ -21,10 +21,15 @@ template <class To, class From>
     return A.unaryExpr([](const From& x) { return static_cast<To>(x); });
 }
 
+/// @brief Coordinates in another type. @param c the coordinates @return the same, rounded where the type is narrower
+template <class To, class From>
+[[nodiscard]] Coordinates<To> in_type(const Coordinates<From>& c) {
+    return {c.replaced, in_type<To>(c.displacements), in_type<To>(c.of_masses), c.between, in_type<To>(c.load)};
+}
+
 /// @brief A system in another type. @param s the system @return the same, rounded where the type is narrower
 template <class To, class From>
 [[nodiscard]] System<To> in_type(const System<From>& s) {
-    const Coordinates<From>& c = s.coordinates;
     return {in_type<To>(s.mass_ratios),
             in_type<To>(s.stiffness_ratios),
             in_type<To>(s.mass_matrix),
@@ -36,7 +41,7 @@ template <class To, class From>
             s.load,
             s.contact_with,
             in_type<To>(s.load_vector),
-            {c.replaced, in_type<To>(c.displacements), in_type<To>(c.of_masses), c.between}};
+            in_type<To>(s.coordinates)};
 }
 
 } // namespace denhartog

@@ -114,13 +114,6 @@ void check_between(const System<T>& s, const SceneNames& names) {
         fail(names, "contact", "must be between two masses, not between one and itself", number(s.contact.index), at(1));
 }
 
-/// Displacement of the contact over the masses.
-template <class T>
-T contact_part(const System<T>& s, std::size_t k) {
-    if (s.contact_with && *s.contact_with == Mass{k}) return T(-1);
-    return s.contact == Mass{k} ? T(1) : T(0);
-}
-
 template <class T>
 void check_load(const System<T>& s, const SceneNames& names) {
     const std::size_t N = number_of_masses(s);
@@ -128,19 +121,13 @@ void check_load(const System<T>& s, const SceneNames& names) {
     if (p.size() != N)
         fail(names, "load", "must be one mass, or have as many values as there are masses (" + std::to_string(N) + ")",
              std::to_string(p.size()));
-    bool loads = false, along = true;
+    bool loads = false;
     for (std::size_t k = 0; k < N; ++k) {
         if (const char* rule = broken_rule(p[k]))
             fail(names, "load", "on mass " + number(k) + " " + rule, number_to_text(p[k]), at(k));
         loads = loads || p[k] != 0;
-        along = along && p[k] == p[s.contact.index] * contact_part(s, k);
     }
     if (!loads) fail(names, "load", "must act on at least one mass", "0 on all");
-    if (along && p[s.contact.index] != 1)
-        fail(names, "load",
-             "on nothing but the contact must be 1 there, its own unit: P is the force on the contact, positive as its "
-             "displacement (for c P give 1, divide beta by |c| and multiply displacements by |c|)",
-             number_to_text(p[s.contact.index]), at(s.contact.index));
 }
 
 template <class T>
@@ -173,7 +160,8 @@ void check_system(const System<T>& s, const SceneNames& names) {
     else
         check_damping_ratios(s.damping_ratios, N, names);
     if (s.contact.index >= N) fail(names, "contact", mass_rule(N), number(s.contact.index));
-    if (s.load_vector.empty() && s.load.index >= N) fail(names, "load", mass_rule(N), number(s.load.index));
+    if (s.load_vector.empty() && s.coordinates.load.empty() && s.load.index >= N)
+        fail(names, "load", mass_rule(N), number(s.load.index));
     if (s.contact_with) check_between(s, names);
     if (!s.load_vector.empty()) check_load(s, names);
 }

@@ -29,14 +29,16 @@ struct Mode {
     bool operator==(const Mode&) const = default;
 };
 
-/// @brief Coordinates in which the contact acts on one coordinate and the load on one. A contact between two masses or a load on
-/// several masses needs them; a scene of the paper does not, and leaves them empty. For the library's own use.
+/// @brief Coordinates in which the contact acts on one coordinate, and the load on them where it acts on several. A contact between
+/// two masses or a load on several needs them; a scene of the paper does not, and leaves them empty. For the library's own use.
 template <class T>
 struct Coordinates {
-    std::vector<Mass> replaced; ///< masses whose displacement another coordinate replaces, ascending
-    Matrix<T> displacements;    ///< their displacements in terms of the coordinates: one row for each of them, N columns
-    Matrix<T> of_masses;        ///< the new coordinates in terms of the masses: one row for each, N columns
+    std::vector<Mass> replaced; ///< the mass whose displacement that of the contact replaces, where it is between two; else none
+    Matrix<T> displacements;    ///< its displacement in terms of the coordinates: a row of N columns
+    Matrix<T> of_masses;        ///< the displacement of the contact in terms of the masses: a row of N columns
     std::vector<Mass> between;  ///< the two masses that rub against each other; empty if the contact is with a wall
+    std::vector<T> load{};      ///< force on each coordinate in units of P, where it acts on several; else none. The load is then
+                                ///< said to act on the displacement p^T x, whose place is behind all others
 };
 
 /// @brief The system: a chain by ratios, or symmetric matrices of any topology.

@@ -131,7 +131,8 @@ template <class T>
 void check_arguments(const ModalBasis<T>& basis, Mass contact, Mass load, const T& r_a, const T& r_b) {
     const std::size_t N = basis.r_n.size();
     if (contact.index >= N) throw InputError("contact", "must be one of the masses", std::to_string(contact.index + 1));
-    if (load.index >= N) throw InputError("load", "must be one of the masses", std::to_string(load.index + 1));
+    if (load.index >= static_cast<std::size_t>(basis.phi.rows()))
+        throw InputError("load", "must be one of the masses", std::to_string(load.index + 1));
     if (!(r_a > 0) || !boost::math::isfinite(r_a))
         throw InputError("the least frequency ratio", "must be positive and finite", number_to_text(r_a));
     if (!(r_b > r_a) || !boost::math::isfinite(r_b))
@@ -154,7 +155,8 @@ std::vector<InvariantPointsOfMass<T>> invariant_points(const ModalBasis<T>& basi
     Effort& effort = allowed != nullptr ? *allowed : own;
     const T margin = 1024 * eps<T>; // a point at an end of the range is inside
     std::vector<InvariantPointsOfMass<T>> all;
-    for (std::size_t k = 0; k < static_cast<std::size_t>(basis.phi.rows()); ++k) {
+    const std::size_t masses = load.index < basis.r_n.size() ? static_cast<std::size_t>(basis.phi.rows()) : load.index;
+    for (std::size_t k = 0; k < masses; ++k) {
         InvariantPointsOfMass<T> found{Mass{k}, {}, {}};
         const Weights<T> weights{products(basis.phi, contact, load), products(basis.phi, Mass{k}, load),
                                  products(basis.phi, contact, contact), products(basis.phi, Mass{k}, contact)};

@@ -1,5 +1,6 @@
 #include "denhartog/solve/prepared_system.hpp"
 
+#include "denhartog/answer/moving_system.hpp"
 #include "denhartog/answer/sliding_point.hpp"
 #include "denhartog/model/coordinates.hpp"
 #include "denhartog/number/errors.hpp"
@@ -12,10 +13,14 @@ constexpr int most_digits_of_contact_in_double = 11; // beyond, the modes of 50 
 
 void prepare_every_regime(PreparedSystem& p) {
     const System<double>& s = p.scene().system;
-    const ModalBasis<double> basis = modal_basis(s);
-    auto moving = std::make_shared<ContactSystem<double>>(contact_system(s, basis));
-    p.bounded = std::make_shared<const ModalBasis<Bounded<double>>>(with_errors(s, basis));
-    p.moving = std::move(moving);
+    try {
+        const ModalBasis<double> basis = modal_basis(s);
+        p.moving = std::make_shared<const ContactSystem<double>>(contact_system(s, basis));
+        p.bounded = std::make_shared<const ModalBasis<Bounded<double>>>(with_errors(s, basis));
+    } catch (const PrecisionError&) {
+        p.moving = moving_in_double(p.source);
+        p.bounded = modes_in_double(p.source);
+    }
 }
 
 } // namespace

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "denhartog/answer/held_solution.hpp"
+#include "denhartog/answer/moving_system.hpp"
 #include "denhartog/answer/orbit_solution.hpp"
 #include "denhartog/answer/other_motions.hpp"
 #include "denhartog/number/effort.hpp"
@@ -156,16 +157,11 @@ NoAnswer answer_from_rest(const SolveTask& task, const ContactSystem<T>& system,
     return {};
 }
 
-// In double; where rounding keeps that from an answer, in 50 digits.
-void answer_from_rest(const SolveTask& task, Solution& s) {
-    NoAnswer none;
-    std::shared_ptr<const ContactSystem<double>> moving = task.moving;
-    try {
-        if (!moving) moving = std::make_shared<const ContactSystem<double>>(contact_system(task.scene.system));
-    } catch (const PrecisionError& e) {
-        none.why = e.what();
-    }
-    if (moving) none = answer_from_rest(task, *moving, {}, s);
+// In double; where rounding keeps that from an answer, or from modes, in 50 digits.
+void answer_from_rest(SolveTask& task, Solution& s) {
+    if (!task.moving) task.moving = moving_in_double(task.source);
+    NoAnswer none{task.moving->rounded_because};
+    if (none.why.empty()) none = answer_from_rest(task, *task.moving, {}, s);
     const bool allowed = highest_precision(task.aim, number_of_masses(task.scene.system)) != Precision::in_double;
     if (!none.why.empty() && none.more_digits_may_tell && allowed && !QuestionEffort::exhausted()) {
         const ContactSystem<Real50> system = contact_system(scene_in<Real50>(task.source).system);
@@ -236,7 +232,10 @@ Solution solve_at(const PreparedSystem& p, const SolvePoint& at, const Question&
         if (question.digits && !s.digits_reached)
             throw PrecisionError("the " + in_words(task.aim) + " are not reached: only " +
                                  std::to_string(digits_of(s.relative_error)) + " are certain");
-        if (question.all) s.motions = other_motions(task.scene);
+        if (question.all) {
+            if (!task.moving) task.moving = moving_in_double(source);
+            s.motions = other_motions(task.scene, *task.moving, task.basis);
+        }
         keep_asked_mass(question, s);
     }
     put_in_order_of_masses(p.scene().system.coordinates, s);

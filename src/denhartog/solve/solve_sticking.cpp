@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "denhartog/answer/held_solution.hpp"
+#include "denhartog/answer/moving_system.hpp"
 #include "denhartog/answer/orbit_solution.hpp"
 #include "denhartog/model/coordinates.hpp"
 #include "denhartog/number/effort.hpp"
@@ -58,9 +59,8 @@ void answer_by_stuck_response(const SolveTask& task, const std::optional<Certifi
     const auto attempt = [&]<class T>(std::type_identity<T>) {
         HeldSolution held;
         if constexpr (std::same_as<T, double>) {
-            const StuckConfiguration<T> stuck =
-                task.moving ? task.moving->stuck : stuck_configuration(task.scene.system, modal_basis(task.scene.system));
-            held = held_solution(task.scene, stuck, *task.basis, task.aim.digits, task.question.mass);
+            const std::shared_ptr<const ContactSystem<T>> moving = task.moving ? task.moving : moving_in_double(task.source);
+            held = held_solution(task.scene, moving->stuck, *task.basis, task.aim.digits, task.question.mass);
         } else {
             const Scene<T> scene = scene_in<T>(task.source);
             const ModalBasis<T> basis = modal_basis(scene.system);

@@ -33,7 +33,7 @@ struct ContactPhases {
     T load_per_energy;              ///< bound of a derivative of the load on the contact over the energy norm of that order
     T load_rest;                    ///< what the inertia of the others adds to that bound
     T load_growth;                  ///< how fast the bound grows
-    T direct;                       ///< part of the force that acts on the contact itself, 0 or 1
+    T direct;                       ///< part of the force that acts on the contact itself
     T step;                         ///< a step that the search for events took
     std::vector<T> x;               ///< displacements at the start of the phase
     std::vector<T> v;               ///< velocities at the start of the phase
@@ -65,13 +65,13 @@ struct ContactPhases {
         const T r2 = e.r * e.r;
         for (std::size_t i = 0; i < N; ++i) {
             set_mode(sliding, i, basis.r_n[i], T(basis.zeta[i] * basis.r_n[i]));
-            sliding.F[i] = basis.phi(system->load.index, i) / r2;
+            sliding.F[i] = system->modal_load[i] / r2;
         }
         if (basis.coupled()) sliding.D = basis.D / e.r;
         sliding.prepare();
         w = basis.phi * basis.phi.row(system->contact.index).transpose() / r2;
         inertia = 1 / w[system->contact.index];
-        direct = system->load == system->contact ? T(1) : T(0);
+        direct = direct_load(system->stuck, system->contact, system->load);
         set_sticking(r2);
     }
 
@@ -90,10 +90,9 @@ struct ContactPhases {
         k_j = s.phi.transpose() * column(s.k_j);
         c_j = s.phi.transpose() * column(s.c_j) * e.r;
         m_j = s.phi.transpose() * column(s.m_j) * r2;
-        column(sticking.F).setZero();
+        column(sticking.F) = column(system->stuck_load) / r2;
         for (std::size_t i = 0; i + 1 < N; ++i) {
             set_mode(sticking, i, s.r_n[i], T(s.damping(i, i) / 2));
-            if (s.masses[i] == system->load) column(sticking.F) = s.phi.row(i).transpose() / r2;
         }
         if (!s.modes_diagonalise_damping) sticking.D = s.damping / e.r;
         sticking.prepare();
@@ -188,7 +187,8 @@ struct ContactPhases {
         sticking.differentiate_at(t);
         const T &c = sticking.cos_tau(), &s = sticking.sin_tau();
         const T pull = system->stuck.k_jj * x[system->contact.index];
-        Jet<T> jet{{direct * c - pull, -direct * s, -direct * c, direct * s}, direct, T(0), abs(pull) + direct, direct};
+        Jet<T> jet{
+            {direct * c - pull, -direct * s, -direct * c, direct * s}, abs(direct), T(0), abs(pull) + abs(direct), abs(direct)};
         for (std::size_t i = 0; i + 1 < N; ++i) {
             for (int m = 0; m < 4; ++m)
                 jet.f[m] -= k_j[i] * sticking.q[m][i] + c_j[i] * sticking.q[m + 1][i] + m_j[i] * sticking.q[m + 2][i];

@@ -43,11 +43,14 @@ ContactSystem<T> contact_system(const System<T>& s, ModalBasis<T> basis) {
     out.load = s.load;
     out.coordinates = s.coordinates;
     out.basis = std::move(basis);
-    if (const auto others = static_cast<Eigen::Index>(s.coordinates.replaced.size()); others > 0) {
-        out.further = out.basis.phi.bottomRows(others);
-        out.basis.phi.conservativeResize(out.basis.phi.rows() - others, Eigen::NoChange);
+    Matrix<T>& phi = out.basis.phi;
+    for (const T& each : phi.row(static_cast<Eigen::Index>(s.load.index))) out.modal_load.push_back(each);
+    if (const auto modes = phi.cols(); phi.rows() > modes) {
+        out.further = phi.middleRows(modes, s.coordinates.displacements.rows());
+        phi.conservativeResize(modes, Eigen::NoChange);
     }
     out.stuck = stuck_configuration(s, out.basis);
+    out.stuck_load = load_on_stuck_modes(out.stuck, s.load);
     for (const Bounded<T>& r_n : with_errors(s, out.basis).r_n) out.detuned.push_back(r_n.e / r_n.x);
     out.damping_fixes_modes = damping_matrix_counts(s, out.basis);
     // phi^T M phi = 1, so that phi^T M is the inverse of phi; the mass matrix keeps it free of an inversion.

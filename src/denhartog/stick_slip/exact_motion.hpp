@@ -20,14 +20,17 @@ namespace denhartog {
 template <class T>
 struct ContactSystem {
     Mass contact;                 ///< the mass in contact, j
-    Mass load;                    ///< the loaded mass, l
+    Mass load;                    ///< the loaded mass, l, or the place of the load's displacement where it acts on several
     ModalBasis<T> basis;          ///< modes while the contact slides
     Matrix<T> momentum;           ///< phi^T M in units of m_1: modal coordinates of a state, mode by mass
     StuckConfiguration<T> stuck;  ///< modes while the contact sticks
+    std::vector<T> modal_load{};  ///< phi^T p, what the load brings to each mode
+    std::vector<T> stuck_load{};  ///< the same of the stuck modes
     std::vector<T> detuned{};     ///< by what part of itself each natural frequency may be off
     Coordinates<T> coordinates{}; ///< the masses that are none; none for a scene of the paper
     Matrix<T> further{};          ///< mode shapes of these masses while the contact slides, a row each
     bool damping_fixes_modes{};   ///< a damping matrix was given: modes of one frequency are those that it does not couple
+    std::string rounded_because{}; ///< why T has no modes of its own, where these are those of more digits; else empty
 };
 
 /// @brief Prepares a system for the exact solver.

@@ -1,5 +1,6 @@
 #include "denhartog/stick_slip/stuck_response.hpp"
 
+#include <algorithm>
 #include <boost/math/special_functions/fpclassify.hpp>
 #include <cmath>
 #include <limits>
@@ -44,7 +45,8 @@ template <class T>
 void check_arguments(const StuckConfiguration<T>& stuck, Mass contact, Mass load, const T& r) {
     const std::size_t N = stuck.masses.size() + 1;
     check_frequency_ratio(r);
-    if (load.index >= N) throw InputError("load", "must be one of the masses", std::to_string(load.index + 1));
+    if (load.index >= N && stuck.load.empty())
+        throw InputError("load", "must be one of the masses", std::to_string(load.index + 1));
     if (contact.index >= N) throw InputError("contact", "must be one of the masses", std::to_string(contact.index + 1));
     for (const Mass& k : stuck.masses)
         if (k == contact)
@@ -126,10 +128,8 @@ StuckResponse<T> stuck_response(const StuckConfiguration<T>& stuck, Mass contact
     const std::size_t n = stuck.masses.size();
     StuckResponse<T> response{r, contact, load, {}, {}, {}};
     std::vector<Complex<T>> X(n, Complex<T>{T(0), T(0)});
-    if (load != contact) {
-        const std::size_t row = load.index < contact.index ? load.index : load.index - 1;
-        std::vector<T> p;
-        for (std::size_t i = 0; i < n; ++i) p.push_back(stuck.phi(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(i)));
+    const std::vector<T> p = load_on_stuck_modes(stuck, load);
+    if (std::ranges::any_of(p, [](const T& of_mode) { return of_mode != 0; })) {
         const std::vector<Complex<T>> q = mode_amplitudes(stuck, p, r);
         for (std::size_t k = 0; k < n; ++k)
             for (std::size_t i = 0; i < n; ++i)
@@ -143,7 +143,7 @@ StuckResponse<T> stuck_response(const StuckConfiguration<T>& stuck, Mass contact
     const std::vector<T> none(n, T(0));
     const auto load_with = [&](const std::vector<T>& C) {
         return paper::load_on_held_contact(std::span<const T>(C), std::span<const T>(K_j), std::span<const Complex<T>>(X),
-                                           load == contact ? 1 : 0);
+                                           direct_load(stuck, contact, load));
     };
     response.contact_load = load_with(C_j);
     response.elastic_load = load_with(none);
@@ -158,7 +158,7 @@ StuckResponse<T> stuck_response(const StuckConfiguration<T>& stuck, Mass contact
 
 template <class T>
 std::optional<StuckChain<T>> stuck_chain(const System<T>& s, const StuckConfiguration<T>& stuck) {
-    if (!is_chain(s)) return std::nullopt;
+    if (!is_chain(s) || !s.coordinates.load.empty()) return std::nullopt;
     StuckChain<T> chain;
     if (s.load == s.contact) return chain;
     const auto j = static_cast<std::ptrdiff_t>(s.contact.index);

@@ -39,7 +39,7 @@ struct StuckResponse {
 /// @eq{88}
 /// @param stuck    the stuck configuration of the system
 /// @param contact  the mass in contact, j
-/// @param load     the loaded mass, l
+/// @param load     the loaded mass, l; none of them where the load acts on several, which the stuck configuration then has
 /// @param r        frequency ratio, Eq. (10); positive
 /// @return         the response
 /// @throws         InputError where r, j or l breaks its rule; DomainError where the load excites the resonance of an undamped

@@ -27,7 +27,7 @@ std::vector<T> reach_of_masses(const System<T>& system, const ModalBasis<T>& bas
     std::vector<T> reach;
     for (Eigen::Index row = 0; row < basis.phi.rows(); ++row) {
         const std::size_t k = masses ? (*masses)[static_cast<std::size_t>(row)].index : static_cast<std::size_t>(row);
-        reach.push_back(system.mass_ratios.empty() ? T(basis.phi.row(row).norm()) : T(1 / sqrt(system.mass_ratios[k])));
+        reach.push_back(k < system.mass_ratios.size() ? T(1 / sqrt(system.mass_ratios[k])) : T(basis.phi.row(row).norm()));
     }
     return reach;
 }
@@ -36,7 +36,7 @@ std::vector<T> reach_of_masses(const System<T>& system, const ModalBasis<T>& bas
 template <class T>
 T condition_of_masses(const System<T>& system, const std::vector<T>& reach) {
     if (system.mass_matrix.size() == 0) return T(1);
-    const T longest = *std::max_element(reach.begin(), reach.end());
+    const T longest = *std::max_element(reach.begin(), reach.begin() + system.mass_matrix.rows());
     return system.mass_matrix.diagonal().maxCoeff() * longest * longest;
 }
 

@@ -30,7 +30,7 @@ Bounded<double> coefficient(int n) {
 }
 
 bool undamped_chain(const System<double>& s) {
-    return is_chain(s) && !s.damping_ratios.empty() &&
+    return is_chain(s) && !s.damping_ratios.empty() && s.coordinates.load.empty() &&
            std::ranges::all_of(s.damping_ratios, [](double zeta) { return zeta == 0; });
 }
 

@@ -1,5 +1,7 @@
 #include "denhartog/sums/coupled_sums.hpp"
 
+#include <algorithm>
+
 #include "denhartog/model/coordinates.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/multiprecision.hpp"
@@ -7,7 +9,7 @@
 namespace denhartog {
 namespace {
 
-// Complex responses of all displacements to a unit force on one coordinate, by the equations of motion taken as real ones of
+// Complex responses of all displacements to forces on the coordinates, by the equations of motion taken as real ones of
 // twice the size; errors by what the solution leaves over.
 template <class T>
 class Responses {
@@ -30,11 +32,12 @@ public:
         inverse_ = system.inverse();
     }
 
-    std::vector<Complex<Bounded<T>>> to(Mass force) const {
+    std::vector<Complex<Bounded<T>>> to(const std::vector<T>& forces) const {
         Column<T> b = Column<T>::Zero(2 * N_);
-        b(static_cast<Eigen::Index>(force.index)) = T(1);
-        const Column<T> X = inverse_.col(static_cast<Eigen::Index>(force.index));
-        const Column<T> left_over = (b - product(A_, X)).cwiseAbs() + product_of_sizes(error_, X);
+        std::ranges::copy(forces, b.begin());
+        const Column<T> X = product(inverse_, b);
+        const Column<T> left_over =
+            (b - product(A_, X)).cwiseAbs() + product_of_sizes(error_, X) + T(4 * unit_of<T>()) * b.cwiseAbs();
         const Column<T> error = T(2) * (product_of_sizes(inverse_, left_over) + unit_of<T>() * X.cwiseAbs());
         std::vector<Complex<Bounded<T>>> V;
         for (Eigen::Index k = 0; k < N_; ++k) V.push_back({{X(k), error(k)}, {X(N_ + k), error(N_ + k)}});
@@ -63,8 +66,10 @@ ModeSums<Bounded<T>> coupled_sums(const System<T>& system, const Bounded<T>& r) 
     s.r = r;
     s.contact = system.contact;
     s.load = system.load;
-    s.V = responses.to(system.load);
-    s.Y_jj = system.load == system.contact ? s.V[system.contact.index] : responses.to(system.contact)[system.contact.index];
+    s.V = responses.to(load_on_coordinates(system));
+    std::vector<T> on_contact(number_of_masses(system), T(0));
+    on_contact[system.contact.index] = T(1);
+    s.Y_jj = (system.load == system.contact ? s.V : responses.to(on_contact))[system.contact.index];
     for (std::size_t k = 0; k < s.V.size(); ++k) {
         const evaluation::FrictionMotion<Bounded<T>> start = friction->motion(k, Bounded<T>(0));
         s.U.push_back(-start.prime);

@@ -79,9 +79,10 @@ ModeSums<T> mode_sums(const ModalBasis<T>& basis, Mass contact, Mass load, const
     s.contact = contact;
     s.load = load;
     s.zeta = basis.zeta;
-    const auto masses = static_cast<std::size_t>(basis.phi.rows());
-    s.psi.reserve(masses * N);
-    for (std::size_t k = 0; k < masses; ++k)
+    const auto rows = static_cast<std::size_t>(basis.phi.rows());
+    const std::size_t masses = load.index >= N ? load.index : rows;
+    s.psi.reserve(rows * N);
+    for (std::size_t k = 0; k < rows; ++k)
         for (std::size_t i = 0; i < N; ++i) s.psi.push_back(basis.phi(k, i) / r);
     for (std::vector<T>* of_modes : {&s.R, &s.u, &s.g}) of_modes->reserve(N);
     for (std::vector<T>* of_masses : {&s.U, &s.G}) of_masses->reserve(masses);
