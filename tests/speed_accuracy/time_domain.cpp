@@ -197,7 +197,8 @@ int main(int argc, char** argv) {
     of_bounds->add_option("--scenes", bounded_scenes, "How many scenes")->check(CLI::PositiveNumber);
     of_bounds->add_option("--seed", seed, "Seed of the scenes");
     AdversarialRun run;
-    const std::map<std::string, AdversarialRange> ranges{{"everything", everything}, {"contrasts", contrasts}, {"mild", mild}};
+    const std::map<std::string, AdversarialRange> ranges{
+        {"everything", everything}, {"contrasts", contrasts}, {"mild", mild}, {"units", units}};
     std::string range = "everything";
     const auto add_adversarial = [&](const char* name, const char* what, bool questions) {
         CLI::App* sub = add(name, what, [&run, &range, &ranges, questions] {

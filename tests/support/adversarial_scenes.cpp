@@ -7,6 +7,7 @@
 #include "denhartog/denhartog.hpp"
 #include "denhartog/model/modal_basis.hpp"
 #include "tests/support/scene_builder.hpp"
+#include "tests/support/scenes_in_units.hpp"
 
 namespace denhartog {
 std::size_t AdversarialScenes::masses() {
@@ -152,6 +153,7 @@ void AdversarialScenes::other_kinds(System<double>& s, std::size_t N) {
 }
 
 AdversarialScene AdversarialScenes::next() {
+    if (range_.in_units) return scene_in_units(random_);
     AdversarialScene made;
     System<double>& s = made.scene.system;
     const std::size_t N = masses();

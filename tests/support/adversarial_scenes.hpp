@@ -28,6 +28,7 @@ struct AdversarialRange {
     int mu_high;      ///< of the largest mu
     std::size_t most; ///< masses
     bool every_kind; ///< whether contacts between two masses, loads on several, and dashpots that couple the modes are among them
+    bool in_units = false; ///< whether these are systems in units, see scenes_in_units.hpp; they have ranges of their own
 };
 
 /// @brief All that a scene may be, of every kind: r from 5e-324 to 1e300, contrasts to 1e15, damping ratios to 1e6, 200 masses.
@@ -36,6 +37,8 @@ inline constexpr AdversarialRange everything{-1074, 996, -1074, 996, 50, -60, 19
 inline constexpr AdversarialRange contrasts{-30, 3, -30, 6, 40, -40, 4, 6, 12, false};
 /// @brief What a user does meet: r from 0.03 to 10, contrasts to 8, damping ratios from 1e-6 to 1, up to 8 masses.
 inline constexpr AdversarialRange mild{-5, 3, -8, 1, 3, -20, -1, 2, 8, false};
+/// @brief Systems as users give them, in units; of the other ranges' numbers none counts.
+inline constexpr AdversarialRange units{0, 0, 0, 0, 0, 0, 0, 0, 8, true, true};
 
 /// @brief A scene, and where it is to stand.
 struct AdversarialScene {

@@ -1,0 +1,17 @@
+/// @file
+/// @brief Seeded systems as people give them: kilograms, newtons per metre, dashpots, a base that shakes, a contact between floors.
+///
+/// One to eight masses in a chain, or with further springs and with inertia that couples neighbours, as matrices. In half of the
+/// systems some masses are light, down to 1e-10 of the others: the joints and sensors of a model that nobody thinned out.
+#pragma once
+
+#include "tests/support/adversarial_scenes.hpp"
+
+namespace denhartog {
+
+/// @brief A system read from the text of a scene in units, and where it is to stand.
+/// @param random  where its numbers come from
+/// @return        the scene
+[[nodiscard]] AdversarialScene scene_in_units(SplitMix64& random);
+
+} // namespace denhartog
