@@ -136,6 +136,31 @@ TEST_CASE("what the C interface says of modes and sums is what the library says"
     }
 }
 
+TEST_CASE("the modes that the C interface hands out have their digits beside a light mass", "[c_interface][eq:15]") {
+    const std::string text = R"({"mass_matrix": [[1, 0, 0], [0, 2.1, 0], [0, 0, 1e-13]],
+        "stiffness_matrix": [[1.9, -0.1, -0.8], [-0.1, 1.1, -0.3], [-0.8, -0.3, 2.2]], "damping_ratios": 0.01, "contact": 1,
+        "load": 2})";
+    dh_system* made = nullptr;
+    REQUIRE(dh_system_from_json(text.data(), text.size(), &made) == DH_OK);
+    const Handle system(made);
+    System<double> condensed;
+    condensed.mass_matrix = Matrix<double>{{1, 0}, {0, 2.1}};
+    condensed.stiffness_matrix = Matrix<double>{{1.9 - 0.64 / 2.2, -0.1 - 0.24 / 2.2}, {-0.1 - 0.24 / 2.2, 1.1 - 0.09 / 2.2}};
+    condensed.damping_ratios = {0.01, 0.01};
+    const ModalBasis<double> basis = modal_basis(condensed);
+    std::vector<double> r_n(3), psi(9), R(3), v(6), u(3), g(3);
+    REQUIRE(dh_natural_frequency_ratios(system.get(), 3, r_n.data(), nullptr) == DH_OK);
+    REQUIRE(dh_mode_shapes(system.get(), 1, 9, psi.data()) == DH_OK);
+    REQUIRE(dh_modal_functions(system.get(), 0.5, 3, R.data(), v.data(), u.data(), g.data()) == DH_OK);
+    const ModeSums<double> sums = mode_sums(basis, Mass{0}, Mass{1}, 0.5);
+    for (std::size_t i = 0; i < 2; ++i) {
+        CHECK(r_n[i] == Approx(basis.r_n[i]).epsilon(1e-6));
+        CHECK(u[i] == Approx(sums.u[i]).epsilon(1e-6));
+        for (std::size_t k = 0; k < 2; ++k)
+            CHECK(psi[3 * k + i] == Approx(basis.phi(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(i))).epsilon(1e-6));
+    }
+}
+
 TEST_CASE("what the C interface says of boundaries and the closed form is what the library says",
           "[c_interface][eq:69][eq:38][eq:46]") {
     for (const Scene<double>& scene : c_scenes()) {

@@ -144,6 +144,46 @@ TEST_CASE("the functions have the keys of the interface and the values of the re
     CHECK(run_program("functions", scene).status == 0);
 }
 
+TEST_CASE("the modes of a system with a light mass have the digits of those without it", "[program][eq:15]") {
+    // Double alone has the first natural frequency of this matrix to three digits.
+    const Run light = run_program("functions --json", R"({"mass_matrix": [[1, 0, 0], [0, 2.1, 0], [0, 0, 1e-13]],
+        "stiffness_matrix": [[1.9, -0.1, -0.8], [-0.1, 1.1, -0.3], [-0.8, -0.3, 2.2]], "damping_ratios": 0.01, "contact": 1,
+        "load": 2, "r": 0.5})");
+    const json condensed{{"mass_matrix", {{1, 0}, {0, 2.1}}},
+                         {"stiffness_matrix", {{1.9 - 0.64 / 2.2, -0.1 - 0.24 / 2.2}, {-0.1 - 0.24 / 2.2, 1.1 - 0.09 / 2.2}}},
+                         {"damping_ratios", 0.01},
+                         {"contact", 1},
+                         {"load", 2},
+                         {"r", 0.5}};
+    const Run without = run_program("functions --json", condensed.dump());
+    REQUIRE(light.status == 0);
+    REQUIRE(without.status == 0);
+    const json a = json::parse(light.output).at("modes"), b = json::parse(without.output).at("modes");
+    for (const std::size_t i : {0, 1})
+        for (const char* key : {"natural_frequency_ratio", "R", "u", "g"})
+            CHECK(a[i].at(key).get<double>() == Approx(b[i].at(key).get<double>()).epsilon(1e-6));
+}
+
+TEST_CASE("invariant points without digits have those that are asked for", "[program][eq:87]") {
+    // Two natural frequencies of 1 to 9 digits beside one of 1e-5: amplitudes between them cancel.
+    const std::string frame = R"({"mass_matrix": [[1, 0, 0], [0, 3e9, 0], [0, 0, 2]], "stiffness_matrix": [[1, -0.3, 0],
+        [-0.3, 0.9, -0.5], [0, -0.5, 1.3]], "damping_ratios": 0.01, "contact": 3, "load": [1, 3e9, 2], "r": 1e-6})";
+    const Run few = run_program("boundary --json --invariant-points 0.5:2", frame);
+    const Run many = run_program("boundary --json --invariant-points 0.5:2 --digits 12", frame);
+    REQUIRE(few.status == 0);
+    REQUIRE(many.status == 0);
+    const json a = json::parse(few.output).at("invariant_points"), b = json::parse(many.output).at("invariant_points");
+    std::size_t compared = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+        REQUIRE(a[k].at("points").size() == b[k].at("points").size());
+        for (std::size_t n = 0; n < a[k].at("points").size(); ++n, ++compared)
+            for (const char* key : {"r", "amplitude"})
+                CHECK(a[k].at("points")[n].at(key).get<double>() ==
+                      Approx(b[k].at("points")[n].at(key).get<double>()).epsilon(1e-6));
+    }
+    CHECK(compared == 8);
+}
+
 TEST_CASE("the motion is a table of one period that mirrors itself", "[program]") {
     const Run run = run_program("motion --samples 8", scene);
     REQUIRE(run.status == 0);

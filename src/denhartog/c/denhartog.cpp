@@ -10,6 +10,7 @@
 #include "denhartog/model/coordinates.hpp"
 #include "denhartog/scene/limits.hpp"
 #include "denhartog/scene/point_rules.hpp"
+#include "denhartog/solve/certain_modes.hpp"
 #include "denhartog/solve/quantities.hpp"
 #include "denhartog/version.hpp"
 
@@ -25,11 +26,13 @@ std::size_t masses_of(const dh_system* system) {
 
 void make_system(const SceneSource& source, dh_system** system) {
     auto made = std::make_unique<dh_system>(dh_system{prepare(source, Question{}, Prepared::every_regime)});
-    made->basis = made->prepared.moving->basis;
-    const ContactSystem<double>& moving = *made->prepared.moving;
-    for (std::size_t n = 0; n < moving.coordinates.replaced.size(); ++n)
-        made->basis.phi.row(static_cast<Eigen::Index>(moving.coordinates.replaced[n].index)) =
-            moving.further.row(static_cast<Eigen::Index>(n));
+    made->modes = certain_modes(source, made->prepared.bounded);
+    made->basis = values_of(*made->modes);
+    Matrix<double>& phi = made->basis.phi;
+    const std::vector<Mass>& replaced = made->prepared.scene().system.coordinates.replaced;
+    for (std::size_t n = 0; n < replaced.size(); ++n)
+        phi.row(static_cast<Eigen::Index>(replaced[n].index)) = phi.row(phi.cols() + static_cast<Eigen::Index>(n));
+    phi.conservativeResize(phi.cols(), Eigen::NoChange);
     need_finite(made->basis.r_n);
     *system = made.release();
 }
@@ -184,8 +187,10 @@ int dh_modal_functions(const dh_system* system, double r, size_t count, double* 
             need_finite(ratios);
             return hand_out(ratios, R);
         }
-        const Mass contact = system->prepared.scene().system.contact;
-        const ModeSums<double> s = mode_sums(system->prepared.moving->basis, contact, contact, r);
+        check_frequency_ratio(r);
+        const System<double>& of = system->prepared.scene().system;
+        const auto functions = certain_mode_functions(at_frequency(system->prepared.source, r), system->modes);
+        const ModeSums<double> s = values_of(mode_sums(*system->modes, of.contact, of.load, as_input(r), functions));
         const std::vector<double> parts = interleaved(s.v);
         need_all_finite({s.R, parts, s.u, s.g});
         hand_out(s.R, R);

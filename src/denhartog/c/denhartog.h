@@ -164,7 +164,7 @@ DH_EXPORT void dh_system_destroy(dh_system* system) DH_NOEXCEPT;
 /// @return         #DH_OK, #DH_ERROR_NULL
 DH_EXPORT int dh_system_masses(const dh_system* system, size_t* N, size_t* contact, size_t* load) DH_NOEXCEPT;
 
-/// @brief Natural frequency ratios omega_i sqrt(m_1 / k_1), ascending, and modal damping ratios.
+/// @brief Natural frequency ratios omega_i sqrt(m_1 / k_1), ascending, and modal damping ratios; to at least 6 digits.
 /// @param system  a system
 /// @param count   N
 /// @param r_n     receives N frequency ratios
@@ -172,7 +172,8 @@ DH_EXPORT int dh_system_masses(const dh_system* system, size_t* N, size_t* conta
 /// @return        #DH_OK, #DH_ERROR_NULL, #DH_ERROR_SIZE
 DH_EXPORT int dh_natural_frequency_ratios(const dh_system* system, size_t count, double* r_n, double* zeta) DH_NOEXCEPT;
 
-/// @brief Mode shapes, normalised by (17) with the non-dimensional mass matrix, so that they are proportional to 1 / r.
+/// @brief Mode shapes, normalised by (17) with the non-dimensional mass matrix, so that they are proportional to 1 / r; to at
+/// least 6 digits of the largest entry of a shape.
 /// @param system  a system
 /// @param r       frequency ratio, Eq. (10), positive
 /// @param count   N times N
@@ -180,7 +181,7 @@ DH_EXPORT int dh_natural_frequency_ratios(const dh_system* system, size_t count,
 /// @return        #DH_OK, #DH_ERROR_NULL, #DH_ERROR_SIZE, #DH_ERROR_INPUT, #DH_ERROR_PRECISION
 DH_EXPORT int dh_mode_shapes(const dh_system* system, double r, size_t count, double* psi) DH_NOEXCEPT;
 
-/// @brief What each mode contributes: (22), (23), (28), (29).
+/// @brief What each mode contributes: (22), (23), (28), (29); to at least 6 digits.
 /// @param system  a system
 /// @param r       frequency ratio, Eq. (10), positive
 /// @param count   N

@@ -9,8 +9,9 @@
 
 /// @brief A system prepared for every regime at mu = 1, with its modes. Nothing in it changes.
 struct dh_system {
-    denhartog::PreparedSystem prepared;    ///< for `solve`
-    denhartog::ModalBasis<double> basis{}; ///< its modes
+    denhartog::PreparedSystem prepared;                                               ///< for `solve`
+    std::shared_ptr<const denhartog::ModalBasis<denhartog::Bounded<double>>> modes{}; ///< its modes, their digits certain
+    denhartog::ModalBasis<double> basis{};                                            ///< the same, shapes a row a mass
 };
 
 /// @brief An answer with the scene it answers. Nothing in it changes.

@@ -138,6 +138,13 @@ ModeSums<T> values_of(const ModeSums<Bounded<T>>& sums) {
 }
 
 template <class T>
+ModalBasis<T> values_of(const ModalBasis<Bounded<T>>& basis) {
+    const auto value = [](const Bounded<T>& a) { return a.x; };
+    return {changed<T>(basis.r_n, value), basis.phi.unaryExpr(value), changed<T>(basis.zeta, value), basis.D.unaryExpr(value),
+            basis.distance_from_classical.x};
+}
+
+template <class T>
 ModeSums<Bounded<double>> in_double(const ModeSums<Bounded<T>>& sums) {
     ModeSums<Bounded<double>> narrow = changed<Bounded<double>>(sums, [](const Bounded<T>& a) { return in_double(a); });
     if constexpr (std::same_as<T, double>)
@@ -186,6 +193,7 @@ template ModalBasis<Bounded<Real100>> bounded_basis_at(const System<Real100>&, c
 template ModeSums<double> values_of(const ModeSums<Bounded<double>>&);
 template ModeSums<Real50> values_of(const ModeSums<Bounded<Real50>>&);
 template ModeSums<Real100> values_of(const ModeSums<Bounded<Real100>>&);
+template ModalBasis<double> values_of(const ModalBasis<Bounded<double>>&);
 template ModeSums<Bounded<double>> in_double(const ModeSums<Bounded<double>>&);
 template ModeSums<Bounded<double>> in_double(const ModeSums<Bounded<Real50>>&);
 template ModeSums<Bounded<double>> in_double(const ModeSums<Bounded<Real100>>&);

@@ -48,6 +48,10 @@ template <class T>
 template <class T>
 [[nodiscard]] ModeSums<T> values_of(const ModeSums<Bounded<T>>& sums);
 
+/// @brief A modal basis without its bounds. @param basis a basis with bounds @return its values
+template <class T>
+[[nodiscard]] ModalBasis<T> values_of(const ModalBasis<Bounded<T>>& basis);
+
 /// @brief Modes and sums rounded to double, the rounding in their bounds. @param sums modes and sums @return the same in double
 template <class T>
 [[nodiscard]] ModeSums<Bounded<double>> in_double(const ModeSums<Bounded<T>>& sums);

@@ -1,6 +1,8 @@
 #include "denhartog/program/commands/commands.hpp"
 
 #include <CLI/CLI.hpp>
+#include <cmath>
+#include <limits>
 #include <memory>
 
 #include "denhartog/model/coordinates.hpp"
@@ -10,6 +12,8 @@
 #include "denhartog/program/solution_json.hpp"
 #include "denhartog/program/table.hpp"
 #include "denhartog/sliding/invariant_points.hpp"
+#include "denhartog/solve/certain_modes.hpp"
+#include "denhartog/solve/prepared_system.hpp"
 
 namespace denhartog::program {
 namespace {
@@ -41,14 +45,38 @@ T end_of_range(const std::string& text, const std::string& range) {
 }
 
 template <class T>
-Json invariant_points_json(const Scene<T>& scene, const std::string& range, const NumberWriter& write) {
-    const int digits = write.digits.value_or(1);
+std::vector<InvariantPointsOfMass<T>> invariant_points_between(const System<T>& s, const ModalBasis<T>& basis,
+                                                               const std::string& range) {
     const std::size_t colon = range.find(':');
     if (colon == std::string::npos) throw InputError(range_name, "must be A:B, two numbers", range);
     const T r_a = end_of_range<T>(range.substr(0, colon), range), r_b = end_of_range<T>(range.substr(colon + 1), range);
+    return invariant_points(basis, s.contact, s.load, r_a, r_b);
+}
+
+// Whether nothing is undecided, and every amplitude has the digits where r is off by its rounding.
+bool are_certain(const std::vector<InvariantPointsOfMass<double>>& displacements, const ModalBasis<Bounded<double>>& basis,
+                 Mass load) {
+    constexpr double rounding = 64 * std::numeric_limits<double>::epsilon();
+    for (std::size_t k = 0; k < displacements.size(); ++k) {
+        if (!displacements[k].undecided.empty()) return false;
+        for (const InvariantPoint<double>& p : displacements[k].points) {
+            const Bounded<double> r(p.r, rounding * p.r);
+            Bounded<double> V(0);
+            for (std::size_t i = 0; i < basis.r_n.size(); ++i) {
+                const auto mode = static_cast<Eigen::Index>(i);
+                V += basis.phi(static_cast<Eigen::Index>(k), mode) * basis.phi(static_cast<Eigen::Index>(load.index), mode) /
+                     ((basis.r_n[i] - r) * (basis.r_n[i] + r));
+            }
+            if (!(V.e <= tolerance_of(digits_by_default) * std::abs(V.x))) return false;
+        }
+    }
+    return true;
+}
+
+template <class T>
+Json invariant_points_json(std::vector<InvariantPointsOfMass<T>> masses, const System<T>& s, const NumberWriter& write) {
+    const int digits = write.digits.value_or(1);
     Json all = Json::array();
-    const System<T>& s = scene.system;
-    std::vector<InvariantPointsOfMass<T>> masses = invariant_points(modal_basis(s), s.contact, s.load, r_a, r_b);
     put_in_order_of_masses(s.coordinates, masses);
     masses.resize(number_of_masses(s));
     for (const InvariantPointsOfMass<T>& mass : masses) {
@@ -62,6 +90,17 @@ Json invariant_points_json(const Scene<T>& scene, const std::string& range, cons
             all.back()["undecided"].push_back({write(exactly(u.from, digits)), write(exactly(u.to, digits))});
     }
     return all;
+}
+
+Json invariant_points_json(const SceneSource& source, const BoundaryOptions& options, const NumberWriter& write) {
+    if (!options.digits) {
+        const System<double>& s = source->in_double().system;
+        const auto basis = certain_modes(source, modes_in_double(source));
+        const auto found = invariant_points_between(s, values_of(*basis), options.range);
+        if (are_certain(found, *basis, s.load)) return invariant_points_json(found, s, write);
+    }
+    const System<Real50> s = source->in_50_digits().system;
+    return invariant_points_json(invariant_points_between(s, modal_basis(s), options.range), s, write);
 }
 
 std::string invariant_points_table(const Json& masses) {
@@ -87,8 +126,7 @@ std::string bound(const SceneText& part, const BoundaryOptions& options) {
     if (!options.range.empty()) {
         if (options.digits.value_or(0) > 45)
             throw InputError("--digits", "must be at most 45 for invariant points", std::to_string(*options.digits));
-        answer["invariant_points"] = options.digits ? invariant_points_json(source->in_50_digits(), options.range, write)
-                                                    : invariant_points_json(source->in_double(), options.range, write);
+        answer["invariant_points"] = invariant_points_json(source, options, write);
     }
     if (options.json) return answer.dump() + "\n";
     return boundary_table(answer) + (units ? dimensional_table(answer.at("dimensional")) + "\n" : "") +

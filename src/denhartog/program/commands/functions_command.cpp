@@ -8,6 +8,8 @@
 #include "denhartog/program/number_json.hpp"
 #include "denhartog/program/table.hpp"
 #include "denhartog/scene/point_rules.hpp"
+#include "denhartog/solve/certain_modes.hpp"
+#include "denhartog/solve/prepared_system.hpp"
 #include "denhartog/solve/quantities.hpp"
 
 namespace denhartog::program {
@@ -22,9 +24,12 @@ Json functions_json(const SceneSource& source) {
     const Scene<double>& scene = source->in_double();
     (void)frequency_ratio_of(scene);
     const NumberWriter write;
-    const ModalBasis<double> basis = modal_basis(scene.system);
+    const auto bounded = certain_modes(source, modes_in_double(source));
+    const ModalBasis<double> basis = values_of(*bounded);
     std::optional<ModeSums<double>> s; // none where damping couples the modes
-    if (!basis.coupled()) s = mode_sums(basis, scene.system.contact, scene.system.load, *scene.r);
+    if (!basis.coupled())
+        s = values_of(mode_sums(*bounded, scene.system.contact, scene.system.load, as_input(*scene.r),
+                                certain_mode_functions(source, bounded)));
     const Quantities<Bounded<double>> q = quantities(source, {}, digits_of_sums, PointNumbers::sums).numbers;
     Json all{{"modes", Json::array()}, {"masses", Json::array()}};
     for (std::size_t i = 0; i < basis.r_n.size(); ++i) {
@@ -77,8 +82,9 @@ void add_functions_command(CLI::App& app, ExitStatus& status) {
     const auto options = std::make_shared<SceneOptions>();
     add_scene_options(*command, *options);
     command->footer(
-        "Complex numbers are pairs [real part, imaginary part]. The numbers are computed in double; the sums over the modes\n"
-        "are computed in 50 digits if double does not reach ten. beta is not needed. If the damping matrix couples the modes,\n"
+        "Complex numbers are pairs [real part, imaginary part]. Numbers of modes have at least 6 digits, sums over them 10; "
+        "they\n"
+        "are computed in 50 digits if double does not have these. beta is not needed. If the damping matrix couples the modes,\n"
         "they have no v, u and g of their own, and zeta is what the diagonal of the matrix gives.");
     command->callback([options, &status] {
         answer_scenes(
