@@ -100,7 +100,7 @@ struct RestInterval {
 /// @brief Stability of a motion, from its Floquet multipliers.
 struct Stability {
     bool stable = false;             ///< whether all multipliers are inside the unit circle, by more than their error
-    std::vector<double> multipliers; ///< sizes of the multipliers over the period of the motion, descending
+    std::vector<double> multipliers; ///< their sizes over the period of the motion, descending; in double, without a bound
 };
 
 /// @brief What an answer cost.
