@@ -108,7 +108,7 @@ ModalBasis<T> modal_basis(const System<T>& s) {
 
 template <class T>
 ModalBasis<T> modal_basis_at(const System<T>& s, const std::vector<Mass>& masses) {
-    const bool chain = is_chain(s) && !s.damping_ratios.empty() && s.coordinates.load.empty();
+    const bool chain = is_chain(s) && !s.damping_ratios.empty();
     ModalBasis<T> basis;
     if (chain && s.mass_ratios.size() > 1) {
         check(s);

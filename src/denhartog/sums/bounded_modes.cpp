@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "denhartog/evaluation/mode.hpp"
+#include "denhartog/model/coordinates.hpp"
 #include "denhartog/model/linear_algebra.hpp"
 #include "denhartog/number/multiprecision.hpp"
 #include "denhartog/sums/coupled_friction.hpp"
@@ -47,6 +48,7 @@ ModalBasis<Bounded<T>> bounded(const System<T>& system, const ModalBasis<T>& bas
     const T of_input = unit_of<T>(), unit = (trust * static_cast<int>(N) + 4) * of_input;
     const bool chain = is_chain(system);
     const T highest = basis.r_n.back();
+    const Matrix<T> further = further_displacements(system.coordinates).cwiseAbs();
     ModalBasis<Bounded<T>> bounded;
     bounded.phi.resize(basis.phi.rows(), static_cast<Eigen::Index>(N));
     const std::vector<T> reach = reach_of_masses(system, basis, masses);
@@ -67,6 +69,8 @@ ModalBasis<Bounded<T>> bounded(const System<T>& system, const ModalBasis<T>& bas
         Eigen::Matrix<T, Eigen::Dynamic, 1> errors(sizes.size());
         for (Eigen::Index row = 0; row < errors.size(); ++row) {
             errors(row) = turn * reach[static_cast<std::size_t>(row)];
+            if (const Eigen::Index n = row - static_cast<Eigen::Index>(N); n >= 0) // a sum over the masses, which may cancel
+                errors(row) += unit * further.row(n).dot(sizes.head(further.cols()));
             bounded.phi(row, column) = {basis.phi(row, column), errors(row)};
         }
         T of_zeta = of_input * basis.zeta[i];
@@ -121,7 +125,8 @@ ModalBasis<Bounded<T>> with_errors(const System<T>& system, const ModalBasis<T>&
 
 template <class T>
 ModalBasis<Bounded<T>> bounded_basis_at(const System<T>& system, const std::vector<Mass>& masses) {
-    if (is_chain(system) && system.damping_matrix.size() == 0) return bounded(system, modal_basis_at(system, masses), &masses);
+    if (is_chain(system) && system.damping_matrix.size() == 0 && system.coordinates.load.empty())
+        return bounded(system, modal_basis_at(system, masses), &masses);
     ModalBasis<Bounded<T>> all = with_errors(system, modal_basis(system));
     Matrix<Bounded<T>> rows(static_cast<Eigen::Index>(masses.size()), all.phi.cols());
     for (std::size_t n = 0; n < masses.size(); ++n)
