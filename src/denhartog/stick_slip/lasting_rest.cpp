@@ -10,18 +10,21 @@
 
 namespace denhartog {
 
+using std::abs;
+
 template <class T>
 LastingRest<T>::LastingRest(const ContactSystem<T>& system, const Excitation<T>& excitation)
-    : system_(&system), e_(excitation), weight_(0) {
-    using std::abs;
+    : system_(&system), e_(excitation), weight_(0), terms_(abs(direct_load(system.stuck, system.contact, system.load))) {
     const StuckConfiguration<T>& s = system.stuck;
     try {
         response_ = stuck_response(s, system.contact, system.load, e_.r);
     } catch (const DomainError&) {
         response_.reset();
     }
-    using std::abs;
     const std::size_t n = s.masses.size();
+    for (std::size_t a = 0; a < n && response_; ++a)
+        terms_ +=
+            (abs(s.k_j[a]) + e_.r * abs(s.c_j[a]) + e_.r * e_.r * abs(s.m_j[a])) * response_->masses[s.masses[a].index].amplitude;
     follows_.assign(n, T(0));
     T stiffness(0), damping(0), inertia(0), fastest(0);
     for (std::size_t i = 0; i < n; ++i) {
@@ -59,14 +62,13 @@ T LastingRest<T>::reach() const {
     if (!response_) return T(-1);
     const StuckConfiguration<T>& s = system_->stuck;
     const T holds = e_.mu * e_.beta, amplitude = modulus(response_->contact_load);
-    const T rounding = 64 * static_cast<int>(s.masses.size() + 1) * std::numeric_limits<T>::epsilon() * (holds + amplitude) *
+    const T rounding = 64 * static_cast<int>(s.masses.size() + 1) * std::numeric_limits<T>::epsilon() * (holds + terms_) *
                        std::max(T(1), T(s.k_jj / s.k_contact));
     return (holds - amplitude - rounding) / s.k_contact;
 }
 
 template <class T>
 MassMotion<T> LastingRest<T>::motion(std::size_t k, const T& x_j) const {
-    using std::abs;
     if (k == system_->contact.index) return {abs(x_j), x_j < 0 ? pi<T>() : T(0)};
     T offset(0);
     for (std::size_t n = 0; n < follows_.size(); ++n)
@@ -78,7 +80,6 @@ MassMotion<T> LastingRest<T>::motion(std::size_t k, const T& x_j) const {
 
 template <class T>
 typename LastingRest<T>::Verdict LastingRest<T>::verdict(const State<T>& z) const {
-    using std::abs;
     if (!response_) return Verdict::open;
     const StuckConfiguration<T>& s = system_->stuck;
     const T& x_j = z.x[system_->contact.index];
@@ -86,7 +87,7 @@ typename LastingRest<T>::Verdict LastingRest<T>::verdict(const State<T>& z) cons
     const T amplitude = modulus(response_->contact_load), constant = abs(s.k_contact * x_j);
     const T margin = holds - amplitude - constant;
     const T rounding = 16 * static_cast<int>(s.masses.size() + 1) * std::numeric_limits<T>::epsilon() *
-                       (holds + amplitude + constant + abs(s.k_jj * x_j));
+                       (holds + terms_ + constant + abs(s.k_jj * x_j));
     if (margin < -rounding) return Verdict::open;
     const State<T> steady = steady_state(x_j);
     T energy(0);

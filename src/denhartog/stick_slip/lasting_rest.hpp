@@ -51,6 +51,7 @@ private:
     std::optional<StuckResponse<T>> response_; // none at an undamped resonance: no steady motion
     std::vector<T> follows_;                   // static displacement of the others for a unit displacement of the contact
     T weight_;                                 // largest load on the contact of a free motion of unit energy norm
+    T terms_;                                  // of the load on the held contact, in size: what rounding is of
 };
 
 } // namespace denhartog
