@@ -127,3 +127,19 @@ TEST_CASE("a motion that cannot be finished has status and reason in place of nu
     CHECK(samples.status == 3);
     CHECK(samples.output.empty());
 }
+
+TEST_CASE("the exact method has the modes of a system with a light mass", "[program][integrate]") {
+    // Double alone has the first natural frequency of this matrix to three digits, and the amplitude was 7 % off.
+    const std::string of_both = R"("damping_ratios": 0.01, "contact": 1, "load": 2, "r": 0.7, "beta": 0.5})";
+    const Run light = run_program("integrate --json --method exact", R"({"mass_matrix": [[1, 0, 0], [0, 2.1, 0], [0, 0, 1e-13]],
+        "stiffness_matrix": [[1.9, -0.1, -0.8], [-0.1, 1.1, -0.3], [-0.8, -0.3, 2.2]], )" +
+                                                                         of_both);
+    const json K{{1.9 - 0.64 / 2.2, -0.1 - 0.24 / 2.2}, {-0.1 - 0.24 / 2.2, 1.1 - 0.09 / 2.2}};
+    const Run condensed = run_program("integrate --json --method exact",
+                                      R"({"mass_matrix": [[1, 0], [0, 2.1]], "stiffness_matrix": )" + K.dump() + ", " + of_both);
+    REQUIRE(light.status == 0);
+    REQUIRE(condensed.status == 0);
+    const json a = json::parse(light.output).at("masses"), b = json::parse(condensed.output).at("masses");
+    for (const std::size_t k : {0, 1})
+        CHECK(a[k].at("amplitude").get<double>() == Approx(b[k].at("amplitude").get<double>()).epsilon(1e-9));
+}

@@ -1,5 +1,6 @@
 #include "denhartog/paper_algorithm/exact_cycles.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "denhartog/model/coordinates.hpp"
@@ -7,7 +8,7 @@
 #include "denhartog/paper_algorithm/last_period.hpp"
 #include "denhartog/scene/point_rules.hpp"
 #include "denhartog/sliding/steady_state.hpp"
-#include "denhartog/stick_slip/exact_motion.hpp"
+#include "denhartog/stick_slip/rounded_system.hpp"
 
 namespace denhartog {
 namespace {
@@ -21,6 +22,19 @@ bool failed(const ExactMotion<double>& run, PaperMotion& motion) {
     return true;
 }
 
+// Nothing bounds the errors of the motion: its modes are those of 50 digits where double does not have nine of their frequencies.
+ContactSystem<double> system_of(const Scene<double>& of_masses, const Scene<double>& scene) {
+    constexpr double most = 1e-9;
+    std::string why = "double does not have the digits of a natural frequency";
+    try {
+        ContactSystem<double> system = contact_system(scene.system);
+        if (std::ranges::all_of(system.detuned, [](double part) { return part <= most; })) return system;
+    } catch (const PrecisionError& e) {
+        why = e.what();
+    }
+    return rounded(contact_system(in_own_coordinates(converted<Real50>(of_masses)).system), why);
+}
+
 } // namespace
 
 PaperMotion exact_cycles(const Scene<double>& of_masses, const PaperSettings& settings_of_masses) {
@@ -30,7 +44,7 @@ PaperMotion exact_cycles(const Scene<double>& of_masses, const PaperSettings& se
     (void)frequency_ratio_of(scene);
     (void)friction_ratio_of(scene);
     const std::size_t N = number_of_masses(scene.system), j = scene.system.contact.index;
-    const ContactSystem<double> system = contact_system(scene.system);
+    const ContactSystem<double> system = system_of(of_masses, scene);
     ExactSolver<double> solver(system, {*scene.r, *scene.beta, scene.mu});
     const double period = 2 * pi<double>(), last = settings.tau_0 + period * (settings.cycles - 1);
     State<double> state = settings.start.value_or(at_rest<double>(N));
