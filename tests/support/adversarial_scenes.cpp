@@ -134,11 +134,7 @@ void AdversarialScenes::other_kinds(System<double>& s, std::size_t N) {
             const bool none = of_kinds_.one_in(3);
             s.load_vector.push_back(none ? 0 : of_kinds_.one_in(2) ? size : -size);
         }
-        bool elsewhere = false; // a load on nothing but the contact is one mass
-        for (std::size_t k = 0; k < N; ++k)
-            elsewhere =
-                elsewhere || (s.load_vector[k] != 0 && Mass{k} != s.contact && Mass{k} != s.contact_with.value_or(s.contact));
-        if (!elsewhere) s.load_vector.clear();
+        if (std::ranges::count(s.load_vector, 0) == static_cast<std::ptrdiff_t>(N)) s.load_vector.clear();
     }
     if (!of_kinds_.one_in(4)) return;
     const auto n = static_cast<Eigen::Index>(N);

@@ -5,11 +5,15 @@
 namespace denhartog {
 namespace {
 
-// Not on the contact alone: that is a load of the paper's.
+// On several masses; in one of six scenes on the contact alone, with any size and sign.
 std::vector<double> random_forces(SplitMix64& random, std::size_t N, std::size_t contact) {
     std::vector<double> forces(N);
     for (double& force : forces) force = random.one_in(3) ? 0 : random.integer(-8, 8) / 8.0;
     forces[contact == 0 ? 1 : 0] = random.integer(1, 8) / 8.0;
+    if (random.one_in(6)) {
+        forces.assign(N, 0);
+        forces[contact] = (random.one_in(2) ? 1 : -1) * random.integer(1, 16) / 8.0;
+    }
     return forces;
 }
 
