@@ -1,5 +1,5 @@
 /// @file
-/// @brief Seeded systems as people give them: kilograms, newtons per metre, dashpots, a base that shakes, a contact between floors.
+/// @brief Seeded systems as people give them: kilograms, newtons per metre, dashpots, bases that shake, contacts between floors.
 ///
 /// One to eight masses in a chain, or with further springs and with inertia that couples neighbours, as matrices. In half of the
 /// systems some masses are light, down to 1e-10 of the others: the joints and sensors of a model that nobody thinned out.

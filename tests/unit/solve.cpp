@@ -445,7 +445,7 @@ TEST_CASE("beta_lim by (56) is that of the modes only where their coupling makes
 }
 
 TEST_CASE("where rounding keeps a motion from settling in double 50 digits find it", "[solve][eq:74]") {
-    // A light mass m between wall and contact, both loaded by p; in place of its displacement p^T x, which is nearly the contact's.
+    // A light mass between wall and contact, both loaded by p; in place of its displacement p^T x, nearly the contact's.
     const Solution light = solve(scene_source(SceneText{R"({"mass_matrix": [[1, -4750000], [-4750000, 22562504750000]],
         "stiffness_matrix": [[1, "-4750000.18"], ["-4750000.18", "22562501710001.01"]], "damping_ratios": [0.1, 0.2], "contact": 2,
         "load": 1, "r": 0.0003124, "beta": 3710000})"}),

@@ -17,7 +17,7 @@ namespace denhartog::paper {
 /// @param K_j      row j of the non-dimensional stiffness matrix, Eq. (7), N values
 /// @param x        displacements, N values
 /// @param x_prime  velocities with respect to tau, N values
-/// @param delta_lj part of the load on the mass in contact: 1 where it acts on no other, 0 where it acts on another; p_j of several
+/// @param delta_lj part of the load on the mass in contact: 1 where it acts on that alone, 0 where on another; p_j of several
 /// @param tau      non-dimensional time, Eq. (5), zero at a maximum of the force; radians
 /// @return         the load, in units of P
 template <class T>
@@ -62,7 +62,7 @@ template <class T>
 /// @param C_j      row j of the non-dimensional damping matrix, Eq. (7)
 /// @param K_j      row j of the non-dimensional stiffness matrix, Eq. (7); less that of the mass matrix where it is not diagonal
 /// @param X        complex amplitudes of the displacements with the contact held, \f$ \bar{x}_k = \mathrm{Re}\{X_ke^{i\tau}\} \f$
-/// @param delta_lj part of the load on the mass in contact: 1 where it acts on no other, 0 where it acts on another; p_j of several
+/// @param delta_lj part of the load on the mass in contact: 1 where it acts on that alone, 0 where on another; p_j of several
 /// @return         the amplitude, complex; in units of P
 template <class T>
 [[nodiscard]] Complex<T> load_on_held_contact(std::span<const T> C_j, std::span<const T> K_j, std::span<const Complex<T>> X,

@@ -35,9 +35,10 @@ struct StuckConfiguration {
     bool modes_diagonalise_damping{}; ///< whether `coupling` is explained by rounding: zeta*_i then describe the motion
 };
 
-/// @brief What a load brings to each stuck mode. @param stuck the stuck configuration @param load the loaded mass, l; none of them
-/// where the load acts on several
-/// @return phi^T p, N - 1 values
+/// @brief What a load brings to each stuck mode.
+/// @param stuck  the stuck configuration
+/// @param load   the loaded mass, l; none of them where the load acts on several
+/// @return       phi^T p, N - 1 values
 template <class T>
 [[nodiscard]] std::vector<T> load_on_stuck_modes(const StuckConfiguration<T>& stuck, Mass load) {
     std::vector<T> of_modes(stuck.masses.size(), T(0));
@@ -51,9 +52,11 @@ template <class T>
     return of_modes;
 }
 
-/// @brief The part of a load that acts on the contact itself. @param stuck the stuck configuration @param contact the mass in contact
-/// @param load the loaded mass, l; none of them where the load acts on several
-/// @return     delta_lj, or p_j
+/// @brief The part of a load that acts on the contact itself.
+/// @param stuck    the stuck configuration
+/// @param contact  the mass in contact
+/// @param load     the loaded mass, l; none of them where the load acts on several
+/// @return         delta_lj, or p_j
 template <class T>
 [[nodiscard]] T direct_load(const StuckConfiguration<T>& stuck, Mass contact, Mass load) {
     return stuck.load.empty() ? T(load == contact ? 1 : 0) : stuck.load[contact.index];

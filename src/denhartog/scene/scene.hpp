@@ -29,8 +29,8 @@ struct Mode {
     bool operator==(const Mode&) const = default;
 };
 
-/// @brief Coordinates in which the contact acts on one coordinate, and the load on them where it acts on several. A contact between
-/// two masses or a load on several needs them; a scene of the paper does not, and leaves them empty. For the library's own use.
+/// @brief Coordinates in which the contact acts on one coordinate, and the load on them where it acts on several. A contact
+/// between two masses or a load on several needs them; a scene of the paper leaves them empty. For the library's own use.
 template <class T>
 struct Coordinates {
     std::vector<Mass> replaced; ///< the mass whose displacement that of the contact replaces, where it is between two; else none

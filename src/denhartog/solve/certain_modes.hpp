@@ -1,8 +1,8 @@
 /// @file
-/// @brief Natural frequencies, damping ratios, mode shapes, and what each mode contributes, with `digits_by_default` certain digits.
+/// @brief Natural frequencies, damping ratios, mode shapes, and what each mode contributes, to `digits_by_default` digits.
 ///
-/// Of other systems than chains double has the squares of natural frequencies to some units of the highest one. Beside a light mass
-/// or a stiff spring that leaves the lowest ones few digits; 50 digits then have the modes.
+/// Of other systems than chains double has the squares of natural frequencies to some units of the highest one. Beside a light
+/// mass or a stiff spring that leaves the lowest ones few digits; 50 digits then have the modes.
 #pragma once
 
 #include <memory>

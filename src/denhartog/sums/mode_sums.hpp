@@ -45,7 +45,7 @@ struct ModeSums {
 /// @eq{22,23,28,29,33,34,35,64,65}
 /// @param basis    modal basis of the system, N modes; with the shapes at a few masses alone, masses are counted among these
 /// @param contact  the mass in contact, j
-/// @param load     the loaded mass, l; where it is the last of more rows than modes, that of a load on several masses, which is none
+/// @param load     the loaded mass, l; of a load on several masses, which is none of them, its row behind all others
 /// @param r        frequency ratio, Eq. (10); positive
 /// @return         modes and sums
 /// @throws         InputError where r, j or l breaks its rule; DomainError where an undamped mode is at a pole of (23), (28)
