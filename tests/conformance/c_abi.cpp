@@ -136,6 +136,24 @@ TEST_CASE("what the C interface says of modes and sums is what the library says"
     }
 }
 
+TEST_CASE("the load that the C interface tells is a loaded mass, whichever the contact takes the place of",
+          "[c_interface][vectors]") {
+    for (const std::string contact : {"[1, 2]", "[2, 1]"})
+        for (const std::string masses : {"[1, 0.5, 2]", "[1, 2, 2]"})
+            for (const std::size_t loaded : {1, 2, 3}) {
+                const std::string text = R"({"mass_ratios": )" + masses +
+                                         R"(, "stiffness_ratios": [1, 1, 1], "damping_ratios": 0.05, "contact": )" + contact +
+                                         R"(, "load": )" + std::to_string(loaded) + "}";
+                dh_system* made = nullptr;
+                REQUIRE(dh_system_from_json(text.data(), text.size(), &made) == DH_OK);
+                const Handle system(made);
+                std::size_t N = 0, load = 0;
+                REQUIRE(dh_system_masses(system.get(), &N, nullptr, &load) == DH_OK);
+                INFO(text);
+                CHECK(load == loaded);
+            }
+}
+
 TEST_CASE("the modes that the C interface hands out have their digits beside a light mass", "[c_interface][eq:15]") {
     const std::string text = R"({"mass_matrix": [[1, 0, 0], [0, 2.1, 0], [0, 0, 1e-13]],
         "stiffness_matrix": [[1.9, -0.1, -0.8], [-0.1, 1.1, -0.3], [-0.8, -0.3, 2.2]], "damping_ratios": 0.01, "contact": 1,

@@ -145,8 +145,12 @@ int dh_system_masses(const dh_system* system, size_t* N, size_t* contact, size_t
         const System<double>& s = system->prepared.scene().system;
         if (contact != nullptr) *contact = (s.coordinates.between.empty() ? s.contact : s.coordinates.between[0]).index + 1;
         const std::vector<double> p = load_on_coordinates(s);
+        const std::vector<Mass>& replaced = s.coordinates.replaced; // its force counts for the other mass of the contact as well
         const auto is_loaded = [](double force) { return force != 0; };
-        if (load != nullptr) *load = static_cast<std::size_t>(std::ranges::find_if(p, is_loaded) - p.begin()) + 1;
+        if (load != nullptr)
+            *load = !replaced.empty() && is_loaded(p[replaced.front().index])
+                        ? replaced.front().index + 1
+                        : static_cast<std::size_t>(std::ranges::find_if(p, is_loaded) - p.begin()) + 1;
     });
 }
 
