@@ -60,7 +60,7 @@ Matrix<double> with_rods(SplitMix64& random, const std::vector<double>& m) {
     return M;
 }
 
-// Dashpots beside some of the springs, the first of them never left out where all motions are to be damped.
+// Dashpots to the ground and between some of the masses.
 Matrix<double> dashpots(SplitMix64& random, int N, double size) {
     Matrix<double> C = Matrix<double>::Zero(N, N);
     for (int i = 0; i < N; ++i) {

@@ -77,7 +77,7 @@ PeriodicOrbit<double> orbit_of(const Solution& solution, const Coordinates<doubl
     }
     for (const Certified& v : solution.start->x_prime) orbit.start.x_prime.push_back(v.value);
     for (std::vector<double>* part : {&orbit.start.x, &orbit.start.x_prime}) take_to_coordinates(coordinates, *part);
-    const Matrix<double>& sums = coordinates.of_masses; // of the masses that contact and load act on
+    const Matrix<double>& sums = coordinates.of_masses; // of the masses that the contact is between
     if (sums.size() > 0) orbit.error_bound *= std::max(1.0, sums.cwiseAbs().rowwise().sum().maxCoeff());
     return orbit;
 }

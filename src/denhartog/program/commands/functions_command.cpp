@@ -82,10 +82,9 @@ void add_functions_command(CLI::App& app, ExitStatus& status) {
     const auto options = std::make_shared<SceneOptions>();
     add_scene_options(*command, *options);
     command->footer(
-        "Complex numbers are pairs [real part, imaginary part]. Numbers of modes have at least 6 digits, sums over them 10; "
-        "they\n"
-        "are computed in 50 digits if double does not have these. beta is not needed. If the damping matrix couples the modes,\n"
-        "they have no v, u and g of their own, and zeta is what the diagonal of the matrix gives.");
+        "Complex numbers are pairs [real part, imaginary part]. Numbers of modes have at least 6 digits, sums over them 10;\n"
+        "they are computed in 50 digits if double does not have these. beta is not needed. If the damping matrix couples\n"
+        "the modes, they have no v, u and g of their own, and zeta is what the diagonal of the matrix gives.");
     command->callback([options, &status] {
         answer_scenes(
             *options, [&](const SceneText& part) { return evaluate(part, *options); }, status);
