@@ -63,6 +63,22 @@ TEST_CASE("the error bound of every operation holds and is not idle", "[accuracy
     CHECK(least_used > 0.01);
 }
 
+TEST_CASE("sine and cosine together are what they are apart, in 50 digits and with bounds too", "[accuracy]") {
+    Source draw;
+    for (int n = 0; n < 500; ++n) {
+        const Pair angle = draw.number(-30, 30);
+        const SineCosine<Real50> together = sine_cosine(angle.exact);
+        CHECK((together.s == sin(angle.exact) && together.c == cos(angle.exact)));
+        const SineCosine<Bounded<double>> bounded = sine_cosine(angle.bounded);
+        CHECK((bounded.s.x == elementary::sin(angle.bounded.x) && bounded.c.x == elementary::cos(angle.bounded.x)));
+        CHECK(abs(together.s - bounded.s.x) <= bounded.s.e);
+        CHECK(abs(together.c - bounded.c.x) <= bounded.c.e);
+        const double change = angle.bounded.e / 2; // a bound below it would be none
+        CHECK(bounded.s.e >= change * std::abs(bounded.c.x));
+        CHECK(bounded.c.e >= change * std::abs(bounded.s.x));
+    }
+}
+
 TEST_CASE("a quotient by what may be zero and an angle of what may be the origin have no useful bound", "[accuracy]") {
     CHECK_FALSE((Bounded<double>(1) / Bounded<double>(0.5, 0.5)).e < 1e300);
     CHECK(atan2(Bounded<double>(0.1, 0.2), Bounded<double>(0.1)).e > 6);

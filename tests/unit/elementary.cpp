@@ -270,6 +270,20 @@ TEST_CASE("what is exact of the elementary functions is exact, and what is odd o
         }
 }
 
+TEST_CASE("sine and cosine together are to the bit what they are apart", "[elementary]") {
+    std::vector<double> arguments = next_to_multiples();
+    for (const Function& f : functions())
+        if (f.ours == elementary::sin)
+            for (const double x : seeded_arguments(f, 8000)) arguments.push_back(x);
+    for (const double x : {0.0, -0.0, 0x1p-30, 0x1.fffffffffffffp-31, 1e308, infinite, -infinite}) arguments.push_back(x);
+    std::size_t same = 0;
+    for (const double x : arguments) {
+        const SineCosine<double> together = elementary::sine_cosine(x);
+        same += same_bits(together.s, elementary::sin(x)) && same_bits(together.c, elementary::cos(x)) ? 1 : 0;
+    }
+    CHECK(same == arguments.size());
+}
+
 TEST_CASE("elementary functions end where a double ends, and give no number outside their domain", "[elementary]") {
     const double none = std::numeric_limits<double>::quiet_NaN();
     CHECK(elementary::exp(0x1.62e42fefa39efp9) == 0x1.fffffffffff2ap1023);

@@ -54,8 +54,8 @@ SceneSource scene_source(const SceneText& part) {
 SceneSource scene_source(const Scene<double>& scene) {
     SceneOrError<double> narrow;
     narrow.scene = in_own_coordinates(scene);
-    std::optional<Scene<double>> given; // where it is another
-    if (!is_of_papers_form(scene.system)) given = scene;
+    std::shared_ptr<const Scene<double>> given; // where it is another
+    if (!is_of_papers_form(scene.system)) given = std::make_shared<const Scene<double>>(scene);
     return source_by(std::move(narrow), [given = std::move(given)]<class T>(T, const SceneOrError<double>& own) {
         return in_own_coordinates(converted<T>(given ? *given : *own.scene));
     });

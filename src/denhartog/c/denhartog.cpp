@@ -75,12 +75,6 @@ std::vector<double> values_of(const std::vector<Bounded<double>>& numbers) {
     return values;
 }
 
-std::vector<double> interleaved(const std::vector<Complex<double>>& z) {
-    std::vector<double> parts;
-    for (const Complex<double>& each : z) parts.insert(parts.end(), {each.re, each.im});
-    return parts;
-}
-
 void need_all_finite(std::initializer_list<std::span<const double>> arrays) {
     for (const std::span<const double> array : arrays) need_finite(array);
 }
@@ -184,23 +178,23 @@ int dh_modal_functions(const dh_system* system, double r, size_t count, double* 
         const std::size_t N = masses_of(system);
         need(R, "R");
         need_count(count, N);
-        if (v == nullptr && u == nullptr && g == nullptr) { // there is no pole
-            check_frequency_ratio(r);
-            std::vector<double> ratios;
-            for (const double r_n : system->basis.r_n) ratios.push_back(r / r_n);
-            need_finite(ratios);
-            return hand_out(ratios, R);
-        }
         check_frequency_ratio(r);
-        const System<double>& of = system->prepared.scene().system;
-        const auto functions = certain_mode_functions(at_frequency(system->prepared.source, r), system->modes);
-        const ModeSums<double> s = values_of(mode_sums(*system->modes, of.contact, of.load, as_input(r), functions));
-        const std::vector<double> parts = interleaved(s.v);
-        need_all_finite({s.R, parts, s.u, s.g});
-        hand_out(s.R, R);
+        std::vector<double> ratios;
+        for (const double r_n : system->basis.r_n) ratios.push_back(r / r_n);
+        need_finite(ratios);
+        if (v == nullptr && u == nullptr && g == nullptr) return hand_out(ratios, R); // there is no pole
+        check_uncoupled(*system->modes);
+        std::vector<double> parts, of_u, of_g;
+        for (const auto& f : certain_mode_functions(at_frequency(system->prepared.source, r), system->modes)) {
+            parts.insert(parts.end(), {f.v.re.x, f.v.im.x});
+            of_u.push_back(f.u.x);
+            of_g.push_back(f.g.x);
+        }
+        need_all_finite({parts, of_u, of_g});
+        hand_out(ratios, R);
         hand_out(parts, v);
-        hand_out(s.u, u);
-        hand_out(s.g, g);
+        hand_out(of_u, u);
+        hand_out(of_g, g);
     });
 }
 

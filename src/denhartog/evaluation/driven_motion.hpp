@@ -32,7 +32,8 @@ template <class T>
     const T nothing = std::numeric_limits<T>::epsilon() / 4;
     if (squared_modulus(z) < nothing * nothing) return {T(1), T(0)};
     const T e = exp_minus_one(z.re), s = sin(T(z.im / 2));
-    return quotient(Complex<T>{e * cos(z.im) - 2 * s * s, (e + 1) * sin(z.im)}, z);
+    const SineCosine<T> at = sine_cosine(z.im);
+    return quotient(Complex<T>{e * at.c - 2 * s * s, (e + 1) * at.s}, z);
 }
 
 /// @brief \f$ R^2v_d \f$ from the gap \f$ 1-1/R^2 \f$ and the decay \f$ a = \zeta/R \f$.
@@ -112,7 +113,8 @@ template <class T>
 [[nodiscard]] InitialValues<T> response_from_rest(const T& t, const T& a, const T& b, const T& apart, const Complex<T>& decayed,
                                                   const T& cos_0, const T& sin_0) {
     const Complex<T> E_1 = t * product(decayed, exp_minus_one_over(Complex<T>{a * t, apart * t}));
-    const Complex<T> E_2 = quotient(Complex<T>{cos(t) - decayed.re, sin(t) + decayed.im}, Complex<T>{a, 1 + b});
+    const SineCosine<T> at = sine_cosine(t);
+    const Complex<T> E_2 = quotient(Complex<T>{at.c - decayed.re, at.s + decayed.im}, Complex<T>{a, 1 + b});
     const Complex<T> h{E_1.re - E_2.re, E_1.im - E_2.im};
     const Complex<T> h_prime{-a * h.re - b * (E_1.im + E_2.im), -a * h.im + b * (E_1.re + E_2.re)};
     return {(cos_0 * h.im + sin_0 * h.re) / (2 * b), (cos_0 * h_prime.im + sin_0 * h_prime.re) / (2 * b)};

@@ -260,8 +260,9 @@ template <class T>
     const T w = sqrt(T((1 - zeta) * (1 + zeta)));
     const T x = tau / R;
     const T root = exp(T(-zeta * x / 2));
-    const T C = cos(T(w * x));
-    const T S = sinc(T(w * x)) * x;
+    const SineCosine<T> turned = sinc_cosine(T(w * x));
+    const T C = turned.c;
+    const T S = turned.s * x;
     const T rate = C - zeta * S;
     return {root * (C + zeta * S) * root, root * S * root, -(root * (S / R) * root), root * (rate / R) * root,
             -(root * ((2 * zeta * rate + S) / R / R) * root)};

@@ -70,6 +70,17 @@ template <class T>
     return sin(x) / x;
 }
 
+/// @brief \f$ \sin(x)/x \f$ and \f$ \cos x \f$. @param x a number @return what `sinc` and `cos` give
+template <class T>
+[[nodiscard]] SineCosine<T> sinc_cosine(const T& x) {
+    if constexpr (shares_sine_and_cosine<T>) {
+        const SineCosine<T> at = sine_cosine(x);
+        return {x == 0 ? T(1) : T(at.s / x), at.c};
+    } else {
+        return {sinc(x), cos(x)};
+    }
+}
+
 /// @brief \f$ \frac{1}{q^2}\left[\frac{\sinh q\zeta}{q\zeta} - \frac{\sin qw}{qw}\right] \f$ without its cancellation.
 ///
 /// The bracket is \f$ \sum_k [\zeta^{2k}-(-w^2)^k]\,q^{2k}/(2k+1)! \f$. As \f$ \zeta^2+w^2=1 \f$ its coefficients follow from

@@ -52,13 +52,23 @@ template <class T>
     return rows;
 }
 
+/// @brief The force on each coordinate.
+/// @param c     the coordinates of a system
+/// @param load  the loaded mass, where the load is on one
+/// @param N     number of masses
+/// @return      p, N values in units of P
+template <class T>
+[[nodiscard]] std::vector<T> load_on_coordinates(const Coordinates<T>& c, Mass load, std::size_t N) {
+    if (!c.load.empty()) return c.load;
+    std::vector<T> p(N, T(0));
+    p[load.index] = T(1);
+    return p;
+}
+
 /// @brief The force on each coordinate. @param s a system in its own coordinates @return p, N values in units of P
 template <class T>
 [[nodiscard]] std::vector<T> load_on_coordinates(const System<T>& s) {
-    if (!s.coordinates.load.empty()) return s.coordinates.load;
-    std::vector<T> p(number_of_masses(s), T(0));
-    p[s.load.index] = T(1);
-    return p;
+    return load_on_coordinates(s.coordinates, s.load, number_of_masses(s));
 }
 
 /// @brief The place of a mass among displacements. @param s a system @param k a mass

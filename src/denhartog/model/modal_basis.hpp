@@ -26,6 +26,15 @@ struct ModalBasis {
     [[nodiscard]] bool coupled() const { return D.size() > 0; }
 };
 
+/// @brief How many rows of the shapes are displacements of masses or of the contact.
+/// @param basis  a modal basis
+/// @param load   the loaded mass; of a load on several, which is none of them, the row behind all others
+/// @return       their number
+template <class T>
+[[nodiscard]] std::size_t number_of_displacements(const ModalBasis<T>& basis, Mass load) {
+    return load.index < basis.r_n.size() ? static_cast<std::size_t>(basis.phi.rows()) : load.index;
+}
+
 /// @brief Whether the damping matrix that was given is the one that counts, and not the damping ratios nearest to it.
 /// @param s      a system
 /// @param basis  its modal basis

@@ -42,17 +42,31 @@ template <class T>
     const T value = exp(a.x);
     return Bounded<T>::rounded(value, error_of_exponential(a, value), library_units);
 }
+/// @brief What the error of an angle makes of its sine or cosine. @param e the error @param rate the other of the two
+/// @return the error
+template <class T>
+[[nodiscard]] T error_by_angle(const T& e, const T& rate) {
+    return std::min(T(2), T(e * (size_of_number(rate) + e)));
+}
+/// @brief Sine and cosine. @param a radians @return sin(a), cos(a)
+template <class T>
+[[nodiscard, gnu::noinline]] SineCosine<Bounded<T>> sine_cosine(const Bounded<T>& a) {
+    const SineCosine<T> at = sine_cosine(a.x);
+    return {Bounded<T>::rounded(at.s, error_by_angle(a.e, at.c), library_units),
+            Bounded<T>::rounded(at.c, error_by_angle(a.e, at.s), library_units)};
+}
+/// @brief They share what those of the values share.
+template <class T>
+inline constexpr bool shares_sine_and_cosine<Bounded<T>> = shares_sine_and_cosine<T>;
 /// @brief Sine. @param a radians @return sin(a)
 template <class T>
 [[nodiscard, gnu::noinline]] Bounded<T> sin(const Bounded<T>& a) {
-    const T error = a.e > 0 ? std::min(T(2), T(a.e * (size_of_number(T(cos(a.x))) + a.e))) : T(0);
-    return Bounded<T>::rounded(sin(a.x), error, library_units);
+    return a.e > 0 ? sine_cosine(a).s : Bounded<T>::rounded(sin(a.x), T(0), library_units);
 }
 /// @brief Cosine. @param a radians @return cos(a)
 template <class T>
 [[nodiscard, gnu::noinline]] Bounded<T> cos(const Bounded<T>& a) {
-    const T error = a.e > 0 ? std::min(T(2), T(a.e * (size_of_number(T(sin(a.x))) + a.e))) : T(0);
-    return Bounded<T>::rounded(cos(a.x), error, library_units);
+    return a.e > 0 ? sine_cosine(a).c : Bounded<T>::rounded(cos(a.x), T(0), library_units);
 }
 /// @brief Hyperbolic cosine. @param a a number @return cosh(a)
 template <class T>
@@ -124,6 +138,12 @@ struct ValueOf {
     using type = T; ///< the type
     /// @param x a number @return the same
     [[nodiscard]] static const T& of(const T& x) { return x; }
+    /// @param x a number @return its size
+    [[nodiscard]] static T most(const T& x) { return size_of_number(x); }
+    /// @param x a number @return its size
+    [[nodiscard]] static T least(const T& x) { return size_of_number(x); }
+    /// @return 0
+    [[nodiscard]] static T error(const T&) { return T(0); }
 };
 /// @brief Of a number with a bound.
 template <class T>
@@ -131,6 +151,12 @@ struct ValueOf<Bounded<T>> {
     using type = T; ///< the type inside
     /// @param a a number with a bound @return its value
     [[nodiscard]] static const T& of(const Bounded<T>& a) { return a.x; }
+    /// @param a a number with a bound @return the largest size that it can have
+    [[nodiscard]] static T most(const Bounded<T>& a) { return a.most(); }
+    /// @param a a number with a bound @return the least size that it can have
+    [[nodiscard]] static T least(const Bounded<T>& a) { return a.least(); }
+    /// @param a a number with a bound @return the bound
+    [[nodiscard]] static T error(const Bounded<T>& a) { return a.e; }
 };
 
 /// @brief A number of the input, one unit in the last place uncertain, as a decimal fraction or a quotient is.

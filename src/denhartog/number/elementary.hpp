@@ -12,6 +12,17 @@
 
 #include <cmath>
 
+namespace denhartog {
+
+/// @brief Sine and cosine of one angle.
+template <class T>
+struct SineCosine {
+    T s; ///< sine
+    T c; ///< cosine
+};
+
+} // namespace denhartog
+
 namespace denhartog::elementary {
 
 /// @brief Exponential. @param x a number @return exp(x)
@@ -30,6 +41,8 @@ namespace denhartog::elementary {
 [[nodiscard, gnu::const]] double sin(double x) noexcept;
 /// @brief Cosine. @param x radians @return cos(x)
 [[nodiscard, gnu::const]] double cos(double x) noexcept;
+/// @brief Both, for less than twice the time of one. @param x radians @return to the bit what `sin` and `cos` give
+[[nodiscard, gnu::const]] SineCosine<double> sine_cosine(double x) noexcept;
 /// @brief Sine of half turns. @param x half turns @return sin(pi x), exact at multiples of a quarter turn
 [[nodiscard, gnu::const]] double sine_of_half_turns(double x) noexcept;
 /// @brief Cosine of half turns. @param x half turns @return cos(pi x), exact at multiples of a quarter turn

@@ -129,6 +129,13 @@ double cos(double x) noexcept {
     return c.high + c.low;
 }
 
+SineCosine<double> sine_cosine(double x) noexcept {
+    if (!is_finite(x)) return {no_number, no_number};
+    const ReducedAngle angle = reduce(x, 0);
+    const Parts s = sine(angle), c = cosine(angle);
+    return {std::fabs(x) < 0x1p-30 ? x : s.high + s.low, c.high + c.low};
+}
+
 double sine_of_half_turns(double x) noexcept {
     x = without_many_turns(x);
     if (!is_finite(x)) return no_number;

@@ -63,6 +63,17 @@ struct PiOf<Multiprecision<digits10>> {
     }
 };
 
+/// @brief Of multiprecision numbers MPFR has both.
+template <unsigned digits10>
+inline constexpr bool shares_sine_and_cosine<Multiprecision<digits10>> = true;
+/// @brief Sine and cosine. @param x radians @return both, correctly rounded as `sin` and `cos` are
+template <unsigned digits10>
+[[nodiscard]] SineCosine<Multiprecision<digits10>> sine_cosine(const Multiprecision<digits10>& x) {
+    SineCosine<Multiprecision<digits10>> at;
+    mpfr_sin_cos(at.s.backend().data(), at.c.backend().data(), x.backend().data(), MPFR_RNDN);
+    return at;
+}
+
 } // namespace denhartog
 
 namespace boost::multiprecision::backends {

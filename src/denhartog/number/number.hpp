@@ -92,6 +92,17 @@ template <MachineNumber T>
     else
         return std::cos(x);
 }
+/// @brief Whether sine and cosine of one angle cost less together; true of the types that `sine_cosine` has a body for.
+template <class T>
+inline constexpr bool shares_sine_and_cosine = std::same_as<T, double>;
+/// @brief Sine and cosine. @param x radians @return what `sin` and `cos` give
+template <class T>
+[[nodiscard]] SineCosine<T> sine_cosine(const T& x) {
+    if constexpr (std::same_as<T, double>)
+        return elementary::sine_cosine(x);
+    else
+        return {sin(x), cos(x)};
+}
 /// @brief Arc sine. @param x a number from -1 to 1 @return radians
 template <MachineNumber T>
 [[nodiscard]] T asin(T x) {

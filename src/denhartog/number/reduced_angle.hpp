@@ -50,13 +50,6 @@ template <class T>
     return remainder(T(1), m);
 }
 
-/// @brief Sine and cosine of one angle.
-template <class T>
-struct SineCosine {
-    T s; ///< sine
-    T c; ///< cosine
-};
-
 /// @brief Sine and cosine of \f$ \pi\,[1/(2R) - y] \f$, reduced exactly: both keep their digits however small they or R are.
 ///
 /// With \f$ \rho \f$ the remainder of 1 after division by 4R the first part is \f$ \rho/(2R) \f$ but for whole turns. What is

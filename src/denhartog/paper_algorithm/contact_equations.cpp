@@ -7,6 +7,7 @@
 #include <string>
 
 #include "denhartog/formulas/stuck.hpp"
+#include "denhartog/model/coordinates.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/number_text.hpp"
 #include "denhartog/scene/point_rules.hpp"
@@ -53,12 +54,8 @@ ContactEquations::ContactEquations(const ContactProblem& p) : beta(p.beta), mu(p
     const auto& [M, C, K] = p.matrices;
     const Eigen::Index rows = M.rows();
     const auto contact = static_cast<Eigen::Index>(p.contact.index);
-    const std::vector<double>& several = p.coordinates.load;
-    Eigen::VectorXd load = Eigen::VectorXd::Zero(rows);
-    if (several.empty())
-        load(static_cast<Eigen::Index>(p.load.index)) = 1;
-    else
-        std::ranges::copy(several, load.begin());
+    const std::vector<double> forces_of_load = load_on_coordinates(p.coordinates, p.load, static_cast<std::size_t>(rows));
+    const Eigen::Map<const Eigen::VectorXd> load(forces_of_load.data(), rows);
     const Eigen::LLT<Matrix<double>> factor(M);
     if (factor.info() != Eigen::Success) throw InputError("M", "must be positive definite", "");
     const Matrix<double> inverse = factor.solve(Matrix<double>::Identity(rows, rows));

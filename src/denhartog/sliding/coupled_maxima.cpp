@@ -15,7 +15,8 @@ T instant_of_largest_demand_where_coupled(const ModeSums<T>& s) {
     Curve<T> curve;
     curve.sample = [&](const T& tau) {
         const CoupledState<T>& now = friction.at(tau);
-        const T C = cos(tau), S = sin(tau), first = friction.derivative(j, 1, now), second = friction.derivative(j, 2, now);
+        const auto [S, C] = sine_cosine(tau);
+        const T first = friction.derivative(j, 1, now), second = friction.derivative(j, 2, now);
         const T N = first - start * C, N_prime = second + start * S, Z = friction.derivative(j, 3, now) + first;
         if (tau > 0 && tau < pi<T>()) return Sample<T>{N / S, N_prime * S - N * C, Z, Z * S};
         return Sample<T>{coupled_demand(friction, s.contact, tau), T(0), Z};

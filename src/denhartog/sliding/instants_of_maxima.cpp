@@ -1,6 +1,7 @@
 #include "denhartog/sliding/instants_of_maxima.hpp"
 
 #include <algorithm>
+#include <boost/container/small_vector.hpp>
 #include <limits>
 #include <tuple>
 #include <utility>
@@ -24,7 +25,7 @@ T rate_of_friction(const ModeSums<T>& s, const std::vector<T>& weights, const Fr
         T size;     // bound of a derivative
         T one, two; // the derivatives one and two below it
     };
-    std::vector<Term> terms(N);
+    boost::container::small_vector<Term, 8> terms(N);
     bool oscillates = true;
     T rest(0);
     for (std::size_t i = 0; i < N; ++i) {

@@ -120,14 +120,6 @@ bool all_zero(const std::vector<T>& weights) {
 }
 
 template <class T>
-T amplitude_at(const std::vector<T>& r_n, const std::vector<T>& weights, const T& r) {
-    T V(0);
-    for (std::size_t i = 0; i < r_n.size(); ++i)
-        if (weights[i] != 0) V += weights[i] / ((r_n[i] - r) * (r_n[i] + r));
-    return abs(V);
-}
-
-template <class T>
 void check_arguments(const ModalBasis<T>& basis, Mass contact, Mass load, const T& r_a, const T& r_b) {
     const std::size_t N = basis.r_n.size();
     if (contact.index >= N) throw InputError("contact", "must be one of the masses", std::to_string(contact.index + 1));
@@ -155,8 +147,7 @@ std::vector<InvariantPointsOfMass<T>> invariant_points(const ModalBasis<T>& basi
     Effort& effort = allowed != nullptr ? *allowed : own;
     const T margin = 1024 * eps<T>; // a point at an end of the range is inside
     std::vector<InvariantPointsOfMass<T>> all;
-    const std::size_t masses = load.index < basis.r_n.size() ? static_cast<std::size_t>(basis.phi.rows()) : load.index;
-    for (std::size_t k = 0; k < masses; ++k) {
+    for (std::size_t k = 0; k < number_of_displacements(basis, load); ++k) {
         InvariantPointsOfMass<T> found{Mass{k}, {}, {}};
         const Weights<T> weights{products(basis.phi, contact, load), products(basis.phi, Mass{k}, load),
                                  products(basis.phi, contact, contact), products(basis.phi, Mass{k}, contact)};
@@ -168,7 +159,7 @@ std::vector<InvariantPointsOfMass<T>> invariant_points(const ModalBasis<T>& basi
             const TransmissibilityFunction<T> f(basis.r_n, weights, kind);
             const Zeros<T> zeros = zeros_between(f, T((1 - margin) / r_b), T((1 + margin) / r_a), effort);
             for (const T& x : zeros.x) {
-                const T r = std::clamp(T(1 / x), r_a, r_b), amplitude = amplitude_at(basis.r_n, weights.V_k, r);
+                const T r = std::clamp(T(1 / x), r_a, r_b), amplitude = abs(undamped_response(basis.r_n, weights.V_k, r));
                 if (by_87 && f.divides_by_zero(x)) continue;
                 if (boost::math::isfinite(amplitude))
                     found.points.push_back({r, amplitude, kind});

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "denhartog/model/modal_basis.hpp"
+#include "denhartog/number/bounded.hpp"
 #include "denhartog/number/effort.hpp"
 
 namespace denhartog {
@@ -37,6 +38,20 @@ struct InvariantPointsOfMass {
     std::vector<InvariantPoint<T>> points;      ///< ascending
     std::vector<UndecidedStretch<T>> undecided; ///< ascending; empty unless rounding hides the points, or the effort was spent
 };
+
+/// @brief The response of a mass without damping and without friction, (33) where every zeta_i is 0.
+/// @eq{33}
+/// @param r_n      natural frequency ratios
+/// @param weights  products of the mode shapes at the mass and at the load, as many
+/// @param r        frequency ratio, positive; none of the natural ones whose weight is not 0
+/// @return         the response in units of P/k_1, negative where it is against the load
+template <class T>
+[[nodiscard]] T undamped_response(const std::vector<T>& r_n, const std::vector<T>& weights, const T& r) {
+    T V(0);
+    for (std::size_t i = 0; i < r_n.size(); ++i)
+        if (ValueOf<T>::most(weights[i]) > 0) V += weights[i] / ((r_n[i] - r) * (r_n[i] + r));
+    return V;
+}
 
 /// @brief All invariant points of every mass, damping left out.
 ///

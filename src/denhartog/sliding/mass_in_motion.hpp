@@ -69,8 +69,9 @@ struct FrictionShare {
 /// @brief The same of a mass. @param s modes @param k its place @param tau instant in [0, pi] @return friction's share
 template <class T>
 [[nodiscard]] FrictionShare<T> friction_share(const ModeSums<T>& s, std::size_t k, const T& tau) {
-    if (s.coupled) return {cos(tau), sin(tau), {}, s.coupled->motion(k, tau)};
-    return {cos(tau), sin(tau), friction_motions(s, tau), {T(0), T(0), T(0)}};
+    const SineCosine<T> at = sine_cosine(tau);
+    if (s.coupled) return {at.c, at.s, {}, s.coupled->motion(k, tau)};
+    return {at.c, at.s, friction_motions(s, tau), {T(0), T(0), T(0)}};
 }
 
 /// @brief Motion (46) of a mass with friction's share at an instant. @eq{46} @param mass the mass @param y that share

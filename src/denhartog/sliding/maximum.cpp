@@ -1,6 +1,7 @@
 #include "denhartog/sliding/maximum.hpp"
 
 #include <algorithm>
+#include <boost/container/small_vector.hpp>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <string>
 #include <utility>
@@ -56,7 +57,6 @@ class MaximumSearch {
 public:
     MaximumSearch(const Curve<T>& curve, const T& a, const T& b, const T& noise, Effort& effort, const T& least, const T& error)
         : curve_(curve), noise_(noise), error_(std::max(noise, error)), effort_(effort), best_{least, a, least, true, {}} {
-        open_.reserve(2 * first_intervals);
         Node<T> left = node(a);
         for (int n = 1; n <= first_intervals; ++n) {
             const Node<T> right = node(n == first_intervals ? b : T(a + (b - a) * n / first_intervals));
@@ -196,7 +196,8 @@ private:
     T noise_, error_;
     Effort& effort_;
     Maximum<T> best_;
-    std::vector<Interval<T>> open_, passed_over_;
+    boost::container::small_vector<Interval<T>, 2 * first_intervals> open_;
+    std::vector<Interval<T>> passed_over_;
 };
 
 } // namespace

@@ -47,32 +47,6 @@ void set_maximum(MassResponse<T>& m, const T& phi_j, const T& instant, const T& 
     m.phase = wrapped(paper::phase_of_mass(phi_j, instant, displacement < 0 ? 1 : 0));
 }
 
-// What a number is at most in size, by how much it may be off, and what it is at least in size.
-template <class T>
-T most_of(const T& x) {
-    return size_of_number(x);
-}
-template <class T>
-T most_of(const Bounded<T>& x) {
-    return x.most();
-}
-template <class T>
-T error_of(const T&) {
-    return T(0);
-}
-template <class T>
-T error_of(const Bounded<T>& x) {
-    return x.e;
-}
-template <class T>
-T least_of(const T& x) {
-    return size_of_number(x);
-}
-template <class T>
-T least_of(const Bounded<T>& x) {
-    return x.least();
-}
-
 // A bound of the third derivative of a mass over a step from an instant: its terms there in size, and what the step may add to
 // them. Between stops R^2 y''^2 + y'^2 of a mode under friction falls in time.
 template <class T, class Value = typename ValueOf<T>::type>
@@ -82,18 +56,19 @@ Value size_of_jerk(const ModeSums<T>& s, const MassInMotion<T>& mass, std::size_
     const std::vector<evaluation::FrictionMotion<T>>& y = share.of_modes;
     Value sum(0);
     if (s.coupled)
-        sum = most_of(T(
+        sum = ValueOf<T>::most(T(
             s.coupled->largest_derivative(k, 3, s.coupled->at(ValueOf<T>::of(in_half_period(step < 0 ? T(tau + step) : tau))))));
-    const Value length = most_of(step);
+    const Value length = ValueOf<T>::most(step);
     for (std::size_t i = 0; i < y.size(); ++i) {
-        const Value R = most_of(s.R[i]), rate = 1 / least_of(s.R[i]), damping = 2 * most_of(s.zeta[i]), turns = length * rate;
-        const Value y_prime = most_of(y[i].prime), R_y_double_prime = R * most_of(y[i].double_prime);
+        const Value R = ValueOf<T>::most(s.R[i]), rate = 1 / ValueOf<T>::least(s.R[i]), damping = 2 * ValueOf<T>::most(s.zeta[i]),
+                    turns = length * rate;
+        const Value y_prime = ValueOf<T>::most(y[i].prime), R_y_double_prime = R * ValueOf<T>::most(y[i].double_prime);
         const Value lost = step < 0 ? Value(damping * turns) : Value(0),
                     growth = lost < 1 ? Value(1 + 2 * lost) : Value(exp(lost));
         const Value added = turns * (1 + damping + damping * damping) * (y_prime + R_y_double_prime) * growth;
-        sum += most_of(mass.weights[i]) * (damping * R_y_double_prime + y_prime + added) * rate * rate;
+        sum += ValueOf<T>::most(mass.weights[i]) * (damping * R_y_double_prime + y_prime + added) * rate * rate;
     }
-    return (most_of(mass.h.A) + most_of(mass.h.B) + most_of(mass.beta) * sum) * slack;
+    return (ValueOf<T>::most(mass.h.A) + ValueOf<T>::most(mass.h.B) + ValueOf<T>::most(mass.beta) * sum) * slack;
 }
 
 // A step of Newton's method towards the extremum; none where the acceleration is zero.
@@ -138,15 +113,15 @@ void settle_maximum(const ModeSums<T>& s, SteadyState<T>& state, std::size_t k, 
     }
     const T largest = found_by_search(T(now.x + now.x_prime * step / 2));
     using Value = typename ValueOf<T>::type;
-    const Value reach = most_of(step);
+    const Value reach = ValueOf<T>::most(step);
     if (!(reach - reach == 0)) { // rounding hides the acceleration; what it makes of the displacement hides the maximum
-        const Value hidden = 8 * std::max(error_of(state.masses[k].x0), error_of(state.masses[k].v0));
+        const Value hidden = 8 * std::max(ValueOf<T>::error(state.masses[k].x0), ValueOf<T>::error(state.masses[k].v0));
         set_maximum(state.masses[k], state.phi_j, with_neglected(instant, pi<T>()),
                     with_neglected(found_by_search(now.x), T(hidden)));
         return;
     }
     const Value of_acceleration = reach * size_of_jerk(s, mass, k, instant, step, share),
-                of_displacement = reach * of_acceleration, least = least_of(now.x_double_prime);
+                of_displacement = reach * of_acceleration, least = ValueOf<T>::least(now.x_double_prime);
     // A step over which the acceleration may vanish tells nothing of the maximum.
     const bool tells = least > 0 && (of_displacement == 0 || 2 * of_acceleration < least);
     const Value of_instant = !tells ? pi<Value>() : of_displacement == 0 ? Value(0) : Value(of_displacement / least);

@@ -1,10 +1,10 @@
 #include "denhartog/solve/prepared_system.hpp"
 
-#include "denhartog/answer/moving_system.hpp"
 #include "denhartog/answer/sliding_point.hpp"
 #include "denhartog/model/coordinates.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/scene/mass_rules.hpp"
+#include "denhartog/stick_slip/rounded_system.hpp"
 
 namespace denhartog {
 namespace {
@@ -17,9 +17,11 @@ void prepare_every_regime(PreparedSystem& p) {
         const ModalBasis<double> basis = modal_basis(s);
         p.moving = std::make_shared<const ContactSystem<double>>(contact_system(s, basis));
         p.bounded = std::make_shared<const ModalBasis<Bounded<double>>>(with_errors(s, basis));
-    } catch (const PrecisionError&) {
-        p.moving = moving_in_double(p.source);
-        p.bounded = modes_in_double(p.source);
+    } catch (const PrecisionError& e) {
+        const SceneIn<Real50> in = scene_with_modes<Real50>(p.source);
+        p.moving = std::make_shared<const ContactSystem<double>>(
+            rounded(contact_system(in.scene.system, values_of(*in.basis)), e.what()));
+        p.bounded = std::make_shared<const ModalBasis<Bounded<double>>>(in_double(*in.basis));
     }
 }
 

@@ -73,7 +73,7 @@ struct LinearMotion {
     /// @param tau  the instant
     void start(const T& tau) {
         tau_0_ = tau;
-        const T cos_0 = cos(tau), sin_0 = sin(tau);
+        const auto [sin_0, cos_0] = sine_cosine(tau);
         differentiated_ = false;
         for (std::size_t i = 0; i < size(); ++i) {
             at_rest_[i] = G[i] / (omega_0[i] * omega_0[i]);
@@ -89,8 +89,7 @@ struct LinearMotion {
     /// @brief Coordinates and velocities at an instant, into q[0], q[1]. @param t the time from the start
     void move_to(const T& t) {
         differentiated_ = false;
-        cos_tau_ = cos(T(tau_0_ + t));
-        sin_tau_ = sin(T(tau_0_ + t));
+        now_ = sine_cosine(T(tau_0_ + t));
         if (coupled()) {
             const Column<T> z = together_.at(t);
             const auto n = static_cast<Eigen::Index>(size());
@@ -99,7 +98,7 @@ struct LinearMotion {
             return;
         }
         for (std::size_t i = 0; i < size(); ++i) {
-            const InitialValues<T> now = evaluation::motion_of_coordinate(t, coordinates_[i], starts_[i], cos_tau_, sin_tau_);
+            const InitialValues<T> now = evaluation::motion_of_coordinate(t, coordinates_[i], starts_[i], now_.c, now_.s);
             q[0][i] = now.eta_0;
             q[1][i] = now.eta_prime_0;
         }
@@ -111,7 +110,7 @@ struct LinearMotion {
         move_to(t);
         differentiated_ = true;
         at_ = t;
-        const std::array<T, 4> wave{cos_tau_, T(-sin_tau_), T(-cos_tau_), sin_tau_};
+        const std::array<T, 4> wave{now_.c, T(-now_.s), T(-now_.c), now_.s};
         if (coupled()) {
             for (int m = 0; m + 2 < orders; ++m)
                 for (std::size_t i = 0; i < size(); ++i) {
@@ -133,9 +132,9 @@ struct LinearMotion {
     }
 
     /// @brief Cosine of tau at the instant last evaluated. @return cos tau
-    [[nodiscard]] const T& cos_tau() const { return cos_tau_; }
+    [[nodiscard]] const T& cos_tau() const { return now_.c; }
     /// @brief Sine of tau at the instant last evaluated. @return sin tau
-    [[nodiscard]] const T& sin_tau() const { return sin_tau_; }
+    [[nodiscard]] const T& sin_tau() const { return now_.s; }
 
     /// @brief Energy norm of derivative m and its velocity at the instant last evaluated: it grows by |F| a unit of time at most.
     /// @param m  order, at most 4
@@ -211,7 +210,8 @@ private:
         together_ = CoupledMotion<T>(A, rate, CoupledMotion<T>::Asked::many_starts, effort);
     }
 
-    T tau_0_, cos_tau_, sin_tau_;
+    T tau_0_;
+    SineCosine<T> now_;           // of tau at the instant last evaluated
     bool differentiated_ = false; // whether q holds all derivatives, at the instant at_
     T at_;
     std::vector<T> at_rest_;                                   // where the constant force would hold the coordinates

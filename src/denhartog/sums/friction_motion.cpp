@@ -61,7 +61,8 @@ const FrictionMotionsAt<T>& FrictionMotions<T>::at(const T& tau, bool sizes) {
             memory.release();
             place = known.end();
         }
-        FrictionMotionsAt<T> braces{cos(tau), sin(tau), std::pmr::vector<evaluation::FrictionMotion<T>>(&memory),
+        const SineCosine<T> turned = sine_cosine(tau);
+        FrictionMotionsAt<T> braces{turned.c, turned.s, std::pmr::vector<evaluation::FrictionMotion<T>>(&memory),
                                     std::pmr::vector<T>(&memory)};
         add_friction_motions(sums_, tau, first, last, braces.y);
         place = known.emplace_hint(place, tau, std::move(braces));

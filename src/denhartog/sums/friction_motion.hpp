@@ -7,6 +7,7 @@
 /// more, and no \f$ y_n^2 + y_{n+1}^2 \f$ ever grows: what it is at a bounds both from there on.
 #pragma once
 
+#include <array>
 #include <map>
 #include <memory_resource>
 #include <span>
@@ -55,7 +56,8 @@ private:
     const ModeSums<T>& sums_;
     std::size_t first, last;
     std::vector<T> c;
-    std::pmr::monotonic_buffer_resource memory; // of what is known: an instant costs no allocation of its own
+    std::array<std::byte, 16384> first_memory; // holds what a search over a few modes asks for
+    std::pmr::monotonic_buffer_resource memory{first_memory.data(), first_memory.size()};
     std::pmr::map<T, FrictionMotionsAt<T>> known{&memory};
 
     [[nodiscard]] T size_of(const evaluation::FrictionMotion<T>& y, std::size_t i, const T& tau) const;

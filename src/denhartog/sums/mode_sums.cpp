@@ -22,9 +22,7 @@ void check_arguments(const ModalBasis<T>& basis, Mass contact, Mass load, const 
     check_frequency_ratio(r);
     for (const auto& [name, mass] : {std::pair("contact", contact), std::pair("load", load)})
         check_mass(mass, N, name);
-    if (basis.coupled())
-        throw InputError("damping_matrix", "must not couple the modes: (23), (28), (29) are those of a mode that moves by itself",
-                         "K M^-1 C is not C M^-1 K");
+    check_uncoupled(basis);
 }
 
 template <class T>
@@ -80,7 +78,7 @@ ModeSums<T> mode_sums(const ModalBasis<T>& basis, Mass contact, Mass load, const
     s.load = load;
     s.zeta = basis.zeta;
     const auto rows = static_cast<std::size_t>(basis.phi.rows());
-    const std::size_t masses = load.index >= N ? load.index : rows;
+    const std::size_t masses = number_of_displacements(basis, load);
     s.psi.reserve(rows * N);
     for (std::size_t k = 0; k < rows; ++k)
         for (std::size_t i = 0; i < N; ++i) s.psi.push_back(basis.phi(k, i) / r);

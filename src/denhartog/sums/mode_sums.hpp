@@ -12,6 +12,7 @@
 #include "denhartog/evaluation/mode.hpp"
 #include "denhartog/model/modal_basis.hpp"
 #include "denhartog/number/bounded.hpp"
+#include "denhartog/number/errors.hpp"
 
 namespace denhartog {
 
@@ -40,6 +41,14 @@ struct ModeSums {
     T sum_of_squares;          ///< sum of psi_ji^2, Eq. (65); 1 / (gamma_j r^2) where the mass matrix is diagonal
     std::shared_ptr<const CoupledFriction<typename ValueOf<T>::type>> coupled{}; ///< where damping couples the modes; else null
 };
+
+/// @brief Checks that each mode moves by itself. @param basis a modal basis @throws InputError where damping couples the modes
+template <class T>
+void check_uncoupled(const ModalBasis<T>& basis) {
+    if (basis.coupled())
+        throw InputError("damping_matrix", "must not couple the modes: (23), (28), (29) are those of a mode that moves by itself",
+                         "K M^-1 C is not C M^-1 K");
+}
 
 /// @brief Evaluates the modes at a frequency ratio and sums them.
 /// @eq{22,23,28,29,33,34,35,64,65}

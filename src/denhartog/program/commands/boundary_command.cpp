@@ -59,14 +59,11 @@ bool are_certain(const std::vector<InvariantPointsOfMass<double>>& displacements
     constexpr double rounding = 64 * std::numeric_limits<double>::epsilon();
     for (std::size_t k = 0; k < displacements.size(); ++k) {
         if (!displacements[k].undecided.empty()) return false;
+        std::vector<Bounded<double>> weights;
+        for (Eigen::Index i = 0; i < basis.phi.cols(); ++i)
+            weights.push_back(basis.phi(static_cast<Eigen::Index>(k), i) * basis.phi(static_cast<Eigen::Index>(load.index), i));
         for (const InvariantPoint<double>& p : displacements[k].points) {
-            const Bounded<double> r(p.r, rounding * p.r);
-            Bounded<double> V(0);
-            for (std::size_t i = 0; i < basis.r_n.size(); ++i) {
-                const auto mode = static_cast<Eigen::Index>(i);
-                V += basis.phi(static_cast<Eigen::Index>(k), mode) * basis.phi(static_cast<Eigen::Index>(load.index), mode) /
-                     ((basis.r_n[i] - r) * (basis.r_n[i] + r));
-            }
+            const Bounded<double> V = undamped_response(basis.r_n, weights, Bounded<double>(p.r, rounding * p.r));
             if (!(V.e <= tolerance_of(digits_by_default) * std::abs(V.x))) return false;
         }
     }
