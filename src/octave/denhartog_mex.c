@@ -169,6 +169,8 @@ static mxArray* solve_point(double r, double beta, double mu, int digits, size_t
     }
     ends = doubles(result, "stop_start", 1, motion.stops);
     need(dh_solution_stops(held_solution, motion.stops, ends, doubles(result, "stop_end", 1, motion.stops)));
+    ends = doubles(result, "stop_start_error", 1, motion.stops);
+    need(dh_solution_stop_errors(held_solution, motion.stops, ends, doubles(result, "stop_end_error", 1, motion.stops)));
     ends = doubles(result, "rest_interval", motion.rest_interval_exists ? 1 : 0, motion.rest_interval_exists ? 2 : 0);
     if (motion.rest_interval_exists) {
         ends[0] = motion.rest_from;

@@ -111,6 +111,26 @@ TEST_CASE("an answer whose boundaries are out of order, or whose displacement is
     CHECK(is_found(s.start->x[0], -1.5));
 }
 
+TEST_CASE("samples beyond an amplitude, without a mirror image, not finite, or of too few masses are faults", "[accuracy]") {
+    const Scene<double> at = scene(R"({"mass_ratios": [1, 1], "stiffness_ratios": [1, 1], "damping_ratios": [0.05, 0.05],
+        "contact": 2, "load": 1, "r": 0.5, "beta": 0.4})");
+    const Solution s = solve(at);
+    REQUIRE(s.symmetric);
+    const std::vector<State<double>> states = motion(at, 16).states;
+    CHECK(faults_of_samples(s, states).empty());
+    const auto is_found = [&](const std::string& fault, const auto& change) {
+        std::vector<State<double>> changed = states;
+        change(changed);
+        return std::ranges::count(faults_of_samples(s, changed), fault) > 0;
+    };
+    const double more = 2e-6 * s.masses[1].amplitude.value;
+    CHECK(is_found("a sample is beyond its amplitude", [&](auto& c) { c[3].x[1] = -s.masses[1].amplitude.value - more; }));
+    CHECK(is_found("samples of a symmetric motion do not mirror themselves", [&](auto& c) { c[3].x[1] += more; }));
+    CHECK(is_found("a displacement is not finite", [](auto& c) { c[5].x[0] = std::nan(""); }));
+    CHECK(is_found("a velocity is not finite", [](auto& c) { c[5].x_prime[0] = HUGE_VAL; }));
+    CHECK(is_found("a sample lacks masses", [](auto& c) { c[15].x.pop_back(); }));
+}
+
 TEST_CASE("a point at the end of a double's range is answered or refused by an error of the project's own", "[accuracy]") {
     for (const std::string r : {"5e-324", "1e300"}) {
         INFO("r = " << r);

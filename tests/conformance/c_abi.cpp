@@ -239,14 +239,19 @@ TEST_CASE("what the C interface solves is what the library solves, in every regi
         REQUIRE(all.rest_interval_exists == expected.rest_interval.has_value());
         if (expected.rest_interval)
             check_same({all.rest_from, all.rest_to}, {expected.rest_interval->from.value, expected.rest_interval->to.value});
-        std::vector<double> start(all.stops), end(all.stops), starts, ends;
+        std::vector<double> start(all.stops), end(all.stops), starts, ends, of_starts, of_ends;
         REQUIRE(dh_solution_stops(solution.get(), all.stops, start.data(), end.data()) == DH_OK);
         for (const SolvedStop& stop : expected.stops) {
             starts.push_back(stop.start.value);
             ends.push_back(stop.end.value);
+            of_starts.push_back(stop.start.error);
+            of_ends.push_back(stop.end.error);
         }
         check_same(start, starts);
         check_same(end, ends);
+        REQUIRE(dh_solution_stop_errors(solution.get(), all.stops, start.data(), end.data()) == DH_OK);
+        check_same(start, of_starts);
+        check_same(end, of_ends);
         for (std::size_t k = 0; k < N; ++k) {
             const SolvedMass& m = expected.masses[k];
             dh_mass mass{};

@@ -148,6 +148,10 @@ TEST_CASE("null pointers and wrong lengths are refused, and nothing is written",
     f.fails(dh_solution_stops(x, 1, a, b), DH_ERROR_SIZE, "count must be 0, but is 1");
     f.fails(dh_solution_stops(f.stopping.get(), 2, nullptr, b), DH_ERROR_NULL, "start");
     f.fails(dh_solution_stops(f.stopping.get(), 2, a, nullptr), DH_ERROR_NULL, "end");
+    f.fails(dh_solution_stop_errors(nullptr, 0, a, b), DH_ERROR_NULL, "solution");
+    f.fails(dh_solution_stop_errors(x, 1, a, b), DH_ERROR_SIZE, "count must be 0, but is 1");
+    f.fails(dh_solution_stop_errors(f.stopping.get(), 2, nullptr, b), DH_ERROR_NULL, "start_error");
+    f.fails(dh_solution_stop_errors(f.stopping.get(), 2, a, nullptr), DH_ERROR_NULL, "end_error");
     f.fails(dh_solution_motion(nullptr, 2, 4, a, b), DH_ERROR_NULL, "solution");
     f.fails(dh_solution_motion(x, 2, 4, nullptr, b), DH_ERROR_NULL, "x");
     f.fails(dh_solution_motion(x, 2, 3, a, b), DH_ERROR_SIZE, "count must be 4, but is 3");
@@ -162,6 +166,7 @@ TEST_CASE("null pointers and wrong lengths are refused, and nothing is written",
         CHECK(N == 99);
     }
     CHECK(dh_solution_stops(x, 0, nullptr, nullptr) == DH_OK);
+    CHECK(dh_solution_stop_errors(x, 0, nullptr, nullptr) == DH_OK);
 }
 
 TEST_CASE("structs are refused where they are null or too small, and filled where they are larger", "[c_interface][faults]") {

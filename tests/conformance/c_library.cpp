@@ -57,6 +57,7 @@ TEST_CASE("the shared library exports the names of its list and no other", "[c_i
                                         "dh_solution_destroy",
                                         "dh_solution_mass",
                                         "dh_solution_motion",
+                                        "dh_solution_stop_errors",
                                         "dh_solution_stops",
                                         "dh_solution_summary",
                                         "dh_solve",

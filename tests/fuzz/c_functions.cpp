@@ -196,6 +196,11 @@ void look_at(Choices& c, const dh_solution* solution, std::size_t N) {
                                    {DH_ERROR_NULL, DH_ERROR_SIZE, DH_ERROR_PRECISION}, "stops");
         start.check(told, stops);
         end.check(told, stops);
+        Output of_start(c, std::max(count, stops)), of_end(c, std::max(count, stops));
+        const bool bounded = answered(dh_solution_stop_errors(solution, count, of_start.data(), of_end.data()),
+                                      {DH_ERROR_NULL, DH_ERROR_SIZE, DH_ERROR_PRECISION}, "errors of stops");
+        of_start.check(bounded, stops);
+        of_end.check(bounded, stops);
     }
     const std::size_t samples = c.of(6), right = samples * N, count = count_of(c, right);
     Output x(c, std::max(count, right)), x_prime(c, std::max(count, right));

@@ -28,8 +28,6 @@
 namespace denhartog::tests {
 namespace {
 
-using Faults = std::vector<std::string>;
-
 struct Found {
     Found(Faults faults_) : faults(std::move(faults_)) {} // a question that compares nothing
     Faults faults;
@@ -48,24 +46,9 @@ void need_finite(const std::vector<double>& numbers, const char* what, Faults& f
 }
 
 Faults faults_of_motion(const Scene<double>& scene) {
-    constexpr std::size_t instants = 16;
-    Faults faults;
     const SceneSource source = scene_source(scene);
     const Solution solution = solve(source, {});
-    const std::vector<State<double>> states = sampled_solution(source, solution, instants).states;
-    for (std::size_t n = 0; n < instants; ++n) {
-        need_finite(states[n].x, "a displacement", faults);
-        need_finite(states[n].x_prime, "a velocity", faults);
-        if (states[n].x.size() != number_of_masses(scene.system)) faults.emplace_back("a sample lacks masses");
-        for (std::size_t k = 0; k < states[n].x.size(); ++k) {
-            const Certified& amplitude = solution.masses[k].amplitude;
-            const double allowed = amplitude.error + 1e-6 * amplitude.value;
-            if (std::abs(states[n].x[k]) > amplitude.value + allowed) faults.emplace_back("a sample is beyond its amplitude");
-            if (solution.symmetric && std::abs(states[n].x[k] + states[(n + instants / 2) % instants].x[k]) > allowed)
-                faults.emplace_back("samples of a symmetric motion do not mirror themselves");
-        }
-    }
-    return faults;
+    return faults_of_samples(solution, sampled_solution(source, solution, 16).states);
 }
 
 Faults faults_of_map(const Scene<double>& scene) {
@@ -439,6 +422,25 @@ int run_child(Place* place, const AdversarialRun& run, AdversarialSurvey& survey
 }
 
 } // namespace
+
+Faults faults_of_samples(const Solution& solution, const std::vector<State<double>>& states) {
+    Faults faults;
+    const std::size_t instants = states.size();
+    for (std::size_t n = 0; n < instants; ++n) {
+        need_finite(states[n].x, "a displacement", faults);
+        need_finite(states[n].x_prime, "a velocity", faults);
+        if (states[n].x.size() != solution.masses.size()) faults.emplace_back("a sample lacks masses");
+        for (std::size_t k = 0; k < states[n].x.size(); ++k) {
+            const Certified& amplitude = solution.masses[k].amplitude;
+            const double allowed = amplitude.error + 1e-6 * amplitude.value;
+            if (std::abs(states[n].x[k]) > amplitude.value + allowed) faults.emplace_back("a sample is beyond its amplitude");
+            const std::vector<double>& mirrored = states[(n + instants / 2) % instants].x;
+            if (solution.symmetric && k < mirrored.size() && std::abs(states[n].x[k] + mirrored[k]) > allowed)
+                faults.emplace_back("samples of a symmetric motion do not mirror themselves");
+        }
+    }
+    return faults;
+}
 
 void AdversarialSurvey::add(AskedQuestion a) {
     scenes = std::max(scenes, a.scene + 1);

@@ -11,10 +11,17 @@
 #include <string>
 #include <vector>
 
+#include "denhartog/answer/solution.hpp"
 #include "tests/speed_accuracy/table.hpp"
 #include "tests/support/adversarial_scenes.hpp"
 
 namespace denhartog::tests {
+
+/// What is wrong with an answer, in words.
+using Faults = std::vector<std::string>;
+
+/// What is wrong with the samples of a motion: equally spaced over its period, an even number of them.
+[[nodiscard]] Faults faults_of_samples(const Solution& solution, const std::vector<State<double>>& states);
 
 /// @brief A number of two answers to the same question.
 struct Contradiction {

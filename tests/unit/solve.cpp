@@ -1,6 +1,8 @@
 #include "denhartog/solve/solve.hpp"
 #include "denhartog/solve/sampled_solution.hpp"
 
+#include <random>
+
 #include "denhartog/answer/held_solution.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/solve/solve_task.hpp"
@@ -155,6 +157,57 @@ TEST_CASE("in stick-slip a maximum so near an end of a phase that it is no large
         CHECK(std::abs(low.masses[k].phase->value - high.masses[k].phase->value) <= low.masses[k].phase->error);
         CHECK(low.masses[k].phase->error < (k == 2 ? 1e-2 : 1e-8));
     }
+}
+
+TEST_CASE("instants at which stops begin and end keep their bounds, and these are of use", "[solve][accuracy][eq:74][eq:75]") {
+    std::mt19937_64 random(20221117);
+    const auto between = [&](double a, double b) { return a + (b - a) * static_cast<double>(random() >> 11) * 0x1p-53; };
+    std::vector<double> over; // the bounds over the errors
+    double largest = 0;
+    while (over.size() < 200) {
+        std::vector<double> masses{1}, stiffnesses{1}, zeta{between(0.01, 0.2)};
+        const std::size_t N = 1 + random() % 3;
+        while (masses.size() < N) {
+            masses.push_back(between(0.3, 3));
+            stiffnesses.push_back(between(0.3, 3));
+            zeta.push_back(between(0.01, 0.2));
+        }
+        const int contact = static_cast<int>(1 + random() % N), load = static_cast<int>(1 + random() % N);
+        Scene<double> scene = chain(masses, stiffnesses, zeta, contact, load, random() % 3 == 0 ? between(1, 1.5) : 1.0,
+                                    std::exp(between(-2.5, 1)));
+        scene.beta = std::exp(between(-3, 0));
+        const Solution low = asking(scene, Asked::motion, 6);
+        if (low.stops.empty()) continue;
+        const Solution high = asking(scene, Asked::motion, 25);
+        REQUIRE(low.stops.size() == high.stops.size());
+        for (std::size_t n = 0; n < low.stops.size(); ++n)
+            for (const auto instant : {&SolvedStop::start, &SolvedStop::end}) {
+                const Certified &found = low.stops[n].*instant, &exact = high.stops[n].*instant;
+                const double error = std::abs(std::remainder(found.value - exact.value, 2 * pi<double>() * low.periods));
+                INFO(scene.beta.value() << ", stop " << n + 1 << ": " << found.value << " +- " << found.error << ", exactly "
+                                        << exact.value);
+                CHECK(error <= found.error + exact.error);
+                largest = std::max(largest, found.error);
+                over.push_back(found.error / std::max(error, 1e-18));
+            }
+    }
+    std::ranges::sort(over);
+    CHECK(over.front() < 100); // a bound as much smaller would be broken
+    CHECK(largest < 1e-7);
+}
+
+TEST_CASE("where the contact only just stops, the bound says that the instant is not known", "[solve][accuracy][grazing]") {
+    // Double sees a rest begin where it turns, and another end; 20 digits know that there are two stops and not four.
+    Scene<double> scene = chain({1}, {1}, {0.01}, 1, 1, 1, 0.2);
+    scene.beta = 0.43373676822569696;
+    const Solution low = asking(scene, Asked::motion, 6), high = asking(scene, Asked::motion, 20);
+    REQUIRE(low.stops.size() == 4);
+    REQUIRE(high.stops.size() == 2);
+    CHECK(low.stops[0].start.error == Approx(pi<double>()));
+    CHECK(low.stops[1].end.error == Approx(pi<double>()));
+    CHECK(low.stops[1].start.error < 1e-12);
+    CHECK(low.stops[1].start.value == Approx(high.stops[0].start.value).epsilon(1e-13));
+    for (const SolvedStop& stop : high.stops) CHECK(std::max(stop.start.error, stop.end.error) < 1e-15);
 }
 
 TEST_CASE("a contact that rests gives the stuck response and the interval of rest", "[solve][eq:88]") {

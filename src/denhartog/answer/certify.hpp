@@ -127,6 +127,19 @@ Certainty certify(const Aim& aim, const Attempt& attempt, Precision highest = Pr
     return found;
 }
 
+/// @brief Whether a mass does not move, as far as numbers tell: its amplitude is no larger than its error, and that is next to
+/// nothing of the largest amplitude. In 50 digits more units are believed to be nothing, and are still far below what can be
+/// measured.
+/// @param amplitude  its amplitude
+/// @param error      a bound of its error
+/// @param largest    the largest amplitude of the masses
+/// @return           whether it does not move
+template <class T>
+[[nodiscard]] bool does_not_move(const T& amplitude, const T& error, const T& largest) {
+    constexpr double units = std::same_as<T, double> ? 1024 : 0x1p20;
+    return amplitude <= error && error <= largest * units * unit_of<T>();
+}
+
 /// @brief A number of an answer from one with a bound, the rounding of what is handed out included.
 /// @param a       the number
 /// @param digits  significant digits asked for: above 15 its decimals are written

@@ -13,11 +13,6 @@
 namespace denhartog {
 namespace {
 
-// A mass whose amplitude is no larger than its error does not move if that is so many units of the largest amplitude at most. In
-// 50 digits this is believed of larger errors, which are still far below what anything could show.
-template <class T>
-constexpr double units_of_no_motion = std::same_as<T, double> ? 1024 : 0x1p20;
-
 using std::abs;
 
 // A number of which no bound is known.
@@ -173,7 +168,7 @@ HeldSolution held_solution(const Scene<T>& scene, const StuckConfiguration<T>& s
         const StuckMass<T>& mass = masses[k];
         const T& error = error_of[k];
         solution.masses[k].amplitude = certified(Bounded<T>(mass.amplitude, error), digits);
-        if (mass.amplitude <= error && error <= largest * units_of_no_motion<T> * unit_of<T>()) continue; // it does not move
+        if (does_not_move(mass.amplitude, error, largest)) continue;
         const T of_phase = error < mass.amplitude ? T(asin(T(error / mass.amplitude)) + 4 * unit_of<T>()) : pi<T>();
         solution.masses[k].phase = certified(Bounded<T>(mass.phase.value_or(T(0)), of_phase), digits);
         if (only && k != only->index) continue;

@@ -19,16 +19,30 @@ class OnOrbit {
 public:
     OnOrbit(ExactSolver<T>& solver_, const PeriodicOrbit<T>& orbit)
         : solver(solver_), mirrors(orbit.symmetric), stretch((mirrors ? 1 : 2) * orbit.periods * pi<T>()) {
-        for (const Phase<T>& p : solver.run(orbit.start, T(0), stretch).phases) ends.push_back(p.end);
+        phases = solver.run(orbit.start, T(0), stretch).phases;
+    }
+
+    // How that vanishes which ends the phase before an instant, one of sliding or of sticking; the search for the end may have come
+    // to other last digits before. None where no such phase ends there.
+    std::optional<EndOfPhase<T>> end_at(T tau, bool slides) {
+        while (tau >= stretch) tau -= stretch;
+        const T near = sqrt(unit_of<T>()) * stretch;
+        for (std::size_t n = phases.size(); n-- > 0;) {
+            const Phase<T>& p = phases[n];
+            const T apart = abs(T(p.end - tau));
+            const bool ends_there = apart <= near || abs(T(apart - stretch)) <= near;
+            if ((p.direction != 0) == slides && p.end > p.start && ends_there) return solver.end_of(n);
+        }
+        return std::nullopt;
     }
 
     State<T> at(T tau) {
         bool mirrored = false;
         for (; tau < 0; tau += stretch) mirrored = mirrors && !mirrored;
         for (; tau > stretch; tau -= stretch) mirrored = mirrors && !mirrored;
-        const auto found = std::lower_bound(ends.begin(), ends.end(), tau);
-        const auto last = static_cast<std::ptrdiff_t>(ends.size()) - 1;
-        State<T> state = solver.state_at(static_cast<std::size_t>(std::min(found - ends.begin(), last)), tau);
+        const auto found = std::ranges::lower_bound(phases, tau, {}, &Phase<T>::end);
+        const auto last = static_cast<std::ptrdiff_t>(phases.size()) - 1;
+        State<T> state = solver.state_at(static_cast<std::size_t>(std::min(found - phases.begin(), last)), tau);
         for (std::vector<T>* part : {&state.x, &state.x_prime}) {
             add_displacements(solver.system().coordinates, *part);
             for (T& each : *part)
@@ -41,8 +55,28 @@ private:
     ExactSolver<T>& solver;
     bool mirrors;
     T stretch;
-    std::vector<T> ends;
+    std::vector<Phase<T>> phases;
 };
+
+// How far the end of a phase may be from where it was found: over twice as far what ends it bends too little to hide that it
+// changes by more than its error on either side.
+template <class T>
+T error_of_end(const std::optional<EndOfPhase<T>>& end, const T& error, const T& anywhere) {
+    if (!end || !(end->rate > 0)) return anywhere;
+    const T apart = 4 * (error + end->noise) / (3 * end->rate);
+    return 4 * end->second * apart <= end->rate ? std::min(apart, anywhere) : anywhere;
+}
+
+// What errors of the displacements make of the load on a contact that sticks, velocities and accelerations in proportion.
+template <class T>
+T load_over_displacement(const ExactSolver<T>& solver, const T& fastest) {
+    const StuckConfiguration<T>& stuck = solver.system().stuck;
+    const T& r = solver.excitation().r;
+    T sum = abs(stuck.k_jj);
+    for (std::size_t n = 0; n < stuck.masses.size(); ++n)
+        sum += abs(stuck.k_j[n]) + r * abs(stuck.c_j[n]) * fastest + r * r * abs(stuck.m_j[n]) * fastest * fastest;
+    return sum;
+}
 
 // How far the extremum of a mass may be from where it was found: as far as it takes until its size surely grows on one side and
 // falls on the other, by more than the error of the velocity. A value alone does not tell the place: next to the extremum others
@@ -89,9 +123,16 @@ OrbitSolution orbit_solution(ExactSolver<T>& solver, const PeriodicOrbit<T>& orb
     for (const MassMotion<T>& mass : orbit.masses) largest = std::max(largest, mass.amplitude);
     const auto number = [digits](const T& x, const T& error) { return certified(Bounded<T>(x, error), digits); };
     OrbitSolution solution;
+    const T rounding_of_velocity = std::numeric_limits<T>::epsilon() * largest, anywhere = orbit.periods * pi<T>();
+    const T of_load = load_over_displacement(solver, fastest) * (orbit.error_bound + rounding_of_velocity),
+            of_velocity = fastest * (orbit.error_bound + rounding_of_velocity);
     for (const Stop<T>& stop : orbit.stops) {
-        const T unknown = std::numeric_limits<T>::infinity();
-        solution.stops.push_back({number(stop.start, unknown), number(stop.end, unknown), number(stop.x, orbit.error_bound)});
+        const auto instant = [&](const T& tau, const T& error) {
+            return number(tau, std::min(anywhere, T(error + 8 * unit_of<T>() * (1 + tau))));
+        };
+        solution.stops.push_back({instant(stop.start, error_of_end(on_orbit.end_at(stop.start, true), of_velocity, anywhere)),
+                                  instant(stop.end, error_of_end(on_orbit.end_at(stop.end, false), of_load, anywhere)),
+                                  number(stop.x, orbit.error_bound)});
     }
     for (std::size_t k = 0; k < count; ++k) {
         if (only && k != only->index) {
@@ -100,9 +141,8 @@ OrbitSolution orbit_solution(ExactSolver<T>& solver, const PeriodicOrbit<T>& orb
         }
         const MassMotion<T>& mass = k == j ? orbit.contact : orbit.masses[k];
         const T rounding = std::numeric_limits<T>::epsilon() * (16 * largest);
-        if (mass.amplitude <= orbit.error_bound + rounding && orbit.error_bound <= 64 * rounding) {
-            solution.masses.push_back(
-                {number(mass.amplitude, orbit.error_bound), std::nullopt, std::nullopt}); // it does not move
+        if (does_not_move(mass.amplitude, T(orbit.error_bound + rounding), largest)) {
+            solution.masses.push_back({number(mass.amplitude, orbit.error_bound), std::nullopt, std::nullopt});
             continue;
         }
         const T velocity_error = fastest * (orbit.error_bound + rounding / 16);

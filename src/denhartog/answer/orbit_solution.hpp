@@ -13,7 +13,7 @@ namespace denhartog {
 /// @brief A periodic orbit as an answer.
 struct OrbitSolution {
     std::vector<SolvedMass> masses; ///< N; zero where not asked about
-    std::vector<SolvedStop> stops;  ///< stops of the contact; of their instants no bound is known
+    std::vector<SolvedStop> stops;  ///< stops of the contact
     double relative_amplitude = 0;  ///< largest error of an amplitude, relative
     double phase_error = 0;         ///< largest error of a phase
 };
@@ -26,15 +26,16 @@ template <class T>
     return std::max(T(1), T(solver.system().basis.r_n.back() / solver.excitation().r));
 }
 
-/// @brief Amplitudes and phases of an orbit with their errors.
+/// @brief Amplitudes, phases and stops of an orbit with their errors.
 ///
 /// The error of a phase is that of the velocity at the extremum over the acceleration there; the velocity is allowed the bound of
-/// the displacements times the highest natural frequency.
+/// the displacements times the highest natural frequency. That of an instant at which a stop begins is found likewise, and that
+/// of its end from the load on the contact and its rate. Where the rate may vanish within the error, an instant may be anywhere.
 /// @param solver  the solver that found the orbit; moved along the orbit once more
 /// @param orbit   a periodic orbit with its masses
 /// @param digits  significant digits asked for
 /// @param only    the one mass that is asked about; for the contact the orbit needs no other. None for all
-/// @return        the masses with their errors
+/// @return        the masses and the stops with their errors
 template <class T>
 [[nodiscard]] OrbitSolution orbit_solution(ExactSolver<T>& solver, const PeriodicOrbit<T>& orbit, int digits,
                                            std::optional<Mass> only = std::nullopt);

@@ -78,8 +78,8 @@ double error_of_masses(const SteadyState<Bounded<T>>& state, std::optional<Mass>
         if (only && k != only->index) continue;
         const MassResponse<Bounded<T>>& m = state.masses[k];
         const T of_mass = std::max({m.x0.e, m.v0.e, m.amplitude.e, m.amplitude_monoharmonic.e});
-        // A mass that does not move; of the one that is asked about double cannot tell.
-        if ((!only || !is_double<T>)&&m.amplitude.x <= of_mass && of_mass <= largest * unit_of<T>() * 1024) continue;
+        // Of the one mass that is asked about double cannot tell.
+        if ((!only || !is_double<T>)&&does_not_move(m.amplitude.x, of_mass, largest)) continue;
         error = std::max(
             {error, relative(Bounded<T>{m.amplitude.x, of_mass}), as_error(m.phase.e), as_error(m.phase_monoharmonic.e)});
     }

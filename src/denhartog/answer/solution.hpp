@@ -78,6 +78,9 @@ struct SolvedMass {
 [[nodiscard]] double error_of_displacements(const SolvedMass& m);
 
 /// @brief A stop of the contact within the period of the motion.
+///
+/// An instant is bounded by the velocity of the contact, or by the load on it, and its rate there. Where the rate is too small to
+/// tell, as where the contact only just stops, the bound is half the period.
 struct SolvedStop {
     Certified start; ///< tau where the contact comes to rest, measured from the maximum of the force
     Certified end;   ///< tau where it breaks away again

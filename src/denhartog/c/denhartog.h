@@ -313,6 +313,18 @@ DH_EXPORT int dh_solution_contact(const dh_solution* solution, dh_mass* result) 
 /// @return          #DH_OK, #DH_ERROR_NULL, #DH_ERROR_SIZE, #DH_ERROR_PRECISION
 DH_EXPORT int dh_solution_stops(const dh_solution* solution, size_t count, double* start, double* end) DH_NOEXCEPT;
 
+/// @brief Bounds of the errors of these instants.
+///
+/// Where what ends a phase hardly changes at its end, as where the load only just reaches static friction, no error is bounded:
+/// the bound is then half the period.
+/// @param solution     a solution
+/// @param count        the number of stops, from dh_solution_summary()
+/// @param start_error  receives `count` bounds for the instants where a rest begins; may be null where count is 0
+/// @param end_error    receives `count` bounds for the instants where it ends; may be null where count is 0
+/// @return             #DH_OK, #DH_ERROR_NULL, #DH_ERROR_SIZE, #DH_ERROR_PRECISION
+DH_EXPORT int dh_solution_stop_errors(const dh_solution* solution, size_t count, double* start_error,
+                                      double* end_error) DH_NOEXCEPT;
+
 /// @brief The motion at equally spaced instants of its period, tau = 2 pi periods n / samples, **from the maximum of the force**.
 ///
 /// If the contact slides throughout, the displacements have 10 digits, like those of dh_displacement(); their place relative to

@@ -22,6 +22,25 @@ void hand_out_mass(const SolvedMass& m, dh_mass* result) {
     hand_out(all, result);
 }
 
+struct NamedOutput {
+    double* output;
+    const char* name;
+};
+
+// The instants at which stops begin and end, or their errors.
+void hand_out_of_stops(const std::vector<SolvedStop>& stops, std::size_t count, double Certified::*part, NamedOutput of_starts,
+                       NamedOutput of_ends) {
+    need_count(count, stops.size());
+    if (count == 0) return;
+    for (const auto& [to, instant] : {std::pair(of_starts, &SolvedStop::start), std::pair(of_ends, &SolvedStop::end)}) {
+        need(to.output, to.name);
+        std::vector<double> numbers;
+        for (const SolvedStop& stop : stops) numbers.push_back(stop.*instant.*part);
+        need_finite(numbers);
+        hand_out(numbers, to.output);
+    }
+}
+
 } // namespace
 
 extern "C" {
@@ -100,19 +119,15 @@ int dh_solution_contact(const dh_solution* solution, dh_mass* result) noexcept {
 int dh_solution_stops(const dh_solution* solution, size_t count, double* start, double* end) noexcept {
     return guarded([&] {
         need(solution, "solution");
-        std::vector<double> starts, ends;
-        for (const SolvedStop& stop : solution->solution.stops) {
-            starts.push_back(stop.start.value);
-            ends.push_back(stop.end.value);
-        }
-        need_count(count, starts.size());
-        if (count == 0) return;
-        need(start, "start");
-        need(end, "end");
-        need_finite(starts);
-        need_finite(ends);
-        hand_out(starts, start);
-        hand_out(ends, end);
+        hand_out_of_stops(solution->solution.stops, count, &Certified::value, {start, "start"}, {end, "end"});
+    });
+}
+
+int dh_solution_stop_errors(const dh_solution* solution, size_t count, double* start_error, double* end_error) noexcept {
+    return guarded([&] {
+        need(solution, "solution");
+        hand_out_of_stops(solution->solution.stops, count, &Certified::error, {start_error, "start_error"},
+                          {end_error, "end_error"});
     });
 }
 

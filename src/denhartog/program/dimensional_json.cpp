@@ -36,7 +36,10 @@ Json dimensional_json(const Solution& s, const Units& units) {
     for (const SolvedStop& stop : s.stops)
         all["stops"].push_back({{"start", write(stop.start.value / omega)},
                                 {"end", write(stop.end.value / omega)},
-                                {"x", write(length * stop.x.value)}});
+                                {"x", write(length * stop.x.value)},
+                                {"start_error_bound", write(stop.start.error / omega)},
+                                {"end_error_bound", write(stop.end.error / omega)},
+                                {"error_bound", write(length * stop.x.error)}});
     if (s.rest_interval)
         all["rest_interval"] = {{"from", write(length * s.rest_interval->from.value)},
                                 {"to", write(length * s.rest_interval->to.value)}};

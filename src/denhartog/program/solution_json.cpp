@@ -50,7 +50,12 @@ Json masses_json(const std::vector<SolvedMass>& masses, const std::optional<Mass
 Json stops_json(const std::vector<SolvedStop>& stops, const NumberWriter& write) {
     Json all = Json::array();
     for (const SolvedStop& stop : stops)
-        all.push_back({{"start", write(stop.start)}, {"end", write(stop.end)}, {"x", write(stop.x)}});
+        all.push_back({{"start", write(stop.start)},
+                       {"end", write(stop.end)},
+                       {"x", write(stop.x)},
+                       {"start_error_bound", write.bound(stop.start.error)},
+                       {"end_error_bound", write.bound(stop.end.error)},
+                       {"error_bound", write.bound(stop.x.error)}});
     return all;
 }
 
@@ -119,8 +124,10 @@ std::string rest_of_motion(const Json& a) {
     std::string text;
     if (a.contains("stops_per_period")) text += "stops per period: " + cell(a, "stops_per_period") + "\n";
     if (a.contains("stops")) {
-        std::vector<std::vector<std::string>> rows{{"stop from", "to", "at"}};
-        for (const Json& stop : a.at("stops")) rows.push_back({cell(stop, "start"), cell(stop, "end"), cell(stop, "x")});
+        std::vector<std::vector<std::string>> rows{{"stop from", "error bound", "to", "error bound", "at"}};
+        for (const Json& stop : a.at("stops"))
+            rows.push_back({cell(stop, "start"), cell(stop, "start_error_bound"), cell(stop, "end"),
+                            cell(stop, "end_error_bound"), cell(stop, "x")});
         if (rows.size() > 1) text += aligned(rows);
     }
     if (a.contains("rest_interval")) {

@@ -201,6 +201,17 @@ State<T> ExactSolver<T>::state_at(std::size_t phase, const T& tau) {
 }
 
 template <class T>
+EndOfPhase<T> ExactSolver<T>::end_of(std::size_t phase) {
+    using std::abs;
+    Work& work = *work_;
+    const Phase<T>& p = work.motion.phases[phase];
+    work.stand_at(phase);
+    const T length = p.end - p.start;
+    const Jet<T> jet = p.direction != 0 ? work.velocity(p.direction, length) : work.load(length);
+    return {T(abs(jet.f[1])), jet.second, jet.noise};
+}
+
+template <class T>
 std::vector<Extremum<T>> ExactSolver<T>::largest_displacements(const T& error) {
     using std::abs;
     Work& work = *work_;

@@ -70,6 +70,15 @@ struct ExactMotion {
     int touching = 0;                             ///< events met so tangentially that rounding decided them
 };
 
+/// @brief How that which ends a phase vanishes there: the velocity of a contact that slides; while it sticks, what the load on it
+/// leaves of static friction.
+template <class T>
+struct EndOfPhase {
+    T rate;   ///< its rate of change, in size
+    T second; ///< bound of the size of its second derivative next to the end
+    T noise;  ///< its rounding error
+};
+
 /// @brief Solver of one system at one excitation; keeps its working space from call to call. Not for two threads at once.
 template <class T>
 class ExactSolver {
@@ -108,6 +117,9 @@ public:
     /// @param tau    an instant in it
     /// @return       the state
     [[nodiscard]] State<T> state_at(std::size_t phase, const T& tau);
+
+    /// @brief How a phase of the last motion ends. @param phase index of the phase @return the rate of what vanishes there
+    [[nodiscard]] EndOfPhase<T> end_of(std::size_t phase);
 
     /// @brief Largest size of every displacement over the last motion, guaranteed between samples.
     /// @param error  bound of the errors of the displacements: one that is smaller by less than twice this may be the largest

@@ -98,6 +98,7 @@ _PROTOTYPES = {
     "dh_solution_mass": [c_void_p, c_size_t, POINTER(Mass)],
     "dh_solution_contact": [c_void_p, POINTER(Mass)],
     "dh_solution_stops": [c_void_p, c_size_t, _numbers, _numbers],
+    "dh_solution_stop_errors": [c_void_p, c_size_t, _numbers, _numbers],
     "dh_solution_motion": [c_void_p, c_size_t, c_size_t, _numbers, _numbers],
     "dh_map": [c_void_p, POINTER(MapRequest), POINTER(MapResult)],
     "dh_solve_points": [c_void_p, POINTER(PointsRequest), POINTER(Points)],

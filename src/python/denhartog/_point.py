@@ -23,13 +23,14 @@ def solution(system: ctypes.c_void_p, N: int, r: float, beta: float, mu: float, 
         _library.call("dh_solution_mass", address, int(k), byref(mass))
     contact = _library.Mass()
     _library.call("dh_solution_contact", address, byref(contact))
-    stops = np.empty((2, summary.stops))
+    stops, stop_errors = np.empty((2, summary.stops)), np.empty((2, summary.stops))
     _library.call("dh_solution_stops", address, summary.stops, *map(_library.pointer, stops))
+    _library.call("dh_solution_stop_errors", address, summary.stops, *map(_library.pointer, stop_errors))
     displacements = {name: np.array([getattr(m, name) for m in listed]) for name in ("amplitude", "error")}
     phases = {name: np.array([getattr(m, name) if m.moves else np.nan for m in listed]) for name in ("phase", "phase_error")}
     return Solution(
         r=r, beta=beta, mu=mu, regime=REGIMES[summary.regime], on_boundary=bool(summary.on_boundary), unique=bool(summary.unique),
-        symmetric=bool(summary.symmetric), periods=summary.periods, stops=stops.T.copy(),
+        symmetric=bool(summary.symmetric), periods=summary.periods, stops=stops.T.copy(), stop_errors=stop_errors.T.copy(),
         rest_interval=(summary.rest_from, summary.rest_to) if summary.rest_interval_exists else None,
         rest_error=summary.rest_error, masses=masses.astype(int), amplitude=displacements["amplitude"],
         amplitude_error=displacements["error"], contact_amplitude=contact.amplitude,

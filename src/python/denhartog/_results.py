@@ -96,6 +96,8 @@ class Solution:
         Period of the motion in periods of the force.
     stops : ndarray, shape (S, 2)
         Start and end of each rest of the contact within that period; tau from the maximum of the force, in radians.
+    stop_errors : ndarray, shape (S, 2)
+        Bounds of the errors of `stops`; half the period where no error is bounded.
     rest_interval : tuple of two floats, or None
         In permanent sticking the contact may rest anywhere between them; None in the other regimes.
     rest_error : float
@@ -121,6 +123,7 @@ class Solution:
     symmetric: bool
     periods: int
     stops: np.ndarray
+    stop_errors: np.ndarray
     rest_interval: Optional[tuple[float, float]]
     rest_error: float
     masses: np.ndarray

@@ -50,6 +50,8 @@ class AgainstTheProgram(unittest.TestCase):
                 np.testing.assert_array_equal(found.amplitude_error, [m["error_bound"] for m in true["masses"]])
                 stops = [[stop["start"], stop["end"]] for stop in true.get("stops", [])]
                 np.testing.assert_array_equal(found.stops, np.array(stops).reshape(-1, 2))
+                errors = [[stop["start_error_bound"], stop["end_error_bound"]] for stop in true.get("stops", [])]
+                np.testing.assert_array_equal(found.stop_errors, np.array(errors).reshape(-1, 2))
 
     def test_a_map_is_that_of_map_to_the_last_bit(self):
         for name, masses in (("example", [2]), ("example_dimensional", [2, 3]), ("example_stick_slip", [1])):
