@@ -102,6 +102,8 @@ DH_EXPORT int dh_solution_summary(const dh_solution* solution, dh_summary* summa
 DH_EXPORT int dh_solution_mass(const dh_solution* solution, size_t mass, dh_mass* result) DH_NOEXCEPT;
 DH_EXPORT int dh_solution_contact(const dh_solution* solution, dh_mass* result) DH_NOEXCEPT;
 DH_EXPORT int dh_solution_stops(const dh_solution* solution, size_t count, double* start, double* end) DH_NOEXCEPT;
+DH_EXPORT int dh_solution_stop_errors(const dh_solution* solution, size_t count, double* start_error,
+                                      double* end_error) DH_NOEXCEPT;
 DH_EXPORT int dh_solution_motion(const dh_solution* solution, size_t samples, size_t count, double* x,
                                  double* x_prime) DH_NOEXCEPT;
 enum dh_point_status {

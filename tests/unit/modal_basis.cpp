@@ -6,6 +6,8 @@
 
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/multiprecision.hpp"
+#include "denhartog/scene/converted.hpp"
+#include "denhartog/sums/bounded_modes.hpp"
 #include "tests/catch.hpp"
 #include "tests/support/scene_builder.hpp"
 
@@ -295,4 +297,31 @@ TEST_CASE("modes that double does not tell from those of a singular matrix are t
 TEST_CASE("modes beyond the range of the number type are an error and not infinite", "[model][bad-input]") {
     REQUIRE_THROWS_AS(modal_basis(chain_of<double>({1, 1e-300}, {1, 1e300})), PrecisionError);
     REQUIRE_NOTHROW(modal_basis(chain_of<Real50>({1, 1e-300}, {1, 1e300})));
+}
+
+TEST_CASE("masses of very different size keep the digits of every mode in double, within their bounds",
+          "[modes][eq:15][accuracy]") {
+    for (const double light : {1e-4, 1e-9, 1e-16, 1e-30}) {
+        for (const std::size_t place : {0, 1, 2, 3}) { // of the light mass
+            System<double> s;
+            s.mass_ratios = {1, 2.1, 0.7, 3};
+            s.mass_ratios[place] = light;
+            for (double& each : s.mass_ratios) each /= place == 0 ? light : 1.0;
+            s.stiffness_matrix =
+                Matrix<double>{{2.9, -0.1, -0.8, -0.2}, {-0.1, 1.1, -0.3, 0}, {-0.8, -0.3, 2.2, -0.4}, {-0.2, 0, -0.4, 1.7}};
+            s.damping_ratios.assign(4, 0.01);
+            const auto found = modes_with_errors(s);
+            const ModalBasis<Real50> exact = modal_basis(in_type<Real50>(s));
+            for (std::size_t i = 0; i < 4; ++i) {
+                INFO("mass " << place + 1 << " of " << light << ", mode " << i + 1);
+                const Bounded<double>& r_n = found->r_n[i];
+                CHECK(r_n.e <= 1e-11 * r_n.x);
+                CHECK(std::abs(static_cast<double>(Real50(exact.r_n[i] - r_n.x))) <= std::min(r_n.e, 1e-14 * r_n.x));
+                for (Eigen::Index k = 0; k < 4; ++k) {
+                    const Bounded<double>& entry = found->phi(k, static_cast<Eigen::Index>(i));
+                    CHECK(std::abs(static_cast<double>(Real50(exact.phi(k, static_cast<Eigen::Index>(i)) - entry.x))) <= entry.e);
+                }
+            }
+        }
+    }
 }

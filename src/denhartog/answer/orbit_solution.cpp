@@ -6,6 +6,7 @@
 
 #include "denhartog/answer/certify.hpp"
 #include "denhartog/model/coordinates.hpp"
+#include "denhartog/stick_slip/event_errors.hpp"
 #include "denhartog/stick_slip/floquet.hpp"
 
 namespace denhartog {
@@ -58,26 +59,6 @@ private:
     std::vector<Phase<T>> phases;
 };
 
-// How far the end of a phase may be from where it was found: over twice as far what ends it bends too little to hide that it
-// changes by more than its error on either side.
-template <class T>
-T error_of_end(const std::optional<EndOfPhase<T>>& end, const T& error, const T& anywhere) {
-    if (!end || !(end->rate > 0)) return anywhere;
-    const T apart = 4 * (error + end->noise) / (3 * end->rate);
-    return 4 * end->second * apart <= end->rate ? std::min(apart, anywhere) : anywhere;
-}
-
-// What errors of the displacements make of the load on a contact that sticks, velocities and accelerations in proportion.
-template <class T>
-T load_over_displacement(const ExactSolver<T>& solver, const T& fastest) {
-    const StuckConfiguration<T>& stuck = solver.system().stuck;
-    const T& r = solver.excitation().r;
-    T sum = abs(stuck.k_jj);
-    for (std::size_t n = 0; n < stuck.masses.size(); ++n)
-        sum += abs(stuck.k_j[n]) + r * abs(stuck.c_j[n]) * fastest + r * r * abs(stuck.m_j[n]) * fastest * fastest;
-    return sum;
-}
-
 // How far the extremum of a mass may be from where it was found: as far as it takes until its size surely grows on one side and
 // falls on the other, by more than the error of the velocity. A value alone does not tell the place: next to the extremum others
 // are as large to all digits. A contact that comes to rest moves on one side only, and there by twice the error: what is left of
@@ -110,12 +91,28 @@ T error_of_extremum(OnOrbit<T>& orbit, std::size_t k, const MassMotion<T>& mass,
     return pi<T>();
 }
 
+// The stops of an orbit.
+template <class T>
+std::vector<SolvedStop> stops_of(OnOrbit<T>& on_orbit, const ExactSolver<T>& solver, const PeriodicOrbit<T>& orbit, int digits) {
+    const ErrorsAtEnds<T> errors(solver, orbit.error_bound, orbit.velocity_errors);
+    const auto instant = [&](const T& tau, bool slides) {
+        const T anywhere = orbit.periods * pi<T>();
+        const std::optional<EndOfPhase<T>> end = on_orbit.end_at(tau, slides);
+        const T found = end ? T(errors.of_instant(*end, slides) + 8 * unit_of<T>() * (1 + tau)) : anywhere;
+        return certified(Bounded<T>(tau, std::min(found, anywhere)), digits);
+    };
+    std::vector<SolvedStop> stops;
+    for (const Stop<T>& stop : orbit.stops)
+        stops.push_back(
+            {instant(stop.start, true), instant(stop.end, false), certified(Bounded<T>(stop.x, orbit.error_bound), digits)});
+    return stops;
+}
+
 } // namespace
 
 template <class T>
 OrbitSolution orbit_solution(ExactSolver<T>& solver, const PeriodicOrbit<T>& orbit, int digits, std::optional<Mass> only) {
     OnOrbit<T> on_orbit(solver, orbit);
-    const T fastest = velocity_over_displacement(solver);
     const std::size_t j = solver.system().contact.index,
                       count = orbit.start.x.size() + solver.system().coordinates.replaced.size();
     T largest = orbit.contact.amplitude; // of the other masses the state at the start, where their maxima were not sought
@@ -123,17 +120,7 @@ OrbitSolution orbit_solution(ExactSolver<T>& solver, const PeriodicOrbit<T>& orb
     for (const MassMotion<T>& mass : orbit.masses) largest = std::max(largest, mass.amplitude);
     const auto number = [digits](const T& x, const T& error) { return certified(Bounded<T>(x, error), digits); };
     OrbitSolution solution;
-    const T rounding_of_velocity = std::numeric_limits<T>::epsilon() * largest, anywhere = orbit.periods * pi<T>();
-    const T of_load = load_over_displacement(solver, fastest) * (orbit.error_bound + rounding_of_velocity),
-            of_velocity = fastest * (orbit.error_bound + rounding_of_velocity);
-    for (const Stop<T>& stop : orbit.stops) {
-        const auto instant = [&](const T& tau, const T& error) {
-            return number(tau, std::min(anywhere, T(error + 8 * unit_of<T>() * (1 + tau))));
-        };
-        solution.stops.push_back({instant(stop.start, error_of_end(on_orbit.end_at(stop.start, true), of_velocity, anywhere)),
-                                  instant(stop.end, error_of_end(on_orbit.end_at(stop.end, false), of_load, anywhere)),
-                                  number(stop.x, orbit.error_bound)});
-    }
+    solution.stops = stops_of(on_orbit, solver, orbit, digits);
     for (std::size_t k = 0; k < count; ++k) {
         if (only && k != only->index) {
             solution.masses.push_back({});
@@ -145,7 +132,7 @@ OrbitSolution orbit_solution(ExactSolver<T>& solver, const PeriodicOrbit<T>& orb
             solution.masses.push_back({number(mass.amplitude, orbit.error_bound), std::nullopt, std::nullopt});
             continue;
         }
-        const T velocity_error = fastest * (orbit.error_bound + rounding / 16);
+        const T velocity_error = orbit.velocity_errors[k] + rounding / 16;
         const T of_instant = error_of_extremum(on_orbit, k, mass, orbit.periods, velocity_error);
         const T phase_error = std::min(pi<T>(), T(of_instant + mass.spread + 4 * unit_of<T>()));
         solution.masses.push_back({number(mass.amplitude, orbit.error_bound), number(mass.phase, phase_error), std::nullopt});

@@ -18,19 +18,11 @@ struct OrbitSolution {
     double phase_error = 0;         ///< largest error of a phase
 };
 
-/// @brief What a bound of displacements is multiplied by for velocities: the highest natural frequency over that of the force.
-/// @param solver  the solver of the orbit
-/// @return        the factor, at least 1
-template <class T>
-[[nodiscard]] T velocity_over_displacement(const ExactSolver<T>& solver) {
-    return std::max(T(1), T(solver.system().basis.r_n.back() / solver.excitation().r));
-}
-
 /// @brief Amplitudes, phases and stops of an orbit with their errors.
 ///
-/// The error of a phase is that of the velocity at the extremum over the acceleration there; the velocity is allowed the bound of
-/// the displacements times the highest natural frequency. That of an instant at which a stop begins is found likewise, and that
-/// of its end from the load on the contact and its rate. Where the rate may vanish within the error, an instant may be anywhere.
+/// The error of a phase is that of the velocity at the extremum over the acceleration there. That of an instant at which a stop
+/// begins is found likewise, and that of its end from the load on the contact and its rate. Where the rate may vanish within the
+/// error, an instant may be anywhere.
 /// @param solver  the solver that found the orbit; moved along the orbit once more
 /// @param orbit   a periodic orbit with its masses
 /// @param digits  significant digits asked for

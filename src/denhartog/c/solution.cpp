@@ -32,13 +32,17 @@ void hand_out_of_stops(const std::vector<SolvedStop>& stops, std::size_t count, 
                        NamedOutput of_ends) {
     need_count(count, stops.size());
     if (count == 0) return;
-    for (const auto& [to, instant] : {std::pair(of_starts, &SolvedStop::start), std::pair(of_ends, &SolvedStop::end)}) {
-        need(to.output, to.name);
-        std::vector<double> numbers;
-        for (const SolvedStop& stop : stops) numbers.push_back(stop.*instant.*part);
-        need_finite(numbers);
-        hand_out(numbers, to.output);
+    need(of_starts.output, of_starts.name);
+    need(of_ends.output, of_ends.name);
+    std::vector<double> starts, ends;
+    for (const SolvedStop& stop : stops) {
+        starts.push_back(stop.start.*part);
+        ends.push_back(stop.end.*part);
     }
+    need_finite(starts);
+    need_finite(ends);
+    hand_out(starts, of_starts.output);
+    hand_out(ends, of_ends.output);
 }
 
 } // namespace

@@ -64,6 +64,15 @@ template <class T>
 template <class T>
 [[nodiscard]] Column<T> product_of_sizes(const Matrix<T>& A, const Column<T>& x);
 
+/// @brief Whether a matrix has nothing beside its diagonal. @param A a square matrix @return true if so
+template <class T>
+[[nodiscard]] bool is_diagonal(const Matrix<T>& A) {
+    for (Eigen::Index i = 0; i < A.rows(); ++i)
+        for (Eigen::Index k = 0; k < A.cols(); ++k)
+            if (k != i && A(i, k) != 0) return false;
+    return true;
+}
+
 /// @brief \f$ X^TA \f$. @param X a matrix @param A a matrix of as many rows @return their product
 template <class T>
 [[nodiscard]] Matrix<T> transpose_times(const Matrix<T>& X, const Matrix<T>& A);

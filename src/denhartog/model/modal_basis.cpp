@@ -43,17 +43,12 @@ std::vector<T> to_array(const Matrix<T>& A) {
 template <class T>
 std::vector<T> lumped_masses(const System<T>& s) {
     if (s.mass_matrix.size() == 0) return s.mass_ratios;
-    const std::size_t N = number_of_masses(s);
-    std::vector<T> gamma(N);
-    for (std::size_t i = 0; i < N; ++i) {
-        gamma[i] = s.mass_matrix(i, i);
-        for (std::size_t k = 0; k < N; ++k)
-            if (k != i && s.mass_matrix(i, k) != 0) return {};
-    }
+    std::vector<T> gamma;
+    if (is_diagonal(s.mass_matrix))
+        for (const T& mass : s.mass_matrix.diagonal()) gamma.push_back(mass);
     return gamma;
 }
 
-/// The lower triangular factor of the mass matrix.
 template <class T>
 Matrix<T> mass_factor(const System<T>& s, const std::vector<T>& gamma) {
     if (gamma.empty()) return factor_of_masses(s.mass_matrix);
@@ -73,6 +68,11 @@ void require_finite(const ModalBasis<T>& basis) {
 }
 
 } // namespace
+
+template <class T>
+Matrix<T> mass_factor(const System<T>& s) {
+    return mass_factor(s, lumped_masses(s));
+}
 
 template <class T>
 ModalBasis<T> modal_basis(const System<T>& s) {
@@ -158,6 +158,7 @@ NonDimensionalMatrices<T> non_dimensional_matrices(const System<T>& s, const Mod
     return result;
 }
 
+template Matrix<double> mass_factor(const System<double>&);
 template ModalBasis<double> modal_basis(const System<double>&);
 template ModalBasis<Real50> modal_basis(const System<Real50>&);
 template ModalBasis<Real100> modal_basis(const System<Real100>&);

@@ -44,6 +44,13 @@ template <class T, class Number>
     return s.damping_matrix.size() > 0 && (s.damping_tolerance == 0 || basis.coupled());
 }
 
+/// @brief The lower triangular factor of the mass matrix; the roots of the masses where these are lumped.
+/// @param s  the system
+/// @return   L with M = L L^T
+/// @throws   PrecisionError where rounding leaves the matrix indefinite
+template <class T>
+[[nodiscard]] Matrix<T> mass_factor(const System<T>& s);
+
 /// @brief Whether every motion is damped: with mu = 1 two motions under the same force then come to the same velocities.
 /// @param basis  a modal basis
 /// @return       true where every mode is damped; of modes that are coupled, where the damping matrix is positive definite
@@ -54,7 +61,7 @@ template <class T>
 ///
 /// A chain given by ratios is solved through a bidiagonal matrix: each natural frequency comes with an error of about N eps of
 /// itself, however stiff its springs. Other systems are solved through a symmetric matrix: errors of the squared frequencies
-/// are about N eps of the highest one.
+/// are about N eps of the highest one, or, in double, of each one where the masses are very different, see graded_modes.hpp.
 /// @eq{14,15}
 /// @param s  the system
 /// @return   the basis

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "denhartog/model/bidiagonal_singular_values.hpp"
+#include "denhartog/model/graded_modes.hpp"
 #include "denhartog/model/linear_algebra.hpp"
 #include "denhartog/model/modal_basis.hpp"
 #include "denhartog/number/errors.hpp"
@@ -89,6 +90,8 @@ NaturalModes<T> chain_modes(const std::vector<T>& gamma, const std::vector<T>& k
 template <class T>
 NaturalModes<T> general_modes(const Matrix<T>& L, const Matrix<T>& K) {
     const Eigen::Index N = K.rows();
+    if constexpr (std::same_as<T, double>)
+        if (std::optional<NaturalModes<double>> modes = graded_modes(L, K)) return *std::move(modes);
     const SymmetricEigenproblem<T> solved = symmetric_eigenproblem(divide_out(L, K));
     if (!(solved.values.front() > std::numeric_limits<T>::epsilon() * static_cast<int>(N) * solved.values.back())) {
         if constexpr (std::same_as<T, double>) {

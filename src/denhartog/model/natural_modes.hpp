@@ -39,8 +39,8 @@ template <class T>
 [[nodiscard]] NaturalModes<T> chain_modes(const std::vector<T>& gamma, const std::vector<T>& kappa,
                                           const std::vector<Mass>& masses);
 
-/// @brief Modes of any system: errors of the squared frequencies are about N eps of the highest one. Double takes those of 50
-/// digits where the lowest one is not above that.
+/// @brief Modes of any system: errors of the squared frequencies are about N eps of the highest one, in double but of masses of
+/// very different size, see `graded_modes`. Double takes the modes of 50 digits where the lowest one is not above that.
 /// @eq{14,15}
 /// @param L  lower triangular factor of the mass matrix, M = L L^T
 /// @param K  stiffness matrix

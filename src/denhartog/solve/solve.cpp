@@ -13,6 +13,7 @@
 #include "denhartog/scene/converted.hpp"
 #include "denhartog/scene/point_rules.hpp"
 #include "denhartog/solve/solve_task.hpp"
+#include "denhartog/stick_slip/event_errors.hpp"
 
 namespace denhartog {
 namespace {
@@ -90,7 +91,7 @@ struct NoAnswer {
 template <class T>
 std::string cost_of_fast_mode(const ExactSolver<T>& solver, const PeriodicOrbit<T>& none) {
     constexpr double fast = 1000;
-    const auto fastest = static_cast<double>(velocity_over_displacement(solver));
+    const auto fastest = static_cast<double>(highest_over_force(solver));
     if (!(fastest > fast) || !none.more_digits_may_tell) return {};
     return ". The fastest mode has " + number_in_digits(fastest, 2) +
            " times the frequency of the force and takes most of the work: leave out a mass that is as light if it does not "

@@ -20,17 +20,18 @@ double relative_error(const SolveTask& task, const OrbitSolution& solution) {
 template <class T>
 void write_orbit(const SolveTask& task, ExactSolver<T>& solver, const PeriodicOrbit<T>& orbit, OrbitSolution solution,
                  Solution& s) {
-    const auto all = [&](std::vector<T> numbers, const T& error) {
+    const auto all = [&](std::vector<T> numbers, const auto& error) {
         std::vector<Certified> out;
         add_displacements(solver.system().coordinates, numbers);
-        for (const T& x : numbers) out.push_back(certified(Bounded<T>(x, error), task.aim.digits));
+        for (std::size_t k = 0; k < numbers.size(); ++k)
+            out.push_back(certified(Bounded<T>(numbers[k], error(k)), task.aim.digits));
         return out;
     };
-    const T fastest = velocity_over_displacement(solver);
     s.relative_error = relative_error(task, solution);
     s.masses = std::move(solution.masses);
     s.stops = std::move(solution.stops);
-    s.start = SolvedState{all(orbit.start.x, orbit.error_bound), all(orbit.start.x_prime, T(fastest * orbit.error_bound))};
+    s.start = SolvedState{all(orbit.start.x, [&](std::size_t) { return orbit.error_bound; }),
+                          all(orbit.start.x_prime, [&](std::size_t k) { return orbit.velocity_errors[k]; })};
     s.periods = orbit.periods;
     s.symmetric = orbit.symmetric;
 }

@@ -87,42 +87,31 @@ public:
         return A;
     }
 
-    /// @brief Square root of twice the energy of a deviation, times 1/r: what friction with mu = 1 lets no two motions increase.
+    /// @brief A deviation as modal displacements times frequencies, then modal velocities.
     /// @param dz  displacements, then velocities
-    /// @return    the norm
-    [[nodiscard]] T norm(const Column<T>& dz) const {
+    /// @return    its 2N coordinates
+    [[nodiscard]] Column<T> in_energy(const Column<T>& dz) const {
         const ContactSystem<T>& s = solver_->system();
-        const T& r = solver_->excitation().r;
-        T sum(0);
+        Column<T> modal(2 * N);
         for (Eigen::Index i = 0; i < N; ++i) {
             T q(0), p(0);
             for (Eigen::Index k = 0; k < N; ++k) {
                 q += s.momentum(i, k) * dz(k);
                 p += s.momentum(i, k) * dz(N + k);
             }
-            q *= s.basis.r_n[static_cast<std::size_t>(i)] / r;
-            sum += q * q + p * p;
+            modal(i) = q * (s.basis.r_n[static_cast<std::size_t>(i)] / solver_->excitation().r);
+            modal(N + i) = p;
         }
-        return sqrt(sum);
+        return modal;
     }
+
+    /// @brief Square root of twice the energy of a deviation, times 1/r: what friction with mu = 1 lets no two motions increase.
+    /// @param dz  displacements, then velocities
+    /// @return    the norm
+    [[nodiscard]] T norm(const Column<T>& dz) const { return in_energy(dz).norm(); }
 
     /// @brief The norm of a state. @param z the state @return its norm
     [[nodiscard]] T norm(const State<T>& z) const { return norm(denhartog::difference(z, at_rest<T>(z.x.size()))); }
-
-    /// @brief The same for every deviation within bounds.
-    /// @param dz  bounds of displacements, then velocities
-    /// @return    bound of the norm
-    [[nodiscard]] T norm_of_bound(const Column<T>& dz) const {
-        const ContactSystem<T>& s = solver_->system();
-        const Matrix<T> sizes = s.momentum.cwiseAbs();
-        T sum(0);
-        for (Eigen::Index i = 0; i < N; ++i) {
-            const T q = sizes.row(i).dot(dz.head(N)) * s.basis.r_n[static_cast<std::size_t>(i)] / solver_->excitation().r;
-            const T p = sizes.row(i).dot(dz.tail(N));
-            sum += q * q + p * p;
-        }
-        return sqrt(sum);
-    }
 
     /// @brief Jacobian of the map between modal velocities and modal displacements times frequencies: `norm` is Euclid's there.
     /// @return  2N x 2N; its eigenvalues are those of `jacobian`
@@ -141,15 +130,16 @@ public:
         return J;
     }
 
-    /// @brief Norm of the rounding measured last. @return its norm
-    [[nodiscard]] T rounding_norm() const {
-        const ContactSystem<T>& s = solver_->system();
-        T sum(0);
+    /// @brief The rounding measured last, as modal displacements times frequencies, then modal velocities.
+    /// @param of_modes  whether with what turned modes make of it
+    /// @return          bounds, 2N values
+    [[nodiscard]] Column<T> rounding_in_energy(bool of_modes = false) const {
+        Column<T> bound(2 * N);
         for (Eigen::Index i = 0; i < N; ++i) {
-            const T velocity = modal_(i) * s.basis.r_n[static_cast<std::size_t>(i)] / solver_->excitation().r;
-            sum += 2 * velocity * velocity;
+            const T omega = solver_->system().basis.r_n[static_cast<std::size_t>(i)] / solver_->excitation().r;
+            bound(i) = bound(N + i) = (of_modes ? T(modal_(i) + turned_(i)) : modal_(i)) * omega;
         }
-        return sqrt(sum);
+        return bound;
     }
 
     /// @brief The rounding measured last, mass by mass.

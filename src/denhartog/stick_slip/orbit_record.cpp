@@ -141,37 +141,56 @@ T displacement_of_energy(const OrbitMap<T>& map) {
 }
 
 template <class T>
-std::optional<T> error_bound_of(const OrbitMap<T>& map, bool of_modes) {
-    const LinearSystem<T> system(map.newton_matrix());
+std::optional<ErrorsOfOrbit<T>> errors_of(const OrbitMap<T>& map) {
+    const Matrix<T> jacobian = map.energy_jacobian();
+    const LinearSystem<T> system(Matrix<T>(Matrix<T>::Identity(2 * map.N, 2 * map.N) - jacobian));
     if (!system.is_regular()) return std::nullopt;
-    const Column<T> rounding = map.rounding(of_modes);
-    const Column<T> at_start = product_of_sizes(system.inverse(), Column<T>(map.difference().cwiseAbs() + rounding));
-    T energy = map.norm_of_bound(at_start);
-    if (map.solver().excitation().mu > 1) energy *= std::max(T(1), T(map.energy_jacobian().norm()));
-    return T(reach_of_displacements(map) * (displacement_of_energy(map) * energy + rounding.head(map.N).maxCoeff()));
+    const Matrix<T> inverse = system.inverse();
+    const Column<T> apart = map.in_energy(map.difference()).cwiseAbs();
+    const T growth = map.solver().excitation().mu > 1 ? std::max(T(1), T(jacobian.norm())) : T(1);
+    const auto energy = [&](bool of_modes) {
+        return T(growth * product_of_sizes(inverse, Column<T>(apart + map.rounding_in_energy(of_modes))).norm());
+    };
+    const auto displacement = [&](const T& by_energy, const Column<T>& rounding) {
+        return T(reach_of_displacements(map) * (displacement_of_energy(map) * by_energy + rounding.head(map.N).maxCoeff()));
+    };
+    const T with_modes = energy(true);
+    const Column<T> rounding = map.rounding(true);
+    ErrorsOfOrbit<T> errors{displacement(energy(false), map.rounding(false)), displacement(with_modes, rounding), {}};
+    const ContactSystem<T>& s = map.solver().system();
+    for (Eigen::Index k = 0; k < map.N; ++k)
+        errors.velocity.push_back(s.basis.phi.row(k).norm() * with_modes + rounding(map.N + k));
+    for (const auto& of_mass : s.coordinates.displacements.rowwise()) {
+        T sum(0);
+        for (Eigen::Index k = 0; k < map.N; ++k) sum += errors.velocity[static_cast<std::size_t>(k)] * size_of_number(of_mass(k));
+        errors.velocity.push_back(sum);
+    }
+    return errors;
 }
 
 template <class T>
 std::optional<PeriodicOrbit<T>> orbit_of(const OrbitMap<T>& map, const State<T>& z, const OrbitSearch<T>& search) {
     using boost::math::isfinite;
-    const std::optional<T> bound = error_bound_of(map);
-    if (!bound) return std::nullopt;
+    const std::optional<ErrorsOfOrbit<T>> errors = errors_of(map);
+    if (!errors) return std::nullopt;
     PeriodicOrbit<T> orbit;
-    orbit.contact = contact_motion(map, *bound);
-    if (!map.slides_throughout() && !(*bound < orbit.contact.amplitude)) return std::nullopt; // no sure slip
+    const T& bound = errors->settled;
+    orbit.contact = contact_motion(map, bound);
+    if (!map.slides_throughout() && !(bound < orbit.contact.amplitude)) return std::nullopt; // no sure slip
     T largest = orbit.contact.amplitude, unsure(0);
     for (const T& x : z.x) largest = std::max(largest, T(x < 0 ? -x : x));
     if (!search.contact_only) {
-        for (const Extremum<T>& extremum : map.solver().largest_displacements(*bound)) {
+        for (const Extremum<T>& extremum : map.solver().largest_displacements(bound)) {
             orbit.masses.push_back(motion_with(extremum.x, extremum.instant, extremum.spread));
             unsure = std::max(unsure, extremum.unsure);
         }
         orbit.masses[map.solver().system().contact.index] = orbit.contact;
     }
     for (const MassMotion<T>& mass : orbit.masses) largest = std::max(largest, mass.amplitude);
-    orbit.error_bound = *bound + unsure;
+    orbit.error_bound = bound + unsure;
     if (!isfinite(largest) || !(100 * orbit.error_bound < largest)) return std::nullopt; // as at a resonance without damping
-    orbit.error_bound = error_bound_of(map, true).value_or(*bound) + unsure;
+    orbit.error_bound = errors->displacement + unsure;
+    orbit.velocity_errors = errors->velocity;
     const int h = map.half_periods();
     orbit.status = OrbitStatus::periodic;
     orbit.start = z;
@@ -219,8 +238,8 @@ template double displacement_of_energy(const OrbitMap<double>&);
 template Real50 displacement_of_energy(const OrbitMap<Real50>&);
 template bool attracts(const OrbitMap<double>&);
 template bool attracts(const OrbitMap<Real50>&);
-template std::optional<double> error_bound_of(const OrbitMap<double>&, bool);
-template std::optional<Real50> error_bound_of(const OrbitMap<Real50>&, bool);
+template std::optional<ErrorsOfOrbit<double>> errors_of(const OrbitMap<double>&);
+template std::optional<ErrorsOfOrbit<Real50>> errors_of(const OrbitMap<Real50>&);
 template std::optional<PeriodicOrbit<double>> orbit_of(const OrbitMap<double>&, const State<double>&, const OrbitSearch<double>&);
 template std::optional<PeriodicOrbit<Real50>> orbit_of(const OrbitMap<Real50>&, const State<Real50>&, const OrbitSearch<Real50>&);
 template std::optional<PeriodicOrbit<double>> rest_of(OrbitMap<double>&, const LastingRest<double>&, const double&,

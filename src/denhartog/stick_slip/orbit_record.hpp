@@ -22,16 +22,23 @@ template <class T>
 template <class T>
 [[nodiscard]] T displacement_of_energy(const OrbitMap<T>& map);
 
-/// @brief Bound of the error of the displacements over an orbit.
-///
-/// The distance of the start from the fixed point is bounded by \f$ |(1 - DP)^{-1}| \f$ times the difference of the two ends and
-/// the rounding of the map. Along the orbit it is bounded by its energy norm, which friction with mu = 1 does not let grow; for
-/// mu > 1 the largest growth that the Jacobian shows is allowed for.
-/// @param map        the map, applied last to the orbit with its Jacobian, its rounding measured
-/// @param of_modes   whether with what turned modes make of it, as a bound that is handed out needs
-/// @return           the bound, in units of P / k_1; none where the matrix is singular to rounding
+/// @brief Bounds of the errors over an orbit.
 template <class T>
-[[nodiscard]] std::optional<T> error_bound_of(const OrbitMap<T>& map, bool of_modes = false);
+struct ErrorsOfOrbit {
+    T settled;               ///< of every displacement, as far as Newton's method can settle it; in units of P / k_1
+    T displacement;          ///< the same with what turned modes make of it, as a bound that is handed out needs
+    std::vector<T> velocity; ///< of the velocity of each coordinate, then of each mass that is none; likewise
+};
+
+/// @brief Bounds of the errors over an orbit.
+///
+/// In modal displacements times frequencies and modal velocities the distance of the start from the fixed point is bounded by
+/// \f$ |(1 - DP)^{-1}| \f$ times the difference of the two ends and the rounding of the map. Along the orbit it is bounded by its
+/// energy norm, which friction with mu = 1 does not let grow; for mu > 1 the largest growth that the Jacobian shows is allowed for.
+/// @param map  the map, applied last to the orbit with its Jacobian, its rounding measured
+/// @return     the bounds; none where the matrix is singular to rounding
+template <class T>
+[[nodiscard]] std::optional<ErrorsOfOrbit<T>> errors_of(const OrbitMap<T>& map);
 
 /// @brief Reads the orbit off the map that was applied to it last, with its Jacobian, its rounding measured.
 /// @param map     the map: all of the orbit, or half of it where the number h of its half-periods is odd

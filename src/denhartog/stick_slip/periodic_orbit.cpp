@@ -151,9 +151,9 @@ private:
             }
         }
         if (!applied && !map_.apply(z, h, true)) return false;
-        const std::optional<T> bound = error_bound_of(map_);
-        if (!bound || !(100 * *bound < map_.norm(z))) return false;
-        candidate_ = {z, h, map_.jacobian(), map_.rounding_norm(), false, 0};
+        const std::optional<ErrorsOfOrbit<T>> errors = errors_of(map_);
+        if (!errors || !(100 * errors->settled < map_.norm(z))) return false;
+        candidate_ = {z, h, map_.jacobian(), map_.rounding_in_energy().norm(), false, 0};
         if (search_.follow_start) judge_candidate();
         return true;
     }

@@ -53,6 +53,7 @@ struct PeriodicOrbit {
     bool stable = false;                           ///< all multipliers inside the unit circle, by more than their error
     T residual = T(0);                             ///< largest difference of the two ends, over the largest displacement
     T error_bound = T(0);                          ///< bound of the error of the displacements, units of P / k_1
+    std::vector<T> velocity_errors; ///< of the velocity of each coordinate, then of each mass that is none; units of P / k_1
     bool more_digits_may_tell = false;             ///< none was found, and rounding may be why
     int touching = 0;                              ///< events so tangential that rounding decided them; multipliers are one-sided
     int newton_steps = 0;                          ///< steps of Newton's method taken

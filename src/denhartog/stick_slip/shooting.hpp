@@ -41,7 +41,7 @@ public:
             if (held && least < 0) return false;
             const T residual = map_->norm(map_->difference());
             if (!(residual - residual == T(0))) return false;
-            const T rounding = map_->rounding_norm();
+            const T rounding = map_->rounding_in_energy().norm();
             const bool falls = !held && (least < 0 || residual < least * (1 - part / 8));
             if (falls) residual_ = residual;
             if (!held && (residual <= enough(z, rounding) || (!falls && residual <= 8 * rounding))) return true;

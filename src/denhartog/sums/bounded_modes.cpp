@@ -6,6 +6,7 @@
 
 #include "denhartog/evaluation/mode.hpp"
 #include "denhartog/model/coordinates.hpp"
+#include "denhartog/model/graded_modes.hpp"
 #include "denhartog/model/linear_algebra.hpp"
 #include "denhartog/number/multiprecision.hpp"
 #include "denhartog/sums/coupled_friction.hpp"
@@ -36,9 +37,19 @@ std::vector<T> reach_of_masses(const System<T>& system, const ModalBasis<T>& bas
 // An estimate of the condition number of a full mass matrix, by which its factors change the eigenproblem.
 template <class T>
 T condition_of_masses(const System<T>& system, const std::vector<T>& reach) {
-    if (system.mass_matrix.size() == 0) return T(1);
+    if (is_diagonal(system.mass_matrix)) return T(1);
     const T longest = *std::max_element(reach.begin(), reach.begin() + system.mass_matrix.rows());
     return system.mass_matrix.diagonal().maxCoeff() * longest * longest;
+}
+
+// By how much springs multiply errors on the way to the squared frequencies of each mode; 0 where they are errors of the highest.
+template <class T>
+T factor_of_springs(const System<T>& system) {
+    if (is_chain(system)) return T(1);
+    if constexpr (std::same_as<T, double>) {
+        if (number_of_masses(system) > 1) return condition_of_graded(mass_factor(system), stiffness_matrix(system)).value_or(0);
+    }
+    return T(0);
 }
 
 // Errors that the solver is trusted with, and those of inputs.
@@ -46,7 +57,8 @@ template <class T>
 ModalBasis<Bounded<T>> bounded(const System<T>& system, const ModalBasis<T>& basis, const std::vector<Mass>* masses) {
     const std::size_t N = basis.r_n.size();
     const T of_input = unit_of<T>(), unit = (trust * static_cast<int>(N) + 4) * of_input;
-    const bool chain = is_chain(system);
+    const T of_springs = factor_of_springs(system); // of errors of each frequency; of the highest where it is none
+    const bool chain = of_springs > 0;
     const T highest = basis.r_n.back();
     const Matrix<T> further = further_displacements(system.coordinates).cwiseAbs();
     ModalBasis<Bounded<T>> bounded;
@@ -55,7 +67,7 @@ ModalBasis<Bounded<T>> bounded(const System<T>& system, const ModalBasis<T>& bas
     const T of_matrix = unit * highest * highest * condition_of_masses(system, reach);
     for (std::size_t i = 0; i < N; ++i) {
         const T r_n = basis.r_n[i];
-        const T of_square = chain ? T(2 * unit * r_n * r_n) : of_matrix; // error of the squared frequency
+        const T of_square = chain ? T(2 * unit * of_springs * r_n * r_n) : of_matrix; // error of the squared frequency
         bounded.r_n.push_back({r_n, T(of_square / (2 * r_n))});
         T nearest = std::numeric_limits<T>::infinity(); // difference of the squares, of the chain's relative to both
         for (const std::size_t n : {i - 1, i + 1}) {

@@ -2,7 +2,8 @@
 /// @brief The modal basis with bounds of its errors, and the functions of its modes with theirs.
 ///
 /// The bounds of a basis come from what the eigen-solvers are trusted with: an error of each natural frequency of 8 N eps of
-/// itself on a chain, else of its square of 8 N eps of the highest square, times the condition number of a full mass matrix; of a
+/// itself on a chain and, times what the springs multiply, of masses of very different size; else of its square of 8 N eps of the
+/// highest square, times the condition number of a full mass matrix; of a
 /// mode shape an angle of 8 N eps over the relative distance of its frequency from the next one, which moves a light mass far.
 /// They cost no eigen-solve. Every number of a scene is taken to be off by a unit in its last place, as a decimal fraction or a
 /// quotient is.

@@ -72,8 +72,10 @@ function same_as_program(scene)
     close_to(mine.stop_end, each(theirs.stops, 'finish'));
     close_to(mine.stop_start_error, each(theirs.stops, 'start_error_bound'));
     close_to(mine.stop_end_error, each(theirs.stops, 'end_error_bound'));
-    end assert(mine.unique, theirs.unique);
-    if isfield (theirs, 'dimensional') units = theirs.dimensional;
+  end
+  assert(mine.unique, theirs.unique);
+  if isfield(theirs, 'dimensional')
+    units = theirs.dimensional;
     close_to(mine.dimensional.amplitude, each(units.masses, 'amplitude'));
     close_to(mine.dimensional.amplitude_error, each(units.masses, 'error_bound'));
     for key = {'frequency', 'frequency_hz', 'force', 'friction', 'displacement_unit'}
@@ -87,67 +89,68 @@ function same_as_program(scene)
       close_to(mine.dimensional.stop_end, each(units.stops, 'finish'));
       close_to(mine.dimensional.stop_start_error, each(units.stops, 'start_error_bound'));
       close_to(mine.dimensional.stop_end_error, each(units.stops, 'end_error_bound'));
-      end else assert(~isfield(mine, 'dimensional'));
-      end end
+    end
+  else
+    assert(~isfield(mine, 'dimensional'));
+  end
+end
 
-          function[regime, stops, periods, amplitude, status] = program_map(options, scene) lines =
-              strsplit(strtrim(program('map', denhartog_json(scene), options)), "\n");
-      cells = cellfun(@(line) strsplit(line, ','), lines(2 : end), 'UniformOutput', false);
-      cells = vertcat(cells{ : });
-      regime = cells( :, 3);
-      [ stops, periods ] = deal(str2double(cells( :, 4)), str2double(cells( :, 5)));
-      amplitude = str2double(cells( :, 6 : end - 1));
-      status = cells( :, end);
-      end
+function [regime, stops, periods, amplitude, status] = program_map(options, scene)
+  lines = strsplit(strtrim(program('map', denhartog_json(scene), options)), "\n");
+  cells = cellfun(@(line) strsplit(line, ','), lines(2:end), 'UniformOutput', false);
+  cells = vertcat(cells{:});
+  regime = cells(:, 3);
+  [stops, periods] = deal(str2double(cells(:, 4)), str2double(cells(:, 5)));
+  amplitude = str2double(cells(:, 6:end - 1));
+  status = cells(:, end);
+end
 
-          chain = struct('mass_ratios', [ 1, 2.5, 0.75 ], 'stiffness_ratios', [ 1, 0.625, 1.875 ], 'damping_ratios',
-                         [ 0.03, 0.06, 0.09 ], ... 'contact', 2, 'load', 1, 'mu', 1.375, 'r', 1.125, 'beta', 0.15625);
-      one =
-          struct('mass_ratios', 1, 'stiffness_ratios', 1, 'damping_ratios', 0.01, 'contact', 1, 'load', 1, 'r', 0.1, 'beta', 0.2);
-      undamped = setfield(one, 'damping_ratios', 0);
-      frame = struct('masses', [ 12, 11.5, 9.8 ], 'stiffnesses', [ 18500, 17200, 16900 ], 'damping_ratios',
-                     [ 0.012, 0.009, 0.011 ], ... 'contact', [ 2, 1 ], 'base_motion', 'with_wall', 'base_displacement', 0.002,
-                     'friction', 6.5, 'frequency_hz', 2.6);
-      matrices = struct('mass_matrix', [ 1, 0.25; 0.25, 2 ], 'stiffness_matrix', [ 1, -0.5; - 0.5, 0.75 ], 'damping_ratios', 0.05,
-                        ... 'contact', 2, 'load', [ 1, 0.5 ], 'r', 0.75, 'beta', 0.3);
+chain = struct('mass_ratios', [1, 2.5, 0.75], 'stiffness_ratios', [1, 0.625, 1.875], 'damping_ratios', [0.03, 0.06, 0.09], ...
+               'contact', 2, 'load', 1, 'mu', 1.375, 'r', 1.125, 'beta', 0.15625);
+one = struct('mass_ratios', 1, 'stiffness_ratios', 1, 'damping_ratios', 0.01, 'contact', 1, 'load', 1, 'r', 0.1, 'beta', 0.2);
+undamped = setfield(one, 'damping_ratios', 0);
+frame = struct('masses', [12, 11.5, 9.8], 'stiffnesses', [18500, 17200, 16900], 'damping_ratios', [0.012, 0.009, 0.011], ...
+               'contact', [2, 1], 'base_motion', 'with_wall', 'base_displacement', 0.002, 'friction', 6.5, 'frequency_hz', 2.6);
+matrices = struct('mass_matrix', [1, 0.25; 0.25, 2], 'stiffness_matrix', [1, -0.5; -0.5, 0.75], 'damping_ratios', 0.05, ...
+                  'contact', 2, 'load', [1, 0.5], 'r', 0.75, 'beta', 0.3);
 
-      same_as_program(chain);
-      same_as_program(setfield(chain, 'beta', 0.9));
-      same_as_program(setfield(chain, 'beta', 2));
-      printf("a chain in every regime has the program's numbers\n");
+same_as_program(chain);
+same_as_program(setfield(chain, 'beta', 0.9));
+same_as_program(setfield(chain, 'beta', 2));
+printf("a chain in every regime has the program's numbers\n");
 
-      same_as_program(one);
-      same_as_program(setfield(one, 'load', {1}));
-      assert(denhartog_json(struct('load', {{1}}, 'contact', 1)), '{"load":[1],"contact":1}');
-      printf("a chain of one mass has the program's numbers, and a list of one number is a cell array\n");
+same_as_program(one);
+same_as_program(setfield(one, 'load', {1}));
+assert(denhartog_json(struct('load', {{1}}, 'contact', 1)), '{"load":[1],"contact":1}');
+printf("a chain of one mass has the program's numbers, and a list of one number is a cell array\n");
 
-      same_as_program(matrices);
-      assert(denhartog_json(struct('mass_matrix', [ 1, 2; 3, 4 ], 'damping_matrix', 5)),
-             ... '{"mass_matrix":[[1,2],[3,4]],"damping_matrix":[[5]]}');
-      same_as_program(struct('masses', 3, 'stiffnesses', 100, 'damping_matrix', 0.5, 'contact', 1, 'load', 1, 'force', 2,
-                             ... 'friction', 0.7, 'frequency', 4));
-      printf("matrices are written row by row, that of one mass too\n");
+same_as_program(matrices);
+assert(denhartog_json(struct('mass_matrix', [1, 2; 3, 4], 'damping_matrix', 5)), ...
+       '{"mass_matrix":[[1,2],[3,4]],"damping_matrix":[[5]]}');
+same_as_program(struct('masses', 3, 'stiffnesses', 100, 'damping_matrix', 0.5, 'contact', 1, 'load', 1, 'force', 2, ...
+                       'friction', 0.7, 'frequency', 4));
+printf("matrices are written row by row, that of one mass too\n");
 
-      same_as_program(frame);
-      same_as_program(setfield(frame, 'friction', 1));
-      same_as_program(setfield(frame, 'friction', 60));
-      absolute = rmfield(setfield(frame, 'base_motion', 'alone'), {'frequency_hz'});
-      same_as_program(setfield(setfield(absolute, 'damping_ratios', 0), 'frequency', 16));
-      pushed = setfield(setfield(rmfield(frame, {'base_motion', 'base_displacement'}), 'load', [ 0, 0, 1 ]), 'force', 8);
-      same_as_program(setfield(pushed, 'masses', diag([ 12, 11.5, 9.8 ])));
-      same_as_program(setfield(rmfield(frame, 'damping_ratios'), 'damping_matrix', [ 40, 0, 0; 0, 65, -65; 0, -65, 65 ]));
-      printf("a dimensional scene has the program's numbers in its own units, under a force and on a base that moves\n");
+same_as_program(frame);
+same_as_program(setfield(frame, 'friction', 1));
+same_as_program(setfield(frame, 'friction', 60));
+absolute = rmfield(setfield(frame, 'base_motion', 'alone'), {'frequency_hz'});
+same_as_program(setfield(setfield(absolute, 'damping_ratios', 0), 'frequency', 16));
+pushed = setfield(setfield(rmfield(frame, {'base_motion', 'base_displacement'}), 'load', [0, 0, 1]), 'force', 8);
+same_as_program(setfield(pushed, 'masses', diag([12, 11.5, 9.8])));
+same_as_program(setfield(rmfield(frame, 'damping_ratios'), 'damping_matrix', [40, 0, 0; 0, 65, -65; 0, -65, 65]));
+printf("a dimensional scene has the program's numbers in its own units, under a force and on a base that moves\n");
 
-      assert(denhartog_json(struct('beta', 0.1 + 0.2)), '{"beta":0.30000000000000004}');
-      assert(denhartog_json(struct('comment', {{1}}, 'beta', '0.1', 'contact', int32(2))), '{"beta":"0.1","contact":2}');
-      text = denhartog_json(frame);
-      assert(denhartog_solve(text).amplitude, denhartog_solve(frame).amplitude, 1e-12);
-      printf("numbers are written to the last bit, and text in JSON is a scene as well\n");
+assert(denhartog_json(struct('beta', 0.1 + 0.2)), '{"beta":0.30000000000000004}');
+assert(denhartog_json(struct('comment', {{1}}, 'beta', '0.1', 'contact', int32(2))), '{"beta":"0.1","contact":2}');
+text = denhartog_json(frame);
+assert(denhartog_solve(text).amplitude, denhartog_solve(frame).amplitude, 1e-12);
+printf("numbers are written to the last bit, and text in JSON is a scene as well\n");
 
-      r = [ 0.4, 0.9, 1.125; 1.4, 2, 0.1 ];
-      beta = [ 0.1, 0.9, 0.15625; 2, 0.05, 0.3 ];
-      many = denhartog_solve(chain, r, beta);
-      assert(size(many.regime), size(r));
+r = [0.4, 0.9, 1.125; 1.4, 2, 0.1];
+beta = [0.1, 0.9, 0.15625; 2, 0.05, 0.3];
+many = denhartog_solve(chain, r, beta);
+assert(size(many.regime), size(r));
 for n = 1:numel(r)
   single = denhartog_solve(chain, r(n), beta(n));
   assert(many.regime{n}, single.regime);
