@@ -325,3 +325,25 @@ TEST_CASE("masses of very different size keep the digits of every mode in double
         }
     }
 }
+
+TEST_CASE("how different the masses of a full mass matrix are does not widen the bounds of its modes",
+          "[modes][eq:15][accuracy]") {
+    const Matrix<double> scaled{{1, 0.3, -0.2}, {0.3, 1, 0.25}, {-0.2, 0.25, 1}};
+    for (const double light : {1.0, 1e-6, 1e-12}) {
+        INFO("masses 1, " << light << ", 2");
+        const Eigen::Vector3d roots(1, std::sqrt(light), std::sqrt(2.0));
+        System<double> s;
+        s.mass_matrix = roots.asDiagonal() * scaled * roots.asDiagonal();
+        s.mass_matrix = Matrix<double>((s.mass_matrix + s.mass_matrix.transpose()) / 2);
+        s.stiffness_matrix = Matrix<double>{{1, -0.3, 0}, {-0.3, 1.5, -0.4}, {0, -0.4, 2}};
+        s.damping_ratios.assign(3, 0.01);
+        const auto found = modes_with_errors(s);
+        const ModalBasis<Real50> exact = modal_basis(in_type<Real50>(s));
+        const double highest = found->r_n.back().x;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const Bounded<double>& r_n = found->r_n[i];
+            CHECK(std::abs(static_cast<double>(Real50(exact.r_n[i] - r_n.x))) <= r_n.e);
+            CHECK(2 * r_n.x * r_n.e <= 64 * std::numeric_limits<double>::epsilon() * highest * highest);
+        }
+    }
+}

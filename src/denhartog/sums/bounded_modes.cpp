@@ -34,12 +34,16 @@ std::vector<T> reach_of_masses(const System<T>& system, const ModalBasis<T>& bas
     return reach;
 }
 
-// An estimate of the condition number of a full mass matrix, by which its factors change the eigenproblem.
+// By how much a full mass matrix multiplies errors: the largest diagonal entry of the inverse of the matrix scaled to a diagonal of
+// ones. Its factor, and what is divided by it, have errors in proportion to the masses: how different these are does not matter.
 template <class T>
 T condition_of_masses(const System<T>& system, const std::vector<T>& reach) {
-    if (is_diagonal(system.mass_matrix)) return T(1);
-    const T longest = *std::max_element(reach.begin(), reach.begin() + system.mass_matrix.rows());
-    return system.mass_matrix.diagonal().maxCoeff() * longest * longest;
+    T largest(1);
+    for (Eigen::Index k = 0; k < system.mass_matrix.rows(); ++k) {
+        const T& of_mass = reach[static_cast<std::size_t>(k)];
+        largest = std::max(largest, T(system.mass_matrix(k, k) * of_mass * of_mass));
+    }
+    return largest;
 }
 
 // By how much springs multiply errors on the way to the squared frequencies of each mode; 0 where they are errors of the highest.

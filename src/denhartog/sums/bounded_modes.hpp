@@ -3,8 +3,8 @@
 ///
 /// The bounds of a basis come from what the eigen-solvers are trusted with: an error of each natural frequency of 8 N eps of
 /// itself on a chain and, times what the springs multiply, of masses of very different size; else of its square of 8 N eps of the
-/// highest square, times the condition number of a full mass matrix; of a
-/// mode shape an angle of 8 N eps over the relative distance of its frequency from the next one, which moves a light mass far.
+/// highest square, times what a full mass matrix multiplies when it is scaled to a diagonal of ones; of a mode shape an angle of
+/// 8 N eps over the relative distance of its frequency from the next one, which moves a light mass far.
 /// They cost no eigen-solve. Every number of a scene is taken to be off by a unit in its last place, as a decimal fraction or a
 /// quotient is.
 #pragma once
