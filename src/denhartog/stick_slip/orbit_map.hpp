@@ -176,14 +176,17 @@ private:
     //
     // Every phase adds some units in the last place of the terms of the coordinate. A natural frequency that is some units
     // off, at least N, turns the mode by that part of its phase angle, which is the larger the more of its periods fit in the
-    // stretch. Modes of nearly one frequency are turned towards each other by rounding; where they are damped differently, that
-    // damps each of them by some of the other's damping. Both errors are taken as an eighth of the bounds of the closed form.
+    // stretch. Modes are turned towards each other by rounding: the difference of their stiffnesses and of their dampings then
+    // lets the one force the other, which follows it at rest or is driven over the stretch. Of modes of nearly one frequency the
+    // angle may be large; where they are damped differently, that damps each of them by some of the other's damping. All these
+    // errors are taken as an eighth of the bounds of the closed form.
     void measure_rounding() {
         using std::abs;
         const ContactSystem<T>& s = solver_->system();
         const Excitation<T>& e = solver_->excitation();
         const auto n = static_cast<std::size_t>(N);
         const auto j = static_cast<Eigen::Index>(s.contact.index);
+        const T eps = std::numeric_limits<T>::epsilon();
         std::vector<T> amplitudes;
         turned_ = Column<T>::Zero(N);
         for (Eigen::Index i = 0; i < N; ++i) {
@@ -205,21 +208,25 @@ private:
             }
             const T friction = e.beta * abs(s.basis.phi(j, i)) / (r_n * r_n);
             amplitudes.push_back(sqrt(largest) + friction);
-            const T eps = std::numeric_limits<T>::epsilon(), of_frequency = h_ * pi_ * r_n / e.r * amplitudes.back();
+            const T of_frequency = h_ * pi_ * r_n / e.r * amplitudes.back();
             modal_(i) =
                 eps * (static_cast<int>(motion_->phases.size()) * (largest_sum + friction) + static_cast<int>(N) * of_frequency);
             // No step of Newton's method mends what a frequency is off by beyond that.
             turned_(i) = std::max(T(0), T(s.detuned[static_cast<std::size_t>(i)] / 8 - static_cast<int>(N) * eps)) * of_frequency;
         }
         if (s.basis.coupled()) add_rounding_of_coupled_modes(amplitudes);
-        for (std::size_t i = 0; i < n && !s.damping_fixes_modes; ++i)
+        for (std::size_t i = 0; i < n; ++i)
             for (std::size_t k = 0; k < n; ++k) {
+                if (k == i) continue;
                 const T r_i = s.basis.r_n[i], r_k = s.basis.r_n[k];
-                if (k == i || 64 * abs(T(r_i - r_k)) > r_i + r_k) continue; // farther apart the units above take it in
                 const T angle = angle_of_turn(Bounded<T>(r_i, T(r_i * s.detuned[i])), Bounded<T>(r_k, T(r_k * s.detuned[k]))) / 8;
-                const T of_damping = h_ * pi_ * 2 * abs(T(s.basis.zeta[i] * r_i - s.basis.zeta[k] * r_k)) / e.r;
+                const T damping = 2 * abs(T(s.basis.zeta[i] * r_i - s.basis.zeta[k] * r_k));
+                T& turned = turned_(static_cast<Eigen::Index>(i));
+                const T force = (abs(T(r_i - r_k)) * (r_i + r_k) + damping * std::max(e.r, r_k)) * amplitudes[k];
+                turned += (2 + h_ * pi_) * (angle + static_cast<int>(N + 1) * eps) * force / (r_i * std::max(e.r, r_i));
+                if (s.damping_fixes_modes || 64 * abs(T(r_i - r_k)) > r_i + r_k) continue;
                 const T of_others = angle * r_k / r_i * amplitudes[k], of_itself = angle * angle * amplitudes[i];
-                turned_(static_cast<Eigen::Index>(i)) += of_damping * (of_others + of_itself);
+                turned += h_ * pi_ * damping / e.r * (of_others + of_itself);
             }
     }
 
