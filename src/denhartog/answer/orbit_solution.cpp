@@ -27,14 +27,17 @@ public:
     // to other last digits before. None where no such phase ends there.
     std::optional<EndOfPhase<T>> end_at(T tau, bool slides) {
         while (tau >= stretch) tau -= stretch;
-        const T near = sqrt(unit_of<T>()) * stretch;
-        for (std::size_t n = phases.size(); n-- > 0;) {
+        T nearest = sqrt(unit_of<T>()) * stretch;
+        std::optional<std::size_t> found;
+        for (std::size_t n = 0; n < phases.size(); ++n) {
             const Phase<T>& p = phases[n];
-            const T apart = abs(T(p.end - tau));
-            const bool ends_there = apart <= near || abs(T(apart - stretch)) <= near;
-            if ((p.direction != 0) == slides && p.end > p.start && ends_there) return solver.end_of(n);
+            if ((p.direction != 0) != slides || !(p.end > p.start)) continue;
+            const T apart = abs(T(p.end - tau)), either_way = std::min(apart, T(abs(T(apart - stretch))));
+            if (either_way > nearest) continue;
+            nearest = either_way;
+            found = n;
         }
-        return std::nullopt;
+        return found ? std::optional(solver.end_of(*found)) : std::nullopt;
     }
 
     State<T> at(T tau) {
