@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 #include "denhartog/model/linear_algebra.hpp"
 #include "denhartog/scene/cholesky.hpp"
@@ -48,27 +49,38 @@ void orthogonalise(Matrix<double>& A, Matrix<double>& V) {
     }
 }
 
-} // namespace
+// Factor of a stiffness matrix whose modes are graded, and the condition that `condition_of_graded` gives.
+struct GradedStiffness {
+    Cholesky<double> factor;
+    double condition;
+};
 
-std::optional<double> condition_of_graded(const Matrix<double>& L, const Matrix<double>& K) {
+std::optional<GradedStiffness> graded_stiffness(const Matrix<double>& L, const Matrix<double>& K) {
     if (L.rows() < 2 || !is_diagonal(L)) return std::nullopt;
     const Column<double> masses = L.diagonal().cwiseAbs2();
     const double contrast = masses.maxCoeff() / masses.minCoeff();
     if (!(contrast >= least_contrast_of_masses)) return std::nullopt;
-    const Cholesky<double> factor = cholesky(K);
+    Cholesky<double> factor = cholesky(K);
     if (factor.failed_order > 0) return std::nullopt;
     const Matrix<double> inverse = LinearSystem<double>(K).inverse();
     double trace = 0;
     for (Eigen::Index i = 0; i < K.rows(); ++i) trace += inverse(i, i) * K(i, i);
     if (!(trace <= contrast)) return std::nullopt;
-    return std::max(trace, static_cast<double>(K.rows()));
+    return GradedStiffness{std::move(factor), std::max(trace, static_cast<double>(K.rows()))};
+}
+
+} // namespace
+
+std::optional<double> condition_of_graded(const Matrix<double>& L, const Matrix<double>& K) {
+    const std::optional<GradedStiffness> graded = graded_stiffness(L, K);
+    return graded ? std::optional(graded->condition) : std::nullopt;
 }
 
 std::optional<NaturalModes<double>> graded_modes(const Matrix<double>& L, const Matrix<double>& K) {
-    if (!condition_of_graded(L, K)) return std::nullopt;
-    const Cholesky<double> factor = cholesky(K);
+    const std::optional<GradedStiffness> graded = graded_stiffness(L, K);
+    if (!graded) return std::nullopt;
     const Eigen::Index N = K.rows();
-    Matrix<double> A = factor.L.transpose(), V = Matrix<double>::Identity(N, N);
+    Matrix<double> A = graded->factor.L.transpose(), V = Matrix<double>::Identity(N, N);
     for (Eigen::Index k = 0; k < N; ++k) A.col(k) /= L(k, k);
     orthogonalise(A, V);
     std::vector<double> sizes;
