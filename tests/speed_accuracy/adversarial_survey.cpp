@@ -344,7 +344,7 @@ void ask_from(Place& place, const AdversarialRun& run, const std::function<void(
             place.scene = n;
             place.question = number;
             begin_question();
-            AskedQuestion result = asked(question, scene, number == 0 ? std::nullopt : run.effort);
+            AskedQuestion result = asked(question, scene, run.effort);
             result.scene = n;
             result.json = json_of(scene);
             tell(std::move(result));

@@ -8,6 +8,7 @@
 #include <numeric>
 #include <string>
 
+#include "denhartog/number/effort.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/multiprecision.hpp"
 
@@ -216,6 +217,7 @@ SingularValues<T> iterate(std::vector<T> d, std::vector<T> e, Matrix<T> V) {
         rotations += static_cast<double>(block.size());
         if (!(rotations <= rotations_allowed))
             throw PrecisionError("the natural frequencies of " + std::to_string(N) + " masses did not converge");
+        QuestionEffort::pay_for_products<T>(4 * static_cast<long>(block.size()) * V.rows());
         const T shift = shift_for(block, found, static_cast<int>(N));
         if (shift == 0)
             sweep_without_shift(block);

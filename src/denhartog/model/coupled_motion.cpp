@@ -93,9 +93,8 @@ Matrix<T> CoupledMotion<T>::carried(const T& t, Matrix<T> z) {
 // So many products of two numbers are to be formed.
 template <class T>
 void CoupledMotion<T>::spend_products(Eigen::Index count) const {
-    const long cost = cost_of_products<T>(static_cast<long>(count));
-    if (effort_ == nullptr) return QuestionEffort::pay(cost / 4); // so that 50 digits are within the budget of 100 masses
-    (*effort_)->spend(cost);
+    if (effort_ == nullptr) return QuestionEffort::pay_for_products<T>(static_cast<long>(count));
+    (*effort_)->spend(cost_of_products<T>(static_cast<long>(count)));
     if ((*effort_)->exhausted()) throw PrecisionError((*effort_)->ending());
 }
 

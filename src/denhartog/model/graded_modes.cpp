@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "denhartog/model/linear_algebra.hpp"
+#include "denhartog/number/effort.hpp"
 #include "denhartog/scene/cholesky.hpp"
 
 namespace denhartog {
@@ -34,7 +35,8 @@ void orthogonalise(Matrix<double>& A, Matrix<double>& V) {
     const double rounding = static_cast<double>(N) * std::numeric_limits<double>::epsilon();
     for (int sweep = 0; sweep < most_sweeps; ++sweep) {
         bool rotated = false;
-        for (Eigen::Index p = 0; p < N; ++p)
+        for (Eigen::Index p = 0; p < N; ++p) {
+            QuestionEffort::pay(static_cast<long>(N * N) / 16); // sums and rotations of up to N pairs of columns
             for (Eigen::Index q = p + 1; q < N; ++q) {
                 const double a = along(A, p, p), b = along(A, q, q), c = along(A, p, q);
                 if (std::abs(c) <= rounding * std::sqrt(a) * std::sqrt(b)) continue;
@@ -45,6 +47,7 @@ void orthogonalise(Matrix<double>& A, Matrix<double>& V) {
                 rotate(A, p, q, cosine, cosine * tangent);
                 rotate(V, p, q, cosine, cosine * tangent);
             }
+        }
         if (!rotated) return;
     }
 }

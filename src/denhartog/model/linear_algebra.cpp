@@ -7,6 +7,7 @@
 #include <type_traits>
 
 #include "denhartog/model/product_of_doubles.hpp"
+#include "denhartog/number/effort.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/multiprecision.hpp"
 
@@ -54,10 +55,17 @@ decltype(auto) taken_to(const Eigen::Matrix<From, Eigen::Dynamic, columns>& A) {
         return A.unaryExpr([](const From& x) { return static_cast<To>(x); }).eval();
 }
 
+// So many times the cube of an order are multiplied for a matrix.
+template <class T>
+void pay_for(int times, Eigen::Index order) {
+    QuestionEffort::pay_for_products<T>(static_cast<long>(times * order * order * order));
+}
+
 } // namespace
 
 template <class T>
 SymmetricEigenproblem<T> symmetric_eigenproblem(const Matrix<T>& A) {
+    pay_for<Inside<T>>(9, A.rows());
     const Eigen::SelfAdjointEigenSolver<Matrix<Inside<T>>> solved(taken_to<Inside<T>>(A));
     if (solved.info() != Eigen::Success) throw PrecisionError("the natural frequencies of the system did not converge");
     const Column<T> values = taken_to<T>(solved.eigenvalues());
@@ -66,6 +74,7 @@ SymmetricEigenproblem<T> symmetric_eigenproblem(const Matrix<T>& A) {
 
 template <class T>
 Matrix<T> divide_out(const Matrix<T>& L, const Matrix<T>& X) {
+    pay_for<T>(1, L.rows());
     const auto lower = L.template triangularView<Eigen::Lower>();
     const Matrix<T> half = lower.solve(X);
     return lower.solve(Matrix<T>(half.transpose()));
@@ -126,6 +135,7 @@ Matrix<T> transpose_times(const Matrix<T>& X, const Matrix<T>& A) {
 
 template <class T>
 Matrix<T> in_coordinates(const Matrix<T>& X, const Matrix<T>& A) {
+    pay_for<T>(2, A.rows());
     return times<T>(transpose_times(X, A), X);
 }
 
@@ -135,8 +145,10 @@ struct LinearSystem<T>::Factors {
 };
 
 template <class T>
-LinearSystem<T>::LinearSystem(const Matrix<T>& A)
-    : factors_(new Factors{Eigen::PartialPivLU<Matrix<Inside<T>>>(taken_to<Inside<T>>(A))}) {}
+LinearSystem<T>::LinearSystem(const Matrix<T>& A) {
+    pay_for<Inside<T>>(1, A.rows());
+    factors_ = std::unique_ptr<Factors>(new Factors{Eigen::PartialPivLU<Matrix<Inside<T>>>(taken_to<Inside<T>>(A))});
+}
 
 template <class T>
 LinearSystem<T>::~LinearSystem() = default;
@@ -152,6 +164,7 @@ Column<T> LinearSystem<T>::solve(const Column<T>& b) const {
 
 template <class T>
 Matrix<T> LinearSystem<T>::inverse() const {
+    pay_for<Inside<T>>(1, factors_->of.rows());
     const Matrix<Inside<T>> inverse = factors_->of.inverse();
     return taken_to<T>(inverse);
 }
