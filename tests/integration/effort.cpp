@@ -3,11 +3,16 @@
 #include <atomic>
 #include <cmath>
 #include <cstdio>
+#include <functional>
 #include <limits>
 #include <random>
 
 #include "denhartog/map/regime_map.hpp"
+#include "denhartog/model/linear_algebra.hpp"
+#include "denhartog/model/modal_basis.hpp"
+#include "denhartog/number/multiprecision.hpp"
 #include "denhartog/number/number.hpp"
+#include "denhartog/scene/converted.hpp"
 #include "denhartog/sliding/invariant_points.hpp"
 #include "denhartog/solve/solve.hpp"
 #include "denhartog/stick_slip/periodic_orbit.hpp"
@@ -109,6 +114,39 @@ TEST_CASE("far above resonance, where the functions of (87) cancel, the invarian
     const auto begun = invariant_points(basis, s.contact, s.load, 1.0, 50.0, &little);
     CHECK(little.spent <= 1100);
     CHECK_FALSE(begun.back().undecided.empty());
+}
+
+TEST_CASE("finding modes is paid for, and ends where nothing is left to pay or somebody cancels", "[effort][eq:15]") {
+    const System<double> chain = chain_of(std::vector<double>(60, 1), std::vector<double>(60, 1), 0.01, 2, 1);
+    System<double> general = chain, graded = chain;
+    general.stiffness_matrix = graded.stiffness_matrix = matrix_of_chain(chain.stiffness_ratios);
+    general.stiffness_ratios.clear();
+    graded.stiffness_ratios.clear();
+    graded.mass_ratios.back() = 1e-9;
+    const auto need_end = [&](const char* what, long most, const std::function<void()>& find) {
+        INFO(what);
+        {
+            const QuestionEffort enough(60);
+            find();
+            CHECK(enough.spent() > most);
+            std::printf("modes of 60 masses, %s: %ld operations\n", what, enough.spent());
+        }
+        {
+            const QuestionEffort little(60, most);
+            CHECK_THROWS_AS(find(), PrecisionError);
+        }
+        const QuestionEffort cancelled(60, {}, [] { return true; });
+        CHECK_THROWS_WITH(find(), Catch::Contains("cancelled"));
+        CHECK(cancelled.spent() < most);
+    };
+    need_end("a chain in 50 digits", 100'000, [&] { (void)modal_basis(in_type<Real50>(chain)); });
+    need_end("a stiffness matrix in 50 digits", 500'000, [&] { (void)modal_basis(in_type<Real50>(general)); });
+    need_end("masses far apart in double", 100'000, [&] { (void)modal_basis(graded); });
+    Matrix<Real50> K = in_type<Real50>(general.stiffness_matrix);
+    need_end("factors and inverse of a matrix", 150'000, [&] {
+        const LinearSystem<Real50> system(K);
+        (void)system.inverse();
+    });
 }
 
 TEST_CASE("a question has one budget for all its searches, and the outermost scope counts", "[effort]") {
