@@ -18,24 +18,29 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double largest_harmonic = 2000;
+constexpr double much_larger = 16; // what more modes will not make of an amplitude
 
-// What the higher harmonics of friction, 4 beta / (n pi) for odd n from 3 on, do to a mode.
+// What the first harmonic of a force does to a mode at most, and the higher ones of friction, 4 beta / (n pi) for odd n from 3 on.
 struct Harmonics {
-    double displacement = 0; // sum of 4 / (n pi) / |1 - n^2 R^2 + 2 i zeta n R|
-    double velocity = 0;     // the same with n times each term
+    double response = infinite; // 1 / |1 - R^2 + 2 i zeta R|
+    double displacement = 0;    // sum of 4 / (n pi) / |1 - n^2 R^2 + 2 i zeta n R|
+    double velocity = 0;        // the same with n times each term
 };
 
 // Harmonics up to n R = 2 one by one, beyond by the integral: there |1 - n^2 R^2| is at least 3/4 n^2 R^2.
 Harmonics harmonics_of(const Bounded<double>& R_i, double zeta) {
     const double R = R_i.x, last = std::max(3.0, 2 / R + 2);
-    if (!(last < largest_harmonic)) return {infinite, infinite};
-    Harmonics all;
+    if (!(last < largest_harmonic)) return {infinite, infinite, infinite};
+    const auto over_stiffness = [&](double force, double n) {
+        const double nR = n * R, uncertain = 2 * n * n * R * R_i.e;
+        const double size = elementary::hypot((1 - nR) * (1 + nR), 2 * zeta * nR) * (1 - 1e-9) - uncertain;
+        return size > 0 ? force / size : infinite;
+    };
+    Harmonics all{over_stiffness(1, 1)};
     const long one_by_one = static_cast<long>((last - 1) / 2);
     for (long harmonic = 0; harmonic < one_by_one; ++harmonic) {
         const double n = static_cast<double>(2 * harmonic + 3);
-        const double nR = n * R, uncertain = 2 * n * n * R * R_i.e;
-        const double size = elementary::hypot((1 - nR) * (1 + nR), 2 * zeta * nR) * (1 - 1e-9) - uncertain;
-        const double each = size > 0 ? 4 / std::numbers::pi / size : infinite;
+        const double each = over_stiffness(4 / std::numbers::pi, n);
         all.displacement += each / n;
         all.velocity += each;
     }
@@ -61,6 +66,7 @@ public:
     }
 
     std::optional<TruncatedModesSolution> answer() {
+        if (!harmonics.empty() && leaves_out_too_much(only ? only->index : j == 0 ? 1 : 0)) return std::nullopt;
         const std::vector<std::size_t> order = by_importance();
         std::size_t done = 0;
         for (std::size_t next = 1; done < N(); next *= 2) {
@@ -86,6 +92,18 @@ private:
             all.push_back(of_mode.load);
         }
         return all;
+    }
+
+    // Whether the higher harmonics of a mass not in contact are too large beside all that its amplitude can be. More modes will not
+    // make them smaller.
+    [[nodiscard]] bool leaves_out_too_much(std::size_t k) const {
+        const std::vector<Bounded<double>> of_friction = weights(k, j), of_load = weights(k, l);
+        double left_out = 0, most = 0;
+        for (std::size_t i = 0; i < N(); ++i) {
+            left_out += of_friction[i].least() * harmonics[i].displacement;
+            most += (of_load[i].most() + 4 / std::numbers::pi * beta.most() * of_friction[i].most()) * harmonics[i].response;
+        }
+        return beta.least() * left_out > tolerance * much_larger * most;
     }
 
     // The modes by what leaving each out would cost the contact, largest first.
@@ -144,7 +162,7 @@ private:
         const double error = amplitude.e + left_out;
         if (!(error <= tolerance * amplitude.x)) {
             // More modes will not make the harmonics smaller, nor the amplitude much larger.
-            out_of_reach = out_of_reach || !(left_out <= tolerance * 16 * (amplitude.x + amplitude.e));
+            out_of_reach = out_of_reach || !(left_out <= tolerance * much_larger * (amplitude.x + amplitude.e));
             return false;
         }
         const double turn = velocity_left_out / (amplitude.x - amplitude.e);
