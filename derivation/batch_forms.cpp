@@ -122,10 +122,11 @@ const Register claims_of_batch_forms([] {
          .assumptions = domain,
          .kernel =
              [=, &s] {
-                 const evaluation::FreeMotion<Symbolic> free = evaluation::oscillating_free_motion(Symbolic(s.tau), R, zeta);
-                 const evaluation::FrictionMotion<Symbolic> y =
-                     evaluation::friction_motion_of(free, evaluation::one_minus_d_half_angle(Symbolic(s.tau / s.R), zeta, free.q),
-                                                    R, Symbolic(s.u), Symbolic(s.g));
+                 const Symbolic w = evaluation::oscillating_w(zeta);
+                 const evaluation::FreeMotion<Symbolic> free = evaluation::oscillating_free_motion(Symbolic(s.tau), R, zeta, w);
+                 const evaluation::FrictionMotion<Symbolic> y = evaluation::friction_motion_of(
+                     free, evaluation::one_minus_d_half_angle(Symbolic(s.tau / s.R), zeta, w, free.q), R, Symbolic(s.u),
+                     Symbolic(s.g));
                  return Values{-(2 * zeta * R * y.double_prime + (1 - R) * (1 + R) * y.prime), y.value};
              },
          .derived =

@@ -139,12 +139,11 @@ const Register claims_of_evaluation_forms([] {
          .assumptions = {"R_i > 0", "0 <= zeta_i < 1", "0 <= tau <= pi"},
          .kernel =
              [&s] {
-                 const Symbolic x(s.tau / s.R);
+                 const Symbolic x(s.tau / s.R), zeta(s.zeta), w = evaluation::oscillating_w(zeta);
                  const evaluation::FreeMotion<Symbolic> free =
-                     evaluation::oscillating_free_motion(Symbolic(s.tau), Symbolic(s.R), Symbolic(s.zeta));
-                 const evaluation::FrictionMotion<Symbolic> f =
-                     evaluation::friction_motion_of(free, evaluation::one_minus_d_half_angle(x, Symbolic(s.zeta), free.q),
-                                                    Symbolic(s.R), Symbolic(s.u), Symbolic(s.g));
+                     evaluation::oscillating_free_motion(Symbolic(s.tau), Symbolic(s.R), zeta, w);
+                 const evaluation::FrictionMotion<Symbolic> f = evaluation::friction_motion_of(
+                     free, evaluation::one_minus_d_half_angle(x, zeta, w, free.q), Symbolic(s.R), Symbolic(s.u), Symbolic(s.g));
                  return Values{f.value, f.prime, f.double_prime};
              },
          .derived =

@@ -40,7 +40,8 @@ const Register claims_of_evaluation_of_motion([] {
          .assumptions = in_time,
          .kernel =
              [=] {
-                 const evaluation::FreeMotion<Symbolic> f = evaluation::oscillating_free_motion(tau, R, zeta);
+                 const evaluation::FreeMotion<Symbolic> f =
+                     evaluation::oscillating_free_motion(tau, R, zeta, evaluation::oscillating_w(zeta));
                  return Values{f.d, f.q, f.d_prime, f.q_prime, f.q_double_prime};
              },
          .derived =
@@ -58,8 +59,9 @@ const Register claims_of_evaluation_of_motion([] {
          .kernel =
              [=, &s] {
                  const Symbolic x(s.tau / s.R), q(paper::q(tau, R, zeta).expression());
-                 return Values{evaluation::one_minus_d_half_angle(x, zeta, q),
-                               evaluation::one_minus_d_of_positive_terms(x, zeta)};
+                 const Symbolic w = evaluation::oscillating_w(zeta);
+                 return Values{evaluation::one_minus_d_half_angle(x, zeta, w, q),
+                               evaluation::one_minus_d_of_positive_terms(x, zeta, w)};
              },
          .derived =
              [=] {

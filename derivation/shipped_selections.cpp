@@ -64,8 +64,8 @@ std::vector<Selection> shipped_selections() {
         return std::vector<ex>{R * R * (rate + u * GiNaC::cos(s.tau)) / GiNaC::sin(s.tau)};
     };
     const auto take_braces = [](const Placed& tau, const Placed& R, const Placed& zeta) {
-        const auto f =
-            evaluation::friction_motion(tau, R, zeta, Placed(number(symbols().u), 0.5), Placed(number(symbols().g), 0.25));
+        const auto f = evaluation::friction_motion(tau, R, zeta, evaluation::w_if_oscillating(zeta),
+                                                   Placed(number(symbols().u), 0.5), Placed(number(symbols().g), 0.25));
         return std::vector<Placed>{f.value, f.prime, f.double_prime};
     };
     const auto take_demand = [=](const Placed& tau, const Placed& R, const Placed& zeta) {
@@ -76,7 +76,9 @@ std::vector<Selection> shipped_selections() {
     return {{"complex_response", [](P, P R, P zeta) { return parts(evaluation::complex_response(R, zeta)); }, response},
             {"selected_damping_functions", [](P, P R, P zeta) { return parts(evaluation::selected_damping_functions(R, zeta)); },
              damping},
-            {"free_motion", [](P tau, P R, P zeta) { return parts(evaluation::free_motion(tau, R, zeta)); }, free},
+            {"free_motion",
+             [](P tau, P R, P zeta) { return parts(evaluation::free_motion(tau, R, zeta, evaluation::w_if_oscillating(zeta))); },
+             free},
             {"friction_motion", take_braces, braces},
             {"s_d_integrand_of", take_demand, demand}};
 }

@@ -74,8 +74,9 @@ template <class T>
 std::array<T, count> shipped(const Point<T>& p) {
     const auto& [R, zeta, tau] = p;
     const evaluation::DampingFunctions<T> f = evaluation::damping_functions(R, zeta);
-    return {evaluation::one_minus_d(T(tau / R), zeta, evaluation::free_motion(tau, R, zeta).q),
-            evaluation::friction_motion(tau, R, zeta, f.u, f.g).value};
+    const T w = evaluation::w_if_oscillating(zeta);
+    return {evaluation::one_minus_d(T(tau / R), zeta, w, evaluation::free_motion(tau, R, zeta, w).q),
+            evaluation::friction_motion(tau, R, zeta, w, f.u, f.g).value};
 }
 
 /// The same functions and free motions with the differences of (40) as they stand.
@@ -83,7 +84,7 @@ template <class T>
 std::array<T, count> by_difference(const Point<T>& p) {
     const auto& [R, zeta, tau] = p;
     const evaluation::DampingFunctions<T> f = evaluation::damping_functions(R, zeta);
-    const evaluation::FreeMotion<T> free = evaluation::free_motion(tau, R, zeta);
+    const evaluation::FreeMotion<T> free = evaluation::free_motion(tau, R, zeta, evaluation::w_if_oscillating(zeta));
     return {1 - free.d, 1 - (1 + f.g) * free.d - f.u * R * free.q};
 }
 

@@ -36,7 +36,7 @@ struct Place {
 template <class T>
 All<T> shipped(const Place<T>& p) {
     const evaluation::ModeFunctions<T> f = evaluation::mode_functions(p.R, p.zeta);
-    const evaluation::FreeMotion<T> m = evaluation::free_motion(p.x, T(1), p.zeta);
+    const evaluation::FreeMotion<T> m = evaluation::free_motion(p.x, T(1), p.zeta, evaluation::w_if_oscillating(p.zeta));
     return {f.v.re, f.v.im, f.u, f.g, m.d, m.q, m.q_prime, m.q_double_prime};
 }
 

@@ -61,7 +61,8 @@ TEST_CASE("the displacement of a single mass keeps its digits at r = 1e4, 1e6 an
             CHECK(x[n] == found);
             CHECK(error < 5 * std::max(1.0, size));
             worst = std::max(worst, error / std::max(1.0, size));
-            const evaluation::FreeMotion<double> free = evaluation::free_motion(tau[n], r, zeta);
+            const evaluation::FreeMotion<double> free =
+                evaluation::free_motion(tau[n], r, zeta, evaluation::w_if_oscillating(zeta));
             const double braces = 1 - (1 + sums.g[0]) * free.d - sums.u[0] * r * free.q;
             const double other = paper::displacement(tau[n], state.X_j, 0.0, sums.g[0], sums.u[0], beta, braces);
             by_difference = std::max(by_difference, error_in_eps(other, truth));

@@ -29,7 +29,7 @@ std::array<Wide, 5> printed_motion(const Wide& tau, const Wide& R, const Wide& z
 /// At time, ratio, damping ratio.
 template <class T>
 std::array<T, 4> shipped_free_motion(const std::array<T, 3>& a) {
-    const evaluation::FreeMotion<T> f = evaluation::free_motion(a[0], a[1], a[2]);
+    const evaluation::FreeMotion<T> f = evaluation::free_motion(a[0], a[1], a[2], evaluation::w_if_oscillating(a[2]));
     return {f.d, f.q, f.d_prime, f.q_prime};
 }
 

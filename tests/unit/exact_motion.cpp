@@ -79,7 +79,8 @@ struct MixedOscillators {
         const T start[4] = {T(1), T(-2), T(0.5), T(0.25)};
         Column<T> y(4);
         for (std::size_t i = 0; i < 2; ++i) {
-            const evaluation::FreeMotion<T> free = evaluation::free_motion(t, R[i], zeta[i]);
+            const evaluation::FreeMotion<T> free =
+                evaluation::free_motion(t, R[i], zeta[i], evaluation::w_if_oscillating(zeta[i]));
             const auto row = static_cast<Eigen::Index>(i);
             y(row) = start[i] * free.d + start[2 + i] * R[i] * free.q;
             y(2 + row) = start[i] * free.d_prime + start[2 + i] * R[i] * free.q_prime;

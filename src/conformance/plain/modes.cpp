@@ -74,7 +74,8 @@ PlainMotion printed_braces(double tau, double R, double zeta, double u, double g
 PlainMotion braces(const PlainModes& m, const Choices& c, std::size_t i, double tau) {
     if (c.harmonics > 0) return truncated_braces(tau, c.harmonics, m.R[i], m.zeta[i]);
     if (c.motion_as_printed) return printed_braces(tau, m.R[i], m.zeta[i], m.u[i], m.g[i]);
-    const evaluation::FrictionMotion<double> f = evaluation::friction_motion(tau, m.R[i], m.zeta[i], m.u[i], m.g[i]);
+    const evaluation::FrictionMotion<double> f =
+        evaluation::friction_motion(tau, m.R[i], m.zeta[i], evaluation::w_if_oscillating(m.zeta[i]), m.u[i], m.g[i]);
     return {f.value, f.prime};
 }
 

@@ -37,7 +37,7 @@ struct HalfAngleProducts {
 /// @brief What of a mode does not depend on R. @param zeta modal damping ratio @return the four numbers
 template <class T>
 [[nodiscard]] ArrayMode<T> array_mode(const T& zeta) {
-    return {zeta, 2 * zeta, 2 * pi<T>() * zeta, 1 / sqrt(T((1 - zeta) * (1 + zeta)))};
+    return {zeta, 2 * zeta, 2 * pi<T>() * zeta, 1 / oscillating_w(zeta)};
 }
 
 /// @brief \f$ v_{di} \f$ with \f$ a = (1-R)(1+R) \f$, \f$ b = 2\zeta R \f$ and one reciprocal: \f$ (a - ib)/(a^2+b^2) \f$.
@@ -121,7 +121,7 @@ struct AngleOfMode {
 /// @return      w and \f$ \lambda \f$
 template <class T>
 [[nodiscard]] AngleOfMode<T> angle_of_mode(const T& zeta) {
-    if (2 * zeta >= 1) return {sqrt(T((1 - zeta) * (1 + zeta))), T(0)};
+    if (2 * zeta >= 1) return {oscillating_w(zeta), T(0)};
     return {T(1), one_minus_w(zeta)};
 }
 

@@ -27,7 +27,7 @@ namespace denhartog::evaluation {
 template <class T>
 [[nodiscard]] T first_damping_function_by_R_squared(const T& R, const T& zeta, const HalfAngle<T>& h) {
     const T sinh_half = sinh(T(h.delta / 2));
-    const T w = sqrt(T((1 - zeta) * (1 + zeta)));
+    const T w = oscillating_w(zeta);
     return pi<T>() / 2 * sinc(T(pi<T>() * w / (2 * R))) * (h.c / (sinh_half * sinh_half + h.c * h.c));
 }
 
@@ -46,7 +46,7 @@ struct HarmonicDifference {
 /// @return      the difference, as a product of two sines
 template <class T>
 [[nodiscard]] T difference_of_cosines(const T& tau, const T& R, const T& zeta) {
-    const T w = sqrt(T((1 - zeta) * (1 + zeta)));
+    const T w = oscillating_w(zeta);
     const T half_sum = (w / R + 1) * tau / 2, half_difference = ((1 - R) - one_minus_w(zeta)) / R * tau / 2;
     return -2 * sin(half_sum) * sin(half_difference);
 }
@@ -60,7 +60,7 @@ template <class T>
 /// @return      the difference with R q
 template <class T>
 [[nodiscard]] HarmonicDifference<T> harmonic_difference(const T& tau, const T& R, const T& zeta) {
-    const T w = sqrt(T((1 - zeta) * (1 + zeta)));
+    const T w = oscillating_w(zeta);
     const T x = tau / R;
     const T b = w * x;
     const T Rq = exp(T(-zeta * x)) * sinc(b) * tau;
@@ -133,7 +133,7 @@ template <class T>
 /// @return       the expression under the maximum
 template <class T>
 [[nodiscard]] T s_d_integrand_after_decay(const T& sigma, const T& R, const T& zeta, const DecayTakenOut<T>& f) {
-    const T w = sqrt(T((1 - zeta) * (1 + zeta)));
+    const T w = oscillating_w(zeta);
     const T x = sigma / R;
     const T RS = sinc(T(w * x)) * sigma;
     const T difference = zeta * (RS / R) + difference_of_cosines(sigma, R, zeta) - exp_minus_one(T(-zeta * x)) * cos(sigma);
@@ -234,8 +234,9 @@ template <class T>
 [[nodiscard]] T overdamped_s_d_integrand(const T& tau, const T& R, const T& zeta, const DampingFunctions<T>& f) {
     if (!(tau > 0)) return paper::s_d_at_zero(R, zeta, f.u, f.g);
     if (2 * tau < pi<T>() && zeta * tau < R) return overdamped_s_d_integrand_from_start(tau, R, zeta, f.u, f.g);
-    if (tau < pi<T>()) return s_d_integrand_from_rate(tau, R, f.u, friction_motion(tau, R, zeta, f.u, f.g).prime);
-    return -R * R * friction_motion(pi<T>(), R, zeta, f.u, f.g).double_prime;
+    if (tau < pi<T>())
+        return s_d_integrand_from_rate(tau, R, f.u, friction_motion(tau, R, zeta, w_if_oscillating(zeta), f.u, f.g).prime);
+    return -R * R * friction_motion(pi<T>(), R, zeta, w_if_oscillating(zeta), f.u, f.g).double_prime;
 }
 
 /// @brief The expression in (57) of a mode with what has been found for (28) and (29), in the type of these.

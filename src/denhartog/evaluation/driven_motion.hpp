@@ -88,7 +88,7 @@ template <class T>
 /// @return      the difference
 template <class T>
 [[nodiscard]] T detuning(const T& R, const T& zeta, const T& gap) {
-    const T w = sqrt(T((1 - zeta) * (1 + zeta)));
+    const T w = oscillating_w(zeta);
     const T a = zeta / R;
     return (gap + a * a) / (1 + w / R);
 }
@@ -127,6 +127,7 @@ struct DrivenCoordinate {
     T decay;       ///< decay rate zeta / R
     T R;           ///< modal frequency ratio, Eq. (22)
     T zeta;        ///< modal damping ratio
+    T w;           ///< as `w_if_oscillating` has it
     T F;           ///< amplitude of the harmonic force
     bool together; ///< whether the harmonic and the free part are taken together
     T apart;       ///< 1 - w / R where they are
@@ -142,10 +143,10 @@ struct DrivenCoordinate {
 /// @return       the coordinate
 template <class T>
 [[nodiscard]] DrivenCoordinate<T> driven_coordinate(const T& omega, const T& gap, const T& decay, const T& F) {
-    const T R = 1 / omega, zeta = decay / omega;
+    const T R = 1 / omega, zeta = decay / omega, w = w_if_oscillating(zeta);
     if (64 * (gap * gap + 4 * decay * decay) < 1)
-        return {omega, decay, R, zeta, F, true, detuning(R, zeta, gap), Complex<T>{T(0), T(0)}};
-    return {omega, decay, R, zeta, F, false, T(0), F * response_by_R_squared(gap, decay)};
+        return {omega, decay, R, zeta, w, F, true, detuning(R, zeta, gap), Complex<T>{T(0), T(0)}};
+    return {omega, decay, R, zeta, w, F, false, T(0), F * response_by_R_squared(gap, decay)};
 }
 
 /// @brief The start of a stretch of motion.
@@ -168,12 +169,11 @@ struct DrivenStart {
 template <class T>
 [[nodiscard]] InitialValues<T> motion_of_coordinate(const T& t, const DrivenCoordinate<T>& c, const DrivenStart<T>& start,
                                                     const T& cosine, const T& sine) {
-    const FreeMotion<T> free = free_motion(t, c.R, c.zeta);
+    const FreeMotion<T> free = free_motion(t, c.R, c.zeta, c.w);
     const InitialValues<T> now = driven_motion(free, c.R, start.free, start.at_rest, c.X, cosine, sine);
     if (!c.together) return now;
-    const T w = sqrt(T((1 - c.zeta) * (1 + c.zeta)));
-    const Complex<T> decayed{free.d - c.zeta * free.q, w * free.q};
-    const InitialValues<T> h = response_from_rest(t, c.decay, T(w * c.omega), c.apart, decayed, start.cos_0, start.sin_0);
+    const Complex<T> decayed{free.d - c.zeta * free.q, c.w * free.q};
+    const InitialValues<T> h = response_from_rest(t, c.decay, T(c.w * c.omega), c.apart, decayed, start.cos_0, start.sin_0);
     return {now.eta_0 + c.F * h.eta_0, now.eta_prime_0 + c.F * h.eta_prime_0};
 }
 

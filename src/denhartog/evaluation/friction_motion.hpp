@@ -20,11 +20,11 @@ namespace denhartog::evaluation {
 /// @eq{A.8}  @derivation{evaluation_of_motion}  @domain{x >= 0, 0 <= zeta < 1; keeps its digits for x of 2 zeta and more}
 /// @param x     time over R
 /// @param zeta  modal damping ratio
+/// @param w     \f$ \sqrt{1-\zeta^2} \f$, as `oscillating_w` has it
 /// @param q     free motion from unit velocity over R, Eq. (A.8)
 /// @return      1 - d
 template <class T>
-[[nodiscard]] T one_minus_d_half_angle(const T& x, const T& zeta, const T& q) {
-    const T w = sqrt(T((1 - zeta) * (1 + zeta)));
+[[nodiscard]] T one_minus_d_half_angle(const T& x, const T& zeta, const T& w, const T& q) {
     const T m = -exp_minus_one(T(-zeta * x));
     const T s = sin(T(w * x / 2));
     return m + 2 * (1 - m) * s * s - zeta * q;
@@ -36,10 +36,10 @@ template <class T>
 /// @eq{A.8}  @derivation{evaluation_of_motion}  @domain{x >= 0, 0 <= zeta < 1; keeps its digits for x up to 2}
 /// @param x     time over R
 /// @param zeta  modal damping ratio
+/// @param w     \f$ \sqrt{1-\zeta^2} \f$, as `oscillating_w` has it
 /// @return      1 - d
 template <class T>
-[[nodiscard]] T one_minus_d_of_positive_terms(const T& x, const T& zeta) {
-    const T w = sqrt(T((1 - zeta) * (1 + zeta)));
+[[nodiscard]] T one_minus_d_of_positive_terms(const T& x, const T& zeta, const T& w) {
     const T m = -exp_minus_one(T(-zeta * x));
     const T s = sin(T(w * x / 2));
     return m * m / 2 + (1 - m) * (2 * s * s + zeta * x * sinhc_less_sinc_over_square(x, zeta) * x * x);
@@ -88,13 +88,14 @@ template <class T>
 /// @eq{A.8}  @derivation{evaluation_of_motion}  @domain{x >= 0, zeta >= 0}
 /// @param x     time over R
 /// @param zeta  modal damping ratio
+/// @param w     as `w_if_oscillating` has it
 /// @param q     free motion from unit velocity over R, Eq. (A.8)
 /// @return      1 - d
 template <class T>
-[[nodiscard]] T one_minus_d(const T& x, const T& zeta, const T& q) {
+[[nodiscard]] T one_minus_d(const T& x, const T& zeta, const T& w, const T& q) {
     if (zeta >= 1)
         return zeta * x < 2 ? overdamped_one_minus_d_of_positive_terms(x, zeta) : overdamped_one_minus_d_of_slow_rate(x, zeta, q);
-    return x < 2 * zeta ? one_minus_d_of_positive_terms(x, zeta) : one_minus_d_half_angle(x, zeta, q);
+    return x < 2 * zeta ? one_minus_d_of_positive_terms(x, zeta, w) : one_minus_d_half_angle(x, zeta, w, q);
 }
 
 /// @brief The braces of (40) with their first two derivatives: the forms that keep their digits at this place, float in double.
@@ -102,17 +103,18 @@ template <class T>
 /// @param tau   non-dimensional time, Eq. (5); radians
 /// @param R     modal frequency ratio, Eq. (22)
 /// @param zeta  modal damping ratio
+/// @param w     as `w_if_oscillating` has it
 /// @param u     first damping function of the mode, Eq. (28)
 /// @param g     second damping function of the mode, Eq. (29)
 /// @return      value and derivatives; dimensionless
 template <class T>
-[[nodiscard]] FrictionMotion<T> friction_motion(const T& tau, const T& R, const T& zeta, const T& u, const T& g) {
+[[nodiscard]] FrictionMotion<T> friction_motion(const T& tau, const T& R, const T& zeta, const T& w, const T& u, const T& g) {
     if constexpr (std::is_same_v<T, float>) {
-        const FrictionMotion<double> f = friction_motion<double>(tau, R, zeta, u, g);
+        const FrictionMotion<double> f = friction_motion<double>(tau, R, zeta, w_if_oscillating<double>(zeta), u, g);
         return {static_cast<T>(f.value), static_cast<T>(f.prime), static_cast<T>(f.double_prime)};
     } else {
-        const FreeMotion<T> free = free_motion(tau, R, zeta);
-        return friction_motion_of(free, one_minus_d(T(tau / R), zeta, free.q), R, u, g);
+        const FreeMotion<T> free = free_motion(tau, R, zeta, w);
+        return friction_motion_of(free, one_minus_d(T(tau / R), zeta, w, free.q), R, u, g);
     }
 }
 

@@ -100,7 +100,7 @@ template <class T>
 [[nodiscard]] HalfAngle<T> half_angle(const T& R, const T& zeta) {
     const SineCosine<T> half = sine_cosine_of_half_period(R, T(one_minus_w(zeta) / (2 * R)));
     const T delta = pi<T>() * zeta / R;
-    return {sqrt(T((1 - zeta) * (1 + zeta))), delta, half.s, half.c};
+    return {oscillating_w(zeta), delta, half.s, half.c};
 }
 
 /// @brief Half angle as a product, which keeps its digits where w is small, and the exponent of the decay.
@@ -110,7 +110,7 @@ template <class T>
 /// @return      w, delta, sine and cosine of the half angle
 template <class T>
 [[nodiscard]] HalfAngle<T> half_angle_of_heavy_damping(const T& R, const T& zeta) {
-    const T w = sqrt(T((1 - zeta) * (1 + zeta)));
+    const T w = oscillating_w(zeta);
     const T x = w / (2 * R);
     const T delta = pi<T>() * zeta / R;
     return {w, delta, sin_pi(x), cos_pi(x)};
@@ -182,7 +182,7 @@ template <class T>
 /// @return      u, g
 template <class T>
 [[nodiscard]] DampingFunctions<T> damping_functions_at_resonance(const T& zeta) {
-    const T w = sqrt(T((1 - zeta) * (1 + zeta)));
+    const T w = oscillating_w(zeta);
     const T E = exp(T(-pi<T>() * zeta));
     const T y = one_minus_w(zeta) / 2;
     const T t = pi<T>() * sinc(T(pi<T>() * y)) / (2 * (1 + w));
@@ -254,10 +254,10 @@ template <class T>
 /// @param tau   non-dimensional time, Eq. (5); radians
 /// @param R     modal frequency ratio, Eq. (22)
 /// @param zeta  modal damping ratio
+/// @param w     \f$ \sqrt{1-\zeta^2} \f$, as `oscillating_w` has it
 /// @return      the free motions and their rates
 template <class T>
-[[nodiscard]] FreeMotion<T> oscillating_free_motion(const T& tau, const T& R, const T& zeta) {
-    const T w = sqrt(T((1 - zeta) * (1 + zeta)));
+[[nodiscard]] FreeMotion<T> oscillating_free_motion(const T& tau, const T& R, const T& zeta, const T& w) {
     const T x = tau / R;
     const T root = exp(T(-zeta * x / 2));
     const SineCosine<T> turned = sinc_cosine(T(w * x));
@@ -273,11 +273,12 @@ template <class T>
 /// @param tau   non-dimensional time, Eq. (5); radians
 /// @param R     modal frequency ratio, Eq. (22)
 /// @param zeta  modal damping ratio
+/// @param w     as `w_if_oscillating` has it
 /// @return      the free motions and their rates
 template <class T>
-[[nodiscard]] FreeMotion<T> free_motion(const T& tau, const T& R, const T& zeta) {
+[[nodiscard]] FreeMotion<T> free_motion(const T& tau, const T& R, const T& zeta, const T& w) {
     if (zeta >= 1) return with_rates_in_tau(overdamped_free_motion(T(tau / R), zeta), R);
-    return oscillating_free_motion(tau, R, zeta);
+    return oscillating_free_motion(tau, R, zeta, w);
 }
 
 } // namespace denhartog::evaluation

@@ -28,10 +28,22 @@ template <class T>
     return expm1(x);
 }
 
+/// @brief \f$ w = \sqrt{1-\zeta^2} \f$ of a mode that oscillates, the square as a product. @param zeta a number in [0, 1) @return w
+template <class T>
+[[nodiscard]] T oscillating_w(const T& zeta) {
+    return sqrt(T((1 - zeta) * (1 + zeta)));
+}
+
+/// @brief w of a mode that oscillates, and nothing of another. @param zeta a number, not negative @return w, or 0 from 1 on
+template <class T>
+[[nodiscard]] T w_if_oscillating(const T& zeta) {
+    return zeta < 1 ? oscillating_w(zeta) : T(0);
+}
+
 /// @brief \f$ 1 - \sqrt{1-\zeta^2} = \zeta^2/(1+\sqrt{1-\zeta^2}) \f$. @param zeta a number in [0, 1) @return the difference
 template <class T>
 [[nodiscard]] T one_minus_w(const T& zeta) {
-    return zeta * zeta / (1 + sqrt(T((1 - zeta) * (1 + zeta))));
+    return zeta * zeta / (1 + oscillating_w(zeta));
 }
 
 /// @brief Sum of \f$ \sum_{k\ge1} s^{k}/(2k+1)! \f$ with \f$ s = \pm x^2 \f$, for |s| at most 1.

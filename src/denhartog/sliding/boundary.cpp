@@ -95,6 +95,7 @@ ModeSums<Real50> in_50_digits(const ModeSums<double>& s, std::size_t first, std:
         const evaluation::DampingFunctions<Real50> f = evaluation::damping_functions(R, zeta);
         out.R.push_back(R);
         out.zeta.push_back(zeta);
+        out.w.push_back(evaluation::w_if_oscillating(zeta));
         out.u.push_back(f.u);
         out.g.push_back(f.g);
     }

@@ -174,7 +174,7 @@ struct LinearMotion {
         }
         for (std::size_t i = 0; i < size(); ++i) {
             const evaluation::DrivenCoordinate<T>& c_i = coordinates_[i];
-            const evaluation::FreeMotion<T> free = evaluation::free_motion(t, c_i.R, c_i.zeta);
+            const evaluation::FreeMotion<T> free = evaluation::free_motion(t, c_i.R, c_i.zeta, c_i.w);
             for (Eigen::Index c = 0; c < dq.cols(); ++c) {
                 const T x = dq(i, c), v = dp(i, c);
                 dq(i, c) = x * free.d + v * (c_i.R * free.q);

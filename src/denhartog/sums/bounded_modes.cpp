@@ -119,6 +119,7 @@ ModeSums<To> changed(const ModeSums<From>& s, const Change& change) {
             s.load,
             changed<To>(s.R, change),
             changed<To>(s.zeta, change),
+            changed<To>(s.w, change),
             changed<To>(s.psi, change),
             changed<Complex<To>>(s.v, of_pair),
             changed<To>(s.u, change),
@@ -190,7 +191,7 @@ evaluation::ModeFunctions<Bounded<T>> bounded_mode_functions(const Bounded<T>& R
             higher_orders = T(17) / 16; // of what an error may change, relative, and what that leaves out
     if (zeta + dzeta < 1 && R_i.e < R) {
         const evaluation::ModeFunctions<T> f = evaluation::mode_functions(R, zeta);
-        const T w = sqrt(T((1 - zeta) * (1 + zeta))), dR = (R_i.e / R + units_of_form * unit) * higher_orders;
+        const T w = evaluation::oscillating_w(zeta), dR = (R_i.e / R + units_of_form * unit) * higher_orders;
         const T v = modulus(f.v), change_of_v = 2 * R * v * ((R + zeta) * dR + dzeta);
         const T real = R * w * f.u, imaginary = f.g + zeta * R * f.u, size_2 = real * real + imaginary * imaginary;
         const T change_of_w = dzeta / (w * w), dz = pi<T>() / R * (dR + dzeta / w) * higher_orders;

@@ -15,7 +15,7 @@ template <class T, class List>
 void add_friction_motions(const ModeSums<T>& sums, const T& tau, std::size_t first, std::size_t last, List& y) {
     y.reserve(last - first);
     for (std::size_t i = first; i < last; ++i)
-        y.push_back(evaluation::friction_motion(tau, sums.R[i], sums.zeta[i], sums.u[i], sums.g[i]));
+        y.push_back(evaluation::friction_motion(tau, sums.R[i], sums.zeta[i], sums.w[i], sums.u[i], sums.g[i]));
 }
 
 } // namespace
@@ -36,9 +36,8 @@ FrictionMotions<T>::FrictionMotions(const ModeSums<T>& sums, std::size_t first_,
             c.push_back(T(0)); // what bounds it does not come from two amplitudes, which are infinite at zeta = 1
             continue;
         }
-        const T w = sqrt(T((1 - zeta) * (1 + zeta)));
         const T cosine = 1 + sums.g[i];
-        const T sine = (cosine * zeta + sums.u[i] * sums.R[i]) / w;
+        const T sine = (cosine * zeta + sums.u[i] * sums.R[i]) / sums.w[i];
         c.push_back(modulus(Complex<T>{cosine, sine}));
     }
 }

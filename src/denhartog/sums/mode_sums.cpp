@@ -82,12 +82,13 @@ ModeSums<T> mode_sums(const ModalBasis<T>& basis, Mass contact, Mass load, const
     s.psi.reserve(rows * N);
     for (std::size_t k = 0; k < rows; ++k)
         for (std::size_t i = 0; i < N; ++i) s.psi.push_back(basis.phi(k, i) / r);
-    for (std::vector<T>* of_modes : {&s.R, &s.u, &s.g}) of_modes->reserve(N);
+    for (std::vector<T>* of_modes : {&s.R, &s.w, &s.u, &s.g}) of_modes->reserve(N);
     for (std::vector<T>* of_masses : {&s.U, &s.G}) of_masses->reserve(masses);
     s.v.reserve(N);
     s.V.reserve(masses);
     for (std::size_t i = 0; i < N; ++i) {
         s.R.push_back(r / basis.r_n[i]);
+        s.w.push_back(evaluation::w_if_oscillating(s.zeta[i]));
         s.v.push_back(functions[i].v);
         s.u.push_back(functions[i].u);
         s.g.push_back(functions[i].g);

@@ -29,6 +29,7 @@ struct ModeSums {
     Mass load;                 ///< the loaded mass, l
     std::vector<T> R;          ///< modal frequency ratios, Eq. (22), N values
     std::vector<T> zeta;       ///< modal damping ratios, Eq. (18), N values
+    std::vector<T> w;          ///< \f$ \sqrt{1-\zeta^2} \f$, or 0 from 1 on, N values
     std::vector<T> psi;        ///< mode shapes normalised by (17), mass by mode, row-major, N x N
     std::vector<Complex<T>> v; ///< complex response functions of the modes, Eq. (23)
     std::vector<T> u;          ///< first damping functions of the modes, Eq. (28)
