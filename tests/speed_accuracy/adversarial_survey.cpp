@@ -276,6 +276,15 @@ std::vector<NamedQuestion> all_questions(const AdversarialRun& run) {
     return all;
 }
 
+// The scene as the program reads it, or why there is no such text.
+std::string text_or_reason(const Scene<double>& scene) {
+    try {
+        return json_of(scene);
+    } catch (const InputError& e) {
+        return e.what();
+    }
+}
+
 // One question, whatever comes of it.
 AskedQuestion asked(const NamedQuestion& question, const Scene<double>& scene, std::optional<long> effort) {
     AskedQuestion result;
@@ -346,7 +355,7 @@ void ask_from(Place& place, const AdversarialRun& run, const std::function<void(
             begin_question();
             AskedQuestion result = asked(question, scene, run.effort);
             result.scene = n;
-            result.json = json_of(scene);
+            result.json = text_or_reason(scene);
             tell(std::move(result));
         };
         const auto place_it = [&](const Scene<double>&) {
@@ -509,7 +518,8 @@ AdversarialSurvey survey_in_children(const AdversarialRun& run) {
         AdversarialScenes random(run.seed, run.range);
         AdversarialScene drawn;
         for (std::size_t n = 0; n <= place->scene; ++n) drawn = random.next();
-        ended.json = json_of(drawn.scene) + (drawn.mode ? " r times frequency of mode " + std::to_string(*drawn.mode + 1) : "") +
+        ended.json = text_or_reason(drawn.scene) +
+                     (drawn.mode ? " r times frequency of mode " + std::to_string(*drawn.mode + 1) : "") +
                      (drawn.of_limit ? " beta/beta_lim " + digits(*drawn.of_limit, "%.17g") : "");
         survey.add(std::move(ended));
         if (placing)
