@@ -271,7 +271,7 @@ TEST_CASE("the products that coupled motions form are paid for, and end where no
     CHECK_THROWS_AS(motion.carried(Real50(40), Matrix<Real50>(Matrix<Real50>::Identity(4, 4))), PrecisionError);
     CHECK(allowed.spent > 100);
     CHECK(allowed.spent < 300);            // a product more than was allowed, and no further
-    const QuestionEffort question(2, 100); // which pays a fourth where no search does
+    const QuestionEffort question(2, 100); // which pays half where no search does
     CoupledMotion<Real50> without(mixed.A, Real50(4.5), CoupledMotion<Real50>::Asked::many_starts, nullptr);
     CHECK_THROWS_AS(without.carried(Real50(40), Matrix<Real50>(Matrix<Real50>::Identity(4, 4))), PrecisionError);
     CHECK(question.spent() > 100);

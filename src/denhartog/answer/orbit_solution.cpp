@@ -1,11 +1,13 @@
 #include "denhartog/answer/orbit_solution.hpp"
 
 #include <algorithm>
+#include <concepts>
 #include <limits>
 #include <utility>
 
 #include "denhartog/answer/certify.hpp"
 #include "denhartog/model/coordinates.hpp"
+#include "denhartog/number/effort.hpp"
 #include "denhartog/stick_slip/event_errors.hpp"
 #include "denhartog/stick_slip/floquet.hpp"
 
@@ -40,7 +42,10 @@ public:
         return found ? std::optional(solver.end_of(*found)) : std::nullopt;
     }
 
+    // In more digits than those of double a state is paid for: a mass takes hundreds of them where its extremum is not found.
     State<T> at(T tau) {
+        if constexpr (!std::floating_point<T>)
+            QuestionEffort::pay(static_cast<long>(solver.system().basis.r_n.size()) * cost_of_mode<T>());
         bool mirrored = false;
         for (; tau < 0; tau += stretch) mirrored = mirrors && !mirrored;
         for (; tau > stretch; tau -= stretch) mirrored = mirrors && !mirrored;

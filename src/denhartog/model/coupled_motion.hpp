@@ -40,7 +40,7 @@ public:
     /// @param A       the system
     /// @param rate    no rate of it is faster: its entries over it are not much larger than 1 once its rows are scaled
     /// @param asked   what is asked of it
-    /// @param effort  what its exponentials spend; null: a fourth of it is the question's to pay
+    /// @param effort  what its exponentials spend; null: half of it is the question's to pay
     CoupledMotion(const Matrix<T>& A, const T& rate, Asked asked, Effort* const* effort);
 
     /// @brief Starts at t = 0. @param z the state

@@ -48,16 +48,17 @@ template <class T>
 /// @return the operations: of doubles many are done at a time
 template <class T>
 [[nodiscard]] constexpr long cost_of_products(long multiplications) {
-    return std::numeric_limits<T>::digits <= 64 ? multiplications / 512 : cost_of_mode<T>() * (multiplications / 64);
+    return std::numeric_limits<T>::digits <= 64 ? multiplications / 512 : cost_of_mode<T>() * multiplications / 128;
 }
 
-/// @brief The budget of a question where none is asked for: about two seconds for twelve modes and fewer, for more so much longer as
-/// they are more, and what it takes to find them twice in 50 digits.
+/// @brief The budget of a question where none is asked for: about two seconds for twelve modes and fewer, half a minute for a hundred.
+/// Up to there it grows as products of matrices do that a motion with stops takes in 50 digits; what it takes to find the modes
+/// twice in these comes on top.
 /// @param modes  number of modes
 /// @return       the operations
 [[nodiscard]] constexpr long default_effort(std::size_t modes) {
-    const auto N = static_cast<long>(std::max<std::size_t>(modes, 12));
-    return 10'000'000 / 12 * N + 4 * (N * N * N - 12 * 12 * 12);
+    const auto N = static_cast<long>(std::max<std::size_t>(modes, 12)), of_modes = 10'000'000 / 12 * N;
+    return std::max(of_modes, std::min(of_modes * (8 + N) / 20, 450'000'000L)) + 4 * (N * N * N - 12 * 12 * 12);
 }
 
 /// @brief The budget of all that this thread does for one question, until the end of the scope. Scopes may be nested: the
@@ -96,12 +97,12 @@ public:
         if (current()->effort_.exhausted()) throw PrecisionError(current()->effort_.ending());
     }
 
-    /// @brief Spends of that budget what products of matrices cost: a fourth, so that 50 digits are within the budget of 100 masses.
+    /// @brief Spends of that budget what products of matrices cost: half, so that 50 digits are within the budget of 100 masses.
     /// @param multiplications  in them, all told
     /// @throws PrecisionError where nothing is left of it
     template <class T>
     static void pay_for_products(long multiplications) {
-        pay(cost_of_products<T>(multiplications) / 4);
+        pay(cost_of_products<T>(multiplications) / 2);
     }
 
 private:
