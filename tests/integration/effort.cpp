@@ -149,6 +149,34 @@ TEST_CASE("finding modes is paid for, and ends where nothing is left to pay or s
     });
 }
 
+TEST_CASE("many masses with stops have their digits, or the answer says that the work is spent",
+          "[effort][solve][exact-solver]") {
+    const auto building = [](std::size_t N) {
+        const std::vector<double> same(N, 1);
+        Scene<double> scene;
+        scene.system = chain_of(same, same, 0.01, 3, 1);
+        scene.r = 0.5;
+        scene.beta = 0.3;
+        return scene_source(scene);
+    };
+    const Solution found = solve(building(40), {.digits = 20});
+    CHECK(found.digits_reached);
+    CHECK(found.stops.size() == 2);
+    int answered = 0;
+    for (const long allowed : {6'000'000L, 8'000'000L, 9'200'000L, 10'000'000L, 12'000'000L, 20'000'000L}) {
+        const QuestionEffort effort(24, allowed);
+        try {
+            const bool reached = solve(building(24), {.digits = 20}).digits_reached;
+            CHECK(reached);
+            ++answered;
+        } catch (const PrecisionError& e) {
+            CHECK_THAT(e.what(), Catch::Contains("the work allowed is spent"));
+        }
+        CHECK(effort.spent() < allowed + 2'000'000);
+    }
+    CHECK(answered > 0);
+}
+
 TEST_CASE("a question has one budget for all its searches, and the outermost scope counts", "[effort]") {
     {
         const QuestionEffort question(3, 1000);
