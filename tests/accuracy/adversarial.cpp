@@ -3,19 +3,25 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
+#include "denhartog/answer/scene_source.hpp"
+#include "denhartog/answer/sliding_solution.hpp"
 #include "denhartog/denhartog.hpp"
-#include "tests/speed_accuracy/answer_numbers.hpp"
+#include "denhartog/solve/solve.hpp"
 #include "tests/catch.hpp"
+#include "tests/speed_accuracy/answer_numbers.hpp"
 
 using namespace denhartog;
 using namespace denhartog::tests;
 
 namespace {
 
-AdversarialSurvey sample(std::size_t scenes, std::uint64_t seed, bool questions, const AdversarialRange& range = mild) {
+AdversarialSurvey sample(std::size_t scenes, std::uint64_t seed, bool questions, const AdversarialRange& range = mild,
+                         std::optional<long> effort = {}) {
     AdversarialRun run;
+    run.effort = effort;
     run.scenes = scenes;
     run.seed = seed;
     run.range = range;
@@ -70,6 +76,39 @@ TEST_CASE("every question to seeded scenes is answered by finite numbers or refu
     CHECK(survey.most_eigen_solves <= 40);
     CHECK(survey.most_mode_evaluations <= 170);
     CHECK(most_phases(survey) <= 10000);
+}
+
+TEST_CASE("questions to scenes of every kind that may spend little are answered or refused, and spend little more",
+          "[accuracy]") {
+    const AdversarialSurvey survey = sample(60, 5, true, everything, 30'000);
+    check_without_faults(survey);
+    for (const auto& [question, most] : survey.most_spent) {
+        INFO(question << " at " << most.second);
+        CHECK(most.first <= 4'000'000);
+    }
+    CHECK(survey.most_spent.at("solve motion").first > 30'000);
+}
+
+TEST_CASE("beyond the range of a double no bound is zero, and none is no number", "[accuracy]") {
+    // A displacement of 6e-466 to 30 digits, which in double is zero, as is its bound.
+    const Scene<double> far_above = scene(
+        R"({"mass_ratios":[1.0,1.789610402734496],"stiffness_ratios":[1.0,0.4990863327169508],"damping_ratios":[2.87,2.87],)"
+        R"("contact":1,"load":1,"mu":1.0000013577459057,"r":4.017894362728896e+232,"beta":0.028313215995704195})");
+    const Solution sliding = sliding_solution(scene_source(far_above), {Asked::motion, 30});
+    CHECK(sliding.masses[0].amplitude.value == 0);
+    CHECK(sliding.masses[0].amplitude.error > 0);
+    CHECK(faults_of(sliding).empty());
+    // Friction of 7e299: squares of it overflow in the bound of where the contact rests.
+    for (const char* text :
+         {R"({"mass_ratios":[1.0],"stiffness_ratios":[1.0],"damping_ratios":[0.9999999999863517],"contact":1,"load":1,)"
+          R"("mu":179.9784218711654,"r":5.439988966263014e-70,"beta":6.696928794914171e+299})",
+          R"({"mass_ratios":[1.0],"stiffness_ratios":[1.0],"damping_ratios":[0.07058154281311652],"contact":1,"load":1,)"
+          R"("mu":1.0000000000000004,"r":2.627139795186739e-23,"beta":6.696928794914171e+299})"})
+        for (const bool all : {false, true}) {
+            const Solution held = solve(scene(text), {Asked::motion, {}, all});
+            CHECK(held.regime.regime == Regime::permanent_sticking);
+            for (const std::string& fault : faults_of(held)) FAIL_CHECK(fault);
+        }
 }
 
 TEST_CASE("answers of few digits and of many contradict each other in no number on seeded scenes", "[accuracy]") {

@@ -106,7 +106,7 @@ std::vector<std::string> faults_of(const std::vector<NamedNumber>& numbers) {
     std::vector<std::string> faults;
     for (const NamedNumber& n : numbers) {
         const auto fault = [&](const char* what) { faults.push_back(n.name + what); };
-        if (!std::isfinite(n.number.value)) fault(" is not finite");
+        if (!std::isfinite(n.number.value) && n.number.decimal.empty()) fault(" is not finite"); // else it is beyond a double
         if (n.number.value < 0 && !n.negative) fault(" is negative");
         if (!(n.number.error >= 0)) fault(" has a bound that is none");
         if (n.number.decimal.empty()) continue;

@@ -5,7 +5,9 @@
 /// computing twice. The first precision whose bounds leave the digits asked for answers.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -151,7 +153,9 @@ template <class T>
     if constexpr (!std::same_as<T, double>) {
         if (digits > most_digits_of_a_double && a.x - a.x == 0) {
             number.decimal = a.x == 0 ? "0" : a.x.str(digits - 1, std::ios_base::scientific);
-            number.error = static_cast<double>(T(a.e + size_of_number(T(T(number.decimal) - a.x)))) * (1 + unit_of<double>());
+            const T error = a.e + size_of_number(T(T(number.decimal) - a.x));
+            number.error = static_cast<double>(error) * (1 + unit_of<double>());
+            if (error > 0) number.error = std::max(number.error, std::numeric_limits<double>::denorm_min());
         }
     }
     return number;

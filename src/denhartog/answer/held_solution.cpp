@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "denhartog/answer/certify.hpp"
 #include "denhartog/model/coordinates.hpp"
@@ -179,7 +180,8 @@ HeldSolution held_solution(const Scene<T>& scene, const StuckConfiguration<T>& s
     const T to = rest_interval(stuck, response, scene.mu, *scene.beta).value_or(T(0));
     const Bounded<T> compliance = compliance_of(stuck);
     const T of_compliance = T(abs(T(compliance.x * stuck.k_contact - 1))) + compliance.e * stuck.k_contact;
-    const T error = errors.load * compliance.most() + abs(to) * (of_compliance + 4 * unit_of<T>());
+    T error = errors.load * compliance.most() + abs(to) * (of_compliance + 4 * unit_of<T>());
+    if (!(error >= 0)) error = std::numeric_limits<T>::infinity();
     solution.rest_interval = {certified(Bounded<T>(T(-to), error), digits), certified(Bounded<T>(to, error), digits),
                               std::nullopt};
     if (!(error - error == 0)) solution.relative = std::max(solution.relative, 1.0); // the stiffness is singular in this type

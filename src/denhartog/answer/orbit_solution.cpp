@@ -152,6 +152,13 @@ OrbitSolution orbit_solution(ExactSolver<T>& solver, const PeriodicOrbit<T>& orb
 }
 
 template <class T>
+std::optional<Certified> place_of_rest(const PeriodicOrbit<T>& orbit, Mass contact, int digits) {
+    const bool is_bounded = orbit.error_bound - orbit.error_bound == 0;
+    if (!is_bounded) return std::nullopt;
+    return certified(Bounded<T>(orbit.start.x[contact.index], orbit.error_bound), digits);
+}
+
+template <class T>
 Stability stability_of(const PeriodicOrbit<T>& orbit) {
     Stability stability{orbit.stable, {}};
     for (const std::complex<double>& each : orbit.multipliers) stability.multipliers.push_back(size_of(each));
@@ -160,6 +167,8 @@ Stability stability_of(const PeriodicOrbit<T>& orbit) {
 
 template OrbitSolution orbit_solution(ExactSolver<double>&, const PeriodicOrbit<double>&, int, std::optional<Mass>);
 template OrbitSolution orbit_solution(ExactSolver<Real50>&, const PeriodicOrbit<Real50>&, int, std::optional<Mass>);
+template std::optional<Certified> place_of_rest(const PeriodicOrbit<double>&, Mass, int);
+template std::optional<Certified> place_of_rest(const PeriodicOrbit<Real50>&, Mass, int);
 template Stability stability_of(const PeriodicOrbit<double>&);
 template Stability stability_of(const PeriodicOrbit<Real50>&);
 

@@ -32,6 +32,14 @@ template <class T>
 [[nodiscard]] OrbitSolution orbit_solution(ExactSolver<T>& solver, const PeriodicOrbit<T>& orbit, int digits,
                                            std::optional<Mass> only = std::nullopt);
 
+/// @brief Where the contact of an orbit rests.
+/// @param orbit    an orbit of permanent sticking
+/// @param contact  the mass in contact
+/// @param digits   significant digits asked for
+/// @return         its displacement; none without a finite bound of its error
+template <class T>
+[[nodiscard]] std::optional<Certified> place_of_rest(const PeriodicOrbit<T>& orbit, Mass contact, int digits);
+
 /// @brief Whether an orbit is the sliding motion of the closed form as far as its number type can tell. Its stops are left aside:
 /// next to the boundary they may be rounding.
 /// @param orbit  a periodic orbit

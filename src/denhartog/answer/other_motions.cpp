@@ -140,8 +140,7 @@ private:
             motion.masses = held.masses;
             if (std::isfinite(held.rest_interval.to.error)) { // where double gives one
                 motion.rest_interval = held.rest_interval;
-                motion.rest_interval->rests_at =
-                    certified(Bounded<double>(orbit.start.x[system.contact.index], orbit.error_bound), digits_by_default);
+                motion.rest_interval->rests_at = place_of_rest(orbit, system.contact, digits_by_default);
             }
         } else {
             const OrbitSolution found_orbit = orbit_solution(solver, orbit, digits_by_default);

@@ -151,9 +151,7 @@ NoAnswer answer_from_rest(const SolveTask& task, const ContactSystem<T>& system,
         answer_by_boundaries(task, "boundaries and exact solver", s);
         return {};
     }
-    if (rests)
-        answer_by_stuck_response(
-            task, certified(Bounded<T>(orbit.start.x[system.contact.index], orbit.error_bound), task.aim.digits), s);
+    if (rests) answer_by_stuck_response(task, place_of_rest(orbit, system.contact, task.aim.digits), s);
     if (task.question.asked == Asked::motion) s.stability = stability_of(orbit);
     return {};
 }
