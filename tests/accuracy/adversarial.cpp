@@ -111,6 +111,17 @@ TEST_CASE("beyond the range of a double no bound is zero, and none is no number"
         }
 }
 
+TEST_CASE("a single mass under a load that is a number moves as under that number times the unit load",
+          "[accuracy][exact-solver]") {
+    const std::string mass = R"({"mass_ratios":[1],"stiffness_ratios":[1],"damping_ratios":[0.5],"contact":1,"mu":1,"r":0.859,)";
+    const Solution unit = solve(scene(mass + R"("load":1,"beta":0.78125})"));
+    for (const char* load : {R"("load":[0.75],"beta":0.5859375})", R"("load":[-0.75],"beta":0.5859375})"}) {
+        const Solution found = solve(scene(mass + load));
+        CHECK(found.stops.size() == 2);
+        CHECK(found.masses[0].amplitude.value == Approx(0.75 * unit.masses[0].amplitude.value).epsilon(1e-12));
+    }
+}
+
 TEST_CASE("answers of few digits and of many contradict each other in no number on seeded scenes", "[accuracy]") {
     const AdversarialSurvey survey = sample(12, 3, false);
     check_without_contradictions(survey);

@@ -223,7 +223,7 @@ struct ContactPhases {
         return {zero->t, 0, 0, T(direction * along), true};
     }
 
-    /// @brief Where a sticking phase of a single mass ends: the load on it is cos tau - k_jj x_j, whose passage out of the cone
+    /// @brief Where a sticking phase of a single mass ends: the load on it is p cos tau - k_jj x_j, whose passage out of the cone
     /// is an arc cosine.
     /// @param tau     instant of the start
     /// @param length  length of the stretch that is left
@@ -234,9 +234,9 @@ struct ContactPhases {
         const T force = system->stuck.k_jj * x[0];
         Event<T> event{length, 0, 0, T(0), false};
         for (const int side : {1, -1}) {
-            const T y = force + side * holds;
+            const T y = (force + side * holds) / direct;
             if (!(y > -1 && y < 1)) continue;
-            const T passage = -side * acos(y);
+            const T passage = direct < 0 ? T(side * acos(y)) : T(-side * acos(y));
             const T t = std::max(T(0), T(passage + 2 * pi<T>() * ceil(T((tau - passage) / (2 * pi<T>()))) - tau));
             if (t < event.t) event = {t, side, e.mu == 1 ? 2 : 1, T(side * holds), true};
         }
