@@ -485,7 +485,8 @@ void AdversarialSurvey::add(AskedQuestion a) {
     }
     a.compared.clear();
     if (std::pair<long, std::string>& most = most_phases[a.question]; a.phases > most.first) most = {a.phases, a.json};
-    if (std::pair<long, std::string>& most = most_spent[a.question]; a.spent > most.first) most = {a.spent, a.json};
+    if (a.spent > 0)
+        if (std::pair<long, std::string>& most = most_spent[a.question]; a.spent > most.first) most = {a.spent, a.json};
     most_eigen_solves = std::max(most_eigen_solves, a.eigen_solves);
     most_mode_evaluations = std::max(most_mode_evaluations, a.mode_evaluations);
     if (dearest.size() == most_listed && a.seconds <= dearest.back().seconds) return;

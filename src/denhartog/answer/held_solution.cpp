@@ -181,10 +181,12 @@ HeldSolution held_solution(const Scene<T>& scene, const StuckConfiguration<T>& s
     const Bounded<T> compliance = compliance_of(stuck);
     const T of_compliance = T(abs(T(compliance.x * stuck.k_contact - 1))) + compliance.e * stuck.k_contact;
     T error = errors.load * compliance.most() + abs(to) * (of_compliance + 4 * unit_of<T>());
-    if (!(error >= 0)) error = std::numeric_limits<T>::infinity();
+    if (!(error - error == 0)) { // the stiffness is singular in this type
+        error = std::numeric_limits<T>::infinity();
+        solution.relative = std::max(solution.relative, 1.0);
+    }
     solution.rest_interval = {certified(Bounded<T>(T(-to), error), digits), certified(Bounded<T>(to, error), digits),
                               std::nullopt};
-    if (!(error - error == 0)) solution.relative = std::max(solution.relative, 1.0); // the stiffness is singular in this type
     if (digits <= most_digits_of_a_double && !std::isfinite(static_cast<double>(to)))
         throw PrecisionError("the interval of rest is beyond the range of a double; 16 digits and more are written as text");
     solution.sticking_by_88 = limit_by_88(scene, stuck, response, digits);
