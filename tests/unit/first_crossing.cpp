@@ -142,21 +142,26 @@ TEST_CASE("no crossing of a seeded sum of waves is missed that 100 000 instants 
 
 TEST_CASE("a function that changes faster than the number type can follow ends the search",
           "[unit][exact-solver][events][effort]") {
-    for (const double w : {1e19, 1e60, 1e200, std::numeric_limits<double>::infinity()}) {
-        Waves<double> f{1.5, {{1, w, 0}}};
+    const auto check = []<class T>(const T& w) {
+        Waves<T> f{T(1.5), {{T(1), w, T(0)}}};
         Effort effort{1000};
-        const auto counted = [&](const double& t) {
+        const auto counted = [&](const T& t) {
             effort.spend(1);
             return f(t);
         };
-        double step = 1;
-        const auto end = first_crossing(counted, 0.0, 10.0, 0, step, effort);
-        INFO("w = " << w << ", " << f.evaluations << " evaluations");
+        T step(1);
+        const auto end = first_crossing(counted, T(0), T(10), 0, step, effort);
+        INFO("w = " << static_cast<double>(w) << ", " << f.evaluations << " evaluations");
         REQUIRE(end);
         CHECK(end->open);
-        CHECK(end->t < 1e-3);
+        CHECK(end->t < T(1e-3));
         CHECK(f.evaluations <= 1001);
-    }
+    };
+    for (const double w : {1e19, 1e60, 1e200, std::numeric_limits<double>::infinity()}) check(w);
+    // From 0 on a wide type has 10^9 times as many steps as a double before it has none.
+    check(Real50("1e60"));
+    check(Real50("1e1000"));
+    check(std::numeric_limits<Real50>::infinity());
 }
 
 TEST_CASE("a search for a crossing ends where its effort is spent", "[unit][exact-solver][events][effort]") {

@@ -138,6 +138,7 @@ template <class T, class Function>
 [[nodiscard]] std::optional<Crossing<T>> first_crossing(Function& at, T t, const T& t_end, int order, T& step,
                                                         const Effort& effort) {
     const T shortest = 4 * std::numeric_limits<T>::epsilon() * std::max(T(1), t_end);
+    const T least((std::numeric_limits<double>::min)()); // from 0 on a wide type has steps without end below it
     Jet<T> jet = at(t);
     while (t < t_end) {
         if (order == 0 && jet.f[0] <= 0) return Crossing<T>{t, true};
@@ -145,7 +146,7 @@ template <class T, class Function>
         T h = std::min(step, T(t_end - t));
         for (;;) {
             const T next = t + h < t_end ? T(t + h) : t_end;
-            if (!(next > t) || h < (std::numeric_limits<T>::min)()) return Crossing<T>{t, false, true};
+            if (!(next > t) || h < least) return Crossing<T>{t, false, true};
             if (stays_positive(jet, order, h)) {
                 t = next;
                 step = 2 * h;
