@@ -43,8 +43,7 @@ std::vector<T> widened(const std::vector<double>& instants) {
 
 template <class T>
 Boundary<Bounded<T>> boundary_with(const ModeSums<Bounded<T>>& sums, const Bounded<T>& mu, const std::vector<T>& demands) {
-    const std::vector<Bounded<T>> instants = as_bounded(demands);
-    return boundary_at(sums, mu, instants.front(), std::vector<Bounded<T>>(instants.begin() + 1, instants.end()));
+    return boundary_at(sums, mu, Bounded<T>(demands.front()), std::vector<Bounded<T>>(demands.begin() + 1, demands.end()));
 }
 
 template <class T>
@@ -90,24 +89,55 @@ double error_of_masses(const SteadyState<Bounded<T>>& state, std::optional<Mass>
 template <class T>
 std::vector<T> errors_of_displacements(const SteadyState<Bounded<T>>& state) {
     std::vector<T> errors;
+    errors.reserve(state.masses.size());
     for (const MassResponse<Bounded<T>>& m : state.masses) errors.push_back(T(4 * std::max(m.x0.e, m.v0.e)));
     return errors;
 }
+
+// The searches for instants: on values without their bounds, which are set up when the first is asked for.
+template <class T>
+class Searches {
+public:
+    explicit Searches(const ModeSums<Bounded<T>>& sums) : sums_(sums) {}
+
+    std::vector<T> demands() {
+        if (largest_at_start(sums_)) return std::vector<T>(sums_.R.size() + 1, T(0));
+        return instants_of_demands(motions());
+    }
+    InstantsOfMaxima<T> maxima(const T& beta, std::optional<Mass> only, const std::vector<T>& errors) {
+        const std::size_t N = sums_.V.size();
+        const bool none = only ? *only == sums_.contact : N == 1; // the contact has its closed form
+        return none ? InstantsOfMaxima<T>{std::vector<T>(N, T(0)), std::vector<T>(N, T(0))}
+                    : instants_of_maxima(motions(), beta, only, errors);
+    }
+
+private:
+    FrictionMotions<T>& motions() {
+        if (!motions_) {
+            values_ = values_of(sums_);
+            motions_.emplace(values_);
+        }
+        return *motions_;
+    }
+
+    const ModeSums<Bounded<T>>& sums_;
+    ModeSums<T> values_;
+    std::optional<FrictionMotions<T>> motions_;
+};
 
 // The point with the instants known from a search on the values of `searched`: the sums themselves, or rounded to double.
 template <class T, class Searched>
 SlidingPoint<T> point_at(const Scene<T>& scene, const ModeSums<Bounded<T>>& sums, const PointWish& wish,
                          const std::optional<Boundary<Bounded<T>>>& without_coupling,
                          const ModeSums<Bounded<Searched>>& searched) {
-    const ModeSums<Searched> values = values_of(searched);
     const auto in_type = [](const std::vector<Searched>& instants) {
         if constexpr (std::same_as<T, Searched>)
             return instants;
         else
             return widened<T>(instants);
     };
-    FrictionMotions<Searched> motions(values);
-    const std::vector<Searched> demands = instants_of_demands(motions);
+    Searches<Searched> searches(searched);
+    const std::vector<Searched> demands = searches.demands();
     SlidingPoint<T> point{boundary_with(sums, as_input(scene.mu), in_type(demands)), std::nullopt, std::nullopt};
     Boundary<Bounded<T>>& b = point.boundary;
     if constexpr (!std::same_as<T, Searched>) { // a larger value elsewhere is larger by no more than the search could tell
@@ -125,7 +155,7 @@ SlidingPoint<T> point_at(const Scene<T>& scene, const ModeSums<Bounded<T>>& sums
     const Bounded<Searched> beta = as_input(static_cast<Searched>(*scene.beta));
     SteadyState<Bounded<Searched>> known = steady_state_without_maxima(searched, beta);
     const std::vector<Searched> errors = errors_of_displacements(known);
-    const InstantsOfMaxima<Searched> maxima = instants_of_maxima(motions, beta.x, wish.only, errors);
+    const InstantsOfMaxima<Searched> maxima = searches.maxima(beta.x, wish.only, errors);
     known = with_maxima(searched, std::move(known), as_bounded(maxima.instants), wish.only);
     if constexpr (std::same_as<T, Searched>) {
         point.state = std::move(known);

@@ -36,6 +36,7 @@ void write_point(const Scene<T>& scene, const SlidingPoint<T>& point, int digits
         other != regime_of(static_cast<const RegimeBoundary<Bounded<T>>&>(b), beta) ? std::optional(other) : std::nullopt;
     s.masses.clear();
     if (!point.state) return;
+    s.masses.reserve(point.state->masses.size());
     for (const MassResponse<Bounded<T>>& m : point.state->masses)
         s.masses.push_back(solved_mass(m, digits, asked == Asked::motion));
 }

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cmath>
 #include <type_traits>
+#include <utility>
 
 #include "denhartog/evaluation/batch_forms.hpp"
 #include "denhartog/evaluation/contact.hpp"
@@ -132,7 +133,7 @@ T instant_of_largest(FrictionMotions<T>& y, std::size_t first, const std::vector
 // Whether (57) of a mode is certain to be largest for tau -> 0, by numbers in double and with a margin for their rounding.
 template <class T>
 bool mode_is_largest_at_start(const ModeSums<T>& s, std::size_t i) {
-    const auto narrow = [](const T& x) { return static_cast<double>(x); };
+    const auto narrow = [](const T& x) { return static_cast<double>(ValueOf<T>::of(x)); };
     return evaluation::certainty_of_start(narrow(s.R[i]), narrow(s.zeta[i]), narrow(s.u[i]), narrow(s.g[i])) > 0;
 }
 
@@ -186,14 +187,16 @@ template <class T>
 T sliding_demand(const ModeSums<T>& s, const T& tau) {
     if (s.coupled) return coupled_demand(*s.coupled, s.contact, tau);
     std::vector<T> values;
+    values.reserve(s.R.size());
     for (std::size_t i = 0; i < s.R.size(); ++i) values.push_back(s_d(s, i, tau));
     return paper::sum_over_contact(mode_shapes_at(s, s.contact), std::span<const T>(values));
 }
 
 template <class T>
-Boundary<T> boundary_at(const ModeSums<T>& s, const T& mu, const T& instant, const std::vector<T>& instants) {
+Boundary<T> boundary_at(const ModeSums<T>& s, const T& mu, const T& instant, std::vector<T> instants) {
     check_static_friction(mu);
     std::vector<T> maxima;
+    maxima.reserve(s.R.size());
     for (std::size_t i = 0; i < s.R.size(); ++i) maxima.push_back(found_by_search(s_d(s, i, instants[i])));
     const std::size_t j = s.contact.index;
     const T held = static_demand(s, mu);
@@ -203,7 +206,7 @@ Boundary<T> boundary_at(const ModeSums<T>& s, const T& mu, const T& instant, con
     static_cast<RegimeBoundary<T>&>(b) = regime_boundary_at(s, mu, b.S_exact);
     b.S_paper = s.coupled ? b.S_exact : paper::sum_over_contact(mode_shapes_at(s, s.contact), std::span<const T>(maxima));
     b.instant = instant;
-    b.instants = instants;
+    b.instants = std::move(instants);
     b.paper = paper::friction_ratio_limit(V_dj, s.U[j], larger(b.S_paper, held));
     b.approximate = paper::friction_ratio_limit(V_dj, s.U[j], held);
     if (instant == 0)
@@ -214,16 +217,23 @@ Boundary<T> boundary_at(const ModeSums<T>& s, const T& mu, const T& instant, con
 }
 
 template <class T>
+bool largest_at_start(const ModeSums<T>& s) {
+    if (s.coupled) return false;
+    for (std::size_t i = 0; i < s.R.size(); ++i)
+        if (!mode_is_largest_at_start(s, i)) return false;
+    return true;
+}
+
+template <class T>
 T instant_of_largest_demand(FrictionMotions<T>& y) {
     const ModeSums<T>& s = y.sums();
     if (s.coupled) {
         ++searches;
         return instant_of_largest_demand_where_coupled(s);
     }
-    bool at_start = true;
-    for (std::size_t i = 0; i < s.R.size() && at_start; ++i) at_start = mode_is_largest_at_start(s, i);
-    if (at_start) return T(0);
+    if (largest_at_start(s)) return T(0);
     std::vector<T> squares;
+    squares.reserve(s.R.size());
     for (const T& psi_ji : mode_shapes_at(s, s.contact)) squares.push_back(psi_ji * psi_ji);
     return instant_of_largest(y, 0, squares);
 }
@@ -234,17 +244,9 @@ T instant_of_largest_demand(const ModeSums<T>& s) {
     return instant_of_largest_demand(y);
 }
 
-bool largest_at_start(const ModeSums<double>& s) {
-    if (s.coupled) return false;
-    for (std::size_t i = 0; i < s.R.size(); ++i)
-        if (!mode_is_largest_at_start(s, i)) return false;
-    return true;
-}
-
 RegimeBoundary<Bounded<double>> regime_boundary(const ModeSums<Bounded<double>>& s, const Bounded<double>& mu) {
     check_static_friction(mu);
-    const ModeSums<double> values = values_of(s);
-    const double instant = largest_at_start(values) ? 0 : instant_of_largest_demand(values);
+    const double instant = largest_at_start(s) ? 0 : instant_of_largest_demand(values_of(s));
     return regime_boundary_at(s, mu, found_by_search(sliding_demand(s, Bounded<double>(instant))));
 }
 
@@ -253,9 +255,11 @@ long demand_searches() { return searches; }
 template <class T>
 std::vector<T> instants_of_demands(FrictionMotions<T>& y) {
     const ModeSums<T>& s = y.sums();
-    std::vector<T> instants{instant_of_largest_demand(y)};
-    const auto of_mode = [&s](std::size_t i) {
-        FrictionMotions<T> alone(s, i, i + 1);
+    std::vector<T> instants;
+    instants.reserve(s.R.size() + 1);
+    instants.push_back(instant_of_largest_demand(y));
+    const auto of_mode = [&y](std::size_t i) {
+        FrictionMotions<T> alone(y, i);
         return instant_of_largest(alone, i, std::vector<T>{T(1)});
     };
     for (std::size_t i = 0; i < s.R.size(); ++i)
@@ -280,16 +284,20 @@ template Bounded<Real100> sliding_demand(const ModeSums<Bounded<Real100>>&, cons
 template double instant_of_largest_demand(const ModeSums<double>&);
 template Real50 instant_of_largest_demand(const ModeSums<Real50>&);
 template Real100 instant_of_largest_demand(const ModeSums<Real100>&);
+template bool largest_at_start(const ModeSums<double>&);
+template bool largest_at_start(const ModeSums<Bounded<double>>&);
+template bool largest_at_start(const ModeSums<Bounded<Real50>>&);
+template bool largest_at_start(const ModeSums<Bounded<Real100>>&);
 template std::vector<double> instants_of_demands(FrictionMotions<double>&);
 template std::vector<Real50> instants_of_demands(FrictionMotions<Real50>&);
 template std::vector<Real100> instants_of_demands(FrictionMotions<Real100>&);
-template Boundary<double> boundary_at(const ModeSums<double>&, const double&, const double&, const std::vector<double>&);
+template Boundary<double> boundary_at(const ModeSums<double>&, const double&, const double&, std::vector<double>);
 template Boundary<Bounded<double>> boundary_at(const ModeSums<Bounded<double>>&, const Bounded<double>&, const Bounded<double>&,
-                                               const std::vector<Bounded<double>>&);
+                                               std::vector<Bounded<double>>);
 template Boundary<Bounded<Real50>> boundary_at(const ModeSums<Bounded<Real50>>&, const Bounded<Real50>&, const Bounded<Real50>&,
-                                               const std::vector<Bounded<Real50>>&);
+                                               std::vector<Bounded<Real50>>);
 template Boundary<Bounded<Real100>> boundary_at(const ModeSums<Bounded<Real100>>&, const Bounded<Real100>&,
-                                                const Bounded<Real100>&, const std::vector<Bounded<Real100>>&);
+                                                const Bounded<Real100>&, std::vector<Bounded<Real100>>);
 template Boundary<double> boundary(const ModeSums<double>&, const double&);
 template Boundary<Real50> boundary(const ModeSums<Real50>&, const Real50&);
 template Boundary<Real100> boundary(const ModeSums<Real100>&, const Real100&);

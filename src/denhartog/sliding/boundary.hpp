@@ -58,7 +58,8 @@ template <class T>
 /// @eq{57,71}
 /// @param sums  modes at a frequency ratio
 /// @return      true where it is certain; false says nothing
-[[nodiscard]] bool largest_at_start(const ModeSums<double>& sums);
+template <class T>
+[[nodiscard]] bool largest_at_start(const ModeSums<T>& sums);
 
 /// @brief Where the sum over the modes of (57)'s expression is largest, guaranteed by `global_maximum`.
 /// @eq{56,57}
@@ -79,7 +80,7 @@ template <class T>
 /// @param instants  where the expression (57) of each mode is largest; N values
 /// @return          the boundary
 template <class T>
-[[nodiscard]] Boundary<T> boundary_at(const ModeSums<T>& sums, const T& mu, const T& instant, const std::vector<T>& instants);
+[[nodiscard]] Boundary<T> boundary_at(const ModeSums<T>& sums, const T& mu, const T& instant, std::vector<T> instants);
 
 /// @brief Sum over the modes of (57)'s expression at an instant, the limits at 0 and pi included.
 /// @eq{56,57,71}

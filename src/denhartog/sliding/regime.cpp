@@ -63,8 +63,9 @@ RegimeAtPoint regime_at(const Boundary<T>& b, const T& beta, const BoundaryError
     RegimeAtPoint point;
     point.regime = regime_of(b, beta);
     if (point.regime == Regime::continuous) {
-        point.reason = "beta = " + text(beta) + " is below beta_lim = " + text(b.exact, error.exact) +
-                       ", Eq. (69): the contact " + (can_rest ? "can slide" : "slides") + " throughout";
+        point.reason.reserve(128); // at once: the everyday answer
+        point.reason.append("beta = ").append(text(beta)).append(" is below beta_lim = ").append(text(b.exact, error.exact));
+        point.reason.append(", Eq. (69): the contact ").append(can_rest ? "can slide" : "slides").append(" throughout");
         if (can_rest) {
             point.other.push_back(Regime::permanent_sticking);
             point.reason += "; it can also rest for ever, because beta is not below " + text(*b.sticking, error.sticking);

@@ -149,6 +149,7 @@ SteadyState<T> steady_state_without_maxima(const ModeSums<T>& s, const T& beta) 
     state.X_j = evaluation::displacement_transmissibility_of_contact(s.V[j], s.U[j], s.G[j], beta);
     if (!(state.X_j >= 0)) throw DomainError("beta lies beyond the sliding regime: the amplitude (38) is not a positive number");
     state.phi_j = wrapped(evaluation::phase_of_contact(s.V[j], s.U[j], beta));
+    state.masses.reserve(s.V.size());
     for (std::size_t k = 0; k < s.V.size(); ++k) {
         MassResponse<T> m{};
         if (k == j) {

@@ -55,18 +55,17 @@ public:
     TruncatedModes(const Scene<double>& scene, BoundedModes<double>& evaluated_, int digits, bool phases_,
                    std::optional<Mass> only_)
         : j(scene.system.contact.index), l(scene.system.load.index), beta(as_input(*scene.beta)), evaluated(evaluated_),
-          basis(evaluated.basis()), contact(contact_modes(evaluated.shared_basis(), scene.system.contact, scene.system.load)),
-          tolerance(tolerance_of(digits)), phases(phases_), only(only_) {
-        const bool others = N() > 1 && !(only && only->index == j);
-        for (std::size_t i = 0; i < N(); ++i) {
-            const Bounded<double> R = evaluated.r() / basis.r_n[i];
-            functions.push_back(static_mode_functions(R.x, basis.zeta[i].x));
-            if (others) harmonics.push_back(harmonics_of(R, basis.zeta[i].x));
-        }
-    }
+          basis(evaluated.basis()), tolerance(tolerance_of(digits)), phases(phases_), only(only_) {}
 
     std::optional<TruncatedModesSolution> answer() {
-        if (!harmonics.empty() && leaves_out_too_much(only ? only->index : j == 0 ? 1 : 0)) return std::nullopt;
+        if (N() > 1 && !(only && only->index == j)) {
+            harmonics.reserve(N());
+            for (std::size_t i = 0; i < N(); ++i) harmonics.push_back(harmonics_of(ratio(i), basis.zeta[i].x));
+            if (leaves_out_too_much(only ? only->index : j == 0 ? 1 : 0)) return std::nullopt;
+        }
+        contact = contact_modes(evaluated.shared_basis(), Mass{j}, Mass{l});
+        functions.reserve(N());
+        for (std::size_t i = 0; i < N(); ++i) functions.push_back(static_mode_functions(ratio(i).x, basis.zeta[i].x));
         const std::vector<std::size_t> order = by_importance();
         std::size_t done = 0;
         for (std::size_t next = 1; done < N(); next *= 2) {
@@ -81,27 +80,30 @@ public:
 private:
     [[nodiscard]] std::size_t N() const { return basis.r_n.size(); }
 
-    // psi_k psi_m R^2 of every mode.
+    [[nodiscard]] Bounded<double> ratio(std::size_t i) const { return evaluated.r() / basis.r_n[i]; }
+
+    // psi_k psi_m R^2 of a mode.
+    [[nodiscard]] Bounded<double> weight(std::size_t i, std::size_t k, std::size_t m) const {
+        const auto column = static_cast<Eigen::Index>(i);
+        return evaluation::array_weights(basis.phi(static_cast<Eigen::Index>(k), column),
+                                         basis.phi(static_cast<Eigen::Index>(m), column), basis.r_n[i], basis.zeta[i])
+            .load;
+    }
     [[nodiscard]] std::vector<Bounded<double>> weights(std::size_t k, std::size_t m) const {
         std::vector<Bounded<double>> all;
-        for (std::size_t i = 0; i < N(); ++i) {
-            const auto column = static_cast<Eigen::Index>(i);
-            const auto of_mode =
-                evaluation::array_weights(basis.phi(static_cast<Eigen::Index>(k), column),
-                                          basis.phi(static_cast<Eigen::Index>(m), column), basis.r_n[i], basis.zeta[i]);
-            all.push_back(of_mode.load);
-        }
+        all.reserve(N());
+        for (std::size_t i = 0; i < N(); ++i) all.push_back(weight(i, k, m));
         return all;
     }
 
     // Whether the higher harmonics of a mass not in contact are too large beside all that its amplitude can be. More modes will not
     // make them smaller.
     [[nodiscard]] bool leaves_out_too_much(std::size_t k) const {
-        const std::vector<Bounded<double>> of_friction = weights(k, j), of_load = weights(k, l);
         double left_out = 0, most = 0;
         for (std::size_t i = 0; i < N(); ++i) {
-            left_out += of_friction[i].least() * harmonics[i].displacement;
-            most += (of_load[i].most() + 4 / std::numbers::pi * beta.most() * of_friction[i].most()) * harmonics[i].response;
+            const Bounded<double> of_friction = weight(i, k, j);
+            left_out += of_friction.least() * harmonics[i].displacement;
+            most += (weight(i, k, l).most() + 4 / std::numbers::pi * beta.most() * of_friction.most()) * harmonics[i].response;
         }
         return beta.least() * left_out > tolerance * much_larger * most;
     }
@@ -166,7 +168,8 @@ private:
             return false;
         }
         const double turn = velocity_left_out / (amplitude.x - amplitude.e);
-        const double phase_error = turn < 1 ? phase.e + elementary::asin(turn) : std::numbers::pi;
+        const double phase_error =
+            turn < 1 ? phase.e + elementary::atan2(turn, std::sqrt((1 - turn) * (1 + turn))) : std::numbers::pi;
         if (phases && !(phase_error <= tolerance)) return false;
         all.masses.push_back({{amplitude.x, error, {}}, Certified{wrapped(phase.x), phase_error, {}}, std::nullopt});
         all.relative = std::max({all.relative, error / amplitude.x, phases ? phase_error : 0});

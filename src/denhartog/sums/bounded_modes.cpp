@@ -27,6 +27,7 @@ constexpr int units_of_form = 4; // elsewhere they are good to what that many un
 template <class T>
 std::vector<T> reach_of_masses(const System<T>& system, const ModalBasis<T>& basis, const std::vector<Mass>* masses) {
     std::vector<T> reach;
+    reach.reserve(static_cast<std::size_t>(basis.phi.rows()));
     for (Eigen::Index row = 0; row < basis.phi.rows(); ++row) {
         const std::size_t k = masses ? (*masses)[static_cast<std::size_t>(row)].index : static_cast<std::size_t>(row);
         reach.push_back(k < system.mass_ratios.size() ? T(1 / sqrt(system.mass_ratios[k])) : T(basis.phi.row(row).norm()));
@@ -67,8 +68,11 @@ ModalBasis<Bounded<T>> bounded(const System<T>& system, const ModalBasis<T>& bas
     const Matrix<T> further = further_displacements(system.coordinates).cwiseAbs();
     ModalBasis<Bounded<T>> bounded;
     bounded.phi.resize(basis.phi.rows(), static_cast<Eigen::Index>(N));
+    bounded.r_n.reserve(N);
+    bounded.zeta.reserve(N);
     const std::vector<T> reach = reach_of_masses(system, basis, masses);
     const T of_matrix = unit * highest * highest * condition_of_masses(system, reach);
+    Eigen::Matrix<T, Eigen::Dynamic, 1> sizes, errors(basis.phi.rows());
     for (std::size_t i = 0; i < N; ++i) {
         const T r_n = basis.r_n[i];
         const T of_square = chain ? T(2 * unit * of_springs * r_n * r_n) : of_matrix; // error of the squared frequency
@@ -81,8 +85,7 @@ ModalBasis<Bounded<T>> bounded(const System<T>& system, const ModalBasis<T>& bas
         }
         const T turn = min(T(1), N == 1 ? unit : T(of_square / nearest + unit));
         const auto column = static_cast<Eigen::Index>(i);
-        const Eigen::Matrix<T, Eigen::Dynamic, 1> sizes = basis.phi.col(column).cwiseAbs();
-        Eigen::Matrix<T, Eigen::Dynamic, 1> errors(sizes.size());
+        sizes = basis.phi.col(column).cwiseAbs();
         for (Eigen::Index row = 0; row < errors.size(); ++row) {
             errors(row) = turn * reach[static_cast<std::size_t>(row)];
             if (const Eigen::Index n = row - static_cast<Eigen::Index>(N); n >= 0) // a sum over the masses, which may cancel

@@ -28,8 +28,8 @@ std::vector<evaluation::FrictionMotion<T>> friction_motions(const ModeSums<T>& s
 }
 
 template <class T>
-FrictionMotions<T>::FrictionMotions(const ModeSums<T>& sums, std::size_t first_, std::size_t last_)
-    : sums_(sums), first(first_), last(last_) {
+FrictionMotions<T>::FrictionMotions(const ModeSums<T>& sums) : sums_(sums), first(0), last(sums.R.size()) {
+    c.reserve(last);
     for (std::size_t i = first; i < last; ++i) {
         const T& zeta = sums.zeta[i];
         if (zeta >= 1) {
@@ -40,6 +40,28 @@ FrictionMotions<T>::FrictionMotions(const ModeSums<T>& sums, std::size_t first_,
         const T sine = (cosine * zeta + sums.u[i] * sums.R[i]) / sums.w[i];
         c.push_back(modulus(Complex<T>{cosine, sine}));
     }
+}
+
+template <class T>
+FrictionMotions<T>::FrictionMotions(const FrictionMotions& all_, std::size_t mode)
+    : sums_(all_.sums_), all(&all_), first(mode), last(mode + 1), c{all_.c[mode]} {}
+
+template <class T>
+FrictionMotionsAt<T> FrictionMotions<T>::evaluated(const T& tau) {
+    FrictionMotionsAt<T> at{T(0), T(0), std::pmr::vector<evaluation::FrictionMotion<T>>(&memory), std::pmr::vector<T>(&memory)};
+    if (all != nullptr) {
+        if (const auto seen = all->known.find(tau); seen != all->known.end()) {
+            at.cosine = seen->second.cosine;
+            at.sine = seen->second.sine;
+            at.y.push_back(seen->second.y[first]);
+            return at;
+        }
+    }
+    const SineCosine<T> turned = sine_cosine(tau);
+    at.cosine = turned.c;
+    at.sine = turned.s;
+    add_friction_motions(sums_, tau, first, last, at.y);
+    return at;
 }
 
 template <class T>
@@ -60,11 +82,7 @@ const FrictionMotionsAt<T>& FrictionMotions<T>::at(const T& tau, bool sizes) {
             memory.release();
             place = known.end();
         }
-        const SineCosine<T> turned = sine_cosine(tau);
-        FrictionMotionsAt<T> braces{turned.c, turned.s, std::pmr::vector<evaluation::FrictionMotion<T>>(&memory),
-                                    std::pmr::vector<T>(&memory)};
-        add_friction_motions(sums_, tau, first, last, braces.y);
-        place = known.emplace_hint(place, tau, std::move(braces));
+        place = known.emplace_hint(place, tau, evaluated(tau));
     }
     FrictionMotionsAt<T>& now = place->second;
     if (!sizes || !now.size.empty()) return now;

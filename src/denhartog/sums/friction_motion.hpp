@@ -32,13 +32,13 @@ struct FrictionMotionsAt {
 template <class T>
 class FrictionMotions {
 public:
-    /// @param sums   modes at a frequency ratio; must outlive the object
-    /// @param first  the first mode of the range
-    /// @param last   one past the last mode of the range
-    FrictionMotions(const ModeSums<T>& sums, std::size_t first, std::size_t last);
-
     /// @brief Of all modes. @param sums modes at a frequency ratio; must outlive the object
-    explicit FrictionMotions(const ModeSums<T>& sums) : FrictionMotions(sums, 0, sums.R.size()) {}
+    explicit FrictionMotions(const ModeSums<T>& sums);
+
+    /// @brief Of one mode, which is not evaluated again at instants that are remembered of all.
+    /// @param all   of all modes; must outlive the object
+    /// @param mode  the mode
+    FrictionMotions(const FrictionMotions& all, std::size_t mode);
 
     /// @brief Braces and derivatives at an instant.
     /// @param tau    non-dimensional time in [0, pi]
@@ -54,12 +54,14 @@ public:
 
 private:
     const ModeSums<T>& sums_;
+    const FrictionMotions* all = nullptr; // where the range is one mode of these
     std::size_t first, last;
     std::vector<T> c;
     std::array<std::byte, 16384> first_memory; // holds what a search over a few modes asks for
     std::pmr::monotonic_buffer_resource memory{first_memory.data(), first_memory.size()};
     std::pmr::map<T, FrictionMotionsAt<T>> known{&memory};
 
+    [[nodiscard]] FrictionMotionsAt<T> evaluated(const T& tau);
     [[nodiscard]] T size_of(const evaluation::FrictionMotion<T>& y, std::size_t i, const T& tau) const;
 };
 
