@@ -2,8 +2,8 @@
 """Builds the elementary functions with every compiler that is here, and compares the bits of what they give.
 
 The ways: GCC and Clang, with and without optimisation, and for the processor at hand, whose fused products and wide vectors a compiler may
-then take; the code paths that glibc takes on an older processor; and 64-bit Arm, under an emulator, where its compiler and qemu are
-installed. Two twins must be found out: products that the compiler may fuse, where the processor can, and the system's exponential.
+then take; without fused products; the code paths that glibc takes on an older processor; and, where qemu is installed, under an emulator:
+a processor that has no fused products, and 64-bit Arm. Two twins must be found out: products that the compiler may fuse, where the processor can, and the system's exponential.
 Usage: compilers.py [--record FILE] FOLDER COMPILER; FOLDER takes the programs, COMPILER is the first.
 """
 import argparse
@@ -24,6 +24,10 @@ OLDER = {"GLIBC_TUNABLES": "glibc.cpu.hwcaps=-AVX2,-FMA,-AVX512F"}
 
 def version(compiler):
     return subprocess.run([compiler, "--version"], capture_output=True, text=True, check=True).stdout.splitlines()[0]
+
+
+def emulator_of(processor):
+    return shutil.which(f"qemu-{processor}") or shutil.which(f"qemu-{processor}-static")
 
 
 def processor_has_fma():
@@ -80,13 +84,18 @@ def main():
     compare("the same, -O0", lines_of(programs.make(given.compiler, ["-O0", strict])))
     native = ["-O3", "-march=native", strict]
     compare("the same, -O3 -march=native", lines_of(programs.make(given.compiler, native)))
+    compare("the same, -O2, without fused products", lines_of(programs.make(given.compiler, ["-O2", strict, "-DDENHARTOG_WITHOUT_FUSED_PRODUCT"])))
+    older = emulator_of("x86_64")
+    if older:
+        compare("the same, -O2, under qemu-x86_64 -cpu Nehalem",
+                lines_of([older, "-cpu", "Nehalem", *programs.make(given.compiler, ["-O2", "-static", strict])]))
     clang = shutil.which("clang++")
     if clang:
         compare(f"{version(clang)}, -O2", lines_of(programs.make(clang, ["-O2", strict])))
         compare("the same, -O3 -march=native", lines_of(programs.make(clang, native)))
     else:
         print("no clang++: not compared")
-    arm, emulator = shutil.which("aarch64-linux-gnu-g++"), shutil.which("qemu-aarch64") or shutil.which("qemu-aarch64-static")
+    arm, emulator = shutil.which("aarch64-linux-gnu-g++"), emulator_of("aarch64")
     if arm and emulator:
         compare(f"{version(arm)}, -O2, under {Path(emulator).name}",
                 lines_of([emulator, *programs.make(arm, ["-O2", "-static", strict])]))

@@ -124,8 +124,6 @@ int main() {
     show("sin of half turns", elementary::sine_of_half_turns);
     show("cos of half turns", elementary::cosine_of_half_turns);
     show("atan", elementary::atan);
-    show("asin", elementary::asin);
-    show("acos", elementary::acos);
     show_of_two("atan2", elementary::atan2);
     show_of_two("hypot", elementary::hypot);
     show_of_pairs("sums of two doubles", [](const DoubleDouble& a, const DoubleDouble& b) { return a + b; });

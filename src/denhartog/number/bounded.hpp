@@ -26,7 +26,7 @@ template <class T>
     const T root = sqrt(a.x);
     const T error = a.x > 4 * a.e ? T(a.e / (root + sqrt(T(a.x - a.e)))) : sqrt(T(a.x + a.e));
     if constexpr (std::floating_point<T>)
-        return Bounded<T>::of(root, error, root > 0 ? std::abs(std::fma(-root, root, a.x)) / root : 0);
+        return Bounded<T>::of(root, error, root > 0 ? std::abs(elementary::fused_product(-root, root, a.x)) / root : 0);
     else
         return Bounded<T>::rounded_correctly(root, error);
 }

@@ -13,6 +13,7 @@
 #include <concepts>
 #include <limits>
 
+#include "denhartog/number/exact_arithmetic.hpp"
 #include "denhartog/number/number.hpp"
 
 namespace denhartog {
@@ -108,7 +109,8 @@ struct Bounded {
     [[nodiscard, gnu::always_inline]] friend Bounded operator*(const Bounded& a, const Bounded& b) {
         if constexpr (std::floating_point<T>) {
             const T product = a.x * b.x;
-            return of(product, std::abs(a.x) * b.e + std::abs(b.x) * a.e + a.e * b.e, std::abs(std::fma(a.x, b.x, -product)));
+            return of(product, std::abs(a.x) * b.e + std::abs(b.x) * a.e + a.e * b.e,
+                      std::abs(elementary::fused_product(a.x, b.x, -product)));
         } else {
             return wide_product(a, b);
         }
@@ -118,7 +120,7 @@ struct Bounded {
         if constexpr (std::floating_point<T>) {
             const T q = a.x / b.x, least = std::abs(b.x) - b.e;
             return of(q, least > 0 ? (a.e + std::abs(q) * b.e) / least : std::numeric_limits<T>::infinity(),
-                      std::abs(std::fma(-q, b.x, a.x) / b.x));
+                      std::abs(elementary::fused_product(-q, b.x, a.x) / b.x));
         } else {
             return wide_quotient(a, b);
         }

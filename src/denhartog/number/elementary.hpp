@@ -51,10 +51,6 @@ namespace denhartog::elementary {
 [[nodiscard, gnu::const]] double atan2(double y, double x) noexcept;
 /// @brief Arc tangent. @param x a number @return radians, from -pi / 2 to pi / 2
 [[nodiscard, gnu::const]] double atan(double x) noexcept;
-/// @brief Arc sine. @param x a number from -1 to 1 @return radians, from -pi / 2 to pi / 2
-[[nodiscard, gnu::const]] double asin(double x) noexcept;
-/// @brief Arc cosine. @param x a number from -1 to 1 @return radians, from 0 to pi
-[[nodiscard, gnu::const]] double acos(double x) noexcept;
 /// @brief Length of (x, y). @param x a number @param y a number @return sqrt(x^2 + y^2), neither square beyond the range
 [[nodiscard, gnu::const]] double hypot(double x, double y) noexcept;
 

@@ -54,14 +54,14 @@ ReducedAngle reduce_by_all_bits(double x) {
     }
     const double first = static_cast<double>(a >> 11U), second = static_cast<double>((a & 2047U) << 42U | b >> 22U);
     const double unit = power_of_two(-53 - zeros - leading), high = first * unit, low = second * unit * 0x1p-53;
-    const Parts whole = exact_product(high, step_high);
+    const Parts whole = exact_product_in_range(high, step_high);
     const double rest = whole.low + (high * step_low + low * step_high);
     const double sign = over != (bits >> 63U != 0) ? -1 : 1;
     return {bits >> 63U != 0 ? -n : n, sign * whole.high, sign * rest};
 }
 
 Parts beyond_multiple(double k, double first, double low) {
-    const Parts third = exact_product(k, step_third), beyond = exact_sum(first, -third.high);
+    const Parts third = exact_product_in_range(k, step_third), beyond = exact_sum(first, -third.high);
     return exact_sum(beyond.high, beyond.low - (third.low + (k * step_fourth - low)));
 }
 
@@ -77,7 +77,7 @@ bool is_finite(double x) { return x - x == 0; }
 // The angle of (x, y), both positive, y not above x and not below 2^-60 x, within the range where products are exact.
 [[gnu::always_inline]] inline Parts angle_in_first_octant(const Parts& y, const Parts& x) {
     const double by_x = 1 / x.high, slope = y.high * by_x;
-    const Parts back = exact_product(slope, x.high);
+    const Parts back = exact_product_in_range(slope, x.high);
     return expanded(arc_tangents, slope, (((y.high - back.high) - back.low) + (y.low - slope * x.low)) * by_x);
 }
 
@@ -103,15 +103,6 @@ Parts angle_of(Parts y, Parts x) {
     }
     if (steep || left) angle = from_half_turns(steep ? 0.5 : 1, steep == left ? 1 : -1, angle);
     return below ? Parts{-angle.high, -angle.low} : angle;
-}
-
-// Twice the arc sine of the root of (1 - x) / 2, which is the arc cosine of x. @param x from 1/2 to 1
-Parts angle_beside_one(double x) {
-    const double square = (1 - x) / 2, root = std::sqrt(square);
-    const Parts back = exact_product(root, root);
-    const double by_root = root * (0.5 / (square + 0x1p-200)); // which does not wait for the root, and is zero for x = 1
-    const Parts half = expanded(arc_sines, root, ((square - back.high) - back.low) * by_root);
-    return {2 * half.high, 2 * half.low};
 }
 
 } // namespace
@@ -173,26 +164,6 @@ double atan(double x) noexcept {
     if (!(size < 0x1p60)) return size == size ? std::copysign(pi_high / 2, x) : no_number;
     const Parts angle = from_half_turns(0.5, -1, angle_in_first_octant({1, 0}, {size, 0}));
     return std::copysign(angle.high + angle.low, x);
-}
-
-double asin(double x) noexcept {
-    const double size = std::fabs(x);
-    if (!(size <= 1)) return no_number;
-    const Parts angle = size <= 0.5 ? expanded(arc_sines, size, 0) : from_half_turns(0.5, -1, angle_beside_one(size));
-    return std::copysign(angle.high + angle.low, x);
-}
-
-double acos(double x) noexcept {
-    const double size = std::fabs(x);
-    if (!(size <= 1)) return no_number;
-    Parts angle;
-    if (size <= 0.5) {
-        angle = from_half_turns(0.5, x < 0 ? 1 : -1, expanded(arc_sines, size, 0));
-    } else {
-        angle = angle_beside_one(size);
-        if (x < 0) angle = from_half_turns(1, -1, angle);
-    }
-    return angle.high + angle.low;
 }
 
 // The root and, from the exact difference to the larger or the smaller side, what it lacks: Borges, ACM Transactions on

@@ -49,12 +49,12 @@ Parts exponential_below_overflow(double x) {
     const Logarithm& at = logarithms[bits >> 45U & 127U];
     // The product of 35 bits less 1 has none below 2^-35, far above the last of the other: the sum is exact as if it were the
     // larger.
-    const Parts r = ordered_sum(first * at.inverse - 1, (m - first) * at.inverse);
-    const double R = r.high, z = R * R;
+    const double larger = first * at.inverse - 1, smaller = (m - first) * at.inverse;
+    const double R = has_fused_product ? fused_product(m, at.inverse, -1) : larger + smaller, z = R * R;
     const double series =
-        (-1.0 / 2 + R * (1.0 / 3)) + z * ((-1.0 / 4 + R * (1.0 / 5)) + z * ((-1.0 / 6 + R * (1.0 / 7)) - z * (1.0 / 8)));
+        ((-1.0 / 2 + R * (1.0 / 3)) + z * (-1.0 / 4 + R * (1.0 / 5))) + z * z * ((-1.0 / 6 + R * (1.0 / 7)) - z * (1.0 / 8));
     const Parts head = ordered_sum(k * ln_2_high + at.high, R);
-    return {head.high, head.low + ((k * ln_2_low + at.low) + (r.low + z * series))};
+    return {head.high, (head.low + ((k * ln_2_low + at.low) + (smaller - (R - larger)))) + z * series};
 }
 
 constexpr std::uint64_t least_normal = 0x0010000000000000U, of_infinity = 0x7ff0000000000000U;
@@ -76,7 +76,8 @@ double exp(double x) noexcept {
     if (!(std::fabs(x) < 600)) [[unlikely]]
         return exponential_far_out(x, 0, 0).high;
     const TakenApart e = short_exponential(x);
-    return (e.t + e.t * (e.r + e.s)) * power_of_two(e.m);
+    const double scaled = e.t * power_of_two(e.m);
+    return scaled + scaled * (e.r + e.s);
 }
 
 double expm1(double x) noexcept {
@@ -125,7 +126,7 @@ double log10(double x) noexcept {
     const Parts l = is_normal(bits) ? logarithm(bits, 0) : logarithm_far_out(x);
     if (!(l.high - l.high == 0)) [[unlikely]]
         return l.high;
-    const Parts product = exact_product(l.high, log10_e_high);
+    const Parts product = exact_product_in_range(l.high, log10_e_high);
     return product.high + (product.low + (l.high * log10_e_low + l.low * log10_e_high));
 }
 

@@ -150,18 +150,6 @@ def arc_tangents():
         yield from expansion(arc_tangent(n, 64) if n else 0, slopes[1:])
 
 
-def arc_sines():
-    """The slope g is 1 / sqrt(1 - x^2), and (1 - x^2) g' = x g."""
-    for n in range(33):
-        c = ONE * n // 64
-        square = ONE - times(c, c)
-        slopes = [0, (ONE << BITS) // square_root(square)]
-        for k in range(7):
-            right = (2 * k + 1) * times(c, slopes[-1]) + k * slopes[-2]
-            slopes.append((right << BITS) // square // (k + 1))
-        yield from expansion(arc_tangent(c, square_root(square)) if n else 0, slopes[1:])
-
-
 def logarithms():
     """1 / m to nine bits and the logarithm of its inverse, for m in the middle of each 128th of [1, 2), from the 53rd on of half of it."""
     for n in range(128):
@@ -241,7 +229,7 @@ def write_circle():
 
 
 def write_angles():
-    write("angle_tables.hpp", "Arc tangents and arc sines", [
+    write("angle_tables.hpp", "Arc tangents", [
         "/// @brief A function next to a point, in powers of the distance from it.",
         "struct Expansion {",
         "    double high;           ///< the value at the point, rounded",
@@ -256,7 +244,6 @@ def write_angles():
         "    double eighth;         ///< of the eighth",
         "};",
         *table("atan next to n / 64.", "Expansion", "arc_tangents", 65, arc_tangents()),
-        *table("asin next to n / 64.", "Expansion", "arc_sines", 33, arc_sines()),
     ])
 
 

@@ -103,22 +103,6 @@ template <class T>
     else
         return {sin(x), cos(x)};
 }
-/// @brief Arc sine. @param x a number from -1 to 1 @return radians
-template <MachineNumber T>
-[[nodiscard]] T asin(T x) {
-    if constexpr (std::same_as<T, double>)
-        return elementary::asin(x);
-    else
-        return std::asin(x);
-}
-/// @brief Arc cosine. @param x a number from -1 to 1 @return radians
-template <MachineNumber T>
-[[nodiscard]] T acos(T x) {
-    if constexpr (std::same_as<T, double>)
-        return elementary::acos(x);
-    else
-        return std::acos(x);
-}
 /// @brief Arc tangent. @param x a number @return radians
 template <MachineNumber T>
 [[nodiscard]] T atan(T x) {

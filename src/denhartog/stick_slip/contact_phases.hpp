@@ -224,19 +224,20 @@ struct ContactPhases {
     }
 
     /// @brief Where a sticking phase of a single mass ends: the load on it is p cos tau - k_jj x_j, whose passage out of the cone
-    /// is an arc cosine.
+    /// has a closed form.
     /// @param tau     instant of the start
     /// @param length  length of the stretch that is left
     /// @return        the event
     Event<T> end_of_sticking_alone(const T& tau, const T& length) {
         using std::ceil;
+        using std::sqrt;
         const T holds = e.mu * e.beta;
         const T force = system->stuck.k_jj * x[0];
         Event<T> event{length, 0, 0, T(0), false};
         for (const int side : {1, -1}) {
             const T y = (force + side * holds) / direct;
             if (!(y > -1 && y < 1)) continue;
-            const T passage = direct < 0 ? T(side * acos(y)) : T(-side * acos(y));
+            const T angle = atan2(T(sqrt(T((1 - y) * (1 + y)))), y), passage = direct < 0 ? T(side * angle) : T(-side * angle);
             const T t = std::max(T(0), T(passage + 2 * pi<T>() * ceil(T((tau - passage) / (2 * pi<T>()))) - tau));
             if (t < event.t) event = {t, side, e.mu == 1 ? 2 : 1, T(side * holds), true};
         }
