@@ -31,6 +31,7 @@ Matrix<double> random_dashpots(SplitMix64& random, std::size_t masses) {
 std::vector<RandomScene<double>> random_coupled_scenes(std::uint64_t seed) {
     SplitMix64 random(seed);
     std::vector<RandomScene<double>> scenes = random_vector_scenes(seed);
+    std::erase_if(scenes, [](const RandomScene<double>& each) { return number_of_masses(each.scene.system) == 1; });
     for (std::size_t n = 0; n < scenes.size(); ++n) {
         Scene<double>& scene = scenes[n].scene;
         System<double>& s = scene.system;

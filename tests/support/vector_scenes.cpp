@@ -5,12 +5,12 @@
 namespace denhartog {
 namespace {
 
-// On several masses; in one of six scenes on the contact alone, with any size and sign.
+// On several masses; in one of six scenes, and on a single mass, on the contact alone, with any size and sign.
 std::vector<double> random_forces(SplitMix64& random, std::size_t N, std::size_t contact) {
     std::vector<double> forces(N);
     for (double& force : forces) force = random.one_in(3) ? 0 : random.integer(-8, 8) / 8.0;
-    forces[contact == 0 ? 1 : 0] = random.integer(1, 8) / 8.0;
-    if (random.one_in(6)) {
+    if (N > 1) forces[contact == 0 ? 1 : 0] = random.integer(1, 8) / 8.0;
+    if (N == 1 || random.one_in(6)) {
         forces.assign(N, 0);
         forces[contact] = (random.one_in(2) ? 1 : -1) * random.integer(1, 16) / 8.0;
     }
@@ -31,8 +31,7 @@ std::vector<RandomScene<double>> random_vector_scenes(std::uint64_t seed) {
     for (RandomScene<double> each : random_scenes<double>(seed)) {
         System<double>& s = each.scene.system;
         const std::size_t N = number_of_masses(s);
-        if (N == 1) continue;
-        const int kind = random.integer(1, 5);
+        const int kind = N == 1 ? 2 : random.integer(1, 5);
         if (kind != 2 && kind != 4) {
             const auto away = static_cast<std::size_t>(random.integer(1, static_cast<int>(N) - 1));
             s.contact_with = Mass{(s.contact.index + away) % N};
