@@ -1,12 +1,15 @@
 // What the doc comments point at is there.
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <sstream>
 #include <string>
 
+#include "denhartog/number/effort.hpp"
 #include "derivation/source_text.hpp"
 #include "tests/catch.hpp"
 
+using denhartog::default_effort;
 using denhartog::derivation::text_of;
 
 TEST_CASE("every derivation that a doc comment names is a file", "[documentation]") {
@@ -68,4 +71,27 @@ TEST_CASE("every promise names a test that is there", "[documentation]") {
         ++found;
     }
     CHECK(found > 10);
+}
+
+TEST_CASE("the default budget is told as it is", "[documentation][effort]") {
+    const std::filesystem::path root(std::getenv("DENHARTOG_SOURCE_DIR"));
+    const auto in_words = [](long operations) {
+        const auto exponent = static_cast<int>(std::floor(std::log10(static_cast<double>(operations)) + 1e-6));
+        std::ostringstream text;
+        text << std::round(10 * static_cast<double>(operations) / std::pow(10.0, exponent)) / 10 << 'e' << exponent;
+        return text.str();
+    };
+    const std::string few = in_words(default_effort(12)), many = in_words(default_effort(100)) + " for 100";
+    for (const char* name : {"src/denhartog/program/commands/scene_command.cpp", "src/denhartog/c/denhartog.h",
+                             "docs/c-interface.md", "docs/promises.md"}) {
+        std::string text;
+        for (const char letter : text_of(root / name)) { // words that a line or a literal ends between follow each other here
+            if (letter == '"' || letter == '/') continue;
+            const bool space = letter == ' ' || letter == '\n';
+            if (!space || text.empty() || text.back() != ' ') text += space ? ' ' : letter;
+        }
+        INFO(name);
+        CHECK(text.find(few) != std::string::npos);
+        CHECK(text.find(many) != std::string::npos);
+    }
 }

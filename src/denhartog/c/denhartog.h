@@ -265,7 +265,8 @@ typedef int (*dh_cancelled)(void* context);
 /// @brief Limits the work of each further call of the calling thread. A call that reaches the limit, or is cancelled, returns
 /// #DH_ERROR_PRECISION, and its message says which.
 /// @param operations  the limit, 1 to 1e18. An operation is the evaluation of a mode at an instant in double, about a tenth of a
-///                    microsecond. 0 is the default: 1e7, or 8e5 for each mass if there are more than 12
+///                    microsecond. 0 is the default: 1e7, and more if there are more than 12 masses, 4.5e8
+///                    for 100
 /// @param cancelled   your function, or null; it must return fast and throw no exception
 /// @param context     passed on to `cancelled`
 /// @return            #DH_OK, #DH_ERROR_INPUT

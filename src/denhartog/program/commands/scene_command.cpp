@@ -67,8 +67,9 @@ void add_effort_option(CLI::App& command, std::optional<double>& effort) {
     command.add_option(
         "--effort", effort,
         "work that a question may cost, in operations of about a tenth of a microsecond, each of which evaluates a mode at an "
-        "instant in double. If it does not suffice, the exit status is 3. Default: 1e7, or 8e5 for each mass if there are more "
-        "than 12");
+        "instant in double. If it does not suffice, the exit status is 3. Default: 1e7, and more if there are more than 12 "
+        "masses, "
+        "4.5e8 for 100");
 }
 
 std::optional<long> allowed_operations(const std::optional<double>& effort) {
