@@ -418,7 +418,9 @@ TEST_CASE("products are exact in two parts, by the instruction of the processor 
     };
     for (int n = 0; n < 100000; ++n) {
         const double a = number(0), b = number(0), product = a * b, low = std::fma(a, b, -product);
-        const elementary::Parts by_halves = elementary::exact_product(a, b), fused = elementary::exact_product_in_range(a, b);
+        const elementary::Parts by_halves =
+                                    elementary::product_by_halves(a, b, elementary::rounded_half(a), elementary::rounded_half(b)),
+                                fused = elementary::exact_product_in_range(a, b);
         const double near_product = std::nextafter(-product, 0), far = number(-500);
         if (by_halves.high != product || by_halves.low != low || fused.high != product || fused.low != low ||
             elementary::fused_product(a, b, near_product) != std::fma(a, b, near_product) ||

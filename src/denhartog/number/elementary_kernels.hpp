@@ -128,7 +128,7 @@ struct ReducedAngle {
 /// @param low    a small one, to be added to it
 /// @return       both parts
 [[nodiscard, gnu::always_inline]] inline Parts expanded(const Expansion* table, double x, double low) {
-    const double c = nearest_whole(x * 64), r = sum_with_exact(-c, 0x1p-6, x), z = r * r;
+    const double c = nearest_whole(x * 64), r = x - c * 0x1p-6, z = r * r;
     const Expansion& at = table[static_cast<int>(c)];
     const double higher = (at.fourth + r * at.fifth) + z * ((at.sixth + r * at.seventh) + z * at.eighth);
     const double rest = at.slope_less_one * (r + low) + (low + z * ((at.second + r * at.third) + z * higher));

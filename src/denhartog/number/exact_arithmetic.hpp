@@ -45,15 +45,12 @@ inline constexpr bool has_fused_product = false; // tests compile it on every pr
 #endif
     return std::fma(a, b, c);
 }
-/// @brief The same where the product of a and b has no more bits than a double. @param a a number @param b a number
-/// @param c  a number
-/// @return   a b + c
-[[nodiscard, gnu::always_inline]] inline double sum_with_exact(double a, double b, double c) {
-    return has_fused_product ? fused_product(a, b, c) : a * b + c;
-}
-
-/// @brief A number to 26 bits. @param x a number @return it; what it lacks has 26 bits too, and a sign
+/// @brief The first 26 bits of a number. @param x a number @return it without the bits after them
 [[nodiscard, gnu::always_inline]] inline double first_half(double x) {
+    return std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) & 0xfffffffff8000000U);
+}
+/// @brief A number rounded to 26 bits. @param x a number below 2^1023 in size @return it; what it lacks has 26 bits and a sign
+[[nodiscard, gnu::always_inline]] inline double rounded_half(double x) {
     return std::bit_cast<double>((std::bit_cast<std::uint64_t>(x) + 0x4000000U) & 0xfffffffff8000000U);
 }
 /// @brief A sum. @param a a number, not smaller in size than b unless it is 0 @param b a number @return both parts, exact
@@ -66,18 +63,21 @@ inline constexpr bool has_fused_product = false; // tests compile it on every pr
     const double sum = a + b, of_b = sum - a;
     return {sum, (a - (sum - of_b)) + (b - of_b)};
 }
-/// @brief A product, after Dekker. @param a a number @param b a number
-/// @return both parts, exact where the second is not below the range of a double
-[[nodiscard, gnu::always_inline]] inline Parts exact_product(double a, double b) {
-    const double product = a * b, a_1 = first_half(a), a_2 = a - a_1, b_1 = first_half(b), b_2 = b - b_1;
+/// @brief A product, after Dekker. @param a a number @param b a number @param a_1 its first half @param b_1 that of the other
+/// @return both parts
+[[nodiscard, gnu::always_inline]] inline Parts product_by_halves(double a, double b, double a_1, double b_1) {
+    const double product = a * b, a_2 = a - a_1, b_2 = b - b_1;
     return {product, ((a_1 * b_1 - product) + a_1 * b_2 + a_2 * b_1) + a_2 * b_2};
 }
-/// @brief The same of numbers from 2^-400 to 2^400 in size, or zero: to the bit, and faster where products are fused.
-/// @param a  a number
-/// @param b  a number
-/// @return   both parts, exact
+/// @brief A product. @param a a number @param b a number
+/// @return both parts; the second is exact but for its 53rd bit, and where it is below the range of a double
+[[nodiscard, gnu::always_inline]] inline Parts exact_product(double a, double b) {
+    return product_by_halves(a, b, first_half(a), first_half(b));
+}
+/// @brief A product of numbers from 2^-400 to 2^400 in size, or zero. @param a a number @param b a number
+/// @return both parts, exact
 [[nodiscard, gnu::always_inline]] inline Parts exact_product_in_range(double a, double b) {
-    if (!has_fused_product) return exact_product(a, b);
+    if (!has_fused_product) return product_by_halves(a, b, rounded_half(a), rounded_half(b));
     const double product = a * b;
     return {product, fused_product(a, b, -product)};
 }
