@@ -30,9 +30,12 @@ double median(std::vector<double> x) {
 double time_of(const std::function<void()>& run) {
     const double start = processor_time();
     double now = start;
-    int runs = 0;
-    for (; now - start < 0.05; now = processor_time(), ++runs) run();
-    return 1e6 * (now - start) / runs;
+    long runs = 0;
+    for (long more = 1; now - start < 0.05; now = processor_time(), more = runs) { // the clock takes as long as a short run
+        for (long n = 0; n < more; ++n) run();
+        runs += more;
+    }
+    return 1e6 * (now - start) / static_cast<double>(runs);
 }
 
 /// Points of one system along r.
