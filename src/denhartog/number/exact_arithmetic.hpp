@@ -39,7 +39,7 @@ inline constexpr bool has_fused_product = false; // tests compile it on every pr
 [[nodiscard, gnu::always_inline]] inline double fused_product(double a, double b, double c) {
 #if defined(__x86_64__) && !defined(__FMA__)
     if (has_fused_product) [[likely]] {
-        asm("vfmadd231sd %2, %1, %0" : "+x"(c) : "x"(a), "x"(b));
+        asm volatile("vfmadd231sd %2, %1, %0" : "+x"(c) : "x"(a), "x"(b)); // volatile: never moved before the question
         return c;
     }
 #endif
