@@ -89,6 +89,20 @@ TEST_CASE("questions to scenes of every kind that may spend little are answered 
     CHECK(survey.most_spent.at("solve motion").first > 30'000);
 }
 
+TEST_CASE("questions to scenes of any doubles that may spend little are answered or refused, and spend little more",
+          "[accuracy]") {
+    const AdversarialSurvey survey = sample(100, 5, true, any_double, 30'000);
+    check_without_faults(survey);
+    for (const auto& [question, most] : survey.most_spent) {
+        INFO(question << " at " << most.second);
+        CHECK(most.first <= 4'000'000);
+    }
+    // From an instant of 0 on the search for the end of a stop in 50 digits had a billion steps to shorten.
+    CHECK(is_answered_or_refused(
+        R"({"mass_ratios":[1,1e155,5.28125,1.4375],"stiffness_ratios":[1,0.15625,3.21875,3.1875],"damping_ratios":)"
+        R"([0.23046875,0.216796875,0.23828125,1.2925064546919817e279],"contact":2,"load":4,"r":3.625,"beta":3.625,"mu":6.96875})"));
+}
+
 TEST_CASE("beyond the range of a double no bound is zero, and none is no number", "[accuracy]") {
     // A displacement of 6e-466 to 30 digits, which in double is zero, as is its bound.
     const Scene<double> far_above = scene(

@@ -198,7 +198,7 @@ int main(int argc, char** argv) {
     of_bounds->add_option("--seed", seed, "Seed of the scenes");
     AdversarialRun run;
     const std::map<std::string, AdversarialRange> ranges{
-        {"everything", everything}, {"contrasts", contrasts}, {"mild", mild}, {"units", units}};
+        {"everything", everything}, {"doubles", any_double}, {"contrasts", contrasts}, {"mild", mild}, {"units", units}};
     std::string range = "everything";
     const auto add_adversarial = [&](const char* name, const char* what, bool questions) {
         CLI::App* sub = add(name, what, [&run, &range, &ranges, questions] {

@@ -33,6 +33,8 @@ struct AdversarialRange {
 
 /// @brief All that a scene may be, of every kind: r from 5e-324 to 1e300, contrasts to 1e15, damping ratios to 1e6, 200 masses.
 inline constexpr AdversarialRange everything{-1074, 996, -1074, 996, 50, -60, 19, 19, 200, true};
+/// @brief What nobody means, but a double can say: contrasts to 1e150, damping ratios to 1e300, mu to 1e300, 12 masses.
+inline constexpr AdversarialRange any_double{-1074, 1020, -1074, 1020, 500, -1000, 1000, 1000, 12, true};
 /// @brief What a user may meet: r from 1e-9 to 10, contrasts to 1e12, damping ratios to 30, up to 12 masses.
 inline constexpr AdversarialRange contrasts{-30, 3, -30, 6, 40, -40, 4, 6, 12, false};
 /// @brief What a user does meet: r from 0.03 to 10, contrasts to 8, damping ratios from 1e-6 to 1, up to 8 masses.
