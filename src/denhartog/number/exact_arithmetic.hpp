@@ -26,9 +26,11 @@ inline const bool has_fused_product = [] {
     return __builtin_cpu_supports("fma") != 0;
 }();
 #elif defined(__FP_FAST_FMA) && !defined(DENHARTOG_WITHOUT_FUSED_PRODUCT)
+/// @brief Every processor that this is compiled for has that instruction.
 inline constexpr bool has_fused_product = true;
 #else
-inline constexpr bool has_fused_product = false; // tests compile it on every processor
+/// @brief Not every one has it, or a test does without.
+inline constexpr bool has_fused_product = false;
 #endif
 
 /// @brief A product and a sum, rounded once: by the instruction where there is one, since a call takes several times as long.
