@@ -400,3 +400,11 @@ TEST_CASE("where nothing bounds an amplitude its bound is infinite, and never no
     for (const std::optional<int> digits : {std::optional<int>(), std::optional<int>(30)})
         for (const SolvedMass& mass : answer(source, digits).masses) CHECK(mass.amplitude.error >= 0);
 }
+
+TEST_CASE("the turn of a phase by an error keeps its digits however large or small the amplitude is", "[unit]") {
+    for (const double amplitude : {1e-200, 1.0, 1e200}) {
+        CHECK(largest_turn(1e-10 * amplitude, amplitude) == Approx(1e-10).epsilon(1e-14)); // squares would be 0 or infinite
+        CHECK(largest_turn(0.5 * amplitude, amplitude) == Approx(pi<double>() / 6).epsilon(1e-15));
+    }
+    CHECK(abs(largest_turn(Real50("0.5"), Real50(1)) - pi<Real50>() / 6) < Real50("1e-49"));
+}

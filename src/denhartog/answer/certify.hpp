@@ -167,4 +167,19 @@ template <class T>
     return certified(Bounded<T>(x), digits);
 }
 
+/// @brief By how much an error may turn the phase of a motion: the arc sine of its share in the amplitude.
+/// @param error      the error
+/// @param amplitude  positive, larger than the error; of any size
+/// @return           radians
+template <class T>
+[[nodiscard]] T largest_turn(T error, T amplitude) {
+    using std::frexp;
+    using std::ldexp;
+    using std::sqrt;
+    int exponent = 0; // of two: it keeps the squares within the range, and every digit
+    amplitude = frexp(amplitude, &exponent);
+    error = ldexp(error, -exponent);
+    return atan2(error, T(sqrt(T((amplitude - error) * (amplitude + error)))));
+}
+
 } // namespace denhartog

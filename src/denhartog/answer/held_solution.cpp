@@ -170,8 +170,7 @@ HeldSolution held_solution(const Scene<T>& scene, const StuckConfiguration<T>& s
         const T& error = error_of[k];
         solution.masses[k].amplitude = certified(Bounded<T>(mass.amplitude, error), digits);
         if (does_not_move(mass.amplitude, error, largest)) continue;
-        const T& A = mass.amplitude;
-        const T of_phase = error < A ? T(atan2(error, T(sqrt(T((A - error) * (A + error))))) + 4 * unit_of<T>()) : pi<T>();
+        const T of_phase = error < mass.amplitude ? T(largest_turn(error, mass.amplitude) + 4 * unit_of<T>()) : pi<T>();
         solution.masses[k].phase = certified(Bounded<T>(mass.phase.value_or(T(0)), of_phase), digits);
         if (only && k != only->index) continue;
         const T relative = mass.amplitude > 0 ? T(error / mass.amplitude) : T(1);

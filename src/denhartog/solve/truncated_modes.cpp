@@ -168,8 +168,7 @@ private:
             return false;
         }
         const double turn = velocity_left_out / (amplitude.x - amplitude.e);
-        const double phase_error =
-            turn < 1 ? phase.e + elementary::atan2(turn, std::sqrt((1 - turn) * (1 + turn))) : std::numbers::pi;
+        const double phase_error = turn < 1 ? phase.e + largest_turn(turn, 1.0) : std::numbers::pi;
         if (phases && !(phase_error <= tolerance)) return false;
         all.masses.push_back({{amplitude.x, error, {}}, Certified{wrapped(phase.x), phase_error, {}}, std::nullopt});
         all.relative = std::max({all.relative, error / amplitude.x, phases ? phase_error : 0});
