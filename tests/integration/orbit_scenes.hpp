@@ -100,12 +100,12 @@ PeriodicOrbit<T> orbit_from(const Prepared<T>& p, const State<T>& start, const O
 }
 
 /// @brief The same orbit in 50 digits, by Newton's method from the one in double.
-inline PeriodicOrbit<Real50> widened(const PeriodicOrbit<double>& orbit, const Prepared<Real50>& p) {
+inline PeriodicOrbit<Real50> widened(const PeriodicOrbit<double>& orbit, const Prepared<Real50>& p, bool with_stability = false) {
     OrbitSearch<Real50> search;
     search.periods_before = 0;
     search.most_periods = 1;
     search.follow_start = false;
-    search.with_stability = false;
+    search.with_stability = with_stability;
     State<Real50> start;
     start.x.assign(orbit.start.x.begin(), orbit.start.x.end());
     start.x_prime.assign(orbit.start.x_prime.begin(), orbit.start.x_prime.end());

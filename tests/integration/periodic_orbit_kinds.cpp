@@ -3,6 +3,7 @@
 #include <Eigen/SVD>
 #include <cmath>
 #include <limits>
+#include <random>
 
 #include "denhartog/model/coordinates.hpp"
 #include "denhartog/number/errors.hpp"
@@ -22,13 +23,13 @@ bool all_finite(const PeriodicOrbit<double>& o) {
     double sum = o.residual + o.error_bound + o.contact.amplitude + o.contact.phase;
     for (const MassMotion<double>& m : o.masses) sum += m.amplitude + m.phase;
     for (const Stop<double>& s : o.stops) sum += s.start + s.end + s.x;
-    for (const std::complex<double>& m : o.multipliers) sum += std::abs(m);
+    for (const Multiplier& m : o.multipliers) sum += std::abs(m.value) + m.error;
     for (std::size_t k = 0; k < o.start.x.size(); ++k) sum += o.start.x[k] + o.start.x_prime[k];
     return std::isfinite(sum);
 }
 
 /// Eigenvalues of the map over a period from central differences in 50 digits.
-std::vector<std::complex<double>> multipliers_by_differences(const Prepared<Real50>& p, const PeriodicOrbit<Real50>& orbit) {
+std::vector<Multiplier> multipliers_by_differences(const Prepared<Real50>& p, const PeriodicOrbit<Real50>& orbit) {
     ExactSolver<Real50> solver(p.system, p.excitation);
     const std::size_t N = orbit.start.x.size();
     const Real50 end = 2 * pi<Real50>() * orbit.periods, h("1e-20");
@@ -45,7 +46,12 @@ std::vector<std::complex<double>> multipliers_by_differences(const Prepared<Real
             J(N + k, c) = static_cast<double>(Real50((ends[1].x_prime[k] - ends[0].x_prime[k]) / (2 * h)));
         }
     }
-    return multipliers_of(J);
+    return multipliers_of(J, J.norm() * std::numeric_limits<double>::epsilon(), std::numeric_limits<double>::infinity());
+}
+
+/// Whether two multipliers of one size may be what they are known to be.
+bool overlap(const Multiplier& a, const Multiplier& b) {
+    return std::abs(size_of(a.value) - size_of(b.value)) <= a.error + b.error;
 }
 
 /// What a search must find and propagation must confirm: an orbit of a period and no shorter one.
@@ -88,7 +94,7 @@ TEST_CASE("where motions are not unique the orbit is the one that propagation fr
     for (const Twin& twin : between_the_boundaries(21, 2, 0)) {
         const Prepared<double>& p = twin.in_double;
         const PeriodicOrbit<double> orbit = orbit_of(p);
-        if (orbit.status != OrbitStatus::periodic || std::abs(orbit.multipliers.front()) > 0.98) continue;
+        if (orbit.status != OrbitStatus::periodic || std::abs(orbit.multipliers.front().value) > 0.98) continue;
         INFO(p.name << " " << orbit.periods << " " << orbit.symmetric);
         ++compared;
         State<double> late = propagated(p, at_rest<double>(orbit.start.x.size()), 2 * 840);
@@ -132,13 +138,15 @@ TEST_CASE("Floquet multipliers are those of differences in 50 digits", "[exact-s
         INFO(exact.reason);
         REQUIRE(exact.status == OrbitStatus::periodic);
         REQUIRE(exact.symmetric == orbit.symmetric);
-        const std::vector<std::complex<double>> expected = multipliers_by_differences(wide, exact);
+        const std::vector<Multiplier> expected = multipliers_by_differences(wide, exact);
         REQUIRE(expected.size() == orbit.multipliers.size());
         for (std::size_t n = 0; n < expected.size(); ++n) {
-            INFO(n << " " << expected[n] << " " << orbit.multipliers[n]);
+            const std::complex<double> value = orbit.multipliers[n].value, other = expected[n].value;
+            INFO(n << " " << other << " " << value);
             // Zeros are of higher multiplicity where the contact sticks: their rounding is a root of that of the rest.
-            const double tolerance = std::abs(expected[n]) > 1e-3 ? 1e-10 : 1e-5;
-            CHECK(std::abs(expected[n] - orbit.multipliers[n]) < tolerance);
+            const double tolerance = std::abs(other) > 1e-3 ? 1e-10 : 1e-5;
+            CHECK(std::abs(other - value) < tolerance);
+            CHECK(overlap(expected[n], orbit.multipliers[n]));
         }
         CHECK(orbit.stable);
     };
@@ -147,6 +155,34 @@ TEST_CASE("Floquet multipliers are those of differences in 50 digits", "[exact-s
     compare(prepared_three_masses(1.125, 0.0625), prepared_three_masses<Real50>(1.125, 0.0625));
     compare(prepared_three_masses(0.6875, 0.25), prepared_three_masses<Real50>(0.6875, 0.25));
     compare(prepared_three_masses(0.6875, 0.1875, 1.25), prepared_three_masses<Real50>(0.6875, 0.1875, 1.25));
+}
+
+TEST_CASE("the sizes of Floquet multipliers are within their bounds of those in 50 digits", "[exact-solver][shooting]") {
+    std::size_t compared = 0, close = 0, closer = 0;
+    for (const double mu : {1.0, 1.25})
+        for (const Twin& twin : between_the_boundaries(mu == 1 ? 31 : 32, 3, mu)) {
+            OrbitSearch<double> any;
+            any.follow_start = false;
+            const PeriodicOrbit<double> orbit = orbit_of(twin.in_double, any);
+            if (orbit.status != OrbitStatus::periodic) continue;
+            const PeriodicOrbit<Real50> exact = widened(orbit, twin.in_50_digits, true);
+            if (exact.status != OrbitStatus::periodic || exact.periods != orbit.periods || exact.symmetric != orbit.symmetric)
+                continue;
+            INFO(twin.in_double.name << " mu = " << mu);
+            REQUIRE(exact.multipliers.size() == orbit.multipliers.size());
+            for (std::size_t n = 0; n < orbit.multipliers.size(); ++n) {
+                const Multiplier &in_double = orbit.multipliers[n], &in_50_digits = exact.multipliers[n];
+                INFO(n << " " << size_of(in_double.value) << " " << size_of(in_50_digits.value));
+                CHECK(overlap(in_double, in_50_digits));
+                ++compared;
+                close += in_double.error < 1e-6;
+                closer += in_50_digits.error < 1e-9;
+            }
+        }
+    CAPTURE(compared, close, closer);
+    CHECK(compared > 300);
+    CHECK(10 * close > 9 * compared);
+    CHECK(10 * closer > 9 * compared);
 }
 
 TEST_CASE("with mu = 1 no deviation grows in energy over half a period, whether the contact is at a wall or between two masses",
@@ -185,10 +221,53 @@ TEST_CASE("a matrix is seen to contract only where all its eigenvalues are insid
     CHECK_FALSE(contracts(A, 1e-8));
     A << 0, 1, 0, 0; // a double zero
     CHECK(contracts(A, 1e-12));
-    CHECK(multipliers_of(A).size() == 2);
+    CHECK(eigenvalues(A).size() == 2);
     A(0, 0) = std::numeric_limits<double>::quiet_NaN();
     CHECK_FALSE(contracts(A, 0));
-    CHECK(multipliers_of(A).empty());
+    CHECK(eigenvalues(A).empty());
+}
+
+TEST_CASE(
+    "the sizes of the eigenvalues of a matrix within an error of another are within their bounds, and not of a smaller error",
+    "[shooting]") {
+    std::mt19937_64 engine(54);
+    std::uniform_real_distribution<double> number(-1, 1);
+    const auto random_matrix = [&](Eigen::Index n) {
+        return Matrix<double>(Matrix<double>::NullaryExpr(n, n, [&] { return number(engine); }));
+    };
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    int outside_of_less = 0, useful = 0, compared = 0;
+    for (int round = 0; round < 400; ++round) {
+        const Eigen::Index n = 2 + round % 7;
+        Matrix<double> A = random_matrix(n);
+        if (round % 3 == 1) A.col(0) = A.col(n - 1); // a zero
+        if (round % 3 == 2) {                        // zeros with fewer eigenvectors, in other coordinates
+            Matrix<double> J = Matrix<double>::Zero(n, n);
+            for (Eigen::Index k = 2; k < n; ++k) J(k, k) = number(engine);
+            J(0, 1) = 1;
+            A = A * J * A.inverse();
+        }
+        const double error = std::ldexp(A.norm(), -4 * (2 + round % 9));
+        const Matrix<double> E = random_matrix(n), other = A + E * (error / E.norm());
+        const std::vector<Multiplier> known = multipliers_of(A, error, infinite),
+                                      less = multipliers_of(A, error / 4096, infinite),
+                                      exact = multipliers_of(other, 0, infinite);
+        REQUIRE(known.size() == exact.size());
+        bool inside_less = true;
+        for (std::size_t k = 0; k < known.size(); ++k) {
+            INFO("round " << round << ", size " << k << ": " << size_of(known[k].value) << " " << size_of(exact[k].value));
+            CHECK(overlap(known[k], exact[k]));
+            inside_less = inside_less && overlap(less[k], exact[k]);
+            ++compared;
+            useful += known[k].error < 1e-2;
+        }
+        outside_of_less += !inside_less;
+    }
+    CAPTURE(compared, useful, outside_of_less);
+    CHECK(outside_of_less > 40);
+    CHECK(2 * useful > compared);
+    const std::vector<Multiplier> within_one = multipliers_of(Matrix<double>::Constant(1, 1, 0.75), 100, 1);
+    CHECK(within_one.front().error == 0.75); // nothing but the size that is known from elsewhere
 }
 
 TEST_CASE("an orbit that is not stable is found where it is asked for, and not given as what the start leads to",
@@ -200,7 +279,7 @@ TEST_CASE("an orbit that is not stable is found where it is asked for, and not g
     REQUIRE(symmetric.status == OrbitStatus::periodic);
     CHECK(symmetric.symmetric);
     CHECK_FALSE(symmetric.stable);
-    CHECK(std::abs(symmetric.multipliers.front()) > 1);
+    CHECK(std::abs(symmetric.multipliers.front().value) > 1);
     CHECK(orbit_of(p).stable);
 }
 

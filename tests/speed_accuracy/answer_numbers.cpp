@@ -72,6 +72,9 @@ std::vector<NamedNumber> numbers_of(const Solution& s) {
             n.any("x at the maximum of the force", s.start->x[k], k + 1);
             n.any("x' at the maximum of the force", s.start->x_prime[k], k + 1);
         }
+    if (s.stability)
+        for (std::size_t k = 0; k < s.stability->multipliers.size(); ++k)
+            n.size("multiplier", s.stability->multipliers[k], k + 1);
     if (s.rest_interval) {
         n.any("rest interval from", s.rest_interval->from);
         n.any("rest interval to", s.rest_interval->to);
@@ -151,8 +154,10 @@ std::vector<std::string> faults_of(const Solution& s) {
         for (const std::string& each : more) faults.push_back(of + each);
     };
     const auto multipliers = [&faults](const Stability& stability, const std::string& of) {
-        for (const double each : stability.multipliers)
-            if (!std::isfinite(each) || each < 0) faults.push_back(of + "multiplier is negative or not finite");
+        for (const Certified& each : stability.multipliers) {
+            if (!std::isfinite(each.value) || each.value < 0) faults.push_back(of + "multiplier is negative or not finite");
+            if (!(each.error >= 0)) faults.push_back(of + "multiplier has a bound that is none");
+        }
     };
     if (s.stability) multipliers(*s.stability, "");
     if (s.slides_below) add(faults_of({{"slides below", 0, *s.slides_below, 0, false}}), "");

@@ -53,6 +53,8 @@ TEST_CASE("solve lists the stops where the contact sticks and slips", "[program]
     CHECK(a["contact"]["amplitude"] == a["masses"][1]["amplitude"]);
     CHECK(a["stable"] == true);
     CHECK(a["multipliers"].size() == 4);
+    CHECK(a["multiplier_error_bounds"].size() == 4);
+    for (const json& bound : a["multiplier_error_bounds"]) CHECK(bound.get<double>() < 1e-6);
     CHECK(a["counters"]["phases_propagated"].get<int>() > 0);
 }
 

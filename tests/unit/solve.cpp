@@ -375,7 +375,7 @@ TEST_CASE("all motions: a subharmonic one, its mirror image and the unstable sym
     CHECK(amplitudes[0] == Approx(amplitudes[1]).epsilon(1e-10));
     for (const OtherMotion& m : s.motions) {
         if (m.periods != 1) continue;
-        CHECK(m.stability.multipliers.front() > 1);
+        CHECK(m.stability.multipliers.front().value > 1);
         CHECK(std::abs(m.masses[0].amplitude.value - amplitudes[0]) > 0.01);
     }
 }
@@ -666,4 +666,21 @@ TEST_CASE("a mass that hardly moves has a bound, whatever rounding leaves of its
     REQUIRE(found.regime.regime == Regime::continuous);
     for (const SolvedMass& mass : found.masses) CHECK(std::isfinite(mass.amplitude.error));
     CHECK(found.masses[7].amplitude.error < 1e-9 * found.masses[1].amplitude.value);
+}
+
+TEST_CASE("a phase of the contact that is not certain enough for samples is found to more digits", "[solve][eq:47]") {
+    Scene<double> scene = chain({1, 1, 1.25}, {1, 0.5, 2}, {0.02, 0.02, 0.02}, 3, 1, 1, 0.4);
+    scene.beta = 0.05;
+    const Solution found = solve(scene_source(scene), {});
+    REQUIRE(found.regime.regime == Regime::continuous);
+    const SampledSolution samples = sampled_solution(scene_source(scene), found, 16);
+    Solution vague = found; // as certain as it has to be for 5 digits, and off by almost all of its bound
+    Certified& phase = *vague.masses[2].phase;
+    phase = {phase.value + 0.9e-5, 1e-5, {}};
+    const SampledSolution others = sampled_solution(scene_source(scene), vague, 16);
+    for (std::size_t n = 0; n < samples.states.size(); ++n)
+        for (std::size_t k = 0; k < 3; ++k) CHECK(std::abs(samples.states[n].x[k] - others.states[n].x[k]) < 1e-9);
+    phase = {phase.value, 1e-7, {}}; // such a bound would do, so that the phase is taken as it is
+    const SampledSolution moved = sampled_solution(scene_source(scene), vague, 16);
+    CHECK(std::abs(samples.states[4].x[2] - moved.states[4].x[2]) > 1e-7);
 }

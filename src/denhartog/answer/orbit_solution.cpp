@@ -161,7 +161,7 @@ std::optional<Certified> place_of_rest(const PeriodicOrbit<T>& orbit, Mass conta
 template <class T>
 Stability stability_of(const PeriodicOrbit<T>& orbit) {
     Stability stability{orbit.stable, {}};
-    for (const std::complex<double>& each : orbit.multipliers) stability.multipliers.push_back(size_of(each));
+    for (const Multiplier& each : orbit.multipliers) stability.multipliers.push_back({size_of(each.value), each.error, {}});
     return stability;
 }
 

@@ -102,8 +102,9 @@ struct RestInterval {
 
 /// @brief Stability of a motion, from its Floquet multipliers.
 struct Stability {
-    bool stable = false;             ///< whether all multipliers are inside the unit circle, by more than their error
-    std::vector<double> multipliers; ///< their sizes over the period of the motion, descending; in double, without a bound
+    bool stable = false;                ///< whether all multipliers are inside the unit circle, by more than their error
+    std::vector<Certified> multipliers; ///< their sizes over the period of the motion, descending, in double; a bound may be
+                                        ///< infinite, where an event only just happens
 };
 
 /// @brief What an answer cost.

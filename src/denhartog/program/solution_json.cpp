@@ -1,6 +1,7 @@
 #include "denhartog/program/solution_json.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "denhartog/program/table.hpp"
 
@@ -81,6 +82,10 @@ Json interval_json(const RestInterval& interval, const NumberWriter& write) {
 void add_stability(Json& all, const Stability& stability, const NumberWriter& write) {
     all["stable"] = stability.stable;
     all["multipliers"] = numbers_json(stability.multipliers, write);
+    Json bounds = Json::array();
+    for (const Certified& each : stability.multipliers)
+        bounds.push_back(std::isfinite(each.error) ? write.bound(each.error) : Json(nullptr));
+    all["multiplier_error_bounds"] = std::move(bounds);
 }
 
 Json motion_json(const OtherMotion& motion, const std::optional<Mass>& only, const NumberWriter& write) {

@@ -25,10 +25,12 @@ namespace denhartog {
 /// @param source        the scene
 /// @param near          the orbit of double: its start, periods, symmetry and bound
 /// @param contact_only  whether of its masses the contact alone is wanted
+/// @param stability     whether its stability is wanted
 /// @param take          called with the solver and the orbit
 /// @throws              PrecisionError where 50 digits do not find it
 template <class Take>
-void find_in_50_digits(const SceneSource& source, const PeriodicOrbit<double>& near, bool contact_only, const Take& take) {
+void find_in_50_digits(const SceneSource& source, const PeriodicOrbit<double>& near, bool contact_only, bool stability,
+                       const Take& take) {
     const SceneIn<Real50> in = scene_with_modes<Real50>(source);
     const ContactSystem<Real50> system = contact_system(in.scene.system);
     ExactSolver<Real50> solver(system, {*in.scene.r, *in.scene.beta, in.scene.mu});
@@ -38,7 +40,7 @@ void find_in_50_digits(const SceneSource& source, const PeriodicOrbit<double>& n
     OrbitSearch<Real50> how;
     how.periods_before = near.periods;
     how.follow_start = false;
-    how.with_stability = false;
+    how.with_stability = stability;
     how.contact_only = contact_only;
     const PeriodicOrbit<Real50> orbit = periodic_orbit(solver, start, how);
     if (!same_motion(orbit, near))

@@ -95,7 +95,7 @@ std::vector<State<double>> of_orbit(const SceneSource& source, const Solution& s
     }
     const std::string failed = "the samples of the motion are not certain to 6 digits: ";
     try {
-        find_in_50_digits(source, orbit, true, [&](ExactSolver<Real50>& solver, const PeriodicOrbit<Real50>& found) {
+        find_in_50_digits(source, orbit, true, false, [&](ExactSolver<Real50>& solver, const PeriodicOrbit<Real50>& found) {
             states = along_orbit(solver, found.start, solution, tau);
         });
     } catch (const PrecisionError& e) {

@@ -34,13 +34,16 @@ void write_orbit(const SolveTask& task, ExactSolver<T>& solver, const PeriodicOr
                           all(orbit.start.x_prime, [&](std::size_t k) { return orbit.velocity_errors[k]; })};
     s.periods = orbit.periods;
     s.symmetric = orbit.symmetric;
+    if (task.question.asked == Asked::motion) s.stability = stability_of(orbit);
 }
 
 void orbit_in_50_digits(const SolveTask& task, const PeriodicOrbit<double>& near, Solution& s) {
     const bool contact_only = task.question.mass == task.scene.system.contact;
-    find_in_50_digits(task.source, near, contact_only, [&](ExactSolver<Real50>& solver, const PeriodicOrbit<Real50>& orbit) {
-        write_orbit(task, solver, orbit, orbit_solution(solver, orbit, task.aim.digits, task.question.mass), s);
-    });
+    const bool with_stability = task.question.asked == Asked::motion;
+    find_in_50_digits(task.source, near, contact_only, with_stability,
+                      [&](ExactSolver<Real50>& solver, const PeriodicOrbit<Real50>& orbit) {
+                          write_orbit(task, solver, orbit, orbit_solution(solver, orbit, task.aim.digits, task.question.mass), s);
+                      });
 }
 
 // The effort is spent, and with it the way to know whether a motion stops that double does not see stop.
@@ -84,7 +87,7 @@ std::optional<std::size_t> stops_in_50_digits(const SolveTask& task, const Perio
     std::optional<std::size_t> stops;
     if (highest_precision(task.aim, number_of_masses(task.scene.system)) == Precision::in_double) return stops;
     try {
-        find_in_50_digits(task.source, orbit, true,
+        find_in_50_digits(task.source, orbit, true, false,
                           [&](const auto&, const PeriodicOrbit<Real50>& found) { stops = found.stops.size(); });
     } catch (const PrecisionError& e) {
         require_known_stops(task, e, s);
@@ -97,7 +100,6 @@ void answer_by_orbit_in_50_digits(const SolveTask& task, ExactSolver<Real50>& so
     write_orbit(task, solver, orbit, orbit_solution(solver, orbit, task.aim.digits, task.question.mass), s);
     s.method = {"exact solver", name(Precision::in_50_digits),
                 "its residual bounds the error: " + verdict({s.relative_error}, task.aim)};
-    if (task.question.asked == Asked::motion) s.stability = stability_of(orbit);
 }
 
 void answer_by_orbit(const SolveTask& task, ExactSolver<double>& solver, const PeriodicOrbit<double>& orbit, bool open,
@@ -127,7 +129,6 @@ void answer_by_orbit(const SolveTask& task, ExactSolver<double>& solver, const P
         s.method.precision = name(Precision::in_double);
         s.method.why = "its residual bounds the error: " + verdict({error}, task.aim) + "; in 50 digits: " + e.what();
     }
-    if (task.question.asked == Asked::motion) s.stability = stability_of(orbit);
 }
 
 } // namespace denhartog

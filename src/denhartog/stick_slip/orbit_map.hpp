@@ -32,6 +32,29 @@ template <class T>
     return d;
 }
 
+/// @brief A Jacobian over displacements and velocities between modal velocities and modal displacements times frequencies.
+/// @param J         2N x 2N
+/// @param momentum  phi^T M
+/// @param phi       mode shapes
+/// @param r_n       natural frequency ratios
+/// @param r         frequency ratio
+/// @return          the matrix in these coordinates
+template <class T>
+[[nodiscard]] Matrix<T> in_energy_coordinates(Matrix<T> J, const Matrix<T>& momentum, const Matrix<T>& phi,
+                                              const std::vector<T>& r_n, const T& r) {
+    const Eigen::Index N = phi.rows();
+    J.topRows(N) = momentum * J.topRows(N);
+    J.bottomRows(N) = momentum * J.bottomRows(N);
+    J.leftCols(N) = J.leftCols(N) * phi;
+    J.rightCols(N) = J.rightCols(N) * phi;
+    for (Eigen::Index i = 0; i < N; ++i) {
+        const T omega = r_n[static_cast<std::size_t>(i)] / r;
+        J.row(i) *= omega;
+        J.col(i) /= omega;
+    }
+    return J;
+}
+
 /// @brief \f$ z \mapsto (-1)^h\Phi_{0\to h\pi}(z) \f$, as it was applied last.
 template <class T>
 class OrbitMap {
@@ -117,17 +140,34 @@ public:
     /// @return  2N x 2N; its eigenvalues are those of `jacobian`
     [[nodiscard]] Matrix<T> energy_jacobian() const {
         const ContactSystem<T>& s = solver_->system();
-        Matrix<T> J = jacobian();
-        J.topRows(N) = s.momentum * J.topRows(N);
-        J.bottomRows(N) = s.momentum * J.bottomRows(N);
-        J.leftCols(N) = J.leftCols(N) * s.basis.phi;
-        J.rightCols(N) = J.rightCols(N) * s.basis.phi;
-        for (Eigen::Index i = 0; i < N; ++i) {
-            const T omega = s.basis.r_n[static_cast<std::size_t>(i)] / solver_->excitation().r;
-            J.row(i) *= omega;
-            J.col(i) /= omega;
-        }
-        return J;
+        return in_energy_coordinates(jacobian(), s.momentum, s.basis.phi, s.basis.r_n, solver_->excitation().r);
+    }
+
+    /// @brief What rounding and the errors of the modes make of the Jacobian, its events apart.
+    /// @return  a bound of the error, in `norm`
+    [[nodiscard]] T rounding_of_jacobian() const {
+        const ContactSystem<T>& s = solver_->system();
+        const T &r = solver_->excitation().r, eps = std::numeric_limits<T>::epsilon();
+        const T phases = static_cast<int>(motion_->phases.size()), units = 4 * (static_cast<int>(N) + 8) * eps * phases;
+        Column<T> rows = Column<T>::Zero(N), columns = rows; // sums of what errors hand from mode to mode
+        for (Eigen::Index i = 0; i < N; ++i)
+            for (Eigen::Index k = 0; k < N; ++k) {
+                const auto a = static_cast<std::size_t>(i), b = static_cast<std::size_t>(k);
+                const T r_i = s.basis.r_n[a], r_k = s.basis.r_n[b];
+                T part = units * std::max(T(1), T(r_i / r_k)); // products with mode shapes
+                if (i == k) {
+                    part += h_ * pi_ * r_i / r * std::max(T(s.detuned[a] / 8), T(static_cast<int>(N) * eps));
+                } else {
+                    const Turn turn = turn_of(a, b);
+                    const T angle = turn.angle + static_cast<int>(N + 1) * eps;
+                    part += (2 + h_ * pi_) * angle * (turn.stiffness / (r_k * std::max(r, r_i)) + turn.damping / r);
+                }
+                rows(i) += part;
+                columns(k) += part;
+            }
+        T sum = sqrt(rows.maxCoeff() * columns.maxCoeff());
+        if (s.basis.coupled()) sum += rounding_of_coupled_modes();
+        return sum;
     }
 
     /// @brief The rounding measured last, as modal displacements times frequencies, then modal velocities.
@@ -219,15 +259,30 @@ private:
             for (std::size_t k = 0; k < n; ++k) {
                 if (k == i) continue;
                 const T r_i = s.basis.r_n[i], r_k = s.basis.r_n[k];
-                const T angle = angle_of_turn(Bounded<T>(r_i, T(r_i * s.detuned[i])), Bounded<T>(r_k, T(r_k * s.detuned[k]))) / 8;
-                const T damping = 2 * abs(T(s.basis.zeta[i] * r_i - s.basis.zeta[k] * r_k));
+                const Turn turn = turn_of(i, k);
                 T& turned = turned_(static_cast<Eigen::Index>(i));
-                const T force = (abs(T(r_i - r_k)) * (r_i + r_k) + damping * std::max(e.r, r_k)) * amplitudes[k];
-                turned += (2 + h_ * pi_) * (angle + static_cast<int>(N + 1) * eps) * force / (r_i * std::max(e.r, r_i));
+                const T force = turn.stiffness * amplitudes[k];
+                turned += (2 + h_ * pi_) * (turn.angle + static_cast<int>(N + 1) * eps) * force / (r_i * std::max(e.r, r_i));
                 if (s.damping_fixes_modes || 64 * abs(T(r_i - r_k)) > r_i + r_k) continue;
-                const T of_others = angle * r_k / r_i * amplitudes[k], of_itself = angle * angle * amplitudes[i];
-                turned += h_ * pi_ * damping / e.r * (of_others + of_itself);
+                const T of_others = turn.angle * r_k / r_i * amplitudes[k], of_itself = turn.angle * turn.angle * amplitudes[i];
+                turned += h_ * pi_ * turn.damping / e.r * (of_others + of_itself);
             }
+    }
+
+    // How far errors may turn a mode towards another one, and what that then makes of it.
+    struct Turn {
+        T angle;
+        T damping;   // difference of their dampings
+        T stiffness; // forces of the one on the other over the amplitude and the angle
+    };
+
+    Turn turn_of(std::size_t i, std::size_t k) const {
+        using std::abs;
+        const ContactSystem<T>& s = solver_->system();
+        const T r_i = s.basis.r_n[i], r_k = s.basis.r_n[k];
+        const T angle = angle_of_turn(Bounded<T>(r_i, T(r_i * s.detuned[i])), Bounded<T>(r_k, T(r_k * s.detuned[k]))) / 8;
+        const T damping = 2 * abs(T(s.basis.zeta[i] * r_i - s.basis.zeta[k] * r_k));
+        return {angle, damping, abs(T(r_i - r_k)) * (r_i + r_k) + damping * std::max(solver_->excitation().r, r_k)};
     }
 
     // Damping hands the rounding of one mode to the others: in energy it is that of all of them, over the steps of the series.
@@ -237,10 +292,16 @@ private:
         T energy(0);
         for (Eigen::Index i = 0; i < N; ++i)
             energy += basis.r_n[static_cast<std::size_t>(i)] / r * amplitudes[static_cast<std::size_t>(i)];
-        const T rate = 1 + (basis.r_n.back() + basis.D.cwiseAbs().rowwise().sum().maxCoeff()) / r;
-        const T steps = static_cast<int>(motion_->phases.size()) + h_ * pi_ * rate;
-        const T rounding = 4 * static_cast<int>(2 * N + 2) * std::numeric_limits<T>::epsilon() * steps * energy;
+        const T rounding = rounding_of_coupled_modes() * energy;
         for (Eigen::Index i = 0; i < N; ++i) modal_(i) += rounding * r / basis.r_n[static_cast<std::size_t>(i)];
+    }
+
+    // The same over the energy.
+    T rounding_of_coupled_modes() const {
+        const ModalBasis<T>& basis = solver_->system().basis;
+        const T rate = 1 + (basis.r_n.back() + basis.D.cwiseAbs().rowwise().sum().maxCoeff()) / solver_->excitation().r;
+        const T steps = static_cast<int>(motion_->phases.size()) + h_ * pi_ * rate;
+        return 4 * static_cast<int>(2 * N + 2) * std::numeric_limits<T>::epsilon() * steps;
     }
 
     ExactSolver<T>* solver_;

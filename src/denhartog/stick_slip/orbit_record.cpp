@@ -7,7 +7,7 @@
 
 #include "denhartog/number/multiprecision.hpp"
 #include "denhartog/sliding/steady_state.hpp"
-#include "denhartog/stick_slip/floquet.hpp"
+#include "denhartog/stick_slip/stability.hpp"
 
 namespace denhartog {
 namespace {
@@ -87,26 +87,6 @@ MassMotion<T> contact_motion(const OrbitMap<T>& map, const T& error) {
     return contact;
 }
 
-/// Error of the map's Jacobian in the largest sum of a row: some units in the last place for every phase and period of the modes.
-template <class T>
-double jacobian_error(const OrbitMap<T>& map, const Matrix<double>& jacobian) {
-    const ContactSystem<T>& s = map.solver().system();
-    const double turns = static_cast<double>(T(s.basis.r_n.back() / map.solver().excitation().r)) * map.half_periods();
-    const double units = 4 * (static_cast<double>(map.motion().phases.size()) + 4 * turns);
-    const double eps = std::max(std::numeric_limits<double>::epsilon(), static_cast<double>(std::numeric_limits<T>::epsilon()));
-    return units * eps * jacobian.cwiseAbs().rowwise().sum().maxCoeff();
-}
-
-/// Jacobian of the map for the other masses while the contact is held, 2 (N - 1) x 2 (N - 1).
-template <class T>
-Matrix<double> jacobian_of_others(const OrbitMap<T>& map) {
-    const auto j = static_cast<Eigen::Index>(map.solver().system().contact.index);
-    std::vector<Eigen::Index> others;
-    for (Eigen::Index k = 0; k < 2 * map.N; ++k)
-        if (k != j && k != map.N + j) others.push_back(k);
-    return in_double(map.jacobian())(others, others);
-}
-
 /// How much farther than the coordinates a mass may be out that is none of them; 1 where all are.
 template <class T>
 T reach_of_displacements(const OrbitMap<T>& map) {
@@ -117,13 +97,6 @@ T reach_of_displacements(const OrbitMap<T>& map) {
 }
 
 } // namespace
-
-template <class T>
-bool attracts(const OrbitMap<T>& map) {
-    map.solver().effort().spend(4L * map.N * map.N * map.N); // products of whole matrices in `contracts`
-    const Matrix<double> jacobian = in_double(map.energy_jacobian());
-    return contracts(jacobian, jacobian_error(map, jacobian));
-}
 
 template <class T>
 T displacement_of_energy(const OrbitMap<T>& map) {
@@ -200,8 +173,9 @@ std::optional<PeriodicOrbit<T>> orbit_of(const OrbitMap<T>& map, const State<T>&
     orbit.touching = map.motion().touching;
     orbit.residual = largest > 0 ? T(map.difference().cwiseAbs().maxCoeff() / largest) : T(0);
     if (search.with_stability) {
-        orbit.stable = attracts(map);
-        orbit.multipliers = multipliers_of(in_double(map.jacobian()));
+        orbit.multipliers = multipliers_of_orbit(map, *errors);
+        // With mu = 1 no deviation grows, wherever the events are.
+        orbit.stable = attracts(map) && (map.solver().excitation().mu == 1 || std::ranges::all_of(orbit.multipliers, is_inside));
         if (orbit.symmetric) orbit.multipliers = squared(std::move(orbit.multipliers));
     }
     if (orbit.touching > 0)
@@ -227,17 +201,15 @@ std::optional<PeriodicOrbit<T>> rest_of(OrbitMap<T>& map, const LastingRest<T>& 
     orbit.residual = largest > 0 ? T(left_over / largest) : T(0);
     orbit.error_bound = map.rounding(true).maxCoeff() + left_over;
     if (search.with_stability) {
-        const Matrix<double> others = jacobian_of_others(map);
-        orbit.multipliers = multipliers_of(others);
-        orbit.stable = others.size() == 0 || contracts(others, jacobian_error(map, others));
+        StabilityOfRest of_others = stability_of_rest(map);
+        orbit.stable = of_others.stable;
+        orbit.multipliers = std::move(of_others.multipliers);
     }
     return orbit;
 }
 
 template double displacement_of_energy(const OrbitMap<double>&);
 template Real50 displacement_of_energy(const OrbitMap<Real50>&);
-template bool attracts(const OrbitMap<double>&);
-template bool attracts(const OrbitMap<Real50>&);
 template std::optional<ErrorsOfOrbit<double>> errors_of(const OrbitMap<double>&);
 template std::optional<ErrorsOfOrbit<Real50>> errors_of(const OrbitMap<Real50>&);
 template std::optional<PeriodicOrbit<double>> orbit_of(const OrbitMap<double>&, const State<double>&, const OrbitSearch<double>&);

@@ -10,12 +10,6 @@
 
 namespace denhartog {
 
-/// @brief Whether the map certainly contracts next to the orbit.
-/// @param map  the map, applied last to the orbit with its Jacobian
-/// @return     true where all its eigenvalues are inside the unit circle by more than their error
-template <class T>
-[[nodiscard]] bool attracts(const OrbitMap<T>& map);
-
 /// @brief The largest displacement of any mass that a unit of the map's energy norm can make.
 /// @param map  the map
 /// @return     the displacement, units of P / k_1

@@ -1,15 +1,16 @@
 #include "denhartog/stick_slip/periodic_orbit.hpp"
 
 #include <algorithm>
+#include <complex>
 #include <functional>
 #include <optional>
 #include <utility>
 
 #include "denhartog/number/multiprecision.hpp"
-#include "denhartog/stick_slip/floquet.hpp"
 #include "denhartog/stick_slip/orbit_record.hpp"
 #include "denhartog/stick_slip/orbit_search.hpp"
 #include "denhartog/stick_slip/shooting.hpp"
+#include "denhartog/stick_slip/stability.hpp"
 
 namespace denhartog {
 namespace {
@@ -160,7 +161,7 @@ private:
 
     // Whether motions next to the candidate tend to it. The map was applied to it last.
     void judge_candidate() {
-        const std::vector<std::complex<double>> multipliers = multipliers_of(in_double(candidate_.jacobian));
+        const std::vector<std::complex<double>> multipliers = eigenvalues(in_double(candidate_.jacobian));
         candidate_.largest_multiplier = multipliers.empty() ? 1 : size_of(multipliers.front());
         candidate_.stable = attracts(map_);
     }

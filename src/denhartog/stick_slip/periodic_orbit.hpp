@@ -8,12 +8,12 @@
 /// Which of them the motion is comes from what is seen of it.
 #pragma once
 
-#include <complex>
 #include <cstdint>
 #include <string>
 #include <vector>
 
 #include "denhartog/stick_slip/exact_motion.hpp"
+#include "denhartog/stick_slip/floquet.hpp"
 
 namespace denhartog {
 
@@ -49,7 +49,7 @@ struct PeriodicOrbit {
     std::vector<Stop<T>> stops;                      ///< within its period, starts ascending in [0, 2 pi periods)
     MassMotion<T> contact{};                         ///< amplitude and phase of the mass in contact
     std::vector<MassMotion<T>> masses; ///< amplitude and phase of every mass; empty where the contact's alone are asked
-    std::vector<std::complex<double>> multipliers; ///< Floquet multipliers over its period, by descending size
+    std::vector<Multiplier> multipliers;           ///< Floquet multipliers over its period, by descending size
     bool stable = false;                           ///< all multipliers inside the unit circle, by more than their error
     T residual = T(0);                             ///< largest difference of the two ends, over the largest displacement
     T error_bound = T(0);                          ///< bound of the error of the displacements, units of P / k_1

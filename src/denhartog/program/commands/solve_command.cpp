@@ -94,7 +94,7 @@ void add_solve_command(CLI::App& app, ExitStatus& status) {
         "method says which model answers, in which precision, and why: the cheapest that is certain to have the digits.\n"
         "unique: whether the velocities are known not to depend on the start. If not, the answer is the motion that the start\n"
         "from rest leads to. stable: all Floquet multipliers are inside the unit circle, by more than their errors;\n"
-        "multipliers are their sizes in double, without a bound.\n"
+        "multipliers are their sizes in double, multiplier_error_bounds their bounds, null if none is known.\n"
         "regime_by_56: the regime by the paper's condition, if it differs. beta_lim.at_least: a bound that was enough.\n"
         "error_bound is absolute, in units of P / k_1; phase_error_bound in radians. counters: what the answer cost.\n"
         "dimensional: the same in the units of a scene that was given by masses and stiffnesses; times from the maximum of the\n"
