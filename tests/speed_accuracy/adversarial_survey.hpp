@@ -85,7 +85,7 @@ struct AdversarialRun {
     bool questions = true;               ///< whether every question is asked
     bool contradictions = true;          ///< whether answers are compared with each other
     bool all_motions = true;        ///< whether `solve` is asked for all motions, which takes seconds where there may be many
-    double seconds_a_question = 10; ///< processor time after which a question is said not to end
+    double seconds_a_question = 60; ///< processor time after which one is said not to end, 200 masses or not
     std::optional<long> effort{};   ///< operations that a question may spend; none: the default of its scene
 };
 

@@ -130,9 +130,9 @@ template <class T, class Searched>
 SlidingPoint<T> point_at(const Scene<T>& scene, const ModeSums<Bounded<T>>& sums, const PointWish& wish,
                          const std::optional<Boundary<Bounded<T>>>& without_coupling,
                          const ModeSums<Bounded<Searched>>& searched) {
-    const auto in_type = [](const std::vector<Searched>& instants) {
+    const auto in_type = [](const std::vector<Searched>& instants) -> decltype(auto) {
         if constexpr (std::same_as<T, Searched>)
-            return instants;
+            return (instants);
         else
             return widened<T>(instants);
     };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <boost/container/small_vector.hpp>
 #include <cmath>
 #include <type_traits>
 #include <utility>
@@ -181,30 +182,32 @@ RegimeBoundary<T> regime_boundary_at(const ModeSums<T>& s, const T& mu, const T&
     return b;
 }
 
+// The demands of the modes, summed over the contact.
+template <class T, class Demand>
+T sum_of_demands(const ModeSums<T>& s, const Demand& demand) {
+    boost::container::small_vector<T, 8> demands;
+    for (std::size_t i = 0; i < s.R.size(); ++i) demands.push_back(demand(i));
+    return paper::sum_over_contact(mode_shapes_at(s, s.contact), std::span<const T>(demands.data(), demands.size()));
+}
+
 } // namespace
 
 template <class T>
 T sliding_demand(const ModeSums<T>& s, const T& tau) {
     if (s.coupled) return coupled_demand(*s.coupled, s.contact, tau);
-    std::vector<T> values;
-    values.reserve(s.R.size());
-    for (std::size_t i = 0; i < s.R.size(); ++i) values.push_back(s_d(s, i, tau));
-    return paper::sum_over_contact(mode_shapes_at(s, s.contact), std::span<const T>(values));
+    return sum_of_demands(s, [&](std::size_t i) { return s_d(s, i, tau); });
 }
 
 template <class T>
 Boundary<T> boundary_at(const ModeSums<T>& s, const T& mu, const T& instant, std::vector<T> instants) {
     check_static_friction(mu);
-    std::vector<T> maxima;
-    maxima.reserve(s.R.size());
-    for (std::size_t i = 0; i < s.R.size(); ++i) maxima.push_back(found_by_search(s_d(s, i, instants[i])));
     const std::size_t j = s.contact.index;
     const T held = static_demand(s, mu);
     const Complex<T> V_dj = response_that_counts(s);
     Boundary<T> b{};
     b.S_exact = found_by_search(sliding_demand(s, instant));
     static_cast<RegimeBoundary<T>&>(b) = regime_boundary_at(s, mu, b.S_exact);
-    b.S_paper = s.coupled ? b.S_exact : paper::sum_over_contact(mode_shapes_at(s, s.contact), std::span<const T>(maxima));
+    b.S_paper = s.coupled ? b.S_exact : sum_of_demands(s, [&](std::size_t i) { return found_by_search(s_d(s, i, instants[i])); });
     b.instant = instant;
     b.instants = std::move(instants);
     b.paper = paper::friction_ratio_limit(V_dj, s.U[j], larger(b.S_paper, held));

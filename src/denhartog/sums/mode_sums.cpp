@@ -1,6 +1,7 @@
 #include "denhartog/sums/mode_sums.hpp"
 
 #include <atomic>
+#include <boost/container/small_vector.hpp>
 #include <boost/math/special_functions/fpclassify.hpp>
 #include <utility>
 
@@ -105,8 +106,8 @@ ModeSums<T> mode_sums(const ModalBasis<T>& basis, Mass contact, Mass load, const
     }
     s.Y_jj = paper::complex_response_of_mass(psi_j, psi_j, R, v);
     s.H_j = paper::H(psi_j, R, zeta, u, g);
-    const std::vector<T> ones(N, T(1));
-    s.sum_of_squares = paper::sum_over_contact(psi_j, std::span<const T>(ones));
+    const boost::container::small_vector<T, 8> ones(N, T(1));
+    s.sum_of_squares = paper::sum_over_contact(psi_j, std::span<const T>(ones.data(), N));
     return s;
 }
 
