@@ -684,3 +684,23 @@ TEST_CASE("a phase of the contact that is not certain enough for samples is foun
     const SampledSolution moved = sampled_solution(scene_source(scene), vague, 16);
     CHECK(std::abs(samples.states[4].x[2] - moved.states[4].x[2]) > 1e-7);
 }
+
+TEST_CASE("permanent sticking by (88) and the interval of rest are numbers or are not given", "[solve][eq:88]") {
+    // Double loses (88) at so high a frequency; 50 digits and 100 have it.
+    Scene<double> scene =
+        chain({1, 0x1p-50, 0x1p-50}, {1, 2.279534880961692e-12, 77480419260.19966}, {32879.2, 0.0182, 3.36e-7}, 3, 2, 1, 5.9e152);
+    scene.beta = 0;
+    const Solution motion = solve(scene_source(scene), {});
+    Question question;
+    question.asked = Asked::regime;
+    const Solution regime = solve(scene_source(scene), question);
+    REQUIRE(motion.sticking_by_88);
+    REQUIRE(regime.sticking_by_88);
+    CHECK(motion.sticking_by_88->value > 0);
+    CHECK(regime.sticking_by_88->value == Approx(motion.sticking_by_88->value).epsilon(1e-12));
+    // Friction of 1e310 holds the contact wherever it is.
+    Scene<double> held = oscillator(0.01, 0.5, 1e10);
+    held.beta = 1e300;
+    CHECK_THROWS_WITH(solve(scene_source(held), {}), Catch::Contains("the interval of rest is beyond the range of a double"));
+    CHECK(solve(scene_source(held), {.digits = 20}).rest_interval->to.decimal.find("e+310") != std::string::npos);
+}

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
 
 #include "denhartog/answer/certify.hpp"
 #include "denhartog/model/coordinates.hpp"
@@ -24,11 +25,20 @@ Certified without_bound(const T& x, int digits) {
     return number;
 }
 
+// A number that is written as a double has to be one.
+template <class T>
+void require_in_range(const T& number, int digits, const char* name) {
+    if (digits <= most_digits_of_a_double && !std::isfinite(static_cast<double>(number)))
+        throw PrecisionError(std::string(name) + " is beyond the range of a double; 16 digits and more are written as text");
+}
+
 template <class T>
 std::optional<Certified> limit_by_88(const Scene<T>& scene, const StuckConfiguration<T>& stuck, const StuckResponse<T>& response,
                                      int digits) {
     const std::optional<T> paper = sticking_boundary(response, stuck_chain(scene.system, stuck), scene.mu).paper;
-    return paper ? std::optional(without_bound(*paper, digits)) : std::nullopt;
+    if (!paper) return std::nullopt;
+    require_in_range(*paper, digits, "permanent sticking by (88)");
+    return without_bound(*paper, digits);
 }
 
 // Bounds of the errors of the complex amplitudes, and of the load that they bring to the contact. The equations of motion with
@@ -187,8 +197,7 @@ HeldSolution held_solution(const Scene<T>& scene, const StuckConfiguration<T>& s
     }
     solution.rest_interval = {certified(Bounded<T>(T(-to), error), digits), certified(Bounded<T>(to, error), digits),
                               std::nullopt};
-    if (digits <= most_digits_of_a_double && !std::isfinite(static_cast<double>(to)))
-        throw PrecisionError("the interval of rest is beyond the range of a double; 16 digits and more are written as text");
+    require_in_range(to, digits, "the interval of rest");
     solution.sticking_by_88 = limit_by_88(scene, stuck, response, digits);
     return solution;
 }
