@@ -704,3 +704,22 @@ TEST_CASE("permanent sticking by (88) and the interval of rest are numbers or ar
     CHECK_THROWS_WITH(solve(scene_source(held), {}), Catch::Contains("the interval of rest is beyond the range of a double"));
     CHECK(solve(scene_source(held), {.digits = 20}).rest_interval->to.decimal.find("e+310") != std::string::npos);
 }
+
+TEST_CASE("50 digits are not begun for a motion that takes more than is left of the work allowed", "[solve][effort]") {
+    const auto long_chain = [](std::size_t N) {
+        Scene<double> scene =
+            chain(std::vector<double>(N, 1), std::vector<double>(N, 1), std::vector<double>(N, 0.02), 2, 3, 1, 0.9);
+        scene.beta = 0.7;
+        return scene_source(scene);
+    };
+    {
+        const QuestionEffort effort(150);
+        const Solution found = solve(long_chain(150), {});
+        CHECK(found.method.precision == "double");
+        CHECK_THAT(found.method.why, Catch::Contains("in 50 digits: the motion takes at least"));
+        CHECK(found.stability->stable);
+        CHECK(effort.spent() < default_effort(150) / 10);
+        CHECK_THROWS_WITH(solve(long_chain(150), {.digits = 12}), Catch::Contains("the motion takes at least"));
+    }
+    CHECK(solve(long_chain(30), {.digits = 12}).method.precision == "50 digits");
+}

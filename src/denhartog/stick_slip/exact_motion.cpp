@@ -80,6 +80,7 @@ struct ExactSolver<T>::Work : ContactPhases<T> {
         motion.status = MotionStatus::complete;
         motion.phases.clear();
         motion.states.clear();
+        motion.effort_for_jacobian = 0;
         this->touching = 0;
         T tau = tau_0;
         auto [direction, order] = this->first_direction(tau);
@@ -107,7 +108,11 @@ struct ExactSolver<T>::Work : ContactPhases<T> {
             phases_so_far.fetch_add(1, std::memory_order_relaxed);
             LinearMotion<T>& now = direction == 0 ? sticking : sliding;
             now.differentiate_at(event.t);
-            if (with_jacobian) deviations.carry(*this, direction, event);
+            if (with_jacobian) {
+                const long before = effort->spent;
+                deviations.carry(*this, direction, event);
+                motion.effort_for_jacobian += effort->spent - before;
+            }
             this->masses_of(direction, 0, x);
             this->masses_of(direction, 1, v);
             if (event.found) v[system->contact.index] = T(0);

@@ -68,6 +68,7 @@ struct ExactMotion {
     State<T> end;                                 ///< the state at the end
     Matrix<T> jacobian;                           ///< d end / d start over (x, x'), 2N x 2N; only where it was asked for
     int touching = 0;                             ///< events met so tangentially that rounding decided them
+    long effort_for_jacobian = 0;                 ///< operations that the Jacobian took
 };
 
 /// @brief How that which ends a phase vanishes there: the velocity of a contact that slides; while it sticks, what the load on it

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "denhartog/model/linear_algebra.hpp"
+#include "denhartog/number/multiprecision.hpp"
 #include "denhartog/number/number.hpp"
 #include "denhartog/stick_slip/exact_motion.hpp"
 #include "denhartog/stick_slip/linear_motion.hpp"
@@ -74,7 +75,9 @@ public:
     bool apply(const State<T>& z, int half_periods, bool with_jacobian) {
         h_ = half_periods;
         half_periods_in_all_ += h_;
+        const long before = solver_->effort().spent;
         motion_ = &solver_->run(z, T(0), h_ * pi_, with_jacobian);
+        effort_ = solver_->effort().spent - before;
         if (motion_->status != MotionStatus::complete) return false;
         const bool turned = h_ % 2 != 0;
         for (Eigen::Index k = 0; k < N; ++k) {
@@ -208,6 +211,13 @@ public:
     [[nodiscard]] const Column<T>& difference() const { return difference_; }
     /// @brief Half-periods of the last application. @return h
     [[nodiscard]] int half_periods() const { return h_; }
+    /// @brief What the last application would take in 50 digits. @return operations
+    [[nodiscard]] long effort_in_50_digits() const {
+        constexpr long products = 512L * 128; // so many take a whole number of operations
+        constexpr long dearer = cost_of_products<Real50>(products) / cost_of_products<double>(products);
+        const long of_jacobian = motion_->effort_for_jacobian;
+        return cost_of_mode<Real50>() * (effort_ - of_jacobian) + dearer * of_jacobian;
+    }
     /// @brief Half-periods of all applications. @return their sum
     [[nodiscard]] long half_periods_in_all() const { return half_periods_in_all_; }
 
@@ -310,6 +320,7 @@ private:
     State<T> image_;
     const ExactMotion<T>* motion_ = nullptr;
     int h_ = 1;
+    long effort_ = 0;
     long half_periods_in_all_ = 0;
     Column<T> modal_;  // rounding of the modal displacements
     Column<T> turned_; // what turned modes make of them

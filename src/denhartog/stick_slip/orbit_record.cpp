@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <boost/math/special_functions/fpclassify.hpp>
+#include <concepts>
 #include <limits>
 #include <utility>
 
@@ -171,6 +172,7 @@ std::optional<PeriodicOrbit<T>> orbit_of(const OrbitMap<T>& map, const State<T>&
     orbit.periods = orbit.symmetric ? h : h / 2;
     orbit.stops = stops_of(map);
     orbit.touching = map.motion().touching;
+    if constexpr (std::same_as<T, double>) orbit.effort_in_50_digits = map.effort_in_50_digits();
     orbit.residual = largest > 0 ? T(map.difference().cwiseAbs().maxCoeff() / largest) : T(0);
     if (search.with_stability) {
         orbit.multipliers = multipliers_of_orbit(map, *errors);
