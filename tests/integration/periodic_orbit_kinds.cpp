@@ -268,6 +268,7 @@ TEST_CASE(
     CHECK(2 * useful > compared);
     const std::vector<Multiplier> within_one = multipliers_of(Matrix<double>::Constant(1, 1, 0.75), 100, 1);
     CHECK(within_one.front().error == 0.75); // nothing but the size that is known from elsewhere
+    CHECK(multipliers_of(Matrix<double>::Zero(3, 3), 1e-9, infinite).front().error < 2e-9);
 }
 
 TEST_CASE("an orbit that is not stable is found where it is asked for, and not given as what the start leads to",

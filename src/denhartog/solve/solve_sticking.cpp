@@ -50,10 +50,10 @@ void orbit_in_50_digits(const SolveTask& task, const PeriodicOrbit<double>& near
 // masses it came to 9 to 15 times what it takes to follow the orbit once. Where that is not allowed, nothing is begun.
 void require_effort(const PeriodicOrbit<double>& orbit, std::size_t N) {
     constexpr long times = 8;
-    const long least = times * orbit.effort_in_50_digits, left = SearchEffort(default_effort(N)).left();
-    if (least > left)
-        throw PrecisionError("the motion takes at least " + std::to_string(least) + " operations, and " + std::to_string(left) +
-                             " are left of the work allowed");
+    const long needed = times * orbit.effort_in_50_digits, left = SearchEffort(default_effort(N)).left();
+    if (needed > left)
+        throw PrecisionError("finding the motion takes some " + std::to_string(needed) + " operations, and " +
+                             std::to_string(left) + " are left of the work allowed");
 }
 
 // The effort is spent, and with it the way to know whether a motion stops that double does not see stop.

@@ -123,7 +123,7 @@ void intersect_with_joined(std::vector<SizeRange>& known, std::vector<SizeRange>
 std::vector<SizeRange> intervals_of_sizes(const ComplexMatrix& R, double error, double most) {
     const Eigen::Index n = R.rows();
     const double norm = R.norm();
-    std::vector<SizeRange> known(static_cast<std::size_t>(n), {0, most});
+    std::vector<SizeRange> known(static_cast<std::size_t>(n), {0, std::min(most, norm + error)});
     if (!(error < norm)) return known;
     const Decoupled d = decoupled(R, std::sqrt(error / norm) * norm);
     const double units = 16 * static_cast<double>(n) * unit_of<double>();
