@@ -43,7 +43,11 @@ std::vector<std::complex<double>> eigenvalues_of(const Matrix<double>& T) {
     return values;
 }
 
-// The inverse of a complex number, the same by every compiler.
+// Product and inverse of complex numbers, the same by every compiler: the language's call a function of its own.
+std::complex<double> times(const std::complex<double>& a, const std::complex<double>& b) {
+    return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};
+}
+
 std::complex<double> inverse_of(const std::complex<double>& z) {
     const double size = size_of(z);
     return {z.real() / size / size, -z.imag() / size / size};
@@ -53,10 +57,17 @@ std::complex<double> inverse_of(const std::complex<double>& z) {
 void make_triangular(ComplexMatrix& R, Eigen::Index i, const std::complex<double>& eigenvalue) {
     const std::complex<double> v_1 = R(i, i + 1), v_2 = eigenvalue - R(i, i);
     const double size = elementary::hypot(size_of(v_1), size_of(v_2));
-    ComplexMatrix Q(2, 2);
-    Q << v_1 / size, -std::conj(v_2) / size, v_2 / size, std::conj(v_1) / size;
-    R.middleCols(i, 2) = (R.middleCols(i, 2) * Q).eval();
-    R.middleRows(i, 2) = (Q.adjoint() * R.middleRows(i, 2)).eval();
+    const std::complex<double> a = v_1 / size, b = v_2 / size; // the matrix has the columns (a, b) and (-b*, a*)
+    for (Eigen::Index row = 0; row < i + 2; ++row) {
+        const std::complex<double> left = R(row, i), right = R(row, i + 1);
+        R(row, i) = times(left, a) + times(right, b);
+        R(row, i + 1) = times(right, std::conj(a)) - times(left, std::conj(b));
+    }
+    for (Eigen::Index column = i; column < R.cols(); ++column) {
+        const std::complex<double> upper = R(i, column), lower = R(i + 1, column);
+        R(i, column) = times(std::conj(a), upper) + times(std::conj(b), lower);
+        R(i + 1, column) = times(a, lower) - times(b, upper);
+    }
     R(i, i) = eigenvalue;
     R(i + 1, i + 1) = std::conj(eigenvalue);
     R(i + 1, i) = 0;
@@ -78,10 +89,10 @@ Decoupled decoupled(const ComplexMatrix& R, double close) {
     for (Eigen::Index k = 0; k < n; ++k)
         for (Eigen::Index i = k - 1; i >= 0; --i) {
             std::complex<double> rest = 0;
-            for (Eigen::Index m = i + 1; m <= k; ++m) rest += R(i, m) * Y(m, k) - Y(i, m) * left(m, k);
+            for (Eigen::Index m = i + 1; m <= k; ++m) rest += times(R(i, m), Y(m, k)) - times(Y(i, m), left(m, k));
             const std::complex<double> apart = R(k, k) - R(i, i);
             if (size_of(apart) > close) {
-                Y(i, k) = rest * inverse_of(apart);
+                Y(i, k) = times(rest, inverse_of(apart));
                 continue;
             }
             left(i, k) = rest;
@@ -92,7 +103,7 @@ Decoupled decoupled(const ComplexMatrix& R, double close) {
     for (Eigen::Index k = 0; k < n; ++k)
         for (Eigen::Index i = k - 1; i >= 0; --i) {
             std::complex<double> sum = 0;
-            for (Eigen::Index m = i + 1; m <= k; ++m) sum += Y(i, m) * inverse(m, k);
+            for (Eigen::Index m = i + 1; m <= k; ++m) sum += times(Y(i, m), inverse(m, k));
             inverse(i, k) = -sum;
         }
     for (Eigen::Index i = 0; i < n; ++i) {
