@@ -12,6 +12,7 @@
 #include "denhartog/stick_slip/orbit_map.hpp"
 #include "denhartog/stick_slip/orbit_search.hpp"
 #include "denhartog/stick_slip/periodic_orbit.hpp"
+#include "denhartog/stick_slip/stability.hpp"
 #include "tests/integration/orbit_scenes.hpp"
 
 using namespace denhartog;
@@ -183,6 +184,60 @@ TEST_CASE("the sizes of Floquet multipliers are within their bounds of those in 
     CHECK(compared > 300);
     CHECK(10 * close > 9 * compared);
     CHECK(10 * closer > 9 * compared);
+}
+
+TEST_CASE("the bounds of multipliers take in that the instants of events are off, and no smaller error would do",
+          "[exact-solver][shooting]") {
+    // The motion next to the orbit has other instants, and so another Jacobian; how far it is from the orbit is known.
+    int compared = 0, useful = 0, outside_of_less = 0;
+    for (const Twin& twin : between_the_boundaries(33, 3, 1)) {
+        const PeriodicOrbit<double> orbit = orbit_of(twin.in_double);
+        if (orbit.status != OrbitStatus::periodic || !orbit.symmetric || orbit.periods != 1) continue;
+        ExactSolver<double> solver(twin.in_double.system, twin.in_double.excitation);
+        OrbitMap<double> map(solver);
+        State<double> near = orbit.start;
+        for (std::size_t k = 0; k < near.x.size(); ++k) near.x[k] += (k % 2 == 0 ? 1e-7 : -1e-7) * orbit.contact.amplitude;
+        REQUIRE(map.apply(near, 1, true));
+        const double apart = map.norm(difference(near, orbit.start));
+        const auto known_within = [&](double energy) {
+            ErrorsOfOrbit<double> errors{0, displacement_of_energy(map) * energy, {}};
+            for (const auto& shape : twin.in_double.system.basis.phi.rowwise()) errors.velocity.push_back(shape.norm() * energy);
+            return squared(multipliers_of_orbit(map, errors));
+        };
+        const std::vector<Multiplier> known = known_within(apart), less = known_within(apart / 4096);
+        REQUIRE(known.size() == orbit.multipliers.size());
+        INFO(twin.in_double.name);
+        bool inside_less = true;
+        for (std::size_t n = 0; n < known.size(); ++n) {
+            CHECK(overlap(known[n], orbit.multipliers[n]));
+            inside_less = inside_less && overlap(less[n], orbit.multipliers[n]);
+            ++compared;
+            useful += known[n].error < 1e-2;
+        }
+        outside_of_less += !inside_less;
+    }
+    CAPTURE(compared, useful, outside_of_less);
+    CHECK(compared > 100);
+    CHECK(2 * useful > compared);
+    CHECK(outside_of_less > 0);
+}
+
+TEST_CASE("with mu above 1 a motion is stable only if its multipliers are inside the unit circle by more than their bounds",
+          "[exact-solver][shooting]") {
+    int stable = 0, across = 0;
+    OrbitSearch<double> any;
+    any.follow_start = false;
+    for (const Twin& twin : between_the_boundaries(100, 4, 3)) {
+        const PeriodicOrbit<double> orbit = orbit_of(twin.in_double, any);
+        if (orbit.status != OrbitStatus::periodic) continue;
+        INFO(twin.in_double.name);
+        const bool inside = std::ranges::all_of(orbit.multipliers, is_inside);
+        CHECK((!orbit.stable || inside));
+        stable += orbit.stable;
+        across += !inside && size_of(orbit.multipliers.front().value) < 1;
+    }
+    CHECK(stable > 20);
+    CHECK(across > 0); // of these the value alone, or its rounding, would say that they are stable
 }
 
 TEST_CASE("with mu = 1 no deviation grows in energy over half a period, whether the contact is at a wall or between two masses",

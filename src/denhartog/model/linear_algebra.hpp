@@ -64,6 +64,12 @@ template <class T>
 template <class T>
 [[nodiscard]] Column<T> product_of_sizes(const Matrix<T>& A, const Column<T>& x);
 
+/// @brief \f$ \|A\|_\infty \f$. @param A a matrix, not empty @return the largest sum of the sizes of a row's entries
+template <class T>
+[[nodiscard]] T largest_row_sum(const Matrix<T>& A) {
+    return A.cwiseAbs().rowwise().sum().maxCoeff();
+}
+
 /// @brief Whether a matrix has nothing beside its diagonal. @param A a square matrix @return true if so
 template <class T>
 [[nodiscard]] bool is_diagonal(const Matrix<T>& A) {

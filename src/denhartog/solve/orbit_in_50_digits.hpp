@@ -22,26 +22,21 @@ namespace denhartog {
 }
 
 /// @brief The same orbit in 50 digits, for whoever takes it with its solver.
-/// @param source        the scene
-/// @param near          the orbit of double: its start, periods, symmetry and bound
-/// @param contact_only  whether of its masses the contact alone is wanted
-/// @param stability     whether its stability is wanted
-/// @param take          called with the solver and the orbit
-/// @throws              PrecisionError where 50 digits do not find it
+/// @param source  the scene
+/// @param near    the orbit of double: its start, periods, symmetry and bound
+/// @param how     what is asked of the orbit; how it is searched for is set here
+/// @param take    called with the solver and the orbit
+/// @throws        PrecisionError where 50 digits do not find it
 template <class Take>
-void find_in_50_digits(const SceneSource& source, const PeriodicOrbit<double>& near, bool contact_only, bool stability,
-                       const Take& take) {
+void find_in_50_digits(const SceneSource& source, const PeriodicOrbit<double>& near, OrbitSearch<Real50> how, const Take& take) {
     const SceneIn<Real50> in = scene_with_modes<Real50>(source);
     const ContactSystem<Real50> system = contact_system(in.scene.system);
     ExactSolver<Real50> solver(system, {*in.scene.r, *in.scene.beta, in.scene.mu});
     State<Real50> start;
     start.x.assign(near.start.x.begin(), near.start.x.end());
     start.x_prime.assign(near.start.x_prime.begin(), near.start.x_prime.end());
-    OrbitSearch<Real50> how;
     how.periods_before = near.periods;
     how.follow_start = false;
-    how.with_stability = stability;
-    how.contact_only = contact_only;
     const PeriodicOrbit<Real50> orbit = periodic_orbit(solver, start, how);
     if (!same_motion(orbit, near))
         throw PrecisionError("the search in 50 digits does not find the motion that double precision found" +

@@ -5,6 +5,7 @@
 
 #include "denhartog/answer/certify.hpp"
 #include "denhartog/model/coordinates.hpp"
+#include "denhartog/model/linear_algebra.hpp"
 #include "denhartog/number/elementary.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/number_text.hpp"
@@ -78,7 +79,7 @@ PeriodicOrbit<double> orbit_of(const Solution& solution, const Coordinates<doubl
     for (const Certified& v : solution.start->x_prime) orbit.start.x_prime.push_back(v.value);
     for (std::vector<double>* part : {&orbit.start.x, &orbit.start.x_prime}) take_to_coordinates(coordinates, *part);
     const Matrix<double>& sums = coordinates.of_masses; // of the masses that the contact is between
-    if (sums.size() > 0) orbit.error_bound *= std::max(1.0, sums.cwiseAbs().rowwise().sum().maxCoeff());
+    if (sums.size() > 0) orbit.error_bound *= std::max(1.0, largest_row_sum(sums));
     return orbit;
 }
 
@@ -95,9 +96,10 @@ std::vector<State<double>> of_orbit(const SceneSource& source, const Solution& s
     }
     const std::string failed = "the samples of the motion are not certain to 6 digits: ";
     try {
-        find_in_50_digits(source, orbit, true, false, [&](ExactSolver<Real50>& solver, const PeriodicOrbit<Real50>& found) {
-            states = along_orbit(solver, found.start, solution, tau);
-        });
+        find_in_50_digits(source, orbit, {.contact_only = true, .with_stability = false},
+                          [&](ExactSolver<Real50>& solver, const PeriodicOrbit<Real50>& found) {
+                              states = along_orbit(solver, found.start, solution, tau);
+                          });
     } catch (const PrecisionError& e) {
         throw PrecisionError(failed + e.what());
     }

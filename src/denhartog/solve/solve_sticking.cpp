@@ -38,12 +38,11 @@ void write_orbit(const SolveTask& task, ExactSolver<T>& solver, const PeriodicOr
 }
 
 void orbit_in_50_digits(const SolveTask& task, const PeriodicOrbit<double>& near, Solution& s) {
-    const bool contact_only = task.question.mass == task.scene.system.contact;
-    const bool with_stability = task.question.asked == Asked::motion;
-    find_in_50_digits(task.source, near, contact_only, with_stability,
-                      [&](ExactSolver<Real50>& solver, const PeriodicOrbit<Real50>& orbit) {
-                          write_orbit(task, solver, orbit, orbit_solution(solver, orbit, task.aim.digits, task.question.mass), s);
-                      });
+    const OrbitSearch<Real50> how{.contact_only = task.question.mass == task.scene.system.contact,
+                                  .with_stability = task.question.asked == Asked::motion};
+    find_in_50_digits(task.source, near, how, [&](ExactSolver<Real50>& solver, const PeriodicOrbit<Real50>& orbit) {
+        write_orbit(task, solver, orbit, orbit_solution(solver, orbit, task.aim.digits, task.question.mass), s);
+    });
 }
 
 // From double to 50 digits Newton's method takes two steps, each over the orbit, and then the orbit is looked at. In chains of 1 to 60
@@ -97,7 +96,7 @@ std::optional<std::size_t> stops_in_50_digits(const SolveTask& task, const Perio
     std::optional<std::size_t> stops;
     if (highest_precision(task.aim, number_of_masses(task.scene.system)) == Precision::in_double) return stops;
     try {
-        find_in_50_digits(task.source, orbit, true, false,
+        find_in_50_digits(task.source, orbit, {.contact_only = true, .with_stability = false},
                           [&](const auto&, const PeriodicOrbit<Real50>& found) { stops = found.stops.size(); });
     } catch (const PrecisionError& e) {
         require_known_stops(task, e, s);

@@ -102,7 +102,7 @@ struct ContactPhases {
             stiffness += k * k;
             fastest = std::max(fastest, T(sticking.omega_0[i] + 2 * sticking.decay[i]));
         }
-        if (sticking.coupled()) fastest += sticking.D.cwiseAbs().rowwise().sum().maxCoeff();
+        if (sticking.coupled()) fastest += largest_row_sum(sticking.D);
         const T force = column(sticking.F).norm(), inertial = m_j.norm();
         load_per_energy = sqrt(stiffness) + c_j.norm() + fastest * inertial;
         load_rest = inertial * force;

@@ -16,11 +16,16 @@ namespace {
 
 using ComplexMatrix = Matrix<std::complex<double>>;
 
-double row_norm(const Matrix<double>& A) { return A.cwiseAbs().rowwise().sum().maxCoeff(); }
-
 bool is_larger(const std::complex<double>& a, const std::complex<double>& b) {
     const double size_a = size_of(a), size_b = size_of(b);
     return size_a != size_b ? size_a > size_b : a.imag() > b.imag();
+}
+
+// A matrix that has the same eigenvalues and, but for blocks of two rows, zeros below its diagonal; empty where it was not found.
+Matrix<double> schur_form(const Matrix<double>& jacobian) {
+    if (jacobian.rows() == 0 || !jacobian.allFinite()) return {};
+    const Eigen::RealSchur<Matrix<double>> schur(jacobian, false);
+    return schur.info() == Eigen::Success ? schur.matrixT() : Matrix<double>();
 }
 
 // The eigenvalues of a matrix of one or two rows, block by block, below whose diagonal all else is zero.
@@ -162,22 +167,18 @@ std::vector<SizeRange> intervals_of_sizes(const ComplexMatrix& R, double error, 
 double size_of(const std::complex<double>& multiplier) { return elementary::hypot(multiplier.real(), multiplier.imag()); }
 
 std::vector<std::complex<double>> eigenvalues(const Matrix<double>& jacobian) {
-    if (jacobian.rows() == 0 || !jacobian.allFinite()) return {};
-    const Eigen::RealSchur<Matrix<double>> schur(jacobian, false);
-    if (schur.info() != Eigen::Success) return {};
-    std::vector<std::complex<double>> values = eigenvalues_of(schur.matrixT());
+    std::vector<std::complex<double>> values = eigenvalues_of(schur_form(jacobian));
     std::ranges::sort(values, is_larger);
     return values;
 }
 
 std::vector<Multiplier> multipliers_of(const Matrix<double>& jacobian, double error, double most) {
-    if (jacobian.rows() == 0 || !jacobian.allFinite()) return {};
-    const Eigen::RealSchur<Matrix<double>> schur(jacobian, false);
-    if (schur.info() != Eigen::Success) return {};
-    std::vector<std::complex<double>> values = eigenvalues_of(schur.matrixT());
-    ComplexMatrix R = schur.matrixT().cast<std::complex<double>>();
+    const Matrix<double> form = schur_form(jacobian);
+    if (form.size() == 0) return {};
+    std::vector<std::complex<double>> values = eigenvalues_of(form);
+    ComplexMatrix R = form.cast<std::complex<double>>();
     for (Eigen::Index i = 0; i + 1 < R.rows(); ++i)
-        if (schur.matrixT()(i + 1, i) != 0) make_triangular(R, i, values[static_cast<std::size_t>(i)]);
+        if (form(i + 1, i) != 0) make_triangular(R, i, values[static_cast<std::size_t>(i)]);
     const double rounding = 32 * static_cast<double>(R.rows()) * unit_of<double>() * jacobian.norm(); // of making it triangular
     const std::vector<SizeRange> intervals = intervals_of_sizes(R, error + rounding, most);
     std::ranges::sort(values, is_larger);
@@ -202,7 +203,7 @@ bool contracts(const Matrix<double>& jacobian, double error) {
     constexpr int most_squarings = 50; // beyond, rounding has grown past every decay
     Matrix<double> power = jacobian;
     for (int n = 0; n < most_squarings; ++n) {
-        const double norm = row_norm(power);
+        const double norm = largest_row_sum(power);
         if (!(norm < 1e100) || !(error < 1)) return false;
         if (norm + error < 1) return true;
         const double rounding = static_cast<double>(power.rows()) * unit_of<double>();

@@ -206,7 +206,7 @@ private:
         A.block(n, n, n, n) = -D;
         A(2 * n, 2 * n + 1) = T(-1);
         A(2 * n + 1, 2 * n) = T(1);
-        rate += D.cwiseAbs().rowwise().sum().maxCoeff();
+        rate += largest_row_sum(D);
         together_ = CoupledMotion<T>(A, rate, CoupledMotion<T>::Asked::many_starts, effort);
     }
 

@@ -75,6 +75,7 @@ public:
     bool apply(const State<T>& z, int half_periods, bool with_jacobian) {
         h_ = half_periods;
         half_periods_in_all_ += h_;
+        in_energy_.resize(0, 0);
         const long before = solver_->effort().spent;
         motion_ = &solver_->run(z, T(0), h_ * pi_, with_jacobian);
         effort_ = solver_->effort().spent - before;
@@ -141,9 +142,11 @@ public:
 
     /// @brief Jacobian of the map between modal velocities and modal displacements times frequencies: `norm` is Euclid's there.
     /// @return  2N x 2N; its eigenvalues are those of `jacobian`
-    [[nodiscard]] Matrix<T> energy_jacobian() const {
+    [[nodiscard]] const Matrix<T>& energy_jacobian() const {
         const ContactSystem<T>& s = solver_->system();
-        return in_energy_coordinates(jacobian(), s.momentum, s.basis.phi, s.basis.r_n, solver_->excitation().r);
+        if (in_energy_.size() == 0)
+            in_energy_ = in_energy_coordinates(jacobian(), s.momentum, s.basis.phi, s.basis.r_n, solver_->excitation().r);
+        return in_energy_;
     }
 
     /// @brief What rounding and the errors of the modes make of the Jacobian, its events apart.
@@ -309,7 +312,7 @@ private:
     // The same over the energy.
     T rounding_of_coupled_modes() const {
         const ModalBasis<T>& basis = solver_->system().basis;
-        const T rate = 1 + (basis.r_n.back() + basis.D.cwiseAbs().rowwise().sum().maxCoeff()) / solver_->excitation().r;
+        const T rate = 1 + (basis.r_n.back() + largest_row_sum(basis.D)) / solver_->excitation().r;
         const T steps = static_cast<int>(motion_->phases.size()) + h_ * pi_ * rate;
         return 4 * static_cast<int>(2 * N + 2) * std::numeric_limits<T>::epsilon() * steps;
     }
@@ -319,6 +322,7 @@ private:
     Column<T> difference_;
     State<T> image_;
     const ExactMotion<T>* motion_ = nullptr;
+    mutable Matrix<T> in_energy_; // of the last application, once it was asked for
     int h_ = 1;
     long effort_ = 0;
     long half_periods_in_all_ = 0;

@@ -116,7 +116,7 @@ T displacement_of_energy(const OrbitMap<T>& map) {
 
 template <class T>
 std::optional<ErrorsOfOrbit<T>> errors_of(const OrbitMap<T>& map) {
-    const Matrix<T> jacobian = map.energy_jacobian();
+    const Matrix<T>& jacobian = map.energy_jacobian();
     const LinearSystem<T> system(Matrix<T>(Matrix<T>::Identity(2 * map.N, 2 * map.N) - jacobian));
     if (!system.is_regular()) return std::nullopt;
     const Matrix<T> inverse = system.inverse();

@@ -17,7 +17,7 @@ double jacobian_error(const OrbitMap<T>& map, const Matrix<double>& jacobian) {
     const double turns = static_cast<double>(T(s.basis.r_n.back() / map.solver().excitation().r)) * map.half_periods();
     const double units = 4 * (static_cast<double>(map.motion().phases.size()) + 4 * turns);
     const double eps = std::max(std::numeric_limits<double>::epsilon(), static_cast<double>(std::numeric_limits<T>::epsilon()));
-    return units * eps * jacobian.cwiseAbs().rowwise().sum().maxCoeff();
+    return units * eps * largest_row_sum(jacobian);
 }
 
 /// The multipliers of a Jacobian between coordinates of the energy, where no event lets deviations grow by more than `growth`.
@@ -41,9 +41,11 @@ public:
           inertia_(basis_.phi.row(static_cast<Eigen::Index>(solver_.system().contact.index)).squaredNorm()) {
         using std::abs;
         T damping(0);
-        for (std::size_t i = 0; i < basis_.r_n.size(); ++i)
-            damping = std::max(damping, T(2 * abs(basis_.zeta[i]) * basis_.r_n[i]));
-        if (basis_.coupled()) damping = basis_.D.cwiseAbs().rowwise().sum().maxCoeff();
+        if (basis_.coupled())
+            damping = largest_row_sum(basis_.D);
+        else
+            for (std::size_t i = 0; i < basis_.r_n.size(); ++i)
+                damping = std::max(damping, T(2 * abs(basis_.zeta[i]) * basis_.r_n[i]));
         rate_ = highest_over_force(solver_) + damping / e_.r;
         std::vector<T> velocities; // of the coordinates, for a unit of energy
         for (Eigen::Index k = 0; k < map.N; ++k) velocities.push_back(basis_.phi.row(k).norm());
@@ -99,7 +101,7 @@ bool attracts(const OrbitMap<T>& map) {
 template <class T>
 std::vector<Multiplier> multipliers_of_orbit(const OrbitMap<T>& map, const ErrorsOfOrbit<T>& errors) {
     Events<T> events(map, errors);
-    const std::vector<Phase<T>> phases = map.motion().phases;
+    const std::vector<Phase<T>>& phases = map.motion().phases;
     for (std::size_t n = 0; n + 1 < phases.size(); ++n) events.add(n, phases[n], phases[n + 1].direction);
     T error = events.growth * (events.error + map.rounding_of_jacobian());
     if (map.motion().touching > 0) error = std::numeric_limits<T>::infinity();
