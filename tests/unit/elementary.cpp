@@ -74,17 +74,17 @@ struct Function {
 
 const std::vector<Function>& functions() {
     static const std::vector<Function> all{
-        {"exp", elementary::exp, mpfr_exp, 0.51, -708, 709.7, -60, 9, true},
-        {"expm1", elementary::expm1, mpfr_expm1, 0.51, -40, 40, -60, 9, true},
-        {"sinh", elementary::sinh, mpfr_sinh, 0.8, -710, 710, -60, 9, true},
-        {"cosh", elementary::cosh, mpfr_cosh, 0.7, -710, 710, -60, 9, true},
+        {"exp", elementary::exp, mpfr_exp, 0.55, -708, 709.7, -60, 9, true},
+        {"expm1", elementary::expm1, mpfr_expm1, 0.55, -40, 40, -60, 9, true},
+        {"sinh", elementary::sinh, mpfr_sinh, 0.7, -710, 710, -60, 9, true},
+        {"cosh", elementary::cosh, mpfr_cosh, 0.55, -710, 710, -60, 9, true},
         {"log", elementary::log, mpfr_log, 0.505, 0.5, 2, -1074, 1023, false},
-        {"log10", elementary::log10, mpfr_log10, 0.505, 0.5, 2, -1074, 1023, false},
-        {"sin", elementary::sin, mpfr_sin, 0.53, -10, 10, -1074, 1023, true},
-        {"cos", elementary::cos, mpfr_cos, 0.53, -10, 10, -1074, 1023, true},
-        {"sine of half turns", elementary::sine_of_half_turns, sine_of_half_turns_by_mpfr, 0.53, -3, 3, -1074, 60, true},
-        {"cosine of half turns", elementary::cosine_of_half_turns, cosine_of_half_turns_by_mpfr, 0.53, -3, 3, -1074, 60, true},
-        {"atan", elementary::atan, mpfr_atan, 0.505, -3, 3, -1074, 1023, true},
+        {"log10", elementary::log10, mpfr_log10, 0.515, 0.5, 2, -1074, 1023, false},
+        {"sin", elementary::sin, mpfr_sin, 0.54, -10, 10, -1074, 1023, true},
+        {"cos", elementary::cos, mpfr_cos, 0.54, -10, 10, -1074, 1023, true},
+        {"sine of half turns", elementary::sine_of_half_turns, sine_of_half_turns_by_mpfr, 0.54, -3, 3, -1074, 60, true},
+        {"cosine of half turns", elementary::cosine_of_half_turns, cosine_of_half_turns_by_mpfr, 0.54, -3, 3, -1074, 60, true},
+        {"atan", elementary::atan, mpfr_atan, 0.51, -3, 3, -1074, 1023, true},
     };
     return all;
 }
@@ -162,7 +162,7 @@ TEST_CASE("sines and cosines keep their digits next to every multiple of a 128th
     }
 }
 
-TEST_CASE("angles of points are within 0.53 units of MPFR's and lengths within 0.6, however far the coordinates are apart",
+TEST_CASE("angles of points are within 0.54 units of MPFR's and lengths within 0.6, however far the coordinates are apart",
           "[accuracy][elementary]") {
     std::mt19937_64 random(31);
     const auto share = [&] { return 1 + static_cast<double>(random() >> 11U) * 0x1p-53; };
@@ -186,7 +186,7 @@ TEST_CASE("angles of points are within 0.53 units of MPFR's and lengths within 0
         length.take(units_apart(DoubleDouble(elementary::hypot(y, x)), exact), y, x);
     }
     INFO("angle " << angle.units << " units at " << tests::hexadecimal(angle.x) << ", " << tests::hexadecimal(angle.y));
-    CHECK(angle.units <= 0.53);
+    CHECK(angle.units <= 0.54);
     INFO("length " << length.units << " units at " << tests::hexadecimal(length.x) << ", " << tests::hexadecimal(length.y));
     CHECK(length.units <= 0.6);
 }
@@ -369,8 +369,11 @@ TEST_CASE("the tables of the elementary functions are MPFR's to the last bit", "
         mpfr_cospi(x.x, half_turns.x, MPFR_RNDN);
         CHECK(at.whole == std::floor(mpfr_get_d(x.x, MPFR_RNDN) + 0.5));
         CHECK(at.cosine_less_whole == split(at.whole));
+    }
+    for (int n = 0; n < 256; ++n) {
+        INFO("entry " << n);
         const elementary::Power& power = elementary::powers[n];
-        const Exact exponent(n / 128.0);
+        const Exact exponent(n / 256.0);
         mpfr_exp2(x.x, exponent.x, MPFR_RNDN);
         CHECK(power.value == mpfr_get_d(x.x, MPFR_RNDN));
         mpfr_div_d(x.x, x.x, power.value, MPFR_RNDN);

@@ -33,28 +33,31 @@ DoubleDouble scaled_exponential(const DoubleDouble& a, int by) {
     return {scaled, scaled * (e.r + e.s)};
 }
 
-// e^x, x not negative and below 40.
-Parts exponential_below_overflow(double x) {
-    const TakenApart e = short_exponential(x);
-    const double scaled = e.t * power_of_two(e.m);
-    return ordered_sum(scaled, scaled * (e.r + e.s));
+// Half of e^x + sign e^-x, x from 0 on and below 600: with the powers of two for p and q, whose sum or difference is taken first,
+// (p + sign q) cosh(r) + (p - sign q) sinh(r).
+[[gnu::always_inline]] inline double hyperbolic(double x, double sign) {
+    const auto [n, r] = reduce_exponent(x);
+    const Power p = power_at(n - 256), q = power_at(-n - 256);
+    const Parts head = ordered_sum(p.value, sign * q.value);
+    const double rest = head.low + (p.value * p.relative + sign * q.value * q.relative);
+    const double z = r * r, other = (p.value - sign * q.value) * r;
+    const double even = head.high * (z * (0.5 + z * (1.0 / 24))), odd = other * (z * (1.0 / 6 + z * (1.0 / 120)));
+    return head.high + (((rest + other) + even) + odd);
 }
 
 // log(x) in two parts, x positive and normal by its bits, or such a number times 2^-54.
-[[gnu::always_inline]] inline Parts logarithm(std::uint64_t bits, double shift) {
+[[gnu::always_inline]] inline Parts logarithm(std::uint64_t bits, std::int32_t shift) {
     constexpr std::uint64_t least = 0x3fe6a00000000000U; // m is taken from here to its double
     const std::uint64_t exponent = (bits - least) & 0xfff0000000000000U;
     const double m = std::bit_cast<double>(bits - exponent), first = first_half(m);
-    const double k = static_cast<double>(static_cast<std::int32_t>(exponent >> 32U) >> 20U) + shift;
-    const Logarithm& at = logarithms[bits >> 45U & 127U];
-    // The product of 35 bits less 1 has none below 2^-35, far above the last of the other: the sum is exact as if it were the
-    // larger.
-    const double larger = first * at.inverse - 1, smaller = (m - first) * at.inverse;
-    const double R = has_fused_product ? fused_product(m, at.inverse, -1) : larger + smaller, z = R * R;
-    const double series =
-        ((-1.0 / 2 + R * (1.0 / 3)) + z * (-1.0 / 4 + R * (1.0 / 5))) + z * z * ((-1.0 / 6 + R * (1.0 / 7)) - z * (1.0 / 8));
+    const auto k = static_cast<double>((static_cast<std::int32_t>(exponent >> 32U) >> 20U) + shift);
+    const Logarithm& at = logarithms[bits >> 44U & 255U];
+    // m times the inverse is a multiple of 2^-61 and less than 2^-8 from 1: what is left is exact, in one step or in several.
+    const double R = has_fused_product ? fused_product(m, at.inverse, -1) : (first * at.inverse - 1) + (m - first) * at.inverse;
+    const double z = R * R;
+    const double series = z * (-1.0 / 2 + R * (1.0 / 3)) + z * z * ((-1.0 / 4 + R * (1.0 / 5)) + z * (-1.0 / 6 + R * (1.0 / 7)));
     const Parts head = ordered_sum(k * ln_2_high + at.high, R);
-    return {head.high, (head.low + ((k * ln_2_low + at.low) + (smaller - (R - larger)))) + z * series};
+    return {head.high, head.low + ((k * ln_2_low + at.low) + series)};
 }
 
 constexpr std::uint64_t least_normal = 0x0010000000000000U, of_infinity = 0x7ff0000000000000U;
@@ -75,9 +78,11 @@ bool is_normal(std::uint64_t bits) { return bits - least_normal < of_infinity - 
 double exp(double x) noexcept {
     if (!(std::fabs(x) < 600)) [[unlikely]]
         return exponential_far_out(x, 0, 0).high;
-    const TakenApart e = short_exponential(x);
-    const double scaled = e.t * power_of_two(e.m);
-    return scaled + scaled * (e.r + e.s);
+    const auto [n, r] = reduce_exponent(x);
+    const Power power = power_at(n);
+    const double z = r * r;
+    const double first = power.value * (power.relative + r), second = power.value * z;
+    return power.value + (first + second * ((0.5 + r * cubic) + z * (1.0 / 24)));
 }
 
 double expm1(double x) noexcept {
@@ -93,26 +98,17 @@ double expm1(double x) noexcept {
 
 double sinh(double x) noexcept {
     const double size = std::fabs(x);
-    if (size < 1) {
-        const double z = x * x, z_2 = z * z, z_4 = z_2 * z_2;
-        const double first = (1.0 / 6 + z * (1.0 / 120)) + z_2 * (1.0 / 5040 + z * (1.0 / 362880));
-        const double second =
-            (1.0 / 39916800 + z * (1.0 / 6227020800)) + z_2 * (1.0 / 1307674368000 + z * (1.0 / 355687428096000));
-        return x + x * z * (first + z_4 * second);
+    if (size < 0.0625) {
+        const double z = x * x;
+        const double series = (1.0 / 6 + z * (1.0 / 120)) + z * z * (1.0 / 5040 + z * (1.0 / 362880));
+        return x + x * z * series;
     }
-    if (!(size < one_is_nothing)) return std::copysign(scaled_exponential(DoubleDouble(size), -1).high, x);
-    const Parts power = exponential_below_overflow(size);
-    const Parts difference = ordered_sum(power.high, -1 / power.high);
-    return std::copysign(0.5 * (difference.high + (difference.low + power.low)), x);
+    return std::copysign(size < 600 ? hyperbolic(size, -1) : scaled_exponential(DoubleDouble(size), -1).high, x);
 }
 
 double cosh(double x) noexcept {
     const double size = std::fabs(x);
-    if (!(size < one_is_nothing)) return scaled_exponential(DoubleDouble(size), -1).high;
-    const Parts power = exponential_below_overflow(size);
-    const double inverse = 1 / power.high;
-    const Parts sum = ordered_sum(power.high, inverse);
-    return 0.5 * (sum.high + (sum.low + power.low * (1 - inverse * inverse)));
+    return size < 600 ? hyperbolic(size, 1) : scaled_exponential(DoubleDouble(size), -1).high;
 }
 
 double log(double x) noexcept {

@@ -20,33 +20,42 @@ namespace denhartog::elementary {
 /// @brief \f$ e^x = 2^m t (1 + r + s) \f$.
 struct TakenApart {
     std::int64_t m; ///< exponent of two
-    double t;       ///< \f$ 2^{k/128} \f$, from the table
-    double r;       ///< what is left of the argument, up to ln 2 / 256
+    double t;       ///< \f$ 2^{k/256} \f$, from the table
+    double r;       ///< what is left of the argument, up to ln 2 / 512
     double s;       ///< the rest of the series, and what r and t lack
 };
 
-/// @brief Takes \f$ e^x \f$ apart: x less a multiple of ln 2 / 128, then a polynomial of degree 6.
+/// @brief Takes \f$ e^x \f$ apart: x less a multiple of ln 2 / 256, then a polynomial of degree 5.
 /// @param x    a number of size up to 800
 /// @param low  a small one, to be added to it
 /// @return     the parts
 [[nodiscard, gnu::always_inline]] inline TakenApart exponential(double x, double low) {
     const double shift = 0x1.8p52, shifted = x * parts_in_one + shift, k = shifted - shift;
     const auto whole = static_cast<std::int64_t>(std::bit_cast<std::uint64_t>(shifted) << 13U) >> 13U;
-    const Power& power = powers[whole & 127];
+    const Power& power = powers[whole & 255];
     const double first = x - k * part_high, behind = k * part_low - low;
     const double r = first - behind, r_low = (first - r) - behind, z = r * r;
-    const double series = (0.5 + r * (1.0 / 6)) + z * ((1.0 / 24 + r * (1.0 / 120)) + z * (1.0 / 720));
-    return {whole >> 7U, power.value, r, z * series + (r_low + (power.relative + power.relative * r))};
+    const double series = (0.5 + r * (1.0 / 6)) + z * (1.0 / 24 + r * (1.0 / 120));
+    return {whole >> 8U, power.value, r, z * series + (r_low + (power.relative + power.relative * r))};
 }
 
-/// @brief The same for a double, as far as it takes to round a result to one. @param x a number of size up to 800
-/// @return the parts
-[[nodiscard, gnu::always_inline]] inline TakenApart short_exponential(double x) {
+/// @brief A number as a multiple of ln 2 / 256 and the rest, as far as it takes to round a result to a double.
+struct ReducedExponent {
+    std::uint64_t n; ///< the multiple, in its last 51 bits
+    double r;        ///< the rest, up to ln 2 / 512
+};
+
+/// @brief Reduces an exponent. @param x a number of size up to 800 @return it reduced
+[[nodiscard, gnu::always_inline]] inline ReducedExponent reduce_exponent(double x) {
     const double shift = 0x1.8p52, shifted = x * parts_in_one + shift, k = shifted - shift;
-    const auto whole = static_cast<std::int64_t>(std::bit_cast<std::uint64_t>(shifted) << 13U) >> 13U;
-    const Power& power = powers[whole & 127];
-    const double r = (x - k * part_high) - k * part_low, z = r * r;
-    return {whole >> 7U, power.value, r, power.relative + z * ((0.5 + r * (1.0 / 6)) + z * (1.0 / 24 + r * (1.0 / 120)))};
+    return {std::bit_cast<std::uint64_t>(shifted), (x - k * part_high) - k * part_low};
+}
+
+/// @brief \f$ 2^{n/256} \f$ with its first 53 bits. @param n the multiple of a reduced exponent @return the power, in the normal
+/// range, and what its rounding lacks, as a part of it
+[[nodiscard, gnu::always_inline]] inline Power power_at(std::uint64_t n) {
+    const Power& power = powers[n & 255U];
+    return {std::bit_cast<double>(std::bit_cast<std::uint64_t>(power.value) + (n >> 8U << 52U)), power.relative};
 }
 
 /// @brief \f$ e^x - 1 \f$. @param x a number of size up to 40 @param low a small one, to be added to it @return both parts
@@ -130,8 +139,9 @@ struct ReducedAngle {
 [[nodiscard, gnu::always_inline]] inline Parts expanded(const Expansion* table, double x, double low) {
     const double c = nearest_whole(x * 64), r = x - c * 0x1p-6, z = r * r;
     const Expansion& at = table[static_cast<int>(c)];
-    const double higher = (at.fourth + r * at.fifth) + z * ((at.sixth + r * at.seventh) + z * at.eighth);
-    const double rest = at.slope_less_one * (r + low) + (low + z * ((at.second + r * at.third) + z * higher));
+    const double z_2 = z * z;
+    const double higher = z_2 * ((at.fourth + r * at.fifth) + z * (at.sixth + r * at.seventh)) + z_2 * z_2 * at.eighth;
+    const double rest = (at.slope_less_one * (r + low) + low) + (z * (at.second + r * at.third) + higher);
     const Parts head = ordered_sum(at.high, r);
     return {head.high, head.low + (at.low + rest)};
 }

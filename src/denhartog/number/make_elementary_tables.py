@@ -125,8 +125,8 @@ def circle():
 
 
 def powers():
-    for n in range(128):
-        value = exponential(LN_2 * n // 128)
+    for n in range(256):
+        value = exponential(LN_2 * n // 256)
         head = rounded(value)
         yield row([head, rounded(((value - exactly(head)) << BITS) // exactly(head))])
 
@@ -151,13 +151,12 @@ def arc_tangents():
 
 
 def logarithms():
-    """1 / m to nine bits and the logarithm of its inverse, for m in the middle of each 128th of [1, 2), from the 53rd on of half of it."""
-    for n in range(128):
-        inverse = round(Fraction(256 * 256, 257 + 2 * n)) if n else 256
-        inverse = 256 if n == 0 else 128 if n == 127 else inverse
-        value = logarithm(256, inverse) - (LN_2 if n >= 53 else 0)
+    """1 / m to nine bits and the logarithm of its inverse, for m in the middle of each 256th of [1, 2), from the 106th on of half of it."""
+    for n in range(256):
+        inverse = 512 if n == 0 else 256 if n == 255 else round(Fraction(512 * 512, 513 + 2 * n))
+        value = logarithm(512, inverse) - (LN_2 if n >= 106 else 0)
         head = cut(value, max(1, abs(value).bit_length() - (BITS - 42))) if value else 0
-        yield row([inverse / (128 if n >= 53 else 256), rounded(head), rounded(value - head)])
+        yield row([inverse / (256 if n >= 106 else 512), rounded(head), rounded(value - head)])
 
 
 def words_of_two_over_pi():
@@ -248,13 +247,15 @@ def write_angles():
 
 
 def write_powers():
-    ln_high, ln_low = in_doubles(LN_2 // 128, 32)
+    ln_high, ln_low = in_doubles(LN_2 // 256, 32)
     whole_high, whole_low = in_doubles(LN_2, 42)
     log10_e = (ONE << BITS) // logarithm(10, 1)
+    cubic = Fraction(1, 6) + Fraction(87, 100) * Fraction(LN_2, 512 * ONE) ** 2 / 120
     write("power_tables.hpp", "Powers of two and logarithms", [
-        constant("parts_in_one", rounded((ONE << BITS) // (LN_2 // 128)), "128 / ln 2"),
-        constant("part_high", ln_high, "the first 32 bits of ln 2 / 128"),
+        constant("parts_in_one", rounded((ONE << BITS) // (LN_2 // 256)), "256 / ln 2"),
+        constant("part_high", ln_high, "the first 32 bits of ln 2 / 256"),
         constant("part_low", ln_low, "the rest"),
+        constant("cubic", float(cubic), "1 / 6, and of 1 / 120 r^2 the part that serves all r up to ln 2 / 512 best"),
         constant("ln_2_high", whole_high, "the first 42 bits of ln 2"),
         constant("ln_2_low", whole_low, "the rest"),
         constant("log10_e_high", pair(log10_e)[0], "1 / ln 10, rounded"),
@@ -265,7 +266,7 @@ def write_powers():
         "    double value;    ///< rounded",
         "    double relative; ///< what its rounding lacks, as a part of it",
         "};",
-        *table("2^(n / 128).", "Power", "powers", 128, powers()),
+        *table("2^(n / 256).", "Power", "powers", 256, powers()),
         "",
         "/// @brief A number that is nearly 1 / m, and its logarithm.",
         "struct Logarithm {",
@@ -273,7 +274,7 @@ def write_powers():
         "    double high;    ///< minus its logarithm, as a multiple of 2^-42",
         "    double low;     ///< the rest",
         "};",
-        *table("For m from 1 + n / 128 to the next, from n = 53 on for half of it.", "Logarithm", "logarithms", 128, logarithms()),
+        *table("For m from 1 + n / 256 to the next, from n = 106 on for half of it.", "Logarithm", "logarithms", 256, logarithms()),
     ])
 
 
