@@ -12,10 +12,10 @@ namespace denhartog {
 
 Scene<double> scene(std::string_view json) { return read_scene<double>(json); }
 
-Solution solve(const Scene<double>& scene, const Question& question) { return solve(scene_source(scene), question); }
+Solution solve(const Scene<double>& scene, const Question& question) { return solve(source_of_kept(scene), question); }
 
 Limits boundary(const Scene<double>& scene, std::optional<int> digits) {
-    const Solution s = sliding_solution(without_friction_ratio(scene_source(scene)), {Asked::regime, digits, {}});
+    const Solution s = sliding_solution(without_friction_ratio(source_of_kept(scene)), {Asked::regime, digits, {}});
     if (digits && !s.digits_reached)
         throw PrecisionError("the " + std::to_string(*digits) + " digits asked for are not reached: only " +
                              std::to_string(digits_of(s.relative_error)) + " are certain");
@@ -31,7 +31,7 @@ RegimeMap map(const Scene<double>& scene, const std::vector<double>& r, const st
 
 SampledSolution motion(const Scene<double>& scene, std::size_t samples) {
     check_samples("samples", samples, std::max<std::size_t>(number_of_masses(scene.system), 1));
-    return sampled_solution(scene_source(scene), solve(scene), samples);
+    return sampled_solution(source_of_kept(scene), solve(scene), samples);
 }
 
 } // namespace denhartog

@@ -6,11 +6,9 @@
 #include <ctime>
 #include <functional>
 
-#include "denhartog/answer/scene_source.hpp"
-#include "denhartog/map/regime_map.hpp"
+#include "denhartog/denhartog.hpp"
 #include "denhartog/number/multiprecision.hpp"
 #include "denhartog/paper_algorithm/paper_algorithm.hpp"
-#include "denhartog/solve/solve.hpp"
 #include "denhartog/stick_slip/periodic_orbit.hpp"
 #include "tests/support/paper_systems.hpp"
 
@@ -110,8 +108,10 @@ Amplitudes by_paper(const Curve& curve) {
 
 Amplitudes by_solve(const Curve& curve, Asked asked) {
     Amplitudes all;
+    Scene<double> scene = scene_at(curve, 1);
     for (const double r : curve.r) {
-        const Solution solution = solve(scene_source(scene_at(curve, r)), {asked, std::nullopt, false});
+        scene.r = r;
+        const Solution solution = solve(scene, {asked, std::nullopt, false});
         all.emplace_back();
         for (const SolvedMass& mass : solution.masses) all.back().push_back(mass.amplitude.value);
     }

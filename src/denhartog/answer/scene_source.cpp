@@ -21,6 +21,21 @@ struct ReadBy final : SceneReader {
     [[nodiscard]] Scene<Real100> in_100_digits() const override { return read(Real100(), narrow); }
 };
 
+// A scene of numbers in double, which this or somebody else keeps.
+struct OfDoubles final : SceneReader {
+    std::optional<Scene<double>> copy;
+    std::unique_ptr<const Scene<double>> in_coordinates; // in its own coordinates, where these are others
+    const Scene<double>*given, *scene;
+    OfDoubles(const Scene<double>& scene_, bool keeps) : given(keeps ? &copy.emplace(scene_) : &scene_), scene(given) {
+        if (is_of_papers_form(scene->system)) return;
+        in_coordinates = std::make_unique<const Scene<double>>(in_own_coordinates(*given));
+        scene = in_coordinates.get();
+    }
+    [[nodiscard]] const Scene<double>& in_double() const override { return *scene; }
+    [[nodiscard]] Scene<Real50> in_50_digits() const override { return in_own_coordinates(converted<Real50>(*given)); }
+    [[nodiscard]] Scene<Real100> in_100_digits() const override { return in_own_coordinates(converted<Real100>(*given)); }
+};
+
 template <class Read>
 SceneSource source_by(SceneOrError<double> narrow, Read read) {
     return std::make_shared<const ReadBy<Read>>(std::move(narrow), std::move(read));
@@ -51,15 +66,9 @@ SceneSource scene_source(const SceneText& part) {
                      });
 }
 
-SceneSource scene_source(const Scene<double>& scene) {
-    SceneOrError<double> narrow;
-    narrow.scene = in_own_coordinates(scene);
-    std::shared_ptr<const Scene<double>> given; // where it is another
-    if (!is_of_papers_form(scene.system)) given = std::make_shared<const Scene<double>>(scene);
-    return source_by(std::move(narrow), [given = std::move(given)]<class T>(T, const SceneOrError<double>& own) {
-        return in_own_coordinates(converted<T>(given ? *given : *own.scene));
-    });
-}
+SceneSource scene_source(const Scene<double>& scene) { return std::make_shared<const OfDoubles>(scene, true); }
+
+SceneSource source_of_kept(const Scene<double>& scene) { return std::make_shared<const OfDoubles>(scene, false); }
 
 SceneSource at_point(const SceneSource& source, double r, double beta) {
     return changed(source, [r, beta](auto& scene) {

@@ -45,6 +45,10 @@ template <class T>
 /// @return       the source
 [[nodiscard]] SceneSource scene_source(const Scene<double>& scene);
 
+/// @brief The same of a scene that somebody keeps, unchanged, as long as the source is in use. @param scene the scene
+/// @return the source; a scene of the paper is not copied
+[[nodiscard]] SceneSource source_of_kept(const Scene<double>& scene);
+
 /// @brief The same scene at another point. @param source a scene @param r frequency ratio @param beta friction ratio
 /// @return the source: r and beta are these doubles in every number type
 [[nodiscard]] SceneSource at_point(const SceneSource& source, double r, double beta);

@@ -105,10 +105,7 @@ public:
         return instants_of_demands(motions());
     }
     InstantsOfMaxima<T> maxima(const T& beta, std::optional<Mass> only, const std::vector<T>& errors) {
-        const std::size_t N = sums_.V.size();
-        const bool none = only ? *only == sums_.contact : N == 1; // the contact has its closed form
-        return none ? InstantsOfMaxima<T>{std::vector<T>(N, T(0)), std::vector<T>(N, T(0))}
-                    : instants_of_maxima(motions(), beta, only, errors);
+        return instants_of_maxima(motions(), beta, only, errors);
     }
 
 private:
@@ -154,18 +151,22 @@ SlidingPoint<T> point_at(const Scene<T>& scene, const ModeSums<Bounded<T>>& sums
     if (point.regime->regime != Regime::continuous || !wish.motion) return point;
     const Bounded<Searched> beta = as_input(static_cast<Searched>(*scene.beta));
     SteadyState<Bounded<Searched>> known = steady_state_without_maxima(searched, beta);
-    const std::vector<Searched> errors = errors_of_displacements(known);
-    const InstantsOfMaxima<Searched> maxima = searches.maxima(beta.x, wish.only, errors);
-    known = with_maxima(searched, std::move(known), as_bounded(maxima.instants), wish.only);
+    InstantsOfMaxima<Searched> maxima;
+    const bool closed_form = wish.only ? *wish.only == sums.contact : known.masses.size() == 1; // which the contact has
+    if (!closed_form) {
+        maxima = searches.maxima(beta.x, wish.only, errors_of_displacements(known));
+        known = with_maxima(searched, std::move(known), as_bounded(maxima.instants), wish.only);
+    }
     if constexpr (std::same_as<T, Searched>) {
         point.state = std::move(known);
     } else {
-        point.state = with_maxima(sums, steady_state_without_maxima(sums, as_input(*scene.beta)),
-                                  as_bounded(in_type(maxima.instants)), wish.only);
-        for (std::size_t k = 0; k < errors.size(); ++k)
+        point.state = steady_state_without_maxima(sums, as_input(*scene.beta));
+        if (!closed_form)
+            point.state = with_maxima(sums, *std::move(point.state), as_bounded(in_type(maxima.instants)), wish.only);
+        for (std::size_t k = 0; k < known.masses.size(); ++k)
             if (k != sums.contact.index) point.state->masses[k].amplitude.e += T(known.masses[k].amplitude.e);
     }
-    for (std::size_t k = 0; k < errors.size(); ++k) {
+    for (std::size_t k = 0; k < maxima.spreads.size(); ++k) {
         MassResponse<Bounded<T>>& m = point.state->masses[k];
         if (!(maxima.spreads[k] > 0)) continue;
         m.phase.e += T(maxima.spreads[k]);

@@ -2,6 +2,7 @@
 #include "denhartog/scene/point_rules.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace denhartog {
 namespace {
@@ -21,13 +22,13 @@ SolvedMass solved_mass(const MassResponse<Bounded<T>>& m, int digits, bool with_
 } // namespace
 
 template <class T>
-void write_point(const Scene<T>& scene, const SlidingPoint<T>& point, int digits, Asked asked, Solution& s) {
+void write_point(const Scene<T>& scene, SlidingPoint<T>& point, int digits, Asked asked, Solution& s) {
     const auto number = [digits](const Bounded<T>& x) { return certified(x, digits); };
     const Boundary<Bounded<T>>& b = point.boundary;
     s.limits = Limits{number(b.exact), number(b.paper), number(b.approximate), std::nullopt, b.binding};
     if (b.sticking) s.limits->sticking = number(*b.sticking);
     if (!point.regime) return;
-    s.regime = *point.regime;
+    s.regime = std::move(*point.regime);
     RegimeBoundary<Bounded<T>> by_56 = b;
     by_56.exact = b.paper;
     const Bounded<T> beta(*scene.beta);
@@ -44,7 +45,7 @@ void write_point(const Scene<T>& scene, const SlidingPoint<T>& point, int digits
 Solution sliding_solution(const SceneSource& source, const SlidingQuestion& question) {
     const Aim aim = aim_of(question.digits);
     const Scene<double>& scene = source->in_double();
-    check(scene);
+    if (question.modes == nullptr) check(scene);
     (void)frequency_ratio_of(scene);
     const QuestionEffort effort(number_of_masses(scene.system));
     Solution s;
@@ -69,8 +70,7 @@ Solution sliding_solution(const SceneSource& source, const SlidingQuestion& ques
         const bool limits = question.asked == Asked::motion || question.asked == Asked::regime;
         std::optional<Boundary<Bounded<T>>> without_coupling;
         if constexpr (!std::same_as<T, double>) without_coupling = boundary_without_coupling(source, in, aim.digits);
-        const SlidingPoint<T> point =
-            sliding_point(*place, *modes, {motion, limits, question.only, aim.digits}, without_coupling);
+        SlidingPoint<T> point = sliding_point(*place, *modes, {motion, limits, question.only, aim.digits}, without_coupling);
         const auto write = [&](Solution& to) {
             to.r = exactly(*place->r, aim.digits);
             to.mu = exactly(place->mu, aim.digits);
@@ -87,16 +87,16 @@ Solution sliding_solution(const SceneSource& source, const SlidingQuestion& ques
         }
         return point.attempted;
     };
-    const Certainty found = certify(aim, attempt, highest_precision(aim, number_of_masses(scene.system)));
+    Certainty found = certify(aim, attempt, highest_precision(aim, number_of_masses(scene.system)));
     s.method.precision = name(found.precision);
-    s.method.why = found.why;
+    s.method.why = std::move(found.why);
     s.relative_error = found.relative;
     s.digits_reached = found.relative <= aim.tolerance;
     return s;
 }
 
-template void write_point(const Scene<double>&, const SlidingPoint<double>&, int, Asked, Solution&);
-template void write_point(const Scene<Real50>&, const SlidingPoint<Real50>&, int, Asked, Solution&);
-template void write_point(const Scene<Real100>&, const SlidingPoint<Real100>&, int, Asked, Solution&);
+template void write_point(const Scene<double>&, SlidingPoint<double>&, int, Asked, Solution&);
+template void write_point(const Scene<Real50>&, SlidingPoint<Real50>&, int, Asked, Solution&);
+template void write_point(const Scene<Real100>&, SlidingPoint<Real100>&, int, Asked, Solution&);
 
 } // namespace denhartog

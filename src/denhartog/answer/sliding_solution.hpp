@@ -32,11 +32,11 @@ struct SlidingQuestion {
 
 /// @brief Writes a point into an answer: regime, limits and masses.
 /// @param scene   the scene
-/// @param point   the point
+/// @param point   the point, whose words are moved there
 /// @param digits  significant digits asked for
 /// @param asked   what is asked
 /// @param s       gets them
 template <class T>
-void write_point(const Scene<T>& scene, const SlidingPoint<T>& point, int digits, Asked asked, Solution& s);
+void write_point(const Scene<T>& scene, SlidingPoint<T>& point, int digits, Asked asked, Solution& s);
 
 } // namespace denhartog

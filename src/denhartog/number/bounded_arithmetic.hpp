@@ -104,7 +104,7 @@ struct Bounded {
         }
     }
     /// @brief Difference, bounded as a sum is. @param a a number @param b a number @return a - b
-    [[nodiscard]] friend Bounded operator-(const Bounded& a, const Bounded& b) { return a + -b; }
+    [[nodiscard, gnu::always_inline]] friend Bounded operator-(const Bounded& a, const Bounded& b) { return a + -b; }
     /// @brief Product; its rounding is known from a fused product. @param a a number @param b a number @return a b
     [[nodiscard, gnu::always_inline]] friend Bounded operator*(const Bounded& a, const Bounded& b) {
         if constexpr (std::floating_point<T>) {

@@ -171,10 +171,9 @@ Complex<T> response_that_counts(const ModeSums<T>& s) {
 }
 
 template <class T>
-RegimeBoundary<T> regime_boundary_at(const ModeSums<T>& s, const T& mu, const T& S_exact) {
-    const Complex<T> V_dj = response_that_counts(s);
+RegimeBoundary<T> regime_boundary_at(const ModeSums<T>& s, const T& mu, const Complex<T>& V_dj, const T& demand) {
     RegimeBoundary<T> b{};
-    b.exact = paper::friction_ratio_limit(V_dj, s.U[s.contact.index], larger(S_exact, static_demand(s, mu)));
+    b.exact = paper::friction_ratio_limit(V_dj, s.U[s.contact.index], demand);
     if (s.load == s.contact)
         b.sticking = mu == 1 ? T(1) : paper::sticking_limit_under_load(mu);
     else if (!stuck_system_resonates(s))
@@ -206,7 +205,7 @@ Boundary<T> boundary_at(const ModeSums<T>& s, const T& mu, const T& instant, std
     const Complex<T> V_dj = response_that_counts(s);
     Boundary<T> b{};
     b.S_exact = found_by_search(sliding_demand(s, instant));
-    static_cast<RegimeBoundary<T>&>(b) = regime_boundary_at(s, mu, b.S_exact);
+    static_cast<RegimeBoundary<T>&>(b) = regime_boundary_at(s, mu, V_dj, larger(b.S_exact, held));
     b.S_paper = s.coupled ? b.S_exact : sum_of_demands(s, [&](std::size_t i) { return found_by_search(s_d(s, i, instants[i])); });
     b.instant = instant;
     b.instants = std::move(instants);
@@ -250,7 +249,8 @@ T instant_of_largest_demand(const ModeSums<T>& s) {
 RegimeBoundary<Bounded<double>> regime_boundary(const ModeSums<Bounded<double>>& s, const Bounded<double>& mu) {
     check_static_friction(mu);
     const double instant = largest_at_start(s) ? 0 : instant_of_largest_demand(values_of(s));
-    return regime_boundary_at(s, mu, found_by_search(sliding_demand(s, Bounded<double>(instant))));
+    const Bounded<double> S_exact = found_by_search(sliding_demand(s, Bounded<double>(instant)));
+    return regime_boundary_at(s, mu, response_that_counts(s), larger(S_exact, static_demand(s, mu)));
 }
 
 long demand_searches() { return searches; }

@@ -180,11 +180,12 @@ void answer_from_rest(SolveTask& task, Solution& s) {
 void answer(SolveTask& task, Solution& s) {
     const bool few = task.question.asked == Asked::amplitude || task.question.asked == Asked::phase;
     if (few && task.scene.mu == 1 && !task.basis->coupled() && answer_by_truncated_modes(task, s)) return;
-    const auto [unique, because] = std::pair(s.unique, s.unique_because);
     try {
-        s = sliding_solution(task.source, {task.question.asked, task.question.digits, task.question.mass, &*task.modes});
-        s.unique = unique;
-        s.unique_because = because;
+        Solution sliding =
+            sliding_solution(task.source, {task.question.asked, task.question.digits, task.question.mass, &*task.modes});
+        sliding.unique = s.unique;
+        sliding.unique_because = std::move(s.unique_because);
+        s = std::move(sliding);
     } catch (const DomainError& e) {
         task.pole = e.what();
         s.regime.reason = std::string("the boundaries are not known: ") + e.what();
