@@ -3,7 +3,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "denhartog/stick_slip/periodic_orbit.hpp"
+#include "denhartog/orbit/periodic_orbit.hpp"
 #include "observed_systems.hpp"
 #include "tests/support/paper_systems.hpp"
 

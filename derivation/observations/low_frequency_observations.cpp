@@ -4,7 +4,7 @@
 #include <stdexcept>
 
 #include "contact_motions.hpp"
-#include "denhartog/stick_slip/periodic_orbit.hpp"
+#include "denhartog/orbit/periodic_orbit.hpp"
 #include "limits.hpp"
 #include "observed_systems.hpp"
 #include "tests/support/paper_systems.hpp"

@@ -5,7 +5,7 @@
 
 #include "denhartog/paper_algorithm/paper_algorithm.hpp"
 #include "denhartog/paper_algorithm/regime_seen.hpp"
-#include "denhartog/stick_slip/periodic_orbit.hpp"
+#include "denhartog/orbit/periodic_orbit.hpp"
 #include "observed_systems.hpp"
 
 namespace denhartog::derivation {

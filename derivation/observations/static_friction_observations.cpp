@@ -5,7 +5,7 @@
 #include "denhartog/formulas/boundary.hpp"
 #include "denhartog/formulas/contact.hpp"
 #include "denhartog/formulas/other_masses.hpp"
-#include "denhartog/stick_slip/periodic_orbit.hpp"
+#include "denhartog/orbit/periodic_orbit.hpp"
 #include "limits.hpp"
 #include "observed_systems.hpp"
 #include "symbols.hpp"

@@ -5,7 +5,7 @@
 #include <set>
 #include <utility>
 
-#include "denhartog/program/files.hpp"
+#include "denhartog/program/output/files.hpp"
 #include "derivation/source_text.hpp"
 #include "html.hpp"
 #include "trim.hpp"

@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <set>
 
-#include "denhartog/program/files.hpp"
+#include "denhartog/program/output/files.hpp"
 #include "derivation/source_text.hpp"
 
 namespace denhartog::pages {

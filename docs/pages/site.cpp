@@ -7,7 +7,7 @@
 #include "chapter.hpp"
 #include "check.hpp"
 #include "denhartog/number/errors.hpp"
-#include "denhartog/program/files.hpp"
+#include "denhartog/program/output/files.hpp"
 #include "derivation/source_text.hpp"
 #include "measured_pages.hpp"
 #include "overview_pages.hpp"

@@ -5,8 +5,8 @@
 #include <set>
 
 #include "conformance/grade.hpp"
-#include "conformance/guesses.hpp"
-#include "conformance/in_common.hpp"
+#include "conformance/diagnosis/guesses.hpp"
+#include "conformance/diagnosis/in_common.hpp"
 #include "conformance/spread.hpp"
 
 namespace denhartog::conformance {

@@ -25,7 +25,7 @@
 #include <vector>
 
 #include "conformance/chain.hpp"
-#include "conformance/fitted.hpp"
+#include "conformance/diagnosis/fitted.hpp"
 #include "conformance/mistakes/mistake.hpp"
 #include "conformance/verdict.hpp"
 

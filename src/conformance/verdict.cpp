@@ -1,5 +1,5 @@
 #include "conformance/verdict.hpp"
-#include "denhartog/number/elementary.hpp"
+#include "denhartog/elementary/elementary.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -7,7 +7,7 @@
 #include "denhartog/evaluation/vector_functions.hpp"
 #include "denhartog/model/product_of_doubles.hpp"
 #include "denhartog/number/double_double.hpp"
-#include "denhartog/number/elementary.hpp"
+#include "denhartog/elementary/elementary.hpp"
 
 using namespace denhartog;
 

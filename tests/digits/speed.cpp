@@ -9,7 +9,7 @@
 #include <cstdio>
 #include <vector>
 
-#include "denhartog/number/elementary.hpp"
+#include "denhartog/elementary/elementary.hpp"
 
 using namespace denhartog;
 

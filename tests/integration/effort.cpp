@@ -15,7 +15,7 @@
 #include "denhartog/scene/converted.hpp"
 #include "denhartog/sliding/invariant_points.hpp"
 #include "denhartog/solve/solve.hpp"
-#include "denhartog/stick_slip/periodic_orbit.hpp"
+#include "denhartog/orbit/periodic_orbit.hpp"
 #include "tests/catch.hpp"
 #include "tests/support/paper_systems.hpp"
 #include "tests/support/scene_builder.hpp"

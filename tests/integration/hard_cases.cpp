@@ -8,7 +8,7 @@
 #include "denhartog/paper_algorithm/paper_algorithm.hpp"
 #include "tests/support/plain_response.hpp"
 #include "denhartog/solve/solve.hpp"
-#include "denhartog/stick_slip/periodic_orbit.hpp"
+#include "denhartog/orbit/periodic_orbit.hpp"
 #include "tests/catch.hpp"
 #include "tests/support/paper_systems.hpp"
 #include "tests/support/sample_scenes.hpp"

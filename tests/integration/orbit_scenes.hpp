@@ -10,7 +10,7 @@
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/multiprecision.hpp"
 #include "tests/support/plain_response.hpp"
-#include "denhartog/stick_slip/periodic_orbit.hpp"
+#include "denhartog/orbit/periodic_orbit.hpp"
 #include "tests/catch.hpp"
 #include "tests/support/sample_scenes.hpp"
 

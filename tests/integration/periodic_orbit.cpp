@@ -1,5 +1,5 @@
 // The steady motion by shooting: against the closed form, against 50 digits, against long propagation, and by what it must obey.
-#include "denhartog/stick_slip/periodic_orbit.hpp"
+#include "denhartog/orbit/periodic_orbit.hpp"
 
 #include <cmath>
 #include <limits>

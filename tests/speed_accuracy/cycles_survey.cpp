@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "denhartog/number/number.hpp"
-#include "denhartog/stick_slip/periodic_orbit.hpp"
+#include "denhartog/orbit/periodic_orbit.hpp"
 
 namespace denhartog::tests {
 namespace {

@@ -9,7 +9,7 @@
 #include "denhartog/denhartog.hpp"
 #include "denhartog/number/multiprecision.hpp"
 #include "denhartog/paper_algorithm/paper_algorithm.hpp"
-#include "denhartog/stick_slip/periodic_orbit.hpp"
+#include "denhartog/orbit/periodic_orbit.hpp"
 #include "tests/support/paper_systems.hpp"
 
 namespace denhartog::tests {

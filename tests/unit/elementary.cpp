@@ -1,4 +1,4 @@
-#include "denhartog/number/elementary.hpp"
+#include "denhartog/elementary/elementary.hpp"
 
 #include <mpfr.h>
 
@@ -10,11 +10,11 @@
 #include <string>
 #include <vector>
 
-#include "denhartog/number/angle_tables.hpp"
-#include "denhartog/number/circle_tables.hpp"
+#include "denhartog/elementary/angle_tables.hpp"
+#include "denhartog/elementary/circle_tables.hpp"
 #include "denhartog/number/double_double.hpp"
-#include "denhartog/number/power_tables.hpp"
-#include "denhartog/number/series_tables.hpp"
+#include "denhartog/elementary/power_tables.hpp"
+#include "denhartog/elementary/series_tables.hpp"
 #include "tests/catch.hpp"
 
 using namespace denhartog;

@@ -6,7 +6,7 @@
 #include "denhartog/answer/held_solution.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/solve/solve_task.hpp"
-#include "denhartog/stick_slip/periodic_orbit.hpp"
+#include "denhartog/orbit/periodic_orbit.hpp"
 #include "tests/catch.hpp"
 #include "tests/unit/response_fixtures.hpp"
 

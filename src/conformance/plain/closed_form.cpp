@@ -10,7 +10,7 @@
 #include "denhartog/formulas/high_frequency.hpp"
 #include "denhartog/formulas/motion.hpp"
 #include "denhartog/formulas/other_masses.hpp"
-#include "denhartog/number/elementary.hpp"
+#include "denhartog/elementary/elementary.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/sliding/maximum.hpp"
 

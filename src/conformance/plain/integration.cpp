@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "denhartog/model/modal_basis.hpp"
-#include "denhartog/number/elementary.hpp"
+#include "denhartog/elementary/elementary.hpp"
 #include "denhartog/number/number.hpp"
-#include "denhartog/stick_slip/periodic_orbit.hpp"
+#include "denhartog/orbit/periodic_orbit.hpp"
 #include "denhartog/stick_slip/stuck_response.hpp"
 
 namespace denhartog::conformance {

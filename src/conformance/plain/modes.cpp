@@ -10,7 +10,7 @@
 #include "denhartog/formulas/motion.hpp"
 #include "denhartog/formulas/superposition.hpp"
 #include "denhartog/model/modal_basis.hpp"
-#include "denhartog/number/elementary.hpp"
+#include "denhartog/elementary/elementary.hpp"
 #include "denhartog/number/errors.hpp"
 
 namespace denhartog::conformance {

@@ -9,7 +9,7 @@
 #include "denhartog/model/coordinates.hpp"
 #include "denhartog/number/effort.hpp"
 #include "denhartog/stick_slip/event_errors.hpp"
-#include "denhartog/stick_slip/floquet.hpp"
+#include "denhartog/orbit/floquet.hpp"
 
 namespace denhartog {
 namespace {

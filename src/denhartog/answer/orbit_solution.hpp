@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "denhartog/answer/solution.hpp"
-#include "denhartog/stick_slip/periodic_orbit.hpp"
+#include "denhartog/orbit/periodic_orbit.hpp"
 
 namespace denhartog {
 

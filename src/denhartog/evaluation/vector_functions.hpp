@@ -11,8 +11,8 @@
 #include <cstdint>
 
 #include "denhartog/evaluation/batch_forms.hpp"
-#include "denhartog/number/exact_arithmetic.hpp"
-#include "denhartog/number/series_tables.hpp"
+#include "denhartog/elementary/exact_arithmetic.hpp"
+#include "denhartog/elementary/series_tables.hpp"
 
 namespace denhartog::evaluation {
 

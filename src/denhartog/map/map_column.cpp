@@ -14,7 +14,7 @@
 #include "denhartog/sliding/instants_of_maxima.hpp"
 #include "denhartog/solve/solve.hpp"
 #include "denhartog/stick_slip/at_maximum_of_force.hpp"
-#include "denhartog/stick_slip/periodic_orbit.hpp"
+#include "denhartog/orbit/periodic_orbit.hpp"
 #include "denhartog/sums/chain_sums.hpp"
 
 namespace denhartog {

@@ -13,7 +13,7 @@
 #include <concepts>
 #include <limits>
 
-#include "denhartog/number/exact_arithmetic.hpp"
+#include "denhartog/elementary/exact_arithmetic.hpp"
 #include "denhartog/number/number.hpp"
 
 namespace denhartog {

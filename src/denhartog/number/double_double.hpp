@@ -10,8 +10,8 @@
 #include <concepts>
 #include <limits>
 
-#include "denhartog/number/circle_tables.hpp"
-#include "denhartog/number/exact_arithmetic.hpp"
+#include "denhartog/elementary/circle_tables.hpp"
+#include "denhartog/elementary/exact_arithmetic.hpp"
 #include "denhartog/number/number.hpp"
 
 namespace denhartog {

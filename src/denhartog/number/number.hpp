@@ -17,7 +17,7 @@
 #include <concepts>
 #include <numbers>
 
-#include "denhartog/number/elementary.hpp"
+#include "denhartog/elementary/elementary.hpp"
 
 namespace denhartog {
 

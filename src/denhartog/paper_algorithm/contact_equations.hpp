@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "denhartog/model/modal_basis.hpp"
-#include "denhartog/number/elementary.hpp"
+#include "denhartog/elementary/elementary.hpp"
 
 namespace denhartog {
 

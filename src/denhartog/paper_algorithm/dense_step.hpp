@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "denhartog/number/elementary.hpp"
+#include "denhartog/elementary/elementary.hpp"
 #include "denhartog/paper_algorithm/contact_equations.hpp"
 #include "denhartog/paper_algorithm/step_polynomial.hpp"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <functional>
 
-#include "denhartog/number/elementary.hpp"
+#include "denhartog/elementary/elementary.hpp"
 #include "denhartog/sliding/maximum.hpp"
 
 namespace denhartog {

@@ -4,7 +4,7 @@
 
 #include "denhartog/number/errors.hpp"
 #include "denhartog/program/commands/commands.hpp"
-#include "denhartog/program/files.hpp"
+#include "denhartog/program/output/files.hpp"
 #include "denhartog/program/sweep/command.hpp"
 #include "denhartog/version.hpp"
 

@@ -6,7 +6,7 @@
 
 #include "denhartog/answer/sliding_point.hpp"
 #include "denhartog/number/errors.hpp"
-#include "denhartog/stick_slip/periodic_orbit.hpp"
+#include "denhartog/orbit/periodic_orbit.hpp"
 
 namespace denhartog {
 

@@ -6,7 +6,7 @@
 #include "denhartog/answer/certify.hpp"
 #include "denhartog/model/coordinates.hpp"
 #include "denhartog/model/linear_algebra.hpp"
-#include "denhartog/number/elementary.hpp"
+#include "denhartog/elementary/elementary.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/number_text.hpp"
 #include "denhartog/scene/limits.hpp"

@@ -8,7 +8,7 @@
 #include "denhartog/answer/sliding_solution.hpp"
 #include "denhartog/solve/prepared_system.hpp"
 #include "denhartog/solve/truncated_modes.hpp"
-#include "denhartog/stick_slip/periodic_orbit.hpp"
+#include "denhartog/orbit/periodic_orbit.hpp"
 
 namespace denhartog {
 

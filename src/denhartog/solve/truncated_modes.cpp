@@ -6,7 +6,7 @@
 #include <numeric>
 
 #include "denhartog/answer/certify.hpp"
-#include "denhartog/number/elementary.hpp"
+#include "denhartog/elementary/elementary.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/sliding/contact_modes.hpp"
 #include "denhartog/sliding/steady_state.hpp"

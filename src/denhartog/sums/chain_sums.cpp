@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "denhartog/number/multiprecision.hpp"
-#include "denhartog/number/series_tables.hpp"
+#include "denhartog/elementary/series_tables.hpp"
 #include "denhartog/sums/coupled_sums.hpp"
 
 namespace denhartog {

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "denhartog/evaluation/overdamped.hpp"
-#include "denhartog/number/elementary.hpp"
+#include "denhartog/elementary/elementary.hpp"
 
 namespace denhartog {
 namespace {

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "denhartog/sweep/study.hpp"
+#include "denhartog/sweep/study/study.hpp"
 
 namespace denhartog::sweep {
 

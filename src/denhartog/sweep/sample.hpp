@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "denhartog/sweep/marginal.hpp"
+#include "denhartog/sweep/study/marginal.hpp"
 
 namespace denhartog::sweep {
 

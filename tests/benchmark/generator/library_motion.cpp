@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "denhartog/number/errors.hpp"
-#include "denhartog/stick_slip/periodic_orbit.hpp"
+#include "denhartog/orbit/periodic_orbit.hpp"
 #include "tests/benchmark/generator/motion.hpp"
 
 namespace denhartog::benchmark {

@@ -1,7 +1,7 @@
 #include <cmath>
 
 #include "denhartog/number/errors.hpp"
-#include "denhartog/stick_slip/periodic_orbit.hpp"
+#include "denhartog/orbit/periodic_orbit.hpp"
 #include "tests/conformance/generator/route.hpp"
 
 namespace denhartog::conformance::generator {

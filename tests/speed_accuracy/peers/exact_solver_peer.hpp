@@ -4,7 +4,7 @@
 
 #include <memory>
 
-#include "denhartog/stick_slip/periodic_orbit.hpp"
+#include "denhartog/orbit/periodic_orbit.hpp"
 #include "tests/speed_accuracy/peers/peer.hpp"
 
 namespace denhartog::tests {

@@ -7,7 +7,7 @@
 
 #include "denhartog/ledger/derivation_record.hpp"
 #include "denhartog/ledger/ledger.hpp"
-#include "denhartog/program/files.hpp"
+#include "denhartog/program/output/files.hpp"
 #include "denhartog/program/installed.hpp"
 
 namespace denhartog::program {

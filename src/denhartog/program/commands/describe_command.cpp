@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "denhartog/program/commands/commands.hpp"
-#include "denhartog/program/files.hpp"
+#include "denhartog/program/output/files.hpp"
 #include "denhartog/version.hpp"
 
 namespace denhartog::program {

@@ -7,7 +7,7 @@
 #include "denhartog/ledger/ledger.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/program/exit_status.hpp"
-#include "denhartog/program/files.hpp"
+#include "denhartog/program/output/files.hpp"
 #include "denhartog/program/installed.hpp"
 
 namespace denhartog::program {

@@ -4,9 +4,9 @@
 #include <memory>
 
 #include "denhartog/program/commands/scene_command.hpp"
-#include "denhartog/program/damping_json.hpp"
-#include "denhartog/program/number_json.hpp"
-#include "denhartog/program/table.hpp"
+#include "denhartog/program/json/damping_json.hpp"
+#include "denhartog/program/json/number_json.hpp"
+#include "denhartog/program/output/table.hpp"
 #include "denhartog/scene/point_rules.hpp"
 #include "denhartog/solve/certain_modes.hpp"
 #include "denhartog/solve/prepared_system.hpp"

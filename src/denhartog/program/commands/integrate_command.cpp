@@ -10,10 +10,10 @@
 #include "denhartog/paper_algorithm/paper_algorithm.hpp"
 #include "denhartog/paper_algorithm/regime_seen.hpp"
 #include "denhartog/program/commands/scene_command.hpp"
-#include "denhartog/program/files.hpp"
-#include "denhartog/program/number_json.hpp"
-#include "denhartog/program/solution_json.hpp"
-#include "denhartog/program/table.hpp"
+#include "denhartog/program/output/files.hpp"
+#include "denhartog/program/json/number_json.hpp"
+#include "denhartog/program/json/solution_json.hpp"
+#include "denhartog/program/output/table.hpp"
 
 namespace denhartog::program {
 namespace {

@@ -11,10 +11,10 @@
 
 #include "denhartog/map/map_in_units.hpp"
 #include "denhartog/program/commands/scene_command.hpp"
-#include "denhartog/program/files.hpp"
+#include "denhartog/program/output/files.hpp"
 #include "denhartog/program/grid_option.hpp"
 #include "denhartog/program/interruptible.hpp"
-#include "denhartog/program/map_file.hpp"
+#include "denhartog/program/output/map_file.hpp"
 #include "denhartog/scene/mass_rules.hpp"
 #include "denhartog/scene/scene_json.hpp"
 #include "denhartog/scene/scene_rules.hpp"

@@ -4,10 +4,10 @@
 #include <memory>
 
 #include "denhartog/program/commands/scene_command.hpp"
-#include "denhartog/program/damping_json.hpp"
-#include "denhartog/program/dimensional_json.hpp"
-#include "denhartog/program/solution_json.hpp"
-#include "denhartog/program/table.hpp"
+#include "denhartog/program/json/damping_json.hpp"
+#include "denhartog/program/json/dimensional_json.hpp"
+#include "denhartog/program/json/solution_json.hpp"
+#include "denhartog/program/output/table.hpp"
 #include "denhartog/scene/point_rules.hpp"
 
 namespace denhartog::program {

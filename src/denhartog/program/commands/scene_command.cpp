@@ -6,7 +6,7 @@
 
 #include "denhartog/number/effort.hpp"
 #include "denhartog/number/number_text.hpp"
-#include "denhartog/program/files.hpp"
+#include "denhartog/program/output/files.hpp"
 #include "denhartog/scene/scene_rules.hpp"
 
 namespace denhartog::program {

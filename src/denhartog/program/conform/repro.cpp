@@ -6,7 +6,7 @@
 #include "denhartog/number/legible.hpp"
 #include "denhartog/program/conform/report.hpp"
 #include "denhartog/program/conform/run.hpp"
-#include "denhartog/program/files.hpp"
+#include "denhartog/program/output/files.hpp"
 #include "denhartog/program/installed.hpp"
 
 namespace denhartog::program {

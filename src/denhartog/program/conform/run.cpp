@@ -15,9 +15,9 @@
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/legible.hpp"
 #include "denhartog/program/conform/report.hpp"
-#include "denhartog/program/files.hpp"
+#include "denhartog/program/output/files.hpp"
 #include "denhartog/program/interruptible.hpp"
-#include "denhartog/program/table.hpp"
+#include "denhartog/program/output/table.hpp"
 
 namespace denhartog::program {
 namespace {

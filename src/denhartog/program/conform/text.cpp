@@ -6,7 +6,7 @@
 #include "denhartog/number/number_text.hpp"
 #include "denhartog/program/conform/number.hpp"
 #include "denhartog/program/conform/report.hpp"
-#include "denhartog/program/table.hpp"
+#include "denhartog/program/output/table.hpp"
 
 namespace denhartog::program {
 namespace {

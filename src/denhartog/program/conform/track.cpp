@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "denhartog/number/errors.hpp"
-#include "denhartog/program/files.hpp"
+#include "denhartog/program/output/files.hpp"
 #include "denhartog/scene/json_document.hpp"
 
 namespace denhartog::program {

@@ -10,7 +10,7 @@
 
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/number_text.hpp"
-#include "denhartog/program/files.hpp"
+#include "denhartog/program/output/files.hpp"
 #include "denhartog/program/sweep/estimate.hpp"
 #include "denhartog/program/sweep/merge.hpp"
 #include "denhartog/program/sweep/netcdf.hpp"

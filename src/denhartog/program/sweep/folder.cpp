@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "denhartog/number/errors.hpp"
-#include "denhartog/program/files.hpp"
+#include "denhartog/program/output/files.hpp"
 #include "denhartog/scene/json_document.hpp"
 #include "denhartog/sweep/sha256.hpp"
 #include "denhartog/version.hpp"

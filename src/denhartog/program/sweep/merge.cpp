@@ -6,8 +6,8 @@
 #include <set>
 
 #include "denhartog/number/errors.hpp"
-#include "denhartog/program/files.hpp"
-#include "denhartog/program/new_file.hpp"
+#include "denhartog/program/output/files.hpp"
+#include "denhartog/program/output/new_file.hpp"
 #include "denhartog/program/sweep/store.hpp"
 
 namespace denhartog::program {

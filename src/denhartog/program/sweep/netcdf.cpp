@@ -5,8 +5,8 @@
 #include <filesystem>
 
 #include "denhartog/number/errors.hpp"
-#include "denhartog/program/files.hpp"
-#include "denhartog/program/new_file.hpp"
+#include "denhartog/program/output/files.hpp"
+#include "denhartog/program/output/new_file.hpp"
 #include "denhartog/program/sweep/merge.hpp"
 #include "denhartog/program/sweep/store.hpp"
 

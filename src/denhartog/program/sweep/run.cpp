@@ -6,7 +6,7 @@
 #include "denhartog/number/parallel.hpp"
 #include "denhartog/program/exit_status.hpp"
 #include "denhartog/program/interruptible.hpp"
-#include "denhartog/program/new_file.hpp"
+#include "denhartog/program/output/new_file.hpp"
 #include "denhartog/program/sweep/processor_time.hpp"
 #include "denhartog/sweep/sha256.hpp"
 

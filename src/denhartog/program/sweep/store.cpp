@@ -3,9 +3,9 @@
 #include <filesystem>
 
 #include "denhartog/number/errors.hpp"
-#include "denhartog/program/files.hpp"
+#include "denhartog/program/output/files.hpp"
 #include "denhartog/program/installed.hpp"
-#include "denhartog/program/new_file.hpp"
+#include "denhartog/program/output/new_file.hpp"
 #include "denhartog/program/sweep/merge.hpp"
 #include "denhartog/program/sweep/scripts.hpp"
 #include "denhartog/scene/json_document.hpp"

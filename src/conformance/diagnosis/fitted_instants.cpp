@@ -1,0 +1,286 @@
+#include "conformance/diagnosis/fitted.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "conformance/mistakes/mistake_definition.hpp"
+#include "conformance/plain/closed_form.hpp"
+#include "conformance/spread.hpp"
+#include "denhartog/formulas/as_printed.hpp"
+#include "denhartog/formulas/boundary.hpp"
+#include "denhartog/elementary/elementary.hpp"
+#include "denhartog/number/number_text.hpp"
+
+namespace denhartog::conformance {
+namespace {
+
+constexpr double of_instants = 1e-6; // agreement
+constexpr std::size_t most_observed = 24;
+constexpr double largest_step = 0.8; // of a grid that deserves the name
+
+// A wrong answer that depends on a maximum over tau.
+struct Observed {
+    Question question;
+    double given;
+    PlainModes modes;
+    double S; // that the answer amounts to
+};
+
+double maximum_behind(const Question& q, double given, const PlainModes& m) {
+    if (q.quantity == "S_j") return given;
+    const double V = modulus(m.V[m.j]) / given, U = m.U[m.j];
+    return std::sqrt(V * V - U * U);
+}
+
+std::optional<Observed> observed(const Judged& one) {
+    const Question& q = one.vector->question;
+    if (!is_wrong_value(one.verdict) || one.given.numbers.size() != 1 || is_overdamped(q) || !is_of_the_paper(q))
+        return std::nullopt;
+    if (!asks_for(q, {"S_j", "beta_lim_exact", "beta_lim_paper"})) return std::nullopt;
+    Observed seen{q, one.given.numbers.front(), plain_modes(q, {}), 0};
+    seen.S = maximum_behind(q, seen.given, seen.modes);
+    return std::isfinite(seen.S) ? std::optional(seen) : std::nullopt;
+}
+
+// Some of them, from all over the list.
+std::vector<Observed> all_observed(std::span<const Judged> judged) {
+    std::vector<Observed> all;
+    for (const Judged& one : judged)
+        if (std::optional<Observed> seen = observed(one)) all.push_back(std::move(*seen));
+    return spread(all, most_observed);
+}
+
+double printed_of_mode(const PlainModes& m, std::size_t i, double tau) {
+    return m.psi[m.j][i] * m.psi[m.j][i] * as_printed::s_d_integrand(tau, m.R[i], m.zeta[i], m.u[i], m.g[i]);
+}
+
+// Steps from an end of the half-period at which a function that is large there has a value.
+void add_steps(std::vector<double>& steps, const std::function<double(double)>& f, double value) {
+    constexpr int pieces = 160;
+    const double least = elementary::log(1e-9), most = elementary::log(largest_step);
+    double before = elementary::exp(least), f_before = f(before);
+    for (int n = 1; n <= pieces; ++n) {
+        const double at = elementary::exp(least + (most - least) * n / pieces), f_at = f(at);
+        if ((f_before - value) * (f_at - value) < 0) {
+            double a = before, b = at;
+            for (int halvings = 0; halvings < 60; ++halvings) {
+                const double middle = (a + b) / 2;
+                ((f_before - value) * (f(middle) - value) < 0 ? b : a) = middle;
+            }
+            steps.push_back((a + b) / 2);
+        }
+        before = at;
+        f_before = f_at;
+    }
+}
+
+// The number that most of some numbers share.
+std::optional<double> most_common(std::vector<double> numbers) {
+    std::sort(numbers.begin(), numbers.end());
+    std::size_t best = 0, most = 1;
+    for (std::size_t from = 0, to = 0; from < numbers.size(); ++from) {
+        to = std::max(to, from);
+        while (to < numbers.size() && numbers[to] <= numbers[from] * (1 + of_instants)) ++to;
+        if (to - from > most) {
+            most = to - from;
+            best = from + most / 2;
+        }
+    }
+    return most > 1 ? std::optional(numbers[best]) : std::nullopt;
+}
+
+// What the steps of a grid go with from scene to scene.
+struct Measure {
+    const char* told;
+    double (*of)(const PlainModes&);
+};
+
+constexpr Measure measures[] = {{"", [](const PlainModes&) { return 1.0; }},
+                                {" times r", [](const PlainModes& m) { return m.r; }},
+                                {" times 1/r", [](const PlainModes& m) { return 1 / m.r; }},
+                                {" times R_1", [](const PlainModes& m) { return m.R.front(); }},
+                                {" times R_N", [](const PlainModes& m) { return m.R.back(); }}};
+
+// Equally spaced instants, the numbers in units of the measure.
+struct Grid {
+    double first;
+    std::optional<double> before_end; // none: whatever the steps leave
+    double step;
+    const Measure* measure = measures;
+};
+
+Instants instants_of(const Grid& grid, const PlainModes& m) {
+    const double unit = grid.measure->of(m), first = unit * grid.first, step = unit * grid.step;
+    const double rest = pi<double>() - first - unit * grid.before_end.value_or(0);
+    const double steps = std::max(1.0, grid.before_end ? std::round(rest / step) : std::floor(rest / step));
+    const double before_end = pi<double>() - first - (grid.before_end ? rest : steps * step);
+    return {first, before_end, static_cast<std::size_t>(std::min(steps, 4096.0)) + 1};
+}
+
+// How a maximum is sought, with or without the print of (57).
+struct Search {
+    Grid grid;
+    bool as_printed = false, of_each_mode = false, without_load_condition = false;
+};
+
+Choices choices_of(const Search& search, const PlainModes& m) {
+    Choices c;
+    c.demand_as_printed = search.as_printed;
+    c.instants = instants_of(search.grid, m);
+    c.maximum_of_each_mode = search.of_each_mode;
+    c.without_load_condition = search.without_load_condition;
+    return c;
+}
+
+// How many answers a search explains with the load condition (67), and without it: the maxima are the same.
+std::array<std::size_t, 2> agreeing(std::span<const Observed> all, const Search& search) {
+    std::array<std::size_t, 2> count{};
+    for (const Observed& one : all) {
+        const std::string& asked = one.question.quantity;
+        const PlainModes& m = one.modes;
+        const PlainLimits limits = plain_limits(one.question, m, choices_of(search, m), needed_for(asked));
+        const bool of_S = asked == "S_j", is_exact = asked == "beta_lim_exact";
+        const auto agrees = [&](double x) { return std::abs(x - one.given) <= of_instants * std::abs(x); };
+        count[0] += agrees(of_S ? limits.S : is_exact ? limits.exact : limits.paper);
+        count[1] +=
+            agrees(of_S ? limits.S : paper::friction_ratio_limit(m.V[m.j], m.U[m.j], is_exact ? limits.S : limits.S_paper));
+    }
+    return count;
+}
+
+// The best of some grids, each with the sum before the maximum or after it, with the load condition or without.
+std::optional<Search> best_of(const std::vector<Observed>& all, bool as_printed, const std::vector<Grid>& grids) {
+    constexpr std::size_t first_look = 6;
+    const auto first = std::span(all).first(std::min(first_look, all.size()));
+    std::optional<Search> best;
+    std::size_t most = least_agreeing - 1;
+    for (const Grid& grid : grids) {
+        std::array<std::array<std::size_t, 2>, 2> counts{};
+        for (const bool of_each_mode : {false, true}) {
+            const Search search{grid, as_printed, of_each_mode, false};
+            const std::array<std::size_t, 2> seen = agreeing(first, search);
+            if (seen[0] + seen[1] == 0) continue;
+            counts[of_each_mode] = agreeing(all, search);
+            for (const std::size_t without : {0U, 1U})
+                if (seen[without] == 0) counts[of_each_mode][without] = 0;
+        }
+        for (const bool without : {false, true})
+            for (const bool of_each_mode : {false, true}) {
+                if (counts[of_each_mode][without] <= most) continue;
+                most = counts[of_each_mode][without];
+                best = Search{grid, as_printed, of_each_mode, without};
+            }
+    }
+    return best;
+}
+
+// Steps from the ends of the half-period at which (57) as printed has the values that are observed.
+struct EndSteps {
+    std::vector<double> at_start, at_end, at_both;
+};
+
+EndSteps end_steps(const Observed& one) {
+    const PlainModes& m = one.modes;
+    const auto sum = [&](const std::function<double(std::size_t)>& of_mode) {
+        double S = 0;
+        for (std::size_t i = 0; i < m.R.size(); ++i) S += of_mode(i);
+        return S;
+    };
+    const auto late = [](double step) { return pi<double>() - step; };
+    const auto larger = [&](std::size_t i, double h) {
+        return std::max(printed_of_mode(m, i, h), printed_of_mode(m, i, late(h)));
+    };
+    EndSteps steps;
+    add_steps(
+        steps.at_start, [&](double h) { return sum([&](std::size_t i) { return printed_of_mode(m, i, h); }); }, one.S);
+    add_steps(
+        steps.at_end, [&](double h) { return sum([&](std::size_t i) { return printed_of_mode(m, i, late(h)); }); }, one.S);
+    add_steps(
+        steps.at_both, [&](double h) { return sum([&](std::size_t i) { return larger(i, h); }); }, one.S);
+    return steps;
+}
+
+void add_grids(std::vector<Grid>& shown, const std::vector<Observed>& all, const std::vector<EndSteps>& steps,
+               const Measure& measure) {
+    const auto common = [&](std::vector<double> EndSteps::*end) {
+        std::vector<double> numbers;
+        for (std::size_t n = 0; n < all.size(); ++n)
+            for (const double h : steps[n].*end) numbers.push_back(h / measure.of(all[n].modes));
+        return most_common(std::move(numbers));
+    };
+    const std::optional<double> start = common(&EndSteps::at_start), end = common(&EndSteps::at_end),
+                                both = common(&EndSteps::at_both);
+    const double fine = pi<double>() / 1000;
+    const auto add = [&](double first, std::optional<double> before_end, double step) {
+        shown.push_back({first, before_end, step, &measure});
+    };
+    for (const std::optional<double>& h : {both, start, end}) {
+        if (!h) continue;
+        add(*h, *h, *h);
+        add(*h, *h, fine);
+    }
+    if (start && end) {
+        add(*start, *end, *start);
+        add(*start, *end, *end);
+        add(*start, *end, fine);
+    }
+    if (start) {
+        add(*start, std::nullopt, *start);
+        add(*start, 0, *start);
+        add(*start, 0, fine);
+    }
+    if (end) {
+        add(*end, *end, *end);
+        add(fine, *end, fine);
+    }
+}
+
+std::vector<Grid> grids_shown(const std::vector<Observed>& all) {
+    std::vector<EndSteps> steps;
+    for (const Observed& one : all) steps.push_back(end_steps(one));
+    std::vector<Grid> shown;
+    for (const Measure& measure : measures) add_grids(shown, all, steps, measure);
+    return shown;
+}
+
+std::vector<Grid> coarse_grids() {
+    std::vector<Grid> grids;
+    for (int steps = 4; steps <= 64; ++steps) {
+        const double h = pi<double>() / steps;
+        grids.insert(grids.end(), {{0, 0.0, h}, {0, h, h}, {h, h, h}, {h / 2, h / 2, h}});
+    }
+    return grids;
+}
+
+std::string told(const Search& search) {
+    const Grid& grid = search.grid;
+    const auto number = [&](double x) { return number_in_digits(x, 4) + (x == 0 ? "" : grid.measure->told); };
+    return "instants from " + number(grid.first) +
+           (grid.before_end ? " to pi - " + number(*grid.before_end) : " on, " + number(grid.step) + " apart") +
+           (search.as_printed ? "" : ", " + std::to_string(instants_of(grid, {}).count) + " of them") +
+           (search.of_each_mode ? "; the maximum of each mode, (56)" : "; the maximum of the sum over the modes") +
+           (search.without_load_condition ? "; without the load condition (67)" : "");
+}
+
+Fitted fitted_with(const Search& search) {
+    return {told(search), [search](const Question& q) {
+                if (is_overdamped(q) || !asks_for(q, {"S_j", "beta_lim_exact", "beta_lim_paper", "regime"}))
+                    return std::optional<Value>();
+                return plain_answer(q, choices_of(search, plain_modes(q, {})));
+            }};
+}
+
+} // namespace
+
+FittedMistakes fitted_instants(std::span<const Judged> judged) {
+    const std::vector<Observed> all = all_observed(judged);
+    if (all.size() < least_agreeing) return {};
+    if (const std::optional<Search> printed = best_of(all, true, grids_shown(all)))
+        return {{"57-as-printed", fitted_with(*printed)}};
+    if (const std::optional<Search> coarse = best_of(all, false, coarse_grids()))
+        return {{"coarse-grid-of-tau", fitted_with(*coarse)}};
+    return {};
+}
+
+} // namespace denhartog::conformance

@@ -1,0 +1,218 @@
+#include "conformance/diagnosis/guesses.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <map>
+
+#include "conformance/chain.hpp"
+#include "conformance/plain/closed_form.hpp"
+#include "conformance/spread.hpp"
+#include "denhartog/elementary/elementary.hpp"
+#include "denhartog/number/number.hpp"
+#include "denhartog/number/number_text.hpp"
+
+namespace denhartog::conformance {
+namespace {
+
+constexpr double fits = 1e-6;
+
+std::string short_text(double x) { return number_in_digits(x, 4); }
+
+bool is_in_numbers(const Judged& one) {
+    return one.answered && one.given.word.empty() && !one.given.numbers.empty() &&
+           one.given.numbers.size() == one.vector->nearest.size();
+}
+
+// The answers in numbers to each quantity.
+std::map<std::string, std::vector<const Judged*>> numbers_by_quantity(std::span<const Judged* const> wrong) {
+    std::map<std::string, std::vector<const Judged*>> all;
+    for (const Judged* one : wrong)
+        if (is_in_numbers(*one)) all[one->vector->question.quantity].push_back(one);
+    return all;
+}
+
+// The right answer to a question with each number changed.
+Guess changed(std::string told, const std::string& asked, std::function<double(double)> change) {
+    return {std::move(told), [asked, change = std::move(change)](const Question& q) {
+                if (q.quantity != asked) return std::optional<Value>();
+                std::optional<Value> value = plain_answer(q);
+                if (value)
+                    for (double& x : value->numbers) x = change(x);
+                return value;
+            }};
+}
+
+double middle_of(std::vector<double> numbers) {
+    std::nth_element(numbers.begin(), numbers.begin() + static_cast<long>(numbers.size() / 2), numbers.end());
+    return numbers[numbers.size() / 2];
+}
+
+bool is_shared(const std::vector<double>& numbers, double x) {
+    const auto equal = [&](double y) { return std::abs(y - x) <= fits * std::abs(x); };
+    return 2 * std::count_if(numbers.begin(), numbers.end(), equal) >= static_cast<long>(numbers.size());
+}
+
+// A factor, or an offset: the middle one of all answers to a quantity.
+void add_changes(std::vector<Guess>& all, const std::string& asked, const std::vector<const Judged*>& answers) {
+    std::vector<double> factors, offsets;
+    for (const Judged* one : answers) {
+        const double given = one->given.numbers.front(), truth = one->vector->nearest.front();
+        const double apart = given - truth;
+        if (truth != 0) factors.push_back(given / truth);
+        offsets.push_back(quantity(asked).angle ? wrapped_angle(apart) : apart);
+    }
+    const double offset = middle_of(offsets);
+    const bool angle = quantity(asked).angle;
+    if (is_shared(offsets, offset))
+        all.push_back(changed(asked + " plus " + short_text(offset), asked,
+                              [=](double x) { return angle ? wrapped_angle(x + offset) : x + offset; }));
+    if (factors.empty()) return;
+    const double factor = middle_of(factors);
+    if (is_shared(factors, factor))
+        all.push_back(changed(asked + " times " + short_text(factor), asked, [=](double x) { return factor * x; }));
+}
+
+struct Input {
+    const char* name;
+    void (*scale)(Question&, double);
+};
+
+void scale_all(std::vector<double>& list, double by, std::size_t from = 0) {
+    for (std::size_t n = from; n < list.size(); ++n) list[n] *= by;
+}
+
+constexpr Input inputs[] = {
+    {"beta", [](Question& q, double f) { q.beta *= f; }},
+    {"mu", [](Question& q, double f) { q.mu *= f; }},
+    {"r", [](Question& q, double f) { q.r *= f; }},
+    {"every damping ratio", [](Question& q, double f) { scale_all(q.damping_ratios, f); }},
+    {"every mass ratio but the first", [](Question& q, double f) { scale_all(q.mass_ratios, f, 1); }},
+    {"every stiffness ratio but the first", [](Question& q, double f) { scale_all(q.stiffness_ratios, f, 1); }}};
+
+Choices closed_form_alone() {
+    Choices c;
+    c.closed_form_alone = true;
+    return c;
+}
+
+Guess read_as(std::string told, std::function<void(Question&)> change) {
+    return {std::move(told), [change = std::move(change)](const Question& q) {
+                if (!is_of_the_paper(q)) return std::optional<Value>();
+                Question other = q;
+                change(other);
+                return plain_answer(other, closed_form_alone());
+            }};
+}
+
+Guess scaled(const Input& input, double by) {
+    return read_as(std::string(input.name) + " times " + short_text(by), [&input, by](Question& q) { input.scale(q, by); });
+}
+
+// Whether a guess gives some of the answers: most guesses do not, and need no look at the others.
+bool fits_some(const Guess& guess, std::span<const Judged* const> answers) {
+    std::size_t fitting = 0;
+    for (const Judged* one : answers) {
+        const std::optional<Value> value = guess.answers(one->vector->question);
+        if (!value || value->numbers.size() != one->given.numbers.size()) continue;
+        const double size = std::max(std::abs(one->given.numbers.front()), one->vector->scale * fits);
+        fitting += std::abs(value->numbers.front() - one->given.numbers.front()) <= fits * size;
+    }
+    return 2 * fitting >= answers.size();
+}
+
+// Factors of an input by which the closed form answers as was answered.
+void add_factors(std::vector<Guess>& all, const Input& input, std::span<const Judged* const> answers, const Judged& one) {
+    constexpr int pieces = 48;
+    const double reach = elementary::log(12.0);
+    const Choices c = closed_form_alone();
+    const auto apart = [&](double factor) {
+        Question q = one.vector->question;
+        input.scale(q, factor);
+        const std::optional<Value> value = plain_answer(q, c);
+        return value && !value->numbers.empty() ? value->numbers.front() - one.given.numbers.front() : std::nan("");
+    };
+    double before = elementary::exp(-reach), off_before = apart(before);
+    for (int n = 1; n <= pieces; ++n) {
+        const double at = elementary::exp(reach * (2.0 * n / pieces - 1)), off = apart(at);
+        if (off_before * off < 0) {
+            double a = before, b = at;
+            for (int halvings = 0; halvings < 48; ++halvings) {
+                const double middle = (a + b) / 2;
+                (off_before * apart(middle) < 0 ? b : a) = middle;
+            }
+            Guess guess = scaled(input, (a + b) / 2);
+            if (std::abs((a + b) / 2 - 1) > fits && fits_some(guess, answers)) all.push_back(std::move(guess));
+        }
+        before = at;
+        off_before = off;
+    }
+}
+
+Guess with(std::string told, std::function<void(Choices&)> choose) {
+    return {std::move(told), [choose = std::move(choose)](const Question& q) {
+                Choices c = closed_form_alone();
+                choose(c);
+                return plain_answer(q, c);
+            }};
+}
+
+void add_others(std::vector<Guess>& all) {
+    const auto reversed = [](std::vector<double>& list, std::size_t from) {
+        std::reverse(list.begin() + static_cast<long>(from), list.end());
+        const double unit = list.front();
+        for (double& x : list) x /= unit;
+    };
+    for (const std::size_t from : {0, 1}) {
+        const std::string which = from == 0 ? "" : " behind the first";
+        all.push_back(read_as("the masses" + which + " in the other order", [=](Question& q) { reversed(q.mass_ratios, from); }));
+        all.push_back(
+            read_as("the springs" + which + " in the other order", [=](Question& q) { reversed(q.stiffness_ratios, from); }));
+    }
+    all.push_back(
+        read_as("mass ratios and stiffness ratios exchanged", [](Question& q) { std::swap(q.mass_ratios, q.stiffness_ratios); }));
+    all.push_back(read_as("masses counted from the other end of the chain", [](Question& q) {
+        const int N = static_cast<int>(q.mass_ratios.size());
+        q.contact = N + 1 - q.contact;
+        q.load = N + 1 - q.load;
+        if (q.mass > 0) q.mass = N + 1 - q.mass;
+    }));
+    all.push_back(with("the last mode is missing", [](Choices& c) {
+        c.change_modes = [](PlainModes& m) {
+            if (m.psi.size() > 1)
+                for (auto& row : m.psi) row.back() = 0;
+        };
+    }));
+    all.push_back(with("damped natural frequencies in R_i of the response", [](Choices& c) {
+        c.change_modes = [](PlainModes& m) {
+            for (std::size_t i = 0; i < m.R.size(); ++i)
+                if (m.zeta[i] < 1) m.R[i] /= std::sqrt(1 - m.zeta[i] * m.zeta[i]);
+        };
+    }));
+}
+
+} // namespace
+
+std::vector<Guess> guesses_at(std::span<const Judged* const> wrong) {
+    constexpr std::size_t least = 3, most_probed = 6, probes = 2;
+    std::vector<Guess> all;
+    std::map<std::string, std::vector<const Judged*>> of = numbers_by_quantity(wrong);
+    for (const auto& [asked, answers] : of)
+        if (answers.size() >= least) add_changes(all, asked, answers);
+    // The first quantity in the protocol's order, which needs the fewest others, tells most of an input.
+    for (const Quantity& each : quantities()) {
+        const auto found = of.find(std::string(each.name));
+        if (found == of.end() || found->second.size() < least || each.shape == Shape::samples) continue;
+        const std::vector<const Judged*> probed = spread(found->second, most_probed);
+        for (const Input& input : inputs)
+            for (const Judged* probe : spread(probed, probes)) add_factors(all, input, probed, *probe);
+        std::vector<Guess> others;
+        add_others(others);
+        for (Guess& guess : others)
+            if (fits_some(guess, probed)) all.push_back(std::move(guess));
+        break;
+    }
+    return all;
+}
+
+} // namespace denhartog::conformance

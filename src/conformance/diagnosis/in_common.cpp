@@ -1,0 +1,89 @@
+#include "conformance/diagnosis/in_common.hpp"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+namespace denhartog::conformance {
+namespace {
+
+constexpr double share_in_common = 0.9;
+constexpr double least_lift = 1.25;
+constexpr std::size_t most_told = 5;
+constexpr std::size_t least_wrong = 3;
+
+// What a question has, in words; a property stands with its opposite.
+std::set<std::string> properties(const Vector& v) {
+    const Question& q = v.question;
+    std::set<std::string> all;
+    for (const std::string& flag : v.flags) all.insert("flag " + flag);
+    all.insert(masses_of(q) > 1 ? "N > 1" : "N = 1");
+    all.insert(q.mu > 1 ? "mu > 1" : "mu = 1");
+    all.insert(is_of_the_paper(q) ? "a scene of the paper" : "a system beyond the paper");
+    if (q.contact_with == 0 && q.load != 0) {
+        all.insert(q.contact == q.load ? "j = l" : "j != l");
+        if (q.contact != q.load) all.insert(q.contact < q.load ? "j < l" : "j > l");
+    }
+    if (q.mass != 0 && q.contact_with == 0) all.insert(q.mass == q.contact ? "k = j" : "k != j");
+    all.insert(q.beta == 0 ? "beta = 0" : "beta > 0");
+    all.insert(q.r > 1 ? "r > 1" : "r <= 1");
+    if (!v.regime.empty()) all.insert("regime " + v.regime);
+    const auto undamped = [](double zeta) { return zeta == 0; };
+    if (std::any_of(q.damping_ratios.begin(), q.damping_ratios.end(), undamped)) all.insert("a zeta of 0");
+    if (is_overdamped(q)) all.insert("a zeta of 1 or more");
+    return all;
+}
+
+bool was_answered(const Judged& one) { return is_right(one.verdict) || is_wrong_value(one.verdict); }
+
+std::size_t count_of(const std::map<std::string, std::size_t>& counts, const std::string& key) {
+    const auto found = counts.find(key);
+    return found == counts.end() ? 0 : found->second;
+}
+
+double share(std::size_t part, std::size_t whole) { return static_cast<double>(part) / static_cast<double>(whole); }
+
+bool larger_share_of_wrong(const InCommon& a, const InCommon& b) {
+    return a.wrong * b.asked != b.wrong * a.asked ? a.wrong * b.asked > b.wrong * a.asked : a.wrong > b.wrong;
+}
+
+} // namespace
+
+std::vector<InCommon> properties_in_common(std::span<const Judged* const> wrong, std::span<const Judged> judged) {
+    if (wrong.size() < least_wrong) return {};
+    std::set<std::string> quantities;
+    std::map<std::string, std::size_t> of_wrong, of_asked;
+    for (const Judged* one : wrong) {
+        quantities.insert(one->vector->question.quantity);
+        for (const std::string& property : properties(*one->vector)) ++of_wrong[property];
+    }
+    std::size_t asked = 0;
+    for (const Judged& one : judged) {
+        if (!was_answered(one) || !one.vector->reject.empty() || !quantities.contains(one.vector->question.quantity)) continue;
+        ++asked;
+        for (const std::string& property : properties(*one.vector)) ++of_asked[property];
+    }
+    std::vector<InCommon> found;
+    for (const auto& [property, count] : of_wrong) {
+        const InCommon one{property, count, wrong.size(), count_of(of_asked, property), asked};
+        const bool common = share(one.wrong, one.all_wrong) >= share_in_common;
+        if (common && share(one.wrong, one.asked) >= least_lift * share(one.all_wrong, asked)) found.push_back(one);
+    }
+    std::stable_sort(found.begin(), found.end(), larger_share_of_wrong);
+    if (found.size() > most_told) found.resize(most_told);
+    return found;
+}
+
+std::vector<InCommon> by_quantity(std::span<const Judged* const> wrong, std::span<const Judged> judged) {
+    std::map<std::string, std::size_t> of_wrong, of_asked;
+    for (const Judged* one : wrong) ++of_wrong[one->vector->question.quantity];
+    for (const Judged& one : judged)
+        if (was_answered(one) && one.vector->reject.empty()) ++of_asked[one.vector->question.quantity];
+    std::vector<InCommon> found;
+    for (const auto& [quantity, count] : of_wrong)
+        found.push_back({quantity, count, wrong.size(), count_of(of_asked, quantity), judged.size()});
+    std::stable_sort(found.begin(), found.end(), [](const InCommon& a, const InCommon& b) { return a.wrong > b.wrong; });
+    return found;
+}
+
+} // namespace denhartog::conformance

@@ -1,0 +1,256 @@
+/// @file
+/// @brief Sines, cosines and their inverses.
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "denhartog/number/double_double.hpp"
+#include "denhartog/elementary/elementary.hpp"
+#include "denhartog/elementary/kernels.hpp"
+
+namespace denhartog {
+namespace elementary {
+
+using Wide = unsigned __int128;
+
+// With x = m 2^e, m a whole number, bits of 2 / pi that make multiples of 128 steps of it are left out: 256 bits behind them
+// hold the steps, their fraction, and 60 bits more than a double can come close to a multiple.
+ReducedAngle reduce_by_all_bits(double x) {
+    const auto bits = std::bit_cast<std::uint64_t>(x);
+    const auto exponent = static_cast<int>(bits >> 52U & 2047U) - 1075; // m 2^exponent
+    const std::uint64_t m = (bits & 0xfffffffffffffU) | 0x10000000000000U;
+    const auto from = static_cast<unsigned>(exponent - 2 + 128); // 64 / pi = 32 (2 / pi), and 128 = 2^7
+    const std::uint64_t* word = two_over_pi + from / 64;
+    const unsigned shift = from % 64;
+    std::uint64_t product[4]; // of m and 256 bits, the last first
+    std::uint64_t carried = 0;
+    for (int n = 3; n >= 0; --n) {
+        const std::uint64_t window = shift == 0 ? word[n] : word[n] << shift | word[n + 1] >> (64 - shift);
+        const Wide sum = static_cast<Wide>(m) * window + carried;
+        product[3 - n] = static_cast<std::uint64_t>(sum);
+        carried = static_cast<std::uint64_t>(sum >> 64U);
+    }
+    std::uint64_t n = product[3] >> 57U;
+    std::uint64_t a = product[3] << 7U | product[2] >> 57U, b = product[2] << 7U | product[1] >> 57U,
+                  c = product[1] << 7U | product[0] >> 57U; // 192 bits of the fraction
+    const bool over = a >> 63U != 0;                        // more than half a step: the next multiple
+    if (over) {
+        ++n;
+        a = ~a;
+        b = ~b;
+        c = ~c;
+    }
+    int zeros = 0;
+    if (a == 0) {
+        a = b;
+        b = c;
+        c = 0;
+        zeros = 64;
+    }
+    const int leading = std::countl_zero(a | 1U);
+    if (leading > 0) {
+        a = a << leading | b >> (64 - leading);
+        b = b << leading | c >> (64 - leading);
+    }
+    const double first = static_cast<double>(a >> 11U), second = static_cast<double>((a & 2047U) << 42U | b >> 22U);
+    const double unit = power_of_two(-53 - zeros - leading), high = first * unit, low = second * unit * 0x1p-53;
+    const Parts whole = exact_product_in_range(high, step_high);
+    const double rest = whole.low + (high * step_low + low * step_high);
+    const double sign = over != (bits >> 63U != 0) ? -1 : 1;
+    return {bits >> 63U != 0 ? -n : n, sign * whole.high, sign * rest};
+}
+
+Parts beyond_multiple(double k, double first, double low) {
+    const Parts third = exact_product_in_range(k, step_third), beyond = exact_sum(first, -third.high);
+    return exact_sum(beyond.high, beyond.low - (third.low + (k * step_fourth - low)));
+}
+
+namespace {
+
+constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
+
+// An angle in half turns without whole turns, where there are many: exact.
+double without_many_turns(double x) { return std::fabs(x) < 0x1p43 ? x : x - 2 * std::floor(x / 2); }
+
+bool is_finite(double x) { return x - x == 0; }
+
+// The angle of (x, y), both positive, y not above x and not below 2^-60 x, within the range where products are exact.
+[[gnu::always_inline]] inline Parts angle_in_first_octant(const Parts& y, const Parts& x) {
+    const double by_x = 1 / x.high, slope = y.high * by_x;
+    const Parts back = exact_product_in_range(slope, x.high);
+    return expanded(arc_tangents, slope, (((y.high - back.high) - back.low) + (y.low - slope * x.low)) * by_x);
+}
+
+// A half turn or a quarter, and an angle of at most that size, added to it or taken from it. @param turns half turns
+[[gnu::always_inline]] inline Parts from_half_turns(double turns, double sign, const Parts& angle) {
+    const Parts head = ordered_sum(turns * pi_high, sign * angle.high);
+    return {head.high, head.low + (turns * pi_low + sign * angle.low)};
+}
+
+// The angle of (x, y), not both zero, finite.
+Parts angle_of(Parts y, Parts x) {
+    const bool left = x.high < 0, below = y.high < 0;
+    if (left) x = {-x.high, -x.low};
+    if (below) y = {-y.high, -y.low};
+    const bool steep = y.high > x.high;
+    if (steep) std::swap(x, y);
+    Parts angle{0, 0};
+    if (y.high < x.high * 0x1p-60) {
+        angle.high = y.high / x.high;
+    } else {
+        const double scale = x.high > 0x1p700 ? 0x1p-600 : x.high < 0x1p-700 ? 0x1p600 : 1;
+        angle = angle_in_first_octant({y.high * scale, y.low * scale}, {x.high * scale, x.low * scale});
+    }
+    if (steep || left) angle = from_half_turns(steep ? 0.5 : 1, steep == left ? 1 : -1, angle);
+    return below ? Parts{-angle.high, -angle.low} : angle;
+}
+
+} // namespace
+
+double sin(double x) noexcept {
+    if (!is_finite(x)) return no_number;
+    if (std::fabs(x) < 0x1p-30) return x;
+    const Parts s = sine(reduce(x, 0));
+    return s.high + s.low;
+}
+
+double cos(double x) noexcept {
+    if (!is_finite(x)) return no_number;
+    const Parts c = cosine(reduce(x, 0));
+    return c.high + c.low;
+}
+
+SineCosine<double> sine_cosine(double x) noexcept {
+    if (!is_finite(x)) return {no_number, no_number};
+    const ReducedAngle angle = reduce(x, 0);
+    const Parts s = sine(angle), c = cosine(angle);
+    return {std::fabs(x) < 0x1p-30 ? x : s.high + s.low, c.high + c.low};
+}
+
+double sine_of_half_turns(double x) noexcept {
+    x = without_many_turns(x);
+    if (!is_finite(x)) return no_number;
+    if (std::fabs(x) < 0x1p-60) {
+        if (x == 0) return x;
+        const Parts s = exact_product(x * 0x1p600, pi_high);
+        return (s.high + (s.low + x * 0x1p600 * pi_low)) * 0x1p-600;
+    }
+    const Parts s = sine(reduce_half_turns(x, 0));
+    return s.high + s.low;
+}
+
+double cosine_of_half_turns(double x) noexcept {
+    x = without_many_turns(x);
+    if (!is_finite(x)) return no_number;
+    const Parts c = cosine(reduce_half_turns(x, 0));
+    return c.high + c.low;
+}
+
+double atan2(double y, double x) noexcept {
+    if (x != x || y != y) return no_number;
+    if (!is_finite(x) || !is_finite(y))
+        return atan2(std::copysign(is_finite(y) ? 0 : 1, y), std::copysign(is_finite(x) ? 0 : 1, x));
+    if (y == 0) return std::signbit(x) ? std::copysign(pi_high, y) : y;
+    const Parts angle = angle_of({y, 0}, {x, 0});
+    return angle.high + angle.low;
+}
+
+double atan(double x) noexcept {
+    const double size = std::fabs(x);
+    if (size <= 1) {
+        const Parts angle = expanded(arc_tangents, size, 0);
+        return std::copysign(angle.high + angle.low, x);
+    }
+    if (!(size < 0x1p60)) return size == size ? std::copysign(pi_high / 2, x) : no_number;
+    const Parts angle = from_half_turns(0.5, -1, angle_in_first_octant({1, 0}, {size, 0}));
+    return std::copysign(angle.high + angle.low, x);
+}
+
+// The root and, from the exact difference to the larger or the smaller side, what it lacks: Borges, ACM Transactions on
+// Mathematical Software 47 (2020), 9.
+[[gnu::always_inline]] inline double length(double larger, double smaller) {
+    const double root = std::sqrt(larger * larger + smaller * smaller);
+    double excess;
+    if (root <= 2 * smaller) {
+        const double d = root - smaller;
+        excess = larger * (2 * d - larger) + (d - 2 * (larger - smaller)) * d;
+    } else {
+        const double d = root - larger;
+        excess = 2 * d * (larger - 2 * smaller) + ((4 * d - smaller) * smaller + d * d);
+    }
+    return root - excess / (2 * root);
+}
+
+double hypot(double x, double y) noexcept {
+    x = std::fabs(x);
+    y = std::fabs(y);
+    const double larger = x > y ? x : y, smaller = x > y ? y : x;
+    if (larger < 0x1p500 && smaller > 0x1p-400) [[likely]]
+        return length(larger, smaller);
+    if (!is_finite(x) || !is_finite(y))
+        return std::isinf(x) || std::isinf(y) ? std::numeric_limits<double>::infinity() : no_number;
+    if (smaller <= larger * 0x1p-54) return larger + smaller;
+    const double scale = larger >= 0x1p500 ? 0x1p-600 : 0x1p600;
+    return length(larger * scale, smaller * scale) / scale;
+}
+
+} // namespace elementary
+
+namespace {
+
+// From here on the second part of an angle is no small one.
+constexpr double of_many_turns = 0x1p40;
+
+// The sine of the sum of two angles, or of that a quarter turn on.
+DoubleDouble sine_of_sum(double x, double y, std::uint64_t steps_on) {
+    const elementary::ReducedAngle of_x = elementary::reduce(x, 0), of_y = elementary::reduce(y, 0);
+    const elementary::ReducedAngle on{of_x.n + steps_on, of_x.d, of_x.d_low};
+    return DoubleDouble(elementary::sine(on)) * DoubleDouble(elementary::cosine(of_y)) +
+           DoubleDouble(elementary::cosine(on)) * DoubleDouble(elementary::sine(of_y));
+}
+
+// An angle in half turns without whole turns, in neither part.
+elementary::Parts without_many_turns(const DoubleDouble& a) {
+    return elementary::exact_sum(elementary::without_many_turns(a.high), elementary::without_many_turns(a.low));
+}
+
+} // namespace
+
+DoubleDouble sin(const DoubleDouble& a) {
+    if (!elementary::is_finite(a.high)) return DoubleDouble(elementary::no_number);
+    if (std::fabs(a.high) < 0x1p-40) return a;
+    if (std::fabs(a.high) >= of_many_turns) return sine_of_sum(a.high, a.low, 0);
+    return DoubleDouble(elementary::sine(elementary::reduce(a.high, a.low)));
+}
+
+DoubleDouble cos(const DoubleDouble& a) {
+    if (!elementary::is_finite(a.high)) return DoubleDouble(elementary::no_number);
+    if (std::fabs(a.high) >= of_many_turns) return sine_of_sum(a.high, a.low, 32);
+    return DoubleDouble(elementary::cosine(elementary::reduce(a.high, a.low)));
+}
+
+DoubleDouble sine_of_half_turns(const DoubleDouble& a) {
+    if (std::fabs(a.high) < 0x1p-60) return PiOf<DoubleDouble>::value() * a;
+    if (!elementary::is_finite(a.high)) return DoubleDouble(elementary::no_number);
+    const elementary::Parts x = without_many_turns(a);
+    return DoubleDouble(elementary::sine(elementary::reduce_half_turns(x.high, x.low)));
+}
+
+DoubleDouble cosine_of_half_turns(const DoubleDouble& a) {
+    if (!elementary::is_finite(a.high)) return DoubleDouble(elementary::no_number);
+    const elementary::Parts x = without_many_turns(a);
+    return DoubleDouble(elementary::cosine(elementary::reduce_half_turns(x.high, x.low)));
+}
+
+DoubleDouble atan2(const DoubleDouble& y, const DoubleDouble& x) {
+    if (y.high == 0 || !elementary::is_finite(x.high) || !elementary::is_finite(y.high))
+        return DoubleDouble(elementary::atan2(y.high, x.high));
+    return DoubleDouble(elementary::angle_of({y.high, y.low}, {x.high, x.low}));
+}
+
+DoubleDouble remainder_of_one(const DoubleDouble& m) {
+    const double n = std::nearbyint(1 / m.high);
+    return m.low == 0 ? DoubleDouble(std::remainder(1.0, m.high)) : 1 - DoubleDouble(n) * m;
+}
+
+} // namespace denhartog

@@ -1,0 +1,186 @@
+/// @file
+/// @brief Sines and the bits of 2 / pi, written by make_tables.py.
+#pragma once
+
+#include <cstdint>
+
+namespace denhartog::elementary {
+
+inline constexpr double pi_high = 0x1.921fb54442d18p+1; ///< pi, rounded
+inline constexpr double pi_low = 0x1.1a62633145c07p-53; ///< what its rounding lacks
+inline constexpr double steps_in_radian = 0x1.45f306dc9c883p+4; ///< 64 / pi
+inline constexpr double step_high = 0x1.921fb54442d18p-5; ///< pi / 64, rounded
+inline constexpr double step_low = 0x1.1a62633145c07p-59; ///< what its rounding lacks
+inline constexpr double step_first = 0x1.921fb40000000p-5; ///< the first 24 bits of pi / 64
+inline constexpr double step_second = 0x1.4442d00000000p-29; ///< the next 24
+inline constexpr double step_third = 0x1.8469898cc5170p-53; ///< the next 53
+inline constexpr double step_fourth = 0x1.b839a252049c1p-109; ///< the rest
+
+/// @brief A point of the circle.
+struct Direction {
+    double sine;              ///< rounded
+    double rest;              ///< what the rounding of the sine lacks
+    double whole;             ///< the whole number nearest to the cosine
+    double cosine_less_whole; ///< the cosine less that
+};
+
+/// @brief The points at n pi / 64.
+inline constexpr Direction circle[128] = {
+    {0x0p+0, 0x0p+0, 0x1p+0, 0x0p+0},
+    {0x1.91f65f10dd814p-5, -0x1.912bd0d569a90p-61, 0x1p+0, -0x1.3bc390d250439p-10},
+    {0x1.917a6bc29b42cp-4, -0x1.e2718d26ed688p-60, 0x1p+0, -0x1.3b92e176d6d31p-8},
+    {0x1.2c8106e8e613ap-3, 0x1.13000a89a11e0p-58, 0x1p+0, -0x1.62aa03dd6ba58p-7},
+    {0x1.8f8b83c69a60bp-3, -0x1.26d19b9ff8d82p-57, 0x1p+0, -0x1.3ad06011469fbp-6},
+    {0x1.f19f97b215f1bp-3, -0x1.42deef11da2c4p-57, 0x1p+0, -0x1.eb0208db9e51bp-6},
+    {0x1.294062ed59f06p-2, -0x1.5d28da2c4612dp-56, 0x1p+0, -0x1.60bea939d225ap-5},
+    {0x1.58f9a75ab1fddp-2, -0x1.efdc0d58cf620p-62, 0x1p+0, -0x1.dedefb09791b4p-5},
+    {0x1.87de2a6aea963p-2, -0x1.72cedd3d5a610p-57, 0x1p+0, -0x1.37ca1866b95cfp-4},
+    {0x1.b5d1009e15cc0p-2, 0x1.5b362cb974183p-57, 0x1p+0, -0x1.894285e19c468p-4},
+    {0x1.e2b5d3806f63bp-2, 0x1.e0d891d3c6841p-58, 0x1p+0, -0x1.e3a6873fa1279p-4},
+    {0x1.073879922ffeep-1, -0x1.a5a014347406cp-55, 0x1p+0, -0x1.235f2eb9a470ap-3},
+    {0x1.1c73b39ae68c8p-1, 0x1.b25dd267f6600p-55, 0x1p+0, -0x1.592675bc57974p-3},
+    {0x1.30ff7fce17035p-1, -0x1.efcc626f74a6fp-57, 0x1p+0, -0x1.9307ee031e2fdp-3},
+    {0x1.44cf325091dd6p-1, 0x1.8076a2cfdc6b3p-57, 0x1p+0, -0x1.d0dfe53aba2fdp-3},
+    {0x1.57d69348ceca0p-1, -0x1.75720992bfbb2p-55, 0x1p+0, -0x1.09441bb2aa0a2p-2},
+    {0x1.6a09e667f3bcdp-1, -0x1.bdd3413b26456p-55, 0x1p+0, -0x1.2bec333018867p-2},
+    {0x1.7b5df226aafafp-1, -0x1.0f537acdf0ad7p-56, 0x1p+0, -0x1.5052d96e626c1p-2},
+    {0x1.8bc806b151741p-1, -0x1.2c5e12ed1336dp-55, 0x1p+0, -0x1.76619b5edc454p-2},
+    {0x1.9b3e047f38741p-1, -0x1.30ee286712474p-55, 0x1p+0, -0x1.9e010063d1f96p-2},
+    {0x1.a9b66290ea1a3p-1, 0x1.9f630e8b6dac8p-60, 0x1p+0, -0x1.c71898ca32e6fp-2},
+    {0x1.b728345196e3ep-1, -0x1.bc69f324e6d61p-55, 0x1p+0, -0x1.f18f0cdba0025p-2},
+    {0x1.c38b2f180bdb1p-1, -0x1.6e0b1757c8d07p-56, 0x0p+0, 0x1.e2b5d3806f63bp-2},
+    {0x1.ced7af43cc773p-1, -0x1.e7b6bb5ab58aep-58, 0x0p+0, 0x1.b5d1009e15cc0p-2},
+    {0x1.d906bcf328d46p-1, 0x1.457e610231ac2p-56, 0x0p+0, 0x1.87de2a6aea963p-2},
+    {0x1.e212104f686e5p-1, -0x1.014c76c126527p-55, 0x0p+0, 0x1.58f9a75ab1fddp-2},
+    {0x1.e9f4156c62ddap-1, 0x1.760b1e2e3f81ep-55, 0x0p+0, 0x1.294062ed59f06p-2},
+    {0x1.f0a7efb9230d7p-1, 0x1.52c7adc6b4989p-56, 0x0p+0, 0x1.f19f97b215f1bp-3},
+    {0x1.f6297cff75cb0p-1, 0x1.562172a361fd3p-56, 0x0p+0, 0x1.8f8b83c69a60bp-3},
+    {0x1.fa7557f08a517p-1, -0x1.7a0a8ca13571fp-55, 0x0p+0, 0x1.2c8106e8e613ap-3},
+    {0x1.fd88da3d12526p-1, -0x1.87df6378811c7p-55, 0x0p+0, 0x1.917a6bc29b42cp-4},
+    {0x1.ff621e3796d7ep-1, -0x1.c57bc2e24aa15p-57, 0x0p+0, 0x1.91f65f10dd814p-5},
+    {0x1p+0, 0x0p+0, 0x0p+0, 0x0p+0},
+    {0x1.ff621e3796d7ep-1, -0x1.c57bc2e24aa15p-57, 0x0p+0, -0x1.91f65f10dd814p-5},
+    {0x1.fd88da3d12526p-1, -0x1.87df6378811c7p-55, 0x0p+0, -0x1.917a6bc29b42cp-4},
+    {0x1.fa7557f08a517p-1, -0x1.7a0a8ca13571fp-55, 0x0p+0, -0x1.2c8106e8e613ap-3},
+    {0x1.f6297cff75cb0p-1, 0x1.562172a361fd3p-56, 0x0p+0, -0x1.8f8b83c69a60bp-3},
+    {0x1.f0a7efb9230d7p-1, 0x1.52c7adc6b4989p-56, 0x0p+0, -0x1.f19f97b215f1bp-3},
+    {0x1.e9f4156c62ddap-1, 0x1.760b1e2e3f81ep-55, 0x0p+0, -0x1.294062ed59f06p-2},
+    {0x1.e212104f686e5p-1, -0x1.014c76c126527p-55, 0x0p+0, -0x1.58f9a75ab1fddp-2},
+    {0x1.d906bcf328d46p-1, 0x1.457e610231ac2p-56, 0x0p+0, -0x1.87de2a6aea963p-2},
+    {0x1.ced7af43cc773p-1, -0x1.e7b6bb5ab58aep-58, 0x0p+0, -0x1.b5d1009e15cc0p-2},
+    {0x1.c38b2f180bdb1p-1, -0x1.6e0b1757c8d07p-56, 0x0p+0, -0x1.e2b5d3806f63bp-2},
+    {0x1.b728345196e3ep-1, -0x1.bc69f324e6d61p-55, -0x1p+0, 0x1.f18f0cdba0025p-2},
+    {0x1.a9b66290ea1a3p-1, 0x1.9f630e8b6dac8p-60, -0x1p+0, 0x1.c71898ca32e6fp-2},
+    {0x1.9b3e047f38741p-1, -0x1.30ee286712474p-55, -0x1p+0, 0x1.9e010063d1f96p-2},
+    {0x1.8bc806b151741p-1, -0x1.2c5e12ed1336dp-55, -0x1p+0, 0x1.76619b5edc454p-2},
+    {0x1.7b5df226aafafp-1, -0x1.0f537acdf0ad7p-56, -0x1p+0, 0x1.5052d96e626c1p-2},
+    {0x1.6a09e667f3bcdp-1, -0x1.bdd3413b26456p-55, -0x1p+0, 0x1.2bec333018867p-2},
+    {0x1.57d69348ceca0p-1, -0x1.75720992bfbb2p-55, -0x1p+0, 0x1.09441bb2aa0a2p-2},
+    {0x1.44cf325091dd6p-1, 0x1.8076a2cfdc6b3p-57, -0x1p+0, 0x1.d0dfe53aba2fdp-3},
+    {0x1.30ff7fce17035p-1, -0x1.efcc626f74a6fp-57, -0x1p+0, 0x1.9307ee031e2fdp-3},
+    {0x1.1c73b39ae68c8p-1, 0x1.b25dd267f6600p-55, -0x1p+0, 0x1.592675bc57974p-3},
+    {0x1.073879922ffeep-1, -0x1.a5a014347406cp-55, -0x1p+0, 0x1.235f2eb9a470ap-3},
+    {0x1.e2b5d3806f63bp-2, 0x1.e0d891d3c6841p-58, -0x1p+0, 0x1.e3a6873fa1279p-4},
+    {0x1.b5d1009e15cc0p-2, 0x1.5b362cb974183p-57, -0x1p+0, 0x1.894285e19c468p-4},
+    {0x1.87de2a6aea963p-2, -0x1.72cedd3d5a610p-57, -0x1p+0, 0x1.37ca1866b95cfp-4},
+    {0x1.58f9a75ab1fddp-2, -0x1.efdc0d58cf620p-62, -0x1p+0, 0x1.dedefb09791b4p-5},
+    {0x1.294062ed59f06p-2, -0x1.5d28da2c4612dp-56, -0x1p+0, 0x1.60bea939d225ap-5},
+    {0x1.f19f97b215f1bp-3, -0x1.42deef11da2c4p-57, -0x1p+0, 0x1.eb0208db9e51bp-6},
+    {0x1.8f8b83c69a60bp-3, -0x1.26d19b9ff8d82p-57, -0x1p+0, 0x1.3ad06011469fbp-6},
+    {0x1.2c8106e8e613ap-3, 0x1.13000a89a11e0p-58, -0x1p+0, 0x1.62aa03dd6ba58p-7},
+    {0x1.917a6bc29b42cp-4, -0x1.e2718d26ed688p-60, -0x1p+0, 0x1.3b92e176d6d31p-8},
+    {0x1.91f65f10dd814p-5, -0x1.912bd0d569a90p-61, -0x1p+0, 0x1.3bc390d250439p-10},
+    {0x0p+0, 0x0p+0, -0x1p+0, 0x0p+0},
+    {-0x1.91f65f10dd814p-5, 0x1.912bd0d569a90p-61, -0x1p+0, 0x1.3bc390d250439p-10},
+    {-0x1.917a6bc29b42cp-4, 0x1.e2718d26ed688p-60, -0x1p+0, 0x1.3b92e176d6d31p-8},
+    {-0x1.2c8106e8e613ap-3, -0x1.13000a89a11e0p-58, -0x1p+0, 0x1.62aa03dd6ba58p-7},
+    {-0x1.8f8b83c69a60bp-3, 0x1.26d19b9ff8d82p-57, -0x1p+0, 0x1.3ad06011469fbp-6},
+    {-0x1.f19f97b215f1bp-3, 0x1.42deef11da2c4p-57, -0x1p+0, 0x1.eb0208db9e51bp-6},
+    {-0x1.294062ed59f06p-2, 0x1.5d28da2c4612dp-56, -0x1p+0, 0x1.60bea939d225ap-5},
+    {-0x1.58f9a75ab1fddp-2, 0x1.efdc0d58cf620p-62, -0x1p+0, 0x1.dedefb09791b4p-5},
+    {-0x1.87de2a6aea963p-2, 0x1.72cedd3d5a610p-57, -0x1p+0, 0x1.37ca1866b95cfp-4},
+    {-0x1.b5d1009e15cc0p-2, -0x1.5b362cb974183p-57, -0x1p+0, 0x1.894285e19c468p-4},
+    {-0x1.e2b5d3806f63bp-2, -0x1.e0d891d3c6841p-58, -0x1p+0, 0x1.e3a6873fa1279p-4},
+    {-0x1.073879922ffeep-1, 0x1.a5a014347406cp-55, -0x1p+0, 0x1.235f2eb9a470ap-3},
+    {-0x1.1c73b39ae68c8p-1, -0x1.b25dd267f6600p-55, -0x1p+0, 0x1.592675bc57974p-3},
+    {-0x1.30ff7fce17035p-1, 0x1.efcc626f74a6fp-57, -0x1p+0, 0x1.9307ee031e2fdp-3},
+    {-0x1.44cf325091dd6p-1, -0x1.8076a2cfdc6b3p-57, -0x1p+0, 0x1.d0dfe53aba2fdp-3},
+    {-0x1.57d69348ceca0p-1, 0x1.75720992bfbb2p-55, -0x1p+0, 0x1.09441bb2aa0a2p-2},
+    {-0x1.6a09e667f3bcdp-1, 0x1.bdd3413b26456p-55, -0x1p+0, 0x1.2bec333018867p-2},
+    {-0x1.7b5df226aafafp-1, 0x1.0f537acdf0ad7p-56, -0x1p+0, 0x1.5052d96e626c1p-2},
+    {-0x1.8bc806b151741p-1, 0x1.2c5e12ed1336dp-55, -0x1p+0, 0x1.76619b5edc454p-2},
+    {-0x1.9b3e047f38741p-1, 0x1.30ee286712474p-55, -0x1p+0, 0x1.9e010063d1f96p-2},
+    {-0x1.a9b66290ea1a3p-1, -0x1.9f630e8b6dac8p-60, -0x1p+0, 0x1.c71898ca32e6fp-2},
+    {-0x1.b728345196e3ep-1, 0x1.bc69f324e6d61p-55, -0x1p+0, 0x1.f18f0cdba0025p-2},
+    {-0x1.c38b2f180bdb1p-1, 0x1.6e0b1757c8d07p-56, 0x0p+0, -0x1.e2b5d3806f63bp-2},
+    {-0x1.ced7af43cc773p-1, 0x1.e7b6bb5ab58aep-58, 0x0p+0, -0x1.b5d1009e15cc0p-2},
+    {-0x1.d906bcf328d46p-1, -0x1.457e610231ac2p-56, 0x0p+0, -0x1.87de2a6aea963p-2},
+    {-0x1.e212104f686e5p-1, 0x1.014c76c126527p-55, 0x0p+0, -0x1.58f9a75ab1fddp-2},
+    {-0x1.e9f4156c62ddap-1, -0x1.760b1e2e3f81ep-55, 0x0p+0, -0x1.294062ed59f06p-2},
+    {-0x1.f0a7efb9230d7p-1, -0x1.52c7adc6b4989p-56, 0x0p+0, -0x1.f19f97b215f1bp-3},
+    {-0x1.f6297cff75cb0p-1, -0x1.562172a361fd3p-56, 0x0p+0, -0x1.8f8b83c69a60bp-3},
+    {-0x1.fa7557f08a517p-1, 0x1.7a0a8ca13571fp-55, 0x0p+0, -0x1.2c8106e8e613ap-3},
+    {-0x1.fd88da3d12526p-1, 0x1.87df6378811c7p-55, 0x0p+0, -0x1.917a6bc29b42cp-4},
+    {-0x1.ff621e3796d7ep-1, 0x1.c57bc2e24aa15p-57, 0x0p+0, -0x1.91f65f10dd814p-5},
+    {-0x1p+0, 0x0p+0, 0x0p+0, 0x0p+0},
+    {-0x1.ff621e3796d7ep-1, 0x1.c57bc2e24aa15p-57, 0x0p+0, 0x1.91f65f10dd814p-5},
+    {-0x1.fd88da3d12526p-1, 0x1.87df6378811c7p-55, 0x0p+0, 0x1.917a6bc29b42cp-4},
+    {-0x1.fa7557f08a517p-1, 0x1.7a0a8ca13571fp-55, 0x0p+0, 0x1.2c8106e8e613ap-3},
+    {-0x1.f6297cff75cb0p-1, -0x1.562172a361fd3p-56, 0x0p+0, 0x1.8f8b83c69a60bp-3},
+    {-0x1.f0a7efb9230d7p-1, -0x1.52c7adc6b4989p-56, 0x0p+0, 0x1.f19f97b215f1bp-3},
+    {-0x1.e9f4156c62ddap-1, -0x1.760b1e2e3f81ep-55, 0x0p+0, 0x1.294062ed59f06p-2},
+    {-0x1.e212104f686e5p-1, 0x1.014c76c126527p-55, 0x0p+0, 0x1.58f9a75ab1fddp-2},
+    {-0x1.d906bcf328d46p-1, -0x1.457e610231ac2p-56, 0x0p+0, 0x1.87de2a6aea963p-2},
+    {-0x1.ced7af43cc773p-1, 0x1.e7b6bb5ab58aep-58, 0x0p+0, 0x1.b5d1009e15cc0p-2},
+    {-0x1.c38b2f180bdb1p-1, 0x1.6e0b1757c8d07p-56, 0x0p+0, 0x1.e2b5d3806f63bp-2},
+    {-0x1.b728345196e3ep-1, 0x1.bc69f324e6d61p-55, 0x1p+0, -0x1.f18f0cdba0025p-2},
+    {-0x1.a9b66290ea1a3p-1, -0x1.9f630e8b6dac8p-60, 0x1p+0, -0x1.c71898ca32e6fp-2},
+    {-0x1.9b3e047f38741p-1, 0x1.30ee286712474p-55, 0x1p+0, -0x1.9e010063d1f96p-2},
+    {-0x1.8bc806b151741p-1, 0x1.2c5e12ed1336dp-55, 0x1p+0, -0x1.76619b5edc454p-2},
+    {-0x1.7b5df226aafafp-1, 0x1.0f537acdf0ad7p-56, 0x1p+0, -0x1.5052d96e626c1p-2},
+    {-0x1.6a09e667f3bcdp-1, 0x1.bdd3413b26456p-55, 0x1p+0, -0x1.2bec333018867p-2},
+    {-0x1.57d69348ceca0p-1, 0x1.75720992bfbb2p-55, 0x1p+0, -0x1.09441bb2aa0a2p-2},
+    {-0x1.44cf325091dd6p-1, -0x1.8076a2cfdc6b3p-57, 0x1p+0, -0x1.d0dfe53aba2fdp-3},
+    {-0x1.30ff7fce17035p-1, 0x1.efcc626f74a6fp-57, 0x1p+0, -0x1.9307ee031e2fdp-3},
+    {-0x1.1c73b39ae68c8p-1, -0x1.b25dd267f6600p-55, 0x1p+0, -0x1.592675bc57974p-3},
+    {-0x1.073879922ffeep-1, 0x1.a5a014347406cp-55, 0x1p+0, -0x1.235f2eb9a470ap-3},
+    {-0x1.e2b5d3806f63bp-2, -0x1.e0d891d3c6841p-58, 0x1p+0, -0x1.e3a6873fa1279p-4},
+    {-0x1.b5d1009e15cc0p-2, -0x1.5b362cb974183p-57, 0x1p+0, -0x1.894285e19c468p-4},
+    {-0x1.87de2a6aea963p-2, 0x1.72cedd3d5a610p-57, 0x1p+0, -0x1.37ca1866b95cfp-4},
+    {-0x1.58f9a75ab1fddp-2, 0x1.efdc0d58cf620p-62, 0x1p+0, -0x1.dedefb09791b4p-5},
+    {-0x1.294062ed59f06p-2, 0x1.5d28da2c4612dp-56, 0x1p+0, -0x1.60bea939d225ap-5},
+    {-0x1.f19f97b215f1bp-3, 0x1.42deef11da2c4p-57, 0x1p+0, -0x1.eb0208db9e51bp-6},
+    {-0x1.8f8b83c69a60bp-3, 0x1.26d19b9ff8d82p-57, 0x1p+0, -0x1.3ad06011469fbp-6},
+    {-0x1.2c8106e8e613ap-3, -0x1.13000a89a11e0p-58, 0x1p+0, -0x1.62aa03dd6ba58p-7},
+    {-0x1.917a6bc29b42cp-4, 0x1.e2718d26ed688p-60, 0x1p+0, -0x1.3b92e176d6d31p-8},
+    {-0x1.91f65f10dd814p-5, 0x1.912bd0d569a90p-61, 0x1p+0, -0x1.3bc390d250439p-10},
+};
+
+
+/// @brief The bits of 2 / pi, 64 a word, behind two words of zeros.
+inline constexpr std::uint64_t two_over_pi[22] = {
+    0x0000000000000000U,
+    0x0000000000000000U,
+    0xa2f9836e4e441529U,
+    0xfc2757d1f534ddc0U,
+    0xdb6295993c439041U,
+    0xfe5163abdebbc561U,
+    0xb7246e3a424dd2e0U,
+    0x06492eea09d1921cU,
+    0xfe1deb1cb129a73eU,
+    0xe88235f52ebb4484U,
+    0xe99c7026b45f7e41U,
+    0x3991d639835339f4U,
+    0x9c845f8bbdf9283bU,
+    0x1ff897ffde05980fU,
+    0xef2f118b5a0a6d1fU,
+    0x6d367ecf27cb09b7U,
+    0x4f463f669e5fea2dU,
+    0x7527bac7ebe5f17bU,
+    0x3d0739f78a5292eaU,
+    0x6bfb5fb11f8d5d08U,
+    0x56033046fc7b6babU,
+    0xf0cfbc209af4361dU,
+};
+
+} // namespace denhartog::elementary

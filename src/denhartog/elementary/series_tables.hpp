@@ -1,0 +1,75 @@
+/// @file
+/// @brief Coefficients of series, written by make_tables.py.
+#pragma once
+
+#include <cstdint>
+
+namespace denhartog::elementary {
+
+/// @brief How many values of the zeta function follow.
+inline constexpr int zetas = 27;
+
+/// @brief zeta(2n), from n = 1 on.
+inline constexpr double zeta_of_twice[27] = {
+    0x0p+0,
+    0x1.a51a6625307d3p+0,
+    0x1.151322ac7d848p+0,
+    0x1.0470984c09245p+0,
+    0x1.010b36af86397p+0,
+    0x1.00412e33a5bb9p+0,
+    0x1.001020a5b2cd3p+0,
+    0x1.00040392bcad4p+0,
+    0x1.00010064cdeb2p+0,
+    0x1.0000400b2654ep+0,
+    0x1.000010013c594p+0,
+    0x1.000004002319bp+0,
+    0x1.0000010003e5ap+0,
+    0x1.00000040006edp+0,
+    0x1.00000010000c5p+0,
+    0x1.0000000400016p+0,
+    0x1.0000000100002p+0,
+    0x1.0000000040000p+0,
+    0x1.0000000010000p+0,
+    0x1.0000000004000p+0,
+    0x1.0000000001000p+0,
+    0x1.0000000000400p+0,
+    0x1.0000000000100p+0,
+    0x1.0000000000040p+0,
+    0x1.0000000000010p+0,
+    0x1.0000000000004p+0,
+    0x1.0000000000001p+0,
+};
+
+/// @brief 1 / n!.
+inline constexpr double inverse_factorials[28] = {
+    0x1p+0,
+    0x1p+0,
+    0x1p-1,
+    0x1.5555555555555p-3,
+    0x1.5555555555555p-5,
+    0x1.1111111111111p-7,
+    0x1.6c16c16c16c17p-10,
+    0x1.a01a01a01a01ap-13,
+    0x1.a01a01a01a01ap-16,
+    0x1.71de3a556c734p-19,
+    0x1.27e4fb7789f5cp-22,
+    0x1.ae64567f544e4p-26,
+    0x1.1eed8eff8d898p-29,
+    0x1.6124613a86d09p-33,
+    0x1.93974a8c07c9dp-37,
+    0x1.ae7f3e733b81fp-41,
+    0x1.ae7f3e733b81fp-45,
+    0x1.952c77030ad4ap-49,
+    0x1.6827863b97d97p-53,
+    0x1.2f49b46814157p-57,
+    0x1.e542ba4020225p-62,
+    0x1.71b8ef6dcf572p-66,
+    0x1.0ce396db7f853p-70,
+    0x1.761b41316381ap-75,
+    0x1.f2cf01972f578p-80,
+    0x1.3f3ccdd165fa9p-84,
+    0x1.88e85fc6a4e5ap-89,
+    0x1.d1ab1c2dccea3p-94,
+};
+
+} // namespace denhartog::elementary

@@ -1,0 +1,216 @@
+#include "denhartog/orbit/floquet.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <utility>
+
+#include "denhartog/model/linear_algebra.hpp"
+#include "denhartog/number/bounded_arithmetic.hpp"
+#include "denhartog/elementary/elementary.hpp"
+
+namespace denhartog {
+namespace {
+
+using ComplexMatrix = Matrix<std::complex<double>>;
+
+bool is_larger(const std::complex<double>& a, const std::complex<double>& b) {
+    const double size_a = size_of(a), size_b = size_of(b);
+    return size_a != size_b ? size_a > size_b : a.imag() > b.imag();
+}
+
+// A matrix that has the same eigenvalues and, but for blocks of two rows, zeros below its diagonal; empty where it was not found.
+Matrix<double> schur_form(const Matrix<double>& jacobian) {
+    if (jacobian.rows() == 0 || !jacobian.allFinite()) return {};
+    const Eigen::RealSchur<Matrix<double>> schur(jacobian, false);
+    return schur.info() == Eigen::Success ? schur.matrixT() : Matrix<double>();
+}
+
+// The eigenvalues of a matrix of one or two rows, block by block, below whose diagonal all else is zero.
+std::vector<std::complex<double>> eigenvalues_of(const Matrix<double>& T) {
+    std::vector<std::complex<double>> values;
+    for (Eigen::Index i = 0; i < T.rows();) {
+        if (i + 1 == T.rows() || T(i + 1, i) == 0) {
+            values.emplace_back(T(i, i));
+            ++i;
+            continue;
+        }
+        const double p = 0.5 * (T(i, i) - T(i + 1, i + 1)), real = T(i + 1, i + 1) + p;
+        const double largest = std::max({std::abs(p), std::abs(T(i + 1, i)), std::abs(T(i, i + 1))}); // scales the square
+        const double p_1 = p / largest, below = T(i + 1, i) / largest, above = T(i, i + 1) / largest;
+        const double imaginary = largest * std::sqrt(std::abs(p_1 * p_1 + below * above));
+        values.emplace_back(real, imaginary);
+        values.emplace_back(real, -imaginary);
+        i += 2;
+    }
+    return values;
+}
+
+// Product and inverse of complex numbers, the same by every compiler: the language's call a function of its own.
+std::complex<double> times(const std::complex<double>& a, const std::complex<double>& b) {
+    return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};
+}
+
+std::complex<double> inverse_of(const std::complex<double>& z) {
+    const double size = size_of(z);
+    return {z.real() / size / size, -z.imag() / size / size};
+}
+
+// A block of two rows, whose eigenvalues are no real numbers, made triangular by a unitary matrix.
+void make_triangular(ComplexMatrix& R, Eigen::Index i, const std::complex<double>& eigenvalue) {
+    const std::complex<double> v_1 = R(i, i + 1), v_2 = eigenvalue - R(i, i);
+    const double size = elementary::hypot(size_of(v_1), size_of(v_2));
+    const std::complex<double> a = v_1 / size, b = v_2 / size; // the matrix has the columns (a, b) and (-b*, a*)
+    for (Eigen::Index row = 0; row < i + 2; ++row) {
+        const std::complex<double> left = R(row, i), right = R(row, i + 1);
+        R(row, i) = times(left, a) + times(right, b);
+        R(row, i + 1) = times(right, std::conj(a)) - times(left, std::conj(b));
+    }
+    for (Eigen::Index column = i; column < R.cols(); ++column) {
+        const std::complex<double> upper = R(i, column), lower = R(i + 1, column);
+        R(i, column) = times(std::conj(a), upper) + times(std::conj(b), lower);
+        R(i + 1, column) = times(a, lower) - times(b, upper);
+    }
+    R(i, i) = eigenvalue;
+    R(i + 1, i + 1) = std::conj(eigenvalue);
+    R(i + 1, i) = 0;
+}
+
+// A triangular matrix as Y (diagonal + couplings) Y^-1, the couplings between eigenvalues that are close.
+struct Decoupled {
+    Eigen::VectorXd rows;    // norms of the rows of Y^-1
+    Eigen::VectorXd columns; // norms of the columns of Y
+    Matrix<double> couplings;
+    std::vector<int> depth; // how many couplings lead to an eigenvalue, one after the other
+};
+
+Decoupled decoupled(const ComplexMatrix& R, double close) {
+    const Eigen::Index n = R.rows();
+    ComplexMatrix Y = ComplexMatrix::Identity(n, n), inverse = Y, left = ComplexMatrix::Zero(n, n);
+    Decoupled d{Eigen::VectorXd(n), Eigen::VectorXd(n), Matrix<double>::Zero(n, n),
+                std::vector<int>(static_cast<std::size_t>(n))};
+    for (Eigen::Index k = 0; k < n; ++k)
+        for (Eigen::Index i = k - 1; i >= 0; --i) {
+            std::complex<double> rest = 0;
+            for (Eigen::Index m = i + 1; m <= k; ++m) rest += times(R(i, m), Y(m, k)) - times(Y(i, m), left(m, k));
+            const std::complex<double> apart = R(k, k) - R(i, i);
+            if (size_of(apart) > close) {
+                Y(i, k) = times(rest, inverse_of(apart));
+                continue;
+            }
+            left(i, k) = rest;
+            d.couplings(i, k) = size_of(rest);
+            int& depth = d.depth[static_cast<std::size_t>(k)];
+            depth = std::max(depth, 1 + d.depth[static_cast<std::size_t>(i)]);
+        }
+    for (Eigen::Index k = 0; k < n; ++k)
+        for (Eigen::Index i = k - 1; i >= 0; --i) {
+            std::complex<double> sum = 0;
+            for (Eigen::Index m = i + 1; m <= k; ++m) sum += times(Y(i, m), inverse(m, k));
+            inverse(i, k) = -sum;
+        }
+    for (Eigen::Index i = 0; i < n; ++i) {
+        d.rows(i) = inverse.row(i).norm();
+        d.columns(i) = Y.col(i).norm();
+    }
+    return d;
+}
+
+struct SizeRange {
+    double from, to;
+};
+
+// What the n-th largest size lies in, if each of the intervals holds a size unless others overlap it: these hold theirs together.
+void intersect_with_joined(std::vector<SizeRange>& known, std::vector<SizeRange> intervals) {
+    std::ranges::sort(intervals, std::greater{}, &SizeRange::to);
+    for (std::size_t first = 0; first < intervals.size();) {
+        SizeRange joined = intervals[first];
+        std::size_t end = first + 1;
+        for (; end < intervals.size() && !(intervals[end].to < joined.from); ++end)
+            joined.from = std::min(joined.from, intervals[end].from);
+        for (; first < end; ++first)
+            known[first] = {std::max(known[first].from, joined.from), std::min(known[first].to, joined.to)};
+    }
+}
+
+// What the sizes of the eigenvalues of a triangular matrix lie in, the largest first, if its entries have an error.
+std::vector<SizeRange> intervals_of_sizes(const ComplexMatrix& R, double error, double most) {
+    const Eigen::Index n = R.rows();
+    const double norm = R.norm();
+    std::vector<SizeRange> known(static_cast<std::size_t>(n), {0, std::min(most, norm + error)});
+    if (!(error < norm)) return known;
+    const Decoupled d = decoupled(R, std::sqrt(error / norm) * norm);
+    const double units = 16 * static_cast<double>(n) * unit_of<double>();
+    const double spread = error + units * (norm + error + d.couplings.norm() * d.columns.norm());
+    const bool is_coupled = std::ranges::any_of(d.depth, [](int depth) { return depth > 0; });
+    for (int halvings = 0; halvings <= 30; halvings += 2) { // of the scale from one depth to the next
+        const auto scale = [&](Eigen::Index i, Eigen::Index k) {
+            return std::ldexp(1.0, halvings * (d.depth[static_cast<std::size_t>(i)] - d.depth[static_cast<std::size_t>(k)]));
+        };
+        std::vector<SizeRange> intervals;
+        for (Eigen::Index i = 0; i < n; ++i) {
+            double radius = 0;
+            for (Eigen::Index k = 0; k < n; ++k) radius += (d.couplings(i, k) + d.rows(i) * d.columns(k) * spread) * scale(i, k);
+            const double size = size_of(R(i, i)), reach = radius < most ? radius : std::numeric_limits<double>::infinity();
+            intervals.push_back({size - reach, size + reach});
+        }
+        intersect_with_joined(known, std::move(intervals));
+        if (!is_coupled) break;
+    }
+    return known;
+}
+
+} // namespace
+
+double size_of(const std::complex<double>& multiplier) { return elementary::hypot(multiplier.real(), multiplier.imag()); }
+
+std::vector<std::complex<double>> eigenvalues(const Matrix<double>& jacobian) {
+    std::vector<std::complex<double>> values = eigenvalues_of(schur_form(jacobian));
+    std::ranges::sort(values, is_larger);
+    return values;
+}
+
+std::vector<Multiplier> multipliers_of(const Matrix<double>& jacobian, double error, double most) {
+    const Matrix<double> form = schur_form(jacobian);
+    if (form.size() == 0) return {};
+    std::vector<std::complex<double>> values = eigenvalues_of(form);
+    ComplexMatrix R = form.cast<std::complex<double>>();
+    for (Eigen::Index i = 0; i + 1 < R.rows(); ++i)
+        if (form(i + 1, i) != 0) make_triangular(R, i, values[static_cast<std::size_t>(i)]);
+    const double rounding = 32 * static_cast<double>(R.rows()) * unit_of<double>() * jacobian.norm(); // of making it triangular
+    const std::vector<SizeRange> intervals = intervals_of_sizes(R, error + rounding, most);
+    std::ranges::sort(values, is_larger);
+    std::vector<Multiplier> multipliers;
+    for (std::size_t n = 0; n < values.size(); ++n) {
+        const double size = size_of(values[n]);
+        multipliers.push_back({values[n], std::max(size - std::max(0.0, intervals[n].from), intervals[n].to - size)});
+    }
+    return multipliers;
+}
+
+std::vector<Multiplier> squared(std::vector<Multiplier> multipliers) {
+    for (Multiplier& each : multipliers) {
+        const double re = each.value.real(), im = each.value.imag(), size = size_of(each.value);
+        each = {{re * re - im * im, 2 * re * im}, each.error * (2 * size + each.error) + 4 * unit_of<double>() * size * size};
+    }
+    std::ranges::sort(multipliers, is_larger, &Multiplier::value);
+    return multipliers;
+}
+
+bool contracts(const Matrix<double>& jacobian, double error) {
+    constexpr int most_squarings = 50; // beyond, rounding has grown past every decay
+    Matrix<double> power = jacobian;
+    for (int n = 0; n < most_squarings; ++n) {
+        const double norm = largest_row_sum(power);
+        if (!(norm < 1e100) || !(error < 1)) return false;
+        if (norm + error < 1) return true;
+        const double rounding = static_cast<double>(power.rows()) * unit_of<double>();
+        error = 2 * norm * error + error * error + rounding * norm * norm;
+        power = product(power, power);
+    }
+    return false;
+}
+
+} // namespace denhartog

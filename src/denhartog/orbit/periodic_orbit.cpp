@@ -1,0 +1,301 @@
+#include "denhartog/orbit/periodic_orbit.hpp"
+
+#include <algorithm>
+#include <complex>
+#include <functional>
+#include <optional>
+#include <utility>
+
+#include "denhartog/number/multiprecision.hpp"
+#include "denhartog/orbit/orbit_record.hpp"
+#include "denhartog/orbit/orbit_search.hpp"
+#include "denhartog/orbit/shooting.hpp"
+#include "denhartog/orbit/stability.hpp"
+
+namespace denhartog {
+namespace {
+
+constexpr int least_approach = 16;        // maps in which an approach to an orbit is seen, and how much nearer the motion comes
+constexpr int most_approach = 512;        // maps after which slow approach is enough
+constexpr int half_periods_to_rest = 400; // after which a rest whose place is known to 1e-3 is an answer
+constexpr int half_periods_to_arrive = 4000; // at rest, or at an orbit that attracts nothing
+
+/// The search from one start.
+template <class T>
+class Search {
+public:
+    Search(ExactSolver<T>& solver, const OrbitSearch<T>& search)
+        : search_(search), map_(solver), shooting_(map_, search.tolerance), j_(solver.system().contact.index),
+          no_expansion_(solver.excitation().mu == 1),
+          most_periods_(no_expansion_ ? search.most_periods : periods_to_follow(solver, search.most_periods)),
+          damped_(every_motion_is_damped(solver.system().basis)) {}
+
+    PeriodicOrbit<T> from(const State<T>& start) {
+        const long before = map_.solver().effort().spent;
+        follow(start);
+        orbit_.periods_propagated = static_cast<int>((map_.half_periods_in_all() + 1) / 2);
+        orbit_.newton_steps = shooting_.steps();
+        orbit_.effort_spent = map_.solver().effort().spent - before;
+        return std::move(orbit_);
+    }
+
+private:
+    /// A fixed point of h half-periods, with what is known of its neighbourhood.
+    struct Candidate {
+        State<T> z;
+        int h = 0;
+        Matrix<T> jacobian;
+        T rounding = T(0); // norm of the map's rounding
+        bool stable = false;
+        double largest_multiplier = 0; // over h half-periods
+    };
+
+    void follow(State<T> z) {
+        const int most = 2 * most_periods_;
+        recent_.assign(1, z);
+        if (search_.guess != nullptr && is_found_near(*search_.guess)) return;
+        int done = 0, next = std::min(2 * search_.periods_before, most);
+        for (;;) {
+            for (; done < next && !is_restless(); ++done) {
+                if (!map_.apply(z, 1, false)) return give_up(done, true);
+                const State<T> before = std::exchange(z, map_.image());
+                settling_.take(map_.norm(map_.difference()));
+                held_ = map_.held();
+                if (held_ && rests_for_ever(before, done)) return;
+                if (recent_.size() > 2 * static_cast<std::size_t>(search_.most_subharmonic)) recent_.erase(recent_.begin());
+                recent_.push_back(z);
+            }
+            if (no_expansion_ ? settle(z, done) : find_orbit(z, done)) return;
+            if (done >= (neutral_ ? std::min(most, half_periods_to_arrive) : most) || is_restless()) return give_up(done, false);
+            next = std::min(most, done + 2 * std::max(1, done / (no_expansion_ ? 2 : 8)));
+        }
+    }
+
+    // An orbit of one half-period near a state, where it does not matter whether the motion from the start tends to it.
+    bool is_found_near(State<T> z) {
+        if (search_.follow_start && !(no_expansion_ && damped_)) return false;
+        return shooting_.fixed_point(z, 1, AfterBadStep::end) && answer(orbit_of(map_, z, search_));
+    }
+
+    // No two motions move apart, so that an orbit that attracts its neighbours attracts all: any way to it will do.
+    bool settle(const State<T>& z, int done) {
+        if (neutral_) {
+            const bool arrived = candidate_.h > 0 && map_.norm(difference(z, candidate_.z)) <= 64 * candidate_.rounding;
+            return arrived && map_.apply(candidate_.z, candidate_.h, true) && answer(orbit_of(map_, candidate_.z, search_));
+        }
+        if (done > 0 && only_rest_is_steady()) return tends_to_rest(z, done);
+        if (best_step_ < 0 || (settling_.change >= 0 && settling_.change < best_step_)) best_ = z;
+        if (held_ && steady_rest().exists())
+            best_ = steady_rest().steady_state(z.x[j_]); // ahead of the motion: what the others tend to
+        const bool found = shooting_.fixed_point(best_, 1, AfterBadStep::go_on_from_image_at_last);
+        best_step_ = shooting_.residual();
+        if (!found) return false;
+        if (damped_ || !search_.follow_start || attracts(map_)) return answer(orbit_of(map_, best_, search_));
+        (void)take(best_, 1);
+        neutral_ = true;
+        return false;
+    }
+
+    // An orbit that attracts is not looked for anew before the motion had twice the time to come to it.
+    bool find_orbit(const State<T>& z, int done) {
+        const auto accepted = [&] {
+            if (search_.follow_start && !(candidate_.stable && approached(z) && map_.apply(candidate_.z, candidate_.h, true)))
+                return false;
+            if (answer(orbit_of(map_, candidate_.z, search_))) return true;
+            if (!search_.follow_start) judge_candidate();
+            return false;
+        };
+        if (search_.follow_start && candidate_.h > 0 && accepted()) return true;
+        if (search_.follow_start && candidate_.h > 0 && candidate_.stable && done < 2 * looked_for_at_) return false;
+        looked_for_at_ = done;
+        for (const int h : lengths()) {
+            State<T> w = z;
+            if (shooting_.fixed_point(w, h, AfterBadStep::shorten) && take(w, h) && accepted()) return true;
+        }
+        return false;
+    }
+
+    // Numbers of half-periods after which the motion nearly repeats itself, each better than those before.
+    std::vector<int> lengths() {
+        std::vector<int> found{1};
+        T least = recurrence(1);
+        for (int h = 2; h < static_cast<int>(recent_.size()); ++h) {
+            if (h % 2 != 0 && h > search_.most_subharmonic) continue;
+            const T now = recurrence(h);
+            if (2 * now < least) {
+                found.push_back(h);
+                least = now;
+            }
+        }
+        return found;
+    }
+
+    T recurrence(int h) const {
+        const auto back = static_cast<std::size_t>(h) + 1;
+        return back > recent_.size() ? T(0) : map_.norm(difference(recent_.back(), recent_[recent_.size() - back]));
+    }
+
+    // A fixed point that was just found, of no more half-periods than it needs. The map was applied to it last.
+    bool take(State<T>& z, int h) {
+        bool applied = true;
+        for (int part = 1; part < h; ++part) {
+            if (h % part != 0) continue;
+            applied = false;
+            if (!map_.apply(z, part, false)) continue;
+            const T apart = map_.norm(map_.difference());
+            State<T> w = z;
+            if (apart * apart < std::numeric_limits<T>::epsilon() * map_.norm(z) * map_.norm(z) &&
+                shooting_.fixed_point(w, part, AfterBadStep::shorten)) {
+                z = w;
+                h = part;
+                applied = true;
+            }
+        }
+        if (!applied && !map_.apply(z, h, true)) return false;
+        const std::optional<ErrorsOfOrbit<T>> errors = errors_of(map_);
+        if (!errors || !(100 * errors->settled < map_.norm(z))) return false;
+        candidate_ = {z, h, map_.jacobian(), map_.rounding_in_energy().norm(), false, 0};
+        if (search_.follow_start) judge_candidate();
+        return true;
+    }
+
+    // Whether motions next to the candidate tend to it. The map was applied to it last.
+    void judge_candidate() {
+        const std::vector<std::complex<double>> multipliers = eigenvalues(in_double(candidate_.jacobian));
+        candidate_.largest_multiplier = multipliers.empty() ? 1 : size_of(multipliers.front());
+        candidate_.stable = attracts(map_);
+    }
+
+    // Whether the motion comes nearer to the candidate for long, as its linearisation tells. A motion of another orbit that
+    // passes by does so for some periods too.
+    bool approached(State<T> z) {
+        Column<T> d = difference(z, candidate_.z);
+        const T first = map_.norm(d), rounding = 64 * candidate_.rounding;
+        const T gain = std::max(T(0), T(1 - T(candidate_.largest_multiplier))) / 4;
+        T distance = first;
+        for (int n = 0; n < most_approach; ++n) {
+            if (distance <= rounding || (n >= least_approach && least_approach * distance <= first)) return true;
+            if (!map_.apply(z, candidate_.h, false) || map_.held()) return false;
+            z = map_.image();
+            const Column<T> next = difference(z, candidate_.z);
+            if (!(map_.norm(Column<T>(next - candidate_.jacobian * d)) <= gain * distance + rounding)) return false;
+            d = next;
+            distance = map_.norm(d);
+        }
+        return distance < first;
+    }
+
+    // The contact rested over the half-period from z, the one after `done` of them, and will for ever.
+    bool rests_for_ever(const State<T>& z, int done) {
+        using Verdict = typename LastingRest<T>::Verdict;
+        const Verdict verdict = steady_rest().verdict(z);
+        if (verdict == Verdict::open) return false;
+        return rest_at(done % 2 != 0 ? T(-z.x[j_]) : z.x[j_], done, T(0),
+                       verdict == Verdict::lasts
+                           ? "the contact came to rest and stays there: the load on it never reaches mu beta again"
+                           : "the contact came to rest and the load on it equals mu beta to rounding: beta is "
+                             "on the boundary of permanent sticking");
+    }
+
+    // With mu = 1 and every mode damped all steady velocities are the same: those of rest, where the contact can rest for ever.
+    bool only_rest_is_steady() {
+        if (!damped_ || map_.slides_throughout()) return false;
+        return steady_rest().reach() > 0;
+    }
+
+    // No two motions move apart, so that the motion stays as near to any steady rest as it is.
+    bool tends_to_rest(const State<T>& z, int done) {
+        const T reach = steady_rest().reach();
+        const T x_j = std::clamp(z.x[j_], T(-reach), reach);
+        const State<T> rest = steady_rest().steady_state(x_j);
+        const T apart = displacement_of_energy(map_) * map_.norm(difference(z, rest));
+        T largest(0);
+        for (std::size_t k = 0; k < rest.x.size(); ++k) largest = std::max(largest, steady_rest().motion(k, x_j).amplitude);
+        const bool near = apart <= largest / (done < half_periods_to_rest ? 1'000'000'000 : 1000);
+        if (!near && done < 2 * search_.most_periods) return false;
+        return rest_at(done % 2 != 0 ? T(-x_j) : x_j, done, apart,
+                       "rest is steady, and with mu = 1 and damping the steady velocities are unique: the contact comes to rest, "
+                       "or slips by less and less; the error bound covers where it rests");
+    }
+
+    // The answer that the contact rests at x_j, no mass more than `apart` from where it is then.
+    bool rest_at(const T& x_j, int done, const T& apart, const char* reason) {
+        if (!answer(rest_of(map_, steady_rest(), x_j, search_))) return false;
+        orbit_.reason = reason;
+        orbit_.error_bound += apart + done * map_.rounding().maxCoeff();
+        return true;
+    }
+
+    bool is_restless() { return no_expansion_ && damped_ && settling_.is_restless() && !only_rest_is_steady(); }
+
+    bool answer(std::optional<PeriodicOrbit<T>> found) {
+        if (found) orbit_ = std::move(*found);
+        return found.has_value();
+    }
+
+    LastingRest<T>& steady_rest() {
+        if (!rest_) rest_.emplace(map_.solver().system(), map_.solver().excitation());
+        return *rest_;
+    }
+
+    void give_up(int done, bool failed) {
+        const Effort& effort = map_.solver().effort();
+        const MotionStatus status = failed ? map_.motion().status : MotionStatus::complete;
+        SearchWithoutOrbit seen{.periods = done / 2, .chattering = status == MotionStatus::chattering, .restless = is_restless()};
+        if (effort.exhausted() || status == MotionStatus::open)
+            seen.ended = effort.exhausted() ? effort.ending() : "the motion changes faster than the number type can follow";
+        orbit_.more_digits_may_tell = seen.restless || status != MotionStatus::complete;
+        orbit_.start = recent_.back();
+        const double size = std::max(static_cast<double>(map_.norm(recent_.back())), 1e-300);
+        const auto norm = [&](const State<T>& z) { return map_.norm(z); };
+        if (recent_.size() > 1 && std::ranges::is_sorted(recent_, std::ranges::less_equal{}, norm)) {
+            seen.grows_to = size;
+        } else if (recent_.size() > 1) {
+            seen.repeats_after = lengths().back();
+            seen.repeats_to = static_cast<double>(recurrence(seen.repeats_after)) / size;
+        }
+        if (candidate_.h > 0) {
+            seen.orbit = candidate_.h;
+            seen.orbit_is_stable = candidate_.stable;
+            seen.largest_multiplier = candidate_.largest_multiplier;
+            seen.away = static_cast<double>(map_.norm(difference(recent_.back(), candidate_.z))) / size;
+        }
+        orbit_.reason = in_words(seen);
+    }
+
+    OrbitSearch<T> search_;
+    OrbitMap<T> map_;
+    Shooting<T> shooting_;
+    std::size_t j_;
+    bool no_expansion_;    // mu = 1: no two motions move apart
+    int most_periods_;     // of propagation
+    bool damped_;          // every motion
+    bool held_ = false;    // over the last half-period
+    bool neutral_ = false; // an orbit was found that nothing tends to
+    PeriodicOrbit<T> orbit_;
+    std::optional<LastingRest<T>> rest_;
+    std::vector<State<T>> recent_; // after the last half-periods, mirrored after each
+    Settling<T> settling_;
+    State<T> best_;                // nearest to a fixed point so far, where there is one only
+    T best_step_ = T(-1);
+    Candidate candidate_;
+    int looked_for_at_ = 0; // half-periods before Newton's method looked for an orbit last
+};
+
+} // namespace
+
+template <class T>
+PeriodicOrbit<T> periodic_orbit(ExactSolver<T>& solver, const State<T>& start, const OrbitSearch<T>& search) {
+    const std::size_t N = solver.system().basis.r_n.size();
+    check_search(search, start, N);
+    SearchEffort own(default_effort(N));
+    Effort* const before = solver.allow(search.effort != nullptr ? search.effort : &own);
+    PeriodicOrbit<T> orbit = Search<T>(solver, search).from(start);
+    (void)solver.allow(before);
+    return orbit;
+}
+
+template PeriodicOrbit<double> periodic_orbit(ExactSolver<double>&, const State<double>&, const OrbitSearch<double>&);
+template PeriodicOrbit<Real50> periodic_orbit(ExactSolver<Real50>&, const State<Real50>&, const OrbitSearch<Real50>&);
+
+} // namespace denhartog

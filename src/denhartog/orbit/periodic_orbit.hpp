@@ -1,0 +1,81 @@
+/// @file
+/// @brief The steady motion in any regime: a periodic orbit by Newton shooting on the exact solver, with its stability.
+///
+/// The force satisfies \f$ \cos(\tau + \pi) = -\cos\tau \f$, so that half a period of the force carries the state z to
+/// \f$ P(z) = -\Phi_{0\to\pi}(z) \f$ in a frame that is mirrored every half-period, and P is always the same map. A fixed point
+/// of P mirrors itself after half a period, Eq. (25). A fixed point of an even number h of these maps and of no fewer is a motion
+/// of h/2 periods without that symmetry; one of an odd number h is a motion of h periods that mirrors itself after half of them.
+/// Which of them the motion is comes from what is seen of it.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "denhartog/stick_slip/exact_motion.hpp"
+#include "denhartog/orbit/floquet.hpp"
+
+namespace denhartog {
+
+/// @brief How the search for a periodic orbit ended.
+enum class OrbitStatus : std::uint8_t {
+    periodic,          ///< a periodic orbit, with its error bounded
+    permanently_stuck, ///< the contact came to rest for ever
+    not_converged      ///< neither: `reason` says what was seen; no number is an answer
+};
+
+/// @brief How far to search, and what is asked of the orbit.
+template <class T>
+struct OrbitSearch {
+    const State<T>* guess = nullptr; ///< a state near which an orbit is looked for before the start is followed; null: none
+    int periods_before = 1;          ///< periods of propagation before the first Newton step from the start
+    int most_periods = 20000; ///< periods of propagation after which the search gives up; with mu > 1 no more than 30 decay times
+    int most_subharmonic = 8; ///< longest period looked for, in periods of the force
+    T tolerance = T(0);       ///< Newton's method may end where the residual is that small, relative to the state; 0: at rounding
+    bool follow_start = true; ///< make sure that the motion from the start tends to the orbit, not another
+    bool contact_only = false;  ///< leave `masses` empty: the maxima of the masses that are not in contact cost most
+    bool with_stability = true; ///< compute Floquet multipliers and the verdict on stability
+    Effort* effort = nullptr;   ///< the work allowed; null for that of `default_effort`
+};
+
+/// @brief A steady motion.
+template <class T>
+struct PeriodicOrbit {
+    OrbitStatus status = OrbitStatus::not_converged; ///< what was found
+    std::string reason;                              ///< why, where the status is no periodic orbit; else what to know of it
+    int periods = 1;                                 ///< its period in periods of the force
+    bool symmetric = false;                          ///< whether it mirrors itself after half its period, Eq. (25)
+    State<T> start; ///< the state at tau = 0, a maximum of the force; the last one where none was found
+    std::vector<Stop<T>> stops;                      ///< within its period, starts ascending in [0, 2 pi periods)
+    MassMotion<T> contact{};                         ///< amplitude and phase of the mass in contact
+    std::vector<MassMotion<T>> masses; ///< amplitude and phase of every mass; empty where the contact's alone are asked
+    std::vector<Multiplier> multipliers;           ///< Floquet multipliers over its period, by descending size
+    bool stable = false;                           ///< all multipliers inside the unit circle, by more than their error
+    T residual = T(0);                             ///< largest difference of the two ends, over the largest displacement
+    T error_bound = T(0);                          ///< bound of the error of the displacements, units of P / k_1
+    std::vector<T> velocity_errors; ///< of the velocity of each coordinate, then of each mass that is none; units of P / k_1
+    bool more_digits_may_tell = false;             ///< none was found, and rounding may be why
+    int touching = 0;                              ///< events so tangential that rounding decided them; multipliers are one-sided
+    int newton_steps = 0;                          ///< steps of Newton's method taken
+    int periods_propagated = 0;                    ///< periods propagated in all
+    long effort_spent = 0;                         ///< operations that the search took
+    long effort_in_50_digits = 0; ///< operations that following it once, with its Jacobian, would take in 50 digits; of double
+};
+
+/// @brief The steady motion that a start leads to.
+///
+/// The search ends where its effort is spent: `reason` then says how far it came.
+/// With mu = 1 and every damping ratio positive the steady velocities are unique, and the first orbit found is the answer. Else
+/// an orbit is taken only where it is stable and the motion from the start is seen to approach it as its linearisation tells,
+/// unless `follow_start` is off. A contact at rest rests for ever where the load on it in the steady stuck motion, and what the
+/// decaying rest of the motion adds to that at most, stay below mu beta; the motion then is one of a continuum, `multipliers`
+/// are those of the other masses.
+/// @param solver  system, frequency and friction
+/// @param start   the state at tau = 0
+/// @param search  how far to search
+/// @return        the orbit, or why there is none
+/// @throws        InputError where start or search breaks a rule
+template <class T>
+[[nodiscard]] PeriodicOrbit<T> periodic_orbit(ExactSolver<T>& solver, const State<T>& start, const OrbitSearch<T>& search = {});
+
+} // namespace denhartog

@@ -1,0 +1,68 @@
+#include "denhartog/program/json/dimensional_json.hpp"
+
+#include <numbers>
+
+#include "denhartog/program/json/solution_json.hpp"
+#include "denhartog/program/output/table.hpp"
+#include "denhartog/scene/units.hpp"
+
+namespace denhartog::program {
+
+Json dimensional_json(const Solution& s, const Units& units) {
+    const NumberWriter write;
+    const double omega = angular_frequency(units, s.r.value);
+    Json all{{"frequency", write(omega)}, {"frequency_hz", write(omega / (2 * std::numbers::pi))}};
+    if (!units.force) return all;
+    const double P = *units.force, length = displacement_unit(units, P);
+    const auto displacement = [&](const SolvedMass& m) {
+        return Json{{"amplitude", write(length * m.amplitude.value)}, {"error_bound", write(length * error_of_displacements(m))}};
+    };
+    all["force"] = write(P);
+    if (s.beta) all["friction"] = write(P * s.beta->value);
+    if (s.limits) {
+        all["friction_limit"] = {{"exact", write(P * s.limits->exact.value)}};
+        if (s.limits->sticking) all["friction_limit"]["sticking"] = write(P * s.limits->sticking->value);
+    }
+    all["displacement_unit"] = write(length);
+    for (std::size_t k = 0; k < s.masses.size(); ++k) {
+        Json mass{{"mass", s.only ? s.only->index + 1 : k + 1}};
+        mass.update(displacement(s.masses[k]));
+        all["masses"].push_back(mass);
+    }
+    if (s.between) {
+        all["contact"] = {{"between", {s.contact.index + 1, s.contact_with.value().index + 1}}};
+        all["contact"].update(displacement(*s.between));
+    }
+    for (const SolvedStop& stop : s.stops)
+        all["stops"].push_back({{"start", write(stop.start.value / omega)},
+                                {"end", write(stop.end.value / omega)},
+                                {"x", write(length * stop.x.value)},
+                                {"start_error_bound", write(stop.start.error / omega)},
+                                {"end_error_bound", write(stop.end.error / omega)},
+                                {"error_bound", write(length * stop.x.error)}});
+    if (s.rest_interval)
+        all["rest_interval"] = {{"from", write(length * s.rest_interval->from.value)},
+                                {"to", write(length * s.rest_interval->to.value)}};
+    return all;
+}
+
+std::string dimensional_table(const Json& a) {
+    std::vector<std::vector<std::string>> rows;
+    for (const auto& [key, name] : {std::pair{"frequency", "frequency, radians per unit of time"},
+                                    {"frequency_hz", "frequency, periods per unit of time"},
+                                    {"force", "force P"},
+                                    {"friction", "friction F"}})
+        if (a.contains(key)) rows.push_back({name, cell(a, key)});
+    if (a.contains("friction_limit")) rows.push_back({"slides throughout below F", cell(a.at("friction_limit"), "exact")});
+    std::string text = "in the units of the scene:\n" + aligned(rows);
+    rows.clear();
+    if (a.contains("masses"))
+        for (const Json& m : a.at("masses"))
+            rows.push_back({"mass " + in_table(m.at("mass")), cell(m, "amplitude"), "+- " + cell(m, "error_bound")});
+    if (a.contains("contact"))
+        rows.push_back({contact_in_words({{"between", a.at("contact").at("between")}}), cell(a.at("contact"), "amplitude"),
+                        "+- " + cell(a.at("contact"), "error_bound")});
+    return rows.empty() ? text : text + aligned(rows);
+}
+
+} // namespace denhartog::program

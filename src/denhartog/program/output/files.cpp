@@ -1,0 +1,216 @@
+#include "denhartog/program/output/files.hpp"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <memory>
+#include <random>
+
+#include "denhartog/number/errors.hpp"
+#include "denhartog/number/legible.hpp"
+#include "denhartog/program/exit_status.hpp"
+#include "denhartog/program/output/new_file.hpp"
+
+namespace denhartog::program {
+namespace {
+
+namespace fs = std::filesystem;
+
+// The longest line on standard error.
+constexpr std::size_t longest_report = 1500;
+
+// The longest input: it is held in memory as a whole.
+constexpr std::size_t most_bytes = std::size_t(1) << 30;
+
+std::string last_fault() { return errno != 0 ? std::strerror(errno) : "an input or output error"; }
+
+[[noreturn]] void cannot_be_read(const std::string& name, const std::string& why) {
+    throw InputError(name, "cannot be read (" + why + ")", "");
+}
+
+[[noreturn]] void cannot_be_written(const std::string& name, const std::string& why) {
+    throw InputError(name, "cannot be written (" + why + ")", "");
+}
+
+std::string all_of(std::FILE* in, const std::string& name) {
+    std::string text;
+    std::array<char, 65536> piece;
+    errno = 0;
+    while (const std::size_t size = std::fread(piece.data(), 1, piece.size(), in)) {
+        text.append(piece.data(), size);
+        if (text.size() > most_bytes)
+            throw InputError(name, "must have at most " + std::to_string(most_bytes) + " bytes", "more");
+    }
+    if (std::ferror(in) != 0) cannot_be_read(name, last_fault());
+    return text;
+}
+
+void write(std::ostream& out, const std::string& text, const std::string& name) {
+    errno = 0;
+    out << text;
+    out.flush();
+    if (!out) cannot_be_written(name, last_fault());
+}
+
+// The file that a path leads to through all symbolic links, whether it is there or not.
+fs::path followed(const std::string& name) {
+    constexpr int most_links = 40;
+    fs::path path = name;
+    std::error_code fault;
+    for (int n = 0; fs::is_symlink(fs::symlink_status(path, fault)); ++n) {
+        if (n == most_links) cannot_be_written(name, std::strerror(ELOOP));
+        const fs::path to = fs::read_symlink(path, fault);
+        if (fault) cannot_be_written(name, fault.message());
+        path = to.is_absolute() ? to : path.parent_path() / to;
+    }
+    return path;
+}
+
+// No interruption between the first byte and the last: it comes when the file is whole, or gone.
+class InterruptionsHeld {
+public:
+    InterruptionsHeld() {
+        sigset_t held;
+        ::sigemptyset(&held);
+        for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT}) ::sigaddset(&held, signal);
+        ::pthread_sigmask(SIG_BLOCK, &held, &before);
+    }
+    ~InterruptionsHeld() { ::pthread_sigmask(SIG_SETMASK, &before, nullptr); }
+    InterruptionsHeld(const InterruptionsHeld&) = delete;
+    InterruptionsHeld& operator=(const InterruptionsHeld&) = delete;
+
+private:
+    sigset_t before{};
+};
+
+// A folder whose list of files may not be read can be written into all the same.
+#ifdef O_PATH
+constexpr int only_to_be_found = O_PATH;
+#else
+constexpr int only_to_be_found = O_RDONLY;
+#endif
+
+// A pipe, a terminal and the like: no file can take its place.
+bool is_no_file(const std::string& path) {
+    std::error_code fault;
+    const fs::file_status status = fs::status(path, fault);
+    if (fs::is_directory(status)) cannot_be_written(path, std::strerror(EISDIR));
+    return fs::exists(status) && !fs::is_regular_file(status);
+}
+
+} // namespace
+
+NewFile::NewFile(const std::string& name_) : name(name_), target(followed(name_)) {
+    const fs::path parent = target.parent_path();
+    folder = ::open(parent.empty() ? "." : parent.c_str(), only_to_be_found | O_DIRECTORY | O_CLOEXEC);
+    if (folder < 0) cannot_be_written(name, last_fault());
+    std::random_device random;
+    do {
+        char text[40];
+        std::snprintf(text, sizeof text, "%08x%08x", random(), random());
+        own_name = std::string(new_file_begins) + text + std::string(new_file_ends);
+        file = ::openat(folder, own_name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+    } while (file < 0 && errno == EEXIST);
+    if (file >= 0) return;
+    const std::string why = last_fault();
+    ::close(folder);
+    cannot_be_written(name, why);
+}
+
+NewFile::~NewFile() {
+    if (file >= 0) ::close(file);
+    if (!own_name.empty()) ::unlinkat(folder, own_name.c_str(), 0);
+    ::close(folder);
+}
+
+void NewFile::write(std::string_view text) const {
+    while (!text.empty()) {
+        const ssize_t size = ::write(file, text.data(), text.size());
+        if (size < 0 && errno != EINTR) cannot_be_written(name, last_fault());
+        text.remove_prefix(size < 0 ? 0 : static_cast<std::size_t>(size));
+    }
+}
+
+void NewFile::flush() const {
+    if (::fsync(file) != 0) cannot_be_written(name, last_fault());
+}
+
+void NewFile::take_place() {
+    const std::string of_target = target.filename();
+    struct stat earlier {};
+    const bool there = ::fstatat(folder, of_target.c_str(), &earlier, AT_SYMLINK_NOFOLLOW) == 0;
+    if (there && ::fchmod(file, earlier.st_mode & 0777U) != 0) cannot_be_written(name, last_fault());
+    const int closed = ::close(file);
+    file = -1;
+    if (closed != 0 || ::renameat(folder, own_name.c_str(), folder, of_target.c_str()) != 0)
+        cannot_be_written(name, last_fault());
+    own_name.clear();
+}
+
+void NewFile::flush_folder() const {
+    const int readable = ::openat(folder, ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (readable < 0) return;
+    ::fsync(readable);
+    ::close(readable);
+}
+
+void report(const std::string& fault) {
+    std::string line = fault;
+    for (char& c : line)
+        if (c == '\n' || c == '\r') c = ' ';
+    std::cerr << "denhartog: " << legible(line, longest_report) << '\n';
+}
+
+std::string read_input(const std::string& path) {
+    if (path.empty() || path == "-") return all_of(stdin, "standard input");
+    errno = 0;
+    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> in(std::fopen(path.c_str(), "rbe"), std::fclose);
+    if (!in) cannot_be_read(path, last_fault());
+    return all_of(in.get(), path);
+}
+
+void write_standard_output(const std::string& text) { write(std::cout, text, "standard output"); }
+
+void check_writable(const std::string& path) {
+    errno = 0;
+    if (!is_no_file(path)) {
+        const InterruptionsHeld held;
+        const NewFile file(path);
+    } else if (::access(path.c_str(), W_OK) != 0) {
+        cannot_be_written(path, last_fault());
+    }
+}
+
+void write_file(const std::string& path, const std::string& text) {
+    errno = 0;
+    if (is_no_file(path)) {
+        std::ofstream out(path, std::ios::binary);
+        if (!out) cannot_be_written(path, last_fault());
+        return write(out, text, path);
+    }
+    const InterruptionsHeld held;
+    NewFile file(path);
+    file.write(text);
+    file.take_place();
+}
+
+void write_file_to_disk(const std::string& path, const std::string& text) {
+    errno = 0;
+    const InterruptionsHeld held;
+    NewFile file(path);
+    file.write(text);
+    file.flush();
+    file.take_place();
+    file.flush_folder();
+}
+
+} // namespace denhartog::program

@@ -1,0 +1,98 @@
+#include "denhartog/program/output/map_file.hpp"
+
+#include <cmath>
+
+#include "denhartog/number/number_text.hpp"
+#include "denhartog/program/output/npy.hpp"
+
+namespace denhartog::program {
+namespace {
+
+std::string csv_cell(double x) { return std::isnan(x) ? "nan" : number_to_text(x == 0 ? 0.0 : x); }
+
+std::string csv_cell(std::int32_t n, bool known) { return known ? std::to_string(n) : "nan"; }
+
+double number(double x, bool known) { return known ? x : std::nan(""); }
+
+} // namespace
+
+std::string map_csv(const MapGrid& grid, const RegimeMap& map) {
+    const std::vector<double>&columns = grid.frequency.values, &rows = grid.friction.values;
+    std::string csv = grid.frequency.name + "," + grid.friction.name + ",regime,stops_per_period,periods";
+    for (const Mass k : grid.masses) csv += ",amplitude_" + std::to_string(k.index + 1);
+    csv += ",status\n";
+    const std::size_t masses = grid.masses.size();
+    std::vector<std::string> beta, regimes, statuses;
+    for (const double each : rows) beta.push_back("," + csv_cell(each) + ",");
+    for (const Regime each : {Regime::continuous, Regime::stick_slip, Regime::permanent_sticking})
+        regimes.push_back(denhartog::name(each) + ",");
+    for (int n = 0; n <= static_cast<int>(PointStatus::failed); ++n)
+        statuses.push_back("," + denhartog::name(static_cast<PointStatus>(n)) + "\n");
+    const std::string none = ",";
+    for (std::size_t m = 0, point = 0; m < columns.size(); ++m) {
+        const std::string r = csv_cell(columns[m]);
+        for (std::size_t n = 0; n < rows.size(); ++n, ++point) {
+            const MapPoint& p = map.points[point];
+            const bool known = has_numbers(p.status);
+            csv.append(r).append(beta[n]).append(known ? regimes[static_cast<std::size_t>(p.regime)] : none);
+            csv.append(csv_cell(p.stops, known)).append(none).append(csv_cell(p.periods, known));
+            for (std::size_t k = 0; k < masses; ++k) csv.append(none).append(csv_cell(map.amplitudes[point * masses + k]));
+            csv.append(statuses[static_cast<std::size_t>(p.status)]);
+        }
+    }
+    return csv;
+}
+
+std::string map_npy(const MapGrid& grid, const RegimeMap& map) {
+    const std::vector<double>&columns = grid.frequency.values, &rows = grid.friction.values;
+    std::vector<NpyField> fields{
+        {grid.frequency.name, "f8"}, {grid.friction.name, "f8"}, {"regime", "i1"}, {"stops_per_period", "i4"}, {"periods", "i4"}};
+    for (const Mass k : grid.masses) fields.push_back({"amplitude_" + std::to_string(k.index + 1), "f8"});
+    fields.push_back({"status", "i1"});
+    std::string bytes = npy_header(fields, {columns.size(), rows.size()});
+    const std::size_t masses = grid.masses.size();
+    for (std::size_t point = 0; point < map.points.size(); ++point) {
+        const MapPoint& p = map.points[point];
+        const bool known = has_numbers(p.status);
+        append(bytes, columns[point / rows.size()]);
+        append(bytes, rows[point % rows.size()]);
+        append(bytes, static_cast<std::int8_t>(known ? static_cast<int>(p.regime) : -1));
+        append(bytes, known ? p.stops : std::int32_t(-1));
+        append(bytes, known ? p.periods : std::int32_t(-1));
+        for (std::size_t k = 0; k < masses; ++k) append(bytes, map.amplitudes[point * masses + k]);
+        append(bytes, static_cast<std::int8_t>(p.status));
+    }
+    return bytes;
+}
+
+std::string curves_csv(const MapAxis& axis, const std::vector<BoundaryPoint>& curves) {
+    const std::vector<double>& r = axis.values;
+    std::string csv = axis.name + ",exact,paper,approximate,sticking,status\n";
+    for (std::size_t n = 0; n < r.size(); ++n) {
+        const BoundaryPoint& b = curves[n];
+        const bool known = has_numbers(b.status);
+        csv += csv_cell(r[n]);
+        for (const double limit : {b.exact, b.paper, b.approximate, b.sticking.value_or(std::nan(""))})
+            csv += "," + csv_cell(number(limit, known));
+        csv += "," + denhartog::name(b.status) + "\n";
+    }
+    return csv;
+}
+
+std::string curves_npy(const MapAxis& axis, const std::vector<BoundaryPoint>& curves) {
+    const std::vector<double>& r = axis.values;
+    std::string bytes = npy_header(
+        {{axis.name, "f8"}, {"exact", "f8"}, {"paper", "f8"}, {"approximate", "f8"}, {"sticking", "f8"}, {"status", "i1"}},
+        {r.size()});
+    for (std::size_t n = 0; n < r.size(); ++n) {
+        const BoundaryPoint& b = curves[n];
+        const bool known = has_numbers(b.status);
+        append(bytes, r[n]);
+        for (const double limit : {b.exact, b.paper, b.approximate, b.sticking.value_or(std::nan(""))})
+            append(bytes, number(limit, known));
+        append(bytes, static_cast<std::int8_t>(b.status));
+    }
+    return bytes;
+}
+
+} // namespace denhartog::program
