@@ -15,8 +15,9 @@ import sys
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-SOURCES = [ROOT / "tests/digits/functions.cpp", ROOT / "src/denhartog/elementary/angle.cpp",
-           ROOT / "src/denhartog/elementary/exponential.cpp", ROOT / "src/denhartog/model/product_of_doubles.cpp"]
+SOURCES = [ROOT / "tests/digits/functions.cpp",
+           *(ROOT / f"src/denhartog/{name}.cpp"
+             for name in ("elementary/angle", "elementary/exponential", "number/double_double", "model/product_of_doubles"))]
 COMMON = ["-std=c++20", f"-I{ROOT / 'src'}", f"-I{ROOT}"]
 SYSTEM_EXP = [ROOT / "tests/digits/system_exp.cpp", "-Wl,--wrap=_ZN9denhartog10elementary3expEd"]
 OLDER = {"GLIBC_TUNABLES": "glibc.cpu.hwcaps=-AVX2,-FMA,-AVX512F"}

@@ -12,9 +12,10 @@
 
 #include "denhartog/elementary/angle_tables.hpp"
 #include "denhartog/elementary/circle_tables.hpp"
-#include "denhartog/number/double_double.hpp"
+#include "denhartog/elementary/logarithm_tables.hpp"
 #include "denhartog/elementary/power_tables.hpp"
 #include "denhartog/elementary/series_tables.hpp"
+#include "denhartog/number/double_double.hpp"
 #include "tests/catch.hpp"
 
 using namespace denhartog;

@@ -4,12 +4,10 @@
 #include <limits>
 #include <utility>
 
-#include "denhartog/number/double_double.hpp"
 #include "denhartog/elementary/elementary.hpp"
 #include "denhartog/elementary/kernels.hpp"
 
-namespace denhartog {
-namespace elementary {
+namespace denhartog::elementary {
 
 using Wide = unsigned __int128;
 
@@ -67,13 +65,6 @@ Parts beyond_multiple(double k, double first, double low) {
 
 namespace {
 
-constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
-
-// An angle in half turns without whole turns, where there are many: exact.
-double without_many_turns(double x) { return std::fabs(x) < 0x1p43 ? x : x - 2 * std::floor(x / 2); }
-
-bool is_finite(double x) { return x - x == 0; }
-
 // The angle of (x, y), both positive, y not above x and not below 2^-60 x, within the range where products are exact.
 [[gnu::always_inline]] inline Parts angle_in_first_octant(const Parts& y, const Parts& x) {
     const double by_x = 1 / x.high, slope = y.high * by_x;
@@ -87,7 +78,8 @@ bool is_finite(double x) { return x - x == 0; }
     return {head.high, head.low + (turns * pi_low + sign * angle.low)};
 }
 
-// The angle of (x, y), not both zero, finite.
+} // namespace
+
 Parts angle_of(Parts y, Parts x) {
     const bool left = x.high < 0, below = y.high < 0;
     if (left) x = {-x.high, -x.low};
@@ -104,8 +96,6 @@ Parts angle_of(Parts y, Parts x) {
     if (steep || left) angle = from_half_turns(steep ? 0.5 : 1, steep == left ? 1 : -1, angle);
     return below ? Parts{-angle.high, -angle.low} : angle;
 }
-
-} // namespace
 
 double sin(double x) noexcept {
     if (!is_finite(x)) return no_number;
@@ -194,63 +184,4 @@ double hypot(double x, double y) noexcept {
     return length(larger * scale, smaller * scale) / scale;
 }
 
-} // namespace elementary
-
-namespace {
-
-// From here on the second part of an angle is no small one.
-constexpr double of_many_turns = 0x1p40;
-
-// The sine of the sum of two angles, or of that a quarter turn on.
-DoubleDouble sine_of_sum(double x, double y, std::uint64_t steps_on) {
-    const elementary::ReducedAngle of_x = elementary::reduce(x, 0), of_y = elementary::reduce(y, 0);
-    const elementary::ReducedAngle on{of_x.n + steps_on, of_x.d, of_x.d_low};
-    return DoubleDouble(elementary::sine(on)) * DoubleDouble(elementary::cosine(of_y)) +
-           DoubleDouble(elementary::cosine(on)) * DoubleDouble(elementary::sine(of_y));
-}
-
-// An angle in half turns without whole turns, in neither part.
-elementary::Parts without_many_turns(const DoubleDouble& a) {
-    return elementary::exact_sum(elementary::without_many_turns(a.high), elementary::without_many_turns(a.low));
-}
-
-} // namespace
-
-DoubleDouble sin(const DoubleDouble& a) {
-    if (!elementary::is_finite(a.high)) return DoubleDouble(elementary::no_number);
-    if (std::fabs(a.high) < 0x1p-40) return a;
-    if (std::fabs(a.high) >= of_many_turns) return sine_of_sum(a.high, a.low, 0);
-    return DoubleDouble(elementary::sine(elementary::reduce(a.high, a.low)));
-}
-
-DoubleDouble cos(const DoubleDouble& a) {
-    if (!elementary::is_finite(a.high)) return DoubleDouble(elementary::no_number);
-    if (std::fabs(a.high) >= of_many_turns) return sine_of_sum(a.high, a.low, 32);
-    return DoubleDouble(elementary::cosine(elementary::reduce(a.high, a.low)));
-}
-
-DoubleDouble sine_of_half_turns(const DoubleDouble& a) {
-    if (std::fabs(a.high) < 0x1p-60) return PiOf<DoubleDouble>::value() * a;
-    if (!elementary::is_finite(a.high)) return DoubleDouble(elementary::no_number);
-    const elementary::Parts x = without_many_turns(a);
-    return DoubleDouble(elementary::sine(elementary::reduce_half_turns(x.high, x.low)));
-}
-
-DoubleDouble cosine_of_half_turns(const DoubleDouble& a) {
-    if (!elementary::is_finite(a.high)) return DoubleDouble(elementary::no_number);
-    const elementary::Parts x = without_many_turns(a);
-    return DoubleDouble(elementary::cosine(elementary::reduce_half_turns(x.high, x.low)));
-}
-
-DoubleDouble atan2(const DoubleDouble& y, const DoubleDouble& x) {
-    if (y.high == 0 || !elementary::is_finite(x.high) || !elementary::is_finite(y.high))
-        return DoubleDouble(elementary::atan2(y.high, x.high));
-    return DoubleDouble(elementary::angle_of({y.high, y.low}, {x.high, x.low}));
-}
-
-DoubleDouble remainder_of_one(const DoubleDouble& m) {
-    const double n = std::nearbyint(1 / m.high);
-    return m.low == 0 ? DoubleDouble(std::remainder(1.0, m.high)) : 1 - DoubleDouble(n) * m;
-}
-
-} // namespace denhartog
+} // namespace denhartog::elementary

@@ -3,34 +3,31 @@
 #include <cmath>
 #include <limits>
 
-#include "denhartog/number/double_double.hpp"
 #include "denhartog/elementary/elementary.hpp"
 #include "denhartog/elementary/kernels.hpp"
+#include "denhartog/elementary/logarithm_tables.hpp"
 
-namespace denhartog {
-namespace elementary {
+namespace denhartog::elementary {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
-constexpr double one_is_nothing = 40; // from here on e^x - 1 and e^x are one double, and so are e^x + e^-x and e^x
+
+// A number and a smaller one, which has no part in an infinite sum.
+Parts sum_of(double high, double low) {
+    const double sum = high + low;
+    return {sum, is_finite(sum) ? low - (sum - high) : 0};
+}
 
 // e^x 2^by where it may leave the normal range: powers of two in two steps, so that the last operation alone rounds there.
-[[gnu::noinline]] DoubleDouble exponential_far_out(double x, double low, int by) {
-    if (x != x) return DoubleDouble(x);
-    if (x > 800) return DoubleDouble(infinite);
-    if (x < -800) return DoubleDouble(0);
+[[gnu::noinline]] Parts exponential_far_out(double x, double low, int by) {
+    if (x != x) return {x, 0};
+    if (x > 800) return {infinite, 0};
+    if (x < -800) return {0, 0};
     const TakenApart e = exponential(x, low);
     const std::int64_t m = e.m + by, half = m / 2;
     const double first = power_of_two(half), second = power_of_two(m - half);
     const Parts value = ordered_sum(e.t * first, e.t * (e.r + e.s) * first);
-    return m > -900 ? DoubleDouble(value.high * second, value.low * second) : DoubleDouble(value.high * second);
-}
-
-DoubleDouble scaled_exponential(const DoubleDouble& a, int by) {
-    if (!(std::fabs(a.high) < 600)) return exponential_far_out(a.high, a.low, by);
-    const TakenApart e = exponential(a.high, a.low);
-    const double scaled = e.t * power_of_two(e.m + by);
-    return {scaled, scaled * (e.r + e.s)};
+    return m > -900 ? sum_of(value.high * second, value.low * second) : Parts{value.high * second, 0};
 }
 
 // Half of e^x + sign e^-x, x from 0 on and below 600: with the powers of two for p and q, whose sum or difference is taken first,
@@ -75,6 +72,13 @@ bool is_normal(std::uint64_t bits) { return bits - least_normal < of_infinity - 
 
 } // namespace
 
+Parts scaled_exponential(double high, double low, int by) {
+    if (!(std::fabs(high) < 600)) return exponential_far_out(high, low, by);
+    const TakenApart e = exponential(high, low);
+    const double scaled = e.t * power_of_two(e.m + by);
+    return sum_of(scaled, scaled * (e.r + e.s));
+}
+
 double exp(double x) noexcept {
     if (!(std::fabs(x) < 600)) [[unlikely]]
         return exponential_far_out(x, 0, 0).high;
@@ -103,12 +107,12 @@ double sinh(double x) noexcept {
         const double series = (1.0 / 6 + z * (1.0 / 120)) + z * z * (1.0 / 5040 + z * (1.0 / 362880));
         return x + x * z * series;
     }
-    return std::copysign(size < 600 ? hyperbolic(size, -1) : scaled_exponential(DoubleDouble(size), -1).high, x);
+    return std::copysign(size < 600 ? hyperbolic(size, -1) : scaled_exponential(size, 0, -1).high, x);
 }
 
 double cosh(double x) noexcept {
     const double size = std::fabs(x);
-    return size < 600 ? hyperbolic(size, 1) : scaled_exponential(DoubleDouble(size), -1).high;
+    return size < 600 ? hyperbolic(size, 1) : scaled_exponential(size, 0, -1).high;
 }
 
 double log(double x) noexcept {
@@ -126,29 +130,4 @@ double log10(double x) noexcept {
     return product.high + (product.low + (l.high * log10_e_low + l.low * log10_e_high));
 }
 
-} // namespace elementary
-
-DoubleDouble exp(const DoubleDouble& a) { return elementary::scaled_exponential(a, 0); }
-
-DoubleDouble expm1(const DoubleDouble& a) {
-    if (!(std::fabs(a.high) < elementary::one_is_nothing)) return a.high > 0 ? exp(a) : exp(a) - 1;
-    if (std::fabs(a.high) < 0x1p-60) return a;
-    return DoubleDouble(elementary::exponential_less_one(a.high, a.low));
-}
-
-DoubleDouble sinh(const DoubleDouble& a) {
-    if (a.high < 0) return -sinh(-a);
-    if (!(a.high < elementary::one_is_nothing)) return elementary::scaled_exponential(a, -1);
-    if (a.high < 0x1p-60) return a;
-    const DoubleDouble less_one(elementary::exponential_less_one(a.high, a.low)), twice = less_one + less_one / (1 + less_one);
-    return {twice.high / 2, twice.low / 2};
-}
-
-DoubleDouble cosh(const DoubleDouble& a) {
-    const DoubleDouble size = abs(a);
-    if (!(size.high < elementary::one_is_nothing)) return elementary::scaled_exponential(size, -1);
-    const DoubleDouble power = exp(size), twice = power + 1 / power;
-    return {twice.high / 2, twice.low / 2};
-}
-
-} // namespace denhartog
+} // namespace denhartog::elementary

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cmath>
+#include <limits>
 
 #include "denhartog/elementary/angle_tables.hpp"
 #include "denhartog/elementary/circle_tables.hpp"
@@ -11,6 +12,14 @@
 #include "denhartog/elementary/power_tables.hpp"
 
 namespace denhartog::elementary {
+
+/// @brief What a function gives outside its domain.
+inline constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
+/// @brief From here on \f$ e^x-1 \f$ and \f$ e^x \f$ are one double, and so are \f$ e^x+e^{-x} \f$ and \f$ e^x \f$.
+inline constexpr double one_is_nothing = 40;
+
+/// @brief Whether a number is finite. @param x a number @return true if so
+[[nodiscard, gnu::always_inline]] inline bool is_finite(double x) { return x - x == 0; }
 
 /// @brief 2^n. @param n a whole number from -1022 to 1023 @return the power
 [[nodiscard, gnu::always_inline]] inline double power_of_two(std::int64_t n) {
@@ -65,6 +74,10 @@ struct ReducedExponent {
     return {head.high, head.low + (less_one.low + (e.s + less_one.high * (e.r + e.s)))};
 }
 
+/// @brief \f$ 2^me^x \f$, also beyond the normal range. @param x a number @param low a small one, to be added to it @param m a power
+/// @return both parts
+[[nodiscard]] Parts scaled_exponential(double x, double low, int m);
+
 /// @brief An angle as a multiple of pi / 64 and the rest.
 struct ReducedAngle {
     std::uint64_t n; ///< the multiple, but for whole turns in its first 7 bits
@@ -102,6 +115,15 @@ struct ReducedAngle {
     }
     return {std::bit_cast<std::uint64_t>(shifted), d, (first - d) - behind};
 }
+
+/// @brief An angle in half turns without whole turns, where there are many. @param x half turns @return the rest, exact
+[[nodiscard, gnu::always_inline]] inline double without_many_turns(double x) {
+    return std::fabs(x) < 0x1p43 ? x : x - 2 * std::floor(x / 2);
+}
+
+/// @brief The angle of the point (x, y). @param y ordinate @param x abscissa; finite, and not both zero
+/// @return radians from -pi to pi, both parts
+[[nodiscard]] Parts angle_of(Parts y, Parts x);
 
 /// @brief Reduces an angle in half turns. @param x half turns, of size up to 2^43 @param low a small one, to be added to it
 /// @return it reduced

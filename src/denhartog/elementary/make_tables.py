@@ -1,6 +1,6 @@
 """Writes the tables of the elementary functions, each entry rounded from 1400 bits.
 
-Usage: make_tables.py FOLDER, which gets angle_tables.hpp, circle_tables.hpp, power_tables.hpp and series_tables.hpp.
+Usage: make_tables.py FOLDER, which gets angle_tables.hpp, circle_tables.hpp, logarithm_tables.hpp, power_tables.hpp and series_tables.hpp.
 Whole numbers alone are used: a number x stands for x / 2^BITS.
 """
 import sys
@@ -248,18 +248,12 @@ def write_angles():
 
 def write_powers():
     ln_high, ln_low = in_doubles(LN_2 // 256, 32)
-    whole_high, whole_low = in_doubles(LN_2, 42)
-    log10_e = (ONE << BITS) // logarithm(10, 1)
     cubic = Fraction(1, 6) + Fraction(87, 100) * Fraction(LN_2, 512 * ONE) ** 2 / 120
-    write("power_tables.hpp", "Powers of two and logarithms", [
+    write("power_tables.hpp", "Powers of two", [
         constant("parts_in_one", rounded((ONE << BITS) // (LN_2 // 256)), "256 / ln 2"),
         constant("part_high", ln_high, "the first 32 bits of ln 2 / 256"),
         constant("part_low", ln_low, "the rest"),
         constant("cubic", float(cubic), "1 / 6, and of 1 / 120 r^2 the part that serves all r up to ln 2 / 512 best"),
-        constant("ln_2_high", whole_high, "the first 42 bits of ln 2"),
-        constant("ln_2_low", whole_low, "the rest"),
-        constant("log10_e_high", pair(log10_e)[0], "1 / ln 10, rounded"),
-        constant("log10_e_low", pair(log10_e)[1], "what its rounding lacks"),
         "",
         "/// @brief A power of two.",
         "struct Power {",
@@ -267,6 +261,17 @@ def write_powers():
         "    double relative; ///< what its rounding lacks, as a part of it",
         "};",
         *table("2^(n / 256).", "Power", "powers", 256, powers()),
+    ])
+
+
+def write_logarithms():
+    whole_high, whole_low = in_doubles(LN_2, 42)
+    log10_e = (ONE << BITS) // logarithm(10, 1)
+    write("logarithm_tables.hpp", "Logarithms", [
+        constant("ln_2_high", whole_high, "the first 42 bits of ln 2"),
+        constant("ln_2_low", whole_low, "the rest"),
+        constant("log10_e_high", pair(log10_e)[0], "1 / ln 10, rounded"),
+        constant("log10_e_low", pair(log10_e)[1], "what its rounding lacks"),
         "",
         "/// @brief A number that is nearly 1 / m, and its logarithm.",
         "struct Logarithm {",
@@ -290,7 +295,5 @@ def write_series():
 if __name__ == "__main__":
     if len(sys.argv) != 2:
         raise SystemExit(__doc__)
-    write_angles()
-    write_circle()
-    write_powers()
-    write_series()
+    for each in (write_angles, write_circle, write_powers, write_logarithms, write_series):
+        each()

@@ -8,9 +8,8 @@
 #include "denhartog/model/linear_algebra.hpp"
 #include "denhartog/number/multiprecision.hpp"
 #include "denhartog/number/number.hpp"
+#include "denhartog/orbit/map_rounding.hpp"
 #include "denhartog/stick_slip/exact_motion.hpp"
-#include "denhartog/stick_slip/linear_motion.hpp"
-#include "denhartog/sums/bounded_modes.hpp"
 
 namespace denhartog {
 
@@ -63,7 +62,7 @@ public:
     /// @param solver  system, frequency and friction; must outlive this
     explicit OrbitMap(ExactSolver<T>& solver)
         : N(static_cast<Eigen::Index>(solver.system().basis.r_n.size())), solver_(&solver), pi_(pi<T>()), difference_(2 * N),
-          image_(at_rest<T>(static_cast<std::size_t>(N))), modal_(N) {}
+          image_(at_rest<T>(static_cast<std::size_t>(N))) {}
 
     const Eigen::Index N; ///< number of masses
 
@@ -88,7 +87,7 @@ public:
             difference_(k) = image_.x[n] - z.x[n];
             difference_(N + k) = image_.x_prime[n] - z.x_prime[n];
         }
-        if (with_jacobian) measure_rounding();
+        if (with_jacobian) rounding_ = rounding_of_map(*solver_, *motion_, T(h_ * pi_));
         return true;
     }
 
@@ -149,32 +148,8 @@ public:
         return in_energy_;
     }
 
-    /// @brief What rounding and the errors of the modes make of the Jacobian, its events apart.
-    /// @return  a bound of the error, in `norm`
-    [[nodiscard]] T rounding_of_jacobian() const {
-        const ContactSystem<T>& s = solver_->system();
-        const T &r = solver_->excitation().r, eps = std::numeric_limits<T>::epsilon();
-        const T phases = static_cast<int>(motion_->phases.size()), units = 4 * (static_cast<int>(N) + 8) * eps * phases;
-        Column<T> rows = Column<T>::Zero(N), columns = rows; // sums of what errors hand from mode to mode
-        for (Eigen::Index i = 0; i < N; ++i)
-            for (Eigen::Index k = 0; k < N; ++k) {
-                const auto a = static_cast<std::size_t>(i), b = static_cast<std::size_t>(k);
-                const T r_i = s.basis.r_n[a], r_k = s.basis.r_n[b];
-                T part = units * std::max(T(1), T(r_i / r_k)); // products with mode shapes
-                if (i == k) {
-                    part += h_ * pi_ * r_i / r * std::max(T(s.detuned[a] / 8), T(static_cast<int>(N) * eps));
-                } else {
-                    const Turn turn = turn_of(a, b);
-                    const T angle = turn.angle + static_cast<int>(N + 1) * eps;
-                    part += (2 + h_ * pi_) * angle * (turn.stiffness / (r_k * std::max(r, r_i)) + turn.damping / r);
-                }
-                rows(i) += part;
-                columns(k) += part;
-            }
-        T sum = sqrt(rows.maxCoeff() * columns.maxCoeff());
-        if (s.basis.coupled()) sum += rounding_of_coupled_modes();
-        return sum;
-    }
+    /// @brief What rounding and the errors of the modes make of the Jacobian. @return a bound of the error, in `norm`
+    [[nodiscard]] T rounding_of_jacobian() const { return denhartog::rounding_of_jacobian(*solver_, *motion_, T(h_ * pi_)); }
 
     /// @brief The rounding measured last, as modal displacements times frequencies, then modal velocities.
     /// @param of_modes  whether with what turned modes make of it
@@ -183,7 +158,7 @@ public:
         Column<T> bound(2 * N);
         for (Eigen::Index i = 0; i < N; ++i) {
             const T omega = solver_->system().basis.r_n[static_cast<std::size_t>(i)] / solver_->excitation().r;
-            bound(i) = bound(N + i) = (of_modes ? T(modal_(i) + turned_(i)) : modal_(i)) * omega;
+            bound(i) = bound(N + i) = rounding_.of(i, of_modes) * omega;
         }
         return bound;
     }
@@ -197,7 +172,7 @@ public:
         Column<T> bound = Column<T>::Zero(2 * N);
         for (Eigen::Index k = 0; k < N; ++k)
             for (Eigen::Index i = 0; i < N; ++i) {
-                const T x = abs(s.basis.phi(k, i)) * (of_modes ? T(modal_(i) + turned_(i)) : modal_(i));
+                const T x = abs(s.basis.phi(k, i)) * rounding_.of(i, of_modes);
                 bound(k) += x;
                 bound(N + k) += x * s.basis.r_n[static_cast<std::size_t>(i)] / solver_->excitation().r;
             }
@@ -225,98 +200,6 @@ public:
     [[nodiscard]] long half_periods_in_all() const { return half_periods_in_all_; }
 
 private:
-    // What rounding makes of the image: a bound of each modal coordinate's error that is kept until the next time.
-    //
-    // Every phase adds some units in the last place of the terms of the coordinate. A natural frequency that is some units
-    // off, at least N, turns the mode by that part of its phase angle, which is the larger the more of its periods fit in the
-    // stretch. Modes are turned towards each other by rounding: the difference of their stiffnesses and of their dampings then
-    // lets the one force the other, which follows it at rest or is driven over the stretch. Of modes of nearly one frequency the
-    // angle may be large; where they are damped differently, that damps each of them by some of the other's damping. All these
-    // errors are taken as an eighth of the bounds of the closed form.
-    void measure_rounding() {
-        using std::abs;
-        const ContactSystem<T>& s = solver_->system();
-        const Excitation<T>& e = solver_->excitation();
-        const auto n = static_cast<std::size_t>(N);
-        const auto j = static_cast<Eigen::Index>(s.contact.index);
-        const T eps = std::numeric_limits<T>::epsilon();
-        std::vector<T> amplitudes;
-        turned_ = Column<T>::Zero(N);
-        for (Eigen::Index i = 0; i < N; ++i) {
-            const T& r_n = s.basis.r_n[static_cast<std::size_t>(i)];
-            T largest(0), largest_sum(0); // amplitude of the mode; the same with the sums over masses of sizes
-            for (std::size_t a = 0; a < motion_->phases.size(); ++a) {
-                const T *x = &motion_->states[2 * n * a], *v = x + n;
-                T q(0), p(0), q_sum(0), p_sum(0);
-                for (Eigen::Index k = 0; k < N; ++k) {
-                    const T q_k = s.momentum(i, k) * x[k], p_k = s.momentum(i, k) * v[k];
-                    q += q_k;
-                    p += p_k;
-                    q_sum += abs(q_k);
-                    p_sum += abs(p_k);
-                }
-                const T slow = e.r / r_n;
-                largest = std::max(largest, T(q * q + slow * slow * p * p));
-                largest_sum = std::max(largest_sum, std::max(q_sum, T(slow * p_sum)));
-            }
-            const T friction = e.beta * abs(s.basis.phi(j, i)) / (r_n * r_n);
-            amplitudes.push_back(sqrt(largest) + friction);
-            const T of_frequency = h_ * pi_ * r_n / e.r * amplitudes.back();
-            modal_(i) =
-                eps * (static_cast<int>(motion_->phases.size()) * (largest_sum + friction) + static_cast<int>(N) * of_frequency);
-            // No step of Newton's method mends what a frequency is off by beyond that.
-            turned_(i) = std::max(T(0), T(s.detuned[static_cast<std::size_t>(i)] / 8 - static_cast<int>(N) * eps)) * of_frequency;
-        }
-        if (s.basis.coupled()) add_rounding_of_coupled_modes(amplitudes);
-        for (std::size_t i = 0; i < n; ++i)
-            for (std::size_t k = 0; k < n; ++k) {
-                if (k == i) continue;
-                const T r_i = s.basis.r_n[i], r_k = s.basis.r_n[k];
-                const Turn turn = turn_of(i, k);
-                T& turned = turned_(static_cast<Eigen::Index>(i));
-                const T force = turn.stiffness * amplitudes[k];
-                turned += (2 + h_ * pi_) * (turn.angle + static_cast<int>(N + 1) * eps) * force / (r_i * std::max(e.r, r_i));
-                if (s.damping_fixes_modes || 64 * abs(T(r_i - r_k)) > r_i + r_k) continue;
-                const T of_others = turn.angle * r_k / r_i * amplitudes[k], of_itself = turn.angle * turn.angle * amplitudes[i];
-                turned += h_ * pi_ * turn.damping / e.r * (of_others + of_itself);
-            }
-    }
-
-    // How far errors may turn a mode towards another one, and what that then makes of it.
-    struct Turn {
-        T angle;
-        T damping;   // difference of their dampings
-        T stiffness; // forces of the one on the other over the amplitude and the angle
-    };
-
-    Turn turn_of(std::size_t i, std::size_t k) const {
-        using std::abs;
-        const ContactSystem<T>& s = solver_->system();
-        const T r_i = s.basis.r_n[i], r_k = s.basis.r_n[k];
-        const T angle = angle_of_turn(Bounded<T>(r_i, T(r_i * s.detuned[i])), Bounded<T>(r_k, T(r_k * s.detuned[k]))) / 8;
-        const T damping = 2 * abs(T(s.basis.zeta[i] * r_i - s.basis.zeta[k] * r_k));
-        return {angle, damping, abs(T(r_i - r_k)) * (r_i + r_k) + damping * std::max(solver_->excitation().r, r_k)};
-    }
-
-    // Damping hands the rounding of one mode to the others: in energy it is that of all of them, over the steps of the series.
-    void add_rounding_of_coupled_modes(const std::vector<T>& amplitudes) {
-        const ModalBasis<T>& basis = solver_->system().basis;
-        const T& r = solver_->excitation().r;
-        T energy(0);
-        for (Eigen::Index i = 0; i < N; ++i)
-            energy += basis.r_n[static_cast<std::size_t>(i)] / r * amplitudes[static_cast<std::size_t>(i)];
-        const T rounding = rounding_of_coupled_modes() * energy;
-        for (Eigen::Index i = 0; i < N; ++i) modal_(i) += rounding * r / basis.r_n[static_cast<std::size_t>(i)];
-    }
-
-    // The same over the energy.
-    T rounding_of_coupled_modes() const {
-        const ModalBasis<T>& basis = solver_->system().basis;
-        const T rate = 1 + (basis.r_n.back() + largest_row_sum(basis.D)) / solver_->excitation().r;
-        const T steps = static_cast<int>(motion_->phases.size()) + h_ * pi_ * rate;
-        return 4 * static_cast<int>(2 * N + 2) * std::numeric_limits<T>::epsilon() * steps;
-    }
-
     ExactSolver<T>* solver_;
     T pi_;
     Column<T> difference_;
@@ -326,8 +209,7 @@ private:
     int h_ = 1;
     long effort_ = 0;
     long half_periods_in_all_ = 0;
-    Column<T> modal_;  // rounding of the modal displacements
-    Column<T> turned_; // what turned modes make of them
+    MapRounding<T> rounding_; // of the image
 };
 
 } // namespace denhartog

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <complex>
-#include <functional>
 #include <optional>
 #include <utility>
 

@@ -20,13 +20,13 @@ namespace {
 using std::abs;
 
 // The modulus, also where its square is at an end of the range of a double.
-double size_of(const Complex<double>& X) {
+double amplitude_of(const Complex<double>& X) {
     const double square = squared_modulus(X);
     return square > 0x1p-900 && square < 0x1p900 ? std::sqrt(square) : elementary::hypot(X.re, X.im);
 }
 
 template <class T>
-T size_of(const Complex<T>& X) {
+T amplitude_of(const Complex<T>& X) {
     return modulus(X);
 }
 
@@ -109,14 +109,14 @@ T neighbour_amplitude(const StuckChain<T>& chain, const StuckResponse<T>& respon
         X = X + chain.phi(neighbour, n) * mode_amplitude(T(chain.phi(load, n)), chain.r_n[i], T(2 * chain.zeta[i] * chain.r_n[i]),
                                                          response.r, rounding<T>(chain.r_n.size()));
     }
-    return size_of(X);
+    return amplitude_of(X);
 }
 
 } // namespace
 
 template <class T>
 StuckMass<T> motion_of(const Complex<T>& X) {
-    StuckMass<T> mass{X, size_of(X), std::nullopt};
+    StuckMass<T> mass{X, amplitude_of(X), std::nullopt};
     if (mass.amplitude == 0) return mass;
     mass.phase = X.im == 0 ? (X.re < 0 ? pi<T>() : T(0)) : T(-argument(X));
     return mass;

@@ -1,0 +1,34 @@
+/// @file
+/// @brief What rounding and the errors of the modes make of the motion over a stretch.
+#pragma once
+
+#include "denhartog/stick_slip/exact_motion.hpp"
+
+namespace denhartog {
+
+/// @brief Bounds of what rounding makes of the end of a stretch.
+template <class T>
+struct MapRounding {
+    Column<T> modal;  ///< of the modal displacements
+    Column<T> turned; ///< what turned modes make of them
+    /// @brief Of a modal displacement. @param i the mode @param of_modes whether with what turned modes make of it @return the bound
+    [[nodiscard]] T of(Eigen::Index i, bool of_modes) const { return of_modes ? T(modal(i) + turned(i)) : modal(i); }
+};
+
+/// @brief Of the end of a motion.
+/// @param solver  the system, frequency and friction
+/// @param motion  the motion
+/// @param length  the time that it takes
+/// @return        bounds
+template <class T>
+[[nodiscard]] MapRounding<T> rounding_of_map(const ExactSolver<T>& solver, const ExactMotion<T>& motion, const T& length);
+
+/// @brief Of the Jacobian of the end with respect to the start, the events apart.
+/// @param solver  the system, frequency and friction
+/// @param motion  the motion
+/// @param length  the time that it takes
+/// @return        a bound of the error, in the norm of the energy
+template <class T>
+[[nodiscard]] T rounding_of_jacobian(const ExactSolver<T>& solver, const ExactMotion<T>& motion, const T& length);
+
+} // namespace denhartog
