@@ -108,7 +108,7 @@ TEST_CASE("a motion of 50 digits that does not start where that of double does i
     const SceneSource source = scene_source(scene);
     const Question question{Asked::motion, 30, false};
     const auto answer_to = [&](const PeriodicOrbit<double>& near) {
-        const SolveTask task{source, question, scene, aim_of(30), scene_with_modes<double>(source).basis, nullptr};
+        const SolveTask task{source, question, scene, aim_of(30), modes_in_double(source), nullptr};
         Solution s;
         s.contact = scene.system.contact;
         answer_by_orbit(task, solver, near, false, s);

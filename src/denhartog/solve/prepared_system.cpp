@@ -1,29 +1,14 @@
 #include "denhartog/solve/prepared_system.hpp"
 
-#include "denhartog/answer/sliding_point.hpp"
+#include "denhartog/answer/modes_in_double.hpp"
 #include "denhartog/model/coordinates.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/scene/mass_rules.hpp"
-#include "denhartog/stick_slip/rounded_system.hpp"
 
 namespace denhartog {
 namespace {
 
 constexpr int most_digits_of_contact_in_double = 11; // beyond, the modes of 50 digits may be needed
-
-void prepare_every_regime(PreparedSystem& p) {
-    const System<double>& s = p.scene().system;
-    try {
-        const ModalBasis<double> basis = modal_basis(s);
-        p.moving = std::make_shared<const ContactSystem<double>>(contact_system(s, basis));
-        p.bounded = std::make_shared<const ModalBasis<Bounded<double>>>(with_errors(s, basis));
-    } catch (const PrecisionError& e) {
-        const SceneIn<Real50> in = scene_with_modes<Real50>(p.source);
-        p.moving = std::make_shared<const ContactSystem<double>>(
-            rounded(contact_system(in.scene.system, values_of(*in.basis)), e.what()));
-        p.bounded = std::make_shared<const ModalBasis<Bounded<double>>>(in_double(*in.basis));
-    }
-}
 
 } // namespace
 
@@ -51,14 +36,6 @@ ContactModes<T> contact_modes_of(const SceneSource& source) {
                          Mass{same ? 0U : 1U});
 }
 
-std::shared_ptr<const ModalBasis<Bounded<double>>> modes_in_double(const SceneSource& source) {
-    try {
-        return modes_with_errors(source->in_double().system);
-    } catch (const PrecisionError&) {
-        return std::make_shared<const ModalBasis<Bounded<double>>>(in_double(*scene_with_modes<Real50>(source).basis));
-    }
-}
-
 PreparedSystem prepare(const SceneSource& source, const Question& question, Prepared points) {
     PreparedSystem p{source};
     check(p.scene());
@@ -73,7 +50,11 @@ PreparedSystem prepare(const SceneSource& source, const Question& question, Prep
             p.contact.reset(); // another model answers
         }
     }
-    if (points == Prepared::every_regime) prepare_every_regime(p);
+    if (points == Prepared::every_regime) {
+        const ModesInDouble modes = modes_in_double(source);
+        p.bounded = modes.basis;
+        p.moving = moving_in_double(source, modes);
+    }
     return p;
 }
 

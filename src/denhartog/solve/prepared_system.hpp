@@ -51,12 +51,6 @@ void check(const Question& question, std::size_t N);
 template <class T>
 [[nodiscard]] ContactModes<T> contact_modes_of(const SceneSource& source);
 
-/// @brief The modal basis in double with bounds of its errors; where double has none, that of 50 digits, rounded.
-/// @param source  the system
-/// @return        the basis
-/// @throws        as `modal_basis`
-[[nodiscard]] std::shared_ptr<const ModalBasis<Bounded<double>>> modes_in_double(const SceneSource& source);
-
 /// @brief Prepares a system for a question.
 /// @param source    the scene; r and beta are not needed
 /// @param question  what will be asked

@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "denhartog/answer/held_solution.hpp"
-#include "denhartog/answer/moving_system.hpp"
 #include "denhartog/answer/orbit_solution.hpp"
 #include "denhartog/answer/other_motions.hpp"
 #include "denhartog/number/effort.hpp"
@@ -58,7 +57,7 @@ void set_regime_by_stops(const SolveTask& task, const PeriodicOrbit<T>& orbit, s
         s.regime.reason += "; the motion shows no stop, and the bound of its error is " +
                            number_in_digits(static_cast<double>(orbit.error_bound), 2);
     } else {
-        const bool sliding = !task.pole && every_motion_is_damped(*task.basis);
+        const bool sliding = !task.pole && every_motion_is_damped(*task.known.basis);
         set_regime(task, Regime::continuous,
                    sliding ? "the motion from rest is the sliding motion"
                            : "the contact does not stop, but the motion is not that of the closed form",
@@ -158,7 +157,7 @@ NoAnswer answer_from_rest(const SolveTask& task, const ContactSystem<T>& system,
 
 // In double; where rounding keeps that from an answer, or from modes, in 50 digits.
 void answer_from_rest(SolveTask& task, Solution& s) {
-    if (!task.moving) task.moving = moving_in_double(task.source);
+    if (!task.moving) task.moving = moving_in_double(task.source, task.known);
     NoAnswer none{task.moving->rounded_because};
     if (none.why.empty()) none = answer_from_rest(task, *task.moving, {}, s);
     const bool allowed = highest_precision(task.aim, number_of_masses(task.scene.system)) != Precision::in_double;
@@ -179,7 +178,7 @@ void answer_from_rest(SolveTask& task, Solution& s) {
 
 void answer(SolveTask& task, Solution& s) {
     const bool few = task.question.asked == Asked::amplitude || task.question.asked == Asked::phase;
-    if (few && task.scene.mu == 1 && !task.basis->coupled() && answer_by_truncated_modes(task, s)) return;
+    if (few && task.scene.mu == 1 && !task.known.basis->coupled() && answer_by_truncated_modes(task, s)) return;
     try {
         Solution sliding =
             sliding_solution(task.source, {task.question.asked, task.question.digits, task.question.mass, &*task.modes});
@@ -219,10 +218,10 @@ Solution solve_at(const PreparedSystem& p, const SolvePoint& at, const Question&
         say_whether_unique(*p.contact->basis, p.scene().mu, s);
     } else {
         const SceneSource source = source_at(p, at);
-        SolveTask task{source, question, source->in_double(), aim_of(question.digits), p.bounded, p.moving};
-        if (!task.basis) task.basis = modes_in_double(source);
-        task.modes.emplace(task.basis, as_input(at.r));
-        say_whether_unique(*task.basis, p.scene().mu, s);
+        SolveTask task{source, question, source->in_double(), aim_of(question.digits), {p.bounded}, p.moving};
+        if (!task.known.basis) task.known = modes_in_double(source);
+        task.modes.emplace(task.known.basis, as_input(at.r));
+        say_whether_unique(*task.known.basis, p.scene().mu, s);
         s.r = exactly(at.r, 1);
         s.beta = exactly(at.beta, 1);
         s.contact = p.scene().system.contact;
@@ -233,8 +232,8 @@ Solution solve_at(const PreparedSystem& p, const SolvePoint& at, const Question&
             throw PrecisionError("the " + in_words(task.aim) + " are not reached: only " +
                                  std::to_string(digits_of(s.relative_error)) + " are certain");
         if (question.all) {
-            if (!task.moving) task.moving = moving_in_double(source);
-            s.motions = other_motions(task.scene, *task.moving, task.basis);
+            if (!task.moving) task.moving = moving_in_double(source, task.known);
+            s.motions = other_motions(task.scene, *task.moving, task.known.basis);
         }
         keep_asked_mass(question, s);
     }

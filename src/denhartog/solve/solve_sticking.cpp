@@ -1,7 +1,6 @@
 #include <algorithm>
 
 #include "denhartog/answer/held_solution.hpp"
-#include "denhartog/answer/moving_system.hpp"
 #include "denhartog/answer/orbit_solution.hpp"
 #include "denhartog/model/coordinates.hpp"
 #include "denhartog/number/effort.hpp"
@@ -65,15 +64,16 @@ void require_known_stops(const SolveTask& task, const PrecisionError& e, const S
 } // namespace
 
 bool must_stop(const SolveTask& task, const Solution& s) {
-    return s.regime.regime == Regime::stick_slip && (task.scene.mu == 1 || every_motion_is_damped(*task.basis));
+    return s.regime.regime == Regime::stick_slip && (task.scene.mu == 1 || every_motion_is_damped(*task.known.basis));
 }
 
 void answer_by_stuck_response(const SolveTask& task, const std::optional<Certified>& rests_at, Solution& s) {
     const auto attempt = [&]<class T>(std::type_identity<T>) {
         HeldSolution held;
         if constexpr (std::same_as<T, double>) {
-            const std::shared_ptr<const ContactSystem<T>> moving = task.moving ? task.moving : moving_in_double(task.source);
-            held = held_solution(task.scene, moving->stuck, *task.basis, task.aim.digits, task.question.mass);
+            const std::shared_ptr<const ContactSystem<T>> moving =
+                task.moving ? task.moving : moving_in_double(task.source, task.known);
+            held = held_solution(task.scene, moving->stuck, *task.known.basis, task.aim.digits, task.question.mass);
         } else {
             const Scene<T> scene = scene_in<T>(task.source);
             const ModalBasis<T> basis = modal_basis(scene.system);

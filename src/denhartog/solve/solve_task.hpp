@@ -5,10 +5,11 @@
 #include <memory>
 #include <optional>
 
+#include "denhartog/answer/modes_in_double.hpp"
 #include "denhartog/answer/sliding_solution.hpp"
+#include "denhartog/orbit/periodic_orbit.hpp"
 #include "denhartog/solve/prepared_system.hpp"
 #include "denhartog/solve/truncated_modes.hpp"
-#include "denhartog/orbit/periodic_orbit.hpp"
 
 namespace denhartog {
 
@@ -32,7 +33,7 @@ struct SolveTask {
     Question question;                                        ///< what is asked
     const Scene<double>& scene;                               ///< the scene in double, which `source` holds
     Aim aim;                                                  ///< the digits
-    std::shared_ptr<const ModalBasis<Bounded<double>>> basis; ///< its modal basis
+    ModesInDouble known;                                      ///< its modal basis
     std::shared_ptr<const ContactSystem<double>> moving;      ///< for the exact solver; none where it is still to be prepared
     std::optional<BoundedModes<double>> modes{};              ///< its modes at the point, evaluated as they are needed
     std::optional<std::string> pole{};                        ///< why boundaries and closed form are not known

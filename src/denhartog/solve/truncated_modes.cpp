@@ -207,7 +207,7 @@ bool answer_by_truncated_modes(SolveTask& task, Solution& s) {
         return false; // the next model says where the pole is
     }
     if (!few) return false;
-    const std::size_t N = task.basis->r_n.size();
+    const std::size_t N = task.known.basis->r_n.size();
     s.slides_below = Certified{few->slides_below, 0, {}};
     s.masses = std::move(few->masses);
     s.regime = {Regime::continuous, {}, false, certainly_slides};

@@ -33,16 +33,16 @@ Matrix<T> with_rows(const Matrix<T>& shapes, const Matrix<T>& further) {
 
 template <class T>
 ContactSystem<T> contact_system(const System<T>& s) {
-    return contact_system(s, modal_basis(s));
+    return contact_system(s, with_errors(s, modal_basis(s)));
 }
 
 template <class T>
-ContactSystem<T> contact_system(const System<T>& s, ModalBasis<T> basis) {
+ContactSystem<T> contact_system(const System<T>& s, const ModalBasis<Bounded<T>>& modes) {
     ContactSystem<T> out;
     out.contact = s.contact;
     out.load = s.load;
     out.coordinates = s.coordinates;
-    out.basis = std::move(basis);
+    out.basis = values_of(modes);
     Matrix<T>& phi = out.basis.phi;
     for (const T& each : phi.row(static_cast<Eigen::Index>(s.load.index))) out.modal_load.push_back(each);
     if (const auto modes = phi.cols(); phi.rows() > modes) {
@@ -51,7 +51,7 @@ ContactSystem<T> contact_system(const System<T>& s, ModalBasis<T> basis) {
     }
     out.stuck = stuck_configuration(s, out.basis);
     out.stuck_load = load_on_stuck_modes(out.stuck, s.load);
-    for (const Bounded<T>& r_n : with_errors(s, out.basis).r_n) out.detuned.push_back(r_n.e / r_n.x);
+    for (const Bounded<T>& r_n : modes.r_n) out.detuned.push_back(r_n.e / r_n.x);
     out.damping_fixes_modes = damping_matrix_counts(s, out.basis);
     // phi^T M phi = 1, so that phi^T M is the inverse of phi; the mass matrix keeps it free of an inversion.
     const std::size_t N = out.basis.r_n.size();
@@ -287,7 +287,8 @@ long phases_propagated() { return phases_so_far.load(); }
 template ContactSystem<double> contact_system(const System<double>&);
 template ContactSystem<Real50> contact_system(const System<Real50>&);
 template ContactSystem<Real100> contact_system(const System<Real100>&);
-template ContactSystem<double> contact_system(const System<double>&, ModalBasis<double>);
+template ContactSystem<double> contact_system(const System<double>&, const ModalBasis<Bounded<double>>&);
+template ContactSystem<Real50> contact_system(const System<Real50>&, const ModalBasis<Bounded<Real50>>&);
 template class ExactSolver<double>;
 template class ExactSolver<Real50>;
 template class ExactSolver<Real100>;

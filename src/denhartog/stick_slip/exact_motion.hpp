@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "denhartog/model/stuck_configuration.hpp"
+#include "denhartog/number/bounded.hpp"
 #include "denhartog/number/effort.hpp"
 #include "denhartog/stick_slip/motion_record.hpp"
 
@@ -40,9 +41,9 @@ struct ContactSystem {
 template <class T>
 [[nodiscard]] ContactSystem<T> contact_system(const System<T>& s);
 
-/// @brief The same, the modal basis known. @param s the system @param basis its modal basis @return its modes
+/// @brief The same, the modal basis known. @param s the system @param modes its modal basis with bounds @return its modes
 template <class T>
-[[nodiscard]] ContactSystem<T> contact_system(const System<T>& s, ModalBasis<T> basis);
+[[nodiscard]] ContactSystem<T> contact_system(const System<T>& s, const ModalBasis<Bounded<T>>& modes);
 
 /// @brief The load on the contact and the friction there, at one frequency.
 template <class T>

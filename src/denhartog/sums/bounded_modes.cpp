@@ -220,6 +220,7 @@ template ModeSums<Real50> values_of(const ModeSums<Bounded<Real50>>&);
 template ModeSums<Real100> values_of(const ModeSums<Bounded<Real100>>&);
 template ModalBasis<double> values_of(const ModalBasis<Bounded<double>>&);
 template ModalBasis<Real50> values_of(const ModalBasis<Bounded<Real50>>&);
+template ModalBasis<Real100> values_of(const ModalBasis<Bounded<Real100>>&);
 template ModeSums<Bounded<double>> in_double(const ModeSums<Bounded<double>>&);
 template ModeSums<Bounded<double>> in_double(const ModeSums<Bounded<Real50>>&);
 template ModeSums<Bounded<double>> in_double(const ModeSums<Bounded<Real100>>&);

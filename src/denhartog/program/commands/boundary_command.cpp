@@ -5,6 +5,7 @@
 #include <limits>
 #include <memory>
 
+#include "denhartog/answer/modes_in_double.hpp"
 #include "denhartog/model/coordinates.hpp"
 #include "denhartog/number/number_text.hpp"
 #include "denhartog/program/commands/scene_command.hpp"
@@ -13,7 +14,6 @@
 #include "denhartog/program/output/table.hpp"
 #include "denhartog/sliding/invariant_points.hpp"
 #include "denhartog/solve/certain_modes.hpp"
-#include "denhartog/solve/prepared_system.hpp"
 
 namespace denhartog::program {
 namespace {
@@ -92,7 +92,7 @@ Json invariant_points_json(std::vector<InvariantPointsOfMass<T>> masses, const S
 Json invariant_points_json(const SceneSource& source, const BoundaryOptions& options, const NumberWriter& write) {
     if (!options.digits) {
         const System<double>& s = source->in_double().system;
-        const auto basis = certain_modes(source, modes_in_double(source));
+        const auto basis = certain_modes(source, modes_in_double(source).basis);
         const auto found = invariant_points_between(s, values_of(*basis), options.range);
         if (are_certain(found, *basis, s.load)) return invariant_points_json(found, s, write);
     }

@@ -3,13 +3,13 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
+#include "denhartog/answer/modes_in_double.hpp"
 #include "denhartog/program/commands/scene_command.hpp"
 #include "denhartog/program/json/damping_json.hpp"
 #include "denhartog/program/json/number_json.hpp"
 #include "denhartog/program/output/table.hpp"
 #include "denhartog/scene/point_rules.hpp"
 #include "denhartog/solve/certain_modes.hpp"
-#include "denhartog/solve/prepared_system.hpp"
 #include "denhartog/solve/quantities.hpp"
 
 namespace denhartog::program {
@@ -24,7 +24,7 @@ Json functions_json(const SceneSource& source) {
     const Scene<double>& scene = source->in_double();
     (void)frequency_ratio_of(scene);
     const NumberWriter write;
-    const auto bounded = certain_modes(source, modes_in_double(source));
+    const auto bounded = certain_modes(source, modes_in_double(source).basis);
     const ModalBasis<double> basis = values_of(*bounded);
     std::optional<ModeSums<double>> s; // none where damping couples the modes
     if (!basis.coupled())
