@@ -6,11 +6,6 @@
 #include "denhartog/scene/mass_rules.hpp"
 
 namespace denhartog {
-namespace {
-
-constexpr int most_digits_of_contact_in_double = 11; // beyond, the modes of 50 digits may be needed
-
-} // namespace
 
 void check(const Question& question, std::size_t N) {
     (void)aim_of(question.digits);
@@ -36,6 +31,12 @@ ContactModes<T> contact_modes_of(const SceneSource& source) {
                          Mass{same ? 0U : 1U});
 }
 
+const ContactModes<Real50>& ContactModesIn50Digits::get() const {
+    const std::scoped_lock lock(one_at_a_time_);
+    if (!found_) found_ = contact_modes_of<Real50>(source_);
+    return *found_;
+}
+
 PreparedSystem prepare(const SceneSource& source, const Question& question, Prepared points) {
     PreparedSystem p{source};
     check(p.scene());
@@ -44,8 +45,7 @@ PreparedSystem prepare(const SceneSource& source, const Question& question, Prep
     if (s.damping_matrix.size() == 0 && p.scene().mu == 1 && asks_for_contact(of_displacements(question, s), s.contact)) {
         try {
             p.contact = contact_modes_of<double>(source);
-            if (aim_of(question.digits).digits > most_digits_of_contact_in_double)
-                p.contact_in_50 = std::make_shared<const ContactModes<Real50>>(contact_modes_of<Real50>(source));
+            p.contact_in_50 = std::make_shared<const ContactModesIn50Digits>(source);
         } catch (const PrecisionError&) {
             p.contact.reset(); // another model answers
         }

@@ -22,8 +22,10 @@ bool answer_by_contact(const PreparedSystem& p, const SolvePoint& at, const Ques
             r = at.r;
             beta = at.beta;
         } else {
-            if constexpr (std::same_as<T, Real50>) modes = p.contact_in_50.get();
-            if (modes == nullptr) modes = &own.emplace(contact_modes_of<T>(p.source));
+            if constexpr (std::same_as<T, Real50>)
+                modes = &p.contact_in_50->get();
+            else
+                modes = &own.emplace(contact_modes_of<T>(p.source));
             const Scene<T> scene = scene_in<T>(source_at(p, at));
             r = *scene.r;
             beta = *scene.beta;
