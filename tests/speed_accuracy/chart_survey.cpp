@@ -146,10 +146,10 @@ bool right_everywhere(const ChartRow& row) { return row.present && row.right == 
 const ChartRow* fastest(const std::vector<ChartRow>& rows, const std::string& scene, double digits, bool with_setup,
                         const std::function<bool(const ChartRow&)>& counts) {
     const ChartRow* best = nullptr;
+    const double most = 5 * std::pow(10, -digits); // what rounding to so many digits leaves
     const auto cost = [&](const ChartRow& row) { return row.time + (with_setup ? row.setup : 0); };
     for (const ChartRow& row : rows)
-        if (row.scene == scene && right_everywhere(row) && -std::log10(row.worst) >= digits && counts(row) &&
-            (!best || cost(row) < cost(*best)))
+        if (row.scene == scene && right_everywhere(row) && row.worst <= most && counts(row) && (!best || cost(row) < cost(*best)))
             best = &row;
     return best;
 }

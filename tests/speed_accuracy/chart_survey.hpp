@@ -59,7 +59,7 @@ struct ChartGround {
 /// @brief The fastest at a number of digits on a scene: right at every point, with these digits at the worst.
 /// @param rows        rows
 /// @param scene       name of the scene
-/// @param digits      digits wanted
+/// @param digits      digits wanted; the error may be 5 in the next one, which is what rounding to so many leaves
 /// @param with_setup  whether the setup counts: a single question, else one more of many
 /// @param counts      which methods count
 /// @return            the fastest row; null where nobody has the digits
