@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "denhartog/orbit/periodic_orbit.hpp"
 #include "denhartog/paper_algorithm/paper_algorithm.hpp"
 #include "denhartog/paper_algorithm/regime_seen.hpp"
-#include "denhartog/orbit/periodic_orbit.hpp"
 #include "observed_systems.hpp"
 
 namespace denhartog::derivation {

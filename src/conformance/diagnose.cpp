@@ -4,9 +4,9 @@
 #include <cmath>
 #include <set>
 
-#include "conformance/grade.hpp"
 #include "conformance/diagnosis/guesses.hpp"
 #include "conformance/diagnosis/in_common.hpp"
+#include "conformance/grade.hpp"
 #include "conformance/spread.hpp"
 
 namespace denhartog::conformance {

@@ -5,8 +5,8 @@
 // radians. The declared set is that of `second_witness.cpp`: condition number of the superposition below 30 000.
 #include "tests/accuracy/witness_survey.hpp"
 
-#include "denhartog/stick_slip/at_maximum_of_force.hpp"
 #include "denhartog/orbit/periodic_orbit.hpp"
+#include "denhartog/stick_slip/at_maximum_of_force.hpp"
 #include "tests/support/plain_response.hpp"
 
 using namespace denhartog;

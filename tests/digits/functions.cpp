@@ -4,10 +4,10 @@
 #include <cstdint>
 #include <cstdio>
 
+#include "denhartog/elementary/elementary.hpp"
 #include "denhartog/evaluation/vector_functions.hpp"
 #include "denhartog/model/product_of_doubles.hpp"
 #include "denhartog/number/double_double.hpp"
-#include "denhartog/elementary/elementary.hpp"
 
 using namespace denhartog;
 

@@ -5,12 +5,12 @@
 #include <limits>
 
 #include "denhartog/number/errors.hpp"
-#include "denhartog/paper_algorithm/paper_algorithm.hpp"
-#include "tests/support/plain_response.hpp"
-#include "denhartog/solve/solve.hpp"
 #include "denhartog/orbit/periodic_orbit.hpp"
+#include "denhartog/paper_algorithm/paper_algorithm.hpp"
+#include "denhartog/solve/solve.hpp"
 #include "tests/catch.hpp"
 #include "tests/support/paper_systems.hpp"
+#include "tests/support/plain_response.hpp"
 #include "tests/support/sample_scenes.hpp"
 
 using namespace denhartog;

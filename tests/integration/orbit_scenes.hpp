@@ -9,9 +9,9 @@
 
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/multiprecision.hpp"
-#include "tests/support/plain_response.hpp"
 #include "denhartog/orbit/periodic_orbit.hpp"
 #include "tests/catch.hpp"
+#include "tests/support/plain_response.hpp"
 #include "tests/support/sample_scenes.hpp"
 
 namespace denhartog::tests {

@@ -7,12 +7,12 @@
 
 #include "denhartog/model/coordinates.hpp"
 #include "denhartog/number/errors.hpp"
-#include "denhartog/scene/scene_json.hpp"
 #include "denhartog/orbit/floquet.hpp"
 #include "denhartog/orbit/orbit_map.hpp"
 #include "denhartog/orbit/orbit_search.hpp"
 #include "denhartog/orbit/periodic_orbit.hpp"
 #include "denhartog/orbit/stability.hpp"
+#include "denhartog/scene/scene_json.hpp"
 #include "tests/integration/orbit_scenes.hpp"
 
 using namespace denhartog;

@@ -5,8 +5,8 @@
 
 #include "denhartog/answer/held_solution.hpp"
 #include "denhartog/number/errors.hpp"
-#include "denhartog/solve/solve_task.hpp"
 #include "denhartog/orbit/periodic_orbit.hpp"
+#include "denhartog/solve/solve_task.hpp"
 #include "tests/catch.hpp"
 #include "tests/unit/response_fixtures.hpp"
 
@@ -722,4 +722,20 @@ TEST_CASE("50 digits are not begun for a motion that takes more than is left of 
         CHECK_THROWS_WITH(solve(long_chain(150), {.digits = 12}), Catch::Contains("finding the motion takes some"));
     }
     CHECK(solve(long_chain(30), {.digits = 12}).method.precision == "50 digits");
+}
+
+TEST_CASE("a scene that is kept and one that is copied have the same answer, in every number type", "[solve]") {
+    Scene<double> between = two_masses(0.875, 0.0625);
+    between.system.contact_with = Mass{0};
+    for (const Scene<double>& scene : {two_masses(0.875, 0.0625), between})
+        for (const int digits : {6, 30}) {
+            const Question question{Asked::motion, digits};
+            const Solution kept = solve(source_of_kept(scene), question), copied = solve(scene_source(scene), question);
+            REQUIRE(kept.masses.size() == 2);
+            for (std::size_t k = 0; k < 2; ++k) {
+                CHECK(kept.masses[k].amplitude.value == copied.masses[k].amplitude.value);
+                CHECK(kept.masses[k].amplitude.error == copied.masses[k].amplitude.error);
+                CHECK(kept.masses[k].amplitude.decimal == copied.masses[k].amplitude.decimal);
+            }
+        }
 }

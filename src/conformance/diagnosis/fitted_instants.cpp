@@ -7,9 +7,9 @@
 #include "conformance/mistakes/mistake_definition.hpp"
 #include "conformance/plain/closed_form.hpp"
 #include "conformance/spread.hpp"
+#include "denhartog/elementary/elementary.hpp"
 #include "denhartog/formulas/as_printed.hpp"
 #include "denhartog/formulas/boundary.hpp"
-#include "denhartog/elementary/elementary.hpp"
 #include "denhartog/number/number_text.hpp"
 
 namespace denhartog::conformance {

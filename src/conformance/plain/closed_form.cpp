@@ -5,12 +5,12 @@
 
 #include "conformance/plain/integration.hpp"
 #include "conformance/plain/systems.hpp"
+#include "denhartog/elementary/elementary.hpp"
 #include "denhartog/formulas/as_printed.hpp"
 #include "denhartog/formulas/contact.hpp"
 #include "denhartog/formulas/high_frequency.hpp"
 #include "denhartog/formulas/motion.hpp"
 #include "denhartog/formulas/other_masses.hpp"
-#include "denhartog/elementary/elementary.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/sliding/maximum.hpp"
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "denhartog/model/modal_basis.hpp"
 #include "denhartog/elementary/elementary.hpp"
+#include "denhartog/model/modal_basis.hpp"
 #include "denhartog/number/number.hpp"
 #include "denhartog/orbit/periodic_orbit.hpp"
 #include "denhartog/stick_slip/stuck_response.hpp"

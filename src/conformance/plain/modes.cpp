@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "denhartog/elementary/elementary.hpp"
 #include "denhartog/evaluation/friction_motion.hpp"
 #include "denhartog/evaluation/mode.hpp"
 #include "denhartog/formulas/as_printed.hpp"
@@ -10,7 +11,6 @@
 #include "denhartog/formulas/motion.hpp"
 #include "denhartog/formulas/superposition.hpp"
 #include "denhartog/model/modal_basis.hpp"
-#include "denhartog/elementary/elementary.hpp"
 #include "denhartog/number/errors.hpp"
 
 namespace denhartog::conformance {

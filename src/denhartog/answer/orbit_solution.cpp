@@ -8,8 +8,8 @@
 #include "denhartog/answer/certify.hpp"
 #include "denhartog/model/coordinates.hpp"
 #include "denhartog/number/effort.hpp"
-#include "denhartog/stick_slip/event_errors.hpp"
 #include "denhartog/orbit/floquet.hpp"
+#include "denhartog/stick_slip/event_errors.hpp"
 
 namespace denhartog {
 namespace {

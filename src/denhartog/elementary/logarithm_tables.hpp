@@ -6,8 +6,8 @@
 
 namespace denhartog::elementary {
 
-inline constexpr double ln_2_high = 0x1.62e42fefa3800p-1;    ///< the first 42 bits of ln 2
-inline constexpr double ln_2_low = 0x1.ef35793c76730p-45;    ///< the rest
+inline constexpr double ln_2_high = 0x1.62e42fefa3800p-1; ///< the first 42 bits of ln 2
+inline constexpr double ln_2_low = 0x1.ef35793c76730p-45; ///< the rest
 inline constexpr double log10_e_high = 0x1.bcb7b1526e50ep-2; ///< 1 / ln 10, rounded
 inline constexpr double log10_e_low = 0x1.95355baaafad3p-57; ///< what its rounding lacks
 

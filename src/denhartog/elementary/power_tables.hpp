@@ -7,10 +7,9 @@
 namespace denhartog::elementary {
 
 inline constexpr double parts_in_one = 0x1.71547652b82fep+8; ///< 256 / ln 2
-inline constexpr double part_high = 0x1.62e42fee00000p-9;    ///< the first 32 bits of ln 2 / 256
-inline constexpr double part_low = 0x1.a39ef35793c76p-41;    ///< the rest
-inline constexpr double cubic =
-    0x1.5555571de4f61p-3; ///< 1 / 6, and of 1 / 120 r^2 the part that serves all r up to ln 2 / 512 best
+inline constexpr double part_high = 0x1.62e42fee00000p-9; ///< the first 32 bits of ln 2 / 256
+inline constexpr double part_low = 0x1.a39ef35793c76p-41; ///< the rest
+inline constexpr double cubic = 0x1.5555571de4f61p-3; ///< 1 / 6, and of 1 / 120 r^2 the part that serves all r up to ln 2 / 512 best
 
 /// @brief A power of two.
 struct Power {

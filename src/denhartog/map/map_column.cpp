@@ -11,10 +11,10 @@
 #include "denhartog/map/orbit_on_line.hpp"
 #include "denhartog/number/effort.hpp"
 #include "denhartog/number/errors.hpp"
+#include "denhartog/orbit/periodic_orbit.hpp"
 #include "denhartog/sliding/instants_of_maxima.hpp"
 #include "denhartog/solve/solve.hpp"
 #include "denhartog/stick_slip/at_maximum_of_force.hpp"
-#include "denhartog/orbit/periodic_orbit.hpp"
 #include "denhartog/sums/chain_sums.hpp"
 
 namespace denhartog {

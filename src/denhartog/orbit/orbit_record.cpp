@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "denhartog/number/multiprecision.hpp"
-#include "denhartog/sliding/steady_state.hpp"
 #include "denhartog/orbit/stability.hpp"
+#include "denhartog/sliding/steady_state.hpp"
 
 namespace denhartog {
 namespace {

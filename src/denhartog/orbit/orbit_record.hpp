@@ -4,9 +4,9 @@
 
 #include <optional>
 
-#include "denhartog/stick_slip/lasting_rest.hpp"
 #include "denhartog/orbit/orbit_map.hpp"
 #include "denhartog/orbit/periodic_orbit.hpp"
+#include "denhartog/stick_slip/lasting_rest.hpp"
 
 namespace denhartog {
 

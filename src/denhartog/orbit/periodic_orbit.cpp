@@ -275,7 +275,7 @@ private:
     std::optional<LastingRest<T>> rest_;
     std::vector<State<T>> recent_; // after the last half-periods, mirrored after each
     Settling<T> settling_;
-    State<T> best_;                // nearest to a fixed point so far, where there is one only
+    State<T> best_; // nearest to a fixed point so far, where there is one only
     T best_step_ = T(-1);
     Candidate candidate_;
     int looked_for_at_ = 0; // half-periods before Newton's method looked for an orbit last

@@ -12,8 +12,8 @@
 #include <string>
 #include <vector>
 
-#include "denhartog/stick_slip/exact_motion.hpp"
 #include "denhartog/orbit/floquet.hpp"
+#include "denhartog/stick_slip/exact_motion.hpp"
 
 namespace denhartog {
 
@@ -45,20 +45,20 @@ struct PeriodicOrbit {
     std::string reason;                              ///< why, where the status is no periodic orbit; else what to know of it
     int periods = 1;                                 ///< its period in periods of the force
     bool symmetric = false;                          ///< whether it mirrors itself after half its period, Eq. (25)
-    State<T> start; ///< the state at tau = 0, a maximum of the force; the last one where none was found
-    std::vector<Stop<T>> stops;                      ///< within its period, starts ascending in [0, 2 pi periods)
-    MassMotion<T> contact{};                         ///< amplitude and phase of the mass in contact
-    std::vector<MassMotion<T>> masses; ///< amplitude and phase of every mass; empty where the contact's alone are asked
-    std::vector<Multiplier> multipliers;           ///< Floquet multipliers over its period, by descending size
-    bool stable = false;                           ///< all multipliers inside the unit circle, by more than their error
-    T residual = T(0);                             ///< largest difference of the two ends, over the largest displacement
-    T error_bound = T(0);                          ///< bound of the error of the displacements, units of P / k_1
-    std::vector<T> velocity_errors; ///< of the velocity of each coordinate, then of each mass that is none; units of P / k_1
-    bool more_digits_may_tell = false;             ///< none was found, and rounding may be why
-    int touching = 0;                              ///< events so tangential that rounding decided them; multipliers are one-sided
-    int newton_steps = 0;                          ///< steps of Newton's method taken
-    int periods_propagated = 0;                    ///< periods propagated in all
-    long effort_spent = 0;                         ///< operations that the search took
+    State<T> start;                      ///< the state at tau = 0, a maximum of the force; the last one where none was found
+    std::vector<Stop<T>> stops;          ///< within its period, starts ascending in [0, 2 pi periods)
+    MassMotion<T> contact{};             ///< amplitude and phase of the mass in contact
+    std::vector<MassMotion<T>> masses;   ///< amplitude and phase of every mass; empty where the contact's alone are asked
+    std::vector<Multiplier> multipliers; ///< Floquet multipliers over its period, by descending size
+    bool stable = false;                 ///< all multipliers inside the unit circle, by more than their error
+    T residual = T(0);                   ///< largest difference of the two ends, over the largest displacement
+    T error_bound = T(0);                ///< bound of the error of the displacements, units of P / k_1
+    std::vector<T> velocity_errors;      ///< of the velocity of each coordinate, then of each mass that is none; units of P / k_1
+    bool more_digits_may_tell = false;   ///< none was found, and rounding may be why
+    int touching = 0;                    ///< events so tangential that rounding decided them; multipliers are one-sided
+    int newton_steps = 0;                ///< steps of Newton's method taken
+    int periods_propagated = 0;          ///< periods propagated in all
+    long effort_spent = 0;               ///< operations that the search took
     long effort_in_50_digits = 0; ///< operations that following it once, with its Jacobian, would take in 50 digits; of double
 };
 

@@ -26,7 +26,7 @@ std::vector<Multiplier> multipliers_in_energy(const OrbitMap<T>& map, const Matr
                                               const T& growth) {
     const long n = jacobian.rows();
     map.solver().effort().spend(n * n * n / 32); // what making the matrix diagonal takes
-    const bool is_known = error >= 0;           // else it is no number
+    const bool is_known = error >= 0;            // else it is no number
     return multipliers_of(in_double(jacobian), is_known ? static_cast<double>(error) : std::numeric_limits<double>::infinity(),
                           static_cast<double>(growth) * (1 + std::numeric_limits<double>::epsilon()));
 }

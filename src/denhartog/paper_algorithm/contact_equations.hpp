@@ -8,8 +8,8 @@
 #include <span>
 #include <vector>
 
-#include "denhartog/model/modal_basis.hpp"
 #include "denhartog/elementary/elementary.hpp"
+#include "denhartog/model/modal_basis.hpp"
 
 namespace denhartog {
 

@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "denhartog/answer/certify.hpp"
+#include "denhartog/elementary/elementary.hpp"
 #include "denhartog/model/coordinates.hpp"
 #include "denhartog/model/linear_algebra.hpp"
-#include "denhartog/elementary/elementary.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/number_text.hpp"
 #include "denhartog/scene/limits.hpp"

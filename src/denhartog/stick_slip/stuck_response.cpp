@@ -6,10 +6,10 @@
 #include <limits>
 #include <string>
 
+#include "denhartog/elementary/elementary.hpp"
 #include "denhartog/formulas/stuck.hpp"
 #include "denhartog/model/linear_algebra.hpp"
 #include "denhartog/model/natural_modes.hpp"
-#include "denhartog/elementary/elementary.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/multiprecision.hpp"
 #include "denhartog/scene/point_rules.hpp"

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "denhartog/number/multiprecision.hpp"
 #include "denhartog/elementary/series_tables.hpp"
+#include "denhartog/number/multiprecision.hpp"
 #include "denhartog/sums/coupled_sums.hpp"
 
 namespace denhartog {

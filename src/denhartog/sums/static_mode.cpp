@@ -5,8 +5,8 @@
 #include <limits>
 #include <numbers>
 
-#include "denhartog/evaluation/overdamped.hpp"
 #include "denhartog/elementary/elementary.hpp"
+#include "denhartog/evaluation/overdamped.hpp"
 
 namespace denhartog {
 namespace {

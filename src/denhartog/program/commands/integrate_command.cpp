@@ -10,9 +10,9 @@
 #include "denhartog/paper_algorithm/paper_algorithm.hpp"
 #include "denhartog/paper_algorithm/regime_seen.hpp"
 #include "denhartog/program/commands/scene_command.hpp"
-#include "denhartog/program/output/files.hpp"
 #include "denhartog/program/json/number_json.hpp"
 #include "denhartog/program/json/solution_json.hpp"
+#include "denhartog/program/output/files.hpp"
 #include "denhartog/program/output/table.hpp"
 
 namespace denhartog::program {

@@ -11,9 +11,9 @@
 
 #include "denhartog/map/map_in_units.hpp"
 #include "denhartog/program/commands/scene_command.hpp"
-#include "denhartog/program/output/files.hpp"
 #include "denhartog/program/grid_option.hpp"
 #include "denhartog/program/interruptible.hpp"
+#include "denhartog/program/output/files.hpp"
 #include "denhartog/program/output/map_file.hpp"
 #include "denhartog/scene/mass_rules.hpp"
 #include "denhartog/scene/scene_json.hpp"

@@ -14,8 +14,8 @@
 #include "denhartog/number/number_text.hpp"
 #include "denhartog/program/conform/number.hpp"
 #include "denhartog/program/conform/run.hpp"
-#include "denhartog/program/output/files.hpp"
 #include "denhartog/program/installed.hpp"
+#include "denhartog/program/output/files.hpp"
 #include "denhartog/program/output/table.hpp"
 
 namespace denhartog::program {

@@ -6,8 +6,8 @@
 #include "denhartog/number/legible.hpp"
 #include "denhartog/program/conform/report.hpp"
 #include "denhartog/program/conform/run.hpp"
-#include "denhartog/program/output/files.hpp"
 #include "denhartog/program/installed.hpp"
+#include "denhartog/program/output/files.hpp"
 
 namespace denhartog::program {
 namespace {

@@ -15,8 +15,8 @@
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/legible.hpp"
 #include "denhartog/program/conform/report.hpp"
-#include "denhartog/program/output/files.hpp"
 #include "denhartog/program/interruptible.hpp"
+#include "denhartog/program/output/files.hpp"
 #include "denhartog/program/output/table.hpp"
 
 namespace denhartog::program {

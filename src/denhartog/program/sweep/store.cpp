@@ -3,8 +3,8 @@
 #include <filesystem>
 
 #include "denhartog/number/errors.hpp"
-#include "denhartog/program/output/files.hpp"
 #include "denhartog/program/installed.hpp"
+#include "denhartog/program/output/files.hpp"
 #include "denhartog/program/output/new_file.hpp"
 #include "denhartog/program/sweep/merge.hpp"
 #include "denhartog/program/sweep/scripts.hpp"
