@@ -64,24 +64,22 @@ Motion library_motion(const Scene<double>& in_double) {
     return motion;
 }
 
-std::vector<int> periods_to_settle(const Scene<double>& scene, const Motion& settled, const std::vector<double>& tolerances) {
-    const ContactSystem<double> system = contact_system(scene.system);
-    ExactSolver<double> solver(system, {*scene.r, *scene.beta, scene.mu});
+std::vector<int> periods_to_settle(const Scene<Real50>& scene, const Motion& settled, const std::vector<double>& tolerances) {
+    const ContactSystem<Real50> system = contact_system(scene.system);
+    ExactSolver<Real50> solver(system, {*scene.r, *scene.beta, scene.mu});
     const std::size_t N = scene.system.mass_ratios.size();
     const State<Real50>& end = settled.samples.front();
-    State<double> state = at_rest<double>(N);
-    double largest = 0;
-    for (std::size_t k = 0; k < N; ++k)
-        largest = std::max({largest, std::abs(static_cast<double>(end.x[k])), std::abs(static_cast<double>(end.x_prime[k]))});
+    State<Real50> state = at_rest<Real50>(N);
+    Real50 largest(0);
+    for (std::size_t k = 0; k < N; ++k) largest = std::max({largest, Real50(abs(end.x[k])), Real50(abs(end.x_prime[k]))});
     if (largest == 0) largest = 1;
     std::vector<int> periods(tolerances.size(), 0);
     std::size_t next = 0;
     for (int n = 1; n <= most_periods && next < tolerances.size(); ++n) {
-        state = solver.run(state, 0, 2 * pi<double>()).end;
-        double apart = 0;
+        state = solver.run(state, Real50(0), 2 * pi<Real50>()).end;
+        Real50 apart(0);
         for (std::size_t k = 0; k < N; ++k)
-            apart = std::max({apart, std::abs(state.x[k] - static_cast<double>(end.x[k])),
-                              std::abs(state.x_prime[k] - static_cast<double>(end.x_prime[k]))});
+            apart = std::max({apart, Real50(abs(state.x[k] - end.x[k])), Real50(abs(state.x_prime[k] - end.x_prime[k]))});
         while (next < tolerances.size() && apart <= tolerances[next] * largest) periods[next++] = n;
     }
     return periods;

@@ -56,12 +56,12 @@ struct Motion {
 [[nodiscard]] int agreement(const Motion& a, const Motion& b);
 
 /// @brief Periods from rest at zero until all displacements and velocities at the maximum of the force are those of the settled
-/// motion to a tolerance times the largest of them; counted in double.
+/// motion to a tolerance times the largest of them.
 /// @param scene       the scene
 /// @param settled     its settled motion
 /// @param tolerances  tolerances, descending
 /// @return            periods; 0 for one that was not reached
-[[nodiscard]] std::vector<int> periods_to_settle(const Scene<double>& scene, const Motion& settled,
+[[nodiscard]] std::vector<int> periods_to_settle(const Scene<Real50>& scene, const Motion& settled,
                                                  const std::vector<double>& tolerances);
 
 } // namespace denhartog::benchmark
