@@ -31,6 +31,17 @@ StuckConfiguration<double> rounded(const StuckConfiguration<Real50>& s) {
             s.modes_diagonalise_damping};
 }
 
+// What rounding makes of the damping of the modes: of each entry, it is known to 50 digits.
+Matrix<double> rounding_of_damping(const ContactSystem<Real50>& s) {
+    Matrix<double> D = in_type<double>(s.damping_error);
+    for (Eigen::Index i = 0; i < D.rows(); ++i) {
+        const auto n = static_cast<std::size_t>(i);
+        D(i, i) += 4 * unit_of<double>() * static_cast<double>(Real50(s.basis.zeta[n] * s.basis.r_n[n]));
+    }
+    if (s.basis.coupled()) D += unit_of<double>() * in_type<double>(s.basis.D).cwiseAbs();
+    return D;
+}
+
 } // namespace
 
 ContactSystem<double> rounded(const ContactSystem<Real50>& s, const std::string& because) {
@@ -42,6 +53,7 @@ ContactSystem<double> rounded(const ContactSystem<Real50>& s, const std::string&
             in_type<double>(s.modal_load),
             in_type<double>(s.stuck_load),
             std::vector<double>(s.detuned.size(), unit_of<double>()),
+            rounding_of_damping(s),
             in_type<double>(s.coordinates),
             in_type<double>(s.further),
             s.damping_fixes_modes,
