@@ -6,11 +6,6 @@
 namespace denhartog {
 namespace {
 
-ModesInDouble rounded_modes(const SceneSource& source, const std::string& because) {
-    const auto wide = std::make_shared<const SceneIn<Real50>>(scene_with_modes<Real50>(source));
-    return {std::make_shared<const ModalBasis<Bounded<double>>>(in_double(*wide->basis)), wide, because};
-}
-
 std::shared_ptr<const ContactSystem<double>> rounded_system(const SceneIn<Real50>& wide, const std::string& because) {
     return std::make_shared<const ContactSystem<double>>(rounded(contact_system(wide.scene.system, *wide.basis), because));
 }
@@ -21,7 +16,8 @@ ModesInDouble modes_in_double(const SceneSource& source) {
     try {
         return {modes_with_errors(source->in_double().system)};
     } catch (const PrecisionError& e) {
-        return rounded_modes(source, e.what());
+        const auto wide = std::make_shared<const SceneIn<Real50>>(scene_with_modes<Real50>(source));
+        return {std::make_shared<const ModalBasis<Bounded<double>>>(in_double(*wide->basis)), wide, e.what()};
     }
 }
 

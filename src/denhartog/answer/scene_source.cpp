@@ -17,8 +17,8 @@ struct ReadBy final : SceneReader {
         if (narrow.error) throw InputError(*narrow.error);
         return *narrow.scene;
     }
-    [[nodiscard]] Scene<Real50> in_50_digits() const override { return read(Real50(), narrow); }
-    [[nodiscard]] Scene<Real100> in_100_digits() const override { return read(Real100(), narrow); }
+    [[nodiscard]] Scene<Real50> in_50_digits() const override { return read(Real50()); }
+    [[nodiscard]] Scene<Real100> in_100_digits() const override { return read(Real100()); }
 };
 
 // A scene of numbers in double, which this or somebody else keeps.
@@ -46,7 +46,7 @@ template <class Change>
 SceneSource changed(const SceneSource& source, const Change& change) {
     SceneOrError<double> narrow;
     change(narrow.scene.emplace(source->in_double()));
-    return source_by(std::move(narrow), [source, change]<class T>(T, const auto&) {
+    return source_by(std::move(narrow), [source, change]<class T>(T) {
         Scene<T> scene = scene_in<T>(source);
         change(scene);
         return scene;
@@ -58,12 +58,11 @@ SceneSource changed(const SceneSource& source, const Change& change) {
 SceneSource scene_source(const SceneText& part) {
     SceneOrError<double> narrow = read_scene<double>(part);
     if (narrow.scene) narrow.scene = in_own_coordinates(*narrow.scene);
-    return source_by(std::move(narrow),
-                     [text = std::string(part.text), line = part.line, alone = part.alone]<class T>(T, const auto&) {
-                         const SceneOrError<T> read = read_scene<T>(SceneText{text, line, alone});
-                         if (read.error) throw InputError(*read.error);
-                         return in_own_coordinates(*read.scene);
-                     });
+    return source_by(std::move(narrow), [text = std::string(part.text), line = part.line, alone = part.alone]<class T>(T) {
+        const SceneOrError<T> read = read_scene<T>(SceneText{text, line, alone});
+        if (read.error) throw InputError(*read.error);
+        return in_own_coordinates(*read.scene);
+    });
 }
 
 SceneSource scene_source(const Scene<double>& scene) { return std::make_shared<const OfDoubles>(scene, true); }

@@ -104,11 +104,6 @@ public:
         if (largest_at_start(sums_)) return std::vector<T>(sums_.R.size() + 1, T(0));
         return instants_of_demands(motions());
     }
-    InstantsOfMaxima<T> maxima(const T& beta, std::optional<Mass> only, const std::vector<T>& errors) {
-        return instants_of_maxima(motions(), beta, only, errors);
-    }
-
-private:
     FrictionMotions<T>& motions() {
         if (!motions_) {
             values_ = values_of(sums_);
@@ -117,6 +112,7 @@ private:
         return *motions_;
     }
 
+private:
     const ModeSums<Bounded<T>>& sums_;
     ModeSums<T> values_;
     std::optional<FrictionMotions<T>> motions_;
@@ -154,7 +150,7 @@ SlidingPoint<T> point_at(const Scene<T>& scene, const ModeSums<Bounded<T>>& sums
     InstantsOfMaxima<Searched> maxima;
     const bool closed_form = wish.only ? *wish.only == sums.contact : known.masses.size() == 1; // which the contact has
     if (!closed_form) {
-        maxima = searches.maxima(beta.x, wish.only, errors_of_displacements(known));
+        maxima = instants_of_maxima(searches.motions(), beta.x, wish.only, errors_of_displacements(known));
         known = with_maxima(searched, std::move(known), as_bounded(maxima.instants), wish.only);
     }
     if constexpr (std::same_as<T, Searched>) {

@@ -12,11 +12,7 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-// A number and a smaller one, which has no part in an infinite sum.
-Parts sum_of(double high, double low) {
-    const double sum = high + low;
-    return {sum, is_finite(sum) ? low - (sum - high) : 0};
-}
+double rounded(const Parts& parts) { return parts.high + parts.low; }
 
 // e^x 2^by where it may leave the normal range: powers of two in two steps, so that the last operation alone rounds there.
 [[gnu::noinline]] Parts exponential_far_out(double x, double low, int by) {
@@ -27,13 +23,14 @@ Parts sum_of(double high, double low) {
     const std::int64_t m = e.m + by, half = m / 2;
     const double first = power_of_two(half), second = power_of_two(m - half);
     const Parts value = ordered_sum(e.t * first, e.t * (e.r + e.s) * first);
-    return m > -900 ? sum_of(value.high * second, value.low * second) : Parts{value.high * second, 0};
+    return {value.high * second, m > -900 ? value.low * second : 0};
 }
 
 // Half of e^x + sign e^-x, x from 0 on and below 600: with the powers of two for p and q, whose sum or difference is taken first,
 // (p + sign q) cosh(r) + (p - sign q) sinh(r).
 [[gnu::always_inline]] inline double hyperbolic(double x, double sign) {
-    const auto [n, r] = reduce_exponent(x);
+    const auto [n, first, behind] = reduce_exponent(x);
+    const double r = first - behind;
     const Power p = power_at(n - 256), q = power_at(-n - 256);
     const Parts head = ordered_sum(p.value, sign * q.value);
     const double rest = head.low + (p.value * p.relative + sign * q.value * q.relative);
@@ -65,7 +62,7 @@ bool is_normal(std::uint64_t bits) { return bits - least_normal < of_infinity - 
 // log(x) where x is no positive normal number.
 [[gnu::noinline]] Parts logarithm_far_out(double x) {
     if (x == 0) return {-infinite, 0};
-    if (!(x > 0)) return {std::numeric_limits<double>::quiet_NaN(), 0};
+    if (!(x > 0)) return {no_number, 0};
     if (x == infinite) return {x, 0};
     return logarithm(std::bit_cast<std::uint64_t>(x * 0x1p54), -54);
 }
@@ -76,17 +73,17 @@ Parts scaled_exponential(double high, double low, int by) {
     if (!(std::fabs(high) < 600)) return exponential_far_out(high, low, by);
     const TakenApart e = exponential(high, low);
     const double scaled = e.t * power_of_two(e.m + by);
-    return sum_of(scaled, scaled * (e.r + e.s));
+    return {scaled, scaled * (e.r + e.s)};
 }
 
 double exp(double x) noexcept {
     if (!(std::fabs(x) < 600)) [[unlikely]]
-        return exponential_far_out(x, 0, 0).high;
-    const auto [n, r] = reduce_exponent(x);
+        return rounded(exponential_far_out(x, 0, 0));
+    const auto [n, first, behind] = reduce_exponent(x);
     const Power power = power_at(n);
-    const double z = r * r;
-    const double first = power.value * (power.relative + r), second = power.value * z;
-    return power.value + (first + second * ((0.5 + r * cubic) + z * (1.0 / 24)));
+    const double r = first - behind, z = r * r;
+    const double linear = power.value * (power.relative + r), square = power.value * z;
+    return power.value + (linear + square * ((0.5 + r * cubic) + z * (1.0 / 24)));
 }
 
 double expm1(double x) noexcept {
@@ -107,12 +104,12 @@ double sinh(double x) noexcept {
         const double series = (1.0 / 6 + z * (1.0 / 120)) + z * z * (1.0 / 5040 + z * (1.0 / 362880));
         return x + x * z * series;
     }
-    return std::copysign(size < 600 ? hyperbolic(size, -1) : scaled_exponential(size, 0, -1).high, x);
+    return std::copysign(size < 600 ? hyperbolic(size, -1) : rounded(scaled_exponential(size, 0, -1)), x);
 }
 
 double cosh(double x) noexcept {
     const double size = std::fabs(x);
-    return size < 600 ? hyperbolic(size, 1) : scaled_exponential(size, 0, -1).high;
+    return size < 600 ? hyperbolic(size, 1) : rounded(scaled_exponential(size, 0, -1));
 }
 
 double log(double x) noexcept {

@@ -26,6 +26,19 @@ inline constexpr double one_is_nothing = 40;
     return std::bit_cast<double>(static_cast<std::uint64_t>(n + 1023) << 52U);
 }
 
+/// @brief A number as a multiple of ln 2 / 256 and the rest, up to half of that.
+struct ReducedExponent {
+    std::uint64_t n; ///< the multiple, in its last 51 bits
+    double first;    ///< the number less the multiple of the first part, exact
+    double behind;   ///< the multiple of the second part, to be taken from it
+};
+
+/// @brief Reduces an exponent. @param x a number of size up to 800 @return it reduced
+[[nodiscard, gnu::always_inline]] inline ReducedExponent reduce_exponent(double x) {
+    const double shift = 0x1.8p52, shifted = x * parts_in_one + shift, k = shifted - shift;
+    return {std::bit_cast<std::uint64_t>(shifted), x - k * part_high, k * part_low};
+}
+
 /// @brief \f$ e^x = 2^m t (1 + r + s) \f$.
 struct TakenApart {
     std::int64_t m; ///< exponent of two
@@ -39,25 +52,13 @@ struct TakenApart {
 /// @param low  a small one, to be added to it
 /// @return     the parts
 [[nodiscard, gnu::always_inline]] inline TakenApart exponential(double x, double low) {
-    const double shift = 0x1.8p52, shifted = x * parts_in_one + shift, k = shifted - shift;
-    const auto whole = static_cast<std::int64_t>(std::bit_cast<std::uint64_t>(shifted) << 13U) >> 13U;
+    const ReducedExponent reduced = reduce_exponent(x);
+    const auto whole = static_cast<std::int64_t>(reduced.n << 13U) >> 13U;
     const Power& power = powers[whole & 255];
-    const double first = x - k * part_high, behind = k * part_low - low;
+    const double first = reduced.first, behind = reduced.behind - low;
     const double r = first - behind, r_low = (first - r) - behind, z = r * r;
     const double series = (0.5 + r * (1.0 / 6)) + z * (1.0 / 24 + r * (1.0 / 120));
     return {whole >> 8U, power.value, r, z * series + (r_low + (power.relative + power.relative * r))};
-}
-
-/// @brief A number as a multiple of ln 2 / 256 and the rest, as far as it takes to round a result to a double.
-struct ReducedExponent {
-    std::uint64_t n; ///< the multiple, in its last 51 bits
-    double r;        ///< the rest, up to ln 2 / 512
-};
-
-/// @brief Reduces an exponent. @param x a number of size up to 800 @return it reduced
-[[nodiscard, gnu::always_inline]] inline ReducedExponent reduce_exponent(double x) {
-    const double shift = 0x1.8p52, shifted = x * parts_in_one + shift, k = shifted - shift;
-    return {std::bit_cast<std::uint64_t>(shifted), (x - k * part_high) - k * part_low};
 }
 
 /// @brief \f$ 2^{n/256} \f$ with its first 53 bits. @param n the multiple of a reduced exponent @return the power, in the normal
@@ -75,7 +76,7 @@ struct ReducedExponent {
 }
 
 /// @brief \f$ 2^me^x \f$, also beyond the normal range. @param x a number @param low a small one, to be added to it @param m a power
-/// @return both parts
+/// @return both parts, not yet added
 [[nodiscard]] Parts scaled_exponential(double x, double low, int m);
 
 /// @brief An angle as a multiple of pi / 64 and the rest.

@@ -54,8 +54,7 @@ ContactSystem<T> contact_system(const System<T>& s, const ModalBasis<Bounded<T>>
     for (const Bounded<T>& r_n : modes.r_n) out.detuned.push_back(r_n.e / r_n.x);
     if (s.damping_matrix.size() > 0) {
         const Matrix<T> sizes = out.basis.phi.cwiseAbs(), of_C = s.damping_matrix.cwiseAbs();
-        const auto N = static_cast<int>(sizes.cols());
-        out.damping_error = product(transpose_times(sizes, of_C), sizes) * T((N + 2) * unit_of<T>());
+        out.damping_error = in_coordinates(sizes, of_C) * T((static_cast<int>(sizes.cols()) + 2) * unit_of<T>());
     }
     out.damping_fixes_modes = damping_matrix_counts(s, out.basis);
     // phi^T M phi = 1, so that phi^T M is the inverse of phi; the mass matrix keeps it free of an inversion.
