@@ -160,33 +160,37 @@ TEST_CASE("where static friction is hardly larger, stops too short for double ar
 }
 
 TEST_CASE("of undamped masses too, every question and the map give the stops that double does not see", "[map][solve][eq:69]") {
-    // A last digit above the boundary.
-    Scene<double> two = chain({1, 1.3}, {1, 2}, {0, 0}, 1, 1, 1.0000004, 1.7);
-    two.beta = 0.767003822550217;
+    // The numbers next above the boundary. How double ends at a grazing motion is decided by last digits.
+    Scene<double> two = chain({1, 1.3}, {1, 2}, {0, 0}, 1, 1, 1.0000004, 1.65);
+    two.beta = 0.7093822382863029;
     Scene<double> three = chain({1, 1.2, 0.9}, {1, 1, 0.125}, {0, 0, 0}, 3, 1, 1.0000004, 0.81);
     three.beta = 0.13807294341070753;
-    for (const Scene<double>& scene : {two, three}) {
-        for (const Asked asked : {Asked::motion, Asked::amplitude, Asked::regime}) {
-            Question question;
-            question.asked = asked;
-            const Solution found = solve(scene_source(scene), question);
-            CHECK(found.regime.regime == Regime::stick_slip);
-            CHECK(found.regime.reason.find("double precision finds no stop, 50 digits find 2") != std::string::npos);
+    for (Scene<double> scene : {two, three}) {
+        int unseen = 0;
+        for (int n = 0; n < 6; ++n, scene.beta = std::nextafter(*scene.beta, 1.0)) {
+            for (const Asked asked : {Asked::motion, Asked::amplitude, Asked::regime}) {
+                Question question;
+                question.asked = asked;
+                const Solution found = solve(scene_source(scene), question);
+                CHECK(found.regime.regime == Regime::stick_slip);
+                unseen += found.regime.reason.find("double precision finds no stop, 50 digits find 2") != std::string::npos;
+            }
+            const RegimeMap map = regime_map(scene, {{*scene.r}, {*scene.beta}, {Mass{0}}, MapStart::rest, 1}, never);
+            CHECK(map.points.front().regime == Regime::stick_slip);
+            CHECK(map.points.front().stops == 2);
         }
-        const RegimeMap map = regime_map(scene, {{*scene.r}, {*scene.beta}, {Mass{0}}, MapStart::rest, 1}, never);
-        CHECK(map.points.front().regime == Regime::stick_slip);
-        CHECK(map.points.front().stops == 2);
+        CHECK(unseen >= 6);
     }
 }
 
 TEST_CASE("a question whose work is spent before 50 digits tell whether the contact stops is not answered by double",
           "[solve][effort][eq:69]") {
     // A last digit above the boundary: 50 digits find two stops, double none.
-    Scene<double> two = chain({1, 1.3}, {1, 2}, {0, 0}, 1, 1, 1.0000004, 1.7);
-    two.beta = 0.767003822550217;
+    Scene<double> two = chain({1, 1.3}, {1, 2}, {0, 0}, 1, 1, 1.0000004, 1.65);
+    two.beta = 0.7093822382863032;
     for (const Asked asked : {Asked::motion, Asked::amplitude, Asked::regime}) {
         int spent = 0;
-        for (const long allowed : {2'400L, 3'000L, 6'000L, 12'000L, 100'000L}) {
+        for (const long allowed : {2'400L, 3'000L, 6'000L, 9'000L, 100'000L}) {
             INFO("allowed: " << allowed);
             Question question;
             question.asked = asked;

@@ -36,7 +36,7 @@ public:
             const ModeSums<double> sums = values_of(bounded_sums(scene.system, modes));
             for (std::size_t k = 0; k < N; ++k) size[k] = std::max(modulus(sums.V[k]), 1e-3);
             const Boundary<double> limits = boundary(sums, scene.mu);
-            if (*scene.beta < limits.exact) sliding = at_maximum_of_force(sums, steady_state(sums, limits, *scene.beta));
+            if (*scene.beta < limits.exact) sliding = sliding_at_maximum_of_force(sums, *scene.beta);
         } catch (const DomainError&) {
         } catch (const PrecisionError&) {
         }

@@ -56,8 +56,8 @@ public:
         if (!answers_together(map)) return 0;
         const std::size_t first = n;
         while (n < points.size() && slides(map.beta[n]) && is_told(n)) ++n;
-        contact_amplitudes(values(column.V_dj), column.U_dj.x, column.G_j.x, std::span(map.beta).subspan(first, n - first),
-                           amplitudes.subspan(first, n - first));
+        contact_amplitudes({column.V_dj.re.x, column.V_dj.im.x}, column.U_dj.x, column.G_j.x,
+                           std::span(map.beta).subspan(first, n - first), amplitudes.subspan(first, n - first));
         for (std::size_t m = first; m < n; ++m) {
             if (is_accurate(contact_amplitude(m)))
                 points[m] = {PointStatus::answered, Regime::continuous, 0, 1};
@@ -74,7 +74,6 @@ public:
     }
 
 private:
-    static Complex<double> values(const Complex<Bounded<double>>& z) { return {z.re.x, z.im.x}; }
     static bool is_accurate(const Bounded<double>& amplitude) { return amplitude.e <= least_accuracy * amplitude.x; }
 
     const ModeSums<Bounded<double>>& sums() {
@@ -85,11 +84,12 @@ private:
         return *sums_;
     }
 
+    const ModeSums<double>& values() { return values_ ? *values_ : values_.emplace(values_of(sums())); }
+
     // For all friction ratios: the searches for the largest displacements share many of their instants.
     FrictionMotions<double>& remembered_motions() {
         constexpr std::size_t most_remembered = std::size_t(1) << 16;
-        if (!values_) values_ = values_of(sums());
-        if (!motions || motions->remembered() > most_remembered) motions.emplace(*values_);
+        if (!motions || motions->remembered() > most_remembered) motions.emplace(values());
         return *motions;
     }
 
@@ -117,7 +117,7 @@ private:
     bool answer_in_double(std::size_t n) {
         const double beta = map.beta[n];
         const bool may_differ = map.mu > 1 && beta > 0;
-        if (may_differ && map.start == MapStart::rest) return follow(n, at_rest<double>(map.system().basis.r_n.size()));
+        if (may_differ && map.start == MapStart::rest) return follow_rest(n);
         if (slides(beta)) return is_told(n) && slide(n);
         if (rests(beta) && (!may_differ || !last)) return is_told(n) && stick(n);
         return is_told(n) && sweep(n);
@@ -168,29 +168,34 @@ private:
     // through the motions at the two ratios before, which is nearer.
     bool sweep(std::size_t n) {
         if (!last && sliding) {
-            const ModeSums<double> here = values_of(sums());
-            last = OrbitAt{at_maximum_of_force(here, steady_state_without_maxima(here, map.beta[*sliding])), map.beta[*sliding]};
+            last = {sliding_at_maximum_of_force(values(), map.beta[*sliding]), map.beta[*sliding]};
             before_last.reset();
         }
-        std::optional<State<double>> ahead;
-        if (last && before_last) ahead = on_line_through(*before_last, *last, map.beta[n]);
-        if (last && follow(n, last->start, ahead ? &*ahead : nullptr) && points[n].status == PointStatus::answered) return true;
-        return follow(n, at_rest<double>(map.system().basis.r_n.size()));
+        const std::optional<State<double>> near = on_line_through(before_last, last, map.beta[n]);
+        if (last && follow(n, last->start, near) && points[n].status == PointStatus::answered) return true;
+        return follow_rest(n);
     }
 
-    bool follow(std::size_t n, const State<double>& start, const State<double>* guess = nullptr) {
+    // The motion from rest, which mostly leads to the sliding motion, or to the neighbour of the orbits before.
+    bool follow_rest(std::size_t n) {
+        std::optional<State<double>> near;
+        if (map.mu > 1)
+            near = slides(map.beta[n]) ? sliding_at_maximum_of_force(values(), map.beta[n])
+                                       : on_line_through(before_last, last, map.beta[n]);
+        return follow(n, at_rest<double>(map.system().basis.r_n.size()), near);
+    }
+
+    bool follow(std::size_t n, const State<double>& start, const std::optional<State<double>>& guess) {
         const bool as_solve_does = !is_near && (map.mu == 1 || map.start == MapStart::rest);
         if (as_solve_does && !map.system().rounded_because.empty()) return false;
         const Excitation<double> excitation{r, map.beta[n], map.mu};
-        if (solver)
-            solver->set(excitation);
-        else
-            solver.emplace(map.system(), excitation);
+        if (!solver) solver.emplace(map.system(), excitation);
+        solver->set(excitation);
         OrbitSearch<double> search;
         search.follow_start = map.mu > 1 && map.start == MapStart::rest;
         search.contact_only = contact_alone;
         search.with_stability = false;
-        search.guess = guess;
+        search.guess = guess ? &*guess : nullptr;
         const PeriodicOrbit<double> orbit = periodic_orbit(*solver, start, search);
         if (orbit.status == OrbitStatus::permanently_stuck && map.mu > 1) return is_told(n) && stick(n);
         points[n].status = PointStatus::not_converged;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "denhartog/number/multiprecision.hpp"
+#include "denhartog/orbit/approach.hpp"
 #include "denhartog/orbit/orbit_record.hpp"
 #include "denhartog/orbit/orbit_search.hpp"
 #include "denhartog/orbit/shooting.hpp"
@@ -14,9 +15,8 @@
 namespace denhartog {
 namespace {
 
-constexpr int least_approach = 16;        // maps in which an approach to an orbit is seen, and how much nearer the motion comes
-constexpr int most_approach = 512;        // maps after which slow approach is enough
-constexpr int half_periods_to_rest = 400; // after which a rest whose place is known to 1e-3 is an answer
+constexpr int half_periods_to_approach = 16; // in which a motion that is followed mostly comes near an orbit, or to rest
+constexpr int half_periods_to_rest = 400;    // after which a rest whose place is known to 1e-3 is an answer
 constexpr int half_periods_to_arrive = 4000; // at rest, or at an orbit that attracts nothing
 
 /// The search from one start.
@@ -39,16 +39,6 @@ public:
     }
 
 private:
-    /// A fixed point of h half-periods, with what is known of its neighbourhood.
-    struct Candidate {
-        State<T> z;
-        int h = 0;
-        Matrix<T> jacobian;
-        T rounding = T(0); // norm of the map's rounding
-        bool stable = false;
-        double largest_multiplier = 0; // over h half-periods
-    };
-
     void follow(State<T> z) {
         const int most = 2 * most_periods_;
         recent_.assign(1, z);
@@ -58,15 +48,16 @@ private:
             for (; done < next && !is_restless(); ++done) {
                 if (!map_.apply(z, 1, false)) return give_up(done, true);
                 const State<T> before = std::exchange(z, map_.image());
-                settling_.take(map_.norm(map_.difference()));
+                if (no_expansion_) settling_.take(map_.norm(map_.difference()));
                 held_ = map_.held();
                 if (held_ && rests_for_ever(before, done)) return;
                 if (recent_.size() > 2 * static_cast<std::size_t>(search_.most_subharmonic)) recent_.erase(recent_.begin());
                 recent_.push_back(z);
+                if (is_approached(z)) return;
             }
-            if (no_expansion_ ? settle(z, done) : find_orbit(z, done)) return;
+            if (no_expansion_ ? settle(z, done) : search_.follow_start ? find_attractor(z, done) : find_orbit(z)) return;
             if (done >= (neutral_ ? std::min(most, half_periods_to_arrive) : most) || is_restless()) return give_up(done, false);
-            next = std::min(most, done + 2 * std::max(1, done / (no_expansion_ ? 2 : 8)));
+            next = std::min(most, done + 2 * std::max(1, done / (no_expansion_ ? 2 : 4)));
         }
     }
 
@@ -95,24 +86,46 @@ private:
         return false;
     }
 
-    // An orbit that attracts is not looked for anew before the motion had twice the time to come to it.
-    bool find_orbit(const State<T>& z, int done) {
-        const auto accepted = [&] {
-            if (search_.follow_start && !(candidate_.stable && approached(z) && map_.apply(candidate_.z, candidate_.h, true)))
-                return false;
-            if (answer(orbit_of(map_, candidate_.z, search_))) return true;
-            if (!search_.follow_start) judge_candidate();
-            return false;
-        };
-        if (search_.follow_start && candidate_.h > 0 && accepted()) return true;
-        if (search_.follow_start && candidate_.h > 0 && candidate_.stable && done < 2 * looked_for_at_) return false;
-        looked_for_at_ = done;
+    // Whether the motion from the start, seen where a candidate was found or after one more half-period, comes to the candidate, which then is the answer.
+    bool is_approached(const State<T>& z) {
+        if (no_expansion_ || !search_.follow_start || !candidate_.stable) return false;
+        approach_.take(map_, candidate_, z, held_);
+        if (!approach_.is_seen()) return false;
+        if (map_.apply(candidate_.z, candidate_.h, true) && answer(orbit_of(map_, candidate_.z, search_))) return true;
+        approach_.start_over();
+        return false;
+    }
+
+    // Any orbit near the motion.
+    bool find_orbit(const State<T>& z) {
         for (const int h : lengths()) {
-            State<T> w = z;
-            if (shooting_.fixed_point(w, h, AfterBadStep::shorten) && take(w, h) && accepted()) return true;
+            if (!find_candidate(z, h)) continue;
+            if (answer(orbit_of(map_, candidate_.z, search_))) return true;
+            judge_candidate();
         }
         return false;
     }
+
+    // An orbit that attracts, which the motion from the start may come to. While one is known, another is looked for only where
+    // the motion had time to come to that one and does not.
+    bool find_attractor(const State<T>& z, int done) {
+        if (search_.guess != nullptr) {
+            State<T> w = *std::exchange(search_.guess, nullptr);
+            if (shooting_.fixed_point(w, 1, AfterBadStep::end)) (void)take(w, 1);
+        }
+        const int next = candidate_.stable ? 2 * std::max(half_periods_to_approach, looked_for_at_) : half_periods_to_approach;
+        if (done < next || approach_.is_under_way()) return false;
+        looked_for_at_ = done;
+        const std::vector<int> nearly = lengths();
+        for (auto h = nearly.rbegin(); h != nearly.rend(); ++h) {
+            if (!find_candidate(z, *h)) continue;
+            if (is_approached(z)) return true; // the motion may be there already
+            if (candidate_.stable) return false;
+        }
+        return false;
+    }
+
+    bool find_candidate(State<T> z, int h) { return shooting_.fixed_point(z, h, AfterBadStep::shorten) && take(z, h); }
 
     // Numbers of half-periods after which the motion nearly repeats itself, each better than those before.
     std::vector<int> lengths() {
@@ -153,7 +166,9 @@ private:
         if (!applied && !map_.apply(z, h, true)) return false;
         const std::optional<ErrorsOfOrbit<T>> errors = errors_of(map_);
         if (!errors || !(100 * errors->settled < map_.norm(z))) return false;
-        candidate_ = {z, h, map_.jacobian(), map_.rounding_in_energy().norm(), false, 0};
+        const T error = errors->settled / displacement_of_energy(map_);
+        candidate_ = {.z = z, .h = h, .jacobian = map_.jacobian(), .rounding = map_.rounding_in_energy().norm(), .error = error};
+        approach_.start_over();
         if (search_.follow_start) judge_candidate();
         return true;
     }
@@ -163,25 +178,9 @@ private:
         const std::vector<std::complex<double>> multipliers = eigenvalues(in_double(candidate_.jacobian));
         candidate_.largest_multiplier = multipliers.empty() ? 1 : size_of(multipliers.front());
         candidate_.stable = attracts(map_);
-    }
-
-    // Whether the motion comes nearer to the candidate for long, as its linearisation tells. A motion of another orbit that
-    // passes by does so for some periods too.
-    bool approached(State<T> z) {
-        Column<T> d = difference(z, candidate_.z);
-        const T first = map_.norm(d), rounding = 64 * candidate_.rounding;
-        const T gain = std::max(T(0), T(1 - T(candidate_.largest_multiplier))) / 4;
-        T distance = first;
-        for (int n = 0; n < most_approach; ++n) {
-            if (distance <= rounding || (n >= least_approach && least_approach * distance <= first)) return true;
-            if (!map_.apply(z, candidate_.h, false) || map_.held()) return false;
-            z = map_.image();
-            const Column<T> next = difference(z, candidate_.z);
-            if (!(map_.norm(Column<T>(next - candidate_.jacobian * d)) <= gain * distance + rounding)) return false;
-            d = next;
-            distance = map_.norm(d);
-        }
-        return distance < first;
+        const std::vector<Phase<T>>& phases = map_.motion().phases;
+        if (damped_ && candidate_.h == 1 && phases.size() == 2 && phases[0].direction * phases[1].direction < 0)
+            candidate_.reach = map_.solver().sliding_reach(1);
     }
 
     // The contact rested over the half-period from z, the one after `done` of them, and will for ever.
@@ -277,7 +276,8 @@ private:
     Settling<T> settling_;
     State<T> best_; // nearest to a fixed point so far, where there is one only
     T best_step_ = T(-1);
-    Candidate candidate_;
+    OrbitCandidate<T> candidate_;
+    Approach<T> approach_;  // of the motion from the start to the candidate
     int looked_for_at_ = 0; // half-periods before Newton's method looked for an orbit last
 };
 

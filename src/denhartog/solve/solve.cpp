@@ -12,7 +12,9 @@
 #include "denhartog/scene/converted.hpp"
 #include "denhartog/scene/point_rules.hpp"
 #include "denhartog/solve/solve_task.hpp"
+#include "denhartog/stick_slip/at_maximum_of_force.hpp"
 #include "denhartog/stick_slip/event_errors.hpp"
+#include "denhartog/sums/chain_sums.hpp"
 
 namespace denhartog {
 namespace {
@@ -98,17 +100,20 @@ std::string cost_of_fast_mode(const ExactSolver<T>& solver, const PeriodicOrbit<
 }
 
 // The motion from rest by the exact solver; the closed form or the stuck response give the numbers where it leads there. With
-// mu = 1 and damping it leads where the motion in double was going.
+// mu = 1 and damping it leads where the motion in double was going; with mu above 1 mostly to the sliding motion if there is one.
 template <class T>
-NoAnswer answer_from_rest(const SolveTask& task, const ContactSystem<T>& system, const State<double>& in_double, Solution& s) {
+NoAnswer answer_from_rest(SolveTask& task, const ContactSystem<T>& system, const State<double>& in_double, Solution& s) {
     const bool regime_alone = task.question.asked == Asked::regime;
     const Scene<T>& scene = scene_in<T>(task.source);
     ExactSolver<T> solver(system, {*scene.r, *scene.beta, scene.mu});
     OrbitSearch<T> how;
     how.contact_only = regime_alone || task.question.mass == system.contact;
     how.with_stability = task.question.asked == Asked::motion;
-    const State<T> last{in_type<T>(in_double.x), in_type<T>(in_double.x_prime)};
-    if (!last.x.empty()) how.guess = &last;
+    State<T> near{in_type<T>(in_double.x), in_type<T>(in_double.x_prime)};
+    if constexpr (std::same_as<T, double>)
+        if (!task.pole && s.regime.regime == Regime::continuous)
+            near = sliding_at_maximum_of_force(values_of(bounded_sums(scene.system, *task.modes)), *scene.beta);
+    if (!near.x.empty()) how.guess = &near;
     const PeriodicOrbit<T> orbit = periodic_orbit(solver, at_rest<T>(system.basis.r_n.size()), how);
     if (orbit.status == OrbitStatus::not_converged)
         return {orbit.reason + cost_of_fast_mode(solver, orbit),
@@ -176,8 +181,9 @@ void answer_from_rest(SolveTask& task, Solution& s) {
                          ". This much is certain: " + s.regime.reason);
 }
 
-void answer(SolveTask& task, Solution& s) {
-    const bool few = task.question.asked == Asked::amplitude || task.question.asked == Asked::phase;
+// `of_contact`: all modes of the contact alone did not tell that it slides, and fewer will not.
+void answer(SolveTask& task, bool of_contact, Solution& s) {
+    const bool few = (task.question.asked == Asked::amplitude || task.question.asked == Asked::phase) && !of_contact;
     if (few && task.scene.mu == 1 && !task.known.basis->coupled() && answer_by_truncated_modes(task, s)) return;
     try {
         Solution sliding =
@@ -225,7 +231,7 @@ Solution solve_at(const PreparedSystem& p, const SolvePoint& at, const Question&
         s.r = exactly(at.r, 1);
         s.beta = exactly(at.beta, 1);
         s.contact = p.scene().system.contact;
-        answer(task, s);
+        answer(task, p.contact && asks_for_contact(question, s.contact), s);
         s.asked = question.asked;
         s.digits_reached = s.relative_error <= task.aim.tolerance;
         if (question.digits && !s.digits_reached)

@@ -24,6 +24,15 @@ template <class T>
     return {std::move(at.x), std::move(at.x_prime)};
 }
 
+/// @brief The state of the sliding motion at a friction ratio. @eq{46}
+/// @param sums  modes at the frequency ratio
+/// @param beta  friction ratio
+/// @return      displacements and velocities where the force is largest
+template <class T>
+[[nodiscard]] State<T> sliding_at_maximum_of_force(const ModeSums<T>& sums, const T& beta) {
+    return at_maximum_of_force(sums, steady_state_without_maxima(sums, beta));
+}
+
 /// @brief The state while the contact rests at zero.
 /// @param stuck  the motion
 /// @return       displacements and velocities where the force is largest

@@ -11,7 +11,7 @@
 #include "denhartog/sliding/instants_of_maxima.hpp"
 #include "denhartog/stick_slip/deviations.hpp"
 #include "denhartog/stick_slip/largest_displacement.hpp"
-#include "denhartog/sums/bounded_modes.hpp"
+#include "denhartog/stick_slip/sliding_reach.hpp"
 
 namespace denhartog {
 namespace {
@@ -30,44 +30,6 @@ Matrix<T> with_rows(const Matrix<T>& shapes, const Matrix<T>& further) {
 }
 
 } // namespace
-
-template <class T>
-ContactSystem<T> contact_system(const System<T>& s) {
-    return contact_system(s, with_errors(s, modal_basis(s)));
-}
-
-template <class T>
-ContactSystem<T> contact_system(const System<T>& s, const ModalBasis<Bounded<T>>& modes) {
-    ContactSystem<T> out;
-    out.contact = s.contact;
-    out.load = s.load;
-    out.coordinates = s.coordinates;
-    out.basis = values_of(modes);
-    Matrix<T>& phi = out.basis.phi;
-    for (const T& each : phi.row(static_cast<Eigen::Index>(s.load.index))) out.modal_load.push_back(each);
-    if (const auto modes = phi.cols(); phi.rows() > modes) {
-        out.further = phi.middleRows(modes, s.coordinates.displacements.rows());
-        phi.conservativeResize(modes, Eigen::NoChange);
-    }
-    out.stuck = stuck_configuration(s, out.basis);
-    out.stuck_load = load_on_stuck_modes(out.stuck, s.load);
-    for (const Bounded<T>& r_n : modes.r_n) out.detuned.push_back(r_n.e / r_n.x);
-    if (s.damping_matrix.size() > 0) {
-        const Matrix<T> sizes = out.basis.phi.cwiseAbs(), of_C = s.damping_matrix.cwiseAbs();
-        out.damping_error = in_coordinates(sizes, of_C) * T((static_cast<int>(sizes.cols()) + 2) * unit_of<T>());
-    }
-    out.damping_fixes_modes = damping_matrix_counts(s, out.basis);
-    // phi^T M phi = 1, so that phi^T M is the inverse of phi; the mass matrix keeps it free of an inversion.
-    const std::size_t N = out.basis.r_n.size();
-    if (s.mass_matrix.size() > 0) {
-        out.momentum = transpose_times(out.basis.phi, s.mass_matrix);
-    } else {
-        out.momentum.resize(N, N);
-        for (std::size_t i = 0; i < N; ++i)
-            for (std::size_t k = 0; k < N; ++k) out.momentum(i, k) = out.basis.phi(k, i) * s.mass_ratios[k];
-    }
-    return out;
-}
 
 /// @brief What the solver computes with.
 template <class T>
@@ -221,6 +183,12 @@ EndOfPhase<T> ExactSolver<T>::end_of(std::size_t phase) {
 }
 
 template <class T>
+T ExactSolver<T>::sliding_reach(std::size_t phase) {
+    work_->stand_at(phase);
+    return denhartog::sliding_reach(*work_, work_->motion.phases[phase].direction);
+}
+
+template <class T>
 std::vector<Extremum<T>> ExactSolver<T>::largest_displacements(const T& error) {
     using std::abs;
     Work& work = *work_;
@@ -288,11 +256,6 @@ std::vector<Extremum<T>> ExactSolver<T>::largest_displacements(const T& error) {
 
 long phases_propagated() { return phases_so_far.load(); }
 
-template ContactSystem<double> contact_system(const System<double>&);
-template ContactSystem<Real50> contact_system(const System<Real50>&);
-template ContactSystem<Real100> contact_system(const System<Real100>&);
-template ContactSystem<double> contact_system(const System<double>&, const ModalBasis<Bounded<double>>&);
-template ContactSystem<Real50> contact_system(const System<Real50>&, const ModalBasis<Bounded<Real50>>&);
 template class ExactSolver<double>;
 template class ExactSolver<Real50>;
 template class ExactSolver<Real100>;

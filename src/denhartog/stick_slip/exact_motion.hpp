@@ -124,6 +124,12 @@ public:
     /// @brief How a phase of the last motion ends. @param phase index of the phase @return the rate of what vanishes there
     [[nodiscard]] EndOfPhase<T> end_of(std::size_t phase);
 
+    /// @brief How near a motion has to be to that of a phase to slide for ever: the phase starts at the turning point of a steady
+    /// motion that slides without a stop, and every motion is damped.
+    /// @param phase  index of the phase
+    /// @return       the distance in the norm of the energy, to half of what bounds prove; 0 where that is too little to be of use
+    [[nodiscard]] T sliding_reach(std::size_t phase);
+
     /// @brief Largest size of every displacement over the last motion, guaranteed between samples.
     /// @param error  bound of the errors of the displacements: one that is smaller by less than twice this may be the largest
     /// @return       the extremum of every coordinate, then of the masses that are none; of the contact without what else may be
