@@ -250,9 +250,10 @@ struct ContactPhases {
     Event<T> end_of_sticking(const T& length) {
         const T holds = e.mu * e.beta;
         Event<T> event{length, 0, 0, T(0), false};
+        const Jet<T> at_start = load(T(0));
         for (const int side : {1, -1}) {
             auto at = [&](const T& t) {
-                Jet<T> jet = load(t);
+                Jet<T> jet = t == 0 ? at_start : load(t);
                 for (T& f : jet.f) f = -side * f;
                 jet.f[0] += holds;
                 return jet;
@@ -262,20 +263,18 @@ struct ContactPhases {
             for (int tangencies = 0; from < event.t;) {
                 const std::optional<Crossing<T>> zero = first_crossing(at, from, event.t, order, step, *effort);
                 if (!zero) break;
-                if (zero->open) {
-                    event = {zero->t, 0, 0, T(0), false, true};
-                    break;
-                }
-                const Jet<T> jet = at(zero->t);
-                touching += zero->touches;
-                const bool turns_back = zero->touches && jet.f[2] > 0 && zero->t > from;
-                const bool recedes = zero->touches && jet.f[1] > 0;
-                if ((turns_back || recedes) && ++tangencies < most_tangencies) {
-                    from = zero->t; // the load reaches what friction holds and draws back: the contact stays
-                    order = turns_back ? 2 : 1;
-                    continue;
+                if (!zero->open && zero->touches) {
+                    ++touching;
+                    const Jet<T> jet = at(zero->t);
+                    const bool turns_back = jet.f[2] > 0 && zero->t > from, recedes = jet.f[1] > 0;
+                    if ((turns_back || recedes) && ++tangencies < most_tangencies) {
+                        from = zero->t; // the load reaches what friction holds and draws back: the contact stays
+                        order = turns_back ? 2 : 1;
+                        continue;
+                    }
                 }
                 event = {zero->t, side, e.mu == 1 ? 2 : 1, T(side * holds), true};
+                if (zero->open) event = {zero->t, 0, 0, T(0), false, true};
                 break;
             }
         }

@@ -9,10 +9,10 @@
 
 #include <algorithm>
 #include <array>
+#include <boost/container/small_vector.hpp>
 #include <cmath>
 #include <limits>
 #include <type_traits>
-#include <vector>
 
 #include "denhartog/evaluation/driven_motion.hpp"
 #include "denhartog/model/coupled_motion.hpp"
@@ -30,26 +30,31 @@ template <class Values>
         values.data(), static_cast<Eigen::Index>(values.size()));
 }
 
+/// @brief Numbers of the coordinates, a few of them without memory of their own.
+template <class T>
+using OfCoordinates = boost::container::small_vector<T, 4>;
+
 /// @brief A linear stretch of motion; the time t counts from its start.
 template <class T>
 struct LinearMotion {
     static constexpr int orders = 6; ///< derivatives kept: 0 to 5
 
-    std::vector<T> omega_0;               ///< natural frequencies over the frequency of the force
-    std::vector<T> gap;                   ///< 1 - omega_0^2
-    std::vector<T> decay;                 ///< half the diagonal of D
+    OfCoordinates<T> omega_0;             ///< natural frequencies over the frequency of the force
+    OfCoordinates<T> gap;                 ///< 1 - omega_0^2
+    OfCoordinates<T> decay;               ///< half the diagonal of D
     Matrix<T> D;                          ///< damping matrix where it is not diagonal, else empty
-    std::vector<T> F;                     ///< amplitudes of the harmonic force
-    std::vector<T> G;                     ///< constant force
-    std::array<std::vector<T>, orders> q; ///< coordinates and derivatives at the instant last evaluated
+    OfCoordinates<T> F;                   ///< amplitudes of the harmonic force
+    OfCoordinates<T> G;                   ///< constant force
+    std::array<OfCoordinates<T>, orders> q; ///< coordinates and derivatives at the instant last evaluated
     Effort* const* effort = nullptr;      ///< where the budget stands that exponentials of a coupled system spend; null: none
 
     /// @brief Sets the number of coordinates. @param n their number
     void resize(std::size_t n) {
-        for (std::vector<T>* v : {&omega_0, &gap, &decay, &F, &G, &at_rest_}) v->resize(n);
-        for (std::vector<T>& v : q) v.resize(n);
+        for (OfCoordinates<T>* v : {&omega_0, &gap, &decay, &F, &G, &at_rest_}) v->resize(n);
+        for (OfCoordinates<T>& v : q) v.resize(n);
         coordinates_.resize(n);
         starts_.resize(n);
+        free_.resize(n);
     }
 
     /// @brief Number of coordinates. @return their number
@@ -66,6 +71,7 @@ struct LinearMotion {
     void prepare() {
         for (std::size_t i = 0; i < size(); ++i)
             coordinates_[i] = evaluation::driven_coordinate(omega_0[i], gap[i], decay[i], F[i]);
+        free_at_ = T(-1);
         if (coupled()) prepare_coupled();
     }
 
@@ -97,8 +103,11 @@ struct LinearMotion {
             column(q[1]) = z.segment(n, n);
             return;
         }
+        free_at_ = t;
         for (std::size_t i = 0; i < size(); ++i) {
-            const InitialValues<T> now = evaluation::motion_of_coordinate(t, coordinates_[i], starts_[i], now_.c, now_.s);
+            const evaluation::DrivenCoordinate<T>& c = coordinates_[i];
+            free_[i] = evaluation::free_motion(t, c.R, c.zeta, c.w);
+            const InitialValues<T> now = evaluation::motion_of_coordinate(free_[i], t, c, starts_[i], now_.c, now_.s);
             q[0][i] = now.eta_0;
             q[1][i] = now.eta_prime_0;
         }
@@ -174,7 +183,7 @@ struct LinearMotion {
         }
         for (std::size_t i = 0; i < size(); ++i) {
             const evaluation::DrivenCoordinate<T>& c_i = coordinates_[i];
-            const evaluation::FreeMotion<T> free = evaluation::free_motion(t, c_i.R, c_i.zeta, c_i.w);
+            const evaluation::FreeMotion<T> free = t == free_at_ ? free_[i] : evaluation::free_motion(t, c_i.R, c_i.zeta, c_i.w);
             for (Eigen::Index c = 0; c < dq.cols(); ++c) {
                 const T x = dq(i, c), v = dp(i, c);
                 dq(i, c) = x * free.d + v * (c_i.R * free.q);
@@ -214,9 +223,11 @@ private:
     SineCosine<T> now_;           // of tau at the instant last evaluated
     bool differentiated_ = false; // whether q holds all derivatives, at the instant at_
     T at_;
-    std::vector<T> at_rest_;                                   // where the constant force would hold the coordinates
-    std::vector<evaluation::DrivenCoordinate<T>> coordinates_; // prepared for any start
-    std::vector<evaluation::DrivenStart<T>> starts_;           // the last start
+    OfCoordinates<T> at_rest_;                                   // where the constant force would hold the coordinates
+    OfCoordinates<evaluation::DrivenCoordinate<T>> coordinates_; // prepared for any start
+    OfCoordinates<evaluation::DrivenStart<T>> starts_;           // the last start
+    OfCoordinates<evaluation::FreeMotion<T>> free_;              // the free motions at free_at_, whatever the start
+    T free_at_ = T(-1);
     CoupledMotion<T> together_;                                // all coordinates where D couples them
 };
 
