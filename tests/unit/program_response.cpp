@@ -30,9 +30,10 @@ TEST_CASE("the answer in the sliding regime has the keys of the interface", "[pr
     REQUIRE(run.status == 0);
     CHECK(run.error.empty());
     const auto a = nlohmann::ordered_json::parse(run.output);
-    CHECK(keys_of(a) ==
-          std::vector<std::string>{"regime", "r", "beta", "beta_lim", "method", "contact", "masses", "stops_per_period"});
-    CHECK(keys_of(a["beta_lim"]) == std::vector<std::string>{"exact", "paper", "approximate", "sticking"});
+    CHECK(keys_of(a) == std::vector<std::string>{"regime", "r", "beta", "beta_lim", "beta_lim_error_bounds", "method", "contact",
+                                                 "masses", "stops_per_period"});
+    for (const char* limits : {"beta_lim", "beta_lim_error_bounds"})
+        CHECK(keys_of(a[limits]) == std::vector<std::string>{"exact", "paper", "approximate", "sticking"});
     CHECK(keys_of(a["method"]) == std::vector<std::string>{"model", "precision", "why"});
     CHECK(keys_of(a["contact"]) == std::vector<std::string>{"mass", "amplitude", "phase"});
     REQUIRE(a["masses"].size() == 3);
@@ -132,9 +133,13 @@ TEST_CASE("the functions have the keys of the interface and the values of the re
     const Run run = run_program("functions --json", scene);
     REQUIRE(run.status == 0);
     const auto a = nlohmann::ordered_json::parse(run.output);
-    CHECK(keys_of(a) == std::vector<std::string>{"modes", "masses", "H_j", "S_j"});
-    CHECK(keys_of(a["modes"][0]) == std::vector<std::string>{"mode", "natural_frequency_ratio", "R", "zeta", "v", "u", "g"});
-    CHECK(keys_of(a["masses"][0]) == std::vector<std::string>{"mass", "V", "U", "G"});
+    CHECK(keys_of(a) == std::vector<std::string>{"modes", "masses", "H_j", "S_j", "error_bounds"});
+    CHECK(keys_of(a["modes"][0]) ==
+          std::vector<std::string>{"mode", "natural_frequency_ratio", "R", "zeta", "v", "u", "g", "error_bounds"});
+    CHECK(keys_of(a["modes"][0]["error_bounds"]) ==
+          std::vector<std::string>{"natural_frequency_ratio", "R", "zeta", "v", "u", "g"});
+    CHECK(keys_of(a["masses"][0]) == std::vector<std::string>{"mass", "V", "U", "G", "error_bounds"});
+    CHECK(keys_of(a["error_bounds"]) == std::vector<std::string>{"H_j", "S_j"});
     CHECK(keys_of(a["S_j"]) == std::vector<std::string>{"exact", "paper"});
     const auto& contact = a["masses"][1];
     const double V_re = contact["V"][0], V_im = contact["V"][1], U = contact["U"], G = contact["G"], beta = 0.15625;

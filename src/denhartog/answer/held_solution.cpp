@@ -17,28 +17,11 @@ namespace {
 
 using std::abs;
 
-// A number of which no bound is known.
-template <class T>
-Certified without_bound(const T& x, int digits) {
-    Certified number = exactly(x, digits);
-    number.error = std::numeric_limits<double>::infinity();
-    return number;
-}
-
 // A number that is written as a double has to be one.
 template <class T>
 void require_in_range(const T& number, int digits, const char* name) {
     if (digits <= most_digits_of_a_double && !std::isfinite(static_cast<double>(number)))
         throw PrecisionError(std::string(name) + " is beyond the range of a double; 16 digits and more are written as text");
-}
-
-template <class T>
-std::optional<Certified> limit_by_88(const Scene<T>& scene, const StuckConfiguration<T>& stuck, const StuckResponse<T>& response,
-                                     int digits) {
-    const std::optional<T> paper = sticking_boundary(response, stuck_chain(scene.system, stuck), scene.mu).paper;
-    if (!paper) return std::nullopt;
-    require_in_range(*paper, digits, "permanent sticking by (88)");
-    return without_bound(*paper, digits);
 }
 
 // Bounds of the errors of the complex amplitudes, and of the load that they bring to the contact. The equations of motion with
@@ -78,6 +61,52 @@ Matrix<T> errors_of_damping(const Scene<T>& scene, const ModalBasis<Bounded<T>>&
     if (s.mass_matrix.size() == 0)
         for (Eigen::Index k = 0; k < N; ++k) momentum.row(k) *= s.mass_ratios[static_cast<std::size_t>(k)];
     return in_coordinates(Matrix<T>(momentum.transpose()), in_modes);
+}
+
+// (88) as printed on numbers that carry their bounds: modes of the masses on the load's side of the contact, damping read from the
+// diagonal.
+template <class T>
+Bounded<T> bounded_limit_by_88(const Scene<T>& scene, const StuckConfiguration<T>& stuck, const ModalBasis<Bounded<T>>& basis,
+                               const StuckChain<T>& chain, const StuckResponse<T>& response) {
+    const Bounded<T> mu = as_input(scene.mu), r = as_input(*scene.r);
+    if (!chain.kappa) return paper::sticking_limit_under_load(mu);
+    const auto n = static_cast<Eigen::Index>(chain.masses.size());
+    System<T> moving; // as much of it as the bounds need
+    Matrix<T> of_damping(n, n), all = errors_of_damping(scene, basis);
+    moving.damping_matrix.resize(n, n);
+    const std::size_t first = chain.masses.front().index, of_stuck = first > scene.system.contact.index ? first - 1 : first;
+    for (Eigen::Index i = 0; i < n; ++i) {
+        const auto mass = static_cast<Eigen::Index>(first) + i, row = static_cast<Eigen::Index>(of_stuck) + i;
+        moving.mass_ratios.push_back(scene.system.mass_ratios[static_cast<std::size_t>(mass)]);
+        moving.stiffness_ratios.push_back(scene.system.stiffness_ratios[static_cast<std::size_t>(mass)]);
+        for (Eigen::Index k = 0; k < n; ++k) {
+            moving.damping_matrix(i, k) = stuck.C(row, static_cast<Eigen::Index>(of_stuck) + k);
+            of_damping(i, k) = all(mass, static_cast<Eigen::Index>(first) + k);
+        }
+    }
+    const ModalBasis<Bounded<T>> modes = with_errors(moving, ModalBasis<T>{chain.r_n, chain.phi, chain.zeta, {}, T(0)});
+    const auto [neighbour, load] = rows_of_neighbour_and_load(chain, response);
+    Complex<Bounded<T>> X{Bounded<T>(0), Bounded<T>(0)};
+    for (Eigen::Index i = 0; i < n; ++i) {
+        const Bounded<T>& r_n = modes.r_n[static_cast<std::size_t>(i)];
+        const Column<T> size = chain.phi.col(i).cwiseAbs();
+        Bounded<T> D = Bounded<T>(2) * modes.zeta[static_cast<std::size_t>(i)] * r_n;
+        D.e += T(2) * size.dot(product(of_damping, size));
+        X = X +
+            modes.phi(neighbour, i) * amplitude_of_mode(modes.phi(load, i), Bounded<T>((r_n - r) * (r_n + r)), Bounded<T>(r * D));
+    }
+    return paper::sticking_limit_by_spring(as_input(*chain.kappa), modulus(X), mu);
+}
+
+template <class T>
+std::optional<Certified> limit_by_88(const Scene<T>& scene, const StuckConfiguration<T>& stuck,
+                                     const ModalBasis<Bounded<T>>& basis, const StuckResponse<T>& response, int digits) {
+    const std::optional<StuckChain<T>> chain = stuck_chain(scene.system, stuck);
+    const std::optional<T> paper = sticking_boundary(response, chain, scene.mu).paper;
+    if (!paper) return std::nullopt;
+    require_in_range(*paper, digits, "permanent sticking by (88)");
+    const Bounded<T> bounded = bounded_limit_by_88(scene, stuck, basis, *chain, response);
+    return certified(Bounded<T>(*paper, T(bounded.e + abs(T(bounded.x - *paper)))), digits);
 }
 
 template <class T>
@@ -198,15 +227,17 @@ HeldSolution held_solution(const Scene<T>& scene, const StuckConfiguration<T>& s
     solution.rest_interval = {certified(Bounded<T>(T(-to), error), digits), certified(Bounded<T>(to, error), digits),
                               std::nullopt};
     require_in_range(to, digits, "the interval of rest");
-    solution.sticking_by_88 = limit_by_88(scene, stuck, response, digits);
+    solution.sticking_by_88 = limit_by_88(scene, stuck, basis, response, digits);
     return solution;
 }
 
 template <class T>
 std::optional<Certified> sticking_by_88(const Scene<T>& scene, int digits) {
     try {
-        const StuckConfiguration<T> stuck = stuck_configuration(scene.system, modal_basis(scene.system));
-        return limit_by_88(scene, stuck, stuck_response(stuck, scene.system.contact, scene.system.load, *scene.r), digits);
+        const ModalBasis<Bounded<T>> basis = with_errors(scene.system, modal_basis(scene.system));
+        const StuckConfiguration<T> stuck = stuck_configuration(scene.system, values_of(basis));
+        const StuckResponse<T> response = stuck_response(stuck, scene.system.contact, scene.system.load, *scene.r);
+        return limit_by_88(scene, stuck, basis, response, digits);
     } catch (const DomainError&) {
         return std::nullopt;
     }

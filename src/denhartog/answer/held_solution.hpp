@@ -16,7 +16,7 @@ namespace denhartog {
 struct HeldSolution {
     std::vector<SolvedMass> masses;          ///< N; the contact's amplitude is zero
     RestInterval rest_interval;              ///< where the contact may rest
-    std::optional<Certified> sticking_by_88; ///< the boundary of permanent sticking by (88) as printed, for chains; no bound
+    std::optional<Certified> sticking_by_88; ///< the boundary of permanent sticking by (88) as printed, for chains
     double relative = 0;                     ///< largest error, relative to amplitudes, absolute for phases
 };
 
@@ -34,7 +34,7 @@ template <class T>
                                          const ModalBasis<Bounded<T>>& basis, int digits,
                                          std::optional<Mass> only = std::nullopt);
 
-/// @brief The boundary of permanent sticking by (88) as printed. No bound of its error is known.
+/// @brief The boundary of permanent sticking by (88) as printed, with a bound of its error.
 /// @eq{88}
 /// @param scene   the scene, with r
 /// @param digits  significant digits asked for

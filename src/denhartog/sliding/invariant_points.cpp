@@ -8,11 +8,13 @@
 #include <optional>
 #include <string>
 
+#include "denhartog/formulas/superposition.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/multiprecision.hpp"
 #include "denhartog/number/number_text.hpp"
 #include "denhartog/sliding/maximum.hpp"
 #include "denhartog/sliding/undamped_curves.hpp"
+#include "denhartog/sums/bounded_modes.hpp"
 
 namespace denhartog {
 namespace {
@@ -137,6 +139,57 @@ void check_arguments(const ModalBasis<T>& basis, Mass contact, Mass load, const 
                          number_to_text(r_a));
 }
 
+/// The modes at a frequency ratio, without their damping.
+template <class T>
+class UndampedModes {
+public:
+    UndampedModes(const ModalBasis<Bounded<T>>& basis, const Bounded<T>& r) : basis_(basis), r_(r) {
+        for (const Bounded<T>& r_n : basis.r_n) {
+            R_.push_back(r / r_n);
+            const auto functions = bounded_mode_functions(R_.back(), Bounded<T>(0));
+            v_.push_back(functions.v);
+            u_.push_back(functions.u);
+        }
+    }
+
+    /// V_j U_k - 2 V_k U_j, or U_k.
+    [[nodiscard]] Bounded<T> vanishing(Mass contact, Mass load, Mass k, InvariantPointKind kind) const {
+        const Shapes psi_j = shapes(contact), psi_l = shapes(load), psi_k = shapes(k);
+        const auto V = [&](const Shapes& psi) { return paper::complex_response_of_mass<Bounded<T>>(psi, psi_l, R_, v_).re; };
+        const auto U = [&](const Shapes& psi) { return paper::damping_function_of_mass<Bounded<T>>(psi, psi_j, R_, u_); };
+        if (kind == InvariantPointKind::friction_leaves_it_alone) return U(psi_k);
+        return V(psi_j) * U(psi_k) - Bounded<T>(2) * (V(psi_k) * U(psi_j));
+    }
+
+private:
+    using Shapes = std::vector<Bounded<T>>;
+
+    [[nodiscard]] Shapes shapes(Mass k) const {
+        Shapes psi;
+        for (const Bounded<T>& phi : basis_.phi.row(static_cast<Eigen::Index>(k.index))) psi.push_back(phi / r_);
+        return psi;
+    }
+
+    const ModalBasis<Bounded<T>>& basis_;
+    Bounded<T> r_;
+    Shapes R_, u_;
+    std::vector<Complex<Bounded<T>>> v_;
+};
+
+template <class T>
+int certain_sign_of(const Bounded<T>& x) {
+    return x.x > x.e ? 1 : x.x < -x.e ? -1 : 0;
+}
+
+/// Whether a mode may have a pole of V or U from a to b: R = 1/n there, n odd.
+template <class T>
+bool pole_between(const ModalBasis<Bounded<T>>& basis, const T& a, const T& b) {
+    using std::floor;
+    for (const Bounded<T>& r_n : basis.r_n)
+        if (floor(T(((r_n.x + r_n.e) / a + 1) / 2)) != floor(T(((r_n.x - r_n.e) / b + 1) / 2))) return true;
+    return false;
+}
+
 } // namespace
 
 template <class T>
@@ -176,9 +229,40 @@ std::vector<InvariantPointsOfMass<T>> invariant_points(const ModalBasis<T>& basi
     return all;
 }
 
+template <class T>
+std::vector<InvariantPoint<Bounded<T>>> with_bounds(const ModalBasis<Bounded<T>>& basis, Mass contact, Mass load,
+                                                    const InvariantPointsOfMass<T>& found) {
+    std::vector<Bounded<T>> weights;
+    for (Eigen::Index i = 0; i < basis.phi.cols(); ++i)
+        weights.push_back(basis.phi(static_cast<Eigen::Index>(found.mass.index), i) *
+                          basis.phi(static_cast<Eigen::Index>(load.index), i));
+    std::vector<InvariantPoint<Bounded<T>>> all;
+    for (const InvariantPoint<T>& p : found.points) {
+        const auto sign_at = [&](const T& r) {
+            return certain_sign_of(UndampedModes<T>(basis, Bounded<T>(r)).vanishing(contact, load, found.mass, p.kind));
+        };
+        Bounded<T> r(p.r, std::numeric_limits<T>::infinity()), amplitude(p.amplitude, r.e);
+        for (T apart = 4 * std::numeric_limits<T>::epsilon(); apart < T(1) / 1024; apart = 4 * apart) {
+            const T below = p.r * (1 - apart), above = p.r * (1 + apart);
+            if (pole_between(basis, below, above)) break;
+            if (sign_at(below) * sign_at(above) >= 0) continue;
+            r.e = p.r * apart * 2; // the ends are rounded
+            const Bounded<T> V = undamped_response(basis.r_n, weights, r);
+            amplitude = size_of_number(V.x) > V.e ? Bounded<T>(p.amplitude, V.e) : Bounded<T>(T(0), V.most());
+            break;
+        }
+        all.push_back({r, amplitude, p.kind});
+    }
+    return all;
+}
+
 template std::vector<InvariantPointsOfMass<double>> invariant_points(const ModalBasis<double>&, Mass, Mass, const double&,
                                                                      const double&, Effort*);
 template std::vector<InvariantPointsOfMass<Real50>> invariant_points(const ModalBasis<Real50>&, Mass, Mass, const Real50&,
                                                                      const Real50&, Effort*);
+template std::vector<InvariantPoint<Bounded<double>>> with_bounds(const ModalBasis<Bounded<double>>&, Mass, Mass,
+                                                                  const InvariantPointsOfMass<double>&);
+template std::vector<InvariantPoint<Bounded<Real50>>> with_bounds(const ModalBasis<Bounded<Real50>>&, Mass, Mass,
+                                                                  const InvariantPointsOfMass<Real50>&);
 
 } // namespace denhartog

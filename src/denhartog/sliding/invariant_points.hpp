@@ -75,4 +75,20 @@ template <class T>
 [[nodiscard]] std::vector<InvariantPointsOfMass<T>> invariant_points(const ModalBasis<T>& basis, Mass contact, Mass load,
                                                                      const T& r_a, const T& r_b, Effort* effort = nullptr);
 
+/// @brief Bounds of the errors of invariant points, those of the modes among them.
+///
+/// The function that vanishes at a point is evaluated on numbers that carry their bounds, a little below the point and a little
+/// above it. Where its signs there are certain and differ, and no pole lies between, a zero does, whatever the modes are within
+/// their bounds: the distance is the bound. The bound of the amplitude is that of (33) over the same stretch.
+/// @eq{33,34,87}
+/// @param basis    modal basis with errors; its damping ratios are not used
+/// @param contact  the mass in contact, j
+/// @param load     the loaded mass, l
+/// @param found    the points of a mass, of modes within these errors
+/// @return         frequency ratios and amplitudes with bounds, in the same order; infinite where the signs tell nothing; the
+///                 amplitude of a mass that rests, as far as the bound tells, is 0
+template <class T>
+[[nodiscard]] std::vector<InvariantPoint<Bounded<T>>> with_bounds(const ModalBasis<Bounded<T>>& basis, Mass contact, Mass load,
+                                                                  const InvariantPointsOfMass<T>& found);
+
 } // namespace denhartog

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <utility>
 
 #include "denhartog/elementary/elementary.hpp"
 #include "denhartog/formulas/stuck.hpp"
@@ -59,8 +60,7 @@ Complex<T> mode_amplitude(const T& p, const T& r_n, const T& D, const T& r, cons
     if (p == 0) return {T(0), T(0)};
     const T a = (r_n - r) * (r_n + r), b = r * D;
     if (abs(a) <= tolerance * r_n * r_n && abs(b) <= tolerance * r_n * r_n) resonates();
-    const T size = a * a + b * b;
-    return {p * a / size, -p * b / size};
+    return amplitude_of_mode(p, a, b);
 }
 
 /// Amplitudes of coupled modes: the complex system as a real one of twice the size, its rows and columns scaled.
@@ -100,9 +100,7 @@ std::vector<Complex<T>> mode_amplitudes(const StuckConfiguration<T>& stuck, cons
 /// Amplitude by (88)'s modal superposition of the mass of the chain next to the contact.
 template <class T>
 T neighbour_amplitude(const StuckChain<T>& chain, const StuckResponse<T>& response) {
-    const bool before = response.load.index < response.contact.index;
-    const Eigen::Index neighbour = before ? chain.phi.rows() - 1 : 0;
-    const auto load = static_cast<Eigen::Index>(response.load.index - chain.masses.front().index);
+    const auto [neighbour, load] = rows_of_neighbour_and_load(chain, response);
     Complex<T> X{T(0), T(0)};
     for (std::size_t i = 0; i < chain.r_n.size(); ++i) {
         const auto n = static_cast<Eigen::Index>(i);
@@ -195,6 +193,12 @@ StickingBoundary<T> sticking_boundary(const StuckResponse<T>& response, const st
 }
 
 template <class T>
+std::pair<Eigen::Index, Eigen::Index> rows_of_neighbour_and_load(const StuckChain<T>& chain, const StuckResponse<T>& response) {
+    const bool before = response.load.index < response.contact.index;
+    return {before ? chain.phi.rows() - 1 : 0, static_cast<Eigen::Index>(response.load.index - chain.masses.front().index)};
+}
+
+template <class T>
 std::optional<T> rest_interval(const StuckConfiguration<T>& stuck, const StuckResponse<T>& response, const T& mu, const T& beta) {
     check_static_friction(mu);
     check_friction_ratio(beta);
@@ -218,10 +222,16 @@ template StickingBoundary<Real50> sticking_boundary(const StuckResponse<Real50>&
                                                     const Real50&);
 template StickingBoundary<Real100> sticking_boundary(const StuckResponse<Real100>&, const std::optional<StuckChain<Real100>>&,
                                                      const Real100&);
+template std::pair<Eigen::Index, Eigen::Index> rows_of_neighbour_and_load(const StuckChain<double>&,
+                                                                          const StuckResponse<double>&);
 template std::optional<double> rest_interval(const StuckConfiguration<double>&, const StuckResponse<double>&, const double&,
                                              const double&);
+template std::pair<Eigen::Index, Eigen::Index> rows_of_neighbour_and_load(const StuckChain<Real50>&,
+                                                                          const StuckResponse<Real50>&);
 template std::optional<Real50> rest_interval(const StuckConfiguration<Real50>&, const StuckResponse<Real50>&, const Real50&,
                                              const Real50&);
+template std::pair<Eigen::Index, Eigen::Index> rows_of_neighbour_and_load(const StuckChain<Real100>&,
+                                                                          const StuckResponse<Real100>&);
 template std::optional<Real100> rest_interval(const StuckConfiguration<Real100>&, const StuckResponse<Real100>&, const Real100&,
                                               const Real100&);
 

@@ -65,6 +65,24 @@ struct StuckChain {
 template <class T>
 [[nodiscard]] std::optional<StuckChain<T>> stuck_chain(const System<T>& s, const StuckConfiguration<T>& stuck);
 
+/// @brief The rows of the mode shapes of a chain that (88) needs. @param chain the masses that move @param response the response
+/// @return  the row of the mass next to the contact, and that of the loaded mass
+template <class T>
+[[nodiscard]] std::pair<Eigen::Index, Eigen::Index> rows_of_neighbour_and_load(const StuckChain<T>& chain,
+                                                                               const StuckResponse<T>& response);
+
+/// @brief Complex amplitude of a mode under a force p cos tau.
+/// @eq{88}
+/// @param p  the force
+/// @param a  stiffness less inertia, \f$ r_n^2 - r^2 \f$
+/// @param b  damping, \f$ 2\zeta r_n r \f$
+/// @return   \f$ p / (a + \mathrm{i}b) \f$
+template <class Number>
+[[nodiscard]] Complex<Number> amplitude_of_mode(const Number& p, const Number& a, const Number& b) {
+    const Number size = a * a + b * b;
+    return {p * a / size, -p * b / size};
+}
+
 /// @brief The friction ratio from which the contact can stay at rest for ever, as it is and as (88) has it.
 template <class T>
 struct StickingBoundary {

@@ -1,12 +1,14 @@
 #include "denhartog/program/commands/commands.hpp"
 
 #include <CLI/CLI.hpp>
-#include <cmath>
-#include <limits>
+#include <algorithm>
+#include <concepts>
 #include <memory>
 
 #include "denhartog/answer/modes_in_double.hpp"
+#include "denhartog/answer/sliding_point.hpp"
 #include "denhartog/model/coordinates.hpp"
+#include "denhartog/number/errors.hpp"
 #include "denhartog/number/number_text.hpp"
 #include "denhartog/program/commands/scene_command.hpp"
 #include "denhartog/program/json/dimensional_json.hpp"
@@ -44,46 +46,70 @@ T end_of_range(const std::string& text, const std::string& range) {
     return value;
 }
 
+// Points of a mass as they were found, and the same with their bounds.
 template <class T>
-std::vector<InvariantPointsOfMass<T>> invariant_points_between(const System<T>& s, const ModalBasis<T>& basis,
-                                                               const std::string& range) {
+struct BoundedPoints {
+    InvariantPointsOfMass<T> found;
+    std::vector<InvariantPoint<Bounded<T>>> points;
+};
+
+template <class T>
+std::vector<BoundedPoints<T>> invariant_points_between(const System<T>& s, const ModalBasis<Bounded<T>>& basis,
+                                                       const std::string& range) {
     const std::size_t colon = range.find(':');
     if (colon == std::string::npos) throw InputError(range_name, "must be A:B, two numbers", range);
     const T r_a = end_of_range<T>(range.substr(0, colon), range), r_b = end_of_range<T>(range.substr(colon + 1), range);
-    return invariant_points(basis, s.contact, s.load, r_a, r_b);
-}
-
-// Whether nothing is undecided, and every amplitude has the digits where r is off by its rounding.
-bool are_certain(const std::vector<InvariantPointsOfMass<double>>& displacements, const ModalBasis<Bounded<double>>& basis,
-                 Mass load) {
-    constexpr double rounding = 64 * std::numeric_limits<double>::epsilon();
-    for (std::size_t k = 0; k < displacements.size(); ++k) {
-        if (!displacements[k].undecided.empty()) return false;
-        std::vector<Bounded<double>> weights;
-        for (Eigen::Index i = 0; i < basis.phi.cols(); ++i)
-            weights.push_back(basis.phi(static_cast<Eigen::Index>(k), i) * basis.phi(static_cast<Eigen::Index>(load.index), i));
-        for (const InvariantPoint<double>& p : displacements[k].points) {
-            const Bounded<double> V = undamped_response(basis.r_n, weights, Bounded<double>(p.r, rounding * p.r));
-            if (!(V.e <= tolerance_of(digits_by_default) * std::abs(V.x))) return false;
-        }
+    std::vector<BoundedPoints<T>> all;
+    for (InvariantPointsOfMass<T>& found : invariant_points(values_of(basis), s.contact, s.load, r_a, r_b)) {
+        std::vector<InvariantPoint<Bounded<T>>> points = with_bounds(basis, s.contact, s.load, found);
+        all.push_back({std::move(found), std::move(points)});
     }
-    return true;
+    return all;
 }
 
 template <class T>
-Json invariant_points_json(std::vector<InvariantPointsOfMass<T>> masses, const System<T>& s, const NumberWriter& write) {
-    const int digits = write.digits.value_or(1);
+bool is_certain(const InvariantPoint<Bounded<T>>& p, int digits) {
+    const T tolerance(tolerance_of(digits));
+    const bool rests =
+        !std::same_as<T, double> && p.amplitude.x == 0 && p.amplitude.e <= tolerance; // for all that 50 digits tell
+    return p.r.e <= tolerance * p.r.x && (rests || p.amplitude.e <= tolerance * p.amplitude.x);
+}
+
+bool are_certain(const std::vector<BoundedPoints<double>>& masses) {
+    return std::ranges::all_of(masses, [](const BoundedPoints<double>& mass) {
+        return mass.found.undecided.empty() &&
+               std::ranges::all_of(mass.points, [](const auto& p) { return is_certain(p, digits_by_default); });
+    });
+}
+
+// A point that no signs bound is a stretch without a length in which nothing is decided.
+template <class T>
+Json invariant_points_json(std::vector<BoundedPoints<T>> masses, const System<T>& s, const NumberWriter& write) {
+    const int digits = write.digits.value_or(digits_by_default);
     Json all = Json::array();
     put_in_order_of_masses(s.coordinates, masses);
     masses.resize(number_of_masses(s));
-    for (const InvariantPointsOfMass<T>& mass : masses) {
+    for (BoundedPoints<T>& mass : masses) {
         Json points = Json::array();
-        for (const InvariantPoint<T>& p : mass.points)
-            points.push_back({{"r", write(exactly(p.r, digits))},
-                              {"amplitude", write(exactly(p.amplitude, digits))},
+        for (const InvariantPoint<Bounded<T>>& p : mass.points) {
+            if (!(p.r.e < p.r.x)) {
+                mass.found.undecided.push_back({p.r.x, p.r.x});
+                continue;
+            }
+            if (!is_certain(p, digits))
+                throw PrecisionError("the invariant point of mass " + std::to_string(all.size() + 1) +
+                                     " at r = " + number_to_text(static_cast<double>(p.r.x)) + " has fewer than " +
+                                     std::to_string(digits) + " certain digits");
+            const Certified r = certified(p.r, digits), amplitude = certified(p.amplitude, digits);
+            points.push_back({{"r", write(r)},
+                              {"amplitude", write(amplitude)},
+                              {"r_error_bound", write.bound(r.error)},
+                              {"error_bound", write.bound(amplitude.error)},
                               {"kind", p.kind == InvariantPointKind::two_effects_cancel ? "87" : "U_k = 0"}});
+        }
         all.push_back({{"mass", all.size() + 1}, {"points", points}});
-        for (const UndecidedStretch<T>& u : mass.undecided)
+        std::ranges::sort(mass.found.undecided, {}, &UndecidedStretch<T>::from);
+        for (const UndecidedStretch<T>& u : mass.found.undecided)
             all.back()["undecided"].push_back({write(exactly(u.from, digits)), write(exactly(u.to, digits))});
     }
     return all;
@@ -93,11 +119,11 @@ Json invariant_points_json(const SceneSource& source, const BoundaryOptions& opt
     if (!options.digits) {
         const System<double>& s = source->in_double().system;
         const auto basis = certain_modes(source, modes_in_double(source).basis);
-        const auto found = invariant_points_between(s, values_of(*basis), options.range);
-        if (are_certain(found, *basis, s.load)) return invariant_points_json(found, s, write);
+        const auto found = invariant_points_between(s, *basis, options.range);
+        if (are_certain(found)) return invariant_points_json(found, s, write);
     }
-    const System<Real50> s = source->in_50_digits().system;
-    return invariant_points_json(invariant_points_between(s, modal_basis(s), options.range), s, write);
+    const SceneIn<Real50> in = scene_with_modes<Real50>(source);
+    return invariant_points_json(invariant_points_between(in.scene.system, *in.basis, options.range), in.scene.system, write);
 }
 
 std::string invariant_points_table(const Json& masses) {
@@ -147,8 +173,9 @@ void add_boundary_command(CLI::App& app, ExitStatus& status) {
         "binding_condition: 54a, the contact would turn back within the half-period; 54b, static friction would hold it at\n"
         "the end of the half-period.\n"
         "invariant_points: the points of every mass, without damping: r, the monoharmonic amplitude (52) there at every\n"
-        "friction ratio, and kind: 87, a root of (87); U_k = 0, the factor that (87) divides out. undecided: ranges of r in\n"
-        "which rounding hides whether there is a point. With --digits they are computed in 50 digits.\n"
+        "friction ratio, bounds of their errors, and kind: 87, a root of (87); U_k = 0, the factor that (87) divides out.\n"
+        "undecided: ranges of r in which rounding hides whether there is a point. With --digits they are computed in 50\n"
+        "digits.\n"
         "dimensional: the friction forces of a scene of masses, stiffnesses and force.");
     command->callback([options, &status] {
         answer_scenes(

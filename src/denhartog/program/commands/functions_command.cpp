@@ -1,6 +1,7 @@
 #include "denhartog/program/commands/commands.hpp"
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <memory>
 
 #include "denhartog/answer/modes_in_double.hpp"
@@ -15,7 +16,25 @@
 namespace denhartog::program {
 namespace {
 
-Json pair(const Complex<double>& z, const NumberWriter& write) { return Json::array({write(z.re), write(z.im)}); }
+Json pair(const Complex<Bounded<double>>& z, const NumberWriter& write) { return Json::array({write(z.re.x), write(z.im.x)}); }
+
+// The bound of a number, or the larger one of both parts; null where nothing is known of it.
+Json bound_of(const Bounded<double>& x, const NumberWriter& write) {
+    return std::isfinite(x.e) ? write.bound(x.e) : Json(nullptr);
+}
+Json bound_of(const Complex<Bounded<double>>& z, const NumberWriter& write) {
+    return bound_of(z.re.e < z.im.e ? z.im : z.re, write);
+}
+
+// The sum of the modes' maxima, (56), each taken where the search in double finds it.
+Bounded<double> sum_of_maxima(const ModeSums<Bounded<double>>& s, double mu) {
+    const ModeSums<double> values = values_of(s);
+    FrictionMotions<double> y(values);
+    const std::vector<double> instants = instants_of_demands(y);
+    return boundary_at(s, as_input(mu), Bounded<double>(instants.front()),
+                       std::vector<Bounded<double>>(instants.begin() + 1, instants.end()))
+        .S_paper;
+}
 
 // The sums of (33)-(35), (64) and (57) cancel far above the natural frequencies: they are taken in what precision they need.
 constexpr int digits_of_sums = 10;
@@ -24,26 +43,36 @@ Json functions_json(const SceneSource& source) {
     const Scene<double>& scene = source->in_double();
     (void)frequency_ratio_of(scene);
     const NumberWriter write;
-    const auto bounded = certain_modes(source, modes_in_double(source).basis);
-    const ModalBasis<double> basis = values_of(*bounded);
-    std::optional<ModeSums<double>> s; // none where damping couples the modes
-    if (!basis.coupled())
-        s = values_of(mode_sums(*bounded, scene.system.contact, scene.system.load, as_input(*scene.r),
-                                certain_mode_functions(source, bounded)));
+    const auto basis = certain_modes(source, modes_in_double(source).basis);
+    std::optional<ModeSums<Bounded<double>>> s; // none where damping couples the modes
+    if (!basis->coupled())
+        s = mode_sums(*basis, scene.system.contact, scene.system.load, as_input(*scene.r), certain_mode_functions(source, basis));
     const Quantities<Bounded<double>> q = quantities(source, {}, digits_of_sums, PointNumbers::sums).numbers;
     Json all{{"modes", Json::array()}, {"masses", Json::array()}};
-    for (std::size_t i = 0; i < basis.r_n.size(); ++i) {
-        all["modes"].push_back({{"mode", i + 1},
-                                {"natural_frequency_ratio", write(basis.r_n[i])},
-                                {"R", write(*scene.r / basis.r_n[i])},
-                                {"zeta", write(basis.zeta[i])}});
-        if (s) all["modes"].back().update({{"v", pair(s->v[i], write)}, {"u", write(s->u[i])}, {"g", write(s->g[i])}});
+    for (std::size_t i = 0; i < basis->r_n.size(); ++i) {
+        const Bounded<double>&r_n = basis->r_n[i], R = as_input(*scene.r) / r_n, &zeta = basis->zeta[i];
+        Json mode{{"mode", i + 1}, {"natural_frequency_ratio", write(r_n.x)}, {"R", write(R.x)}, {"zeta", write(zeta.x)}};
+        Json bounds{
+            {"natural_frequency_ratio", bound_of(r_n, write)}, {"R", bound_of(R, write)}, {"zeta", bound_of(zeta, write)}};
+        if (s) {
+            mode.update({{"v", pair(s->v[i], write)}, {"u", write(s->u[i].x)}, {"g", write(s->g[i].x)}});
+            bounds.update({{"v", bound_of(s->v[i], write)}, {"u", bound_of(s->u[i], write)}, {"g", bound_of(s->g[i], write)}});
+        }
+        mode["error_bounds"] = std::move(bounds);
+        all["modes"].push_back(std::move(mode));
     }
     for (std::size_t k = 0; k < q.V.size(); ++k)
         all["masses"].push_back(
-            {{"mass", k + 1}, {"V", pair({q.V[k].re.x, q.V[k].im.x}, write)}, {"U", write(q.U[k].x)}, {"G", write(q.G[k].x)}});
+            {{"mass", k + 1},
+             {"V", pair(q.V[k], write)},
+             {"U", write(q.U[k].x)},
+             {"G", write(q.G[k].x)},
+             {"error_bounds", {{"V", bound_of(q.V[k], write)}, {"U", bound_of(q.U[k], write)}, {"G", bound_of(q.G[k], write)}}}});
     all["H_j"] = write(q.H_j.x);
-    all["S_j"] = {{"exact", write(q.S.x)}, {"paper", write(s ? boundary(*s, scene.mu).S_paper : q.S.x)}};
+    const Bounded<double> S_paper = s ? sum_of_maxima(*s, scene.mu) : q.S;
+    all["S_j"] = {{"exact", write(q.S.x)}, {"paper", write(S_paper.x)}};
+    all["error_bounds"] = {{"H_j", bound_of(q.H_j, write)},
+                           {"S_j", {{"exact", bound_of(q.S, write)}, {"paper", bound_of(S_paper, write)}}}};
     if (const std::optional<Json> damping = damping_json(source)) all["damping"] = *damping;
     return all;
 }
@@ -83,8 +112,9 @@ void add_functions_command(CLI::App& app, ExitStatus& status) {
     add_scene_options(*command, *options);
     command->footer(
         "Complex numbers are pairs [real part, imaginary part]. Numbers of modes have at least 6 digits, sums over them 10;\n"
-        "they are computed in 50 digits if double does not have these. beta is not needed. If the damping matrix couples\n"
-        "the modes, they have no v, u and g of their own, and zeta is what the diagonal of the matrix gives.");
+        "they are computed in 50 digits if double does not have these. error_bounds: bounds of the errors, of a complex\n"
+        "number that of the part that is off by more. beta is not needed. If the damping matrix couples the modes, they have\n"
+        "no v, u and g of their own, and zeta is what the diagonal of the matrix gives.");
     command->callback([options, &status] {
         answer_scenes(
             *options, [&](const SceneText& part) { return evaluate(part, *options); }, status);

@@ -23,6 +23,19 @@ Json limits_json(const Limits& b, const NumberWriter& write) {
     return all;
 }
 
+Json bound_or_null(const Certified& x, const NumberWriter& write) {
+    return std::isfinite(x.error) ? write.bound(x.error) : Json(nullptr);
+}
+
+// Bounds of the errors of the friction ratios of `limits_json`, by the same keys.
+Json limit_bounds_json(const Limits& b, const NumberWriter& write) {
+    Json all{{"exact", bound_or_null(b.exact, write)},
+             {"paper", bound_or_null(b.paper, write)},
+             {"approximate", bound_or_null(b.approximate, write)}};
+    if (b.sticking) all["sticking"] = bound_or_null(*b.sticking, write);
+    return all;
+}
+
 Json method_json(const Method& m) { return {{"model", m.model}, {"precision", m.precision}, {"why", m.why}}; }
 
 Json mass_json(std::size_t k, const SolvedMass& m, const NumberWriter& write) {
@@ -83,8 +96,7 @@ void add_stability(Json& all, const Stability& stability, const NumberWriter& wr
     all["stable"] = stability.stable;
     all["multipliers"] = numbers_json(stability.multipliers, write);
     Json bounds = Json::array();
-    for (const Certified& each : stability.multipliers)
-        bounds.push_back(std::isfinite(each.error) ? write.bound(each.error) : Json(nullptr));
+    for (const Certified& each : stability.multipliers) bounds.push_back(bound_or_null(each, write));
     all["multiplier_error_bounds"] = std::move(bounds);
 }
 
@@ -156,6 +168,7 @@ Json response_json(const Solution& s, const NumberWriter& write) {
     all["r"] = write(s.r);
     all["beta"] = write(*s.beta);
     all["beta_lim"] = limits_json(*s.limits, write);
+    all["beta_lim_error_bounds"] = limit_bounds_json(*s.limits, write);
     all["method"] = method_json(s.method);
     all["contact"] = contact_json(s, write);
     if (s.masses.empty()) return all;
@@ -168,6 +181,7 @@ Json boundary_json(const Solution& s, const NumberWriter& write) {
     Json all{{"r", write(s.r)},
              {"mu", write(s.mu)},
              {"beta_lim", limits_json(*s.limits, write)},
+             {"beta_lim_error_bounds", limit_bounds_json(*s.limits, write)},
              {"binding_condition", name(s.limits->binding)},
              {"method", method_json(s.method)}};
     if (!s.limits->sticking)
@@ -185,8 +199,13 @@ Json solution_json(const Solution& s, const NumberWriter& write) {
     all["beta"] = write(*s.beta);
     Json limits = s.limits ? limits_json(*s.limits, write) : Json::object();
     if (s.slides_below) limits["at_least"] = write(*s.slides_below);
-    if (s.sticking_by_88) limits["sticking_by_88"] = write(*s.sticking_by_88);
+    Json bounds = s.limits ? limit_bounds_json(*s.limits, write) : Json::object();
+    if (s.sticking_by_88) {
+        limits["sticking_by_88"] = write(*s.sticking_by_88);
+        bounds["sticking_by_88"] = bound_or_null(*s.sticking_by_88, write);
+    }
     all["beta_lim"] = limits;
+    if (!bounds.empty()) all["beta_lim_error_bounds"] = bounds;
     all["method"] = method_json(s.method);
     all["unique"] = s.unique;
     all["unique_because"] = s.unique_because;
