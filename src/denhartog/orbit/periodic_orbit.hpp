@@ -27,7 +27,7 @@ enum class OrbitStatus : std::uint8_t {
 /// @brief How far to search, and what is asked of the orbit.
 template <class T>
 struct OrbitSearch {
-    const State<T>* guess = nullptr; ///< a state near which an orbit is looked for before the start is followed; null: none
+    const State<T>* guess = nullptr; ///< a state near which an orbit of half a period is looked for first; null: none
     int periods_before = 1;          ///< periods of propagation before the first Newton step from the start
     int most_periods = 20000; ///< periods of propagation after which the search gives up; with mu > 1 no more than 30 decay times
     int most_subharmonic = 8; ///< longest period looked for, in periods of the force
@@ -66,10 +66,10 @@ struct PeriodicOrbit {
 ///
 /// The search ends where its effort is spent: `reason` then says how far it came.
 /// With mu = 1 and every damping ratio positive the steady velocities are unique, and the first orbit found is the answer. Else
-/// an orbit is taken only where it is stable and the motion from the start is seen to approach it as its linearisation tells,
-/// unless `follow_start` is off. A contact at rest rests for ever where the load on it in the steady stuck motion, and what the
-/// decaying rest of the motion adds to that at most, stay below mu beta; the motion then is one of a continuum, `multipliers`
-/// are those of the other masses.
+/// an orbit is taken only where it is stable and the motion from the start is seen to approach it as its linearisation tells, or,
+/// where it slides without a stop, comes so near that `sliding_reach` proves it, unless `follow_start` is off. A contact at rest
+/// rests for ever where the load on it in the steady stuck motion, and what the decaying rest of the motion adds to that at most,
+/// stay below mu beta; the motion then is one of a continuum, `multipliers` are those of the other masses.
 /// @param solver  system, frequency and friction
 /// @param start   the state at tau = 0
 /// @param search  how far to search
