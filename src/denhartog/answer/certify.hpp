@@ -153,9 +153,11 @@ template <class T>
     if constexpr (!std::same_as<T, double>) {
         if (digits > most_digits_of_a_double && a.x - a.x == 0) {
             number.decimal = a.x == 0 ? "0" : a.x.str(digits - 1, std::ios_base::scientific);
-            const T apart = size_of_number(T(T(number.decimal) - a.x)); // the decimals are rounded when they are read
-            const T error = a.e + (apart > 0 ? T(apart + unit_of<T>() * size_of_number(a.x)) : apart);
-            number.error = static_cast<double>(error) * (1 + unit_of<double>());
+            // The decimals are rounded when they are read back, unless they are those of a double.
+            const T apart = size_of_number(T(T(number.decimal) - a.x));
+            const bool exact = apart == 0 && T(rounded.x) == a.x;
+            const T error = a.e + (exact ? T(0) : T(apart + unit_of<T>() * size_of_number(a.x)));
+            number.error = static_cast<double>(error) * (1 + 4 * unit_of<double>()); // rounded twice
             if (error > 0) number.error = std::max(number.error, std::numeric_limits<double>::denorm_min());
         }
     }
