@@ -106,7 +106,8 @@ std::vector<Placed> motion_taken(const Placed& tau, const Placed& R, const Place
     }
     const InitialValues<Placed> from{placed(n.eta_0, 0.7), placed(n.eta_prime_0, 0.3)};
     const evaluation::DrivenStart<Placed> start{evaluation::free_start(from, at_rest, c.X, cos_0, sin_0), at_rest, cos_0, sin_0};
-    const InitialValues<Placed> motion = evaluation::motion_of_coordinate(tau, c, start, cosine, sine);
+    const evaluation::FreeMotion<Placed> free = evaluation::free_motion(tau, c.R, c.zeta, c.w);
+    const InitialValues<Placed> motion = evaluation::motion_of_coordinate(free, tau, c, start, cosine, sine);
     return {motion.eta_0, motion.eta_prime_0, left_over};
 }
 

@@ -66,24 +66,19 @@ Matrix<T> errors_of_damping(const Scene<T>& scene, const ModalBasis<Bounded<T>>&
 // (88) as printed on numbers that carry their bounds: modes of the masses on the load's side of the contact, damping read from the
 // diagonal.
 template <class T>
-Bounded<T> bounded_limit_by_88(const Scene<T>& scene, const StuckConfiguration<T>& stuck, const ModalBasis<Bounded<T>>& basis,
+Bounded<T> bounded_limit_by_88(const Scene<T>& scene, const StuckConfiguration<T>& stuck, const Matrix<T>& of_damping,
                                const StuckChain<T>& chain, const StuckResponse<T>& response) {
     const Bounded<T> mu = as_input(scene.mu), r = as_input(*scene.r);
     if (!chain.kappa) return paper::sticking_limit_under_load(mu);
     const auto n = static_cast<Eigen::Index>(chain.masses.size());
+    const auto first = static_cast<Eigen::Index>(chain.masses.front().index);
+    const Eigen::Index of_stuck = chain.masses.front().index > scene.system.contact.index ? first - 1 : first;
     System<T> moving; // as much of it as the bounds need
-    Matrix<T> of_damping(n, n), all = errors_of_damping(scene, basis);
-    moving.damping_matrix.resize(n, n);
-    const std::size_t first = chain.masses.front().index, of_stuck = first > scene.system.contact.index ? first - 1 : first;
-    for (Eigen::Index i = 0; i < n; ++i) {
-        const auto mass = static_cast<Eigen::Index>(first) + i, row = static_cast<Eigen::Index>(of_stuck) + i;
-        moving.mass_ratios.push_back(scene.system.mass_ratios[static_cast<std::size_t>(mass)]);
-        moving.stiffness_ratios.push_back(scene.system.stiffness_ratios[static_cast<std::size_t>(mass)]);
-        for (Eigen::Index k = 0; k < n; ++k) {
-            moving.damping_matrix(i, k) = stuck.C(row, static_cast<Eigen::Index>(of_stuck) + k);
-            of_damping(i, k) = all(mass, static_cast<Eigen::Index>(first) + k);
-        }
-    }
+    moving.mass_ratios.assign(scene.system.mass_ratios.begin() + first, scene.system.mass_ratios.begin() + first + n);
+    moving.stiffness_ratios.assign(scene.system.stiffness_ratios.begin() + first,
+                                   scene.system.stiffness_ratios.begin() + first + n);
+    moving.damping_matrix = stuck.C.block(of_stuck, of_stuck, n, n);
+    const Matrix<T> left_out = of_damping.block(first, first, n, n);
     const ModalBasis<Bounded<T>> modes = with_errors(moving, ModalBasis<T>{chain.r_n, chain.phi, chain.zeta, {}, T(0)});
     const auto [neighbour, load] = rows_of_neighbour_and_load(chain, response);
     Complex<Bounded<T>> X{Bounded<T>(0), Bounded<T>(0)};
@@ -91,7 +86,7 @@ Bounded<T> bounded_limit_by_88(const Scene<T>& scene, const StuckConfiguration<T
         const Bounded<T>& r_n = modes.r_n[static_cast<std::size_t>(i)];
         const Column<T> size = chain.phi.col(i).cwiseAbs();
         Bounded<T> D = Bounded<T>(2) * modes.zeta[static_cast<std::size_t>(i)] * r_n;
-        D.e += T(2) * size.dot(product(of_damping, size));
+        D.e += T(2) * size.dot(product(left_out, size));
         X = X +
             modes.phi(neighbour, i) * amplitude_of_mode(modes.phi(load, i), Bounded<T>((r_n - r) * (r_n + r)), Bounded<T>(r * D));
     }
@@ -99,18 +94,18 @@ Bounded<T> bounded_limit_by_88(const Scene<T>& scene, const StuckConfiguration<T
 }
 
 template <class T>
-std::optional<Certified> limit_by_88(const Scene<T>& scene, const StuckConfiguration<T>& stuck,
-                                     const ModalBasis<Bounded<T>>& basis, const StuckResponse<T>& response, int digits) {
+std::optional<Certified> limit_by_88(const Scene<T>& scene, const StuckConfiguration<T>& stuck, const Matrix<T>& of_damping,
+                                     const StuckResponse<T>& response, int digits) {
     const std::optional<StuckChain<T>> chain = stuck_chain(scene.system, stuck);
     const std::optional<T> paper = sticking_boundary(response, chain, scene.mu).paper;
     if (!paper) return std::nullopt;
     require_in_range(*paper, digits, "permanent sticking by (88)");
-    const Bounded<T> bounded = bounded_limit_by_88(scene, stuck, basis, *chain, response);
+    const Bounded<T> bounded = bounded_limit_by_88(scene, stuck, of_damping, *chain, response);
     return certified(Bounded<T>(*paper, T(bounded.e + abs(T(bounded.x - *paper)))), digits);
 }
 
 template <class T>
-HeldErrors<T> errors_of(const Scene<T>& scene, const StuckConfiguration<T>& stuck, const ModalBasis<Bounded<T>>& basis,
+HeldErrors<T> errors_of(const Scene<T>& scene, const StuckConfiguration<T>& stuck, const Matrix<T>& damping_errors,
                         const StuckResponse<T>& response) {
     const auto n = static_cast<Eigen::Index>(stuck.masses.size());
     const T r = *scene.r, eps = unit_of<T>(), rounding = 8 * static_cast<int>(n + 1) * eps;
@@ -132,7 +127,7 @@ HeldErrors<T> errors_of(const Scene<T>& scene, const StuckConfiguration<T>& stuc
     Column<T> terms(2 * n);
     terms << product(entries, Column<T>(size.head(n))), product(entries, Column<T>(size.tail(n)));
     terms += Column<T>::Constant(2 * n, T(damping.cwiseAbs().maxCoeff() * size.sum()));
-    const Matrix<T> of_damping = r * errors_of_damping(scene, basis);
+    const Matrix<T> of_damping = r * damping_errors;
     Column<T> moving = Column<T>::Zero(n + 1), of_C(2 * n); // sizes of all masses, the contact's among them
     for (Eigen::Index i = 0; i < n; ++i)
         moving(static_cast<Eigen::Index>(stuck.masses[static_cast<std::size_t>(i)].index)) = size(i) + size(n + i);
@@ -192,7 +187,8 @@ HeldSolution held_solution(const Scene<T>& scene, const StuckConfiguration<T>& s
                            int digits, std::optional<Mass> only) {
     const System<T>& s = scene.system;
     const StuckResponse<T> response = stuck_response(stuck, s.contact, s.load, *scene.r);
-    const HeldErrors<T> errors = errors_of(scene, stuck, basis, response);
+    const Matrix<T> of_damping = errors_of_damping(scene, basis);
+    const HeldErrors<T> errors = errors_of(scene, stuck, of_damping, response);
     std::vector<StuckMass<T>> masses = response.masses;
     std::vector<T> error_of(masses.size(), T(0));
     for (std::size_t n = 0; n < stuck.masses.size(); ++n) error_of[stuck.masses[n].index] = errors.masses[n];
@@ -227,7 +223,7 @@ HeldSolution held_solution(const Scene<T>& scene, const StuckConfiguration<T>& s
     solution.rest_interval = {certified(Bounded<T>(T(-to), error), digits), certified(Bounded<T>(to, error), digits),
                               std::nullopt};
     require_in_range(to, digits, "the interval of rest");
-    solution.sticking_by_88 = limit_by_88(scene, stuck, basis, response, digits);
+    solution.sticking_by_88 = limit_by_88(scene, stuck, of_damping, response, digits);
     return solution;
 }
 
@@ -237,7 +233,7 @@ std::optional<Certified> sticking_by_88(const Scene<T>& scene, int digits) {
         const ModalBasis<Bounded<T>> basis = with_errors(scene.system, modal_basis(scene.system));
         const StuckConfiguration<T> stuck = stuck_configuration(scene.system, values_of(basis));
         const StuckResponse<T> response = stuck_response(stuck, scene.system.contact, scene.system.load, *scene.r);
-        return limit_by_88(scene, stuck, basis, response, digits);
+        return limit_by_88(scene, stuck, errors_of_damping(scene, basis), response, digits);
     } catch (const DomainError&) {
         return std::nullopt;
     }

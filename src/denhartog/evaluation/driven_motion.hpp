@@ -158,9 +158,9 @@ struct DrivenStart {
     T sin_0;               ///< sine of tau at the start
 };
 
-/// @brief Displacement and velocity of a driven coordinate, the free motion known.
+/// @brief Displacement and velocity of a driven coordinate, in the form that it is prepared for.
 /// @eq{A.6,A.7}  @derivation{solver_selections}  @domain{t >= 0, R > 0, zeta >= 0}
-/// @param free    the free motion at that time
+/// @param free    the free motion at that time, by `free_motion`
 /// @param t       time from the start
 /// @param c       the coordinate
 /// @param start   the start
@@ -175,20 +175,6 @@ template <class T>
     const Complex<T> decayed{free.d - c.zeta * free.q, c.w * free.q};
     const InitialValues<T> h = response_from_rest(t, c.decay, T(c.w * c.omega), c.apart, decayed, start.cos_0, start.sin_0);
     return {now.eta_0 + c.F * h.eta_0, now.eta_prime_0 + c.F * h.eta_prime_0};
-}
-
-/// @brief Displacement and velocity of a driven coordinate, in the form that it is prepared for.
-/// @eq{A.6,A.7}  @derivation{solver_selections}  @domain{t >= 0, R > 0, zeta >= 0}
-/// @param t       time from the start
-/// @param c       the coordinate
-/// @param start   the start
-/// @param cosine  cosine of tau at the instant
-/// @param sine    sine of tau at the instant
-/// @return        displacement and velocity
-template <class T>
-[[nodiscard]] InitialValues<T> motion_of_coordinate(const T& t, const DrivenCoordinate<T>& c, const DrivenStart<T>& start,
-                                                    const T& cosine, const T& sine) {
-    return motion_of_coordinate(free_motion(t, c.R, c.zeta, c.w), t, c, start, cosine, sine);
 }
 
 /// @brief The derivative of a coordinate two orders up, by its equation of motion: \f$ f - D - \eta/R^2 \f$.

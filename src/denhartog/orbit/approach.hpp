@@ -49,6 +49,7 @@ public:
         apart_ = std::move(apart);
         distance_ = distance;
         moved_ = false;
+        // The reach is proved but for the rounding of its proof.
         has_arrived_ = distance <= rounding || distance + to.error < to.reach * (1 - T(1) / (1 << 20));
     }
 

@@ -86,7 +86,7 @@ private:
         return false;
     }
 
-    // Whether the motion from the start, seen where a candidate was found or after one more half-period, comes to the candidate, which then is the answer.
+    // Whether the motion from the start, after one more half-period or where a candidate was found, comes to it: the answer.
     bool is_approached(const State<T>& z) {
         if (no_expansion_ || !search_.follow_start || !candidate_.stable) return false;
         approach_.take(map_, candidate_, z, held_);

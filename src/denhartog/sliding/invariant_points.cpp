@@ -176,11 +176,6 @@ private:
     std::vector<Complex<Bounded<T>>> v_;
 };
 
-template <class T>
-int certain_sign_of(const Bounded<T>& x) {
-    return x.x > x.e ? 1 : x.x < -x.e ? -1 : 0;
-}
-
 /// Whether a mode may have a pole of V or U from a to b: R = 1/n there, n odd.
 template <class T>
 bool pole_between(const ModalBasis<Bounded<T>>& basis, const T& a, const T& b) {
@@ -239,7 +234,8 @@ std::vector<InvariantPoint<Bounded<T>>> with_bounds(const ModalBasis<Bounded<T>>
     std::vector<InvariantPoint<Bounded<T>>> all;
     for (const InvariantPoint<T>& p : found.points) {
         const auto sign_at = [&](const T& r) {
-            return certain_sign_of(UndampedModes<T>(basis, Bounded<T>(r)).vanishing(contact, load, found.mass, p.kind));
+            const Bounded<T> f = UndampedModes<T>(basis, Bounded<T>(r)).vanishing(contact, load, found.mass, p.kind);
+            return certain_sign(Range<T>{f.x, f.x}, f.e);
         };
         Bounded<T> r(p.r, std::numeric_limits<T>::infinity()), amplitude(p.amplitude, r.e);
         for (T apart = 4 * std::numeric_limits<T>::epsilon(); apart < T(1) / 1024; apart = 4 * apart) {

@@ -30,24 +30,25 @@ template <class T>
 /// @brief Whether no motion within a distance of the sliding motion ever sticks, over the half-period from a turning point.
 /// @param c          the phases, at the start of the one that lasts half a period and leads to the mirrored turning point
 /// @param direction  1 or -1, that of the phase
+/// @param start      velocity at the start of the phase
+/// @param needed     load beyond which the contact cannot stick, within the distance
 /// @param distance   in the norm of the energy
 /// @return           true where bounds prove it
 template <class T>
-[[nodiscard]] bool slides_within(ContactPhases<T>& c, int direction, const T& distance) {
+[[nodiscard]] bool slides_within(ContactPhases<T>& c, int direction, const Jet<T>& start, const T& needed, const T& distance) {
     using std::sqrt;
     const T speed = c.system->basis.phi.row(static_cast<Eigen::Index>(c.system->contact.index)).norm() * distance;
-    const T needed = c.e.mu * c.e.beta + load_of_distance(c) * distance, half = pi<T>();
+    const T half = pi<T>();
     // The load that drives the contact on, after the turning point, and before that at the end, which is its mirror image.
     const auto load = [&](const Jet<T>& jet, int end) { return end * (c.e.beta + c.inertia * jet.f[1]); };
     const auto rate = [&](const Jet<T>& jet, const T& length) { return c.inertia * (jet.second + jet.growth * length); };
-    Jet<T> after = c.velocity(direction, T(0));
-    const T margin = load(after, 1) - needed;
+    const T margin = load(start, 1) - needed;
     if (!(margin > 0)) return false;
     const T room = margin / c.inertia;
-    T t = std::min(T(half / 8), T(room / (after.second + sqrt(T(after.second * after.second + 4 * after.growth * room)))));
+    T t = std::min(T(half / 8), T(room / (start.second + sqrt(T(start.second * start.second + 4 * start.growth * room)))));
     Jet<T> before = c.velocity(direction, T(half - t));
     if (!(rate(before, t) * t < margin)) return false;
-    after = c.velocity(direction, t);
+    Jet<T> after = c.velocity(direction, t);
     while (!(after.f[0] > speed && before.f[0] > speed)) { // the contact may be at rest there: the load has to last longer
         if (t > half / 8) return false;
         const Jet<T> later = c.velocity(direction, T(2 * t)), earlier = c.velocity(direction, T(half - 2 * t));
@@ -72,10 +73,11 @@ template <class T>
 [[nodiscard]] T sliding_reach(ContactPhases<T>& c, int direction) {
     constexpr int most_halvings = 10;
     const Jet<T> start = c.velocity(direction, T(0));
-    T distance = (c.e.beta + c.inertia * start.f[1] - c.e.mu * c.e.beta) / load_of_distance(c);
+    const T holds = c.e.mu * c.e.beta, unit = load_of_distance(c);
+    T distance = (c.e.beta + c.inertia * start.f[1] - holds) / unit;
     for (int n = 0; n < most_halvings; ++n) {
         distance = distance / 2;
-        if (slides_within(c, direction, distance)) return distance;
+        if (slides_within(c, direction, start, T(holds + unit * distance), distance)) return distance;
     }
     return T(0);
 }

@@ -1,7 +1,7 @@
 #include "denhartog/program/commands/commands.hpp"
 
 #include <CLI/CLI.hpp>
-#include <cmath>
+#include <algorithm>
 #include <memory>
 
 #include "denhartog/answer/modes_in_double.hpp"
@@ -18,12 +18,9 @@ namespace {
 
 Json pair(const Complex<Bounded<double>>& z, const NumberWriter& write) { return Json::array({write(z.re.x), write(z.im.x)}); }
 
-// The bound of a number, or the larger one of both parts; null where nothing is known of it.
-Json bound_of(const Bounded<double>& x, const NumberWriter& write) {
-    return std::isfinite(x.e) ? write.bound(x.e) : Json(nullptr);
-}
+Json bound_of(const Bounded<double>& x, const NumberWriter& write) { return write.bound_or_null(x.e); }
 Json bound_of(const Complex<Bounded<double>>& z, const NumberWriter& write) {
-    return bound_of(z.re.e < z.im.e ? z.im : z.re, write);
+    return write.bound_or_null(std::max(z.re.e, z.im.e));
 }
 
 // The sum of the modes' maxima, (56), each taken where the search in double finds it.

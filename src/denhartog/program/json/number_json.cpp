@@ -23,6 +23,8 @@ Json NumberWriter::bound(double e) const {
     return text;
 }
 
+Json NumberWriter::bound_or_null(double e) const { return std::isfinite(e) ? bound(e) : Json(nullptr); }
+
 std::string in_table(const Json& x) {
     if (x.is_string()) return x.get<std::string>();
     if (x.is_null()) return "-";

@@ -25,6 +25,8 @@ struct NumberWriter {
     [[nodiscard]] Json operator()(const Certified& x) const;
     /// @brief Writes a bound of an error, rounded up where it is text. @param e the bound @return the bound as JSON
     [[nodiscard]] Json bound(double e) const;
+    /// @brief The same, null where nothing is known. @param e the bound, or infinity @return the bound as JSON
+    [[nodiscard]] Json bound_or_null(double e) const;
 };
 
 /// @brief A number for a table.

@@ -23,16 +23,12 @@ Json limits_json(const Limits& b, const NumberWriter& write) {
     return all;
 }
 
-Json bound_or_null(const Certified& x, const NumberWriter& write) {
-    return std::isfinite(x.error) ? write.bound(x.error) : Json(nullptr);
-}
-
 // Bounds of the errors of the friction ratios of `limits_json`, by the same keys.
 Json limit_bounds_json(const Limits& b, const NumberWriter& write) {
-    Json all{{"exact", bound_or_null(b.exact, write)},
-             {"paper", bound_or_null(b.paper, write)},
-             {"approximate", bound_or_null(b.approximate, write)}};
-    if (b.sticking) all["sticking"] = bound_or_null(*b.sticking, write);
+    Json all{{"exact", write.bound_or_null(b.exact.error)},
+             {"paper", write.bound_or_null(b.paper.error)},
+             {"approximate", write.bound_or_null(b.approximate.error)}};
+    if (b.sticking) all["sticking"] = write.bound_or_null(b.sticking->error);
     return all;
 }
 
@@ -96,7 +92,7 @@ void add_stability(Json& all, const Stability& stability, const NumberWriter& wr
     all["stable"] = stability.stable;
     all["multipliers"] = numbers_json(stability.multipliers, write);
     Json bounds = Json::array();
-    for (const Certified& each : stability.multipliers) bounds.push_back(bound_or_null(each, write));
+    for (const Certified& each : stability.multipliers) bounds.push_back(write.bound_or_null(each.error));
     all["multiplier_error_bounds"] = std::move(bounds);
 }
 
@@ -202,7 +198,7 @@ Json solution_json(const Solution& s, const NumberWriter& write) {
     Json bounds = s.limits ? limit_bounds_json(*s.limits, write) : Json::object();
     if (s.sticking_by_88) {
         limits["sticking_by_88"] = write(*s.sticking_by_88);
-        bounds["sticking_by_88"] = bound_or_null(*s.sticking_by_88, write);
+        bounds["sticking_by_88"] = write.bound_or_null(s.sticking_by_88->error);
     }
     all["beta_lim"] = limits;
     if (!bounds.empty()) all["beta_lim_error_bounds"] = bounds;
