@@ -9,9 +9,10 @@ function boundary = denhartog_boundary(scene, r)
 %     paper        (69) with (56), the sum of the maxima of the modes; never above exact
 %     approximate  (67); never below exact
 %     sticking     the smallest beta at which the contact never moves; NaN where no friction holds it
+%     exact_error, paper_error, approximate_error, sticking_error: bounds of their errors
 %     status       'answered'; 'at_a_pole' or 'failed' where there are no numbers. Text for one r, else a cell array
-%   With its own frequency a dimensional scene with a force adds dimensional: exact, paper, approximate and sticking as
-%   friction forces. To 10 digits. One r that has no answer is an error; among many it has its status, and NaN.
+%   With its own frequency a dimensional scene with a force adds dimensional: these numbers and their bounds as friction
+%   forces. To 10 digits. One r that has no answer is an error; among many it has its status, and NaN.
   if nargin < 2, r = []; end
   if isempty(r)
     point = scene_point(scene, [], []);
@@ -22,6 +23,7 @@ function boundary = denhartog_boundary(scene, r)
   raw = denhartog_mex('boundary', point.text, point.r, point.mu);
   boundary = struct('r', point.r);
   kinds = {'exact', 'paper', 'approximate', 'sticking'};
+  kinds = [kinds, strcat(kinds, '_error')];
   for k = 1:numel(kinds)
     boundary.(kinds{k}) = reshape(raw.(kinds{k}), size(point.r));
   end

@@ -104,6 +104,8 @@ static mxArray* natural_frequencies(size_t N, const mxArray* const* arguments) {
     mxArray* result = empty_struct();
     double* r_n = doubles(result, "r_n", 1, N);
     need(dh_natural_frequency_ratios(held_system, N, r_n, doubles(result, "zeta", 1, N)));
+    r_n = doubles(result, "r_n_error", 1, N);
+    need(dh_natural_frequency_ratio_errors(held_system, N, r_n, doubles(result, "zeta_error", 1, N)));
     return result;
 }
 
@@ -112,22 +114,29 @@ static mxArray* boundary(size_t N, const mxArray* const* arguments) {
     const Numbers r = numbers(arguments[0], "r must be real, of class double");
     const double mu = number(arguments[1], "mu must be one number");
     mxArray* result = empty_struct();
-    double* exact = doubles(result, "exact", r.count, 1);
-    double* paper = doubles(result, "paper", r.count, 1);
-    double* approximate = doubles(result, "approximate", r.count, 1);
-    double* sticking = doubles(result, "sticking", r.count, 1);
+    double *values[4], *errors[4];
+    static const char* const names[] = {"exact", "paper", "approximate", "sticking"};
+    static const char* const names_of_errors[] = {"exact_error", "paper_error", "approximate_error", "sticking_error"};
     signed char* states = (signed char*)field(result, "status", mxINT8_CLASS, r.count, 1);
-    size_t n;
+    size_t n, k;
     (void)N;
+    for (k = 0; k < 4; ++k) {
+        values[k] = doubles(result, names[k], r.count, 1);
+        errors[k] = doubles(result, names_of_errors[k], r.count, 1);
+    }
     for (n = 0; n < r.count; ++n) {
-        dh_boundary at = {.size = sizeof at};
-        const int status = dh_boundaries(held_system, r.values[n], mu, &at);
+        dh_boundary at = {.size = sizeof at}, error = {.size = sizeof error};
+        int status = dh_boundaries(held_system, r.values[n], mu, &at);
+        if (status == DH_OK) status = dh_boundary_errors(held_system, r.values[n], mu, &error);
         if (r.count == 1 || (status != DH_ERROR_DOMAIN && status != DH_ERROR_PRECISION)) need(status);
         states[n] = status == DH_OK ? DH_POINT_ANSWERED : status == DH_ERROR_DOMAIN ? DH_POINT_AT_A_POLE : DH_POINT_FAILED;
-        exact[n] = status == DH_OK ? at.exact : mxGetNaN();
-        paper[n] = status == DH_OK ? at.paper : mxGetNaN();
-        approximate[n] = status == DH_OK ? at.approximate : mxGetNaN();
-        sticking[n] = status == DH_OK && at.sticking_exists ? at.sticking : mxGetNaN();
+        const double found[] = {at.exact, at.paper, at.approximate, at.sticking};
+        const double bounds[] = {error.exact, error.paper, error.approximate, error.sticking};
+        for (k = 0; k < 4; ++k) {
+            const int exists = status == DH_OK && (k < 3 || at.sticking_exists);
+            values[k][n] = exists ? found[k] : mxGetNaN();
+            errors[k][n] = exists ? bounds[k] : mxGetNaN();
+        }
     }
     return result;
 }
@@ -176,6 +185,7 @@ static mxArray* solve_point(double r, double beta, double mu, int digits, size_t
         ends[0] = motion.rest_from;
         ends[1] = motion.rest_to;
     }
+    *doubles(result, "rest_error", 1, 1) = motion.rest_error;
     *doubles(result, "relative_error", 1, 1) = motion.relative_error;
     *(signed char*)field(result, "unique", mxINT8_CLASS, 1, 1) = motion.unique != 0;
     *(signed char*)field(result, "symmetric", mxINT8_CLASS, 1, 1) = motion.symmetric != 0;

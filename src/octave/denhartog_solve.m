@@ -23,12 +23,13 @@ function solution = denhartog_solve(scene, r, beta, digits)
 %     stop_start, stop_end  when the rests begin and end, tau from the maximum of the force; stop_start_error,
 %                           stop_end_error the bounds of their errors
 %     rest_interval         [from, to] where the contact may rest for ever; empty where it does not
+%     rest_error            bound of the error of both; 0 where there is none
 %     relative_error        the largest error of the amplitudes, relative, and of the phases
 %     unique                true where the velocities are known not to depend on the start
 %     symmetric             true where the motion mirrors itself after half its period, Eq. (25)
 %     dimensional           of a dimensional scene at its own point: frequency, frequency_hz, force, friction,
 %                           displacement_unit (P / k_1), amplitude, amplitude_error, stop_start, stop_end (times),
-%                           stop_start_error, stop_end_error, rest_interval, all in the units of the scene
+%                           stop_start_error, stop_end_error, rest_interval, rest_error, all in the units of the scene
 %
 %   One point that has no answer is an error, denhartog:domain at a pole, denhartog:precision where the digits are not
 %   reached. Among many points it has its status.
@@ -62,6 +63,7 @@ function solution = denhartog_solve(scene, r, beta, digits)
   solution.stop_start_error = raw.stop_start_error;
   solution.stop_end_error = raw.stop_end_error;
   solution.rest_interval = raw.rest_interval;
+  solution.rest_error = raw.rest_error;
   solution.relative_error = raw.relative_error;
   solution.unique = raw.unique ~= 0;
   solution.symmetric = raw.symmetric ~= 0;
@@ -92,4 +94,5 @@ function dimensional = in_units(solution, units)
   dimensional.stop_start_error = solution.stop_start_error / units.omega;
   dimensional.stop_end_error = solution.stop_end_error / units.omega;
   dimensional.rest_interval = units.length * solution.rest_interval;
+  dimensional.rest_error = units.length * solution.rest_error;
 end

@@ -131,6 +131,14 @@ TEST_CASE("null pointers and wrong lengths are refused, and nothing is written",
     f.fails(dh_mode_shapes(nullptr, 1, 4, a), DH_ERROR_NULL, "system");
     f.fails(dh_mode_shapes(s, 1, 4, nullptr), DH_ERROR_NULL, "psi");
     f.fails(dh_mode_shapes(s, 1, 2, a), DH_ERROR_SIZE, "count must be 4, but is 2");
+    f.fails(dh_natural_frequency_ratio_errors(nullptr, 2, a, b), DH_ERROR_NULL, "system");
+    f.fails(dh_natural_frequency_ratio_errors(s, 2, nullptr, b), DH_ERROR_NULL, "r_n_error");
+    f.fails(dh_natural_frequency_ratio_errors(s, 3, a, b), DH_ERROR_SIZE, "count must be 2, but is 3");
+    f.fails(dh_mode_shape_errors(s, 1, 4, nullptr), DH_ERROR_NULL, "psi_error");
+    f.fails(dh_modal_function_errors(s, 1, 2, nullptr, b, c, d), DH_ERROR_NULL, "R_error");
+    f.fails(dh_sum_errors(s, 1, 2, nullptr, b, c, d, d), DH_ERROR_NULL, "V_error");
+    f.fails(dh_high_frequency_limit_error(s, 1, nullptr), DH_ERROR_NULL, "error");
+    f.fails(dh_displacement_errors(s, 1, 0, 1, 1, 2, ones.data(), nullptr), DH_ERROR_NULL, "x_error");
     f.fails(dh_modal_functions(nullptr, 1, 2, a, b, c, d), DH_ERROR_NULL, "system");
     f.fails(dh_modal_functions(s, 1, 2, nullptr, b, c, d), DH_ERROR_NULL, "R");
     f.fails(dh_modal_functions(s, 1, 1, a, b, c, d), DH_ERROR_SIZE, "count");
@@ -179,6 +187,12 @@ TEST_CASE("structs are refused where they are null or too small, and filled wher
     check_struct<dh_sliding_mass>(
         f, [&](auto* result) { return dh_sliding_motion(s, 1.125, 0.125, 1, 2, result); },
         [&](auto* result) { return dh_sliding_motion(s, 1.125, 100, 1, 2, result); }, DH_ERROR_DOMAIN);
+    check_struct<dh_boundary>(
+        f, [&](auto* result) { return dh_boundary_errors(s, 1.125, 1, result); },
+        [&](auto* result) { return dh_boundary_errors(s, no_number, 1, result); }, DH_ERROR_INPUT);
+    check_struct<dh_sliding_mass>(
+        f, [&](auto* result) { return dh_sliding_motion_errors(s, 1.125, 0.125, 1, 2, result); },
+        [&](auto* result) { return dh_sliding_motion_errors(s, 1.125, 100, 1, 2, result); }, DH_ERROR_DOMAIN);
     check_struct<dh_summary>(
         f, [&](auto* result) { return dh_solution_summary(x, result); },
         [&](auto* result) { return dh_solution_summary(nullptr, result); }, DH_ERROR_NULL);
@@ -199,6 +213,8 @@ TEST_CASE("numbers outside their rules, among them those that are none, are refu
         f.fails(dh_mode_shapes(s, r, 4, a), DH_ERROR_INPUT, "r must be positive");
         f.fails(dh_modal_functions(s, r, 2, a, b, c, d), DH_ERROR_INPUT, "r must be positive");
         f.fails(dh_sums(s, r, 2, a, b, c, d, d), DH_ERROR_INPUT, "r must be positive");
+        f.fails(dh_mode_shape_errors(s, r, 4, a), DH_ERROR_INPUT, "r must be positive");
+        f.fails(dh_sum_errors(s, r, 2, a, b, c, d, d), DH_ERROR_INPUT, "r must be positive");
         f.fails(dh_boundaries(s, r, 1, &boundary), DH_ERROR_INPUT, "r must be positive");
         f.fails(dh_displacement(s, r, 0, 1, 1, 2, ones.data(), a), DH_ERROR_INPUT, "r must be positive");
         f.fails(dh_solve(s, r, 0.125, 1, 0, &f.no_solution), DH_ERROR_INPUT, "r must be positive");
@@ -226,6 +242,9 @@ TEST_CASE("a formula outside its domain and a result beyond double are refused",
     f.fails(dh_high_frequency_limit(f.system.get(), 1, a), DH_ERROR_DOMAIN, "j = l");
     const Handle undamped = handle_of(chain_of({1}, {1}, {0}, 1, 1));
     f.fails(dh_modal_functions(undamped.get(), 1, 1, a, b, c, d), DH_ERROR_DOMAIN, "");
+    f.fails(dh_modal_function_errors(undamped.get(), 1, 1, a, b, c, d), DH_ERROR_DOMAIN, "");
+    f.fails(dh_high_frequency_limit_error(f.system.get(), 1, a), DH_ERROR_DOMAIN, "j = l");
+    f.fails(dh_displacement_errors(f.system.get(), 1, 100, 1, 1, 2, ones.data(), a), DH_ERROR_DOMAIN, "Eq. (69)");
     f.fails(dh_sums(undamped.get(), 1, 1, a, b, c, d, d), DH_ERROR_DOMAIN, "");
     f.fails(dh_solve(undamped.get(), 1, 0.125, 1, 0, &f.no_solution), DH_ERROR_DOMAIN, "");
     f.fails(dh_mode_shapes(undamped.get(), 1e-310, 1, a), DH_ERROR_PRECISION, "beyond the range of double");

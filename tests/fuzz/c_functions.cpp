@@ -119,8 +119,10 @@ void ask_modes(Choices& c, const dh_system* system, std::size_t N) {
     const std::size_t which = c.of(2), right = which == 0 ? N : N * N, count = count_of(c, right);
     const double r = c.number();
     Output first(c, std::max(count, right)), zeta(c, std::max(count, right));
-    const int status = which == 0 ? dh_natural_frequency_ratios(system, count, first.data(), zeta.data())
-                                  : dh_mode_shapes(system, r, count, first.data());
+    const bool errors = c.of(2) == 0;
+    const auto of_frequencies = errors ? dh_natural_frequency_ratio_errors : dh_natural_frequency_ratios;
+    const int status = which == 0 ? of_frequencies(system, count, first.data(), zeta.data())
+                                  : (errors ? dh_mode_shape_errors : dh_mode_shapes)(system, r, count, first.data());
     const bool ok = which == 0
                         ? answered(status, {DH_ERROR_NULL, DH_ERROR_SIZE}, "natural_frequency_ratios")
                         : answered(status, {DH_ERROR_NULL, DH_ERROR_SIZE, DH_ERROR_INPUT, DH_ERROR_PRECISION}, "mode_shapes");
@@ -136,10 +138,13 @@ void ask_functions(Choices& c, const dh_system* system, std::size_t N) {
     const double r = c.number();
     const std::size_t count = count_of(c, N), size = std::max(count, N);
     Output z(c, 2 * size), first(c, size), second(c, size), third(c, size), H_j(c, 1), S_j(c, 1);
-    const bool ok = sums ? answered(dh_sums(system, r, count, z.data(), first.data(), second.data(), H_j.data(), S_j.data()),
+    const bool errors = c.of(2) == 0;
+    const auto of_sums = errors ? dh_sum_errors : dh_sums;
+    const auto of_modes = errors ? dh_modal_function_errors : dh_modal_functions;
+    const bool ok = sums ? answered(of_sums(system, r, count, z.data(), first.data(), second.data(), H_j.data(), S_j.data()),
                                     of_a_point, "sums")
-                         : answered(dh_modal_functions(system, r, count, third.data(), z.data(), first.data(), second.data()),
-                                    of_a_point, "modal_functions");
+                         : answered(of_modes(system, r, count, third.data(), z.data(), first.data(), second.data()), of_a_point,
+                                    "modal_functions");
     z.check(ok, 2 * N);
     first.check(ok, N);
     second.check(ok, N);
@@ -151,11 +156,12 @@ void ask_functions(Choices& c, const dh_system* system, std::size_t N) {
 void ask_boundaries(Choices& c, const dh_system* system, std::size_t) {
     const Point p(c);
     StructOutput<dh_boundary> b(c);
-    b.check(answered(dh_boundaries(system, p.r, p.mu, b.data()), of_a_point, "boundaries"),
+    const bool errors = c.of(2) == 0;
+    b.check(answered((errors ? dh_boundary_errors : dh_boundaries)(system, p.r, p.mu, b.data()), of_a_point, "boundaries"),
             {&dh_boundary::exact, &dh_boundary::paper, &dh_boundary::approximate, &dh_boundary::sticking});
     Output limit(c, 1);
-    limit.check(answered(dh_high_frequency_limit(system, p.mu, limit.data()), {DH_ERROR_NULL, DH_ERROR_INPUT, DH_ERROR_DOMAIN},
-                         "high_frequency_limit"),
+    limit.check(answered((errors ? dh_high_frequency_limit_error : dh_high_frequency_limit)(system, p.mu, limit.data()),
+                         {DH_ERROR_NULL, DH_ERROR_INPUT, DH_ERROR_DOMAIN}, "high_frequency_limit"),
                 1);
 }
 
@@ -163,14 +169,17 @@ void ask_sliding(Choices& c, const dh_system* system, std::size_t N) {
     const Point p(c);
     const std::size_t mass = c.rarely() ? c.byte() : 1 + c.of(N);
     StructOutput<dh_sliding_mass> m(c);
-    m.check(answered(dh_sliding_motion(system, p.r, p.beta / 16, p.mu, mass, m.data()), of_a_point, "sliding_motion"),
+    const bool errors = c.of(2) == 0;
+    m.check(answered((errors ? dh_sliding_motion_errors : dh_sliding_motion)(system, p.r, p.beta / 16, p.mu, mass, m.data()),
+                     of_a_point, "sliding_motion"),
             {&dh_sliding_mass::initial_displacement, &dh_sliding_mass::initial_velocity, &dh_sliding_mass::amplitude,
              &dh_sliding_mass::phase, &dh_sliding_mass::instant, &dh_sliding_mass::amplitude_monoharmonic,
              &dh_sliding_mass::phase_monoharmonic});
     const std::size_t count = c.of(5);
     const std::vector<double> tau = c.numbers(count);
     Output x(c, count);
-    x.check(answered(dh_displacement(system, p.r, p.beta / 16, p.mu, mass, count, c.rarely() ? nullptr : tau.data(), x.data()),
+    x.check(answered((errors ? dh_displacement_errors : dh_displacement)(system, p.r, p.beta / 16, p.mu, mass, count,
+                                                                         c.rarely() ? nullptr : tau.data(), x.data()),
                      of_a_point, "displacement"),
             count);
 }
@@ -231,8 +240,9 @@ void ask_quantity(Choices& c, const dh_system* system, std::size_t N) {
     Output values(c, size);
     std::size_t count = SIZE_MAX;
     std::size_t* const to_count = c.rarely() ? nullptr : &count;
+    const auto of = c.of(2) == 0 ? dh_quantity_errors : dh_quantity;
     const bool ok = answered(
-        dh_quantity(system, c.rarely() ? nullptr : name.c_str(), p.r, p.beta, p.mu, mass, tau, size, values.data(), to_count),
+        of(system, c.rarely() ? nullptr : name.c_str(), p.r, p.beta, p.mu, mass, tau, size, values.data(), to_count),
         {DH_ERROR_NULL, DH_ERROR_SIZE, DH_ERROR_INPUT, DH_ERROR_DOMAIN, DH_ERROR_PRECISION, DH_ERROR_MEMORY}, "quantity");
     claim(ok ? count <= size : count == SIZE_MAX, "how many values there are is written, or untouched");
     values.check(ok, ok ? count : 0);

@@ -83,17 +83,30 @@ DH_EXPORT int dh_system_from_json(const char* text, size_t length, dh_system** s
 DH_EXPORT void dh_system_destroy(dh_system* system) DH_NOEXCEPT;
 DH_EXPORT int dh_system_masses(const dh_system* system, size_t* N, size_t* contact, size_t* load) DH_NOEXCEPT;
 DH_EXPORT int dh_natural_frequency_ratios(const dh_system* system, size_t count, double* r_n, double* zeta) DH_NOEXCEPT;
+DH_EXPORT int dh_natural_frequency_ratio_errors(const dh_system* system, size_t count, double* r_n_error,
+                                                double* zeta_error) DH_NOEXCEPT;
 DH_EXPORT int dh_mode_shapes(const dh_system* system, double r, size_t count, double* psi) DH_NOEXCEPT;
+DH_EXPORT int dh_mode_shape_errors(const dh_system* system, double r, size_t count, double* psi_error) DH_NOEXCEPT;
 DH_EXPORT int dh_modal_functions(const dh_system* system, double r, size_t count, double* R, double* v, double* u,
                                  double* g) DH_NOEXCEPT;
+DH_EXPORT int dh_modal_function_errors(const dh_system* system, double r, size_t count, double* R_error, double* v_error,
+                                       double* u_error, double* g_error) DH_NOEXCEPT;
 DH_EXPORT int dh_sums(const dh_system* system, double r, size_t count, double* V, double* U, double* G, double* H_j,
                       double* S_j) DH_NOEXCEPT;
+DH_EXPORT int dh_sum_errors(const dh_system* system, double r, size_t count, double* V_error, double* U_error, double* G_error,
+                            double* H_j_error, double* S_j_error) DH_NOEXCEPT;
 DH_EXPORT int dh_boundaries(const dh_system* system, double r, double mu, dh_boundary* boundary) DH_NOEXCEPT;
+DH_EXPORT int dh_boundary_errors(const dh_system* system, double r, double mu, dh_boundary* errors) DH_NOEXCEPT;
 DH_EXPORT int dh_high_frequency_limit(const dh_system* system, double mu, double* beta_lim) DH_NOEXCEPT;
+DH_EXPORT int dh_high_frequency_limit_error(const dh_system* system, double mu, double* error) DH_NOEXCEPT;
 DH_EXPORT int dh_sliding_motion(const dh_system* system, double r, double beta, double mu, size_t mass,
                                 dh_sliding_mass* result) DH_NOEXCEPT;
+DH_EXPORT int dh_sliding_motion_errors(const dh_system* system, double r, double beta, double mu, size_t mass,
+                                       dh_sliding_mass* errors) DH_NOEXCEPT;
 DH_EXPORT int dh_displacement(const dh_system* system, double r, double beta, double mu, size_t mass, size_t count,
                               const double* tau, double* x) DH_NOEXCEPT;
+DH_EXPORT int dh_displacement_errors(const dh_system* system, double r, double beta, double mu, size_t mass, size_t count,
+                                     const double* tau, double* x_error) DH_NOEXCEPT;
 typedef int (*dh_cancelled)(void* context);
 DH_EXPORT int dh_set_effort(double operations, dh_cancelled cancelled, void* context) DH_NOEXCEPT;
 DH_EXPORT int dh_solve(const dh_system* system, double r, double beta, double mu, int digits, dh_solution** solution) DH_NOEXCEPT;
@@ -193,6 +206,8 @@ typedef struct dh_systems_request {
 DH_EXPORT int dh_solve_systems(const dh_systems_request* request, const dh_points* points) DH_NOEXCEPT;
 DH_EXPORT int dh_quantity(const dh_system* system, const char* name, double r, double beta, double mu, size_t mass, double tau,
                           size_t size, double* values, size_t* count) DH_NOEXCEPT;
+DH_EXPORT int dh_quantity_errors(const dh_system* system, const char* name, double r, double beta, double mu, size_t mass,
+                                 double tau, size_t size, double* errors, size_t* count) DH_NOEXCEPT;
 #ifdef __cplusplus
 }
 #endif

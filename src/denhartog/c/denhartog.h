@@ -10,6 +10,10 @@
 /// it when all are done. Each thread has its own last fault and its own limits from dh_set_effort(); the interface keeps nothing
 /// else. No call runs without end, because its work is counted; see dh_set_effort().
 ///
+/// Every number has a bound of its error: in a member beside it, or from a function of the same name that ends in `_error` or
+/// `_errors`. Where no error can be bounded the bound is `DBL_MAX`. The numbers of dh_map() and dh_solution_motion() come without
+/// bounds; the digits that they have stand there.
+///
 /// A struct that may grow has its size as its first member. The caller sets it to `sizeof` before the call, and the call writes
 /// no more than that many bytes. As long as the number in the name of the shared library stays the same, names are added but
 /// never changed or taken away.
@@ -172,6 +176,15 @@ DH_EXPORT int dh_system_masses(const dh_system* system, size_t* N, size_t* conta
 /// @return        #DH_OK, #DH_ERROR_NULL, #DH_ERROR_SIZE
 DH_EXPORT int dh_natural_frequency_ratios(const dh_system* system, size_t count, double* r_n, double* zeta) DH_NOEXCEPT;
 
+/// @brief Bounds of the errors of these numbers.
+/// @param system      a system
+/// @param count       N
+/// @param r_n_error   receives N bounds, of the frequency ratios
+/// @param zeta_error  receives N bounds, of the damping ratios; may be null
+/// @return            as dh_natural_frequency_ratios()
+DH_EXPORT int dh_natural_frequency_ratio_errors(const dh_system* system, size_t count, double* r_n_error,
+                                                double* zeta_error) DH_NOEXCEPT;
+
 /// @brief Mode shapes, normalised by (17) with the non-dimensional mass matrix, so that they are proportional to 1 / r; to at
 /// least 6 digits of the largest entry of a shape.
 /// @param system  a system
@@ -180,6 +193,14 @@ DH_EXPORT int dh_natural_frequency_ratios(const dh_system* system, size_t count,
 /// @param psi     receives psi_ki at position (k - 1) N + i - 1
 /// @return        #DH_OK, #DH_ERROR_NULL, #DH_ERROR_SIZE, #DH_ERROR_INPUT, #DH_ERROR_PRECISION
 DH_EXPORT int dh_mode_shapes(const dh_system* system, double r, size_t count, double* psi) DH_NOEXCEPT;
+
+/// @brief Bounds of the errors of these numbers; a shape and its negative are the same mode.
+/// @param system     a system
+/// @param r          frequency ratio, Eq. (10), positive
+/// @param count      N times N
+/// @param psi_error  receives the bound of psi_ki at position (k - 1) N + i - 1
+/// @return           as dh_mode_shapes()
+DH_EXPORT int dh_mode_shape_errors(const dh_system* system, double r, size_t count, double* psi_error) DH_NOEXCEPT;
 
 /// @brief What each mode contributes: (22), (23), (28), (29); to at least 6 digits.
 /// @param system  a system
@@ -193,6 +214,18 @@ DH_EXPORT int dh_mode_shapes(const dh_system* system, double r, size_t count, do
 ///                where more than R is asked for, #DH_ERROR_PRECISION
 DH_EXPORT int dh_modal_functions(const dh_system* system, double r, size_t count, double* R, double* v, double* u,
                                  double* g) DH_NOEXCEPT;
+
+/// @brief Bounds of the errors of these numbers, in the same places.
+/// @param system   a system
+/// @param r        frequency ratio, Eq. (10), positive
+/// @param count    N
+/// @param R_error  receives N bounds
+/// @param v_error  receives 2 N bounds: of real and imaginary part; may be null
+/// @param u_error  receives N bounds; may be null
+/// @param g_error  receives N bounds; may be null
+/// @return         as dh_modal_functions()
+DH_EXPORT int dh_modal_function_errors(const dh_system* system, double r, size_t count, double* R_error, double* v_error,
+                                       double* u_error, double* g_error) DH_NOEXCEPT;
 
 /// @brief Sums over the modes: (33)-(35), (64), and the largest sum of (57).
 ///
@@ -211,6 +244,19 @@ DH_EXPORT int dh_modal_functions(const dh_system* system, double r, size_t count
 DH_EXPORT int dh_sums(const dh_system* system, double r, size_t count, double* V, double* U, double* G, double* H_j,
                       double* S_j) DH_NOEXCEPT;
 
+/// @brief Bounds of the errors of these numbers, in the same places.
+/// @param system     a system
+/// @param r          frequency ratio, Eq. (10), positive
+/// @param count      N
+/// @param V_error    receives 2 N bounds: of real and imaginary part
+/// @param U_error    receives N bounds; may be null
+/// @param G_error    receives N bounds; may be null
+/// @param H_j_error  receives a bound; may be null
+/// @param S_j_error  receives a bound; may be null
+/// @return           as dh_sums()
+DH_EXPORT int dh_sum_errors(const dh_system* system, double r, size_t count, double* V_error, double* U_error, double* G_error,
+                            double* H_j_error, double* S_j_error) DH_NOEXCEPT;
+
 /// @brief The friction ratios between the regimes, to 10 digits: (56), (57), (67), (69), and permanent sticking.
 ///
 /// If (69) is below 1e-25, as at an antiresonance of the contact, it counts as zero, and the others may have fewer digits.
@@ -221,12 +267,27 @@ DH_EXPORT int dh_sums(const dh_system* system, double r, size_t count, double* V
 /// @return          as dh_modal_functions()
 DH_EXPORT int dh_boundaries(const dh_system* system, double r, double mu, dh_boundary* boundary) DH_NOEXCEPT;
 
+/// @brief Bounds of the errors of these numbers.
+/// @param system  a system
+/// @param r       frequency ratio, Eq. (10), positive
+/// @param mu      static over kinetic friction, Eq. (3), at least 1
+/// @param errors  receives in each member the bound of the error of that number; the caller has set its size
+/// @return        as dh_boundaries()
+DH_EXPORT int dh_boundary_errors(const dh_system* system, double r, double mu, dh_boundary* errors) DH_NOEXCEPT;
+
 /// @brief The limit of beta_lim for r to infinity, Eq. (86) as corrected.
 /// @param system    a system whose contact bears the load, j = l
 /// @param mu        static over kinetic friction, Eq. (3), at least 1
 /// @param beta_lim  receives the limit
 /// @return          #DH_OK, #DH_ERROR_NULL, #DH_ERROR_INPUT, #DH_ERROR_DOMAIN where j is not l
 DH_EXPORT int dh_high_frequency_limit(const dh_system* system, double mu, double* beta_lim) DH_NOEXCEPT;
+
+/// @brief Bound of the error of this number.
+/// @param system  a system whose contact bears the load, j = l
+/// @param mu      static over kinetic friction, Eq. (3), at least 1
+/// @param error   receives the bound
+/// @return        as dh_high_frequency_limit()
+DH_EXPORT int dh_high_frequency_limit_error(const dh_system* system, double mu, double* error) DH_NOEXCEPT;
 
 /// @brief What a mass does while the contact slides throughout: (38), (39), (44), (45), (47), (52), (53) as corrected; to
 /// 10 digits of its amplitude.
@@ -239,6 +300,17 @@ DH_EXPORT int dh_high_frequency_limit(const dh_system* system, double mu, double
 /// @return        as dh_modal_functions(); #DH_ERROR_DOMAIN from the boundary (69) on
 DH_EXPORT int dh_sliding_motion(const dh_system* system, double r, double beta, double mu, size_t mass,
                                 dh_sliding_mass* result) DH_NOEXCEPT;
+
+/// @brief Bounds of the errors of these numbers.
+/// @param system  a system
+/// @param r       frequency ratio, Eq. (10), positive
+/// @param beta    friction ratio, Eq. (11), not negative
+/// @param mu      static over kinetic friction, Eq. (3), at least 1
+/// @param mass    k, from 1 to N
+/// @param errors  receives in each member the bound of the error of that number; the caller has set its size
+/// @return        as dh_sliding_motion()
+DH_EXPORT int dh_sliding_motion_errors(const dh_system* system, double r, double beta, double mu, size_t mass,
+                                       dh_sliding_mass* errors) DH_NOEXCEPT;
 
 /// @brief Displacement of a mass while the contact slides throughout, Eq. (46) as corrected.
 ///
@@ -256,6 +328,19 @@ DH_EXPORT int dh_sliding_motion(const dh_system* system, double r, double beta, 
 /// @return        as dh_sliding_motion()
 DH_EXPORT int dh_displacement(const dh_system* system, double r, double beta, double mu, size_t mass, size_t count,
                               const double* tau, double* x) DH_NOEXCEPT;
+
+/// @brief Bounds of the errors of these numbers.
+/// @param system   a system
+/// @param r        frequency ratio, Eq. (10), positive
+/// @param beta     friction ratio, Eq. (11), not negative
+/// @param mu       static over kinetic friction, Eq. (3), at least 1
+/// @param mass     k, from 1 to N
+/// @param count    number of instants, with the limits of dh_displacement()
+/// @param tau      the same instants
+/// @param x_error  receives `count` bounds; may be the array of tau
+/// @return         as dh_displacement()
+DH_EXPORT int dh_displacement_errors(const dh_system* system, double r, double beta, double mu, size_t mass, size_t count,
+                                     const double* tau, double* x_error) DH_NOEXCEPT;
 
 /// @brief Your function, which the calling thread asks now and then whether to go on with a question.
 /// @param context  as given to dh_set_effort()
@@ -488,6 +573,21 @@ DH_EXPORT int dh_solve_systems(const dh_systems_request* request, const dh_point
 ///                such as the phase of a mass at rest, or if no quantity has this name, #DH_ERROR_PRECISION, #DH_ERROR_MEMORY
 DH_EXPORT int dh_quantity(const dh_system* system, const char* name, double r, double beta, double mu, size_t mass, double tau,
                           size_t size, double* values, size_t* count) DH_NOEXCEPT;
+
+/// @brief Bounds of the errors of these numbers. That of the regime is 1 where the neighbouring regime is possible, else 0.
+/// @param system  a system
+/// @param name    as for dh_quantity()
+/// @param r       frequency ratio, Eq. (10), positive
+/// @param beta    friction ratio, Eq. (11), not negative
+/// @param mu      static over kinetic friction, Eq. (3), at least 1
+/// @param mass    k, from 1 to N; ignored if the quantity belongs to no mass
+/// @param tau     for `displacement`; ignored otherwise
+/// @param size    length of `errors`, as for dh_quantity()
+/// @param errors  receives the bounds
+/// @param count   receives how many there are
+/// @return        as dh_quantity()
+DH_EXPORT int dh_quantity_errors(const dh_system* system, const char* name, double r, double beta, double mu, size_t mass,
+                                 double tau, size_t size, double* errors, size_t* count) DH_NOEXCEPT;
 
 #ifdef __cplusplus
 }

@@ -119,6 +119,12 @@ inline void need_finite(std::span<const double> numbers) {
         if (!std::isfinite(x)) throw PrecisionError("a result is beyond the range of double");
 }
 
+/// @brief An array of the caller.
+struct Output {
+    double* numbers;  ///< where it is
+    const char* name; ///< what the header calls it
+};
+
 /// @brief Hands out numbers, all of them finite. @param numbers they @param output an array as long, or null
 inline void hand_out(std::span<const double> numbers, double* output) noexcept {
     for (std::size_t i = 0; output != nullptr && i < numbers.size(); ++i) output[i] = numbers[i];

@@ -7,6 +7,7 @@
 #include "denhartog/c/handles.hpp"
 #include "denhartog/scene/limits.hpp"
 #include "denhartog/scene/point_rules.hpp"
+#include "denhartog/solve/sampled_solution.hpp"
 
 using namespace denhartog;
 using namespace denhartog::c_interface;
@@ -15,13 +16,14 @@ namespace {
 
 using Numbers = std::vector<double>;
 
-// What a quantity is asked of.
+// What a quantity is asked of, and whether its numbers are wanted or the bounds of their errors.
 struct AtPoint {
     const dh_system* system;
     double r, beta, mu;
     size_t mass;
     double tau;
     size_t samples;
+    Part part;
     size_t N, contact;
 };
 
@@ -36,13 +38,22 @@ Numbers existing(bool exists, double x, const char* why) {
     return {x};
 }
 
+// The one of two functions, or of two numbers, that belongs to the part that is wanted.
+template <class Of>
+Of wanted(const AtPoint& a, Of of_value, Of of_error) {
+    return a.part == Part::value ? of_value : of_error;
+}
+
 Numbers shape_products(const AtPoint& a) {
-    Numbers psi(a.N * a.N), products;
+    Numbers psi(a.N * a.N), errors(a.N * a.N), products;
     done(dh_mode_shapes(a.system, a.r, psi.size(), psi.data()));
+    done(dh_mode_shape_errors(a.system, a.r, errors.size(), errors.data()));
+    const auto shape = [&](size_t k, size_t i) { return Bounded<double>(psi[k * a.N + i], errors[k * a.N + i]); };
     const std::vector<Mass>& between = a.system->prepared.scene().system.coordinates.between;
     for (size_t i = 0; i < a.N; ++i) {
-        const double psi_ji = psi[(a.contact - 1) * a.N + i] - (between.empty() ? 0 : psi[between[1].index * a.N + i]);
-        products.push_back(psi[(a.mass - 1) * a.N + i] * psi_ji);
+        const Bounded<double> of_contact = shape(a.contact - 1, i);
+        const Bounded<double> psi_ji = between.empty() ? of_contact : of_contact - shape(between[1].index, i);
+        products.push_back(part_of(shape(a.mass - 1, i) * psi_ji, a.part));
     }
     return products;
 }
@@ -54,21 +65,22 @@ struct Sums {
 
 Sums sums(const AtPoint& a, bool largest = false) {
     Sums s{Numbers(2 * a.N), Numbers(a.N), Numbers(a.N), 0, 0};
-    done(dh_sums(a.system, a.r, a.N, s.V.data(), s.U.data(), s.G.data(), &s.H_j, largest ? &s.S_j : nullptr));
+    done(wanted(a, dh_sums, dh_sum_errors)(a.system, a.r, a.N, s.V.data(), s.U.data(), s.G.data(), &s.H_j,
+                                           largest ? &s.S_j : nullptr));
     return s;
 }
 
 dh_boundary boundaries(const AtPoint& a) {
     dh_boundary b{};
     b.size = sizeof b;
-    done(dh_boundaries(a.system, a.r, a.mu, &b));
+    done(wanted(a, dh_boundaries, dh_boundary_errors)(a.system, a.r, a.mu, &b));
     return b;
 }
 
 dh_sliding_mass sliding(const AtPoint& a) {
     dh_sliding_mass m{};
     m.size = sizeof m;
-    done(dh_sliding_motion(a.system, a.r, a.beta, a.mu, a.mass, &m));
+    done(wanted(a, dh_sliding_motion, dh_sliding_motion_errors)(a.system, a.r, a.beta, a.mu, a.mass, &m));
     return m;
 }
 
@@ -95,24 +107,45 @@ struct Steady {
     }
 };
 
+Numbers amplitude(const AtPoint& a) {
+    const dh_mass m = Steady(a).mass(a.mass);
+    return {wanted(a, m.amplitude, m.error)};
+}
+
 Numbers phase(const AtPoint& a) {
     const dh_mass m = Steady(a).mass(a.mass);
-    return existing(m.moves != 0, m.phase, "a mass that does not move has no phase");
+    return existing(m.moves != 0, wanted(a, m.phase, m.phase_error), "a mass that does not move has no phase");
+}
+
+Numbers regime(const AtPoint& a) {
+    const dh_summary all = Steady(a).all;
+    return {static_cast<double>(wanted(a, all.regime, all.on_boundary))};
+}
+
+Numbers stops_per_period(const AtPoint& a) {
+    const dh_summary all = Steady(a).all;
+    return {wanted(a, static_cast<double>(all.stops) / all.periods, 0.0)};
 }
 
 Numbers stop_durations(const AtPoint& a) {
     const Steady steady(a);
-    Numbers start(steady.all.stops), end(steady.all.stops);
-    done(dh_solution_stops(steady.solution.get(), start.size(), start.data(), end.data()));
-    for (size_t i = 0; i < start.size(); ++i) end[i] -= start[i];
-    std::sort(end.begin(), end.end());
-    return end;
+    const size_t count = steady.all.stops;
+    Numbers start(count), end(count), start_error(count), end_error(count), parts;
+    done(dh_solution_stops(steady.solution.get(), count, start.data(), end.data()));
+    done(dh_solution_stop_errors(steady.solution.get(), count, start_error.data(), end_error.data()));
+    std::vector<Bounded<double>> durations;
+    for (size_t i = 0; i < count; ++i)
+        durations.push_back(Bounded<double>(end[i], end_error[i]) - Bounded<double>(start[i], start_error[i]));
+    std::sort(durations.begin(), durations.end());
+    return parts_of(durations, a.part);
 }
 
 Numbers motion_under_force(const AtPoint& a) {
     need_length(a.samples, most_samples_of(a.N), "size, the number of samples,");
     const Steady steady(a);
     if (steady.all.periods != 1) throw DomainError("the motion has not the period of the force");
+    const dh_mass m = steady.mass(a.mass);
+    if (a.part == Part::error) return Numbers(a.samples, error_of_samples * m.amplitude + m.error);
     Numbers x(a.samples * a.N), of_mass;
     done(dh_solution_motion(steady.solution.get(), a.samples, x.size(), x.data(), nullptr));
     for (size_t n = 0; n < a.samples; ++n) of_mass.push_back(x[n * a.N + a.mass - 1]);
@@ -121,25 +154,25 @@ Numbers motion_under_force(const AtPoint& a) {
 
 Numbers natural_frequency_ratios(const AtPoint& a) {
     Numbers r_n(a.N);
-    done(dh_natural_frequency_ratios(a.system, a.N, r_n.data(), nullptr));
+    done(wanted(a, dh_natural_frequency_ratios, dh_natural_frequency_ratio_errors)(a.system, a.N, r_n.data(), nullptr));
     return r_n;
 }
 
 Numbers modal_frequency_ratios(const AtPoint& a) {
     Numbers R(a.N);
-    done(dh_modal_functions(a.system, a.r, a.N, R.data(), nullptr, nullptr, nullptr));
+    done(wanted(a, dh_modal_functions, dh_modal_function_errors)(a.system, a.r, a.N, R.data(), nullptr, nullptr, nullptr));
     return R;
 }
 
 Numbers displacement(const AtPoint& a) {
     double x = 0;
-    done(dh_displacement(a.system, a.r, a.beta, a.mu, a.mass, 1, &a.tau, &x));
+    done(wanted(a, dh_displacement, dh_displacement_errors)(a.system, a.r, a.beta, a.mu, a.mass, 1, &a.tau, &x));
     return {x};
 }
 
 Numbers high_frequency_limit(const AtPoint& a) {
     double limit = 0;
-    done(dh_high_frequency_limit(a.system, a.mu, &limit));
+    done(wanted(a, dh_high_frequency_limit, dh_high_frequency_limit_error)(a.system, a.mu, &limit));
     return {limit};
 }
 
@@ -149,8 +182,8 @@ Numbers sticking_limit(const AtPoint& a) {
 }
 
 Numbers rest_interval(const AtPoint& a) {
-    const Steady steady(a);
-    return existing(steady.all.rest_interval_exists != 0, steady.all.rest_to, "the contact does not rest for ever");
+    const dh_summary all = Steady(a).all;
+    return existing(all.rest_interval_exists != 0, wanted(a, all.rest_to, all.rest_error), "the contact does not rest for ever");
 }
 
 struct Named {
@@ -171,7 +204,7 @@ constexpr Named named[] = {
     {"second_damping_function", true, [](const AtPoint& a) { return Numbers{sums(a).G[a.mass - 1]}; }},
     {"H_j", false, [](const AtPoint& a) { return Numbers{sums(a).H_j}; }},
     {"S_j", false, [](const AtPoint& a) { return Numbers{sums(a, true).S_j}; }},
-    {"amplitude", true, [](const AtPoint& a) { return Numbers{Steady(a).mass(a.mass).amplitude}; }},
+    {"amplitude", true, amplitude},
     {"phase", true, phase},
     {"amplitude_monoharmonic", true, [](const AtPoint& a) { return Numbers{sliding(a).amplitude_monoharmonic}; }},
     {"phase_monoharmonic", true, [](const AtPoint& a) { return Numbers{sliding(a).phase_monoharmonic}; }},
@@ -183,26 +216,21 @@ constexpr Named named[] = {
     {"beta_lim_approximate", false, [](const AtPoint& a) { return Numbers{boundaries(a).approximate}; }},
     {"beta_lim_sticking", false, sticking_limit},
     {"beta_lim_high_frequency", false, high_frequency_limit},
-    {"regime", false, [](const AtPoint& a) { return Numbers{static_cast<double>(Steady(a).all.regime)}; }},
-    {"stops_per_period", false,
-     [](const AtPoint& a) {
-         const Steady steady(a);
-         return Numbers{static_cast<double>(steady.all.stops) / steady.all.periods};
-     }},
+    {"regime", false, regime},
+    {"stops_per_period", false, stops_per_period},
     {"stop_durations", false, stop_durations},
     {"rest_interval", false, rest_interval},
     {"motion_under_force", true, motion_under_force},
 };
 
-} // namespace
-
-extern "C" int dh_quantity(const dh_system* system, const char* name, double r, double beta, double mu, size_t mass, double tau,
-                           size_t size, double* values, size_t* count) noexcept {
+// The numbers of a quantity, or the bounds of their errors.
+int named_quantity(const dh_system* system, const char* name, double r, double beta, double mu, size_t mass, double tau,
+                   Part part, size_t size, Output result, size_t* count) noexcept {
     return guarded([&] {
         need(name, "name");
-        need(values, "values");
+        need(result.numbers, result.name);
         need(count, "count");
-        AtPoint asked{system, r, beta, mu, mass, tau, size, 0, 0};
+        AtPoint asked{system, r, beta, mu, mass, tau, size, part, 0, 0};
         done(dh_system_masses(system, &asked.N, &asked.contact, nullptr));
         check_frequency_ratio(r);
         check_friction_ratio(beta);
@@ -215,7 +243,23 @@ extern "C" int dh_quantity(const dh_system* system, const char* name, double r, 
             throw CallError(DH_ERROR_SIZE,
                             "size must be at least " + std::to_string(numbers.size()) + ", but is " + std::to_string(size));
         need_finite(numbers);
-        hand_out(numbers, values);
+        hand_out(numbers, result.numbers);
         *count = numbers.size();
     });
 }
+
+} // namespace
+
+extern "C" {
+
+int dh_quantity(const dh_system* system, const char* name, double r, double beta, double mu, size_t mass, double tau, size_t size,
+                double* values, size_t* count) noexcept {
+    return named_quantity(system, name, r, beta, mu, mass, tau, Part::value, size, {values, "values"}, count);
+}
+
+int dh_quantity_errors(const dh_system* system, const char* name, double r, double beta, double mu, size_t mass, double tau,
+                       size_t size, double* errors, size_t* count) noexcept {
+    return named_quantity(system, name, r, beta, mu, mass, tau, Part::error, size, {errors, "errors"}, count);
+}
+
+} // extern "C"

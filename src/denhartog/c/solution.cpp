@@ -22,27 +22,21 @@ void hand_out_mass(const SolvedMass& m, dh_mass* result) {
     hand_out(all, result);
 }
 
-struct NamedOutput {
-    double* output;
-    const char* name;
-};
-
 // The instants at which stops begin and end, or their errors.
-void hand_out_of_stops(const std::vector<SolvedStop>& stops, std::size_t count, double Certified::*part, NamedOutput of_starts,
-                       NamedOutput of_ends) {
+void hand_out_of_stops(const std::vector<SolvedStop>& stops, std::size_t count, Part part, Output of_starts, Output of_ends) {
     need_count(count, stops.size());
     if (count == 0) return;
-    need(of_starts.output, of_starts.name);
-    need(of_ends.output, of_ends.name);
+    need(of_starts.numbers, of_starts.name);
+    need(of_ends.numbers, of_ends.name);
     std::vector<double> starts, ends;
     for (const SolvedStop& stop : stops) {
-        starts.push_back(stop.start.*part);
-        ends.push_back(stop.end.*part);
+        starts.push_back(part_of(stop.start, part));
+        ends.push_back(part_of(stop.end, part));
     }
     need_finite(starts);
     need_finite(ends);
-    hand_out(starts, of_starts.output);
-    hand_out(ends, of_ends.output);
+    hand_out(starts, of_starts.numbers);
+    hand_out(ends, of_ends.numbers);
 }
 
 } // namespace
@@ -123,15 +117,14 @@ int dh_solution_contact(const dh_solution* solution, dh_mass* result) noexcept {
 int dh_solution_stops(const dh_solution* solution, size_t count, double* start, double* end) noexcept {
     return guarded([&] {
         need(solution, "solution");
-        hand_out_of_stops(solution->solution.stops, count, &Certified::value, {start, "start"}, {end, "end"});
+        hand_out_of_stops(solution->solution.stops, count, Part::value, {start, "start"}, {end, "end"});
     });
 }
 
 int dh_solution_stop_errors(const dh_solution* solution, size_t count, double* start_error, double* end_error) noexcept {
     return guarded([&] {
         need(solution, "solution");
-        hand_out_of_stops(solution->solution.stops, count, &Certified::error, {start_error, "start_error"},
-                          {end_error, "end_error"});
+        hand_out_of_stops(solution->solution.stops, count, Part::error, {start_error, "start_error"}, {end_error, "end_error"});
     });
 }
 

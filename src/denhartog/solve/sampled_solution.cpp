@@ -18,8 +18,6 @@
 namespace denhartog {
 namespace {
 
-constexpr double most_apart = 1e-6; // of the amplitude of its mass: what a sample may be off by
-
 // Stops over a period; one that lasts beyond its end is the first.
 template <class T>
 std::size_t stops_in(const std::vector<Phase<T>>& phases) {
@@ -29,7 +27,7 @@ std::size_t stops_in(const std::vector<Phase<T>>& phases) {
 }
 
 // The motion of an answer over its period, by the solver that found it. None where it does not come back to its start, by
-// `most_apart` of what each mass does, or has other stops than the answer: where the number type does not have the digits.
+// `error_of_samples` of what each mass does, or has other stops than the answer: where the number type does not have the digits.
 template <class T>
 std::optional<std::vector<State<double>>> along_orbit(ExactSolver<T>& solver, State<T> start, const Solution& solution,
                                                       const std::vector<double>& tau) {
@@ -58,7 +56,7 @@ std::optional<std::vector<State<double>>> along_orbit(ExactSolver<T>& solver, St
     for (std::size_t k = 0; k < speed.size(); ++k) {
         const Certified& amplitude = solution.masses[k].amplitude;
         const auto returns = [&](const T& to, const T& from, double size) {
-            return size_of_number(T(to - from)) <= amplitude.error + most_apart * size;
+            return size_of_number(T(to - from)) <= amplitude.error + error_of_samples * size;
         };
         if (!returns(end.x[k], start.x[k], amplitude.value) ||
             !returns(end.x_prime[k], start.x_prime[k], std::max(speed[k], amplitude.value)))
@@ -142,7 +140,7 @@ bool is_certain_enough(const Certified& phase, const Solution& solution, const s
     for (std::size_t k = 0; k < solution.masses.size(); ++k) {
         const Certified& amplitude = solution.masses[k].amplitude;
         for (const State<double>& at : states)
-            if (phase.error * std::abs(at.x_prime[k]) > amplitude.error + most_apart * amplitude.value) return false;
+            if (phase.error * std::abs(at.x_prime[k]) > amplitude.error + error_of_samples * amplitude.value) return false;
     }
     return true;
 }

@@ -10,6 +10,9 @@ namespace denhartog {
 
 struct SceneReader;
 
+/// @brief What a sample may be off by, of the amplitude of its mass, beside the error of that amplitude.
+constexpr double error_of_samples = 1e-6;
+
 /// @brief A motion at equally spaced instants.
 struct SampledSolution {
     std::vector<double> tau;           ///< instants, from 0 at the maximum of the force to below the period of the motion
@@ -18,7 +21,7 @@ struct SampledSolution {
 
 /// @brief Samples the motion of an answer over its period.
 ///
-/// A displacement is good to 1e-6 of the amplitude of its mass beside the error of that amplitude. A motion with stops is followed
+/// A displacement is good to `error_of_samples`. A motion with stops is followed
 /// from its start and has to come back to it, with the stops of the answer: in double, or in 50 digits if the answer needed them
 /// or double fails.
 /// @param source    the scene that was solved, a `SceneSource`

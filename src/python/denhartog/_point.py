@@ -8,8 +8,8 @@ from ctypes import byref
 import numpy as np
 
 from . import _library
-from ._results import REGIMES, Boundary, Functions, Handle, Solution
-from ._units import like
+from ._results import REGIMES, Boundary, BoundaryNumbers, FunctionNumbers, Functions, Handle, Solution
+from ._units import Real, like
 
 
 def solution(system: ctypes.c_void_p, N: int, r: float, beta: float, mu: float, digits: int, masses: np.ndarray) -> Solution:
@@ -34,25 +34,34 @@ def solution(system: ctypes.c_void_p, N: int, r: float, beta: float, mu: float, 
         rest_interval=(summary.rest_from, summary.rest_to) if summary.rest_interval_exists else None,
         rest_error=summary.rest_error, masses=masses.astype(int), amplitude=displacements["amplitude"],
         amplitude_error=displacements["error"], contact_amplitude=contact.amplitude,
-        contact_phase=contact.phase if contact.moves else math.nan, relative_error=summary.relative_error, _handle=handle, _N=N, **phases)
+        contact_phase=contact.phase if contact.moves else math.nan, contact_amplitude_error=contact.error,
+        contact_phase_error=contact.phase_error if contact.moves else math.nan, relative_error=summary.relative_error, _handle=handle, _N=N, **phases)
 
 
 def boundary(system: ctypes.c_void_p, r: np.ndarray, mu: float) -> Boundary:
-    """The friction ratios that part the regimes, of the shape of `r`."""
-    rows = np.empty(r.shape + (4,))
-    for at in np.ndindex(r.shape):
-        found = _library.Boundary()
-        _library.call("dh_boundaries", system, float(r[at]), mu, byref(found))
-        rows[at] = found.exact, found.paper, found.approximate, found.sticking if found.sticking_exists else math.nan
-    return Boundary(*(like(rows[..., n]) for n in range(4)))
+    """The friction ratios that part the regimes, of the shape of `r`, with the bounds of their errors."""
+    def rows(name: str) -> list[Real]:
+        rows = np.empty((4,) + r.shape)
+        for at in np.ndindex(r.shape):
+            found = _library.Boundary()
+            _library.call(name, system, float(r[at]), mu, byref(found))
+            rows[(slice(None), *at)] = (found.exact, found.paper, found.approximate,
+                                        found.sticking if found.sticking_exists else math.nan)
+        return [like(row) for row in rows]
+
+    result = Boundary(*rows("dh_boundaries"))
+    result.errors = BoundaryNumbers(*rows("dh_boundary_errors"))
+    return result
 
 
 def functions(system: ctypes.c_void_p, N: int, r: np.ndarray) -> Functions:
-    """The sums over the modes; the shape of `r` comes first."""
-    V = np.empty(r.shape + (N,), complex)
-    U, G, H_j, S_j = (np.empty(shape) for shape in (V.shape, V.shape, r.shape, r.shape))
-    v, u, g, h, s = np.empty(N, complex), np.empty(N), np.empty(N), np.empty(1), np.empty(1)
-    for at in np.ndindex(r.shape):
-        _library.call("dh_sums", system, float(r[at]), N, *map(_library.pointer, (v, u, g, h, s)))
-        V[at], U[at], G[at], H_j[at], S_j[at] = v, u, g, h[0], s[0]
-    return Functions(V, U, G, like(H_j), like(S_j))
+    """The sums over the modes, with the bounds of their errors; the shape of `r` comes first."""
+    def arrays(name: str) -> list[Real]:
+        arrays = [np.empty(r.shape + (N,), complex), *(np.empty(r.shape + end) for end in ((N,), (N,), (1,), (1,)))]
+        for at in np.ndindex(r.shape):
+            _library.call(name, system, float(r[at]), N, *(_library.pointer(array[at]) for array in arrays))
+        return arrays[:3] + [like(array[..., 0]) for array in arrays[3:]]
+
+    result = Functions(*arrays("dh_sums"))
+    result.errors = FunctionNumbers(*arrays("dh_sum_errors"))
+    return result

@@ -15,7 +15,16 @@ REGIMES = ("continuous", "stick_slip", "permanent_sticking")
 STATUSES = ("answered", "on_boundary", "not_converged", "at_a_pole", "failed")
 
 
-class Boundary(NamedTuple):
+class BoundaryNumbers(NamedTuple):
+    """The numbers of a `Boundary`, or the bounds of their errors."""
+
+    exact: Union[float, np.ndarray]
+    paper: Union[float, np.ndarray]
+    approximate: Union[float, np.ndarray]
+    sticking: Union[float, np.ndarray]
+
+
+class Boundary(BoundaryNumbers):
     """The friction ratios that part the regimes, at one frequency ratio (numbers) or at several (arrays of their shape).
 
     Attributes
@@ -28,12 +37,11 @@ class Boundary(NamedTuple):
         Eq. (67); never below `exact`.
     sticking : float or ndarray
         From here on the contact never moves; NaN where no friction holds it, as the system resonates while it is held.
+    errors : tuple
+        Bounds of the errors of these four, under the same names. It is beside the tuple, not one of its four members.
     """
 
-    exact: Union[float, np.ndarray]
-    paper: Union[float, np.ndarray]
-    approximate: Union[float, np.ndarray]
-    sticking: Union[float, np.ndarray]
+    errors: BoundaryNumbers
 
 
 class Motion(NamedTuple):
@@ -54,7 +62,17 @@ class Motion(NamedTuple):
     x_prime: np.ndarray
 
 
-class Functions(NamedTuple):
+class FunctionNumbers(NamedTuple):
+    """The numbers of `Functions`, or the bounds of their errors."""
+
+    V: np.ndarray
+    U: np.ndarray
+    G: np.ndarray
+    H_j: Union[float, np.ndarray]
+    S_j: Union[float, np.ndarray]
+
+
+class Functions(FunctionNumbers):
     """The sums over the modes, at one frequency ratio or, with its shape in front, at several.
 
     Attributes
@@ -67,13 +85,12 @@ class Functions(NamedTuple):
         Load on the contact at tau = 0, per unit of friction ratio, Eq. (64).
     S_j : float or ndarray
         The largest sum over the modes of (57) as corrected, over tau.
+    errors : tuple
+        Bounds of the errors of these five, under the same names; of V those of real and imaginary part, as a complex number. It
+        is beside the tuple, not one of its five members.
     """
 
-    V: np.ndarray
-    U: np.ndarray
-    G: np.ndarray
-    H_j: Union[float, np.ndarray]
-    S_j: Union[float, np.ndarray]
+    errors: FunctionNumbers
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -110,6 +127,8 @@ class Solution:
         Lag of the largest displacement behind the force, in (-pi, pi], and the bound of its error; NaN for a mass at rest.
     contact_amplitude, contact_phase : float
         The same of the contact: of two masses that rub against each other, of the first relative to the second.
+    contact_amplitude_error, contact_phase_error : float
+        Bounds of their errors.
     relative_error : float
         The largest error of all masses: of amplitudes relative, of phases in radians.
     """
@@ -133,6 +152,8 @@ class Solution:
     phase_error: np.ndarray
     contact_amplitude: float
     contact_phase: float
+    contact_amplitude_error: float
+    contact_phase_error: float
     relative_error: float
     _handle: "Handle" = field(repr=False)
     _N: int = field(repr=False)

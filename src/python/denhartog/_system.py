@@ -87,10 +87,15 @@ class System(Units):
         self._handle = Handle(address, "dh_system_destroy")
         _library.call("dh_system_masses", address, byref(N), None, None)
         self._scene, self._N = scene, N.value
-        self._r_n, self._zeta = np.empty(self.N), np.empty(self.N)
-        _library.call("dh_natural_frequency_ratios", address, self.N, _library.pointer(self._r_n), _library.pointer(self._zeta))
-        for array in (self._r_n, self._zeta):
-            array.flags.writeable = False
+        (self._r_n, self._zeta), (self._r_n_error, self._zeta_error) = (
+            self._of_modes(name) for name in ("dh_natural_frequency_ratios", "dh_natural_frequency_ratio_errors"))
+
+    def _of_modes(self, name: str) -> np.ndarray:
+        """Two numbers of each mode, not to be changed."""
+        rows = np.empty((2, self.N))
+        _library.call(name, self._handle.address, self.N, *map(_library.pointer, rows))
+        rows.flags.writeable = False
+        return rows
 
     @property
     def scene(self) -> dict[str, Any]:
@@ -123,6 +128,16 @@ class System(Units):
         """Modal damping ratios zeta_i, Eq. (18), by ascending natural frequency; shape (N,). Of a damping matrix its diagonal in
         modal coordinates."""
         return self._zeta
+
+    @property
+    def natural_frequency_ratio_errors(self) -> np.ndarray:
+        """Bounds of the errors of `natural_frequency_ratios`; shape (N,)."""
+        return self._r_n_error
+
+    @property
+    def damping_ratio_errors(self) -> np.ndarray:
+        """Bounds of the errors of `damping_ratios`; shape (N,)."""
+        return self._zeta_error
 
     def solve(self, r: ArrayLike, beta: ArrayLike, digits: Optional[int] = None, mu: Optional[float] = None,
               masses: Union[int, Sequence[int], None] = None, threads: int = 0,
@@ -235,7 +250,7 @@ class System(Units):
         Returns
         -------
         Boundary
-            exact, paper, approximate, sticking: numbers, or arrays of the shape of `r`.
+            exact, paper, approximate, sticking: numbers, or arrays of the shape of `r`; `errors` has the bounds of their errors.
         """
         return _point.boundary(self._handle.address, _batch.numbers("r", r), self._static(mu))
 

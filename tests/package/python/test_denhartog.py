@@ -77,6 +77,30 @@ class AgainstTheProgram(unittest.TestCase):
                 for kind in ("exact", "paper", "approximate", "sticking"):
                     self.assertAlmostEqual(getattr(found, kind) / true["beta_lim"][kind], 1, delta=1e-12)
 
+    def test_bounds_are_those_of_boundary_and_functions(self):
+        for name in NAMES:
+            with self.subTest(name):
+                system = System.from_scene(scene_file(name))
+                true = json.loads(told("boundary", "--json", "--digits", 10, scene_file(name)))
+                limits = system.boundary(true["r"])
+                for kind in ("exact", "paper", "approximate", "sticking"):
+                    bound, theirs = getattr(limits.errors, kind), true["beta_lim_error_bounds"][kind]
+                    self.assertTrue(theirs / 4 <= bound <= 4 * theirs, (kind, bound, theirs))
+                self.assertEqual(len(limits), 4)
+                if name == "example_dashpots":  # its damping couples the modes: there are no functions of a mode
+                    continue
+                true = json.loads(told("functions", "--json", scene_file(name)))
+                sums, modes = system.functions(true["modes"][0]["R"] * true["modes"][0]["natural_frequency_ratio"]), true["modes"]
+                np.testing.assert_array_equal(system.natural_frequency_ratio_errors,
+                                              [m["error_bounds"]["natural_frequency_ratio"] for m in modes])
+                np.testing.assert_array_equal(system.damping_ratio_errors, [m["error_bounds"]["zeta"] for m in modes])
+                for found, theirs in ((sums.errors.U, "U"), (sums.errors.G, "G"), (np.abs(sums.errors.V), "V")):
+                    bounds = [m["error_bounds"][theirs] for m in true["masses"]]
+                    self.assertTrue((0 < found).all() and (found < 10 * np.array(bounds)).all())
+                self.assertEqual(len(sums), 5)
+                copied = pickle.loads(pickle.dumps(sums))
+                np.testing.assert_array_equal(copied.errors.V, sums.errors.V)
+
     def test_motions_are_those_of_solve(self):
         for name in NAMES:
             with self.subTest(name):
@@ -164,6 +188,7 @@ class InPython(unittest.TestCase):
         self.assertAlmostEqual(motion.contact_amplitude, abs(between).max(), delta=1e-4 * motion.contact_amplitude)
         wall = System(**CHAIN).solve(1.125, 0.0625)
         self.assertEqual((wall.contact_amplitude, wall.contact_phase), (wall.amplitude[1], wall.phase[1]))
+        self.assertEqual((wall.contact_amplitude_error, wall.contact_phase_error), (wall.amplitude_error[1], wall.phase_error[1]))
 
     def test_a_contact_at_rest(self):
         found = System(**CHAIN).solve(1.125, 5.0)
