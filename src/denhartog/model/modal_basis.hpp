@@ -21,9 +21,12 @@ struct ModalBasis {
     std::vector<T> zeta;         ///< modal damping ratios, N values; where damping couples the modes those that its diagonal has
     Matrix<T> D{};               ///< phi^T C phi where damping couples the modes, N x N; else empty
     T distance_from_classical{}; ///< of a damping matrix, as `set_modal_damping` measures it; 0 without one
+    Matrix<T> left_out{};        ///< bounds of the entries of phi^T C phi between modes that rounding explains, N x N; else empty
 
     /// @brief Whether damping couples the modes. @return true where K M^-1 C differs from C M^-1 K
     [[nodiscard]] bool coupled() const { return D.size() > 0; }
+    /// @brief Whether each mode is certain to move by itself. @return false also where rounding may hide that they are coupled
+    [[nodiscard]] bool certainly_uncoupled() const { return !coupled() && left_out.size() == 0; }
 };
 
 /// @brief How many rows of the shapes are displacements of masses or of the contact.

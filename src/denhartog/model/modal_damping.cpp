@@ -53,21 +53,30 @@ void check_passive(const Matrix<T>& C) {
 } // namespace
 
 template <class T>
-bool couples_a_pair(const Matrix<T>& C, const Matrix<T>& D, const NaturalModes<T>& modes, FrequencyErrors errors) {
+Matrix<T> rounding_between_modes(const Matrix<T>& C, const Matrix<T>& D, const NaturalModes<T>& modes, FrequencyErrors errors) {
     using std::abs;
-    const T tolerance = rounding_of_modes<T>(modes.r_n.size());
+    const T tolerance = rounding_of_modes<T>(modes.r_n.size()), highest = modes.r_n.back();
     // An entry of a mode is good to the rounding of the root of the entry of the inverse mass matrix, the sum over all modes.
     const Matrix<T> forces = product(Matrix<T>(C.cwiseAbs()), Matrix<T>(modes.phi.cwiseAbs()));
     const Matrix<T> of_entries = transpose_times(Matrix<T>(modes.phi.rowwise().norm()), forces);
+    Matrix<T> rounding = Matrix<T>::Zero(D.rows(), D.cols());
     for (Eigen::Index i = 0; i < D.rows(); ++i)
         for (Eigen::Index k = 0; k < i; ++k) {
             const T &r_i = modes.r_n[static_cast<std::size_t>(i)], &r_k = modes.r_n[static_cast<std::size_t>(k)];
-            const T& highest = modes.r_n.back();
             const T of_squares = tolerance * (errors == FrequencyErrors::of_each ? T(r_i * r_k) : T(highest * highest));
             const T apart = (r_i - r_k) * (r_i + r_k), angle = of_squares < apart ? T(of_squares / apart) : T(1);
-            const T rounding = tolerance * (of_entries(0, i) + of_entries(0, k)) + angle * abs(T(D(i, i) - D(k, k)));
-            if (abs(D(i, k)) > rounding) return true;
+            rounding(i, k) = rounding(k, i) =
+                tolerance * (of_entries(0, i) + of_entries(0, k)) + angle * abs(T(D(i, i) - D(k, k)));
         }
+    return rounding;
+}
+
+template <class T>
+bool couples_a_pair(const Matrix<T>& D, const Matrix<T>& rounding) {
+    using std::abs;
+    for (Eigen::Index i = 0; i < D.rows(); ++i)
+        for (Eigen::Index k = 0; k < i; ++k)
+            if (abs(D(i, k)) > rounding(i, k)) return true;
     return false;
 }
 
@@ -114,7 +123,8 @@ void set_modal_damping(const Matrix<T>& L, const Matrix<T>& K, const Matrix<T>& 
     fix_signs(basis.phi); // D goes with them
     const Matrix<T> D = in_coordinates(basis.phi, C);
     const T size = D.cwiseAbs().maxCoeff();
-    const bool couples = !commutes || couples_a_pair(C, D, {basis.r_n, basis.phi}, errors);
+    const Matrix<T> rounding = rounding_between_modes(C, D, {basis.r_n, basis.phi}, errors);
+    const bool couples = !commutes || couples_a_pair(D, rounding);
     for (std::size_t i = 0; i < N; ++i)
         for (std::size_t k = 0; k < i && !couples; ++k)
             if (abs(D(i, k)) > sqrt(std::numeric_limits<T>::epsilon()) * size)
@@ -123,6 +133,10 @@ void set_modal_damping(const Matrix<T>& L, const Matrix<T>& K, const Matrix<T>& 
                     " are too near to each other to tell whether it couples their modes; more digits are needed");
     if (couples) check_passive(C);
     if (couples && !neglects) basis.D = (D + D.transpose()) / T(2);
+    if (!couples && N > 1) {
+        basis.left_out = rounding + D.cwiseAbs();
+        basis.left_out.diagonal().setZero();
+    }
     basis.zeta.assign(N, T(0));
     for (std::size_t i = 0; i < N; ++i) {
         const bool nothing = abs(D(i, i)) <= tolerance * size;
@@ -131,11 +145,17 @@ void set_modal_damping(const Matrix<T>& L, const Matrix<T>& K, const Matrix<T>& 
     }
 }
 
-template bool couples_a_pair(const Matrix<double>&, const Matrix<double>&, const NaturalModes<double>&, FrequencyErrors);
+template Matrix<double> rounding_between_modes(const Matrix<double>&, const Matrix<double>&, const NaturalModes<double>&,
+                                               FrequencyErrors);
+template bool couples_a_pair(const Matrix<double>&, const Matrix<double>&);
 template double largest_coupling(const Matrix<double>&, const double&);
-template bool couples_a_pair(const Matrix<Real50>&, const Matrix<Real50>&, const NaturalModes<Real50>&, FrequencyErrors);
+template Matrix<Real50> rounding_between_modes(const Matrix<Real50>&, const Matrix<Real50>&, const NaturalModes<Real50>&,
+                                               FrequencyErrors);
+template bool couples_a_pair(const Matrix<Real50>&, const Matrix<Real50>&);
 template Real50 largest_coupling(const Matrix<Real50>&, const Real50&);
-template bool couples_a_pair(const Matrix<Real100>&, const Matrix<Real100>&, const NaturalModes<Real100>&, FrequencyErrors);
+template Matrix<Real100> rounding_between_modes(const Matrix<Real100>&, const Matrix<Real100>&, const NaturalModes<Real100>&,
+                                                FrequencyErrors);
+template bool couples_a_pair(const Matrix<Real100>&, const Matrix<Real100>&);
 template Real100 largest_coupling(const Matrix<Real100>&, const Real100&);
 template void turn_coinciding_modes(const Matrix<double>&, const double&, const std::vector<double>&, Matrix<double>&);
 template void turn_coinciding_modes(const Matrix<Real50>&, const Real50&, const std::vector<Real50>&, Matrix<Real50>&);

@@ -32,23 +32,34 @@ enum class FrequencyErrors {
 /// @param C      damping matrix in units of sqrt(k_1 m_1)
 /// @param neglected  the distance up to which C counts as uncoupled all the same; 0: none
 /// @param errors     what the natural frequencies are good to
-/// @param basis  natural frequency ratios and mode shapes; gets the damping ratios and, where they are coupled, D
+/// @param basis  natural frequency ratios and mode shapes; gets the damping ratios and, where they are coupled, D; where rounding
+///               explains what couples them, a bound of that
 /// @throws InputError where C feeds energy into a motion, or gives a ratio beyond its range;
 ///         PrecisionError where two natural frequencies are too near to tell whether C couples their modes
 template <class T>
 void set_modal_damping(const Matrix<T>& L, const Matrix<T>& K, const Matrix<T>& C, double neglected, FrequencyErrors errors,
                        ModalBasis<T>& basis);
 
-/// @brief Whether C couples two modes by more than rounding makes of its entry between them, however small that entry is beside
-/// those of stiffer modes: the rounding of the shapes, and the angle by which the solver may turn the two towards each other.
+/// @brief What rounding makes of the entries of C between modes: the rounding of the shapes, and the angle by which the solver may
+/// turn two modes towards each other.
 /// @eq{18}
 /// @param C       damping matrix in units of sqrt(k_1 m_1)
 /// @param D       the same in the modes, phi^T C phi
 /// @param modes   the modes
 /// @param errors  what their frequencies are good to
-/// @return        whether there are such modes
+/// @return        bounds, N x N, zero on the diagonal
 template <class T>
-[[nodiscard]] bool couples_a_pair(const Matrix<T>& C, const Matrix<T>& D, const NaturalModes<T>& modes, FrequencyErrors errors);
+[[nodiscard]] Matrix<T> rounding_between_modes(const Matrix<T>& C, const Matrix<T>& D, const NaturalModes<T>& modes,
+                                               FrequencyErrors errors);
+
+/// @brief Whether C couples two modes by more than rounding makes of its entry between them, however small that entry is beside
+/// those of stiffer modes.
+/// @eq{18}
+/// @param D         phi^T C phi
+/// @param rounding  of its entries, see `rounding_between_modes`
+/// @return          whether there are such modes
+template <class T>
+[[nodiscard]] bool couples_a_pair(const Matrix<T>& D, const Matrix<T>& rounding);
 
 /// @brief How much damping couples modes: the largest \f$ |D_{ik}| / \sqrt{D_{ii} D_{kk}} \f$ of \f$ D = \phi^T C \phi \f$.
 /// @eq{18}

@@ -159,6 +159,28 @@ struct ValueOf<Bounded<T>> {
     [[nodiscard]] static T error(const Bounded<T>& a) { return a.e; }
 };
 
+/// @brief A number with something neglected in it. @param value the number @param neglected its size @return the same
+template <class T>
+[[nodiscard]] T with_neglected(const T& value, const T& neglected) {
+    (void)neglected;
+    return value;
+}
+/// @brief The same with a bound, which takes in what was neglected.
+/// @param value      the number
+/// @param neglected  its size
+/// @return           the number with that bound; it is infinite where the size is no number
+template <class T>
+[[nodiscard]] Bounded<T> with_neglected(const Bounded<T>& value, const Bounded<T>& neglected) {
+    const T bound = value.e + neglected.most();
+    return {value.x, bound >= 0 ? bound : std::numeric_limits<T>::infinity()};
+}
+
+/// @brief Zero with something neglected in it. @param neglected its size @return zero, of bounds with that bound
+template <class T>
+[[nodiscard]] T zero_within(const typename ValueOf<T>::type& neglected) {
+    return with_neglected(T(0), T(neglected));
+}
+
 /// @brief A number of the input, one unit in the last place uncertain, as a decimal fraction or a quotient is.
 /// @param x  the number
 /// @return   the number with that error

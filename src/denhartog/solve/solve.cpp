@@ -184,7 +184,7 @@ void answer_from_rest(SolveTask& task, Solution& s) {
 // `of_contact`: all modes of the contact alone did not tell that it slides, and fewer will not.
 void answer(SolveTask& task, bool of_contact, Solution& s) {
     const bool few = (task.question.asked == Asked::amplitude || task.question.asked == Asked::phase) && !of_contact;
-    if (few && task.scene.mu == 1 && !task.known.basis->coupled() && answer_by_truncated_modes(task, s)) return;
+    if (few && task.scene.mu == 1 && task.known.basis->certainly_uncoupled() && answer_by_truncated_modes(task, s)) return;
     try {
         Solution sliding =
             sliding_solution(task.source, {task.question.asked, task.question.digits, task.question.mass, &*task.modes});

@@ -32,6 +32,7 @@ ContactSystem<T> contact_system(const System<T>& s, const ModalBasis<Bounded<T>>
     if (s.damping_matrix.size() > 0) {
         const Matrix<T> sizes = out.basis.phi.cwiseAbs(), of_C = s.damping_matrix.cwiseAbs();
         out.damping_error = in_coordinates(sizes, of_C) * T((static_cast<int>(sizes.cols()) + 2) * unit_of<T>());
+        if (out.basis.left_out.size() > 0) out.damping_error += out.basis.left_out;
     }
     out.damping_fixes_modes = damping_matrix_counts(s, out.basis);
     // phi^T M phi = 1, so that phi^T M is the inverse of phi; the mass matrix keeps it free of an inversion.

@@ -103,6 +103,7 @@ ModalBasis<Bounded<T>> bounded(const System<T>& system, const ModalBasis<T>& bas
         bounded.zeta.push_back({basis.zeta[i], of_zeta});
     }
     bounded.D = basis.D.unaryExpr([](const T& entry) { return Bounded<T>(entry); });
+    bounded.left_out = basis.left_out.unaryExpr([](const T& entry) { return Bounded<T>(entry); });
     return bounded;
 }
 
@@ -165,13 +166,17 @@ ModeSums<T> values_of(const ModeSums<Bounded<T>>& sums) {
 template <class T>
 ModalBasis<T> values_of(const ModalBasis<Bounded<T>>& basis) {
     const auto value = [](const Bounded<T>& a) { return a.x; };
-    return {changed<T>(basis.r_n, value), basis.phi.unaryExpr(value), changed<T>(basis.zeta, value), basis.D.unaryExpr(value),
-            basis.distance_from_classical.x};
+    return {changed<T>(basis.r_n, value), basis.phi.unaryExpr(value),      changed<T>(basis.zeta, value),
+            basis.D.unaryExpr(value),     basis.distance_from_classical.x, basis.left_out.unaryExpr(value)};
 }
 
 template <class T>
 ModeSums<Bounded<double>> in_double(const ModeSums<Bounded<T>>& sums) {
     ModeSums<Bounded<double>> narrow = changed<Bounded<double>>(sums, [](const Bounded<T>& a) { return in_double(a); });
+    const auto up = [](const T& bound) { return in_double(Bounded<T>(T(0), bound)).e; };
+    for (const LeftOut<T>& each : sums.left_out)
+        narrow.left_out.push_back(
+            {up(each.V), up(each.Y), up(each.x), up(each.x_prime), up(each.x_double_prime), up(each.x_triple_prime)});
     if constexpr (std::same_as<T, double>)
         narrow.coupled = sums.coupled;
     else if (sums.coupled)
@@ -182,8 +187,9 @@ ModeSums<Bounded<double>> in_double(const ModeSums<Bounded<T>>& sums) {
 template <class T>
 ModalBasis<Bounded<double>> in_double(const ModalBasis<Bounded<T>>& basis) {
     const auto narrow = [](const Bounded<T>& a) { return in_double(a); };
-    return {changed<Bounded<double>>(basis.r_n, narrow), basis.phi.unaryExpr(narrow),
-            changed<Bounded<double>>(basis.zeta, narrow), basis.D.unaryExpr(narrow), in_double(basis.distance_from_classical)};
+    return {changed<Bounded<double>>(basis.r_n, narrow),  basis.phi.unaryExpr(narrow),
+            changed<Bounded<double>>(basis.zeta, narrow), basis.D.unaryExpr(narrow),
+            in_double(basis.distance_from_classical),     basis.left_out.unaryExpr(narrow)};
 }
 
 template <class T>

@@ -112,22 +112,6 @@ template <class T>
     return of_squares / std::max(of_squares, T(size_of_number(T(r_i.x - r_k.x)) * (r_i.x + r_k.x)));
 }
 
-/// @brief A number with something neglected in it. @param value the number @param neglected its size @return the same
-template <class T>
-[[nodiscard]] T with_neglected(const T& value, const T& neglected) {
-    (void)neglected;
-    return value;
-}
-/// @brief The same with a bound, which takes in what was neglected.
-/// @param value      the number
-/// @param neglected  its size
-/// @return           the number with that bound; it is infinite where the size is no number
-template <class T>
-[[nodiscard]] Bounded<T> with_neglected(const Bounded<T>& value, const Bounded<T>& neglected) {
-    const T bound = value.e + neglected.most();
-    return {value.x, bound >= 0 ? bound : std::numeric_limits<T>::infinity()};
-}
-
 /// @brief The modes of a system at a frequency ratio, each evaluated with its error when it is first needed.
 template <class T>
 class BoundedModes {

@@ -31,14 +31,8 @@ template <class T>
 FrictionMotions<T>::FrictionMotions(const ModeSums<T>& sums) : sums_(sums), first(0), last(sums.R.size()) {
     c.reserve(last);
     for (std::size_t i = first; i < last; ++i) {
-        const T& zeta = sums.zeta[i];
-        if (zeta >= 1) {
-            c.push_back(T(0)); // what bounds it does not come from two amplitudes, which are infinite at zeta = 1
-            continue;
-        }
-        const T cosine = 1 + sums.g[i];
-        const T sine = (cosine * zeta + sums.u[i] * sums.R[i]) / sums.w[i];
-        c.push_back(modulus(Complex<T>{cosine, sine}));
+        // What bounds an overdamped mode does not come from two amplitudes, which are infinite at zeta = 1.
+        c.push_back(sums.zeta[i] >= 1 ? T(0) : amplitude_of_brace(sums, i));
     }
 }
 
