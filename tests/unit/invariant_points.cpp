@@ -186,7 +186,13 @@ TEST_CASE("the program lists the invariant points of every mass", "[eq:87][invar
         CHECK(run.output.empty());
         CHECK_FALSE(run.error.empty());
     }
-    CHECK(run_program("boundary --digits 60 --invariant-points 0.5:1", scene).status == 2);
+    const auto first_point = [&](int digits) {
+        const Run run = run_program("boundary --json --invariant-points 0.5:2.5 --digits " + std::to_string(digits), scene);
+        REQUIRE(run.status == 0);
+        return nlohmann::json::parse(run.output).at("invariant_points")[0]["points"][0]["r"].get<std::string>();
+    };
+    CHECK(first_point(60).size() > 60);
+    CHECK(first_point(60).substr(0, 28) == first_point(30).substr(0, 28));
 }
 
 TEST_CASE("a range of frequency ratios that breaks a rule is named", "[eq:87][invariant]") {

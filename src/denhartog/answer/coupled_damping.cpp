@@ -2,9 +2,8 @@
 
 #include <utility>
 
+#include "denhartog/answer/certify.hpp"
 #include "denhartog/model/modal_damping.hpp"
-#include "denhartog/number/errors.hpp"
-#include "denhartog/number/multiprecision.hpp"
 #include "denhartog/scene/converted.hpp"
 
 namespace denhartog {
@@ -25,11 +24,13 @@ std::optional<CoupledDamping> in_number_type(const SceneSource& source) {
 
 std::optional<CoupledDamping> coupled_damping(const SceneSource& source) {
     if (source->in_double().system.damping_matrix.size() == 0) return std::nullopt;
-    try {
-        return in_number_type<double>(source);
-    } catch (const PrecisionError&) {
-        return in_number_type<Real50>(source);
-    }
+    std::optional<CoupledDamping> found;
+    const auto attempt = [&]<class T>(std::type_identity<T>) {
+        found = in_number_type<T>(source);
+        return Attempted{0};
+    };
+    certify(aim_of({}), attempt, Precision::in_50_digits);
+    return found;
 }
 
 } // namespace denhartog

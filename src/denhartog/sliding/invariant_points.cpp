@@ -225,30 +225,35 @@ std::vector<InvariantPointsOfMass<T>> invariant_points(const ModalBasis<T>& basi
 }
 
 template <class T>
-std::vector<InvariantPoint<Bounded<T>>> with_bounds(const ModalBasis<Bounded<T>>& basis, Mass contact, Mass load,
-                                                    const InvariantPointsOfMass<T>& found) {
+InvariantPointsOfMass<Bounded<T>> with_bounds(const ModalBasis<Bounded<T>>& basis, Mass contact, Mass load,
+                                              const InvariantPointsOfMass<T>& found) {
     std::vector<Bounded<T>> weights;
     for (Eigen::Index i = 0; i < basis.phi.cols(); ++i)
         weights.push_back(basis.phi(static_cast<Eigen::Index>(found.mass.index), i) *
                           basis.phi(static_cast<Eigen::Index>(load.index), i));
-    std::vector<InvariantPoint<Bounded<T>>> all;
+    InvariantPointsOfMass<Bounded<T>> all{found.mass, {}, {}};
+    for (const UndecidedStretch<T>& u : found.undecided) all.undecided.push_back({Bounded<T>(u.from), Bounded<T>(u.to)});
     for (const InvariantPoint<T>& p : found.points) {
         const auto sign_at = [&](const T& r) {
             const Bounded<T> f = UndampedModes<T>(basis, Bounded<T>(r)).vanishing(contact, load, found.mass, p.kind);
             return certain_sign(Range<T>{f.x, f.x}, f.e);
         };
-        Bounded<T> r(p.r, std::numeric_limits<T>::infinity()), amplitude(p.amplitude, r.e);
+        bool bounded = false;
         for (T apart = 4 * std::numeric_limits<T>::epsilon(); apart < T(1) / 1024; apart = 4 * apart) {
             const T below = p.r * (1 - apart), above = p.r * (1 + apart);
             if (pole_between(basis, below, above)) break;
             if (sign_at(below) * sign_at(above) >= 0) continue;
-            r.e = p.r * apart * 2; // the ends are rounded
+            const Bounded<T> r(p.r, T(p.r * apart * 2)); // the ends are rounded
             const Bounded<T> V = undamped_response(basis.r_n, weights, r);
-            amplitude = size_of_number(V.x) > V.e ? Bounded<T>(p.amplitude, V.e) : Bounded<T>(T(0), V.most());
+            bounded = V.e - V.e == 0;
+            if (bounded)
+                all.points.push_back(
+                    {r, size_of_number(V.x) > V.e ? Bounded<T>(p.amplitude, V.e) : Bounded<T>(T(0), V.most()), p.kind});
             break;
         }
-        all.push_back({r, amplitude, p.kind});
+        if (!bounded) all.undecided.push_back({Bounded<T>(p.r), Bounded<T>(p.r)});
     }
+    std::ranges::sort(all.undecided, {}, [](const auto& stretch) { return stretch.from.x; });
     return all;
 }
 
@@ -256,9 +261,13 @@ template std::vector<InvariantPointsOfMass<double>> invariant_points(const Modal
                                                                      const double&, Effort*);
 template std::vector<InvariantPointsOfMass<Real50>> invariant_points(const ModalBasis<Real50>&, Mass, Mass, const Real50&,
                                                                      const Real50&, Effort*);
-template std::vector<InvariantPoint<Bounded<double>>> with_bounds(const ModalBasis<Bounded<double>>&, Mass, Mass,
-                                                                  const InvariantPointsOfMass<double>&);
-template std::vector<InvariantPoint<Bounded<Real50>>> with_bounds(const ModalBasis<Bounded<Real50>>&, Mass, Mass,
-                                                                  const InvariantPointsOfMass<Real50>&);
+template std::vector<InvariantPointsOfMass<Real100>> invariant_points(const ModalBasis<Real100>&, Mass, Mass, const Real100&,
+                                                                      const Real100&, Effort*);
+template InvariantPointsOfMass<Bounded<double>> with_bounds(const ModalBasis<Bounded<double>>&, Mass, Mass,
+                                                            const InvariantPointsOfMass<double>&);
+template InvariantPointsOfMass<Bounded<Real50>> with_bounds(const ModalBasis<Bounded<Real50>>&, Mass, Mass,
+                                                            const InvariantPointsOfMass<Real50>&);
+template InvariantPointsOfMass<Bounded<Real100>> with_bounds(const ModalBasis<Bounded<Real100>>&, Mass, Mass,
+                                                             const InvariantPointsOfMass<Real100>&);
 
 } // namespace denhartog

@@ -85,10 +85,10 @@ template <class T>
 /// @param contact  the mass in contact, j
 /// @param load     the loaded mass, l
 /// @param found    the points of a mass, of modes within these errors
-/// @return         frequency ratios and amplitudes with bounds, in the same order; infinite where the signs tell nothing; the
+/// @return         the points with bounds; one of which the signs tell nothing is an undecided stretch without a length; the
 ///                 amplitude of a mass that rests, as far as the bound tells, is 0
 template <class T>
-[[nodiscard]] std::vector<InvariantPoint<Bounded<T>>> with_bounds(const ModalBasis<Bounded<T>>& basis, Mass contact, Mass load,
-                                                                  const InvariantPointsOfMass<T>& found);
+[[nodiscard]] InvariantPointsOfMass<Bounded<T>> with_bounds(const ModalBasis<Bounded<T>>& basis, Mass contact, Mass load,
+                                                            const InvariantPointsOfMass<T>& found);
 
 } // namespace denhartog

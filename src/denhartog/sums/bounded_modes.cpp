@@ -231,6 +231,7 @@ template ModeSums<Bounded<double>> in_double(const ModeSums<Bounded<double>>&);
 template ModeSums<Bounded<double>> in_double(const ModeSums<Bounded<Real50>>&);
 template ModeSums<Bounded<double>> in_double(const ModeSums<Bounded<Real100>>&);
 template ModalBasis<Bounded<double>> in_double(const ModalBasis<Bounded<Real50>>&);
+template ModalBasis<Bounded<double>> in_double(const ModalBasis<Bounded<Real100>>&);
 template evaluation::ModeFunctions<Bounded<double>> bounded_mode_functions(const Bounded<double>&, const Bounded<double>&);
 template evaluation::ModeFunctions<Bounded<Real50>> bounded_mode_functions(const Bounded<Real50>&, const Bounded<Real50>&);
 template evaluation::ModeFunctions<Bounded<Real100>> bounded_mode_functions(const Bounded<Real100>&, const Bounded<Real100>&);

@@ -1,21 +1,15 @@
 #include "denhartog/program/commands/commands.hpp"
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
-#include <concepts>
 #include <memory>
 
-#include "denhartog/answer/modes_in_double.hpp"
-#include "denhartog/answer/sliding_point.hpp"
-#include "denhartog/model/coordinates.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/number_text.hpp"
 #include "denhartog/program/commands/scene_command.hpp"
 #include "denhartog/program/json/dimensional_json.hpp"
 #include "denhartog/program/json/solution_json.hpp"
 #include "denhartog/program/output/table.hpp"
-#include "denhartog/sliding/invariant_points.hpp"
-#include "denhartog/solve/certain_modes.hpp"
+#include "denhartog/solve/certain_invariant_points.hpp"
 
 namespace denhartog::program {
 namespace {
@@ -39,91 +33,30 @@ struct BoundaryOptions : SceneOptions {
 
 constexpr const char* range_name = "--invariant-points";
 
-template <class T>
-T end_of_range(const std::string& text, const std::string& range) {
-    T value{};
-    if (number_from_text(text, value) != NumberFault::none) throw InputError(range_name, "must be A:B, two numbers", range);
-    return value;
+RangeInText range_from(const std::string& text) {
+    const std::size_t colon = text.find(':');
+    double end{};
+    const auto is_number = [&](const std::string& part) { return number_from_text(part, end) == NumberFault::none; };
+    if (colon == std::string::npos || !is_number(text.substr(0, colon)) || !is_number(text.substr(colon + 1)))
+        throw InputError(range_name, "must be A:B, two numbers", text);
+    return {text.substr(0, colon), text.substr(colon + 1)};
 }
 
-// Points of a mass as they were found, and the same with their bounds.
-template <class T>
-struct BoundedPoints {
-    InvariantPointsOfMass<T> found;
-    std::vector<InvariantPoint<Bounded<T>>> points;
-};
-
-template <class T>
-std::vector<BoundedPoints<T>> invariant_points_between(const System<T>& s, const ModalBasis<Bounded<T>>& basis,
-                                                       const std::string& range) {
-    const std::size_t colon = range.find(':');
-    if (colon == std::string::npos) throw InputError(range_name, "must be A:B, two numbers", range);
-    const T r_a = end_of_range<T>(range.substr(0, colon), range), r_b = end_of_range<T>(range.substr(colon + 1), range);
-    std::vector<BoundedPoints<T>> all;
-    for (InvariantPointsOfMass<T>& found : invariant_points(values_of(basis), s.contact, s.load, r_a, r_b)) {
-        std::vector<InvariantPoint<Bounded<T>>> points = with_bounds(basis, s.contact, s.load, found);
-        all.push_back({std::move(found), std::move(points)});
-    }
-    return all;
-}
-
-template <class T>
-bool is_certain(const InvariantPoint<Bounded<T>>& p, int digits) {
-    const T tolerance(tolerance_of(digits));
-    const bool rests =
-        !std::same_as<T, double> && p.amplitude.x == 0 && p.amplitude.e <= tolerance; // for all that 50 digits tell
-    return p.r.e <= tolerance * p.r.x && (rests || p.amplitude.e <= tolerance * p.amplitude.x);
-}
-
-bool are_certain(const std::vector<BoundedPoints<double>>& masses) {
-    return std::ranges::all_of(masses, [](const BoundedPoints<double>& mass) {
-        return mass.found.undecided.empty() &&
-               std::ranges::all_of(mass.points, [](const auto& p) { return is_certain(p, digits_by_default); });
-    });
-}
-
-// A point that no signs bound is a stretch without a length in which nothing is decided.
-template <class T>
-Json invariant_points_json(std::vector<BoundedPoints<T>> masses, const System<T>& s, const NumberWriter& write) {
-    const int digits = write.digits.value_or(digits_by_default);
+Json invariant_points_json(const std::vector<InvariantPointsOfMass<Certified>>& masses, const NumberWriter& write) {
     Json all = Json::array();
-    put_in_order_of_masses(s.coordinates, masses);
-    masses.resize(number_of_masses(s));
-    for (BoundedPoints<T>& mass : masses) {
+    for (const InvariantPointsOfMass<Certified>& mass : masses) {
         Json points = Json::array();
-        for (const InvariantPoint<Bounded<T>>& p : mass.points) {
-            if (!(p.r.e < p.r.x)) {
-                mass.found.undecided.push_back({p.r.x, p.r.x});
-                continue;
-            }
-            if (!is_certain(p, digits))
-                throw PrecisionError("the invariant point of mass " + std::to_string(all.size() + 1) +
-                                     " at r = " + number_to_text(static_cast<double>(p.r.x)) + " has fewer than " +
-                                     std::to_string(digits) + " certain digits");
-            const Certified r = certified(p.r, digits), amplitude = certified(p.amplitude, digits);
-            points.push_back({{"r", write(r)},
-                              {"amplitude", write(amplitude)},
-                              {"r_error_bound", write.bound(r.error)},
-                              {"error_bound", write.bound(amplitude.error)},
+        for (const InvariantPoint<Certified>& p : mass.points)
+            points.push_back({{"r", write(p.r)},
+                              {"amplitude", write(p.amplitude)},
+                              {"r_error_bound", write.bound(p.r.error)},
+                              {"error_bound", write.bound(p.amplitude.error)},
                               {"kind", p.kind == InvariantPointKind::two_effects_cancel ? "87" : "U_k = 0"}});
-        }
         all.push_back({{"mass", all.size() + 1}, {"points", points}});
-        std::ranges::sort(mass.found.undecided, {}, &UndecidedStretch<T>::from);
-        for (const UndecidedStretch<T>& u : mass.found.undecided)
-            all.back()["undecided"].push_back({write(exactly(u.from, digits)), write(exactly(u.to, digits))});
+        for (const UndecidedStretch<Certified>& u : mass.undecided)
+            all.back()["undecided"].push_back({write(u.from), write(u.to)});
     }
     return all;
-}
-
-Json invariant_points_json(const SceneSource& source, const BoundaryOptions& options, const NumberWriter& write) {
-    if (!options.digits) {
-        const System<double>& s = source->in_double().system;
-        const auto basis = certain_modes(source, modes_in_double(source).basis);
-        const auto found = invariant_points_between(s, *basis, options.range);
-        if (are_certain(found)) return invariant_points_json(found, s, write);
-    }
-    const SceneIn<Real50> in = scene_with_modes<Real50>(source);
-    return invariant_points_json(invariant_points_between(in.scene.system, *in.basis, options.range), in.scene.system, write);
 }
 
 std::string invariant_points_table(const Json& masses) {
@@ -146,11 +79,9 @@ std::string bound(const SceneText& part, const BoundaryOptions& options) {
     Json answer = boundary_json(found, write);
     const std::optional<Units> units = source->in_double().units;
     if (units) answer["dimensional"] = dimensional_json(found, *units);
-    if (!options.range.empty()) {
-        if (options.digits.value_or(0) > 45)
-            throw InputError("--digits", "must be at most 45 for invariant points", std::to_string(*options.digits));
-        answer["invariant_points"] = invariant_points_json(source, options, write);
-    }
+    if (!options.range.empty())
+        answer["invariant_points"] =
+            invariant_points_json(certain_invariant_points(source, range_from(options.range), options.digits), write);
     if (options.json) return answer.dump() + "\n";
     return boundary_table(answer) + (units ? dimensional_table(answer.at("dimensional")) + "\n" : "") +
            (options.range.empty() ? "" : invariant_points_table(answer.at("invariant_points")));
@@ -174,8 +105,7 @@ void add_boundary_command(CLI::App& app, ExitStatus& status) {
         "the end of the half-period.\n"
         "invariant_points: the points of every mass, without damping: r, the monoharmonic amplitude (52) there at every\n"
         "friction ratio, bounds of their errors, and kind: 87, a root of (87); U_k = 0, the factor that (87) divides out.\n"
-        "undecided: ranges of r in which rounding hides whether there is a point. With --digits they are computed in 50\n"
-        "digits.\n"
+        "undecided: ranges of r in which rounding hides whether there is a point.\n"
         "dimensional: the friction forces of a scene of masses, stiffnesses and force.");
     command->callback([options, &status] {
         answer_scenes(

@@ -1,0 +1,71 @@
+#include "denhartog/solve/certain_invariant_points.hpp"
+
+#include <algorithm>
+
+#include "denhartog/answer/certify.hpp"
+#include "denhartog/answer/sliding_point.hpp"
+#include "denhartog/model/coordinates.hpp"
+#include "denhartog/number/number_text.hpp"
+
+namespace denhartog {
+namespace {
+
+template <class T>
+T number_of(const std::string& text) {
+    T value{};
+    if (number_from_text(text, value) != NumberFault::none) throw InputError("the range of r", "must be two numbers", text);
+    return value;
+}
+
+// The error of a point, relative. That a mass rests there 50 digits tell, and double does not.
+template <class T>
+double relative_error(const InvariantPoint<Bounded<T>>& p, double tolerance) {
+    const auto relative = [](const Bounded<T>& x) { return static_cast<double>(T(x.e / size_of_number(x.x))); };
+    const bool rests = !std::same_as<T, double> && p.amplitude.x == 0 && p.amplitude.e <= tolerance;
+    return std::max(relative(p.r), rests ? 0 : relative(p.amplitude));
+}
+
+} // namespace
+
+std::vector<InvariantPointsOfMass<Certified>> certain_invariant_points(const SceneSource& source, const RangeInText& range,
+                                                                       std::optional<int> digits) {
+    const Aim aim = aim_of(digits);
+    std::vector<InvariantPointsOfMass<Certified>> masses;
+    std::string short_of_digits; // which point
+    const auto attempt = [&]<class T>(std::type_identity<T>) -> Attempted {
+        const SceneIn<T> in = scene_with_modes<T>(source);
+        const System<T>& s = in.scene.system;
+        std::vector<InvariantPointsOfMass<Bounded<T>>> found;
+        for (const InvariantPointsOfMass<T>& each :
+             invariant_points(values_of(*in.basis), s.contact, s.load, number_of<T>(range.from), number_of<T>(range.to)))
+            found.push_back(with_bounds(*in.basis, s.contact, s.load, each));
+        put_in_order_of_masses(s.coordinates, found);
+        found.resize(number_of_masses(s));
+        Attempted attempted{0, true, "in some stretches nothing is decided"};
+        masses.clear();
+        short_of_digits.clear();
+        for (const InvariantPointsOfMass<Bounded<T>>& each : found) {
+            InvariantPointsOfMass<Certified>& mass = masses.emplace_back(Mass{masses.size()});
+            for (const InvariantPoint<Bounded<T>>& p : each.points) {
+                const double error = relative_error(p, aim.tolerance);
+                attempted.relative = std::max(attempted.relative, error);
+                if (!(error <= aim.tolerance) && short_of_digits.empty())
+                    short_of_digits = "the invariant point of mass " + std::to_string(masses.size()) +
+                                      " at r = " + number_to_text(static_cast<double>(p.r.x));
+                mass.points.push_back({certified(p.r, aim.digits), certified(p.amplitude, aim.digits), p.kind});
+            }
+            for (const UndecidedStretch<Bounded<T>>& u : each.undecided)
+                mass.undecided.push_back({certified(u.from, aim.digits), certified(u.to, aim.digits)});
+            attempted.decided = attempted.decided && each.undecided.empty();
+        }
+        return attempted;
+    };
+    certify(aim, attempt,
+            highest_precision(aim, number_of_masses(source->in_double().system),
+                              digits ? Precision::in_100_digits : Precision::in_50_digits));
+    if (!short_of_digits.empty())
+        throw PrecisionError(short_of_digits + " has fewer than " + std::to_string(aim.digits) + " certain digits");
+    return masses;
+}
+
+} // namespace denhartog
