@@ -11,8 +11,8 @@ namespace denhartog::pages {
 namespace {
 
 /// The example of the program's page: three masses, the second in contact, the first driven.
-conformance::Question example(const std::string& quantity, int mass) {
-    conformance::Question q;
+conformance::ProtocolQuestion example(const std::string& quantity, int mass) {
+    conformance::ProtocolQuestion q;
     q.quantity = quantity;
     q.mass_ratios = {1, 2.5, 0.75};
     q.stiffness_ratios = {1, 0.625, 1.875};
@@ -29,7 +29,7 @@ conformance::Question example(const std::string& quantity, int mass) {
 std::vector<double> motion_of(int mass, int samples) {
     std::vector<double> motion;
     for (int i = 0; i < samples; ++i) {
-        conformance::Question q = example("displacement", mass);
+        conformance::ProtocolQuestion q = example("displacement", mass);
         q.tau = 2 * std::acos(-1.0) * i / samples;
         const bool second_half = q.tau > std::acos(-1.0);
         if (second_half) q.tau -= std::acos(-1.0);
@@ -225,7 +225,7 @@ std::vector<ScriptFile> script_files(const Book& book) {
 }
 
 std::map<std::string, std::string> computed_remarks() {
-    conformance::Question q; // the two masses of Fig. 10 with the least damping
+    conformance::ProtocolQuestion q; // the two masses of Fig. 10 with the least damping
     q.mass_ratios = q.stiffness_ratios = {1, 1};
     const double r_1 = (std::sqrt(5.0) - 1) / 2, r_2 = (std::sqrt(5.0) + 1) / 2;
     q.damping_ratios = {0.001 / r_1, 0.001 / r_2};

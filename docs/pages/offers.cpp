@@ -24,7 +24,7 @@ std::string listed(const std::vector<double>& values) {
     return out;
 }
 
-std::string told(const conformance::Question& q) {
+std::string told(const conformance::ProtocolQuestion& q) {
     std::string out = "γ = " + listed(q.mass_ratios) + "; κ = " + listed(q.stiffness_ratios) +
                       "; ζ = " + listed(q.damping_ratios) + "; j = " + std::to_string(q.contact) +
                       ", l = " + std::to_string(q.load) + "; μ = " + digits(q.mu, "%.10g") + "; r = " + digits(q.r, "%.10g") +

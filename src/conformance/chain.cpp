@@ -26,7 +26,7 @@ constexpr std::array<std::string_view, 15> links{"natural frequencies",
 
 } // namespace
 
-std::size_t place_in_chain(const Question& q) {
+std::size_t place_in_chain(const ProtocolQuestion& q) {
     static const std::map<std::string_view, std::size_t> places{{"natural_frequency_ratios", 0},
                                                                 {"modal_frequency_ratios", 1},
                                                                 {"mode_shape_products", 2},

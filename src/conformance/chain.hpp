@@ -19,7 +19,7 @@ struct Link {
 
 /// @brief Which link a question belongs to. @param q the question @return its place, from 0; the functions of one mass come
 /// before the sums over modes
-[[nodiscard]] std::size_t place_in_chain(const Question& q);
+[[nodiscard]] std::size_t place_in_chain(const ProtocolQuestion& q);
 
 /// @brief The chain from the frequencies to the motion: natural frequencies, R, shapes, v, u, g, V, U, G, H, S, boundary,
 /// amplitude, phase, motion. Links without an answer are left out.

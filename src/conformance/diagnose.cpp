@@ -207,8 +207,9 @@ std::vector<Simple> simple_explanations(std::span<Judged> judged, std::span<cons
     const std::vector<Guess> guesses = guesses_at(wrong);
     std::vector<Mistake> told;
     for (std::size_t n = 0; n < guesses.size(); ++n) told.push_back({std::to_string(n), "", false, guesses[n].told, ""});
-    const Signatures signatures{
-        told, [&](std::string_view name, const Question& q) { return guesses[std::stoul(std::string(name))].answers(q); }};
+    const Signatures signatures{told, [&](std::string_view name, const ProtocolQuestion& q) {
+                                    return guesses[std::stoul(std::string(name))].answers(q);
+                                }};
     std::vector<Evidence> candidates;
     for (const Mistake& each : told) candidates.emplace_back(judged, each, signatures, least.agreement);
     while (const std::optional<Told> best = most_telling(judged, candidates, left, set_aside, left.size(), least)) {

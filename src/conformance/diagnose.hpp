@@ -34,7 +34,8 @@ namespace denhartog::conformance {
 /// @brief The known mistakes, or others in their place.
 struct Signatures {
     std::span<const Mistake> mistakes;                                                           ///< the mistakes
-    std::function<std::optional<Value>(std::string_view name, const Question& question)> answer; ///< see `answer_with_mistake`
+    std::function<std::optional<Value>(std::string_view name, const ProtocolQuestion& question)>
+        answer; ///< see `answer_with_mistake`
     /// The number that was found from the answers, in words; empty where a mistake has none of its own.
     std::function<std::string(std::string_view name)> number = {};
 };
@@ -50,7 +51,7 @@ struct Signatures {
 /// @param answer  gives the answers of the other mistakes
 /// @return        the mistakes with their answers
 [[nodiscard]] Signatures signatures_with(FittedMistakes fitted,
-                                         std::function<std::optional<Value>(std::string_view, const Question&)> answer);
+                                         std::function<std::optional<Value>(std::string_view, const ProtocolQuestion&)> answer);
 
 /// @brief What a mistake must reach to be named. docs/diagnosis.md shows what happens without each threshold.
 struct Thresholds {

@@ -43,7 +43,7 @@ Verdict verdict_of(double error, const Tolerance& allowed) {
 }
 
 // What one computes who forgets the boundary; none where the quantity is not of the steady motion.
-std::optional<Value> closed_form_beyond_boundary(const Question& q) {
+std::optional<Value> closed_form_beyond_boundary(const ProtocolQuestion& q) {
     if (!asks_for(q, {"amplitude", "phase", "amplitude_monoharmonic", "phase_monoharmonic", "initial_displacement",
                       "initial_velocity", "displacement", "motion_under_force"}))
         return std::nullopt;

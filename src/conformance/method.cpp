@@ -12,7 +12,7 @@ namespace {
 
 // What solvers of each method reach at everyday settings: half of their answers are within the first number, 99 of 100 within the
 // second; ten times as much is the third. `./verify chart` measures that anew and compares (docs/solvers.md).
-constexpr Method all_methods[] = {
+constexpr SolverMethod all_methods[] = {
     {"closed-form", "the closed form in double: the vectors' own tolerances", {}, {}, {}},
     {"event-driven",
      "integration with events, at tolerances of 1e-6",
@@ -31,7 +31,7 @@ constexpr Method all_methods[] = {
     {"harmonic-balance", "harmonics of friction up to the 51st", {2e-4, 5e-3, 5e-2}, {2e-3, 1e-2, 1e-1}, {}, 0, false, false},
 };
 
-Tolerance of_kind(const Method& method, const std::string& kind) {
+Tolerance of_kind(const SolverMethod& method, const std::string& kind) {
     if (kind == "displacement") return method.displacement;
     if (kind == "phase") return method.phase;
     return kind == "duration" ? method.duration : Tolerance{};
@@ -39,17 +39,17 @@ Tolerance of_kind(const Method& method, const std::string& kind) {
 
 } // namespace
 
-std::span<const Method> methods() { return all_methods; }
+std::span<const SolverMethod> methods() { return all_methods; }
 
-const Method& method_named(std::string_view name) {
-    const auto* const found = std::ranges::find(all_methods, name, &Method::name);
+const SolverMethod& method_named(std::string_view name) {
+    const auto* const found = std::ranges::find(all_methods, name, &SolverMethod::name);
     if (found != std::end(all_methods)) return *found;
     std::string names;
-    for (const Method& each : all_methods) names += (names.empty() ? "" : ", ") + std::string(each.name);
+    for (const SolverMethod& each : all_methods) names += (names.empty() ? "" : ", ") + std::string(each.name);
     throw InputError("method", "must be one of " + names, std::string(name));
 }
 
-std::string kind_of(const Question& q) {
+std::string kind_of(const ProtocolQuestion& q) {
     if (q.quantity == "stop_durations") return "duration";
     if (asks_for(q, {"phase", "phase_monoharmonic"})) return "phase";
     const bool moves = asks_for(q, {"amplitude", "amplitude_monoharmonic", "motion_under_force", "displacement",
@@ -63,7 +63,7 @@ double condition_of(const Vector& v) {
     return largest;
 }
 
-std::string excuse_for(const Vector& v, const Method& method) {
+std::string excuse_for(const Vector& v, const SolverMethod& method) {
     if (kind_of(v.question).empty() && !asks_for(v.question, {"regime", "stops_per_period"})) return "";
     const std::vector<double>& zeta = v.question.damping_ratios;
     if (method.settles && std::find(zeta.begin(), zeta.end(), 0.0) != zeta.end())
@@ -75,7 +75,7 @@ std::string excuse_for(const Vector& v, const Method& method) {
     return "";
 }
 
-void widen(Vector& v, const Method& method) {
+void widen(Vector& v, const SolverMethod& method) {
     constexpr double largest = 0.1; // beyond, nothing is right
     const Tolerance least = of_kind(method, kind_of(v.question));
     const double condition = condition_of(v);
@@ -84,7 +84,7 @@ void widen(Vector& v, const Method& method) {
                    wider(v.tolerance.inaccurate, least.inaccurate)};
 }
 
-void excuse(Judged& judged, const Method& method) {
+void excuse(Judged& judged, const SolverMethod& method) {
     if (!is_wrong_value(judged.verdict)) return;
     const std::string reason = excuse_for(*judged.vector, method);
     if (reason.empty()) return;
@@ -92,6 +92,6 @@ void excuse(Judged& judged, const Method& method) {
     judged.reason = "not judged by the method " + std::string(method.name) + ": " + reason;
 }
 
-double least_agreement(const Method& method) { return method.displacement.loose; }
+double least_agreement(const SolverMethod& method) { return method.displacement.loose; }
 
 } // namespace denhartog::conformance

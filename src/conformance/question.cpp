@@ -52,7 +52,7 @@ std::vector<T> exact(const std::vector<double>& numbers) {
 }
 
 // Of a contact between two masses, 0 stands for its own displacement.
-void check_mass(const Question& q) {
+void check_mass(const ProtocolQuestion& q) {
     if (!quantity(q.quantity).of_mass) return;
     if (q.mass != 0 || q.contact_with == 0) (void)mass_from(q.mass, masses_of(q), "mass");
 }
@@ -113,7 +113,7 @@ void put(nlohmann::ordered_json& scene, const char* ratios, const std::vector<do
 }
 
 // As `denhartog solve` takes it.
-nlohmann::ordered_json scene_json(const Question& q) {
+nlohmann::ordered_json scene_json(const ProtocolQuestion& q) {
     nlohmann::ordered_json scene;
     put(scene, "mass_ratios", q.mass_ratios, "mass_matrix", q.mass_matrix);
     put(scene, "stiffness_ratios", q.stiffness_ratios, "stiffness_matrix", q.stiffness_matrix);
@@ -134,7 +134,7 @@ nlohmann::ordered_json scene_json(const Question& q) {
     return scene;
 }
 
-void read_places(const nlohmann::json& scene, Question& q) {
+void read_places(const nlohmann::json& scene, ProtocolQuestion& q) {
     if (scene.contains("contact") && scene["contact"].is_array()) {
         const nlohmann::json& two = scene["contact"];
         if (two.size() != 2) throw InputError("contact", "must be one mass or two", dumped(two));
@@ -158,7 +158,7 @@ void add_numbers(std::ostringstream& line, const std::vector<double>& list) {
 }
 
 // What the plain dialect says of a scene beyond the paper, behind all that it says of one of the paper.
-void add_tags(std::ostringstream& line, const Question& q) {
+void add_tags(std::ostringstream& line, const ProtocolQuestion& q) {
     if (q.contact_with != 0) line << " contact_with " << q.contact_with;
     if (!q.base_motion.empty()) line << " base_motion " << q.base_motion;
     const std::pair<const char*, const std::vector<double>*> lists[] = {{"loads", &q.loads},
@@ -176,18 +176,18 @@ void add_tags(std::ostringstream& line, const Question& q) {
 
 std::span<const Quantity> quantities() { return table; }
 
-bool is_of_the_paper(const Question& q) {
+bool is_of_the_paper(const ProtocolQuestion& q) {
     return q.contact_with == 0 && q.loads.empty() && q.base_motion.empty() && q.mass_matrix.empty() &&
            q.stiffness_matrix.empty() && q.damping_matrix.empty();
 }
 
-void check_of_the_paper(const Question& q) {
+void check_of_the_paper(const ProtocolQuestion& q) {
     if (!is_of_the_paper(q)) throw InputError("scene", "must be one of the paper", beyond_the_paper(q).front());
 }
 
-std::size_t masses_of(const Question& q) { return q.mass_matrix.empty() ? q.mass_ratios.size() : rows_of(q.mass_matrix); }
+std::size_t masses_of(const ProtocolQuestion& q) { return q.mass_matrix.empty() ? q.mass_ratios.size() : rows_of(q.mass_matrix); }
 
-std::vector<std::string> beyond_the_paper(const Question& q) {
+std::vector<std::string> beyond_the_paper(const ProtocolQuestion& q) {
     std::vector<std::string> names;
     if (q.contact_with != 0) names.emplace_back("contact-between-masses");
     if (!q.loads.empty()) names.emplace_back("several-loads");
@@ -204,12 +204,12 @@ const Quantity& quantity(std::string_view name) {
     return *found;
 }
 
-bool is_overdamped(const Question& q) {
+bool is_overdamped(const ProtocolQuestion& q) {
     return std::any_of(q.damping_ratios.begin(), q.damping_ratios.end(), [](double zeta) { return zeta >= 1; });
 }
 
 template <class T>
-Scene<T> scene_of(const Question& q) {
+Scene<T> scene_of(const ProtocolQuestion& q) {
     Scene<T> scene;
     if (!is_of_the_paper(q)) {
         scene = scene_from_json<T>(nlohmann::json(scene_json(q)));
@@ -230,7 +230,7 @@ Scene<T> scene_of(const Question& q) {
     return scene;
 }
 
-nlohmann::ordered_json question_json(const Question& q) {
+nlohmann::ordered_json question_json(const ProtocolQuestion& q) {
     nlohmann::ordered_json object = {{"id", q.id}, {"quantity", q.quantity}, {"scene", scene_json(q)}};
     if (quantity(q.quantity).of_mass) object["mass"] = q.mass;
     if (q.quantity == "displacement") object["tau"] = q.tau;
@@ -238,7 +238,7 @@ nlohmann::ordered_json question_json(const Question& q) {
     return object;
 }
 
-std::string question_plain(const Question& q) {
+std::string question_plain(const ProtocolQuestion& q) {
     std::ostringstream line;
     const std::size_t N = masses_of(q);
     line << q.id << ' ' << q.quantity << ' ' << N << ' ' << q.contact << ' ' << q.load << ' ' << q.mass << ' ' << q.samples << ' '
@@ -250,10 +250,10 @@ std::string question_plain(const Question& q) {
     return line.str();
 }
 
-Question question_from_json(const nlohmann::json& object) {
+ProtocolQuestion question_from_json(const nlohmann::json& object) {
     if (!object.is_object()) throw InputError("question", "must be a JSON object", dumped(object));
     const auto scene = member<nlohmann::json>(object, "scene");
-    Question q;
+    ProtocolQuestion q;
     q.id = member<std::string>(object, "id");
     q.quantity = quantity(member<std::string>(object, "quantity")).name;
     q.mass_ratios = list_or_nothing(scene, "mass_ratios", "mass_matrix");
@@ -272,8 +272,8 @@ Question question_from_json(const nlohmann::json& object) {
     return q;
 }
 
-template Scene<double> scene_of(const Question&);
-template Scene<Real50> scene_of(const Question&);
-template Scene<Real100> scene_of(const Question&);
+template Scene<double> scene_of(const ProtocolQuestion&);
+template Scene<Real50> scene_of(const ProtocolQuestion&);
+template Scene<Real100> scene_of(const ProtocolQuestion&);
 
 } // namespace denhartog::conformance

@@ -42,7 +42,7 @@ struct Quantity {
 [[nodiscard]] const Quantity& quantity(std::string_view name);
 
 /// @brief A question. Its numbers may break any rule of a scene, because an implementation must reject some questions.
-struct Question {
+struct ProtocolQuestion {
     std::string id;                       ///< letters, digits and hyphens
     std::string quantity;                 ///< what is asked, a name of `quantities`
     std::vector<double> mass_ratios;      ///< gamma, Eq. (9), N values
@@ -67,40 +67,40 @@ struct Question {
 /// @brief Whether a question is about a scene of the paper: a chain with modal damping ratios, a wall, one loaded mass.
 /// @param q  the question
 /// @return   false where it has one of the last six members
-[[nodiscard]] bool is_of_the_paper(const Question& q);
+[[nodiscard]] bool is_of_the_paper(const ProtocolQuestion& q);
 
 /// @brief Checks that a question is about a scene of the paper. @param q the question @throws InputError where it is not
-void check_of_the_paper(const Question& q);
+void check_of_the_paper(const ProtocolQuestion& q);
 
 /// @brief Number of masses of a question's scene. @param q the question @return N
-[[nodiscard]] std::size_t masses_of(const Question& q);
+[[nodiscard]] std::size_t masses_of(const ProtocolQuestion& q);
 
 /// @brief What a question's scene has that the paper does not treat, by the names of flags, e.g. `contact-between-masses`.
 /// @param q  the question
 /// @return   the names; none for a scene of the paper
-[[nodiscard]] std::vector<std::string> beyond_the_paper(const Question& q);
+[[nodiscard]] std::vector<std::string> beyond_the_paper(const ProtocolQuestion& q);
 
 /// @brief Whether a mode of a question's scene does not vibrate. @param q the question @return whether a zeta_i is 1 or more
-[[nodiscard]] bool is_overdamped(const Question& q);
+[[nodiscard]] bool is_overdamped(const ProtocolQuestion& q);
 
 /// @brief The scene of a question, its numbers taken as exact.
 /// @param q  the question
 /// @return   the scene, checked; a moving base as the load that it is
 /// @throws   InputError if a number breaks a rule of the scene, or the scene does not have the mass asked about
 template <class T>
-[[nodiscard]] Scene<T> scene_of(const Question& q);
+[[nodiscard]] Scene<T> scene_of(const ProtocolQuestion& q);
 
 /// @brief A question as the object of the protocol's `json` dialect. @param q the question @return the object
-[[nodiscard]] nlohmann::ordered_json question_json(const Question& q);
+[[nodiscard]] nlohmann::ordered_json question_json(const ProtocolQuestion& q);
 
 /// @brief A question as the line of the protocol's `plain` dialect. @param q the question @return the line, without its end
-[[nodiscard]] std::string question_plain(const Question& q);
+[[nodiscard]] std::string question_plain(const ProtocolQuestion& q);
 
 /// @brief Reads a question from the object of the `json` dialect. Unknown members are ignored.
 /// @param object  the object
 /// @return        the question
 /// @throws        InputError if a member is missing or has another type
-[[nodiscard]] Question question_from_json(const nlohmann::json& object);
+[[nodiscard]] ProtocolQuestion question_from_json(const nlohmann::json& object);
 
 /// @brief Numbers, or the name of a regime.
 struct Value {

@@ -80,11 +80,11 @@ void check_numbers(const Vector& v) {
     if (!(v.scale > 0)) throw InputError("scale", "must be positive", text_of(v.scale));
 }
 
-std::string contact_text(const Question& q) {
+std::string contact_text(const ProtocolQuestion& q) {
     return std::to_string(q.contact) + (q.contact_with == 0 ? "" : " " + std::to_string(q.contact_with));
 }
 
-std::string load_text(const Question& q) { return q.loads.empty() ? std::to_string(q.load) : joined(q.loads); }
+std::string load_text(const ProtocolQuestion& q) { return q.loads.empty() ? std::to_string(q.load) : joined(q.loads); }
 
 } // namespace
 
@@ -178,7 +178,7 @@ std::string vector_csv_heading(bool systems) {
 }
 
 std::string vector_csv(const Vector& v, bool systems) {
-    const Question& q = v.question;
+    const ProtocolQuestion& q = v.question;
     std::string condition;
     for (const auto& [input, number] : v.condition) condition += (condition.empty() ? "" : " ") + input + ":" + text_of(number);
     const std::string value = !v.reject.empty() ? "reject" : !v.word.empty() ? v.word : joined(v.value);

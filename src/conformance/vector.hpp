@@ -25,7 +25,7 @@ struct Tolerance {
 
 /// @brief A certified vector.
 struct Vector {
-    Question question;    ///< what is asked
+    ProtocolQuestion question; ///< what is asked
     std::string group;    ///< what the vector is about: the name of its file without its end
     std::string equation; ///< number of the equation in the paper; empty if there is none
     std::string tier;     ///< `must`, `should` or `stress`

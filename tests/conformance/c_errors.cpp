@@ -31,7 +31,7 @@ struct Held {
     }
 };
 
-Handle system_of(const conformance::Question& q) {
+Handle system_of(const conformance::ProtocolQuestion& q) {
     const std::string scene = conformance::question_json(q)["scene"].dump();
     dh_system* system = nullptr;
     REQUIRE(dh_system_from_json(scene.data(), scene.size(), &system) == DH_OK);
@@ -41,7 +41,7 @@ Handle system_of(const conformance::Question& q) {
 constexpr std::size_t most_values = 64;
 
 // The numbers of a vector, or the bounds of their errors.
-std::vector<double> asked(decltype(&dh_quantity) of, const dh_system* system, const conformance::Question& q) {
+std::vector<double> asked(decltype(&dh_quantity) of, const dh_system* system, const conformance::ProtocolQuestion& q) {
     std::vector<double> x(q.samples > 0 ? static_cast<std::size_t>(q.samples) : most_values);
     std::size_t count = 0;
     const int status =

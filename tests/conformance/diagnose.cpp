@@ -19,10 +19,10 @@ const std::vector<Mistake> stubs{
     {"rough", "", false, "An integrator's mistake.", "the steps", 3e-2},
 };
 
-double truth(const Question& q) { return q.r + q.mu; }
+double truth(const ProtocolQuestion& q) { return q.r + q.mu; }
 
 // Right: r + mu. The stubs' answers, `printed` for displacements alone and `mu-squared` for amplitudes alone.
-std::optional<Value> stub_answer(std::string_view name, const Question& q) {
+std::optional<Value> stub_answer(std::string_view name, const ProtocolQuestion& q) {
     if (name == "twice") return Value{{2 * truth(q)}, ""};
     if (name == "rough") return Value{{3 * truth(q)}, ""};
     if (name == "mu-squared" && q.quantity == "amplitude") return Value{{q.r + q.mu * q.mu}, ""};
@@ -37,7 +37,7 @@ std::vector<Vector> twenty_vectors() {
     std::vector<Vector> vectors;
     for (const char* quantity : {"amplitude", "displacement"})
         for (int n = 0; n < 10; ++n) {
-            Question q;
+            ProtocolQuestion q;
             q.r = 1 + n / 8.0;
             q.mu = n % 2 == 0 ? 1 : 1.5;
             Vector v = vector_of(std::string(quantity) + "-" + std::to_string(n), quantity, {truth(q)});
@@ -55,8 +55,8 @@ std::vector<Judged> judged_by(const std::vector<Vector>& vectors, const Answerin
     return judged;
 }
 
-Value right(const Question& q) { return {{truth(q)}, ""}; }
-Value by(const char* name, const Question& q) { return stub_answer(name, q).value_or(right(q)); }
+Value right(const ProtocolQuestion& q) { return {{truth(q)}, ""}; }
+Value by(const char* name, const ProtocolQuestion& q) { return stub_answer(name, q).value_or(right(q)); }
 
 } // namespace
 
@@ -71,7 +71,7 @@ TEST_CASE("right answers need no diagnosis", "[conformance][diagnosis]") {
 
 TEST_CASE("a mistake is found by its answers and told with an example", "[conformance][diagnosis]") {
     const std::vector<Vector> vectors = twenty_vectors();
-    std::vector<Judged> judged = judged_by(vectors, [](const Question& q) { return by("twice", q); });
+    std::vector<Judged> judged = judged_by(vectors, [](const ProtocolQuestion& q) { return by("twice", q); });
     const Diagnosis d = diagnose(judged, signatures);
     CHECK(d.wrong == 20);
     REQUIRE(d.findings.size() == 1);
@@ -87,7 +87,7 @@ TEST_CASE("two mistakes in different functions are both found, and the print is 
           "[conformance][diagnosis]") {
     const std::vector<Vector> vectors = twenty_vectors();
     std::vector<Judged> judged =
-        judged_by(vectors, [](const Question& q) { return by(q.quantity == "amplitude" ? "mu-squared" : "printed", q); });
+        judged_by(vectors, [](const ProtocolQuestion& q) { return by(q.quantity == "amplitude" ? "mu-squared" : "printed", q); });
     const Diagnosis d = diagnose(judged, signatures);
     CHECK(d.wrong == 15);
     REQUIRE(d.findings.size() == 2);
@@ -104,8 +104,8 @@ TEST_CASE("two mistakes in different functions are both found, and the print is 
 TEST_CASE("a mistake that right answers contradict is not told", "[conformance][diagnosis]") {
     const std::vector<Vector> vectors = twenty_vectors();
     // Twice as large at three of ten points alone: no implementation that makes the mistake does so.
-    std::vector<Judged> judged =
-        judged_by(vectors, [](const Question& q) { return q.quantity == "amplitude" && q.r < 1.3 ? by("twice", q) : right(q); });
+    std::vector<Judged> judged = judged_by(
+        vectors, [](const ProtocolQuestion& q) { return q.quantity == "amplitude" && q.r < 1.3 ? by("twice", q) : right(q); });
     const Diagnosis d = diagnose(judged, signatures);
     CHECK(d.wrong == 3);
     CHECK(d.findings.empty());
@@ -115,7 +115,7 @@ TEST_CASE("a mistake that right answers contradict is not told", "[conformance][
 TEST_CASE("an inaccurate answer is no mistake's whose answer is the truth there", "[conformance][diagnosis]") {
     const std::vector<Vector> vectors = twenty_vectors();
     // mu-squared is right at mu = 1: an answer that is off by 1e-7 there agrees with it to 1e-6, and says nothing.
-    std::vector<Judged> judged = judged_by(vectors, [](const Question& q) { return Value{{truth(q) * (1 + 1e-7)}, ""}; });
+    std::vector<Judged> judged = judged_by(vectors, [](const ProtocolQuestion& q) { return Value{{truth(q) * (1 + 1e-7)}, ""}; });
     const Diagnosis d = diagnose(judged, signatures);
     CHECK(d.wrong == 20);
     CHECK(d.findings.empty());
@@ -123,18 +123,18 @@ TEST_CASE("an inaccurate answer is no mistake's whose answer is the truth there"
 
 TEST_CASE("a mistake is matched to its own agreement: an integrator's loosely, a formula's not", "[conformance][diagnosis]") {
     const std::vector<Vector> vectors = twenty_vectors();
-    std::vector<Judged> loosely = judged_by(vectors, [](const Question& q) { return Value{{3.03 * truth(q)}, ""}; });
+    std::vector<Judged> loosely = judged_by(vectors, [](const ProtocolQuestion& q) { return Value{{3.03 * truth(q)}, ""}; });
     const Diagnosis d = diagnose(loosely, signatures);
     REQUIRE(d.findings.size() == 1);
     CHECK(d.findings.front().mistake->name == "rough");
-    std::vector<Judged> off = judged_by(vectors, [](const Question& q) { return Value{{2.001 * truth(q)}, ""}; });
+    std::vector<Judged> off = judged_by(vectors, [](const ProtocolQuestion& q) { return Value{{2.001 * truth(q)}, ""}; });
     CHECK(diagnose(off, signatures).findings.empty());
 }
 
 TEST_CASE("what cannot be used agrees with nothing", "[conformance][diagnosis]") {
     const std::vector<Vector> vectors = twenty_vectors();
-    const auto nothing = [](std::string_view, const Question&) { return std::optional<Value>(Value{}); };
-    std::vector<Judged> judged = judged_by(vectors, [](const Question&) { return Unusable{"nan"}; });
+    const auto nothing = [](std::string_view, const ProtocolQuestion&) { return std::optional<Value>(Value{}); };
+    std::vector<Judged> judged = judged_by(vectors, [](const ProtocolQuestion&) { return Unusable{"nan"}; });
     const Diagnosis d = diagnose(judged, {stubs, nothing});
     CHECK(d.wrong == 20);
     CHECK(d.findings.empty());
@@ -142,7 +142,7 @@ TEST_CASE("what cannot be used agrees with nothing", "[conformance][diagnosis]")
 
 TEST_CASE("where nothing matches, what the wrong answers have in common is told", "[conformance][diagnosis]") {
     const std::vector<Vector> vectors = twenty_vectors();
-    std::vector<Judged> judged = judged_by(vectors, [](const Question& q) {
+    std::vector<Judged> judged = judged_by(vectors, [](const ProtocolQuestion& q) {
         return q.quantity == "amplitude" && q.mu > 1 ? Value{{-7}, ""} : right(q);
     });
     const Diagnosis d = diagnose(judged, signatures);
@@ -158,7 +158,7 @@ TEST_CASE("where nothing matches, what the wrong answers have in common is told"
 
 TEST_CASE("one or two wrong answers have nothing in common", "[conformance][diagnosis]") {
     const std::vector<Vector> vectors = twenty_vectors();
-    std::vector<Judged> judged = judged_by(vectors, [](const Question& q) {
+    std::vector<Judged> judged = judged_by(vectors, [](const ProtocolQuestion& q) {
         return q.quantity == "amplitude" && q.r > 2 ? Value{{-7}, ""} : right(q);
     });
     const Diagnosis d = diagnose(judged, signatures);

@@ -18,9 +18,9 @@ namespace {
 std::vector<Vector> seeded_vectors() {
     std::vector<Vector> vectors;
     int number = 0;
-    std::vector<Question> questions = seeded_questions(535, 60);
-    for (const Question& q : seeded_systems(535, 12)) questions.push_back(q);
-    for (Question q : questions)
+    std::vector<ProtocolQuestion> questions = seeded_questions(535, 60);
+    for (const ProtocolQuestion& q : seeded_systems(535, 12)) questions.push_back(q);
+    for (ProtocolQuestion q : questions)
         for (const Quantity& asked : quantities()) {
             q.quantity = asked.name;
             const std::optional<Value> right = plain_answer(q);
@@ -44,8 +44,9 @@ TEST_CASE("each known mistake is found by its answers, it alone", "[conformance]
     std::map<std::string, std::map<std::string, std::optional<Value>>> answers;
     for (const Mistake& mistake : mistakes())
         for (const Vector& v : vectors) answers[mistake.name][v.question.id] = answer_with_mistake(mistake.name, v.question);
-    const Signatures remembered{signatures.mistakes,
-                                [&](std::string_view name, const Question& q) { return answers.at(std::string(name)).at(q.id); }};
+    const Signatures remembered{signatures.mistakes, [&](std::string_view name, const ProtocolQuestion& q) {
+                                    return answers.at(std::string(name)).at(q.id);
+                                }};
     for (const Mistake& mistake : mistakes()) {
         std::vector<Judged> judged;
         for (const Vector& v : vectors)

@@ -93,7 +93,7 @@ TEST_CASE("where r alone is wrong, the natural frequencies are right and R is fi
     std::vector<Judged> judged =
         answered({"natural_frequency_ratios", "modal_frequency_ratios", "mode_shape_products", "complex_response"}, 3,
                  [&](const Vector& v) {
-                     Question q = v.question;
+                     ProtocolQuestion q = v.question;
                      q.r *= 1.37;
                      return plain_answer(q);
                  });

@@ -12,10 +12,10 @@ using namespace denhartog::tests;
 
 namespace {
 
-const Method& stepping() { return method_named("time-stepping"); }
+const SolverMethod& stepping() { return method_named("time-stepping"); }
 
 // An amplitude of 1 with a condition number of 2, and an answer that is so much off.
-Judged judged_by(const Method& method, Vector& v, double off) {
+Judged judged_by(const SolverMethod& method, Vector& v, double off) {
     widen(v, method);
     Judged judged = grade(v, Value{{1 + off}, ""});
     excuse(judged, method);
@@ -32,7 +32,7 @@ const std::string groups = "contact,boundary,stick-slip,stuck,solver";
 
 TEST_CASE("a method's tolerances grow with the condition number and never narrow the vector's", "[conformance][method]") {
     const Vector own = vector_of("amplitude-1", "amplitude", {1});
-    for (const Method& method : methods()) {
+    for (const SolverMethod& method : methods()) {
         INFO(method.name);
         CHECK(method.displacement.pass <= method.displacement.loose);
         CHECK(method.displacement.loose <= method.displacement.inaccurate);
@@ -106,7 +106,7 @@ TEST_CASE("integrators and harmonic balance conform by what their methods can do
 TEST_CASE("methods are listed with their tolerances, and a name that is none is told them", "[conformance][method][program]") {
     const Run listed = conform("list --methods");
     CHECK(listed.status == 0);
-    for (const Method& method : methods()) CHECK(contains(listed.output, std::string(method.name)));
+    for (const SolverMethod& method : methods()) CHECK(contains(listed.output, std::string(method.name)));
     const Run none = conform("run " + with_vectors(six(), "--method guesswork -- true"));
     CHECK(none.status == 2);
     CHECK(contains(none.error, "method must be one of closed-form, event-driven, time-stepping, harmonic-balance"));

@@ -28,16 +28,16 @@ bool differ(const Value& a, const Value& b) {
 
 // Every quantity on seeded scenes, with the right answer.
 struct Asked {
-    Question question;
+    ProtocolQuestion question;
     Value right;
 };
 
 const std::vector<Asked>& all_asked() {
     static const std::vector<Asked> all = [] {
         std::vector<Asked> asked;
-        std::vector<Question> questions = tests::seeded_questions(2022, 30);
-        for (const Question& q : tests::seeded_systems(2022, 8)) questions.push_back(q);
-        for (Question q : questions)
+        std::vector<ProtocolQuestion> questions = tests::seeded_questions(2022, 30);
+        for (const ProtocolQuestion& q : tests::seeded_systems(2022, 8)) questions.push_back(q);
+        for (ProtocolQuestion q : questions)
             for (const Quantity& quantity : quantities()) {
                 q.quantity = quantity.name;
                 if (const std::optional<Value> right = plain_answer(q)) asked.push_back({q, *right});
@@ -82,7 +82,7 @@ TEST_CASE("known mistakes have a name of their own and tell what they are", "[co
         if (mistake.as_printed) CHECK(mistake.name.starts_with(mistake.equation + "-as-printed"));
     }
     CHECK(names.size() >= 70);
-    CHECK_THROWS_AS(answer_with_mistake("no-mistake", Question{}), InputError);
+    CHECK_THROWS_AS(answer_with_mistake("no-mistake", ProtocolQuestion{}), InputError);
 }
 
 TEST_CASE("every known mistake gives itself away on a seeded scene, and no two are the same there", "[conformance][mistake]") {

@@ -146,8 +146,9 @@ const std::vector<Program>& programs() {
 }
 
 Diagnosis diagnosis_of(const Program& p, std::vector<Judged>& judged, const Thresholds& least, bool guess) {
-    const Signatures signatures = signatures_with(
-        p.fitted, [](std::string_view name, const Question& q) { return known_answers().at(std::string(name)).at(q.id); });
+    const Signatures signatures = signatures_with(p.fitted, [](std::string_view name, const ProtocolQuestion& q) {
+        return known_answers().at(std::string(name)).at(q.id);
+    });
     return diagnose(judged, signatures, least, guess);
 }
 

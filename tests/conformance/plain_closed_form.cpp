@@ -12,7 +12,7 @@ using namespace denhartog::conformance;
 
 namespace {
 
-void agree(Question q, const std::string& quantity, double truth, double size, double tolerance) {
+void agree(ProtocolQuestion q, const std::string& quantity, double truth, double size, double tolerance) {
     q.quantity = quantity;
     const std::optional<Value> value = plain_answer(q);
     INFO(question_plain(q) << " has " << std::hexfloat << truth);
@@ -27,7 +27,7 @@ void agree(Question q, const std::string& quantity, double truth, double size, d
 TEST_CASE("the plain closed form without a mistake agrees with the response on seeded scenes",
           "[eq:38][eq:46][eq:69][conformance]") {
     int sliding = 0;
-    for (Question q : tests::seeded_questions(7, 60)) {
+    for (ProtocolQuestion q : tests::seeded_questions(7, 60)) {
         const Response<double> truth = response(scene_of<double>(q));
         agree(q, "beta_lim_exact", truth.boundary.exact, truth.boundary.exact, 1e-10);
         agree(q, "beta_lim_paper", truth.boundary.paper, truth.boundary.paper, 1e-10);

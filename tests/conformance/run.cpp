@@ -198,7 +198,7 @@ TEST_CASE("one question is repeated as commands that a shell takes", "[conforman
     CHECK(shell(lines[4]) == std::pair{0, std::string("denhartog-conform 1 plain Table of answers\namplitude-1 value 0.25\n")});
     CHECK(run("--repro phase-1", table_program("repeated-wrong", "phase-1 value 1\n")).status == 1);
     CHECK(run("--repro no-such", program).status == 2);
-    const Question asked = six_vectors()[1].question;
+    const ProtocolQuestion asked = six_vectors()[1].question;
     const std::optional<Value> mistaken = answer_with_mistake("46-as-printed", asked);
     REQUIRE(mistaken);
     const std::string printed = "amplitude-1 value " + hexadecimal(mistaken->numbers.front()) + "\n";

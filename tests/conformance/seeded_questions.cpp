@@ -18,11 +18,11 @@ int place(std::mt19937_64& random, int N) { return 1 + static_cast<int>(random()
 
 } // namespace
 
-std::vector<conformance::Question> seeded_questions(std::uint64_t seed, int count) {
+std::vector<conformance::ProtocolQuestion> seeded_questions(std::uint64_t seed, int count) {
     std::mt19937_64 random(seed);
-    std::vector<conformance::Question> questions;
+    std::vector<conformance::ProtocolQuestion> questions;
     for (int n = 0; n < count; ++n) {
-        conformance::Question q;
+        conformance::ProtocolQuestion q;
         const int N = 1 + n % 5;
         q.mass_ratios = q.stiffness_ratios = {1};
         for (int i = 1; i < N; ++i) {
@@ -48,10 +48,10 @@ std::vector<conformance::Question> seeded_questions(std::uint64_t seed, int coun
     return questions;
 }
 
-std::vector<conformance::Question> seeded_systems(std::uint64_t seed, int count) {
+std::vector<conformance::ProtocolQuestion> seeded_systems(std::uint64_t seed, int count) {
     std::mt19937_64 random(seed);
-    std::vector<conformance::Question> systems;
-    for (conformance::Question q : seeded_questions(seed, 2 * count)) {
+    std::vector<conformance::ProtocolQuestion> systems;
+    for (conformance::ProtocolQuestion q : seeded_questions(seed, 2 * count)) {
         const auto N = q.mass_ratios.size();
         const auto n = static_cast<int>(systems.size());
         if (N == 1 || n == count) continue;

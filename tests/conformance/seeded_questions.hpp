@@ -15,7 +15,7 @@ namespace denhartog::tests {
 /// @param seed   any number; the same one gives the same questions
 /// @param count  number of scenes
 /// @return       a question a scene, of the amplitude of a mass
-[[nodiscard]] std::vector<conformance::Question> seeded_questions(std::uint64_t seed, int count);
+[[nodiscard]] std::vector<conformance::ProtocolQuestion> seeded_questions(std::uint64_t seed, int count);
 
 /// @brief Systems beyond the paper: in turn a contact between two masses, several loads, a base that moves, dashpots.
 ///
@@ -23,6 +23,6 @@ namespace denhartog::tests {
 /// @param seed   any number; the same one gives the same questions
 /// @param count  number of systems
 /// @return       a question a system, of the amplitude of a mass
-[[nodiscard]] std::vector<conformance::Question> seeded_systems(std::uint64_t seed, int count);
+[[nodiscard]] std::vector<conformance::ProtocolQuestion> seeded_systems(std::uint64_t seed, int count);
 
 } // namespace denhartog::tests

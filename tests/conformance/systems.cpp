@@ -18,8 +18,8 @@ using namespace denhartog::tests;
 namespace {
 
 // The example of docs/protocol.md.
-Question two_masses() {
-    Question q;
+ProtocolQuestion two_masses() {
+    ProtocolQuestion q;
     q.id = "systems-load-0001";
     q.quantity = "amplitude";
     q.mass_ratios = {1, 2.5};
@@ -34,8 +34,8 @@ Question two_masses() {
     return q;
 }
 
-std::string sentence(const std::function<void(Question&)>& breaks) {
-    Question q = two_masses();
+std::string sentence(const std::function<void(ProtocolQuestion&)>& breaks) {
+    ProtocolQuestion q = two_masses();
     breaks(q);
     try {
         static_cast<void>(scene_of<double>(q));
@@ -49,7 +49,7 @@ std::string sentence(const std::function<void(Question&)>& breaks) {
 
 TEST_CASE("a question beyond the paper is the same after either dialect has it, and reads as the protocol's page shows",
           "[conformance][systems]") {
-    const Question q = two_masses();
+    const ProtocolQuestion q = two_masses();
     const std::string page = content_of(source_file("docs/protocol.md"));
     CHECK(contains(page, question_plain(q) + "\n"));
     const std::size_t from = page.find("{\"id\":\"systems-load-0001\"");
@@ -60,24 +60,24 @@ TEST_CASE("a question beyond the paper is the same after either dialect has it, 
         if (!is_of_systems(v)) continue;
         INFO(v.question.id);
         REQUIRE_FALSE(is_of_the_paper(v.question));
-        const Question again = question_from_json(nlohmann::json(question_json(v.question)));
+        const ProtocolQuestion again = question_from_json(nlohmann::json(question_json(v.question)));
         REQUIRE(question_plain(again) == question_plain(v.question));
         REQUIRE(question_json(again) == question_json(v.question));
     }
 }
 
 TEST_CASE("a scene beyond the paper breaks a rule in the words of the scene", "[conformance][systems]") {
-    CHECK(sentence([](Question&) {}).empty());
-    CHECK(contains(sentence([](Question& q) { q.contact_with = 2; }), "contact must be between two masses"));
-    CHECK(contains(sentence([](Question& q) { q.loads = {1}; }), "load must be one mass, or have as many values"));
-    CHECK(contains(sentence([](Question& q) { q.mass = 3; }), "mass must be a mass from 1 to 2"));
-    CHECK(contains(sentence([](Question& q) { q.mass = -1; }), "mass must be a mass from 1 to 2"));
-    CHECK(contains(sentence([](Question& q) {
+    CHECK(sentence([](ProtocolQuestion&) {}).empty());
+    CHECK(contains(sentence([](ProtocolQuestion& q) { q.contact_with = 2; }), "contact must be between two masses"));
+    CHECK(contains(sentence([](ProtocolQuestion& q) { q.loads = {1}; }), "load must be one mass, or have as many values"));
+    CHECK(contains(sentence([](ProtocolQuestion& q) { q.mass = 3; }), "mass must be a mass from 1 to 2"));
+    CHECK(contains(sentence([](ProtocolQuestion& q) { q.mass = -1; }), "mass must be a mass from 1 to 2"));
+    CHECK(contains(sentence([](ProtocolQuestion& q) {
                        q.contact_with = 0;
                        q.mass = 0;
                    }),
                    "mass must be a mass from 1 to 2"));
-    CHECK(contains(sentence([](Question& q) { q.base_motion = "up"; }), "base_motion must be"));
+    CHECK(contains(sentence([](ProtocolQuestion& q) { q.base_motion = "up"; }), "base_motion must be"));
 }
 
 TEST_CASE("an implementation of the paper is asked about the paper, and about other systems where it says so",
@@ -124,7 +124,7 @@ TEST_CASE("an answers file is judged about the systems that it answers", "[confo
 }
 
 TEST_CASE("a mistake in what only systems beyond the paper have says nothing of the paper", "[conformance][systems][mistake]") {
-    for (const Question& q : seeded_questions(7, 10))
+    for (const ProtocolQuestion& q : seeded_questions(7, 10))
         for (const char* name : {"coupling-neglected", "dashpots-between-masses-ignored", "second-contact-mass-ignored",
                                  "relative-displacement-reversed", "loads-normalised", "largest-load-only",
                                  "base-taken-with-wall", "base-taken-alone", "base-load-without-masses"}) {
@@ -132,7 +132,7 @@ TEST_CASE("a mistake in what only systems beyond the paper have says nothing of 
             CHECK_FALSE(answer_with_mistake(name, q));
         }
     // x_a - x_b and x_b - x_a are half a period apart.
-    Question q = two_masses();
+    ProtocolQuestion q = two_masses();
     q.quantity = "phase";
     const double right = plain_answer(q).value().numbers.front();
     const double reversed = answer_with_mistake("relative-displacement-reversed", q).value().numbers.front();

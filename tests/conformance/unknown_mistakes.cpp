@@ -13,7 +13,7 @@ namespace {
 
 using conformance::Choices;
 using conformance::PlainModes;
-using conformance::Question;
+using conformance::ProtocolQuestion;
 using conformance::Value;
 
 std::string text_of(double x) {
@@ -46,7 +46,7 @@ private:
     std::mt19937_64 random;
 };
 
-UnknownMistake reading(std::string rule, std::string told, std::function<void(Question&)> read) {
+UnknownMistake reading(std::string rule, std::string told, std::function<void(ProtocolQuestion&)> read) {
     return {std::move(rule), std::move(told), std::move(read), {}, {}};
 }
 
@@ -58,67 +58,67 @@ UnknownMistake in_sums(std::string rule, std::string told, std::function<void(Pl
     return {std::move(rule), std::move(told), {}, [change = std::move(change)](Choices& c) { c.change_sums = change; }, {}};
 }
 
-using List = std::vector<double> Question::*;
+using List = std::vector<double> ProtocolQuestion::*;
 
 void add_scaled(std::vector<UnknownMistake>& all, Draw& draw) {
-    const std::pair<const char*, List> lists[] = {{"mass_ratios", &Question::mass_ratios},
-                                                  {"stiffness_ratios", &Question::stiffness_ratios},
-                                                  {"damping_ratios", &Question::damping_ratios}};
+    const std::pair<const char*, List> lists[] = {{"mass_ratios", &ProtocolQuestion::mass_ratios},
+                                                  {"stiffness_ratios", &ProtocolQuestion::stiffness_ratios},
+                                                  {"damping_ratios", &ProtocolQuestion::damping_ratios}};
     for (const auto& [name, list] : lists)
         for (int n = 0; n < 2; ++n) {
             const double f = draw.factor();
-            const std::size_t from = list == &Question::damping_ratios ? 0 : 1; // the first mass and spring are units
+            const std::size_t from = list == &ProtocolQuestion::damping_ratios ? 0 : 1; // the first mass and spring are units
             all.push_back(reading("scale an input", "all " + std::string(name) + " times " + text_of(f),
-                                  [list = list, f, from](Question& q) {
+                                  [list = list, f, from](ProtocolQuestion& q) {
                                       for (std::size_t i = from; i < (q.*list).size(); ++i) (q.*list)[i] *= f;
                                   }));
             const double g = draw.factor();
             const std::size_t place = from + draw.place(2);
             all.push_back(reading("scale an input",
                                   std::string(name) + ", number " + std::to_string(place + 1) + ", times " + text_of(g),
-                                  [list = list, g, place](Question& q) {
+                                  [list = list, g, place](ProtocolQuestion& q) {
                                       if (place < (q.*list).size()) (q.*list)[place] *= g;
                                   }));
         }
-    const std::pair<const char*, double Question::*> numbers[] = {
-        {"mu", &Question::mu}, {"r", &Question::r}, {"beta", &Question::beta}};
+    const std::pair<const char*, double ProtocolQuestion::*> numbers[] = {
+        {"mu", &ProtocolQuestion::mu}, {"r", &ProtocolQuestion::r}, {"beta", &ProtocolQuestion::beta}};
     for (const auto& [name, number] : numbers)
         for (int n = 0; n < 3; ++n) {
             const double f = draw.factor();
             all.push_back(reading("scale an input", std::string(name) + " times " + text_of(f),
-                                  [number = number, f](Question& q) { q.*number *= f; }));
+                                  [number = number, f](ProtocolQuestion& q) { q.*number *= f; }));
         }
 }
 
 void add_swapped(std::vector<UnknownMistake>& all) {
     const std::string rule = "swap two";
-    const auto add = [&](const char* told, std::function<void(Question&)> read) {
+    const auto add = [&](const char* told, std::function<void(ProtocolQuestion&)> read) {
         all.push_back(reading(rule, told, std::move(read)));
     };
-    add("mass and stiffness ratios", [](Question& q) { std::swap(q.mass_ratios, q.stiffness_ratios); });
-    add("the last two masses", [](Question& q) {
+    add("mass and stiffness ratios", [](ProtocolQuestion& q) { std::swap(q.mass_ratios, q.stiffness_ratios); });
+    add("the last two masses", [](ProtocolQuestion& q) {
         if (q.mass_ratios.size() > 2) std::iter_swap(q.mass_ratios.rbegin(), q.mass_ratios.rbegin() + 1);
     });
-    add("the last two springs", [](Question& q) {
+    add("the last two springs", [](ProtocolQuestion& q) {
         if (q.stiffness_ratios.size() > 2) std::iter_swap(q.stiffness_ratios.rbegin(), q.stiffness_ratios.rbegin() + 1);
     });
-    add("the first two damping ratios", [](Question& q) {
+    add("the first two damping ratios", [](ProtocolQuestion& q) {
         if (q.damping_ratios.size() > 1) std::iter_swap(q.damping_ratios.begin(), q.damping_ratios.begin() + 1);
     });
     add("the masses behind the first, in the other order",
-        [](Question& q) { std::reverse(q.mass_ratios.begin() + 1, q.mass_ratios.end()); });
+        [](ProtocolQuestion& q) { std::reverse(q.mass_ratios.begin() + 1, q.mass_ratios.end()); });
     add("the springs behind the first, in the other order",
-        [](Question& q) { std::reverse(q.stiffness_ratios.begin() + 1, q.stiffness_ratios.end()); });
-    add("mu and r", [](Question& q) { std::swap(q.mu, q.r); });
-    add("mu and beta", [](Question& q) { std::swap(q.mu, q.beta); });
-    add("r and beta", [](Question& q) { std::swap(q.r, q.beta); });
-    add("the mass asked about and the loaded one", [](Question& q) {
+        [](ProtocolQuestion& q) { std::reverse(q.stiffness_ratios.begin() + 1, q.stiffness_ratios.end()); });
+    add("mu and r", [](ProtocolQuestion& q) { std::swap(q.mu, q.r); });
+    add("mu and beta", [](ProtocolQuestion& q) { std::swap(q.mu, q.beta); });
+    add("r and beta", [](ProtocolQuestion& q) { std::swap(q.r, q.beta); });
+    add("the mass asked about and the loaded one", [](ProtocolQuestion& q) {
         if (q.mass > 0) std::swap(q.mass, q.load);
     });
-    add("the mass asked about and the one in contact", [](Question& q) {
+    add("the mass asked about and the one in contact", [](ProtocolQuestion& q) {
         if (q.mass > 0) std::swap(q.mass, q.contact);
     });
-    add("the ends of the chain for all three masses named", [](Question& q) {
+    add("the ends of the chain for all three masses named", [](ProtocolQuestion& q) {
         const int N = static_cast<int>(q.mass_ratios.size());
         q.contact = N + 1 - q.contact;
         q.load = N + 1 - q.load;
@@ -227,7 +227,7 @@ void add_answers(std::vector<UnknownMistake>& all, Draw& draw) {
                        std::move(told),
                        {},
                        {},
-                       [of = std::move(of), change = std::move(change)](const Question& q, Value& value) {
+                       [of = std::move(of), change = std::move(change)](const ProtocolQuestion& q, Value& value) {
                            if (std::find(of.begin(), of.end(), q.quantity) == of.end()) return;
                            for (double& x : value.numbers) x = change(x);
                        }});
@@ -278,9 +278,9 @@ std::vector<UnknownMistake> unknown_mistakes(std::uint64_t seed) {
 UnknownMistake both(const UnknownMistake& a, const UnknownMistake& b) {
     UnknownMistake pair{"two of them",
                         a.told + "; " + b.told,
-                        one_after_other<Question&>(a.read, b.read),
+                        one_after_other<ProtocolQuestion&>(a.read, b.read),
                         {},
-                        one_after_other<const Question&, Value&>(a.answer_out, b.answer_out)};
+                        one_after_other<const ProtocolQuestion&, Value&>(a.answer_out, b.answer_out)};
     pair.choose = [a = a.choose, b = b.choose](Choices& c) {
         Choices first, second;
         if (a) a(first);
@@ -291,8 +291,8 @@ UnknownMistake both(const UnknownMistake& a, const UnknownMistake& b) {
     return pair;
 }
 
-std::optional<Value> answer_of(const UnknownMistake& mistake, const Question& q) {
-    Question read = q;
+std::optional<Value> answer_of(const UnknownMistake& mistake, const ProtocolQuestion& q) {
+    ProtocolQuestion read = q;
     if (mistake.read) mistake.read(read);
     Choices c;
     if (mistake.choose) mistake.choose(c);

@@ -16,9 +16,9 @@ namespace denhartog::tests {
 struct UnknownMistake {
     std::string rule;                                                                  ///< by which it was drawn
     std::string told;                                                                  ///< what it is
-    std::function<void(conformance::Question&)> read;                                  ///< changes the question
+    std::function<void(conformance::ProtocolQuestion&)> read;                          ///< changes the question
     std::function<void(conformance::Choices&)> choose;                                 ///< changes the formulas
-    std::function<void(const conformance::Question&, conformance::Value&)> answer_out; ///< changes the answer
+    std::function<void(const conformance::ProtocolQuestion&, conformance::Value&)> answer_out; ///< changes the answer
 };
 
 /// @brief Mistakes drawn by the rules: scale an input, swap two, drop a term, use another norm, change an answer.
@@ -31,6 +31,6 @@ struct UnknownMistake {
 
 /// @brief What a program with a mistake answers that has the closed form alone. @param mistake the mistake @param q the question
 /// @return the answer; none where it has none
-[[nodiscard]] std::optional<conformance::Value> answer_of(const UnknownMistake& mistake, const conformance::Question& q);
+[[nodiscard]] std::optional<conformance::Value> answer_of(const UnknownMistake& mistake, const conformance::ProtocolQuestion& q);
 
 } // namespace denhartog::tests

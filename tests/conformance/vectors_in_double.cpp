@@ -22,7 +22,7 @@ using conformance::Vector;
 namespace {
 
 using Numbers = std::vector<double>;
-using Asks = conformance::Question;
+using Asks = conformance::ProtocolQuestion;
 
 std::size_t mass_of(const Asks& q) { return q.mass > 0 ? static_cast<std::size_t>(q.mass - 1) : 0; }
 

@@ -12,7 +12,7 @@ using namespace denhartog::conformance;
 
 namespace {
 
-std::string all_members(const Question& q) { return question_json(q).dump(); }
+std::string all_members(const ProtocolQuestion& q) { return question_json(q).dump(); }
 std::string all_members(const Vector& v) { return vector_json(v).dump(); }
 
 // What is written is read again as it was.
@@ -25,7 +25,7 @@ void check_again(const Read& read, const Thing& thing) {
 }
 
 // One line of words with single spaces, as docs/protocol.md has them.
-void check_plain_question(const Question& q) {
+void check_plain_question(const ProtocolQuestion& q) {
     const std::string line = question_plain(q);
     std::istringstream stream(line);
     std::string joined, id;
@@ -66,7 +66,7 @@ void check_answer(const Answer& answer, const std::string& id, const Vector* v) 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     std::string_view text = fuzz::text_of(data, size);
     const nlohmann::json object = json_or_nothing(fuzz::first_line(text));
-    Question q;
+    ProtocolQuestion q;
     if (fuzz::answers([&] { q = question_from_json(object); })) {
         check_again(question_from_json, q);
         fuzz::answers([&] { static_cast<void>(scene_of<double>(q)); });

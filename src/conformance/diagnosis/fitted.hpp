@@ -22,7 +22,7 @@ inline constexpr std::size_t least_agreeing = 3;
 /// @brief A mistake with the number that fits.
 struct Fitted {
     std::string number;                                          ///< in words: `read off in period 7 from rest`
-    std::function<std::optional<Value>(const Question&)> answer; ///< the answer of the mistake with this number
+    std::function<std::optional<Value>(const ProtocolQuestion&)> answer; ///< the answer of the mistake with this number
 };
 
 /// @brief Mistakes with the numbers that fit, by name.

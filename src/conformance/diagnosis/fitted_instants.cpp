@@ -21,20 +21,20 @@ constexpr double largest_step = 0.8; // of a grid that deserves the name
 
 // A wrong answer that depends on a maximum over tau.
 struct Observed {
-    Question question;
+    ProtocolQuestion question;
     double given;
     PlainModes modes;
     double S; // that the answer amounts to
 };
 
-double maximum_behind(const Question& q, double given, const PlainModes& m) {
+double maximum_behind(const ProtocolQuestion& q, double given, const PlainModes& m) {
     if (q.quantity == "S_j") return given;
     const double V = modulus(m.V[m.j]) / given, U = m.U[m.j];
     return std::sqrt(V * V - U * U);
 }
 
 std::optional<Observed> observed(const Judged& one) {
-    const Question& q = one.vector->question;
+    const ProtocolQuestion& q = one.vector->question;
     if (!is_wrong_value(one.verdict) || one.given.numbers.size() != 1 || is_overdamped(q) || !is_of_the_paper(q))
         return std::nullopt;
     if (!asks_for(q, {"S_j", "beta_lim_exact", "beta_lim_paper"})) return std::nullopt;
@@ -91,23 +91,23 @@ std::optional<double> most_common(std::vector<double> numbers) {
 }
 
 // What the steps of a grid go with from scene to scene.
-struct Measure {
+struct GridMeasure {
     const char* told;
     double (*of)(const PlainModes&);
 };
 
-constexpr Measure measures[] = {{"", [](const PlainModes&) { return 1.0; }},
-                                {" times r", [](const PlainModes& m) { return m.r; }},
-                                {" times 1/r", [](const PlainModes& m) { return 1 / m.r; }},
-                                {" times R_1", [](const PlainModes& m) { return m.R.front(); }},
-                                {" times R_N", [](const PlainModes& m) { return m.R.back(); }}};
+constexpr GridMeasure measures[] = {{"", [](const PlainModes&) { return 1.0; }},
+                                    {" times r", [](const PlainModes& m) { return m.r; }},
+                                    {" times 1/r", [](const PlainModes& m) { return 1 / m.r; }},
+                                    {" times R_1", [](const PlainModes& m) { return m.R.front(); }},
+                                    {" times R_N", [](const PlainModes& m) { return m.R.back(); }}};
 
 // Equally spaced instants, the numbers in units of the measure.
 struct Grid {
     double first;
     std::optional<double> before_end; // none: whatever the steps leave
     double step;
-    const Measure* measure = measures;
+    const GridMeasure* measure = measures;
 };
 
 Instants instants_of(const Grid& grid, const PlainModes& m) {
@@ -119,12 +119,12 @@ Instants instants_of(const Grid& grid, const PlainModes& m) {
 }
 
 // How a maximum is sought, with or without the print of (57).
-struct Search {
+struct WayOfSearch {
     Grid grid;
     bool as_printed = false, of_each_mode = false, without_load_condition = false;
 };
 
-Choices choices_of(const Search& search, const PlainModes& m) {
+Choices choices_of(const WayOfSearch& search, const PlainModes& m) {
     Choices c;
     c.demand_as_printed = search.as_printed;
     c.instants = instants_of(search.grid, m);
@@ -134,7 +134,7 @@ Choices choices_of(const Search& search, const PlainModes& m) {
 }
 
 // How many answers a search explains with the load condition (67), and without it: the maxima are the same.
-std::array<std::size_t, 2> agreeing(std::span<const Observed> all, const Search& search) {
+std::array<std::size_t, 2> agreeing(std::span<const Observed> all, const WayOfSearch& search) {
     std::array<std::size_t, 2> count{};
     for (const Observed& one : all) {
         const std::string& asked = one.question.quantity;
@@ -150,15 +150,15 @@ std::array<std::size_t, 2> agreeing(std::span<const Observed> all, const Search&
 }
 
 // The best of some grids, each with the sum before the maximum or after it, with the load condition or without.
-std::optional<Search> best_of(const std::vector<Observed>& all, bool as_printed, const std::vector<Grid>& grids) {
+std::optional<WayOfSearch> best_of(const std::vector<Observed>& all, bool as_printed, const std::vector<Grid>& grids) {
     constexpr std::size_t first_look = 6;
     const auto first = std::span(all).first(std::min(first_look, all.size()));
-    std::optional<Search> best;
+    std::optional<WayOfSearch> best;
     std::size_t most = least_agreeing - 1;
     for (const Grid& grid : grids) {
         std::array<std::array<std::size_t, 2>, 2> counts{};
         for (const bool of_each_mode : {false, true}) {
-            const Search search{grid, as_printed, of_each_mode, false};
+            const WayOfSearch search{grid, as_printed, of_each_mode, false};
             const std::array<std::size_t, 2> seen = agreeing(first, search);
             if (seen[0] + seen[1] == 0) continue;
             counts[of_each_mode] = agreeing(all, search);
@@ -169,7 +169,7 @@ std::optional<Search> best_of(const std::vector<Observed>& all, bool as_printed,
             for (const bool of_each_mode : {false, true}) {
                 if (counts[of_each_mode][without] <= most) continue;
                 most = counts[of_each_mode][without];
-                best = Search{grid, as_printed, of_each_mode, without};
+                best = WayOfSearch{grid, as_printed, of_each_mode, without};
             }
     }
     return best;
@@ -202,7 +202,7 @@ EndSteps end_steps(const Observed& one) {
 }
 
 void add_grids(std::vector<Grid>& shown, const std::vector<Observed>& all, const std::vector<EndSteps>& steps,
-               const Measure& measure) {
+               const GridMeasure& measure) {
     const auto common = [&](std::vector<double> EndSteps::*end) {
         std::vector<double> numbers;
         for (std::size_t n = 0; n < all.size(); ++n)
@@ -240,7 +240,7 @@ std::vector<Grid> grids_shown(const std::vector<Observed>& all) {
     std::vector<EndSteps> steps;
     for (const Observed& one : all) steps.push_back(end_steps(one));
     std::vector<Grid> shown;
-    for (const Measure& measure : measures) add_grids(shown, all, steps, measure);
+    for (const GridMeasure& measure : measures) add_grids(shown, all, steps, measure);
     return shown;
 }
 
@@ -253,7 +253,7 @@ std::vector<Grid> coarse_grids() {
     return grids;
 }
 
-std::string told(const Search& search) {
+std::string told(const WayOfSearch& search) {
     const Grid& grid = search.grid;
     const auto number = [&](double x) { return number_in_digits(x, 4) + (x == 0 ? "" : grid.measure->told); };
     return "instants from " + number(grid.first) +
@@ -263,8 +263,8 @@ std::string told(const Search& search) {
            (search.without_load_condition ? "; without the load condition (67)" : "");
 }
 
-Fitted fitted_with(const Search& search) {
-    return {told(search), [search](const Question& q) {
+Fitted fitted_with(const WayOfSearch& search) {
+    return {told(search), [search](const ProtocolQuestion& q) {
                 if (is_overdamped(q) || !asks_for(q, {"S_j", "beta_lim_exact", "beta_lim_paper", "regime"}))
                     return std::optional<Value>();
                 return plain_answer(q, choices_of(search, plain_modes(q, {})));
@@ -276,9 +276,9 @@ Fitted fitted_with(const Search& search) {
 FittedMistakes fitted_instants(std::span<const Judged> judged) {
     const std::vector<Observed> all = all_observed(judged);
     if (all.size() < least_agreeing) return {};
-    if (const std::optional<Search> printed = best_of(all, true, grids_shown(all)))
+    if (const std::optional<WayOfSearch> printed = best_of(all, true, grids_shown(all)))
         return {{"57-as-printed", fitted_with(*printed)}};
-    if (const std::optional<Search> coarse = best_of(all, false, coarse_grids()))
+    if (const std::optional<WayOfSearch> coarse = best_of(all, false, coarse_grids()))
         return {{"coarse-grid-of-tau", fitted_with(*coarse)}};
     return {};
 }

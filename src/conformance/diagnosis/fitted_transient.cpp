@@ -79,7 +79,8 @@ FittedMistakes fitted_transient(std::span<const Judged> judged) {
     const Shown shown = shown_by(all);
     if (shown.agreeing < least_agreeing) return {};
     return {{"transient",
-             {"read off in period " + std::to_string(shown.period) + " from rest", [period = shown.period](const Question& q) {
+             {"read off in period " + std::to_string(shown.period) + " from rest",
+              [period = shown.period](const ProtocolQuestion& q) {
                   if (!asks_for(q, {"amplitude", "phase", "motion_under_force"})) return std::optional<Value>();
                   return answers_of_transient(q, period, period).front();
               }}}};

@@ -34,7 +34,7 @@ std::map<std::string, std::vector<const Judged*>> numbers_by_quantity(std::span<
 
 // The right answer to a question with each number changed.
 Guess changed(std::string told, const std::string& asked, std::function<double(double)> change) {
-    return {std::move(told), [asked, change = std::move(change)](const Question& q) {
+    return {std::move(told), [asked, change = std::move(change)](const ProtocolQuestion& q) {
                 if (q.quantity != asked) return std::optional<Value>();
                 std::optional<Value> value = plain_answer(q);
                 if (value)
@@ -75,7 +75,7 @@ void add_changes(std::vector<Guess>& all, const std::string& asked, const std::v
 
 struct Input {
     const char* name;
-    void (*scale)(Question&, double);
+    void (*scale)(ProtocolQuestion&, double);
 };
 
 void scale_all(std::vector<double>& list, double by, std::size_t from = 0) {
@@ -83,12 +83,12 @@ void scale_all(std::vector<double>& list, double by, std::size_t from = 0) {
 }
 
 constexpr Input inputs[] = {
-    {"beta", [](Question& q, double f) { q.beta *= f; }},
-    {"mu", [](Question& q, double f) { q.mu *= f; }},
-    {"r", [](Question& q, double f) { q.r *= f; }},
-    {"every damping ratio", [](Question& q, double f) { scale_all(q.damping_ratios, f); }},
-    {"every mass ratio but the first", [](Question& q, double f) { scale_all(q.mass_ratios, f, 1); }},
-    {"every stiffness ratio but the first", [](Question& q, double f) { scale_all(q.stiffness_ratios, f, 1); }}};
+    {"beta", [](ProtocolQuestion& q, double f) { q.beta *= f; }},
+    {"mu", [](ProtocolQuestion& q, double f) { q.mu *= f; }},
+    {"r", [](ProtocolQuestion& q, double f) { q.r *= f; }},
+    {"every damping ratio", [](ProtocolQuestion& q, double f) { scale_all(q.damping_ratios, f); }},
+    {"every mass ratio but the first", [](ProtocolQuestion& q, double f) { scale_all(q.mass_ratios, f, 1); }},
+    {"every stiffness ratio but the first", [](ProtocolQuestion& q, double f) { scale_all(q.stiffness_ratios, f, 1); }}};
 
 Choices closed_form_alone() {
     Choices c;
@@ -96,17 +96,18 @@ Choices closed_form_alone() {
     return c;
 }
 
-Guess read_as(std::string told, std::function<void(Question&)> change) {
-    return {std::move(told), [change = std::move(change)](const Question& q) {
+Guess read_as(std::string told, std::function<void(ProtocolQuestion&)> change) {
+    return {std::move(told), [change = std::move(change)](const ProtocolQuestion& q) {
                 if (!is_of_the_paper(q)) return std::optional<Value>();
-                Question other = q;
+                ProtocolQuestion other = q;
                 change(other);
                 return plain_answer(other, closed_form_alone());
             }};
 }
 
 Guess scaled(const Input& input, double by) {
-    return read_as(std::string(input.name) + " times " + short_text(by), [&input, by](Question& q) { input.scale(q, by); });
+    return read_as(std::string(input.name) + " times " + short_text(by),
+                   [&input, by](ProtocolQuestion& q) { input.scale(q, by); });
 }
 
 // Whether a guess gives some of the answers: most guesses do not, and need no look at the others.
@@ -127,7 +128,7 @@ void add_factors(std::vector<Guess>& all, const Input& input, std::span<const Ju
     const double reach = elementary::log(12.0);
     const Choices c = closed_form_alone();
     const auto apart = [&](double factor) {
-        Question q = one.vector->question;
+        ProtocolQuestion q = one.vector->question;
         input.scale(q, factor);
         const std::optional<Value> value = plain_answer(q, c);
         return value && !value->numbers.empty() ? value->numbers.front() - one.given.numbers.front() : std::nan("");
@@ -150,7 +151,7 @@ void add_factors(std::vector<Guess>& all, const Input& input, std::span<const Ju
 }
 
 Guess with(std::string told, std::function<void(Choices&)> choose) {
-    return {std::move(told), [choose = std::move(choose)](const Question& q) {
+    return {std::move(told), [choose = std::move(choose)](const ProtocolQuestion& q) {
                 Choices c = closed_form_alone();
                 choose(c);
                 return plain_answer(q, c);
@@ -165,13 +166,14 @@ void add_others(std::vector<Guess>& all) {
     };
     for (const std::size_t from : {0, 1}) {
         const std::string which = from == 0 ? "" : " behind the first";
-        all.push_back(read_as("the masses" + which + " in the other order", [=](Question& q) { reversed(q.mass_ratios, from); }));
         all.push_back(
-            read_as("the springs" + which + " in the other order", [=](Question& q) { reversed(q.stiffness_ratios, from); }));
+            read_as("the masses" + which + " in the other order", [=](ProtocolQuestion& q) { reversed(q.mass_ratios, from); }));
+        all.push_back(read_as("the springs" + which + " in the other order",
+                              [=](ProtocolQuestion& q) { reversed(q.stiffness_ratios, from); }));
     }
-    all.push_back(
-        read_as("mass ratios and stiffness ratios exchanged", [](Question& q) { std::swap(q.mass_ratios, q.stiffness_ratios); }));
-    all.push_back(read_as("masses counted from the other end of the chain", [](Question& q) {
+    all.push_back(read_as("mass ratios and stiffness ratios exchanged",
+                          [](ProtocolQuestion& q) { std::swap(q.mass_ratios, q.stiffness_ratios); }));
+    all.push_back(read_as("masses counted from the other end of the chain", [](ProtocolQuestion& q) {
         const int N = static_cast<int>(q.mass_ratios.size());
         q.contact = N + 1 - q.contact;
         q.load = N + 1 - q.load;

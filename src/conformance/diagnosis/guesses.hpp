@@ -16,7 +16,7 @@ namespace denhartog::conformance {
 /// @brief A simple explanation.
 struct Guess {
     std::string told;                                             ///< in words: `beta times 1.414`
-    std::function<std::optional<Value>(const Question&)> answers; ///< the answer by this guess; none if it says nothing
+    std::function<std::optional<Value>(const ProtocolQuestion&)> answers; ///< the answer by this guess; none if it says nothing
 };
 
 /// @brief Guesses whose number fits a wrong answer, and guesses without a number. @param wrong these @return the guesses

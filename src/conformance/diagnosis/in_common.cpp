@@ -14,7 +14,7 @@ constexpr std::size_t least_wrong = 3;
 
 // What a question has, in words; a property stands with its opposite.
 std::set<std::string> properties(const Vector& v) {
-    const Question& q = v.question;
+    const ProtocolQuestion& q = v.question;
     std::set<std::string> all;
     for (const std::string& flag : v.flags) all.insert("flag " + flag);
     all.insert(masses_of(q) > 1 ? "N > 1" : "N = 1");

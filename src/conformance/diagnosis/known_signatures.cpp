@@ -11,11 +11,12 @@ FittedMistakes fitted_mistakes(std::span<const Judged> judged) {
     return all;
 }
 
-Signatures signatures_with(FittedMistakes fitted, std::function<std::optional<Value>(std::string_view, const Question&)> answer) {
+Signatures signatures_with(FittedMistakes fitted,
+                           std::function<std::optional<Value>(std::string_view, const ProtocolQuestion&)> answer) {
     const auto shared = std::make_shared<const FittedMistakes>(std::move(fitted));
     const auto found = [shared](std::string_view name) { return shared->find(std::string(name)); };
     return {mistakes(),
-            [=, answer = std::move(answer)](std::string_view name, const Question& q) {
+            [=, answer = std::move(answer)](std::string_view name, const ProtocolQuestion& q) {
                 const auto of_name = found(name);
                 return of_name == shared->end() ? answer(name, q) : of_name->second.answer(q);
             },

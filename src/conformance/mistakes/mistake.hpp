@@ -40,6 +40,6 @@ struct Mistake {
 /// @param q     the question; its scene obeys the rules
 /// @return      the answer; none if the mistake does not affect the quantity, or if its answer cannot be computed
 /// @throws      InputError if no mistake has this name
-[[nodiscard]] std::optional<Value> answer_with_mistake(std::string_view name, const Question& q);
+[[nodiscard]] std::optional<Value> answer_with_mistake(std::string_view name, const ProtocolQuestion& q);
 
 } // namespace denhartog::conformance

@@ -18,7 +18,7 @@ inline constexpr double of_steps_in_time = 3e-2;
 /// @brief A mistake with its answers.
 struct MistakeDefinition {
     Mistake mistake;                                             ///< the description for reports
-    std::function<std::optional<Value>(const Question&)> answer; ///< its answer; none if it does not affect the quantity
+    std::function<std::optional<Value>(const ProtocolQuestion&)> answer; ///< its answer; none if it does not affect the quantity
 };
 
 /// @brief Defines a mistake in the formulas: the plain closed form with other choices.
@@ -47,6 +47,6 @@ struct MistakeDefinition {
 /// @param q      the question
 /// @param names  the quantities
 /// @return       true if it does
-[[nodiscard]] bool asks_for(const Question& q, std::initializer_list<std::string_view> names);
+[[nodiscard]] bool asks_for(const ProtocolQuestion& q, std::initializer_list<std::string_view> names);
 
 } // namespace denhartog::conformance

@@ -25,12 +25,12 @@ const std::vector<MistakeDefinition>& definitions() {
 
 } // namespace
 
-bool asks_for(const Question& q, std::initializer_list<std::string_view> names) {
+bool asks_for(const ProtocolQuestion& q, std::initializer_list<std::string_view> names) {
     return std::find(names.begin(), names.end(), q.quantity) != names.end();
 }
 
 MistakeDefinition by_formulas(Mistake mistake, std::vector<std::string_view> touched, std::function<void(Choices&)> choose) {
-    return {std::move(mistake), [touched = std::move(touched), choose = std::move(choose)](const Question& q) {
+    return {std::move(mistake), [touched = std::move(touched), choose = std::move(choose)](const ProtocolQuestion& q) {
                 if (!touched.empty() && std::find(touched.begin(), touched.end(), q.quantity) == touched.end())
                     return std::optional<Value>();
                 Choices c;
@@ -48,7 +48,7 @@ std::span<const Mistake> mistakes() {
     return told;
 }
 
-std::optional<Value> answer_with_mistake(std::string_view name, const Question& q) {
+std::optional<Value> answer_with_mistake(std::string_view name, const ProtocolQuestion& q) {
     const auto found = std::find_if(definitions().begin(), definitions().end(),
                                     [&](const MistakeDefinition& each) { return each.mistake.name == name; });
     if (found == definitions().end()) throw InputError("mistake", "must be one of the known ones", std::string(name));

@@ -6,20 +6,21 @@ namespace {
 
 constexpr double of_collocation = 1e-2;
 
-bool of_motion(const Question& q) { return asks_for(q, {"amplitude", "phase", "motion_under_force"}); }
+bool of_motion(const ProtocolQuestion& q) { return asks_for(q, {"amplitude", "phase", "motion_under_force"}); }
 
 MistakeDefinition transient() {
     constexpr int period = 10; // where the answers do not show another
-    return {{"transient", "", false, "The motion is read off before the transient has decayed.",
-             "how many periods are integrated from rest; go on until two in a row agree", of_steps_in_time},
-            [](const Question& q) { return of_motion(q) ? answers_of_transient(q, period, period).front() : std::nullopt; }};
+    return {
+        {"transient", "", false, "The motion is read off before the transient has decayed.",
+         "how many periods are integrated from rest; go on until two in a row agree", of_steps_in_time},
+        [](const ProtocolQuestion& q) { return of_motion(q) ? answers_of_transient(q, period, period).front() : std::nullopt; }};
 }
 
 MistakeDefinition few_harmonics(int highest) {
     const std::string number = std::to_string(highest);
     return {{"harmonics-up-to-" + number, "", false, "Friction is cut off after harmonic " + number + ".",
              "the number of harmonics; those of a square wave fall like one over their order", of_collocation},
-            [highest](const Question& q) {
+            [highest](const ProtocolQuestion& q) {
                 if (!of_motion(q) && !asks_for(q, {"displacement", "initial_displacement", "initial_velocity"}))
                     return std::optional<Value>();
                 Choices c;
@@ -31,7 +32,7 @@ MistakeDefinition few_harmonics(int highest) {
 MistakeDefinition sliding_beyond_the_boundary() {
     return {{"sliding-beyond-the-boundary", "69", false, "The closed form is used where the contact stops: (69) is not asked.",
              "whether beta < beta_lim is tested before (38) is used"},
-            [](const Question& q) {
+            [](const ProtocolQuestion& q) {
                 if (!of_motion(q)) return std::optional<Value>();
                 Choices c;
                 c.beyond_the_boundary = true;
@@ -40,7 +41,7 @@ MistakeDefinition sliding_beyond_the_boundary() {
 }
 
 // A contact that never rests: what both laws without sticking answer to questions about stops.
-std::optional<Value> without_stops(const Question& q) {
+std::optional<Value> without_stops(const ProtocolQuestion& q) {
     if (!asks_for(q, {"regime", "stops_per_period", "stop_durations"})) return std::nullopt;
     const std::optional<Value> right = plain_answer(q);
     if (!right || q.quantity == "stop_durations") return right ? std::optional(Value{}) : std::nullopt;
@@ -60,7 +61,7 @@ MistakeDefinition hyperbolic_tangent(std::string name, const std::string& number
          "The contact creeps where it should rest: sgn is replaced by a hyperbolic tangent of the velocity d x / d tau over " +
              number + ".",
          "the friction law at zero velocity: friction that needs a velocity holds nothing", of_steps_in_time},
-        [width](const Question& q) { return of_motion(q) ? answer_of_creep(q, width) : without_stops(q); }};
+        [width](const ProtocolQuestion& q) { return of_motion(q) ? answer_of_creep(q, width) : without_stops(q); }};
 }
 
 } // namespace

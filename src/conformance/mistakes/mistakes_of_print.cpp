@@ -11,7 +11,7 @@ MistakeDefinition printed(std::string equation, std::string told, std::string lo
     MistakeDefinition definition = by_formulas({std::move(name), std::move(equation), true, std::move(told), std::move(look_at)},
                                                std::move(touched), std::move(choose));
     definition.mistake.core = std::move(core);
-    definition.answer = [vibrating = std::move(definition.answer)](const Question& q) {
+    definition.answer = [vibrating = std::move(definition.answer)](const ProtocolQuestion& q) {
         return is_overdamped(q) ? std::nullopt : vibrating(q);
     };
     return definition;

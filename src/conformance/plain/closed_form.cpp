@@ -17,17 +17,17 @@
 namespace denhartog::conformance {
 namespace {
 
-struct Extremum {
+struct PlainExtremum {
     double tau;   ///< instant in [0, pi]
     double size;  ///< largest size of the displacement
     bool minimum; ///< whether the displacement is negative there
 };
 
 // Largest displacement of a mass over the half-period: of the contact where it turns, of the others where they do.
-Extremum largest_displacement(const PlainModes& m, const Choices& c, std::size_t k) {
+PlainExtremum largest_displacement(const PlainModes& m, const Choices& c, std::size_t k) {
     if (k == m.j) return {0, paper::displacement_transmissibility_of_contact(m.V[k], m.U[k], m.G[k], m.beta), false};
     const int steps = plain_steps(m);
-    Extremum best{0, 0, false};
+    PlainExtremum best{0, 0, false};
     const auto take = [&](double tau) {
         const double x = plain_motion(m, c, k, tau).x;
         if (std::isnan(x) || std::abs(x) > best.size) best = {tau, std::abs(x), x < 0};
@@ -48,7 +48,7 @@ Extremum largest_displacement(const PlainModes& m, const Choices& c, std::size_t
 
 double phase_of_mass(const PlainModes& m, const Choices& c, std::size_t k) {
     if (k == m.j) return plain_phase(m, c);
-    const Extremum e = largest_displacement(m, c, k);
+    const PlainExtremum e = largest_displacement(m, c, k);
     return paper::phase_of_mass(plain_phase(m, c), e.tau, e.minimum && !c.no_half_period_for_minima ? 1 : 0);
 }
 
@@ -76,21 +76,21 @@ bool is_of_motion(const std::string& quantity) {
            quantity == "stop_durations" || quantity == "rest_interval";
 }
 
-bool slides(const Question& q, const PlainModes& m, const Choices& c) {
+bool slides(const ProtocolQuestion& q, const PlainModes& m, const Choices& c) {
     if (c.beyond_the_boundary || c.harmonics > 0) return true;
     const double V = modulus(m.V[m.j]), root = std::sqrt(V * V - m.beta * m.U[m.j] * (m.beta * m.U[m.j]));
     if (!(root > m.beta * (m.H_j + m.mu * m.sum_of_squares))) return false; // (67), which costs no search
     return m.beta < plain_limits(q, m, {}, {true, false, false}).exact;
 }
 
-std::vector<double> samples_of_motion(const Question& q, const PlainModes& m, const Choices& c, std::size_t k) {
+std::vector<double> samples_of_motion(const ProtocolQuestion& q, const PlainModes& m, const Choices& c, std::size_t k) {
     std::vector<double> x;
     for (int n = 0; n < q.samples; ++n)
         x.push_back(plain_motion(m, c, k, 2 * pi<double>() * n / q.samples - plain_phase(m, c)).x);
     return x;
 }
 
-Value regime(const Question& q, const PlainModes& m, const Choices& c) {
+Value regime(const ProtocolQuestion& q, const PlainModes& m, const Choices& c) {
     if (c.beyond_the_boundary) return {{}, "continuous"};
     const PlainLimits limits = plain_limits(q, m, c, needed_for(q.quantity));
     if (m.beta < limits.exact) return {{}, "continuous"};
@@ -98,7 +98,8 @@ Value regime(const Question& q, const PlainModes& m, const Choices& c) {
 }
 
 // Quantities of the modes and of the boundaries, which do not depend on the motion; none for another quantity.
-std::optional<std::vector<double>> without_motion(const Question& q, const PlainModes& m, const Choices& c, std::size_t k) {
+std::optional<std::vector<double>> without_motion(const ProtocolQuestion& q, const PlainModes& m, const Choices& c,
+                                                  std::size_t k) {
     const std::string& name = q.quantity;
     const auto listed = [&](std::vector<double> modes) {
         if (c.descending) std::reverse(modes.begin(), modes.end());
@@ -128,7 +129,7 @@ std::optional<std::vector<double>> without_motion(const Question& q, const Plain
 }
 
 // Quantities of the motion while the contact slides.
-std::vector<double> of_motion(const Question& q, const PlainModes& m, const Choices& c, std::size_t k) {
+std::vector<double> of_motion(const ProtocolQuestion& q, const PlainModes& m, const Choices& c, std::size_t k) {
     const std::string& name = q.quantity;
     if (name == "amplitude") return {largest_displacement(m, c, k).size};
     if (name == "phase") return {wrapped_angle(phase_of_mass(m, c, k))};
@@ -144,7 +145,7 @@ std::vector<double> of_motion(const Question& q, const PlainModes& m, const Choi
     return {};
 }
 
-std::optional<Value> computed(const Question& q, const Choices& c) {
+std::optional<Value> computed(const ProtocolQuestion& q, const Choices& c) {
     const PlainModes m = plain_modes(q, c);
     const bool of_mass = quantity(q.quantity).of_mass;
     if (of_mass && (q.mass < 1 || static_cast<std::size_t>(q.mass) > m.R.size())) return std::nullopt;
@@ -177,11 +178,11 @@ double wrapped_angle(double angle) {
     return reduced <= -pi<double>() ? reduced + 2 * pi<double>() : reduced;
 }
 
-std::optional<Value> plain_answer(const Question& q, const Choices& c) {
+std::optional<Value> plain_answer(const ProtocolQuestion& q, const Choices& c) {
     return where_finite([&] { return computed(q, c); });
 }
 
-std::optional<Value> plain_answer(const Question& q) {
+std::optional<Value> plain_answer(const ProtocolQuestion& q) {
     return where_finite([&] { return is_of_the_paper(q) ? computed(q, {}) : answer_of_system(q); });
 }
 

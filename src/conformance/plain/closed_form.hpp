@@ -35,18 +35,19 @@ struct Needed {
 /// @param c  the points of variation
 /// @param needed  which of them to compute
 /// @return   the boundaries; 0 for one that is not needed
-[[nodiscard]] PlainLimits plain_limits(const Question& q, const PlainModes& m, const Choices& c, const Needed& needed = {});
+[[nodiscard]] PlainLimits plain_limits(const ProtocolQuestion& q, const PlainModes& m, const Choices& c,
+                                       const Needed& needed = {});
 
 /// @brief The answer of the plain closed form to a question; beyond the sliding regime the exact solver answers in double.
 /// @param q  the question, of a scene of the paper; the formulas are used as they stand even if it breaks a rule of friction
 /// @param c  the points of variation
 /// @return   the answer; none if it is not finite, or if the question has no answer
-[[nodiscard]] std::optional<Value> plain_answer(const Question& q, const Choices& c);
+[[nodiscard]] std::optional<Value> plain_answer(const ProtocolQuestion& q, const Choices& c);
 
 /// @brief The same without variation, for any system: `answer_of_system` answers for systems beyond the paper.
 /// @param q  the question
 /// @return   the answer; none if it is not finite, or if the question has no answer
-[[nodiscard]] std::optional<Value> plain_answer(const Question& q);
+[[nodiscard]] std::optional<Value> plain_answer(const ProtocolQuestion& q);
 
 /// @brief An angle as the protocol gives it. @param angle radians @return the same direction in (-pi, pi]
 [[nodiscard]] double wrapped_angle(double angle);

@@ -38,7 +38,7 @@ Extremum<double> largest_of_contact(const ExactMotion<double>& motion, std::size
 }
 
 // The answer that a period of a solver shows.
-std::optional<Value> read_off(ExactSolver<double>& solver, const ExactMotion<double>& motion, const Question& q) {
+std::optional<Value> read_off(ExactSolver<double>& solver, const ExactMotion<double>& motion, const ProtocolQuestion& q) {
     const std::size_t contact = solver.system().contact.index;
     const std::size_t k = q.mass > 0 ? static_cast<std::size_t>(q.mass - 1) : contact;
     if (q.quantity == "motion_under_force") {
@@ -61,7 +61,7 @@ std::vector<double> durations(const std::vector<Stop<double>>& stops) {
     return lengths;
 }
 
-std::optional<Value> answer_of_stuck_motion(const Question& q, const Scene<double>& scene) {
+std::optional<Value> answer_of_stuck_motion(const ProtocolQuestion& q, const Scene<double>& scene) {
     const StuckConfiguration<double> stuck = stuck_configuration(scene.system, modal_basis(scene.system));
     const StuckResponse<double> response = stuck_response(stuck, scene.system.contact, scene.system.load, *scene.r);
     if (q.quantity == "rest_interval") {
@@ -80,7 +80,7 @@ std::optional<Value> answer_of_stuck_motion(const Question& q, const Scene<doubl
 
 } // namespace
 
-std::optional<Value> answer_of_steady_motion(const Question& q) {
+std::optional<Value> answer_of_steady_motion(const ProtocolQuestion& q) {
     const Scene<double> scene = scene_of<double>(q);
     const ContactSystem<double> system = contact_system(scene.system);
     ExactSolver<double> solver(system, {*scene.r, *scene.beta, scene.mu});
@@ -96,7 +96,7 @@ std::optional<Value> answer_of_steady_motion(const Question& q) {
     return read_off(solver, solver.run(orbit.start, 0.0, period), q);
 }
 
-std::vector<std::optional<Value>> answers_of_transient(const Question& q, int first, int last) {
+std::vector<std::optional<Value>> answers_of_transient(const ProtocolQuestion& q, int first, int last) {
     if (!is_of_the_paper(q)) return std::vector<std::optional<Value>>(static_cast<std::size_t>(last - first + 1));
     const Scene<double> scene = scene_of<double>(q);
     const ContactSystem<double> system = contact_system(scene.system);
@@ -111,7 +111,7 @@ std::vector<std::optional<Value>> answers_of_transient(const Question& q, int fi
     return answers;
 }
 
-std::optional<Value> answer_of_creep(const Question& q, double width) {
+std::optional<Value> answer_of_creep(const ProtocolQuestion& q, double width) {
     if (q.mass != q.contact || !is_of_the_paper(q)) return std::nullopt;
     const Scene<double> scene = scene_of<double>(q);
     const StuckConfiguration<double> stuck = stuck_configuration(scene.system, modal_basis(scene.system));

@@ -105,7 +105,7 @@ double limit_mode_by_mode(const PlainModes& m, double limit) {
     return limit;
 }
 
-double sticking_limit(const Question& q, const PlainModes& m, const Choices& c) {
+double sticking_limit(const ProtocolQuestion& q, const PlainModes& m, const Choices& c) {
     if (c.sticking == StickingForm::exact) return paper::sticking_limit(m.V[m.j], double(m.mu * modulus(m.Y_jj)));
     System<double> system;
     system.mass_ratios = q.mass_ratios;
@@ -127,7 +127,7 @@ Needed needed_for(std::string_view quantity) {
             regime || quantity == "beta_lim_sticking"};
 }
 
-PlainLimits plain_limits(const Question& q, const PlainModes& m, const Choices& c, const Needed& needed) {
+PlainLimits plain_limits(const ProtocolQuestion& q, const PlainModes& m, const Choices& c, const Needed& needed) {
     const Complex<double>& V_j = m.V[m.j];
     const double U_j = m.U[m.j];
     const double at_rest = paper::static_friction_demand(m.H_j, double(c.sign_of_mu * m.mu), m.sum_of_squares);

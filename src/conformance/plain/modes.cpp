@@ -92,7 +92,7 @@ void sum_modes(PlainModes& m) {
 
 } // namespace
 
-PlainModes plain_modes(const Question& q, const Choices& c) {
+PlainModes plain_modes(const ProtocolQuestion& q, const Choices& c) {
     check_of_the_paper(q);
     const std::size_t N = q.mass_ratios.size();
     System<double> system;

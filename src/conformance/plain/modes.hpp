@@ -100,7 +100,7 @@ struct PlainModes {
 /// @param c  the points of variation
 /// @return   modes and sums; not finite at a pole of a mode without damping
 /// @throws   InputError if there is no such mass, or if the matrices have no modes
-[[nodiscard]] PlainModes plain_modes(const Question& q, const Choices& c);
+[[nodiscard]] PlainModes plain_modes(const ProtocolQuestion& q, const Choices& c);
 
 /// @brief A displacement and its rate.
 struct PlainMotion {

@@ -18,11 +18,11 @@ constexpr int digits_asked = 11;
 // What friction does not change, and the motion while the contact slides.
 class Sliding {
 public:
-    explicit Sliding(const Question& q)
+    explicit Sliding(const ProtocolQuestion& q)
         : scene_(in_own_coordinates(scene_of<double>(q))), row_(row_of(q)), sums_(sums_of(scene_)),
           limits_(boundary(sums_, scene_.mu)) {}
 
-    std::vector<double> numbers(const Question& q) const {
+    std::vector<double> numbers(const ProtocolQuestion& q) const {
         const std::string& name = q.quantity;
         if (name == "complex_response") return {sums_.V[row_].re, sums_.V[row_].im};
         if (name == "first_damping_function") return {sums_.U[row_]};
@@ -46,7 +46,7 @@ private:
     ModeSums<double> sums_;
     Boundary<double> limits_;
 
-    std::size_t row_of(const Question& q) const {
+    std::size_t row_of(const ProtocolQuestion& q) const {
         if (q.mass == 0) return scene_.system.contact.index;
         return displacement_of(scene_.system, Mass{static_cast<std::size_t>(q.mass - 1)}).index;
     }
@@ -59,7 +59,7 @@ private:
 };
 
 // Displacements of the mass asked about, or of the contact, at the instants of the question.
-std::vector<double> sampled(const Question& q, const Scene<double>& scene, const Solution& solution) {
+std::vector<double> sampled(const ProtocolQuestion& q, const Scene<double>& scene, const Solution& solution) {
     std::vector<double> x;
     for (const State<double>& state :
          sampled_solution(scene_source(scene), solution, static_cast<std::size_t>(q.samples)).states) {
@@ -70,10 +70,10 @@ std::vector<double> sampled(const Question& q, const Scene<double>& scene, const
 }
 
 // The motion of a question's system. Questions about one system come one after the other: the motion of the last one is kept.
-const Solution& motion_of(const Question& q, const Scene<double>& scene) {
+const Solution& motion_of(const ProtocolQuestion& q, const Scene<double>& scene) {
     thread_local std::string kept_for;
     thread_local std::optional<Solution> kept;
-    Question of_system = q;
+    ProtocolQuestion of_system = q;
     of_system.id = of_system.quantity = "any";
     of_system.mass = of_system.samples = 0;
     of_system.tau = 0;
@@ -86,7 +86,7 @@ const Solution& motion_of(const Question& q, const Scene<double>& scene) {
 }
 
 // The steady motion in any regime.
-std::optional<Value> of_motion(const Question& q) {
+std::optional<Value> of_motion(const ProtocolQuestion& q) {
     const Scene<double> scene = scene_of<double>(q);
     const std::string& name = q.quantity;
     if (name == "regime") {
@@ -112,7 +112,7 @@ std::optional<Value> of_motion(const Question& q) {
 
 } // namespace
 
-std::optional<Value> answer_of_system(const Question& q) {
+std::optional<Value> answer_of_system(const ProtocolQuestion& q) {
     if (q.quantity == "natural_frequency_ratios") return Value{modal_basis(scene_of<double>(q).system).r_n, ""};
     if (asks_for(q,
                  {"amplitude", "phase", "regime", "rest_interval", "stops_per_period", "stop_durations", "motion_under_force"}))

@@ -12,6 +12,6 @@ namespace denhartog::conformance {
 /// @param q  the question
 /// @return   the answer; none if only a chain has the quantity, or if the motion takes more than one period to repeat
 /// @throws   InputError if the question breaks a rule; DomainError and PrecisionError if the library has no answer
-[[nodiscard]] std::optional<Value> answer_of_system(const Question& q);
+[[nodiscard]] std::optional<Value> answer_of_system(const ProtocolQuestion& q);
 
 } // namespace denhartog::conformance

@@ -36,8 +36,8 @@ struct Shared {
 
 class Worker {
 public:
-    Worker(const RunSettings& run_settings, std::span<const Question* const> asked, Conversation& whole, Shared& among_all,
-           const std::function<void(std::size_t)>& tell)
+    Worker(const RunSettings& run_settings, std::span<const ProtocolQuestion* const> asked, Conversation& whole,
+           Shared& among_all, const std::function<void(std::size_t)>& tell)
         : settings(run_settings), questions(asked), conversation(whole), shared(among_all), progress(tell) {}
 
     // Takes questions until there are none, or the program has broken too often in a row.
@@ -60,7 +60,7 @@ public:
 
 private:
     const RunSettings& settings;
-    std::span<const Question* const> questions;
+    std::span<const ProtocolQuestion* const> questions;
     Conversation& conversation;
     Shared& shared;
     const std::function<void(std::size_t)>& progress;
@@ -76,7 +76,7 @@ private:
         return shared.next++;
     }
 
-    void ask(const Question& q, Exchange& exchange) {
+    void ask(const ProtocolQuestion& q, Exchange& exchange) {
         if (!partner.process) {
             try {
                 partner = shake_hands(settings);
@@ -153,7 +153,7 @@ Partner shake_hands(const RunSettings& settings) {
     return partner;
 }
 
-std::string line_for(const Partner& partner, const Question& q) {
+std::string line_for(const Partner& partner, const ProtocolQuestion& q) {
     return partner.plain ? question_plain(q) : question_json(q).dump();
 }
 
@@ -161,7 +161,7 @@ Answer answer_in(const Partner& partner, std::string_view line, std::string_view
     return partner.plain ? answer_from_plain(line, id) : answer_from_json(line, id);
 }
 
-Conversation converse(const RunSettings& settings, std::span<const Question* const> questions,
+Conversation converse(const RunSettings& settings, std::span<const ProtocolQuestion* const> questions,
                       const std::function<void(std::size_t)>& progress) {
     const WithoutBrokenPipeSignal guard;
     Conversation conversation;

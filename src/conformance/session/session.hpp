@@ -48,7 +48,7 @@ struct Partner {
 [[nodiscard]] Partner shake_hands(const RunSettings& settings);
 
 /// @brief A question in the dialect of a program. @param partner the program @param q the question @return the line
-[[nodiscard]] std::string line_for(const Partner& partner, const Question& q);
+[[nodiscard]] std::string line_for(const Partner& partner, const ProtocolQuestion& q);
 
 /// @brief The answer in a line of a program. @param partner the program @param line the line @param id the question's
 /// @return the answer
@@ -77,7 +77,7 @@ struct Conversation {
 /// @param progress   told how many questions are done, from any thread but never twice at a time
 /// @return           the conversation, the same for any number of jobs if the program answers each question by itself
 /// @throws           BrokenProgram where it cannot be started in the first place
-[[nodiscard]] Conversation converse(const RunSettings& settings, std::span<const Question* const> questions,
+[[nodiscard]] Conversation converse(const RunSettings& settings, std::span<const ProtocolQuestion* const> questions,
                                     const std::function<void(std::size_t)>& progress);
 
 /// @brief The verdict on what came of a question. @param v the vector @param exchange what came of it @return the verdict

@@ -11,8 +11,8 @@ namespace {
 constexpr int samples = 8;
 
 // Two masses that differ in everything; the contact slides throughout, but for the quantities of a contact that stops or rests.
-Question question_about(const Quantity& asked) {
-    Question q;
+ProtocolQuestion question_about(const Quantity& asked) {
+    ProtocolQuestion q;
     q.id = "smoke-" + std::string(asked.name);
     for (char& c : q.id)
         if (c == '_') c = '-';
@@ -33,7 +33,7 @@ Question question_about(const Quantity& asked) {
     return q;
 }
 
-std::string fault_of(const Quantity& asked, const Question& q, const Value& value) {
+std::string fault_of(const Quantity& asked, const ProtocolQuestion& q, const Value& value) {
     if (asked.shape == Shape::word) return value.word.empty() ? "must be the name of a regime" : "";
     if (!value.word.empty()) return "must be numbers, but is " + value.word;
     const std::size_t count = asked.shape == Shape::modes     ? q.mass_ratios.size()
@@ -45,7 +45,7 @@ std::string fault_of(const Quantity& asked, const Question& q, const Value& valu
            std::to_string(value.numbers.size());
 }
 
-SmokeCheck check_of(const Quantity& asked, const Question& q, const Answer& answer) {
+SmokeCheck check_of(const Quantity& asked, const ProtocolQuestion& q, const Answer& answer) {
     const std::string what(asked.name);
     if (const auto* skipped = std::get_if<Skipped>(&answer)) return {what, "skipped: " + legible(skipped->reason), true};
     if (const auto* rejected = std::get_if<Rejected>(&answer))
@@ -60,7 +60,7 @@ SmokeCheck check_of(const Quantity& asked, const Question& q, const Answer& answ
 }
 
 // A question about a quantity that there is not: one that is known, with its name replaced in the line.
-std::string line_about_nothing(const Partner& partner, const Question& known) {
+std::string line_about_nothing(const Partner& partner, const ProtocolQuestion& known) {
     std::string line = line_for(partner, known);
     const std::string quoted = partner.plain ? " H_j " : "\"H_j\"";
     const std::string other = partner.plain ? " no_such_quantity " : "\"no_such_quantity\"";
@@ -96,14 +96,14 @@ private:
     }
 
     bool look(const Quantity& asked) {
-        const Question q = question_about(asked);
+        const ProtocolQuestion q = question_about(asked);
         const std::optional<Answer> answer = answer_to(q.quantity, line_for(partner, q), q.id);
         if (answer) found.checks.push_back(check_of(asked, q, *answer));
         return answer.has_value();
     }
 
     bool look_at_nothing() {
-        Question q = question_about(quantity("H_j"));
+        ProtocolQuestion q = question_about(quantity("H_j"));
         q.id = "smoke-unknown";
         const std::optional<Answer> answer = answer_to("unknown quantity", line_about_nothing(partner, q), q.id);
         if (!answer) return false;
@@ -113,7 +113,7 @@ private:
     }
 
     bool look_at_negative_mass() {
-        Question q = question_about(quantity("H_j"));
+        ProtocolQuestion q = question_about(quantity("H_j"));
         q.id = "smoke-rejected";
         q.mass_ratios.back() = -1;
         const std::optional<Answer> answer = answer_to("negative mass", line_for(partner, q), q.id);

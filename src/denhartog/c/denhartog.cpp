@@ -22,7 +22,7 @@ namespace {
 void make_system(const SceneSource& source, dh_system** system) {
     auto made = std::make_unique<dh_system>(dh_system{prepare(source, Question{}, Prepared::every_regime)});
     made->modes = certain_modes(source, made->prepared.bounded);
-    need_finite(parts_of(made->modes->r_n, Part::value));
+    need_finite(parts_of(made->modes->r_n, ValueOrError::value));
     *system = made.release();
 }
 
@@ -48,7 +48,7 @@ void need_digits(const Solution& found) {
 }
 
 // The friction ratios between the regimes, or the bounds of their errors.
-int boundaries(const dh_system* system, double r, double mu, Part part, dh_boundary* result, const char* name) noexcept {
+int boundaries(const dh_system* system, double r, double mu, ValueOrError part, dh_boundary* result, const char* name) noexcept {
     return guarded([&] {
         need(system, "system");
         need_struct(result, name);
@@ -67,7 +67,7 @@ int boundaries(const dh_system* system, double r, double mu, Part part, dh_bound
 }
 
 // (86), or the bound of its error.
-int high_frequency_limit(const dh_system* system, double mu, Part part, double* result, const char* name) noexcept {
+int high_frequency_limit(const dh_system* system, double mu, ValueOrError part, double* result, const char* name) noexcept {
     return guarded([&] {
         need(system, "system");
         need(result, name);
@@ -79,8 +79,8 @@ int high_frequency_limit(const dh_system* system, double mu, Part part, double* 
 }
 
 // What a mass does while the contact slides throughout, or the bounds of the errors.
-int sliding_motion(const dh_system* system, double r, double beta, double mu, size_t mass, Part part, dh_sliding_mass* result,
-                   const char* name) noexcept {
+int sliding_motion(const dh_system* system, double r, double beta, double mu, size_t mass, ValueOrError part,
+                   dh_sliding_mass* result, const char* name) noexcept {
     return guarded([&] {
         const Mass k = mass_from(mass, masses_of(system), "mass");
         need_struct(result, name);
@@ -106,7 +106,7 @@ int sliding_motion(const dh_system* system, double r, double beta, double mu, si
 
 // Displacements, or the bounds of their errors.
 int displacements(const dh_system* system, double r, double beta, double mu, size_t mass, size_t count, const double* tau,
-                  Part part, double* result, const char* name) noexcept {
+                  ValueOrError part, double* result, const char* name) noexcept {
     return guarded([&] {
         const Mass k = mass_from(mass, masses_of(system), "mass");
         need(tau, "tau");
@@ -193,38 +193,38 @@ int dh_system_masses(const dh_system* system, size_t* N, size_t* contact, size_t
 }
 
 int dh_boundaries(const dh_system* system, double r, double mu, dh_boundary* boundary) noexcept {
-    return boundaries(system, r, mu, Part::value, boundary, "boundary");
+    return boundaries(system, r, mu, ValueOrError::value, boundary, "boundary");
 }
 
 int dh_boundary_errors(const dh_system* system, double r, double mu, dh_boundary* errors) noexcept {
-    return boundaries(system, r, mu, Part::error, errors, "errors");
+    return boundaries(system, r, mu, ValueOrError::error, errors, "errors");
 }
 
 int dh_high_frequency_limit(const dh_system* system, double mu, double* beta_lim) noexcept {
-    return high_frequency_limit(system, mu, Part::value, beta_lim, "beta_lim");
+    return high_frequency_limit(system, mu, ValueOrError::value, beta_lim, "beta_lim");
 }
 
 int dh_high_frequency_limit_error(const dh_system* system, double mu, double* error) noexcept {
-    return high_frequency_limit(system, mu, Part::error, error, "error");
+    return high_frequency_limit(system, mu, ValueOrError::error, error, "error");
 }
 
 int dh_sliding_motion(const dh_system* system, double r, double beta, double mu, size_t mass, dh_sliding_mass* result) noexcept {
-    return sliding_motion(system, r, beta, mu, mass, Part::value, result, "result");
+    return sliding_motion(system, r, beta, mu, mass, ValueOrError::value, result, "result");
 }
 
 int dh_sliding_motion_errors(const dh_system* system, double r, double beta, double mu, size_t mass,
                              dh_sliding_mass* errors) noexcept {
-    return sliding_motion(system, r, beta, mu, mass, Part::error, errors, "errors");
+    return sliding_motion(system, r, beta, mu, mass, ValueOrError::error, errors, "errors");
 }
 
 int dh_displacement(const dh_system* system, double r, double beta, double mu, size_t mass, size_t count, const double* tau,
                     double* x) noexcept {
-    return displacements(system, r, beta, mu, mass, count, tau, Part::value, x, "x");
+    return displacements(system, r, beta, mu, mass, count, tau, ValueOrError::value, x, "x");
 }
 
 int dh_displacement_errors(const dh_system* system, double r, double beta, double mu, size_t mass, size_t count,
                            const double* tau, double* x_error) noexcept {
-    return displacements(system, r, beta, mu, mass, count, tau, Part::error, x_error, "x_error");
+    return displacements(system, r, beta, mu, mass, count, tau, ValueOrError::error, x_error, "x_error");
 }
 
 } // extern "C"

@@ -17,11 +17,11 @@ void need_all_finite(std::initializer_list<std::span<const double>> arrays) {
 }
 
 // Real and imaginary parts, one after the other.
-void append(std::vector<double>& parts, const Complex<Bounded<double>>& z, Part part) {
+void append(std::vector<double>& parts, const Complex<Bounded<double>>& z, ValueOrError part) {
     parts.insert(parts.end(), {part_of(z.re, part), part_of(z.im, part)});
 }
 
-int natural_frequency_ratios(const dh_system* system, size_t count, Part part, Output r_n, double* zeta) noexcept {
+int natural_frequency_ratios(const dh_system* system, size_t count, ValueOrError part, Output r_n, double* zeta) noexcept {
     return guarded([&] {
         const std::size_t N = masses_of(system);
         need(r_n.numbers, r_n.name);
@@ -31,7 +31,7 @@ int natural_frequency_ratios(const dh_system* system, size_t count, Part part, O
     });
 }
 
-int mode_shapes(const dh_system* system, double r, size_t count, Part part, Output psi) noexcept {
+int mode_shapes(const dh_system* system, double r, size_t count, ValueOrError part, Output psi) noexcept {
     return guarded([&] {
         const std::size_t N = masses_of(system);
         need(psi.numbers, psi.name);
@@ -48,7 +48,7 @@ int mode_shapes(const dh_system* system, double r, size_t count, Part part, Outp
     });
 }
 
-int modal_functions(const dh_system* system, double r, size_t count, Part part, Output R, double* v, double* u,
+int modal_functions(const dh_system* system, double r, size_t count, ValueOrError part, Output R, double* v, double* u,
                     double* g) noexcept {
     return guarded([&] {
         const std::size_t N = masses_of(system);
@@ -74,7 +74,7 @@ int modal_functions(const dh_system* system, double r, size_t count, Part part, 
     });
 }
 
-int sums(const dh_system* system, double r, size_t count, Part part, Output V, double* U, double* G, double* H_j,
+int sums(const dh_system* system, double r, size_t count, ValueOrError part, Output V, double* U, double* G, double* H_j,
          double* S_j) noexcept {
     return guarded([&] {
         const std::size_t N = masses_of(system);
@@ -100,37 +100,37 @@ int sums(const dh_system* system, double r, size_t count, Part part, Output V, d
 extern "C" {
 
 int dh_natural_frequency_ratios(const dh_system* system, size_t count, double* r_n, double* zeta) noexcept {
-    return natural_frequency_ratios(system, count, Part::value, {r_n, "r_n"}, zeta);
+    return natural_frequency_ratios(system, count, ValueOrError::value, {r_n, "r_n"}, zeta);
 }
 
 int dh_natural_frequency_ratio_errors(const dh_system* system, size_t count, double* r_n_error, double* zeta_error) noexcept {
-    return natural_frequency_ratios(system, count, Part::error, {r_n_error, "r_n_error"}, zeta_error);
+    return natural_frequency_ratios(system, count, ValueOrError::error, {r_n_error, "r_n_error"}, zeta_error);
 }
 
 int dh_mode_shapes(const dh_system* system, double r, size_t count, double* psi) noexcept {
-    return mode_shapes(system, r, count, Part::value, {psi, "psi"});
+    return mode_shapes(system, r, count, ValueOrError::value, {psi, "psi"});
 }
 
 int dh_mode_shape_errors(const dh_system* system, double r, size_t count, double* psi_error) noexcept {
-    return mode_shapes(system, r, count, Part::error, {psi_error, "psi_error"});
+    return mode_shapes(system, r, count, ValueOrError::error, {psi_error, "psi_error"});
 }
 
 int dh_modal_functions(const dh_system* system, double r, size_t count, double* R, double* v, double* u, double* g) noexcept {
-    return modal_functions(system, r, count, Part::value, {R, "R"}, v, u, g);
+    return modal_functions(system, r, count, ValueOrError::value, {R, "R"}, v, u, g);
 }
 
 int dh_modal_function_errors(const dh_system* system, double r, size_t count, double* R_error, double* v_error, double* u_error,
                              double* g_error) noexcept {
-    return modal_functions(system, r, count, Part::error, {R_error, "R_error"}, v_error, u_error, g_error);
+    return modal_functions(system, r, count, ValueOrError::error, {R_error, "R_error"}, v_error, u_error, g_error);
 }
 
 int dh_sums(const dh_system* system, double r, size_t count, double* V, double* U, double* G, double* H_j, double* S_j) noexcept {
-    return sums(system, r, count, Part::value, {V, "V"}, U, G, H_j, S_j);
+    return sums(system, r, count, ValueOrError::value, {V, "V"}, U, G, H_j, S_j);
 }
 
 int dh_sum_errors(const dh_system* system, double r, size_t count, double* V_error, double* U_error, double* G_error,
                   double* H_j_error, double* S_j_error) noexcept {
-    return sums(system, r, count, Part::error, {V_error, "V_error"}, U_error, G_error, H_j_error, S_j_error);
+    return sums(system, r, count, ValueOrError::error, {V_error, "V_error"}, U_error, G_error, H_j_error, S_j_error);
 }
 
 } // extern "C"

@@ -61,21 +61,23 @@ inline constexpr int digits_of_formulas = 10;
 }
 
 /// @brief Which part of a number is handed out.
-enum class Part : std::uint8_t { value, error };
+enum class ValueOrError : std::uint8_t { value, error };
 
 /// @brief A bound that C gets: where there is none, the largest double. @param error a bound @return it, finite
 [[nodiscard]] inline double finite_bound(double error) { return std::min(error, std::numeric_limits<double>::max()); }
 
 /// @brief A part of a number. @param x the number @param part which @return it
-[[nodiscard]] inline double part_of(const Bounded<double>& x, Part part) { return part == Part::value ? x.x : finite_bound(x.e); }
+[[nodiscard]] inline double part_of(const Bounded<double>& x, ValueOrError part) {
+    return part == ValueOrError::value ? x.x : finite_bound(x.e);
+}
 
 /// @brief A part of a number. @param x the number @param part which @return it
-[[nodiscard]] inline double part_of(const Certified& x, Part part) {
-    return part == Part::value ? x.value : finite_bound(x.error);
+[[nodiscard]] inline double part_of(const Certified& x, ValueOrError part) {
+    return part == ValueOrError::value ? x.value : finite_bound(x.error);
 }
 
 /// @brief A part of each of several numbers. @param numbers they @param part which @return as many
-[[nodiscard]] inline std::vector<double> parts_of(std::span<const Bounded<double>> numbers, Part part) {
+[[nodiscard]] inline std::vector<double> parts_of(std::span<const Bounded<double>> numbers, ValueOrError part) {
     std::vector<double> parts;
     for (const Bounded<double>& x : numbers) parts.push_back(part_of(x, part));
     return parts;

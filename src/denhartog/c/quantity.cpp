@@ -23,7 +23,7 @@ struct AtPoint {
     size_t mass;
     double tau;
     size_t samples;
-    Part part;
+    ValueOrError part;
     size_t N, contact;
 };
 
@@ -41,7 +41,7 @@ Numbers existing(bool exists, double x, const char* why) {
 // The one of two functions, or of two numbers, that belongs to the part that is wanted.
 template <class Of>
 Of wanted(const AtPoint& a, Of of_value, Of of_error) {
-    return a.part == Part::value ? of_value : of_error;
+    return a.part == ValueOrError::value ? of_value : of_error;
 }
 
 Numbers shape_products(const AtPoint& a) {
@@ -145,7 +145,7 @@ Numbers motion_under_force(const AtPoint& a) {
     const Steady steady(a);
     if (steady.all.periods != 1) throw DomainError("the motion has not the period of the force");
     const dh_mass m = steady.mass(a.mass);
-    if (a.part == Part::error) return Numbers(a.samples, error_of_samples * m.amplitude + m.error);
+    if (a.part == ValueOrError::error) return Numbers(a.samples, error_of_samples * m.amplitude + m.error);
     Numbers x(a.samples * a.N), of_mass;
     done(dh_solution_motion(steady.solution.get(), a.samples, x.size(), x.data(), nullptr));
     for (size_t n = 0; n < a.samples; ++n) of_mass.push_back(x[n * a.N + a.mass - 1]);
@@ -225,7 +225,7 @@ constexpr Named named[] = {
 
 // The numbers of a quantity, or the bounds of their errors.
 int named_quantity(const dh_system* system, const char* name, double r, double beta, double mu, size_t mass, double tau,
-                   Part part, size_t size, Output result, size_t* count) noexcept {
+                   ValueOrError part, size_t size, Output result, size_t* count) noexcept {
     return guarded([&] {
         need(name, "name");
         need(result.numbers, result.name);
@@ -254,12 +254,12 @@ extern "C" {
 
 int dh_quantity(const dh_system* system, const char* name, double r, double beta, double mu, size_t mass, double tau, size_t size,
                 double* values, size_t* count) noexcept {
-    return named_quantity(system, name, r, beta, mu, mass, tau, Part::value, size, {values, "values"}, count);
+    return named_quantity(system, name, r, beta, mu, mass, tau, ValueOrError::value, size, {values, "values"}, count);
 }
 
 int dh_quantity_errors(const dh_system* system, const char* name, double r, double beta, double mu, size_t mass, double tau,
                        size_t size, double* errors, size_t* count) noexcept {
-    return named_quantity(system, name, r, beta, mu, mass, tau, Part::error, size, {errors, "errors"}, count);
+    return named_quantity(system, name, r, beta, mu, mass, tau, ValueOrError::error, size, {errors, "errors"}, count);
 }
 
 } // extern "C"

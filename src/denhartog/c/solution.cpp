@@ -23,7 +23,8 @@ void hand_out_mass(const SolvedMass& m, dh_mass* result) {
 }
 
 // The instants at which stops begin and end, or their errors.
-void hand_out_of_stops(const std::vector<SolvedStop>& stops, std::size_t count, Part part, Output of_starts, Output of_ends) {
+void hand_out_of_stops(const std::vector<SolvedStop>& stops, std::size_t count, ValueOrError part, Output of_starts,
+                       Output of_ends) {
     need_count(count, stops.size());
     if (count == 0) return;
     need(of_starts.numbers, of_starts.name);
@@ -117,14 +118,15 @@ int dh_solution_contact(const dh_solution* solution, dh_mass* result) noexcept {
 int dh_solution_stops(const dh_solution* solution, size_t count, double* start, double* end) noexcept {
     return guarded([&] {
         need(solution, "solution");
-        hand_out_of_stops(solution->solution.stops, count, Part::value, {start, "start"}, {end, "end"});
+        hand_out_of_stops(solution->solution.stops, count, ValueOrError::value, {start, "start"}, {end, "end"});
     });
 }
 
 int dh_solution_stop_errors(const dh_solution* solution, size_t count, double* start_error, double* end_error) noexcept {
     return guarded([&] {
         need(solution, "solution");
-        hand_out_of_stops(solution->solution.stops, count, Part::error, {start_error, "start_error"}, {end_error, "end_error"});
+        hand_out_of_stops(solution->solution.stops, count, ValueOrError::error, {start_error, "start_error"},
+                          {end_error, "end_error"});
     });
 }
 

@@ -18,7 +18,7 @@ namespace {
 constexpr std::size_t block = 256;
 
 /// Functions of one mode over a block.
-struct Block {
+struct ModeBlock {
     std::array<double, block> R, v_re, v_im, u, g;
 };
 
@@ -53,7 +53,7 @@ std::vector<WeightedMode> modes_of(const ModalBasis<Bounded<double>>& basis, Mas
 
 [[gnu::always_inline]] inline double absolute(double x) { return __builtin_fabs(x); }
 
-[[gnu::always_inline]] inline void add_any(const WeightedMode& mode, const Block& of, ContactSums& s, std::size_t start,
+[[gnu::always_inline]] inline void add_any(const WeightedMode& mode, const ModeBlock& of, ContactSums& s, std::size_t start,
                                            std::size_t n) {
     const evaluation::ArrayWeights<double> m = mode.weights;
     const evaluation::ArrayWeights<double> size = mode.sizes;
@@ -85,17 +85,18 @@ std::vector<WeightedMode> modes_of(const ModalBasis<Bounded<double>>& basis, Mas
 }
 
 #if defined(__x86_64__)
-[[gnu::target("avx2")]] void add_avx2(const WeightedMode& m, const Block& of, ContactSums& s, std::size_t start, std::size_t n) {
+[[gnu::target("avx2")]] void add_avx2(const WeightedMode& m, const ModeBlock& of, ContactSums& s, std::size_t start,
+                                      std::size_t n) {
     add_any(m, of, s, start, n);
 }
 
 [[gnu::target("avx512f,avx512dq,avx512vl,prefer-vector-width=512")]] void
-add_avx512(const WeightedMode& m, const Block& of, ContactSums& s, std::size_t start, std::size_t n) {
+add_avx512(const WeightedMode& m, const ModeBlock& of, ContactSums& s, std::size_t start, std::size_t n) {
     add_any(m, of, s, start, n);
 }
 #endif
 
-void add(const WeightedMode& m, const Block& of, ContactSums& s, std::size_t start, std::size_t n) {
+void add(const WeightedMode& m, const ModeBlock& of, ContactSums& s, std::size_t start, std::size_t n) {
 #if defined(__x86_64__)
     if (evaluation::supported_vectors().back() == evaluation::Vectors::avx512) return add_avx512(m, of, s, start, n);
     if (evaluation::supported_vectors().back() == evaluation::Vectors::avx2) return add_avx2(m, of, s, start, n);
@@ -136,7 +137,7 @@ void finish(std::span<const double> r, double sum_of_squares, ContactSums& s, st
 
 void compute(const std::vector<WeightedMode>& modes, std::span<const double> r, ContactSums& s, std::size_t start) {
     const std::size_t n = std::min(block, r.size() - start);
-    Block of;
+    ModeBlock of;
     const auto at = static_cast<std::ptrdiff_t>(start);
     for (std::vector<double>* each : all_of(s)) std::fill_n(each->begin() + at, n, 0.0);
     const bool known = std::ranges::all_of(modes, [](const WeightedMode& m) { return m.sharpness <= 1; });

@@ -55,7 +55,7 @@ T smaller_singular_value(const T& f, const T& g, const T& h) {
 /// A diagonal block first..last without zeros beside its diagonal. Seen from the bottom it is transposed and reversed: the view
 /// is upper bidiagonal again, and its left singular vectors are the right ones of the block.
 template <class T>
-struct Block {
+struct DiagonalBlock {
     std::vector<T>& d;
     std::vector<T>& e;
     Matrix<T>& V;
@@ -92,7 +92,7 @@ struct Estimate {
 
 /// Sets entries beside the diagonal to zero that change no singular value by more than a relative `tolerance`.
 template <class T>
-Estimate<T> test(Block<T>& block, const T& tolerance) {
+Estimate<T> test(DiagonalBlock<T>& block, const T& tolerance) {
     const std::size_t n = block.size();
     Estimate<T> found;
     if (abs(block.beside(n - 2)) <= tolerance * abs(block.diagonal(n - 1))) {
@@ -120,7 +120,7 @@ Estimate<T> test(Block<T>& block, const T& tolerance) {
 
 /// One sweep without shift: every entry keeps its relative accuracy, for there are no subtractions.
 template <class T>
-void sweep_without_shift(Block<T>& block) {
+void sweep_without_shift(DiagonalBlock<T>& block) {
     const std::size_t n = block.size();
     Rotation<T> left{T(1), T(0), T(0)};
     T c = T(1);
@@ -139,7 +139,7 @@ void sweep_without_shift(Block<T>& block) {
 
 /// One sweep of the QR iteration with a shift.
 template <class T>
-void sweep_with_shift(Block<T>& block, const T& shift) {
+void sweep_with_shift(DiagonalBlock<T>& block, const T& shift) {
     const std::size_t n = block.size();
     const T d_0 = block.diagonal(0);
     T f = (abs(d_0) - shift) * ((d_0 > 0 ? T(1) : T(-1)) + shift / d_0);
@@ -169,7 +169,7 @@ void sweep_with_shift(Block<T>& block, const T& shift) {
 
 /// The shift for the next sweep: the smaller singular value of the last two rows of the view, or zero where it would cost digits.
 template <class T>
-T shift_for(Block<T>& block, const Estimate<T>& found, int N) {
+T shift_for(DiagonalBlock<T>& block, const Estimate<T>& found, int N) {
     if (found.largest > 4 * N * found.smallest) return T(0);
     const std::size_t n = block.size();
     const T shift = smaller_singular_value(block.diagonal(n - 2), block.beside(n - 2), block.diagonal(n - 1));
@@ -201,7 +201,7 @@ SingularValues<T> iterate(std::vector<T> d, std::vector<T> e, Matrix<T> V) {
         2.0 * std::numeric_limits<T>::digits * static_cast<double>(N) * static_cast<double>(N) + 1000;
     double rotations = 0;
     long sweeps = 0;
-    Block<T> block{d, e, V, N, 0, false};
+    DiagonalBlock<T> block{d, e, V, N, 0, false};
     std::size_t end = N;
     while (true) {
         while (end > 1 && e[end - 2] == 0) --end;

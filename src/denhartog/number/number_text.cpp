@@ -22,15 +22,15 @@ constexpr int largest_exponent = 5000;
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 /// The parts of a text that is written as a JSON number.
-struct Parts {
+struct NumberParts {
     bool valid = false;        ///< written as JSON writes a number
     bool zero = true;          ///< no digit but 0 before the exponent
     long order = 0;            ///< power of ten of the first digit that is not 0, the exponent left out
     std::string_view exponent; ///< what follows the e, without a plus sign
 };
 
-Parts take_apart(std::string_view text) {
-    Parts parts;
+NumberParts take_apart(std::string_view text) {
+    NumberParts parts;
     std::size_t at = 0;
     std::size_t first = text.npos; // digit that is not 0
     const auto digits = [&] {
@@ -107,7 +107,7 @@ std::string number_rule(NumberFault fault) {
 template <class T>
 NumberFault number_from_text(std::string_view text, T& value) {
     if (text.size() > longest_text) return NumberFault::too_long;
-    const Parts parts = take_apart(text);
+    const NumberParts parts = take_apart(text);
     if (!parts.valid) return NumberFault::no_number;
     int exponent = 0;
     const auto read = std::from_chars(parts.exponent.data(), parts.exponent.data() + parts.exponent.size(), exponent);

@@ -12,7 +12,7 @@ namespace denhartog {
 namespace {
 
 template <class T>
-struct Measure {
+struct RoundingOfPhases {
     const ContactSystem<T>& s;
     const Excitation<T>& e;
     const ExactMotion<T>& motion;
@@ -145,12 +145,12 @@ struct Measure {
 
 template <class T>
 MapRounding<T> rounding_of_map(const ExactSolver<T>& solver, const ExactMotion<T>& motion, const T& length) {
-    return Measure<T>{solver.system(), solver.excitation(), motion, length}.of_image();
+    return RoundingOfPhases<T>{solver.system(), solver.excitation(), motion, length}.of_image();
 }
 
 template <class T>
 T rounding_of_jacobian(const ExactSolver<T>& solver, const ExactMotion<T>& motion, const T& length) {
-    return Measure<T>{solver.system(), solver.excitation(), motion, length}.of_jacobian();
+    return RoundingOfPhases<T>{solver.system(), solver.excitation(), motion, length}.of_jacobian();
 }
 
 template MapRounding<double> rounding_of_map(const ExactSolver<double>&, const ExactMotion<double>&, const double&);

@@ -21,9 +21,9 @@ constexpr int half_periods_to_arrive = 4000; // at rest, or at an orbit that att
 
 /// The search from one start.
 template <class T>
-class Search {
+class SearchFromStart {
 public:
-    Search(ExactSolver<T>& solver, const OrbitSearch<T>& search)
+    SearchFromStart(ExactSolver<T>& solver, const OrbitSearch<T>& search)
         : search_(search), map_(solver), shooting_(map_, search.tolerance), j_(solver.system().contact.index),
           no_expansion_(solver.excitation().mu == 1),
           most_periods_(no_expansion_ ? search.most_periods : periods_to_follow(solver, search.most_periods)),
@@ -289,7 +289,7 @@ PeriodicOrbit<T> periodic_orbit(ExactSolver<T>& solver, const State<T>& start, c
     check_search(search, start, N);
     SearchEffort own(default_effort(N));
     Effort* const before = solver.allow(search.effort != nullptr ? search.effort : &own);
-    PeriodicOrbit<T> orbit = Search<T>(solver, search).from(start);
+    PeriodicOrbit<T> orbit = SearchFromStart<T>(solver, search).from(start);
     (void)solver.allow(before);
     return orbit;
 }

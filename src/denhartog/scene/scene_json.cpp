@@ -22,27 +22,27 @@ using nlohmann::json;
 std::string value_text(const json& x) { return legible(x.dump(-1, ' ', true, json::error_handler_t::replace), most_of_a_value); }
 
 /// A value of the scene with its key and its place.
-struct Item {
+struct SceneItem {
     const json& value;
     std::string key;
     std::string place;
 
     /// An entry; a value that stands without its brackets is the only one.
-    Item operator[](std::size_t i) const {
-        return value.is_array() ? Item{value[i], key, place + pointer_step(std::to_string(i))} : *this;
+    SceneItem operator[](std::size_t i) const {
+        return value.is_array() ? SceneItem{value[i], key, place + pointer_step(std::to_string(i))} : *this;
     }
     [[noreturn]] void fail(const std::string& rule) const { throw InputError(key, rule, value_text(value), place); }
 };
 
-Item item(const json& object, const char* key) { return {object.at(key), key, pointer_step(key)}; }
+SceneItem item(const json& object, const char* key) { return {object.at(key), key, pointer_step(key)}; }
 
 // Before anything as large is made of it.
-void check_length(const Item& x, const std::string& of) {
+void check_length(const SceneItem& x, const std::string& of) {
     if (x.value.size() > most_masses) throw InputError(x.key, most_masses_rule(of), std::to_string(x.value.size()), x.place);
 }
 
 template <class T>
-T read_number(const Item& x) {
+T read_number(const SceneItem& x) {
     if (x.value.is_number()) return T(x.value.get<double>());
     if (!x.value.is_string()) x.fail("must be a number");
     T number(0);
@@ -52,14 +52,14 @@ T read_number(const Item& x) {
 }
 
 template <class T>
-T read_positive(const Item& x) {
+T read_positive(const SceneItem& x) {
     const T number = read_number<T>(x);
     if (!(number > 0)) x.fail("must be positive");
     return number;
 }
 
 template <class T>
-std::vector<T> read_list(const Item& x) {
+std::vector<T> read_list(const SceneItem& x) {
     if (x.value.is_number()) return {read_number<T>(x)}; // Octave writes an array of one so
     if (!x.value.is_array()) x.fail("must be an array of numbers");
     if (x.value.empty()) x.fail("must have at least one value");
@@ -70,14 +70,14 @@ std::vector<T> read_list(const Item& x) {
 }
 
 template <class T>
-Matrix<T> read_matrix(const Item& x) {
+Matrix<T> read_matrix(const SceneItem& x) {
     if (!x.value.is_array()) x.fail("must be an array of rows");
     if (x.value.empty()) x.fail("must have at least one row");
     check_length(x, "rows");
     const std::size_t N = x.value.size();
     Matrix<T> matrix(static_cast<Eigen::Index>(N), static_cast<Eigen::Index>(N));
     for (std::size_t i = 0; i < N; ++i) {
-        const Item row = x[i];
+        const SceneItem row = x[i];
         if (!row.value.is_array()) row.fail("must be an array of rows, each an array of numbers");
         if (row.value.size() != N)
             throw InputError(x.key,
@@ -89,7 +89,7 @@ Matrix<T> read_matrix(const Item& x) {
 }
 
 /// Counts from 1 in the text and from 0 in the scene. Whether the mass exists is among the rules of a scene.
-std::size_t read_index(const Item& x) {
+std::size_t read_index(const SceneItem& x) {
     const double number = x.value.is_number() ? x.value.get<double>() : 0.0;
     if (!(number >= 1 && number <= 1e9 && number == std::floor(number)))
         x.fail("must be a whole number that counts the masses from 1");
@@ -119,7 +119,7 @@ void read_ratios(const json& object, Scene<T>& scene) {
 
 /// Masses or stiffnesses of a dimensional scene, a list for a chain or a matrix, in units of the first. Gives the first.
 template <class T>
-T read_in_units_of_first(const Item& x, std::vector<T>& ratios, Matrix<T>& matrix) {
+T read_in_units_of_first(const SceneItem& x, std::vector<T>& ratios, Matrix<T>& matrix) {
     if (x.value.is_array() && !x.value.empty() && x.value[0].is_array()) {
         matrix = read_matrix<T>(x);
         const T first = matrix(0, 0);
@@ -142,7 +142,7 @@ std::optional<T> read_force(const json& object, const T& m_1, const T& k_1, cons
         if (!object.contains("force")) return std::nullopt;
         return read_positive<T>(item(object, "force"));
     }
-    const Item base = item(object, "base_displacement");
+    const SceneItem base = item(object, "base_displacement");
     if (object.contains("force")) base.fail("must not be given together with force");
     if (!object.contains("base_motion")) base.fail("must be given together with base_motion");
     const T displacement = read_positive<T>(base);
@@ -174,7 +174,7 @@ T read_dimensional(const json& object, Scene<T>& scene) {
             throw InputError("frequency", "must be given, as the force of a base that moves with the wall depends on it",
                              "nothing");
         if (!P) require(object, "force");
-        const Item F = item(object, "friction");
+        const SceneItem F = item(object, "friction");
         const T friction = read_number<T>(F);
         if (friction < 0) F.fail("must not be negative");
         scene.beta = paper::friction_ratio(friction, *P);
@@ -192,7 +192,7 @@ void read_damping(const json& object, const T& unit, System<T>& s) {
     }
     if (object.contains("damping_tolerance"))
         item(object, "damping_tolerance").fail("must be given together with damping_matrix");
-    const Item zeta = item(object, "damping_ratios");
+    const SceneItem zeta = item(object, "damping_ratios");
     if (zeta.value.is_array())
         s.damping_ratios = read_list<T>(zeta);
     else if (zeta.value.is_number() || zeta.value.is_string())
@@ -205,7 +205,7 @@ void read_damping(const json& object, const T& unit, System<T>& s) {
 template <class T>
 void read_contact(const json& object, System<T>& s) {
     require(object, "contact");
-    const Item contact = item(object, "contact");
+    const SceneItem contact = item(object, "contact");
     if (!contact.value.is_array()) {
         s.contact.index = read_index(contact);
         return;
@@ -218,7 +218,7 @@ void read_contact(const json& object, System<T>& s) {
 
 /// Forces of inertia where base and wall move together; of springs where the base moves alone.
 template <class T>
-std::vector<T> load_of_base(const Item& base, const System<T>& s) {
+std::vector<T> load_of_base(const SceneItem& base, const System<T>& s) {
     const std::string which = base.value.is_string() ? base.value.get<std::string>() : "";
     if (which != "with_wall" && which != "alone")
         base.fail("must be \"with_wall\" (base and wall move together) or \"alone\" (the wall stays)");
@@ -254,7 +254,7 @@ void read_load(const json& object, System<T>& s) {
         s.load_vector = load_of_base(item(object, "base_motion"), s);
         return;
     }
-    const Item load = item(object, "load");
+    const SceneItem load = item(object, "load");
     if (!load.value.is_array()) {
         s.load.index = read_index(load);
         return;

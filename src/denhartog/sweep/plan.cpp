@@ -12,8 +12,9 @@ namespace {
 // The largest chunk: its values are held in memory.
 constexpr std::size_t most_points_in_memory = std::size_t(1) << 24;
 
-bool is_of_columns(Quantity q) {
-    return q == Quantity::r || q == Quantity::frequency_hz || q == Quantity::beta || q == Quantity::friction;
+bool is_of_columns(VariedQuantity q) {
+    return q == VariedQuantity::r || q == VariedQuantity::frequency_hz || q == VariedQuantity::beta ||
+           q == VariedQuantity::friction;
 }
 
 std::vector<Dimension> dimensions_of_study(const Study& study) {
@@ -21,7 +22,8 @@ std::vector<Dimension> dimensions_of_study(const Study& study) {
     for (const Axis& each : study.axes)
         if (!is_of_columns(each.target.quantity)) all.push_back({each.target.name(), each.values.size(), each.values});
     if (study.samples) all.push_back({"sample", study.samples->count, {}});
-    for (const Quantity q : {Quantity::r, Quantity::frequency_hz, Quantity::beta, Quantity::friction})
+    for (const VariedQuantity q :
+         {VariedQuantity::r, VariedQuantity::frequency_hz, VariedQuantity::beta, VariedQuantity::friction})
         if (const Axis* axis = study.axis(q)) all.push_back({axis->target.name(), axis->values.size(), axis->values});
     return all;
 }

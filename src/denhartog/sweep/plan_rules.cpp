@@ -11,15 +11,16 @@
 namespace denhartog::sweep {
 namespace {
 
-std::string text_of(Quantity q) { return Target{q, {}, false}.name(); }
+std::string text_of(VariedQuantity q) { return Target{q, {}, false}.name(); }
 
 // Given as an axis or drawn; a drawn factor comes on top. That nothing varies twice was checked before.
-void check_one(const Study& study, Quantity ratio, Quantity in_units) {
-    const Quantity wanted = study.in_units() ? in_units : ratio;
-    const Quantity other = study.in_units() ? ratio : in_units;
+void check_one(const Study& study, VariedQuantity ratio, VariedQuantity in_units) {
+    const VariedQuantity wanted = study.in_units() ? in_units : ratio;
+    const VariedQuantity other = study.in_units() ? ratio : in_units;
     if (study.axis(other) || study.variable(other))
-        throw InputError(text_of(other),
-                         "must not be given together with " + text_of(study.in_units() ? Quantity::friction : Quantity::r), "");
+        throw InputError(
+            text_of(other),
+            "must not be given together with " + text_of(study.in_units() ? VariedQuantity::friction : VariedQuantity::r), "");
     const Axis* axis = study.axis(wanted);
     const Variable* drawn = study.variable(wanted);
     if (axis && axis->target.factor)
@@ -51,8 +52,8 @@ void check_of(const Plan& plan, const Reduction& r, std::size_t n) {
 } // namespace
 
 void check_columns(const Study& study) {
-    check_one(study, Quantity::r, Quantity::frequency_hz);
-    check_one(study, Quantity::beta, Quantity::friction);
+    check_one(study, VariedQuantity::r, VariedQuantity::frequency_hz);
+    check_one(study, VariedQuantity::beta, VariedQuantity::friction);
 }
 
 void check_reductions(const Plan& plan) {
@@ -84,10 +85,10 @@ void check_scenes(const Plan& plan) {
     for (const Axis& axis : study.axes) {
         for (const double value : axis.values) {
             switch (axis.target.quantity) {
-            case Quantity::r: check_frequency_ratio(value); break;
-            case Quantity::beta:
-            case Quantity::friction: check_friction_ratio(value); break;
-            case Quantity::frequency_hz: break;
+            case VariedQuantity::r: check_frequency_ratio(value); break;
+            case VariedQuantity::beta:
+            case VariedQuantity::friction: check_friction_ratio(value); break;
+            case VariedQuantity::frequency_hz: break;
             default: static_cast<void>(scene_at.with(axis.target, value));
             }
         }
@@ -96,7 +97,7 @@ void check_scenes(const Plan& plan) {
         for (const Variable& each : study.samples->variables)
             static_cast<void>(scene_at.with(each.target, quantile(each.marginal, 0.5)));
     const Scene<double> scene = scene_at.unvaried();
-    if (const Axis* axis = study.axis(Quantity::frequency_hz)) static_cast<void>(frequencies_in_units(scene, axis->values));
+    if (const Axis* axis = study.axis(VariedQuantity::frequency_hz)) static_cast<void>(frequencies_in_units(scene, axis->values));
 }
 
 } // namespace denhartog::sweep

@@ -14,14 +14,14 @@ json without_point(json scene) {
     return scene;
 }
 
-const char* key_of(const json& scene, Quantity q) {
+const char* key_of(const json& scene, VariedQuantity q) {
     switch (q) {
-    case Quantity::mu: return "mu";
-    case Quantity::zeta: return "damping_ratios";
-    case Quantity::mass: return scene.contains("masses") ? "masses" : "mass_ratios";
-    case Quantity::stiffness: return scene.contains("stiffnesses") ? "stiffnesses" : "stiffness_ratios";
-    case Quantity::contact: return "contact";
-    case Quantity::load: return "load";
+    case VariedQuantity::mu: return "mu";
+    case VariedQuantity::zeta: return "damping_ratios";
+    case VariedQuantity::mass: return scene.contains("masses") ? "masses" : "mass_ratios";
+    case VariedQuantity::stiffness: return scene.contains("stiffnesses") ? "stiffnesses" : "stiffness_ratios";
+    case VariedQuantity::contact: return "contact";
+    case VariedQuantity::load: return "load";
     default: return nullptr; // a point, which is no part of the scene here
     }
 }
@@ -39,17 +39,17 @@ double as_number(const json& x) {
 void change(json& scene, const Target& target, double value, std::size_t masses) {
     const char* key = key_of(scene, target.quantity);
     if (key == nullptr) return;
-    if (target.quantity == Quantity::contact || target.quantity == Quantity::load) {
+    if (target.quantity == VariedQuantity::contact || target.quantity == VariedQuantity::load) {
         scene[key] = static_cast<std::uint64_t>(value);
         return;
     }
-    if (target.quantity == Quantity::mu) {
+    if (target.quantity == VariedQuantity::mu) {
         scene[key] = target.factor ? value * (scene.contains(key) ? as_number(scene[key]) : 1) : value;
         return;
     }
     if (!scene.contains(key)) throw InputError(target.name(), std::string("must be varied in scenes that have ") + key, "");
     json& list = scene[key];
-    if (!list.is_array()) list = json::array_t(target.quantity == Quantity::zeta ? masses : 1, list);
+    if (!list.is_array()) list = json::array_t(target.quantity == VariedQuantity::zeta ? masses : 1, list);
     if (!list.empty() && list[0].is_array())
         throw InputError(target.name(), "must be varied where the scene has a list", "a matrix");
     if (target.entry && *target.entry >= list.size())
@@ -77,8 +77,8 @@ SystemAt SceneAt::at(const std::vector<std::size_t>& point) const {
     json scene = scene_;
     SystemAt system;
     const bool units = study.in_units();
-    const Quantity frequency = units ? Quantity::frequency_hz : Quantity::r,
-                   friction = units ? Quantity::friction : Quantity::beta;
+    const VariedQuantity frequency = units ? VariedQuantity::frequency_hz : VariedQuantity::r,
+                         friction = units ? VariedQuantity::friction : VariedQuantity::beta;
     if (const Axis* axis = study.axis(frequency)) system.frequency = axis->values;
     if (const Axis* axis = study.axis(friction)) system.friction = axis->values;
     for (const Axis& axis : study.axes) {

@@ -17,8 +17,8 @@ double Draw::fraction(double from, double to, int parts) {
     return static_cast<double>(integer(static_cast<int>(from * parts), static_cast<int>(to * parts))) / parts;
 }
 
-Question drawn_scene(Draw& draw, int N, int place) {
-    Question q;
+ProtocolQuestion drawn_scene(Draw& draw, int N, int place) {
+    ProtocolQuestion q;
     for (int i = 0; i < N; ++i) {
         q.mass_ratios.push_back(i == 0 ? 1 : draw.fraction(0.375, 3.5, 8));
         q.stiffness_ratios.push_back(i == 0 ? 1 : draw.fraction(0.375, 3.5, 8));
@@ -34,8 +34,8 @@ Question drawn_scene(Draw& draw, int N, int place) {
     return q;
 }
 
-Question ask(const std::string& quantity, int mass, double tau, int samples) {
-    Question q;
+ProtocolQuestion ask(const std::string& quantity, int mass, double tau, int samples) {
+    ProtocolQuestion q;
     q.quantity = quantity;
     q.mass = mass;
     q.tau = tau;

@@ -24,11 +24,11 @@ enum class Friction : std::uint8_t {
 struct Case {
     std::string group;                   ///< the group: name of the file
     std::string tier = "must";           ///< the easiest tier that its vectors may have
-    Question scene;                      ///< the scene; the rest of the question is overwritten
+    ProtocolQuestion scene;              ///< the scene; the rest of the question is overwritten
     Friction friction = Friction::given; ///< how beta is found
     double part = 0;                     ///< of what `friction` says
     int bits = 10;                       ///< binary digits that beta is rounded to
-    std::vector<Question> asked;         ///< what is asked: quantity, mass, tau, samples
+    std::vector<ProtocolQuestion> asked; ///< what is asked: quantity, mass, tau, samples
     std::vector<std::string> flags;      ///< what the scene has besides what can be seen from its numbers
     std::string reject;                  ///< the rule it breaks; empty where it breaks none
     int first_number = 0;                ///< number of its first question within the group
@@ -54,11 +54,11 @@ private:
 /// @param N     number of masses
 /// @param place 0: contact before load, 1: both on one mass, 2: contact after load; one mass has but one place
 /// @return      the scene, with r in [1/4, 3] and mu 1 in two of three
-[[nodiscard]] Question drawn_scene(Draw& draw, int N, int place);
+[[nodiscard]] ProtocolQuestion drawn_scene(Draw& draw, int N, int place);
 
 /// @brief What is asked about a mass. @param quantity its name @param mass k, from 1; 0 for none @param tau an instant
 /// @param samples number of instants @return the question without a scene
-[[nodiscard]] Question ask(const std::string& quantity, int mass = 0, double tau = 0, int samples = 0);
+[[nodiscard]] ProtocolQuestion ask(const std::string& quantity, int mass = 0, double tau = 0, int samples = 0);
 
 /// @brief Cases of the groups `modes` and `functions`. @return the cases
 [[nodiscard]] std::vector<Case> cases_of_modes();

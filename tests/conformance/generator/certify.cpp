@@ -50,7 +50,7 @@ double margin_of(const Regimes& b, const Real50& beta) {
 }
 
 std::vector<std::string> flags_of(const Case& c) {
-    const Question& q = c.scene;
+    const ProtocolQuestion& q = c.scene;
     std::vector<std::string> flags = beyond_the_paper(q);
     flags.insert(flags.end(), c.flags.begin(), c.flags.end());
     const auto unequal = [](const std::vector<double>& x) {
@@ -83,7 +83,7 @@ std::string tier_of(const Case& c, double condition, std::optional<double> margi
     return harder(tier, c.tier);
 }
 
-Tolerance tolerance_of(const Question& q, double condition) {
+Tolerance tolerance_of(const ProtocolQuestion& q, double condition) {
     if (q.quantity == "stops_per_period") return {0, 0, 0};
     if (q.quantity == "motion_under_force") return {1e-6, 1e-3, 3e-2};
     const auto at_least = [](double least, double power, double condition_) {
@@ -106,8 +106,8 @@ void agree(Vector& v, Certified& all, std::size_t place, std::optional<int> digi
 
 void certify_regime(Vector& v, SceneRoutes& routes, Certified& all) {
     for (const char* name : {"beta_lim_exact", "beta_lim_sticking"}) {
-        const Question q = [&] {
-            Question other = v.question;
+        const ProtocolQuestion q = [&] {
+            ProtocolQuestion other = v.question;
             other.quantity = name;
             return other;
         }();
@@ -121,7 +121,7 @@ void certify_regime(Vector& v, SceneRoutes& routes, Certified& all) {
 
 void certify_numbers(Vector& v, SceneRoutes& routes, Certified& all, const Case& c) {
     using std::abs;
-    const Question& q = v.question;
+    const ProtocolQuestion& q = v.question;
     const bool angle = quantity(q.quantity).angle;
     const std::vector<Real50> in_50 = routes.first<Real50>(q);
     agree(v, all, 0, agreement(in_50, routes.second<Real50>(q), angle));
@@ -153,7 +153,7 @@ void certify_numbers(Vector& v, SceneRoutes& routes, Certified& all, const Case&
 Vector plain_vector(const Case& c, std::size_t n) {
     Vector v;
     v.question = c.scene;
-    const Question& asked = c.asked[n];
+    const ProtocolQuestion& asked = c.asked[n];
     v.question.id = id_of(c, n);
     v.question.quantity = asked.quantity;
     v.question.mass = asked.mass;
@@ -167,7 +167,7 @@ Vector plain_vector(const Case& c, std::size_t n) {
 }
 
 // Whether a motion from rest stays in the regime: with mu > 1 it may not, and the answer would depend on the start.
-bool comes_from_rest(const Question& q, Regime regime) {
+bool comes_from_rest(const ProtocolQuestion& q, Regime regime) {
     if (q.mu == 1) return true;
     try {
         return solve(scene_source(scene_of<double>(q)), {Asked::regime, 12, false}).regime.regime == regime;

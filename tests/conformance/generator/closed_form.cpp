@@ -14,10 +14,10 @@ namespace {
 template <class T>
 class ClosedForm : public Route<T> {
 public:
-    ClosedForm(const Question& q, Regime regime, ClosedForm* near)
+    ClosedForm(const ProtocolQuestion& q, Regime regime, ClosedForm* near)
         : scene_(in_own_coordinates(scene_of<T>(q))), regime_(regime), near_(near), basis_(modal_basis(scene_.system)) {}
 
-    std::vector<T> numbers(const Question& q) override {
+    std::vector<T> numbers(const ProtocolQuestion& q) override {
         const std::string& name = q.quantity;
         const std::size_t k = row_of(q, scene_.system);
         if (name == "natural_frequency_ratios") return basis_.r_n;
@@ -90,7 +90,7 @@ private:
         return *state_;
     }
 
-    std::vector<T> sliding(const Question& q, std::size_t k) {
+    std::vector<T> sliding(const ProtocolQuestion& q, std::size_t k) {
         const MassResponse<T>& m = state().masses[k];
         if (q.quantity == "amplitude") return {m.amplitude};
         if (q.quantity == "phase") return {m.phase};
@@ -116,7 +116,7 @@ private:
         return X;
     }
 
-    std::vector<T> held(const Question& q, std::size_t k) {
+    std::vector<T> held(const ProtocolQuestion& q, std::size_t k) {
         const StuckConfiguration<T> stuck = stuck_configuration(scene_.system, basis_);
         const StuckResponse<T> response = stuck_response(stuck, scene_.system.contact, scene_.system.load, *scene_.r);
         if (q.quantity == "rest_interval") {
@@ -139,11 +139,11 @@ private:
 } // namespace
 
 template <class T>
-std::unique_ptr<Route<T>> closed_form(const Question& scene, Regime regime, Route<T>* near) {
+std::unique_ptr<Route<T>> closed_form(const ProtocolQuestion& scene, Regime regime, Route<T>* near) {
     return std::make_unique<ClosedForm<T>>(scene, regime, static_cast<ClosedForm<T>*>(near));
 }
 
-template std::unique_ptr<Route<Real50>> closed_form(const Question&, Regime, Route<Real50>*);
-template std::unique_ptr<Route<Real100>> closed_form(const Question&, Regime, Route<Real100>*);
+template std::unique_ptr<Route<Real50>> closed_form(const ProtocolQuestion&, Regime, Route<Real50>*);
+template std::unique_ptr<Route<Real100>> closed_form(const ProtocolQuestion&, Regime, Route<Real100>*);
 
 } // namespace denhartog::conformance::generator

@@ -15,7 +15,7 @@ using Index = Eigen::Index;
 template <class T>
 class ExactOrbit : public Route<T> {
 public:
-    ExactOrbit(const Question& q, const OrbitSeen& seen)
+    ExactOrbit(const ProtocolQuestion& q, const OrbitSeen& seen)
         : scene_(in_own_coordinates(scene_of<T>(q))), system_(contact_system(scene_.system)),
           solver_(system_, {T(q.r), T(q.beta), T(q.mu)}) {
         start_.x.assign(seen.at_zero.x.begin(), seen.at_zero.x.end());
@@ -27,7 +27,7 @@ public:
         largest_[scene_.system.contact.index] = contact_at_its_furthest(motion);
     }
 
-    std::vector<T> numbers(const Question& q) override {
+    std::vector<T> numbers(const ProtocolQuestion& q) override {
         const std::size_t k = row_of(q, scene_.system);
         using std::abs;
         if (q.quantity == "amplitude") return {T(abs(largest_[k].x))};
@@ -107,11 +107,11 @@ private:
 } // namespace
 
 template <class T>
-std::unique_ptr<Route<T>> exact_orbit(const Question& scene, const OrbitSeen& seen) {
+std::unique_ptr<Route<T>> exact_orbit(const ProtocolQuestion& scene, const OrbitSeen& seen) {
     return std::make_unique<ExactOrbit<T>>(scene, seen);
 }
 
-template std::unique_ptr<Route<Real50>> exact_orbit(const Question&, const OrbitSeen&);
-template std::unique_ptr<Route<Real100>> exact_orbit(const Question&, const OrbitSeen&);
+template std::unique_ptr<Route<Real50>> exact_orbit(const ProtocolQuestion&, const OrbitSeen&);
+template std::unique_ptr<Route<Real100>> exact_orbit(const ProtocolQuestion&, const OrbitSeen&);
 
 } // namespace denhartog::conformance::generator

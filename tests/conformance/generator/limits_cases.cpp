@@ -10,8 +10,8 @@ struct ExactPair {
 constexpr ExactPair exact_pairs[] = {
     {2.25, 2.25, 0.5, 2}, {14.0625, 14.0625, 0.25, 4}, {2.8125, 11.25, 0.5, 4}, {11.25, 2.8125, 0.25, 2}};
 
-Question pair_scene(const ExactPair& p, int place, double zeta_1, double zeta_2) {
-    Question q;
+ProtocolQuestion pair_scene(const ExactPair& p, int place, double zeta_1, double zeta_2) {
+    ProtocolQuestion q;
     q.mass_ratios = {1, p.gamma};
     q.stiffness_ratios = {1, p.kappa};
     q.damping_ratios = {zeta_1, zeta_2};
@@ -20,8 +20,8 @@ Question pair_scene(const ExactPair& p, int place, double zeta_1, double zeta_2)
     return q;
 }
 
-Question oscillator(double zeta, double r, double mu = 1) {
-    Question q;
+ProtocolQuestion oscillator(double zeta, double r, double mu = 1) {
+    ProtocolQuestion q;
     q.mass_ratios = q.stiffness_ratios = {1};
     q.damping_ratios = {zeta};
     q.r = r;
@@ -29,7 +29,7 @@ Question oscillator(double zeta, double r, double mu = 1) {
     return q;
 }
 
-Case limit(const Question& scene, const std::string& flag) {
+Case limit(const ProtocolQuestion& scene, const std::string& flag) {
     Case c;
     c.group = "limits";
     c.scene = scene;
@@ -50,7 +50,7 @@ void add_resonances(std::vector<Case>& cases) {
     int n = 0;
     for (const ExactPair& p : exact_pairs)
         for (const double r : {p.a, p.b}) {
-            Question q = pair_scene(p, n % 3, 0.03125, 0.0625);
+            ProtocolQuestion q = pair_scene(p, n % 3, 0.03125, 0.0625);
             q.r = r;
             q.mu = n++ % 2 == 0 ? 1 : 1.25;
             cases.push_back(limit(q, "at-resonance"));
@@ -65,7 +65,7 @@ void add_resonances(std::vector<Case>& cases) {
 void add_far_frequencies(std::vector<Case>& cases, Draw& draw) {
     for (int N = 1; N <= 4; ++N)
         for (const double r : {0.09375, 12.5, 40.0, 1000.0}) {
-            Question q = drawn_scene(draw, N, N % 3);
+            ProtocolQuestion q = drawn_scene(draw, N, N % 3);
             q.r = r;
             cases.push_back(limit(q, r < 1 ? "low-frequency" : "high-frequency"));
         }
@@ -99,7 +99,7 @@ void add_regimes(std::vector<Case>& cases, Draw& draw) {
                                 {Friction::of_sticking, 1.0001220703125, 20},
                                 {Friction::of_sticking, 2, 10}};
     for (int n = 0; n < 9; ++n) {
-        const Question scene = drawn_scene(draw, n == 0 ? 1 : 1 + n % 5, n % 3);
+        const ProtocolQuestion scene = drawn_scene(draw, n == 0 ? 1 : 1 + n % 5, n % 3);
         for (const Place& p : places) {
             Case c;
             c.group = "boundary";

@@ -3,7 +3,7 @@
 namespace denhartog::conformance::generator {
 namespace {
 
-Case of_group(const char* group, const Question& scene) {
+Case of_group(const char* group, const ProtocolQuestion& scene) {
     Case c;
     c.group = group;
     c.scene = scene;

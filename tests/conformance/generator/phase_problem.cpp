@@ -19,7 +19,7 @@ using std::abs;
 template <class T>
 class PhaseProblem : public Route<T> {
 public:
-    PhaseProblem(const Question& q, const OrbitSeen& seen)
+    PhaseProblem(const ProtocolQuestion& q, const OrbitSeen& seen)
         : p_(problem_of<T>(q)), w_(contact_vector(p_)), N_(p_.M.rows()), j_(static_cast<Index>(p_.contact.index)),
           mu_beta_(T(q.mu) * p_.beta), A_{system_of_phase(p_, -1), system_of_phase(p_, 0), system_of_phase(p_, 1)} {
         for (const Phase<double>& phase : seen.phases) {
@@ -36,7 +36,7 @@ public:
         follow();
     }
 
-    std::vector<T> numbers(const Question& q) override {
+    std::vector<T> numbers(const ProtocolQuestion& q) override {
         const Vector<T> d = q.mass > 0 ? Vector<T>(Vector<T>::Unit(N_, q.mass - 1)) : w_; // the displacement asked about
         if (q.quantity == "amplitude") return {T(abs(extremum(d).x))};
         if (q.quantity == "phase") {
@@ -197,11 +197,11 @@ private:
 } // namespace
 
 template <class T>
-std::unique_ptr<Route<T>> phase_problem(const Question& scene, const OrbitSeen& seen) {
+std::unique_ptr<Route<T>> phase_problem(const ProtocolQuestion& scene, const OrbitSeen& seen) {
     return std::make_unique<PhaseProblem<T>>(scene, seen);
 }
 
-template std::unique_ptr<Route<Real50>> phase_problem(const Question&, const OrbitSeen&);
-template std::unique_ptr<Route<Real100>> phase_problem(const Question&, const OrbitSeen&);
+template std::unique_ptr<Route<Real50>> phase_problem(const ProtocolQuestion&, const OrbitSeen&);
+template std::unique_ptr<Route<Real100>> phase_problem(const ProtocolQuestion&, const OrbitSeen&);
 
 } // namespace denhartog::conformance::generator

@@ -21,11 +21,11 @@ T angle(const T& y, const T& x) {
 template <class T>
 class Physical : public Route<T> {
 public:
-    Physical(const Question& q, Regime regime)
+    Physical(const ProtocolQuestion& q, Regime regime)
         : q_(q), p_(problem_of<T>(q)), w_(contact_vector(p_)), j_(static_cast<Index>(p_.contact.index)), regime_(regime),
           mu_(q.mu), r_(q.r) {}
 
-    std::vector<T> numbers(const Question& q) override {
+    std::vector<T> numbers(const ProtocolQuestion& q) override {
         const std::string& name = q.quantity;
         const Index k = q.mass > 0 ? q.mass - 1 : 0, N = p_.M.rows();
         const Vector<T> x = q.mass > 0 ? Vector<T>(Vector<T>::Unit(N, k)) : w_; // the displacement asked about
@@ -48,7 +48,7 @@ public:
     }
 
 private:
-    Question q_;
+    ProtocolQuestion q_;
     HalfPeriodProblem<T> p_;
     Vector<T> w_; ///< displacement of the contact over the masses
     Index j_;
@@ -119,7 +119,7 @@ private:
     // The limit from two frequency ratios so high that what is left falls with their square.
     T limit_at_high_frequency() {
         const auto at = [&](int exponent) {
-            Question q = q_;
+            ProtocolQuestion q = q_;
             q.r = std::ldexp(1.0, exponent);
             Physical<T> there(q, regime_);
             return there.numbers_of_limit();
@@ -145,7 +145,7 @@ private:
 
     T held_load() { return T(held_motion().tail(2).norm()); }
 
-    std::vector<T> held(const Question& q, const Vector<T>& x) {
+    std::vector<T> held(const ProtocolQuestion& q, const Vector<T>& x) {
         const Index N = p_.M.rows();
         if (q.quantity == "rest_interval")
             return {T((mu_ * p_.beta - held_load()) * w_.dot(Vector<T>(Eigen::FullPivLU<Matrix<T>>(p_.K).solve(w_))))};
@@ -181,7 +181,7 @@ private:
     }
 
     // The largest displacement, of the contact that at tau = 0.
-    std::vector<T> sliding(const Question& q, const Vector<T>& x) {
+    std::vector<T> sliding(const ProtocolQuestion& q, const Vector<T>& x) {
         const HalfPeriodMotion<T>& m = motion();
         const T c = x.dot(m.x_0), s = x.dot(m.x_prime_0);
         const Index k = q.mass - 1;
@@ -203,21 +203,21 @@ private:
 } // namespace
 
 template <>
-HalfPeriodProblem<Real50> problem_of(const Question& q) {
+HalfPeriodProblem<Real50> problem_of(const ProtocolQuestion& q) {
     return half_period_problem(scene_of<double>(q));
 }
 
 template <>
-HalfPeriodProblem<Real100> problem_of(const Question& q) {
+HalfPeriodProblem<Real100> problem_of(const ProtocolQuestion& q) {
     return half_period_problem(scene_of<Real50>(q));
 }
 
 template <class T>
-std::unique_ptr<Route<T>> physical(const Question& scene, Regime regime) {
+std::unique_ptr<Route<T>> physical(const ProtocolQuestion& scene, Regime regime) {
     return std::make_unique<Physical<T>>(scene, regime);
 }
 
-template std::unique_ptr<Route<Real50>> physical(const Question&, Regime);
-template std::unique_ptr<Route<Real100>> physical(const Question&, Regime);
+template std::unique_ptr<Route<Real50>> physical(const ProtocolQuestion&, Regime);
+template std::unique_ptr<Route<Real100>> physical(const ProtocolQuestion&, Regime);
 
 } // namespace denhartog::conformance::generator

@@ -12,12 +12,12 @@ namespace denhartog::conformance::generator {
 /// @param q  the question
 /// @return   matrices in the number type
 template <class T>
-[[nodiscard]] HalfPeriodProblem<T> problem_of(const Question& q);
+[[nodiscard]] HalfPeriodProblem<T> problem_of(const ProtocolQuestion& q);
 /// @brief In 50 digits. @param q the question @return the problem
 template <>
-[[nodiscard]] HalfPeriodProblem<Real50> problem_of(const Question& q);
+[[nodiscard]] HalfPeriodProblem<Real50> problem_of(const ProtocolQuestion& q);
 /// @brief In 100 digits. @param q the question @return the problem
 template <>
-[[nodiscard]] HalfPeriodProblem<Real100> problem_of(const Question& q);
+[[nodiscard]] HalfPeriodProblem<Real100> problem_of(const ProtocolQuestion& q);
 
 } // namespace denhartog::conformance::generator

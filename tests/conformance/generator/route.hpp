@@ -24,7 +24,7 @@ public:
     /// @brief Numbers that answer a question about the scene.
     /// @param q  the question
     /// @return   the numbers; none where the route does not serve the quantity
-    virtual std::vector<T> numbers(const Question& q) = 0;
+    virtual std::vector<T> numbers(const ProtocolQuestion& q) = 0;
 };
 
 /// @brief Which of the displacements of a system in its own coordinates a question asks about, see `in_own_coordinates`.
@@ -32,7 +32,7 @@ public:
 /// @param system  its system, in its own coordinates
 /// @return        the place of its mass, or of the contact where it asks about that
 template <class T>
-[[nodiscard]] std::size_t row_of(const Question& q, const System<T>& system) {
+[[nodiscard]] std::size_t row_of(const ProtocolQuestion& q, const System<T>& system) {
     return q.mass == 0 ? system.contact.index : displacement_of(system, Mass{static_cast<std::size_t>(q.mass - 1)}).index;
 }
 
@@ -42,14 +42,14 @@ template <class T>
 /// @param near    a route of a scene next to this one, whose instants of maxima are corrected in place of a search; may be none
 /// @return        the route; must not outlive `near`
 template <class T>
-[[nodiscard]] std::unique_ptr<Route<T>> closed_form(const Question& scene, Regime regime, Route<T>* near = nullptr);
+[[nodiscard]] std::unique_ptr<Route<T>> closed_form(const ProtocolQuestion& scene, Regime regime, Route<T>* near = nullptr);
 
 /// @brief The physical coordinates: matrix exponentials over half a period, characteristic polynomial, dense linear systems.
 /// @param scene   a question about the scene
 /// @param regime  the regime, where the quantity depends on it
 /// @return        the route
 template <class T>
-[[nodiscard]] std::unique_ptr<Route<T>> physical(const Question& scene, Regime regime);
+[[nodiscard]] std::unique_ptr<Route<T>> physical(const ProtocolQuestion& scene, Regime regime);
 
 /// @brief A stick-slip motion, seen in double: where the two routes to it start.
 struct OrbitSeen {
@@ -62,14 +62,14 @@ struct OrbitSeen {
 /// @param scene  a question about the scene
 /// @return       the motion
 /// @throws       DomainError where it is not a stable symmetric motion of one period with stops
-[[nodiscard]] OrbitSeen orbit_seen(const Question& scene);
+[[nodiscard]] OrbitSeen orbit_seen(const ProtocolQuestion& scene);
 
 /// @brief Stick-slip by Newton's method on the exact solver.
 /// @param scene  a question about the scene
 /// @param seen   where to start
 /// @return       the route
 template <class T>
-[[nodiscard]] std::unique_ptr<Route<T>> exact_orbit(const Question& scene, const OrbitSeen& seen);
+[[nodiscard]] std::unique_ptr<Route<T>> exact_orbit(const ProtocolQuestion& scene, const OrbitSeen& seen);
 
 /// @brief Stick-slip as one boundary-value problem: Newton's method on the state and all instants of the half-period.
 ///
@@ -78,6 +78,6 @@ template <class T>
 /// @param seen   where to start
 /// @return       the route
 template <class T>
-[[nodiscard]] std::unique_ptr<Route<T>> phase_problem(const Question& scene, const OrbitSeen& seen);
+[[nodiscard]] std::unique_ptr<Route<T>> phase_problem(const ProtocolQuestion& scene, const OrbitSeen& seen);
 
 } // namespace denhartog::conformance::generator

@@ -12,8 +12,8 @@ constexpr double relative_step = 0x1p-36;
 
 } // namespace
 
-std::optional<Regimes> regimes_of(const Question& scene) {
-    Question q = scene;
+std::optional<Regimes> regimes_of(const ProtocolQuestion& scene) {
+    ProtocolQuestion q = scene;
     q.beta = 0;
     try {
         const auto route = closed_form<Real50>(q, Regime::continuous);
@@ -36,34 +36,34 @@ bool depends_on_friction(const std::string& quantity) {
     return std::find(std::begin(names), std::end(names), quantity) != std::end(names);
 }
 
-std::vector<Neighbour> neighbours_of(const Question& scene) {
+std::vector<Neighbour> neighbours_of(const ProtocolQuestion& scene) {
     std::vector<Neighbour> all;
     const auto add = [&](const char* input, auto&& entry) {
-        Question q = scene;
+        ProtocolQuestion q = scene;
         double& x = entry(q);
         const double before = x;
         if (before == 0) return;
         x = before * (1 + relative_step);
         all.push_back({input, (x - before) / before, q});
     };
-    add("r", [](Question& q) -> double& { return q.r; });
-    add("beta", [](Question& q) -> double& { return q.beta; });
-    add("mu", [](Question& q) -> double& { return q.mu; });
-    using List = std::vector<double> Question::*;
+    add("r", [](ProtocolQuestion& q) -> double& { return q.r; });
+    add("beta", [](ProtocolQuestion& q) -> double& { return q.beta; });
+    add("mu", [](ProtocolQuestion& q) -> double& { return q.mu; });
+    using List = std::vector<double> ProtocolQuestion::*;
     const auto add_list = [&](const char* input, List list, std::size_t from) {
         for (std::size_t i = from; i < (scene.*list).size(); ++i)
-            add(input, [list, i](Question& q) -> double& { return (q.*list)[i]; });
+            add(input, [list, i](ProtocolQuestion& q) -> double& { return (q.*list)[i]; });
     };
-    add_list("mass_ratios", &Question::mass_ratios, 1);
-    add_list("stiffness_ratios", &Question::stiffness_ratios, 1);
-    add_list("damping_ratios", &Question::damping_ratios, 0);
-    add_list("load", &Question::loads, 0);
+    add_list("mass_ratios", &ProtocolQuestion::mass_ratios, 1);
+    add_list("stiffness_ratios", &ProtocolQuestion::stiffness_ratios, 1);
+    add_list("damping_ratios", &ProtocolQuestion::damping_ratios, 0);
+    add_list("load", &ProtocolQuestion::loads, 0);
     // Of a matrix both entries of a pair change. Those off the diagonal shrink: a dashpot alone leaves no room for more.
     const auto add_matrix = [&](const char* input, List matrix) {
         const std::size_t N = (scene.*matrix).empty() ? 0 : masses_of(scene);
         for (std::size_t i = 0; i < N; ++i)
             for (std::size_t k = 0; k <= i; ++k) {
-                Question q = scene;
+                ProtocolQuestion q = scene;
                 const double before = (q.*matrix)[i * N + k];
                 if (before == 0) continue;
                 const double after = before * (k == i ? 1 + relative_step : 1 - relative_step);
@@ -71,17 +71,17 @@ std::vector<Neighbour> neighbours_of(const Question& scene) {
                 all.push_back({input, (after - before) / before, q});
             }
     };
-    add_matrix("mass_matrix", &Question::mass_matrix);
-    add_matrix("stiffness_matrix", &Question::stiffness_matrix);
-    add_matrix("damping_matrix", &Question::damping_matrix);
+    add_matrix("mass_matrix", &ProtocolQuestion::mass_matrix);
+    add_matrix("stiffness_matrix", &ProtocolQuestion::stiffness_matrix);
+    add_matrix("damping_matrix", &ProtocolQuestion::damping_matrix);
     return all;
 }
 
-SceneRoutes::SceneRoutes(const Question& scene, Regime regime)
+SceneRoutes::SceneRoutes(const ProtocolQuestion& scene, Regime regime)
     : scene_(scene), regime_(regime), neighbours_(neighbours_of(scene)), near_(neighbours_.size()),
       near_orbits_(neighbours_.size()) {}
 
-bool SceneRoutes::is_orbit(const Question& q) const {
+bool SceneRoutes::is_orbit(const ProtocolQuestion& q) const {
     return regime_ == Regime::stick_slip && depends_on_friction(q.quantity) && q.quantity != "regime";
 }
 
@@ -101,7 +101,7 @@ SceneRoutes::Pair<Real100>& SceneRoutes::pair() {
 }
 
 template <class T>
-std::vector<T> SceneRoutes::first(const Question& q) {
+std::vector<T> SceneRoutes::first(const ProtocolQuestion& q) {
     Pair<T>& p = pair<T>();
     if (is_orbit(q)) {
         if (!p.orbit) p.orbit = exact_orbit<T>(scene_, seen());
@@ -112,7 +112,7 @@ std::vector<T> SceneRoutes::first(const Question& q) {
 }
 
 template <class T>
-std::vector<T> SceneRoutes::second(const Question& q) {
+std::vector<T> SceneRoutes::second(const ProtocolQuestion& q) {
     Pair<T>& p = pair<T>();
     if (is_orbit(q)) {
         if (!p.phases) p.phases = phase_problem<T>(scene_, seen());
@@ -122,7 +122,7 @@ std::vector<T> SceneRoutes::second(const Question& q) {
     return p.second->numbers(q);
 }
 
-std::array<std::string, 2> SceneRoutes::names(const Question& q) const {
+std::array<std::string, 2> SceneRoutes::names(const ProtocolQuestion& q) const {
     const std::string& name = q.quantity;
     if (is_orbit(q)) return {"Newton on the exact solver", "phases as a boundary-value problem"};
     if (name == "natural_frequency_ratios" || name == "modal_frequency_ratios" || name == "mode_shape_products")
@@ -139,7 +139,7 @@ std::array<std::string, 2> SceneRoutes::names(const Question& q) const {
     return {"closed form", "half-period boundary-value problem"};
 }
 
-std::vector<Real50> SceneRoutes::at_neighbour(std::size_t n, const Question& q) {
+std::vector<Real50> SceneRoutes::at_neighbour(std::size_t n, const ProtocolQuestion& q) {
     if (is_orbit(q)) {
         if (!near_orbits_[n]) near_orbits_[n] = phase_problem<Real50>(neighbours_[n].scene, seen());
         return near_orbits_[n]->numbers(q);
@@ -148,7 +148,7 @@ std::vector<Real50> SceneRoutes::at_neighbour(std::size_t n, const Question& q) 
     return near_[n]->numbers(q);
 }
 
-std::vector<std::pair<std::string, Real50>> SceneRoutes::condition(const Question& q, const std::vector<Real50>& values,
+std::vector<std::pair<std::string, Real50>> SceneRoutes::condition(const ProtocolQuestion& q, const std::vector<Real50>& values,
                                                                    const Real50& scale) {
     using std::abs;
     std::vector<std::pair<std::string, Real50>> all;
@@ -168,16 +168,16 @@ std::vector<std::pair<std::string, Real50>> SceneRoutes::condition(const Questio
         const Neighbour& near = neighbours_[n];
         note(near.input, at_neighbour(n, q), near.relative_change);
         if (near.input != "mu" || q.tau == 0) continue; // tau follows mu in the order of the inputs
-        Question later = q;
+        ProtocolQuestion later = q;
         later.tau = q.tau * (1 + relative_step);
         note("tau", first<Real50>(later), (later.tau - q.tau) / q.tau);
     }
     return all;
 }
 
-template std::vector<Real50> SceneRoutes::first(const Question&);
-template std::vector<Real100> SceneRoutes::first(const Question&);
-template std::vector<Real50> SceneRoutes::second(const Question&);
-template std::vector<Real100> SceneRoutes::second(const Question&);
+template std::vector<Real50> SceneRoutes::first(const ProtocolQuestion&);
+template std::vector<Real100> SceneRoutes::first(const ProtocolQuestion&);
+template std::vector<Real50> SceneRoutes::second(const ProtocolQuestion&);
+template std::vector<Real100> SceneRoutes::second(const ProtocolQuestion&);
 
 } // namespace denhartog::conformance::generator

@@ -16,7 +16,7 @@ struct Regimes {
 };
 
 /// @brief Boundaries of a scene. @param scene a question about it @return the boundaries; none at a pole of a mode
-[[nodiscard]] std::optional<Regimes> regimes_of(const Question& scene);
+[[nodiscard]] std::optional<Regimes> regimes_of(const ProtocolQuestion& scene);
 
 /// @brief Whether a quantity depends on the friction ratio. @param quantity its name @return true if so
 [[nodiscard]] bool depends_on_friction(const std::string& quantity);
@@ -25,44 +25,44 @@ struct Regimes {
 struct Neighbour {
     std::string input;      ///< which, as the vectors name it
     double relative_change; ///< of the input; exact
-    Question scene;         ///< the scene
+    ProtocolQuestion scene; ///< the scene
 };
 
 /// @brief Scenes next to one: every input that may change and is not zero, by 2^-36 of itself.
 /// @param scene  a question about the scene
 /// @return       the neighbours, in the order of the inputs
-[[nodiscard]] std::vector<Neighbour> neighbours_of(const Question& scene);
+[[nodiscard]] std::vector<Neighbour> neighbours_of(const ProtocolQuestion& scene);
 
 /// @brief All routes to the numbers of a scene, each made when first asked for.
 class SceneRoutes {
 public:
     /// @param scene   a question about the scene
     /// @param regime  its regime
-    SceneRoutes(const Question& scene, Regime regime);
+    SceneRoutes(const ProtocolQuestion& scene, Regime regime);
 
     /// @brief The first route. @param q a question @return its numbers
     template <class T>
-    [[nodiscard]] std::vector<T> first(const Question& q);
+    [[nodiscard]] std::vector<T> first(const ProtocolQuestion& q);
     /// @brief The second route. @param q a question @return its numbers
     template <class T>
-    [[nodiscard]] std::vector<T> second(const Question& q);
+    [[nodiscard]] std::vector<T> second(const ProtocolQuestion& q);
     /// @brief What the two are called. @param q a question @return their names
-    [[nodiscard]] std::array<std::string, 2> names(const Question& q) const;
+    [[nodiscard]] std::array<std::string, 2> names(const ProtocolQuestion& q) const;
 
     /// @brief Condition numbers of a quantity, in the order of the inputs; those of no influence left out.
     /// @param q       a question
     /// @param values  its numbers in 50 digits, from `first`
     /// @param scale   what changes are divided by
     /// @return        input and condition number
-    [[nodiscard]] std::vector<std::pair<std::string, Real50>> condition(const Question& q, const std::vector<Real50>& values,
-                                                                        const Real50& scale);
+    [[nodiscard]] std::vector<std::pair<std::string, Real50>> condition(const ProtocolQuestion& q,
+                                                                        const std::vector<Real50>& values, const Real50& scale);
 
 private:
     template <class T>
     struct Pair {
         std::unique_ptr<Route<T>> first, second, orbit, phases;
     };
-    Question scene_;
+    ProtocolQuestion scene_;
     Regime regime_;
     std::optional<OrbitSeen> seen_;
     Pair<Real50> in_50_;
@@ -70,11 +70,11 @@ private:
     std::vector<Neighbour> neighbours_;
     std::vector<std::unique_ptr<Route<Real50>>> near_, near_orbits_;
 
-    [[nodiscard]] bool is_orbit(const Question& q) const;
+    [[nodiscard]] bool is_orbit(const ProtocolQuestion& q) const;
     const OrbitSeen& seen();
     template <class T>
     Pair<T>& pair();
-    std::vector<Real50> at_neighbour(std::size_t n, const Question& q);
+    std::vector<Real50> at_neighbour(std::size_t n, const ProtocolQuestion& q);
 };
 
 } // namespace denhartog::conformance::generator

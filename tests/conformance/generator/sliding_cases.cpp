@@ -3,7 +3,7 @@
 namespace denhartog::conformance::generator {
 namespace {
 
-Case sliding(const char* group, const Question& scene, double part) {
+Case sliding(const char* group, const ProtocolQuestion& scene, double part) {
     Case c;
     c.group = group;
     c.scene = scene;
@@ -29,7 +29,7 @@ void add_oscillators(std::vector<Case>& cases) {
     int n = 0;
     for (const double zeta : {0.0, 0.03125, 0.25, 1.25})
         for (const double r : {0.3125, 0.625, 0.90625, 1.25, 1.75, 3.0}) {
-            Question q;
+            ProtocolQuestion q;
             q.mass_ratios = q.stiffness_ratios = {1};
             q.damping_ratios = {zeta};
             q.r = r;

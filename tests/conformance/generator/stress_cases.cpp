@@ -35,7 +35,7 @@ void add_merging(std::vector<Case>& cases) {
             Case c = stress({1, small}, {1, small}, {0.03125, 0.0625}, r, "merging");
             c.scene.contact = 1;
             c.scene.load = 2;
-            for (Question& q : c.asked)
+            for (ProtocolQuestion& q : c.asked)
                 if (q.mass > 0) q.mass = 1;
             c.asked.push_back(ask("natural_frequency_ratios"));
             c.asked.push_back(ask("mode_shape_products", 1));

@@ -9,10 +9,12 @@ int masses(const Case& c) { return static_cast<int>(masses_of(c.scene)); }
 
 int another_mass(Draw& draw, int N, int k) { return (k - 1 + draw.integer(1, N - 1)) % N + 1; }
 
-void rub_two_masses(Draw& draw, Question& q) { q.contact_with = another_mass(draw, static_cast<int>(masses_of(q)), q.contact); }
+void rub_two_masses(Draw& draw, ProtocolQuestion& q) {
+    q.contact_with = another_mass(draw, static_cast<int>(masses_of(q)), q.contact);
+}
 
 // Multiples of 1/8 of both signs and zeros; never on the contact alone, which is a load of the paper.
-void load_several(Draw& draw, Question& q) {
+void load_several(Draw& draw, ProtocolQuestion& q) {
     const auto N = masses_of(q);
     q.load = 0;
     for (std::size_t k = 0; k < N; ++k) q.loads.push_back(draw.integer(0, 3) == 0 ? 0 : draw.fraction(-1.5, 1.5, 8));
@@ -20,7 +22,7 @@ void load_several(Draw& draw, Question& q) {
     if (q.contact_with != 0) q.loads[static_cast<std::size_t>(q.contact - 1)] += 0.0625;
 }
 
-void move_base(Question& q, const std::string& how) {
+void move_base(ProtocolQuestion& q, const std::string& how) {
     q.load = 0;
     q.base_motion = how;
     if (how == "alone") q.damping_ratios.assign(masses_of(q), 0);
@@ -36,7 +38,7 @@ void put_between(std::vector<double>& matrix, int N, int a, int b, double streng
 }
 
 // Dashpots to the ground and between neighbours, some of them missing, and one more to the ground: the modes are coupled.
-void put_dashpots(Draw& draw, Question& q) {
+void put_dashpots(Draw& draw, ProtocolQuestion& q) {
     const int N = static_cast<int>(masses_of(q));
     q.damping_ratios.clear();
     q.damping_matrix.assign(static_cast<std::size_t>(N * N), 0);
@@ -46,7 +48,7 @@ void put_dashpots(Draw& draw, Question& q) {
 }
 
 // A chain with one spring more between masses that are no neighbours, and every mass on a spring to the ground.
-void put_springs(Draw& draw, Question& q) {
+void put_springs(Draw& draw, ProtocolQuestion& q) {
     const int N = static_cast<int>(q.mass_ratios.size());
     q.stiffness_matrix.assign(static_cast<std::size_t>(N * N), 0);
     for (int i = 1; i <= N; ++i) {
@@ -58,7 +60,7 @@ void put_springs(Draw& draw, Question& q) {
 }
 
 // Masses that pull at their neighbours, as those of finite elements do.
-void spread_masses(Draw& draw, Question& q) {
+void spread_masses(Draw& draw, ProtocolQuestion& q) {
     const int N = static_cast<int>(q.mass_ratios.size());
     q.mass_matrix.assign(static_cast<std::size_t>(N * N), 0);
     for (int i = 1; i <= N; ++i) q.mass_matrix[at(i, i, N)] = q.mass_ratios[static_cast<std::size_t>(i - 1)];
@@ -134,7 +136,7 @@ void add_rejected(std::vector<Case>& cases, const std::string& rule, const Break
     Case c;
     c.group = "systems-reject";
     c.reject = rule;
-    Question& q = c.scene;
+    ProtocolQuestion& q = c.scene;
     q.mass_ratios = {1, 1.5, 0.75};
     q.stiffness_ratios = {1, 0.625, 2};
     q.damping_matrix = {0.25, -0.125, 0, -0.125, 0.1875, -0.0625, 0, -0.0625, 0.0625};
@@ -150,31 +152,33 @@ void add_rejected(std::vector<Case>& cases, const std::string& rule, const Break
 }
 
 void add_rejections(std::vector<Case>& cases) {
-    add_rejected(cases, "a mass rubs against itself", [](Question& q) { q.contact_with = 2; });
-    add_rejected(cases, "the second mass in contact is behind the last mass", [](Question& q) { q.contact_with = 4; });
-    add_rejected(cases, "the second mass in contact is before the first mass", [](Question& q) { q.contact_with = -1; });
-    add_rejected(cases, "a force too few", [](Question& q) { q.loads.pop_back(); });
-    add_rejected(cases, "a force too many", [](Question& q) { q.loads.push_back(1); });
-    add_rejected(cases, "no force", [](Question& q) { q.loads = {0, 0, 0}; });
-    add_rejected(cases, "the damping matrix is not symmetric", [](Question& q) { q.damping_matrix[1] = 0; });
-    add_rejected(cases, "the damping matrix is of two masses", [](Question& q) { q.damping_matrix = {0.25, 0, 0, 0.25}; });
-    add_rejected(cases, "a base that moves alone has damping", [](Question& q) {
+    add_rejected(cases, "a mass rubs against itself", [](ProtocolQuestion& q) { q.contact_with = 2; });
+    add_rejected(cases, "the second mass in contact is behind the last mass", [](ProtocolQuestion& q) { q.contact_with = 4; });
+    add_rejected(cases, "the second mass in contact is before the first mass", [](ProtocolQuestion& q) { q.contact_with = -1; });
+    add_rejected(cases, "a force too few", [](ProtocolQuestion& q) { q.loads.pop_back(); });
+    add_rejected(cases, "a force too many", [](ProtocolQuestion& q) { q.loads.push_back(1); });
+    add_rejected(cases, "no force", [](ProtocolQuestion& q) { q.loads = {0, 0, 0}; });
+    add_rejected(cases, "the damping matrix is not symmetric", [](ProtocolQuestion& q) { q.damping_matrix[1] = 0; });
+    add_rejected(cases, "the damping matrix is of two masses", [](ProtocolQuestion& q) {
+        q.damping_matrix = {0.25, 0, 0, 0.25};
+    });
+    add_rejected(cases, "a base that moves alone has damping", [](ProtocolQuestion& q) {
         q.loads.clear();
         q.base_motion = "alone";
     });
-    add_rejected(cases, "the base moves in no known way", [](Question& q) {
+    add_rejected(cases, "the base moves in no known way", [](ProtocolQuestion& q) {
         q.loads.clear();
         q.base_motion = "sideways";
     });
-    add_rejected(cases, "the stiffness matrix is not positive definite", [](Question& q) {
+    add_rejected(cases, "the stiffness matrix is not positive definite", [](ProtocolQuestion& q) {
         q.stiffness_ratios.clear();
         q.stiffness_matrix = {1, -2, 0, -2, 1, 0, 0, 0, 1};
     });
-    add_rejected(cases, "the stiffness matrix is not symmetric", [](Question& q) {
+    add_rejected(cases, "the stiffness matrix is not symmetric", [](ProtocolQuestion& q) {
         q.stiffness_ratios.clear();
         q.stiffness_matrix = {2, -1, 0, -0.5, 2, -1, 0, -1, 2};
     });
-    add_rejected(cases, "the mass matrix is not positive definite", [](Question& q) {
+    add_rejected(cases, "the mass matrix is not positive definite", [](ProtocolQuestion& q) {
         q.mass_ratios.clear();
         q.mass_matrix = {1, 1.5, 0, 1.5, 1, 0, 0, 0, 1};
     });
@@ -184,22 +188,22 @@ void add_rejections(std::vector<Case>& cases) {
 
 std::vector<Case> cases_of_systems() {
     std::vector<Case> cases;
-    add_group(cases, "contact", 1, 24, [](Draw& draw, Question& q, int) { rub_two_masses(draw, q); });
-    add_group(cases, "load", 2, 20, [](Draw& draw, Question& q, int n) {
+    add_group(cases, "contact", 1, 24, [](Draw& draw, ProtocolQuestion& q, int) { rub_two_masses(draw, q); });
+    add_group(cases, "load", 2, 20, [](Draw& draw, ProtocolQuestion& q, int n) {
         if (n % 5 == 4) rub_two_masses(draw, q);
         load_several(draw, q);
     });
-    add_group(cases, "base", 3, 24, [](Draw& draw, Question& q, int n) {
+    add_group(cases, "base", 3, 24, [](Draw& draw, ProtocolQuestion& q, int n) {
         if (n % 5 == 4) rub_two_masses(draw, q);
         move_base(q, n % 3 == 2 ? "alone" : "with_wall");
     });
-    add_group(cases, "damping", 4, 32, [](Draw& draw, Question& q, int n) {
+    add_group(cases, "damping", 4, 32, [](Draw& draw, ProtocolQuestion& q, int n) {
         put_dashpots(draw, q);
         if (n % 5 == 3) rub_two_masses(draw, q);
         if (n % 7 == 5) load_several(draw, q);
         if (n % 7 == 6) move_base(q, "with_wall");
     });
-    add_group(cases, "matrix", 5, 20, [](Draw& draw, Question& q, int n) {
+    add_group(cases, "matrix", 5, 20, [](Draw& draw, ProtocolQuestion& q, int n) {
         put_springs(draw, q);
         if (n % 2 == 1 || n % 8 == 2) spread_masses(draw, q); // every other system, and some that stick and slip
         if (n % 3 == 1) put_dashpots(draw, q);

@@ -79,7 +79,7 @@ void list_methods() {
     };
     std::vector<std::vector<std::string>> rows{
         {"method", "displacement", "phase", "duration", "margin", "undamped", "what it is"}};
-    for (const conformance::Method& m : conformance::methods())
+    for (const conformance::SolverMethod& m : conformance::methods())
         rows.push_back({std::string(m.name), three(m.displacement), three(m.phase), three(m.duration),
                         number_in_digits(m.margin, 2), m.settles ? "not judged wrong" : "judged", std::string(m.told)});
     write_standard_output(aligned(rows) +

@@ -65,7 +65,7 @@ std::string shell_text(const std::vector<std::string>& words) {
 
 void conform_repro(const ConformOptions& options, ExitStatus& status) {
     const conformance::RunSettings settings = run_settings(options);
-    const conformance::Method& method = conformance::method_named(options.method);
+    const conformance::SolverMethod& method = conformance::method_named(options.method);
     const std::vector<Vector> all = conformance::read_vectors(options.selection.vectors);
     Vector v = vector_named(options.repro, all);
     conformance::widen(v, method);

@@ -61,7 +61,7 @@ std::optional<Verdicts> earlier_verdicts(const ConformOptions& options) {
 
 // All vectors, with the tolerances of the method.
 std::vector<Vector> vectors_for(const ConformOptions& options) {
-    const conformance::Method& method = conformance::method_named(options.method);
+    const conformance::SolverMethod& method = conformance::method_named(options.method);
     std::vector<Vector> all = conformance::read_vectors(options.selection.vectors);
     for (Vector& v : all) conformance::widen(v, method);
     return all;
@@ -69,7 +69,7 @@ std::vector<Vector> vectors_for(const ConformOptions& options) {
 
 // Diagnosis, comparison, and the report where it belongs. Where something got worse the file of verdicts is left as it was.
 void finish(ConformReport& report, const ConformOptions& options, const std::optional<Verdicts>& earlier, ExitStatus& status) {
-    const conformance::Method& method = conformance::method_named(options.method);
+    const conformance::SolverMethod& method = conformance::method_named(options.method);
     for (Judged& one : report.judged) conformance::excuse(one, method);
     conformance::Thresholds least;
     least.agreement = conformance::least_agreement(method);
@@ -98,7 +98,7 @@ void conform_run(const ConformOptions& options, ExitStatus& status) {
     const std::vector<Vector> all = vectors_for(options);
     const std::vector<const Vector*> chosen = selected(options.selection, all);
     const std::optional<Verdicts> earlier = earlier_verdicts(options);
-    std::vector<const conformance::Question*> questions;
+    std::vector<const conformance::ProtocolQuestion*> questions;
     for (const Vector* v : chosen) questions.push_back(&v->question);
     const Interruptible interruptible(conformance::interruption());
     const conformance::Conversation conversation =

@@ -20,20 +20,20 @@ std::vector<double> Bins::edges() const {
     return values;
 }
 
-const Axis* Study::axis(Quantity q) const {
+const Axis* Study::axis(VariedQuantity q) const {
     const auto found = std::ranges::find_if(axes, [q](const Axis& each) { return each.target.quantity == q; });
     return found == axes.end() ? nullptr : &*found;
 }
 
-const Variable* Study::variable(Quantity q) const {
+const Variable* Study::variable(VariedQuantity q) const {
     if (!samples) return nullptr;
     const auto found = std::ranges::find_if(samples->variables, [q](const Variable& each) { return each.target.quantity == q; });
     return found == samples->variables.end() ? nullptr : &*found;
 }
 
 bool Study::in_units() const {
-    return axis(Quantity::frequency_hz) || axis(Quantity::friction) || variable(Quantity::frequency_hz) ||
-           variable(Quantity::friction);
+    return axis(VariedQuantity::frequency_hz) || axis(VariedQuantity::friction) || variable(VariedQuantity::frequency_hz) ||
+           variable(VariedQuantity::friction);
 }
 
 bool Study::needs_phases() const {

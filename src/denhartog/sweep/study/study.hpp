@@ -15,7 +15,7 @@
 namespace denhartog::sweep {
 
 /// @brief What of a scene can vary.
-enum class Quantity : std::uint8_t {
+enum class VariedQuantity : std::uint8_t {
     r,            ///< frequency ratio, Eq. (10)
     frequency_hz, ///< frequency of a scene of masses and stiffnesses, in periods a unit of time
     beta,         ///< friction ratio, Eq. (11)
@@ -30,7 +30,7 @@ enum class Quantity : std::uint8_t {
 
 /// @brief The quantity that a study varies.
 struct Target {
-    Quantity quantity = Quantity::r;    ///< the quantity
+    VariedQuantity quantity = VariedQuantity::r; ///< the quantity
     std::optional<std::size_t> entry{}; ///< which of a list, from 0; none for all
     bool factor = false;                ///< whether the value multiplies what the scene has
 
@@ -113,9 +113,9 @@ struct Study {
     std::size_t points_of_a_chunk = 0; ///< how many points a chunk may have, as far as columns allow
 
     /// @brief The axis of a quantity. @param q a quantity @return the axis; null where it has none
-    [[nodiscard]] const Axis* axis(Quantity q) const;
+    [[nodiscard]] const Axis* axis(VariedQuantity q) const;
     /// @brief The variable of a quantity. @param q a quantity @return the variable; null where it is not drawn
-    [[nodiscard]] const Variable* variable(Quantity q) const;
+    [[nodiscard]] const Variable* variable(VariedQuantity q) const;
     /// @brief Whether the grid is in the units of the scene. @return whether frequencies are in hertz and friction is a force
     [[nodiscard]] bool in_units() const;
     /// @brief Whether anything needs phases. @return whether it does

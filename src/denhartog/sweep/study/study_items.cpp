@@ -23,7 +23,7 @@ constexpr auto statistics = std::to_array<std::string_view>({"share", "maximum",
 constexpr auto scales = std::to_array<std::string_view>({"linear", "logarithmic"});
 constexpr auto ways = std::to_array<std::string_view>({"value", "factor"});
 
-bool is_whole(Quantity q) { return q == Quantity::contact || q == Quantity::load; }
+bool is_whole(VariedQuantity q) { return q == VariedQuantity::contact || q == VariedQuantity::load; }
 
 std::string listed(Words words) {
     std::string text;
@@ -114,7 +114,7 @@ Marginal read_marginal(const Item& item) {
 
 } // namespace
 
-std::string_view name_of(Quantity q) { return quantities[static_cast<std::size_t>(q)]; }
+std::string_view name_of(VariedQuantity q) { return quantities[static_cast<std::size_t>(q)]; }
 
 Item::Item(const nlohmann::json& value, std::string key, std::string place)
     : value_(value), key_(std::move(key)), place_(std::move(place)) {}
@@ -176,9 +176,9 @@ std::string Item::text() const {
 
 Target read_target(const Item& item) {
     Target target;
-    target.quantity = static_cast<Quantity>(item["quantity"].one_of(quantities));
-    const bool of_many =
-        target.quantity == Quantity::zeta || target.quantity == Quantity::mass || target.quantity == Quantity::stiffness;
+    target.quantity = static_cast<VariedQuantity>(item["quantity"].one_of(quantities));
+    const bool of_many = target.quantity == VariedQuantity::zeta || target.quantity == VariedQuantity::mass ||
+                         target.quantity == VariedQuantity::stiffness;
     if (item.has("entry")) {
         if (!of_many) item["entry"].fail("must be given for zeta, mass and stiffness only");
         target.entry = item["entry"].whole(1, 1'000'000) - 1;

@@ -12,7 +12,7 @@
 namespace denhartog::sweep {
 
 /// @brief The name of a quantity. @param q a quantity @return its key
-[[nodiscard]] std::string_view name_of(Quantity q);
+[[nodiscard]] std::string_view name_of(VariedQuantity q);
 
 /// @brief A value of a study with its key and its place.
 class Item {

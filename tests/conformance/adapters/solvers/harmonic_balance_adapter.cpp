@@ -26,7 +26,7 @@ double instant_of_largest(const std::function<double(double)>& motion) {
     return std::remainder(h * (largest + (before - after) / 2 / (before - 2 * at + after)), period);
 }
 
-Json answer(const conformance::Question& q, const Scene<double>& scene, const Peer& method) {
+Json answer(const conformance::ProtocolQuestion& q, const Scene<double>& scene, const Peer& method) {
     if (q.quantity != "amplitude" && q.quantity != "phase" && q.quantity != "motion_under_force")
         return {{"skip", "no quantity of a motion of some harmonics"}};
     if (q.mass != q.contact) return {{"skip", "harmonic balance is condensed to the contact"}};
@@ -48,8 +48,8 @@ int main(int argc, char** argv) {
         const Peer method = harmonic_balance({FrictionLaw::augmented_lagrangian, highest});
         return serve(
             "harmonic balance up to harmonic " + std::to_string(highest),
-            [&](const conformance::Question& q, const Scene<double>& scene) { return answer(q, scene, method); }, std::cin,
-            std::cout);
+            [&](const conformance::ProtocolQuestion& q, const Scene<double>& scene) { return answer(q, scene, method); },
+            std::cin, std::cout);
     } catch (const InputError& e) {
         std::cerr << e.what() << '\n';
         return 2;

@@ -11,7 +11,7 @@
 namespace denhartog::tests {
 namespace {
 
-using conformance::Question;
+using conformance::ProtocolQuestion;
 using Json = nlohmann::ordered_json;
 
 constexpr std::array<std::string_view, 6> answered = {"amplitude",        "phase",          "regime",
@@ -25,7 +25,7 @@ struct Last {
 
 Json skip(const std::string& reason) { return {{"skip", reason}}; }
 
-Json read_off(const SteadyMotion& motion, const Scene<double>& scene, const Question& q) {
+Json read_off(const SteadyMotion& motion, const Scene<double>& scene, const ProtocolQuestion& q) {
     const std::size_t k = static_cast<std::size_t>(std::max(q.mass, 1)) - 1, j = scene.system.contact.index;
     if (q.quantity == "regime") return {{"value", name(motion.regime)}};
     if (q.quantity == "amplitude") return {{"value", amplitude(motion, k, j)}};
@@ -43,12 +43,12 @@ Json read_off(const SteadyMotion& motion, const Scene<double>& scene, const Ques
 }
 
 // The answer of a method to a line.
-Json answer_to(const nlohmann::json& object, const std::function<Json(const Question&, const Scene<double>&)>& answer) {
+Json answer_to(const nlohmann::json& object, const std::function<Json(const ProtocolQuestion&, const Scene<double>&)>& answer) {
     const auto asked = object.find("quantity");
     const auto is_asked = [&](std::string_view name) { return asked->is_string() && asked->get<std::string>() == name; };
     if (asked != object.end() && std::ranges::none_of(conformance::quantities(), [&](const auto& q) { return is_asked(q.name); }))
         return skip("not a quantity of this version of the protocol");
-    const Question q = conformance::question_from_json(object);
+    const ProtocolQuestion q = conformance::question_from_json(object);
     if (!conformance::is_of_the_paper(q)) return skip("not a scene of the paper");
     const Scene<double> scene = conformance::scene_of<double>(q);
     if (std::ranges::find(answered, q.quantity) == answered.end()) return skip("not read off an integrated motion");
@@ -57,7 +57,7 @@ Json answer_to(const nlohmann::json& object, const std::function<Json(const Ques
     return answer(q, scene);
 }
 
-Json integrated(const Question& q, const Scene<double>& scene, const TimeIntegrator& integrator, Last& last) {
+Json integrated(const ProtocolQuestion& q, const Scene<double>& scene, const TimeIntegrator& integrator, Last& last) {
     if (const std::string why = integrator.declines(scene); !why.empty()) return skip(why);
     if (const Json described = conformance::question_json(q)["scene"]; described != last.scene) {
         last.motion = steady_motion(scene, integrator);
@@ -68,8 +68,8 @@ Json integrated(const Question& q, const Scene<double>& scene, const TimeIntegra
 
 } // namespace
 
-int serve(const std::string& name, const std::function<Json(const Question&, const Scene<double>&)>& answer, std::istream& in,
-          std::ostream& out) {
+int serve(const std::string& name, const std::function<Json(const ProtocolQuestion&, const Scene<double>&)>& answer,
+          std::istream& in, std::ostream& out) {
     std::string line;
     if (!std::getline(in, line) || line != "denhartog-conform 1") {
         std::cerr << "the first line must be: denhartog-conform 1\n";
@@ -92,8 +92,8 @@ int serve(const std::string& name, const std::function<Json(const Question&, con
 int serve(const TimeIntegrator& integrator, std::istream& in, std::ostream& out) {
     Last last;
     return serve(
-        integrator.name, [&](const Question& q, const Scene<double>& scene) { return integrated(q, scene, integrator, last); },
-        in, out);
+        integrator.name,
+        [&](const ProtocolQuestion& q, const Scene<double>& scene) { return integrated(q, scene, integrator, last); }, in, out);
 }
 
 int serve_at(int argc, char** argv, double setting, const std::function<TimeIntegrator(double)>& made) {

@@ -29,7 +29,7 @@ int serve(const TimeIntegrator& integrator, std::istream& in, std::ostream& out)
 /// @param out     answers
 /// @return        exit status: 0, or 1 where the handshake is none
 int serve(const std::string& name,
-          const std::function<nlohmann::ordered_json(const conformance::Question&, const Scene<double>&)>& answer,
+          const std::function<nlohmann::ordered_json(const conformance::ProtocolQuestion&, const Scene<double>&)>& answer,
           std::istream& in, std::ostream& out);
 
 /// @brief Serves an integrator by its first argument.
