@@ -45,7 +45,8 @@ std::vector<InvariantPointsOfMass<Certified>> certain_invariant_points(const Sce
         masses.clear();
         short_of_digits.clear();
         for (const InvariantPointsOfMass<Bounded<T>>& each : found) {
-            InvariantPointsOfMass<Certified>& mass = masses.emplace_back(Mass{masses.size()});
+            masses.push_back({Mass{masses.size()}, {}, {}});
+            InvariantPointsOfMass<Certified>& mass = masses.back();
             for (const InvariantPoint<Bounded<T>>& p : each.points) {
                 const double error = relative_error(p, aim.tolerance);
                 attempted.relative = std::max(attempted.relative, error);
