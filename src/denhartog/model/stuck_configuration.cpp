@@ -88,10 +88,14 @@ void set_coupling(StuckConfiguration<T>& stuck, FrequencyErrors errors, const T&
     const Matrix<T>& D = stuck.damping;
     const T rounding = tolerance * D.cwiseAbs().maxCoeff();
     stuck.coupling = largest_coupling(D, rounding);
-    stuck.modes_diagonalise_damping = !couples_a_pair(D, rounding_between_modes(stuck.C, D, {stuck.r_n, stuck.phi}, errors));
+    const Matrix<T> between = rounding_between_modes(stuck.C, D, {stuck.r_n, stuck.phi}, errors);
+    stuck.modes_diagonalise_damping = !couples_a_pair(D, between);
     for (Eigen::Index i = 0; i < D.rows(); ++i)
         for (Eigen::Index k = 0; k < i; ++k)
             stuck.modes_diagonalise_damping = stuck.modes_diagonalise_damping && abs(D(i, k)) <= rounding;
+    if (!stuck.modes_diagonalise_damping) return;
+    stuck.left_out = between + D.cwiseAbs();
+    stuck.left_out.diagonal().setZero();
 }
 
 template <class T>

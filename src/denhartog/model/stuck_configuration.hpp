@@ -33,6 +33,7 @@ struct StuckConfiguration {
     Matrix<T> damping;                ///< phi^T C phi; its diagonal is 2 zeta*_i r_n,i
     T coupling;                       ///< largest off-diagonal |D_ik| / sqrt(D_ii D_kk) of `damping`; zero for fewer than two
     bool modes_diagonalise_damping{}; ///< whether `coupling` is explained by rounding: zeta*_i then describe the motion
+    Matrix<T> left_out{};             ///< bounds of the entries of `damping` between modes where they do; else empty
 };
 
 /// @brief What a load brings to each stuck mode.

@@ -8,6 +8,23 @@
 
 namespace denhartog {
 
+namespace {
+
+// What is left out of the damping of the stuck modes, in the modes of sliding.
+template <class T>
+void add_left_out_of_stuck_modes(ContactSystem<T>& c) {
+    const StuckConfiguration<T>& stuck = c.stuck;
+    if (stuck.left_out.size() == 0 || !(stuck.left_out.maxCoeff() > 0)) return;
+    Matrix<T> others(stuck.masses.size(), c.basis.phi.cols());
+    for (std::size_t n = 0; n < stuck.masses.size(); ++n)
+        others.row(static_cast<Eigen::Index>(n)) = c.basis.phi.row(static_cast<Eigen::Index>(stuck.masses[n].index));
+    const Matrix<T> shares = transpose_times(stuck.phi, product(stuck.M, others)).cwiseAbs();
+    const Matrix<T> left_out = in_coordinates(shares, stuck.left_out);
+    c.damping_error = c.damping_error.size() > 0 ? Matrix<T>(c.damping_error + left_out) : left_out;
+}
+
+} // namespace
+
 template <class T>
 ContactSystem<T> contact_system(const System<T>& s) {
     return contact_system(s, with_errors(s, modal_basis(s)));
@@ -34,6 +51,7 @@ ContactSystem<T> contact_system(const System<T>& s, const ModalBasis<Bounded<T>>
         out.damping_error = in_coordinates(sizes, of_C) * T((static_cast<int>(sizes.cols()) + 2) * unit_of<T>());
         if (out.basis.left_out.size() > 0) out.damping_error += out.basis.left_out;
     }
+    add_left_out_of_stuck_modes(out);
     out.damping_fixes_modes = damping_matrix_counts(s, out.basis);
     // phi^T M phi = 1, so that phi^T M is the inverse of phi; the mass matrix keeps it free of an inversion.
     const std::size_t N = out.basis.r_n.size();
