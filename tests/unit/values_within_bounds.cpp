@@ -152,6 +152,19 @@ TEST_CASE("permanent sticking by (88) is within its bound of 100 digits, for cha
     CHECK(held.close > held.numbers / 4);
 }
 
+TEST_CASE("permanent sticking by (88) has the digits asked for", "[program][eq:88]") {
+    const std::string scene = R"({"mass_ratios": [1, 2.5, 0.75], "stiffness_ratios": [1, 0.625, 1.875],
+        "damping_ratios": [0.03, 0.06, 0.09], "contact": 2, "load": 1, "mu": 1.375, "r": 1.125, "beta": 0.15625})";
+    for (const int digits : {6, 12, 14, 15}) {
+        const Run run = run_program("solve --ask regime --json --digits " + std::to_string(digits), scene);
+        REQUIRE(run.status == 0);
+        const json all = json::parse(run.output);
+        INFO(digits << " digits");
+        CHECK(all["beta_lim_error_bounds"]["sticking_by_88"].get<double>() <=
+              std::pow(10, -digits) * all["beta_lim"]["sticking_by_88"].get<double>());
+    }
+}
+
 TEST_CASE("the bound of a number with its decimals takes in how they are rounded", "[number]") {
     std::mt19937_64 generator(36);
     for (int n = 0; n < 2000; ++n) {

@@ -246,6 +246,7 @@ template HeldSolution held_solution(const Scene<Real50>&, const StuckConfigurati
 template HeldSolution held_solution(const Scene<Real100>&, const StuckConfiguration<Real100>&,
                                     const ModalBasis<Bounded<Real100>>&, int, std::optional<Mass>);
 template std::optional<Certified> sticking_by_88(const Scene<double>&, int);
+template std::optional<Certified> sticking_by_88(const Scene<Real50>&, int);
 template std::optional<Certified> sticking_by_88(const Scene<Real100>&, int);
 
 } // namespace denhartog

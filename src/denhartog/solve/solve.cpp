@@ -71,14 +71,11 @@ void set_regime_by_stops(const SolveTask& task, const PeriodicOrbit<T>& orbit, s
 void answer_by_boundaries(const SolveTask& task, const std::string& model, Solution& s) {
     s.masses.clear();
     s.method.model = model;
-    try {
-        if (task.aim.digits <= most_digits_of_a_double) {
-            s.sticking_by_88 = sticking_by_88(task.scene, task.aim.digits);
-            return;
-        }
-    } catch (const PrecisionError&) { // double has no modes
-    }
-    s.sticking_by_88 = sticking_by_88(scene_with_modes<Real100>(task.source).scene, task.aim.digits);
+    const auto attempt = [&]<class T>(std::type_identity<T>) {
+        s.sticking_by_88 = sticking_by_88(scene_in<T>(task.source), task.aim.digits);
+        return Attempted{s.sticking_by_88 ? s.sticking_by_88->error / s.sticking_by_88->value : 0};
+    };
+    certify(task.aim, attempt, highest_precision(task.aim, number_of_masses(task.scene.system)));
 }
 
 // Why there is no answer from rest in a number type.
