@@ -4,10 +4,12 @@
 #include "denhartog/model/coordinates.hpp"
 #include "denhartog/model/linear_algebra.hpp"
 #include "denhartog/number/multiprecision.hpp"
+#include "denhartog/scene/converted.hpp"
 #include "denhartog/scene/scene_json.hpp"
 #include "denhartog/sliding/boundary.hpp"
 #include "denhartog/sliding/mass_in_motion.hpp"
 #include "denhartog/solve/quantities.hpp"
+#include "denhartog/stick_slip/exact_motion.hpp"
 #include "denhartog/sums/bounded_modes.hpp"
 #include "denhartog/sums/chain_sums.hpp"
 #include "denhartog/sums/coupled_sums.hpp"
@@ -140,5 +142,36 @@ TEST_CASE("a coupling below rounding is in the bound of a second damping functio
     for (std::size_t k = 0; k < 3; ++k) {
         CHECK(std::abs(wide.G[k].x - narrow.G[k].x) <= narrow.G[k].e + wide.G[k].e);
         CHECK(std::abs(wide.U[k].x - narrow.U[k].x) <= narrow.U[k].e + wide.U[k].e);
+    }
+}
+
+TEST_CASE("what is left out of the damping of stuck modes is in the error of the damping matrix",
+          "[modes][damping][exact-solver]") {
+    // Damping in proportion to the masses, but for the last digits of its ratios: these alone couple the stuck modes.
+    for (const std::size_t contact : {0, 1, 2, 3}) {
+        System<double> s;
+        s.mass_ratios = {1, 1.5, 0.7, 2.1};
+        s.stiffness_ratios = {1, 0.8, 1.9, 0.6};
+        s.damping_ratios = {0.1, 0.1, 0.1, 0.1};
+        s.contact = Mass{contact};
+        s.load = Mass{0};
+        const std::vector<double> r_n = modal_basis(s).r_n;
+        for (std::size_t i = 0; i < r_n.size(); ++i) s.damping_ratios[i] = 0.3 / r_n[i];
+        const ContactSystem<double> c = contact_system(s);
+        REQUIRE(c.stuck.modes_diagonalise_damping);
+        const ContactSystem<Real50> exact = contact_system(in_type<Real50>(s));
+        Matrix<Real50> left_out = exact.stuck.damping;
+        left_out.diagonal().setZero();
+        Matrix<Real50> others(3, 4);
+        for (Eigen::Index n = 0; n < 3; ++n)
+            others.row(n) = exact.basis.phi.row(static_cast<Eigen::Index>(exact.stuck.masses[static_cast<std::size_t>(n)].index));
+        const Matrix<Real50> shares = transpose_times(exact.stuck.phi, product(exact.stuck.M, others)),
+                             in_modes = in_coordinates(shares, left_out);
+        INFO("contact " << contact << ", " << static_cast<double>(in_modes.cwiseAbs().maxCoeff()));
+        REQUIRE(in_modes.cwiseAbs().maxCoeff() > 1e-20);
+        REQUIRE(c.damping_error.rows() == 4);
+        for (Eigen::Index i = 0; i < 4; ++i)
+            for (Eigen::Index k = 0; k < 4; ++k) CHECK(abs(in_modes(i, k)) <= c.damping_error(i, k));
+        CHECK(c.damping_error.maxCoeff() < 1e-12);
     }
 }
