@@ -1,6 +1,7 @@
 // Bounds of errors through the C interface, held against the certified vectors and against 50 digits.
 #include <cmath>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <numbers>
 
 #include "denhartog/number/multiprecision.hpp"
