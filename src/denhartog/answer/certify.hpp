@@ -41,6 +41,18 @@ struct Aim {
 /// @brief How many digits an error leaves. @param error relative @return from 0 to `most_digits`
 [[nodiscard]] int digits_of(double error);
 
+/// @brief An error as a double. @param error it @return the same; infinite where it is no number
+template <class T>
+[[nodiscard]] double as_error(const T& error) {
+    return error >= 0 ? static_cast<double>(error) : std::numeric_limits<double>::infinity();
+}
+
+/// @brief The error of a number beside its size. @param a the number @return its bound over its size; 1 of a zero that is not exact
+template <class T>
+[[nodiscard]] double relative_error(const Bounded<T>& a) {
+    return a.e == 0 ? 0 : a.x == 0 ? 1 : as_error(T(a.e / size_of_number(a.x)));
+}
+
 /// @brief The precisions in which a question is evaluated, in this order.
 enum class Precision : std::uint8_t {
     in_double,     ///< double

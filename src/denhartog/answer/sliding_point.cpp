@@ -17,17 +17,6 @@ constexpr int most_digits_searched_in_double = 13;
 template <class T>
 constexpr bool is_double = std::same_as<T, double>;
 
-// An error that is no number is unbounded.
-template <class T>
-double as_error(const T& error) {
-    return error >= 0 ? static_cast<double>(error) : std::numeric_limits<double>::infinity();
-}
-
-template <class T>
-double relative(const Bounded<T>& a) {
-    return a.e == 0 ? 0 : a.x == 0 ? 1 : as_error(T(a.e / size_of_number(a.x)));
-}
-
 template <class T>
 std::vector<Bounded<T>> as_bounded(const std::vector<T>& numbers) {
     return {numbers.begin(), numbers.end()};
@@ -50,8 +39,8 @@ template <class T>
 Attempted errors_of_boundary(const Boundary<Bounded<T>>& b) {
     // The load does not reach the contact: in 50 digits this is believed, as far as they can tell.
     if (!is_double<T> && b.exact.x == 0 && b.paper.x == 0 && b.exact.e <= 0x1p20 * unit_of<T>()) return {0};
-    Attempted all{std::max({relative(b.exact), relative(b.paper), relative(b.approximate)})};
-    if (b.sticking) all.relative = std::max(all.relative, relative(*b.sticking));
+    Attempted all{std::max({relative_error(b.exact), relative_error(b.paper), relative_error(b.approximate)})};
+    if (b.sticking) all.relative = std::max(all.relative, relative_error(*b.sticking));
     return all;
 }
 
@@ -80,7 +69,7 @@ double error_of_masses(const SteadyState<Bounded<T>>& state, std::optional<Mass>
         // Of the one mass that is asked about double cannot tell.
         if ((!only || !is_double<T>)&&does_not_move(m.amplitude.x, of_mass, largest)) continue;
         error = std::max(
-            {error, relative(Bounded<T>{m.amplitude.x, of_mass}), as_error(m.phase.e), as_error(m.phase_monoharmonic.e)});
+            {error, relative_error(Bounded<T>{m.amplitude.x, of_mass}), as_error(m.phase.e), as_error(m.phase_monoharmonic.e)});
     }
     return error;
 }

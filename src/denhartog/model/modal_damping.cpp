@@ -123,7 +123,7 @@ void set_modal_damping(const Matrix<T>& L, const Matrix<T>& K, const Matrix<T>& 
     fix_signs(basis.phi); // D goes with them
     const Matrix<T> D = in_coordinates(basis.phi, C);
     const T size = D.cwiseAbs().maxCoeff();
-    const Matrix<T> rounding = rounding_between_modes(C, D, {basis.r_n, basis.phi}, errors);
+    const Matrix<T> rounding = commutes ? rounding_between_modes(C, D, {basis.r_n, basis.phi}, errors) : Matrix<T>();
     const bool couples = !commutes || couples_a_pair(D, rounding);
     for (std::size_t i = 0; i < N; ++i)
         for (std::size_t k = 0; k < i && !couples; ++k)

@@ -19,10 +19,9 @@ T number_of(const std::string& text) {
 
 // The error of a point, relative. That a mass rests there 50 digits tell, and double does not.
 template <class T>
-double relative_error(const InvariantPoint<Bounded<T>>& p, double tolerance) {
-    const auto relative = [](const Bounded<T>& x) { return static_cast<double>(T(x.e / size_of_number(x.x))); };
+double error_of_point(const InvariantPoint<Bounded<T>>& p, double tolerance) {
     const bool rests = !std::same_as<T, double> && p.amplitude.x == 0 && p.amplitude.e <= tolerance;
-    return std::max(relative(p.r), rests ? 0 : relative(p.amplitude));
+    return std::max(relative_error(p.r), rests ? 0 : relative_error(p.amplitude));
 }
 
 } // namespace
@@ -48,7 +47,7 @@ std::vector<InvariantPointsOfMass<Certified>> certain_invariant_points(const Sce
             masses.push_back({Mass{masses.size()}, {}, {}});
             InvariantPointsOfMass<Certified>& mass = masses.back();
             for (const InvariantPoint<Bounded<T>>& p : each.points) {
-                const double error = relative_error(p, aim.tolerance);
+                const double error = error_of_point(p, aim.tolerance);
                 attempted.relative = std::max(attempted.relative, error);
                 if (!(error <= aim.tolerance) && short_of_digits.empty())
                     short_of_digits = "the invariant point of mass " + std::to_string(masses.size()) +

@@ -1,15 +1,12 @@
 #include "denhartog/solve/certain_modes.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "denhartog/answer/certify.hpp"
 #include "denhartog/answer/sliding_point.hpp"
 
 namespace denhartog {
 namespace {
-
-double relative_error(const Bounded<double>& x) { return x.e == 0 ? 0 : x.e / std::abs(x.x); }
 
 // A mode shape has its digits beside its largest entry.
 double relative_error(const ModalBasis<Bounded<double>>& basis) {

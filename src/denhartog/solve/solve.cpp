@@ -73,7 +73,8 @@ void answer_by_boundaries(const SolveTask& task, const std::string& model, Solut
     s.method.model = model;
     const auto attempt = [&]<class T>(std::type_identity<T>) {
         s.sticking_by_88 = sticking_by_88(scene_in<T>(task.source), task.aim.digits);
-        return Attempted{s.sticking_by_88 ? s.sticking_by_88->error / s.sticking_by_88->value : 0};
+        const Certified by_88 = s.sticking_by_88.value_or(Certified{});
+        return Attempted{relative_error(Bounded<double>(by_88.value, by_88.error))};
     };
     certify(task.aim, attempt, highest_precision(task.aim, number_of_masses(task.scene.system)));
 }
