@@ -1,9 +1,11 @@
 #include "denhartog/solve/solve.hpp"
 #include "denhartog/solve/sampled_solution.hpp"
 
+#include <atomic>
 #include <random>
 
 #include "denhartog/answer/held_solution.hpp"
+#include "denhartog/map/regime_map.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/orbit/periodic_orbit.hpp"
 #include "denhartog/solve/solve_task.hpp"
@@ -332,6 +334,22 @@ TEST_CASE("with mu above 1 the answer is that of the start from rest and is not 
     REQUIRE(t.stability);
     CHECK(t.stability->stable);
     CHECK(t.masses[0].amplitude.value == Approx(response(below).steady_state->X_j).epsilon(1e-14));
+}
+
+TEST_CASE("where the motion from rest has come to the sliding motion, the closed form has its numbers", "[solve][eq:38]") {
+    // What a slow mode loses in a period is a small part of it, and its residual far less than its error.
+    Scene<double> scene = oscillator(0.01, 250, 1.5);
+    scene.beta = 2e-5;
+    const Solution digits = asking(scene, Asked::motion, 30);
+    for (const std::optional<int> fewer : {std::optional<int>(), std::optional<int>(12)}) {
+        const Solution found = asking(scene, Asked::motion, fewer);
+        CHECK(found.method.model == "closed form");
+        CHECK(found.regime.regime == Regime::continuous);
+        const Certified amplitude = found.masses[0].amplitude, exact = digits.masses[0].amplitude;
+        CHECK(std::abs(amplitude.value - exact.value) <= amplitude.error + exact.error);
+    }
+    const RegimeMap map = regime_map(scene, {{*scene.r}, {*scene.beta}, {Mass{0}}, MapStart::rest, 1}, std::atomic<bool>(false));
+    CHECK(std::abs(map.amplitudes.front() - digits.masses[0].amplitude.value) <= 1e-15 * map.amplitudes.front());
 }
 
 TEST_CASE("all motions: rest from rest and sliding from a displacement of five", "[solve]") {

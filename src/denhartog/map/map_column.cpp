@@ -164,8 +164,7 @@ private:
         return true;
     }
 
-    // From the motion at the friction ratio before; where that leads nowhere, from rest. Newton's method starts on the line
-    // through the motions at the two ratios before, which is nearer.
+    // From the motion at the friction ratio before, else from rest. Newton's method starts on the line through the two before.
     bool sweep(std::size_t n) {
         if (!last && sliding) {
             last = {sliding_at_maximum_of_force(values(), map.beta[*sliding]), map.beta[*sliding]};
@@ -204,13 +203,15 @@ private:
             return Bounded<double>(contact_alone ? orbit.contact.amplitude : orbit.masses[k].amplitude, orbit.error_bound);
         };
         const bool beyond = !slides(map.beta[n]), must_stop = beyond && (map.mu == 1 || damped);
-        const bool open = as_solve_does &&
-                          stops_are_open(orbit, beyond, must_stop, !beyond && is_sliding_motion(orbit, contact_amplitude(n).x));
-        if (open || !is_told(n) || !write(n, number)) return false;
-        const bool stops = !orbit.stops.empty() || must_stop;
-        points[n] = {PointStatus::answered, stops ? Regime::stick_slip : Regime::continuous,
+        const bool alone = !beyond && damped && orbit.stops.empty(); // the sliding motion: the closed form has its numbers
+        const bool is_sliding = !beyond && is_sliding_motion(orbit, contact_amplitude(n).x, damped);
+        const bool open = as_solve_does && stops_are_open(orbit, beyond, must_stop, is_sliding);
+        const std::optional<OrbitAt> before = last; // slide() forgets it
+        if (open || !is_told(n) || !(alone ? slide(n) : write(n, number))) return false;
+        points[n] = {PointStatus::answered, orbit.stops.empty() && !must_stop ? Regime::continuous : Regime::stick_slip,
                      static_cast<std::int32_t>(orbit.stops.size()), orbit.periods};
-        before_last = std::exchange(last, OrbitAt{orbit.start, map.beta[n]});
+        before_last = before;
+        last = OrbitAt{orbit.start, map.beta[n]};
         return true;
     }
 

@@ -124,7 +124,8 @@ NoAnswer answer_from_rest(SolveTask& task, const ContactSystem<T>& system, const
                              (std::same_as<T, double> ? "double precision" : "50 digits") +
                              " to tell its motion from rest. This much is certain: " + s.regime.reason);
     const bool slides =
-        !task.pole && !rests && !s.masses.empty() && is_sliding_motion(orbit, s.masses[s.contact.index].amplitude.value);
+        !task.pole && !rests && !s.masses.empty() &&
+        is_sliding_motion(orbit, s.masses[s.contact.index].amplitude.value, every_motion_is_damped(*task.known.basis));
     if (rests) {
         set_regime(task, Regime::permanent_sticking, "from the start from rest " + orbit.reason, s);
     } else if (slides && orbit.stops.empty()) {
