@@ -41,18 +41,25 @@ template <class T>
 [[nodiscard]] std::optional<Certified> place_of_rest(const PeriodicOrbit<T>& orbit, Mass contact, int digits);
 
 /// @brief Whether an orbit is the sliding motion of the closed form as far as its number type can tell. Its stops are left aside:
-/// next to the boundary they may be rounding. Static friction acts in stops alone: a motion without any is one with mu = 1, and
-/// where every free motion is damped there is no other than the closed form's.
-/// @param orbit   a periodic orbit; the friction ratio is below the boundary of sliding
-/// @param X_j     amplitude of the contact by the closed form
-/// @param damped  whether every free motion is damped
-/// @return        whether it is
+/// next to the boundary they may be rounding.
+/// @param orbit  a periodic orbit
+/// @param X_j    amplitude of the contact by the closed form
+/// @return       whether it is
 template <class T>
-[[nodiscard]] bool is_sliding_motion(const PeriodicOrbit<T>& orbit, double X_j, bool damped) {
-    if (damped && orbit.stops.empty()) return true;
+[[nodiscard]] bool is_sliding_motion(const PeriodicOrbit<T>& orbit, double X_j) {
     return orbit.symmetric && orbit.periods == 1 &&
            std::abs(static_cast<double>(orbit.contact.amplitude) - X_j) <=
                16 * static_cast<double>(orbit.error_bound) + 1e-9 * X_j;
+}
+
+/// @brief Whether an orbit below the boundary of sliding can be no other than the closed form's. Static friction acts in stops
+/// alone: a motion without any is one with mu = 1, and that is unique where every free motion is damped.
+/// @param orbit   a periodic orbit
+/// @param damped  whether every free motion is damped
+/// @return        whether it has to be
+template <class T>
+[[nodiscard]] bool must_be_sliding_motion(const PeriodicOrbit<T>& orbit, bool damped) {
+    return damped && orbit.stops.empty();
 }
 
 /// @brief Whether double does not tell if the contact stops: beyond the boundary the stops of a motion may be too short to be

@@ -203,11 +203,11 @@ private:
             return Bounded<double>(contact_alone ? orbit.contact.amplitude : orbit.masses[k].amplitude, orbit.error_bound);
         };
         const bool beyond = !slides(map.beta[n]), must_stop = beyond && (map.mu == 1 || damped);
-        const bool alone = !beyond && damped && orbit.stops.empty(); // the sliding motion: the closed form has its numbers
-        const bool is_sliding = !beyond && is_sliding_motion(orbit, contact_amplitude(n).x, damped);
-        const bool open = as_solve_does && stops_are_open(orbit, beyond, must_stop, is_sliding);
+        const bool open = as_solve_does &&
+                          stops_are_open(orbit, beyond, must_stop, !beyond && is_sliding_motion(orbit, contact_amplitude(n).x));
+        const bool by_closed_form = !beyond && must_be_sliding_motion(orbit, damped);
         const std::optional<OrbitAt> before = last; // slide() forgets it
-        if (open || !is_told(n) || !(alone ? slide(n) : write(n, number))) return false;
+        if (open || !is_told(n) || !(by_closed_form ? slide(n) : write(n, number))) return false;
         points[n] = {PointStatus::answered, orbit.stops.empty() && !must_stop ? Regime::continuous : Regime::stick_slip,
                      static_cast<std::int32_t>(orbit.stops.size()), orbit.periods};
         before_last = before;

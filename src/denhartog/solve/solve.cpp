@@ -123,9 +123,9 @@ NoAnswer answer_from_rest(SolveTask& task, const ContactSystem<T>& system, const
         throw PrecisionError(std::string("the contact moves too little for ") +
                              (std::same_as<T, double> ? "double precision" : "50 digits") +
                              " to tell its motion from rest. This much is certain: " + s.regime.reason);
-    const bool slides =
-        !task.pole && !rests && !s.masses.empty() &&
-        is_sliding_motion(orbit, s.masses[s.contact.index].amplitude.value, every_motion_is_damped(*task.known.basis));
+    const bool slides = !task.pole && !rests && !s.masses.empty() &&
+                        (must_be_sliding_motion(orbit, every_motion_is_damped(*task.known.basis)) ||
+                         is_sliding_motion(orbit, s.masses[s.contact.index].amplitude.value));
     if (rests) {
         set_regime(task, Regime::permanent_sticking, "from the start from rest " + orbit.reason, s);
     } else if (slides && orbit.stops.empty()) {
