@@ -1,0 +1,56 @@
+#include "denhartog/reference/boundary.hpp"
+
+#include "denhartog/formulas/boundary.hpp"
+#include "denhartog/formulas/superposition.hpp"
+#include "denhartog/reference/maximum.hpp"
+
+namespace denhartog::reference {
+namespace {
+
+// (54)a: the contact moves down while X_j + beta G_j is above beta times (U_dj cos + F_j') / sin, the sum of (57)'s expression.
+Series numerator(const Ball& U, const Series& F, const Ball& tau) { return Series(U) * cos(Series::time(tau)) + F.derivative(); }
+
+Ball largest_demand(const ResponsesInBalls& r, LargestInBalls& found) {
+    found = largest_over_sine(
+        [&](const Ball& tau) { return numerator(r.U[r.contact()], r.friction.of(r.contact(), r.friction.shared(tau)), tau); });
+    return found.value;
+}
+
+// (56): each mode by itself.
+Ball sum_of_largest(const ResponsesInBalls& r) {
+    const ModesInBalls& m = r.modes;
+    std::vector<Ball> largest;
+    for (std::size_t i = 0; i < m.R.size(); ++i) {
+        const Ball R = m.R[i], u = paper::first_damping_function(R, m.zeta[i]), g = paper::second_damping_function(R, m.zeta[i]);
+        const auto F = [&](const Ball& tau) { // what the search for the sum has looked at is remembered
+            if (ball_bits <= bits_of_search) return r.friction.shared(tau)[i];
+            return friction_motion_in_time(tau, R, m.zeta[i], u, g);
+        };
+        largest.push_back(R * R * largest_over_sine([&](const Ball& tau) { return numerator(u, F(tau), tau); }).value);
+    }
+    return paper::sum_over_contact<Ball>(m.at_contact(), largest);
+}
+
+} // namespace
+
+BoundaryInBalls boundary_in_balls(const SceneInBalls& s, const ResponsesInBalls& r) {
+    const std::size_t j = r.contact();
+    LargestInBalls found;
+    BoundaryInBalls b;
+    b.S = largest_demand(r, found);
+    const Ball held = paper::static_friction_demand(r.H, s.mu, r.squares);
+    b.exact = paper::friction_ratio_limit(r.V[j], r.U[j], larger(b.S, held));
+    // (56) of one mode is (57) itself.
+    const Ball S_paper = r.modal && r.modes.R.size() > 1 ? sum_of_largest(r) : b.S;
+    b.paper = paper::friction_ratio_limit(r.V[j], r.U[j], larger(S_paper, held));
+    b.approximate = paper::friction_ratio_limit(r.V[j], r.U[j], held);
+    if (found.instant.is_zero())
+        b.binding = s.mu == Ball(1) ? BindingCondition::both : BindingCondition::static_friction;
+    else if (b.S > held)
+        b.binding = BindingCondition::velocity;
+    else if (b.S < held)
+        b.binding = BindingCondition::static_friction;
+    return b;
+}
+
+} // namespace denhartog::reference

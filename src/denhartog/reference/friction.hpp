@@ -1,0 +1,80 @@
+/// @file
+/// @brief What load and friction each make of the motion: V, U, G, H and the friction motion, (23) to (35), (41), (64).
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "denhartog/formulas/complex.hpp"
+#include "denhartog/reference/modes.hpp"
+#include "denhartog/reference/series.hpp"
+
+namespace denhartog::reference {
+
+/// @brief The motion F_k that a unit of friction adds over the half-period in which the contact moves down, as (41) has it.
+///
+/// It is a sum of functions of time that all masses share, \f$ F_k(\tau) = c_k + \sum_i a_{ki} e_i(\tau) \f$. Its values at both
+/// ends of the half-period are \f$ -G_k \f$ and \f$ G_k \f$, its rates \f$ -U_{dk} \f$ and \f$ U_{dk} \f$.
+struct FrictionInTime {
+    std::vector<Ball> constant{};                                 ///< c_k; N masses, then the contact
+    std::vector<std::vector<Ball>> weight{};                      ///< a_ki, as many rows
+    std::function<std::vector<Series>(const Ball& tau)> shared{}; ///< e_i at an instant or over a stretch
+
+    /// @brief One row from the shared functions. @param row a mass, or the contact at N @param e what `shared` gave @return F_k
+    [[nodiscard]] Series of(std::size_t row, const std::vector<Series>& e) const;
+};
+
+/// @brief The friction motion of a mode and its derivatives.
+/// @eq{41}
+/// @param tau   an instant, or a stretch
+/// @param R     modal frequency ratio, Eq. (22)
+/// @param zeta  modal damping ratio, below 1
+/// @param u     first damping function, Eq. (28)
+/// @param g     second damping function, Eq. (29)
+/// @return      the motion
+[[nodiscard]] Series friction_motion_in_time(const Ball& tau, const Ball& R, const Ball& zeta, const Ball& u, const Ball& g);
+
+/// @brief Functions that remember what they gave with the few bits of a search: all masses look at the same stretches.
+/// @param shared  the functions @return the same
+[[nodiscard]] std::function<std::vector<Series>(const Ball&)> remembered(std::function<std::vector<Series>(const Ball&)> shared);
+
+/// @brief Response functions at a frequency ratio, of the N masses and then of the contact, w^T x.
+struct ResponsesInBalls {
+    std::vector<Complex<Ball>> V{}; ///< complex response functions, Eq. (33)
+    std::vector<Ball> U{};          ///< first damping functions, Eq. (34)
+    std::vector<Ball> G{};          ///< second damping functions, Eq. (35)
+    Ball H{};                       ///< Eq. (64)
+    Ball squares{};                 ///< what a unit force on the contact gives it in acceleration; Eq. (65)
+    Complex<Ball> Y{};              ///< displacement of the contact by a unit harmonic force on it
+    FrictionInTime friction{};      ///< the friction motion
+    bool modal = true;    ///< whether every mode moves by itself, apart from others, below critical damping: the paper's case
+    ModesInBalls modes{}; ///< the modes, in that case
+
+    /// @brief Place of the contact among the rows. @return N
+    [[nodiscard]] std::size_t contact() const { return V.size() - 1; }
+};
+
+/// @brief Whether the paper's formulas hold: every mode is damped below critical, and told apart from the others.
+/// @param modes  the modes, with their damping ratios
+/// @return       true where it is certain
+[[nodiscard]] bool are_of_papers_form(const ModesInBalls& modes);
+
+/// @brief The response functions by the paper's formulas.
+/// @eq{23,28,29,33,34,35,41,64,65}
+/// @param scene  the scene
+/// @param modes  its modes, of the paper's form
+/// @return       the functions
+/// @throws       Unproved where the bits do not suffice
+[[nodiscard]] ResponsesInBalls responses_of_modes(const SceneInBalls& scene, ModesInBalls modes);
+
+/// @brief The same where modes exchange energy, cannot be told apart, or one is damped critically or beyond.
+///
+/// Between two turns of the contact the state \f$ (\bar{\mathbf x}, \bar{\mathbf x}') \f$ obeys \f$ \mathbf z' = \mathbf A\mathbf z +
+/// \mathbf b \f$. The motion that mirrors itself is \f$ \mathbf F(\tau) = \mathbf F_\infty - 2e^{\mathbf A\tau}(\mathbf I +
+/// e^{\mathbf A\pi})^{-1}\mathbf F_\infty \f$, with the static displacements \f$ \mathbf F_\infty \f$. Where the eigenvalues are
+/// proved simple, the exponential is a sum of free motions \f$ e^{\lambda\tau} \f$.
+/// @param scene  the scene with its damping matrix
+/// @return       the functions
+[[nodiscard]] ResponsesInBalls responses_of_state(const SceneInBalls& scene);
+
+} // namespace denhartog::reference

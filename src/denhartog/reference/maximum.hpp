@@ -1,0 +1,44 @@
+/// @file
+/// @brief The largest value of a function that is known by its series, proved.
+#pragma once
+
+#include <functional>
+#include <optional>
+
+#include "denhartog/reference/scene_in_balls.hpp"
+#include "denhartog/reference/series.hpp"
+
+namespace denhartog::reference {
+
+/// @brief A largest value, and where it is taken.
+struct LargestInBalls {
+    Ball value{};   ///< the largest value
+    Ball instant{}; ///< an instant at which it is taken; where several may be the largest, a ball that holds them all
+};
+
+/// @brief A function by its series about an instant or over a stretch.
+using FunctionOfTime = std::function<Series(const Ball& tau)>;
+
+/// @brief The largest value of a function and the largest of its negative.
+struct LargestBothWays {
+    std::optional<LargestInBalls> up{};   ///< the largest value; none where it is certainly not the largest in size
+    std::optional<LargestInBalls> down{}; ///< the largest of the negative; none likewise
+};
+
+/// @brief The largest size on [0, pi]: looked for with few bits, then by Newton's method with those of the moment.
+/// @param f  the function
+/// @return   its largest value, that of its negative, or both where either may be the larger
+/// @throws   Unproved where the search does not come to its end
+[[nodiscard]] LargestBothWays largest_size_of(const FunctionOfTime& f);
+
+/// @brief The largest value on [0, pi] of n / sin for a function n that is zero at both ends.
+///
+/// \f$ W = n'\sin - n\cos \f$ has the sign of the rate of the quotient, and \f$ W' = (n'' + n)\sin \f$. At the ends the quotient
+/// is the rate of n over the cosine.
+/// @eq{54,56,57}
+/// @param n  the numerator
+/// @return   the largest value of the quotient
+/// @throws   Unproved where the search does not come to its end
+[[nodiscard]] LargestInBalls largest_over_sine(const FunctionOfTime& n);
+
+} // namespace denhartog::reference

@@ -1,0 +1,227 @@
+#include "denhartog/reference/modes.hpp"
+
+#include <acb_mat.h>
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <span>
+
+#include "denhartog/number/effort.hpp"
+
+namespace denhartog::reference {
+namespace {
+
+BallMatrix cholesky(const BallMatrix& M) {
+    BallMatrix L(M.rows(), M.rows());
+    if (arb_mat_cho(L.a, M.a, ball_bits) == 0) throw Unproved("the mass matrix is not proved positive definite");
+    return L;
+}
+
+// L^-1 A L^-T, by two solutions with the triangle.
+BallMatrix between_factors(const BallMatrix& L, const BallMatrix& A) {
+    BallMatrix left(A.rows(), A.rows()), both(A.rows(), A.rows());
+    arb_mat_solve_tril(left.a, L.a, A.a, 0, ball_bits);
+    arb_mat_solve_tril(both.a, L.a, transposed(left).a, 0, ball_bits);
+    return both;
+}
+
+// L^-T X.
+BallMatrix by_transposed_factor(const BallMatrix& L, const BallMatrix& X) {
+    BallMatrix out(X.rows(), X.columns());
+    arb_mat_solve_triu(out.a, transposed(L).a, X.a, 0, ball_bits);
+    return out;
+}
+
+// Orthonormal eigenvectors of a symmetric matrix in double, as a first guess.
+BallMatrix eigenvectors_in_double(const BallMatrix& A) {
+    const slong N = A.rows();
+    Eigen::MatrixXd D(N, N);
+    const Ball size(std::max(norm(A), std::numeric_limits<double>::min()));
+    for (slong i = 0; i < N; ++i)
+        for (slong k = 0; k < N; ++k) D(i, k) = static_cast<double>(A(i, k) / size);
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(D);
+    BallMatrix X(N, N);
+    for (slong i = 0; i < N; ++i)
+        for (slong k = 0; k < N; ++k) X(i, k) = Ball(solver.eigenvectors()(i, k));
+    return X;
+}
+
+// The same in the bits of the moment, where double has lost the small ones beside the large.
+BallMatrix eigenvectors_in_bits(const BallMatrix& A) {
+    const slong N = A.rows();
+    QuestionEffort::pay(N * N * N * 100);
+    acb_mat_t C, R;
+    acb_mat_init(C, N, N);
+    acb_mat_init(R, N, N);
+    acb_ptr values = _acb_vec_init(N);
+    acb_mat_set_arb_mat(C, A.a);
+    acb_mat_approx_eig_qr(values, nullptr, R, C, nullptr, 0, 2 * ball_bits);
+    BallMatrix X(N, N);
+    for (slong k = 0; k < N; ++k) {
+        Ball length(0);
+        for (slong i = 0; i < N; ++i) {
+            arb_get_mid_arb(X(i, k).a, acb_realref(acb_mat_entry(R, i, k)));
+            length += X(i, k) * X(i, k);
+        }
+        for (slong i = 0; i < N; ++i) X(i, k) = middle(X(i, k) / sqrt(length));
+    }
+    _acb_vec_clear(values, N);
+    acb_mat_clear(C);
+    acb_mat_clear(R);
+    return X;
+}
+
+// A bound of the root of the sum of squares of what is off the diagonal, and of the radii on it.
+Ball off_diagonal(const BallMatrix& A) {
+    Ball sum(0);
+    for (slong i = 0; i < A.rows(); ++i)
+        for (slong k = 0; k < A.rows(); ++k) {
+            const Ball off = i == k ? A(i, i) - middle(A(i, i)) : A(i, k);
+            sum += off * off;
+        }
+    return root_of_positive(sum);
+}
+
+// Newton's method for all eigenvectors at once: X (1 + T) is nearer to diagonal by twice the digits. Numbers are midpoints.
+BallMatrix improved(const BallMatrix& A, const BallMatrix& X) {
+    const slong N = A.rows();
+    const BallMatrix across = transposed(X), B = middle(across * A * X), G = middle(across * X);
+    BallMatrix T(N, N);
+    Ball off(norm(B));
+    arb_mul_2exp_si(off.a, off.a, -ball_bits / 2);
+    for (slong i = 0; i < N; ++i)
+        for (slong k = 0; k < N; ++k) {
+            const Ball value = B(k, k) / G(k, k), apart = value - B(i, i) / G(i, i);
+            const bool pair = i != k && abs(apart) > off;
+            T(i, k) = i == k ? (1 - G(i, i)) / 2 : pair ? (B(i, k) - value * G(i, k)) / apart : -G(i, k) / 2;
+        }
+    return middle(X + X * T);
+}
+
+// The matrix on nearly its own eigenvectors X, made orthonormal by `factor`: diagonal but for little.
+struct NearlyDiagonal {
+    BallMatrix X{}, factor{}, matrix{};
+    Ball off{};
+};
+
+NearlyDiagonal on_vectors(const BallMatrix& A, const BallMatrix& X) {
+    const BallMatrix across = transposed(X);
+    BallMatrix factor = cholesky(across * X), matrix = between_factors(factor, across * A * X);
+    const Ball off = off_diagonal(matrix);
+    return {X, std::move(factor), std::move(matrix), off};
+}
+
+NearlyDiagonal nearly_diagonal(const BallMatrix& A) {
+    Ball enough(norm(A));
+    arb_mul_2exp_si(enough.a, enough.a, -ball_bits * 4 / 5);
+    const auto improve = [&](BallMatrix X) {
+        slong steps = 2;
+        for (slong bits = 40; bits < ball_bits; bits *= 2) ++steps;
+        for (slong n = 0; n < steps; ++n) {
+            QuestionEffort::pay(A.rows() * A.rows() * A.rows() / 2);
+            X = improved(A, X);
+        }
+        return on_vectors(A, X);
+    };
+    try {
+        NearlyDiagonal found = improve(eigenvectors_in_double(A));
+        if (found.off <= enough) return found;
+    } catch (const Unproved&) { // the guess was too far off for the factor
+    }
+    return improve(eigenvectors_in_bits(A));
+}
+
+} // namespace
+
+Ball ModesInBalls::left_open(const std::vector<Ball>& k, const std::vector<Ball>& n, const std::vector<Ball>& f) const {
+    Ball open(0);
+    for (const ModeCluster& c : clusters) {
+        Ball of_k(0), of_n(0);
+        Ball radius(0);
+        for (std::size_t i = c.first; i < c.last; ++i) {
+            of_k += k[i] * k[i];
+            of_n += n[i] * n[i];
+            radius = larger(radius, radius_of(f[i]));
+        }
+        open = widened(open, root_of_positive(of_k * of_n) * radius);
+    }
+    return open;
+}
+
+ModesInBalls modes_in_balls(const SceneInBalls& s) {
+    const slong N = s.N();
+    const auto count = static_cast<std::size_t>(N);
+    const BallMatrix L = cholesky(s.M), A = between_factors(L, s.K);
+    const NearlyDiagonal near = nearly_diagonal(A);
+    std::vector<slong> order(count);
+    std::iota(order.begin(), order.end(), 0L);
+    std::ranges::sort(
+        order, [&](slong a, slong b) { return arf_cmp(arb_midref(near.matrix(a, a).a), arb_midref(near.matrix(b, b).a)) < 0; });
+    const auto value = [&](std::size_t i) { return middle(near.matrix(order[i], order[i])); };
+    const Ball eps = upper_bound_of(near.off);
+    // Orthonormal shapes, and the length of their rows: what a turn of the vectors can do to an entry.
+    const BallMatrix V = by_transposed_factor(L, near.X * by_transposed_factor(near.factor, unit_matrix(N)));
+    const BallMatrix rows[] = {V, transposed(s.w) * V, transposed(s.p) * V};
+    ModesInBalls m;
+    m.N = N;
+    m.psi.assign(count + 2, std::vector<Ball>(count));
+    for (std::size_t first = 0, last = 0; first < count; first = last) {
+        for (last = first + 1; last < count && !(value(last) - value(last - 1) > 4 * eps); ++last) {
+        }
+        Ball rate(0); // the error over the gap: by so much of a right angle a vector may be turned
+        if (first > 0) rate = eps / (value(first) - value(first - 1) - eps);
+        if (last < count) rate = larger(rate, eps / (value(last) - value(last - 1) - eps));
+        Ball lambda = value(first);
+        for (std::size_t i = first; i < last; ++i) lambda = either(lambda, value(i));
+        const bool alone = last == first + 1;
+        lambda = widened(lambda, alone && count > 1 ? eps * rate : eps);
+        if (alone) lambda = lambda + (near.matrix(order[first], order[first]) - value(first));
+        if (!(lambda.low() > 0)) throw Unproved("a natural frequency is not proved positive");
+        const Ball turn = sqrt(Ball(2)) * rate;
+        for (std::size_t i = first; i < last; ++i) {
+            m.R.push_back(s.r / sqrt(lambda));
+            slong row = 0;
+            for (const BallMatrix& part : rows)
+                for (slong k = 0; k < part.rows(); ++k, ++row) {
+                    Ball length(0);
+                    for (slong n = 0; n < N; ++n) length += part(k, n) * part(k, n);
+                    m.psi[static_cast<std::size_t>(row)][i] = widened(part(k, order[i]), turn * root_of_positive(length)) / s.r;
+                }
+        }
+        if (alone) continue;
+        m.clusters.push_back({first, last});
+        for (std::size_t i = first; i < last && !s.zeta.empty(); ++i)
+            if (arb_equal(s.zeta[i].a, s.zeta[first].a) == 0) // one ball holds all that they may be, as it does for R
+                throw Unproved("modes " + std::to_string(first + 1) + " and " + std::to_string(last) +
+                               " are not told apart, and have different damping ratios");
+    }
+    m.zeta = s.zeta;
+    return m;
+}
+
+BallMatrix damping_matrix_in_balls(const SceneInBalls& s, const ModesInBalls& m) {
+    // C = M Phi diag(2 zeta omega) (M Phi)^T, with phi = r psi and omega = r / R.
+    const slong N = s.N();
+    BallMatrix Phi(N, N), D(N, N);
+    std::vector<Ball> rates;
+    for (slong i = 0; i < N; ++i) {
+        const auto n = static_cast<std::size_t>(i);
+        rates.push_back(2 * m.zeta[n] * s.r / m.R[n]);
+        D(i, i) = rates.back();
+        for (slong k = 0; k < N; ++k) Phi(k, i) = m.psi[static_cast<std::size_t>(k)][n] * s.r;
+    }
+    const BallMatrix shapes = s.M * Phi;
+    BallMatrix C = shapes * D * transposed(shapes);
+    std::vector<std::vector<Ball>> of_masses(static_cast<std::size_t>(N));
+    for (slong k = 0; k < N; ++k)
+        for (slong i = 0; i < N; ++i) of_masses[static_cast<std::size_t>(k)].push_back(shapes(k, i));
+    for (slong k = 0; k < N; ++k)
+        for (slong n = 0; n < N; ++n)
+            C(k, n) += m.left_open(of_masses[static_cast<std::size_t>(k)], of_masses[static_cast<std::size_t>(n)], rates);
+    return C;
+}
+
+} // namespace denhartog::reference

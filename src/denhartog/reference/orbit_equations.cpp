@@ -1,0 +1,300 @@
+#include "denhartog/reference/orbit_equations.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "denhartog/number/effort.hpp"
+
+namespace denhartog::reference {
+namespace {
+
+constexpr slong most_leaps = 256; // of a phase: norms of A times its length up to 4608
+
+Ball power_of_two(double exponent) {
+    Ball r(1);
+    arb_mul_2exp_si(r.a, r.a, static_cast<slong>(exponent));
+    return r;
+}
+
+BallMatrix row_of(const BallMatrix& w, slong from, slong length) {
+    BallMatrix row(1, length);
+    for (slong i = 0; i < w.rows(); ++i) row(0, from + i) = w(i);
+    return row;
+}
+
+// M^-1, without noise where M is diagonal, so that what is zero stays so.
+BallMatrix inverse_of(const BallMatrix& M) {
+    if (arb_mat_is_diag(M.a) != 0) {
+        BallMatrix inverse(M.rows(), M.rows());
+        for (slong k = 0; k < M.rows(); ++k) inverse(k, k) = Ball(1) / M(k, k);
+        return inverse;
+    }
+    BallMatrix inverse;
+    if (!solved(M, unit_matrix(M.rows()), inverse)) throw Unproved("the mass matrix may be singular");
+    return inverse;
+}
+
+// The upper end of a ball that is not negative, exact.
+Ball upper_end(const Ball& x) {
+    Ball r;
+    arb_get_abs_ubound_arf(arb_midref(r.a), x.a, ball_bits);
+    return r;
+}
+
+// 1, theta, theta^2 and so on, as a row.
+BallMatrix powers_of(const Ball& theta, slong count) {
+    BallMatrix powers(1, count);
+    powers(0, 0) = Ball(1);
+    for (slong k = 1; k < count; ++k) powers(0, k) = powers(0, k - 1) * theta;
+    return powers;
+}
+
+// exp(A (h + d)) from exp(A h), where |A d| is at most an exponent. Never exponentiate a wide ball: the difference is, column by
+// column, at most exp(|A d|) - 1 of the largest entry.
+BallMatrix with_width(BallMatrix E, double exponent) {
+    for (slong c = 0; c < E.columns(); ++c) {
+        Ball largest(0);
+        for (slong k = 0; k < E.rows(); ++k) largest = larger(largest, abs(E(k, c)));
+        const Ball width = upper_end(largest * Ball(elementary::expm1(exponent) * (1 + 1e-9)));
+        for (slong k = 0; k < E.rows(); ++k) E(k, c) = widened(E(k, c), width);
+    }
+    return E;
+}
+
+// Whether w is a unit vector: then the row of the contact vanishes while it sticks, to the last bit.
+bool is_unit(const BallMatrix& w) {
+    slong others = 0;
+    for (slong i = 0; i < w.rows(); ++i) others += w(i).is_zero() || w(i) == Ball(1) ? 0 : 2;
+    for (slong i = 0; i < w.rows(); ++i) others += w(i) == Ball(1) ? 1 : 0;
+    return others == 1;
+}
+
+} // namespace
+
+ContactMechanics::ContactMechanics(const SceneInBalls& scene)
+    : N(scene.N()), w(scene.w), free(n(), n()), load(1, n()), stuck(n(), n()), push(N, 1), beta(scene.beta.value()),
+      holds(scene.mu * beta), equal(scene.mu == Ball(1)), on_a_wall(is_unit(scene.w)), lead(0) {
+    const BallMatrix inverse = inverse_of(scene.M * (scene.r * scene.r));
+    const BallMatrix stiffness = inverse * scene.K, damping = inverse * (scene.C * scene.r), force = inverse * scene.p;
+    sigma = power_of_two(std::ceil(binary_logarithm(std::max(norm(stiffness), 1e-280)) / 2));
+    push = inverse * w * (Ball(1) / sigma);
+    for (slong i = 0; i < N; ++i) {
+        free(i, N + i) = sigma;
+        free(N + i, 2 * N) = force(i) / sigma;
+        for (slong k = 0; k < N; ++k) {
+            free(N + i, k) = -(stiffness(i, k) / sigma);
+            free(N + i, N + k) = -damping(i, k);
+        }
+        if (abs(w(i)) > abs(w(lead))) lead = i;
+    }
+    free(2 * N, 2 * N + 1) = Ball(-1);
+    free(2 * N + 1, 2 * N) = Ball(1);
+    const BallMatrix along = row_of(w, N, n());
+    load = along * free * (Ball(1) / (transposed(w) * push)(0));
+    stuck = free;
+    for (slong i = 0; i < N; ++i)
+        for (slong c = 0; c < n(); ++c)
+            if (on_a_wall && i == lead)
+                stuck(N + i, c) = Ball(0);
+            else if (!push(i).is_zero())
+                stuck(N + i, c) -= push(i) * load(0, c);
+}
+
+BallMatrix ContactMechanics::phase(int direction) const {
+    if (direction == 0) return stuck;
+    BallMatrix A = free;
+    for (slong i = 0; i < N; ++i) A(N + i, 2 * N + 2) = Ball(-direction) * beta * push(i);
+    return A;
+}
+
+BallMatrix ContactMechanics::speed() const { return row_of(w, N, n()); }
+
+BallMatrix ContactMechanics::ending(int before, int after) const {
+    if (before != 0) return speed();
+    BallMatrix row = load;
+    row(0, n() - 1) -= Ball(after) * holds;
+    return row;
+}
+
+BallMatrix rounded(const BallMatrix& A) {
+    BallMatrix r(A.rows(), A.columns());
+    for (slong i = 0; i < A.rows(); ++i)
+        for (slong k = 0; k < A.columns(); ++k) arb_set_round(r(i, k).a, A(i, k).a, ball_bits);
+    return r;
+}
+
+int OrbitUnknowns::direction(slong i) const {
+    return i <= m() ? directions[static_cast<std::size_t>(i)] : sign() * directions[1];
+}
+
+Ball OrbitUnknowns::T() const { return Ball(mirrored ? periods : 2 * periods) * PiOf<Ball>::value(); }
+
+Ball OrbitUnknowns::instant(slong i) const { return i < m() ? u(states() + i) : u(states()) + T(); }
+
+BallMatrix OrbitUnknowns::start() const {
+    BallMatrix Z(states() + 3, 1);
+    for (slong i = 0; i < states(); ++i) Z(i) = u(i);
+    Z(states()) = cos(instant(0));
+    Z(states() + 1) = sin(instant(0));
+    Z(states() + 2) = Ball(1);
+    return Z;
+}
+
+OrbitUnknowns unknowns_of(const ContactMechanics& s, const OrbitGuess& guess) {
+    OrbitUnknowns o{guess.directions, guess.mirrored, guess.periods, BallMatrix()};
+    const slong m = o.m(), N = s.N;
+    if (m < 1 || guess.events.size() != static_cast<std::size_t>(m) || guess.x.size() != static_cast<std::size_t>(N) ||
+        guess.x_prime.size() != guess.x.size() || guess.periods < 1)
+        throw Disproved("a guess needs a phase, an instant for each event and a state of every mass");
+    if (o.direction(m) != o.sign() * o.direction(0)) throw Disproved("the last phase of the stretch is not its first one again");
+    for (slong i = 0; i <= m; ++i)
+        if (o.direction(i) == o.direction(i + 1)) throw Disproved("a phase follows one of its own kind");
+    o.u = BallMatrix(2 * N + m, 1);
+    for (slong k = 0; k < N; ++k) {
+        o.u(k) = Ball(guess.x[static_cast<std::size_t>(k)]);
+        o.u(N + k) = Ball(guess.x_prime[static_cast<std::size_t>(k)]) / s.sigma;
+    }
+    for (slong i = 0; i < m; ++i) o.u(2 * N + i) = Ball(guess.events[static_cast<std::size_t>(i)]);
+    return o;
+}
+
+ExponentialSeries::ExponentialSeries(const BallMatrix& B, const BallMatrix& y) {
+    const slong n = B.rows();
+    const double theta = norm(B) * (1 + 1e-9);
+    slong last = 0; // the terms beyond fall by half each, from below the last bit
+    for (double left = static_cast<double>(ball_bits); left > 0 || static_cast<double>(last) < 2 * theta || last < 4;)
+        left += binary_logarithm(std::max(theta, 1e-300) / static_cast<double>(++last));
+    std::vector<std::vector<slong>> columns(static_cast<std::size_t>(n)); // of the entries that are not zero
+    std::vector<std::vector<Ball>> entries(columns.size());
+    long count = 0;
+    for (slong i = 0; i < n; ++i)
+        for (slong k = 0; k < n; ++k) {
+            if (B(i, k).is_zero()) continue;
+            columns[static_cast<std::size_t>(i)].push_back(k);
+            entries[static_cast<std::size_t>(i)].push_back(B(i, k));
+            ++count;
+        }
+    QuestionEffort::pay(cost_of_ball_products(static_cast<double>((count + n) * last)));
+    terms_ = BallMatrix(n, last + 1);
+    for (slong i = 0; i < n; ++i) terms_(i, 0) = y(i);
+    std::vector<arb_struct> picked(columns.size()); // copies of the numbers' handles, which own nothing
+    for (slong k = 1; k <= last; ++k)
+        for (slong i = 0; i < n; ++i) {
+            const std::vector<slong>& from = columns[static_cast<std::size_t>(i)];
+            if (from.empty()) continue;
+            for (std::size_t c = 0; c < from.size(); ++c) picked[c] = *terms_(from[c], k - 1).a;
+            Ball& term = terms_(i, k);
+            arb_dot(term.a, nullptr, 0, entries[static_cast<std::size_t>(i)].front().a, 1, picked.data(), 1,
+                    static_cast<slong>(from.size()), ball_bits);
+            arb_div_si(term.a, term.a, k, ball_bits);
+        }
+    // |y_(k+1)| <= |y_k| theta / (k + 1), and so on: the rest is at most twice that. Twice more holds its derivatives as well.
+    Ball largest(0);
+    for (slong i = 0; i < n; ++i) largest = larger(largest, abs(terms_(i, last)));
+    const Ball rest = upper_end(largest * Ball(4 * theta / static_cast<double>(last + 1)));
+    for (slong i = 0; i < n; ++i) terms_(i, last) = widened(terms_(i, last), rest);
+}
+
+BallMatrix ExponentialSeries::at(const Ball& theta) const {
+    const BallMatrix powers = powers_of(theta, terms_.columns());
+    BallMatrix sum(terms_.rows(), 1);
+    for (slong i = 0; i < sum.rows(); ++i)
+        arb_dot(sum(i).a, nullptr, 0, terms_(i, 0).a, 1, powers(0, 0).a, 1, powers.columns(), ball_bits);
+    return sum;
+}
+
+Ball ExponentialSeries::at(const BallMatrix& row, const Ball& theta) const {
+    const BallMatrix powers = powers_of(theta, terms_.columns());
+    Ball sum(0), part;
+    for (slong i = 0; i < terms_.rows(); ++i) {
+        if (row(0, i).is_zero()) continue;
+        arb_dot(part.a, nullptr, 0, terms_(i, 0).a, 1, powers(0, 0).a, 1, powers.columns(), ball_bits);
+        sum += row(0, i) * part;
+    }
+    return sum;
+}
+
+void ExponentialSeries::widen(const Ball& radius) {
+    for (slong i = 0; i < terms_.rows(); ++i) terms_(i, 0) = widened(terms_(i, 0), radius);
+}
+
+slong leaps_for(double norm) {
+    if (!(norm < longest_leap * most_leaps)) throw Unproved("a mode is too fast for the motion to be followed");
+    return std::max<slong>(1, static_cast<slong>(std::ceil(norm / longest_leap)));
+}
+
+BallMatrix followed(const BallMatrix& A, const BallMatrix& Z, const Ball& length, slong leaps, const BallMatrix& leap,
+                    std::vector<ExponentialSeries>* series) {
+    const slong n = A.rows();
+    const BallMatrix B = A * (length / Ball(static_cast<int>(leaps)));
+    BallMatrix node = Z;
+    mag_t size;
+    mag_init(size);
+    for (slong q = 0; q < leaps; ++q) {
+        ExponentialSeries s(B, middle(node));
+        BallMatrix next = s.at(Ball(1));
+        for (slong i = 0; i < n; ++i)
+            for (slong k = 0; k < n; ++k) {
+                arb_get_mag(size, leap(i, k).a);
+                mag_addmul(arb_radref(next(i).a), size, arb_radref(node(k).a));
+            }
+        if (series != nullptr) { // within the leap a bound has to do: |exp(B theta)| <= exp(|B|)
+            Ball radius(0), each;
+            for (slong k = 0; k < n; ++k) {
+                arf_set_mag(arb_midref(each.a), arb_radref(node(k).a));
+                radius = larger(radius, each);
+            }
+            s.widen(upper_end(radius * exp(Ball(norm(B)))));
+            series->push_back(std::move(s));
+        }
+        node = std::move(next);
+    }
+    mag_clear(size);
+    return node;
+}
+
+Linearised linearised(const ContactMechanics& s, const OrbitUnknowns& box) {
+    const slong n = s.n(), z = 2 * s.N, m = box.m();
+    Linearised r;
+    r.J = BallMatrix(z + m, z + m);
+    BallMatrix Z = rounded(box.start()), D(n, z + m);
+    for (slong i = 0; i < z; ++i) D(i, i) = Ball(1);
+    D(z, z) = -Z(z + 1);
+    D(z + 1, z) = Z(z);
+    for (slong i = 0;; ++i) {
+        r.D.push_back(D);
+        if (i == m) break;
+        const BallMatrix slope = s.ending(box.direction(i), box.direction(i + 1)) * D;
+        for (slong c = 0; c < z + m; ++c) r.J(z + i, c) = slope(0, c);
+        const Ball h = box.length(i + 1), middle_h = middle(h);
+        const BallMatrix A = rounded(s.phase(box.direction(i + 1)));
+        const double size = norm(A), apart = size * h.radius() * (1 + 1e-9);
+        const slong leaps = leaps_for(size * std::max(std::abs(h.low()), std::abs(h.high())));
+        QuestionEffort::pay(cost_of_ball_products(20 * static_cast<double>(n * n * n)));
+        const BallMatrix leap = exp(A * (middle_h / Ball(static_cast<int>(leaps))));
+        BallMatrix E(n, n);
+        arb_mat_pow_ui(E.a, leap.a, static_cast<ulong>(leaps), ball_bits);
+        r.leap.push_back(with_width(leap, apart / static_cast<double>(leaps)));
+        r.E.push_back(with_width(E, apart));
+        r.leaps.push_back(leaps);
+        Z = r.E.back() * Z;
+        D = r.E.back() * D;
+        const BallMatrix rate = A * Z;
+        for (slong k = 0; k < n; ++k) {
+            D(k, z + (i + 1) % m) += rate(k);
+            D(k, z + i) -= rate(k);
+        }
+    }
+    const Ball sign(box.sign()); // what comes back is what began
+    for (slong i = 0; i < z; ++i)
+        for (slong c = 0; c < z + m; ++c) r.J(i, c) = Ball(i == c ? 1 : 0) - sign * D(i, c);
+    return r;
+}
+
+double binary_logarithm(double x) { return elementary::log(x) / elementary::log(2); }
+
+long cost_of_ball_products(double products) {
+    return static_cast<long>(products * (0.25 + static_cast<double>(ball_bits) / 1024)) + 1;
+}
+
+} // namespace denhartog::reference

@@ -1,0 +1,187 @@
+#include "denhartog/reference/orbit_multipliers.hpp"
+
+#include <acb_mat.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "denhartog/number/effort.hpp"
+
+namespace denhartog::reference {
+namespace {
+
+// A matrix of complex balls.
+class ComplexBalls {
+public:
+    acb_mat_t a;
+    explicit ComplexBalls(slong n) { acb_mat_init(a, n, n); }
+    ~ComplexBalls() { acb_mat_clear(a); }
+    ComplexBalls(const ComplexBalls&) = delete;
+    ComplexBalls& operator=(const ComplexBalls&) = delete;
+};
+
+// Complex balls in a row.
+class ComplexRow {
+public:
+    acb_ptr a;
+    explicit ComplexRow(slong n) : a(_acb_vec_init(n)), n_(n) {}
+    ~ComplexRow() { _acb_vec_clear(a, n_); }
+    ComplexRow(const ComplexRow&) = delete;
+    ComplexRow& operator=(const ComplexRow&) = delete;
+
+private:
+    slong n_;
+};
+
+// Eigenvalues and vectors with few bits, for Arb to make certain.
+bool approximate(const ComplexBalls& A, ComplexRow& values, ComplexBalls& vectors) {
+    return acb_mat_approx_eig_qr(values.a, nullptr, vectors.a, A.a, nullptr, 0, 64) != 0;
+}
+
+// Balls that hold the sizes of all eigenvalues; false where they are not bounded.
+bool enclosed(const ComplexBalls& A, const ComplexRow& values, const ComplexBalls& vectors, std::vector<Ball>& sizes) {
+    const slong n = acb_mat_nrows(A.a);
+    ComplexRow found(n);
+    acb_mat_eig_multiple(found.a, A.a, values.a, vectors.a, ball_bits);
+    sizes.clear();
+    for (slong i = 0; i < n; ++i) {
+        Ball size;
+        acb_abs(size.a, found.a + i, ball_bits);
+        if (!size.finite()) return false;
+        sizes.push_back(size);
+    }
+    return true;
+}
+
+// No eigenvalue is larger than the root of a norm of a power.
+std::vector<Ball> bounded_sizes(const BallMatrix& map) {
+    BallMatrix power = map;
+    double least = norm(map);
+    for (int n = 1; n < 12; ++n) {
+        power = power * power;
+        double root = norm(power);
+        for (int k = 0; k < n; ++k) root = std::sqrt(root);
+        root *= 1 + 1e-12;
+        if (root < least) least = root; // false where a power has no bound
+    }
+    return std::vector<Ball>(static_cast<std::size_t>(map.rows()), Ball::within(0, least));
+}
+
+std::vector<Ball> sizes_of_eigenvalues(const BallMatrix& map) {
+    const slong n = map.rows();
+    if (n == 1) return {abs(map(0, 0))};
+    QuestionEffort::pay(cost_of_ball_products(30 * static_cast<double>(n * n * n)));
+    ComplexBalls A(n), vectors(n);
+    ComplexRow values(n);
+    acb_mat_set_arb_mat(A.a, map.a);
+    std::vector<Ball> sizes;
+    if (approximate(A, values, vectors) && enclosed(A, values, vectors, sizes)) return sizes;
+    QuestionEffort::pay(cost_of_ball_products(200 * static_cast<double>(n * n * n)));
+    acb_mat_approx_eig_qr(values.a, nullptr, vectors.a, A.a, nullptr, 0, ball_bits);
+    return enclosed(A, values, vectors, sizes) ? sizes : bounded_sizes(map);
+}
+
+// A ball from a lower and an upper end.
+Ball between(const Ball& low, const Ball& high) {
+    Ball x;
+    arb_set_interval_arf(x.a, arb_midref(low.a), arb_midref(high.a), ball_bits);
+    return x;
+}
+
+// The n-th largest is no less than the n-th largest lower end, and no more than the n-th largest upper end.
+std::vector<Ball> descending(const std::vector<Ball>& sizes) {
+    std::vector<Ball> low, high;
+    for (const Ball& size : sizes) {
+        Ball end;
+        arb_get_abs_lbound_arf(arb_midref(end.a), size.a, ball_bits);
+        low.push_back(end);
+        arb_get_abs_ubound_arf(arb_midref(end.a), size.a, ball_bits);
+        high.push_back(end);
+    }
+    const auto larger_first = [](const Ball& x, const Ball& y) { return x > y; };
+    std::ranges::sort(low, larger_first);
+    std::ranges::sort(high, larger_first);
+    std::vector<Ball> sorted;
+    for (std::size_t k = 0; k < low.size(); ++k) sorted.push_back(low[k] == high[k] ? low[k] : between(low[k], high[k]));
+    return sorted;
+}
+
+// Deviations where the map starts, as columns: all of them, or those that do not move a contact at rest.
+BallMatrix first_deviations(const ContactMechanics& s, bool at_rest) {
+    const slong N = s.N, lead = N + s.lead;
+    BallMatrix D(2 * N, at_rest ? 2 * N - 1 : 2 * N);
+    for (slong c = 0, k = 0; k < 2 * N; ++k) {
+        if (at_rest && k == lead) continue;
+        D(k, c) = Ball(1);
+        if (at_rest && k >= N) D(lead, c) = -s.w(k - N) / s.w(s.lead);
+        ++c;
+    }
+    return D;
+}
+
+BallMatrix part_of(const BallMatrix& A, slong rows, slong columns) {
+    BallMatrix r(rows, columns);
+    for (slong i = 0; i < rows; ++i)
+        for (slong k = 0; k < columns; ++k) r(i, k) = A(i, k);
+    return r;
+}
+
+// What an event makes of deviations.
+BallMatrix across(const ProvedOrbit& orbit, slong i, const BallMatrix& D) {
+    const ContactMechanics& s = orbit.s;
+    const slong z = 2 * s.N;
+    const int before = orbit.at.direction(i), after = orbit.at.direction(i + 1);
+    const BallMatrix& Z = orbit.Z[static_cast<std::size_t>(i)];
+    const BallMatrix row = s.ending(before, after), rate = s.phase(before) * Z, jump = rate - s.phase(after) * Z;
+    const Ball falls = (row * rate)(0);
+    if (falls.may_vanish()) throw Unproved("an event may be tangential");
+    BallMatrix later = part_of(row, 1, z) * D; // dt of each column
+    for (slong c = 0; c < D.columns(); ++c) later(0, c) = -later(0, c) / falls;
+    return D + part_of(jump, z, 1) * later;
+}
+
+} // namespace
+
+MapOfDeviations map_of_deviations(const ProvedOrbit& orbit, slong bits) {
+    const Bits enough(bits);
+    const ContactMechanics& s = orbit.s;
+    const slong m = orbit.at.m(), z = 2 * s.N;
+    slong first = 0; // the event that the map meets first
+    while (first < m && orbit.at.direction(first) != 0) ++first;
+    MapOfDeviations map{BallMatrix(), first < m};
+    first %= m;
+    const Linearised along = linearised(s, orbit.at);
+    BallMatrix D = first_deviations(s, map.from_a_stop);
+    for (slong n = 0; n < m; ++n) {
+        const slong i = (first + n) % m;
+        D = part_of(along.E[static_cast<std::size_t>(i)], z, z) * across(orbit, i, D);
+    }
+    map.A = BallMatrix(D.columns(), D.columns());
+    for (slong c = 0, k = 0; k < z; ++k) {
+        if (map.from_a_stop && k == s.N + s.lead) continue;
+        for (slong q = 0; q < D.columns(); ++q) map.A(c, q) = orbit.at.mirrored ? -D(k, q) : D(k, q);
+        ++c;
+    }
+    return map;
+}
+
+bool dies_out(const BallMatrix& map) {
+    BallMatrix power = map;
+    for (int n = 0; n < 30; ++n, power = power * power) {
+        const double size = norm(power);
+        if (size < 1) return true;
+        if (!(size < 1e100)) return false;
+        QuestionEffort::pay(cost_of_ball_products(static_cast<double>(map.rows() * map.rows() * map.rows())));
+    }
+    return false;
+}
+
+std::vector<Ball> multipliers_over_period(const MapOfDeviations& map, bool mirrored) {
+    std::vector<Ball> sizes = sizes_of_eigenvalues(map.A);
+    if (mirrored)
+        for (Ball& size : sizes) size = size * size;
+    if (map.from_a_stop) sizes.push_back(Ball(0));
+    return descending(sizes);
+}
+
+} // namespace denhartog::reference

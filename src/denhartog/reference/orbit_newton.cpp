@@ -1,0 +1,226 @@
+#include "denhartog/reference/orbit_newton.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "denhartog/number/effort.hpp"
+
+namespace denhartog::reference {
+namespace {
+
+constexpr int most_rounds = 60; // of linearising anew, until Newton's method is near
+constexpr int most_halvings = 12;
+constexpr slong bits_a_phase = 5; // about what a phase widens balls by, and some more
+
+// The binary logarithm of a midpoint's size, also where a double cannot hold it.
+double size_in_bits(const Ball& x) {
+    if (arf_is_zero(arb_midref(x.a))) return -1e9;
+    arf_t mantissa;
+    fmpz_t exponent;
+    arf_init(mantissa);
+    fmpz_init(exponent);
+    arf_frexp(mantissa, exponent, arb_midref(x.a));
+    const double bits = binary_logarithm(std::abs(arf_get_d(mantissa, ARF_RND_NEAR))) + fmpz_get_d(exponent);
+    arf_clear(mantissa);
+    fmpz_clear(exponent);
+    return bits;
+}
+
+// The equations at one point: states at the events, and what is not zero.
+struct OrbitResidual {
+    std::vector<BallMatrix> Z{};
+    BallMatrix F{};
+};
+
+// The equations at a point of the box that was linearised, or near it while nothing is to be proved yet.
+OrbitResidual residual_at(const ContactMechanics& s, const OrbitUnknowns& o, const Linearised& along) {
+    const slong z = o.states(), m = o.m();
+    OrbitResidual r{{o.start()}, BallMatrix(z + m, 1)};
+    for (slong i = 0; i < m; ++i) {
+        r.F(z + i) = (s.ending(o.direction(i), o.direction(i + 1)) * r.Z.back())(0);
+        const auto k = static_cast<std::size_t>(i);
+        r.Z.push_back(followed(s.phase(o.direction(i + 1)), r.Z.back(), o.length(i + 1), along.leaps[k], along.leap[k]));
+    }
+    for (slong i = 0; i < z; ++i) r.F(i) = o.u(i) - Ball(o.sign()) * r.Z.back()(i);
+    return r;
+}
+
+// Newton's method, from a guess to a proof, with derivatives of few bits.
+class NewtonSearch {
+public:
+    NewtonSearch(const ContactMechanics& s, OrbitUnknowns& o, slong bits_of_slopes)
+        : s_(s), o_(o), bits_(bits_of_slopes), scale_(static_cast<std::size_t>(o.u.rows()), 1),
+          box_(std::ldexp(1, -static_cast<int>(std::min<slong>(std::max<slong>(26, bits_of_slopes / 2 - 6), 900)))) {
+        double largest = 1e-280;
+        for (slong k = 0; k < o.states(); ++k) largest = std::max(largest, std::abs(static_cast<double>(o.u(k))));
+        std::fill_n(scale_.begin(), o.states(), largest);
+    }
+
+    // The motion, once its box is proved to hold one.
+    ProvedOrbit proved() {
+        for (int round = 0; round < most_rounds; ++round) {
+            const BallMatrix about = o_.u;
+            linearise();
+            if (!settled()) continue;
+            double away = 0;
+            for (slong k = 0; k < o_.u.rows(); ++k)
+                away = std::max(away, std::abs(static_cast<double>(o_.u(k) - about(k))) / scale_[static_cast<std::size_t>(k)]);
+            if (away > box_ / 2) continue;
+            if (std::optional<ProvedOrbit> orbit = krawczyk(about)) return std::move(*orbit);
+            throw Unproved("the slopes are too uncertain for a proof");
+        }
+        throw Unproved("Newton's method does not come near a motion");
+    }
+
+private:
+    void linearise() {
+        const Bits few(bits_);
+        QuestionEffort::pay(cost_of_ball_products(3 * static_cast<double>(o_.u.rows() * o_.u.rows() * o_.u.rows())));
+        OrbitUnknowns box = o_;
+        for (slong k = 0; k < box.u.rows(); ++k) box.u(k) = widened(box.u(k), Ball(box_ * scale_[static_cast<std::size_t>(k)]));
+        along_ = linearised(s_, box);
+        Y_ = BallMatrix(box.u.rows(), box.u.rows());
+        if (arb_mat_approx_inv(Y_.a, along_.J.a, bits_) == 0) throw Unproved("the slopes are singular");
+        Y_ = middle(Y_);
+    }
+
+    BallMatrix step_at(const OrbitUnknowns& o) { return Y_ * residual_at(s_, o, along_).F; }
+
+    // The digits that are right once a step was taken, in bits: how small the step is, in units of the scales.
+    double smallness_of(const BallMatrix& step) const {
+        double least = 1e9;
+        for (slong k = 0; k < step.rows(); ++k) {
+            if (!step(k).finite()) throw Unproved("Newton's method leaves all bounds");
+            least = std::min(least, binary_logarithm(scale_[static_cast<std::size_t>(k)]) - size_in_bits(step(k)));
+        }
+        return least;
+    }
+
+    // By how much a step may be taken so that every phase keeps a quarter of its length.
+    double part_of(const BallMatrix& step) const {
+        double part = 1;
+        const slong z = o_.states(), m = o_.m();
+        for (slong i = 1; i <= m; ++i) {
+            const double length = static_cast<double>(o_.length(i)),
+                         shrinks = static_cast<double>(step(z + i % m) - step(z + i - 1));
+            if (shrinks > 0.75 * length) part = std::min(part, 0.75 * std::max(length, 1e-300) / shrinks);
+        }
+        return part;
+    }
+
+    OrbitUnknowns moved(const BallMatrix& step, double part) const {
+        OrbitUnknowns to = o_;
+        to.u = middle(o_.u - step * Ball(part));
+        return to;
+    }
+
+    // Steps with the same slopes as long as they bring it nearer: true once rounding is all that is left.
+    bool settled() {
+        const slong all = ball_bits;
+        BallMatrix step = step_at(o_);
+        double small = smallness_of(step), gained = 0; // bits
+        const double at_first = small;
+        for (int n = 0;; ++n) {
+            const Bits enough(std::min(all, static_cast<slong>(std::max(small, 0.0)) + 64 + bits_));
+            double part = part_of(step);
+            bool nearer = false;
+            for (int halvings = 0; halvings < (n == 0 ? most_halvings : 1) && !nearer; ++halvings) {
+                if (halvings > 0) part /= 2;
+                const OrbitUnknowns to = moved(step, part);
+                BallMatrix next = step_at(to);
+                const double then = smallness_of(next);
+                nearer = then > small - binary_logarithm(1 - part / 4);
+                if (!nearer) continue;
+                gained = then - small;
+                o_.u = to.u;
+                step = std::move(next);
+                small = then;
+            }
+            if (nearer && part < 1) return false;                               // the slopes there are others
+            if (nearer && small + gained / 2 > static_cast<double>(all) - 56) { // the step at hand does the rest
+                const Bits last(all);
+                o_.u = moved(step, 1).u;
+                return true;
+            }
+            // Slopes taken here, so much nearer, give more digits a step.
+            if (nearer && small > 3 * at_first && static_cast<double>(all) - small > 8 * gained) return false;
+            if (nearer && (n == 0 || gained > 2)) continue;
+            const bool again = std::abs(small - stalled_) < 16; // twice at one place is rounding
+            stalled_ = small;
+            return again;
+        }
+    }
+
+    std::optional<ProvedOrbit> krawczyk(const BallMatrix& about) {
+        OrbitResidual here = residual_at(s_, o_, along_);
+        const BallMatrix step = Y_ * here.F;
+        const slong count = step.rows();
+        // Everything in units of the scales: sizes of the step, and row sums of 1 - Y J.
+        const auto left_open = [&] {
+            const Bits few(bits_);
+            return unit_matrix(count) - Y_ * along_.J;
+        };
+        const BallMatrix open = left_open();
+        Ball moves(0), keeps(0);
+        for (slong k = 0; k < count; ++k) {
+            const Ball unit(scale_[static_cast<std::size_t>(k)]);
+            moves = larger(moves, abs(step(k)) / unit);
+            Ball sum(0);
+            for (slong c = 0; c < count; ++c) sum += abs(open(k, c)) * Ball(scale_[static_cast<std::size_t>(c)]) / unit;
+            keeps = larger(keeps, sum);
+        }
+        if (!(keeps < Ball(0.5))) return std::nullopt;
+        Ball radius = moves * Ball(2), bound; // with keeps < 1/2 the image of this box is inside of it
+        arb_set_ui(bound.a, 1);
+        arb_mul_2exp_si(bound.a, bound.a, -(ball_bits + 8));
+        radius = larger(radius, bound);
+        arb_get_ubound_arf(arb_midref(radius.a), radius.a, 64);
+        mag_zero(arb_radref(radius.a));
+        for (slong k = 0; k < count; ++k) { // the box has to be within that of the slopes
+            const Ball apart = abs(o_.u(k) - about(k)) / Ball(scale_[static_cast<std::size_t>(k)]) + radius;
+            if (!(apart < Ball(box_))) return std::nullopt;
+        }
+        ProvedOrbit orbit{s_, o_, {}, along_.leaps, along_.leap};
+        BallMatrix off(count, 1); // of the solution from u
+        for (slong k = 0; k < count; ++k) {
+            const Ball left = keeps * radius * Ball(scale_[static_cast<std::size_t>(k)]);
+            Ball most(0);
+            arb_get_abs_ubound_arf(arb_midref(most.a), left.a, 64);
+            off(k) = widened(-step(k), most);
+            orbit.at.u(k) = o_.u(k) + off(k);
+        }
+        for (std::size_t i = 0; i < here.Z.size(); ++i) orbit.Z.push_back(here.Z[i] + along_.D[i] * off);
+        return orbit;
+    }
+
+    const ContactMechanics& s_;
+    OrbitUnknowns& o_;
+    slong bits_; // of the slopes
+    std::vector<double> scale_;
+    double box_; // half the width of the box that the slopes are of, in units of the scales
+    Linearised along_{};
+    BallMatrix Y_{};
+    double stalled_ = -1; // bits, where rounding may have stopped it
+};
+
+} // namespace
+
+ProvedOrbit proved_near(const std::function<SceneInBalls()>& scene, const OrbitGuess& guess, slong bits) {
+    const auto phases = static_cast<slong>(guess.events.size());
+    for (slong of_slopes = std::max({slong(64), bits / 6, bits_a_phase * phases});; of_slopes *= 2) {
+        // What widens the slopes, the length of the motion or its events, widens the states as well.
+        const Bits all(bits_of_orbit(of_slopes > 128 ? std::max(bits, of_slopes) : bits));
+        const ContactMechanics s(scene());
+        OrbitUnknowns o = unknowns_of(s, guess);
+        try {
+            return NewtonSearch(s, o, of_slopes).proved();
+        } catch (const Disproved&) {
+            throw;
+        } catch (const Unproved&) {
+            if (of_slopes >= std::max({bits, slong(256), 2 * bits_a_phase * phases})) throw;
+        }
+    }
+}
+
+} // namespace denhartog::reference

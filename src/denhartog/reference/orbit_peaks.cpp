@@ -1,0 +1,179 @@
+#include <algorithm>
+#include <cmath>
+
+#include "denhartog/number/effort.hpp"
+#include "denhartog/reference/orbit_proof.hpp"
+
+namespace denhartog::reference {
+namespace {
+
+constexpr int most_looks_for_peak = 20000;
+constexpr double narrow = 1e-4;       // of a stretch, where Newton's method takes over
+constexpr int most_newton_steps = 20; // each doubles the digits
+
+// A displacement that may be the largest in size.
+struct PeakCandidate {
+    Ball size, lag;
+};
+
+// An angle as a lag in (-pi, pi], by its midpoint.
+Ball wrapped_lag(const Ball& angle) {
+    const Ball pi = PiOf<Ball>::value();
+    const double turns = std::ceil((static_cast<double>(angle) / static_cast<double>(pi) - 1) / 2);
+    return angle - Ball(2) * Ball(turns) * pi;
+}
+
+PeakCandidate candidate(const Ball& x, const Ball& instant) {
+    const Ball pi = PiOf<Ball>::value();
+    if (x.may_vanish()) return {abs(x), widened(Ball(0), pi)};
+    return {abs(x), wrapped_lag(x < Ball(0) ? instant + pi : instant)};
+}
+
+// Of several that may be equal any may be the largest.
+PeakInBalls largest_of(const std::vector<PeakCandidate>& all) {
+    if (all.empty()) throw Unproved("no largest displacement was found");
+    Ball largest = all.front().size;
+    for (const PeakCandidate& each : all) largest = larger(largest, each.size);
+    const Ball pi = PiOf<Ball>::value();
+    std::optional<Ball> lag;
+    Ball first;
+    for (const PeakCandidate& each : all) {
+        if (each.size < largest) continue;
+        if (!lag) first = each.lag;
+        // The other's lag within half a turn of the first one's.
+        const double turns = std::round(static_cast<double>(each.lag - first) / (2 * static_cast<double>(pi)));
+        const Ball beside = each.lag - Ball(2) * Ball(turns) * pi;
+        lag = lag ? either(*lag, beside) : beside;
+    }
+    return {largest, lag};
+}
+
+// Whether a force reaches a mass: through entries of the matrices that are not exactly zero.
+bool is_reached(const ContactMechanics& s, slong mass) {
+    const slong N = s.N;
+    std::vector<char> reached(static_cast<std::size_t>(N), 0);
+    for (slong rounds = 0; rounds <= N; ++rounds)
+        for (slong i = 0; i < N; ++i) {
+            bool now = !s.push(i).is_zero() || !s.free(N + i, 2 * N).is_zero();
+            for (slong k = 0; k < N && !now; ++k)
+                now =
+                    reached[static_cast<std::size_t>(k)] != 0 && !(s.free(N + i, k).is_zero() && s.free(N + i, N + k).is_zero());
+            if (now) reached[static_cast<std::size_t>(i)] = 1;
+        }
+    return reached[static_cast<std::size_t>(mass)] != 0;
+}
+
+// A part of a stretch where the largest displacement may be.
+struct PlaceOfPeak {
+    std::size_t phase, curve;
+    double a, b, upper;
+};
+
+// The search for the largest size of one displacement.
+class PeakSearch {
+public:
+    PeakSearch(const ProvedOrbit& orbit, const std::vector<PhaseInStretches>& phases, slong k, slong few)
+        : orbit_(orbit), phases_(phases), row_(1, orbit.s.n()), row_of_velocity_(1, orbit.s.n()), few_(few) {
+        row_(0, k) = Ball(1);
+        row_of_velocity_(0, orbit.s.N + k) = Ball(1);
+    }
+
+    PeakInBalls largest() {
+        std::vector<PlaceOfPeak> places = narrowed();
+        // Neighbours are one place; where they are too many the displacement hardly changes.
+        std::erase_if(places, [&](const PlaceOfPeak& p) { return p.upper < best_; });
+        std::vector<PeakCandidate> candidates;
+        for (const PlaceOfPeak& place : places)
+            if (std::optional<PeakCandidate> found = at(place)) candidates.push_back(std::move(*found));
+        return largest_of(candidates);
+    }
+
+private:
+    std::vector<PlaceOfPeak> narrowed() {
+        const Bits few(few_);
+        std::vector<PlaceOfPeak> open, kept;
+        for (std::size_t i = 0; i < phases_.size(); ++i) {
+            curves_.emplace_back();
+            for (slong n = 0; n < phases_[i].count(); ++n) {
+                const Curve& c = curves_[i].emplace_back(phases_[i].curve(n, row_));
+                best_ = std::max(best_, abs(c.front()).low());
+                double upper = 0;
+                for (const Ball& power : c) upper += abs(power).high();
+                open.push_back({i, static_cast<std::size_t>(n), 0, 1, upper * (1 + 1e-12)});
+            }
+        }
+        for (int looks = 0; !open.empty(); ++looks) {
+            if (looks > most_looks_for_peak) throw Unproved("a displacement hardly changes, so that its largest is not found");
+            const PlaceOfPeak p = open.back();
+            open.pop_back();
+            if (p.upper < best_) continue;
+            const Curve& c = curves_[p.phase][p.curve];
+            QuestionEffort::pay(cost_of_ball_products(3 * static_cast<double>(c.size())));
+            const Ball X = Ball::within(p.a, p.b), v = derivative(c, 1, X);
+            const double half = p.a + (p.b - p.a) / 2;
+            const Ball x = derivative(c, 0, Ball(half));
+            best_ = std::max(best_, abs(x).low());
+            const double upper = abs(widened(x, abs(v) * Ball((p.b - p.a) / 2))).high();
+            if (upper < best_ || v > Ball(0) || v < Ball(0)) continue;
+            if (p.b - p.a < narrow) {
+                kept.push_back({p.phase, p.curve, p.a, p.b, upper});
+            } else {
+                open.push_back({p.phase, p.curve, p.a, half, upper});
+                open.push_back({p.phase, p.curve, half, p.b, upper});
+            }
+        }
+        return kept;
+    }
+
+    // The zero of the velocity in a place; none where there is none.
+    std::optional<PeakCandidate> at(const PlaceOfPeak& p) const {
+        const PhaseInStretches& phase = phases_[p.phase];
+        const auto stretch = static_cast<slong>(p.curve);
+        const Curve& c = curves_[p.phase][p.curve];
+        const Curve v = phase.curve(stretch, row_of_velocity_);
+        Ball X = Ball::within(p.a, p.b);
+        QuestionEffort::pay(cost_of_ball_products(500));
+        for (int step = 0; step < most_newton_steps; ++step) {
+            const Ball next = middle(X) - phase.number(stretch, row_of_velocity_, middle(X)) / derivative(v, 1, X);
+            if (!next.finite()) break;
+            const double width = X.radius();
+            if (arb_intersection(X.a, X.a, next.a, ball_bits) == 0) return std::nullopt;
+            if (step > 0 && !(X.radius() < width / 4)) break;
+        }
+        const auto i = static_cast<slong>(p.phase);
+        const Ball part = (Ball(static_cast<int>(stretch)) + X) / Ball(static_cast<int>(phase.count()));
+        // Next to the extremum the displacement hardly changes: that at a middle, and no more than the speed over the rest.
+        const Ball x = phase.number(stretch, row_, middle(X));
+        Ball apart;
+        arf_set_mag(arb_midref(apart.a), arb_radref(X.a));
+        return candidate(widened(x, abs(derivative(c, 1, X)) * apart), orbit_.at.instant(i) + orbit_.at.length(i + 1) * part);
+    }
+
+    const ProvedOrbit& orbit_;
+    const std::vector<PhaseInStretches>& phases_;
+    BallMatrix row_, row_of_velocity_;
+    slong few_;
+    double best_ = 0; // a size that is certainly reached
+    std::vector<std::vector<Curve>> curves_{};
+};
+
+} // namespace
+
+PeakInBalls peak_of_contact(const ProvedOrbit& orbit) {
+    const BallMatrix w = transposed(orbit.s.w);
+    std::vector<PeakCandidate> candidates;
+    for (slong i = 0; i < orbit.at.m(); ++i) {
+        if (orbit.at.direction(i) == 0) continue;
+        Ball x(0);
+        for (slong k = 0; k < orbit.s.N; ++k) x += w(0, k) * orbit.Z[static_cast<std::size_t>(i)](k);
+        candidates.push_back(candidate(x, orbit.at.instant(i)));
+    }
+    return largest_of(candidates);
+}
+
+PeakInBalls peak_of_mass(const ProvedOrbit& orbit, const std::vector<PhaseInStretches>& phases, slong k) {
+    if (!is_reached(orbit.s, k)) return {Ball(0), std::nullopt};
+    return PeakSearch(orbit, phases, k, 64).largest();
+}
+
+} // namespace denhartog::reference

@@ -1,0 +1,146 @@
+#include "denhartog/reference/orbit_proof.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "denhartog/number/effort.hpp"
+
+namespace denhartog::reference {
+namespace {
+
+constexpr double longest_stretch = 2; // norm of A times its length
+constexpr int most_looks = 2000;      // at one curve
+constexpr int deepest_look = 60;      // halvings of a stretch
+
+// One number over a stretch that is not known where it vanishes, from a to b.
+class PositiveCurve {
+public:
+    PositiveCurve(const Curve& c, const char* what) : c_(c), what_(what) {}
+
+    void require(double a, double b, const EndsOfCurve& ends, int depth) {
+        if (++looks_ > most_looks || depth > deepest_look) throw Unproved(what_);
+        if (!ends.vanishes && over(ends.order, a, b) > Ball(0)) return;
+        if (ends.vanishes && ends.order == 0 && over(1, a, b) < Ball(0)) return;
+        const double half = a + (b - a) / 2;
+        if (derivative(c_, 0, Ball(half)) < Ball(0)) throw Disproved(what_);
+        require(a, half, {ends.order, false}, depth + 1);
+        require(half, b, {0, ends.vanishes}, depth + 1);
+    }
+
+private:
+    // A derivative over an interval, by Taylor's formula about its middle: where the curve only just stays positive it is flat.
+    Ball over(int order, double a, double b) const {
+        const Ball X = Ball::within(a, b), m(a + (b - a) / 2), h = X - m;
+        if (order == 2) return derivative(c_, 2, X);
+        if (order == 1) return derivative(c_, 1, m) + derivative(c_, 2, X) * h;
+        return derivative(c_, 0, m) + derivative(c_, 1, m) * h + derivative(c_, 2, X) * h * h / Ball(2);
+    }
+
+    const Curve& c_;
+    const char* what_;
+    int looks_ = 0;
+};
+
+} // namespace
+
+Ball derivative(const Curve& c, int order, const Ball& theta) {
+    Ball sum(0), term;
+    for (int k = static_cast<int>(c.size()) - 1; k >= order; --k) {
+        slong factor = 1;
+        for (int q = 0; q < order; ++q) factor *= k - q;
+        arb_mul(sum.a, sum.a, theta.a, ball_bits);
+        arb_mul_si(term.a, c[static_cast<std::size_t>(k)].a, factor, ball_bits);
+        arb_add(sum.a, sum.a, term.a, ball_bits);
+    }
+    return sum;
+}
+
+void require_positive(const Curve& c, const EndsOfCurve& ends, const char* what) {
+    for (const double end : {0.0, 1.0})
+        if (derivative(c, 0, Ball(end)) < Ball(0)) throw Disproved(what);
+    PositiveCurve(c, what).require(0, 1, ends, 0);
+}
+
+PhaseInStretches::PhaseInStretches(const BallMatrix& A, const BallMatrix& Z, const Ball& length, slong leaps,
+                                   const BallMatrix& leap, slong few) {
+    (void)followed(A, Z, length, leaps, leap, &leaps_);
+    each_ =
+        std::max<slong>(1, static_cast<slong>(std::ceil(norm(A) * length.high() / static_cast<double>(leaps) / longest_stretch)));
+    count_ = each_ * leaps;
+    const BallMatrix B = A * (length / Ball(static_cast<int>(count_)));
+    for (slong k = 0; k < count_; ++k) {
+        BallMatrix node;
+        {
+            const Bits more(few + 32); // a leap widens a ball by exp(longest_leap) at most
+            node =
+                leaps_[static_cast<std::size_t>(k / each_)].at(Ball(static_cast<int>(k % each_)) / Ball(static_cast<int>(each_)));
+        }
+        const Bits enough(few);
+        stretches_.emplace_back(rounded(B), rounded(node));
+    }
+}
+
+Curve PhaseInStretches::curve(slong stretch, const BallMatrix& row) const {
+    const BallMatrix& terms = stretches_[static_cast<std::size_t>(stretch)].terms();
+    Curve c(static_cast<std::size_t>(terms.columns()));
+    for (slong i = 0; i < terms.rows(); ++i) {
+        if (row(0, i).is_zero()) continue;
+        for (slong k = 0; k < terms.columns(); ++k)
+            arb_addmul(c[static_cast<std::size_t>(k)].a, row(0, i).a, terms(i, k).a, ball_bits);
+    }
+    return c;
+}
+
+Ball PhaseInStretches::number(slong stretch, const BallMatrix& row, const Ball& theta) const {
+    const Ball part = (Ball(static_cast<int>(stretch % each_)) + theta) / Ball(static_cast<int>(each_));
+    return leaps_[static_cast<std::size_t>(stretch / each_)].at(row, part);
+}
+
+BallMatrix PhaseInStretches::state(const Ball& part) const {
+    const auto leaps = static_cast<int>(count_ / each_);
+    const Ball place = part * Ball(leaps);
+    const slong leap = std::clamp<slong>(static_cast<slong>(std::floor(static_cast<double>(place))), 0, leaps - 1);
+    return leaps_[static_cast<std::size_t>(leap)].at(place - Ball(static_cast<int>(leap)));
+}
+
+std::vector<PhaseInStretches> in_stretches(const ProvedOrbit& orbit, slong few) {
+    std::vector<PhaseInStretches> phases;
+    for (slong i = 1; i <= orbit.at.m(); ++i) {
+        const auto k = static_cast<std::size_t>(i - 1);
+        if (!(orbit.at.length(i) > Ball(0))) {
+            if (orbit.at.length(i) < Ball(0)) throw Disproved("a phase ends before it starts");
+            throw Unproved("a phase may have no length");
+        }
+        phases.emplace_back(orbit.s.phase(orbit.at.direction(i)), orbit.Z[k], orbit.at.length(i), orbit.leaps[k], orbit.leap[k],
+                            few);
+    }
+    return phases;
+}
+
+void require_friction(const ProvedOrbit& orbit, const std::vector<PhaseInStretches>& phases) {
+    const ContactMechanics& s = orbit.s;
+    BallMatrix limit(1, s.n());
+    limit(0, s.n() - 1) = s.holds;
+    const auto require = [&](const PhaseInStretches& phase, const BallMatrix& row, const EndsOfCurve& ends, const char* what) {
+        for (slong k = 0; k < phase.count(); ++k)
+            require_positive(phase.curve(k, row), {k == 0 ? ends.order : 0, ends.vanishes && k == phase.count() - 1}, what);
+    };
+    for (slong i = 1; i <= orbit.at.m(); ++i) {
+        const PhaseInStretches& phase = phases[static_cast<std::size_t>(i - 1)];
+        const int before = orbit.at.direction(i - 1), here = orbit.at.direction(i), after = orbit.at.direction(i + 1);
+        if (here == 0) {
+            require(phase, limit - s.load * Ball(after), {0, true}, "it slips earlier");
+            require(phase, limit + s.load * Ball(after), {0, false}, "it slips to the other side");
+            continue;
+        }
+        if (before != 0) {
+            const Ball beyond = (s.load * orbit.Z[static_cast<std::size_t>(i - 1)])(0) * Ball(here) - s.holds;
+            if (beyond < Ball(0)) throw Disproved("it stops where it is said to turn");
+            if (!(beyond > Ball(0))) throw Unproved("it may stop where it is said to turn");
+        }
+        // With mu = 1 it slips without a jump of its acceleration.
+        require(phase, s.speed() * Ball(here), {before == 0 && s.equal ? 2 : 1, true}, "it turns or stops while it slides");
+    }
+}
+
+} // namespace denhartog::reference

@@ -1,0 +1,58 @@
+#include "denhartog/reference/scene_in_balls.hpp"
+
+#include <span>
+
+#include "denhartog/formulas/system.hpp"
+
+namespace denhartog::reference {
+namespace {
+
+BallMatrix in_balls(const Matrix<Ball>& A) {
+    BallMatrix out(A.rows(), A.cols());
+    for (Eigen::Index i = 0; i < A.rows(); ++i)
+        for (Eigen::Index k = 0; k < A.cols(); ++k) out(i, k) = A(i, k);
+    return out;
+}
+
+// (7), (73): masses on the diagonal.
+BallMatrix masses_of(const System<Ball>& s) {
+    if (s.mass_matrix.size() > 0) return in_balls(s.mass_matrix);
+    const auto N = static_cast<slong>(s.mass_ratios.size());
+    BallMatrix M(N, N);
+    for (slong k = 0; k < N; ++k) M(k, k) = s.mass_ratios[static_cast<std::size_t>(k)];
+    return M;
+}
+
+BallMatrix stiffnesses_of(const System<Ball>& s) {
+    if (s.stiffness_matrix.size() > 0) return in_balls(s.stiffness_matrix);
+    const std::vector<Ball> entries = paper::chain_stiffness_matrix(std::span<const Ball>(s.stiffness_ratios));
+    const auto N = static_cast<slong>(s.stiffness_ratios.size());
+    BallMatrix K(N, N);
+    for (slong i = 0; i < N; ++i)
+        for (slong k = 0; k < N; ++k) K(i, k) = entries[static_cast<std::size_t>(i * N + k)];
+    return K;
+}
+
+} // namespace
+
+SceneInBalls in_matrices(const Scene<Ball>& scene) {
+    const System<Ball>& s = scene.system;
+    SceneInBalls out{masses_of(s), stiffnesses_of(s)};
+    if (s.damping_matrix.size() > 0)
+        out.C = in_balls(s.damping_matrix);
+    else
+        out.zeta = s.damping_ratios;
+    out.w = BallMatrix(out.N(), 1);
+    out.w(static_cast<slong>(s.contact.index)) = Ball(1);
+    if (s.contact_with) out.w(static_cast<slong>(s.contact_with->index)) = Ball(-1);
+    out.p = BallMatrix(out.N(), 1);
+    if (s.load_vector.empty()) out.p(static_cast<slong>(s.load.index)) = Ball(1);
+    for (std::size_t k = 0; k < s.load_vector.size(); ++k) out.p(static_cast<slong>(k)) = s.load_vector[k];
+    out.r = *scene.r;
+    out.mu = scene.mu;
+    out.beta = scene.beta;
+    out.contact = s.contact.index;
+    return out;
+}
+
+} // namespace denhartog::reference

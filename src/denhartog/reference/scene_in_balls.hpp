@@ -1,0 +1,54 @@
+/// @file
+/// @brief The equations of motion (6) with every number a ball, and the refusal of what is not proved.
+///
+/// In the paper's case the contact is one mass on a wall and the load acts on one mass: \f$ \mathbf{w} \f$ and
+/// \f$ \mathbf{p} \f$ are unit vectors. A contact between two masses has \f$ \mathbf{w} = \mathbf{e}_j - \mathbf{e}_k \f$, and a
+/// load may act on several masses; the equations are the same:
+/// \f[ \overline{\mathbf M}\bar{\mathbf x}'' + \overline{\mathbf C}\bar{\mathbf x}' + \overline{\mathbf K}\bar{\mathbf x} =
+/// \mathbf{p}\cos\tau - \beta\,\mathbf{w}\,\mathrm{sgn}(\mathbf{w}^T\bar{\mathbf x}') \f]
+#pragma once
+
+#include <optional>
+#include <stdexcept>
+#include <vector>
+
+#include "denhartog/number/ball_matrix.hpp"
+#include "denhartog/scene/scene.hpp"
+
+namespace denhartog::reference {
+
+/// @brief Something that could not be proved with the bits at hand; more bits may help.
+struct Unproved : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+/// @brief A statement that is certainly not so: no number of bits will prove it.
+struct Disproved : Unproved {
+    using Unproved::Unproved;
+};
+
+/// @brief A scene, every number a ball.
+/// @eq{6}
+struct SceneInBalls {
+    BallMatrix M{}; ///< masses in units of m_1, N x N; the bar of (7) is a factor r^2
+    BallMatrix K{}; ///< stiffnesses in units of k_1, N x N
+    BallMatrix C{}; ///< damping in units of sqrt(k_1 m_1), N x N; the bar of (7) is a factor r. Empty where zeta is given
+    std::vector<Ball> zeta{};   ///< damping ratios by ascending natural frequency, Eq. (18); empty where C is given
+    BallMatrix w{};             ///< what the contact feels of the displacements: w^T x, N x 1
+    BallMatrix p{};             ///< force on each mass in units of P, N x 1
+    Ball r{};                   ///< frequency ratio, Eq. (10)
+    Ball mu{};                  ///< static over kinetic friction, Eq. (3)
+    std::optional<Ball> beta{}; ///< friction ratio, Eq. (11)
+    std::size_t contact = 0;    ///< the mass in contact, j
+
+    /// @brief Number of masses. @return N
+    [[nodiscard]] slong N() const { return M.rows(); }
+};
+
+/// @brief The matrices of a scene.
+/// @eq{6,7,73}
+/// @param scene  the scene as its author wrote it, in the bits of the moment; r must be given
+/// @return       the matrices
+[[nodiscard]] SceneInBalls in_matrices(const Scene<Ball>& scene);
+
+} // namespace denhartog::reference

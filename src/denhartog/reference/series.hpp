@@ -1,0 +1,93 @@
+/// @file
+/// @brief A function of time by its first terms about an instant: a formula that is written once gives its derivatives too.
+#pragma once
+
+#include <array>
+
+#include "denhartog/number/ball.hpp"
+
+namespace denhartog::reference {
+
+/// @brief Bits with which this thread looks for maxima, before they are found with all; the driver takes more where these do not tell.
+inline thread_local slong bits_of_search = 64;
+
+/// @brief \f$ c_0 + c_1\theta + \dots + c_4\theta^4 \f$, with terms beyond left out: c_n is a derivative over n!.
+///
+/// About an instant that is a ball, a stretch of time, each c_n holds the derivative over n! at every instant of the stretch.
+struct Series {
+    std::array<Ball, 5> c{}; ///< the coefficients
+
+    /// @brief Zero.
+    Series() = default;
+    /// @param n  a whole number
+    Series(int n) { c[0] = Ball(n); }
+    /// @param x  a number that does not depend on time
+    Series(const Ball& x) { c[0] = x; }
+    /// @brief Time itself. @param instant where, an instant or a stretch @return instant + theta
+    [[nodiscard]] static Series time(const Ball& instant) {
+        Series t(instant);
+        t.c[1] = Ball(1);
+        return t;
+    }
+    /// @brief The derivative. @return its series; the last coefficient is not known and is zero
+    [[nodiscard]] Series derivative() const {
+        Series d;
+        for (int n = 0; n < 4; ++n) d.c[n] = (n + 1) * c[n + 1];
+        return d;
+    }
+    /// @brief Value, slope and curvature. @param n 0, 1 or 2 @return the derivative of that order
+    [[nodiscard]] Ball rate(int n) const { return n < 2 ? c[n] : 2 * c[2]; }
+
+    /// @brief Sum. @param x a summand @param y a summand @return x + y
+    friend Series operator+(const Series& x, const Series& y) {
+        Series r;
+        for (int n = 0; n < 5; ++n) r.c[n] = x.c[n] + y.c[n];
+        return r;
+    }
+    /// @brief Difference. @param x a function @param y what is taken from it @return x - y
+    friend Series operator-(const Series& x, const Series& y) {
+        Series r;
+        for (int n = 0; n < 5; ++n) r.c[n] = x.c[n] - y.c[n];
+        return r;
+    }
+    /// @brief Negative. @param x a function @return -x
+    friend Series operator-(const Series& x) { return Series() - x; }
+    /// @brief Product. @param x a factor @param y a factor @return x y
+    friend Series operator*(const Series& x, const Series& y) {
+        Series r;
+        for (int n = 0; n < 5; ++n)
+            for (int k = 0; k <= n; ++k)
+                if (!x.c[k].is_zero() && !y.c[n - k].is_zero()) r.c[n] += x.c[k] * y.c[n - k];
+        return r;
+    }
+    /// @brief Quotient. @param x a function @param y a function @return x / y
+    friend Series operator/(const Series& x, const Series& y) {
+        Series r;
+        for (int n = 0; n < 5; ++n) {
+            Ball rest = x.c[n];
+            for (int k = 1; k <= n; ++k)
+                if (!y.c[k].is_zero()) rest -= y.c[k] * r.c[n - k];
+            r.c[n] = rest.is_zero() ? rest : rest / y.c[0];
+        }
+        return r;
+    }
+};
+
+/// @brief Sine and cosine of a function, each from the slope of the other.
+struct SineCosineSeries {
+    Series s{}; ///< sine
+    Series c{}; ///< cosine
+};
+
+/// @brief Sine and cosine. @param x radians @return both
+[[nodiscard]] SineCosineSeries sine_cosine_series(const Series& x);
+/// @brief Sine. @param x radians @return sin(x)
+[[nodiscard]] inline Series sin(const Series& x) { return sine_cosine_series(x).s; }
+/// @brief Cosine. @param x radians @return cos(x)
+[[nodiscard]] inline Series cos(const Series& x) { return sine_cosine_series(x).c; }
+/// @brief Exponential. @param x a function @return exp(x)
+[[nodiscard]] Series exp(const Series& x);
+/// @brief Square root of a number that does not depend on time. @param x the number @return its root
+[[nodiscard]] inline Series sqrt(const Series& x) { return Series(sqrt(x.c[0])); }
+
+} // namespace denhartog::reference

@@ -1,0 +1,76 @@
+#include "denhartog/reference/sliding.hpp"
+
+#include <cmath>
+
+#include "denhartog/formulas/contact.hpp"
+#include "denhartog/formulas/motion.hpp"
+#include "denhartog/formulas/other_masses.hpp"
+#include "denhartog/reference/maximum.hpp"
+
+namespace denhartog::reference {
+
+Ball wrapped_in_balls(const Ball& angle) {
+    if (!angle.finite()) return angle;
+    const Ball turns = angle / (2 * pi<Ball>());
+    const double whole = std::ceil(static_cast<double>(turns) - 0.5 - 1e-12); // -pi is taken to pi
+    return angle - 2 * pi<Ball>() * Ball(whole);
+}
+
+SlidingContactInBalls contact_in_balls(const ResponsesInBalls& r, const Ball& beta) {
+    const std::size_t j = r.contact();
+    return {paper::displacement_transmissibility_of_contact(r.V[j], r.U[j], r.G[j], beta),
+            wrapped_in_balls(paper::phase_of_contact(r.V[j], r.U[j], beta))};
+}
+
+SlidingMassInBalls mass_in_balls(const ResponsesInBalls& r, const SlidingContactInBalls& contact, const Ball& beta,
+                                 std::size_t row, bool is_contact) {
+    const std::size_t j = r.contact();
+    if (is_contact) return {contact.X_j, contact.phi_j, contact.X_j, Ball(0), Ball(0), contact.X_j, contact.phi_j};
+    SlidingMassInBalls m;
+    m.x0 = paper::initial_displacement(r.V[row], r.V[j], r.U[j], r.G[row], beta);
+    m.v0 = paper::initial_velocity(r.V[row], r.V[j], r.U[j], r.U[row], beta);
+    m.amplitude_monoharmonic = paper::displacement_transmissibility(r.V[row], r.V[j], r.U[j], r.U[row], r.G[row], beta);
+    m.phase_monoharmonic = wrapped_in_balls(contact.phi_j + paper::phase_behind_contact(m.x0, m.v0));
+    if (beta.is_zero()) { // harmonic: the largest displacement is as far behind as the mass
+        m.amplitude = modulus(r.V[row]);
+        m.phase = wrapped_in_balls(-argument(r.V[row]));
+        m.instant = wrapped_in_balls(m.phase - contact.phi_j);
+        if (m.instant < Ball(0)) m.instant = m.instant + pi<Ball>();
+        return m;
+    }
+    const auto x = [&](const Ball& tau) { // (41)
+        const Series F = r.friction.of(row, r.friction.shared(tau));
+        return paper::displacement<Series>(Series::time(tau), m.x0, m.v0, r.G[row], r.U[row], beta, F);
+    };
+    // No place is largest where a mass does not move, as far as the bits can tell. By (41) to (43) |x_k| is at most |V_dk| + beta |F_k|.
+    const Ball F_throughout = r.friction.of(row, r.friction.shared(either(Ball(0), pi<Ball>()))).rate(0);
+    const Ball throughout = root_of_positive(squared_modulus(r.V[row])) + beta * abs(F_throughout);
+    Ball nothing = abs(contact.X_j);
+    arb_mul_2exp_si(nothing.a, nothing.a, -ball_bits / 2);
+    if (throughout < nothing) {
+        m.amplitude = either(Ball(0), throughout);
+        m.instant = m.phase = widened(Ball(0), pi<Ball>());
+        return m;
+    }
+    const LargestBothWays largest = largest_size_of(x);
+    const auto phase = [&](const LargestInBalls& at, int minimum) {
+        return wrapped_in_balls(paper::phase_of_mass(contact.phi_j, at.instant, minimum));
+    };
+    const bool both = largest.up && largest.down && arb_overlaps(largest.up->value.a, largest.down->value.a) != 0;
+    if (!both) {
+        const bool minimum = !largest.up || (largest.down && largest.down->value > largest.up->value);
+        const LargestInBalls& at = minimum ? *largest.down : *largest.up;
+        m.amplitude = at.value;
+        m.instant = at.instant;
+        m.phase = phase(at, minimum ? 1 : 0);
+        return m;
+    }
+    // Both may be the largest. At the ends of the half-period they are one and the same, seen in the mirror.
+    const Ball one = phase(*largest.up, 0), apart = wrapped_in_balls(phase(*largest.down, 1) - one);
+    m.amplitude = larger(largest.up->value, largest.down->value);
+    m.instant = either(largest.up->instant, largest.down->instant);
+    m.phase = either(one, one + apart);
+    return m;
+}
+
+} // namespace denhartog::reference

@@ -1,0 +1,47 @@
+/// @file
+/// @brief The steady state of the sliding regime, proved: (38), (39), (41), (44) to (53).
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "denhartog/reference/friction.hpp"
+
+namespace denhartog::reference {
+
+/// @brief What a mass does in the sliding regime.
+struct SlidingMassInBalls {
+    Ball amplitude{};              ///< largest |x_k|, Eqs. (46), (47)
+    Ball phase{};                  ///< its phase, Eq. (47); radians in (-pi, pi]
+    Ball x0{};                     ///< displacement at tau = 0, where that of the contact is largest, Eq. (44)
+    Ball v0{};                     ///< velocity there, Eq. (45)
+    Ball instant{};                ///< time in [0, pi] of the largest |x_k|, Eq. (46)
+    Ball amplitude_monoharmonic{}; ///< Eq. (52)
+    Ball phase_monoharmonic{};     ///< phi_j + phi_kj, Eq. (53)
+};
+
+/// @brief The contact in the sliding regime.
+struct SlidingContactInBalls {
+    Ball X_j{};   ///< amplitude of the contact, Eq. (38)
+    Ball phi_j{}; ///< its phase, Eq. (39); radians in (-pi, pi]
+};
+
+/// @brief The contact. @eq{38,39} @param r response functions @param beta friction ratio below the boundary @return X_j, phi_j
+[[nodiscard]] SlidingContactInBalls contact_in_balls(const ResponsesInBalls& r, const Ball& beta);
+
+/// @brief One mass, with the largest displacement proved.
+/// @eq{41,44,45,46,47,50,51,52,53}
+/// @param r        response functions
+/// @param contact  the contact
+/// @param beta     friction ratio below the boundary
+/// @param row      the mass; N for the contact, w^T x
+/// @param is_contact  whether its displacement is that of the contact
+/// @return         what it does
+/// @throws         Unproved where a maximum is not settled
+[[nodiscard]] SlidingMassInBalls mass_in_balls(const ResponsesInBalls& r, const SlidingContactInBalls& contact, const Ball& beta,
+                                               std::size_t row, bool is_contact);
+
+/// @brief An angle in (-pi, pi]. @param angle radians @return the same direction; of one next to -pi that next to pi
+[[nodiscard]] Ball wrapped_in_balls(const Ball& angle);
+
+} // namespace denhartog::reference

@@ -1,0 +1,40 @@
+/// @file
+/// @brief The response with the contact held, and the friction ratios from which it is held for ever, (88).
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "denhartog/formulas/complex.hpp"
+#include "denhartog/reference/modes.hpp"
+
+namespace denhartog::reference {
+
+/// @brief The motion with the contact held.
+struct StuckInBalls {
+    std::vector<Complex<Ball>> X{}; ///< complex amplitudes of the masses, times e^{i tau}
+    Complex<Ball> load{};           ///< of the force that holds the contact
+    Ball compliance{};              ///< static displacement of the contact by a unit force on it
+};
+
+/// @brief The response with the contact held where a force on it takes up the load: \f$ \mathbf w^T\mathbf X = 0 \f$.
+/// @eq{88}
+/// @param s  the scene with its damping matrix
+/// @return   the response; none where the system may resonate with the contact held
+[[nodiscard]] std::optional<StuckInBalls> stuck_in_balls(const SceneInBalls& s);
+
+/// @brief The friction ratio from which the contact can rest for ever. @eq{88}
+/// @param s      the scene
+/// @param stuck  the response with the contact held
+/// @return       the ratio; 1 / mu, exact, where the load acts on the contact
+[[nodiscard]] Ball sticking_limit_in_balls(const SceneInBalls& s, const StuckInBalls& stuck);
+
+/// @brief (88) as printed, of a chain with one loaded mass and its contact on the wall.
+/// @eq{88}
+/// @param s     the scene with its damping matrix; its matrices are those of a chain
+/// @param load  the loaded mass
+/// @return      the ratio
+/// @throws      Unproved as `modes_in_balls`
+[[nodiscard]] Ball sticking_limit_by_88(const SceneInBalls& s, std::size_t load);
+
+} // namespace denhartog::reference
