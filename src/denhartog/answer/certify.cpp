@@ -19,15 +19,16 @@ void append_in_words(std::string& words, const Aim& aim) {
 } // namespace
 
 double tolerance_of(int digits) {
-    static const std::array<double, most_digits + 1> powers = [] {
-        std::array<double, most_digits + 1> all{};
-        for (int n = 0; n <= most_digits; ++n) {
+    constexpr int most = 323; // of a double; beyond, its smallest number stands for all
+    static const std::array<double, most + 1> powers = [] {
+        std::array<double, most + 1> all{};
+        for (int n = 0; n <= most; ++n) {
             const std::string text = "1e-" + std::to_string(n);
             std::from_chars(text.data(), text.data() + text.size(), all[static_cast<std::size_t>(n)]);
         }
         return all;
     }();
-    return powers[static_cast<std::size_t>(digits)];
+    return powers[static_cast<std::size_t>(std::min(digits, most))];
 }
 
 Aim aim_of(std::optional<int> digits) {
@@ -45,7 +46,7 @@ std::string in_words(const Aim& aim) {
 
 int digits_of(double error) {
     int digits = 0;
-    while (digits < most_digits && error <= tolerance_of(digits + 1)) ++digits;
+    while (digits < most_digits_in(Precision::in_100_digits) && error <= tolerance_of(digits + 1)) ++digits;
     return digits;
 }
 
@@ -62,7 +63,7 @@ int most_digits_in(Precision precision) {
     switch (precision) {
     case Precision::in_double: return 14;
     case Precision::in_50_digits: return 45;
-    case Precision::in_100_digits: return most_digits;
+    case Precision::in_100_digits: return 95;
     }
     return 0;
 }

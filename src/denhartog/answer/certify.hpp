@@ -38,7 +38,7 @@ struct Aim {
 /// @brief The relative error that leaves so many digits. @param digits from 0 to `most_digits` @return ten to the minus digits
 [[nodiscard]] double tolerance_of(int digits);
 
-/// @brief How many digits an error leaves. @param error relative @return from 0 to `most_digits`
+/// @brief How many digits an error leaves. @param error relative @return from 0 to 95
 [[nodiscard]] int digits_of(double error);
 
 /// @brief An error as a double. @param error it @return the same; infinite where it is no number

@@ -1,11 +1,21 @@
 #include "denhartog/answer/scene_source.hpp"
 
+#include "denhartog/answer/reference.hpp"
+
 #include <utility>
 
 #include "denhartog/model/coordinates.hpp"
+#include "denhartog/number/ball_or_none.hpp"
+#include "denhartog/scene/converted.hpp"
 
 namespace denhartog {
 namespace {
+
+[[noreturn]] void fail_without_reference() {
+    throw PrecisionError(has_reference()
+                             ? "this scene is not to be had by the reference"
+                             : "this needs the reference, and the library was built without it (DENHARTOG_REFERENCE=OFF)");
+}
 
 // A scene in double, or what is wrong with it, and a function that gives it in more digits.
 template <class Read>
@@ -19,6 +29,13 @@ struct ReadBy final : SceneReader {
     }
     [[nodiscard]] Scene<Real50> in_50_digits() const override { return read(Real50()); }
     [[nodiscard]] Scene<Real100> in_100_digits() const override { return read(Real100()); }
+    void in_balls([[maybe_unused]] Scene<Ball>& scene) const override {
+#if DENHARTOG_REFERENCE
+        scene = read(Ball());
+#else
+        fail_without_reference();
+#endif
+    }
 };
 
 // A scene of numbers in double, which this or somebody else keeps.
@@ -34,6 +51,13 @@ struct OfDoubles final : SceneReader {
     [[nodiscard]] const Scene<double>& in_double() const override { return *scene; }
     [[nodiscard]] Scene<Real50> in_50_digits() const override { return in_own_coordinates(converted<Real50>(*given)); }
     [[nodiscard]] Scene<Real100> in_100_digits() const override { return in_own_coordinates(converted<Real100>(*given)); }
+    void in_balls([[maybe_unused]] Scene<Ball>& in_balls) const override {
+#if DENHARTOG_REFERENCE
+        in_balls = converted<Ball>(*given);
+#else
+        fail_without_reference();
+#endif
+    }
 };
 
 template <class Read>
@@ -41,13 +65,21 @@ SceneSource source_by(SceneOrError<double> narrow, Read read) {
     return std::make_shared<const ReadBy<Read>>(std::move(narrow), std::move(read));
 }
 
+// The number type of a scene.
+template <class T>
+T number_type(const Scene<T>&);
+
 // The same source with something of its scene changed.
 template <class Change>
 SceneSource changed(const SceneSource& source, const Change& change) {
     SceneOrError<double> narrow;
     change(narrow.scene.emplace(source->in_double()));
     return source_by(std::move(narrow), [source, change]<class T>(T) {
-        Scene<T> scene = scene_in<T>(source);
+        Scene<T> scene;
+        if constexpr (is_ball<T>)
+            source->in_balls(scene);
+        else
+            scene = scene_in<T>(source);
         change(scene);
         return scene;
     });
@@ -55,13 +87,18 @@ SceneSource changed(const SceneSource& source, const Change& change) {
 
 } // namespace
 
+void SceneReader::in_balls(Scene<Ball>&) const { fail_without_reference(); }
+
 SceneSource scene_source(const SceneText& part) {
     SceneOrError<double> narrow = read_scene<double>(part);
     if (narrow.scene) narrow.scene = in_own_coordinates(*narrow.scene);
     return source_by(std::move(narrow), [text = std::string(part.text), line = part.line, alone = part.alone]<class T>(T) {
         const SceneOrError<T> read = read_scene<T>(SceneText{text, line, alone});
         if (read.error) throw InputError(*read.error);
-        return in_own_coordinates(*read.scene);
+        if constexpr (is_ball<T>)
+            return *read.scene;
+        else
+            return in_own_coordinates(*read.scene);
     });
 }
 
@@ -71,20 +108,21 @@ SceneSource source_of_kept(const Scene<double>& scene) { return std::make_shared
 
 SceneSource at_point(const SceneSource& source, double r, double beta) {
     return changed(source, [r, beta](auto& scene) {
-        scene.r = r;
-        scene.beta = beta;
+        using Number = decltype(number_type(scene));
+        scene.r = Number(r);
+        scene.beta = Number(beta);
     });
 }
 
 SceneSource at_frequency(const SceneSource& source, double r) {
     return changed(source, [r](auto& scene) {
-        scene.r = r;
+        scene.r = decltype(number_type(scene))(r);
         scene.beta.reset();
     });
 }
 
 SceneSource with_static_friction(const SceneSource& source, double mu) {
-    return changed(source, [mu](auto& scene) { scene.mu = mu; });
+    return changed(source, [mu](auto& scene) { scene.mu = decltype(number_type(scene))(mu); });
 }
 
 SceneSource with_damping_tolerance(const SceneSource& source, double tolerance) {
@@ -93,7 +131,7 @@ SceneSource with_damping_tolerance(const SceneSource& source, double tolerance) 
 
 SceneSource without_point(const SceneSource& source) {
     return changed(source, [](auto& scene) {
-        scene.mu = 1;
+        scene.mu = decltype(number_type(scene))(1);
         scene.r.reset();
         scene.beta.reset();
     });

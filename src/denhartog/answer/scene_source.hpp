@@ -9,6 +9,8 @@
 
 namespace denhartog {
 
+class Ball;
+
 /// @brief How a scene is had in every number type.
 struct SceneReader {
     virtual ~SceneReader() = default;
@@ -16,6 +18,9 @@ struct SceneReader {
     in_double() const = 0;                                          ///< @return the scene in double, which lives as long as this
     [[nodiscard]] virtual Scene<Real50> in_50_digits() const = 0;   ///< @return the scene in 50 digits
     [[nodiscard]] virtual Scene<Real100> in_100_digits() const = 0; ///< @return the scene in 100 digits
+    /// @brief The scene for the reference, in the bits of the moment and as its author wrote it: not in coordinates of its own.
+    /// @param scene  gets it @throws PrecisionError where there is none, as in a library built without the reference
+    virtual void in_balls(Scene<Ball>& scene) const;
 };
 
 /// @brief A scene in every number type: one tenth written as text is one tenth to all the digits of each.

@@ -18,8 +18,9 @@
 
 namespace denhartog {
 
-/// @brief The largest number of significant digits that you can ask for.
-constexpr int most_digits = 95;
+/// @brief The largest number of significant digits that you can ask for; above 95, and above 45 of a motion with stops, the
+/// reference answers.
+constexpr int most_digits = 100'000;
 /// @brief The number of significant digits that the library aims at if you ask for none.
 constexpr int digits_by_default = 6;
 
@@ -37,13 +38,15 @@ struct Question {
     std::optional<int> digits;   ///< significant digits, 1 to `most_digits`; by default the aim is 6, and it may be missed
     bool all = false;            ///< whether to look for other motions too, from seeded starts and sweeps
     std::optional<Mass> mass{};  ///< ask about this mass alone: only it is listed, only it must have the digits; empty: all
+    bool proved = false;         ///< whether every number must be proved: the reference then answers
 };
 
 /// @brief How an answer was computed.
 struct Method {
     std::string model;     ///< the model that answers, e.g. `closed form`
-    std::string precision; ///< `double`, `50 digits` or `100 digits`
+    std::string precision; ///< `double`, `50 digits`, `100 digits` or `reference`
     std::string why;       ///< why this model answers, and in this precision
+    bool proved = false;   ///< whether every number of the answer is proved; else bounds are estimates, docs/promises.md
 };
 
 /// @brief The friction ratios that separate the regimes at one frequency ratio.

@@ -14,6 +14,7 @@ struct Certified {
     double value = 0;      ///< the number, rounded to a double
     double error = 0;      ///< absolute bound of the error of `decimal`; if that is empty, of `value`, rounding included
     std::string decimal{}; ///< the number with the digits asked for, as text; empty up to 15 digits
+    bool proved = false;   ///< whether a proof stands behind the bound; else it is an estimate, docs/promises.md
 };
 
 } // namespace denhartog

@@ -10,6 +10,7 @@
 #include <limits>
 #include <sstream>
 
+#include "denhartog/number/ball_or_none.hpp"
 #include "denhartog/number/multiprecision.hpp"
 #include "denhartog/number/number_range.hpp"
 
@@ -77,6 +78,18 @@ T convert(std::string_view text, long) {
     return T(std::string(text));
 }
 
+template <class T>
+NumberFault finite_from_text(std::string_view text, long order, bool zero, T& value) {
+    const T x = convert<T>(text, order);
+    using std::abs;
+    using std::isfinite;
+    if (!isfinite(x)) return NumberFault::too_large;
+    if (x == 0 && !zero) return NumberFault::too_small;
+    if (!in_range_of_text(x)) return abs(x) < 1 ? NumberFault::too_small : NumberFault::too_large;
+    value = x;
+    return NumberFault::none;
+}
+
 } // namespace
 
 template <class T>
@@ -112,14 +125,13 @@ NumberFault number_from_text(std::string_view text, T& value) {
     int exponent = 0;
     const auto read = std::from_chars(parts.exponent.data(), parts.exponent.data() + parts.exponent.size(), exponent);
     if (read.ec == std::errc::result_out_of_range || std::abs(exponent) > largest_exponent) return NumberFault::too_long;
-    const T x = convert<T>(text, parts.order + exponent);
-    using std::abs;
-    using std::isfinite;
-    if (!isfinite(x)) return NumberFault::too_large;
-    if (x == 0 && !parts.zero) return NumberFault::too_small;
-    if (!in_range_of_text(x)) return abs(x) < 1 ? NumberFault::too_small : NumberFault::too_large;
-    value = x;
-    return NumberFault::none;
+#if DENHARTOG_REFERENCE
+    if constexpr (is_ball<T>) {
+        value = Ball::of_text(std::string(text));
+        return NumberFault::none;
+    } else
+#endif
+        return finite_from_text(text, parts.order + exponent, parts.zero, value);
 }
 
 std::string number_in_digits(double x, int digits) {
@@ -153,5 +165,8 @@ template std::string number_in_certain_digits(const Real100&, const Real100&);
 template NumberFault number_from_text(std::string_view, double&);
 template NumberFault number_from_text(std::string_view, Real50&);
 template NumberFault number_from_text(std::string_view, Real100&);
+#if DENHARTOG_REFERENCE
+template NumberFault number_from_text(std::string_view, Ball&);
+#endif
 
 } // namespace denhartog

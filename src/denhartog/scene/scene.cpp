@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "denhartog/number/ball_or_none.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/multiprecision.hpp"
 #include "denhartog/number/number_range.hpp"
@@ -218,5 +219,8 @@ template void check(const System<Real100>&);
 template Scene<double> converted(const Scene<double>&);
 template Scene<Real50> converted(const Scene<double>&);
 template Scene<Real100> converted(const Scene<double>&);
+#if DENHARTOG_REFERENCE
+template Scene<Ball> converted(const Scene<double>&);
+#endif
 
 } // namespace denhartog

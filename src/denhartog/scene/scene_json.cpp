@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "denhartog/formulas/system.hpp"
+#include "denhartog/number/ball_or_none.hpp"
 #include "denhartog/number/legible.hpp"
 #include "denhartog/number/multiprecision.hpp"
 #include "denhartog/number/number_text.hpp"
@@ -227,16 +228,14 @@ std::vector<T> load_of_base(const SceneItem& base, const System<T>& s) {
         if (alone && zeta != 0)
             base.fail("must be \"with_wall\" where there is damping: dampers of a base that moves alone would load the masses a "
                       "quarter of a period after the springs; without dampers to the base give its load, K 1, as \"load\"");
-    if (alone && s.damping_matrix.size() > 0 && !s.damping_matrix.isZero(T(0)))
-        base.fail("must be \"with_wall\" where there is damping");
+    if (alone && !(s.damping_matrix.array() == T(0)).all()) base.fail("must be \"with_wall\" where there is damping");
     const Matrix<T>& matrix = alone ? s.stiffness_matrix : s.mass_matrix;
     if (matrix.size() == 0 && !alone) return s.mass_ratios;
     std::vector<T> load(matrix.size() == 0 ? number_of_masses(s) : static_cast<std::size_t>(matrix.rows()), T(0));
-    if (matrix.size() == 0) {
-        load.front() = s.stiffness_ratios.front(); // the base holds mass 1 alone
-        return load;
-    }
-    using W = std::conditional_t<std::same_as<T, double>, Real50, Real100>; // rows of K add up to next to nothing
+    if (matrix.size() == 0) load.front() = s.stiffness_ratios.front(); // the base holds mass 1 alone
+    if (matrix.size() == 0) return load;
+    using Wide = std::conditional_t<std::same_as<T, double>, Real50, Real100>;
+    using W = std::conditional_t<is_ball<T>, T, Wide>; // rows of K add up to next to nothing
     for (std::size_t k = 0; k < load.size(); ++k) {
         W sum(0);
         for (std::size_t n = 0; n < load.size(); ++n)
@@ -255,11 +254,10 @@ void read_load(const json& object, System<T>& s) {
         return;
     }
     const SceneItem load = item(object, "load");
-    if (!load.value.is_array()) {
+    if (load.value.is_array())
+        s.load_vector = read_list<T>(load);
+    else
         s.load.index = read_index(load);
-        return;
-    }
-    s.load_vector = read_list<T>(load);
 }
 
 } // namespace
@@ -287,12 +285,15 @@ Scene<T> scene_from_json(const json& object) {
     read_contact(object, scene.system);
     read_load(object, scene.system);
     if (object.contains("mu")) scene.mu = read_number<T>(item(object, "mu"));
-    check_under_names(scene, names);
+    if constexpr (!is_ball<T>) check_under_names(scene, names); // of balls the scene in double was checked
     return scene;
 }
 
 template Scene<double> scene_from_json(const json&);
 template Scene<Real50> scene_from_json(const json&);
 template Scene<Real100> scene_from_json(const json&);
+#if DENHARTOG_REFERENCE
+template Scene<Ball> scene_from_json(const json&);
+#endif
 
 } // namespace denhartog

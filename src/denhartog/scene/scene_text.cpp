@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "denhartog/number/ball_or_none.hpp"
 #include "denhartog/number/multiprecision.hpp"
 #include "denhartog/scene/json_document.hpp"
 #include "denhartog/scene/scene_json.hpp"
@@ -80,6 +81,9 @@ template Scene<Real100> read_scene(std::string_view);
 template SceneOrError<double> read_scene(const SceneText&);
 template SceneOrError<Real50> read_scene(const SceneText&);
 template SceneOrError<Real100> read_scene(const SceneText&);
+#if DENHARTOG_REFERENCE
+template SceneOrError<Ball> read_scene(const SceneText&);
+#endif
 template std::vector<SceneOrError<double>> read_scenes(std::string_view);
 template std::vector<SceneOrError<Real50>> read_scenes(std::string_view);
 template std::vector<SceneOrError<Real100>> read_scenes(std::string_view);

@@ -28,6 +28,10 @@ double error_of_point(const InvariantPoint<Bounded<T>>& p, double tolerance) {
 
 std::vector<InvariantPointsOfMass<Certified>> certain_invariant_points(const SceneSource& source, const RangeInText& range,
                                                                        std::optional<int> digits) {
+    const int most = most_digits_in(Precision::in_100_digits);
+    if (digits > most)
+        throw InputError("digits", "must be from 1 to " + std::to_string(most) + " for invariant points",
+                         std::to_string(*digits));
     const Aim aim = aim_of(digits);
     std::vector<InvariantPointsOfMass<Certified>> masses;
     std::string short_of_digits; // which point

@@ -11,6 +11,7 @@
 #include "denhartog/number/number_text.hpp"
 #include "denhartog/scene/converted.hpp"
 #include "denhartog/scene/point_rules.hpp"
+#include "denhartog/solve/solve_by_reference.hpp"
 #include "denhartog/solve/solve_task.hpp"
 #include "denhartog/stick_slip/at_maximum_of_force.hpp"
 #include "denhartog/stick_slip/event_errors.hpp"
@@ -20,22 +21,6 @@ namespace denhartog {
 namespace {
 
 Work work_so_far() { return {eigen_solves(), mode_evaluations(), phases_propagated()}; }
-
-void say_whether_unique(const ModalBasis<Bounded<double>>& basis, double mu, Solution& s) {
-    s.unique = mu == 1 && every_motion_is_damped(basis);
-    if (s.unique)
-        s.unique_because =
-            basis.coupled()
-                ? "mu = 1 and the damping matrix is positive definite: the velocities of any two motions under the same "
-                  "force become the same"
-                : "mu = 1 and every mode is damped: the velocities of any two motions under the same force become the same";
-    else if (mu > 1)
-        s.unique_because = "not known: with mu > 1 the motion may depend on the start; this motion is the one from rest";
-    else if (basis.coupled())
-        s.unique_because = "not known: the damping matrix is not positive definite, and the motion may depend on the start";
-    else
-        s.unique_because = "not known: a mode has no damping, and the motion may depend on the start";
-}
 
 // The regime that was met; the one that the boundaries have instead, which then exists besides at mu > 1.
 void set_regime(const SolveTask& task, Regime met, const std::string& reason, Solution& s) {
@@ -215,7 +200,7 @@ void keep_asked_mass(const Question& question, Solution& s) {
     for (OtherMotion& motion : s.motions) motion.masses = {motion.masses[question.mass->index]};
 }
 
-Solution solve_at(const PreparedSystem& p, const SolvePoint& at, const Question& of_masses, const Work& before) {
+Solution solve_in_double_or_more(const PreparedSystem& p, const SolvePoint& at, const Question& of_masses) {
     const Question question = of_displacements(of_masses, p.scene().system);
     Solution s;
     s.asked = question.asked;
@@ -245,6 +230,12 @@ Solution solve_at(const PreparedSystem& p, const SolvePoint& at, const Question&
     put_in_order_of_masses(p.scene().system.coordinates, s);
     if (s.only) s.only = of_masses.mass;
     s.mu = exactly(p.scene().mu, 1);
+    return s;
+}
+
+// What double and more digits are certain of; else the reference, where digits were asked for.
+Solution solve_at(const PreparedSystem& p, const SolvePoint& at, const Question& question, const Work& before) {
+    Solution s = answer_or_reference(p, at, question, [&](const Question& of) { return solve_in_double_or_more(p, at, of); });
     const Work after = work_so_far();
     s.work = {after.eigen_solves - before.eigen_solves, after.mode_evaluations - before.mode_evaluations,
               after.phases_propagated - before.phases_propagated};
@@ -252,6 +243,22 @@ Solution solve_at(const PreparedSystem& p, const SolvePoint& at, const Question&
 }
 
 } // namespace
+
+void say_whether_unique(const ModalBasis<Bounded<double>>& basis, double mu, Solution& s) {
+    s.unique = mu == 1 && every_motion_is_damped(basis);
+    if (s.unique)
+        s.unique_because =
+            basis.coupled()
+                ? "mu = 1 and the damping matrix is positive definite: the velocities of any two motions under the same "
+                  "force become the same"
+                : "mu = 1 and every mode is damped: the velocities of any two motions under the same force become the same";
+    else if (mu > 1)
+        s.unique_because = "not known: with mu > 1 the motion may depend on the start; this motion is the one from rest";
+    else if (basis.coupled())
+        s.unique_because = "not known: the damping matrix is not positive definite, and the motion may depend on the start";
+    else
+        s.unique_because = "not known: a mode has no damping, and the motion may depend on the start";
+}
 
 Solution solve(const SceneSource& source, const Question& question) {
     const Work before = work_so_far();

@@ -29,14 +29,14 @@ struct SolvePoint {
 
 /// @brief A question to a scene, prepared.
 struct SolveTask {
-    SceneSource source;                                       ///< the scene in every number type
-    Question question;                                        ///< what is asked
-    const Scene<double>& scene;                               ///< the scene in double, which `source` holds
-    Aim aim;                                                  ///< the digits
-    ModesInDouble known;                                      ///< its modal basis
-    std::shared_ptr<const ContactSystem<double>> moving;      ///< for the exact solver; none where it is still to be prepared
-    std::optional<BoundedModes<double>> modes{};              ///< its modes at the point, evaluated as they are needed
-    std::optional<std::string> pole{};                        ///< why boundaries and closed form are not known
+    SceneSource source;                                  ///< the scene in every number type
+    Question question;                                   ///< what is asked
+    const Scene<double>& scene;                          ///< the scene in double, which `source` holds
+    Aim aim;                                             ///< the digits
+    ModesInDouble known;                                 ///< its modal basis
+    std::shared_ptr<const ContactSystem<double>> moving; ///< for the exact solver; none where it is still to be prepared
+    std::optional<BoundedModes<double>> modes{};         ///< its modes at the point, evaluated as they are needed
+    std::optional<std::string> pole{};                   ///< why boundaries and closed form are not known
 };
 
 /// @brief Amplitude or phase of the contact alone, in the sliding regime at mu = 1: the cheapest model.
@@ -58,6 +58,11 @@ struct SolveTask {
 /// @param rests_at  where the contact rests, where that was followed
 /// @param s         gets the answer
 void answer_by_stuck_response(const SolveTask& task, const std::optional<Certified>& rests_at, Solution& s);
+
+/// @brief Says whether the velocities are known not to depend on the start, and why. @param basis the modes
+/// @param mu  static over kinetic friction, Eq. (3)
+/// @param s   gets it
+void say_whether_unique(const ModalBasis<Bounded<double>>& basis, double mu, Solution& s);
 
 /// @brief Whether the boundaries tell that the motion has stops: beyond that of sliding where mu = 1 or every motion is damped.
 /// @param task  the task, its boundary found

@@ -75,7 +75,7 @@ std::string invariant_points_table(const Json& masses) {
 std::string bound(const SceneText& part, const BoundaryOptions& options) {
     const SceneSource source = without_friction_ratio(source_of(part, options.damping));
     const NumberWriter write{options.digits};
-    const Solution found = answer_or_reason(source, options.digits);
+    const Solution found = answer_or_reason(source, options);
     Json answer = boundary_json(found, write);
     const std::optional<Units> units = source->in_double().units;
     if (units) answer["dimensional"] = dimensional_json(found, *units);

@@ -35,15 +35,13 @@ std::string response_table(const Json& a) {
                 "; displacements in units of P / k_1, phases in radians behind the force\n";
     }
     if (a.contains("damping")) text += damping_table(a.at("damping"));
-    const Json& m = a.at("method");
-    return text + "method: " + m.at("model").get<std::string>() + " in " + m.at("precision").get<std::string>() + "; " +
-           m.at("why").get<std::string>() + "\n\n";
+    return text + method_in_words(a.at("method")) + "\n";
 }
 
 std::string respond(const SceneText& part, const SceneOptions& options) {
     const SceneSource source = source_of(part, options.damping);
     (void)friction_ratio_of(source->in_double());
-    const Solution found = answer_or_reason(source, options.digits);
+    const Solution found = answer_or_reason(source, options);
     Json answer = response_json(found, NumberWriter{options.digits});
     if (const std::optional<Json> damping = damping_json(source)) answer["damping"] = *damping;
     const std::optional<Units> units = source->in_double().units;

@@ -8,6 +8,7 @@
 #include "denhartog/number/number_text.hpp"
 #include "denhartog/program/output/files.hpp"
 #include "denhartog/scene/scene_rules.hpp"
+#include "denhartog/solve/solve_by_reference.hpp"
 
 namespace denhartog::program {
 namespace {
@@ -61,6 +62,9 @@ void add_digits_option(CLI::App& command, SceneOptions& options) {
     command.add_option("--digits", options.digits,
                        "significant digits to be reached, 1 to " + std::to_string(most_digits) +
                            "; above 15, numbers in JSON are text. If they cannot be reached, the exit status is 3");
+    command.add_flag(
+        "--proved", options.proved,
+        "have every number proved: the reference answers, in ball arithmetic. Where it has no proof, the exit status is 3");
 }
 
 void add_effort_option(CLI::App& command, std::optional<double>& effort) {
@@ -106,13 +110,9 @@ void answer_scenes(const SceneOptions& options, const std::function<std::string(
 
 InputError at_a_pole(const DomainError& e) { return InputError("r", std::string("must not be at a pole: ") + e.what(), ""); }
 
-Solution answer_or_reason(const SceneSource& source, std::optional<int> digits) {
+Solution answer_or_reason(const SceneSource& source, const SceneOptions& options) {
     try {
-        Solution found = sliding_solution(source, {Asked::motion, digits, {}});
-        put_in_order_of_masses(source->in_double().system.coordinates, found);
-        if (!digits || found.digits_reached) return found;
-        throw PrecisionError("the " + std::to_string(*digits) + " digits asked for are not reached: only " +
-                             std::to_string(digits_of(found.relative_error)) + " are certain");
+        return sliding_answer(source, options.digits, options.proved);
     } catch (const DomainError& e) {
         throw at_a_pole(e);
     }

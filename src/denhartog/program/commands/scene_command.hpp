@@ -26,6 +26,7 @@ struct SceneOptions {
     std::string scene;             ///< path; empty or `-` for standard input
     bool json = false;             ///< JSON in place of tables
     std::optional<int> digits;     ///< significant digits asked for
+    bool proved = false;           ///< whether every number must be proved
     std::optional<double> effort;  ///< operations allowed a scene
     std::string damping{as_given}; ///< `as_given` or `nearest_classical`
 };
@@ -67,11 +68,11 @@ void add_effort_option(CLI::App& command, std::optional<double>& effort);
 void answer_scenes(const SceneOptions& options, const std::function<std::string(const SceneText&)>& answer, ExitStatus& status);
 
 /// @brief The answer to a scene, with what makes it none put in words for its author.
-/// @param source  the scene
-/// @param digits  significant digits asked for
-/// @return        the answer, to the digits asked for
+/// @param source   the scene
+/// @param options  digits, and whether they must be proved
+/// @return         the answer, to the digits asked for
 /// @throws        InputError; PrecisionError where the digits asked for are not reached
-[[nodiscard]] Solution answer_or_reason(const SceneSource& source, std::optional<int> digits);
+[[nodiscard]] Solution answer_or_reason(const SceneSource& source, const SceneOptions& options);
 
 /// @brief A formula asked for at a pole, as a fault of the scene's r.
 /// @param e  the error

@@ -36,6 +36,7 @@ Asked asked(const std::string& text) {
 // The question; masses count from 1 here and from 0 there.
 Question question_of(const SolveOptions& options, std::size_t N) {
     Question question{asked(options.ask), options.scene.digits, options.all};
+    question.proved = options.scene.proved;
     if (options.mass) question.mass = mass_from(*options.mass, N, "mass");
     return question;
 }

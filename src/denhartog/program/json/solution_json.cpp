@@ -32,7 +32,9 @@ Json limit_bounds_json(const Limits& b, const NumberWriter& write) {
     return all;
 }
 
-Json method_json(const Method& m) { return {{"model", m.model}, {"precision", m.precision}, {"why", m.why}}; }
+Json method_json(const Method& m) {
+    return {{"model", m.model}, {"precision", m.precision}, {"proved", m.proved}, {"why", m.why}};
+}
 
 Json mass_json(std::size_t k, const SolvedMass& m, const NumberWriter& write) {
     Json all{{"mass", k + 1}};
@@ -235,6 +237,12 @@ std::string contact_in_words(const Json& contact) {
     return text + (contact.contains("phase") ? ", phase " + cell(contact, "phase") : "");
 }
 
+std::string method_in_words(const Json& m) {
+    const bool proved = m.at("proved").get<bool>();
+    return "method: " + m.at("model").get<std::string>() + (proved ? " by the " : " in ") + m.at("precision").get<std::string>() +
+           (proved ? ", proved; " : "; ") + m.at("why").get<std::string>() + "\n";
+}
+
 std::string solution_table(const Json& a) {
     std::string text = "regime: " + a.at("regime").get<std::string>() + "\n" + a.at("reason").get<std::string>() + "\n";
     if (a.contains("regime_by_56")) text += "by (69) with (56) it is " + cell(a, "regime_by_56") + "\n";
@@ -253,9 +261,7 @@ std::string solution_table(const Json& a) {
                 "; displacements in units of P / k_1, phases in radians behind the force\n" + rest_of_motion(a);
     text +=
         std::string("unique: ") + (a.at("unique").get<bool>() ? "yes, " : "") + a.at("unique_because").get<std::string>() + "\n";
-    const Json& m = a.at("method");
-    text += "method: " + m.at("model").get<std::string>() + " in " + m.at("precision").get<std::string>() + "; " +
-            m.at("why").get<std::string>() + "\n";
+    text += method_in_words(a.at("method"));
     if (a.contains("motions"))
         for (const Json& motion : a.at("motions"))
             text += "motion: " + motion.at("regime").get<std::string>() + ", from: " + motion.at("found").get<std::string>() +

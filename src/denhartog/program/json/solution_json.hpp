@@ -25,6 +25,10 @@ namespace denhartog::program {
 /// @return          the object; fields that mean nothing in the regime, or were not asked for, are absent
 [[nodiscard]] Json solution_json(const Solution& solution, const NumberWriter& write);
 
+/// @brief How an answer was computed, as a line. @param method the method as JSON
+/// @return model, precision, whether it is proved, and why
+[[nodiscard]] std::string method_in_words(const Json& method);
+
 /// @brief Where the contact is, in words. @param contact the object `contact` of an answer @return a line without its end
 [[nodiscard]] std::string contact_in_words(const Json& contact);
 

@@ -1,0 +1,83 @@
+#if DENHARTOG_REFERENCE
+#include "denhartog/answer/printed.hpp"
+
+#include <mpfr.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "denhartog/number/errors.hpp"
+#include "denhartog/reference/scene_in_balls.hpp"
+
+namespace denhartog {
+namespace {
+
+// d.ddde+00, rounded to nearest.
+std::string decimal_of(const Ball& x, int digits) {
+    if (arf_is_zero(arb_midref(x.a)) != 0) return "0";
+    mpfr_t exact;
+    mpfr_init2(exact, std::max<slong>(arf_bits(arb_midref(x.a)), 2));
+    arf_get_mpfr(exact, arb_midref(x.a), MPFR_RNDN);
+    mpfr_exp_t exponent = 0;
+    char* text = mpfr_get_str(nullptr, &exponent, 10, static_cast<std::size_t>(digits), exact, MPFR_RNDN);
+    std::string all = text;
+    mpfr_free_str(text);
+    mpfr_clear(exact);
+    const std::size_t first = all.front() == '-' ? 1 : 0;
+    if (digits > 1) all.insert(first + 1, ".");
+    const long power = exponent - 1;
+    std::string of_ten = std::to_string(std::abs(power));
+    if (of_ten.size() < 2) of_ten.insert(0, "0");
+    return all + (power < 0 ? "e-" : "e+") + of_ten;
+}
+
+} // namespace
+
+Certified printed(const Ball& x, int digits) {
+    Certified number;
+    number.proved = true;
+    if (!x.finite()) {
+        number.error = std::numeric_limits<double>::infinity();
+        return number;
+    }
+    number.value = static_cast<double>(x);
+    Ball written(0);
+    if (digits > most_digits_of_a_double) {
+        number.decimal = decimal_of(x, digits);
+        const Bits enough(std::max<slong>(ball_bits, arf_bits(arb_midref(x.a)) + 64));
+        written = Ball::of_text(number.decimal);
+    } else {
+        written = Ball(number.value);
+    }
+    number.error = abs(written - x).high();
+    return number;
+}
+
+Certified WrittenNumbers::shown(const Ball& x) const {
+    if (!x.finite()) throw reference::Unproved("a number has no bound");
+    const Certified number = printed(x, digits_);
+    if (!std::isfinite(number.value) && digits_ <= most_digits_of_a_double)
+        throw PrecisionError("a number is beyond the range of a double; 16 digits and more are written as text");
+    return number;
+}
+
+bool WrittenNumbers::does_not_move(const Ball& amplitude, const Ball& largest) const {
+    Ball nothing = largest;
+    arb_mul_2exp_si(nothing.a, nothing.a, -static_cast<slong>(bits_of_digit * digits_) - 32);
+    return amplitude.is_zero() || (last_ && amplitude.may_vanish() && amplitude <= nothing);
+}
+
+SolvedMass WrittenNumbers::unmoved(const Ball& amplitude) const {
+    return {shown(widened(Ball(0), upper_bound_of(amplitude))), std::nullopt, std::nullopt};
+}
+
+void WrittenNumbers::count(const Ball& error) {
+    const Ball tolerance = 1 / Ball::of_text("4e" + std::to_string(digits_));
+    enough_ = enough_ && error.finite() && error < tolerance;
+    largest_ = std::max(largest_, error.finite() ? error.high() : std::numeric_limits<double>::infinity());
+}
+
+} // namespace denhartog
+#endif

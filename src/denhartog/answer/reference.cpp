@@ -1,0 +1,262 @@
+#if DENHARTOG_REFERENCE
+#include "denhartog/answer/reference.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "denhartog/answer/printed.hpp"
+#include "denhartog/answer/reference_point.hpp"
+#include "denhartog/number/effort.hpp"
+#include "denhartog/reference/orbit.hpp"
+#include "denhartog/reference/sliding.hpp"
+#include "denhartog/sliding/regime.hpp"
+
+namespace denhartog {
+namespace {
+
+using namespace reference;
+
+Ball or_zero(const std::optional<Ball>& x) { return x.value_or(Ball(0)); }
+
+// Where a friction ratio lies. Numbers of words are in double: next to each other they are parted as the balls are.
+Regime regime_by(const Ball& beta, const Ball& exact, const std::optional<Ball>& sticking) {
+    if (beta < exact) return Regime::continuous;
+    if (!(beta >= exact)) throw Unproved("beta may lie on the boundary of the sliding regime");
+    if (!sticking) throw Unproved("the system may resonate with the contact held");
+    if (beta >= *sticking) return Regime::permanent_sticking;
+    if (!(beta < *sticking)) throw Unproved("beta may lie on the boundary of permanent sticking");
+    return Regime::stick_slip;
+}
+
+double parted(const Ball& limit, double beta, bool above) {
+    const auto shown = static_cast<double>(limit);
+    if (above) return shown > beta ? shown : std::nextafter(beta, std::numeric_limits<double>::infinity());
+    return shown <= beta ? shown : beta;
+}
+
+void write_regime(const PointInBalls& p, Solution& s) {
+    const Ball& beta = *p.scene.beta;
+    const auto shown = static_cast<double>(beta);
+    const Regime regime = regime_by(beta, p.boundary->exact, p.sticking);
+    Boundary<double> b{};
+    b.exact = parted(p.boundary->exact, shown, beta < p.boundary->exact);
+    if (p.sticking) b.sticking = parted(*p.sticking, shown, !(beta >= *p.sticking));
+    b.binding = p.boundary->binding;
+    s.regime = regime_at(b, shown, BoundaryError<double>{0, 0});
+    s.regime.regime = regime;
+    const bool certain = beta < p.boundary->paper || beta >= p.boundary->paper;
+    if (!certain || !p.sticking) return;
+    const Regime by_56 = regime_by(beta, p.boundary->paper, p.sticking);
+    if (by_56 != regime) s.regime_by_56 = by_56;
+}
+
+void write_limits(const PointInBalls& p, bool must, WrittenNumbers& w, Solution& s) {
+    const auto number = [&](const Ball& x) { return must ? w.relative(x) : w.shown(x); };
+    s.limits = Limits{number(p.boundary->exact), number(p.boundary->paper), number(p.boundary->approximate), std::nullopt,
+                      p.boundary->binding};
+    if (p.sticking) s.limits->sticking = number(*p.sticking);
+}
+
+// Also of a number that may be zero.
+Ball size_of(const Complex<Ball>& x) { return root_of_positive(squared_modulus(x)); }
+
+// The masses that are asked about, and for a contact between two masses what it does itself.
+template <class Row>
+void write_masses(const Scene<double>& scene, const std::optional<Mass>& only, const Row& row, Solution& s) {
+    s.masses.clear();
+    const std::size_t N = number_of_masses(scene.system);
+    for (std::size_t k = 0; k < N; ++k)
+        if (!only || only->index == k) s.masses.push_back(row(k));
+    s.only = only;
+    if (s.contact_with && !only) s.between = row(N);
+}
+
+void write_sliding(const PointInBalls& p, const Scene<double>& scene, const ReferenceQuestion& q, WrittenNumbers& w,
+                   Solution& s) {
+    const ResponsesInBalls& r = *p.responses;
+    const SlidingContactInBalls contact = contact_in_balls(r, *p.scene.beta);
+    const bool phases = q.asked != Asked::amplitude, all = q.asked == Asked::motion;
+    Ball largest = contact.X_j;
+    for (std::size_t k = 0; k < r.contact(); ++k) largest = larger(largest, size_of(r.V[k]));
+    const auto row = [&](std::size_t k) {
+        const bool is_contact = k == r.contact() || (!s.contact_with && k == s.contact.index);
+        const SlidingMassInBalls m = mass_in_balls(r, contact, *p.scene.beta, k, is_contact);
+        if (w.does_not_move(m.amplitude, largest)) return w.unmoved(m.amplitude);
+        SolvedMass out{w.relative(m.amplitude), phases ? w.absolute(m.phase) : w.shown(m.phase), std::nullopt};
+        if (!all) return out;
+        for (const Ball& x : {m.x0, m.v0, m.amplitude_monoharmonic}) w.beside(x, m.amplitude);
+        out.sliding = SlidingOfMass{w.shown(m.x0), w.shown(m.v0), w.shown(m.instant), w.shown(m.amplitude_monoharmonic),
+                                    w.absolute(m.phase_monoharmonic)};
+        return out;
+    };
+    write_masses(scene, q.mass, row, s);
+    s.method.model = "closed form";
+}
+
+void write_stuck(const PointInBalls& p, const Scene<double>& scene, const ReferenceQuestion& q, WrittenNumbers& w, Solution& s) {
+    if (!p.stuck) throw Unproved("the system may resonate with the contact held");
+    const bool phases = q.asked != Asked::amplitude;
+    Ball largest = p.stuck->compliance * size_of(p.stuck->load); // no mass moves where the load acts on the contact
+    for (const Complex<Ball>& X : p.stuck->X) largest = larger(largest, size_of(X));
+    const auto row = [&](std::size_t k) {
+        const bool is_contact = k == p.stuck->X.size() || (!s.contact_with && k == s.contact.index);
+        if (is_contact) return SolvedMass{w.shown(Ball(0)), std::nullopt, std::nullopt};
+        const Complex<Ball>& X = p.stuck->X[k];
+        const Ball amplitude = size_of(X), phase = wrapped_in_balls(-argument(X));
+        if (w.does_not_move(amplitude, largest)) return w.unmoved(amplitude);
+        return SolvedMass{w.relative(amplitude), phases ? w.absolute(phase) : w.shown(phase), std::nullopt};
+    };
+    write_masses(scene, q.mass, row, s);
+    const Ball to = (p.scene.mu * *p.scene.beta - size_of(p.stuck->load)) * p.stuck->compliance;
+    s.rest_interval = RestInterval{w.shown(-to), w.shown(to), std::nullopt};
+    s.method.model = "stuck response";
+}
+
+bool has_88(const Scene<double>& scene) {
+    return is_chain(scene.system) && scene.system.coordinates.load.empty() && scene.system.coordinates.replaced.empty();
+}
+
+void write_orbit(const OrbitInBalls& o, const Scene<double>& scene, const ReferenceQuestion& q, WrittenNumbers& w, Solution& s) {
+    const bool phases = q.asked != Asked::amplitude;
+    Ball largest(0);
+    for (const Ball& each : o.amplitude) largest = larger(largest, each);
+    const auto row = [&](std::size_t k) {
+        const Ball& amplitude = o.amplitude[k];
+        if (w.does_not_move(amplitude, largest)) return w.unmoved(amplitude);
+        const Ball phase = or_zero(o.phase[k]);
+        return SolvedMass{w.relative(amplitude), phases ? w.absolute(phase) : w.shown(phase), std::nullopt};
+    };
+    write_masses(scene, q.mass, row, s);
+    for (const StopInBalls& stop : o.stops) s.stops.push_back({w.shown(stop.start), w.shown(stop.end), w.shown(stop.x)});
+    s.start.emplace();
+    for (std::size_t k = 0; k < o.x.size(); ++k) {
+        s.start->x.push_back(w.shown(o.x[k]));
+        s.start->x_prime.push_back(w.shown(o.x_prime[k]));
+    }
+    s.periods = o.periods;
+    s.symmetric = o.mirrored;
+    if (q.asked == Asked::motion) {
+        s.stability = Stability{o.stable, {}};
+        for (const Ball& each : o.multipliers) s.stability->multipliers.push_back(printed(each, std::min(q.digits, 15)));
+    }
+    s.method.model = "exact solver";
+}
+
+// Frees, at the end of a thread, the constants that Arb keeps for it.
+struct ConstantsOfBalls {
+    ~ConstantsOfBalls() { flint_cleanup(); }
+};
+
+class Guesses {
+public:
+    explicit Guesses(const std::function<std::vector<OrbitGuess>()>& made) : made_(made) {}
+    std::vector<OrbitGuess>& all() {
+        if (!guesses_) guesses_ = made_();
+        return *guesses_;
+    }
+
+private:
+    const std::function<std::vector<OrbitGuess>()>& made_;
+    std::optional<std::vector<OrbitGuess>> guesses_{};
+};
+
+OrbitInBalls orbit_in_balls(const SceneSource& source, const ReferenceQuestion& q, slong bits, Guesses& guesses) {
+    std::string why = "double precision finds no motion with stops to start from";
+    std::vector<std::size_t> wanted;
+    if (q.mass) wanted = {q.mass->index};
+    const auto scene = [&] { return damped_scene_in_balls(source); };
+    std::vector<OrbitGuess>& all = guesses.all();
+    for (std::size_t n = 0; n < all.size();) {
+        try {
+            OrbitInBalls found = proved_orbit(scene, all[n], bits, wanted, q.asked == Asked::motion);
+            std::swap(all[n], all.front()); // more bits begin with it
+            return found;
+        } catch (const Disproved& e) { // no bits will help this one
+            if (n == 0) why = e.what();
+            all.erase(all.begin() + static_cast<std::ptrdiff_t>(n));
+        } catch (const Unproved& e) {
+            if (n == 0) why = e.what();
+            ++n;
+        }
+    }
+    throw Unproved(why);
+}
+
+Solution attempt(const SceneSource& source, const ReferenceQuestion& q, slong bits, bool last, Guesses& guesses, bool& enough) {
+    const Scene<double>& scene = source->in_double();
+    Solution s;
+    WrittenNumbers w(q.digits, last);
+    const PointInBalls p = point_in_balls(source, !q.met || *q.met == Regime::continuous || !scene.beta);
+    s.asked = q.asked;
+    s.r = w.shown(p.scene.r);
+    s.mu = w.shown(p.scene.mu);
+    if (p.scene.beta) s.beta = w.shown(*p.scene.beta);
+    s.contact = scene.system.contact;
+    if (!scene.system.coordinates.between.empty()) {
+        s.contact = scene.system.coordinates.between[0];
+        s.contact_with = scene.system.coordinates.between[1];
+    }
+    if (p.boundary) write_limits(p, q.asked == Asked::motion || q.asked == Asked::regime || !p.scene.beta, w, s);
+    if (p.scene.beta) {
+        if (p.boundary) write_regime(p, s);
+        const Regime regime = q.met.value_or(s.regime.regime);
+        if (regime == Regime::continuous && p.boundary && !(*p.scene.beta < p.boundary->exact))
+            throw Disproved("the contact does not slide throughout");
+        if (q.asked == Asked::regime || (q.closed_form_alone && regime != Regime::continuous)) {
+            s.method.model = q.closed_form_alone ? "boundary of the sliding regime" : "boundaries";
+        } else if (regime == Regime::continuous) {
+            write_sliding(p, scene, q, w, s);
+        } else if (regime == Regime::permanent_sticking) {
+            write_stuck(p, scene, q, w, s);
+        } else {
+            write_orbit(orbit_in_balls(source, q, bits, guesses), scene, q, w, s);
+        }
+        if (has_88(scene) && !q.closed_form_alone && (q.asked == Asked::regime || regime == Regime::permanent_sticking))
+            s.sticking_by_88 = w.shown(sticking_limit_by_88(p.scene, scene.system.load.index));
+    } else {
+        s.method.model = "boundary of the sliding regime";
+    }
+    enough = w.enough();
+    s.relative_error = w.largest_error();
+    s.method.precision = "reference";
+    s.method.why = "every number is proved, with balls of " + std::to_string(bits) + " bits";
+    s.method.proved = true;
+    return s;
+}
+
+} // namespace
+
+bool has_reference() { return true; }
+
+Solution solution_by_reference(const SceneSource& source, const ReferenceQuestion& q,
+                               const std::function<std::vector<OrbitGuess>()>& made) {
+    thread_local const ConstantsOfBalls freed_at_its_end;
+    const std::size_t N = number_of_masses(source->in_double().system);
+    const QuestionEffort effort(N);
+    const auto first = static_cast<slong>(std::max(128.0, bits_of_digit * q.digits + 64));
+    const slong most = q.briefly ? 2 * first : std::max<slong>(1024, 4 * first);
+    Guesses guesses(made);
+    std::string why;
+    for (slong bits = first;; bits = std::min(2 * bits, most)) {
+        const bool last = bits == most;
+        QuestionEffort::pay(static_cast<long>(N * N * (N + 8)) * (bits / 64) / 4);
+        try {
+            const Bits all(bits);
+            bits_of_search = 64 * (bits / first);
+            bool enough = false;
+            Solution s = attempt(source, q, bits, last, guesses, enough);
+            if (enough) return s;
+            why = "the digits are not certain with " + std::to_string(bits) + " bits";
+        } catch (const Disproved& e) {
+            throw PrecisionError(std::string("the reference does not prove it: ") + e.what());
+        } catch (const Unproved& e) {
+            why = e.what();
+        }
+        if (last) throw PrecisionError("the reference does not prove it: " + why);
+    }
+}
+
+} // namespace denhartog
+#endif

@@ -1,0 +1,37 @@
+/// @file
+/// @brief Answers by the reference: the paper's own formulas on balls, to any number of digits, every number proved.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "denhartog/answer/scene_source.hpp"
+#include "denhartog/answer/solution.hpp"
+#include "denhartog/reference/orbit_guess_data.hpp"
+
+namespace denhartog {
+
+/// @brief Whether the library was built with the reference. @return false of one built with `DENHARTOG_REFERENCE=OFF`
+[[nodiscard]] bool has_reference();
+
+/// @brief A question to the reference.
+struct ReferenceQuestion {
+    Asked asked = Asked::motion;    ///< what is asked
+    int digits = 6;                 ///< significant digits, all certain in the answer
+    std::optional<Mass> mass{};     ///< the one mass asked about, in the order of the masses; none for all
+    std::optional<Regime> met{};    ///< the regime of the motion that is meant, where the friction ratio does not tell it
+    bool briefly = false;         ///< whether bits are doubled once at most: where nobody asked for the digits
+    bool closed_form_alone = false; ///< whether outside the sliding regime boundary and regime are all that is asked
+};
+
+/// @brief The answer of the reference. Bits are doubled until every number asked for has its digits.
+/// @param source    the scene, with r; without beta the boundaries alone are computed
+/// @param question  the question
+/// @param guesses   motions with stops near the one that is meant, as double sees them, the likeliest first; called once at most
+/// @return          the answer; its numbers are proved
+/// @throws          PrecisionError where something cannot be proved, the budget of work is spent, or the library was built
+///                  without the reference
+[[nodiscard]] Solution solution_by_reference(const SceneSource& source, const ReferenceQuestion& question,
+                                             const std::function<std::vector<OrbitGuess>()>& guesses);
+
+} // namespace denhartog

@@ -1,0 +1,33 @@
+/// @file
+/// @brief A point of a scene as the reference sees it. Included by sources only.
+#pragma once
+
+#include <optional>
+
+#include "denhartog/answer/scene_source.hpp"
+#include "denhartog/reference/boundary.hpp"
+#include "denhartog/reference/stuck.hpp"
+
+namespace denhartog {
+
+/// @brief What is known of a point in the bits of the moment.
+struct PointInBalls {
+    reference::SceneInBalls scene{};                        ///< the scene, with its damping matrix
+    std::optional<reference::ResponsesInBalls> responses{}; ///< its response functions; none at a pole
+    std::optional<reference::BoundaryInBalls> boundary{};   ///< the boundary of the sliding regime; none at a pole
+    std::optional<reference::StuckInBalls> stuck{};         ///< the response with the contact held; none where that may resonate
+    std::optional<Ball> sticking{};                         ///< the friction ratio from which the contact can rest for ever
+};
+
+/// @brief A scene with its damping matrix, (19) where damping is given by ratios. @param source the scene
+/// @return  the scene in the bits of the moment
+[[nodiscard]] reference::SceneInBalls damped_scene_in_balls(const SceneSource& source);
+
+/// @brief A point of a scene.
+/// @param source          the scene
+/// @param needs_boundary  whether it is of no use without its boundary
+/// @return                the point
+/// @throws                Unproved where the bits do not suffice; PrecisionError for a damping tolerance that the reference does not know
+[[nodiscard]] PointInBalls point_in_balls(const SceneSource& source, bool needs_boundary);
+
+} // namespace denhartog

@@ -1,0 +1,129 @@
+#include "denhartog/solve/solve_by_reference.hpp"
+
+#include <algorithm>
+
+#include "denhartog/answer/reference.hpp"
+#include "denhartog/model/coordinates.hpp"
+#include "denhartog/number/effort.hpp"
+#include "denhartog/solve/orbit_guess.hpp"
+
+namespace denhartog {
+namespace {
+
+constexpr int most_digits_of_fast_floor = 95;
+constexpr int reference_is_first = 46;          // digits from which on it is asked first
+constexpr std::size_t most_masses_unasked = 40; // of which it is asked where nobody asked for digits
+
+// The fast floor for the digits of every day; the reference for more, for a proof, and for digits that the fast floor does not have.
+template <class ByReference, class Fast>
+Solution in_turn(std::size_t N, std::optional<int> digits, bool proved, bool fast_alone, const ByReference& by_reference,
+                 const Fast& fast) {
+    if (proved || digits > most_digits_of_fast_floor) return by_reference();
+    const bool may_help = !fast_alone && has_reference() && (digits || N <= most_masses_unasked);
+    if (may_help && digits && *digits >= reference_is_first) {
+        try {
+            return by_reference();
+        } catch (const PrecisionError&) {
+            if (QuestionEffort::exhausted()) throw;
+        }
+        return fast();
+    }
+    try {
+        return fast();
+    } catch (const PrecisionError&) {
+        if (!may_help || QuestionEffort::exhausted()) throw;
+        try {
+            return by_reference();
+        } catch (const PrecisionError&) { // what the fast floor says of it is said
+        }
+        throw;
+    }
+}
+
+// Motions near the one from rest, as double sees them.
+std::vector<OrbitGuess> guesses_at(const PreparedSystem& p, const SceneSource& source) {
+    const Scene<double>& scene = source->in_double();
+    const ModesInDouble modes = p.bounded ? ModesInDouble{p.bounded} : modes_in_double(source);
+    const std::shared_ptr<const ContactSystem<double>> moving = p.moving ? p.moving : moving_in_double(source, modes);
+    std::vector<OrbitGuess> all;
+    ExactSolver<double> solver(*moving, {*scene.r, *scene.beta, scene.mu});
+    OrbitSearch<double> how;
+    how.with_stability = false;
+    const PeriodicOrbit<double> orbit = periodic_orbit(solver, at_rest<double>(moving->basis.r_n.size()), how);
+    if (orbit.status != OrbitStatus::periodic) return all;
+    const auto add = [&](const OrbitGuess& guess) {
+        if (guess.directions.empty()) return;
+        const auto same = [&](const OrbitGuess& other) {
+            return other.directions == guess.directions && other.mirrored == guess.mirrored && other.periods == guess.periods;
+        };
+        if (std::ranges::none_of(all, same)) all.push_back(guess);
+    };
+    for (const double shortest : {0.0, 1e-9, 1e-6}) add(guess_of(solver, orbit, shortest));
+    for (const OrbitGuess& guess : std::vector<OrbitGuess>(all))
+        for (const OrbitGuess& other : with_other_stops(guess)) add(other);
+    return all;
+}
+
+// Which motion is meant, where the friction ratio does not tell: with mu above 1, or at a pole, the one from rest, as double finds it.
+std::optional<Solution> from_rest(const Scene<double>& scene, const Question& question,
+                                  const std::function<Solution(const Question&)>& fast) {
+    Question of_regime;
+    of_regime.asked = Asked::amplitude;
+    of_regime.mass = question.mass;
+    if (scene.mu == 1) {
+        try {
+            Question of_limits;
+            of_limits.asked = Asked::regime;
+            if (fast(of_limits).limits) return std::nullopt;
+        } catch (const PrecisionError&) {
+            return std::nullopt;
+        }
+    }
+    return fast(of_regime);
+}
+
+Solution answer_by_reference(const PreparedSystem& p, const SolvePoint& at, const Question& question,
+                             const std::function<Solution(const Question&)>& fast) {
+    if (question.all) throw InputError("all", "must not be asked for with a proof: other motions are estimates", "true");
+    const SceneSource source = source_at(p, at);
+    const Scene<double>& scene = source->in_double();
+    const std::optional<Solution> rest = from_rest(scene, question, fast);
+    ReferenceQuestion asked{question.asked, question.digits.value_or(digits_by_default), question.mass};
+    asked.briefly = !question.digits && !question.proved;
+    if (rest) asked.met = rest->regime.regime;
+    Solution s = solution_by_reference(source, asked, [&] { return guesses_at(p, source); });
+    if (rest) {
+        s.regime = rest->regime;
+        s.method.why = "the start from rest was followed in double; " + s.method.why;
+    }
+    say_whether_unique(p.bounded ? *p.bounded : *modes_in_double(source).basis, scene.mu, s);
+    return s;
+}
+
+} // namespace
+
+Solution answer_or_reference(const PreparedSystem& p, const SolvePoint& at, const Question& question,
+                             const std::function<Solution(const Question&)>& fast) {
+    const auto by_reference = [&] { return answer_by_reference(p, at, question, fast); };
+    return in_turn(number_of_masses(p.scene().system), question.digits, question.proved, question.all, by_reference,
+                   [&] { return fast(question); });
+}
+
+Solution sliding_answer(const SceneSource& source, std::optional<int> digits, bool proved) {
+    const auto by_reference = [&] {
+        ReferenceQuestion question{Asked::motion, digits.value_or(digits_by_default)};
+        question.closed_form_alone = true;
+        question.briefly = !digits && !proved;
+        return solution_by_reference(source, question, {});
+    };
+    (void)aim_of(digits);
+    return in_turn(number_of_masses(source->in_double().system), digits, proved, false, by_reference, [&] {
+        Solution found = sliding_solution(source, {Asked::motion, digits, {}});
+        put_in_order_of_masses(source->in_double().system.coordinates, found);
+        if (!digits || found.digits_reached) return found;
+        throw PrecisionError("the " + std::to_string(*digits) + " digits asked for are not reached: only " +
+                             std::to_string(digits_of(found.relative_error)) + " are certain");
+    });
+}
+
+} // namespace denhartog
