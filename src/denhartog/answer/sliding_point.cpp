@@ -44,10 +44,10 @@ Attempted errors_of_boundary(const Boundary<Bounded<T>>& b) {
     return all;
 }
 
-// Far off in frequency a boundary leaves the range of a double.
+// Far off in frequency a boundary leaves the range of a double; where modes are not told apart it has no bound.
 template <class T>
 bool is_finite(const Boundary<Bounded<T>>& b) {
-    const T sum = b.exact.x + b.paper.x + b.approximate.x;
+    const T sum = b.exact.x + b.paper.x + b.approximate.x + b.exact.e;
     return sum - sum == 0;
 }
 
@@ -128,7 +128,7 @@ SlidingPoint<T> point_at(const Scene<T>& scene, const ModeSums<Bounded<T>>& sums
         b.paper.e += T(narrow.paper.e);
     }
     if (without_coupling && makes_no_difference(without_coupling->exact, b.exact)) b.paper = without_coupling->paper;
-    if (!is_finite(b)) throw PrecisionError("far off in frequency the boundary is beyond the range of the number type");
+    if (!is_finite(b)) throw PrecisionError("the boundary is beyond the range of the number type, or has no bound in it");
     if (wish.limits || !scene.beta) point.attempted = errors_of_boundary(b);
     if (!scene.beta) return point;
     point.regime = regime_at(b, *scene.beta);

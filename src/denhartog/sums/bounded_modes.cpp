@@ -93,7 +93,7 @@ ModalBasis<Bounded<T>> bounded(const System<T>& system, const ModalBasis<T>& bas
             bounded.phi(row, column) = {basis.phi(row, column), errors(row)};
         }
         T of_zeta = of_input * basis.zeta[i];
-        if (damping_matrix_counts(system, basis)) {
+        if (system.damping_matrix.size() > 0) {          // the ratios are computed from it, whether it counts itself or not
             const auto n = static_cast<Eigen::Index>(N); // masses that are no coordinates come after them
             const Eigen::Matrix<T, Eigen::Dynamic, 1> damping =
                 product_of_sizes(system.damping_matrix, Column<T>((sizes + errors).head(n)));

@@ -1,5 +1,7 @@
 #include "denhartog/program/json/dimensional_json.hpp"
 
+#include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "denhartog/program/json/solution_json.hpp"
@@ -14,8 +16,12 @@ Json dimensional_json(const Solution& s, const Units& units) {
     Json all{{"frequency", write(omega)}, {"frequency_hz", write(omega / (2 * std::numbers::pi))}};
     if (!units.force) return all;
     const double P = *units.force, length = displacement_unit(units, P);
+    // The numbers are converted in double: units and products are rounded a few times.
+    constexpr double rounding = 8 * std::numeric_limits<double>::epsilon();
+    const auto bound = [&](double unit, const Certified& x) { return write(unit * (x.error + rounding * std::abs(x.value))); };
     const auto displacement = [&](const SolvedMass& m) {
-        return Json{{"amplitude", write(length * m.amplitude.value)}, {"error_bound", write(length * error_of_displacements(m))}};
+        const Certified largest{m.amplitude.value, error_of_displacements(m)};
+        return Json{{"amplitude", write(length * m.amplitude.value)}, {"error_bound", bound(length, largest)}};
     };
     all["force"] = write(P);
     if (s.beta) all["friction"] = write(P * s.beta->value);
@@ -37,9 +43,9 @@ Json dimensional_json(const Solution& s, const Units& units) {
         all["stops"].push_back({{"start", write(stop.start.value / omega)},
                                 {"end", write(stop.end.value / omega)},
                                 {"x", write(length * stop.x.value)},
-                                {"start_error_bound", write(stop.start.error / omega)},
-                                {"end_error_bound", write(stop.end.error / omega)},
-                                {"error_bound", write(length * stop.x.error)}});
+                                {"start_error_bound", bound(1 / omega, stop.start)},
+                                {"end_error_bound", bound(1 / omega, stop.end)},
+                                {"error_bound", bound(length, stop.x)}});
     if (s.rest_interval)
         all["rest_interval"] = {{"from", write(length * s.rest_interval->from.value)},
                                 {"to", write(length * s.rest_interval->to.value)}};
