@@ -6,7 +6,7 @@
 ///     version
 ///     natural_frequencies  scene
 ///     boundary             scene, r, mu
-///     solve                scene, r, beta, mu, digits
+///     solve                scene, r, beta, mu, digits, proved
 ///     motion               scene, r, beta, mu, samples
 ///     map                  scene, r, beta, mu, masses
 ///
@@ -156,14 +156,15 @@ static dh_points fields_of_points(mxArray* result, size_t count, size_t N) {
 }
 
 /// One point fails with its reason, and has more to tell than one of many.
-static mxArray* solve_point(double r, double beta, double mu, int digits, size_t N) {
+static mxArray* solve_point(double r, double beta, double mu, int digits, int proved, size_t N) {
     dh_summary motion = {.size = sizeof motion};
     size_t k;
     double* ends;
     mxArray* result = empty_struct();
     const dh_points point = fields_of_points(result, 1, N);
-    need(dh_solve(held_system, r, beta, mu, digits, &held_solution));
+    need((proved ? dh_solve_proved : dh_solve)(held_system, r, beta, mu, digits, &held_solution));
     need(dh_solution_summary(held_solution, &motion));
+    need(dh_solution_is_proved(held_solution, &proved));
     *point.status = motion.on_boundary ? DH_POINT_ON_BOUNDARY : DH_POINT_ANSWERED;
     *point.regime = (signed char)motion.regime;
     *point.stops = (int)motion.stops;
@@ -189,6 +190,7 @@ static mxArray* solve_point(double r, double beta, double mu, int digits, size_t
     *doubles(result, "relative_error", 1, 1) = motion.relative_error;
     *(signed char*)field(result, "unique", mxINT8_CLASS, 1, 1) = motion.unique != 0;
     *(signed char*)field(result, "symmetric", mxINT8_CLASS, 1, 1) = motion.symmetric != 0;
+    *(signed char*)field(result, "proved", mxINT8_CLASS, 1, 1) = proved != 0;
     return result;
 }
 
@@ -197,10 +199,12 @@ static mxArray* solve(size_t N, const mxArray* const* arguments) {
                   beta = numbers(arguments[1], "beta must be real, of class double");
     const double mu = number(arguments[2], "mu must be one number");
     const double digits = number(arguments[3], "digits must be one number");
+    const int proved = number(arguments[4], "proved must be one number, 0 or 1") != 0;
     if (!whole_number(digits, 0, 15)) fail("denhartog:input", "digits must be a whole number from 0 to 15");
     if (r.count != beta.count && r.count != 1 && beta.count != 1)
         fail("denhartog:size", "r and beta must have the same size, or one of them must be one number");
-    if (r.count == 1 && beta.count == 1) return solve_point(r.values[0], beta.values[0], mu, (int)digits, N);
+    if (r.count == 1 && beta.count == 1) return solve_point(r.values[0], beta.values[0], mu, (int)digits, proved, N);
+    if (proved) fail("denhartog:input", "proved must be false for many points: ask for a proof point by point");
     const dh_points_request request = {.size = sizeof request,
                                        .count = r.count == 1 ? beta.count : r.count,
                                        .r = r.values,
@@ -274,7 +278,7 @@ typedef struct Command {
 void mexFunction(int nlhs, mxArray* plhs[], int nrhs, const mxArray* prhs[]) {
     static const Command commands[] = {{"natural_frequencies", 1, natural_frequencies},
                                        {"boundary", 3, boundary},
-                                       {"solve", 5, solve},
+                                       {"solve", 6, solve},
                                        {"motion", 5, motion},
                                        {"map", 5, map}};
     char name[32] = "";

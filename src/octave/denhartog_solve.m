@@ -1,8 +1,9 @@
-function solution = denhartog_solve(scene, r, beta, digits)
+function solution = denhartog_solve(scene, r, beta, digits, proved)
 % DENHARTOG_SOLVE  The steady motion of a scene at one point or at many, in every regime.
 %   solution = denhartog_solve(scene)                   at the scene's own frequency and friction
 %   solution = denhartog_solve(scene, r, beta)          at frequency ratios r and friction ratios beta
 %   solution = denhartog_solve(scene, r, beta, digits)  to so many significant digits, 1 to 15; 0 aims at 6
+%   solution = denhartog_solve(scene, r, beta, digits, true)  at one point, every number and every bound proved
 %
 %   scene  a struct or text in JSON, see denhartog_json; its mu counts
 %   r      frequency ratio omega sqrt(m_1 / k_1), Eq. (10)
@@ -27,15 +28,17 @@ function solution = denhartog_solve(scene, r, beta, digits)
 %     relative_error        the largest error of the amplitudes, relative, and of the phases
 %     unique                true where the velocities are known not to depend on the start
 %     symmetric             true where the motion mirrors itself after half its period, Eq. (25)
+%     proved                true where every number and every bound is proved; else the bounds are estimates
 %     dimensional           of a dimensional scene at its own point: frequency, frequency_hz, force, friction,
 %                           displacement_unit (P / k_1), amplitude, amplitude_error, stop_start, stop_end (times),
 %                           stop_start_error, stop_end_error, rest_interval, rest_error, all in the units of the scene
 %
 %   One point that has no answer is an error, denhartog:domain at a pole, denhartog:precision where the digits are not
-%   reached. Among many points it has its status.
+%   reached or something is not proved. Among many points it has its status.
   if nargin < 2, r = []; end
   if nargin < 3, beta = []; end
   if nargin < 4, digits = 0; end
+  if nargin < 5, proved = false; end
   point = scene_point(scene, r, beta);
   need_point(point, true);
   shape = size(point.r);
@@ -44,7 +47,7 @@ function solution = denhartog_solve(scene, r, beta, digits)
   elseif ~isscalar(point.beta) && ~isequal(size(point.beta), shape)
     error('denhartog:size', 'r and beta must have the same size, or one of them must be one number');
   end
-  raw = denhartog_mex('solve', point.text, point.r, point.beta, point.mu, digits);
+  raw = denhartog_mex('solve', point.text, point.r, point.beta, point.mu, digits, double(proved));
   solution = struct('r', point.r + zeros(shape), 'beta', point.beta + zeros(shape));
   solution.regime = named('regime', raw.regime, shape);
   solution.status = named('status', raw.status, shape);
@@ -67,6 +70,7 @@ function solution = denhartog_solve(scene, r, beta, digits)
   solution.relative_error = raw.relative_error;
   solution.unique = raw.unique ~= 0;
   solution.symmetric = raw.symmetric ~= 0;
+  solution.proved = raw.proved ~= 0;
   if ~isempty(point.units)
     solution.dimensional = in_units(solution, point.units);
   end

@@ -8,6 +8,7 @@
 #include <thread>
 #include <vector>
 
+#include "denhartog/answer/reference.hpp"
 #include "denhartog/answer/sliding_solution.hpp"
 #include "denhartog/sliding/steady_state.hpp"
 #include "denhartog/solve/sampled_solution.hpp"
@@ -47,6 +48,53 @@ std::vector<double> parts(const std::vector<Complex<double>>& z) {
 }
 
 double in_double(const auto& x) { return static_cast<double>(x); }
+
+// Numbers with their bounds, of which one lot is proved: they have to overlap.
+void check_within(const std::vector<double>& proved, const std::vector<double>& proved_errors, const std::vector<double>& plain,
+                  const std::vector<double>& plain_errors) {
+    REQUIRE(proved.size() == plain.size());
+    for (std::size_t i = 0; i < plain.size(); ++i) {
+        INFO("number " << i << ": " << hexadecimal(proved[i]) << " proved, and " << hexadecimal(plain[i]));
+        CHECK(std::abs(proved[i] - plain[i]) <= proved_errors[i] + plain_errors[i]);
+        CHECK(proved_errors[i] <= 1e-15 * std::max(1.0, std::abs(proved[i]))); // of the double, and its rounding alone
+    }
+}
+
+bool is_proved(const dh_solution* solution) {
+    int proved = -1;
+    REQUIRE(dh_solution_is_proved(solution, &proved) == DH_OK);
+    REQUIRE((proved == 0 || proved == 1));
+    return proved == 1;
+}
+
+dh_summary summary_of(const dh_solution* solution) {
+    dh_summary all{};
+    all.size = sizeof all;
+    REQUIRE(dh_solution_summary(solution, &all) == DH_OK);
+    return all;
+}
+
+// Amplitudes, phases, instants of stops and the interval of rest, and the bounds of their errors.
+std::array<std::vector<double>, 2> numbers_with_bounds(const dh_solution* solution, std::size_t N) {
+    std::vector<double> values, errors;
+    for (std::size_t k = 0; k <= N; ++k) {
+        dh_mass mass{};
+        mass.size = sizeof mass;
+        REQUIRE((k == 0 ? dh_solution_contact(solution, &mass) : dh_solution_mass(solution, k, &mass)) == DH_OK);
+        values.insert(values.end(), {mass.amplitude, mass.phase});
+        errors.insert(errors.end(), {mass.error, mass.phase_error});
+    }
+    const dh_summary all = summary_of(solution);
+    values.insert(values.end(), {all.rest_from, all.rest_to});
+    errors.insert(errors.end(), {all.rest_error, all.rest_error});
+    std::vector<double> start(all.stops), end = start;
+    for (const auto& [of, lot] : {std::pair{&dh_solution_stops, &values}, std::pair{&dh_solution_stop_errors, &errors}}) {
+        REQUIRE(of(solution, all.stops, start.data(), end.data()) == DH_OK);
+        lot->insert(lot->end(), start.begin(), start.end());
+        lot->insert(lot->end(), end.begin(), end.end());
+    }
+    return {values, errors};
+}
 
 } // namespace
 
@@ -272,6 +320,55 @@ TEST_CASE("what the C interface solves is what the library solves, in every regi
         check_same(v, vs);
     }
     for (const int each : met) CHECK(each > 0);
+}
+
+TEST_CASE("a proved solution from C is the other one within both bounds, in every regime, and says that it is proved",
+          "[c_interface][solve][reference]") {
+    std::array<int, 3> met{};
+    for (const Scene<double>& scene : c_scenes()) {
+        const Handle system = handle_of(scene.system);
+        const std::size_t N = scene.system.mass_ratios.size();
+        const Answered plain = solved(system.get(), *scene.r, *scene.beta, scene.mu);
+        CHECK_FALSE(is_proved(plain.get()));
+        dh_solution* made = nullptr;
+        const int status = dh_solve_proved(system.get(), *scene.r, *scene.beta, scene.mu, 0, &made);
+        const Answered proved(made);
+        dh_boundary limits{}, errors{}, plain_limits{}, plain_errors{};
+        for (dh_boundary* each : {&limits, &errors, &plain_limits, &plain_errors}) each->size = sizeof limits;
+        const int of_limits = dh_boundaries_proved(system.get(), *scene.r, scene.mu, &limits, &errors);
+        INFO(dh_last_message());
+        if (!has_reference()) {
+            CHECK(status == DH_ERROR_PRECISION);
+            CHECK(of_limits == DH_ERROR_PRECISION);
+            CHECK(made == nullptr);
+            CHECK(std::string(dh_last_message()).find("DENHARTOG_REFERENCE=OFF") != std::string::npos);
+            continue;
+        }
+        REQUIRE(status == DH_OK);
+        REQUIRE(of_limits == DH_OK);
+        CHECK(is_proved(proved.get()));
+        const dh_summary all = summary_of(proved.get()), expected = summary_of(plain.get());
+        CHECK((all.regime == expected.regime && all.stops == expected.stops && all.periods == expected.periods));
+        CHECK((all.symmetric == expected.symmetric && all.unique == expected.unique));
+        ++met[static_cast<std::size_t>(all.regime)];
+        const auto [values, bounds] = numbers_with_bounds(proved.get(), N);
+        const auto [plain_values, plain_bounds] = numbers_with_bounds(plain.get(), N);
+        check_within(values, bounds, plain_values, plain_bounds);
+
+        REQUIRE(dh_boundaries(system.get(), *scene.r, scene.mu, &plain_limits) == DH_OK);
+        REQUIRE(dh_boundary_errors(system.get(), *scene.r, scene.mu, &plain_errors) == DH_OK);
+        CHECK(limits.sticking_exists == plain_limits.sticking_exists);
+        const auto numbers = [](const dh_boundary& b) {
+            return std::vector<double>{b.exact, b.paper, b.approximate, b.sticking};
+        };
+        check_within(numbers(limits), numbers(errors), numbers(plain_limits), numbers(plain_errors));
+
+        std::vector<double> x(8 * N), expected_x(8 * N); // the samples of a proved solution are there as well
+        REQUIRE(dh_solution_motion(proved.get(), 8, x.size(), x.data(), nullptr) == DH_OK);
+        REQUIRE(dh_solution_motion(plain.get(), 8, x.size(), expected_x.data(), nullptr) == DH_OK);
+        check_close(x, expected_x, 1e-6);
+    }
+    for (const int each : met) CHECK((each > 0 || !has_reference()));
 }
 
 TEST_CASE("the sampled motion starts at the maximum of the force, the closed form at the maximum of the contact",

@@ -14,9 +14,9 @@ using namespace denhartog::tests;
 namespace {
 
 // A contact that stops: its motion is followed from event to event.
-int solve_stopping(dh_solution** solution) {
+int solve_stopping(dh_solution** solution, bool proved = false) {
     static const Handle system = handle_of(chain_of({1, 2.5}, {1, 0.625}, {0.0625, 0.125}, 2, 1));
-    return dh_solve(system.get(), 1.125, 0.5, 1.25, 0, solution);
+    return (proved ? dh_solve_proved : dh_solve)(system.get(), 1.125, 0.5, 1.25, 0, solution);
 }
 
 struct AllowedWork {
@@ -44,6 +44,9 @@ TEST_CASE("a call that has spent its work says so and writes nothing", "[c][effo
     {
         const AllowedWork little(50);
         CHECK(solve_stopping(&solution) == DH_ERROR_PRECISION);
+        CHECK(says("the work allowed is spent"));
+        CHECK(solution == nullptr);
+        CHECK(solve_stopping(&solution, true) == DH_ERROR_PRECISION);
         CHECK(says("the work allowed is spent"));
         CHECK(solution == nullptr);
         int status = DH_OK;

@@ -10,6 +10,7 @@
 #include <functional>
 #include <limits>
 
+#include "denhartog/answer/reference.hpp"
 #include "denhartog/c/guarded.hpp"
 #include "tests/catch.hpp"
 #include "tests/conformance/c_fixtures.hpp"
@@ -152,6 +153,12 @@ TEST_CASE("null pointers and wrong lengths are refused, and nothing is written",
     f.fails(dh_displacement(s, 1, 0, 1, 1, 2, ones.data(), nullptr), DH_ERROR_NULL, "x");
     f.fails(dh_solve(nullptr, 1, 0, 1, 0, &f.no_solution), DH_ERROR_NULL, "system");
     f.fails(dh_solve(s, 1, 0, 1, 0, nullptr), DH_ERROR_NULL, "solution");
+    f.fails(dh_solve_proved(nullptr, 1, 0, 1, 0, &f.no_solution), DH_ERROR_NULL, "system");
+    f.fails(dh_solve_proved(s, 1, 0, 1, 0, nullptr), DH_ERROR_NULL, "solution");
+    int proved = 99;
+    f.fails(dh_solution_is_proved(nullptr, &proved), DH_ERROR_NULL, "solution");
+    f.fails(dh_solution_is_proved(x, nullptr), DH_ERROR_NULL, "proved");
+    CHECK(proved == 99);
     f.fails(dh_solution_stops(nullptr, 0, a, b), DH_ERROR_NULL, "solution");
     f.fails(dh_solution_stops(x, 1, a, b), DH_ERROR_SIZE, "count must be 0, but is 1");
     f.fails(dh_solution_stops(f.stopping.get(), 2, nullptr, b), DH_ERROR_NULL, "start");
@@ -199,7 +206,19 @@ TEST_CASE("structs are refused where they are null or too small, and filled wher
     check_struct<dh_mass>(
         f, [&](auto* result) { return dh_solution_mass(x, 1, result); },
         [&](auto* result) { return dh_solution_mass(x, 3, result); }, DH_ERROR_INPUT);
+    if (has_reference()) {
+        dh_boundary other{sizeof other, 0, 0, 0, 0, 0};
+        check_struct<dh_boundary>(
+            f, [&](auto* result) { return dh_boundaries_proved(s, 1.125, 1, result, nullptr); },
+            [&](auto* result) { return dh_boundaries_proved(s, no_number, 1, result, nullptr); }, DH_ERROR_INPUT);
+        other.size = 1;
+        f.fails(dh_boundaries_proved(s, 1.125, 1, &other, nullptr), DH_ERROR_SIZE, "boundary->size");
+        dh_boundary right{sizeof right, untouched, 0, 0, 0, 0};
+        f.fails(dh_boundaries_proved(s, 1.125, 1, &right, &other), DH_ERROR_SIZE, "errors->size");
+        CHECK(right.exact == untouched);
+    }
     CHECK(dh_boundaries(nullptr, 1, 1, nullptr) == DH_ERROR_NULL);
+    CHECK(dh_boundaries_proved(nullptr, 1, 1, nullptr, nullptr) == DH_ERROR_NULL);
     CHECK(dh_sliding_motion(nullptr, 1, 0, 1, 1, nullptr) == DH_ERROR_NULL);
     CHECK(dh_solution_mass(nullptr, 1, nullptr) == DH_ERROR_NULL);
 }
@@ -217,22 +236,30 @@ TEST_CASE("numbers outside their rules, among them those that are none, are refu
         f.fails(dh_sum_errors(s, r, 2, a, b, c, d, d), DH_ERROR_INPUT, "r must be positive");
         f.fails(dh_boundaries(s, r, 1, &boundary), DH_ERROR_INPUT, "r must be positive");
         f.fails(dh_displacement(s, r, 0, 1, 1, 2, ones.data(), a), DH_ERROR_INPUT, "r must be positive");
+        f.fails(dh_boundaries_proved(s, r, 1, &boundary, nullptr), DH_ERROR_INPUT, "r must be positive");
         f.fails(dh_solve(s, r, 0.125, 1, 0, &f.no_solution), DH_ERROR_INPUT, "r must be positive");
+        f.fails(dh_solve_proved(s, r, 0.125, 1, 0, &f.no_solution), DH_ERROR_INPUT, "r must be positive");
     }
     for (const double mu : {no_number, endless, 0.75}) {
         f.fails(dh_boundaries(s, 1, mu, &boundary), DH_ERROR_INPUT, "mu must be at least 1");
         f.fails(dh_high_frequency_limit(s, mu, a), DH_ERROR_INPUT, "mu must be at least 1");
         f.fails(dh_displacement(s, 1, 0, mu, 1, 2, ones.data(), a), DH_ERROR_INPUT, "mu must be at least 1");
+        f.fails(dh_boundaries_proved(s, 1, mu, &boundary, nullptr), DH_ERROR_INPUT, "mu must be at least 1");
         f.fails(dh_solve(s, 1, 0.125, mu, 0, &f.no_solution), DH_ERROR_INPUT, "mu must be at least 1");
+        f.fails(dh_solve_proved(s, 1, 0.125, mu, 0, &f.no_solution), DH_ERROR_INPUT, "mu must be at least 1");
     }
     for (const double beta : {no_number, endless, -0.5}) {
         f.fails(dh_displacement(s, 1, beta, 1, 1, 2, ones.data(), a), DH_ERROR_INPUT, "beta must be zero or positive");
         f.fails(dh_solve(s, 1, beta, 1, 0, &f.no_solution), DH_ERROR_INPUT, "beta must be zero or positive");
+        f.fails(dh_solve_proved(s, 1, beta, 1, 0, &f.no_solution), DH_ERROR_INPUT, "beta must be zero or positive");
     }
     for (const std::size_t mass : {0, 3})
         f.fails(dh_displacement(s, 1, 0, 1, mass, 2, ones.data(), a), DH_ERROR_INPUT, "mass must be a mass from 1 to 2");
     for (const double tau : {no_number, endless}) f.fails(dh_displacement(s, 1, 0, 1, 1, 1, &tau, a), DH_ERROR_INPUT, "tau");
-    for (const int digits : {-1, 16}) f.fails(dh_solve(s, 1, 0.125, 1, digits, &f.no_solution), DH_ERROR_INPUT, "digits");
+    for (const int digits : {-1, 16})
+        for (const auto& how : {dh_solve, dh_solve_proved})
+            f.fails(how(s, 1, 0.125, 1, digits, &f.no_solution), DH_ERROR_INPUT,
+                    "digits must be from 0 to 15, but is " + std::to_string(digits));
 }
 
 TEST_CASE("a formula outside its domain and a result beyond double are refused", "[c_interface][faults]") {
@@ -247,6 +274,10 @@ TEST_CASE("a formula outside its domain and a result beyond double are refused",
     f.fails(dh_displacement_errors(f.system.get(), 1, 100, 1, 1, 2, ones.data(), a), DH_ERROR_DOMAIN, "Eq. (69)");
     f.fails(dh_sums(undamped.get(), 1, 1, a, b, c, d, d), DH_ERROR_DOMAIN, "");
     f.fails(dh_solve(undamped.get(), 1, 0.125, 1, 0, &f.no_solution), DH_ERROR_DOMAIN, "");
+    dh_boundary limits{sizeof limits, untouched, 0, 0, 0, 0};
+    const std::string no_proof = has_reference() ? "the reference does not prove it: " : "DENHARTOG_REFERENCE=OFF";
+    f.fails(dh_boundaries_proved(undamped.get(), 1, 1, &limits, nullptr), DH_ERROR_PRECISION, no_proof);
+    CHECK(limits.exact == untouched);
     f.fails(dh_mode_shapes(undamped.get(), 1e-310, 1, a), DH_ERROR_PRECISION, "beyond the range of double");
 }
 

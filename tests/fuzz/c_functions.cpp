@@ -159,6 +159,11 @@ void ask_boundaries(Choices& c, const dh_system* system, std::size_t) {
     const bool errors = c.of(2) == 0;
     b.check(answered((errors ? dh_boundary_errors : dh_boundaries)(system, p.r, p.mu, b.data()), of_a_point, "boundaries"),
             {&dh_boundary::exact, &dh_boundary::paper, &dh_boundary::approximate, &dh_boundary::sticking});
+    dh_boundary proved{sizeof proved, -99, -99, -99, -99, -99}, bounds = proved;
+    const bool has_proof = answered(dh_boundaries_proved(system, p.r, p.mu, &proved, &bounds), of_a_point, "boundaries_proved");
+    for (const dh_boundary& each : {proved, bounds})
+        for (const double x : {each.exact, each.paper, each.approximate, each.sticking})
+            claim(has_proof ? std::isfinite(x) && x >= 0 : x == -99, "proved boundaries are written all or not at all");
     Output limit(c, 1);
     limit.check(answered((errors ? dh_high_frequency_limit_error : dh_high_frequency_limit)(system, p.mu, limit.data()),
                          {DH_ERROR_NULL, DH_ERROR_INPUT, DH_ERROR_DOMAIN}, "high_frequency_limit"),
@@ -223,10 +228,14 @@ void ask_solution(Choices& c, const dh_system* system, std::size_t N) {
     const Point p(c);
     const int digits = c.rarely() ? c.byte() - 8 : static_cast<int>(c.of(13));
     dh_solution* made = nullptr;
-    const int status = dh_solve(system, p.r, p.beta, p.mu, digits, c.rarely() ? nullptr : &made);
+    const auto how = digits % 4 == 3 ? dh_solve_proved : dh_solve;
+    const int status = how(system, p.r, p.beta, p.mu, digits, c.rarely() ? nullptr : &made);
     const bool ok =
         answered(status, {DH_ERROR_NULL, DH_ERROR_INPUT, DH_ERROR_DOMAIN, DH_ERROR_PRECISION, DH_ERROR_MEMORY}, "solve");
     const SolutionHandle solution = taken<SolutionHandle>(ok, made);
+    int proved = 2;
+    claim(!ok || dh_solution_is_proved(solution.get(), &proved) == DH_OK, "a solution says whether it is proved");
+    claim(ok ? proved == 1 || (proved == 0 && how == dh_solve) : proved == 2, "what had to be proved is proved");
     look_at(c, c.rarely() ? nullptr : solution.get(), N);
 }
 

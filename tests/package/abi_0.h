@@ -97,6 +97,8 @@ DH_EXPORT int dh_sum_errors(const dh_system* system, double r, size_t count, dou
                             double* H_j_error, double* S_j_error) DH_NOEXCEPT;
 DH_EXPORT int dh_boundaries(const dh_system* system, double r, double mu, dh_boundary* boundary) DH_NOEXCEPT;
 DH_EXPORT int dh_boundary_errors(const dh_system* system, double r, double mu, dh_boundary* errors) DH_NOEXCEPT;
+DH_EXPORT int dh_boundaries_proved(const dh_system* system, double r, double mu, dh_boundary* boundary,
+                                   dh_boundary* errors) DH_NOEXCEPT;
 DH_EXPORT int dh_high_frequency_limit(const dh_system* system, double mu, double* beta_lim) DH_NOEXCEPT;
 DH_EXPORT int dh_high_frequency_limit_error(const dh_system* system, double mu, double* error) DH_NOEXCEPT;
 DH_EXPORT int dh_sliding_motion(const dh_system* system, double r, double beta, double mu, size_t mass,
@@ -110,8 +112,11 @@ DH_EXPORT int dh_displacement_errors(const dh_system* system, double r, double b
 typedef int (*dh_cancelled)(void* context);
 DH_EXPORT int dh_set_effort(double operations, dh_cancelled cancelled, void* context) DH_NOEXCEPT;
 DH_EXPORT int dh_solve(const dh_system* system, double r, double beta, double mu, int digits, dh_solution** solution) DH_NOEXCEPT;
+DH_EXPORT int dh_solve_proved(const dh_system* system, double r, double beta, double mu, int digits,
+                              dh_solution** solution) DH_NOEXCEPT;
 DH_EXPORT void dh_solution_destroy(dh_solution* solution) DH_NOEXCEPT;
 DH_EXPORT int dh_solution_summary(const dh_solution* solution, dh_summary* summary) DH_NOEXCEPT;
+DH_EXPORT int dh_solution_is_proved(const dh_solution* solution, int* proved) DH_NOEXCEPT;
 DH_EXPORT int dh_solution_mass(const dh_solution* solution, size_t mass, dh_mass* result) DH_NOEXCEPT;
 DH_EXPORT int dh_solution_contact(const dh_solution* solution, dh_mass* result) DH_NOEXCEPT;
 DH_EXPORT int dh_solution_stops(const dh_solution* solution, size_t count, double* start, double* end) DH_NOEXCEPT;

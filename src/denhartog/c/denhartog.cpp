@@ -12,6 +12,7 @@
 #include "denhartog/scene/point_rules.hpp"
 #include "denhartog/solve/certain_modes.hpp"
 #include "denhartog/solve/quantities.hpp"
+#include "denhartog/solve/solve_by_reference.hpp"
 #include "denhartog/version.hpp"
 
 using namespace denhartog;
@@ -48,21 +49,24 @@ void need_digits(const Solution& found) {
 }
 
 // The friction ratios between the regimes, or the bounds of their errors.
+dh_boundary struct_of(const Limits& b, ValueOrError part) {
+    const dh_boundary all{0,
+                          part_of(b.exact, part),
+                          part_of(b.paper, part),
+                          part_of(b.approximate, part),
+                          b.sticking ? part_of(*b.sticking, part) : 0,
+                          b.sticking.has_value()};
+    need_finite(std::array{all.exact, all.paper, all.approximate, all.sticking});
+    return all;
+}
+
 int boundaries(const dh_system* system, double r, double mu, ValueOrError part, dh_boundary* result, const char* name) noexcept {
     return guarded([&] {
         need(system, "system");
         need_struct(result, name);
         const Solution found = closed_form_at(system, r, 0, mu, Asked::regime, std::nullopt);
-        const Limits& b = *found.limits;
-        const dh_boundary all{0,
-                              part_of(b.exact, part),
-                              part_of(b.paper, part),
-                              part_of(b.approximate, part),
-                              b.sticking ? part_of(*b.sticking, part) : 0,
-                              b.sticking.has_value()};
-        if (!(b.exact.value < boundary_of_antiresonance)) need_digits(found);
-        need_finite(std::array{all.exact, all.paper, all.approximate, all.sticking});
-        hand_out(all, result);
+        if (!(found.limits->exact.value < boundary_of_antiresonance)) need_digits(found);
+        hand_out(struct_of(*found.limits, part), result);
     });
 }
 
@@ -198,6 +202,21 @@ int dh_boundaries(const dh_system* system, double r, double mu, dh_boundary* bou
 
 int dh_boundary_errors(const dh_system* system, double r, double mu, dh_boundary* errors) noexcept {
     return boundaries(system, r, mu, ValueOrError::error, errors, "errors");
+}
+
+int dh_boundaries_proved(const dh_system* system, double r, double mu, dh_boundary* boundary, dh_boundary* errors) noexcept {
+    return guarded([&] {
+        need(system, "system");
+        need_struct(boundary, "boundary");
+        if (errors != nullptr) need_struct(errors, "errors");
+        check_frequency_ratio(r);
+        check_static_friction(mu);
+        const SceneSource source = at_frequency(with_static_friction(system->prepared.source, mu), r);
+        const Limits found = *sliding_answer(source, digits_of_formulas, true).limits;
+        const dh_boundary values = struct_of(found, ValueOrError::value), bounds = struct_of(found, ValueOrError::error);
+        hand_out(values, boundary);
+        if (errors != nullptr) hand_out(bounds, errors);
+    });
 }
 
 int dh_high_frequency_limit(const dh_system* system, double mu, double* beta_lim) noexcept {

@@ -11,7 +11,8 @@
 /// else. No call runs without end, because its work is counted; see dh_set_effort().
 ///
 /// Every number has a bound of its error: in a member beside it, or from a function of the same name that ends in `_error` or
-/// `_errors`. Where no error can be bounded the bound is `DBL_MAX`. The numbers of dh_map() and dh_solution_motion() come without
+/// `_errors`. Where no error can be bounded the bound is `DBL_MAX`. Bounds are estimates, unless you ask for a proof by
+/// dh_solve_proved() or dh_boundaries_proved(). The numbers of dh_map() and dh_solution_motion() come without
 /// bounds; the digits that they have stand there.
 ///
 /// A struct that may grow has its size as its first member. The caller sets it to `sizeof` before the call, and the call writes
@@ -110,7 +111,7 @@ typedef struct dh_summary {
     double rest_from;         ///< lower end of the interval in which the contact may rest for ever; 0 if there is none
     double rest_to;           ///< upper end
     double rest_error;        ///< bound of the error of the ends
-    double relative_error;    ///< the largest error of the amplitudes, relative, and of the phases
+    double relative_error;    ///< the largest error of the amplitudes, relative, and of the phases, before rounding to double
 } dh_summary;
 
 /// @brief What a mass does in a steady motion, in any regime.
@@ -275,6 +276,19 @@ DH_EXPORT int dh_boundaries(const dh_system* system, double r, double mu, dh_bou
 /// @return        as dh_boundaries()
 DH_EXPORT int dh_boundary_errors(const dh_system* system, double r, double mu, dh_boundary* errors) DH_NOEXCEPT;
 
+/// @brief The same friction ratios with a proof: the reference computes them in ball arithmetic, see dh_solve_proved().
+///
+/// `sticking_exists` is 0 also where it is not proved that some friction holds the contact.
+/// @param system    a system
+/// @param r         frequency ratio, Eq. (10), positive
+/// @param mu        static over kinetic friction, Eq. (3), at least 1
+/// @param boundary  receives the result, to 10 digits; the caller has set its size
+/// @param errors    receives in each member the proved bound of the error of that number; the caller has set its size; may be null
+/// @return          #DH_OK, #DH_ERROR_NULL, #DH_ERROR_SIZE, #DH_ERROR_INPUT, #DH_ERROR_PRECISION if something is not proved or the
+///                  library was built without the reference, #DH_ERROR_MEMORY
+DH_EXPORT int dh_boundaries_proved(const dh_system* system, double r, double mu, dh_boundary* boundary,
+                                   dh_boundary* errors) DH_NOEXCEPT;
+
 /// @brief The limit of beta_lim for r to infinity, Eq. (86) as corrected.
 /// @param system    a system whose contact bears the load, j = l
 /// @param mu        static over kinetic friction, Eq. (3), at least 1
@@ -368,6 +382,23 @@ DH_EXPORT int dh_set_effort(double operations, dh_cancelled cancelled, void* con
 ///                  if no model reaches the digits asked for or no steady motion is found, #DH_ERROR_MEMORY
 DH_EXPORT int dh_solve(const dh_system* system, double r, double beta, double mu, int digits, dh_solution** solution) DH_NOEXCEPT;
 
+/// @brief The steady motion at a point, every number and every bound of its error proved: by the reference, in ball arithmetic.
+///
+/// What is proved are the numbers of dh_solution_summary(), dh_solution_mass(), dh_solution_contact(), dh_solution_stops() and
+/// dh_solution_stop_errors(). The samples of dh_solution_motion() are those of any other solution. If several motions may be
+/// steady, as with mu above 1, the motion is proved, but that a start from rest leads to it is found in double; see
+/// docs/promises.md.
+/// @param system    a system
+/// @param r         frequency ratio, Eq. (10), positive
+/// @param beta      friction ratio, Eq. (11), not negative
+/// @param mu        static over kinetic friction, Eq. (3), at least 1
+/// @param digits    significant digits, 1 to 15; 0 for 6, which are reached or the call fails
+/// @param solution  receives the handle; to be destroyed by dh_solution_destroy()
+/// @return          #DH_OK, #DH_ERROR_NULL, #DH_ERROR_INPUT, #DH_ERROR_DOMAIN, #DH_ERROR_PRECISION if something is not proved, and
+///                  the message says what, or if the library was built without the reference, #DH_ERROR_MEMORY
+DH_EXPORT int dh_solve_proved(const dh_system* system, double r, double beta, double mu, int digits,
+                              dh_solution** solution) DH_NOEXCEPT;
+
 /// @brief Destroys a solution. @param solution a handle, or null
 DH_EXPORT void dh_solution_destroy(dh_solution* solution) DH_NOEXCEPT;
 
@@ -376,6 +407,12 @@ DH_EXPORT void dh_solution_destroy(dh_solution* solution) DH_NOEXCEPT;
 /// @param summary   receives the result; the caller has set its size
 /// @return          #DH_OK, #DH_ERROR_NULL, #DH_ERROR_SIZE, #DH_ERROR_PRECISION
 DH_EXPORT int dh_solution_summary(const dh_solution* solution, dh_summary* summary) DH_NOEXCEPT;
+
+/// @brief Whether every number of a solution is proved; else the bounds of its errors are estimates, docs/promises.md.
+/// @param solution  a solution
+/// @param proved    receives 1 or 0; 1 from dh_solve_proved(), and from dh_solve() if only the reference had the digits
+/// @return          #DH_OK, #DH_ERROR_NULL
+DH_EXPORT int dh_solution_is_proved(const dh_solution* solution, int* proved) DH_NOEXCEPT;
 
 /// @brief Amplitude and phase of a mass with their errors.
 /// @param solution  a solution

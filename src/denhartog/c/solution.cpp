@@ -40,6 +40,26 @@ void hand_out_of_stops(const std::vector<SolvedStop>& stops, std::size_t count, 
     hand_out(ends, of_ends.numbers);
 }
 
+int solve_at(const dh_system* system, double r, double beta, double mu, int digits, bool proved,
+             dh_solution** solution) noexcept {
+    return guarded([&] {
+        need(system, "system");
+        need(solution, "solution");
+        check_static_friction(mu);
+        Question question;
+        question.digits = digits_from(digits);
+        question.proved = proved;
+        auto made = std::make_unique<dh_solution>();
+        made->scene = system->prepared.scene();
+        made->scene.mu = mu;
+        made->scene.r = r;
+        made->scene.beta = beta;
+        made->solution = mu == 1 ? solve(system->prepared, r, beta, question)
+                                 : solve(with_static_friction(system->prepared, mu), r, beta, question);
+        *solution = made.release();
+    });
+}
+
 } // namespace
 
 extern "C" {
@@ -54,21 +74,11 @@ int dh_set_effort(double operations, dh_cancelled cancelled, void* context) noex
 }
 
 int dh_solve(const dh_system* system, double r, double beta, double mu, int digits, dh_solution** solution) noexcept {
-    return guarded([&] {
-        need(system, "system");
-        need(solution, "solution");
-        check_static_friction(mu);
-        Question question;
-        question.digits = digits_from(digits);
-        auto made = std::make_unique<dh_solution>();
-        made->scene = system->prepared.scene();
-        made->scene.mu = mu;
-        made->scene.r = r;
-        made->scene.beta = beta;
-        made->solution = mu == 1 ? solve(system->prepared, r, beta, question)
-                                 : solve(with_static_friction(system->prepared, mu), r, beta, question);
-        *solution = made.release();
-    });
+    return solve_at(system, r, beta, mu, digits, false, solution);
+}
+
+int dh_solve_proved(const dh_system* system, double r, double beta, double mu, int digits, dh_solution** solution) noexcept {
+    return solve_at(system, r, beta, mu, digits, true, solution);
 }
 
 void dh_solution_destroy(dh_solution* solution) noexcept { delete solution; }
@@ -94,6 +104,14 @@ int dh_solution_summary(const dh_solution* solution, dh_summary* summary) noexce
         }
         need_finite(std::array{all.rest_from, all.rest_to, all.rest_error, all.relative_error});
         hand_out(all, summary);
+    });
+}
+
+int dh_solution_is_proved(const dh_solution* solution, int* proved) noexcept {
+    return guarded([&] {
+        need(solution, "solution");
+        need(proved, "proved");
+        *proved = solution->solution.method.proved;
     });
 }
 

@@ -96,7 +96,10 @@ _PROTOTYPES = {
     "dh_boundary_errors": [c_void_p, c_double, c_double, POINTER(Boundary)],
     "dh_sums": [c_void_p, c_double, c_size_t, _numbers, _numbers, _numbers, _numbers, _numbers],
     "dh_boundaries": [c_void_p, c_double, c_double, POINTER(Boundary)],
+    "dh_boundaries_proved": [c_void_p, c_double, c_double, POINTER(Boundary), POINTER(Boundary)],
     "dh_solve": [c_void_p, c_double, c_double, c_double, c_int, POINTER(c_void_p)],
+    "dh_solve_proved": [c_void_p, c_double, c_double, c_double, c_int, POINTER(c_void_p)],
+    "dh_solution_is_proved": [c_void_p, _integers],
     "dh_solution_summary": [c_void_p, POINTER(Summary)],
     "dh_solution_mass": [c_void_p, c_size_t, POINTER(Mass)],
     "dh_solution_contact": [c_void_p, POINTER(Mass)],
@@ -125,8 +128,8 @@ def _loaded() -> ctypes.CDLL:
     except OSError as reason:
         raise ImportError(
             f"denhartog cannot load its shared library: {reason}. It needs {NAME} in the package's folder, at the path that the "
-            "environment variable DENHARTOG_LIBRARY names, or where the system's loader looks, and the system's MPFR and GMP "
-            "(on Debian the packages libmpfr6 and libgmp10)") from reason
+            "environment variable DENHARTOG_LIBRARY names, or where the system's loader looks, and the system's MPFR, GMP, FLINT "
+            "and Arb (on Debian 12 the packages libmpfr6, libgmp10, libflint17 and libflint-arb2)") from reason
 
 
 @functools.lru_cache(maxsize=None)

@@ -12,12 +12,14 @@ from ._results import REGIMES, Boundary, BoundaryNumbers, FunctionNumbers, Funct
 from ._units import Real, like
 
 
-def solution(system: ctypes.c_void_p, N: int, r: float, beta: float, mu: float, digits: int, masses: np.ndarray) -> Solution:
+def solution(system: ctypes.c_void_p, N: int, r: float, beta: float, mu: float, digits: int, masses: np.ndarray,
+             proved: bool) -> Solution:
     """The steady motion at a point, of `masses`, counted from 1; 0 digits aim at 6."""
-    address, summary = ctypes.c_void_p(), _library.Summary()
-    _library.call("dh_solve", system, r, beta, mu, digits, byref(address))
+    address, summary, is_proved = ctypes.c_void_p(), _library.Summary(), ctypes.c_int()
+    _library.call("dh_solve_proved" if proved else "dh_solve", system, r, beta, mu, digits, byref(address))
     handle = Handle(address, "dh_solution_destroy")
     _library.call("dh_solution_summary", address, byref(summary))
+    _library.call("dh_solution_is_proved", address, byref(is_proved))
     listed = [_library.Mass() for _ in masses]
     for k, mass in zip(masses, listed):
         _library.call("dh_solution_mass", address, int(k), byref(mass))
@@ -35,22 +37,27 @@ def solution(system: ctypes.c_void_p, N: int, r: float, beta: float, mu: float, 
         rest_error=summary.rest_error, masses=masses.astype(int), amplitude=displacements["amplitude"],
         amplitude_error=displacements["error"], contact_amplitude=contact.amplitude,
         contact_phase=contact.phase if contact.moves else math.nan, contact_amplitude_error=contact.error,
-        contact_phase_error=contact.phase_error if contact.moves else math.nan, relative_error=summary.relative_error, _handle=handle, _N=N, **phases)
+        contact_phase_error=contact.phase_error if contact.moves else math.nan, relative_error=summary.relative_error,
+        proved=bool(is_proved), _handle=handle, _N=N, **phases)
 
 
-def boundary(system: ctypes.c_void_p, r: np.ndarray, mu: float) -> Boundary:
+def boundary(system: ctypes.c_void_p, r: np.ndarray, mu: float, proved: bool) -> Boundary:
     """The friction ratios that part the regimes, of the shape of `r`, with the bounds of their errors."""
-    def rows(name: str) -> list[Real]:
-        rows = np.empty((4,) + r.shape)
-        for at in np.ndindex(r.shape):
-            found = _library.Boundary()
-            _library.call(name, system, float(r[at]), mu, byref(found))
-            rows[(slice(None), *at)] = (found.exact, found.paper, found.approximate,
-                                        found.sticking if found.sticking_exists else math.nan)
-        return [like(row) for row in rows]
-
-    result = Boundary(*rows("dh_boundaries"))
-    result.errors = BoundaryNumbers(*rows("dh_boundary_errors"))
+    rows = np.empty((2, 4) + r.shape)
+    for at in np.ndindex(r.shape):
+        found, errors = _library.Boundary(), _library.Boundary()
+        point = system, float(r[at]), mu
+        if proved:
+            _library.call("dh_boundaries_proved", *point, byref(found), byref(errors))
+        else:
+            _library.call("dh_boundaries", *point, byref(found))
+            _library.call("dh_boundary_errors", *point, byref(errors))
+        for part, each in zip(rows, (found, errors)):
+            part[(slice(None), *at)] = (each.exact, each.paper, each.approximate,
+                                        each.sticking if each.sticking_exists else math.nan)
+    values, bounds = ([like(row) for row in part] for part in rows)
+    result = Boundary(*values)
+    result.errors, result.proved = BoundaryNumbers(*bounds), proved
     return result
 
 

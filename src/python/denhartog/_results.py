@@ -39,9 +39,12 @@ class Boundary(BoundaryNumbers):
         From here on the contact never moves; NaN where no friction holds it, as the system resonates while it is held.
     errors : tuple
         Bounds of the errors of these four, under the same names. It is beside the tuple, not one of its four members.
+    proved : bool
+        True where every number and every bound is proved; else the bounds are estimates. It is beside the tuple as well.
     """
 
     errors: BoundaryNumbers
+    proved: bool
 
 
 class Motion(NamedTuple):
@@ -130,7 +133,9 @@ class Solution:
     contact_amplitude_error, contact_phase_error : float
         Bounds of their errors.
     relative_error : float
-        The largest error of all masses: of amplitudes relative, of phases in radians.
+        The largest error of all masses before rounding to double: of amplitudes relative, of phases in radians.
+    proved : bool
+        True where every number and every bound is proved; else the bounds are estimates. The samples of `motion` are not proved.
     """
 
     r: float
@@ -155,6 +160,7 @@ class Solution:
     contact_amplitude_error: float
     contact_phase_error: float
     relative_error: float
+    proved: bool
     _handle: "Handle" = field(repr=False)
     _N: int = field(repr=False)
 

@@ -141,7 +141,7 @@ class System(Units):
 
     def solve(self, r: ArrayLike, beta: ArrayLike, digits: Optional[int] = None, mu: Optional[float] = None,
               masses: Union[int, Sequence[int], None] = None, threads: int = 0,
-              progress: Progress = None) -> Union[Solution, Solutions]:
+              progress: Progress = None, proved: bool = False) -> Union[Solution, Solutions]:
         """The steady motion, in every regime.
 
         Parameters
@@ -160,6 +160,8 @@ class System(Units):
             Threads for arrays, 0 for as many as the machine has. The numbers are the same for any.
         progress : callable
             For arrays: called as ``progress(done, all)``; the computation ends where it returns something true.
+        proved : bool
+            True to have every number and every bound proved, or PrecisionError with the reason. For scalars only.
 
         Returns
         -------
@@ -180,7 +182,10 @@ class System(Units):
         if digits is not None and not 1 <= asked <= 15:
             raise InputError.of("digits", "must be from 1 to 15", digits)
         if r_array.ndim == beta_array.ndim == 0:
-            return _point.solution(self._handle.address, self.N, float(r_array), float(beta_array), static, asked, listed)
+            return _point.solution(self._handle.address, self.N, float(r_array), float(beta_array), static, asked, listed,
+                                   bool(proved))
+        if proved:
+            raise InputError.of("proved", "must be false for arrays: ask for a proof point by point", proved)
         found = _batch.solve_points(self._handle.address, r_array, beta_array, static, asked, listed,
                                     _batch.thread_count(threads), progress)
         full_r, full_beta = np.broadcast_arrays(r_array, beta_array)
@@ -237,7 +242,7 @@ class System(Units):
                                  _batch.thread_count(threads), progress)
         return Map(mu=static, masses=listed.astype(int), **axes, **found)
 
-    def boundary(self, r: ArrayLike, mu: Optional[float] = None) -> Boundary:
+    def boundary(self, r: ArrayLike, mu: Optional[float] = None, proved: bool = False) -> Boundary:
         """The friction ratios that part the regimes, to 10 digits.
 
         Parameters
@@ -246,13 +251,15 @@ class System(Units):
             Frequency ratios, positive.
         mu : float
             Static over kinetic friction in place of that of the system.
+        proved : bool
+            True to have every number and every bound proved, or PrecisionError with the reason.
 
         Returns
         -------
         Boundary
             exact, paper, approximate, sticking: numbers, or arrays of the shape of `r`; `errors` has the bounds of their errors.
         """
-        return _point.boundary(self._handle.address, _batch.numbers("r", r), self._static(mu))
+        return _point.boundary(self._handle.address, _batch.numbers("r", r), self._static(mu), bool(proved))
 
     def motion(self, r: float, beta: float, samples: int = 400, mu: Optional[float] = None) -> Motion:
         """The steady motion at a point over its period: tau (samples,), x and x_prime (samples, N). See `Solution.motion`."""

@@ -167,6 +167,24 @@ assert(denhartog_solve(chain, 1.125, [0.1; 0.2; 0.9]).r, [1.125; 1.125; 1.125]);
 assert(all(denhartog_solve(chain, 1, 0.9, 12).amplitude_error <= 1e-12 * max(denhartog_solve(chain, 1, 0.9).amplitude)));
 printf("an array of points has the numbers of its points one by one, and one number serves all\n");
 
+for scene = {chain, setfield(chain, 'beta', 0.9), frame}
+  plain = denhartog_solve(scene{1});
+  assert(plain.proved, false);
+  try
+    proof = denhartog_solve(scene{1}, [], [], 0, true);
+  catch caught
+    assert(~isempty(strfind(caught.message, 'DENHARTOG_REFERENCE=OFF')), caught.message);
+    says('denhartog:precision', 'DENHARTOG_REFERENCE=OFF', @() denhartog_solve(scene{1}, [], [], 0, true));
+    continue
+  end
+  assert(proof.proved, true);
+  assert({proof.regime, proof.stops}, {plain.regime, plain.stops});
+  assert(all(abs(proof.amplitude - plain.amplitude) <= proof.amplitude_error + plain.amplitude_error));
+  assert(all(proof.amplitude_error <= 1e-15 * max(proof.amplitude)));
+end
+says('denhartog:input', 'point by point', @() denhartog_solve(chain, [1, 2], 0.1, 0, true));
+printf("a proved solution is the other one within both bounds, and says that it is proved\n");
+
 map = denhartog_map(chain, linspace(0.5, 1.5, 5), linspace(0, 1.2, 4), [3, 1]);
 [regime, stops, periods, amplitude, status] = program_map('--r 0.5:1.5:5 --beta 0:1.2:4 --mass 3 --mass 1', chain);
 assert(size(map.regime), [4, 5]);

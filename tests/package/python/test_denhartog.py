@@ -69,6 +69,34 @@ class AgainstTheProgram(unittest.TestCase):
                     for n, k in enumerate(masses):
                         np.testing.assert_array_equal(found.amplitude[:, :, n], true[f"amplitude_{k}"])
 
+    def test_a_proved_solution_is_what_solve_tells_with_proved(self):
+        for name in NAMES:
+            with self.subTest(name):
+                system, plain = System.from_scene(scene_file(name)), json.loads(told("solve", "--json", scene_file(name)))
+                r, beta, path = plain["r"], plain["beta"], scene_file(name)
+                done = subprocess.run([PROGRAM, "solve", "--json", "--proved", path], capture_output=True, text=True)
+                if "DENHARTOG_REFERENCE=OFF" in done.stdout + done.stderr:
+                    for call in (lambda: system.solve(r, beta, proved=True), lambda: system.boundary(r, proved=True)):
+                        with self.assertRaisesRegex(denhartog.PrecisionError, "DENHARTOG_REFERENCE=OFF"):
+                            call()
+                    continue
+                true = json.loads(done.stdout)
+                found, other = system.solve(r, beta, proved=True), system.solve(r, beta)
+                self.assertIs(true["method"]["proved"], True)
+                self.assertIs(found.proved, True)
+                self.assertIs(other.proved, False)
+                self.assertEqual((found.regime, found.unique, len(found.stops)), (true["regime"], other.unique, len(other.stops)))
+                # The program has r and beta of the scene's own units to all digits.
+                np.testing.assert_allclose(found.amplitude, [m["amplitude"] for m in true["masses"]], rtol=1e-12)
+                self.assertTrue((np.abs(found.amplitude - other.amplitude) <= found.amplitude_error + other.amplitude_error).all())
+                self.assertTrue((np.abs(found.phase - other.phase) <= found.phase_error + other.phase_error).all())
+                self.assertTrue((np.abs(found.stops - other.stops) <= found.stop_errors + other.stop_errors).all())
+                self.assertTrue((found.amplitude_error <= 1e-15 * found.amplitude.max()).all())
+                limits, others = system.boundary(r, proved=True), system.boundary(r)
+                self.assertEqual((limits.proved, others.proved, len(limits)), (True, False, 4))
+                for each in zip(limits, limits.errors, others, others.errors):
+                    self.assertLessEqual(abs(each[0] - each[2]), each[1] + each[3])
+
     def test_boundaries_are_those_of_boundary(self):
         for name in NAMES:
             with self.subTest(name):
@@ -228,6 +256,9 @@ class InPython(unittest.TestCase):
                 ("contact", "4", lambda: System(**{**CHAIN, "contact": 4})),
                 ("masses", "4", lambda: system.map([1], [1], masses=4)),
                 ("digits", "16", lambda: system.solve(1, 1, digits=16)),
+                ("digits", "16", lambda: system.solve(1, 1, digits=16, proved=True)),
+                ("proved", "True", lambda: system.solve([1, 2], 1, proved=True)),
+                ("r", "0", lambda: system.boundary(0, proved=True)),
                 ("regime", "sliding", lambda: system.map([1], [1]).where("sliding")),
                 ("stiffness_ratios", "nan", lambda: System(**{**CHAIN, "stiffness_ratios": [1, np.nan, 1]})),
                 ("beta", "(3,)", lambda: system.solve([1, 2], [1, 2, 3])),
