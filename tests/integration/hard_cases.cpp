@@ -311,24 +311,3 @@ TEST_CASE("bad input to either solver names quantity, rule and value", "[hard][i
     CHECK(stopped.masses.empty());
     CHECK(stopped.stops.empty());
 }
-
-TEST_CASE("dashpots that nearly cancel in a mode are in the bounds of the motion", "[hard][exact-solver][damping]") {
-    System<double> s;
-    s.mass_ratios = {1, 3.6497609518336342};
-    s.stiffness_ratios = {1, 129945780.81249785};
-    s.damping_matrix.resize(2, 2);
-    s.damping_matrix << 121471370.00158453, -121471369.06065738, -121471369.06065738, 121471369.08307464;
-    const Scene<double> scene = scene_of(s, 0.46375081508841814, 1.4476430676297455e-06, 2.85303206963959);
-    const PeriodicOrbit<double> orbit = orbit_of(scene);
-    REQUIRE(orbit.status == OrbitStatus::periodic);
-    const Solution exact = solve(scene, {Asked::motion, 20});
-    double apart = 0;
-    for (std::size_t k = 0; k < 2; ++k)
-        apart = std::max(apart, std::abs(orbit.masses[k].amplitude - exact.masses[k].amplitude.value));
-    INFO(apart << " apart, bound " << orbit.error_bound);
-    CHECK(apart > 1e-9); // what double loses of the damping of the first mode
-    CHECK(apart <= orbit.error_bound);
-    const Solution answer = solve(scene, {Asked::motion, std::nullopt});
-    for (std::size_t k = 0; k < 2; ++k)
-        CHECK(std::abs(answer.masses[k].amplitude.value - exact.masses[k].amplitude.value) <= answer.masses[k].amplitude.error);
-}

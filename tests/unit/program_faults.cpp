@@ -123,7 +123,7 @@ TEST_CASE("a file is written whole or not at all", "[program][input]") {
 
 TEST_CASE("wrong usage has status 2 and one line", "[program][input]") {
     for (const std::string arguments :
-         {"", "respond", "response --no-such-option", "response --digits many", "response --digits 0", "response --digits 96",
+         {"", "respond", "response --no-such-option", "response --digits many", "response --digits 0", "response --digits 100001",
           "motion --samples many", "response one two"}) {
         const Run run = run_program(arguments, good);
         INFO(arguments << ": " << run.error);

@@ -145,7 +145,7 @@ TEST_CASE("solve --mass lists one mass, counted from 1, in every regime", "[prog
 }
 
 TEST_CASE("what solve cannot answer gives status 3 and no number", "[program][solve]") {
-    const Run run = run_program("solve --json --digits 60", two_masses("0.5", "0.5"));
+    const Run run = run_program("solve --json --digits 60 --effort 1000", two_masses("0.5", "0.5"));
     CHECK(run.status == 3);
     CHECK(run.output.empty());
     CHECK(lines_of(run.error).size() == 1);

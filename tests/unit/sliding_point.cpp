@@ -20,28 +20,6 @@ SlidingPoint<double> bounded_point(const Scene<double>& scene) {
 
 } // namespace
 
-TEST_CASE("error bounds known beforehand hold against 50 digits and leave more than six digits",
-          "[eq:38][eq:44][eq:52][eq:69][accuracy]") {
-    for (const double r : {0.0625, 0.3125, 0.875, 1.125, 4.0}) {
-        Scene<double> scene = three_masses(r);
-        scene.beta = 0.75 * boundary(sums_of(scene), scene.mu).exact;
-        const SlidingPoint<double> low = bounded_point(scene);
-        const Response<Real50> high = response(scene_source(scene)->in_50_digits());
-        CHECK(low.attempted.relative < 1e-7);
-        REQUIRE(low.state);
-        for (std::size_t k = 0; k < 3; ++k) {
-            const MassResponse<Bounded<double>>& m = low.state->masses[k];
-            const MassResponse<Real50>& w = high.steady_state->masses[k];
-            INFO("r = " << hexadecimal(r) << ", mass " << k + 1 << ", bound " << hexadecimal(m.amplitude.e));
-            CHECK(abs(Real50(m.x0.x - w.x0)) <= m.x0.e);
-            CHECK(abs(Real50(m.v0.x - w.v0)) <= m.v0.e);
-            CHECK(abs(Real50(m.amplitude.x - w.amplitude)) <= m.amplitude.e);
-            CHECK(abs(Real50(m.amplitude_monoharmonic.x - w.amplitude_monoharmonic)) <= m.amplitude_monoharmonic.e);
-            CHECK(abs(wrapped(Real50(m.phase.x - w.phase))) <= m.phase.e);
-        }
-    }
-}
-
 TEST_CASE("error bounds known beforehand hold on random systems", "[eq:38][eq:69][accuracy]") {
     int number = 0, compared = 0;
     for (const RandomScene<double>& each : random_scenes<double>(17)) {

@@ -31,31 +31,6 @@ const char* one_tenth = R"({"mass_ratios": [1, 2], "stiffness_ratios": [1, 1], "
 
 } // namespace
 
-TEST_CASE("the error bound of double holds against 100 digits", "[accuracy]") {
-    for (const double r : {0.0625, 0.3125, 0.875, 1.125, 4.0}) {
-        Scene<double> scene = three_masses(r);
-        scene.beta = 0.75 * boundary(sums_of(scene), scene.mu).exact;
-        const Solution low = answer(scene_source(scene));
-        const Response<Real100> high = response(scene_source(scene)->in_100_digits());
-        for (std::size_t k = 0; k < 3; ++k) {
-            const SolvedMass& m = low.masses[k];
-            const MassResponse<Real100>& w = high.steady_state->masses[k];
-            const double bound = error_of_displacements(m);
-            INFO("r = " << hexadecimal(r) << ", mass " << k + 1 << ", bound " << hexadecimal(bound));
-            CHECK(bound > 0);
-            CHECK(bound < 1e-10 * m.amplitude.value);
-            CHECK(abs(Real100(m.sliding->x0.value - w.x0)) <= m.sliding->x0.error);
-            CHECK(abs(Real100(m.sliding->v0.value - w.v0)) <= m.sliding->v0.error);
-            CHECK(abs(Real100(m.amplitude.value - w.amplitude)) <= m.amplitude.error);
-            CHECK(abs(Real100(m.sliding->amplitude_monoharmonic.value - w.amplitude_monoharmonic)) <=
-                  m.sliding->amplitude_monoharmonic.error);
-            CHECK(abs(wrapped(Real100(m.phase->value - w.phase))) <= m.phase->error);
-            CHECK(abs(wrapped(Real100(m.sliding->phase_monoharmonic.value - w.phase_monoharmonic))) <=
-                  m.sliding->phase_monoharmonic.error);
-        }
-    }
-}
-
 TEST_CASE("the precision follows from the digits asked for", "[accuracy]") {
     CHECK(answer(scene_source(sliding())).method.precision == "double");
     CHECK(answer(scene_source(sliding()), 10).method.precision == "double");
@@ -65,7 +40,7 @@ TEST_CASE("the precision follows from the digits asked for", "[accuracy]") {
     CHECK(answer(scene_source(sliding()), 46).method.precision == "100 digits");
     CHECK(answer(scene_source(sliding()), 90).digits_reached);
     CHECK_THROWS_AS(answer(scene_source(sliding()), 0), InputError);
-    CHECK_THROWS_AS(answer(scene_source(sliding()), 96), InputError);
+    CHECK_THROWS_AS(answer(scene_source(sliding()), most_digits + 1), InputError);
 }
 
 TEST_CASE("the digits of 50 agree with those of 100", "[accuracy]") {
@@ -342,9 +317,7 @@ TEST_CASE("an answer of too few digits stands where more digits fail and none we
     CHECK_FALSE(found.settled);
     CHECK_THAT(found.why, Catch::Contains("in 100 digits: too much work"));
     CHECK_THROWS_AS(certify(aim_of(6), attempt), PrecisionError);
-    const auto open = [&]<class T>(std::type_identity<T> type) {
-        return Attempted{attempt(type).relative, false};
-    };
+    const auto open = [&]<class T>(std::type_identity<T> type) { return Attempted{attempt(type).relative, false}; };
     CHECK_THROWS_AS(certify(aim_of({}), open), PrecisionError);
     fails = false;
     CHECK(certify(aim_of({}), open).precision == Precision::in_100_digits);

@@ -5,6 +5,7 @@
 #include <random>
 
 #include "denhartog/answer/held_solution.hpp"
+#include "denhartog/answer/reference.hpp"
 #include "denhartog/map/regime_map.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/orbit/periodic_orbit.hpp"
@@ -98,7 +99,12 @@ TEST_CASE("between the boundaries the exact solver answers, to 30 digits as well
               Real100(a.masses[k].phase->error));
         CHECK(b.masses[k].amplitude.error < 1e-29 * b.masses[k].amplitude.value); // the rounding of 30 decimals is in it
     }
-    CHECK_THROWS_AS(asking(scene, Asked::motion, 60), PrecisionError);
+    if (!has_reference()) return;
+    const Solution proved = asking(scene, Asked::motion, 60);
+    CHECK(proved.method.proved);
+    for (std::size_t k = 0; k < 2; ++k)
+        CHECK(abs(Real100(decimals_of(proved.masses[k].amplitude) - decimals_of(b.masses[k].amplitude))) <=
+              Real100(b.masses[k].amplitude.error) + Real100(proved.masses[k].amplitude.error));
 }
 
 TEST_CASE("a motion of 50 digits that does not start where that of double does is refused", "[solve][eq:74]") {
@@ -131,34 +137,6 @@ TEST_CASE("a motion of 50 digits that does not start where that of double does i
         CHECK_THROWS_AS(answer_to(near), PrecisionError);
     }
     CHECK_NOTHROW(answer_to(altered([](auto& o) { o.start.x[0] += o.error_bound / 8; })));
-}
-
-TEST_CASE("in stick-slip next to a friction ratio at which a phase jumps, its bound holds", "[solve][accuracy]") {
-    // Mass 1 has two largest displacements at some 0.29621107496888; their phases are -2.992 and 1.691.
-    Scene<double> scene = chain({1, 1, 1.75, 3}, {1, 0.75, 2.25, 1.5}, {0.02, 0.02, 0.02, 0.02}, 3, 2, 1, 0.32);
-    for (const double beta : {0.2962, 0.29621107496887694, 0.29621107496888466, 0.2963}) {
-        scene.beta = beta;
-        const Solution low = asking(scene, Asked::motion, 8), high = asking(scene, Asked::motion, 20);
-        INFO("beta = " << hexadecimal(beta) << ", phase " << low.masses[0].phase->value << ", to 20 digits "
-                       << high.masses[0].phase->value);
-        CHECK(std::abs(low.masses[0].phase->value - high.masses[0].phase->value) <= low.masses[0].phase->error);
-        CHECK(low.masses[0].phase->error < 1e-8);
-    }
-}
-
-TEST_CASE("in stick-slip a maximum so near an end of a phase that it is no larger there keeps the bound of its phase",
-          "[solve][accuracy]") {
-    // Mass 1 is farthest out 3.3e-10 before the start of the half-period, where it is out as far to all digits of double.
-    Scene<double> scene = chain({1, 0.003931476269687536, 6118.650263655756}, {1, 0.999999999999821, 1.0000004213876381},
-                                {0, 0, 0}, 3, 1, 1, 25.901281443472723);
-    scene.beta = 0.001262317429661558;
-    const Solution low = asking(scene, Asked::amplitude, 2), high = asking(scene, Asked::amplitude, 20);
-    REQUIRE(low.method.precision == "double");
-    for (std::size_t k = 0; k < 3; ++k) {
-        INFO("mass " << k + 1 << ", phase " << low.masses[k].phase->value << ", to 20 digits " << high.masses[k].phase->value);
-        CHECK(std::abs(low.masses[k].phase->value - high.masses[k].phase->value) <= low.masses[k].phase->error);
-        CHECK(low.masses[k].phase->error < (k == 2 ? 1e-2 : 1e-8));
-    }
 }
 
 TEST_CASE("instants at which stops begin and end keep their bounds, and these are of use", "[solve][accuracy][eq:74][eq:75]") {
@@ -564,21 +542,6 @@ TEST_CASE("a scene of which double has no modes is answered in 50 digits", "[sol
     }
 }
 
-TEST_CASE("in stick-slip what rounding turns of the modes of a light mass is within its bound", "[solve][eq:74][accuracy]") {
-    // 8e-11 of the displacement of the light mass, which has a part of 23 in the fast mode.
-    const SceneSource scene = scene_source(SceneText{R"({"mass_ratios": [1, 64.39142852521474, 0.0018741601596592315],
-        "stiffness_ratios": [1, 1.0638145499026914, 0.5413226157612983], "damping_ratios": 0.015499092077804701, "contact": 1,
-        "load": [1, 64.39142852521474, 0.0018741601596592315], "r": 0.05894357751376121, "beta": 0.39911818669346455})"});
-    const Solution few = solve(scene, {Asked::amplitude, 8}), many = solve(scene, {Asked::amplitude, 20});
-    REQUIRE(few.method.precision == "double");
-    for (std::size_t k = 0; k < 3; ++k) {
-        const Certified &amplitude = few.masses[k].amplitude, &exact = many.masses[k].amplitude;
-        INFO("mass " << k + 1 << ": " << amplitude.value << " +- " << amplitude.error << ", exactly " << exact.value);
-        CHECK(std::abs(amplitude.value - exact.value) <= amplitude.error + exact.error);
-        CHECK(amplitude.error < 1e-8);
-    }
-}
-
 TEST_CASE("a light mass on a base that moves costs a motion no digits", "[solve][eq:74]") {
     // The displacement of the load, M 1 over m_1, is nearly that of the contact. As a coordinate it took 5e10 times the rounding.
     for (const double beta : {0.3, 0.9, 1.1}) {
@@ -653,7 +616,8 @@ TEST_CASE("a load on nothing but the contact may have any size and sign", "[solv
 }
 
 TEST_CASE("a search that spends its work in exponentials says what is certain", "[solve][effort]") {
-    const SceneSource scene = scene_source(SceneText{R"({"masses": [[1.23, 0, 0, 0, 0], [0, 3.3e-5, 0, 0, 0], [0, 0, 1.15e-3, 0, 0],
+    const SceneSource scene =
+        scene_source(SceneText{R"({"masses": [[1.23, 0, 0, 0, 0], [0, 3.3e-5, 0, 0, 0], [0, 0, 1.15e-3, 0, 0],
         [0, 0, 0, 24.2, 0], [0, 0, 0, 0, 1.04]], "stiffnesses": [[1534000, -324000, 0, 0, 0],
         [-324000, 1157000, -532000, -106000, -195000], [0, -532000, 780000, -247000, 0],
         [0, -106000, -247000, 508000, -154000], [0, -195000, 0, -154000, 349000]],

@@ -138,20 +138,6 @@ TEST_CASE("invariant points are within their bounds of those to 30 digits", "[pr
     CHECK(held.close > held.numbers / 4);
 }
 
-TEST_CASE("permanent sticking by (88) is within its bound of 100 digits, for chains", "[eq:88]") {
-    Held held;
-    for (const std::string& text : scenes_as_text(120)) {
-        INFO(text);
-        const std::optional<Certified> found = sticking_by_88(read_scene<double>(text), 6);
-        const std::optional<Certified> truth = sticking_by_88(read_scene<Real100>(text), 40);
-        REQUIRE(found.has_value() == truth.has_value());
-        if (found) held.take("(88)", found->value, found->error, Real50(truth->decimal));
-    }
-    INFO(held.close << " of " << held.numbers);
-    CHECK(held.numbers == 80);
-    CHECK(held.close > held.numbers / 4);
-}
-
 TEST_CASE("permanent sticking by (88) has the digits asked for", "[program][eq:88]") {
     const std::string scene = R"({"mass_ratios": [1, 2.5, 0.75], "stiffness_ratios": [1, 0.625, 1.875],
         "damping_ratios": [0.03, 0.06, 0.09], "contact": 2, "load": 1, "mu": 1.375, "r": 1.125, "beta": 0.15625})";

@@ -1,0 +1,227 @@
+// The answers of the reference: digits, regimes, kinds of scenes, and what it refuses.
+#include <cmath>
+
+#include "denhartog/answer/reference.hpp"
+#include "denhartog/number/effort.hpp"
+#include "denhartog/number/errors.hpp"
+#include "denhartog/solve/solve.hpp"
+#include "tests/catch.hpp"
+#include "tests/reference/proofs.hpp"
+
+using namespace denhartog;
+using namespace denhartog::tests;
+
+namespace {
+
+const std::string oscillator =
+    R"({"mass_ratios": [1], "stiffness_ratios": [1], "damping_ratios": ["0.1"], "contact": 1, "load": 1,
+                                  "r": "0.7", "beta": "0.3"})";
+const std::string chain = R"({"mass_ratios": [1, 2.5, 0.75], "stiffness_ratios": [1, 0.625, 1.875],
+                             "damping_ratios": [0.03125, 0.0625, 0.09375], "contact": 2, "load": 1, "r": 1.125, "beta": 0.0625})";
+
+SceneSource source_of(const std::string& text) { return scene_source(SceneText{text}); }
+
+Solution proved(const std::string& text, int digits, Asked asked = Asked::motion) {
+    Question question;
+    question.asked = asked;
+    question.digits = digits;
+    question.proved = true;
+    return solve(source_of(text), question);
+}
+
+// The digits that two numbers share, from texts d.ddd...e+00 of which one is longer.
+bool begins_alike(const std::string& few, const std::string& many, std::size_t digits) {
+    return few.substr(0, digits) == many.substr(0, digits) && few.substr(few.find('e')) == many.substr(many.find('e'));
+}
+
+// What is certain of the decimals: all but the last are those of more digits, by the bound.
+bool is_the_same_number(const Certified& few, const Certified& many) { return apart(ball_of(few), ball_of(many)) == 0; }
+
+std::string changed(std::string text, const std::string& from, const std::string& to) {
+    return text.replace(text.find(from), from.size(), to);
+}
+
+} // namespace
+
+TEST_CASE("as many digits as are asked for are certain, and more digits begin with them", "[driver]") {
+    const Bits enough(8192);
+    for (const std::string& text : {oscillator, chain}) {
+        const Solution all = proved(text, 1000);
+        for (const int digits : {1, 6, 15, 16, 30, 200, 1000}) {
+            INFO(digits << " digits of " << text);
+            const Solution s = proved(text, digits);
+            CHECK(s.method.proved);
+            CHECK(s.method.precision == "reference");
+            CHECK(s.regime.regime == Regime::continuous);
+            CHECK(s.relative_error <= std::pow(10, -std::min(digits, 300)));
+            for (std::size_t k = 0; k < s.masses.size(); ++k) {
+                const Certified &amplitude = s.masses[k].amplitude, &phase = *s.masses[k].phase;
+                CHECK(amplitude.proved);
+                CHECK(amplitude.decimal.empty() == (digits <= 15));
+                CHECK(amplitude.error <= std::pow(10, 1 - std::min(digits, 17)) * amplitude.value);
+                CHECK(is_the_same_number(amplitude, all.masses[k].amplitude));
+                CHECK(is_the_same_number(phase, all.masses[k].phase.value()));
+                if (digits < 16) continue;
+                CHECK(amplitude.decimal.size() == static_cast<std::size_t>(digits) + 5); // the point, e-01
+                CHECK(begins_alike(amplitude.decimal, all.masses[k].amplitude.decimal, static_cast<std::size_t>(digits) - 2));
+            }
+        }
+    }
+}
+
+TEST_CASE("one tenth as text is one tenth to a thousand digits, and as a number it is the double", "[driver]") {
+    const Bits enough(8192);
+    const Solution text = proved(changed(oscillator, "\"0.3\"", "\"0.1\""), 1000),
+                   number = proved(changed(oscillator, "\"0.3\"", "0.1"), 1000);
+    REQUIRE(text.beta);
+    CHECK(text.beta->decimal == "1." + std::string(999, '0') + "e-01");
+    CHECK(number.beta->decimal.substr(0, 40) == "1.00000000000000005551115123125782702118");
+    CHECK(apart(ball_of(text.masses[0].amplitude), ball_of(number.masses[0].amplitude)) > 1e-18);
+    // (38) and the formulas of one mode, with one tenth for zeta and beta and seven tenths for r
+    const Ball zeta = Ball(1) / 10, R = Ball(7) / 10, beta = Ball(1) / 10, w = sqrt(1 - zeta * zeta);
+    const Ball theta = pi<Ball>() * w / R, delta = pi<Ball>() * zeta / R, below = cosh(delta) + cos(theta);
+    const Ball u = sin(theta) / (R * w * below), g = (sinh(delta) - zeta / w * sin(theta)) / below;
+    const Ball square = 1 / ((1 - R * R) * (1 - R * R) + 4 * zeta * zeta * R * R);
+    const Ball amplitude = sqrt(square - beta * beta * u * u) - beta * g;
+    CHECK(apart(ball_of(text.masses[0].amplitude), amplitude) == 0);
+    CHECK(amplitude.certain_bits() > 8000);
+    const Ball decimals = Ball::of_text(text.masses[0].amplitude.decimal); // a bound in double ends at 5e-324
+    CHECK(abs(decimals - amplitude) < Ball::of_text("1e-999"));
+    CHECK(abs(decimals - amplitude * (1 + Ball::of_text("1e-995"))) > Ball::of_text("1e-999"));
+}
+
+TEST_CASE("an answer with stops has the digits asked for as well", "[driver]") {
+    const Bits enough(4096);
+    const std::string text = changed(chain, "0.0625}", "0.75}");
+    const Solution all = proved(text, 200);
+    REQUIRE(all.regime.regime == Regime::stick_slip);
+    REQUIRE_FALSE(all.stops.empty());
+    for (const int digits : {1, 15, 16, 30}) {
+        const Solution s = proved(text, digits);
+        CHECK(is_the_same_number(s.masses[0].amplitude, all.masses[0].amplitude));
+        CHECK(is_the_same_number(s.stops[0].start, all.stops[0].start));
+        CHECK(s.method.model == "exact solver");
+        CHECK(s.relative_error <= std::pow(10, -digits));
+    }
+}
+
+TEST_CASE("each regime is told from its neighbours next to their boundaries", "[driver][eq:69][eq:87]") {
+    const Bits enough(256);
+    const Solution limits = proved(chain, 40, Asked::regime);
+    const Certified &exact = limits.limits->exact, &sticking = *limits.limits->sticking;
+    const auto at = [](const Certified& limit, const char* factor) { // in text: further digits of the limit, times the factor
+        const Bits many(512);
+        const Ball beta = Ball::of_text(limit.decimal) * Ball::of_text(factor);
+        char* digits = arb_get_str(beta.a, 60, ARB_STR_NO_RADIUS);
+        const std::string text = changed(chain, "0.0625}", "\"" + std::string(digits) + "\"}");
+        flint_free(digits);
+        return text;
+    };
+    CHECK(proved(at(exact, "0.99999999999999999999"), 6, Asked::regime).regime.regime == Regime::continuous);
+    CHECK(proved(at(exact, "1.00000000000000000001"), 6, Asked::regime).regime.regime == Regime::stick_slip);
+    CHECK(proved(at(sticking, "0.99999999999999999999"), 6, Asked::regime).regime.regime == Regime::stick_slip);
+    CHECK(proved(at(sticking, "1.00000000000000000001"), 6, Asked::regime).regime.regime == Regime::permanent_sticking);
+    const Solution next = proved(at(exact, "0.99999999999999999999"), 20);
+    CHECK(next.masses.size() == 3);
+    CHECK(next.method.model == "closed form");
+    CHECK(proved(at(sticking, "1.00000000000000000001"), 20).method.model == "stuck response");
+}
+
+TEST_CASE("contacts between two masses, load vectors, dashpots and modes beyond critical are answered", "[driver]") {
+    const Bits enough(512);
+    const std::string system = R"({"mass_ratios": [1, 2, 1.5], "stiffness_ratios": [1, 0.5, 0.75], )";
+    for (
+        const char* rest :
+        {R"("damping_ratios": 0.05, "contact": [1, 3], "load": 2, "r": 0.8, "beta": 0.05})",
+         R"("damping_ratios": 0.05, "contact": 2, "load": [0.5, "0.1", -1], "r": 0.8, "beta": 0.05})",
+         R"("damping_matrix": [[0.2, -0.1, 0], [-0.1, 0.15, -0.02], [0, -0.02, 0.1]], "contact": 2, "load": 1, "r": 0.8, "beta": 0.05})",
+         R"("damping_ratios": [0.5, 1.5, 3], "contact": 1, "load": 1, "r": 0.8, "beta": 0.05})",
+         R"("damping_ratios": [0.5, 1, 1], "contact": 1, "load": 1, "r": 0.8, "beta": 0.05})",
+         R"("damping_ratios": [0, 0.05, 0.05], "contact": 1, "load": 1, "r": 0.8, "beta": 0.05})"}) {
+        INFO(rest);
+        const Solution s = proved(system + rest, 60), few = proved(system + rest, 10);
+        CHECK(s.method.model == "closed form");
+        CHECK(s.masses.size() == 3);
+        for (std::size_t k = 0; k < 3; ++k) CHECK(is_the_same_number(s.masses[k].amplitude, few.masses[k].amplitude));
+        CHECK(s.between.has_value() == (s.contact_with.has_value()));
+    }
+}
+
+TEST_CASE("two modes of one frequency are answered", "[driver][eq:69]") {
+    const Bits enough(256);
+    const std::string apart_ones = R"({"mass_ratios": [1, 1], "stiffness_matrix": [[2, 0], [0, 2]], "damping_ratios": 0.05,
+                                      "contact": 1, "load": 1, "r": 1.2, "beta": 0.5})";
+    const Solution s = proved(apart_ones, 21);
+    CHECK(s.limits->exact.decimal.substr(0, 21) == "7.4387816094964130746");
+    CHECK(s.regime.regime == Regime::continuous);
+    REQUIRE(s.masses.size() == 2);
+    CHECK_FALSE(s.masses[1].phase);
+    CHECK(s.masses[1].amplitude.error < 1e-30);
+    const Solution alone =
+        proved(R"({"mass_ratios": [1], "stiffness_matrix": [[2]], "damping_ratios": 0.05, "contact": 1, "load": 1,
+                                     "r": 1.2, "beta": 0.5})",
+               21);
+    CHECK(is_the_same_number(s.masses[0].amplitude, alone.masses[0].amplitude));
+    CHECK(is_the_same_number(*s.masses[0].phase, *alone.masses[0].phase));
+    // decimals as text are balls, which say of themselves that they are the same
+    const Solution text = proved(changed(apart_ones, "0.05", "\"0.05\""), 21);
+    CHECK(text.limits->exact.decimal.substr(0, 17) == s.limits->exact.decimal.substr(0, 17));
+    CHECK(apart(ball_of(text.limits->exact), ball_of(s.limits->exact)) > 0);
+}
+
+TEST_CASE("at a pole of a mode without damping the answer is refused, or is that of the motion itself", "[driver]") {
+    const std::string undamped =
+        R"({"mass_ratios": [1], "stiffness_ratios": [1], "damping_ratios": [0], "contact": 1, "load": 1, )";
+    // at resonance nothing but friction bounds the motion, and below pi/4 of the load it does not
+    CHECK_THROWS_WITH(proved(undamped + R"("r": 1, "beta": 0.3})", 10), Catch::Contains("mode 1 has no damping and R = 1"));
+    // at r = 1/3 the friction motion has a pole, (28), but the load none: with a rest it is answered
+    const std::string third = undamped + R"("r": 0.3333333333333333, "beta": 2})";
+    CHECK(proved(third, 10).regime.regime == Regime::permanent_sticking);
+    // next to a pole every number is there
+    CHECK(proved(undamped + R"("r": 0.99, "beta": 0.3})", 10).regime.regime == Regime::continuous);
+}
+
+TEST_CASE("static friction above kinetic by a last digit is not the same as none", "[driver]") {
+    const Bits enough(256);
+    const std::string equal = changed(chain, "\"r\"", "\"mu\": 1, \"r\""),
+                      above = changed(chain, "\"r\"", "\"mu\": \"1.000000000000001\", \"r\"");
+    const Solution a = proved(equal, 30, Asked::regime), b = proved(above, 30, Asked::regime);
+    CHECK(ball_of(*a.limits->sticking) > ball_of(*b.limits->sticking));
+    CHECK_FALSE(ball_of(a.limits->approximate) < ball_of(b.limits->approximate));
+    CHECK(apart(ball_of(*a.limits->sticking), ball_of(*b.limits->sticking) * Ball::of_text("1.000000000000001")) == 0);
+    CHECK(is_the_same_number(proved(equal, 30).masses[0].amplitude, proved(above, 30).masses[0].amplitude));
+}
+
+TEST_CASE("a budget that is spent is said", "[driver]") {
+    const QuestionEffort little(3, 2000);
+    CHECK_THROWS_WITH(proved(chain, 5000), Catch::Contains("the work allowed is spent"));
+}
+
+TEST_CASE("digits are those of any number of bits", "[driver]") {
+    const Bits enough(1024);
+    const Solution few = proved(chain, 20), many = proved(chain, 120);
+    CHECK(few.method.why != many.method.why);
+    for (std::size_t k = 0; k < few.masses.size(); ++k) {
+        const SlidingOfMass &a = *few.masses[k].sliding, &b = *many.masses[k].sliding;
+        for (const auto& [x, y] : {std::pair(&a.x0, &b.x0), std::pair(&a.v0, &b.v0), std::pair(&a.instant, &b.instant),
+                                   std::pair(&a.amplitude_monoharmonic, &b.amplitude_monoharmonic),
+                                   std::pair(&a.phase_monoharmonic, &b.phase_monoharmonic)})
+            CHECK(is_the_same_number(*x, *y));
+        Certified wrong = few.masses[k].amplitude; // of another last digit but two
+        wrong.decimal[wrong.decimal.find('e') - 3] = wrong.decimal[wrong.decimal.find('e') - 3] == '5' ? '6' : '5';
+        if (wrong.decimal != few.masses[k].amplitude.decimal) CHECK_FALSE(is_the_same_number(wrong, many.masses[k].amplitude));
+    }
+}
+
+TEST_CASE("what the fast floor does not reach the reference does, where digits are asked for", "[driver]") {
+    Question question;
+    question.digits = 120;
+    const Solution s = solve(source_of(chain), question);
+    CHECK(s.method.precision == "reference");
+    CHECK(s.masses[0].amplitude.decimal.size() == 125);
+    question.digits = 12;
+    CHECK(solve(source_of(chain), question).method.precision != "reference");
+    question.all = true;
+    question.proved = true;
+    CHECK_THROWS_AS(solve(source_of(chain), question), InputError);
+}

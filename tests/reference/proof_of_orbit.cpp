@@ -1,0 +1,171 @@
+/// @file
+/// @brief Every demand of friction on a motion is checked: a motion that breaks one of them is refused.
+#include <string>
+
+#include "denhartog/reference/orbit_multipliers.hpp"
+#include "denhartog/reference/orbit_proof.hpp"
+#include "orbit_cases.hpp"
+#include "tests/catch.hpp"
+
+namespace denhartog::tests {
+namespace {
+
+using namespace reference;
+
+constexpr slong bits = 128;
+
+// A motion with two stops, a half of which is the mirror image of the other.
+struct TwoStops {
+    Scene<double> scene;
+    ProvedOrbit orbit;
+    std::vector<PhaseInStretches> phases;
+
+    explicit TwoStops(double mu = 1)
+        : scene(at_point(chain_of({1, 1}, {1, 1}, {0.02, 0.01}, 2, 1), 0.3125, 0.25, mu)),
+          orbit(proved_near(in_bits(scene), guess_for(scene), bits)), phases(in_stretches(orbit, 64)) {}
+
+    // The event that ends a stop.
+    [[nodiscard]] slong slip() const {
+        slong i = 1;
+        while (orbit.at.direction(i) != 0) ++i;
+        return i;
+    }
+};
+
+std::string refusal(const ProvedOrbit& orbit, const std::vector<PhaseInStretches>& phases, bool* certain = nullptr) {
+    const Bits few(64);
+    try {
+        require_friction(orbit, phases);
+    } catch (const Unproved& e) {
+        if (certain != nullptr) *certain = dynamic_cast<const Disproved*>(&e) != nullptr;
+        return e.what();
+    }
+    return "";
+}
+
+TEST_CASE("the demands of friction hold on a motion with stops", "[reference][proof]") {
+    for (const double mu : {1.0, 1.25}) {
+        const TwoStops motion(mu);
+        CHECK(refusal(motion.orbit, motion.phases).empty());
+    }
+}
+
+TEST_CASE("a contact that slides against its direction is refused", "[reference][proof]") {
+    TwoStops motion;
+    for (int& direction : motion.orbit.at.directions) direction = -direction;
+    bool certain = false;
+    CHECK(!refusal(motion.orbit, motion.phases, &certain).empty());
+    CHECK(certain);
+}
+
+TEST_CASE("a contact that friction cannot hold is refused", "[reference][proof]") {
+    TwoStops motion;
+    motion.orbit.s.holds = motion.orbit.s.holds * Ball(0.9375);
+    bool certain = false;
+    CHECK(refusal(motion.orbit, motion.phases, &certain) == "it slips earlier");
+    CHECK(certain);
+}
+
+TEST_CASE("a contact that has to slip to the other side is refused", "[reference][proof]") {
+    TwoStops motion;
+    // A load ten times as large, moved so that it reaches its limit where it did: earlier it is beyond the other limit.
+    ContactMechanics& s = motion.orbit.s;
+    const Ball after(motion.orbit.at.direction(motion.slip() + 1));
+    s.load = s.load * Ball(10);
+    s.load(0, s.n() - 1) -= Ball(9) * s.holds * after;
+    bool certain = false;
+    CHECK(refusal(motion.orbit, motion.phases, &certain) == "it slips to the other side");
+    CHECK(certain);
+}
+
+TEST_CASE("a turn where the contact has to stop is refused", "[reference][proof]") {
+    const Scene<double> scene = at_point(chain_of({1}, {1}, 0.125), 0.75, 0.125);
+    FollowedMotion<double> motion(scene);
+    REQUIRE(motion.orbit.stops.empty());
+    ProvedOrbit orbit = proved_near(in_bits(scene), guess_of(motion.solver, motion.orbit), bits);
+    const std::vector<PhaseInStretches> phases = in_stretches(orbit, 64);
+    CHECK(refusal(orbit, phases).empty());
+    orbit.s.holds = orbit.s.holds * Ball(64);
+    bool certain = false;
+    CHECK(refusal(orbit, phases, &certain) == "it stops where it is said to turn");
+    CHECK(certain);
+}
+
+TEST_CASE("a slip that is said to jump where it does not is refused", "[reference][proof]") {
+    TwoStops motion; // with mu = 1 the velocity grows as the square of the time
+    motion.orbit.s.equal = false;
+    bool certain = true;
+    CHECK(refusal(motion.orbit, motion.phases, &certain) == "it turns or stops while it slides");
+    CHECK(!certain);
+}
+
+TEST_CASE("a phase that ends before it starts is refused", "[reference][proof]") {
+    TwoStops motion;
+    OrbitUnknowns& at = motion.orbit.at;
+    REQUIRE(at.m() >= 2);
+    at.u(at.states() + 1) = at.u(at.states()) - Ball(0.25);
+    CHECK_THROWS_AS(in_stretches(motion.orbit, 64), Disproved);
+    at.u(at.states() + 1) = widened(at.u(at.states()), Ball(0.25));
+    CHECK_THROWS_AS(in_stretches(motion.orbit, 64), Unproved);
+}
+
+Curve polynomial(const std::vector<double>& c) {
+    Curve curve;
+    for (const double each : c) curve.emplace_back(each);
+    return curve;
+}
+
+TEST_CASE("a curve is found positive exactly where it is", "[reference][proof]") {
+    CHECK_NOTHROW(require_positive(polynomial({1, -0.5}), {}, "x"));
+    CHECK_NOTHROW(require_positive(polynomial({0, 1, -0.5}), {1, false}, "x"));
+    CHECK_NOTHROW(require_positive(polynomial({0, 0, 1, -0.5}), {2, false}, "x"));
+    CHECK_NOTHROW(require_positive(polynomial({0, 1, -1}), {1, true}, "x"));
+    CHECK_NOTHROW(require_positive(polynomial({0, 0, 1, -1}), {2, true}, "x"));
+    CHECK_NOTHROW(require_positive(polynomial({0.25 + 0x1p-40, -1, 1}), {}, "x")); // only just
+    CHECK_THROWS_AS(require_positive(polynomial({0.25 - 0x1p-40, -1, 1}), {}, "x"), Disproved);
+    CHECK_THROWS_AS(require_positive(polynomial({0.25, -1, 1}), {}, "x"), Unproved);           // touches zero
+    CHECK_THROWS_AS(require_positive(polynomial({0, 1, -0.5}), {}, "x"), Unproved);            // zero where it starts
+    CHECK_THROWS_AS(require_positive(polynomial({0, 0, 1, -0.5}), {1, false}, "x"), Unproved); // to another order
+    CHECK_THROWS_AS(require_positive(polynomial({1, -1}), {}, "x"), Unproved);                 // zero where it ends
+    CHECK_THROWS_AS(require_positive(polynomial({1, -4, 3}), {0, true}, "x"), Disproved);
+    CHECK_THROWS_AS(require_positive(polynomial({-1, 3}), {}, "x"), Disproved);
+    CHECK_THROWS_AS(require_positive(polynomial({0, -1, 2}), {1, false}, "x"), Disproved);
+}
+
+TEST_CASE("a series of the exponential holds its sum and its derivatives", "[reference][proof]") {
+    const Bits some(100);
+    BallMatrix B(2, 2), y(2, 1); // a turn by 5 radians
+    B(0, 1) = Ball(-5);
+    B(1, 0) = Ball(5);
+    y(0) = Ball(1);
+    const ExponentialSeries series(B, y);
+    for (const double theta : {0.0, 0.375, 1.0}) {
+        const Ball angle(5 * theta);
+        const BallMatrix sum = series.at(Ball(theta));
+        CHECK((sum(0) - cos(angle)).may_vanish());
+        CHECK((sum(1) - sin(angle)).may_vanish());
+        CHECK(sum(0).radius() < 1e-24);
+        Curve c;
+        for (slong k = 0; k < series.terms().columns(); ++k) c.push_back(series.terms()(0, k));
+        CHECK((derivative(c, 1, Ball(theta)) + Ball(5) * sin(angle)).may_vanish());
+        CHECK((derivative(c, 2, Ball(theta)) + Ball(25) * cos(angle)).may_vanish());
+    }
+}
+
+TEST_CASE("of a stable and an unstable map the right one is told", "[reference][proof]") {
+    MapOfDeviations map{BallMatrix(2, 2), false};
+    map.A(0, 0) = Ball(0.5);
+    map.A(0, 1) = Ball(64);
+    map.A(1, 1) = Ball(0.75);
+    CHECK(dies_out(map.A));
+    CHECK((multipliers_over_period(map, true).front() - Ball(0.5625)).may_vanish());
+    map.A(1, 1) = Ball(1.25);
+    CHECK(!dies_out(map.A));
+    CHECK(multipliers_over_period(map, false).front() > Ball(1));
+    map.A(1, 1) = Ball(1);
+    CHECK(!dies_out(map.A));
+    CHECK(!(multipliers_over_period(map, false).front() > Ball(1)));
+}
+
+} // namespace
+} // namespace denhartog::tests

@@ -1,0 +1,281 @@
+// Every number that the library tells of the scenes of tests/scenes.jsonl in double lies within its bound of the proved number.
+#include <cstdlib>
+#include <fstream>
+#include <set>
+
+#include "denhartog/denhartog.hpp"
+#include "denhartog/model/modal_basis.hpp"
+#include "denhartog/number/errors.hpp"
+#include "denhartog/solve/quantities.hpp"
+#include "denhartog/solve/solve.hpp"
+#include "tests/reference/surveyed_scenes.hpp"
+
+using namespace denhartog;
+using namespace denhartog::tests;
+
+namespace {
+
+constexpr slong bits = 256;
+
+Ball full_turns(int n) { return 2 * n * pi<Ball>(); }
+
+void survey_number(const std::string& kind, const Certified& told, const Certified& proved, SurveyOfBounds& survey,
+                   const Ball& period = Ball(0)) {
+    survey.take(kind, told.value, told.error, ball_of(proved), period);
+}
+
+void survey_limits(const Limits& told, const Limits& proved, SurveyOfBounds& survey) {
+    survey_number("limits: exact", told.exact, proved.exact, survey);
+    survey_number("limits: paper", told.paper, proved.paper, survey);
+    survey_number("limits: approximate", told.approximate, proved.approximate, survey);
+    survey.same("a sticking limit", told.sticking.has_value(), proved.sticking.has_value());
+    if (told.sticking && proved.sticking) survey_number("limits: sticking", *told.sticking, *proved.sticking, survey);
+}
+
+void survey_mass(const std::string& kind, const SolvedMass& told, const SolvedMass& proved, SurveyOfBounds& survey) {
+    survey_number(kind + ": amplitude", told.amplitude, proved.amplitude, survey);
+    if (!proved.phase || !told.phase) return; // which masses do not move is told by amplitudes
+    survey_number(kind + ": phase", *told.phase, *proved.phase, survey, full_turns(1));
+    if (!told.sliding || !proved.sliding) return;
+    const SlidingOfMass &a = *told.sliding, &b = *proved.sliding;
+    survey_number("sliding: x0", a.x0, b.x0, survey);
+    survey_number("sliding: v0", a.v0, b.v0, survey);
+    survey_number("sliding: instant", a.instant, b.instant, survey, pi<Ball>()); // the end of the half-period mirrors its start
+    survey_number("sliding: monoharmonic amplitude", a.amplitude_monoharmonic, b.amplitude_monoharmonic, survey);
+    survey_number("sliding: monoharmonic phase", a.phase_monoharmonic, b.phase_monoharmonic, survey, full_turns(1));
+}
+
+void survey_orbit(const Solution& told, const Solution& proved, SurveyOfBounds& survey) {
+    survey.same("the number of stops", told.stops.size(), proved.stops.size());
+    survey.same("the period", told.periods, proved.periods);
+    survey.same("the mirror image", told.symmetric, proved.symmetric);
+    if (told.stops.size() == proved.stops.size())
+        for (std::size_t n = 0; n < told.stops.size(); ++n) {
+            survey_number("stop: start", told.stops[n].start, proved.stops[n].start, survey, full_turns(told.periods));
+            survey_number("stop: end", told.stops[n].end, proved.stops[n].end, survey, full_turns(told.periods));
+            survey_number("stop: x", told.stops[n].x, proved.stops[n].x, survey);
+        }
+    for (std::size_t k = 0; told.start && proved.start && k < told.start->x.size(); ++k) {
+        survey_number("start: x", told.start->x[k], proved.start->x[k], survey);
+        survey_number("start: x'", told.start->x_prime[k], proved.start->x_prime[k], survey);
+    }
+    if (!told.stability || !proved.stability) return;
+    if (told.stability->stable) survey.same("stability", true, proved.stability->stable); // else it is not certain in double
+    const auto &a = told.stability->multipliers, &b = proved.stability->multipliers;
+    survey.same("the number of multipliers", a.size(), b.size());
+    for (std::size_t n = 0; n < std::min(a.size(), b.size()); ++n) survey_number("multipliers", a[n], b[n], survey);
+}
+
+void survey_answer(const std::string& kind, const Solution& told, const Solution& proved, SurveyOfBounds& survey) {
+    if (!told.regime.on_boundary) survey.same("the regime of " + kind, name(told.regime.regime), name(proved.regime.regime));
+    if (told.limits && proved.limits) survey_limits(*told.limits, *proved.limits, survey);
+    if (told.sticking_by_88 && proved.sticking_by_88)
+        survey_number("sticking by (88)", *told.sticking_by_88, *proved.sticking_by_88, survey);
+    for (const SolvedMass& m : told.masses) {
+        const auto k = told.only ? told.only->index : static_cast<std::size_t>(&m - told.masses.data());
+        survey_mass(kind, m, proved.masses[k], survey);
+    }
+    if (told.between && proved.between) survey_mass(kind + ", between", *told.between, *proved.between, survey);
+    if (told.rest_interval && proved.rest_interval) {
+        survey_number("rest: from", told.rest_interval->from, proved.rest_interval->from, survey);
+        survey_number("rest: to", told.rest_interval->to, proved.rest_interval->to, survey);
+    }
+    survey_orbit(told, proved, survey);
+}
+
+// What `map` promises instead of a bound.
+void survey_map(const SurveyedScene& s, const Solution& proved, SurveyOfBounds& survey) {
+    const Scene<double> scene = denhartog::scene(s.text);
+    const RegimeMap told = map(scene, {*scene.r}, {*scene.beta});
+    survey.same("whether the map answers", has_numbers(told.points[0].status), true);
+    if (!has_numbers(told.points[0].status)) return;
+    if (told.points[0].status == PointStatus::answered)
+        survey.same("the regime of the map", name(told.points[0].regime), name(proved.regime.regime));
+    survey.same<std::size_t>("the stops of the map", static_cast<std::size_t>(told.points[0].stops), proved.stops.size());
+    for (std::size_t k = 0; k < told.amplitudes.size(); ++k) {
+        const Ball amplitude = ball_of(proved.masses[k].amplitude);
+        survey.take("promised by map: amplitude", told.amplitudes[k], 1e-6 * amplitude.high(), amplitude);
+    }
+}
+
+void survey_quantities(const SceneSource& source, const Truth& truth, SurveyOfBounds& survey) {
+    const std::vector<double> tau{0.5, 4.25};
+    const QuantitiesAnswer told = quantities(source, tau, 10);
+    std::map<std::string, std::size_t> read; // displacements by instant, then by mass
+    list<Bounded<double>>(told.numbers,
+                          [&](const char* name, std::size_t mass, const Bounded<double>& x, const Bounded<double>&) {
+                              const std::string of = name;
+                              const std::size_t k = mass == 0 ? 0 : mass - 1;
+                              const auto take = [&](const Ball& proved, const Ball& period = Ball(0)) {
+                                  survey.take("quantities: " + of, x.x, x.e, proved, period);
+                              };
+                              if (of == "Re V") take(truth.point.responses->V[k].re);
+                              if (of == "Im V") take(truth.point.responses->V[k].im);
+                              if (of == "U") take(truth.point.responses->U[k]);
+                              if (of == "G") take(truth.point.responses->G[k]);
+                              if (of == "H") take(truth.point.responses->H);
+                              if (of == "S") take(truth.point.boundary->S);
+                              if (of == "beta_lim") take(truth.point.boundary->exact);
+                              if (of == "X_j") take(truth.contact.X_j);
+                              if (of == "phi_j") take(truth.contact.phi_j, full_turns(1));
+                              if (of == "x") take(truth.displacement(k, tau[read[of]++ / truth.masses.size()]));
+                          });
+}
+
+// The same point with each number taken as a double, as C gives it.
+SceneSource in_doubles_of_c(const SurveyedScene& s) {
+    const Scene<double>& scene = s.source->in_double();
+    return at_point(with_static_friction(s.source, scene.mu), *scene.r, *scene.beta);
+}
+
+Solution proved_answer(const SceneSource& source) {
+    Question question;
+    question.digits = 25;
+    question.proved = true;
+    return solve(source, question);
+}
+
+// A part of the library may say that it has no digits; that is no number, and no fault.
+template <class Part>
+void unless_refused(SurveyOfBounds& survey, const Part& part) {
+    try {
+        part();
+    } catch (const PrecisionError& e) {
+        survey.refusals.push_back(std::string(e.what()) + ", " + survey.scene);
+    }
+}
+
+void survey_scene(const SurveyedScene& s, SurveyOfBounds& survey) {
+    const Bits enough(bits);
+    Solution proved = proved_answer(s.source);
+    survey_answer("solve", solve(s.source, {}), proved, survey);
+    for (const Asked asked : {Asked::amplitude, Asked::phase}) {
+        Question question;
+        question.asked = asked;
+        survey_answer("solve in part", solve(s.source, question), proved, survey);
+        question.mass = proved.contact;
+        survey_answer("solve of the contact", solve(s.source, question), proved, survey);
+    }
+    if (s.of_doubles) survey_map(s, proved, survey);
+    const SceneSource point = s.of_doubles ? s.source : in_doubles_of_c(s);
+    if (!s.of_doubles) proved = proved_answer(point);
+    const Truth truth(point);
+    unless_refused(survey, [&] { survey_quantities(point, truth, survey); });
+    unless_refused(survey, [&] { survey_c_functions(s, truth, survey); });
+    unless_refused(survey, [&] { survey_c_answers(s, proved, truth, survey); });
+}
+
+const SurveyOfBounds& survey() {
+    static const SurveyOfBounds all = [] {
+        SurveyOfBounds made;
+        for (const SurveyedScene& s : surveyed_scenes()) {
+            made.scene = s.text;
+            try {
+                survey_scene(s, made);
+            } catch (const std::exception& e) {
+                made.differences.push_back(std::string(e.what()) + ", " + s.text);
+            }
+        }
+        return made;
+    }();
+    return all;
+}
+
+// Where a promise of digits stands in place of a bound.
+bool has_a_promise_only(const std::string& kind) { return kind.starts_with("promised"); }
+
+} // namespace
+
+const std::vector<SurveyedScene>& denhartog::tests::surveyed_scenes() {
+    static const std::vector<SurveyedScene> all = [] {
+        const char* folder = std::getenv("DENHARTOG_SOURCE_DIR");
+        std::ifstream file(std::string(folder != nullptr ? folder : ".") + "/tests/scenes.jsonl");
+        std::vector<SurveyedScene> read;
+        for (std::string line; std::getline(file, line);) {
+            const nlohmann::json json = nlohmann::json::parse(line);
+            bool of_doubles = !json.contains("masses");
+            for (const nlohmann::json& value : json.flatten())
+                if (value.is_string() && value != json.value("comment", "") && value != json.value("base_motion", ""))
+                    of_doubles = false;
+            const SceneSource source = scene_source(SceneText{line});
+            const bool couples = json.contains("damping_matrix") && modal_basis(scene_in<Real100>(source).system).coupled();
+            read.push_back({line, json, source, couples, of_doubles});
+        }
+        return read;
+    }();
+    return all;
+}
+
+TEST_CASE("the surveyed scenes are of every kind", "[scenes]") {
+    std::map<std::string, int> count;
+    std::set<std::size_t> N;
+    for (const SurveyedScene& s : surveyed_scenes()) {
+        const Scene<double>& scene = s.source->in_double();
+        const System<double>& system = scene.system;
+        INFO(s.text);
+        N.insert(number_of_masses(system));
+        count["mu above 1"] += scene.mu > 1;
+        count["between two masses"] += s.json["contact"].is_array();
+        count["load vector"] += s.json.contains("load") && s.json["load"].is_array();
+        count["base motion"] += s.json.contains("base_motion");
+        count["dimensional"] += s.json.contains("masses");
+        count["damping matrix"] += s.json.contains("damping_matrix");
+        count["no chain"] += s.json.contains("stiffness_matrix");
+        for (const double zeta : system.damping_ratios) {
+            count["overdamped"] += zeta >= 1;
+            count["no damping"] += zeta == 0;
+        }
+        count["small r"] += *scene.r < 0.06;
+        count["large r"] += *scene.r > 10;
+    }
+    REQUIRE(surveyed_scenes().size() >= 120);
+    REQUIRE(N.size() == 12);
+    CHECK(*N.rbegin() == 12);
+    CHECK(count.size() == 11);
+    for (const auto& [kind, number] : count) {
+        INFO(kind);
+        CHECK(number >= 3);
+    }
+}
+
+TEST_CASE("every number in double lies within its bound of the proved one",
+          "[scenes][eq:33][eq:34][eq:35][eq:38][eq:39][eq:44][eq:45][eq:46][eq:47][eq:52][eq:53][eq:56][eq:64][eq:67][eq:69]"
+          "[eq:86][eq:87][eq:88]") {
+    long numbers = 0, without = 0;
+    for (const auto& [kind, held] : survey().kinds) {
+        numbers += static_cast<long>(held.size());
+        for (const NumberHeld& n : survey().beyond(kind, 1)) {
+            INFO(kind << " is off by " << n.off << ": " << n.where);
+            CHECK(n.off <= n.bound);
+        }
+    }
+    for (const auto& [kind, count] : survey().without_bound) without += count;
+    std::printf("%ld numbers in %zu kinds, %ld without a bound\n", numbers, survey().kinds.size(), without);
+    CHECK(numbers > 10000);
+    CHECK(50 * without < numbers);
+}
+
+TEST_CASE("hardly a number is refused", "[scenes]") {
+    for (const std::string& refusal : survey().refusals) WARN(refusal);
+    CHECK(survey().refusals.size() <= 6);
+}
+
+TEST_CASE("regimes, stops and symmetry are those proved", "[scenes]") {
+    for (const std::string& difference : survey().differences) {
+        INFO(difference);
+        CHECK(difference.empty());
+    }
+}
+
+TEST_CASE("every kind of number has a bound that some number uses: a millionth of it would be noticed", "[scenes]") {
+    CHECK(survey().kinds.size() > 50);
+    for (const auto& [kind, held] : survey().kinds) {
+        if (has_a_promise_only(kind)) continue;
+        double most_used = 0;
+        for (const NumberHeld& n : held)
+            if (n.bound > 0) most_used = std::max(most_used, n.off / n.bound);
+        INFO(kind << " uses " << most_used << " of its bounds, in " << held.size() << " numbers");
+        CHECK(most_used > 1e-3);
+        CHECK_FALSE(survey().beyond(kind, 1e-6).empty());
+    }
+}

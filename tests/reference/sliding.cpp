@@ -1,0 +1,150 @@
+// Boundary, sliding motion, stuck response and (88) in balls, against 100 digits and against what they are defined by.
+#include "denhartog/reference/sliding.hpp"
+
+#include "denhartog/answer/held_solution.hpp"
+#include "denhartog/stick_slip/stuck_response.hpp"
+#include "tests/catch.hpp"
+#include "tests/reference/surveyed_scenes.hpp"
+#include "tests/support/plain_response.hpp"
+
+using namespace denhartog;
+using namespace denhartog::reference;
+using namespace denhartog::tests;
+
+namespace {
+
+constexpr slong bits = 320;
+
+bool is_of_papers_form(const SurveyedScene& s) {
+    return !s.json["contact"].is_array() && s.json.contains("load") && !s.json["load"].is_array();
+}
+
+bool agree(const Ball& x, const Real100& truth) {
+    return x.may_vanish() ? abs(ball_of(truth) - x).high() < 1e-40 : holds(x, truth, std::abs(static_cast<double>(x)));
+}
+
+bool agree_as_angles(const Ball& x, const Real100& truth) {
+    return apart(x, ball_of(truth), 2 * pi<Ball>()) <= 1e-60 && x.radius() < 1e-50;
+}
+
+} // namespace
+
+TEST_CASE("the boundary is that of 100 digits", "[boundary][eq:54][eq:56][eq:57][eq:67][eq:69]") {
+    const Bits enough(bits);
+    for (const SurveyedScene& s : surveyed_scenes()) {
+        if (s.couples_modes) continue; // 100 digits have no sums over modes for it
+        INFO(s.text);
+        const BoundaryInBalls b = *Truth(s.source).point.boundary;
+        const Boundary<Real100> truth = response(scene_in<Real100>(without_friction_ratio(s.source))).boundary;
+        // the search in 100 digits ends when its value no longer rises: to about 40 digits
+        CHECK(apart(b.exact, ball_of(truth.exact)) <= 1e-35 * b.exact.high());
+        CHECK(apart(b.approximate, ball_of(truth.approximate)) <= 1e-60 * b.exact.high());
+        CHECK(apart(b.paper, ball_of(truth.paper)) <= 1e-35 * b.exact.high());
+        CHECK(apart(b.S, ball_of(truth.S_exact)) <= 1e-35 * (1 + abs(b.S).high()));
+        CHECK_FALSE(b.exact < b.paper);
+        CHECK_FALSE(b.approximate < b.exact);
+        CHECK(b.exact.radius() < 1e-50 * b.exact.high());
+    }
+}
+
+TEST_CASE("below the boundary the contact moves down throughout the half-period, and next above it it does not",
+          "[boundary][eq:54]") {
+    const Bits enough(bits);
+    for (const SurveyedScene& s : surveyed_scenes()) {
+        if (!(s.source->in_double().mu == 1)) continue; // (54)b is another condition
+        INFO(s.text);
+        const Truth truth(s.source);
+        const ResponsesInBalls& r = *truth.point.responses;
+        const auto lowest_margin = [&](const Ball& beta) { // of -x_j' over the sine, at many instants
+            const Ball cosine = contact_in_balls(r, beta).X_j + beta * r.G[r.contact()];
+            double lowest = std::numeric_limits<double>::infinity();
+            for (int n = 1; n < 200; ++n) {
+                const Ball tau = n * pi<Ball>() / 200;
+                const Ball rate = r.friction.of(r.contact(), r.friction.shared(tau)).rate(1);
+                lowest = std::min(lowest, (cosine - beta * (r.U[r.contact()] * cos(tau) + rate) / sin(tau)).low());
+            }
+            return lowest;
+        };
+        CHECK(lowest_margin(truth.point.boundary->exact * Ball(1 - 1e-6)) > 0);
+    }
+}
+
+TEST_CASE("the sliding motion is that of 100 digits", "[sliding][eq:38][eq:39][eq:44][eq:45][eq:46][eq:47][eq:52][eq:53]") {
+    const Bits enough(bits);
+    int compared = 0;
+    for (const SurveyedScene& s : surveyed_scenes()) {
+        const Truth truth(s.source);
+        if (!truth.slides || s.couples_modes || !is_of_papers_form(s)) continue;
+        INFO(s.text);
+        const Response<Real100> r = response(scene_in<Real100>(s.source));
+        REQUIRE(r.steady_state);
+        CHECK(agree(truth.contact.X_j, r.steady_state->X_j));
+        CHECK(agree_as_angles(truth.contact.phi_j, r.steady_state->phi_j));
+        for (std::size_t k = 0; k < truth.masses.size(); ++k) {
+            const SlidingMassInBalls& m = truth.masses[k];
+            const MassResponse<Real100>& of = r.steady_state->masses[k];
+            if (m.amplitude.may_vanish()) continue;
+            CHECK(agree(m.x0, of.x0));
+            CHECK(agree(m.v0, of.v0));
+            CHECK(agree(m.amplitude_monoharmonic, of.amplitude_monoharmonic));
+            CHECK(agree_as_angles(m.phase_monoharmonic, of.phase_monoharmonic));
+            CHECK(apart(m.amplitude, ball_of(of.amplitude)) <= 1e-35 * m.amplitude.high()); // as with the boundary
+            CHECK(apart(m.phase, ball_of(of.phase), 2 * pi<Ball>()) <= 1e-20);
+            CHECK(m.phase.radius() < 1e-40);
+            ++compared;
+        }
+    }
+    CHECK(compared > 120);
+}
+
+TEST_CASE("no displacement exceeds the amplitude, and that at its instant comes up to it", "[sliding][eq:46]") {
+    const Bits enough(128);
+    for (const SurveyedScene& s : surveyed_scenes()) {
+        const Truth truth(s.source);
+        if (!truth.slides) continue;
+        INFO(s.text);
+        for (std::size_t k = 0; k < truth.masses.size(); ++k) {
+            const SlidingMassInBalls& m = truth.masses[k];
+            for (int n = 0; n <= 64; ++n) {
+                const double tau = std::min(n * (3.141592653589793 / 64), 3.141592653589793);
+                CHECK_FALSE(abs(truth.displacement(k, tau)) > m.amplitude);
+            }
+            const Ball there = abs(truth.displacement(k, std::clamp(static_cast<double>(m.instant), 0.0, 3.141592653589793)));
+            if (!m.amplitude.may_vanish() && m.instant.radius() < 1e-10)
+                CHECK(apart(there, m.amplitude) <= 1e-12 * m.amplitude.high());
+        }
+    }
+}
+
+TEST_CASE("the stuck response is that of 100 digits, and so is (88)", "[stuck][eq:87][eq:88]") {
+    const Bits enough(bits);
+    int chains = 0;
+    for (const SurveyedScene& s : surveyed_scenes()) {
+        const Truth truth(s.source);
+        if (!truth.point.stuck || !is_of_papers_form(s)) continue;
+        INFO(s.text);
+        const Scene<Real100> scene = scene_in<Real100>(s.source);
+        const StuckResponse<Real100> held = stuck_response(stuck_configuration(scene.system, modal_basis(scene.system)),
+                                                           scene.system.contact, scene.system.load, *scene.r);
+        for (std::size_t k = 0; k < held.masses.size(); ++k) {
+            CHECK(apart(truth.point.stuck->X[k].re, ball_of(held.masses[k].X.re)) <= 1e-60);
+            CHECK(apart(truth.point.stuck->X[k].im, ball_of(held.masses[k].X.im)) <= 1e-60);
+        }
+        CHECK(apart(-truth.point.stuck->load.re, ball_of(held.contact_load.re)) <= 1e-60); // friction holds against it
+        const std::optional<Certified> by_88 = sticking_by_88(scene, 50);
+        if (!by_88) continue;
+        const Ball in_balls = sticking_limit_by_88(truth.point.scene, scene.system.load.index);
+        CHECK(apart(in_balls, ball_of(*by_88)) == 0);
+        CHECK_FALSE(apart(in_balls * (1 + Ball(1e-45)), ball_of(*by_88)) == 0);
+        ++chains;
+    }
+    CHECK(chains > 50);
+}
+
+TEST_CASE("an angle is taken to (-pi, pi], that next to -pi to pi", "[sliding]") {
+    const Bits enough(128);
+    CHECK(apart(wrapped_in_balls(Ball(7)), 7 - 2 * pi<Ball>()) == 0);
+    CHECK(apart(wrapped_in_balls(Ball(-7)), 2 * pi<Ball>() - 7) == 0);
+    CHECK(wrapped_in_balls(-pi<Ball>()) > Ball(3));
+    CHECK(wrapped_in_balls(pi<Ball>()) > Ball(3));
+}
