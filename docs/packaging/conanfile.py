@@ -16,7 +16,9 @@ class Denhartog(ConanFile):
 
     def generate(self):
         CMakeDeps(self).generate()
-        CMakeToolchain(self).generate()
+        toolchain = CMakeToolchain(self)
+        toolchain.cache_variables["DENHARTOG_REFERENCE"] = False  # no package of Arb was looked for
+        toolchain.generate()
 
     def build(self):
         cmake = CMake(self)
