@@ -170,7 +170,9 @@ private:
         const double turn = velocity_left_out / (amplitude.x - amplitude.e);
         const double phase_error = turn < 1 ? phase.e + largest_turn(turn, 1.0) : std::numbers::pi;
         if (phases && !(phase_error <= tolerance)) return false;
-        all.masses.push_back({{amplitude.x, error, {}}, Certified{wrapped(phase.x), phase_error, {}}, std::nullopt});
+        SolvedMass& mass = all.masses.emplace_back();
+        mass.amplitude = {amplitude.x, error};
+        mass.phase = Certified{wrapped(phase.x), phase_error};
         all.relative = std::max({all.relative, error / amplitude.x, phases ? phase_error : 0});
         return true;
     }
