@@ -63,6 +63,13 @@ Certified WrittenNumbers::shown(const Ball& x) const {
     return number;
 }
 
+Certified WrittenNumbers::relative(const Ball& x) {
+    count(x.is_zero() ? Ball(0) : radius_of(x) / abs(x));
+    Certified number = shown(x);
+    if (number.decimal.empty() && !x.is_zero()) count(Ball(number.error) / abs(x) / 2); // doubles are few next to zero
+    return number;
+}
+
 bool WrittenNumbers::does_not_move(const Ball& amplitude, const Ball& largest) const {
     Ball nothing = largest;
     arb_mul_2exp_si(nothing.a, nothing.a, -static_cast<slong>(bits_of_digit * digits_) - 32);

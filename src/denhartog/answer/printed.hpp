@@ -27,10 +27,7 @@ public:
     /// @throws Unproved where it has no bound; PrecisionError where it is written as a double and is beyond the range of one
     [[nodiscard]] Certified shown(const Ball& x) const;
     /// @brief A number that must have them, relative to its size. @param x the number @return it as it is handed out
-    [[nodiscard]] Certified relative(const Ball& x) {
-        count(x.is_zero() ? Ball(0) : radius_of(x) / abs(x));
-        return shown(x);
-    }
+    [[nodiscard]] Certified relative(const Ball& x);
     /// @brief A number that must have them as it is, such as an angle. @param x the number @return it as it is handed out
     [[nodiscard]] Certified absolute(const Ball& x) {
         count(radius_of(x));

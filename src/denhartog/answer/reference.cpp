@@ -20,7 +20,7 @@ using namespace reference;
 
 Ball or_zero(const std::optional<Ball>& x) { return x.value_or(Ball(0)); }
 
-// Where a friction ratio lies. Numbers of words are in double: next to each other they are parted as the balls are.
+// The regime of a friction ratio, as far as balls tell it.
 Regime regime_by(const Ball& beta, const Ball& exact, const std::optional<Ball>& sticking) {
     if (beta < exact) return Regime::continuous;
     if (!(beta >= exact)) throw Unproved("beta may lie on the boundary of the sliding regime");
@@ -30,6 +30,7 @@ Regime regime_by(const Ball& beta, const Ball& exact, const std::optional<Ball>&
     return Regime::stick_slip;
 }
 
+// A limit in double, for the sentence about the regime. Rounding must not put it on the wrong side of beta.
 double parted(const Ball& limit, double beta, bool above) {
     const auto shown = static_cast<double>(limit);
     if (above) return shown > beta ? shown : std::nextafter(beta, std::numeric_limits<double>::infinity());
@@ -59,7 +60,7 @@ void write_limits(const PointInBalls& p, bool must, WrittenNumbers& w, Solution&
     if (p.sticking) s.limits->sticking = number(*p.sticking);
 }
 
-// Also of a number that may be zero.
+// The size of a complex number, also of one that may be zero.
 Ball size_of(const Complex<Ball>& x) { return root_of_positive(squared_modulus(x)); }
 
 // The masses that are asked about, and for a contact between two masses what it does itself.
@@ -97,6 +98,8 @@ void write_sliding(const PointInBalls& p, const Scene<double>& scene, const Refe
 
 void write_stuck(const PointInBalls& p, const Scene<double>& scene, const ReferenceQuestion& q, WrittenNumbers& w, Solution& s) {
     if (!p.stuck) throw Unproved("the system may resonate with the contact held");
+    if (*p.scene.beta < *p.sticking) throw Disproved("static friction does not hold the contact throughout");
+    if (!(*p.scene.beta >= *p.sticking)) throw Unproved("beta may lie on the boundary of permanent sticking");
     const bool phases = q.asked != Asked::amplitude;
     Ball largest = p.stuck->compliance * size_of(p.stuck->load); // no mass moves where the load acts on the contact
     for (const Complex<Ball>& X : p.stuck->X) largest = larger(largest, size_of(X));
@@ -112,6 +115,11 @@ void write_stuck(const PointInBalls& p, const Scene<double>& scene, const Refere
     const Ball to = (p.scene.mu * *p.scene.beta - size_of(p.stuck->load)) * p.stuck->compliance;
     s.rest_interval = RestInterval{w.shown(-to), w.shown(to), std::nullopt};
     s.method.model = "stuck response";
+}
+
+bool is_loaded_contact(const Scene<double>& scene) {
+    const System<double>& s = scene.system;
+    return s.coordinates.load.empty() && s.coordinates.replaced.empty() && s.load == s.contact;
 }
 
 bool has_88(const Scene<double>& scene) {
@@ -201,7 +209,10 @@ Solution attempt(const SceneSource& source, const ReferenceQuestion& q, slong bi
     if (p.boundary) write_limits(p, q.asked == Asked::motion || q.asked == Asked::regime || !p.scene.beta, w, s);
     if (p.scene.beta) {
         if (p.boundary) write_regime(p, s);
-        const Regime regime = q.met.value_or(s.regime.regime);
+        Regime regime = q.met.value_or(s.regime.regime);
+        // A load on the contact alone never moves it from rest where static friction is not below its largest value.
+        if (is_loaded_contact(scene) && p.sticking && *p.scene.beta >= *p.sticking) regime = Regime::permanent_sticking;
+        if (q.met) s.regime.regime = regime;
         if (regime == Regime::continuous && p.boundary && !(*p.scene.beta < p.boundary->exact))
             throw Disproved("the contact does not slide throughout");
         if (q.asked == Asked::regime || (q.closed_form_alone && regime != Regime::continuous)) {

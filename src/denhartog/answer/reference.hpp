@@ -20,8 +20,8 @@ struct ReferenceQuestion {
     int digits = 6;                 ///< significant digits, all certain in the answer
     std::optional<Mass> mass{};     ///< the one mass asked about, in the order of the masses; none for all
     std::optional<Regime> met{};    ///< the regime of the motion that is meant, where the friction ratio does not tell it
-    bool briefly = false;         ///< whether bits are doubled once at most: where nobody asked for the digits
-    bool closed_form_alone = false; ///< whether outside the sliding regime boundary and regime are all that is asked
+    bool briefly = false;           ///< whether bits are doubled once at most, as nobody asked for digits or a proof
+    bool closed_form_alone = false; ///< whether only boundary and regime are wanted outside the sliding regime
 };
 
 /// @brief The answer of the reference. Bits are doubled until every number asked for has its digits.

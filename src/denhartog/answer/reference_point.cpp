@@ -1,6 +1,7 @@
 #if DENHARTOG_REFERENCE
 #include "denhartog/answer/reference_point.hpp"
 
+#include "denhartog/answer/printed.hpp"
 #include "denhartog/number/errors.hpp"
 
 namespace denhartog {
@@ -9,24 +10,74 @@ using namespace reference;
 
 namespace {
 
+// Psi^T C Psi, whose diagonal has the damping of each mode by itself.
+BallMatrix damping_of_modes(const SceneInBalls& s, const ModesInBalls& m) {
+    BallMatrix Psi(s.N(), s.N());
+    for (slong k = 0; k < s.N(); ++k)
+        for (slong i = 0; i < s.N(); ++i) Psi(k, i) = m.psi[static_cast<std::size_t>(k)][static_cast<std::size_t>(i)];
+    return transposed(Psi) * s.C * Psi;
+}
+
+// The same scene with the nearest damping that each mode has by itself, (18).
+SceneInBalls by_themselves(SceneInBalls s, const ModesInBalls& m, const BallMatrix& D) {
+    for (slong i = 0; i < s.N(); ++i) s.zeta.push_back(D(i, i) * s.r * m.R[static_cast<std::size_t>(i)] / 2);
+    return s;
+}
+
+// Rules of a scene that double may be too coarse to see broken.
+void check_in_balls(const SceneInBalls& s) {
+    if (s.mu < Ball(1))
+        throw InputError("mu", "must be at least 1 (static friction is not below kinetic friction)", printed(s.mu, 40).decimal);
+    for (const auto& [name, A] :
+         {std::pair<const char*, const BallMatrix&>{"mass_matrix", s.M}, {"stiffness_matrix", s.K}, {"damping_matrix", s.C}})
+        for (slong i = 0; i < A.rows(); ++i)
+            for (slong k = 0; k < i; ++k)
+                if (!arb_overlaps(A(i, k).a, A(k, i).a))
+                    throw InputError(name, "must be symmetric",
+                                     printed(A(i, k), 40).decimal + " and " + printed(A(k, i), 40).decimal);
+}
+
 // The damping that counts: `damping_tolerance` of 2 asks for the nearest damping that each mode has by itself.
 SceneInBalls scene_of(const SceneSource& source) {
     Scene<Ball> scene;
     source->in_balls(scene);
     SceneInBalls s = in_matrices(scene);
+    check_in_balls(s);
     const double tolerance = scene.system.damping_tolerance;
     if (s.zeta.empty() && tolerance > 0) {
         if (tolerance < 2)
             throw PrecisionError("the reference takes a damping matrix as it is: damping_tolerance must be 0, or 2");
         const ModesInBalls m = modes_in_balls(s);
-        BallMatrix Psi(s.N(), s.N());
-        for (slong k = 0; k < s.N(); ++k)
-            for (slong i = 0; i < s.N(); ++i) Psi(k, i) = m.psi[static_cast<std::size_t>(k)][static_cast<std::size_t>(i)];
-        const BallMatrix D = transposed(Psi) * s.C * Psi;
-        for (slong i = 0; i < s.N(); ++i) s.zeta.push_back(D(i, i) * s.r * m.R[static_cast<std::size_t>(i)] / 2); // (18)
+        if (!m.clusters.empty()) throw Unproved("modes are not told apart, and neither is the damping of each by itself");
+        s = by_themselves(s, m, damping_of_modes(s, m));
         s.C = BallMatrix();
     }
     return s;
+}
+
+// Whether a damping matrix couples the modes by less than a part.
+bool hardly_couples(const BallMatrix& D, const Ball& part) {
+    for (slong i = 0; i < D.rows(); ++i)
+        for (slong k = 0; k < D.rows(); ++k)
+            if (i != k && !(D(i, k) * D(i, k) <= part * part * D(i, i) * D(k, k))) return false;
+    return true;
+}
+
+// (56) of the modes by themselves, where the coupling by a damping matrix makes no difference to (69) that anybody could measure.
+std::optional<Ball> paper_limit_of_modes(const SceneInBalls& s, const Ball& exact) {
+    try {
+        const ModesInBalls m = modes_in_balls(s);
+        const BallMatrix D = damping_of_modes(s, m);
+        if (!hardly_couples(D, Ball(1e-6))) return std::nullopt;
+        const SceneInBalls apart = by_themselves(s, m, D);
+        ModesInBalls modes = m;
+        modes.zeta = apart.zeta;
+        if (!are_of_papers_form(modes)) return std::nullopt;
+        const BoundaryInBalls b = boundary_in_balls(apart, responses_of_modes(apart, modes));
+        if (abs(b.exact - exact) <= Ball(1e-9) * exact) return b.paper;
+    } catch (const Unproved&) {
+    }
+    return std::nullopt;
 }
 
 } // namespace
@@ -48,10 +99,13 @@ PointInBalls point_in_balls(const SceneSource& source, bool needs_boundary) {
     p.stuck = stuck_in_balls(p.scene);
     if (p.stuck) p.sticking = sticking_limit_in_balls(p.scene, *p.stuck);
     try {
-        ResponsesInBalls r = modal ? responses_of_modes(p.scene, std::move(modes)) : responses_of_state(p.scene);
+        ResponsesInBalls r = modal ? responses_of_modes(p.scene, modes) : responses_of_state(p.scene);
+        r.modes = std::move(modes);
         const Complex<Ball>& V = r.V[r.contact()];
         if (!(V.re.finite() && V.im.finite())) throw Unproved("the load may excite the resonance of a mode without damping");
         p.boundary = boundary_in_balls(p.scene, r);
+        if (p.scene.zeta.empty())
+            p.boundary->paper = paper_limit_of_modes(p.scene, p.boundary->exact).value_or(p.boundary->paper);
         p.responses = std::move(r);
     } catch (const Unproved&) {
         if (needs_boundary) throw;

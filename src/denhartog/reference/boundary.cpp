@@ -7,7 +7,8 @@
 namespace denhartog::reference {
 namespace {
 
-// (54)a: the contact moves down while X_j + beta G_j is above beta times (U_dj cos + F_j') / sin, the sum of (57)'s expression.
+// (54)a: the contact moves down while X_j + beta G_j is above beta (U_dj cos + F_j') / sin. The quotient is (57) before its
+// maximum is taken, summed over the modes as in (56).
 Series numerator(const Ball& U, const Series& F, const Ball& tau) { return Series(U) * cos(Series::time(tau)) + F.derivative(); }
 
 Ball largest_demand(const ResponsesInBalls& r, LargestInBalls& found) {
@@ -16,19 +17,32 @@ Ball largest_demand(const ResponsesInBalls& r, LargestInBalls& found) {
     return found.value;
 }
 
+// The largest value of (57) of a mode that is damped critically or beyond: R^2 times the demand of one mass with r = R.
+Ball largest_beyond_critical(const Ball& R, const Ball& zeta) {
+    SceneInBalls one{unit_matrix(1), unit_matrix(1), unit_matrix(1) * (2 * zeta)};
+    one.w = one.p = unit_matrix(1);
+    one.r = R;
+    LargestInBalls found;
+    return R * R * largest_demand(responses_of_state(one), found);
+}
+
 // (56): each mode by itself.
 Ball sum_of_largest(const ResponsesInBalls& r) {
     const ModesInBalls& m = r.modes;
     std::vector<Ball> largest;
     for (std::size_t i = 0; i < m.R.size(); ++i) {
+        if (!(m.zeta[i] < Ball(1))) {
+            largest.push_back(largest_beyond_critical(m.R[i], m.zeta[i]));
+            continue;
+        }
         const Ball R = m.R[i], u = paper::first_damping_function(R, m.zeta[i]), g = paper::second_damping_function(R, m.zeta[i]);
-        const auto F = [&](const Ball& tau) { // what the search for the sum has looked at is remembered
-            if (ball_bits <= bits_of_search) return r.friction.shared(tau)[i];
+        const auto F = [&](const Ball& tau) { // the search for the sum has left what it looked at
+            if (r.modal && ball_bits <= bits_of_search) return r.friction.shared(tau)[i];
             return friction_motion_in_time(tau, R, m.zeta[i], u, g);
         };
         largest.push_back(R * R * largest_over_sine([&](const Ball& tau) { return numerator(u, F(tau), tau); }).value);
     }
-    return paper::sum_over_contact<Ball>(m.at_contact(), largest);
+    return paper::sum_over_contact<Ball>(m.at_contact(), largest, m.left_open(m.at_contact(), m.at_contact(), largest));
 }
 
 } // namespace
@@ -40,8 +54,8 @@ BoundaryInBalls boundary_in_balls(const SceneInBalls& s, const ResponsesInBalls&
     b.S = largest_demand(r, found);
     const Ball held = paper::static_friction_demand(r.H, s.mu, r.squares);
     b.exact = paper::friction_ratio_limit(r.V[j], r.U[j], larger(b.S, held));
-    // (56) of one mode is (57) itself.
-    const Ball S_paper = r.modal && r.modes.R.size() > 1 ? sum_of_largest(r) : b.S;
+    // With one mode (56) is the maximum that was found.
+    const Ball S_paper = r.modes.R.size() > 1 ? sum_of_largest(r) : b.S;
     b.paper = paper::friction_ratio_limit(r.V[j], r.U[j], larger(S_paper, held));
     b.approximate = paper::friction_ratio_limit(r.V[j], r.U[j], held);
     if (found.instant.is_zero())

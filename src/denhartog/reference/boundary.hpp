@@ -10,9 +10,9 @@ namespace denhartog::reference {
 /// @brief The friction ratios that end the sliding regime at a frequency ratio.
 struct BoundaryInBalls {
     Ball exact{};       ///< (69) with the maximum over tau of the sum over modes
-    Ball paper{};       ///< (69) with (56), the sum of the maxima of the modes; `exact` where modes are coupled
+    Ball paper{};       ///< (69) with (56), the sum of the maxima of the modes; `exact` without damping ratios
     Ball approximate{}; ///< (67)
-    Ball S{};           ///< the maximum over tau of the sum over modes of (57)'s expression
+    Ball S{};           ///< the maximum over tau of the sum over modes of the function in (57)
     BindingCondition binding = BindingCondition::both; ///< which condition of (54) ends the regime first
 };
 

@@ -53,7 +53,7 @@ FrictionInTime friction_of_modes(const ModesInBalls& m, const OneByOne& modes) {
     return f;
 }
 
-// Of the sum of products of rows over the modes: (65) for any contact.
+// (65) for any contact: the sum of (w^T psi_i)^2 over the modes is w^T M^-1 w / r^2.
 Ball acceleration_of_contact(const SceneInBalls& s) {
     BallMatrix a;
     if (!solved(s.M, s.w, a)) throw Unproved("the mass matrix is not proved regular");

@@ -1,5 +1,5 @@
 /// @file
-/// @brief What load and friction each make of the motion: V, U, G, H and the friction motion, (23) to (35), (41), (64).
+/// @brief What the load and the friction each add to the motion: V, U, G, H and the friction motion, (23) to (35), (41), (64).
 #pragma once
 
 #include <functional>
@@ -34,8 +34,8 @@ struct FrictionInTime {
 /// @return      the motion
 [[nodiscard]] Series friction_motion_in_time(const Ball& tau, const Ball& R, const Ball& zeta, const Ball& u, const Ball& g);
 
-/// @brief Functions that remember what they gave with the few bits of a search: all masses look at the same stretches.
-/// @param shared  the functions @return the same
+/// @brief Functions that remember their values with the few bits of a search, as the searches for all masses look at the same
+/// stretches. @param shared the functions @return the same functions, with a memory
 [[nodiscard]] std::function<std::vector<Series>(const Ball&)> remembered(std::function<std::vector<Series>(const Ball&)> shared);
 
 /// @brief Response functions at a frequency ratio, of the N masses and then of the contact, w^T x.
@@ -44,11 +44,11 @@ struct ResponsesInBalls {
     std::vector<Ball> U{};          ///< first damping functions, Eq. (34)
     std::vector<Ball> G{};          ///< second damping functions, Eq. (35)
     Ball H{};                       ///< Eq. (64)
-    Ball squares{};                 ///< what a unit force on the contact gives it in acceleration; Eq. (65)
+    Ball squares{};                 ///< acceleration of the contact by a unit force on it: the sum (65)
     Complex<Ball> Y{};              ///< displacement of the contact by a unit harmonic force on it
     FrictionInTime friction{};      ///< the friction motion
-    bool modal = true;    ///< whether every mode moves by itself, apart from others, below critical damping: the paper's case
-    ModesInBalls modes{}; ///< the modes, in that case
+    bool modal = true;    ///< whether the paper's formulas hold, see `are_of_papers_form`; false if the scene gives a matrix C
+    ModesInBalls modes{}; ///< the modes, where damping is given by their ratios; else none
 
     /// @brief Place of the contact among the rows. @return N
     [[nodiscard]] std::size_t contact() const { return V.size() - 1; }
@@ -67,12 +67,13 @@ struct ResponsesInBalls {
 /// @throws       Unproved where the bits do not suffice
 [[nodiscard]] ResponsesInBalls responses_of_modes(const SceneInBalls& scene, ModesInBalls modes);
 
-/// @brief The same where modes exchange energy, cannot be told apart, or one is damped critically or beyond.
+/// @brief The same where the scene gives a damping matrix, modes are not told apart, or one is damped critically or beyond.
 ///
-/// Between two turns of the contact the state \f$ (\bar{\mathbf x}, \bar{\mathbf x}') \f$ obeys \f$ \mathbf z' = \mathbf A\mathbf z +
-/// \mathbf b \f$. The motion that mirrors itself is \f$ \mathbf F(\tau) = \mathbf F_\infty - 2e^{\mathbf A\tau}(\mathbf I +
-/// e^{\mathbf A\pi})^{-1}\mathbf F_\infty \f$, with the static displacements \f$ \mathbf F_\infty \f$. Where the eigenvalues are
-/// proved simple, the exponential is a sum of free motions \f$ e^{\lambda\tau} \f$.
+/// Between two turns of the contact the state \f$ \mathbf z = (\bar{\mathbf x}, \bar{\mathbf x}') \f$ obeys
+/// \f$ \mathbf z' = \mathbf A\mathbf z + \mathbf b \f$ under a unit force on the contact. The motion that mirrors itself is
+/// \f$ \mathbf F(\tau) = \mathbf F_\infty - 2e^{\mathbf A\tau}(\mathbf I + e^{\mathbf A\pi})^{-1}\mathbf F_\infty \f$, with the
+/// static displacements \f$ \mathbf F_\infty \f$. Where the eigenvalues are proved simple, the exponential is a sum of free
+/// motions \f$ e^{\lambda\tau} \f$.
 /// @param scene  the scene with its damping matrix
 /// @return       the functions
 [[nodiscard]] ResponsesInBalls responses_of_state(const SceneInBalls& scene);

@@ -8,7 +8,7 @@
 namespace denhartog::reference {
 namespace {
 
-// z' = A z + b between two turns of the contact, z = (x, x'); b is what a unit force on the contact does.
+// z' = A z + b between two turns of the contact, z = (x, x'); b is the acceleration by a unit force on the contact.
 struct StateMatrix {
     BallMatrix A{}, rest{}; // rest: the static displacements by that force, with velocities zero
     BallMatrix stiffness{}, damping{}, mass{};
@@ -60,7 +60,7 @@ Complex<Ball> at_contact(const SceneInBalls& s, const std::vector<Complex<Ball>>
     return sum;
 }
 
-// e^(A tau) from where the motion begins: of all rows, `begin` (2 N x 1) at tau = 0. By Taylor's series about the middle of a stretch.
+// e^(A tau) z, where z is the state `begin` at tau = 0, 2 N x 1: by Taylor's series about the middle of a stretch.
 class StateInTime {
 public:
     StateInTime(const BallMatrix& A, const BallMatrix& begin) : A_(A), begin_(begin), size_(norm(A)) {}

@@ -92,7 +92,7 @@ FunctionOfTime negative_of(const FunctionOfTime& f) {
 }
 
 bool may_reach(const LargestOnStretches& found, double value) {
-    return std::ranges::any_of(found.stretches, [&](const StretchOfLargest& s) { return s.upper >= value; });
+    return !found.settled || std::ranges::any_of(found.stretches, [&](const StretchOfLargest& s) { return s.upper >= value; });
 }
 
 // Where a smooth function may be largest.
@@ -151,7 +151,7 @@ LargestInBalls largest_over_sine(const FunctionOfTime& numerator) {
         const Series n = numerator(t);
         return n.rate(1) * sin(t) - n.rate(0) * cos(t);
     };
-    // n over the sine is a mean of n' over the mean of the cosine between an end and the instant, where the cosine keeps its sign.
+    // Cauchy's mean value theorem: n / sin is n' / cos at some instant between here and the end, if the cosine keeps its sign.
     const auto quotient = [&](const Ball& t, bool by_slope) {
         const Series n = over_stretch(numerator, t);
         return by_slope ? n.rate(1) / cos(t) : n.rate(0) / sin(t);

@@ -25,7 +25,8 @@ struct LargestBothWays {
     std::optional<LargestInBalls> down{}; ///< the largest of the negative; none likewise
 };
 
-/// @brief The largest size on [0, pi]: looked for with few bits, then by Newton's method with those of the moment.
+/// @brief The largest size of a function on [0, pi], by a search with few bits and then by Newton's method with all bits of the
+/// moment.
 /// @param f  the function
 /// @return   its largest value, that of its negative, or both where either may be the larger
 /// @throws   Unproved where the search does not come to its end

@@ -74,7 +74,7 @@ BallMatrix eigenvectors_in_bits(const BallMatrix& A) {
     return X;
 }
 
-// A bound of the root of the sum of squares of what is off the diagonal, and of the radii on it.
+// A bound of the Frobenius norm of what is off the diagonal, together with the radii of the entries on it.
 Ball off_diagonal(const BallMatrix& A) {
     Ball sum(0);
     for (slong i = 0; i < A.rows(); ++i)
@@ -85,7 +85,8 @@ Ball off_diagonal(const BallMatrix& A) {
     return root_of_positive(sum);
 }
 
-// Newton's method for all eigenvectors at once: X (1 + T) is nearer to diagonal by twice the digits. Numbers are midpoints.
+// A step of Newton's method for all eigenvectors at once: X (1 + T) has twice as many right digits as X. It computes with
+// midpoints and proves nothing.
 BallMatrix improved(const BallMatrix& A, const BallMatrix& X) {
     const slong N = A.rows();
     const BallMatrix across = transposed(X), B = middle(across * A * X), G = middle(across * X);
@@ -101,7 +102,7 @@ BallMatrix improved(const BallMatrix& A, const BallMatrix& X) {
     return middle(X + X * T);
 }
 
-// The matrix on nearly its own eigenvectors X, made orthonormal by `factor`: diagonal but for little.
+// The matrix in the basis of its approximate eigenvectors X, which `factor` makes orthonormal: nearly diagonal.
 struct NearlyDiagonal {
     BallMatrix X{}, factor{}, matrix{};
     Ball off{};
@@ -162,7 +163,7 @@ ModesInBalls modes_in_balls(const SceneInBalls& s) {
         order, [&](slong a, slong b) { return arf_cmp(arb_midref(near.matrix(a, a).a), arb_midref(near.matrix(b, b).a)) < 0; });
     const auto value = [&](std::size_t i) { return middle(near.matrix(order[i], order[i])); };
     const Ball eps = upper_bound_of(near.off);
-    // Orthonormal shapes, and the length of their rows: what a turn of the vectors can do to an entry.
+    // Mass-normalised shapes. If the vectors turn by an angle, an entry changes by at most the angle times the length of its row.
     const BallMatrix V = by_transposed_factor(L, near.X * by_transposed_factor(near.factor, unit_matrix(N)));
     const BallMatrix rows[] = {V, transposed(s.w) * V, transposed(s.p) * V};
     ModesInBalls m;
@@ -171,7 +172,7 @@ ModesInBalls modes_in_balls(const SceneInBalls& s) {
     for (std::size_t first = 0, last = 0; first < count; first = last) {
         for (last = first + 1; last < count && !(value(last) - value(last - 1) > 4 * eps); ++last) {
         }
-        Ball rate(0); // the error over the gap: by so much of a right angle a vector may be turned
+        Ball rate(0); // the error over the gap, which bounds by how much a vector may be turned
         if (first > 0) rate = eps / (value(first) - value(first - 1) - eps);
         if (last < count) rate = larger(rate, eps / (value(last) - value(last - 1) - eps));
         Ball lambda = value(first);

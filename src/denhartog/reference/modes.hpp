@@ -1,5 +1,5 @@
 /// @file
-/// @brief Natural frequencies and mode shapes, proved, (13) to (17).
+/// @brief Natural frequencies and mode shapes, proved, (13) to (17), and the modal frequency ratios (22).
 #pragma once
 
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace denhartog::reference {
 
-/// @brief Modes whose frequencies the bits at hand do not tell apart: a range of modes that enters every sum as a whole.
+/// @brief Modes whose frequencies the bits at hand do not tell apart. They enter every sum as a whole.
 struct ModeCluster {
     std::size_t first = 0; ///< its first mode
     std::size_t last = 0;  ///< the mode behind its last
@@ -16,12 +16,13 @@ struct ModeCluster {
 
 /// @brief The modes of a system at a frequency ratio.
 ///
-/// Of a cluster the shapes are some orthonormal basis of what its shapes span, and each of its R holds all of them.
+/// The shapes of a cluster are some orthonormal basis of the space that its mode shapes span. Each R of a cluster holds the
+/// modal frequency ratios of all its modes.
 struct ModesInBalls {
     std::vector<Ball> R{};                ///< modal frequency ratios (22), by ascending natural frequency
     std::vector<Ball> zeta{};             ///< damping ratios
-    std::vector<std::vector<Ball>> psi{}; ///< psi_ki of (17): rows of the N masses, then w^T psi, then p^T psi
-    std::vector<ModeCluster> clusters{};  ///< those of more than one mode
+    std::vector<std::vector<Ball>> psi{}; ///< psi_ki of (17): a row for each mass, then w^T psi, then p^T psi
+    std::vector<ModeCluster> clusters{};  ///< the clusters of more than one mode
     slong N = 0;                          ///< number of masses
 
     /// @brief Row of the contact. @return w^T psi_i of every mode
@@ -29,7 +30,7 @@ struct ModesInBalls {
     /// @brief Row of the load. @return p^T psi_i of every mode
     [[nodiscard]] const std::vector<Ball>& at_load() const { return psi[static_cast<std::size_t>(N) + 1]; }
 
-    /// @brief What a sum over the modes of psi_ki psi_ni f_i leaves open where f is known on a cluster as a whole.
+    /// @brief What the sum of psi_ki psi_ni f_i over the modes leaves open, if a cluster has one ball f for all its modes.
     ///
     /// With f_i = f + e_i and |e_i| at most e, the sum of psi_ki psi_ni f_i differs from that with f alone by at most e times
     /// the product of the lengths of both rows in the cluster (Cauchy and Schwarz), whichever basis the shapes are.
@@ -40,16 +41,17 @@ struct ModesInBalls {
 
 /// @brief The modes of a scene.
 ///
-/// Approximate shapes X take the pencil to \f$ \mathbf{X}^T\mathbf{K}\mathbf{X} \f$, \f$ \mathbf{X}^T\mathbf{M}\mathbf{X} \f$,
-/// next to a diagonal matrix and the unit matrix. With a factor of Cholesky that is a symmetric matrix
-/// \f$ \boldsymbol\Lambda + \mathbf{E} \f$ with the same frequencies. With \f$ \varepsilon = \|\mathbf{E}\|_F \f$ and a gap
-/// \f$ \delta \f$ about an eigenvalue, Weyl's theorem puts it within \f$ \varepsilon \f$ of its entry, that of Kato and Temple
-/// within \f$ \varepsilon^2/\delta \f$, and that of Davis and Kahan its vector within \f$ \sqrt2\varepsilon/\delta \f$.
+/// With a Cholesky factor L of M, (15) is the eigenvalue problem of the symmetric matrix
+/// \f$ \mathbf{A} = \mathbf{L}^{-1}\mathbf{K}\mathbf{L}^{-T} \f$. Approximate eigenvectors of A, made orthonormal by a second
+/// Cholesky factor, take A to \f$ \boldsymbol\Lambda + \mathbf{E} \f$, which has the same eigenvalues. With
+/// \f$ \varepsilon = \|\mathbf{E}\|_F \f$ and a gap \f$ \delta \f$ about an eigenvalue, Weyl's theorem puts it within
+/// \f$ \varepsilon \f$ of its entry, that of Kato and Temple within \f$ \varepsilon^2/\delta \f$, and that of Davis and Kahan its
+/// vector within \f$ \sqrt2\varepsilon/\delta \f$.
 /// @eq{13,14,15,16,17,22}
 /// @param scene  the scene
 /// @return       its modes; without damping ratios `zeta` is empty
-/// @throws       Unproved where the masses are not proved positive definite, or a frequency not positive, or modes of one cluster
-///               have different damping ratios
+/// @throws       Unproved where the mass matrix is not proved positive definite, a frequency is not proved positive, or modes of
+///               one cluster have different damping ratios
 [[nodiscard]] ModesInBalls modes_in_balls(const SceneInBalls& scene);
 
 /// @brief The damping matrix that gives the modes their damping ratios. @eq{19}

@@ -16,7 +16,7 @@ namespace denhartog::reference {
 
 /// @brief A stop of the contact, proved.
 struct StopInBalls {
-    Ball start{}; ///< tau where the contact comes to rest, from a maximum of the force
+    Ball start{}; ///< tau where the contact comes to rest, counted from a maximum of the force
     Ball end{};   ///< tau where it breaks away again
     Ball x{};     ///< the displacement w^T x at which it rests, units of P / k_1
 };

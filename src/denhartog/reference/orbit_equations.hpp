@@ -5,7 +5,7 @@
 /// \f$ \mathbf Z' = \mathbf A\mathbf Z \f$ in every phase: one matrix for sliding forward, one for sliding back and one for
 /// sticking are all there is of the mechanics. The power of two \f$ \sigma \f$ brings the entries of \f$ \mathbf A \f$ to one
 /// size. The unknowns are the state at event 0 and the instants of events 0 to m - 1. The equations say that the state comes back
-/// after the stretch, mirrored or not, and that at each event that vanishes which ends the phase before it.
+/// after the stretch, mirrored or not, and that the quantity that ends a phase is zero at the event at its end.
 #pragma once
 
 #include <vector>
@@ -23,9 +23,9 @@ struct ContactMechanics {
 
     slong N;          ///< number of masses
     Ball sigma{};     ///< unit of the velocities in Z, a power of two
-    BallMatrix w;     ///< what the contact feels of the displacements, N x 1
+    BallMatrix w;     ///< w^T x is the displacement of the contact, N x 1
     BallMatrix free;  ///< A without friction, n x n
-    BallMatrix load;  ///< everything on the contact but friction while it sticks, as a row over Z
+    BallMatrix load;  ///< minus the sum in (75): all forces on a contact at rest but friction, as a row over Z
     BallMatrix stuck; ///< A while the contact sticks
     BallMatrix push;  ///< what a unit force on the contact adds to x'' / sigma, N x 1
     Ball beta{};      ///< friction while the contact slides
@@ -42,8 +42,8 @@ struct ContactMechanics {
     [[nodiscard]] BallMatrix phase(int direction) const;
     /// @brief The velocity of the contact, \f$ \mathbf w^T\bar{\mathbf x}'/\sigma \f$. @return it as a row over Z
     [[nodiscard]] BallMatrix speed() const;
-    /// @brief What vanishes where a phase ends: the velocity of a contact that slides, or what the load on it leaves of static
-    /// friction, (74).
+    /// @brief What is zero where a phase ends: the velocity of a contact that slides, or the load on a contact that sticks less
+    /// static friction, (74).
     /// @param before  direction in the phase that ends
     /// @param after   direction in the one that begins
     /// @return        it as a row over Z

@@ -32,7 +32,8 @@ struct MapOfDeviations {
 
 /// @brief Sizes of the multipliers over the whole period.
 ///
-/// Approximate eigenvectors make the matrix nearly diagonal, and Gershgorin's discs, as Arb refines them, hold its eigenvalues.
+/// Arb encloses the eigenvalues, from approximate ones: by the method of van der Hoeven and Mourrain if they are simple, else by
+/// those of Miyajima and Rump. If that fails, norms of powers of the matrix bound them.
 /// @param map       the map over a stretch
 /// @param mirrored  whether the period has two stretches
 /// @return          2N sizes, descending; wide where the eigenvectors hardly differ

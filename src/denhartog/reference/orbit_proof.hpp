@@ -26,7 +26,7 @@ struct EndsOfCurve {
     bool vanishes = false; ///< whether it is known to vanish at 1
 };
 
-/// @brief Whether a curve is positive between the ends of a stretch, and at an end where it does not vanish.
+/// @brief Requires that a curve is positive between the ends of a stretch, and at an end where it does not vanish.
 /// @param c     the curve
 /// @param ends  how it is known to vanish at the ends
 /// @param what  the message where it is not, or may not be
@@ -73,8 +73,8 @@ private:
 /// @throws       Disproved, Unproved where a phase has no length
 [[nodiscard]] std::vector<PhaseInStretches> in_stretches(const ProvedOrbit& orbit, slong few);
 
-/// @brief The motion is what its phases say: the contact slides where it is said to, is held where it is said to be, and turns
-/// where it does, (2), (3), (74), (75).
+/// @brief Requires that the motion is what its phases say, (2), (3), (74), (75): the contact slides in a phase of sliding, is
+/// held in a phase of sticking, and is not held where it turns.
 /// @param orbit   the motion
 /// @param phases  the same in stretches
 /// @throws        Disproved, Unproved

@@ -14,7 +14,7 @@ BallMatrix in_balls(const Matrix<Ball>& A) {
     return out;
 }
 
-// (7), (73): masses on the diagonal.
+// (8) without the factor r^2: mass ratios on the diagonal, or the matrix that the scene gives.
 BallMatrix masses_of(const System<Ball>& s) {
     if (s.mass_matrix.size() > 0) return in_balls(s.mass_matrix);
     const auto N = static_cast<slong>(s.mass_ratios.size());
@@ -23,6 +23,7 @@ BallMatrix masses_of(const System<Ball>& s) {
     return M;
 }
 
+// (1) with the stiffness ratios (73), or the matrix that the scene gives.
 BallMatrix stiffnesses_of(const System<Ball>& s) {
     if (s.stiffness_matrix.size() > 0) return in_balls(s.stiffness_matrix);
     const std::vector<Ball> entries = paper::chain_stiffness_matrix(std::span<const Ball>(s.stiffness_ratios));

@@ -32,9 +32,9 @@ struct Disproved : Unproved {
 struct SceneInBalls {
     BallMatrix M{}; ///< masses in units of m_1, N x N; the bar of (7) is a factor r^2
     BallMatrix K{}; ///< stiffnesses in units of k_1, N x N
-    BallMatrix C{}; ///< damping in units of sqrt(k_1 m_1), N x N; the bar of (7) is a factor r. Empty where zeta is given
+    BallMatrix C{}; ///< damping in units of sqrt(k_1 m_1), N x N; the bar of (7) is a factor r. Empty until (19) if zeta is given
     std::vector<Ball> zeta{};   ///< damping ratios by ascending natural frequency, Eq. (18); empty where C is given
-    BallMatrix w{};             ///< what the contact feels of the displacements: w^T x, N x 1
+    BallMatrix w{};             ///< w^T x is the displacement of the contact, N x 1
     BallMatrix p{};             ///< force on each mass in units of P, N x 1
     Ball r{};                   ///< frequency ratio, Eq. (10)
     Ball mu{};                  ///< static over kinetic friction, Eq. (3)
@@ -46,7 +46,7 @@ struct SceneInBalls {
 };
 
 /// @brief The matrices of a scene.
-/// @eq{6,7,73}
+/// @eq{6,7,8,73}
 /// @param scene  the scene as its author wrote it, in the bits of the moment; r must be given
 /// @return       the matrices
 [[nodiscard]] SceneInBalls in_matrices(const Scene<Ball>& scene);

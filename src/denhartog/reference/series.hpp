@@ -8,12 +8,13 @@
 
 namespace denhartog::reference {
 
-/// @brief Bits with which this thread looks for maxima, before they are found with all; the driver takes more where these do not tell.
+/// @brief Bits with which this thread searches for maxima. Newton's method then finds them with all bits of the moment. The
+/// driver doubles both.
 inline thread_local slong bits_of_search = 64;
 
-/// @brief \f$ c_0 + c_1\theta + \dots + c_4\theta^4 \f$, with terms beyond left out: c_n is a derivative over n!.
+/// @brief \f$ c_0 + c_1\theta + \dots + c_4\theta^4 \f$; the terms beyond are left out. c_n is the n-th derivative over n!.
 ///
-/// About an instant that is a ball, a stretch of time, each c_n holds the derivative over n! at every instant of the stretch.
+/// If the instant is a ball, it is a stretch of time. Each c_n then holds the derivative over n! at every instant of the stretch.
 struct Series {
     std::array<Ball, 5> c{}; ///< the coefficients
 

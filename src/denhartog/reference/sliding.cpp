@@ -31,7 +31,7 @@ SlidingMassInBalls mass_in_balls(const ResponsesInBalls& r, const SlidingContact
     m.v0 = paper::initial_velocity(r.V[row], r.V[j], r.U[j], r.U[row], beta);
     m.amplitude_monoharmonic = paper::displacement_transmissibility(r.V[row], r.V[j], r.U[j], r.U[row], r.G[row], beta);
     m.phase_monoharmonic = wrapped_in_balls(contact.phi_j + paper::phase_behind_contact(m.x0, m.v0));
-    if (beta.is_zero()) { // harmonic: the largest displacement is as far behind as the mass
+    if (beta.is_zero()) { // without friction the motion is harmonic, and lags by minus the angle of V_dk
         m.amplitude = modulus(r.V[row]);
         m.phase = wrapped_in_balls(-argument(r.V[row]));
         m.instant = wrapped_in_balls(m.phase - contact.phi_j);
@@ -42,7 +42,8 @@ SlidingMassInBalls mass_in_balls(const ResponsesInBalls& r, const SlidingContact
         const Series F = r.friction.of(row, r.friction.shared(tau));
         return paper::displacement<Series>(Series::time(tau), m.x0, m.v0, r.G[row], r.U[row], beta, F);
     };
-    // No place is largest where a mass does not move, as far as the bits can tell. By (41) to (43) |x_k| is at most |V_dk| + beta |F_k|.
+    // A mass that does not move, as far as the bits can tell, has no instant of a largest displacement. By (41) to (43) |x_k| is
+    // at most |V_dk| + beta |F_k|.
     const Ball F_throughout = r.friction.of(row, r.friction.shared(either(Ball(0), pi<Ball>()))).rate(0);
     const Ball throughout = root_of_positive(squared_modulus(r.V[row])) + beta * abs(F_throughout);
     Ball nothing = abs(contact.X_j);
@@ -65,7 +66,7 @@ SlidingMassInBalls mass_in_balls(const ResponsesInBalls& r, const SlidingContact
         m.phase = phase(at, minimum ? 1 : 0);
         return m;
     }
-    // Both may be the largest. At the ends of the half-period they are one and the same, seen in the mirror.
+    // Both may be the largest. If they lie at the two ends of the half-period, they are one extremum and its mirror image.
     const Ball one = phase(*largest.up, 0), apart = wrapped_in_balls(phase(*largest.down, 1) - one);
     m.amplitude = larger(largest.up->value, largest.down->value);
     m.instant = either(largest.up->instant, largest.down->instant);

@@ -15,7 +15,7 @@ struct SlidingMassInBalls {
     Ball phase{};                  ///< its phase, Eq. (47); radians in (-pi, pi]
     Ball x0{};                     ///< displacement at tau = 0, where that of the contact is largest, Eq. (44)
     Ball v0{};                     ///< velocity there, Eq. (45)
-    Ball instant{};                ///< time in [0, pi] of the largest |x_k|, Eq. (46)
+    Ball instant{};                ///< time in [0, pi] of the largest |x_k|, Eq. (47)
     Ball amplitude_monoharmonic{}; ///< Eq. (52)
     Ball phase_monoharmonic{};     ///< phi_j + phi_kj, Eq. (53)
 };
@@ -41,7 +41,7 @@ struct SlidingContactInBalls {
 [[nodiscard]] SlidingMassInBalls mass_in_balls(const ResponsesInBalls& r, const SlidingContactInBalls& contact, const Ball& beta,
                                                std::size_t row, bool is_contact);
 
-/// @brief An angle in (-pi, pi]. @param angle radians @return the same direction; of one next to -pi that next to pi
+/// @brief An angle taken to (-pi, pi] by whole turns. @param angle radians @return the angle; one next to -pi is taken next to pi
 [[nodiscard]] Ball wrapped_in_balls(const Ball& angle);
 
 } // namespace denhartog::reference

@@ -55,6 +55,8 @@ Ball sticking_limit_by_88(const SceneInBalls& s, std::size_t load) {
     moving.w(before ? count - 1 : 0) = Ball(1); // the mass next to the contact
     moving.p(l - first) = Ball(1);
     const ModesInBalls m = modes_in_balls(moving);
+    if (!m.clusters.empty())
+        throw Unproved("modes beside the contact are not told apart"); // those of a chain are, with more bits
     std::vector<Complex<Ball>> v;
     for (std::size_t i = 0; i < m.R.size(); ++i) { // (18) on the diagonal: 2 zeta omega = phi^T C phi, phi = r psi, omega = r / R
         Ball c(0);

@@ -1,5 +1,5 @@
 /// @file
-/// @brief The response with the contact held, and the friction ratios from which it is held for ever, (88).
+/// @brief The response with the contact held, and the friction ratio from which friction holds it for ever, (88).
 #pragma once
 
 #include <optional>
@@ -12,12 +12,12 @@ namespace denhartog::reference {
 
 /// @brief The motion with the contact held.
 struct StuckInBalls {
-    std::vector<Complex<Ball>> X{}; ///< complex amplitudes of the masses, times e^{i tau}
-    Complex<Ball> load{};           ///< of the force that holds the contact
+    std::vector<Complex<Ball>> X{}; ///< complex amplitudes of the masses: x_k = Re(X_k e^{i tau})
+    Complex<Ball> load{};           ///< complex amplitude of the force that holds the contact
     Ball compliance{};              ///< static displacement of the contact by a unit force on it
 };
 
-/// @brief The response with the contact held where a force on it takes up the load: \f$ \mathbf w^T\mathbf X = 0 \f$.
+/// @brief The response if a force on the contact holds it: \f$ \mathbf w^T\mathbf X = 0 \f$.
 /// @eq{88}
 /// @param s  the scene with its damping matrix
 /// @return   the response; none where the system may resonate with the contact held
@@ -26,10 +26,10 @@ struct StuckInBalls {
 /// @brief The friction ratio from which the contact can rest for ever. @eq{88}
 /// @param s      the scene
 /// @param stuck  the response with the contact held
-/// @return       the ratio; 1 / mu, exact, where the load acts on the contact
+/// @return       the ratio; it is 1 / mu if the load acts on the contact alone
 [[nodiscard]] Ball sticking_limit_in_balls(const SceneInBalls& s, const StuckInBalls& stuck);
 
-/// @brief (88) as printed, of a chain with one loaded mass and its contact on the wall.
+/// @brief (88) as printed, for a chain with one loaded mass and a contact on the wall.
 /// @eq{88}
 /// @param s     the scene with its damping matrix; its matrices are those of a chain
 /// @param load  the loaded mass

@@ -93,10 +93,11 @@ Solution answer_by_reference(const PreparedSystem& p, const SolvePoint& at, cons
     if (rest) asked.met = rest->regime.regime;
     Solution s = solution_by_reference(source, asked, [&] { return guesses_at(p, source); });
     if (rest) {
-        s.regime = rest->regime;
-        s.method.why = "the start from rest was followed in double; " + s.method.why;
+        if (s.regime.regime == rest->regime.regime) s.regime = rest->regime;
+        s.method.why = "the start from rest was followed without a proof; " + s.method.why;
     }
-    say_whether_unique(p.bounded ? *p.bounded : *modes_in_double(source).basis, scene.mu, s);
+    const double mu = s.mu.value == 1 && s.mu.error > 0 ? 2 : scene.mu; // a text may be above 1 by less than double tells
+    say_whether_unique(p.bounded ? *p.bounded : *modes_in_double(source).basis, mu, s);
     return s;
 }
 

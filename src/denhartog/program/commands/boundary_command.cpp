@@ -73,6 +73,8 @@ std::string invariant_points_table(const Json& masses) {
 }
 
 std::string bound(const SceneText& part, const BoundaryOptions& options) {
+    if (options.proved && !options.range.empty())
+        throw InputError(range_name, "must be given without --proved: they are estimates", options.range);
     const SceneSource source = without_friction_ratio(source_of(part, options.damping));
     const NumberWriter write{options.digits};
     const Solution found = answer_or_reason(source, options);
