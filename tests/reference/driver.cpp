@@ -225,3 +225,52 @@ TEST_CASE("what the fast floor does not reach the reference does, where digits a
     question.proved = true;
     CHECK_THROWS_AS(solve(source_of(chain), question), InputError);
 }
+
+TEST_CASE("damping of each mode by itself is not taken of modes that are not told apart", "[driver][eq:18]") {
+    const auto answer = [](int digits) {
+        return proved(R"({"mass_matrix": [[1, 0], [0, 1]], "stiffness_matrix": [[1, "1e-60"], ["1e-60", 1]],
+                          "damping_matrix": [[0.1, 0.05], [0.05, 0.1]], "damping_tolerance": 2, "contact": 1, "load": [1, 1],
+                          "r": 1.25, "beta": 0.01})",
+                      digits);
+    };
+    // The modes are told apart by so many bits, whatever the digits are.
+    const Solution few = answer(6), more = answer(60);
+    CHECK(std::abs(few.masses[0].amplitude.value - more.masses[0].amplitude.value) <= few.masses[0].amplitude.error * 1.01);
+    CHECK(more.masses[0].amplitude.value == Approx(1.68173804246).epsilon(1e-11));
+}
+
+TEST_CASE("(88) of masses of nearly one frequency beside the contact is the same to any digits", "[driver][eq:88]") {
+    const auto by_88 = [](int digits) {
+        const Solution s = proved(R"({"mass_ratios": [1, 1, 1], "stiffness_ratios": [1, "1e-40", 1], "damping_ratios": 0.1,
+                                      "contact": 3, "load": 2, "mu": 1.5, "r": 1.25, "beta": 5})",
+                                  digits);
+        return s.sticking_by_88.value();
+    };
+    const Certified few = by_88(30), more = by_88(60);
+    CHECK(std::abs(few.value - more.value) < 1e-15);
+    CHECK(more.value == Approx(1.10812804876007).epsilon(1e-13));
+}
+
+TEST_CASE("a load on the contact alone never moves it from rest where static friction reaches it", "[driver][eq:88]") {
+    const auto regime = [](const std::string& beta) {
+        return proved(R"({"mass_ratios": [1, 0.3795], "stiffness_ratios": [1, 0.1943], "damping_ratios": [0.01586, 0.03345],
+                          "contact": 1, "load": 1, "mu": "1.2", "r": 0.8202, "beta": ")" +
+                          beta + "\"}",
+                      20)
+            .regime.regime;
+    };
+    CHECK(regime("0.83333333333333333333333333333333334") == Regime::permanent_sticking); // 1 / mu, and a little more
+}
+
+TEST_CASE("rules of a scene that double is too coarse for hold all the same", "[driver]") {
+    const auto with = [](const std::string& changed) {
+        return R"({"mass_ratios": [1, 1], "damping_ratios": 0.1, "contact": 1, "load": 1, "r": 0.5, "beta": 0.1, )" + changed +
+               "}";
+    };
+    CHECK_THROWS_WITH(proved(with(R"("stiffness_ratios": [1, 1], "mu": "0.99999999999999999999999")"), 6),
+                      Catch::Contains("mu must be at least 1"));
+    CHECK_THROWS_WITH(proved(with(R"("stiffness_matrix": [[2, "0.5"], ["0.50000000000000000000000000000000001", 2]])"), 6),
+                      Catch::Contains("stiffness_matrix must be symmetric"));
+    const Solution above = proved(with(R"("stiffness_ratios": [1, 1], "mu": "1.00000000000000000000000000001")"), 6);
+    CHECK_FALSE(above.unique);
+}

@@ -66,7 +66,10 @@ void survey_orbit(const Solution& told, const Solution& proved, SurveyOfBounds& 
     for (std::size_t n = 0; n < std::min(a.size(), b.size()); ++n) survey_number("multipliers", a[n], b[n], survey);
 }
 
-void survey_answer(const std::string& kind, const Solution& told, const Solution& proved, SurveyOfBounds& survey) {
+} // namespace
+
+void denhartog::tests::survey_answer(const std::string& kind, const Solution& told, const Solution& proved,
+                                     SurveyOfBounds& survey) {
     if (!told.regime.on_boundary) survey.same("the regime of " + kind, name(told.regime.regime), name(proved.regime.regime));
     if (told.limits && proved.limits) survey_limits(*told.limits, *proved.limits, survey);
     if (told.sticking_by_88 && proved.sticking_by_88)
@@ -82,6 +85,8 @@ void survey_answer(const std::string& kind, const Solution& told, const Solution
     }
     survey_orbit(told, proved, survey);
 }
+
+namespace {
 
 // What `map` promises instead of a bound.
 void survey_map(const SurveyedScene& s, const Solution& proved, SurveyOfBounds& survey) {
@@ -128,12 +133,16 @@ SceneSource in_doubles_of_c(const SurveyedScene& s) {
     return at_point(with_static_friction(s.source, scene.mu), *scene.r, *scene.beta);
 }
 
-Solution proved_answer(const SceneSource& source) {
+} // namespace
+
+Solution denhartog::tests::proved_answer(const SceneSource& source) {
     Question question;
     question.digits = 25;
     question.proved = true;
     return solve(source, question);
 }
+
+namespace {
 
 // A part of the library may say that it has no digits; that is no number, and no fault.
 template <class Part>
@@ -261,6 +270,7 @@ TEST_CASE("hardly a number is refused", "[scenes]") {
 }
 
 TEST_CASE("regimes, stops and symmetry are those proved", "[scenes]") {
+    REQUIRE_FALSE(survey().kinds.empty());
     for (const std::string& difference : survey().differences) {
         INFO(difference);
         CHECK(difference.empty());

@@ -23,6 +23,12 @@ struct SurveyedScene {
 /// @brief The scenes. @return them, in the order of the file
 [[nodiscard]] const std::vector<SurveyedScene>& surveyed_scenes();
 
+/// @brief The answer of the reference, to 25 digits. @param source the scene @return the answer
+[[nodiscard]] Solution proved_answer(const SceneSource& source);
+
+/// @brief Surveys an answer. @param kind what was asked @param told the answer @param proved the proved one @param survey gets it
+void survey_answer(const std::string& kind, const Solution& told, const Solution& proved, SurveyOfBounds& survey);
+
 /// @brief Surveys what `dh_system_from_json` and the functions of its handle give. @param scene the scene @param truth its numbers
 /// @param survey  gets them
 void survey_c_functions(const SurveyedScene& scene, const Truth& truth, SurveyOfBounds& survey);
