@@ -3,10 +3,9 @@
 #include <algorithm>
 #include <thread>
 
-#include "denhartog/answer/certify.hpp"
 #include "denhartog/answer/scene_source.hpp"
-#include "denhartog/answer/sliding_solution.hpp"
 #include "denhartog/solve/solve.hpp"
+#include "denhartog/solve/solve_by_reference.hpp"
 
 namespace denhartog {
 
@@ -15,10 +14,7 @@ Scene<double> scene(std::string_view json) { return read_scene<double>(json); }
 Solution solve(const Scene<double>& scene, const Question& question) { return solve(source_of_kept(scene), question); }
 
 Limits boundary(const Scene<double>& scene, std::optional<int> digits) {
-    const Solution s = sliding_solution(without_friction_ratio(source_of_kept(scene)), {Asked::regime, digits, {}});
-    if (digits && !s.digits_reached)
-        throw PrecisionError("the " + std::to_string(*digits) + " digits asked for are not reached: only " +
-                             std::to_string(digits_of(s.relative_error)) + " are certain");
+    const Solution s = sliding_answer(without_friction_ratio(source_of_kept(scene)), digits, false);
     return *s.limits;
 }
 
