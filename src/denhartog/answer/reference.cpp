@@ -18,8 +18,6 @@ namespace {
 
 using namespace reference;
 
-Ball or_zero(const std::optional<Ball>& x) { return x.value_or(Ball(0)); }
-
 // The regime of a friction ratio, as far as balls tell it.
 Regime regime_by(const Ball& beta, const Ball& exact, const std::optional<Ball>& sticking) {
     if (beta < exact) return Regime::continuous;
@@ -133,8 +131,9 @@ void write_orbit(const OrbitInBalls& o, const Scene<double>& scene, const Refere
     const auto row = [&](std::size_t k) {
         const Ball& amplitude = o.amplitude[k];
         if (w.does_not_move(amplitude, largest)) return w.unmoved(amplitude);
-        const Ball phase = or_zero(o.phase[k]);
-        return SolvedMass{w.relative(amplitude), phases ? w.absolute(phase) : w.shown(phase), std::nullopt};
+        SolvedMass out{w.relative(amplitude), std::nullopt, std::nullopt};
+        if (o.phase[k]) out.phase = phases ? w.absolute(*o.phase[k]) : w.shown(*o.phase[k]);
+        return out;
     };
     write_masses(scene, q.mass, row, s);
     for (const StopInBalls& stop : o.stops) s.stops.push_back({w.shown(stop.start), w.shown(stop.end), w.shown(stop.x)});

@@ -17,7 +17,7 @@ namespace denhartog {
 /// @brief A question to the reference.
 struct ReferenceQuestion {
     Asked asked = Asked::motion;    ///< what is asked
-    int digits = 6;                 ///< significant digits, all certain in the answer
+    int digits = digits_by_default; ///< significant digits, all certain in the answer
     std::optional<Mass> mass{};     ///< the one mass asked about, in the order of the masses; none for all
     std::optional<Regime> met{};    ///< the regime of the motion that is meant, where the friction ratio does not tell it
     bool briefly = false;           ///< whether bits are doubled once at most, as nobody asked for digits or a proof

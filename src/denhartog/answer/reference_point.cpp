@@ -66,14 +66,13 @@ bool hardly_couples(const BallMatrix& D, const Ball& part) {
 // (56) of the modes by themselves, where the coupling by a damping matrix makes no difference to (69) that anybody could measure.
 std::optional<Ball> paper_limit_of_modes(const SceneInBalls& s, const Ball& exact) {
     try {
-        const ModesInBalls m = modes_in_balls(s);
+        ModesInBalls m = modes_in_balls(s);
         const BallMatrix D = damping_of_modes(s, m);
         if (!hardly_couples(D, Ball(1e-6))) return std::nullopt;
         const SceneInBalls apart = by_themselves(s, m, D);
-        ModesInBalls modes = m;
-        modes.zeta = apart.zeta;
-        if (!are_of_papers_form(modes)) return std::nullopt;
-        const BoundaryInBalls b = boundary_in_balls(apart, responses_of_modes(apart, modes));
+        m.zeta = apart.zeta;
+        if (!are_of_papers_form(m)) return std::nullopt;
+        const BoundaryInBalls b = boundary_in_balls(apart, responses_of_modes(apart, std::move(m)));
         if (abs(b.exact - exact) <= Ball(1e-9) * exact) return b.paper;
     } catch (const Unproved&) {
     }

@@ -10,6 +10,13 @@ Ball by(Function function, const Ball& x) {
     return r;
 }
 
+template <class Function>
+Ball by(Function function, const Ball& x, const Ball& y) {
+    Ball r;
+    function(r.a, x.a, y.a, ball_bits);
+    return r;
+}
+
 // The argument of the last call. Formulas ask for the exponential, the sine and the cosine of one argument several times.
 struct LastArgument {
     Ball x{};
@@ -86,11 +93,7 @@ Ball cos(const Ball& x) { return sine_cosine_of(x).c; }
 Ball sinh(const Ball& x) { return by(arb_sinh, x); }
 Ball cosh(const Ball& x) { return by(arb_cosh, x); }
 
-Ball atan2(const Ball& y, const Ball& x) {
-    Ball r;
-    arb_atan2(r.a, y.a, x.a, ball_bits);
-    return r;
-}
+Ball atan2(const Ball& y, const Ball& x) { return by(arb_atan2, y, x); }
 
 Ball abs(const Ball& x) {
     Ball r;
@@ -98,17 +101,9 @@ Ball abs(const Ball& x) {
     return r;
 }
 
-Ball larger(const Ball& x, const Ball& y) {
-    Ball r;
-    arb_max(r.a, x.a, y.a, ball_bits);
-    return r;
-}
+Ball larger(const Ball& x, const Ball& y) { return by(arb_max, x, y); }
 
-Ball either(const Ball& x, const Ball& y) {
-    Ball r;
-    arb_union(r.a, x.a, y.a, ball_bits);
-    return r;
-}
+Ball either(const Ball& x, const Ball& y) { return by(arb_union, x, y); }
 
 Ball middle(const Ball& x) {
     Ball r;

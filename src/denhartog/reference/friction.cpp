@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <map>
 #include <memory>
-#include <span>
 
 #include "denhartog/formulas/modal_coordinate.hpp"
 #include "denhartog/formulas/superposition.hpp"
@@ -53,14 +52,13 @@ FrictionInTime friction_of_modes(const ModesInBalls& m, const OneByOne& modes) {
     return f;
 }
 
-// (65) for any contact: the sum of (w^T psi_i)^2 over the modes is w^T M^-1 w / r^2.
+} // namespace
+
 Ball acceleration_of_contact(const SceneInBalls& s) {
     BallMatrix a;
     if (!solved(s.M, s.w, a)) throw Unproved("the mass matrix is not proved regular");
     return (transposed(s.w) * a)(0) / (s.r * s.r);
 }
-
-} // namespace
 
 Series FrictionInTime::of(std::size_t row, const std::vector<Series>& e) const {
     Series sum(constant[row]);

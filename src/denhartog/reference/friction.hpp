@@ -34,6 +34,13 @@ struct FrictionInTime {
 /// @return      the motion
 [[nodiscard]] Series friction_motion_in_time(const Ball& tau, const Ball& R, const Ball& zeta, const Ball& u, const Ball& g);
 
+/// @brief Acceleration of the contact by a unit force on it: the sum of (w^T psi_i)^2 over the modes is w^T M^-1 w / r^2.
+/// @eq{65}
+/// @param scene  the scene
+/// @return       the acceleration
+/// @throws       Unproved where the mass matrix is not proved regular
+[[nodiscard]] Ball acceleration_of_contact(const SceneInBalls& scene);
+
 /// @brief Functions that remember their values with the few bits of a search, as the searches for all masses look at the same
 /// stretches. @param shared the functions @return the same functions, with a memory
 [[nodiscard]] std::function<std::vector<Series>(const Ball&)> remembered(std::function<std::vector<Series>(const Ball&)> shared);

@@ -268,9 +268,7 @@ ResponsesInBalls responses_of_state(const SceneInBalls& s) {
         if (!(start.rate(0).finite() && start.rate(1).finite()))
             throw Unproved("a free motion may mirror itself after half a period");
     }
-    BallMatrix a;
-    if (!solved(m.mass, s.w, a)) throw Unproved("the mass matrix is not proved regular");
-    r.squares = (transposed(s.w) * a)(0);
+    r.squares = acceleration_of_contact(s);
     r.H = r.friction.of(r.contact(), e).rate(2) - r.squares;
     return r;
 }

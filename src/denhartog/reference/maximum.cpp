@@ -120,19 +120,12 @@ LargestOnStretches stretches_of(const FunctionOfTime& f) {
 }
 
 LargestInBalls refined_of(const FunctionOfTime& f, const LargestOnStretches& found) {
-    const auto value = [&](const Ball& at) {
-        // f(m) + f'(m) d + f''(X) d^2 / 2 over the ball X = m + d
-        const Ball m = middle(at), d = at - m;
-        if (d.is_zero()) return f(m).rate(0);
-        const Series here = f(m), over = f(at);
-        return here.rate(0) + d * (here.rate(1) + d * over.rate(2) / 2);
-    };
     const auto step = [&](const Ball& at) {
         const Ball m = middle(at);
         return m - f(m).rate(1) / f(at).rate(2);
     };
     return refined(
-        found, value, [&](const Ball& t) { return f(t).rate(1); }, step);
+        found, [&](const Ball& at) { return over_stretch(f, at).rate(0); }, [&](const Ball& t) { return f(t).rate(1); }, step);
 }
 
 } // namespace

@@ -34,13 +34,6 @@ BallMatrix inverse_of(const BallMatrix& M) {
     return inverse;
 }
 
-// The upper end of a ball that is not negative, exact.
-Ball upper_end(const Ball& x) {
-    Ball r;
-    arb_get_abs_ubound_arf(arb_midref(r.a), x.a, ball_bits);
-    return r;
-}
-
 // 1, theta, theta^2 and so on, as a row.
 BallMatrix powers_of(const Ball& theta, slong count) {
     BallMatrix powers(1, count);
@@ -55,7 +48,7 @@ BallMatrix with_width(BallMatrix E, double exponent) {
     for (slong c = 0; c < E.columns(); ++c) {
         Ball largest(0);
         for (slong k = 0; k < E.rows(); ++k) largest = larger(largest, abs(E(k, c)));
-        const Ball width = upper_end(largest * Ball(elementary::expm1(exponent) * (1 + 1e-9)));
+        const Ball width = upper_bound_of(largest * Ball(elementary::expm1(exponent) * (1 + 1e-9)));
         for (slong k = 0; k < E.rows(); ++k) E(k, c) = widened(E(k, c), width);
     }
     return E;
@@ -191,7 +184,7 @@ ExponentialSeries::ExponentialSeries(const BallMatrix& B, const BallMatrix& y) {
     // |y_(k+1)| <= |y_k| theta / (k + 1), and so on: the rest is at most twice that. Twice more holds its derivatives as well.
     Ball largest(0);
     for (slong i = 0; i < n; ++i) largest = larger(largest, abs(terms_(i, last)));
-    const Ball rest = upper_end(largest * Ball(4 * theta / static_cast<double>(last + 1)));
+    const Ball rest = upper_bound_of(largest * Ball(4 * theta / static_cast<double>(last + 1)));
     for (slong i = 0; i < n; ++i) terms_(i, last) = widened(terms_(i, last), rest);
 }
 
@@ -244,7 +237,7 @@ BallMatrix followed(const BallMatrix& A, const BallMatrix& Z, const Ball& length
                 arf_set_mag(arb_midref(each.a), arb_radref(node(k).a));
                 radius = larger(radius, each);
             }
-            s.widen(upper_end(radius * exp(Ball(norm(B)))));
+            s.widen(upper_bound_of(radius * exp(Ball(norm(B)))));
             series->push_back(std::move(s));
         }
         node = std::move(next);
