@@ -36,13 +36,15 @@ std::vector<KnownMaximum> known_maxima() {
 }
 
 SearchedFunction<Ball> searched(const std::function<Series(const Series&)>& f) {
-    const auto over = [f](double a, double b) { return f(Series::time(Ball::within(a, b))); };
-    return {
-        [f](const Ball& t) { return f(Series(t)).rate(0); }, [over](double a, double b) { return over(a, b).rate(0); },
-        [over](double a, double b) {
-            const Ball slope = over(a, b).rate(1);
-            return slope > Ball(0) ? TrendOnStretch::rises : slope < Ball(0) ? TrendOnStretch::falls : TrendOnStretch::unknown;
-        }};
+    return {[f](const Ball& t) { return f(Series(t)).rate(0); },
+            [f](double a, double b) {
+                const Series over = f(Series::time(Ball::within(a, b)));
+                const Ball slope = over.rate(1);
+                const TrendOnStretch trend = slope > Ball(0)   ? TrendOnStretch::rises
+                                             : slope < Ball(0) ? TrendOnStretch::falls
+                                                               : TrendOnStretch::unknown;
+                return SeenOverStretch<Ball>{over.rate(0), trend};
+            }};
 }
 
 // Whether the stretches hold an instant, and the bounds a value.
@@ -79,7 +81,9 @@ TEST_CASE("a range that is too small is noticed: the largest value is missed", "
     int missed = 0;
     for (const KnownMaximum& known : known_maxima()) {
         SearchedFunction<Ball> wrong = searched(known.of);
-        wrong.over = [&](double a, double b) { return wrong.value(Ball(a + (b - a) / 2)) - Ball(b - a); };
+        wrong.stretch = [&, right = wrong.stretch](double a, double b) {
+            return SeenOverStretch<Ball>{wrong.value(Ball(a + (b - a) / 2)) - Ball(b - a), right(a, b).trend};
+        };
         missed += !holds_largest(stretches(wrong), static_cast<double>(known.value()), static_cast<double>(known.instant()));
     }
     CHECK(missed >= 3);
@@ -89,7 +93,9 @@ TEST_CASE("a wrong trend is noticed: the largest value is missed", "[largest]") 
     int missed = 0;
     for (const KnownMaximum& known : known_maxima()) {
         SearchedFunction<Ball> wrong = searched(known.of);
-        wrong.trend = [](double, double) { return TrendOnStretch::falls; };
+        wrong.stretch = [right = wrong.stretch](double a, double b) {
+            return SeenOverStretch<Ball>{right(a, b).range, TrendOnStretch::falls};
+        };
         missed += !holds_largest(stretches(wrong), static_cast<double>(known.value()), static_cast<double>(known.instant()));
     }
     CHECK(missed == 4); // of one it is right

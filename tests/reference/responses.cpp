@@ -39,7 +39,7 @@ double size_of(const Complex<Ball>& x) {
 
 // K F + r C F' + r^2 M F'' - w, what the friction motion leaves of (6), a row.
 Ball left_of_motion(const SceneInBalls& s, const ResponsesInBalls& r, const Ball& tau, slong row) {
-    const std::vector<Series> e = r.friction.shared(tau);
+    const std::vector<Series> e = (*r.friction.shared)(tau);
     Ball left = -s.w(row);
     for (slong k = 0; k < s.N(); ++k) {
         const Series F = r.friction.of(static_cast<std::size_t>(k), e);
@@ -71,8 +71,8 @@ TEST_CASE("the response functions by modes are those by the state", "[responses]
             same(a.G[k], b.G[k]);
             for (const double tau : {0.25, 2.5})
                 for (const int n : {0, 1, 2})
-                    same(a.friction.of(k, a.friction.shared(Ball(tau))).rate(n),
-                         b.friction.of(k, b.friction.shared(Ball(tau))).rate(n));
+                    same(a.friction.of(k, (*a.friction.shared)(Ball(tau))).rate(n),
+                         b.friction.of(k, (*b.friction.shared)(Ball(tau))).rate(n));
         }
         same(a.H, b.H);
         same(a.squares, b.squares);
@@ -126,7 +126,7 @@ TEST_CASE("the friction motion obeys the equations of motion, mirrors itself and
                 CHECK(left.may_vanish());
                 CHECK(left.radius() < 1e-30);
             }
-        const std::vector<Series> start = r.friction.shared(Ball(0)), end = r.friction.shared(pi<Ball>());
+        const std::vector<Series> start = (*r.friction.shared)(Ball(0)), end = (*r.friction.shared)(pi<Ball>());
         for (std::size_t k = 0; k < r.V.size(); ++k) {
             CHECK(apart(r.friction.of(k, start).rate(0), -r.G[k]) == 0);
             CHECK(apart(r.friction.of(k, end).rate(0), r.G[k]) == 0);
@@ -151,9 +151,9 @@ TEST_CASE("over a stretch the friction motion holds itself at every instant of i
                                        : responses_of_modes(s, modes_in_balls(s));
         for (const double from : {0.0, 0.5, 2.75})
             for (const double width : {1e-9, 0.01, 0.3}) {
-                const std::vector<Series> over = r.friction.shared(Ball::within(from, from + width));
+                const std::vector<Series> over = (*r.friction.shared)(Ball::within(from, from + width));
                 for (const double part : {0.0, 0.3, 1.0}) {
-                    const std::vector<Series> at = r.friction.shared(Ball(from + part * width));
+                    const std::vector<Series> at = (*r.friction.shared)(Ball(from + part * width));
                     for (std::size_t k = 0; k < r.V.size(); ++k)
                         for (int n = 0; n < 4; ++n) {
                             INFO(text << ", from " << from << ", width " << width << ", rate " << n);
@@ -173,7 +173,7 @@ TEST_CASE("what a search remembers of a ball is never taken for another ball who
         const Ball one = Ball(1.5) + Ball(0x1p-60), other = Ball(1.5) + Ball(0x1p-54);
         const auto at = [r](const Ball& tau, slong bits) {
             const Bits few(bits);
-            return r->friction.of(1, r->friction.shared(tau)).rate(0);
+            return r->friction.of(1, (*r->friction.shared)(tau)).rate(0);
         };
         const Ball first = at(one, 64), second = at(other, 64);
         CHECK(apart(first, at(one, 128)) == 0);

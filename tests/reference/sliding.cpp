@@ -60,7 +60,7 @@ TEST_CASE("below the boundary the contact moves down throughout the half-period,
             double lowest = std::numeric_limits<double>::infinity();
             for (int n = 1; n < 200; ++n) {
                 const Ball tau = n * pi<Ball>() / 200;
-                const Ball rate = r.friction.of(r.contact(), r.friction.shared(tau)).rate(1);
+                const Ball rate = r.friction.of(r.contact(), (*r.friction.shared)(tau)).rate(1);
                 lowest = std::min(lowest, (cosine - beta * (r.U[r.contact()] * cos(tau) + rate) / sin(tau)).low());
             }
             return lowest;

@@ -43,7 +43,7 @@ struct Truth {
         const bool mirrored = tau > 3.141592653589793;
         const Ball at = mirrored ? Ball(tau) - pi<Ball>() : Ball(tau);
         const reference::ResponsesInBalls& r = *point.responses;
-        const Ball F = r.friction.of(k, r.friction.shared(at)).rate(0);
+        const Ball F = r.friction.of(k, (*r.friction.shared)(at)).rate(0);
         const Ball x = paper::displacement(at, masses[k].x0, masses[k].v0, r.G[k], r.U[k], beta(), F);
         return mirrored ? -x : x;
     }

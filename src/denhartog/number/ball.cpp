@@ -77,7 +77,13 @@ double Ball::low() const { return bound(arb_get_lbound_arf, *this, ARF_RND_FLOOR
 
 double Ball::high() const { return bound(arb_get_ubound_arf, *this, ARF_RND_CEIL); }
 
-Ball sqrt(const Ball& x) { return by(arb_sqrt, x); }
+Ball sqrt(const Ball& x) {
+    thread_local LastArgument last;
+    thread_local Ball root;
+    if (!last.is(x)) arb_sqrt(root.a, x.a, ball_bits);
+    return root;
+}
+
 Ball root_of_positive(const Ball& x) { return by(arb_sqrtpos, x); }
 
 Ball exp(const Ball& x) {

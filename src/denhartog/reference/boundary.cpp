@@ -13,7 +13,7 @@ Series numerator(const Ball& U, const Series& F, const Ball& tau) { return Serie
 
 Ball largest_demand(const ResponsesInBalls& r, LargestInBalls& found) {
     found = largest_over_sine(
-        [&](const Ball& tau) { return numerator(r.U[r.contact()], r.friction.of(r.contact(), r.friction.shared(tau)), tau); });
+        [&](const Ball& tau) { return numerator(r.U[r.contact()], r.friction.of(r.contact(), (*r.friction.shared)(tau)), tau); });
     return found.value;
 }
 
@@ -35,12 +35,11 @@ Ball sum_of_largest(const ResponsesInBalls& r) {
             largest.push_back(largest_beyond_critical(m.R[i], m.zeta[i]));
             continue;
         }
-        const Ball R = m.R[i], u = paper::first_damping_function(R, m.zeta[i]), g = paper::second_damping_function(R, m.zeta[i]);
-        const auto F = [&](const Ball& tau) { // the search for the sum has left what it looked at
-            if (r.modal && ball_bits <= bits_of_search) return r.friction.shared(tau)[i];
-            return friction_motion_in_time(tau, R, m.zeta[i], u, g);
-        };
-        largest.push_back(R * R * largest_over_sine([&](const Ball& tau) { return numerator(u, F(tau), tau); }).value);
+        const Ball R = m.R[i];
+        const FrictionMotionOfMode mode(R, m.zeta[i]);
+        Remembered<Series> F([&](const Ball& tau) { return mode.at(tau); },
+                             [&](const Series& in_the_middle, const Ball& tau) { return mode.over(in_the_middle, tau); });
+        largest.push_back(R * R * largest_over_sine([&](const Ball& tau) { return numerator(mode.u, F(tau), tau); }).value);
     }
     return paper::sum_over_contact<Ball>(m.at_contact(), largest, m.left_open(m.at_contact(), m.at_contact(), largest));
 }

@@ -1,8 +1,6 @@
 #include "denhartog/reference/friction.hpp"
 
 #include <algorithm>
-#include <map>
-#include <memory>
 
 #include "denhartog/formulas/modal_coordinate.hpp"
 #include "denhartog/formulas/superposition.hpp"
@@ -37,18 +35,27 @@ struct OneByOne {
 };
 
 // (41): each mode moves by itself.
-FrictionInTime friction_of_modes(const ModesInBalls& m, const OneByOne& modes) {
+FrictionInTime friction_of_modes(const ModesInBalls& m) {
     FrictionInTime f;
     for (std::size_t row = 0; row <= static_cast<std::size_t>(m.N); ++row) {
         f.constant.emplace_back(0);
         std::vector<Ball>& weight = f.weight.emplace_back();
         for (std::size_t i = 0; i < m.R.size(); ++i) weight.push_back(m.psi[row][i] * m.at_contact()[i] * m.R[i] * m.R[i]);
     }
-    f.shared = remembered([R = m.R, zeta = m.zeta, u = modes.u, g = modes.g](const Ball& tau) {
-        std::vector<Series> e;
-        for (std::size_t i = 0; i < R.size(); ++i) e.push_back(friction_motion_in_time(tau, R[i], zeta[i], u[i], g[i]));
-        return e;
-    });
+    std::vector<FrictionMotionOfMode> motions;
+    for (std::size_t i = 0; i < m.R.size(); ++i) motions.emplace_back(m.R[i], m.zeta[i]);
+    using AllModes = std::vector<Series>;
+    f.shared = std::make_shared<Remembered<AllModes>>(
+        [motions](const Ball& tau) {
+            AllModes e;
+            for (const FrictionMotionOfMode& F : motions) e.push_back(F.at(tau));
+            return e;
+        },
+        [motions](const AllModes& in_the_middle, const Ball& tau) {
+            AllModes e;
+            for (std::size_t i = 0; i < motions.size(); ++i) e.push_back(motions[i].over(in_the_middle[i], tau));
+            return e;
+        });
     return f;
 }
 
@@ -67,30 +74,32 @@ Series FrictionInTime::of(std::size_t row, const std::vector<Series>& e) const {
     return sum;
 }
 
-Series friction_motion_in_time(const Ball& tau, const Ball& R, const Ball& zeta, const Ball& u, const Ball& g) {
-    constexpr long cost = 20; // as `Effort` counts: three exponentials, sines and cosines of balls, and what goes with them
+FrictionMotionOfMode::FrictionMotionOfMode(const Ball& R_i, const Ball& zeta_i)
+    : R(R_i), zeta(zeta_i), u(paper::first_damping_function(R, zeta)), g(paper::second_damping_function(R, zeta)), speed(1 / R),
+      stiffness(speed * speed), damping(2 * zeta * speed) {
+    const Ball of_sine = ((1 + g) * zeta + u * R) / sqrt(1 - zeta * zeta);
+    largest = root_of_positive((1 + g) * (1 + g) + of_sine * of_sine);
+}
+
+Series FrictionMotionOfMode::at(const Ball& tau) const {
+    constexpr long cost = 20; // as `Effort` counts: an exponential, a sine and a cosine of balls, and what goes with them
     QuestionEffort::pay(cost);
-    const Ball F = paper::friction_motion(tau, R, zeta, u, g),
-               rate = -(1 + g) * paper::d_prime(tau, R, zeta) - u * R * paper::q_prime(tau, R, zeta);
-    // The mode obeys R^2 F'' + 2 zeta R F' + F = 1.
-    const Ball squared = R * R, damping = 2 * zeta * R, second = (1 - F - damping * rate) / squared,
-               third = -(rate + damping * second) / squared, fourth = -(second + damping * third) / squared;
+    const Ball F = paper::friction_motion(tau, R, zeta, u, g), rate = paper::friction_motion_prime(tau, R, zeta, u, g);
+    // The mode obeys F'' + 2 zeta / R F' + F / R^2 = 1 / R^2.
+    const Ball second = (1 - F) * stiffness - damping * rate, third = -(rate * stiffness + damping * second),
+               fourth = -(second * stiffness + damping * third);
     Series series;
     series.c = {F, rate, second / 2, third / 6, fourth / 24};
     return series;
 }
 
-std::function<std::vector<Series>(const Ball&)> remembered(std::function<std::vector<Series>(const Ball&)> shared) {
-    using Stretch = std::pair<double, double>;
-    using Known = std::pair<Ball, std::vector<Series>>;
-    return [shared = std::move(shared), known = std::make_shared<std::map<Stretch, Known>>()](const Ball& tau) {
-        if (ball_bits > bits_of_search) return shared(tau);
-        const Stretch stretch{tau.low(), tau.high()};
-        const auto found = known->find(stretch);
-        // two balls may be so near that their ends are the same in double: each has a series of its own
-        if (found != known->end() && arb_equal(found->second.first.a, tau.a) != 0) return found->second.second;
-        return known->insert_or_assign(stretch, Known(tau, shared(tau))).first->second.second;
+Series FrictionMotionOfMode::over(const Series& in_the_middle, const Ball& tau) const {
+    // F - 1 is e^(-zeta tau / R) times a cosine, which is not larger later.
+    const auto left = [&] {
+        const Bits few(64);
+        return upper_bound_of(largest * exp(-damping / 2 * Ball(tau.low())));
     };
+    return over_stretch(in_the_middle, tau - middle(tau), Ball(1), left(), speed);
 }
 
 bool are_of_papers_form(const ModesInBalls& m) {
@@ -108,7 +117,7 @@ ResponsesInBalls responses_of_modes(const SceneInBalls& s, ModesInBalls m) {
     r.H = modes.H();
     r.Y = modes.V(m.at_contact(), m.at_contact());
     r.squares = acceleration_of_contact(s);
-    r.friction = friction_of_modes(m, modes);
+    r.friction = friction_of_modes(m);
     r.modes = std::move(m);
     return r;
 }

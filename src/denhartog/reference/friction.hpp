@@ -2,11 +2,12 @@
 /// @brief What the load and the friction each add to the motion: V, U, G, H and the friction motion, (23) to (35), (41), (64).
 #pragma once
 
-#include <functional>
+#include <memory>
 #include <vector>
 
 #include "denhartog/formulas/complex.hpp"
 #include "denhartog/reference/modes.hpp"
+#include "denhartog/reference/remembered.hpp"
 #include "denhartog/reference/series.hpp"
 
 namespace denhartog::reference {
@@ -16,23 +17,33 @@ namespace denhartog::reference {
 /// It is a sum of functions of time that all masses share, \f$ F_k(\tau) = c_k + \sum_i a_{ki} e_i(\tau) \f$. Its values at both
 /// ends of the half-period are \f$ -G_k \f$ and \f$ G_k \f$, its rates \f$ -U_{dk} \f$ and \f$ U_{dk} \f$.
 struct FrictionInTime {
-    std::vector<Ball> constant{};                                 ///< c_k; N masses, then the contact
-    std::vector<std::vector<Ball>> weight{};                      ///< a_ki, as many rows
-    std::function<std::vector<Series>(const Ball& tau)> shared{}; ///< e_i at an instant or over a stretch
+    std::vector<Ball> constant{};                              ///< c_k; N masses, then the contact
+    std::vector<std::vector<Ball>> weight{};                   ///< a_ki, as many rows
+    std::shared_ptr<Remembered<std::vector<Series>>> shared{}; ///< e_i at an instant or over a stretch
 
     /// @brief One row from the shared functions. @param row a mass, or the contact at N @param e what `shared` gave @return F_k
     [[nodiscard]] Series of(std::size_t row, const std::vector<Series>& e) const;
 };
 
-/// @brief The friction motion of a mode and its derivatives.
+/// @brief The friction motion of a mode, damped below critical.
 /// @eq{41}
-/// @param tau   an instant, or a stretch
-/// @param R     modal frequency ratio, Eq. (22)
-/// @param zeta  modal damping ratio, below 1
-/// @param u     first damping function, Eq. (28)
-/// @param g     second damping function, Eq. (29)
-/// @return      the motion
-[[nodiscard]] Series friction_motion_in_time(const Ball& tau, const Ball& R, const Ball& zeta, const Ball& u, const Ball& g);
+struct FrictionMotionOfMode {
+    Ball R{};         ///< modal frequency ratio, Eq. (22)
+    Ball zeta{};      ///< modal damping ratio
+    Ball u{};         ///< first damping function, Eq. (28)
+    Ball g{};         ///< second damping function, Eq. (29)
+    Ball speed{};     ///< 1 / R
+    Ball stiffness{}; ///< 1 / R^2
+    Ball damping{};   ///< 2 zeta / R
+    Ball largest{};   ///< a bound of |F - 1| throughout
+
+    /// @param R     modal frequency ratio @param zeta  modal damping ratio, below 1
+    FrictionMotionOfMode(const Ball& R, const Ball& zeta);
+    /// @brief The motion and its derivatives at an instant. @param tau the instant, exact @return the series
+    [[nodiscard]] Series at(const Ball& tau) const;
+    /// @brief The same over a stretch. @param in_the_middle its series there @param tau the stretch @return the series
+    [[nodiscard]] Series over(const Series& in_the_middle, const Ball& tau) const;
+};
 
 /// @brief Acceleration of the contact by a unit force on it: the sum of (w^T psi_i)^2 over the modes is w^T M^-1 w / r^2.
 /// @eq{65}
@@ -40,10 +51,6 @@ struct FrictionInTime {
 /// @return       the acceleration
 /// @throws       Unproved where the mass matrix is not proved regular
 [[nodiscard]] Ball acceleration_of_contact(const SceneInBalls& scene);
-
-/// @brief Functions that remember their values with the few bits of a search, as the searches for all masses look at the same
-/// stretches. @param shared the functions @return the same functions, with a memory
-[[nodiscard]] std::function<std::vector<Series>(const Ball&)> remembered(std::function<std::vector<Series>(const Ball&)> shared);
 
 /// @brief Response functions at a frequency ratio, of the N masses and then of the contact, w^T x.
 struct ResponsesInBalls {

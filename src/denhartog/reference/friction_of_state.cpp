@@ -136,6 +136,13 @@ std::pair<Series, Series> free_motion(const acb_t lambda, const Ball& tau) {
     return out;
 }
 
+// The same over a stretch, from the middle.
+std::pair<Series, Series> free_motion_over(const acb_t lambda, const Series& re, const Series& im, const Ball& tau) {
+    const Ball rate = real_part(lambda), turn = imaginary_part(lambda), speed = root_of_positive(rate * rate + turn * turn);
+    const Ball size = upper_bound_of(exp(larger(rate * Ball(tau.low()), rate * Ball(tau.high())))), off = tau - middle(tau);
+    return {over_stretch(re, off, Ball(0), size, speed), over_stretch(im, off, Ball(0), size, speed)};
+}
+
 // The eigenvalues, right vectors and their inverse, where they are proved simple.
 struct SimpleEigenvalues {
     acb_mat_t C, L, R;
@@ -215,16 +222,24 @@ void add_free_motions(const SceneInBalls& s, const SimpleEigenvalues& eigen, con
     acb_clear(share);
     acb_clear(at);
     acb_clear(pi_lambda);
-    f.shared = remembered([lambdas](const Ball& tau) {
-        QuestionEffort::pay(static_cast<long>(20 * lambdas->size()));
-        std::vector<Series> e;
-        for (const FreeMotionOfState& each : *lambdas) {
-            auto [re, im] = free_motion(each.lambda, tau);
-            e.push_back(std::move(re));
-            e.push_back(std::move(im));
-        }
-        return e;
-    });
+    using All = std::vector<Series>;
+    const auto add = [](All& e, std::pair<Series, Series> motion) {
+        e.push_back(std::move(motion.first));
+        e.push_back(std::move(motion.second));
+    };
+    f.shared = std::make_shared<Remembered<All>>(
+        [=](const Ball& tau) {
+            QuestionEffort::pay(static_cast<long>(20 * lambdas->size()));
+            All e;
+            for (const FreeMotionOfState& each : *lambdas) add(e, free_motion(each.lambda, tau));
+            return e;
+        },
+        [=](const All& in_the_middle, const Ball& tau) {
+            All e;
+            for (std::size_t i = 0; i < lambdas->size(); ++i)
+                add(e, free_motion_over((*lambdas)[i].lambda, in_the_middle[2 * i], in_the_middle[2 * i + 1], tau));
+            return e;
+        });
 }
 
 // The same by the exponential of the matrix, where eigenvalues may coincide.
@@ -243,7 +258,9 @@ void add_states(const SceneInBalls& s, const StateMatrix& m, FrictionInTime& f) 
         f.weight[row][row] = Ball(1);
         f.weight.back()[row] = s.w(k);
     }
-    f.shared = remembered(StateInTime(m.A, begin));
+    const StateInTime z(m.A, begin);
+    f.shared =
+        std::make_shared<Remembered<std::vector<Series>>>(z, [z](const std::vector<Series>&, const Ball& tau) { return z(tau); });
 }
 
 } // namespace
@@ -260,7 +277,7 @@ ResponsesInBalls responses_of_state(const SceneInBalls& s) {
         add_free_motions(s, eigen, m.rest, r.friction);
     else
         add_states(s, m, r.friction);
-    const std::vector<Series> e = r.friction.shared(Ball(0));
+    const std::vector<Series>& e = (*r.friction.shared)(Ball(0));
     for (std::size_t row = 0; row < r.V.size(); ++row) {
         const Series start = r.friction.of(row, e);
         r.G.push_back(-start.rate(0));

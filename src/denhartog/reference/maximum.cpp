@@ -1,6 +1,7 @@
 #include "denhartog/reference/maximum.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "denhartog/search/largest.hpp"
 
@@ -8,7 +9,7 @@ namespace denhartog::reference {
 namespace {
 
 constexpr double end = 3.141592653589793; // not above pi
-constexpr double narrow = 1e-3, flat = 1e-14;
+constexpr double narrow = 0.1, flat = 1e-14;
 constexpr int most_looks = 4000;
 
 // The interval of the search ends at the double next to pi; the last stretch goes on to pi itself.
@@ -37,18 +38,16 @@ Series over_stretch(const FunctionOfTime& f, const Ball& X) {
     return r;
 }
 
-// The one maximum in a stretch: by Newton's method, and by halves as long as that leads nowhere. `rate` is positive before it and
-// negative after it.
-Ball place_of_maximum(Ball at, const std::function<Ball(const Ball&)>& rate, const std::function<Ball(const Ball&)>& step) {
-    for (slong looks = 0; looks < 64 + ball_bits / 8; ++looks) {
-        const Ball next = step(at), before = radius_of(at);
-        if (next.finite()) {
-            Ball both;
-            if (arb_intersection(both.a, next.a, at.a, ball_bits) == 0) throw Unproved("a maximum is not where it was seen");
-            at = both;
-        }
-        if (radius_of(at) < before / 4) continue;
-        const Ball m = middle(at), there = rate(m), half = radius_of(at) / 2;
+// What has the sign of a function's rate, and its slope.
+struct RateAndSlope {
+    Ball rate{}, slope{};
+};
+using RateInTime = std::function<RateAndSlope(const Ball& tau)>;
+
+// The one zero of the rate in a stretch, which is positive before it and negative after it: by halves.
+Ball place_by_halves(Ball at, const RateInTime& rate) {
+    for (slong looks = 0; looks < 64 + ball_bits; ++looks) {
+        const Ball m = middle(at), there = rate(m).rate, half = radius_of(at) / 2;
         if (there > Ball(0))
             at = widened(m + half, half);
         else if (there < Ball(0))
@@ -59,20 +58,49 @@ Ball place_of_maximum(Ball at, const std::function<Ball(const Ball&)>& rate, con
     return at;
 }
 
-// From stretches to the largest value in the bits of the moment. `step` is one of Newton's method from the middle of a stretch.
-LargestInBalls refined(const LargestOnStretches& found, const std::function<Ball(const Ball&)>& value,
-                       const std::function<Ball(const Ball&)>& rate, const std::function<Ball(const Ball&)>& step) {
-    if (!found.settled || found.stretches.empty()) throw Unproved("a largest value is not settled");
+// Where Newton's method leads from the middle of a stretch, without proof. More bits are taken as digits come.
+Ball likely_place(const Ball& at, const RateInTime& rate) {
     const slong full = ball_bits;
+    Ball m = middle(at), last = radius_of(at);
+    for (slong looks = 0, bits = std::min(bits_of_search, full); looks < 40; ++looks) {
+        const Bits some(bits);
+        const RateAndSlope f = rate(m);
+        const Ball step = middle(f.rate / f.slope);
+        if (!step.finite()) break;
+        m = middle(m - step);
+        if (arb_overlaps(m.a, at.a) == 0) break;
+        Ball half(16); // a step as small leaves all bits right
+        arb_mul_2exp_si(half.a, half.a, -bits / 2);
+        const bool goes_on = abs(step) < last / 4 && !f.rate.may_vanish();
+        last = abs(step);
+        if (goes_on && !(last < half)) continue;
+        if (bits == full) break;
+        bits = std::min(2 * bits, full);
+    }
+    return m;
+}
+
+// The one maximum in a stretch. A step of Newton's method that leads from a small stretch about the likely place into itself proves it.
+Ball place_of_maximum(const Ball& at, const RateInTime& rate) {
+    const Ball m = likely_place(at, rate);
+    Ball about(1);
+    arb_mul_2exp_si(about.a, about.a, -ball_bits / 2);
+    about = widened(m, about);
+    if (arb_contains(at.a, about.a) != 0) {
+        const Ball there = rate(m).rate, next = m - there / rate(about).slope;
+        if (next.finite() && arb_contains_interior(about.a, next.a) != 0) return next;
+    }
+    return place_by_halves(at, rate);
+}
+
+// From stretches to the largest value in the bits of the moment.
+LargestInBalls refined(const LargestOnStretches& found, const std::function<Ball(const Ball&)>& value, const RateInTime& rate) {
+    if (!found.settled || found.stretches.empty()) throw Unproved("a largest value is not settled");
     LargestInBalls best;
     bool first = true;
     for (const StretchOfLargest& s : found.stretches) {
         Ball at = stretch(s.from, s.to);
-        for (slong bits = bits_of_search; s.one_maximum; bits *= 2) { // the digits double
-            const Bits some(std::min(bits, full));
-            at = place_of_maximum(at, rate, step);
-            if (bits >= full) break;
-        }
+        if (s.trend == TrendOnStretch::one_maximum) at = place_of_maximum(at, rate);
         // Next to its maximum a function changes by the square of the distance: the value in the middle, and what curvature adds.
         const Ball here = value(at);
         if (first) {
@@ -91,82 +119,80 @@ FunctionOfTime negative_of(const FunctionOfTime& f) {
     return [&f](const Ball& tau) { return -f(tau); };
 }
 
-bool may_reach(const LargestOnStretches& found, double value) {
-    return !found.settled || std::ranges::any_of(found.stretches, [&](const StretchOfLargest& s) { return s.upper >= value; });
-}
-
-// Where a smooth function may be largest.
-LargestOnStretches stretches_of(const FunctionOfTime& f) {
+// Where a smooth function may be largest, if it is at least so large.
+LargestOnStretches stretches_of(const FunctionOfTime& f, double at_least) {
     SearchedFunction<Ball> searched;
     searched.value = [&](const Ball& t) { return f(static_cast<double>(t) < end ? t : pi<Ball>()).rate(0); };
-    searched.over = [&](double a, double b) { return over_stretch(f, stretch(a, b)).rate(0); };
-    searched.trend = [&](double a, double b) {
+    searched.stretch = [&](double a, double b) {
         const Series x = over_stretch(f, stretch(a, b));
-        const Ball slope = x.rate(1);
-        if (slope.low() >= 0) return TrendOnStretch::rises;
-        if (slope.high() <= 0) return TrendOnStretch::falls;
-        const Ball curvature = x.rate(2);
-        if (curvature.low() > 0 || curvature.high() < 0) {
+        const auto trend = [&] {
+            const Ball slope = x.rate(1), curvature = x.rate(2);
+            if (slope.low() >= 0) return TrendOnStretch::rises;
+            if (slope.high() <= 0) return TrendOnStretch::falls;
+            if (!(curvature.low() > 0 || curvature.high() < 0)) return TrendOnStretch::unknown;
             const Ball at_a = f(Ball(a)).rate(1), at_b = f(stretch(b, b)).rate(1);
             const bool up = curvature.low() > 0; // the slope grows
             if (up ? at_a.low() >= 0 : at_b.low() >= 0) return TrendOnStretch::rises;
             if (up ? at_b.high() <= 0 : at_a.high() <= 0) return TrendOnStretch::falls;
-            if (!up && at_a.low() > 0 && at_b.high() < 0) return TrendOnStretch::one_maximum;
-        }
-        return TrendOnStretch::unknown;
+            return !up && at_a.low() > 0 && at_b.high() < 0 ? TrendOnStretch::one_maximum : TrendOnStretch::unknown;
+        };
+        return SeenOverStretch<Ball>{x.rate(0), trend()};
     };
     const Bits few(bits_of_search);
-    return stretches_of_largest(searched, 0, end, narrow, flat, most_looks);
+    return stretches_of_largest(searched, 0, end, narrow, flat, most_looks, at_least);
 }
 
 LargestInBalls refined_of(const FunctionOfTime& f, const LargestOnStretches& found) {
-    const auto step = [&](const Ball& at) {
-        const Ball m = middle(at);
-        return m - f(m).rate(1) / f(at).rate(2);
+    const auto rate = [&](const Ball& t) {
+        const Series at = f(t);
+        return RateAndSlope{at.rate(1), at.rate(2)};
     };
     return refined(
-        found, [&](const Ball& at) { return over_stretch(f, at).rate(0); }, [&](const Ball& t) { return f(t).rate(1); }, step);
+        found, [&](const Ball& at) { return over_stretch(f, at).rate(0); }, rate);
 }
 
 } // namespace
 
 LargestBothWays largest_size_of(const FunctionOfTime& f) {
-    const LargestOnStretches up = stretches_of(f), down = stretches_of(negative_of(f));
+    LargestOnStretches up = stretches_of(f, -std::numeric_limits<double>::infinity());
+    const LargestOnStretches down = stretches_of(negative_of(f), up.lower);
+    std::erase_if(up.stretches, [&](const StretchOfLargest& s) { return s.upper < down.lower; });
     LargestBothWays largest;
-    if (up.lower >= down.lower || may_reach(up, down.lower)) largest.up = refined_of(f, up);
-    if (down.lower >= up.lower || may_reach(down, up.lower)) largest.down = refined_of(negative_of(f), down);
+    if (!up.settled || !up.stretches.empty()) largest.up = refined_of(f, up);
+    if (!down.settled || !down.stretches.empty()) largest.down = refined_of(negative_of(f), down);
     return largest;
 }
 
 LargestInBalls largest_over_sine(const FunctionOfTime& numerator) {
     const auto at_end = [](double t) { return t <= 0 || t >= end; };
-    const auto W = [&](const Ball& t) {
-        const Series n = numerator(t);
-        return n.rate(1) * sin(t) - n.rate(0) * cos(t);
-    };
+    const auto W_of = [](const Series& n, const Ball& t) { return n.rate(1) * sin(t) - n.rate(0) * cos(t); };
+    const auto W = [&](const Ball& t) { return W_of(numerator(t), t); };
     // Cauchy's mean value theorem: n / sin is n' / cos at some instant between here and the end, if the cosine keeps its sign.
-    const auto quotient = [&](const Ball& t, bool by_slope) {
-        const Series n = over_stretch(numerator, t);
+    const auto quotient = [](const Series& n, const Ball& t, bool by_slope) {
         return by_slope ? n.rate(1) / cos(t) : n.rate(0) / sin(t);
     };
     SearchedFunction<Ball> searched;
     searched.value = [&](const Ball& t) {
         const auto at = static_cast<double>(t);
-        return quotient(at < end ? t : pi<Ball>(), at_end(at));
+        const Ball here = at < end ? t : pi<Ball>();
+        return quotient(numerator(here), here, at_end(at));
     };
-    searched.over = [&](double a, double b) { return quotient(stretch(a, b), at_end(a) || at_end(b)); };
-    searched.trend = [&](double a, double b) {
-        const Series n = over_stretch(numerator, stretch(a, b));
+    searched.stretch = [&](double a, double b) {
+        const Ball t = stretch(a, b);
+        const Series n = over_stretch(numerator, t);
         const Ball Z = n.rate(2) + n.rate(0);
-        if (!(Z.high() < 0 || Z.low() > 0)) return TrendOnStretch::unknown;
-        const Ball at_a = at_end(a) ? Ball(0) : W(Ball(a)), at_b = at_end(b) ? Ball(0) : W(Ball(b));
-        if (Z.high() < 0) { // W falls
-            if (at_a.high() <= 0) return TrendOnStretch::falls;
-            if (at_b.low() >= 0) return TrendOnStretch::rises;
-            return at_a.low() > 0 && at_b.high() < 0 ? TrendOnStretch::one_maximum : TrendOnStretch::unknown;
-        }
-        if (at_a.low() >= 0) return TrendOnStretch::rises;
-        return at_b.high() <= 0 ? TrendOnStretch::falls : TrendOnStretch::unknown;
+        const auto trend = [&] {
+            if (!(Z.high() < 0 || Z.low() > 0)) return TrendOnStretch::unknown;
+            const Ball at_a = at_end(a) ? Ball(0) : W(Ball(a)), at_b = at_end(b) ? Ball(0) : W(Ball(b));
+            if (Z.high() < 0) { // W falls
+                if (at_a.high() <= 0) return TrendOnStretch::falls;
+                if (at_b.low() >= 0) return TrendOnStretch::rises;
+                return at_a.low() > 0 && at_b.high() < 0 ? TrendOnStretch::one_maximum : TrendOnStretch::unknown;
+            }
+            if (at_a.low() >= 0) return TrendOnStretch::rises;
+            return at_b.high() <= 0 ? TrendOnStretch::falls : TrendOnStretch::unknown;
+        };
+        return SeenOverStretch<Ball>{quotient(n, t, at_end(a) || at_end(b)), trend()};
     };
     const LargestOnStretches found = [&] {
         const Bits few(bits_of_search);
@@ -175,18 +201,18 @@ LargestInBalls largest_over_sine(const FunctionOfTime& numerator) {
     const auto value = [&](const Ball& at) {
         const Ball m = middle(at), d = at - m;
         const double from = at.low(), to = at.high();
-        if (from <= 0 || to >= end) return quotient(at, true);
-        if (d.is_zero()) return quotient(m, false);
+        if (from <= 0 || to >= end) return quotient(over_stretch(numerator, at), at, true);
+        const Ball here = quotient(numerator(m), m, false);
+        if (d.is_zero()) return here;
         // the rate of the quotient is W over the square of the sine
         const Ball s = sin(at);
-        return quotient(m, false) + d * (W(at) / (s * s));
+        return here + d * (W(at) / (s * s));
     };
-    const auto step = [&](const Ball& at) {
-        const Ball m = middle(at);
-        const Series n = numerator(at);
-        return m - W(m) / ((n.rate(2) + n.rate(0)) * sin(at));
+    const auto rate = [&](const Ball& t) {
+        const Series n = numerator(t);
+        return RateAndSlope{W_of(n, t), (n.rate(2) + n.rate(0)) * sin(t)};
     };
-    return refined(found, value, W, step);
+    return refined(found, value, rate);
 }
 
 } // namespace denhartog::reference

@@ -1,11 +1,42 @@
 #include "denhartog/reference/series.hpp"
 
 namespace denhartog::reference {
+namespace {
+
+// What both balls hold; one of them where rounding leaves nothing.
+Ball both_hold(const Ball& x, const Ball& y) {
+    Ball r;
+    return arb_intersection(r.a, x.a, y.a, ball_bits) != 0 ? r : x;
+}
+
+} // namespace
+
+Series over_stretch(const Series& at_middle, const Ball& off, const Ball& constant, const Ball& size, const Ball& speed) {
+    Series r;
+    Ball most = size;
+    const auto throughout = [&](int n) { return widened(n == 0 ? constant : Ball(0), most); };
+    std::array<Ball, 6> held;
+    for (int n = 0; n < 6; ++n) {
+        if (n > 0) most = most * speed / n;
+        held[n] = throughout(n);
+    }
+    r.c[4] = both_hold(at_middle.c[4] + 5 * off * held[5], held[4]);
+    r.c[3] = both_hold(at_middle.c[3] + 4 * off * r.c[4], held[3]);
+    r.c[2] = both_hold(at_middle.c[2] + 3 * off * r.c[3], held[2]);
+    r.c[1] = both_hold(at_middle.c[1] + off * (2 * at_middle.c[2] + 3 * off * r.c[3]), held[1]);
+    r.c[0] = both_hold(at_middle.c[0] + off * (at_middle.c[1] + off * (at_middle.c[2] + off * r.c[3])), held[0]);
+    return r;
+}
 
 SineCosineSeries sine_cosine_series(const Series& x) {
     SineCosineSeries both;
     both.s.c[0] = sin(x.c[0]);
     both.c.c[0] = cos(x.c[0]);
+    if (x.is_time()) { // every derivative is one of the two
+        both.s.c = {both.s.c[0], both.c.c[0], -both.s.c[0] / 2, -both.c.c[0] / 6, both.s.c[0] / 24};
+        both.c.c = {both.c.c[0], -both.s.c[0], -both.c.c[0] / 2, both.s.c[0] / 6, both.c.c[0] / 24};
+        return both;
+    }
     for (int n = 1; n < 5; ++n) {
         for (int k = 1; k <= n; ++k) {
             if (x.c[k].is_zero()) continue;

@@ -30,6 +30,8 @@ struct Series {
         t.c[1] = Ball(1);
         return t;
     }
+    /// @brief Whether it is time itself, or differs from it by a constant. @return true where it is
+    [[nodiscard]] bool is_time() const { return arb_is_one(c[1].a) != 0 && c[2].is_zero() && c[3].is_zero() && c[4].is_zero(); }
     /// @brief The derivative. @return its series; the last coefficient is not known and is zero
     [[nodiscard]] Series derivative() const {
         Series d;
@@ -73,6 +75,17 @@ struct Series {
         return r;
     }
 };
+
+/// @brief A function over a stretch from its series in the middle, where it differs from a constant by what decays and turns: its
+/// derivative of order n is at most size times speed to the n.
+/// @param at_middle  its series in the middle of the stretch
+/// @param off        instants of the stretch less the middle
+/// @param constant   what it differs from
+/// @param size       by how much, at most, in the stretch
+/// @param speed      the speed
+/// @return           its series over the stretch
+[[nodiscard]] Series over_stretch(const Series& at_middle, const Ball& off, const Ball& constant, const Ball& size,
+                                  const Ball& speed);
 
 /// @brief Sine and cosine of a function, each from the slope of the other.
 struct SineCosineSeries {
