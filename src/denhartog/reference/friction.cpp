@@ -5,6 +5,7 @@
 #include "denhartog/formulas/modal_coordinate.hpp"
 #include "denhartog/formulas/superposition.hpp"
 #include "denhartog/number/effort.hpp"
+#include "denhartog/reference/free_motions.hpp"
 
 namespace denhartog::reference {
 namespace {
@@ -68,10 +69,7 @@ Ball acceleration_of_contact(const SceneInBalls& s) {
 }
 
 Series FrictionInTime::of(std::size_t row, const std::vector<Series>& e) const {
-    Series sum(constant[row]);
-    for (std::size_t i = 0; i < e.size(); ++i)
-        for (int n = 0; n < 5; ++n) arb_addmul(sum.c[n].a, weight[row][i].a, e[i].c[n].a, ball_bits);
-    return sum;
+    return sum_of(weight[row], e, Series(constant[row]));
 }
 
 FrictionMotionOfMode::FrictionMotionOfMode(const Ball& R_i, const Ball& zeta_i)

@@ -1,8 +1,7 @@
-#include <acb_mat.h>
-
 #include <memory>
 
 #include "denhartog/number/effort.hpp"
+#include "denhartog/reference/free_motions.hpp"
 #include "denhartog/reference/friction.hpp"
 
 namespace denhartog::reference {
@@ -99,147 +98,25 @@ private:
     Ball size_;
 };
 
-// A free motion a e^(lambda tau) of the state.
-struct FreeMotionOfState {
-    acb_t lambda;
-    FreeMotionOfState() { acb_init(lambda); }
-    FreeMotionOfState(const FreeMotionOfState& b) : FreeMotionOfState() { acb_set(lambda, b.lambda); }
-    FreeMotionOfState& operator=(const FreeMotionOfState&) = delete;
-    ~FreeMotionOfState() { acb_clear(lambda); }
-};
-
-Ball real_part(const acb_t z) {
-    Ball r;
-    arb_set(r.a, acb_realref(z));
-    return r;
-}
-Ball imaginary_part(const acb_t z) {
-    Ball r;
-    arb_set(r.a, acb_imagref(z));
-    return r;
-}
-
-// e^(lambda tau) and its derivatives over n!, real and imaginary parts.
-std::pair<Series, Series> free_motion(const acb_t lambda, const Ball& tau) {
-    acb_t z;
-    acb_init(z);
-    acb_mul_arb(z, lambda, tau.a, ball_bits);
-    acb_exp(z, z, ball_bits);
-    std::pair<Series, Series> out;
-    for (slong n = 0; n < 5; ++n) {
-        out.first.c[n] = real_part(z);
-        out.second.c[n] = imaginary_part(z);
-        acb_mul(z, z, lambda, ball_bits);
-        acb_div_si(z, z, n + 1, ball_bits);
-    }
-    acb_clear(z);
-    return out;
-}
-
-// The same over a stretch, from the middle.
-std::pair<Series, Series> free_motion_over(const acb_t lambda, const Series& re, const Series& im, const Ball& tau) {
-    const Ball rate = real_part(lambda), turn = imaginary_part(lambda), speed = root_of_positive(rate * rate + turn * turn);
-    const Ball size = upper_bound_of(exp(larger(rate * Ball(tau.low()), rate * Ball(tau.high())))), off = tau - middle(tau);
-    return {over_stretch(re, off, Ball(0), size, speed), over_stretch(im, off, Ball(0), size, speed)};
-}
-
-// The eigenvalues, right vectors and their inverse, where they are proved simple.
-struct SimpleEigenvalues {
-    acb_mat_t C, L, R;
-    acb_ptr values;
-    slong n;
-    bool simple = false;
-
-    explicit SimpleEigenvalues(const BallMatrix& A) : n(A.rows()) {
-        acb_mat_init(C, n, n);
-        acb_mat_init(L, n, n);
-        acb_mat_init(R, n, n);
-        values = _acb_vec_init(n);
-        QuestionEffort::pay(n * n * n * 60);
-        acb_mat_set_arb_mat(C, A.a);
-        acb_mat_t guess;
-        acb_mat_init(guess, n, n);
-        acb_ptr near = _acb_vec_init(n);
-        acb_mat_approx_eig_qr(near, nullptr, guess, C, nullptr, 0, ball_bits);
-        simple = acb_mat_eig_simple(values, L, R, C, near, guess, ball_bits) != 0;
-        _acb_vec_clear(near, n);
-        acb_mat_clear(guess);
-    }
-    ~SimpleEigenvalues() {
-        _acb_vec_clear(values, n);
-        acb_mat_clear(C);
-        acb_mat_clear(L);
-        acb_mat_clear(R);
-    }
-    SimpleEigenvalues(const SimpleEigenvalues&) = delete;
-    SimpleEigenvalues& operator=(const SimpleEigenvalues&) = delete;
-};
-
 // Factors of e^(lambda_i tau) in F of each row: -2 (row of R_i) (L_i rest) / (1 + e^(lambda_i pi)).
-void add_free_motions(const SceneInBalls& s, const SimpleEigenvalues& eigen, const BallMatrix& rest, FrictionInTime& f) {
+void add_free_motions(const SceneInBalls& s, const FreeMotions& free, const BallMatrix& rest, FrictionInTime& f) {
     const slong N = s.N();
-    acb_t share, at, pi_lambda;
-    acb_init(share);
-    acb_init(at);
-    acb_init(pi_lambda);
-    const auto lambdas = std::make_shared<std::vector<FreeMotionOfState>>(static_cast<std::size_t>(eigen.n));
-    f.constant.assign(static_cast<std::size_t>(N) + 1, Ball(0));
-    f.weight.assign(static_cast<std::size_t>(N) + 1, {});
-    for (slong k = 0; k < N; ++k) {
-        f.constant[static_cast<std::size_t>(k)] = rest(k);
-        f.constant.back() += s.w(k) * rest(k);
+    std::vector<ComplexBall> shares = free.shares_of(rest);
+    for (std::size_t i = 0; i < shares.size(); ++i) {
+        ComplexBall once;
+        acb_mul_arb(once.a, free.lambda(i).a, pi<Ball>().a, ball_bits);
+        acb_exp(once.a, once.a, ball_bits);
+        acb_add_si(once.a, once.a, 1, ball_bits);
+        acb_div(shares[i].a, shares[i].a, once.a, ball_bits);
+        acb_mul_si(shares[i].a, shares[i].a, -2, ball_bits);
     }
-    for (slong i = 0; i < eigen.n; ++i) {
-        acb_set((*lambdas)[static_cast<std::size_t>(i)].lambda, eigen.values + i);
-        acb_zero(share);
-        for (slong k = 0; k < eigen.n; ++k) {
-            acb_mul_arb(at, acb_mat_entry(eigen.L, i, k), rest(k).a, ball_bits);
-            acb_add(share, share, at, ball_bits);
-        }
-        acb_mul_arb(pi_lambda, eigen.values + i, pi<Ball>().a, ball_bits);
-        acb_exp(pi_lambda, pi_lambda, ball_bits);
-        acb_add_si(pi_lambda, pi_lambda, 1, ball_bits);
-        acb_div(share, share, pi_lambda, ball_bits);
-        acb_mul_si(share, share, -2, ball_bits);
-        std::vector<Ball> re, im;
-        for (slong k = 0; k < N; ++k) {
-            acb_mul(at, acb_mat_entry(eigen.R, k, i), share, ball_bits);
-            re.push_back(real_part(at));
-            im.push_back(-imaginary_part(at)); // Re(a e) = Re a Re e - Im a Im e
-        }
-        Ball contact_re(0), contact_im(0);
-        for (slong k = 0; k < N; ++k) {
-            contact_re += s.w(k) * re[static_cast<std::size_t>(k)];
-            contact_im += s.w(k) * im[static_cast<std::size_t>(k)];
-        }
-        re.push_back(contact_re);
-        im.push_back(contact_im);
-        for (std::size_t row = 0; row < re.size(); ++row) {
-            f.weight[row].push_back(re[row]);
-            f.weight[row].push_back(im[row]);
-        }
+    for (slong k = 0; k <= N; ++k) { // the last is the contact
+        BallMatrix row(1, 2 * N);
+        for (slong i = 0; i < N; ++i) row(0, i) = k < N ? Ball(i == k ? 1 : 0) : s.w(i);
+        f.constant.push_back((row * rest)(0));
+        f.weight.push_back(free.weights(row, shares));
     }
-    acb_clear(share);
-    acb_clear(at);
-    acb_clear(pi_lambda);
-    using All = std::vector<Series>;
-    const auto add = [](All& e, std::pair<Series, Series> motion) {
-        e.push_back(std::move(motion.first));
-        e.push_back(std::move(motion.second));
-    };
-    f.shared = std::make_shared<Remembered<All>>(
-        [=](const Ball& tau) {
-            QuestionEffort::pay(static_cast<long>(20 * lambdas->size()));
-            All e;
-            for (const FreeMotionOfState& each : *lambdas) add(e, free_motion(each.lambda, tau));
-            return e;
-        },
-        [=](const All& in_the_middle, const Ball& tau) {
-            All e;
-            for (std::size_t i = 0; i < lambdas->size(); ++i)
-                add(e, free_motion_over((*lambdas)[i].lambda, in_the_middle[2 * i], in_the_middle[2 * i + 1], tau));
-            return e;
-        });
+    f.shared = free.in_time();
 }
 
 // The same by the exponential of the matrix, where eigenvalues may coincide.
@@ -272,9 +149,9 @@ ResponsesInBalls responses_of_state(const SceneInBalls& s) {
     r.V = harmonic_response(m, s.p);
     r.V.push_back(at_contact(s, r.V));
     r.Y = at_contact(s, harmonic_response(m, s.w));
-    const SimpleEigenvalues eigen(m.A);
-    if (eigen.simple)
-        add_free_motions(s, eigen, m.rest, r.friction);
+    const FreeMotions free(m.A);
+    if (free.are_simple())
+        add_free_motions(s, free, m.rest, r.friction);
     else
         add_states(s, m, r.friction);
     const std::vector<Series>& e = (*r.friction.shared)(Ball(0));

@@ -63,7 +63,7 @@ BallMatrix at_maximum_of_force(const ProvedOrbit& orbit, const std::vector<Phase
 }
 
 // What friction demands holds over all phases, with as many bits as it takes. @return the phases
-std::vector<PhaseInStretches> with_friction(const ProvedOrbit& orbit, slong bits) {
+std::vector<PhaseInStretches> with_friction(ProvedOrbit& orbit, slong bits) {
     for (slong few = 64;; few *= 2) try {
             std::vector<PhaseInStretches> phases = in_stretches(orbit, few);
             const Bits some(few);
@@ -76,7 +76,7 @@ std::vector<PhaseInStretches> with_friction(const ProvedOrbit& orbit, slong bits
         }
 }
 
-void set_stability(const ProvedOrbit& orbit, OrbitInBalls& r) {
+void set_stability(ProvedOrbit& orbit, OrbitInBalls& r) {
     for (const slong bits : bits_of_multipliers) {
         const Bits enough(bits + 4 * orbit.at.m());
         const MapOfDeviations map = map_of_deviations(orbit, ball_bits);
@@ -92,7 +92,7 @@ void set_stability(const ProvedOrbit& orbit, OrbitInBalls& r) {
 
 OrbitInBalls proved_orbit(const std::function<SceneInBalls()>& scene, const OrbitGuess& guess, slong bits,
                           const std::vector<std::size_t>& masses, bool with_multipliers) {
-    const ProvedOrbit orbit = proved_near(scene, guess, bits);
+    ProvedOrbit orbit = proved_near(scene, guess, bits);
     const ContactMechanics& s = orbit.s;
     const Bits all(bits_of_orbit(bits));
     const std::vector<PhaseInStretches> phases = with_friction(orbit, bits);

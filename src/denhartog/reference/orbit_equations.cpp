@@ -8,8 +8,6 @@
 namespace denhartog::reference {
 namespace {
 
-constexpr slong most_leaps = 256; // of a phase: norms of A times its length up to 4608
-
 Ball power_of_two(double exponent) {
     Ball r(1);
     arb_mul_2exp_si(r.a, r.a, static_cast<slong>(exponent));
@@ -98,6 +96,15 @@ BallMatrix ContactMechanics::phase(int direction) const {
     BallMatrix A = free;
     for (slong i = 0; i < N; ++i) A(N + i, 2 * N + 2) = Ball(-direction) * beta * push(i);
     return A;
+}
+
+const std::shared_ptr<FastPhases>& ContactMechanics::by_free_motions(int direction) {
+    std::shared_ptr<FastPhases>& kind = fast[direction + 1];
+    if (!kind) {
+        const Bits all(bits);
+        kind = std::make_shared<FastPhases>(*this, direction);
+    }
+    return kind;
 }
 
 BallMatrix ContactMechanics::speed() const { return row_of(w, N, n()); }
@@ -212,7 +219,7 @@ void ExponentialSeries::widen(const Ball& radius) {
 }
 
 slong leaps_for(double norm) {
-    if (!(norm < longest_leap * most_leaps)) throw Unproved("a mode is too fast for the motion to be followed");
+    if (!(norm < 1e9)) throw Unproved("a mode is too fast for the motion to be followed");
     return std::max<slong>(1, static_cast<slong>(std::ceil(norm / longest_leap)));
 }
 
@@ -246,10 +253,17 @@ BallMatrix followed(const BallMatrix& A, const BallMatrix& Z, const Ball& length
     return node;
 }
 
-Linearised linearised(const ContactMechanics& s, const OrbitUnknowns& box) {
+Linearised linearised(ContactMechanics& s, const OrbitUnknowns& box) {
     const slong n = s.n(), z = 2 * s.N, m = box.m();
     Linearised r;
     r.J = BallMatrix(z + m, z + m);
+    slong all_leaps = 0;
+    for (slong i = 1; i <= m; ++i) {
+        const Ball h = box.length(i);
+        r.leaps.push_back(leaps_for(norm(s.phase(box.direction(i))) * std::max(std::abs(h.low()), std::abs(h.high()))));
+        all_leaps += r.leaps.back();
+    }
+    r.fast = all_leaps > most_leaps;
     BallMatrix Z = rounded(box.start()), D(n, z + m);
     for (slong i = 0; i < z; ++i) D(i, i) = Ball(1);
     D(z, z) = -Z(z + 1);
@@ -257,19 +271,23 @@ Linearised linearised(const ContactMechanics& s, const OrbitUnknowns& box) {
     for (slong i = 0;; ++i) {
         r.D.push_back(D);
         if (i == m) break;
-        const BallMatrix slope = s.ending(box.direction(i), box.direction(i + 1)) * D;
+        const int kind = box.direction(i + 1);
+        const BallMatrix slope = s.ending(box.direction(i), kind) * D;
         for (slong c = 0; c < z + m; ++c) r.J(z + i, c) = slope(0, c);
         const Ball h = box.length(i + 1), middle_h = middle(h);
-        const BallMatrix A = rounded(s.phase(box.direction(i + 1)));
-        const double size = norm(A), apart = size * h.radius() * (1 + 1e-9);
-        const slong leaps = leaps_for(size * std::max(std::abs(h.low()), std::abs(h.high())));
+        const BallMatrix A = rounded(s.phase(kind));
+        const double apart = norm(A) * h.radius() * (1 + 1e-9);
+        const auto leaps = static_cast<int>(r.leaps[static_cast<std::size_t>(i)]);
         QuestionEffort::pay(cost_of_ball_products(20 * static_cast<double>(n * n * n)));
-        const BallMatrix leap = exp(A * (middle_h / Ball(static_cast<int>(leaps))));
         BallMatrix E(n, n);
-        arb_mat_pow_ui(E.a, leap.a, static_cast<ulong>(leaps), ball_bits);
-        r.leap.push_back(with_width(leap, apart / static_cast<double>(leaps)));
+        if (r.fast) {
+            E = s.by_free_motions(kind)->propagator(middle_h);
+        } else {
+            const BallMatrix leap = exp(A * (middle_h / Ball(leaps)));
+            arb_mat_pow_ui(E.a, leap.a, static_cast<ulong>(leaps), ball_bits);
+            r.leap.push_back(with_width(leap, apart / leaps));
+        }
         r.E.push_back(with_width(E, apart));
-        r.leaps.push_back(leaps);
         Z = r.E.back() * Z;
         D = r.E.back() * D;
         const BallMatrix rate = A * Z;

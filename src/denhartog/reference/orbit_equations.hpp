@@ -8,8 +8,10 @@
 /// after the stretch, mirrored or not, and that the quantity that ends a phase is zero at the event at its end.
 #pragma once
 
+#include <memory>
 #include <vector>
 
+#include "denhartog/reference/fast_phase.hpp"
 #include "denhartog/reference/orbit_guess_data.hpp"
 #include "denhartog/reference/scene_in_balls.hpp"
 
@@ -21,18 +23,20 @@ struct ContactMechanics {
     /// @param scene  the scene, with C and beta
     explicit ContactMechanics(const SceneInBalls& scene);
 
-    slong N;          ///< number of masses
-    Ball sigma{};     ///< unit of the velocities in Z, a power of two
-    BallMatrix w;     ///< w^T x is the displacement of the contact, N x 1
-    BallMatrix free;  ///< A without friction, n x n
-    BallMatrix load;  ///< minus the sum in (75): all forces on a contact at rest but friction, as a row over Z
-    BallMatrix stuck; ///< A while the contact sticks
-    BallMatrix push;  ///< what a unit force on the contact adds to x'' / sigma, N x 1
-    Ball beta{};      ///< friction while the contact slides
-    Ball holds{};     ///< friction up to which it sticks, mu beta
-    bool equal;       ///< mu = 1
-    bool on_a_wall;   ///< whether w is a unit vector: the contact is of one mass, on a wall
-    slong lead;       ///< the mass on which w is largest
+    slong N;                ///< number of masses
+    Ball sigma{};           ///< unit of the velocities in Z, a power of two
+    BallMatrix w;           ///< w^T x is the displacement of the contact, N x 1
+    BallMatrix free;        ///< A without friction, n x n
+    BallMatrix load;        ///< minus the sum in (75): all forces on a contact at rest but friction, as a row over Z
+    BallMatrix stuck;       ///< A while the contact sticks
+    BallMatrix push;        ///< what a unit force on the contact adds to x'' / sigma, N x 1
+    Ball beta{};            ///< friction while the contact slides
+    Ball holds{};           ///< friction up to which it sticks, mu beta
+    bool equal;             ///< mu = 1
+    bool on_a_wall;         ///< whether w is a unit vector: the contact is of one mass, on a wall
+    slong lead;             ///< the mass on which w is largest
+    slong bits = ball_bits; ///< bits of the scene
+    std::shared_ptr<FastPhases> fast[3] = {}; ///< phases by their free motions, found when they are first needed
 
     /// @brief Length of a state. @return 2 N + 3
     [[nodiscard]] slong n() const { return 2 * N + 3; }
@@ -40,6 +44,8 @@ struct ContactMechanics {
     /// @param direction  1 or -1 while the contact slides: friction is a constant force against it; 0 while it sticks
     /// @return           A
     [[nodiscard]] BallMatrix phase(int direction) const;
+    /// @brief A phase by its free motions. @param direction as in `phase` @return all phases of the kind @throws as `FastPhases`
+    [[nodiscard]] const std::shared_ptr<FastPhases>& by_free_motions(int direction);
     /// @brief The velocity of the contact, \f$ \mathbf w^T\bar{\mathbf x}'/\sigma \f$. @return it as a row over Z
     [[nodiscard]] BallMatrix speed() const;
     /// @brief What is zero where a phase ends: the velocity of a contact that slides, or the load on a contact that sticks less
@@ -111,10 +117,12 @@ private:
 /// @brief The norm of A times a length up to which a series is summed at one go: it may widen a ball by the exponential of it.
 inline constexpr double longest_leap = 18;
 
+/// @brief Leaps of all phases beyond which these are not followed by series, but by their free motions.
+inline constexpr slong most_leaps = 24;
+
 /// @brief Number of leaps in which a phase is followed.
 /// @param norm  that of A times the length of the phase
 /// @return      the number
-/// @throws      Unproved where a mode is so fast that it would take too many
 [[nodiscard]] slong leaps_for(double norm);
 
 /// @brief What the phases make of deviations, over all unknowns of a box.
@@ -122,6 +130,7 @@ struct Linearised {
     std::vector<BallMatrix> E{};    ///< exp(A length) of phases 1 to m, at [0 .. m-1]
     std::vector<BallMatrix> leap{}; ///< exp(A length / leaps) of the same
     std::vector<slong> leaps{};     ///< leaps in which each is followed
+    bool fast = false;              ///< whether they are followed by their free motions instead
     std::vector<BallMatrix> D{};    ///< dZ/du at events 0 to m
     BallMatrix J{};                 ///< dF/du
 };
@@ -130,7 +139,7 @@ struct Linearised {
 /// @param s    the mechanics
 /// @param box  the unknowns, as balls
 /// @return     balls that hold the derivatives at every point of the box
-[[nodiscard]] Linearised linearised(const ContactMechanics& s, const OrbitUnknowns& box);
+[[nodiscard]] Linearised linearised(ContactMechanics& s, const OrbitUnknowns& box);
 
 /// @brief A phase followed from its start.
 ///

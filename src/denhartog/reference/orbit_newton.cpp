@@ -34,13 +34,15 @@ struct OrbitResidual {
 };
 
 // The equations at a point of the box that was linearised, or near it while nothing is to be proved yet.
-OrbitResidual residual_at(const ContactMechanics& s, const OrbitUnknowns& o, const Linearised& along) {
+OrbitResidual residual_at(ContactMechanics& s, const OrbitUnknowns& o, const Linearised& along) {
     const slong z = o.states(), m = o.m();
     OrbitResidual r{{o.start()}, BallMatrix(z + m, 1)};
     for (slong i = 0; i < m; ++i) {
         r.F(z + i) = (s.ending(o.direction(i), o.direction(i + 1)) * r.Z.back())(0);
         const auto k = static_cast<std::size_t>(i);
-        r.Z.push_back(followed(s.phase(o.direction(i + 1)), r.Z.back(), o.length(i + 1), along.leaps[k], along.leap[k]));
+        const int kind = o.direction(i + 1);
+        r.Z.push_back(along.fast ? s.by_free_motions(kind)->state(r.Z.back(), o.length(i + 1))
+                                 : followed(s.phase(kind), r.Z.back(), o.length(i + 1), along.leaps[k], along.leap[k]));
     }
     for (slong i = 0; i < z; ++i) r.F(i) = o.u(i) - Ball(o.sign()) * r.Z.back()(i);
     return r;
@@ -49,7 +51,7 @@ OrbitResidual residual_at(const ContactMechanics& s, const OrbitUnknowns& o, con
 // Newton's method, from a guess to a proof, with derivatives of few bits.
 class NewtonSearch {
 public:
-    NewtonSearch(const ContactMechanics& s, OrbitUnknowns& o, slong bits_of_slopes)
+    NewtonSearch(ContactMechanics& s, OrbitUnknowns& o, slong bits_of_slopes)
         : s_(s), o_(o), bits_(bits_of_slopes), scale_(static_cast<std::size_t>(o.u.rows()), 1),
           box_(std::ldexp(1, -static_cast<int>(std::min<slong>(std::max<slong>(26, bits_of_slopes / 2 - 6), 900)))) {
         double largest = 1e-280;
@@ -181,7 +183,7 @@ private:
             const Ball apart = abs(o_.u(k) - about(k)) / Ball(scale_[static_cast<std::size_t>(k)]) + radius;
             if (!(apart < Ball(box_))) return std::nullopt;
         }
-        ProvedOrbit orbit{s_, o_, {}, along_.leaps, along_.leap};
+        ProvedOrbit orbit{s_, o_, {}, along_.leaps, along_.leap, along_.fast};
         BallMatrix off(count, 1); // of the solution from u
         for (slong k = 0; k < count; ++k) {
             const Ball left = keeps * radius * Ball(scale_[static_cast<std::size_t>(k)]);
@@ -194,7 +196,7 @@ private:
         return orbit;
     }
 
-    const ContactMechanics& s_;
+    ContactMechanics& s_;
     OrbitUnknowns& o_;
     slong bits_; // of the slopes
     std::vector<double> scale_;
@@ -211,7 +213,7 @@ ProvedOrbit proved_near(const std::function<SceneInBalls()>& scene, const OrbitG
     for (slong of_slopes = std::max({slong(64), bits / 6, bits_a_phase * phases});; of_slopes *= 2) {
         // What widens the slopes, the length of the motion or its events, widens the states as well.
         const Bits all(bits_of_orbit(of_slopes > 128 ? std::max(bits, of_slopes) : bits));
-        const ContactMechanics s(scene());
+        ContactMechanics s(scene());
         OrbitUnknowns o = unknowns_of(s, guess);
         try {
             return NewtonSearch(s, o, of_slopes).proved();

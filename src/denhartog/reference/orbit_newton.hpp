@@ -22,6 +22,7 @@ struct ProvedOrbit {
     std::vector<BallMatrix> Z{};    ///< states at events 0 to m
     std::vector<slong> leaps{};     ///< leaps in which phases 1 to m are followed, at [0 .. m-1]
     std::vector<BallMatrix> leap{}; ///< exp(A length / leaps) of the same
+    bool fast = false;              ///< whether they are followed by their free motions instead
 };
 
 /// @brief Proves that the equations have one solution near a guess.

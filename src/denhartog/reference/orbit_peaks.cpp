@@ -8,7 +8,8 @@ namespace denhartog::reference {
 namespace {
 
 constexpr int most_looks_for_peak = 20000;
-constexpr double narrow = 1e-4;       // of a stretch, where Newton's method takes over
+constexpr double narrow = 1e-4;       // of a stretch, where Newton's method takes over if the velocity falls or rises
+constexpr double narrowest = 1e-12;   // where it takes over in any case
 constexpr int most_newton_steps = 20; // each doubles the digits
 
 // A displacement that may be the largest in size.
@@ -96,10 +97,8 @@ private:
             curves_.emplace_back();
             for (slong n = 0; n < phases_[i].count(); ++n) {
                 const Curve& c = curves_[i].emplace_back(phases_[i].curve(n, row_));
-                best_ = std::max(best_, abs(c.front()).low());
-                double upper = 0;
-                for (const Ball& power : c) upper += abs(power).high();
-                open.push_back({i, static_cast<std::size_t>(n), 0, 1, upper * (1 + 1e-12)});
+                best_ = std::max(best_, abs(derivative(c, 0, Ball(0))).low());
+                open.push_back({i, static_cast<std::size_t>(n), 0, 1, abs(derivative(c, 0, Ball::within(0, 1))).high()});
             }
         }
         for (int looks = 0; !open.empty(); ++looks) {
@@ -108,14 +107,14 @@ private:
             open.pop_back();
             if (p.upper < best_) continue;
             const Curve& c = curves_[p.phase][p.curve];
-            QuestionEffort::pay(cost_of_ball_products(3 * static_cast<double>(c.size())));
+            QuestionEffort::pay(cost_of_ball_products(3 * static_cast<double>(c.powers.size())));
             const Ball X = Ball::within(p.a, p.b), v = derivative(c, 1, X);
             const double half = p.a + (p.b - p.a) / 2;
             const Ball x = derivative(c, 0, Ball(half));
             best_ = std::max(best_, abs(x).low());
             const double upper = abs(widened(x, abs(v) * Ball((p.b - p.a) / 2))).high();
             if (upper < best_ || v > Ball(0) || v < Ball(0)) continue;
-            if (p.b - p.a < narrow) {
+            if (p.b - p.a < narrowest || (p.b - p.a < narrow && !derivative(c, 2, X).may_vanish())) {
                 kept.push_back({p.phase, p.curve, p.a, p.b, upper});
             } else {
                 open.push_back({p.phase, p.curve, p.a, half, upper});

@@ -9,7 +9,7 @@ namespace denhartog::reference {
 namespace {
 
 constexpr double longest_stretch = 2; // norm of A times its length
-constexpr int most_looks = 2000;      // at one curve
+constexpr int most_looks = 20000;     // at one curve
 constexpr int deepest_look = 60;      // halvings of a stretch
 
 // One number over a stretch that is not known where it vanishes, from a to b.
@@ -44,12 +44,17 @@ private:
 } // namespace
 
 Ball derivative(const Curve& c, int order, const Ball& theta) {
+    if (c.in_time) {
+        Ball rate = c.in_time(theta * c.length).rate(order);
+        for (int n = 0; n < order; ++n) rate *= c.length;
+        return rate;
+    }
     Ball sum(0), term;
-    for (int k = static_cast<int>(c.size()) - 1; k >= order; --k) {
+    for (int k = static_cast<int>(c.powers.size()) - 1; k >= order; --k) {
         slong factor = 1;
         for (int q = 0; q < order; ++q) factor *= k - q;
         arb_mul(sum.a, sum.a, theta.a, ball_bits);
-        arb_mul_si(term.a, c[static_cast<std::size_t>(k)].a, factor, ball_bits);
+        arb_mul_si(term.a, c.powers[static_cast<std::size_t>(k)].a, factor, ball_bits);
         arb_add(sum.a, sum.a, term.a, ball_bits);
     }
     return sum;
@@ -61,9 +66,20 @@ void require_positive(const Curve& c, const EndsOfCurve& ends, const char* what)
     PositiveCurve(c, what).require(0, 1, ends, 0);
 }
 
-PhaseInStretches::PhaseInStretches(const BallMatrix& A, const BallMatrix& Z, const Ball& length, slong leaps,
-                                   const BallMatrix& leap, slong few) {
-    (void)followed(A, Z, length, leaps, leap, &leaps_);
+PhaseInStretches::PhaseInStretches(ProvedOrbit& orbit, slong i, slong few) {
+    const auto n = static_cast<std::size_t>(i - 1);
+    const slong leaps = orbit.leaps[n];
+    const int direction = orbit.at.direction(i);
+    const BallMatrix& Z = orbit.Z[n];
+    const Ball length = orbit.at.length(i);
+    if (orbit.fast) {
+        fast_ = orbit.s.by_free_motions(direction);
+        Z_ = Z;
+        length_ = length;
+        return;
+    }
+    const BallMatrix A = orbit.s.phase(direction);
+    (void)followed(A, Z, length, leaps, orbit.leap[n], &leaps_);
     each_ =
         std::max<slong>(1, static_cast<slong>(std::ceil(norm(A) * length.high() / static_cast<double>(leaps) / longest_stretch)));
     count_ = each_ * leaps;
@@ -81,38 +97,40 @@ PhaseInStretches::PhaseInStretches(const BallMatrix& A, const BallMatrix& Z, con
 }
 
 Curve PhaseInStretches::curve(slong stretch, const BallMatrix& row) const {
+    if (fast_) return {{}, fast_->number(row, Z_), length_};
     const BallMatrix& terms = stretches_[static_cast<std::size_t>(stretch)].terms();
-    Curve c(static_cast<std::size_t>(terms.columns()));
+    Curve c;
+    c.powers.resize(static_cast<std::size_t>(terms.columns()));
     for (slong i = 0; i < terms.rows(); ++i) {
         if (row(0, i).is_zero()) continue;
         for (slong k = 0; k < terms.columns(); ++k)
-            arb_addmul(c[static_cast<std::size_t>(k)].a, row(0, i).a, terms(i, k).a, ball_bits);
+            arb_addmul(c.powers[static_cast<std::size_t>(k)].a, row(0, i).a, terms(i, k).a, ball_bits);
     }
     return c;
 }
 
 Ball PhaseInStretches::number(slong stretch, const BallMatrix& row, const Ball& theta) const {
+    if (fast_) return fast_->number(row, Z_)(theta * length_).rate(0);
     const Ball part = (Ball(static_cast<int>(stretch % each_)) + theta) / Ball(static_cast<int>(each_));
     return leaps_[static_cast<std::size_t>(stretch / each_)].at(row, part);
 }
 
 BallMatrix PhaseInStretches::state(const Ball& part) const {
+    if (fast_) return fast_->state(Z_, part * length_);
     const auto leaps = static_cast<int>(count_ / each_);
     const Ball place = part * Ball(leaps);
     const slong leap = std::clamp<slong>(static_cast<slong>(std::floor(static_cast<double>(place))), 0, leaps - 1);
     return leaps_[static_cast<std::size_t>(leap)].at(place - Ball(static_cast<int>(leap)));
 }
 
-std::vector<PhaseInStretches> in_stretches(const ProvedOrbit& orbit, slong few) {
+std::vector<PhaseInStretches> in_stretches(ProvedOrbit& orbit, slong few) {
     std::vector<PhaseInStretches> phases;
     for (slong i = 1; i <= orbit.at.m(); ++i) {
-        const auto k = static_cast<std::size_t>(i - 1);
         if (!(orbit.at.length(i) > Ball(0))) {
             if (orbit.at.length(i) < Ball(0)) throw Disproved("a phase ends before it starts");
             throw Unproved("a phase may have no length");
         }
-        phases.emplace_back(orbit.s.phase(orbit.at.direction(i)), orbit.Z[k], orbit.at.length(i), orbit.leaps[k], orbit.leap[k],
-                            few);
+        phases.emplace_back(orbit, i, few);
     }
     return phases;
 }

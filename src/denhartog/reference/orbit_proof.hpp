@@ -13,8 +13,12 @@
 
 namespace denhartog::reference {
 
-/// @brief Powers of theta of one number over a stretch, theta from 0 to 1. The last one holds the rest of the series.
-using Curve = std::vector<Ball>;
+/// @brief One number over a stretch, theta from 0 to 1.
+struct Curve {
+    std::vector<Ball> powers{}; ///< of theta; the last one holds the rest of the series
+    NumberInTime in_time{};     ///< the number by free motions instead, where the stretch is a whole phase of fast ones
+    Ball length{};              ///< length of that phase
+};
 
 /// @brief A derivative of a curve. @param c the curve @param order 0 to 2 @param theta where, an interval
 /// @return  a ball that holds it
@@ -36,14 +40,10 @@ void require_positive(const Curve& c, const EndsOfCurve& ends, const char* what)
 /// @brief A phase in stretches of one length.
 class PhaseInStretches {
 public:
-    /// @param A       its matrix
-    /// @param Z       the state at its start
-    /// @param length  its length
-    /// @param leaps   in how many leaps it is followed
-    /// @param leap    encloses exp(A length / leaps)
-    /// @param few     bits of the curves; states have those of the moment
-    PhaseInStretches(const BallMatrix& A, const BallMatrix& Z, const Ball& length, slong leaps, const BallMatrix& leap,
-                     slong few);
+    /// @param orbit  the motion
+    /// @param i      which phase, 1 to m
+    /// @param few    bits of the curves; states have those of the moment
+    PhaseInStretches(ProvedOrbit& orbit, slong i, slong few);
 
     /// @brief Number of stretches. @return it
     [[nodiscard]] slong count() const { return count_; }
@@ -64,6 +64,9 @@ private:
     slong each_ = 1;                         // stretches a leap
     slong count_ = 1;
     std::vector<ExponentialSeries> stretches_{}; // in few bits
+    std::shared_ptr<FastPhases> fast_{};         // instead of both, where the phase takes too many
+    BallMatrix Z_{};
+    Ball length_{};
 };
 
 /// @brief A motion in stretches; states in the bits of the moment.
@@ -71,7 +74,7 @@ private:
 /// @param few    bits of the curves
 /// @return       phases 1 to m, at [0 .. m-1]
 /// @throws       Disproved, Unproved where a phase has no length
-[[nodiscard]] std::vector<PhaseInStretches> in_stretches(const ProvedOrbit& orbit, slong few);
+[[nodiscard]] std::vector<PhaseInStretches> in_stretches(ProvedOrbit& orbit, slong few);
 
 /// @brief Requires that the motion is what its phases say, (2), (3), (74), (75): the contact slides in a phase of sliding, is
 /// held in a phase of sticking, and is not held where it turns.
