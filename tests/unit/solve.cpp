@@ -438,7 +438,7 @@ TEST_CASE("two soft modes that a dashpot couples beside a light mass far more da
     CHECK(solve(scene, {Asked::regime, {}}).limits.value().exact.value < 1e-16);
 }
 
-TEST_CASE("samples of a motion that needed 50 digits do not leave its amplitudes, and mirror themselves", "[solve][eq:25]") {
+TEST_CASE("samples of a motion that double does not repeat do not leave its amplitudes, and mirror themselves", "[solve][eq:25]") {
     const char* scenes[] = {
         R"({"mass_ratios": [1, 1, 1, 1], "stiffness_matrix": [
             [5.6500433109657395, -1.2754760412178326e-17, -6.173483921144711e-18, 0],
