@@ -103,7 +103,7 @@ TEST_CASE("samples of a proved motion with stops are those of double, within its
     check(two_masses(), 0.375, 0.3125, 1.4);
     check(five_masses(), 0.4375, 0.3125);
     check(five_masses(), 0.4375, 0.25, 1.4);
-    check(coupled(), 0.375, 0.25);
+    check(coupled(), 0.375, 0.75);
     check(between_masses(), 0.4375, 0.25);
 }
 
