@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "denhartog/c/denhartog.h"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/reference/orbit_states.hpp"
 #include "denhartog/reference/sliding.hpp"
@@ -161,6 +162,31 @@ TEST_CASE("samples of another motion are noticed, and an answer that is not the 
     Solution small = s; // what no bits can give
     small.masses[0].amplitude = {0, 0, {}};
     CHECK_THROWS_AS(sampled_solution(source, small, 8), PrecisionError);
+}
+
+TEST_CASE("the C interface hands out the samples of a proved motion, of a contact between two masses too",
+          "[reference][samples]") {
+    const std::string text =
+        R"({"mass_ratios": [1, 2, 1], "stiffness_ratios": [1, 1, "0.5"], "damping_ratios": "0.03", "contact": [1, 3],
+        "load": [1, 0, "-0.5"]})";
+    dh_system* system = nullptr;
+    REQUIRE(dh_system_from_json(text.data(), text.size(), &system) == DH_OK);
+    for (const double beta : {0.0, 0.0625, 0.25, 8.0}) {
+        const SceneSource source = denhartog::at_point(scene_source(SceneText{text}), 0.4375, beta);
+        const Solution s = answer(source, true);
+        const SampledSolution expected = checked_samples(source, s);
+        dh_solution* solution = nullptr;
+        REQUIRE(dh_solve_proved(system, 0.4375, beta, 1, 0, &solution) == DH_OK);
+        std::vector<double> x(3 * instants), v(3 * instants);
+        CHECK(dh_solution_motion(solution, instants, x.size(), x.data(), v.data()) == DH_OK);
+        for (std::size_t n = 0; n < instants; ++n)
+            for (std::size_t k = 0; k < 3; ++k) {
+                CHECK(x[3 * n + k] == expected.states[n].x[k]);
+                CHECK(v[3 * n + k] == expected.states[n].x_prime[k]);
+            }
+        dh_solution_destroy(solution);
+    }
+    dh_system_destroy(system);
 }
 
 TEST_CASE("the program prints the samples of a proved motion", "[reference][samples][program]") {
