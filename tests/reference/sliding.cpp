@@ -147,4 +147,13 @@ TEST_CASE("an angle is taken to (-pi, pi], that next to -pi to pi", "[sliding]")
     CHECK(apart(wrapped_in_balls(Ball(-7)), 2 * pi<Ball>() - 7) == 0);
     CHECK(wrapped_in_balls(-pi<Ball>()) > Ball(3));
     CHECK(wrapped_in_balls(pi<Ball>()) > Ball(3));
+    CHECK(wrapped_in_balls(3 * pi<Ball>()) > Ball(3));
+    for (const double above : {1e-30, 1e-13, 1e-3}) { // what is certain to lie in (-pi, pi] stays there
+        CHECK(wrapped_in_balls(Ball(above) - pi<Ball>()) < Ball(-3));
+        CHECK(wrapped_in_balls(pi<Ball>() - Ball(above)) > Ball(3));
+        CHECK(wrapped_in_balls(pi<Ball>() + Ball(above)) < Ball(-3));
+    }
+    const Ball anything = widened(Ball(0), pi<Ball>());
+    CHECK(apart(wrapped_in_balls(anything), anything) == 0);
+    CHECK(wrapped_in_balls(anything).radius() < 3.2);
 }

@@ -438,32 +438,23 @@ TEST_CASE("two soft modes that a dashpot couples beside a light mass far more da
     CHECK(solve(scene, {Asked::regime, {}}).limits.value().exact.value < 1e-16);
 }
 
-TEST_CASE("samples of a motion that needed 50 digits do not leave its amplitudes, and mirror themselves", "[solve][eq:25]") {
-    const char* scenes[] = {
-        R"({"mass_ratios": [1, 1, 1, 1], "stiffness_matrix": [
-            [5.6500433109657395, -1.2754760412178326e-17, -6.173483921144711e-18, 0],
-            [-1.2754760412178326e-17, 5.051205248169419, -1.1096141942030806e-17, 0],
-            [-6.173483921144711e-18, -1.1096141942030806e-17, 1.5590383860329433, -2.4213671729581157e-17],
-            [0, 0, -2.4213671729581157e-17, 0.24176492987227813]],
-            "damping_ratios": [0.9999999999988769, 1.0022574488397415, 0.9999999999960362, 1.0000000000236475], "contact": 2,
-            "load": 3, "mu": 1, "r": 1.2492151097480593, "beta": 5.060515379091044e-19})",
-        R"({"mass_ratios": [1, 1], "stiffness_matrix": [[1.000000000000004, -4.0264163987760156e-15],
+TEST_CASE("samples of a motion that double does not repeat do not leave its amplitudes, and mirror themselves",
+          "[solve][eq:25]") {
+    const SceneSource source = scene_source(
+        read_scene<double>(R"({"mass_ratios": [1, 1], "stiffness_matrix": [[1.000000000000004, -4.0264163987760156e-15],
             [-4.0264163987760156e-15, 1.000000000000004]], "damping_ratios": [0.011307283558572766, 0], "contact": 2, "load": 1,
-            "mu": 1, "r": 1.0000000000000384, "beta": 0.9790518557790011})"};
-    for (const char* json : scenes) {
-        const SceneSource source = scene_source(read_scene<double>(json));
-        const Solution s = solve(source, {});
-        CHECK(s.stops.size() == 2);
-        const SampledSolution motion = sampled_solution(source, s, 64);
-        for (std::size_t n = 0; n < 64; ++n)
-            for (std::size_t k = 0; k < s.masses.size(); ++k) {
-                const Certified& amplitude = s.masses[k].amplitude;
-                const double allowed = amplitude.error + 1e-6 * amplitude.value;
-                INFO("mass " << k + 1 << " at instant " << n << " of " << json);
-                REQUIRE(std::abs(motion.states[n].x[k]) <= amplitude.value + allowed);
-                REQUIRE(std::abs(motion.states[n].x[k] + motion.states[(n + 32) % 64].x[k]) <= allowed);
-            }
-    }
+            "mu": 1, "r": 1.0000000000000384, "beta": 0.9790518557790011})"));
+    const Solution s = solve(source, {});
+    CHECK(s.stops.size() == 2);
+    const SampledSolution motion = sampled_solution(source, s, 64);
+    for (std::size_t n = 0; n < 64; ++n)
+        for (std::size_t k = 0; k < s.masses.size(); ++k) {
+            const Certified& amplitude = s.masses[k].amplitude;
+            const double allowed = amplitude.error + 1e-6 * amplitude.value;
+            INFO("mass " << k + 1 << " at instant " << n);
+            REQUIRE(std::abs(motion.states[n].x[k]) <= amplitude.value + allowed);
+            REQUIRE(std::abs(motion.states[n].x[k] + motion.states[(n + 32) % 64].x[k]) <= allowed);
+        }
 }
 
 TEST_CASE("a frame on a base that moves has samples of a motion from 50 digits", "[solve]") {

@@ -7,8 +7,8 @@
 #include <string>
 
 #include "denhartog/answer/printed.hpp"
+#include "denhartog/answer/reference_attempts.hpp"
 #include "denhartog/answer/reference_point.hpp"
-#include "denhartog/number/effort.hpp"
 #include "denhartog/reference/orbit.hpp"
 #include "denhartog/reference/sliding.hpp"
 #include "denhartog/sliding/regime.hpp"
@@ -151,47 +151,16 @@ void write_orbit(const OrbitInBalls& o, const Scene<double>& scene, const Refere
     s.method.model = "exact solver";
 }
 
-// Frees, at the end of a thread, the constants that Arb keeps for it.
-struct ConstantsOfBalls {
-    ~ConstantsOfBalls() { flint_cleanup(); }
-};
-
-class Guesses {
-public:
-    explicit Guesses(const std::function<std::vector<OrbitGuess>()>& made) : made_(made) {}
-    std::vector<OrbitGuess>& all() {
-        if (!guesses_) guesses_ = made_();
-        return *guesses_;
-    }
-
-private:
-    const std::function<std::vector<OrbitGuess>()>& made_;
-    std::optional<std::vector<OrbitGuess>> guesses_{};
-};
-
-OrbitInBalls orbit_in_balls(const SceneSource& source, const ReferenceQuestion& q, slong bits, Guesses& guesses) {
-    std::string why = "double precision finds no motion with stops to start from";
+OrbitInBalls orbit_in_balls(const SceneSource& source, const ReferenceQuestion& q, slong bits, OrbitGuesses& guesses) {
     std::vector<std::size_t> wanted;
     if (q.mass) wanted = {q.mass->index};
     const auto scene = [&] { return damped_scene_in_balls(source); };
-    std::vector<OrbitGuess>& all = guesses.all();
-    for (std::size_t n = 0; n < all.size();) {
-        try {
-            OrbitInBalls found = proved_orbit(scene, all[n], bits, wanted, q.asked == Asked::motion);
-            std::swap(all[n], all.front()); // more bits begin with it
-            return found;
-        } catch (const Disproved& e) { // no bits will help this one
-            if (n == 0) why = e.what();
-            all.erase(all.begin() + static_cast<std::ptrdiff_t>(n));
-        } catch (const Unproved& e) {
-            if (n == 0) why = e.what();
-            ++n;
-        }
-    }
-    throw Unproved(why);
+    return guesses.first_proved(
+        [&](const OrbitGuess& guess) { return proved_orbit(scene, guess, bits, wanted, q.asked == Asked::motion); });
 }
 
-Solution attempt(const SceneSource& source, const ReferenceQuestion& q, slong bits, bool last, Guesses& guesses, bool& enough) {
+Solution attempt(const SceneSource& source, const ReferenceQuestion& q, slong bits, bool last, OrbitGuesses& guesses,
+                 bool& enough) {
     const Scene<double>& scene = source->in_double();
     Solution s;
     WrittenNumbers w(q.digits, last);
@@ -242,30 +211,16 @@ bool has_reference() { return true; }
 
 Solution solution_by_reference(const SceneSource& source, const ReferenceQuestion& q,
                                const std::function<std::vector<OrbitGuess>()>& made) {
-    thread_local const ConstantsOfBalls freed_at_its_end;
-    const std::size_t N = number_of_masses(source->in_double().system);
-    const QuestionEffort effort(N);
     const auto first = static_cast<slong>(std::max(128.0, bits_of_digit * q.digits + 64));
     const slong most = q.briefly ? 2 * first : std::max<slong>(1024, 4 * first);
-    Guesses guesses(made);
-    std::string why;
-    for (slong bits = first;; bits = std::min(2 * bits, most)) {
-        const bool last = bits == most;
-        QuestionEffort::pay(static_cast<long>(N * N * (N + 8)) * (bits / 64) / 4);
-        try {
-            const Bits all(bits);
-            bits_of_search = 64 * (bits / first);
-            bool enough = false;
-            Solution s = attempt(source, q, bits, last, guesses, enough);
-            if (enough) return s;
-            why = "the digits are not certain with " + std::to_string(bits) + " bits";
-        } catch (const Disproved& e) {
-            throw PrecisionError(std::string("the reference does not prove it: ") + e.what());
-        } catch (const Unproved& e) {
-            why = e.what();
-        }
-        if (last) throw PrecisionError("the reference does not prove it: " + why);
-    }
+    OrbitGuesses guesses(made);
+    Solution s;
+    with_enough_bits(number_of_masses(source->in_double().system), first, most, [&](slong bits, bool last) {
+        bool enough = false;
+        s = attempt(source, q, bits, last, guesses, enough);
+        return enough;
+    });
+    return s;
 }
 
 } // namespace denhartog

@@ -34,4 +34,17 @@ struct ReferenceQuestion {
 [[nodiscard]] Solution solution_by_reference(const SceneSource& source, const ReferenceQuestion& question,
                                              const std::function<std::vector<OrbitGuess>()>& guesses);
 
+/// @brief The motion of an answer at given instants, proved.
+/// @param source     the scene, with r and beta
+/// @param solution   its answer to `Asked::motion`, which says what motion it is; a contact that never moves rests at zero
+/// @param tau        instants, from a maximum of the force
+/// @param tolerance  what a displacement may be off by of the amplitude of its mass, beside the error of that amplitude, and a
+///                   velocity of the largest of its mass or of the amplitude, whichever is more
+/// @param guesses    motions with stops near that of the answer, as double sees them; called once at most
+/// @return           displacements and velocities of all masses
+/// @throws           PrecisionError as `solution_by_reference`, and where the motion that is proved is not that of the answer
+[[nodiscard]] std::vector<State<double>> samples_by_reference(const SceneSource& source, const Solution& solution,
+                                                              const std::vector<double>& tau, double tolerance,
+                                                              const std::function<std::vector<OrbitGuess>()>& guesses);
+
 } // namespace denhartog

@@ -3,11 +3,23 @@
 #include "denhartog/number/errors.hpp"
 
 namespace denhartog {
+namespace {
+
+[[noreturn]] void refuse() {
+    throw PrecisionError("this needs the reference, and the library was built without it (DENHARTOG_REFERENCE=OFF)");
+}
+
+} // namespace
 
 bool has_reference() { return false; }
 
 Solution solution_by_reference(const SceneSource&, const ReferenceQuestion&, const std::function<std::vector<OrbitGuess>()>&) {
-    throw PrecisionError("this needs the reference, and the library was built without it (DENHARTOG_REFERENCE=OFF)");
+    refuse();
+}
+
+std::vector<State<double>> samples_by_reference(const SceneSource&, const Solution&, const std::vector<double>&, double,
+                                                const std::function<std::vector<OrbitGuess>()>&) {
+    refuse();
 }
 
 } // namespace denhartog

@@ -385,8 +385,8 @@ DH_EXPORT int dh_solve(const dh_system* system, double r, double beta, double mu
 /// @brief The steady motion at a point, every number and every bound of its error proved: by the reference, in ball arithmetic.
 ///
 /// What is proved are the numbers of dh_solution_summary(), dh_solution_mass(), dh_solution_contact(), dh_solution_stops() and
-/// dh_solution_stop_errors(). The samples of dh_solution_motion() are those of any other solution. If several motions may be
-/// steady, as with mu above 1, the motion is proved, but that a start from rest leads to it is found in double; see
+/// dh_solution_stop_errors(), and that the samples of dh_solution_motion() have the digits that stand there. If several motions
+/// may be steady, as with mu above 1, the motion is proved, but that a start from rest leads to it is found in double; see
 /// docs/promises.md.
 /// @param system    a system
 /// @param r         frequency ratio, Eq. (10), positive
@@ -453,7 +453,7 @@ DH_EXPORT int dh_solution_stop_errors(const dh_solution* solution, size_t count,
 /// If the contact slides throughout, the displacements have 10 digits, like those of dh_displacement(); their place relative to
 /// the force comes from the solution's phase, which has the digits that dh_solve() was asked for. Otherwise a displacement is good
 /// to 1e-6 of the amplitude of its mass beside the error of that amplitude, or there is #DH_ERROR_PRECISION. A contact that rests
-/// for ever is taken to rest at zero.
+/// for ever is taken to rest at zero. The samples of a proved solution are good to 1e-6 in every regime, proved.
 /// @param solution  a solution
 /// @param samples   instants, from 1 to #DH_MOST_SAMPLES, times N at most #DH_MOST_DISPLACEMENTS
 /// @param count     samples times N

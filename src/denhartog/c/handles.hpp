@@ -23,8 +23,8 @@ struct dh_system {
 
 /// @brief An answer with the scene it answers. Nothing in it changes.
 struct dh_solution {
-    denhartog::Scene<double> scene; ///< with r, beta and mu
-    denhartog::Solution solution;   ///< the answer, the motion asked for
+    denhartog::SceneSource source; ///< the scene, with r, beta and mu
+    denhartog::Solution solution;  ///< the answer, the motion asked for
 };
 
 namespace denhartog::c_interface {

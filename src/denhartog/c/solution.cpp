@@ -50,10 +50,7 @@ int solve_at(const dh_system* system, double r, double beta, double mu, int digi
         question.digits = digits_from(digits);
         question.proved = proved;
         auto made = std::make_unique<dh_solution>();
-        made->scene = system->prepared.scene();
-        made->scene.mu = mu;
-        made->scene.r = r;
-        made->scene.beta = beta;
+        made->source = at_point(with_static_friction(system->prepared.source, mu), r, beta);
         made->solution = mu == 1 ? solve(system->prepared, r, beta, question)
                                  : solve(with_static_friction(system->prepared, mu), r, beta, question);
         *solution = made.release();
@@ -152,10 +149,10 @@ int dh_solution_motion(const dh_solution* solution, size_t samples, size_t count
     return guarded([&] {
         need(solution, "solution");
         need(x, "x");
-        const std::size_t N = number_of_masses(solution->scene.system);
+        const std::size_t N = number_of_masses(solution->source->in_double().system);
         need_length(samples, most_samples_of(N), "samples");
         need_count(count, samples * N);
-        const SampledSolution motion = sampled_solution(scene_source(solution->scene), solution->solution, samples);
+        const SampledSolution motion = sampled_solution(solution->source, solution->solution, samples);
         for (const State<double>& state : motion.states) {
             need_finite(state.x);
             need_finite(state.x_prime);

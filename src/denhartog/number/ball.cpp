@@ -101,6 +101,16 @@ Ball cosh(const Ball& x) { return by(arb_cosh, x); }
 
 Ball atan2(const Ball& y, const Ball& x) { return by(arb_atan2, y, x); }
 
+Ball wrapped_in_balls(const Ball& angle) {
+    if (!angle.finite()) return angle;
+    constexpr double narrow = 1e-9; // a ball of more turns is known by its midpoint alone
+    const Ball pi = PiOf<Ball>::value(), turns = (angle / pi - 1) / 2;
+    Ball whole;
+    arf_ceil(arb_midref(whole.a), arb_midref(turns.a));
+    if (turns.radius() < narrow && !(turns > whole - 1)) whole -= 1; // -pi is taken to pi
+    return angle - 2 * whole * pi;
+}
+
 Ball abs(const Ball& x) {
     Ball r;
     arb_abs(r.a, x.a);

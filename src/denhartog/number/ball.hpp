@@ -158,6 +158,10 @@ struct PiOf<Ball> {
 [[nodiscard]] Ball cosh(const Ball& x);
 /// @brief Angle of the point (x, y). @param y ordinate @param x abscissa @return radians in [-pi, pi]
 [[nodiscard]] Ball atan2(const Ball& y, const Ball& x);
+/// @brief An angle taken to (-pi, pi] by whole turns, by its midpoint. If it may be -pi exactly, as far as a narrow ball tells, it
+/// is taken next to pi.
+/// @param angle  radians @return the angle
+[[nodiscard]] Ball wrapped_in_balls(const Ball& angle);
 /// @brief Size. @param x a number @return |x|
 [[nodiscard]] Ball abs(const Ball& x);
 /// @brief The larger. @param x a number @param y a number @return the larger of the two

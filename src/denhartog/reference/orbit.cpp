@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "denhartog/reference/orbit_multipliers.hpp"
-#include "denhartog/reference/orbit_proof.hpp"
+#include "denhartog/reference/orbit_states.hpp"
 
 namespace denhartog::reference {
 namespace {
@@ -42,41 +42,7 @@ std::vector<StopInBalls> stops_of(const ProvedOrbit& orbit) {
     return stops;
 }
 
-// The state at the first maximum of the force that is a whole number of stretches from tau = 0, seen from there.
-BallMatrix at_maximum_of_force(const ProvedOrbit& orbit, const std::vector<PhaseInStretches>& phases) {
-    const Ball T = orbit.at.T(), first = orbit.at.instant(0);
-    const auto stretches = static_cast<int>(std::ceil(static_cast<double>(first) / static_cast<double>(T)));
-    const Ball target = Ball(stretches) * T;
-    std::optional<BallMatrix> found;
-    for (slong i = 1; i <= orbit.at.m(); ++i) {
-        if (target < orbit.at.instant(i - 1) || target > orbit.at.instant(i)) continue;
-        const Ball part = (target - orbit.at.instant(i - 1)) / orbit.at.length(i);
-        const BallMatrix Z = phases[static_cast<std::size_t>(i - 1)].state(part);
-        if (!found) {
-            found = Z;
-            continue;
-        }
-        for (slong k = 0; k < Z.rows(); ++k) (*found)(k) = either((*found)(k), Z(k)); // an event may be on either side
-    }
-    if (!found) throw Unproved("the maximum of the force is in none of the phases");
-    return *found * Ball(orbit.at.mirrored && stretches % 2 != 0 ? -1 : 1);
-}
-
-// What friction demands holds over all phases, with as many bits as it takes. @return the phases
-std::vector<PhaseInStretches> with_friction(ProvedOrbit& orbit, slong bits) {
-    for (slong few = 64;; few *= 2) try {
-            std::vector<PhaseInStretches> phases = in_stretches(orbit, few);
-            const Bits some(few);
-            require_friction(orbit, phases);
-            return phases;
-        } catch (const Disproved&) {
-            throw;
-        } catch (const Unproved&) {
-            if (few >= bits) throw;
-        }
-}
-
-void set_stability(ProvedOrbit& orbit, OrbitInBalls& r) {
+void set_stability(const ProvedOrbit& orbit, OrbitInBalls& r) {
     for (const slong bits : bits_of_multipliers) {
         const Bits enough(bits + 4 * orbit.at.m());
         const MapOfDeviations map = map_of_deviations(orbit, ball_bits);
@@ -92,10 +58,10 @@ void set_stability(ProvedOrbit& orbit, OrbitInBalls& r) {
 
 OrbitInBalls proved_orbit(const std::function<SceneInBalls()>& scene, const OrbitGuess& guess, slong bits,
                           const std::vector<std::size_t>& masses, bool with_multipliers) {
-    ProvedOrbit orbit = proved_near(scene, guess, bits);
+    const OrbitInPhases motion = orbit_in_phases(scene, guess, bits);
+    const ProvedOrbit& orbit = motion.orbit;
     const ContactMechanics& s = orbit.s;
     const Bits all(bits_of_orbit(bits));
-    const std::vector<PhaseInStretches> phases = with_friction(orbit, bits);
     OrbitInBalls r;
     r.mirrored = orbit.at.mirrored;
     r.periods = orbit.at.periods;
@@ -110,13 +76,13 @@ OrbitInBalls proved_orbit(const std::function<SceneInBalls()>& scene, const Orbi
     for (std::size_t k = 0; k < static_cast<std::size_t>(s.N); ++k) {
         if (!masses.empty() && std::ranges::find(masses, k) == masses.end()) continue;
         const auto mass = static_cast<slong>(k);
-        set(k, s.on_a_wall && mass == s.lead ? contact : peak_of_mass(orbit, phases, mass));
+        set(k, s.on_a_wall && mass == s.lead ? contact : peak_of_mass(orbit, motion.phases, mass));
     }
     r.stops = stops_of(orbit);
-    const BallMatrix start = at_maximum_of_force(orbit, phases);
+    const BallMatrix start = motion.at(Ball(0));
     for (slong k = 0; k < s.N; ++k) {
         r.x.push_back(start(k));
-        r.x_prime.push_back(start(s.N + k) * s.sigma);
+        r.x_prime.push_back(start(s.N + k));
     }
     if (!with_multipliers) return r;
     set_stability(orbit, r);

@@ -98,7 +98,7 @@ BallMatrix ContactMechanics::phase(int direction) const {
     return A;
 }
 
-const std::shared_ptr<FastPhases>& ContactMechanics::by_free_motions(int direction) {
+const std::shared_ptr<FastPhases>& ContactMechanics::by_free_motions(int direction) const {
     std::shared_ptr<FastPhases>& kind = fast[direction + 1];
     if (!kind) {
         const Bits all(bits);
@@ -253,7 +253,7 @@ BallMatrix followed(const BallMatrix& A, const BallMatrix& Z, const Ball& length
     return node;
 }
 
-Linearised linearised(ContactMechanics& s, const OrbitUnknowns& box) {
+Linearised linearised(const ContactMechanics& s, const OrbitUnknowns& box) {
     const slong n = s.n(), z = 2 * s.N, m = box.m();
     Linearised r;
     r.J = BallMatrix(z + m, z + m);

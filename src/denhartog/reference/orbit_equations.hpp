@@ -36,7 +36,7 @@ struct ContactMechanics {
     bool on_a_wall;         ///< whether w is a unit vector: the contact is of one mass, on a wall
     slong lead;             ///< the mass on which w is largest
     slong bits = ball_bits; ///< bits of the scene
-    std::shared_ptr<FastPhases> fast[3] = {}; ///< phases by their free motions, found when they are first needed
+    mutable std::shared_ptr<FastPhases> fast[3] = {}; ///< phases by their free motions, found when they are first needed
 
     /// @brief Length of a state. @return 2 N + 3
     [[nodiscard]] slong n() const { return 2 * N + 3; }
@@ -45,7 +45,7 @@ struct ContactMechanics {
     /// @return           A
     [[nodiscard]] BallMatrix phase(int direction) const;
     /// @brief A phase by its free motions. @param direction as in `phase` @return all phases of the kind @throws as `FastPhases`
-    [[nodiscard]] const std::shared_ptr<FastPhases>& by_free_motions(int direction);
+    [[nodiscard]] const std::shared_ptr<FastPhases>& by_free_motions(int direction) const;
     /// @brief The velocity of the contact, \f$ \mathbf w^T\bar{\mathbf x}'/\sigma \f$. @return it as a row over Z
     [[nodiscard]] BallMatrix speed() const;
     /// @brief What is zero where a phase ends: the velocity of a contact that slides, or the load on a contact that sticks less
@@ -139,7 +139,7 @@ struct Linearised {
 /// @param s    the mechanics
 /// @param box  the unknowns, as balls
 /// @return     balls that hold the derivatives at every point of the box
-[[nodiscard]] Linearised linearised(ContactMechanics& s, const OrbitUnknowns& box);
+[[nodiscard]] Linearised linearised(const ContactMechanics& s, const OrbitUnknowns& box);
 
 /// @brief A phase followed from its start.
 ///

@@ -142,9 +142,9 @@ BallMatrix across(const ProvedOrbit& orbit, slong i, const BallMatrix& D) {
 
 } // namespace
 
-MapOfDeviations map_of_deviations(ProvedOrbit& orbit, slong bits) {
+MapOfDeviations map_of_deviations(const ProvedOrbit& orbit, slong bits) {
     const Bits enough(bits);
-    ContactMechanics& s = orbit.s;
+    const ContactMechanics& s = orbit.s;
     const slong m = orbit.at.m(), z = 2 * s.N;
     slong first = 0; // the event that the map meets first
     while (first < m && orbit.at.direction(first) != 0) ++first;

@@ -25,7 +25,7 @@ struct MapOfDeviations {
 /// @param bits   bits of the map
 /// @return       the map
 /// @throws       Unproved where an event may be tangential
-[[nodiscard]] MapOfDeviations map_of_deviations(ProvedOrbit& orbit, slong bits);
+[[nodiscard]] MapOfDeviations map_of_deviations(const ProvedOrbit& orbit, slong bits);
 
 /// @brief Whether all deviations certainly die out: a power of the map has a norm below 1. @param map the map @return true if so
 [[nodiscard]] bool dies_out(const BallMatrix& map);

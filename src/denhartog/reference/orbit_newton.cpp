@@ -34,7 +34,7 @@ struct OrbitResidual {
 };
 
 // The equations at a point of the box that was linearised, or near it while nothing is to be proved yet.
-OrbitResidual residual_at(ContactMechanics& s, const OrbitUnknowns& o, const Linearised& along) {
+OrbitResidual residual_at(const ContactMechanics& s, const OrbitUnknowns& o, const Linearised& along) {
     const slong z = o.states(), m = o.m();
     OrbitResidual r{{o.start()}, BallMatrix(z + m, 1)};
     for (slong i = 0; i < m; ++i) {
@@ -51,7 +51,7 @@ OrbitResidual residual_at(ContactMechanics& s, const OrbitUnknowns& o, const Lin
 // Newton's method, from a guess to a proof, with derivatives of few bits.
 class NewtonSearch {
 public:
-    NewtonSearch(ContactMechanics& s, OrbitUnknowns& o, slong bits_of_slopes)
+    NewtonSearch(const ContactMechanics& s, OrbitUnknowns& o, slong bits_of_slopes)
         : s_(s), o_(o), bits_(bits_of_slopes), scale_(static_cast<std::size_t>(o.u.rows()), 1),
           box_(std::ldexp(1, -static_cast<int>(std::min<slong>(std::max<slong>(26, bits_of_slopes / 2 - 6), 900)))) {
         double largest = 1e-280;
@@ -196,7 +196,7 @@ private:
         return orbit;
     }
 
-    ContactMechanics& s_;
+    const ContactMechanics& s_;
     OrbitUnknowns& o_;
     slong bits_; // of the slopes
     std::vector<double> scale_;
@@ -213,7 +213,7 @@ ProvedOrbit proved_near(const std::function<SceneInBalls()>& scene, const OrbitG
     for (slong of_slopes = std::max({slong(64), bits / 6, bits_a_phase * phases});; of_slopes *= 2) {
         // What widens the slopes, the length of the motion or its events, widens the states as well.
         const Bits all(bits_of_orbit(of_slopes > 128 ? std::max(bits, of_slopes) : bits));
-        ContactMechanics s(scene());
+        const ContactMechanics s(scene());
         OrbitUnknowns o = unknowns_of(s, guess);
         try {
             return NewtonSearch(s, o, of_slopes).proved();

@@ -17,17 +17,10 @@ struct PeakCandidate {
     Ball size, lag;
 };
 
-// An angle as a lag in (-pi, pi], by its midpoint.
-Ball wrapped_lag(const Ball& angle) {
-    const Ball pi = PiOf<Ball>::value();
-    const double turns = std::ceil((static_cast<double>(angle) / static_cast<double>(pi) - 1) / 2);
-    return angle - Ball(2) * Ball(turns) * pi;
-}
-
 PeakCandidate candidate(const Ball& x, const Ball& instant) {
     const Ball pi = PiOf<Ball>::value();
     if (x.may_vanish()) return {abs(x), widened(Ball(0), pi)};
-    return {abs(x), wrapped_lag(x < Ball(0) ? instant + pi : instant)};
+    return {abs(x), wrapped_in_balls(x < Ball(0) ? instant + pi : instant)};
 }
 
 // Of several that may be equal any may be the largest.

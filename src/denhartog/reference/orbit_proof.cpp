@@ -66,7 +66,7 @@ void require_positive(const Curve& c, const EndsOfCurve& ends, const char* what)
     PositiveCurve(c, what).require(0, 1, ends, 0);
 }
 
-PhaseInStretches::PhaseInStretches(ProvedOrbit& orbit, slong i, slong few) {
+PhaseInStretches::PhaseInStretches(const ProvedOrbit& orbit, slong i, slong few) {
     const auto n = static_cast<std::size_t>(i - 1);
     const slong leaps = orbit.leaps[n];
     const int direction = orbit.at.direction(i);
@@ -123,7 +123,7 @@ BallMatrix PhaseInStretches::state(const Ball& part) const {
     return leaps_[static_cast<std::size_t>(leap)].at(place - Ball(static_cast<int>(leap)));
 }
 
-std::vector<PhaseInStretches> in_stretches(ProvedOrbit& orbit, slong few) {
+std::vector<PhaseInStretches> in_stretches(const ProvedOrbit& orbit, slong few) {
     std::vector<PhaseInStretches> phases;
     for (slong i = 1; i <= orbit.at.m(); ++i) {
         if (!(orbit.at.length(i) > Ball(0))) {

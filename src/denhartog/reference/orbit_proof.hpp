@@ -43,7 +43,7 @@ public:
     /// @param orbit  the motion
     /// @param i      which phase, 1 to m
     /// @param few    bits of the curves; states have those of the moment
-    PhaseInStretches(ProvedOrbit& orbit, slong i, slong few);
+    PhaseInStretches(const ProvedOrbit& orbit, slong i, slong few);
 
     /// @brief Number of stretches. @return it
     [[nodiscard]] slong count() const { return count_; }
@@ -74,7 +74,7 @@ private:
 /// @param few    bits of the curves
 /// @return       phases 1 to m, at [0 .. m-1]
 /// @throws       Disproved, Unproved where a phase has no length
-[[nodiscard]] std::vector<PhaseInStretches> in_stretches(ProvedOrbit& orbit, slong few);
+[[nodiscard]] std::vector<PhaseInStretches> in_stretches(const ProvedOrbit& orbit, slong few);
 
 /// @brief Requires that the motion is what its phases say, (2), (3), (74), (75): the contact slides in a phase of sliding, is
 /// held in a phase of sticking, and is not held where it turns.

@@ -1,20 +1,26 @@
 #include "denhartog/reference/sliding.hpp"
 
 #include <cmath>
+#include <utility>
 
 #include "denhartog/formulas/contact.hpp"
 #include "denhartog/formulas/motion.hpp"
 #include "denhartog/formulas/other_masses.hpp"
+#include "denhartog/number/effort.hpp"
 #include "denhartog/reference/maximum.hpp"
 
 namespace denhartog::reference {
 
-Ball wrapped_in_balls(const Ball& angle) {
-    if (!angle.finite()) return angle;
-    const Ball turns = angle / (2 * pi<Ball>());
-    const double whole = std::ceil(static_cast<double>(turns) - 0.5 - 1e-12); // -pi is taken to pi
-    return angle - 2 * pi<Ball>() * Ball(whole);
+namespace {
+
+// A displacement and its derivatives, (41), for tau in [0, pi] from the maximum of the contact.
+Series displacement_of_row(const ResponsesInBalls& r, std::size_t row, const Ball& x0, const Ball& v0, const Ball& beta,
+                           const Ball& tau) {
+    const Series F = r.friction.of(row, (*r.friction.shared)(tau));
+    return paper::displacement<Series>(Series::time(tau), x0, v0, r.G[row], r.U[row], beta, F);
 }
+
+} // namespace
 
 SlidingContactInBalls contact_in_balls(const ResponsesInBalls& r, const Ball& beta) {
     const std::size_t j = r.contact();
@@ -38,10 +44,7 @@ SlidingMassInBalls mass_in_balls(const ResponsesInBalls& r, const SlidingContact
         if (m.instant < Ball(0)) m.instant = m.instant + pi<Ball>();
         return m;
     }
-    const auto x = [&](const Ball& tau) { // (41)
-        const Series F = r.friction.of(row, (*r.friction.shared)(tau));
-        return paper::displacement<Series>(Series::time(tau), m.x0, m.v0, r.G[row], r.U[row], beta, F);
-    };
+    const auto x = [&](const Ball& tau) { return displacement_of_row(r, row, m.x0, m.v0, beta, tau); };
     // A mass that does not move, as far as the bits can tell, has no instant of a largest displacement. By (41) to (43) |x_k| is
     // at most |V_dk| + beta |F_k|.
     const Ball F_throughout = r.friction.of(row, (*r.friction.shared)(either(Ball(0), pi<Ball>()))).rate(0);
@@ -72,6 +75,51 @@ SlidingMassInBalls mass_in_balls(const ResponsesInBalls& r, const SlidingContact
     m.instant = either(largest.up->instant, largest.down->instant);
     m.phase = either(one, one + apart);
     return m;
+}
+
+BallMatrix harmonic_in_balls(const std::vector<Complex<Ball>>& X, slong N, const Ball& tau) {
+    QuestionEffort::pay(N + 8);
+    const Ball c = cos(tau), s = sin(tau);
+    BallMatrix state(2 * N, 1);
+    for (slong k = 0; k < N; ++k) {
+        const Complex<Ball>& X_k = X[static_cast<std::size_t>(k)];
+        state(k) = X_k.re * c - X_k.im * s;
+        state(N + k) = -(X_k.re * s + X_k.im * c);
+    }
+    return state;
+}
+
+SlidingMotionInBalls::SlidingMotionInBalls(ResponsesInBalls r, const Ball& beta)
+    : r_(std::move(r)), beta_(beta), contact_(contact_in_balls(r_, beta)) {
+    const std::size_t j = r_.contact();
+    for (std::size_t k = 0; k < j && !beta_.is_zero(); ++k) {
+        x0_.push_back(paper::initial_displacement(r_.V[k], r_.V[j], r_.U[j], r_.G[k], beta_));
+        v0_.push_back(paper::initial_velocity(r_.V[k], r_.V[j], r_.U[j], r_.U[k], beta_));
+    }
+}
+
+BallMatrix SlidingMotionInBalls::at(const Ball& tau) const {
+    const auto N = static_cast<slong>(r_.contact());
+    if (beta_.is_zero()) return harmonic_in_balls(r_.V, N, tau);
+    BallMatrix state(2 * N, 1);
+    const Ball pi = PiOf<Ball>::value(), from_maximum = tau - contact_.phi_j;
+    const double half = std::floor(static_cast<double>(from_maximum) / static_cast<double>(pi));
+    bool found = false;
+    for (const double halves : {half - 1, half, half + 1}) { // an instant next to a turn may be on either side
+        const Ball within = from_maximum - Ball(halves) * pi;
+        if (within < Ball(0) || within > pi) continue;
+        for (slong k = 0; k < N; ++k) {
+            const auto row = static_cast<std::size_t>(k);
+            const Series x = displacement_of_row(r_, row, x0_[row], v0_[row], beta_, within);
+            for (const int n : {0, 1}) {
+                const Ball rate = std::fmod(halves, 2) == 0 ? x.rate(n) : -x.rate(n); // (25)
+                Ball& entry = state(n * N + k);
+                entry = found ? either(entry, rate) : rate;
+            }
+        }
+        found = true;
+    }
+    return state;
 }
 
 } // namespace denhartog::reference

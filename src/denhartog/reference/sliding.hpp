@@ -41,7 +41,29 @@ struct SlidingContactInBalls {
 [[nodiscard]] SlidingMassInBalls mass_in_balls(const ResponsesInBalls& r, const SlidingContactInBalls& contact, const Ball& beta,
                                                std::size_t row, bool is_contact);
 
-/// @brief An angle taken to (-pi, pi] by whole turns. @param angle radians @return the angle; one next to -pi is taken next to pi
-[[nodiscard]] Ball wrapped_in_balls(const Ball& angle);
+/// @brief A harmonic motion, \f$ \mathrm{Re}(X_k\mathrm e^{\mathrm i\tau}) \f$.
+/// @param X    complex amplitudes of the masses; more are not looked at
+/// @param N    number of masses
+/// @param tau  from a maximum of the force, an instant or a ball that holds it
+/// @return     N displacements, then N velocities, 2 N x 1
+[[nodiscard]] BallMatrix harmonic_in_balls(const std::vector<Complex<Ball>>& X, slong N, const Ball& tau);
+
+/// @brief The motion of all masses in the sliding regime, at any instant.
+/// @eq{25,41,44,45}
+class SlidingMotionInBalls {
+public:
+    /// @param r     response functions
+    /// @param beta  friction ratio below the boundary
+    SlidingMotionInBalls(ResponsesInBalls r, const Ball& beta);
+    /// @brief Displacements and velocities. @param tau from a maximum of the force, an instant or a ball that holds it
+    /// @return N displacements, then N velocities, 2 N x 1
+    [[nodiscard]] BallMatrix at(const Ball& tau) const;
+
+private:
+    ResponsesInBalls r_;
+    Ball beta_;
+    SlidingContactInBalls contact_;
+    std::vector<Ball> x0_{}, v0_{};
+};
 
 } // namespace denhartog::reference

@@ -21,9 +21,9 @@ struct SampledSolution {
 
 /// @brief Samples the motion of an answer over its period.
 ///
-/// A displacement is good to `error_of_samples`. A motion with stops is followed
-/// from its start and has to come back to it, with the stops of the answer: in double, or in 50 digits if the answer needed them
-/// or double fails.
+/// A displacement is good to `error_of_samples`. If the answer is proved, so is that: the reference then gives the samples, as it
+/// does where double fails. A motion with stops is followed in double from its start, and has to come back to it with the stops of
+/// the answer.
 /// @param source    the scene that was solved, a `SceneSource`
 /// @param solution  its answer to `Asked::motion`
 /// @param samples   number of instants in a period of the motion, at least 1

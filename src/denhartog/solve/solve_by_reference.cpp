@@ -40,30 +40,6 @@ Solution in_turn(std::size_t N, std::optional<int> digits, bool proved, bool fas
     }
 }
 
-// Motions near the one from rest, as double sees them.
-std::vector<OrbitGuess> guesses_at(const PreparedSystem& p, const SceneSource& source) {
-    const Scene<double>& scene = source->in_double();
-    const ModesInDouble modes = p.bounded ? ModesInDouble{p.bounded} : modes_in_double(source);
-    const std::shared_ptr<const ContactSystem<double>> moving = p.moving ? p.moving : moving_in_double(source, modes);
-    std::vector<OrbitGuess> all;
-    ExactSolver<double> solver(*moving, {*scene.r, *scene.beta, scene.mu});
-    OrbitSearch<double> how;
-    how.with_stability = false;
-    const PeriodicOrbit<double> orbit = periodic_orbit(solver, at_rest<double>(moving->basis.r_n.size()), how);
-    if (orbit.status != OrbitStatus::periodic) return all;
-    const auto add = [&](const OrbitGuess& guess) {
-        if (guess.directions.empty()) return;
-        const auto same = [&](const OrbitGuess& other) {
-            return other.directions == guess.directions && other.mirrored == guess.mirrored && other.periods == guess.periods;
-        };
-        if (std::ranges::none_of(all, same)) all.push_back(guess);
-    };
-    for (const double shortest : {0.0, 1e-9, 1e-6}) add(guess_of(solver, orbit, shortest));
-    for (const OrbitGuess& guess : std::vector<OrbitGuess>(all))
-        for (const OrbitGuess& other : with_other_stops(guess)) add(other);
-    return all;
-}
-
 // Which motion is meant, where the friction ratio does not tell: with mu above 1, or at a pole, the one from rest, as double finds it.
 std::optional<Solution> from_rest(const Scene<double>& scene, const Question& question,
                                   const std::function<Solution(const Question&)>& fast) {
@@ -102,6 +78,29 @@ Solution answer_by_reference(const PreparedSystem& p, const SolvePoint& at, cons
 }
 
 } // namespace
+
+std::vector<OrbitGuess> guesses_at(const PreparedSystem& p, const SceneSource& source) {
+    const Scene<double>& scene = source->in_double();
+    const ModesInDouble modes = p.bounded ? ModesInDouble{p.bounded} : modes_in_double(source);
+    const std::shared_ptr<const ContactSystem<double>> moving = p.moving ? p.moving : moving_in_double(source, modes);
+    std::vector<OrbitGuess> all;
+    ExactSolver<double> solver(*moving, {*scene.r, *scene.beta, scene.mu});
+    OrbitSearch<double> how;
+    how.with_stability = false;
+    const PeriodicOrbit<double> orbit = periodic_orbit(solver, at_rest<double>(moving->basis.r_n.size()), how);
+    if (orbit.status != OrbitStatus::periodic) return all;
+    const auto add = [&](const OrbitGuess& guess) {
+        if (guess.directions.empty()) return;
+        const auto same = [&](const OrbitGuess& other) {
+            return other.directions == guess.directions && other.mirrored == guess.mirrored && other.periods == guess.periods;
+        };
+        if (std::ranges::none_of(all, same)) all.push_back(guess);
+    };
+    for (const double shortest : {0.0, 1e-9, 1e-6}) add(guess_of(solver, orbit, shortest));
+    for (const OrbitGuess& guess : std::vector<OrbitGuess>(all))
+        for (const OrbitGuess& other : with_other_stops(guess)) add(other);
+    return all;
+}
 
 Solution answer_or_reference(const PreparedSystem& p, const SolvePoint& at, const Question& question,
                              const std::function<Solution(const Question&)>& fast) {

@@ -4,9 +4,16 @@
 
 #include <functional>
 
+#include "denhartog/reference/orbit_guess_data.hpp"
 #include "denhartog/solve/solve_task.hpp"
 
 namespace denhartog {
+
+/// @brief Motions near the one from rest, as double sees them: what a proof starts from.
+/// @param p       the system; what it has prepared is used
+/// @param source  the scene, with r and beta
+/// @return        the motions, the likeliest first
+[[nodiscard]] std::vector<OrbitGuess> guesses_at(const PreparedSystem& p, const SceneSource& source);
 
 /// @brief An answer on the fast floor, or else by the reference.
 /// @param p         the system, prepared

@@ -46,8 +46,6 @@ std::string solved(const SceneText& part, const SolveOptions& options) {
         throw InputError("samples", "must be from 1 to " + std::to_string(most_samples), std::to_string(options.samples));
     if (options.samples > 0 && options.ask != "motion")
         throw InputError("samples", "must be given with --ask motion only", options.ask);
-    if (options.samples > 0 && options.scene.proved)
-        throw InputError("samples", "must be given without --proved: samples are estimates", std::to_string(options.samples));
     if (options.samples == 0 && options.units != in_ratios)
         throw InputError("units", "must be given with --samples only: an answer has both", options.units);
     if (options.samples > 0 && options.mass) throw InputError("samples", "must be given without --mass", "both");

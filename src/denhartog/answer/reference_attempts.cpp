@@ -1,0 +1,42 @@
+#if DENHARTOG_REFERENCE
+#include "denhartog/answer/reference_attempts.hpp"
+
+#include <algorithm>
+
+#include "denhartog/number/effort.hpp"
+#include "denhartog/number/errors.hpp"
+#include "denhartog/reference/series.hpp"
+
+namespace denhartog {
+namespace {
+
+// Frees, at the end of a thread, the constants that Arb keeps for it.
+struct ConstantsOfBalls {
+    ~ConstantsOfBalls() { flint_cleanup(); }
+};
+
+} // namespace
+
+void with_enough_bits(std::size_t N, slong first, slong most, const std::function<bool(slong bits, bool last)>& attempt) {
+    thread_local const ConstantsOfBalls freed_at_its_end;
+    const QuestionEffort effort(N);
+    std::string why;
+    for (slong bits = first;; bits = std::min(2 * bits, most)) {
+        const bool last = bits == most;
+        QuestionEffort::pay(static_cast<long>(N * N * (N + 8)) * (bits / 64) / 4);
+        try {
+            const Bits all(bits);
+            reference::bits_of_search = 64 * (bits / first);
+            if (attempt(bits, last)) return;
+            why = "the digits are not certain with " + std::to_string(bits) + " bits";
+        } catch (const reference::Disproved& e) {
+            throw PrecisionError(std::string("the reference does not prove it: ") + e.what());
+        } catch (const reference::Unproved& e) {
+            why = e.what();
+        }
+        if (last) throw PrecisionError("the reference does not prove it: " + why);
+    }
+}
+
+} // namespace denhartog
+#endif

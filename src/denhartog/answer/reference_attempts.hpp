@@ -1,0 +1,64 @@
+/// @file
+/// @brief How the reference goes on until it has a proof: with more bits, and from one guess of a motion to the next. Included by
+/// sources only.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "denhartog/number/ball.hpp"
+#include "denhartog/reference/orbit_guess_data.hpp"
+#include "denhartog/reference/scene_in_balls.hpp"
+
+namespace denhartog {
+
+/// @brief Tries with more and more bits. The work is counted, see `QuestionEffort`.
+/// @param N        number of masses
+/// @param first    bits of the first attempt, which are doubled
+/// @param most     bits of the last
+/// @param attempt  called with the bits, and whether they are the last; returns whether they were enough
+/// @throws         PrecisionError where something cannot be proved, or the budget of work is spent
+void with_enough_bits(std::size_t N, slong first, slong most, const std::function<bool(slong bits, bool last)>& attempt);
+
+/// @brief Guesses of a motion with stops.
+class OrbitGuesses {
+public:
+    /// @param made  makes them, the likeliest first; called when they are first needed
+    explicit OrbitGuesses(const std::function<std::vector<OrbitGuess>()>& made) : made_(made) {}
+
+    /// @brief The first of them that is proved. What is disproved is not tried again, and what is proved is tried first.
+    /// @param prove  from a guess to its proof; throws Disproved or Unproved
+    /// @return       the proof
+    /// @throws       Unproved where there is none; Disproved where none is left to be tried
+    template <class Prove>
+    [[nodiscard]] auto first_proved(const Prove& prove) {
+        if (!known_) guesses_ = made_();
+        known_ = true;
+        bool first = true; // what is said of the likeliest one is said
+        for (std::size_t n = 0; n < guesses_.size(); first = false) {
+            try {
+                auto found = prove(std::as_const(guesses_[n]));
+                std::swap(guesses_[n], guesses_.front());
+                return found;
+            } catch (const reference::Disproved& e) {
+                if (first) why_ = e.what();
+                guesses_.erase(guesses_.begin() + static_cast<std::ptrdiff_t>(n));
+            } catch (const reference::Unproved& e) {
+                if (first) why_ = e.what();
+                ++n;
+            }
+        }
+        if (guesses_.empty()) throw reference::Disproved(why_);
+        throw reference::Unproved(why_);
+    }
+
+private:
+    const std::function<std::vector<OrbitGuess>()>& made_;
+    std::vector<OrbitGuess> guesses_{};
+    bool known_ = false;
+    std::string why_ = "double precision finds no motion with stops to start from";
+};
+
+} // namespace denhartog

@@ -1,0 +1,217 @@
+/// @file
+/// @brief Samples of a proved motion: those of double, within the amplitudes that are proved, in every regime.
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "denhartog/c/denhartog.h"
+#include "denhartog/number/errors.hpp"
+#include "denhartog/reference/orbit_states.hpp"
+#include "denhartog/reference/sliding.hpp"
+#include "denhartog/solve/sampled_solution.hpp"
+#include "denhartog/solve/solve.hpp"
+#include "orbit_cases.hpp"
+#include "proofs.hpp"
+#include "tests/catch.hpp"
+#include "tests/unit/program_runs.hpp"
+
+namespace denhartog::tests {
+namespace {
+
+constexpr std::size_t instants = 256;
+
+Solution answer(const SceneSource& source, bool proved) {
+    Question question;
+    question.proved = proved;
+    return solve(source, question);
+}
+
+System<double> five_masses() { return chain_of({1, 2, 0.5, 1.5, 0.75}, {1, 0.75, 2, 1, 1.5}, 0.03125, 3, 1); }
+
+System<double> between_masses() {
+    System<double> s = chain_of({1, 2, 1}, {1, 1, 0.5}, 0.03125, 1, 1);
+    s.contact_with = Mass{2};
+    s.load_vector = {1, 0, -0.5};
+    return s;
+}
+
+System<double> coupled() {
+    System<double> s = chain_of({1, 1, 1}, {1, 1, 1}, 0, 2, 3);
+    s.damping_ratios.clear();
+    s.damping_matrix = matrix_of_chain<double>({0.125, 0.0625, 0.03125});
+    return s;
+}
+
+System<double> two_masses() { return chain_of({1, 1}, {1, 1}, {0.02, 0.01}, 2, 1); }
+
+// Where two motions differ most: displacements beside the amplitude of the mass, velocities beside the fastest.
+double apart(const SampledSolution& a, const SampledSolution& b, const Solution& of) {
+    double most = a.states.size() == b.states.size() ? 0 : 1;
+    for (std::size_t k = 0; k < of.masses.size() && most == 0; ++k) {
+        const double size = of.masses[k].amplitude.value;
+        double fastest = size;
+        for (const State<double>& state : a.states) fastest = std::max(fastest, std::abs(state.x_prime[k]));
+        for (std::size_t n = 0; n < a.states.size(); ++n) {
+            const double x = std::abs(a.states[n].x[k] - b.states[n].x[k]),
+                         v = std::abs(a.states[n].x_prime[k] - b.states[n].x_prime[k]);
+            most = std::max({most, x == 0 ? 0 : x / size, v == 0 ? 0 : v / fastest});
+        }
+    }
+    return most;
+}
+
+// The samples of a proved answer, after they were held against its amplitudes and its start.
+SampledSolution checked_samples(const SceneSource& source, const Solution& s) {
+    REQUIRE(s.method.proved);
+    SampledSolution motion = sampled_solution(source, s, instants);
+    REQUIRE(motion.states.size() == instants);
+    for (std::size_t k = 0; k < s.masses.size(); ++k) {
+        INFO("mass " << k + 1);
+        const Certified& amplitude = s.masses[k].amplitude;
+        double largest = 0;
+        for (const State<double>& state : motion.states) largest = std::max(largest, std::abs(state.x[k]));
+        CHECK(largest <= amplitude.value + amplitude.error);
+        CHECK(largest >= amplitude.value * (1 - 1e-3));
+        if (!s.start) continue;
+        CHECK(std::abs(motion.states[0].x[k] - s.start->x[k].value) <= 2 * s.start->x[k].error);
+        CHECK(std::abs(motion.states[0].x_prime[k] - s.start->x_prime[k].value) <= 2 * s.start->x_prime[k].error);
+    }
+    return motion;
+}
+
+void check_against_double(const Scene<double>& scene, Regime regime, int periods = 1, bool symmetric = true) {
+    const SceneSource source = scene_source(scene);
+    const Solution proved = answer(source, true), in_double = answer(source, false);
+    REQUIRE(proved.regime.regime == regime);
+    REQUIRE(in_double.method.precision == "double");
+    CHECK(proved.periods == periods);
+    CHECK(proved.symmetric == symmetric);
+    const SampledSolution motion = checked_samples(source, proved);
+    CHECK(apart(motion, sampled_solution(source, in_double, instants), proved) < 1e-9);
+    if (!symmetric) return;
+    for (std::size_t n = 0; n < instants; ++n) // (25)
+        for (std::size_t k = 0; k < proved.masses.size(); ++k)
+            REQUIRE(std::abs(motion.states[n].x[k] + motion.states[(n + instants / 2) % instants].x[k]) <=
+                    1e-14 * proved.masses[k].amplitude.value + 1e-300);
+}
+
+TEST_CASE("samples of a proved motion with stops are those of double, within its amplitudes", "[reference][samples]") {
+    const auto check = [](const System<double>& s, double r, double beta, double mu = 1) {
+        check_against_double(at_point(s, r, beta, mu), Regime::stick_slip);
+    };
+    check(chain_of({1}, {1}, 0.01), 0.125, 0.25);
+    check(two_masses(), 0.3125, 0.25);
+    check(two_masses(), 0.375, 0.3125, 1.4);
+    check(five_masses(), 0.4375, 0.3125);
+    check(five_masses(), 0.4375, 0.25, 1.4);
+    check(coupled(), 0.375, 0.75);
+    check(between_masses(), 0.4375, 0.25);
+}
+
+TEST_CASE("samples of a proved motion that does not mirror itself, or takes two periods, are those of double",
+          "[reference][samples][eq:25]") {
+    check_against_double(at_point(chain_of({1}, {1}, 0.03125), 0.125, 0.1875, 1.5), Regime::stick_slip, 1, false);
+    check_against_double(at_point(chain_of({1, 1}, {1, 1}, 0.03125, 2, 1), 1.125, 0.859375, 1.5), Regime::stick_slip, 2, false);
+}
+
+TEST_CASE("samples of a proved sliding motion are those of double", "[reference][samples][eq:41]") {
+    for (const double beta : {0.0, 0.03125}) {
+        check_against_double(at_point(two_masses(), 1.25, beta), Regime::continuous);
+        check_against_double(at_point(five_masses(), 1.25, beta / 16), Regime::continuous);
+        check_against_double(at_point(coupled(), 1.25, beta / 4), Regime::continuous);
+        check_against_double(at_point(between_masses(), 1.25, beta / 4), Regime::continuous);
+    }
+}
+
+TEST_CASE("samples of a proved motion at rest are those of double", "[reference][samples][eq:88]") {
+    check_against_double(at_point(two_masses(), 0.75, 8), Regime::permanent_sticking);
+    check_against_double(at_point(between_masses(), 0.4375, 8), Regime::permanent_sticking);
+}
+
+TEST_CASE("an instant of an event or a turn is on both sides of it", "[reference][samples]") {
+    const Scene<double> scene = at_point(two_masses(), 0.3125, 0.25);
+    const Bits all(reference::bits_of_orbit(128));
+    const reference::OrbitInPhases motion = reference::orbit_in_phases(in_bits(scene), guess_for(scene), 128);
+    for (slong i = 0; i <= motion.orbit.at.m(); ++i)
+        for (const int periods : {-2, 0, 3}) {
+            const Ball event = motion.orbit.at.instant(i) + Ball(2 * periods) * PiOf<Ball>::value();
+            const BallMatrix there = motion.at(event), before = motion.at(event - Ball(0x1p-40)),
+                             after = motion.at(event + Ball(0x1p-40));
+            for (slong k = 0; k < there.rows(); ++k) {
+                CHECK(there(k).radius() < 1e-30);
+                CHECK(abs(there(k) - before(k)).high() < 1e-10);
+                CHECK(abs(there(k) - after(k)).high() < 1e-10);
+            }
+        }
+}
+
+TEST_CASE("samples of another motion are noticed, and an answer that is not the motion's is refused", "[reference][samples]") {
+    const Scene<double> scene = at_point(two_masses(), 0.3125, 0.25);
+    Scene<double> twin = scene;
+    twin.beta = *scene.beta * (1 + 1e-6);
+    const SceneSource source = scene_source(scene), of_twin = scene_source(twin);
+    const Solution s = answer(source, true), other = answer(of_twin, true);
+    const SampledSolution motion = checked_samples(source, s);
+    CHECK(apart(motion, sampled_solution(of_twin, other, instants), s) > 1e-9);
+    Solution moved = s;
+    moved.start->x[1].value += 1e-5;
+    CHECK_THROWS_WITH(sampled_solution(source, moved, 8), Catch::Contains("is not that of the answer"));
+    Solution longer = s;
+    longer.periods = 2;
+    CHECK_THROWS_WITH(sampled_solution(source, longer, 8), Catch::Contains("has another period"));
+    Solution small = s; // what no bits can give
+    small.masses[0].amplitude = {0, 0, {}};
+    CHECK_THROWS_AS(sampled_solution(source, small, 8), PrecisionError);
+}
+
+TEST_CASE("the C interface hands out the samples of a proved motion, of a contact between two masses too",
+          "[reference][samples]") {
+    const std::string text =
+        R"({"mass_ratios": [1, 2, 1], "stiffness_ratios": [1, 1, "0.5"], "damping_ratios": "0.03", "contact": [1, 3],
+        "load": [1, 0, "-0.5"]})";
+    dh_system* system = nullptr;
+    REQUIRE(dh_system_from_json(text.data(), text.size(), &system) == DH_OK);
+    for (const double beta : {0.0, 0.0625, 0.25, 8.0}) {
+        const SceneSource source = denhartog::at_point(scene_source(SceneText{text}), 0.4375, beta);
+        const Solution s = answer(source, true);
+        const SampledSolution expected = checked_samples(source, s);
+        dh_solution* solution = nullptr;
+        REQUIRE(dh_solve_proved(system, 0.4375, beta, 1, 0, &solution) == DH_OK);
+        std::vector<double> x(3 * instants), v(3 * instants);
+        CHECK(dh_solution_motion(solution, instants, x.size(), x.data(), v.data()) == DH_OK);
+        for (std::size_t n = 0; n < instants; ++n)
+            for (std::size_t k = 0; k < 3; ++k) {
+                CHECK(x[3 * n + k] == expected.states[n].x[k]);
+                CHECK(v[3 * n + k] == expected.states[n].x_prime[k]);
+            }
+        dh_solution_destroy(solution);
+    }
+    dh_system_destroy(system);
+}
+
+TEST_CASE("the program prints the samples of a proved motion", "[reference][samples][program]") {
+    const std::string chain = R"({"mass_ratios": [1, 1], "stiffness_ratios": [1, 1], "damping_ratios": [0.02, 0.01], "contact": 2,
+        "load": 1, "r": "0.3125", "beta": )";
+    for (const std::string beta : {"0.25", "0", "8"}) {
+        const std::string scene = chain + beta + "}";
+        const SceneSource source = scene_source(SceneText{scene});
+        const SampledSolution expected = sampled_solution(source, answer(source, true), 64);
+        const Run run = run_program("solve --samples 64 --proved", scene);
+        CHECK(run.status == 0);
+        CHECK(run.error.empty());
+        CHECK(run_program("solve --samples 64 --proved --json", scene).output == run.output); // a table in either case
+        const std::vector<std::string> lines = lines_of(run.output);
+        REQUIRE(lines.size() == 65);
+        CHECK(lines[0] == "tau,x_1,x_2,v_1,v_2");
+        for (std::size_t n = 0; n < 64; ++n) {
+            const std::vector<double> row = numbers_of(lines[n + 1]);
+            const State<double>& state = expected.states[n];
+            CHECK(row == std::vector<double>{expected.tau[n], state.x[0], state.x[1], state.x_prime[0], state.x_prime[1]});
+        }
+        CHECK(nlohmann::json::parse(run_program("solve --proved --json", scene).output)["method"]["proved"] == true);
+    }
+    CHECK(run_program("solve --samples 4 --proved --ask phase", chain + "8}").status == 2);
+}
+
+} // namespace
+} // namespace denhartog::tests
