@@ -109,9 +109,9 @@ TEST_CASE("a phase that ends before it starts is refused", "[reference][proof]")
     CHECK_THROWS_AS(in_stretches(motion.orbit, 64), Unproved);
 }
 
-Curve polynomial(const std::vector<double>& c) {
-    Curve curve;
-    for (const double each : c) curve.emplace_back(each);
+CurveInBalls polynomial(const std::vector<double>& c) {
+    CurveInBalls curve;
+    for (const double each : c) curve.powers.emplace_back(each);
     return curve;
 }
 
@@ -145,8 +145,8 @@ TEST_CASE("a series of the exponential holds its sum and its derivatives", "[ref
         CHECK((sum(0) - cos(angle)).may_vanish());
         CHECK((sum(1) - sin(angle)).may_vanish());
         CHECK(sum(0).radius() < 1e-24);
-        Curve c;
-        for (slong k = 0; k < series.terms().columns(); ++k) c.push_back(series.terms()(0, k));
+        CurveInBalls c;
+        for (slong k = 0; k < series.terms().columns(); ++k) c.powers.push_back(series.terms()(0, k));
         CHECK((derivative(c, 1, Ball(theta)) + Ball(5) * sin(angle)).may_vanish());
         CHECK((derivative(c, 2, Ball(theta)) + Ball(25) * cos(angle)).may_vanish());
     }

@@ -89,7 +89,7 @@ private:
         for (std::size_t i = 0; i < phases_.size(); ++i) {
             curves_.emplace_back();
             for (slong n = 0; n < phases_[i].count(); ++n) {
-                const Curve& c = curves_[i].emplace_back(phases_[i].curve(n, row_));
+                const CurveInBalls& c = curves_[i].emplace_back(phases_[i].curve(n, row_));
                 best_ = std::max(best_, abs(derivative(c, 0, Ball(0))).low());
                 open.push_back({i, static_cast<std::size_t>(n), 0, 1, abs(derivative(c, 0, Ball::within(0, 1))).high()});
             }
@@ -99,7 +99,7 @@ private:
             const PlaceOfPeak p = open.back();
             open.pop_back();
             if (p.upper < best_) continue;
-            const Curve& c = curves_[p.phase][p.curve];
+            const CurveInBalls& c = curves_[p.phase][p.curve];
             QuestionEffort::pay(cost_of_ball_products(3 * static_cast<double>(c.powers.size())));
             const Ball X = Ball::within(p.a, p.b), v = derivative(c, 1, X);
             const double half = p.a + (p.b - p.a) / 2;
@@ -121,8 +121,8 @@ private:
     std::optional<PeakCandidate> at(const PlaceOfPeak& p) const {
         const PhaseInStretches& phase = phases_[p.phase];
         const auto stretch = static_cast<slong>(p.curve);
-        const Curve& c = curves_[p.phase][p.curve];
-        const Curve v = phase.curve(stretch, row_of_velocity_);
+        const CurveInBalls& c = curves_[p.phase][p.curve];
+        const CurveInBalls v = phase.curve(stretch, row_of_velocity_);
         Ball X = Ball::within(p.a, p.b);
         QuestionEffort::pay(cost_of_ball_products(500));
         for (int step = 0; step < most_newton_steps; ++step) {
@@ -146,7 +146,7 @@ private:
     BallMatrix row_, row_of_velocity_;
     slong few_;
     double best_ = 0; // a size that is certainly reached
-    std::vector<std::vector<Curve>> curves_{};
+    std::vector<std::vector<CurveInBalls>> curves_{};
 };
 
 } // namespace

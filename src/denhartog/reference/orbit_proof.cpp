@@ -15,7 +15,7 @@ constexpr int deepest_look = 60;      // halvings of a stretch
 // One number over a stretch that is not known where it vanishes, from a to b.
 class PositiveCurve {
 public:
-    PositiveCurve(const Curve& c, const char* what) : c_(c), what_(what) {}
+    PositiveCurve(const CurveInBalls& c, const char* what) : c_(c), what_(what) {}
 
     void require(double a, double b, const EndsOfCurve& ends, int depth) {
         if (++looks_ > most_looks || depth > deepest_look) throw Unproved(what_);
@@ -36,14 +36,14 @@ private:
         return derivative(c_, 0, m) + derivative(c_, 1, m) * h + derivative(c_, 2, X) * h * h / Ball(2);
     }
 
-    const Curve& c_;
+    const CurveInBalls& c_;
     const char* what_;
     int looks_ = 0;
 };
 
 } // namespace
 
-Ball derivative(const Curve& c, int order, const Ball& theta) {
+Ball derivative(const CurveInBalls& c, int order, const Ball& theta) {
     if (c.in_time) {
         Ball rate = c.in_time(theta * c.length).rate(order);
         for (int n = 0; n < order; ++n) rate *= c.length;
@@ -60,7 +60,7 @@ Ball derivative(const Curve& c, int order, const Ball& theta) {
     return sum;
 }
 
-void require_positive(const Curve& c, const EndsOfCurve& ends, const char* what) {
+void require_positive(const CurveInBalls& c, const EndsOfCurve& ends, const char* what) {
     for (const double end : {0.0, 1.0})
         if (derivative(c, 0, Ball(end)) < Ball(0)) throw Disproved(what);
     PositiveCurve(c, what).require(0, 1, ends, 0);
@@ -96,10 +96,10 @@ PhaseInStretches::PhaseInStretches(const ProvedOrbit& orbit, slong i, slong few)
     }
 }
 
-Curve PhaseInStretches::curve(slong stretch, const BallMatrix& row) const {
+CurveInBalls PhaseInStretches::curve(slong stretch, const BallMatrix& row) const {
     if (fast_) return {{}, fast_->number(row, Z_), length_};
     const BallMatrix& terms = stretches_[static_cast<std::size_t>(stretch)].terms();
-    Curve c;
+    CurveInBalls c;
     c.powers.resize(static_cast<std::size_t>(terms.columns()));
     for (slong i = 0; i < terms.rows(); ++i) {
         if (row(0, i).is_zero()) continue;

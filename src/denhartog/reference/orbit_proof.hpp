@@ -14,7 +14,7 @@
 namespace denhartog::reference {
 
 /// @brief One number over a stretch, theta from 0 to 1.
-struct Curve {
+struct CurveInBalls {
     std::vector<Ball> powers{}; ///< of theta; the last one holds the rest of the series
     NumberInTime in_time{};     ///< the number by free motions instead, where the stretch is a whole phase of fast ones
     Ball length{};              ///< length of that phase
@@ -22,7 +22,7 @@ struct Curve {
 
 /// @brief A derivative of a curve. @param c the curve @param order 0 to 2 @param theta where, an interval
 /// @return  a ball that holds it
-[[nodiscard]] Ball derivative(const Curve& c, int order, const Ball& theta);
+[[nodiscard]] Ball derivative(const CurveInBalls& c, int order, const Ball& theta);
 
 /// @brief How a curve vanishes at the ends of a stretch.
 struct EndsOfCurve {
@@ -35,7 +35,7 @@ struct EndsOfCurve {
 /// @param ends  how it is known to vanish at the ends
 /// @param what  the message where it is not, or may not be
 /// @throws      Disproved where it is certainly negative somewhere, Unproved where that cannot be told
-void require_positive(const Curve& c, const EndsOfCurve& ends, const char* what);
+void require_positive(const CurveInBalls& c, const EndsOfCurve& ends, const char* what);
 
 /// @brief A phase in stretches of one length.
 class PhaseInStretches {
@@ -49,7 +49,7 @@ public:
     [[nodiscard]] slong count() const { return count_; }
     /// @brief One number over a stretch. @param stretch from 0 to count - 1 @param row which number, a row over Z
     /// @return its curve
-    [[nodiscard]] Curve curve(slong stretch, const BallMatrix& row) const;
+    [[nodiscard]] CurveInBalls curve(slong stretch, const BallMatrix& row) const;
     /// @brief The same in all bits of the states.
     /// @param stretch  from 0 to count - 1
     /// @param row      which number, a row over Z
