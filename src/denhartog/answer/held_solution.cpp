@@ -6,6 +6,7 @@
 #include <string>
 
 #include "denhartog/answer/certify.hpp"
+#include "denhartog/formulas/stuck.hpp"
 #include "denhartog/model/coordinates.hpp"
 #include "denhartog/model/linear_algebra.hpp"
 #include "denhartog/number/errors.hpp"

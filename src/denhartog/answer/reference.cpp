@@ -151,11 +151,6 @@ void write_orbit(const OrbitInBalls& o, const Scene<double>& scene, const Refere
     s.method.model = "exact solver";
 }
 
-// Frees, at the end of a thread, the constants that Arb keeps for it.
-struct ConstantsOfBalls {
-    ~ConstantsOfBalls() { flint_cleanup(); }
-};
-
 class Guesses {
 public:
     explicit Guesses(const std::function<std::vector<OrbitGuess>()>& made) : made_(made) {}
