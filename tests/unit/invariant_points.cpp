@@ -7,7 +7,6 @@
 #include "denhartog/formulas/other_masses.hpp"
 #include "denhartog/formulas/stuck.hpp"
 #include "denhartog/number/errors.hpp"
-#include "denhartog/number/multiprecision.hpp"
 #include "tests/catch.hpp"
 #include "tests/support/sample_scenes.hpp"
 #include "tests/unit/program_runs.hpp"
@@ -119,7 +118,7 @@ TEST_CASE("curves of different friction cross at the invariant points and nowher
     }
 }
 
-TEST_CASE("no stretch stays undecided, and 50 digits find the same points", "[eq:87][invariant]") {
+TEST_CASE("no stretch stays undecided", "[eq:87][invariant]") {
     int points = 0;
     for (const RandomScene<double>& scene : random_scenes<double>(31)) {
         if (number_of_masses(scene.scene.system) > 4) continue;
@@ -130,13 +129,6 @@ TEST_CASE("no stretch stays undecided, and 50 digits find the same points", "[eq
         }
     }
     CHECK(points > 2000);
-    const auto in_double = points_of(three_masses<double>(), 0.3, 2.5);
-    const auto in_50 = points_of(three_masses<Real50>(), Real50(3) / 10, Real50(5) / 2);
-    for (std::size_t k = 0; k < 3; ++k) {
-        REQUIRE(in_double[k].points.size() == in_50[k].points.size());
-        for (std::size_t n = 0; n < in_double[k].points.size(); ++n)
-            CHECK(in_double[k].points[n].r == Approx(static_cast<double>(in_50[k].points[n].r)).epsilon(1e-13));
-    }
 }
 
 TEST_CASE("damping ratios do not matter for invariant points", "[eq:87][invariant]") {

@@ -39,11 +39,8 @@ void check_in_balls(const SceneInBalls& s) {
 
 // The damping that counts: `damping_tolerance` of 2 asks for the nearest damping that each mode has by itself.
 SceneInBalls scene_of(const SceneSource& source) {
-    Scene<Ball> scene;
-    source->in_balls(scene);
-    SceneInBalls s = in_matrices(scene);
-    check_in_balls(s);
-    const double tolerance = scene.system.damping_tolerance;
+    SceneInBalls s = scene_in_balls(source);
+    const double tolerance = source->in_double().system.damping_tolerance;
     if (s.zeta.empty() && tolerance > 0) {
         if (tolerance < 2)
             throw PrecisionError("the reference takes a damping matrix as it is: damping_tolerance must be 0, or 2");
@@ -80,6 +77,17 @@ std::optional<Ball> paper_limit_of_modes(const SceneInBalls& s, const Ball& exac
 }
 
 } // namespace
+
+ConstantsOfBalls::~ConstantsOfBalls() { flint_cleanup(); }
+
+SceneInBalls scene_in_balls(const SceneSource& source) {
+    Scene<Ball> scene;
+    source->in_balls(scene);
+    if (!scene.r) scene.r = Ball(1);
+    SceneInBalls s = in_matrices(scene);
+    check_in_balls(s);
+    return s;
+}
 
 SceneInBalls damped_scene_in_balls(const SceneSource& source) {
     SceneInBalls s = scene_of(source);

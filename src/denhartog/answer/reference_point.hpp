@@ -19,6 +19,17 @@ struct PointInBalls {
     std::optional<Ball> sticking{};                         ///< the friction ratio from which the contact can rest for ever
 };
 
+/// @brief Frees, at the end of a thread, the constants that Arb keeps for it.
+struct ConstantsOfBalls {
+    /// @brief Frees them.
+    ~ConstantsOfBalls();
+};
+
+/// @brief A scene as it is given. @param source the scene; without r it is taken at r = 1
+/// @return  the scene in the bits of the moment
+/// @throws  InputError where it breaks a rule that double is too coarse to see broken
+[[nodiscard]] reference::SceneInBalls scene_in_balls(const SceneSource& source);
+
 /// @brief A scene with its damping matrix, (19) where damping is given by ratios. @param source the scene
 /// @return  the scene in the bits of the moment
 [[nodiscard]] reference::SceneInBalls damped_scene_in_balls(const SceneSource& source);

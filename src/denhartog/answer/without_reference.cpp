@@ -1,5 +1,6 @@
 #if !DENHARTOG_REFERENCE
 #include "denhartog/answer/reference.hpp"
+#include "denhartog/answer/reference_invariant_points.hpp"
 #include "denhartog/number/errors.hpp"
 
 namespace denhartog {
@@ -19,6 +20,10 @@ Solution solution_by_reference(const SceneSource&, const ReferenceQuestion&, con
 
 std::vector<State<double>> samples_by_reference(const SceneSource&, const Solution&, const std::vector<double>&, double,
                                                 const std::function<std::vector<OrbitGuess>()>&) {
+    refuse();
+}
+
+std::vector<InvariantPointsOfMass<Certified>> invariant_points_by_reference(const SceneSource&, const RangeInText&, int, bool) {
     refuse();
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "denhartog/reference/place_of_zero.hpp"
 #include "denhartog/search/largest.hpp"
 
 namespace denhartog::reference {
@@ -39,59 +40,7 @@ Series over_stretch(const FunctionOfTime& f, const Ball& X) {
 }
 
 // What has the sign of a function's rate, and its slope.
-struct RateAndSlope {
-    Ball rate{}, slope{};
-};
-using RateInTime = std::function<RateAndSlope(const Ball& tau)>;
-
-// The one zero of the rate in a stretch, which is positive before it and negative after it: by halves.
-Ball place_by_halves(Ball at, const RateInTime& rate) {
-    for (slong looks = 0; looks < 64 + ball_bits; ++looks) {
-        const Ball m = middle(at), there = rate(m).rate, half = radius_of(at) / 2;
-        if (there > Ball(0))
-            at = widened(m + half, half);
-        else if (there < Ball(0))
-            at = widened(m - half, half);
-        else
-            break; // as near as the bits can tell
-    }
-    return at;
-}
-
-// Where Newton's method leads from the middle of a stretch, without proof. More bits are taken as digits come.
-Ball likely_place(const Ball& at, const RateInTime& rate) {
-    const slong full = ball_bits;
-    Ball m = middle(at), last = radius_of(at);
-    for (slong looks = 0, bits = std::min(bits_of_search, full); looks < 40; ++looks) {
-        const Bits some(bits);
-        const RateAndSlope f = rate(m);
-        const Ball step = middle(f.rate / f.slope);
-        if (!step.finite()) break;
-        m = middle(m - step);
-        if (arb_overlaps(m.a, at.a) == 0) break;
-        Ball half(16); // a step as small leaves all bits right
-        arb_mul_2exp_si(half.a, half.a, -bits / 2);
-        const bool goes_on = abs(step) < last / 4 && !f.rate.may_vanish();
-        last = abs(step);
-        if (goes_on && !(last < half)) continue;
-        if (bits == full) break;
-        bits = std::min(2 * bits, full);
-    }
-    return m;
-}
-
-// The one maximum in a stretch. A step of Newton's method that leads from a small stretch about the likely place into itself proves it.
-Ball place_of_maximum(const Ball& at, const RateInTime& rate) {
-    const Ball m = likely_place(at, rate);
-    Ball about(1);
-    arb_mul_2exp_si(about.a, about.a, -ball_bits / 2);
-    about = widened(m, about);
-    if (arb_contains(at.a, about.a) != 0) {
-        const Ball there = rate(m).rate, next = m - there / rate(about).slope;
-        if (next.finite() && arb_contains_interior(about.a, next.a) != 0) return next;
-    }
-    return place_by_halves(at, rate);
-}
+using RateInTime = std::function<ValueAndSlope(const Ball& tau)>;
 
 // From stretches to the largest value in the bits of the moment.
 LargestInBalls refined(const LargestOnStretches& found, const std::function<Ball(const Ball&)>& value, const RateInTime& rate) {
@@ -100,7 +49,7 @@ LargestInBalls refined(const LargestOnStretches& found, const std::function<Ball
     bool first = true;
     for (const StretchOfLargest& s : found.stretches) {
         Ball at = stretch(s.from, s.to);
-        if (s.trend == TrendOnStretch::one_maximum) at = place_of_maximum(at, rate);
+        if (s.trend == TrendOnStretch::one_maximum) at = place_of_zero(at, rate);
         // Next to its maximum a function changes by the square of the distance: the value in the middle, and what curvature adds.
         const Ball here = value(at);
         if (first) {
@@ -145,7 +94,7 @@ LargestOnStretches stretches_of(const FunctionOfTime& f, double at_least) {
 LargestInBalls refined_of(const FunctionOfTime& f, const LargestOnStretches& found) {
     const auto rate = [&](const Ball& t) {
         const Series at = f(t);
-        return RateAndSlope{at.rate(1), at.rate(2)};
+        return ValueAndSlope{at.rate(1), at.rate(2)};
     };
     return refined(
         found, [&](const Ball& at) { return over_stretch(f, at).rate(0); }, rate);
@@ -210,7 +159,7 @@ LargestInBalls largest_over_sine(const FunctionOfTime& numerator) {
     };
     const auto rate = [&](const Ball& t) {
         const Series n = numerator(t);
-        return RateAndSlope{W_of(n, t), (n.rate(2) + n.rate(0)) * sin(t)};
+        return ValueAndSlope{W_of(n, t), (n.rate(2) + n.rate(0)) * sin(t)};
     };
     return refined(found, value, rate);
 }

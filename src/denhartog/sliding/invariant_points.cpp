@@ -10,8 +10,8 @@
 
 #include "denhartog/formulas/superposition.hpp"
 #include "denhartog/number/errors.hpp"
-#include "denhartog/number/multiprecision.hpp"
 #include "denhartog/number/number_text.hpp"
+#include "denhartog/search/zeros.hpp"
 #include "denhartog/sliding/maximum.hpp"
 #include "denhartog/sliding/undamped_curves.hpp"
 #include "denhartog/sums/bounded_modes.hpp"
@@ -44,75 +44,64 @@ std::vector<T> products(const Matrix<T>& phi, Mass a, Mass b) {
     return weights;
 }
 
-/// Where a part is divided: near its middle, at a point where the function is clearly not zero.
+/// What is known of the zeros in a part. Where the part is narrow and rounding alone is left, its own parts are not looked at.
 template <class T>
-T dividing_point(const TransmissibilityFunction<T>& f, const Part<T>& part) {
-    for (const int sixteenths : {8, 7, 9, 6, 10}) {
-        const T x = part.a + (part.b - part.a) * sixteenths / 16;
-        if (f.sign(x, {}) != 0) return x;
+ZerosInStretch zeros_in(const TransmissibilityFunction<T>& f, const Part<T>& part) {
+    const std::optional<Factor> factor = f.factor(part);
+    if (!factor) return ZerosInStretch::unknown;
+    const RangeWithRate<T> bounds = f.over(part.a, part.b, *factor);
+    if (certain_sign(bounds.value, T(0)) != 0) return ZerosInStretch::none;
+    if (certain_sign(bounds.rate, T(0)) != 0) {
+        const int at_a = f.sign(part.a, *factor), at_b = f.sign(part.b, *factor);
+        if (at_a != 0 && at_b != 0) return at_a == at_b ? ZerosInStretch::none : ZerosInStretch::one;
     }
-    return part.a + (part.b - part.a) / 2;
+    const bool hidden = part.b - part.a <= part.b / 1024 && size_of(bounds.value) <= 4 * bounds.rounding &&
+                        f.sign(T(part.a + (part.b - part.a) / 2), *factor) == 0;
+    return hidden ? ZerosInStretch::hidden : ZerosInStretch::unknown;
 }
 
 template <class T>
 struct Zeros {
     std::vector<T> x;
-    std::vector<Range<T>> undecided;
+    std::vector<StretchOfZeros<T>> undecided;
 };
-
-/// Whether it is known what a part holds; its zero, where there is one, is put down. A part that is narrow and rounding alone is
-/// hidden: it is not searched any further.
-template <class T>
-bool is_decided(const TransmissibilityFunction<T>& f, const Part<T>& part, Zeros<T>& zeros, bool& hidden) {
-    const std::optional<Factor> factor = f.factor(part);
-    if (!factor) return false;
-    const RangeWithRate<T> bounds = f.over(part.a, part.b, *factor);
-    hidden = part.b - part.a <= part.b / 1024 && size_of(bounds.value) <= 4 * bounds.rounding &&
-             f.sign(T(part.a + (part.b - part.a) / 2), *factor) == 0;
-    if (certain_sign(bounds.value, T(0)) != 0) return true;
-    if (certain_sign(bounds.rate, T(0)) == 0) return false;
-    const int at_a = f.sign(part.a, *factor), at_b = f.sign(part.b, *factor);
-    if (at_a == 0 || at_b == 0) return false;
-    const std::function<T(const T&)> value = [&](const T& x) { return f.at(x, *factor); };
-    if (at_a != at_b) zeros.x.push_back(bracketed_root(value, part.a, part.b, value(part.a), value(part.b)));
-    return true;
-}
-
-template <class T>
-void search(const TransmissibilityFunction<T>& f, const Part<T>& part, Zeros<T>& zeros, Effort& effort) {
-    bool hidden = effort.exhausted();
-    if (!hidden) {
-        effort.spend(f.cost());
-        if (is_decided(f, part, zeros, hidden)) return;
-    }
-    const T least = sqrt(eps<T>) / 1024 * part.b; // below it next to nothing is left of the digits of the rate
-    if (hidden || part.b - part.a <= least) {
-        if (!zeros.undecided.empty() && zeros.undecided.back().high >= part.a)
-            zeros.undecided.back().high = part.b;
-        else
-            zeros.undecided.push_back({part.a, part.b});
-        return;
-    }
-    const T middle = dividing_point(f, part);
-    search(f, Part<T>{part.a, middle, part.pole_a, nullptr}, zeros, effort);
-    search(f, Part<T>{middle, part.b, nullptr, part.pole_b}, zeros, effort);
-}
 
 template <class T>
 Zeros<T> zeros_between(const TransmissibilityFunction<T>& f, const T& from, const T& to, Effort& effort) {
     const std::vector<Pole<T>> poles = f.poles(from, to);
+    const T narrow = sqrt(eps<T>) / 1024; // below it next to nothing is left of the digits of the rate
     Zeros<T> zeros;
+    ZerosOnStretches<T> found;
+    const auto search = [&](const Part<T>& between) {
+        if (!(between.b > between.a)) return;
+        const auto part_of = [&](const T& a, const T& b) {
+            return Part<T>{a, b, a == between.a ? between.pole_a : nullptr, b == between.b ? between.pole_b : nullptr};
+        };
+        const auto look = [&](const T& a, const T& b) {
+            if (effort.exhausted()) return ZerosInStretch::hidden;
+            effort.spend(f.cost());
+            return zeros_in(f, part_of(a, b));
+        };
+        find_zeros<T>({look, [&](const T& x) { return f.sign(x, {}) != 0; }}, between.a, between.b, narrow, found);
+        for (const StretchOfZeros<T>& s : found.single) {
+            const Factor factor = *f.factor(part_of(s.from, s.to));
+            const std::function<T(const T&)> value = [&](const T& x) { return f.at(x, factor); };
+            zeros.x.push_back(bracketed_root(value, s.from, s.to, value(s.from), value(s.to)));
+        }
+        found.single.clear();
+    };
     Part<T> part{from, to, nullptr, nullptr};
     for (const Pole<T>& pole : poles) {
         part.b = pole.x;
         part.pole_b = &pole;
-        if (part.b > part.a) search(f, part, zeros, effort);
+        search(part);
         part.a = pole.x;
         part.pole_a = &pole;
     }
     part.b = to;
     part.pole_b = nullptr;
-    if (part.b > part.a) search(f, part, zeros, effort);
+    search(part);
+    zeros.undecided = std::move(found.undecided);
     return zeros;
 }
 
@@ -123,20 +112,11 @@ bool all_zero(const std::vector<T>& weights) {
 
 template <class T>
 void check_arguments(const ModalBasis<T>& basis, Mass contact, Mass load, const T& r_a, const T& r_b) {
-    const std::size_t N = basis.r_n.size();
-    if (contact.index >= N) throw InputError("contact", "must be one of the masses", std::to_string(contact.index + 1));
+    if (contact.index >= basis.r_n.size())
+        throw InputError("contact", "must be one of the masses", std::to_string(contact.index + 1));
     if (load.index >= static_cast<std::size_t>(basis.phi.rows()))
         throw InputError("load", "must be one of the masses", std::to_string(load.index + 1));
-    if (!(r_a > 0) || !boost::math::isfinite(r_a))
-        throw InputError("the least frequency ratio", "must be positive and finite", number_to_text(r_a));
-    if (!(r_b > r_a) || !boost::math::isfinite(r_b))
-        throw InputError("the largest frequency ratio", "must be above the least one, and finite", number_to_text(r_b));
-    T poles(0);
-    for (const T& r_n : basis.r_n) poles += r_n / r_a / 2;
-    if (poles > most_poles)
-        throw InputError("the least frequency ratio",
-                         "must not be so small that there are more than " + std::to_string(most_poles) + " poles above it",
-                         number_to_text(r_a));
+    check_range(std::vector<double>(basis.r_n.begin(), basis.r_n.end()), r_a, r_b);
 }
 
 /// The modes at a frequency ratio, without their damping.
@@ -187,6 +167,19 @@ bool pole_between(const ModalBasis<Bounded<T>>& basis, const T& a, const T& b) {
 
 } // namespace
 
+void check_range(const std::vector<double>& r_n, double r_a, double r_b) {
+    if (!(r_a > 0) || !std::isfinite(r_a))
+        throw InputError("the least frequency ratio", "must be positive and finite", number_to_text(r_a));
+    if (!(r_b > r_a) || !std::isfinite(r_b))
+        throw InputError("the largest frequency ratio", "must be above the least one, and finite", number_to_text(r_b));
+    double poles = 0;
+    for (const double each : r_n) poles += each / r_a / 2;
+    if (poles > most_poles)
+        throw InputError("the least frequency ratio",
+                         "must not be so small that there are more than " + std::to_string(most_poles) + " poles above it",
+                         number_to_text(r_a));
+}
+
 template <class T>
 std::vector<InvariantPointsOfMass<T>> invariant_points(const ModalBasis<T>& basis, Mass contact, Mass load, const T& r_a,
                                                        const T& r_b, Effort* allowed) {
@@ -214,8 +207,8 @@ std::vector<InvariantPointsOfMass<T>> invariant_points(const ModalBasis<T>& basi
                 else
                     found.undecided.push_back({r, r}); // a natural frequency to the last digit: no number tells which of the two
             }
-            for (const Range<T>& part : zeros.undecided)
-                found.undecided.push_back({std::max(T(1 / part.high), r_a), std::min(T(1 / part.low), r_b)});
+            for (const StretchOfZeros<T>& part : zeros.undecided)
+                found.undecided.push_back({std::max(T(1 / part.to), r_a), std::min(T(1 / part.from), r_b)});
         }
         std::sort(found.points.begin(), found.points.end(), [](const auto& p, const auto& q) { return p.r < q.r; });
         std::sort(found.undecided.begin(), found.undecided.end(), [](const auto& p, const auto& q) { return p.from < q.from; });
@@ -259,15 +252,7 @@ InvariantPointsOfMass<Bounded<T>> with_bounds(const ModalBasis<Bounded<T>>& basi
 
 template std::vector<InvariantPointsOfMass<double>> invariant_points(const ModalBasis<double>&, Mass, Mass, const double&,
                                                                      const double&, Effort*);
-template std::vector<InvariantPointsOfMass<Real50>> invariant_points(const ModalBasis<Real50>&, Mass, Mass, const Real50&,
-                                                                     const Real50&, Effort*);
-template std::vector<InvariantPointsOfMass<Real100>> invariant_points(const ModalBasis<Real100>&, Mass, Mass, const Real100&,
-                                                                      const Real100&, Effort*);
 template InvariantPointsOfMass<Bounded<double>> with_bounds(const ModalBasis<Bounded<double>>&, Mass, Mass,
                                                             const InvariantPointsOfMass<double>&);
-template InvariantPointsOfMass<Bounded<Real50>> with_bounds(const ModalBasis<Bounded<Real50>>&, Mass, Mass,
-                                                            const InvariantPointsOfMass<Real50>&);
-template InvariantPointsOfMass<Bounded<Real100>> with_bounds(const ModalBasis<Bounded<Real100>>&, Mass, Mass,
-                                                             const InvariantPointsOfMass<Real100>&);
 
 } // namespace denhartog

@@ -53,6 +53,13 @@ template <class T>
     return V;
 }
 
+/// @brief Refuses a range of frequency ratios that breaks a rule.
+/// @param r_n  natural frequency ratios
+/// @param r_a  least frequency ratio
+/// @param r_b  largest frequency ratio
+/// @throws     InputError where r_a is not positive, r_b not above it, or there are more than 100000 poles above r_a
+void check_range(const std::vector<double>& r_n, double r_a, double r_b);
+
 /// @brief All invariant points of every mass, damping left out.
 ///
 /// Over 1/r the functions V of (33) and U of (34) are sums of monotone terms between their poles \f$ r = r_{n,i}/n \f$, n odd.
@@ -70,7 +77,7 @@ template <class T>
 /// @param r_b      largest frequency ratio, above r_a
 /// @param effort   the work allowed; null for that of `default_effort`
 /// @return         the points of every row of the shapes, N
-/// @throws         InputError where the range, j or l breaks its rule, or there are more than 100000 poles above r_a
+/// @throws         InputError where j or l breaks its rule, or the range one of `check_range`
 template <class T>
 [[nodiscard]] std::vector<InvariantPointsOfMass<T>> invariant_points(const ModalBasis<T>& basis, Mass contact, Mass load,
                                                                      const T& r_a, const T& r_b, Effort* effort = nullptr);

@@ -3,29 +3,25 @@
 #pragma once
 
 #include <optional>
-#include <string>
 #include <vector>
 
-#include "denhartog/answer/scene_source.hpp"
-#include "denhartog/number/certified.hpp"
-#include "denhartog/sliding/invariant_points.hpp"
+#include "denhartog/answer/reference_invariant_points.hpp"
 
 namespace denhartog {
 
-/// @brief The ends of a range of frequency ratios as text, which every number type reads to its own digits.
-struct RangeInText {
-    std::string from; ///< positive
-    std::string to;   ///< above it
-};
-
-/// @brief The invariant points of every mass, damping left out, from the first precision that has the digits.
+/// @brief The invariant points of every mass, damping left out: in double, or by the reference where that leaves something open.
+///
+/// The reference answers where a proof or more than 14 digits are asked for, where double leaves a stretch undecided and where a
+/// point has fewer digits than are wanted. Where neither digits nor a proof are asked for, it is not asked about more than 40
+/// masses.
 /// @eq{87}
 /// @param source  the scene
 /// @param range   frequency ratios between which points are wanted
-/// @param digits  significant digits, from 1 to `most_digits`; by default the aim is 6, and 50 digits are the last precision
-/// @return        the points of each mass, in their order; stretches that the last precision leaves undecided are listed
-/// @throws        InputError where the range breaks a rule of `invariant_points`; PrecisionError where a point has fewer digits
+/// @param digits  significant digits, from 1 to `most_digits`; by default the aim is 6
+/// @param proved  whether every number must be proved
+/// @return        the points of each mass, in their order; stretches that stay undecided are listed
+/// @throws        InputError where the range breaks a rule of `check_range`; PrecisionError where a point has fewer digits
 [[nodiscard]] std::vector<InvariantPointsOfMass<Certified>>
-certain_invariant_points(const SceneSource& source, const RangeInText& range, std::optional<int> digits);
+certain_invariant_points(const SceneSource& source, const RangeInText& range, std::optional<int> digits, bool proved = false);
 
 } // namespace denhartog

@@ -73,8 +73,6 @@ std::string invariant_points_table(const Json& masses) {
 }
 
 std::string bound(const SceneText& part, const BoundaryOptions& options) {
-    if (options.proved && !options.range.empty())
-        throw InputError(range_name, "must be given without --proved: they are estimates", options.range);
     const SceneSource source = without_friction_ratio(source_of(part, options.damping));
     const NumberWriter write{options.digits};
     const Solution found = answer_or_reason(source, options);
@@ -82,8 +80,8 @@ std::string bound(const SceneText& part, const BoundaryOptions& options) {
     const std::optional<Units> units = source->in_double().units;
     if (units) answer["dimensional"] = dimensional_json(found, *units);
     if (!options.range.empty())
-        answer["invariant_points"] =
-            invariant_points_json(certain_invariant_points(source, range_from(options.range), options.digits), write);
+        answer["invariant_points"] = invariant_points_json(
+            certain_invariant_points(source, range_from(options.range), options.digits, options.proved), write);
     if (options.json) return answer.dump() + "\n";
     return boundary_table(answer) + (units ? dimensional_table(answer.at("dimensional")) + "\n" : "") +
            (options.range.empty() ? "" : invariant_points_table(answer.at("invariant_points")));
@@ -107,7 +105,7 @@ void add_boundary_command(CLI::App& app, ExitStatus& status) {
         "the end of the half-period.\n"
         "invariant_points: the points of every mass, without damping: r, the monoharmonic amplitude (52) there at every\n"
         "friction ratio, bounds of their errors, and kind: 87, a root of (87); U_k = 0, the factor that (87) divides out.\n"
-        "undecided: ranges of r in which rounding hides whether there is a point.\n"
+        "undecided: ranges of r of which it is not known whether there is a point.\n"
         "dimensional: the friction forces of a scene of masses, stiffnesses and force.");
     command->callback([options, &status] {
         answer_scenes(

@@ -1,0 +1,79 @@
+#if DENHARTOG_REFERENCE
+#include "denhartog/answer/reference_invariant_points.hpp"
+
+#include <algorithm>
+
+#include "denhartog/answer/printed.hpp"
+#include "denhartog/answer/reference_point.hpp"
+#include "denhartog/number/effort.hpp"
+#include "denhartog/number/number_text.hpp"
+#include "denhartog/reference/invariant_points.hpp"
+
+namespace denhartog {
+namespace {
+
+using namespace reference;
+
+Ball end_of_range(const std::string& text) {
+    Ball value;
+    if (number_from_text(text, value) != NumberFault::none) throw InputError("the range of r", "must be two numbers", text);
+    return value;
+}
+
+// The points as they are written, and whether each has its digits.
+std::vector<InvariantPointsOfMass<Certified>> written(const std::vector<InvariantPointsOfMass<Ball>>& found, WrittenNumbers& w) {
+    std::vector<InvariantPointsOfMass<Certified>> masses;
+    for (const InvariantPointsOfMass<Ball>& mass : found) {
+        masses.push_back({mass.mass, {}, {}});
+        for (const InvariantPoint<Ball>& p : mass.points) {
+            const bool rests = w.does_not_move(p.amplitude, Ball(1));
+            masses.back().points.push_back(
+                {w.relative(p.r), rests ? w.unmoved(p.amplitude).amplitude : w.relative(p.amplitude), p.kind});
+        }
+        for (const UndecidedStretch<Ball>& u : mass.undecided)
+            masses.back().undecided.push_back({w.shown(u.from), w.shown(u.to)});
+    }
+    return masses;
+}
+
+std::size_t stretches(const std::vector<InvariantPointsOfMass<Certified>>& masses) {
+    std::size_t count = 0;
+    for (const InvariantPointsOfMass<Certified>& mass : masses) count += mass.undecided.size();
+    return count;
+}
+
+} // namespace
+
+std::vector<InvariantPointsOfMass<Certified>> invariant_points_by_reference(const SceneSource& source, const RangeInText& range,
+                                                                            int digits, bool briefly) {
+    thread_local const ConstantsOfBalls freed_at_its_end;
+    const std::size_t N = number_of_masses(source->in_double().system);
+    const QuestionEffort effort(N);
+    const auto first = static_cast<slong>(std::max(128.0, bits_of_digit * digits + 64));
+    const slong most = briefly ? 2 * first : std::max<slong>(1024, 4 * first);
+    std::size_t undecided_before = 0;
+    std::string why;
+    for (slong bits = first;; bits = std::min(2 * bits, most)) {
+        const bool last = bits == most;
+        QuestionEffort::pay(static_cast<long>(N * N * (N + 8)) * (bits / 64) / 4);
+        try {
+            const Bits all(bits);
+            bits_of_search = 64 * (bits / first);
+            WrittenNumbers w(digits, last);
+            std::vector<InvariantPointsOfMass<Certified>> masses =
+                written(invariant_points_in_balls(scene_in_balls(source), end_of_range(range.from), end_of_range(range.to)), w);
+            // What twice the bits leave undecided as before will stay so.
+            const std::size_t undecided = stretches(masses);
+            if (w.enough() && (undecided == 0 || undecided == undecided_before || last || QuestionEffort::exhausted()))
+                return masses;
+            undecided_before = undecided;
+            why = "the digits are not certain with " + std::to_string(bits) + " bits";
+        } catch (const Unproved& e) {
+            why = e.what();
+        }
+        if (last) throw PrecisionError("the reference does not prove it: " + why);
+    }
+}
+
+} // namespace denhartog
+#endif

@@ -1,0 +1,32 @@
+/// @file
+/// @brief Invariant points by the reference: to any number of digits, every number proved.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "denhartog/answer/scene_source.hpp"
+#include "denhartog/number/certified.hpp"
+#include "denhartog/sliding/invariant_points.hpp"
+
+namespace denhartog {
+
+/// @brief The ends of a range of frequency ratios as text, which every number type reads to its own digits.
+struct RangeInText {
+    std::string from; ///< positive
+    std::string to;   ///< above it
+};
+
+/// @brief The invariant points of every mass, damping left out. Bits are doubled until every point has its digits.
+/// @eq{87}
+/// @param source   the scene
+/// @param range    frequency ratios between which points are wanted
+/// @param digits   significant digits, all certain in the answer
+/// @param briefly  whether bits are doubled once at most, as nobody asked for digits
+/// @return         the points of each mass, in their order; every number is proved. Stretches that stay undecided are listed
+/// @throws         InputError where the range breaks a rule of `check_range`; PrecisionError where something cannot be proved,
+///                 the budget of work is spent, or the library was built without the reference
+[[nodiscard]] std::vector<InvariantPointsOfMass<Certified>>
+invariant_points_by_reference(const SceneSource& source, const RangeInText& range, int digits, bool briefly);
+
+} // namespace denhartog

@@ -1,0 +1,322 @@
+// Invariant points, proved: against double, against the paper's own formulas, and known ones; and twins that are noticed.
+#include "denhartog/reference/invariant_points.hpp"
+
+#include <algorithm>
+
+#include "denhartog/answer/sliding_point.hpp"
+#include "denhartog/formulas/mode.hpp"
+#include "denhartog/formulas/stuck.hpp"
+#include "denhartog/formulas/superposition.hpp"
+#include "denhartog/model/coordinates.hpp"
+#include "denhartog/number/errors.hpp"
+#include "denhartog/reference/modes.hpp"
+#include "denhartog/search/zeros.hpp"
+#include "denhartog/solve/certain_invariant_points.hpp"
+#include "tests/reference/surveyed_scenes.hpp"
+#include "tests/support/sample_scenes.hpp"
+
+using namespace denhartog;
+using namespace denhartog::tests;
+
+namespace {
+
+using Points = std::vector<InvariantPointsOfMass<Certified>>;
+
+// A contact between two masses, loads on several, masses that only friction couples, and modes of one frequency but for a part.
+constexpr const char* further_systems[] = {
+    R"({"mass_matrix": [[1.923, 0, 0], [0, 0.658, 0], [0, 0, 2.402]], "stiffness_matrix": [[2.202, -0.499, 0],
+        [-0.499, 1.176, 0], [0, 0, 1.208]], "damping_ratios": 0.01, "contact": [3, 2], "load": [0.182, -0.796, -0.365], "r": 1})",
+    R"({"mass_ratios": [1, 2, 0.5], "stiffness_ratios": [1, 0.75, 1.5], "damping_ratios": 0, "contact": [1, 3],
+        "load": [0.5, -1, 0.25], "r": 1})",
+    R"({"mass_matrix": [[1, 0.125], [0.125, 2]], "stiffness_matrix": [[2, -0.5], [-0.5, 1.25]], "damping_ratios": 0.1,
+        "contact": 1, "load": [1, 2], "r": 1})",
+    R"({"mass_ratios": [1, 1.5], "stiffness_matrix": [[1, 0], [0, 0.5]], "damping_ratios": 0.1, "contact": [1, 2], "load": 1,
+        "r": 1})"};
+
+Points proved_points(const SceneSource& source, const char* from, const char* to, int digits) {
+    return invariant_points_by_reference(source, {from, to}, digits, false);
+}
+
+// Those of double, with their bounds; masses in their order.
+std::vector<InvariantPointsOfMass<Bounded<double>>> points_of_double(const SceneSource& source, double from, double to) {
+    const SceneIn<double> in = scene_with_modes<double>(source);
+    const System<double>& s = in.scene.system;
+    std::vector<InvariantPointsOfMass<Bounded<double>>> found;
+    for (const InvariantPointsOfMass<double>& each : invariant_points(values_of(*in.basis), s.contact, s.load, from, to))
+        found.push_back(with_bounds(*in.basis, s.contact, s.load, each));
+    put_in_order_of_masses(s.coordinates, found);
+    found.resize(number_of_masses(s));
+    return found;
+}
+
+// How often double and the proofs were compared, and what was amiss.
+struct PointsCompared {
+    int points = 0, close = 0;
+    std::vector<std::string> amiss{};
+};
+
+void compare(const std::string& name, const SceneSource& source, PointsCompared& all) {
+    const auto few = points_of_double(source, 0.4, 2.5);
+    const Points many = proved_points(source, "0.4", "2.5", 25);
+    for (std::size_t k = 0; k < many.size(); ++k) {
+        if (!few[k].undecided.empty() || !many[k].undecided.empty()) continue;
+        if (few[k].points.size() != many[k].points.size()) {
+            all.amiss.push_back("another number of points, " + name);
+            continue;
+        }
+        for (std::size_t n = 0; n < few[k].points.size(); ++n) {
+            const InvariantPoint<Bounded<double>>& p = few[k].points[n];
+            const InvariantPoint<Certified>& q = many[k].points[n];
+            ++all.points;
+            if (p.kind != q.kind) all.amiss.push_back("another kind, " + name);
+            for (const auto& [x, y] : {std::pair(&p.r, &q.r), std::pair(&p.amplitude, &q.amplitude)}) {
+                const double off = apart(Ball(x->x), ball_of(*y));
+                all.close += off > x->e / 1024;
+                if (off > x->e || !y->proved) all.amiss.push_back("beyond its bound, " + name + ", " + in_words(ball_of(*y)));
+            }
+        }
+    }
+}
+
+// V and U of a mass and of the contact by the paper's own formulas (23), (28), (33), (34) at zeta = 0.
+struct PaperFunctions {
+    Ball V_k{}, V_j{}, U_k{}, U_j{};
+    PaperFunctions(const SceneSource& source, const Ball& r, std::size_t k) {
+        Scene<Ball> scene;
+        source->in_balls(scene);
+        scene.r = r;
+        reference::SceneInBalls s = reference::in_matrices(scene);
+        s.zeta.clear();
+        const reference::ModesInBalls m = reference::modes_in_balls(s);
+        REQUIRE(m.clusters.empty());
+        std::vector<Complex<Ball>> v;
+        std::vector<Ball> u;
+        for (const Ball& R : m.R) {
+            v.push_back(paper::complex_response(R, Ball(0)));
+            u.push_back(paper::first_damping_function(R, Ball(0)));
+        }
+        const auto V = [&](const std::vector<Ball>& psi) {
+            return paper::complex_response_of_mass<Ball>(psi, m.at_load(), m.R, v).re;
+        };
+        const auto U = [&](const std::vector<Ball>& psi) {
+            return paper::damping_function_of_mass<Ball>(psi, m.at_contact(), m.R, u);
+        };
+        V_k = V(m.psi[k]);
+        V_j = V(m.at_contact());
+        U_k = U(m.psi[k]);
+        U_j = U(m.at_contact());
+    }
+};
+
+// Of the points of 40 digits, those at which a function may vanish, and is known well.
+struct PointsChecked {
+    int vanish = 0, all = 0, by_87 = 0;
+};
+
+template <class Function>
+PointsChecked checked(const SceneSource& source, const Function& of_87) {
+    PointsChecked c;
+    const Bits enough(256);
+    for (const InvariantPointsOfMass<Certified>& mass : proved_points(source, "0.4", "2.5", 40))
+        for (const InvariantPoint<Certified>& p : mass.points) {
+            const PaperFunctions f(source, ball_of(p.r), mass.mass.index);
+            const bool by_87 = p.kind == InvariantPointKind::two_effects_cancel;
+            const Ball value = by_87 ? of_87(f) : f.U_k;
+            ++c.all;
+            c.by_87 += by_87;
+            c.vanish += value.may_vanish() && value.radius() < 1e-20;
+            CHECK(apart(abs(f.V_k), ball_of(p.amplitude)) == 0);
+        }
+    return c;
+}
+
+Ball function_87(const PaperFunctions& f) { return paper::invariant_point_function(f.V_k, f.V_j, f.U_k, f.U_j); }
+
+std::size_t undecided_in(const Points& points) {
+    std::size_t count = 0;
+    for (const auto& mass : points) count += mass.undecided.size();
+    return count;
+}
+
+SceneSource source_of_text(const std::string& text) { return scene_source(SceneText{text}); }
+
+// sin(pi x) as a search sees it, from its values and slopes at the ends of stretches.
+FunctionWithZeros<double> sine_of_turns() {
+    const auto f = [](const Ball& x) { return sin(pi<Ball>() * x); };
+    return {[f](double a, double b) {
+                const Ball X = Ball::within(a, b);
+                if (!f(X).may_vanish()) return ZerosInStretch::none;
+                if (cos(pi<Ball>() * X).may_vanish()) return ZerosInStretch::unknown;
+                const Ball at_a = f(Ball(a)), at_b = f(Ball(b));
+                if (at_a.may_vanish() || at_b.may_vanish()) return ZerosInStretch::unknown;
+                return (at_a > Ball(0)) == (at_b > Ball(0)) ? ZerosInStretch::none : ZerosInStretch::one;
+            },
+            [f](double x) { return !f(Ball(x)).may_vanish(); }};
+}
+
+ZerosOnStretches<double> zeros_of(const FunctionWithZeros<double>& f, double a, double b) {
+    ZerosOnStretches<double> found;
+    find_zeros(f, a, b, 1e-9, found);
+    return found;
+}
+
+} // namespace
+
+TEST_CASE("a search finds every zero of a function once, and says where it has no answer", "[zeros]") {
+    const FunctionWithZeros<double> f = sine_of_turns();
+    const ZerosOnStretches<double> found = zeros_of(f, 0.5, 8.5);
+    CHECK(found.undecided.empty());
+    REQUIRE(found.single.size() == 8);
+    for (std::size_t n = 0; n < 8; ++n) {
+        CHECK(found.single[n].from < static_cast<double>(n + 1));
+        CHECK(found.single[n].to > static_cast<double>(n + 1));
+    }
+    const ZerosOnStretches<double> at_end = zeros_of(f, 1, 2.5); // a zero at the end of the interval
+    CHECK(at_end.single.size() == 1);
+    REQUIRE(at_end.undecided.size() == 1);
+    CHECK(at_end.undecided[0].from == 1);
+    CHECK(at_end.undecided[0].to < 1 + 1e-8);
+    FunctionWithZeros<double> given_up = f;
+    given_up.look = [](double, double) { return ZerosInStretch::hidden; };
+    CHECK(zeros_of(given_up, 0.5, 8.5).undecided.size() == 1);
+    FunctionWithZeros<double> wrong = f; // a function that excludes zeros too soon
+    wrong.look = [look = f.look](double a, double b) { return b - a < 0.4 ? ZerosInStretch::none : look(a, b); };
+    CHECK(zeros_of(wrong, 0.5, 8.5).single.size() < 8);
+}
+
+TEST_CASE("invariant points in double lie within their bounds of the proved ones", "[invariant][eq:87]") {
+    PointsCompared all;
+    std::vector<std::string> systems;
+    for (const SurveyedScene& each : surveyed_scenes()) {
+        nlohmann::json system = each.json;
+        for (const char* key : {"comment", "r", "beta", "mu"}) system.erase(key);
+        const std::string text = system.dump();
+        if (number_of_masses(each.source->in_double().system) > 5 || std::ranges::count(systems, text) > 0) continue;
+        systems.push_back(text);
+        compare(each.text, each.source, all);
+    }
+    const std::vector<RandomScene<double>> some = random_scenes<double>(87);
+    for (std::size_t n = 0; n < some.size(); n += 3)
+        if (number_of_masses(some[n].scene.system) < 5) compare(some[n].name, scene_source(some[n].scene), all);
+    for (const char* text : further_systems) compare(text, source_of_text(text), all);
+    for (const std::string& what : all.amiss) UNSCOPED_INFO(what);
+    CHECK(all.amiss.empty());
+    CHECK(all.points > 2000);
+    INFO(all.close << " of " << 2 * all.points);
+    CHECK(all.close > all.points / 8); // bounds a thousand times smaller would not hold
+}
+
+TEST_CASE("at a proved point the paper's own formulas vanish, and a twin with a wrong sign or factor does not",
+          "[invariant][eq:87][eq:33][eq:34]") {
+    PointsChecked right, wrong_sign, wrong_factor;
+    const auto add = [](PointsChecked& to, const PointsChecked& c) {
+        to = {to.vanish + c.vanish, to.all + c.all, to.by_87 + c.by_87};
+    };
+    std::vector<SceneSource> sources;
+    for (const char* text : further_systems) sources.push_back(source_of_text(text));
+    for (const NamedScene<double>& each : paper_scenes<double>())
+        if (number_of_masses(each.scene.system) == 5) sources.push_back(scene_source(each.scene));
+    for (const SceneSource& source : sources) {
+        add(right, checked(source, function_87));
+        add(wrong_sign, checked(source, [](const PaperFunctions& f) { return 2 - function_87(f); }));
+        add(wrong_factor, checked(source, [](const PaperFunctions& f) { return 1 + function_87(f); }));
+    }
+    CHECK(right.by_87 > 30);
+    CHECK(right.vanish == right.all);
+    CHECK(wrong_sign.vanish == wrong_sign.all - wrong_sign.by_87);
+    CHECK(wrong_factor.vanish == wrong_factor.all - wrong_factor.by_87);
+}
+
+TEST_CASE("60 and 200 digits of invariant points agree to 60", "[invariant][eq:87]") {
+    int points = 0;
+    for (const char* text : further_systems) {
+        const Points a = proved_points(source_of_text(text), "0.4", "2.5", 60);
+        const Points b = proved_points(source_of_text(text), "0.4", "2.5", 200);
+        const Bits enough(800);
+        REQUIRE(a.size() == b.size());
+        for (std::size_t k = 0; k < a.size(); ++k) {
+            REQUIRE(a[k].points.size() == b[k].points.size());
+            for (std::size_t n = 0; n < a[k].points.size(); ++n, ++points)
+                for (const auto& [x, y] : {std::pair(&a[k].points[n].r, &b[k].points[n].r),
+                                           std::pair(&a[k].points[n].amplitude, &b[k].points[n].amplitude)}) {
+                    CHECK(apart(ball_of(*x), ball_of(*y)) == 0);
+                    CHECK(x->error <= 1e-59 * x->value);
+                    CHECK(y->error <= 1e-199 * y->value);
+                    CHECK((x->proved && y->proved));
+                }
+        }
+    }
+    CHECK(points > 20);
+}
+
+TEST_CASE("the points of one mass are r = 1/2, 1/4, 1/6 and so on, the ends of the range included, to all digits",
+          "[invariant][eq:87]") {
+    const SceneSource source =
+        source_of_text(R"({"mass_ratios": [1], "stiffness_ratios": [1], "damping_ratios": 0, "contact": 1, "load": 1, "r": 1})");
+    const Points found = proved_points(source, "0.125", "0.5", 95);
+    const Bits enough(400);
+    REQUIRE(found.size() == 1);
+    CHECK(found[0].undecided.empty());
+    REQUIRE(found[0].points.size() == 4);
+    for (int n = 0; n < 4; ++n) {
+        const Ball r = 1 / Ball(8 - 2 * n);
+        const InvariantPoint<Certified>& p = found[0].points[static_cast<std::size_t>(n)];
+        CHECK(apart(ball_of(p.r), r) == 0);
+        CHECK(apart(ball_of(p.amplitude), 1 / (1 - r * r)) == 0);
+        CHECK(p.kind == InvariantPointKind::friction_leaves_it_alone);
+    }
+}
+
+TEST_CASE("masses that friction does not reach have no proved points, and a contact that the load does not reach leaves none",
+          "[invariant][eq:87]") {
+    const std::string system = R"({"mass_ratios": [1, 1], "stiffness_matrix": [[2, 0], [0, 1]], "damping_ratios": 0, "r": 1, )";
+    const Points apart_from_it = proved_points(source_of_text(system + R"("contact": 2, "load": 2})"), "0.2", "2.5", 30);
+    CHECK(apart_from_it[0].points.empty());
+    CHECK(apart_from_it[1].points.size() == 2); // r = 1/2, 1/4
+    CHECK(undecided_in(apart_from_it) == 0);
+    const Points unloaded = proved_points(source_of_text(system + R"("contact": 2, "load": 1})"), "0.2", "2.5", 30);
+    CHECK((unloaded[0].points.empty() && unloaded[1].points.empty() && undecided_in(unloaded) == 0));
+}
+
+TEST_CASE("where a mass beside the contact absorbs the load, V_j and V_k vanish and (87) has no root", "[invariant][eq:87]") {
+    // Mass 1 is at resonance between its springs, r = sqrt(2), so the loaded mass 2 and all behind it are at rest.
+    const SceneSource source = source_of_text(R"({"mass_ratios": [1, 1, 1], "stiffness_ratios": [1, 1, 1], "damping_ratios": 0,
+        "contact": 3, "load": 2, "r": 1})");
+    const Points found = proved_points(source, "0.4", "2.5", 30);
+    CHECK(undecided_in(found) == 0);
+    CHECK(found[1].points.size() > 4);
+    for (const InvariantPointsOfMass<Certified>& mass : found)
+        for (const InvariantPoint<Certified>& p : mass.points) CHECK(std::abs(p.r.value - std::sqrt(2.0)) > 1e-6);
+}
+
+TEST_CASE("a pole of a mode whose node may be the contact is an undecided stretch", "[invariant][eq:87]") {
+    // In a chain of four equal masses mass 3 does not move in the mode of r = 1.
+    const SceneSource source = source_of_text(R"({"mass_ratios": [1, 1, 1, 1], "stiffness_ratios": [1, 1, 1, 1],
+        "damping_ratios": 0, "contact": 3, "load": 2, "r": 1.5})");
+    const Points found = proved_points(source, "0.5", "2.5", 30);
+    CHECK(undecided_in(found) > 0);
+    CHECK(undecided_in(found) < 10);
+    for (const InvariantPointsOfMass<Certified>& mass : found)
+        for (const UndecidedStretch<Certified>& u : mass.undecided) {
+            CHECK(std::abs(u.from.value - 1) < 1e-12);
+            CHECK(std::abs(u.to.value - 1) < 1e-12);
+        }
+}
+
+TEST_CASE("invariant points to more digits than double has are proved, and refused where the work is spent or a rule is broken",
+          "[invariant][eq:87]") {
+    const SceneSource source = source_of_text(further_systems[1]);
+    for (const auto& [digits, proved] :
+         {std::pair(6, true), std::pair(15, false), std::pair(95, false), std::pair(1000, false)}) {
+        const Points found = certain_invariant_points(source, {"0.5", "2"}, digits, proved);
+        for (const InvariantPointsOfMass<Certified>& mass : found)
+            for (const InvariantPoint<Certified>& p : mass.points) CHECK((p.r.proved && p.amplitude.proved));
+        CHECK(found[0].points.size() > 1);
+    }
+    {
+        const QuestionEffort little(3, 100);
+        CHECK_THROWS_AS(certain_invariant_points(source, {"0.5", "2"}, 30), PrecisionError);
+    }
+    for (const auto& [from, to] : {std::pair("0", "1"), std::pair("2", "1"), std::pair("1e-9", "1"), std::pair("a", "1")})
+        CHECK_THROWS_AS(certain_invariant_points(source, {from, to}, 30), InputError);
+}
