@@ -151,11 +151,6 @@ void write_orbit(const OrbitInBalls& o, const Scene<double>& scene, const Refere
     s.method.model = "exact solver";
 }
 
-// Frees, at the end of a thread, the constants that Arb keeps for it.
-struct ConstantsOfBalls {
-    ~ConstantsOfBalls() { flint_cleanup(); }
-};
-
 class Guesses {
 public:
     explicit Guesses(const std::function<std::vector<OrbitGuess>()>& made) : made_(made) {}
@@ -242,30 +237,17 @@ bool has_reference() { return true; }
 
 Solution solution_by_reference(const SceneSource& source, const ReferenceQuestion& q,
                                const std::function<std::vector<OrbitGuess>()>& made) {
-    thread_local const ConstantsOfBalls freed_at_its_end;
     const std::size_t N = number_of_masses(source->in_double().system);
     const QuestionEffort effort(N);
     const auto first = static_cast<slong>(std::max(128.0, bits_of_digit * q.digits + 64));
     const slong most = q.briefly ? 2 * first : std::max<slong>(1024, 4 * first);
     Guesses guesses(made);
-    std::string why;
-    for (slong bits = first;; bits = std::min(2 * bits, most)) {
-        const bool last = bits == most;
-        QuestionEffort::pay(static_cast<long>(N * N * (N + 8)) * (bits / 64) / 4);
-        try {
-            const Bits all(bits);
-            bits_of_search = 64 * (bits / first);
-            bool enough = false;
-            Solution s = attempt(source, q, bits, last, guesses, enough);
-            if (enough) return s;
-            why = "the digits are not certain with " + std::to_string(bits) + " bits";
-        } catch (const Disproved& e) {
-            throw PrecisionError(std::string("the reference does not prove it: ") + e.what());
-        } catch (const Unproved& e) {
-            why = e.what();
-        }
-        if (last) throw PrecisionError("the reference does not prove it: " + why);
-    }
+    return with_more_bits(N, first, most, [&](slong bits, bool last) {
+        bool enough = false;
+        std::optional<Solution> s = attempt(source, q, bits, last, guesses, enough);
+        if (!enough) s.reset();
+        return s;
+    });
 }
 
 } // namespace denhartog

@@ -22,13 +22,26 @@ SlidingContactInBalls contact_in_balls(const ResponsesInBalls& r, const Ball& be
             wrapped_in_balls(paper::phase_of_contact(r.V[j], r.U[j], beta))};
 }
 
+SlidingMassInBalls start_of_mass_in_balls(const ResponsesInBalls& r, const SlidingContactInBalls& contact, const Ball& beta,
+                                          std::size_t row, bool is_contact) {
+    const std::size_t j = r.contact();
+    SlidingMassInBalls m;
+    m.x0 = is_contact ? contact.X_j : paper::initial_displacement(r.V[row], r.V[j], r.U[j], r.G[row], beta);
+    m.v0 = is_contact ? Ball(0) : paper::initial_velocity(r.V[row], r.V[j], r.U[j], r.U[row], beta);
+    return m;
+}
+
+Series displacement_in_balls(const ResponsesInBalls& r, const SlidingMassInBalls& m, const Ball& beta, std::size_t row,
+                             const Ball& tau) {
+    const Series F = r.friction.of(row, (*r.friction.shared)(tau));
+    return paper::displacement<Series>(Series::time(tau), m.x0, m.v0, r.G[row], r.U[row], beta, F);
+}
+
 SlidingMassInBalls mass_in_balls(const ResponsesInBalls& r, const SlidingContactInBalls& contact, const Ball& beta,
                                  std::size_t row, bool is_contact) {
     const std::size_t j = r.contact();
     if (is_contact) return {contact.X_j, contact.phi_j, contact.X_j, Ball(0), Ball(0), contact.X_j, contact.phi_j};
-    SlidingMassInBalls m;
-    m.x0 = paper::initial_displacement(r.V[row], r.V[j], r.U[j], r.G[row], beta);
-    m.v0 = paper::initial_velocity(r.V[row], r.V[j], r.U[j], r.U[row], beta);
+    SlidingMassInBalls m = start_of_mass_in_balls(r, contact, beta, row, is_contact);
     m.amplitude_monoharmonic = paper::displacement_transmissibility(r.V[row], r.V[j], r.U[j], r.U[row], r.G[row], beta);
     m.phase_monoharmonic = wrapped_in_balls(contact.phi_j + paper::phase_behind_contact(m.x0, m.v0));
     if (beta.is_zero()) { // without friction the motion is harmonic, and lags by minus the angle of V_dk
@@ -38,10 +51,7 @@ SlidingMassInBalls mass_in_balls(const ResponsesInBalls& r, const SlidingContact
         if (m.instant < Ball(0)) m.instant = m.instant + pi<Ball>();
         return m;
     }
-    const auto x = [&](const Ball& tau) { // (41)
-        const Series F = r.friction.of(row, (*r.friction.shared)(tau));
-        return paper::displacement<Series>(Series::time(tau), m.x0, m.v0, r.G[row], r.U[row], beta, F);
-    };
+    const auto x = [&](const Ball& tau) { return displacement_in_balls(r, m, beta, row, tau); };
     // A mass that does not move, as far as the bits can tell, has no instant of a largest displacement. By (41) to (43) |x_k| is
     // at most |V_dk| + beta |F_k|.
     const Ball F_throughout = r.friction.of(row, (*r.friction.shared)(either(Ball(0), pi<Ball>()))).rate(0);
