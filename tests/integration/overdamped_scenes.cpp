@@ -2,8 +2,8 @@
 // modes: the half-period as a matrix exponential, the paper's Runge-Kutta algorithm, events from phase to phase.
 #include <cmath>
 
+#include "denhartog/answer/exact_cycles.hpp"
 #include "denhartog/map/regime_map.hpp"
-#include "denhartog/paper_algorithm/exact_cycles.hpp"
 #include "denhartog/solve/solve.hpp"
 #include "denhartog/solve/truncated_modes.hpp"
 #include "denhartog/sums/friction_motion.hpp"
@@ -109,7 +109,7 @@ TEST_CASE("with overdamped modes solve sticks and slips as the paper's algorithm
         PaperSettings settings;
         settings.cycles = 100;
         settings.absolute_tolerance = 1e-10;
-        const PaperMotion by_paper = paper_algorithm(*scene, settings), by_events = exact_cycles(*scene, settings);
+        const PaperMotion by_paper = paper_algorithm(*scene, settings), by_events = exact_cycles(scene_source(*scene), settings);
         INFO(text(*scene));
         REQUIRE(s.regime.regime == Regime::stick_slip);
         REQUIRE(by_paper.status == IntegrationStatus::complete);

@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "denhartog/answer/exact_cycles.hpp"
 #include "denhartog/number/errors.hpp"
-#include "denhartog/paper_algorithm/exact_cycles.hpp"
 #include "tests/catch.hpp"
 #include "tests/support/sample_scenes.hpp"
 #include "tests/unit/response_fixtures.hpp"
@@ -71,7 +71,7 @@ TEST_CASE("at the paper's settings the Figures 4 and 5 come out to the transient
         for (const double zeta : {0.01, 0.1}) {
             const Scene<double> scene = five_masses(j, zeta);
             const PaperMotion motion = paper_algorithm(scene);
-            const PaperMotion exact = exact_cycles(scene, {});
+            const PaperMotion exact = exact_cycles(scene_source(scene), {});
             const double left = std::exp(-zeta * 2 * std::sin(pi<double>() / 22) / 0.9 * 2 * pi<double>() * 199);
             const double error = error_of(motion, *response(scene).steady_state);
             INFO("j = " << j << ", zeta = " << zeta << ", error " << error << ", transient " << left);

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "denhartog/number/errors.hpp"
-#include "denhartog/solve/quantities.hpp"
+#include "denhartog/solve/quantities_of_sums.hpp"
 #include "denhartog/sums/chain_sums.hpp"
 #include "tests/speed_accuracy/bounds_scenes.hpp"
 

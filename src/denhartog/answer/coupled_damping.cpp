@@ -1,36 +1,40 @@
 #include "denhartog/answer/coupled_damping.hpp"
 
+#include <cmath>
 #include <utility>
 
-#include "denhartog/answer/certify.hpp"
+#include "denhartog/answer/modes_by_reference.hpp"
+#include "denhartog/answer/modes_in_double.hpp"
 #include "denhartog/model/modal_damping.hpp"
-#include "denhartog/scene/converted.hpp"
+#include "denhartog/number/errors.hpp"
+#include "denhartog/sums/bounded_modes.hpp"
 
 namespace denhartog {
 namespace {
 
-template <class T>
-std::optional<CoupledDamping> in_number_type(const SceneSource& source) {
-    System<T> system = scene_in<T>(source).system;
-    const double tolerance = std::exchange(system.damping_tolerance, 0.0);
-    const ModalBasis<T> basis = modal_basis(system);
-    if (!basis.coupled()) return std::nullopt;
-    const T rounding = rounding_of_modes<T>(basis.r_n.size()) * basis.D.cwiseAbs().maxCoeff();
-    return CoupledDamping{basis.distance_from_classical > tolerance, static_cast<double>(basis.distance_from_classical),
-                          static_cast<double>(largest_coupling(basis.D, rounding)), in_type<double>(basis.zeta)};
+// The modes with the damping matrix as it is.
+ModalBasis<double> modes_as_given(const SceneSource& source) {
+    try {
+        System<double> system = source->in_double().system;
+        system.damping_tolerance = 0;
+        return modal_basis(system);
+    } catch (const PrecisionError&) {
+        ModalBasis<Bounded<double>> basis = modes_by_reference(with_damping_tolerance(source, 0), true);
+        if (!certainly_couples(basis)) leave_out_coupling(basis);
+        return values_of(basis);
+    }
 }
 
 } // namespace
 
 std::optional<CoupledDamping> coupled_damping(const SceneSource& source) {
-    if (source->in_double().system.damping_matrix.size() == 0) return std::nullopt;
-    std::optional<CoupledDamping> found;
-    const auto attempt = [&]<class T>(std::type_identity<T>) {
-        found = in_number_type<T>(source);
-        return Attempted{0};
-    };
-    certify(aim_of({}), attempt, Precision::in_50_digits);
-    return found;
+    const System<double>& system = source->in_double().system;
+    if (system.damping_matrix.size() == 0) return std::nullopt;
+    ModalBasis<double> basis = modes_as_given(source);
+    if (!basis.coupled()) return std::nullopt;
+    const double rounding = rounding_of_modes<double>(basis.r_n.size()) * basis.D.cwiseAbs().maxCoeff();
+    return CoupledDamping{basis.distance_from_classical > system.damping_tolerance, basis.distance_from_classical,
+                          largest_coupling(basis.D, rounding), std::move(basis.zeta)};
 }
 
 } // namespace denhartog

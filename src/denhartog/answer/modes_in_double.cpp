@@ -1,33 +1,68 @@
 #include "denhartog/answer/modes_in_double.hpp"
 
+#include <cmath>
+
+#include "denhartog/answer/modes_by_reference.hpp"
+#include "denhartog/model/modal_damping.hpp"
 #include "denhartog/number/errors.hpp"
-#include "denhartog/stick_slip/rounded_system.hpp"
+#include "denhartog/sums/bounded_modes.hpp"
 
 namespace denhartog {
 namespace {
 
-std::shared_ptr<const ContactSystem<double>> rounded_system(const SceneIn<Real50>& wide, const std::string& because) {
-    return std::make_shared<const ContactSystem<double>>(rounded(contact_system(wide.scene.system, *wide.basis), because));
+// Decides whether the damping matrix, if that counts, couples the modes.
+ModalBasis<Bounded<double>> with_damping(const System<double>& system, ModalBasis<Bounded<double>> basis) {
+    if (certainly_couples(basis))
+        check_passive(system.damping_matrix);
+    else
+        leave_out_coupling(basis);
+    return basis;
+}
+
+std::shared_ptr<const ContactSystem<double>> rounded_system(const SceneSource& source, const std::string& because) {
+    return std::make_shared<const ContactSystem<double>>(moving_by_reference(source, because));
 }
 
 } // namespace
+
+bool certainly_couples(const ModalBasis<Bounded<double>>& basis) {
+    for (Eigen::Index i = 0; i < basis.D.rows(); ++i)
+        for (Eigen::Index k = 0; k < i; ++k)
+            if (std::abs(basis.D(i, k).x) > basis.D(i, k).e) return true;
+    return false;
+}
+
+void leave_out_coupling(ModalBasis<Bounded<double>>& basis) {
+    basis.left_out = basis.D.unaryExpr([](const Bounded<double>& entry) { return Bounded<double>(entry.most()); });
+    basis.left_out.diagonal().setZero();
+    basis.D.resize(0, 0);
+}
 
 ModesInDouble modes_in_double(const SceneSource& source) {
     try {
         return {modes_with_errors(source->in_double().system)};
     } catch (const PrecisionError& e) {
-        const auto wide = std::make_shared<const SceneIn<Real50>>(scene_with_modes<Real50>(source));
-        return {std::make_shared<const ModalBasis<Bounded<double>>>(in_double(*wide->basis)), wide, e.what()};
+        return {std::make_shared<const ModalBasis<Bounded<double>>>(
+                    with_damping(source->in_double().system, modes_by_reference(source, true))),
+                e.what()};
     }
 }
 
 std::shared_ptr<const ContactSystem<double>> moving_in_double(const SceneSource& source, const ModesInDouble& modes) {
-    if (modes.rounded_from) return rounded_system(*modes.rounded_from, modes.rounded_because);
+    if (!modes.rounded_because.empty()) return rounded_system(source, modes.rounded_because);
     try {
         return std::make_shared<const ContactSystem<double>>(contact_system(source->in_double().system, *modes.basis));
     } catch (const PrecisionError& e) { // of the system with the contact held
-        return rounded_system(scene_with_modes<Real50>(source), e.what());
+        return rounded_system(source, e.what());
     }
+}
+
+ContactSystem<double> moving_by_reference(const SceneSource& source, const std::string& because) {
+    const System<double>& system = source->in_double().system;
+    const SystemByReference found = system_by_reference(source);
+    ContactSystem<double> moving = contact_system(system, with_damping(system, found.basis), &found.held);
+    moving.rounded_because = because;
+    return moving;
 }
 
 } // namespace denhartog

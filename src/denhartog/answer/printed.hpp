@@ -4,6 +4,7 @@
 
 #include "denhartog/answer/solution.hpp"
 #include "denhartog/number/ball.hpp"
+#include "denhartog/number/bounded.hpp"
 
 namespace denhartog {
 
@@ -12,6 +13,12 @@ namespace denhartog {
 /// @param digits  significant digits asked for: above 15 its decimals are written
 /// @return        the number; its bound is infinite where the ball is not finite
 [[nodiscard]] Certified printed(const Ball& x, int digits);
+
+/// @brief A ball rounded to double. @param x the number @return the same, the rounding in its bound
+[[nodiscard]] inline Bounded<double> in_double(const Ball& x) {
+    const Certified rounded = printed(x, most_digits_of_a_double);
+    return {rounded.value, rounded.error};
+}
 
 /// @brief Bits of a decimal digit.
 inline constexpr double bits_of_digit = 3.3219280948873626;

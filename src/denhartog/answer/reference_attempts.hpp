@@ -22,6 +22,20 @@ namespace denhartog {
 /// @throws         PrecisionError where something cannot be proved, or the budget of work is spent
 void with_enough_bits(std::size_t N, slong first, slong most, const std::function<bool(slong bits, bool last)>& attempt);
 
+/// @brief The same for an attempt that gives its result.
+/// @param N        number of masses
+/// @param first    bits of the first attempt, which are doubled
+/// @param most     bits of the last
+/// @param attempt  called with the bits, and whether they are the last; gives an optional, empty where the digits are not certain
+/// @return         what it gave
+/// @throws         as `with_enough_bits`
+template <class Attempt>
+[[nodiscard]] auto with_more_bits(std::size_t N, slong first, slong most, const Attempt& attempt) {
+    decltype(attempt(first, true)) found;
+    with_enough_bits(N, first, most, [&](slong bits, bool last) { return (found = attempt(bits, last)).has_value(); });
+    return *std::move(found);
+}
+
 /// @brief Guesses of a motion with stops.
 class OrbitGuesses {
 public:

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "denhartog/answer/printed.hpp"
+#include "denhartog/answer/reference_attempts.hpp"
 #include "denhartog/answer/reference_point.hpp"
 #include "denhartog/number/effort.hpp"
 #include "denhartog/number/number_text.hpp"
@@ -46,33 +47,18 @@ std::size_t stretches(const std::vector<InvariantPointsOfMass<Certified>>& masse
 
 std::vector<InvariantPointsOfMass<Certified>> invariant_points_by_reference(const SceneSource& source, const RangeInText& range,
                                                                             int digits, bool briefly) {
-    thread_local const ConstantsOfBalls freed_at_its_end;
-    const std::size_t N = number_of_masses(source->in_double().system);
-    const QuestionEffort effort(N);
     const auto first = static_cast<slong>(std::max(128.0, bits_of_digit * digits + 64));
     const slong most = briefly ? 2 * first : std::max<slong>(1024, 4 * first);
     std::size_t undecided_before = 0;
-    std::string why;
-    for (slong bits = first;; bits = std::min(2 * bits, most)) {
-        const bool last = bits == most;
-        QuestionEffort::pay(static_cast<long>(N * N * (N + 8)) * (bits / 64) / 4);
-        try {
-            const Bits all(bits);
-            bits_of_search = 64 * (bits / first);
-            WrittenNumbers w(digits, last);
-            std::vector<InvariantPointsOfMass<Certified>> masses =
-                written(invariant_points_in_balls(scene_in_balls(source), end_of_range(range.from), end_of_range(range.to)), w);
-            // What twice the bits leave undecided as before will stay so.
-            const std::size_t undecided = stretches(masses);
-            if (w.enough() && (undecided == 0 || undecided == undecided_before || last || QuestionEffort::exhausted()))
-                return masses;
-            undecided_before = undecided;
-            why = "the digits are not certain with " + std::to_string(bits) + " bits";
-        } catch (const Unproved& e) {
-            why = e.what();
-        }
-        if (last) throw PrecisionError("the reference does not prove it: " + why);
-    }
+    std::vector<InvariantPointsOfMass<Certified>> masses;
+    with_enough_bits(number_of_masses(source->in_double().system), first, most, [&](slong, bool last) {
+        WrittenNumbers w(digits, last);
+        masses = written(invariant_points_in_balls(scene_as_given(source), end_of_range(range.from), end_of_range(range.to)), w);
+        // What twice the bits leave undecided as before will stay so.
+        const std::size_t undecided = stretches(masses), before = std::exchange(undecided_before, undecided);
+        return w.enough() && (undecided == 0 || undecided == before || last || QuestionEffort::exhausted());
+    });
+    return masses;
 }
 
 } // namespace denhartog

@@ -10,14 +10,6 @@ using namespace reference;
 
 namespace {
 
-// Psi^T C Psi, whose diagonal has the damping of each mode by itself.
-BallMatrix damping_of_modes(const SceneInBalls& s, const ModesInBalls& m) {
-    BallMatrix Psi(s.N(), s.N());
-    for (slong k = 0; k < s.N(); ++k)
-        for (slong i = 0; i < s.N(); ++i) Psi(k, i) = m.psi[static_cast<std::size_t>(k)][static_cast<std::size_t>(i)];
-    return transposed(Psi) * s.C * Psi;
-}
-
 // The same scene with the nearest damping that each mode has by itself, (18).
 SceneInBalls by_themselves(SceneInBalls s, const ModesInBalls& m, const BallMatrix& D) {
     for (slong i = 0; i < s.N(); ++i) s.zeta.push_back(D(i, i) * s.r * m.R[static_cast<std::size_t>(i)] / 2);
@@ -35,21 +27,6 @@ void check_in_balls(const SceneInBalls& s) {
                 if (!arb_overlaps(A(i, k).a, A(k, i).a))
                     throw InputError(name, "must be symmetric",
                                      printed(A(i, k), 40).decimal + " and " + printed(A(k, i), 40).decimal);
-}
-
-// The damping that counts: `damping_tolerance` of 2 asks for the nearest damping that each mode has by itself.
-SceneInBalls scene_of(const SceneSource& source) {
-    SceneInBalls s = scene_in_balls(source);
-    const double tolerance = source->in_double().system.damping_tolerance;
-    if (s.zeta.empty() && tolerance > 0) {
-        if (tolerance < 2)
-            throw PrecisionError("the reference takes a damping matrix as it is: damping_tolerance must be 0, or 2");
-        const ModesInBalls m = modes_in_balls(s);
-        if (!m.clusters.empty()) throw Unproved("modes are not told apart, and neither is the damping of each by itself");
-        s = by_themselves(s, m, damping_of_modes(s, m));
-        s.C = BallMatrix();
-    }
-    return s;
 }
 
 // Whether a damping matrix couples the modes by less than a part.
@@ -78,9 +55,19 @@ std::optional<Ball> paper_limit_of_modes(const SceneInBalls& s, const Ball& exac
 
 } // namespace
 
-ConstantsOfBalls::~ConstantsOfBalls() { flint_cleanup(); }
+BallMatrix shapes_of(const ModesInBalls& m) {
+    BallMatrix Psi(m.N, m.N);
+    for (slong k = 0; k < m.N; ++k)
+        for (slong i = 0; i < m.N; ++i) Psi(k, i) = m.psi[static_cast<std::size_t>(k)][static_cast<std::size_t>(i)];
+    return Psi;
+}
 
-SceneInBalls scene_in_balls(const SceneSource& source) {
+BallMatrix damping_of_modes(const SceneInBalls& s, const ModesInBalls& m) {
+    const BallMatrix Psi = shapes_of(m);
+    return transposed(Psi) * s.C * Psi;
+}
+
+SceneInBalls scene_as_given(const SceneSource& source) {
     Scene<Ball> scene;
     source->in_balls(scene);
     if (!scene.r) scene.r = Ball(1);
@@ -89,14 +76,28 @@ SceneInBalls scene_in_balls(const SceneSource& source) {
     return s;
 }
 
+SceneInBalls scene_in_balls(const SceneSource& source) {
+    SceneInBalls s = scene_as_given(source);
+    const double tolerance = source->in_double().system.damping_tolerance;
+    if (s.zeta.empty() && tolerance > 0) {
+        if (tolerance < 2)
+            throw PrecisionError("the reference takes a damping matrix as it is: damping_tolerance must be 0, or 2");
+        const ModesInBalls m = modes_in_balls(s);
+        if (!m.clusters.empty()) throw Unproved("modes are not told apart, and neither is the damping of each by itself");
+        s = by_themselves(s, m, damping_of_modes(s, m));
+        s.C = BallMatrix();
+    }
+    return s;
+}
+
 SceneInBalls damped_scene_in_balls(const SceneSource& source) {
-    SceneInBalls s = scene_of(source);
+    SceneInBalls s = scene_in_balls(source);
     if (!s.zeta.empty()) s.C = damping_matrix_in_balls(s, modes_in_balls(s));
     return s;
 }
 
 PointInBalls point_in_balls(const SceneSource& source, bool needs_boundary) {
-    PointInBalls p{scene_of(source)};
+    PointInBalls p{scene_in_balls(source)};
     ModesInBalls modes;
     if (!p.scene.zeta.empty()) {
         modes = modes_in_balls(p.scene);

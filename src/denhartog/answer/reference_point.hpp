@@ -6,6 +6,7 @@
 
 #include "denhartog/answer/scene_source.hpp"
 #include "denhartog/reference/boundary.hpp"
+#include "denhartog/reference/series.hpp"
 #include "denhartog/reference/stuck.hpp"
 
 namespace denhartog {
@@ -19,16 +20,27 @@ struct PointInBalls {
     std::optional<Ball> sticking{};                         ///< the friction ratio from which the contact can rest for ever
 };
 
-/// @brief Frees, at the end of a thread, the constants that Arb keeps for it.
-struct ConstantsOfBalls {
-    /// @brief Frees them.
-    ~ConstantsOfBalls();
-};
-
 /// @brief A scene as it is given. @param source the scene; without r it is taken at r = 1
 /// @return  the scene in the bits of the moment
 /// @throws  InputError where it breaks a rule that double is too coarse to see broken
+[[nodiscard]] reference::SceneInBalls scene_as_given(const SceneSource& source);
+
+/// @brief A scene with the damping that counts: its ratios, its matrix, or with a `damping_tolerance` of 2 the ratios nearest to that.
+/// @param source  the scene
+/// @return        the scene in the bits of the moment
+/// @throws        Unproved where the bits do not suffice; PrecisionError for a damping tolerance that the reference does not know
 [[nodiscard]] reference::SceneInBalls scene_in_balls(const SceneSource& source);
+
+/// @brief The mode shapes of the masses, (17). @param modes the modes @return Psi, mass by mode
+[[nodiscard]] BallMatrix shapes_of(const reference::ModesInBalls& modes);
+
+/// @brief The damping matrix in the modes, \f$ \boldsymbol\Psi^T\mathbf{C}\boldsymbol\Psi \f$, whose diagonal has the damping of
+/// each by itself.
+/// @eq{18}
+/// @param scene  a scene with its damping matrix
+/// @param modes  its modes
+/// @return       the matrix, mode by mode
+[[nodiscard]] BallMatrix damping_of_modes(const reference::SceneInBalls& scene, const reference::ModesInBalls& modes);
 
 /// @brief A scene with its damping matrix, (19) where damping is given by ratios. @param source the scene
 /// @return  the scene in the bits of the moment

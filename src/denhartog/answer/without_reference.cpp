@@ -1,4 +1,5 @@
 #if !DENHARTOG_REFERENCE
+#include "denhartog/answer/modes_by_reference.hpp"
 #include "denhartog/answer/reference.hpp"
 #include "denhartog/answer/reference_invariant_points.hpp"
 #include "denhartog/number/errors.hpp"
@@ -26,6 +27,12 @@ std::vector<State<double>> samples_by_reference(const SceneSource&, const Soluti
 std::vector<InvariantPointsOfMass<Certified>> invariant_points_by_reference(const SceneSource&, const RangeInText&, int, bool) {
     refuse();
 }
+
+ModalBasis<Bounded<double>> modes_by_reference(const SceneSource&, bool) { refuse(); }
+
+std::vector<evaluation::ModeFunctions<Bounded<double>>> mode_functions_by_reference(const SceneSource&) { refuse(); }
+
+SystemByReference system_by_reference(const SceneSource&) { refuse(); }
 
 } // namespace denhartog
 #endif

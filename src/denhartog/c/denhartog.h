@@ -230,9 +230,9 @@ DH_EXPORT int dh_modal_function_errors(const dh_system* system, double r, size_t
 
 /// @brief Sums over the modes: (33)-(35), (64), and the largest sum of (57).
 ///
-/// The sums have 10 digits. They are computed in double if it has these digits, and in 50 digits otherwise: far above the natural
-/// frequencies the sums of a mass far from load or contact cancel. A sum below 1e-25 of the largest of its kind may come out as
-/// zero.
+/// The sums have 10 digits. They are computed in double if it has these digits, and by the reference otherwise: far above the
+/// natural frequencies the sums of a mass far from load or contact cancel. A sum below 1e-25 of the largest of its kind may come
+/// out as zero.
 /// @param system  a system
 /// @param r       frequency ratio, Eq. (10), positive
 /// @param count   N
@@ -329,8 +329,8 @@ DH_EXPORT int dh_sliding_motion_errors(const dh_system* system, double r, double
 /// @brief Displacement of a mass while the contact slides throughout, Eq. (46) as corrected.
 ///
 /// The displacement is accurate to 10 digits of the amplitude (52) of the mass. It is computed in double if that suffices, and
-/// otherwise in 50 digits, which takes some ten microseconds for each mode and instant. A mass whose amplitude is below 1e-25 of
-/// the largest may come out at rest.
+/// otherwise by the reference, which takes some ten microseconds for each mode and instant. A mass whose amplitude is below 1e-25
+/// of the largest may come out at rest.
 /// @param system  a system
 /// @param r       frequency ratio, Eq. (10), positive
 /// @param beta    friction ratio, Eq. (11), not negative

@@ -40,7 +40,8 @@ void check_ratio(const T& zeta, std::size_t i, const Matrix<T>& C, const ModalBa
     if (!(zeta <= largest_damping_ratio)) throw InputError("damping_matrix", rule + "of at most 1e300", number_to_text(zeta));
 }
 
-// Entries that were rounded to double may leave a zero eigenvalue a little below zero, in any number type.
+} // namespace
+
 template <class T>
 void check_passive(const Matrix<T>& C) {
     const T least = symmetric_eigenproblem(C).values.front();
@@ -49,8 +50,6 @@ void check_passive(const Matrix<T>& C) {
         throw InputError("damping_matrix", "must take energy out of every motion: must have no negative eigenvalue",
                          number_in_digits(static_cast<double>(least), 3));
 }
-
-} // namespace
 
 template <class T>
 Matrix<T> rounding_between_modes(const Matrix<T>& C, const Matrix<T>& D, const NaturalModes<T>& modes, FrequencyErrors errors) {
@@ -145,6 +144,7 @@ void set_modal_damping(const Matrix<T>& L, const Matrix<T>& K, const Matrix<T>& 
     }
 }
 
+template void check_passive(const Matrix<double>&);
 template Matrix<double> rounding_between_modes(const Matrix<double>&, const Matrix<double>&, const NaturalModes<double>&,
                                                FrequencyErrors);
 template bool couples_a_pair(const Matrix<double>&, const Matrix<double>&);

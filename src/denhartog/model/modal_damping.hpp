@@ -61,6 +61,12 @@ template <class T>
 template <class T>
 [[nodiscard]] bool couples_a_pair(const Matrix<T>& D, const Matrix<T>& rounding);
 
+/// @brief Checks that a damping matrix takes energy out of every motion; a zero eigenvalue may be below zero by rounding to double.
+/// @param C  damping matrix in units of sqrt(k_1 m_1)
+/// @throws   InputError where it does not
+template <class T>
+void check_passive(const Matrix<T>& C);
+
 /// @brief How much damping couples modes: the largest \f$ |D_{ik}| / \sqrt{D_{ii} D_{kk}} \f$ of \f$ D = \phi^T C \phi \f$.
 /// @eq{18}
 /// @param D         modal damping matrix

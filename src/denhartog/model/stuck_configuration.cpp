@@ -98,6 +98,31 @@ void set_coupling(StuckConfiguration<T>& stuck, FrequencyErrors errors, const T&
     stuck.left_out.diagonal().setZero();
 }
 
+/// Modes of the system with the contact held, and what damping makes of them.
+template <class T>
+void set_modes(const System<T>& s, StuckConfiguration<T>& stuck) {
+    NaturalModes<T> modes = stuck_modes(s, stuck);
+    const T tolerance = rounding_of_modes<T>(stuck.masses.size() + 1);
+    turn_coinciding_modes(stuck.C, tolerance, modes.r_n, modes.phi);
+    fix_signs(modes.phi);
+    stuck.r_n = std::move(modes.r_n);
+    stuck.phi = std::move(modes.phi);
+    const Matrix<T> D = in_coordinates(stuck.phi, stuck.C);
+    stuck.damping = (D + D.transpose()) / T(2);
+    set_coupling(stuck, is_chain(s) ? FrequencyErrors::of_each : FrequencyErrors::of_highest, tolerance);
+}
+
+/// The same from elsewhere.
+template <class T>
+void set_modes(const RoundedModes<T>& held, StuckConfiguration<T>& stuck) {
+    stuck.r_n = held.r_n;
+    stuck.phi = held.phi;
+    stuck.damping = held.damping;
+    stuck.coupling =
+        largest_coupling(held.damping, T(rounding_of_modes<T>(held.r_n.size()) * held.damping.cwiseAbs().maxCoeff()));
+    stuck.modes_diagonalise_damping = stuck.coupling == 0;
+}
+
 template <class T>
 void require_finite(const StuckConfiguration<T>& stuck) {
     using std::isfinite;
@@ -111,10 +136,11 @@ void require_finite(const StuckConfiguration<T>& stuck) {
 } // namespace
 
 template <class T>
-StuckConfiguration<T> stuck_configuration(const System<T>& s, const ModalBasis<T>& basis) {
+StuckConfiguration<T> stuck_configuration(const System<T>& s, const ModalBasis<T>& basis, const RoundedModes<T>* held) {
     check(s);
     const std::size_t N = number_of_masses(s);
-    const NonDimensionalMatrices<T> all = non_dimensional_matrices(s, basis, T(1));
+    NonDimensionalMatrices<T> all = non_dimensional_matrices(s, basis, T(1));
+    if (held) all.C = held->C;
     const auto j = static_cast<Eigen::Index>(s.contact.index);
     StuckConfiguration<T> stuck{};
     for (std::size_t k = 0; k < N; ++k)
@@ -132,25 +158,23 @@ StuckConfiguration<T> stuck_configuration(const System<T>& s, const ModalBasis<T
     stuck.coupling = T(0);
     stuck.modes_diagonalise_damping = true;
     if (N == 1) return stuck;
-    NaturalModes<T> modes = stuck_modes(s, stuck);
-    const T tolerance = rounding_of_modes<T>(N);
-    turn_coinciding_modes(stuck.C, tolerance, modes.r_n, modes.phi);
-    fix_signs(modes.phi);
-    stuck.r_n = std::move(modes.r_n);
-    stuck.phi = std::move(modes.phi);
+    if (held)
+        set_modes(*held, stuck);
+    else
+        set_modes(s, stuck);
     require_finite(stuck);
     if (const Matrix<T>& rows = s.coordinates.displacements; rows.size() > 0) {
         stuck.further = product(Matrix<T>(rows(Eigen::all, others)), stuck.phi);
         for (const T& part : rows.col(j)) stuck.carried.push_back(part);
     }
-    const Matrix<T> D = in_coordinates(stuck.phi, stuck.C);
-    stuck.damping = (D + D.transpose()) / T(2);
-    set_coupling(stuck, is_chain(s) ? FrequencyErrors::of_each : FrequencyErrors::of_highest, tolerance);
     return stuck;
 }
 
-template StuckConfiguration<double> stuck_configuration(const System<double>&, const ModalBasis<double>&);
-template StuckConfiguration<Real50> stuck_configuration(const System<Real50>&, const ModalBasis<Real50>&);
-template StuckConfiguration<Real100> stuck_configuration(const System<Real100>&, const ModalBasis<Real100>&);
+template StuckConfiguration<double> stuck_configuration(const System<double>&, const ModalBasis<double>&,
+                                                        const RoundedModes<double>*);
+template StuckConfiguration<Real50> stuck_configuration(const System<Real50>&, const ModalBasis<Real50>&,
+                                                        const RoundedModes<Real50>*);
+template StuckConfiguration<Real100> stuck_configuration(const System<Real100>&, const ModalBasis<Real100>&,
+                                                         const RoundedModes<Real100>*);
 
 } // namespace denhartog

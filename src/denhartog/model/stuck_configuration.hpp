@@ -36,6 +36,16 @@ struct StuckConfiguration {
     Matrix<T> left_out{};             ///< bounds of the entries of `damping` between modes where they do; else empty
 };
 
+/// @brief What more digits have found of a system, rounded once, beside the modes while the contact slides.
+template <class T>
+struct RoundedModes {
+    Matrix<T> momentum; ///< phi^T M in units of m_1, of the modes while the contact slides, mode by mass
+    Matrix<T> C;        ///< damping matrix of the whole system in units of sqrt(k_1 m_1), N x N
+    std::vector<T> r_n; ///< natural frequency ratios with the contact held, ascending, N - 1
+    Matrix<T> phi;      ///< mode shapes of these, mass by mode, phi^T M phi = 1
+    Matrix<T> damping;  ///< phi^T C phi of these; zero where it does not couple two modes
+};
+
 /// @brief What a load brings to each stuck mode.
 /// @param stuck  the stuck configuration
 /// @param load   the loaded mass, l; none of them where the load acts on several
@@ -66,9 +76,11 @@ template <class T>
 /// @brief The stuck configuration of a system; one more eigenproblem (15), none where N is 1 or 2.
 /// @param s      the system
 /// @param basis  its modal basis
+/// @param held   what more digits have found, which spares the eigenproblem; else null
 /// @return       the stuck configuration; no masses where N = 1
 /// @throws       InputError where `check` throws; PrecisionError where the eigenproblem is not solved
 template <class T>
-[[nodiscard]] StuckConfiguration<T> stuck_configuration(const System<T>& s, const ModalBasis<T>& basis);
+[[nodiscard]] StuckConfiguration<T> stuck_configuration(const System<T>& s, const ModalBasis<T>& basis,
+                                                        const RoundedModes<T>* held = nullptr);
 
 } // namespace denhartog

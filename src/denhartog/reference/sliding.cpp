@@ -11,30 +11,32 @@
 
 namespace denhartog::reference {
 
-namespace {
-
-// A displacement and its derivatives, (41), for tau in [0, pi] from the maximum of the contact.
-Series displacement_of_row(const ResponsesInBalls& r, std::size_t row, const Ball& x0, const Ball& v0, const Ball& beta,
-                           const Ball& tau) {
-    const Series F = r.friction.of(row, (*r.friction.shared)(tau));
-    return paper::displacement<Series>(Series::time(tau), x0, v0, r.G[row], r.U[row], beta, F);
-}
-
-} // namespace
-
 SlidingContactInBalls contact_in_balls(const ResponsesInBalls& r, const Ball& beta) {
     const std::size_t j = r.contact();
     return {paper::displacement_transmissibility_of_contact(r.V[j], r.U[j], r.G[j], beta),
             wrapped_in_balls(paper::phase_of_contact(r.V[j], r.U[j], beta))};
 }
 
+SlidingMassInBalls start_of_mass_in_balls(const ResponsesInBalls& r, const SlidingContactInBalls& contact, const Ball& beta,
+                                          std::size_t row, bool is_contact) {
+    const std::size_t j = r.contact();
+    SlidingMassInBalls m;
+    m.x0 = is_contact ? contact.X_j : paper::initial_displacement(r.V[row], r.V[j], r.U[j], r.G[row], beta);
+    m.v0 = is_contact ? Ball(0) : paper::initial_velocity(r.V[row], r.V[j], r.U[j], r.U[row], beta);
+    return m;
+}
+
+Series displacement_in_balls(const ResponsesInBalls& r, const SlidingMassInBalls& m, const Ball& beta, std::size_t row,
+                             const Ball& tau) {
+    const Series F = r.friction.of(row, (*r.friction.shared)(tau));
+    return paper::displacement<Series>(Series::time(tau), m.x0, m.v0, r.G[row], r.U[row], beta, F);
+}
+
 SlidingMassInBalls mass_in_balls(const ResponsesInBalls& r, const SlidingContactInBalls& contact, const Ball& beta,
                                  std::size_t row, bool is_contact) {
     const std::size_t j = r.contact();
     if (is_contact) return {contact.X_j, contact.phi_j, contact.X_j, Ball(0), Ball(0), contact.X_j, contact.phi_j};
-    SlidingMassInBalls m;
-    m.x0 = paper::initial_displacement(r.V[row], r.V[j], r.U[j], r.G[row], beta);
-    m.v0 = paper::initial_velocity(r.V[row], r.V[j], r.U[j], r.U[row], beta);
+    SlidingMassInBalls m = start_of_mass_in_balls(r, contact, beta, row, is_contact);
     m.amplitude_monoharmonic = paper::displacement_transmissibility(r.V[row], r.V[j], r.U[j], r.U[row], r.G[row], beta);
     m.phase_monoharmonic = wrapped_in_balls(contact.phi_j + paper::phase_behind_contact(m.x0, m.v0));
     if (beta.is_zero()) { // without friction the motion is harmonic, and lags by minus the angle of V_dk
@@ -44,7 +46,7 @@ SlidingMassInBalls mass_in_balls(const ResponsesInBalls& r, const SlidingContact
         if (m.instant < Ball(0)) m.instant = m.instant + pi<Ball>();
         return m;
     }
-    const auto x = [&](const Ball& tau) { return displacement_of_row(r, row, m.x0, m.v0, beta, tau); };
+    const auto x = [&](const Ball& tau) { return displacement_in_balls(r, m, beta, row, tau); };
     // A mass that does not move, as far as the bits can tell, has no instant of a largest displacement. By (41) to (43) |x_k| is
     // at most |V_dk| + beta |F_k|.
     const Ball F_throughout = r.friction.of(row, (*r.friction.shared)(either(Ball(0), pi<Ball>()))).rate(0);
@@ -91,11 +93,8 @@ BallMatrix harmonic_in_balls(const std::vector<Complex<Ball>>& X, slong N, const
 
 SlidingMotionInBalls::SlidingMotionInBalls(ResponsesInBalls r, const Ball& beta)
     : r_(std::move(r)), beta_(beta), contact_(contact_in_balls(r_, beta)) {
-    const std::size_t j = r_.contact();
-    for (std::size_t k = 0; k < j && !beta_.is_zero(); ++k) {
-        x0_.push_back(paper::initial_displacement(r_.V[k], r_.V[j], r_.U[j], r_.G[k], beta_));
-        v0_.push_back(paper::initial_velocity(r_.V[k], r_.V[j], r_.U[j], r_.U[k], beta_));
-    }
+    for (std::size_t k = 0; k < r_.contact() && !beta_.is_zero(); ++k)
+        start_.push_back(start_of_mass_in_balls(r_, contact_, beta_, k, false));
 }
 
 BallMatrix SlidingMotionInBalls::at(const Ball& tau) const {
@@ -110,7 +109,7 @@ BallMatrix SlidingMotionInBalls::at(const Ball& tau) const {
         if (within < Ball(0) || within > pi) continue;
         for (slong k = 0; k < N; ++k) {
             const auto row = static_cast<std::size_t>(k);
-            const Series x = displacement_of_row(r_, row, x0_[row], v0_[row], beta_, within);
+            const Series x = displacement_in_balls(r_, start_[row], beta_, row, within);
             for (const int n : {0, 1}) {
                 const Ball rate = std::fmod(halves, 2) == 0 ? x.rate(n) : -x.rate(n); // (25)
                 Ball& entry = state(n * N + k);

@@ -29,6 +29,28 @@ struct SlidingContactInBalls {
 /// @brief The contact. @eq{38,39} @param r response functions @param beta friction ratio below the boundary @return X_j, phi_j
 [[nodiscard]] SlidingContactInBalls contact_in_balls(const ResponsesInBalls& r, const Ball& beta);
 
+/// @brief A mass at tau = 0, where the displacement of the contact is largest: `x0` and `v0`, and nothing else.
+/// @eq{44,45}
+/// @param r        response functions
+/// @param contact  the contact
+/// @param beta     friction ratio below the boundary
+/// @param row      the mass; N for the contact, w^T x
+/// @param is_contact  whether its displacement is that of the contact
+/// @return         where it starts
+[[nodiscard]] SlidingMassInBalls start_of_mass_in_balls(const ResponsesInBalls& r, const SlidingContactInBalls& contact,
+                                                        const Ball& beta, std::size_t row, bool is_contact);
+
+/// @brief The displacement of a mass and its derivatives.
+/// @eq{41}
+/// @param r     response functions
+/// @param m     the mass at tau = 0
+/// @param beta  friction ratio below the boundary
+/// @param row   the mass; N for the contact, w^T x
+/// @param tau   an instant in [0, pi], or a stretch
+/// @return      its series
+[[nodiscard]] Series displacement_in_balls(const ResponsesInBalls& r, const SlidingMassInBalls& m, const Ball& beta,
+                                           std::size_t row, const Ball& tau);
+
 /// @brief One mass, with the largest displacement proved.
 /// @eq{41,44,45,46,47,50,51,52,53}
 /// @param r        response functions
@@ -63,7 +85,7 @@ private:
     ResponsesInBalls r_;
     Ball beta_;
     SlidingContactInBalls contact_;
-    std::vector<Ball> x0_{}, v0_{};
+    std::vector<SlidingMassInBalls> start_{};
 };
 
 } // namespace denhartog::reference

@@ -3,7 +3,9 @@
 #include <algorithm>
 
 #include "denhartog/answer/certify.hpp"
-#include "denhartog/answer/sliding_point.hpp"
+#include "denhartog/answer/modes_by_reference.hpp"
+#include "denhartog/answer/modes_in_double.hpp"
+#include "denhartog/number/errors.hpp"
 
 namespace denhartog {
 namespace {
@@ -31,44 +33,44 @@ double relative_error(const ModeFunctionsInDouble& functions) {
     return largest;
 }
 
-// Double, then 50 digits, as `certify` has it, for an attempt that hands out what it found in double.
-template <class Attempt>
-void in_double_or_50_digits(const SceneSource& source, const Attempt& attempt) {
-    const Aim aim = aim_of({});
-    certify(
-        aim, [&](auto type) { return Attempted{relative_error(attempt(type))}; },
-        highest_precision(aim, number_of_masses(source->in_double().system), Precision::in_50_digits));
+constexpr std::size_t most_masses = 200; // beyond, the reference takes too long
+
+bool is_for_reference(const SceneSource& source, double error) {
+    if (error <= tolerance_of(digits_by_default) || number_of_masses(source->in_double().system) > most_masses) return false;
+    count_precision_step();
+    return true;
 }
 
 } // namespace
 
 std::shared_ptr<const ModalBasis<Bounded<double>>>
 certain_modes(const SceneSource& source, const std::shared_ptr<const ModalBasis<Bounded<double>>>& basis) {
-    auto modes = basis;
-    in_double_or_50_digits(source, [&]<class T>(std::type_identity<T>) -> const ModalBasis<Bounded<double>>& {
-        if constexpr (!std::same_as<T, double>) {
-            auto wide = std::make_shared<ModalBasis<Bounded<double>>>(in_double(*scene_with_modes<T>(source).basis));
-            if (!basis->coupled()) wide->D.resize(0, 0); // what was rounded off the damping matrix alone couples them
-            modes = std::move(wide);
-        }
-        return *modes;
-    });
-    return modes;
+    if (!is_for_reference(source, relative_error(*basis))) return basis;
+    try {
+        auto modes = std::make_shared<ModalBasis<Bounded<double>>>(modes_by_reference(source, false));
+        if (!basis->coupled() && modes->coupled()) leave_out_coupling(*modes); // rounding of the damping matrix couples them
+        return modes;
+    } catch (const PrecisionError&) {
+        return basis;
+    }
 }
 
 ModeFunctionsInDouble certain_mode_functions(const SceneSource& source,
                                              const std::shared_ptr<const ModalBasis<Bounded<double>>>& basis) {
     ModeFunctionsInDouble functions;
-    in_double_or_50_digits(source, [&]<class T>(std::type_identity<T>) -> const ModeFunctionsInDouble& {
-        if constexpr (std::same_as<T, double>)
-            return functions = BoundedModes<double>(basis, as_input(*source->in_double().r)).all();
-        const SceneIn<T> in = scene_with_modes<T>(source);
-        functions.clear();
-        for (const auto& f : BoundedModes<T>(in.basis, as_input(*in.scene.r)).all())
-            functions.push_back({{in_double(f.v.re), in_double(f.v.im)}, in_double(f.u), in_double(f.g)});
+    std::optional<DomainError> pole;
+    try {
+        functions = BoundedModes<double>(basis, as_input(*source->in_double().r)).all();
+    } catch (const DomainError& e) {
+        pole = e;
+    }
+    if (!is_for_reference(source, pole ? 1 : relative_error(functions))) return functions;
+    try {
+        return mode_functions_by_reference(source);
+    } catch (const PrecisionError&) {
+        if (pole) throw *pole;
         return functions;
-    });
-    return functions;
+    }
 }
 
 } // namespace denhartog

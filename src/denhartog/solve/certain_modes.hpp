@@ -2,7 +2,7 @@
 /// @brief Natural frequencies, damping ratios, mode shapes, and what each mode contributes, to `digits_by_default` digits.
 ///
 /// Of other systems than chains double has the squares of natural frequencies to some units of the highest one. Beside a light
-/// mass or a stiff spring that leaves the lowest ones few digits; 50 digits then have the modes.
+/// mass or a stiff spring that leaves the lowest ones few digits; the reference then has the modes.
 #pragma once
 
 #include <memory>
@@ -13,9 +13,9 @@
 
 namespace denhartog {
 
-/// @brief The modal basis, in double if that has the digits, else from 50 digits.
+/// @brief The modal basis, in double if that has the digits, else by the reference.
 ///
-/// Of modes with one frequency, and of more than 200 masses, it is what the last precision that is tried has.
+/// Of modes with one frequency, and of more than 200 masses, it is what double has.
 /// @eq{14,15,18}
 /// @param source  the system
 /// @param basis   its basis in double, see `modes_in_double`
@@ -24,7 +24,7 @@ namespace denhartog {
 [[nodiscard]] std::shared_ptr<const ModalBasis<Bounded<double>>>
 certain_modes(const SceneSource& source, const std::shared_ptr<const ModalBasis<Bounded<double>>>& basis);
 
-/// @brief What each mode contributes at the frequency ratio of a scene, in double if that has the digits, else from 50 digits.
+/// @brief What each mode contributes at the frequency ratio of a scene, in double if that has the digits, else by the reference.
 /// @eq{22,23,28,29}
 /// @param source  the scene, with r
 /// @param basis   its modes, none coupled

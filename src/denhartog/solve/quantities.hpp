@@ -1,9 +1,9 @@
 /// @file
 /// @brief The numbers of one point, each with a bound of its error: V, U, G, H, S, beta_lim, X_j, phi_j, and x_k at instants.
 ///
-/// They are computed on numbers that carry a bound of their error, in double and, where that exceeds what is asked for, in 50 and
-/// in 100 digits. The values handed out are doubles in every case; the bound then holds their rounding. What made a step
-/// necessary is said, and steps are counted.
+/// They are computed in double, on numbers that carry a bound of their error, and by the reference where that exceeds what is asked
+/// for. The values handed out are doubles in every case; the bound then holds their rounding. What made a step necessary is said,
+/// and steps are counted.
 #pragma once
 
 #include <functional>
@@ -31,7 +31,6 @@ struct Quantities {
     std::vector<T> x;          ///< displacements (41), N values an instant asked for; empty outside the sliding regime
     std::vector<T> x_prime;    ///< velocities with respect to tau, as many
     std::vector<T> x_size;     ///< amplitudes of the monoharmonic motions, Eq. (52): what errors of x and x' are relative to
-    T instant{};               ///< where S is taken; 0 stands for the limit
 };
 
 /// @brief What is read off a point: its numbers are listed with the size that their errors are relative to.
@@ -42,27 +41,26 @@ using QuantityReader = std::function<void(const char* name, std::size_t mass, co
 /// @param q     the numbers
 /// @param read  called for each
 template <class T>
-void list(const Quantities<T>& q, const QuantityReader<T>& read);
-
-/// @brief What friction does not change: V, U, G, H, and S with the boundary.
-/// @eq{33,34,35,56,64,69}
-/// @param sums     modes at the frequency ratio
-/// @param mu       static over kinetic friction, Eq. (3)
-/// @param instant  where the sum over modes of (57)'s expression is largest; 0 stands for the limit
-/// @param unsure   how much larger that sum may be elsewhere
-/// @return         the numbers, without X_j, phi_j and x
-template <class T>
-[[nodiscard]] Quantities<T> quantities_without_motion(const ModeSums<T>& sums, const T& mu, const T& instant,
-                                                      const T& unsure = T(0));
-
-/// @brief Adds the motion, where the friction ratio is below the boundary.
-/// @eq{38,39,41,52}
-/// @param q     the numbers without it; gets X_j, phi_j, x, x'
-/// @param sums  modes at the frequency ratio
-/// @param beta  friction ratio, Eq. (11)
-/// @param tau   instants, any; zero at a maximum of x_j
-template <class T>
-void add_motion(Quantities<T>& q, const ModeSums<T>& sums, const T& beta, const std::vector<T>& tau);
+void list(const Quantities<T>& q, const QuantityReader<T>& read) {
+    for (std::size_t k = 0; k < q.V.size(); ++k) {
+        const T size = modulus(q.V[k]);
+        read("Re V", k + 1, q.V[k].re, size);
+        read("Im V", k + 1, q.V[k].im, size);
+        read("U", k + 1, q.U[k], q.U[k]);
+        read("G", k + 1, q.G[k], q.G[k]);
+    }
+    read("H", 0, q.H_j, q.H_j);
+    read("S", 0, q.S, q.S);
+    read("beta_lim", 0, q.beta_lim, q.beta_lim);
+    if (!q.X_j) return;
+    read("X_j", 0, *q.X_j, *q.X_j);
+    read("phi_j", 0, *q.phi_j, T(1));
+    const std::size_t N = q.x_size.size();
+    for (std::size_t n = 0; n < q.x.size(); ++n) {
+        read("x", n % N + 1, q.x[n], q.x_size[n % N]);
+        read("x'", n % N + 1, q.x_prime[n], q.x_size[n % N]);
+    }
+}
 
 /// @brief Which numbers of a point are asked for.
 enum class PointNumbers : std::uint8_t {
@@ -78,9 +76,9 @@ struct QuantitiesAnswer {
     double relative = 0;                 ///< the largest bound of those asked for over its size, see `list`
 };
 
-/// @brief The numbers of a point to the digits asked for, by the cheapest precision whose bounds have them.
+/// @brief The numbers of a point to the digits asked for, in double if its bounds have them, else by the reference.
 ///
-/// A number that 50 digits find below 1e-25 of the largest of its kind, and to which their bound does not leave the digits asked
+/// A number that the reference finds below 1e-25 of the largest of its kind, and to which its bound does not leave the digits asked
 /// for, comes out as zero with its bound: it is zero without being so by its formula, as at an antiresonance, or lies too low to
 /// tell.
 /// @eq{33,34,35,38,39,41,56,64,69}
@@ -90,13 +88,13 @@ struct QuantitiesAnswer {
 /// @param asked   which numbers must have them
 /// @return        the numbers; no motion outside the sliding regime
 /// @throws        InputError for a bad scene, instant or digits; DomainError at a pole of a mode without damping; PrecisionError
-///                where 50 digits do not have the digits
+///                where neither double nor the reference has the digits
 [[nodiscard]] QuantitiesAnswer quantities(const SceneSource& source, std::span<const double> tau, int digits,
                                           PointNumbers asked = PointNumbers::all);
 
 /// @brief The same at a point of a system prepared for every regime, without an eigen-solve where double has the digits.
 /// @param system  the system, prepared
-/// @param point   the same system with r, beta and mu in every number type
+/// @param point   the same system with r, beta and mu
 /// @param tau     instants of the motion
 /// @param digits  significant digits, from 1 to 15
 /// @param asked   which numbers must have them

@@ -23,6 +23,28 @@ void add_left_out_of_stuck_modes(ContactSystem<T>& c) {
     c.damping_error = c.damping_error.size() > 0 ? Matrix<T>(c.damping_error + left_out) : left_out;
 }
 
+// What rounding makes of the damping of modes that are known to more digits: of each entry.
+template <class T>
+Matrix<T> rounding_of_damping(const ModalBasis<T>& basis) {
+    const auto N = static_cast<Eigen::Index>(basis.r_n.size());
+    Matrix<T> D = basis.left_out.size() > 0 ? basis.left_out : Matrix<T>(Matrix<T>::Zero(N, N));
+    for (Eigen::Index i = 0; i < N; ++i) {
+        const auto n = static_cast<std::size_t>(i);
+        D(i, i) += 4 * unit_of<T>() * basis.zeta[n] * basis.r_n[n];
+    }
+    if (basis.coupled()) D += unit_of<T>() * basis.D.cwiseAbs();
+    return D;
+}
+
+// The same of modes that were found in this number type.
+template <class T>
+Matrix<T> error_of_damping(const System<T>& s, const ModalBasis<T>& basis) {
+    if (s.damping_matrix.size() == 0) return {};
+    const Matrix<T> sizes = basis.phi.cwiseAbs(), of_C = s.damping_matrix.cwiseAbs();
+    const Matrix<T> error = in_coordinates(sizes, of_C) * T((static_cast<int>(sizes.cols()) + 2) * unit_of<T>());
+    return basis.left_out.size() > 0 ? Matrix<T>(error + basis.left_out) : error;
+}
+
 } // namespace
 
 template <class T>
@@ -31,7 +53,7 @@ ContactSystem<T> contact_system(const System<T>& s) {
 }
 
 template <class T>
-ContactSystem<T> contact_system(const System<T>& s, const ModalBasis<Bounded<T>>& modes) {
+ContactSystem<T> contact_system(const System<T>& s, const ModalBasis<Bounded<T>>& modes, const RoundedModes<T>* held) {
     ContactSystem<T> out;
     out.contact = s.contact;
     out.load = s.load;
@@ -43,19 +65,17 @@ ContactSystem<T> contact_system(const System<T>& s, const ModalBasis<Bounded<T>>
         out.further = phi.middleRows(modes, s.coordinates.displacements.rows());
         phi.conservativeResize(modes, Eigen::NoChange);
     }
-    out.stuck = stuck_configuration(s, out.basis);
+    out.stuck = stuck_configuration(s, out.basis, held);
     out.stuck_load = load_on_stuck_modes(out.stuck, s.load);
     for (const Bounded<T>& r_n : modes.r_n) out.detuned.push_back(r_n.e / r_n.x);
-    if (s.damping_matrix.size() > 0) {
-        const Matrix<T> sizes = out.basis.phi.cwiseAbs(), of_C = s.damping_matrix.cwiseAbs();
-        out.damping_error = in_coordinates(sizes, of_C) * T((static_cast<int>(sizes.cols()) + 2) * unit_of<T>());
-        if (out.basis.left_out.size() > 0) out.damping_error += out.basis.left_out;
-    }
+    out.damping_error = held ? rounding_of_damping(out.basis) : error_of_damping(s, out.basis);
     add_left_out_of_stuck_modes(out);
     out.damping_fixes_modes = damping_matrix_counts(s, out.basis);
     // phi^T M phi = 1, so that phi^T M is the inverse of phi; the mass matrix keeps it free of an inversion.
     const std::size_t N = out.basis.r_n.size();
-    if (s.mass_matrix.size() > 0) {
+    if (held) {
+        out.momentum = held->momentum;
+    } else if (s.mass_matrix.size() > 0) {
         out.momentum = transpose_times(out.basis.phi, s.mass_matrix);
     } else {
         out.momentum.resize(N, N);
@@ -68,7 +88,9 @@ ContactSystem<T> contact_system(const System<T>& s, const ModalBasis<Bounded<T>>
 template ContactSystem<double> contact_system(const System<double>&);
 template ContactSystem<Real50> contact_system(const System<Real50>&);
 template ContactSystem<Real100> contact_system(const System<Real100>&);
-template ContactSystem<double> contact_system(const System<double>&, const ModalBasis<Bounded<double>>&);
-template ContactSystem<Real50> contact_system(const System<Real50>&, const ModalBasis<Bounded<Real50>>&);
+template ContactSystem<double> contact_system(const System<double>&, const ModalBasis<Bounded<double>>&,
+                                              const RoundedModes<double>*);
+template ContactSystem<Real50> contact_system(const System<Real50>&, const ModalBasis<Bounded<Real50>>&,
+                                              const RoundedModes<Real50>*);
 
 } // namespace denhartog

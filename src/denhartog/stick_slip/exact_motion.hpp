@@ -20,19 +20,19 @@ namespace denhartog {
 /// @brief A system with all that does not depend on frequency or friction: prepared once for a whole map.
 template <class T>
 struct ContactSystem {
-    Mass contact;                 ///< the mass in contact, j
-    Mass load;                    ///< the loaded mass, l, or the place of the load's displacement where it acts on several
-    ModalBasis<T> basis;          ///< modes while the contact slides
-    Matrix<T> momentum;           ///< phi^T M in units of m_1: modal coordinates of a state, mode by mass
-    StuckConfiguration<T> stuck;  ///< modes while the contact sticks
-    std::vector<T> modal_load{};  ///< phi^T p, what the load brings to each mode
-    std::vector<T> stuck_load{};  ///< the same of the stuck modes
-    std::vector<T> detuned{};     ///< by what part of itself each natural frequency may be off
-    Matrix<T> damping_error{};    ///< bounds of what rounding makes of phi^T C phi and what is left out of it, N x N, or none
-    Coordinates<T> coordinates{}; ///< the masses that are none; none for a scene of the paper
-    Matrix<T> further{};          ///< mode shapes of these masses while the contact slides, a row each
-    bool damping_fixes_modes{};   ///< a damping matrix was given: modes of one frequency are those that it does not couple
-    std::string rounded_because{}; ///< why T has no modes of its own, where these are those of more digits; else empty
+    Mass contact;                  ///< the mass in contact, j
+    Mass load;                     ///< the loaded mass, l, or the place of the load's displacement where it acts on several
+    ModalBasis<T> basis;           ///< modes while the contact slides
+    Matrix<T> momentum;            ///< phi^T M in units of m_1: modal coordinates of a state, mode by mass
+    StuckConfiguration<T> stuck;   ///< modes while the contact sticks
+    std::vector<T> modal_load{};   ///< phi^T p, what the load brings to each mode
+    std::vector<T> stuck_load{};   ///< the same of the stuck modes
+    std::vector<T> detuned{};      ///< by what part of itself each natural frequency may be off
+    Matrix<T> damping_error{};     ///< bounds of what rounding makes of phi^T C phi and what is left out of it, N x N, or none
+    Coordinates<T> coordinates{};  ///< the masses that are none; none for a scene of the paper
+    Matrix<T> further{};           ///< mode shapes of these masses while the contact slides, a row each
+    bool damping_fixes_modes{};    ///< a damping matrix was given: modes of one frequency are those that it does not couple
+    std::string rounded_because{}; ///< why T has no modes of its own, where these are those of the reference; else empty
 };
 
 /// @brief Prepares a system for the exact solver.
@@ -42,9 +42,14 @@ struct ContactSystem {
 template <class T>
 [[nodiscard]] ContactSystem<T> contact_system(const System<T>& s);
 
-/// @brief The same, the modal basis known. @param s the system @param modes its modal basis with bounds @return its modes
+/// @brief The same, the modal basis known.
+/// @param s      the system
+/// @param modes  its modal basis with bounds
+/// @param held   what more digits have found beside the basis, where that comes from them too; else null
+/// @return       its modes
 template <class T>
-[[nodiscard]] ContactSystem<T> contact_system(const System<T>& s, const ModalBasis<Bounded<T>>& modes);
+[[nodiscard]] ContactSystem<T> contact_system(const System<T>& s, const ModalBasis<Bounded<T>>& modes,
+                                              const RoundedModes<T>* held = nullptr);
 
 /// @brief The load on the contact and the friction there, at one frequency.
 template <class T>

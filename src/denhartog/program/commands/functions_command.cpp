@@ -109,7 +109,7 @@ void add_functions_command(CLI::App& app, ExitStatus& status) {
     add_scene_options(*command, *options);
     command->footer(
         "Complex numbers are pairs [real part, imaginary part]. Numbers of modes have at least 6 digits, sums over them 10;\n"
-        "they are computed in 50 digits if double does not have these. error_bounds: bounds of the errors, of a complex\n"
+        "they are computed by the reference if double does not have these. error_bounds: bounds of the errors, of a complex\n"
         "number that of the part that is off by more. beta is not needed. If the damping matrix couples the modes, they have\n"
         "no v, u and g of their own, and zeta is what the diagonal of the matrix gives.");
     command->callback([options, &status] {

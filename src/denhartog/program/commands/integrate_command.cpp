@@ -4,9 +4,9 @@
 #include <memory>
 #include <vector>
 
+#include "denhartog/answer/exact_cycles.hpp"
 #include "denhartog/answer/scene_source.hpp"
 #include "denhartog/number/number_text.hpp"
-#include "denhartog/paper_algorithm/exact_cycles.hpp"
 #include "denhartog/paper_algorithm/paper_algorithm.hpp"
 #include "denhartog/paper_algorithm/regime_seen.hpp"
 #include "denhartog/program/commands/scene_command.hpp"
@@ -134,10 +134,11 @@ State<double> start_from(const std::string& text, std::size_t N) {
 }
 
 std::string integrated(const SceneText& part, const IntegrateOptions& options, ExitStatus& status) {
-    const Scene<double> scene = source_of(part, options.scene.damping)->in_double();
+    const SceneSource source = source_of(part, options.scene.damping);
+    const Scene<double>& scene = source->in_double();
     PaperSettings settings = options.settings;
     if (!options.start.empty()) settings.start = start_from(options.start, number_of_masses(scene.system));
-    const PaperMotion motion = options.method == "paper" ? paper_algorithm(scene, settings) : exact_cycles(scene, settings);
+    const PaperMotion motion = options.method == "paper" ? paper_algorithm(scene, settings) : exact_cycles(source, settings);
     if (motion.status != IntegrationStatus::complete) {
         status.digits_missing = true;
         report(motion.reason + (part.alone ? "" : " (line " + std::to_string(part.line) + ")"));

@@ -57,7 +57,7 @@ std::string sampled(const SceneText& part, const MotionOptions& options) {
                 "must be below beta_lim = " + number_in_certain_digits(found.numbers.beta_lim.x, found.numbers.beta_lim.e) +
                     ", Eq. (69), for the motion to be known",
                 number_to_text(*scene.beta), "/beta");
-        if (found.method.precision == "50 digits") report("computed in 50 digits: " + found.method.why);
+        if (found.method.proved) report("computed by the reference: " + found.method.why);
         return motion_csv(as_motion(std::move(tau), found.numbers), units);
     } catch (const DomainError& e) {
         throw at_a_pole(e);
@@ -96,7 +96,7 @@ void add_motion_command(CLI::App& app, ExitStatus& status) {
     command->footer(
         "Columns: tau from 0 to below 2 pi, 0 at the maximum of the mass in contact; x_1..x_N in units of P / k_1; v_1..v_N,\n"
         "the derivatives with respect to tau. The contact must slide throughout. Digits are relative to the amplitude (52)\n"
-        "of the mass; if double does not reach them, 50 digits are used, and standard error says so.");
+        "of the mass; if double does not reach them, the reference is used, and standard error says so.");
     command->callback([options, &status] {
         try {
             answer(*options);

@@ -1,14 +1,14 @@
-#include "denhartog/paper_algorithm/exact_cycles.hpp"
+#include "denhartog/answer/exact_cycles.hpp"
 
 #include <algorithm>
 #include <cmath>
 
+#include "denhartog/answer/modes_in_double.hpp"
 #include "denhartog/model/coordinates.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/paper_algorithm/last_period.hpp"
 #include "denhartog/scene/point_rules.hpp"
 #include "denhartog/sliding/steady_state.hpp"
-#include "denhartog/stick_slip/rounded_system.hpp"
 
 namespace denhartog {
 namespace {
@@ -22,28 +22,28 @@ bool failed(const ExactMotion<double>& run, PaperMotion& motion) {
     return true;
 }
 
-// Nothing bounds the errors of the motion: its modes are those of 50 digits where double does not have nine of their frequencies.
-ContactSystem<double> system_of(const Scene<double>& of_masses, const Scene<double>& scene) {
+// Nothing bounds the errors of the motion: its modes are those of the reference where double does not have nine digits of their
+// frequencies.
+ContactSystem<double> system_of(const SceneSource& source) {
     constexpr double most = 1e-9;
     try {
-        ContactSystem<double> system = contact_system(scene.system);
+        ContactSystem<double> system = contact_system(source->in_double().system);
         if (std::ranges::all_of(system.detuned, [](double part) { return part <= most; })) return system;
     } catch (const PrecisionError&) { // it has none
     }
-    return rounded(contact_system(in_own_coordinates(converted<Real50>(of_masses)).system),
-                   "double does not have the digits of a natural frequency");
+    return moving_by_reference(source, "double does not have the digits of a natural frequency");
 }
 
 } // namespace
 
-PaperMotion exact_cycles(const Scene<double>& of_masses, const PaperSettings& settings_of_masses) {
-    check(of_masses);
-    const Scene<double> scene = in_own_coordinates(of_masses);
+PaperMotion exact_cycles(const SceneSource& source, const PaperSettings& settings_of_masses) {
+    const Scene<double>& scene = source->in_double();
+    check(scene);
     const PaperSettings settings = in_own_coordinates(settings_of_masses, scene.system);
     (void)frequency_ratio_of(scene);
     (void)friction_ratio_of(scene);
     const std::size_t N = number_of_masses(scene.system), j = scene.system.contact.index;
-    const ContactSystem<double> system = system_of(of_masses, scene);
+    const ContactSystem<double> system = system_of(source);
     ExactSolver<double> solver(system, {*scene.r, *scene.beta, scene.mu});
     const double period = 2 * pi<double>(), last = settings.tau_0 + period * (settings.cycles - 1);
     State<double> state = settings.start.value_or(at_rest<double>(N));

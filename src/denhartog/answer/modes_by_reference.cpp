@@ -1,0 +1,273 @@
+#if DENHARTOG_REFERENCE
+#include "denhartog/answer/modes_by_reference.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "denhartog/answer/certify.hpp"
+#include "denhartog/answer/printed.hpp"
+#include "denhartog/answer/reference_attempts.hpp"
+#include "denhartog/answer/reference_point.hpp"
+#include "denhartog/formulas/mode.hpp"
+#include "denhartog/model/natural_modes.hpp"
+#include "denhartog/number/errors.hpp"
+
+namespace denhartog {
+
+using namespace reference;
+
+namespace {
+
+constexpr slong first_bits = 128, most_bits = 1024;
+constexpr double nearly_rounding = 1e-14; // what a number may be off by, relative, in place of its rounding to double
+
+Matrix<Bounded<double>> in_double(const BallMatrix& A) {
+    Matrix<Bounded<double>> out(A.rows(), A.columns());
+    for (slong i = 0; i < A.rows(); ++i)
+        for (slong k = 0; k < A.columns(); ++k) out(i, k) = in_double(A(i, k));
+    return out;
+}
+
+Matrix<double> values_of(const Matrix<Bounded<double>>& A) {
+    return A.unaryExpr([](const Bounded<double>& a) { return a.x; });
+}
+
+// A number that may be zero, as far as all the bits tell beside the largest of its kind, is zero.
+Ball zero_or_itself(const Ball& x, double largest) {
+    const bool nothing = x.may_vanish() && abs(x).high() <= std::ldexp(largest, -static_cast<int>(ball_bits / 2));
+    return nothing ? widened(Ball(0), upper_bound_of(abs(x))) : x;
+}
+
+// Rows of the mode shapes as double has them: of the coordinates, the mass that is none, and the load on several.
+std::vector<std::size_t> rows_in_balls(const Coordinates<double>& c, std::size_t N) {
+    std::vector<std::size_t> rows(N);
+    for (std::size_t k = 0; k < N; ++k) rows[k] = k;
+    for (const Mass& mass : c.replaced) {
+        rows[mass.index] = N;
+        rows.push_back(mass.index);
+    }
+    if (!c.load.empty()) rows.push_back(N + 1);
+    return rows;
+}
+
+// The modes, with the signs that `fix_signs` gives the shapes of the coordinates.
+ModesInBalls signed_modes(const SceneInBalls& s, const Coordinates<double>& c) {
+    ModesInBalls m = modes_in_balls(s);
+    const std::vector<std::size_t> rows = rows_in_balls(c, m.R.size());
+    Matrix<double> phi(s.N(), s.N());
+    for (slong k = 0; k < s.N(); ++k)
+        for (slong i = 0; i < s.N(); ++i)
+            phi(k, i) = static_cast<double>(m.psi[rows[static_cast<std::size_t>(k)]][static_cast<std::size_t>(i)]);
+    const Matrix<double> before = phi;
+    fix_signs(phi);
+    for (slong i = 0; i < s.N(); ++i)
+        if (phi.col(i) != before.col(i))
+            for (std::vector<Ball>& row : m.psi) row[static_cast<std::size_t>(i)] = -row[static_cast<std::size_t>(i)];
+    return m;
+}
+
+// Any orthonormal shapes may stand for those of modes that coincide.
+void widen_shapes(const ModesInBalls& m, ModalBasis<Bounded<double>>& basis) {
+    for (const ModeCluster& c : m.clusters)
+        for (Eigen::Index k = 0; k < basis.phi.rows(); ++k) {
+            auto shapes =
+                basis.phi.row(k).segment(static_cast<Eigen::Index>(c.first), static_cast<Eigen::Index>(c.last - c.first));
+            double squares = 0;
+            for (const Bounded<double>& entry : shapes) squares += entry.most() * entry.most();
+            for (Bounded<double>& entry : shapes) entry.e = 2 * std::sqrt(squares) * (1 + 1e-9);
+        }
+}
+
+void set_damping(const SceneInBalls& s, const ModesInBalls& m, ModalBasis<Bounded<double>>& basis) {
+    if (!s.zeta.empty()) {
+        for (const Ball& zeta : s.zeta) basis.zeta.push_back(in_double(zeta));
+        return;
+    }
+    BallMatrix D = damping_of_modes(s, m);
+    const double largest = norm(D);
+    Ball apart(0), of_squares(0), of_damping(0); // AB - BA in the modes, where A is diagonal
+    for (slong i = 0; i < s.N(); ++i) {
+        if (D(i, i) < Ball(0))
+            throw InputError("damping_matrix",
+                             "must give mode " + std::to_string(i + 1) + " a damping ratio that is not negative",
+                             printed(D(i, i) * m.R[static_cast<std::size_t>(i)] / 2, 17).decimal);
+        const Ball &R_i = m.R[static_cast<std::size_t>(i)], square = 1 / (R_i * R_i);
+        of_squares += square * square;
+        for (slong k = 0; k < s.N(); ++k) {
+            const Ball& R_k = m.R[static_cast<std::size_t>(k)];
+            const Ball part = (square - 1 / (R_k * R_k)) * D(i, k);
+            apart += part * part;
+            of_damping += D(i, k) * D(i, k);
+        }
+    }
+    if (!of_damping.is_zero())
+        basis.distance_from_classical = in_double(root_of_positive(apart) / root_of_positive(of_squares * of_damping));
+    for (slong i = 0; i < s.N(); ++i)
+        for (slong k = 0; k < s.N(); ++k) {
+            D(i, k) = zero_or_itself(D(i, k), largest);
+            if (i == k) basis.zeta.push_back(in_double(D(i, i) * m.R[static_cast<std::size_t>(i)] / 2));
+        }
+    if (s.N() > 1) basis.D = in_double(D);
+}
+
+ModalBasis<Bounded<double>> basis_of(const SceneInBalls& s, const ModesInBalls& m, const Coordinates<double>& coordinates) {
+    const std::size_t N = m.R.size();
+    ModalBasis<Bounded<double>> basis;
+    for (const Ball& R : m.R) basis.r_n.push_back(in_double(1 / R));
+    const std::vector<std::size_t> rows = rows_in_balls(coordinates, N);
+    basis.phi.resize(static_cast<Eigen::Index>(rows.size()), static_cast<Eigen::Index>(N));
+    for (std::size_t k = 0; k < rows.size(); ++k)
+        for (std::size_t i = 0; i < N; ++i)
+            basis.phi(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(i)) = in_double(m.psi[rows[k]][i]);
+    set_damping(s, m, basis);
+    return basis;
+}
+
+bool is_nearly_rounded(const Bounded<double>& x) { return x.x == 0 || x.e <= nearly_rounding * std::abs(x.x); }
+
+// A mode shape has its digits beside its largest entry.
+bool is_nearly_rounded(const ModalBasis<Bounded<double>>& basis) {
+    const auto all = [](const auto& numbers) {
+        return std::ranges::all_of(numbers, [](const Bounded<double>& x) { return is_nearly_rounded(x); });
+    };
+    for (const auto& shape : basis.phi.colwise()) {
+        Bounded<double> largest(0);
+        for (const Bounded<double>& entry : shape)
+            largest = {std::max(largest.x, std::abs(entry.x)), std::max(largest.e, entry.e)};
+        if (!is_nearly_rounded(largest)) return false;
+    }
+    return all(basis.r_n) && all(basis.zeta);
+}
+
+// Whether all modes are told apart. If twice the bits do not help, nothing will.
+bool told_apart(const ModesInBalls& m, slong bits) {
+    if (m.clusters.empty()) return true;
+    if (bits > first_bits) throw PrecisionError("natural frequencies coincide, as far as they are told apart");
+    return false;
+}
+
+// Modes damped critically or beyond: those of one mass with r = R.
+evaluation::ModeFunctions<Ball> functions_of_one_mass(const Ball& R, const Ball& zeta) {
+    SceneInBalls one{unit_matrix(1), unit_matrix(1), unit_matrix(1) * (2 * zeta)};
+    one.w = one.p = unit_matrix(1);
+    one.r = R;
+    const ResponsesInBalls r = responses_of_state(one);
+    return {r.V[0], r.U[0], r.G[0]};
+}
+
+evaluation::ModeFunctions<Ball> functions_of_mode(const Ball& R, const Ball& zeta) {
+    if (!(zeta < Ball(1))) return functions_of_one_mass(R, zeta);
+    return {paper::complex_response(R, zeta), paper::first_damping_function(R, zeta), paper::second_damping_function(R, zeta)};
+}
+
+// The displacements of the masses are O times those of the system's own coordinates: the identity, but for the mass that is none.
+BallMatrix from_own_coordinates(const Coordinates<double>& c, slong N) {
+    BallMatrix O = unit_matrix(N);
+    if (c.replaced.empty()) return O;
+    const auto a = static_cast<slong>(c.replaced.front().index);
+    for (slong k = 0; k < N; ++k) O(a, k) = Ball(c.displacements(0, k));
+    return O;
+}
+
+// Without row and column j.
+BallMatrix of_others(const BallMatrix& A, slong j) {
+    BallMatrix out(A.rows() - 1, A.rows() - 1);
+    for (slong i = 0; i < out.rows(); ++i)
+        for (slong k = 0; k < out.rows(); ++k) out(i, k) = A(i < j ? i : i + 1, k < j ? k : k + 1);
+    return out;
+}
+
+// Gives nothing where the frequencies do not have their digits.
+std::optional<RoundedModes<double>> held_modes(const SceneInBalls& s, const ModesInBalls& sliding, const System<double>& system) {
+    const BallMatrix O = from_own_coordinates(system.coordinates, s.N()), back = transposed(O), C = back * s.C * O;
+    RoundedModes<double> held{
+        values_of(in_double(transposed(shapes_of(sliding)) * s.M * O)), values_of(in_double(C)), {}, {}, {}};
+    if (s.N() == 1) return held;
+    const auto j = static_cast<slong>(system.contact.index);
+    SceneInBalls others{of_others(back * s.M * O, j), of_others(back * s.K * O, j), of_others(C, j)};
+    others.w = others.p = BallMatrix(others.N(), 1);
+    others.r = Ball(1);
+    const ModesInBalls m = modes_in_balls(others);
+    const BallMatrix D = damping_of_modes(others, m);
+    const double largest = norm(D);
+    held.phi.resize(others.N(), others.N());
+    held.damping.resize(others.N(), others.N());
+    for (slong i = 0; i < others.N(); ++i) {
+        const Bounded<double> r_n = in_double(1 / m.R[static_cast<std::size_t>(i)]);
+        const Bounded<double> damping = in_double(zero_or_itself(D(i, i), largest));
+        if (!is_nearly_rounded(r_n) || !is_nearly_rounded(damping)) return std::nullopt;
+        held.r_n.push_back(r_n.x);
+        for (slong k = 0; k < others.N(); ++k) {
+            held.phi(k, i) = in_double(m.psi[static_cast<std::size_t>(k)][static_cast<std::size_t>(i)]).x;
+            const Bounded<double> between = in_double(zero_or_itself(D(std::max(i, k), std::min(i, k)), largest));
+            held.damping(k, i) = std::abs(between.x) > between.e ? between.x : 0;
+        }
+    }
+    return held;
+}
+
+} // namespace
+
+ModalBasis<Bounded<double>> modes_by_reference(const SceneSource& source, bool coinciding) {
+    const SceneSource at_one = at_frequency(source, 1); // where psi of (17) is phi
+    const Coordinates<double>& coordinates = source->in_double().system.coordinates;
+    const std::size_t N = number_of_masses(source->in_double().system);
+    return with_more_bits(N, first_bits, most_bits, [&](slong bits, bool) {
+        std::optional<ModalBasis<Bounded<double>>> basis;
+        const SceneInBalls s = scene_in_balls(at_one);
+        const ModesInBalls m = signed_modes(s, coordinates);
+        if (!coinciding && !told_apart(m, bits)) return basis;
+        basis = basis_of(s, m, coordinates);
+        if (!is_nearly_rounded(*basis)) basis.reset();
+        if (basis) widen_shapes(m, *basis);
+        return basis;
+    });
+}
+
+std::vector<evaluation::ModeFunctions<Bounded<double>>> mode_functions_by_reference(const SceneSource& source) {
+    const double tolerance = tolerance_of(digits_by_default);
+    const std::size_t N = number_of_masses(source->in_double().system);
+    return with_more_bits(N, first_bits, most_bits, [&](slong bits, bool last) {
+        std::optional<std::vector<evaluation::ModeFunctions<Bounded<double>>>> functions;
+        const SceneInBalls s = scene_in_balls(source);
+        const ModesInBalls m = modes_in_balls(s);
+        if (!told_apart(m, bits)) return functions;
+        functions.emplace();
+        BallMatrix D;
+        if (s.zeta.empty()) D = damping_of_modes(s, m);
+        bool enough = true;
+        for (std::size_t i = 0; i < m.R.size(); ++i) {
+            const auto n = static_cast<slong>(i);
+            const Ball zeta = s.zeta.empty() ? D(n, n) * m.R[i] * s.r / 2 : s.zeta[i];
+            const evaluation::ModeFunctions<Ball> f = functions_of_mode(m.R[i], zeta);
+            const Ball size = root_of_positive(squared_modulus(f.v));
+            if (!size.finite() || !f.u.finite() || !f.g.finite()) throw Unproved("a mode without damping may be at a pole");
+            functions->push_back({{in_double(f.v.re), in_double(f.v.im)}, in_double(f.u), in_double(f.g)});
+            for (const Bounded<double>& x : {in_double(size), functions->back().u, functions->back().g})
+                enough = enough && relative_error(x) <= tolerance;
+        }
+        if (!enough && !last) functions.reset();
+        return functions;
+    });
+}
+
+SystemByReference system_by_reference(const SceneSource& source) {
+    const SceneSource at_one = at_frequency(source, 1);
+    const System<double>& system = source->in_double().system;
+    return with_more_bits(number_of_masses(system), first_bits, most_bits, [&](slong, bool) {
+        std::optional<SystemByReference> found;
+        SceneInBalls s = scene_in_balls(at_one);
+        const ModesInBalls m = signed_modes(s, system.coordinates);
+        ModalBasis<Bounded<double>> basis = basis_of(s, m, system.coordinates);
+        if (!is_nearly_rounded(basis)) return found;
+        if (!s.zeta.empty()) s.C = damping_matrix_in_balls(s, m);
+        if (std::optional<RoundedModes<double>> held = held_modes(s, m, system)) {
+            widen_shapes(m, basis);
+            found = {std::move(basis), *std::move(held)};
+        }
+        return found;
+    });
+}
+
+} // namespace denhartog
+#endif

@@ -1,0 +1,50 @@
+/// @file
+/// @brief The numbers of one point from sums over modes, in any number type. Included by sources only.
+#pragma once
+
+#include "denhartog/formulas/boundary.hpp"
+#include "denhartog/solve/quantities.hpp"
+#include "denhartog/sums/bounded_modes.hpp"
+
+namespace denhartog {
+
+/// @brief What friction does not change: V, U, G, H, and S with the boundary.
+/// @eq{33,34,35,56,64,69}
+/// @param s        modes at the frequency ratio
+/// @param mu       static over kinetic friction, Eq. (3)
+/// @param instant  where the sum over modes of (57)'s expression is largest; 0 stands for the limit
+/// @return         the numbers, without X_j, phi_j and x
+template <class T>
+[[nodiscard]] Quantities<T> quantities_without_motion(const ModeSums<T>& s, const T& mu, const T& instant) {
+    const std::size_t j = s.contact.index;
+    Quantities<T> q;
+    q.V = s.V;
+    q.U = s.U;
+    q.G = s.G;
+    q.H_j = s.H_j;
+    q.S = found_by_search(sliding_demand(s, instant));
+    q.beta_lim =
+        paper::friction_ratio_limit(s.V[j], s.U[j], larger(q.S, paper::static_friction_demand(s.H_j, mu, s.sum_of_squares)));
+    return q;
+}
+
+/// @brief Adds the motion, where the friction ratio is below the boundary.
+/// @eq{38,39,41,52}
+/// @param q     the numbers without it; gets X_j, phi_j, x, x'
+/// @param s     modes at the frequency ratio
+/// @param beta  friction ratio, Eq. (11)
+/// @param tau   instants, any; zero at a maximum of x_j
+template <class T>
+void add_motion(Quantities<T>& q, const ModeSums<T>& s, const T& beta, const std::vector<T>& tau) {
+    if (!(beta < q.beta_lim)) return;
+    const SteadyState<T> state = steady_state_without_maxima(s, beta);
+    q.X_j = state.X_j;
+    q.phi_j = state.phi_j;
+    for (const Motion<T>& at : motions(s, state, std::span<const T>(tau))) {
+        q.x.insert(q.x.end(), at.x.begin(), at.x.end());
+        q.x_prime.insert(q.x_prime.end(), at.x_prime.begin(), at.x_prime.end());
+    }
+    for (const MassResponse<T>& m : state.masses) q.x_size.push_back(m.amplitude_monoharmonic);
+}
+
+} // namespace denhartog
