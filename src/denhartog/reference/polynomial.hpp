@@ -4,6 +4,7 @@
 
 #include <arb_poly.h>
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
