@@ -23,7 +23,7 @@ struct PointInBalls {
     std::optional<Ball> sticking{};                         ///< the friction ratio from which the contact can rest for ever
 };
 
-/// @brief A scene with the damping that counts: its ratios, its matrix, or with a `damping_tolerance` of 2 the ratios nearest to that.
+/// @brief A scene with the damping that counts: ratios, or a matrix; with a `damping_tolerance` of 2 the ratios nearest to that.
 /// @param source  the scene
 /// @return        the scene in the bits of the moment
 /// @throws        Unproved where the bits do not suffice; PrecisionError for a damping tolerance that the reference does not know
