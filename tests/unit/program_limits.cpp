@@ -106,7 +106,7 @@ TEST_CASE("numbers as far apart as their type allows are answered, or refused in
     const std::string stiff =
         R"({"mass_ratios": [1, 2], "stiffness_ratios": [1, 1e300], "damping_ratios": [1, 1], "contact": 2, )"
         R"("load": 2, "r": 3, "beta": 0})";
-    CHECK(run_program("functions", stiff).status == 0);
+    refused(run_program("functions", stiff), 3, "the reference does not prove it");
     const std::string slow =
         R"({"mass_ratios": [1, 1], "stiffness_ratios": [1, 1], "damping_ratios": [0.05, 0.05], "contact": 1, )"
         R"("load": 1, "r": 5e-324, "beta": 0.5})";

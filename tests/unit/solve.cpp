@@ -257,8 +257,7 @@ TEST_CASE("where double loses the springs that hold the contact, 50 digits bound
     }
 }
 
-TEST_CASE("damping made from modes far apart keeps its bound at a contact that rests",
-          "[solve][eq:19][eq:88][accuracy]") {
+TEST_CASE("damping made from modes far apart keeps its bound at a contact that rests", "[solve][eq:19][eq:88][accuracy]") {
     // Mass 4 moves by what damping alone brings to it, through entries of (19) that rounding makes 1e11 times as large.
     Scene<double> scene =
         chain({1, 86732.13364453071, 471299635721.2514, 6.012947084168863e-09}, {1, 0x1p-40, 0x1p-40, 0x1p40},

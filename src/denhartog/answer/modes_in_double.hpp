@@ -16,7 +16,7 @@ struct ModesInDouble {
     std::string rounded_because{};                            ///< why double has none, where the reference found it; else empty
 };
 
-/// @brief Whether a damping matrix couples two modes by more than their bounds. @param basis modes with their `D` @return true if so
+/// @brief Whether a damping matrix certainly couples two modes. @param basis modes with their `D` @return true if so
 [[nodiscard]] bool certainly_couples(const ModalBasis<Bounded<double>>& basis);
 
 /// @brief Takes modes that a damping matrix does not couple, or hardly, to move by themselves.

@@ -25,7 +25,7 @@ struct PointInBalls {
 /// @throws  InputError where it breaks a rule that double is too coarse to see broken
 [[nodiscard]] reference::SceneInBalls scene_as_given(const SceneSource& source);
 
-/// @brief A scene with the damping that counts: its ratios, its matrix, or with a `damping_tolerance` of 2 the ratios nearest to that.
+/// @brief A scene with the damping that counts: ratios, or a matrix; with a `damping_tolerance` of 2 the ratios nearest to that.
 /// @param source  the scene
 /// @return        the scene in the bits of the moment
 /// @throws        Unproved where the bits do not suffice; PrecisionError for a damping tolerance that the reference does not know

@@ -12,9 +12,11 @@ namespace {
 Series numerator(const Ball& U, const Series& F, const Ball& tau) { return Series(U) * cos(Series::time(tau)) + F.derivative(); }
 
 Ball largest_demand(const ResponsesInBalls& r, LargestInBalls& found) {
-    found = largest_over_sine(
-        [&](const Ball& tau) { return numerator(r.U[r.contact()], r.friction.of(r.contact(), (*r.friction.shared)(tau)), tau); });
-    return found.value;
+    const Ball enlarged = larger(Ball(1), 1 / r.squares); // far above the resonances the search, in doubles, would see zeros
+    found = largest_over_sine([&](const Ball& tau) {
+        return enlarged * numerator(r.U[r.contact()], r.friction.of(r.contact(), (*r.friction.shared)(tau)), tau);
+    });
+    return found.value / enlarged;
 }
 
 // The largest value of (57) of a mode that is damped critically or beyond: R^2 times the demand of one mass with r = R.

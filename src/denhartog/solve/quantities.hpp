@@ -1,9 +1,9 @@
 /// @file
 /// @brief The numbers of one point, each with a bound of its error: V, U, G, H, S, beta_lim, X_j, phi_j, and x_k at instants.
 ///
-/// They are computed in double, on numbers that carry a bound of their error, and by the reference where that exceeds what is asked
-/// for. The values handed out are doubles in every case; the bound then holds their rounding. What made a step necessary is said,
-/// and steps are counted.
+/// They are computed in double, on numbers that carry a bound of their error, and by the reference where that exceeds what is
+/// asked for. The values handed out are doubles in every case; the bound then holds their rounding. What made a step necessary is
+/// said, and steps are counted.
 #pragma once
 
 #include <functional>
@@ -78,9 +78,9 @@ struct QuantitiesAnswer {
 
 /// @brief The numbers of a point to the digits asked for, in double if its bounds have them, else by the reference.
 ///
-/// A number that the reference finds below 1e-25 of the largest of its kind, and to which its bound does not leave the digits asked
-/// for, comes out as zero with its bound: it is zero without being so by its formula, as at an antiresonance, or lies too low to
-/// tell.
+/// A number that the reference finds below 1e-25 of the largest of its kind, and to which its bound does not leave the digits
+/// asked for, comes out as zero with its bound: it is zero without being so by its formula, as at an antiresonance, or lies too
+/// low to tell.
 /// @eq{33,34,35,38,39,41,56,64,69}
 /// @param source  the scene, with r and, where the motion is asked for, beta
 /// @param tau     instants of the motion, any; zero at a maximum of x_j
