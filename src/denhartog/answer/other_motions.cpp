@@ -136,14 +136,14 @@ private:
                            orbit.start,
                            std::nullopt};
         if (rests) {
-            const HeldSolution held = held_solution(scene, system.stuck, basis);
+            const HeldSolution held = held_solution(scene, system.stuck, basis, digits_by_default);
             motion.masses = held.masses;
             if (std::isfinite(held.rest_interval.to.error)) { // where double gives one
                 motion.rest_interval = held.rest_interval;
-                motion.rest_interval->rests_at = place_of_rest(orbit, system.contact);
+                motion.rest_interval->rests_at = place_of_rest(orbit, system.contact, digits_by_default);
             }
         } else {
-            const OrbitSolution found_orbit = orbit_solution(solver, orbit);
+            const OrbitSolution found_orbit = orbit_solution(solver, orbit, digits_by_default);
             motion.masses = found_orbit.masses;
             motion.stops = found_orbit.stops;
         }
