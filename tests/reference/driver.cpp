@@ -262,6 +262,21 @@ TEST_CASE("a load on the contact alone never moves it from rest where static fri
     CHECK(regime("0.83333333333333333333333333333333334") == Regime::permanent_sticking); // 1 / mu, and a little more
 }
 
+TEST_CASE("stops that rounding makes next to the boundary are none in a proof, of the motion and of its regime",
+          "[driver][eq:69]") {
+    for (const Asked asked : {Asked::motion, Asked::regime}) {
+        Question question{asked, 30};
+        question.proved = true;
+        const Solution s = solve(scene_source(read_scene<double>(R"({"mass_ratios": [1, 1, 1], "stiffness_ratios": [1, 1, 1],
+                "damping_ratios": [0.05285095336413415, 0.0028521717634969056, 0.10552083675953965], "contact": 2, "load": 3,
+                "mu": 1.0000000594993457, "r": 0.11229068033770095, "beta": 0.014796804026255744})")),
+                                 question);
+        CHECK(s.method.proved);
+        CHECK(s.regime.regime == Regime::continuous);
+        CHECK(s.stops.empty());
+    }
+}
+
 TEST_CASE("rules of a scene that double is too coarse for hold all the same", "[driver]") {
     const auto with = [](const std::string& changed) {
         return R"({"mass_ratios": [1, 1], "damping_ratios": 0.1, "contact": 1, "load": 1, "r": 0.5, "beta": 0.1, )" + changed +

@@ -124,6 +124,11 @@ bool has_88(const Scene<double>& scene) {
     return is_chain(scene.system) && scene.system.coordinates.load.empty() && scene.system.coordinates.replaced.empty();
 }
 
+// What double takes for a stop next to the boundary may be none.
+void set_regime_by_stops(const OrbitInBalls& o, Solution& s) {
+    if (o.stops.empty()) s.regime.regime = Regime::continuous;
+}
+
 void write_orbit(const OrbitInBalls& o, const Scene<double>& scene, const ReferenceQuestion& q, WrittenNumbers& w, Solution& s) {
     const bool phases = q.asked != Asked::amplitude;
     Ball largest(0);
@@ -185,12 +190,16 @@ Solution attempt(const SceneSource& source, const ReferenceQuestion& q, slong bi
             throw Disproved("the contact does not slide throughout");
         if (q.asked == Asked::regime || (q.closed_form_alone && regime != Regime::continuous)) {
             s.method.model = q.closed_form_alone ? "boundary of the sliding regime" : "boundaries";
+            if (q.met == Regime::stick_slip && !q.closed_form_alone)
+                set_regime_by_stops(orbit_in_balls(source, q, bits, guesses), s);
         } else if (regime == Regime::continuous) {
             write_sliding(p, scene, q, w, s);
         } else if (regime == Regime::permanent_sticking) {
             write_stuck(p, scene, q, w, s);
         } else {
-            write_orbit(orbit_in_balls(source, q, bits, guesses), scene, q, w, s);
+            const OrbitInBalls orbit = orbit_in_balls(source, q, bits, guesses);
+            write_orbit(orbit, scene, q, w, s);
+            set_regime_by_stops(orbit, s);
         }
         if (has_88(scene) && !q.closed_form_alone && (q.asked == Asked::regime || regime == Regime::permanent_sticking))
             s.sticking_by_88 = w.shown(sticking_limit_by_88(p.scene, scene.system.load.index));

@@ -1,5 +1,8 @@
 #include "denhartog/reference/fast_phase.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "denhartog/reference/orbit_equations.hpp"
 
 namespace denhartog::reference {
@@ -143,6 +146,20 @@ NumberInTime FastPhases::number(const BallMatrix& row, const BallMatrix& Z) cons
         for (std::size_t n = 0; n < 5; ++n) sum.c[n] += of_cosine * both.c.c[n] + of_sine * both.s.c[n];
         return weights.empty() ? sum : sum_of(weights, (*in_time)(t), sum);
     };
+}
+
+const std::shared_ptr<FastPhases>& ContactMechanics::by_free_motions(int direction) const {
+    std::shared_ptr<FastPhases>& kind = fast[direction + 1];
+    if (!kind) {
+        const Bits all(bits);
+        kind = std::make_shared<FastPhases>(*this, direction);
+    }
+    return kind;
+}
+
+slong leaps_for(double norm) {
+    if (!(norm < 1e9)) throw Unproved("a mode is too fast for the motion to be followed");
+    return std::max<slong>(1, static_cast<slong>(std::ceil(norm / longest_leap)));
 }
 
 } // namespace denhartog::reference

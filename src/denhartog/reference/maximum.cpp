@@ -11,7 +11,7 @@ namespace {
 
 constexpr double end = 3.141592653589793; // not above pi
 constexpr double narrow = 0.1, flat = 1e-14;
-constexpr int most_looks = 4000;
+constexpr int most_looks = 30'000;
 
 // The interval of the search ends at the double next to pi; the last stretch goes on to pi itself.
 Ball stretch(double from, double to) {

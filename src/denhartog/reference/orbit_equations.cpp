@@ -98,15 +98,6 @@ BallMatrix ContactMechanics::phase(int direction) const {
     return A;
 }
 
-const std::shared_ptr<FastPhases>& ContactMechanics::by_free_motions(int direction) const {
-    std::shared_ptr<FastPhases>& kind = fast[direction + 1];
-    if (!kind) {
-        const Bits all(bits);
-        kind = std::make_shared<FastPhases>(*this, direction);
-    }
-    return kind;
-}
-
 BallMatrix ContactMechanics::speed() const { return row_of(w, N, n()); }
 
 BallMatrix ContactMechanics::ending(int before, int after) const {
@@ -216,11 +207,6 @@ Ball ExponentialSeries::at(const BallMatrix& row, const Ball& theta) const {
 
 void ExponentialSeries::widen(const Ball& radius) {
     for (slong i = 0; i < terms_.rows(); ++i) terms_(i, 0) = widened(terms_(i, 0), radius);
-}
-
-slong leaps_for(double norm) {
-    if (!(norm < 1e9)) throw Unproved("a mode is too fast for the motion to be followed");
-    return std::max<slong>(1, static_cast<slong>(std::ceil(norm / longest_leap)));
 }
 
 BallMatrix followed(const BallMatrix& A, const BallMatrix& Z, const Ball& length, slong leaps, const BallMatrix& leap,
