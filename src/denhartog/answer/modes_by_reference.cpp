@@ -146,17 +146,11 @@ bool told_apart(const ModesInBalls& m, slong bits) {
     return false;
 }
 
-// Modes damped critically or beyond: those of one mass with r = R.
-evaluation::ModeFunctions<Ball> functions_of_one_mass(const Ball& R, const Ball& zeta) {
-    SceneInBalls one{unit_matrix(1), unit_matrix(1), unit_matrix(1) * (2 * zeta)};
-    one.w = one.p = unit_matrix(1);
-    one.r = R;
-    const ResponsesInBalls r = responses_of_state(one);
-    return {r.V[0], r.U[0], r.G[0]};
-}
-
 evaluation::ModeFunctions<Ball> functions_of_mode(const Ball& R, const Ball& zeta) {
-    if (!(zeta < Ball(1))) return functions_of_one_mass(R, zeta);
+    if (!(zeta < Ball(1))) {
+        const ResponsesInBalls r = responses_of_one_mass(R, zeta);
+        return {r.V[0], r.U[0], r.G[0]};
+    }
     return {paper::complex_response(R, zeta), paper::first_damping_function(R, zeta), paper::second_damping_function(R, zeta)};
 }
 

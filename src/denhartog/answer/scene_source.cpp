@@ -12,9 +12,7 @@ namespace denhartog {
 namespace {
 
 [[noreturn]] void fail_without_reference() {
-    throw PrecisionError(has_reference()
-                             ? "this scene is not to be had by the reference"
-                             : "this needs the reference, and the library was built without it (DENHARTOG_REFERENCE=OFF)");
+    throw PrecisionError(has_reference() ? "this scene is not to be had by the reference" : built_without_reference);
 }
 
 // A scene in double, or what is wrong with it, and a function that gives it in more digits.

@@ -7,9 +7,7 @@
 namespace denhartog {
 namespace {
 
-[[noreturn]] void refuse() {
-    throw PrecisionError("this needs the reference, and the library was built without it (DENHARTOG_REFERENCE=OFF)");
-}
+[[noreturn]] void refuse() { throw PrecisionError(built_without_reference); }
 
 } // namespace
 

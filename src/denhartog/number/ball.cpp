@@ -121,6 +121,11 @@ Ball larger(const Ball& x, const Ball& y) { return by(arb_max, x, y); }
 
 Ball either(const Ball& x, const Ball& y) { return by(arb_union, x, y); }
 
+Ball both_hold(const Ball& x, const Ball& y) {
+    Ball r;
+    return arb_intersection(r.a, x.a, y.a, ball_bits) != 0 ? r : x;
+}
+
 Ball middle(const Ball& x) {
     Ball r;
     arb_get_mid_arb(r.a, x.a);

@@ -168,6 +168,9 @@ struct PiOf<Ball> {
 [[nodiscard]] Ball larger(const Ball& x, const Ball& y);
 /// @brief Both. @param x a number @param y a number @return a ball that holds both
 [[nodiscard]] Ball either(const Ball& x, const Ball& y);
+/// @brief What both hold. @param x a number @param y the same number @return a ball that holds what is in both; x where rounding
+/// leaves nothing
+[[nodiscard]] Ball both_hold(const Ball& x, const Ball& y);
 /// @brief The midpoint. @param x a number @return its midpoint, exact
 [[nodiscard]] Ball middle(const Ball& x);
 /// @brief The radius. @param x a number @return its radius, exact

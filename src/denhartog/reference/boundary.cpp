@@ -21,11 +21,8 @@ Ball largest_demand(const ResponsesInBalls& r, LargestInBalls& found) {
 
 // The largest value of (57) of a mode that is damped critically or beyond: R^2 times the demand of one mass with r = R.
 Ball largest_beyond_critical(const Ball& R, const Ball& zeta) {
-    SceneInBalls one{unit_matrix(1), unit_matrix(1), unit_matrix(1) * (2 * zeta)};
-    one.w = one.p = unit_matrix(1);
-    one.r = R;
     LargestInBalls found;
-    return R * R * largest_demand(responses_of_state(one), found);
+    return R * R * largest_demand(responses_of_one_mass(R, zeta), found);
 }
 
 // (56): each mode by itself.

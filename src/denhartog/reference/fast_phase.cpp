@@ -56,20 +56,16 @@ FastPhases::FastPhases(const ContactMechanics& s, int direction) : N_(s.N), lead
     }
     turning = divided(std::move(turning), *free_, true);
     const std::vector<ComplexBall> one = divided(of_input(2), *free_, false), rest = divided(of_input(3), *free_, false);
-    for (slong k = 0; k < K; ++k) {
-        BallMatrix unit(1, K);
-        unit(0, k) = Ball(1);
-        const auto sum = [&](const std::vector<ComplexBall>& shares, std::size_t part) {
-            const std::vector<Ball> weights = free_->weights(unit, shares);
-            Ball total(0);
-            for (std::size_t i = part; i < weights.size(); i += 2) total += weights[i];
-            return total;
-        };
-        forced_(k, 0) = sum(turning, 0); // Re H cos - Im H sin
-        forced_(k, 1) = sum(turning, 1);
-        forced_(k, 2) = sum(one, 0);
-        forced_(k, 3) = sum(rest, 0);
-    }
+    std::vector<ComplexBall> turned = turning; // Re(H e^(i tau)) = Re H cos + Re(i H) sin
+    for (ComplexBall& each : turned) acb_mul_onei(each.a, each.a);
+    const auto set = [&](slong column, const std::vector<ComplexBall>& shares) {
+        const BallMatrix y = free_->state(shares, Ball(0));
+        for (slong k = 0; k < K; ++k) forced_(k, column) = y(k);
+    };
+    set(0, turning);
+    set(1, turned);
+    set(2, one);
+    set(3, rest);
 }
 
 FastPhases::OverCoordinates FastPhases::taken_apart(const BallMatrix& row) const {

@@ -92,4 +92,10 @@ struct ResponsesInBalls {
 /// @return       the functions
 [[nodiscard]] ResponsesInBalls responses_of_state(const SceneInBalls& scene);
 
+/// @brief The same of one mass at r = R, which is a mode by itself: for modes damped critically or beyond.
+/// @param R     modal frequency ratio, Eq. (22)
+/// @param zeta  modal damping ratio
+/// @return      the functions
+[[nodiscard]] ResponsesInBalls responses_of_one_mass(const Ball& R, const Ball& zeta);
+
 } // namespace denhartog::reference

@@ -167,4 +167,11 @@ ResponsesInBalls responses_of_state(const SceneInBalls& s) {
     return r;
 }
 
+ResponsesInBalls responses_of_one_mass(const Ball& R, const Ball& zeta) {
+    SceneInBalls one{unit_matrix(1), unit_matrix(1), unit_matrix(1) * (2 * zeta)};
+    one.w = one.p = unit_matrix(1);
+    one.r = R;
+    return responses_of_state(one);
+}
+
 } // namespace denhartog::reference

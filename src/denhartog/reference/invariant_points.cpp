@@ -161,12 +161,6 @@ void add_point(const SceneInBalls& s, const TransmissibilityInBalls& f, const Ba
         add_undecided(r, r, range, found);
 }
 
-bool is_the_contact(const SceneInBalls& s, slong k) {
-    for (slong n = 0; n < s.N(); ++n)
-        if (s.w(n).is_zero() != (n != k)) return false;
-    return true;
-}
-
 void sort_by_midpoint(InvariantPointsOfMass<Ball>& found) {
     const auto before = [](const Ball& x, const Ball& y) { return arf_cmp(arb_midref(x.a), arb_midref(y.a)) < 0; };
     std::ranges::sort(found.points, before, [](const auto& p) -> const Ball& { return p.r; });
@@ -216,7 +210,7 @@ std::vector<InvariantPointsOfMass<Ball>> invariant_points_in_balls(const SceneIn
         if (parts.size() > 1) apart = std::make_unique<UndampedModesInBalls>(s, std::vector<CoupledMasses>{part});
         for (const slong mass : part) {
             const auto k = static_cast<std::size_t>(mass);
-            if (!is_the_contact(s, mass) && !all.weights(k, N + 1).vanish())
+            if (!s.is_the_contact(mass) && !all.weights(k, N + 1).vanish())
                 add_zeros(s, all, InvariantPointKind::two_effects_cancel, {r_a, r_b}, effort, found[k]);
             add_zeros(s, apart ? *apart : all, InvariantPointKind::friction_leaves_it_alone, {r_a, r_b}, effort, found[k]);
             sort_by_midpoint(found[k]);

@@ -29,13 +29,9 @@ Series over_stretch(const FunctionOfTime& f, const Ball& X) {
     Series r = wide;
     const Ball value = thin.c[0] + d * (thin.c[1] + d * (thin.c[2] + d * wide.c[3])),
                slope = thin.c[1] + d * (2 * thin.c[2] + 3 * d * wide.c[3]), curvature = thin.c[2] + 3 * d * wide.c[3];
-    const auto narrowed = [](Ball& by_terms, const Ball& from_middle) {
-        Ball both;
-        if (arb_intersection(both.a, by_terms.a, from_middle.a, ball_bits) != 0) by_terms = both;
-    };
-    narrowed(r.c[0], value);
-    narrowed(r.c[1], slope);
-    narrowed(r.c[2], curvature);
+    r.c[0] = both_hold(wide.c[0], value);
+    r.c[1] = both_hold(wide.c[1], slope);
+    r.c[2] = both_hold(wide.c[2], curvature);
     return r;
 }
 

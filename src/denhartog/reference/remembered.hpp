@@ -34,7 +34,9 @@ public:
         const std::pair stretch{tau.low(), tau.high()};
         const auto found = all_.find(stretch);
         if (found != all_.end() && is(found->second)) return found->second.value;
-        return all_.insert_or_assign(stretch, known(tau)).first->second.value;
+        Known now = known(tau);
+        if (all_.size() >= most_remembered) all_.clear(); // a search next to a resonance looks at tens of thousands
+        return all_.insert_or_assign(stretch, std::move(now)).first->second.value;
     }
 
 private:
@@ -43,6 +45,8 @@ private:
         slong bits = 0;
         Value value{};
     };
+
+    static constexpr std::size_t most_remembered = 4096;
 
     Known known(const Ball& tau) {
         if (arb_is_exact(tau.a) != 0) return {tau, ball_bits, at_(tau)};

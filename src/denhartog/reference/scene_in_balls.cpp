@@ -36,6 +36,12 @@ BallMatrix stiffnesses_of(const System<Ball>& s) {
 
 } // namespace
 
+bool SceneInBalls::is_the_contact(slong k) const {
+    for (slong n = 0; n < N(); ++n)
+        if (w(n).is_zero() != (n != k)) return false;
+    return true;
+}
+
 SceneInBalls in_matrices(const Scene<Ball>& scene) {
     const System<Ball>& s = scene.system;
     SceneInBalls out{masses_of(s), stiffnesses_of(s)};

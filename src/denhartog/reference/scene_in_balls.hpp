@@ -43,6 +43,8 @@ struct SceneInBalls {
 
     /// @brief Number of masses. @return N
     [[nodiscard]] slong N() const { return M.rows(); }
+    /// @brief Whether the contact moves as a mass does, and with no other. @param k the mass @return false of a contact between two
+    [[nodiscard]] bool is_the_contact(slong k) const;
 };
 
 /// @brief The matrices of a scene.

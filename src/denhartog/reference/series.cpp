@@ -1,24 +1,14 @@
 #include "denhartog/reference/series.hpp"
 
 namespace denhartog::reference {
-namespace {
-
-// What both balls hold; one of them where rounding leaves nothing.
-Ball both_hold(const Ball& x, const Ball& y) {
-    Ball r;
-    return arb_intersection(r.a, x.a, y.a, ball_bits) != 0 ? r : x;
-}
-
-} // namespace
 
 Series over_stretch(const Series& at_middle, const Ball& off, const Ball& constant, const Ball& size, const Ball& speed) {
     Series r;
     Ball most = size;
-    const auto throughout = [&](int n) { return widened(n == 0 ? constant : Ball(0), most); };
     std::array<Ball, 6> held;
     for (int n = 0; n < 6; ++n) {
         if (n > 0) most = most * speed / n;
-        held[n] = throughout(n);
+        held[n] = widened(n == 0 ? constant : Ball(0), most);
     }
     r.c[4] = both_hold(at_middle.c[4] + 5 * off * held[5], held[4]);
     r.c[3] = both_hold(at_middle.c[3] + 4 * off * r.c[4], held[3]);

@@ -43,8 +43,7 @@ void add_motion(const PointInBalls& p, std::span<const double> tau, Quantities<B
     q.phi_j = in_double(contact.phi_j);
     std::vector<SlidingMassInBalls> starts;
     for (std::size_t k = 0; k < r.contact(); ++k) {
-        bool is_contact = true; // on a wall; of a contact between two masses each moves otherwise
-        for (slong n = 0; n < p.scene.N(); ++n) is_contact = is_contact && p.scene.w(n).is_zero() == (n != static_cast<slong>(k));
+        const bool is_contact = p.scene.is_the_contact(static_cast<slong>(k));
         const SlidingMassInBalls& m = starts.emplace_back(start_of_mass_in_balls(r, contact, beta, k, is_contact));
         q.x_size.push_back(in_double(root_of_positive(m.x0 * m.x0 + m.v0 * m.v0))); // (52), also of a mass that does not move
     }
@@ -94,13 +93,14 @@ QuantitiesAnswer quantities_by_reference(const SceneSource& source, std::span<co
 
 #else
 
+#include "denhartog/answer/reference.hpp"
 #include "denhartog/number/errors.hpp"
 
 namespace denhartog {
 
 QuantitiesAnswer quantities_by_reference(const SceneSource&, std::span<const double>,
                                          const std::function<bool(Quantities<Bounded<double>>&)>&) {
-    throw PrecisionError("this needs the reference, and the library was built without it (DENHARTOG_REFERENCE=OFF)");
+    throw PrecisionError(built_without_reference);
 }
 
 } // namespace denhartog
