@@ -1,0 +1,130 @@
+// A phase by its free motions is the phase by the exponential of its matrix.
+#include "denhartog/reference/fast_phase.hpp"
+
+#include "denhartog/reference/modes.hpp"
+#include "denhartog/reference/orbit_equations.hpp"
+#include "denhartog/solve/solve.hpp"
+#include "tests/catch.hpp"
+#include "tests/reference/proofs.hpp"
+
+using namespace denhartog;
+using namespace denhartog::reference;
+using namespace denhartog::tests;
+
+namespace {
+
+constexpr const char* scenes[] = {
+    R"({"mass_ratios": [1, 2.5, 0.5], "stiffness_ratios": [1, 0.625, 2], "damping_ratios": [0.01, 0.2, 0.05], "contact": 2,
+        "load": 1, "r": 0.05, "beta": 0.3, "mu": 1.25})",
+    R"({"mass_ratios": [1, 2.5, 0.5], "stiffness_ratios": [1, 0.625, 2], "damping_ratios": [0.01, 0.2, 0.05], "contact": [3, 1],
+        "load": [0.5, -1, 0.25], "r": 0.7, "beta": 0.3})",
+    R"({"mass_ratios": [1, 2], "stiffness_ratios": [1, 2], "damping_matrix": [[0.2, -0.1], [-0.1, 0.3]], "contact": 1, "load": 2,
+        "r": 0.2, "beta": 0.1})",
+    R"({"mass_ratios": 1, "stiffness_ratios": 1, "damping_ratios": 1.5, "contact": 1, "load": 1, "r": 0.01, "beta": 0.1})"};
+
+ContactMechanics mechanics_of(const char* text) {
+    SceneInBalls s = matrices_of_text(text);
+    if (!s.zeta.empty()) s.C = damping_matrix_in_balls(s, modes_in_balls(s));
+    return ContactMechanics(s);
+}
+
+// A state in which the contact has no velocity, as in a phase of sticking.
+BallMatrix some_state(const ContactMechanics& s) {
+    BallMatrix Z(s.n(), 1);
+    Ball along(0);
+    for (slong k = 0; k < 2 * s.N; ++k) Z(k) = Ball(1 + k) / Ball(7) - Ball(k * k) / Ball(11);
+    for (slong k = 0; k < s.N; ++k) along += k == s.lead ? Ball(0) : s.w(k) * Z(s.N + k);
+    Z(s.N + s.lead) = -along / s.w(s.lead);
+    Z(2 * s.N) = cos(Ball(0.4));
+    Z(2 * s.N + 1) = sin(Ball(0.4));
+    Z(2 * s.N + 2) = Ball(1);
+    return Z;
+}
+
+BallMatrix by_exponential(const ContactMechanics& s, int direction, const Ball& length) {
+    return exp(s.phase(direction) * length) * some_state(s);
+}
+
+} // namespace
+
+TEST_CASE("a phase by its free motions ends as by the exponential of its matrix", "[reference][fast_phase]") {
+    const Bits enough(256);
+    for (const char* text : scenes)
+        for (const int direction : {1, -1, 0}) {
+            const ContactMechanics s = mechanics_of(text);
+            const FastPhases fast(s, direction);
+            for (const double length : {0.0, 0.03, 1.75}) {
+                INFO(text << ", direction " << direction << ", length " << length);
+                const BallMatrix expected = by_exponential(s, direction, Ball(length)),
+                                 found = fast.state(some_state(s), Ball(length)),
+                                 by_matrix = fast.propagator(Ball(length)) * some_state(s),
+                                 longer = fast.state(some_state(s), Ball(length + 1e-9));
+                bool differs = false;
+                for (slong k = 0; k < s.n(); ++k) {
+                    CHECK(apart(found(k), expected(k)) == 0);
+                    CHECK(apart(by_matrix(k), expected(k)) == 0);
+                    CHECK(found(k).radius() < 1e-40);
+                    differs = differs || apart(longer(k), expected(k)) > 0;
+                }
+                CHECK(differs); // the test would tell
+            }
+        }
+}
+
+TEST_CASE("a number over a phase has the rates of its matrix, at every instant of a stretch", "[reference][fast_phase]") {
+    const Bits enough(256);
+    for (const char* text : scenes)
+        for (const int direction : {1, 0}) {
+            INFO(text << ", direction " << direction);
+            const ContactMechanics s = mechanics_of(text);
+            const BallMatrix A = s.phase(direction);
+            for (slong which = 0; which < s.n(); ++which) {
+                BallMatrix row(1, s.n());
+                row(0, which) = Ball(1);
+                const NumberInTime number = FastPhases(s, direction).number(row, some_state(s));
+                const Series over = number(Ball::within(0.5, 0.625));
+                for (const double t : {0.5, 0.5625, 0.625}) {
+                    const BallMatrix Z = by_exponential(s, direction, Ball(t));
+                    const Series at = number(Ball(t));
+                    BallMatrix rate = row;
+                    for (int order = 0; order < 3; ++order, rate = rate * A) {
+                        CHECK(apart(at.rate(order), (rate * Z)(0)) == 0);
+                        CHECK(apart(over.rate(order), (rate * Z)(0)) == 0);
+                        CHECK(at.rate(order).radius() < 1e-30);
+                    }
+                }
+                if (which == 2 * s.N) CHECK(apart(number(Ball(0.5)).rate(0), number(Ball(0.5 + 1e-9)).rate(0)) > 0);
+            }
+        }
+}
+
+TEST_CASE("free motions that coincide, and a resonance without damping, are not followed", "[reference][fast_phase]") {
+    const Bits enough(128);
+    const auto with = [](const std::string& changed) {
+        return R"({"mass_ratios": 1, "stiffness_ratios": 1, "contact": 1, "load": 1, "beta": 0.1, )" + changed + "}";
+    };
+    CHECK_THROWS_WITH(FastPhases(mechanics_of(with(R"("damping_ratios": 1, "r": 0.01)").c_str()), 1),
+                      Catch::Contains("free motions are not told apart"));
+    CHECK_THROWS_WITH(FastPhases(mechanics_of(with(R"("damping_ratios": 0, "r": 1)").c_str()), 1),
+                      Catch::Contains("resonance without damping"));
+    CHECK_NOTHROW(FastPhases(mechanics_of(with(R"("damping_ratios": 0.5, "r": 0.01)").c_str()), 1));
+}
+
+TEST_CASE("motions with stops whose modes are a thousand times as fast as the force are proved",
+          "[reference][fast_phase][orbit]") {
+    const SceneSource source = scene_source(SceneText{R"({"mass_ratios": [1, 0.8631], "stiffness_ratios": [1, 0.7844],
+        "damping_ratios": [0.00443, 0.00294], "contact": 1, "load": [-0.633, -0.818], "r": 0.0015124, "beta": 0.00414})"});
+    Question question{Asked::motion, 12};
+    question.proved = true;
+    const Solution few = solve(source, question), in_50_digits = solve(source, {Asked::motion, 30});
+    question.digits = 40;
+    const Solution more = solve(source, question);
+    REQUIRE(few.stops.size() == 2);
+    REQUIRE(more.stops.size() == 2);
+    for (std::size_t k = 0; k < 2; ++k) {
+        CHECK(apart(ball_of(few.masses[k].amplitude), ball_of(more.masses[k].amplitude)) == 0);
+        CHECK(apart(ball_of(*few.masses[k].phase), ball_of(*more.masses[k].phase)) == 0);
+        CHECK(apart(ball_of(in_50_digits.masses[k].amplitude), ball_of(more.masses[k].amplitude)) == 0);
+    }
+    CHECK(in_50_digits.method.precision == "50 digits"); // a route that shares nothing with it
+}
