@@ -152,7 +152,7 @@ private:
             Scene<double> scene = map.prepared.scene();
             scene.r = r;
             scene.beta = map.beta[n];
-            held = held_solution(scene, map.system().stuck, *map.prepared.bounded, 6);
+            held = held_solution(scene, map.system().stuck, *map.prepared.bounded);
         }
         const auto number = [&](std::size_t k) {
             if (k == map.system().contact.index) return Bounded<double>(0);

@@ -1,6 +1,7 @@
 #include "denhartog/solve/solve_by_reference.hpp"
 
 #include <algorithm>
+#include <exception>
 
 #include "denhartog/answer/reference.hpp"
 #include "denhartog/model/coordinates.hpp"
@@ -10,39 +11,43 @@
 namespace denhartog {
 namespace {
 
-constexpr int most_digits_of_fast_floor = 95;
-constexpr int reference_is_first = 46;          // digits from which on it is asked first
-constexpr std::size_t most_masses_unasked = 40; // of which it is asked where nobody asked for digits
+constexpr std::size_t most_masses_unasked = 40; // of which the reference is asked where nobody asked for digits
 
-// The fast floor for the digits of every day; the reference for more, for a proof, and for digits that the fast floor does not have.
+// Double for the digits of every day; the reference for more, for a proof, and for what double leaves open. Where that does not
+// tell either, what double has, or its error.
 template <class ByReference, class Fast>
-Solution in_turn(std::size_t N, std::optional<int> digits, bool proved, bool fast_alone, const ByReference& by_reference,
-                 const Fast& fast) {
-    if (proved || digits > most_digits_of_fast_floor) return by_reference();
-    const bool may_help = !fast_alone && has_reference() && (digits || N <= most_masses_unasked);
-    if (may_help && digits && *digits >= reference_is_first) {
-        try {
-            return by_reference();
-        } catch (const PrecisionError&) {
-            if (QuestionEffort::exhausted()) throw;
-        }
-        return fast();
-    }
+Solution in_turn(std::size_t N, std::optional<int> digits, bool proved, const ByReference& by_reference, const Fast& fast) {
+    if (proved || digits > most_digits_in_double) return by_reference();
+    AnswerInDouble found;
+    std::exception_ptr failure;
     try {
-        return fast();
+        found = fast();
+        if (found.is_settled()) return found.solution;
+    } catch (const DomainError&) {
+        failure = std::current_exception();
     } catch (const PrecisionError&) {
-        if (!may_help || QuestionEffort::exhausted()) throw;
+        failure = std::current_exception();
+    }
+    count_precision_step();
+    if (has_reference() && (digits || N <= most_masses_unasked) && !QuestionEffort::exhausted()) {
         try {
             return by_reference();
-        } catch (const PrecisionError&) { // what the fast floor says of it is said
+        } catch (const PrecisionError& e) {
+            found.solution.method.why += std::string("; ") + e.what();
         }
-        throw;
     }
+    if (failure) std::rethrow_exception(failure);
+    return found.solution;
+}
+
+void require_digits(std::optional<int> digits, const Solution& s) {
+    if (digits && !s.digits_reached)
+        throw PrecisionError("the " + in_words(aim_of(digits)) + " are not reached: only " +
+                             std::to_string(digits_of(s.relative_error)) + " are certain (" + s.method.why + ")");
 }
 
 // Which motion is meant, where the friction ratio does not tell: with mu above 1, or at a pole, the one from rest, as double finds it.
-std::optional<Solution> from_rest(const Scene<double>& scene, const Question& question,
-                                  const std::function<Solution(const Question&)>& fast) {
+std::optional<Solution> from_rest(const Scene<double>& scene, const Question& question, const InDouble& fast) {
     Question of_regime;
     of_regime.asked = Asked::amplitude;
     of_regime.mass = question.mass;
@@ -50,17 +55,17 @@ std::optional<Solution> from_rest(const Scene<double>& scene, const Question& qu
         try {
             Question of_limits;
             of_limits.asked = Asked::regime;
-            if (fast(of_limits).limits) return std::nullopt;
+            if (fast(of_limits).solution.limits) return std::nullopt;
         } catch (const PrecisionError&) {
             return std::nullopt;
         }
     }
-    return fast(of_regime);
+    return fast(of_regime).solution;
 }
 
-Solution answer_by_reference(const PreparedSystem& p, const SolvePoint& at, const Question& question,
-                             const std::function<Solution(const Question&)>& fast) {
-    if (question.all) throw InputError("all", "must not be asked for with a proof: other motions are estimates", "true");
+Solution answer_by_reference(const PreparedSystem& p, const SolvePoint& at, const Question& question, const InDouble& fast) {
+    if (question.all && question.proved)
+        throw InputError("all", "must not be asked for with a proof: other motions are estimates", "true");
     const SceneSource source = source_at(p, at);
     const Scene<double>& scene = source->in_double();
     const std::optional<Solution> rest = from_rest(scene, question, fast);
@@ -74,6 +79,11 @@ Solution answer_by_reference(const PreparedSystem& p, const SolvePoint& at, cons
     }
     const double mu = s.mu.value == 1 && s.mu.error > 0 ? 2 : scene.mu; // a text may be above 1 by less than double tells
     say_whether_unique(p.bounded ? *p.bounded : *modes_in_double(source).basis, mu, s);
+    if (question.all) {
+        Question others = question;
+        others.digits.reset();
+        s.motions = fast(others).solution.motions;
+    }
     return s;
 }
 
@@ -102,28 +112,33 @@ std::vector<OrbitGuess> guesses_at(const PreparedSystem& p, const SceneSource& s
     return all;
 }
 
-Solution answer_or_reference(const PreparedSystem& p, const SolvePoint& at, const Question& question,
-                             const std::function<Solution(const Question&)>& fast) {
+Solution answer_or_reference(const PreparedSystem& p, const SolvePoint& at, const Question& question, const InDouble& fast) {
     const auto by_reference = [&] { return answer_by_reference(p, at, question, fast); };
-    return in_turn(number_of_masses(p.scene().system), question.digits, question.proved, question.all, by_reference,
-                   [&] { return fast(question); });
+    Solution s = in_turn(number_of_masses(p.scene().system), question.digits, question.proved, by_reference,
+                         [&] { return fast(question); });
+    require_digits(question.digits, s);
+    return s;
+}
+
+Solution sliding_answer(const SceneSource& source, const SlidingQuestion& question, bool proved) {
+    const auto by_reference = [&] {
+        ReferenceQuestion asked{question.asked, question.digits.value_or(digits_by_default), question.only};
+        asked.closed_form_alone = true;
+        asked.briefly = !question.digits && !proved;
+        return solution_by_reference(source, asked, {});
+    };
+    (void)aim_of(question.digits);
+    return in_turn(number_of_masses(source->in_double().system), question.digits, proved, by_reference, [&] {
+        AnswerInDouble found{sliding_solution(source, question)};
+        put_in_order_of_masses(source->in_double().system.coordinates, found.solution);
+        return found;
+    });
 }
 
 Solution sliding_answer(const SceneSource& source, std::optional<int> digits, bool proved) {
-    const auto by_reference = [&] {
-        ReferenceQuestion question{Asked::motion, digits.value_or(digits_by_default)};
-        question.closed_form_alone = true;
-        question.briefly = !digits && !proved;
-        return solution_by_reference(source, question, {});
-    };
-    (void)aim_of(digits);
-    return in_turn(number_of_masses(source->in_double().system), digits, proved, false, by_reference, [&] {
-        Solution found = sliding_solution(source, {Asked::motion, digits, {}});
-        put_in_order_of_masses(source->in_double().system.coordinates, found);
-        if (!digits || found.digits_reached) return found;
-        throw PrecisionError("the " + std::to_string(*digits) + " digits asked for are not reached: only " +
-                             std::to_string(digits_of(found.relative_error)) + " are certain");
-    });
+    Solution s = sliding_answer(source, SlidingQuestion{Asked::motion, digits}, proved);
+    require_digits(digits, s);
+    return s;
 }
 
 } // namespace denhartog
