@@ -5,9 +5,9 @@
 #include "denhartog/evaluation/driven_motion.hpp"
 #include "denhartog/model/coupled_motion.hpp"
 #include "denhartog/number/errors.hpp"
-#include "denhartog/number/multiprecision.hpp"
 #include "tests/catch.hpp"
 #include "tests/support/half_period.hpp"
+#include "tests/support/multiprecision.hpp"
 #include "tests/support/scene_builder.hpp"
 #include "tests/support/split_mix.hpp"
 
@@ -233,16 +233,6 @@ TEST_CASE("coupled coordinates move as the oscillators do that they mix, with sh
           "[model][coupled_damping]") {
     check_coupled_motion<double>(0x1p-53);
     check_coupled_motion<Real50>(std::numeric_limits<Real50>::epsilon() / 2);
-}
-
-TEST_CASE("the square of a mirrored matrix has the digits of its product with itself", "[model][coupled_damping]") {
-    SplitMix64 random(20);
-    Matrix<Real50> A(6, 6);
-    for (Real50& entry : A.reshaped()) entry = Real50(random.over_octaves(-6, 1) - 1) / 3;
-    mirror(A);
-    const Matrix<Real50> S = Column<Real50>((Column<Real50>(6) << 1, 1, 1, -1, -1, -1).finished()).asDiagonal();
-    CHECK(Matrix<Real50>(A.transpose()) == product(product(S, A), S));
-    CHECK(square_of_mirrored(A) == product(A, A));
 }
 
 TEST_CASE("over half a period a mirrored system grows as its motion does", "[model][coupled_damping]") {

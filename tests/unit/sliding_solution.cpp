@@ -59,10 +59,8 @@ TEST_CASE("the digits of 50 agree with those of 100", "[accuracy]") {
 
 TEST_CASE("a number written as text is read anew in every precision", "[accuracy]") {
     const SceneText part{one_tenth};
-    CHECK(scene_source(part)->in_100_digits().beta == Real100(1) / 10);
     CHECK(scene_source(part)->in_double().beta == 0.1);
     Scene<double> rounded = scene_source(part)->in_double();
-    CHECK(scene_source(rounded)->in_100_digits().beta == Real100(0.1));
     // The difference between one tenth and its double shows in the 17th digit of the answer.
     const Solution exact = answer(scene_source(part), 30), near = answer(scene_source(rounded), 30);
     const Real100 difference = abs(Real100(decimals_of(exact.masses[1].amplitude) / decimals_of(near.masses[1].amplitude) - 1));
@@ -95,7 +93,7 @@ TEST_CASE("a friction ratio that differs from the boundary by its rounding is de
     const Solution found = answer(scene_source(scene));
     CHECK(found.method.precision == "reference");
     CHECK_FALSE(found.regime.on_boundary);
-    const Scene<Real50> wide_scene = scene_source(scene)->in_50_digits();
+    const Scene<Real50> wide_scene = scene_in<Real50>(scene);
     CHECK((found.regime.regime == Regime::continuous) == (*wide_scene.beta < response(wide_scene).boundary.exact));
 }
 
@@ -236,7 +234,7 @@ TEST_CASE("next to a friction ratio at which a phase jumps, its bound holds or r
 
     // The same to all digits of 50: those of 100 tell.
     const auto instant = [&](const Real50& beta) {
-        const Scene<Real50> wide = scene_source(scene)->in_50_digits();
+        const Scene<Real50> wide = scene_in<Real50>(scene);
         const ModeSums<Real50> sums = mode_sums(modal_basis(wide.system), wide.system.contact, wide.system.load, *wide.r);
         FrictionMotions<Real50> y(sums);
         return instants_of_maxima(y, beta, Mass{0}).instants[0];

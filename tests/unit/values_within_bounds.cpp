@@ -5,11 +5,11 @@
 #include "denhartog/answer/certify.hpp"
 #include "denhartog/answer/held_solution.hpp"
 #include "denhartog/answer/sliding_point.hpp"
-#include "denhartog/number/multiprecision.hpp"
 #include "denhartog/scene/scene_json.hpp"
 #include "denhartog/sliding/boundary.hpp"
 #include "denhartog/sums/mode_sums.hpp"
 #include "tests/catch.hpp"
+#include "tests/support/multiprecision.hpp"
 #include "tests/unit/program_runs.hpp"
 
 using namespace denhartog;

@@ -44,7 +44,7 @@ struct Question {
 /// @brief How an answer was computed.
 struct Method {
     std::string model;     ///< the model that answers, e.g. `closed form`
-    std::string precision; ///< `double`, `50 digits`, `100 digits` or `reference`
+    std::string precision; ///< `double` or `reference`
     std::string why;       ///< why this model answers, and in this precision
     bool proved = false;   ///< whether every number of the answer is proved; else bounds are estimates, docs/promises.md
 };

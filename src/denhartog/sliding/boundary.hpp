@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "denhartog/number/bounded.hpp"
+#include "denhartog/number/work_counted.hpp"
 #include "denhartog/sliding/regime_at_point.hpp"
 #include "denhartog/sums/friction_motion.hpp"
 #include "denhartog/sums/mode_sums.hpp"
@@ -71,7 +72,7 @@ template <class T>
 
 /// @brief Number of searches for the largest demand since the program started; tests gate on it.
 /// @return the count, over all number types
-[[nodiscard]] long demand_searches();
+[[nodiscard]] inline long demand_searches() { return work_counted.demand_searches; }
 
 /// @brief The same boundary in another number type, with the instants of the maxima known: what a check costs.
 /// @param sums      modes at the frequency ratio
