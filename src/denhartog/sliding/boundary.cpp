@@ -175,10 +175,11 @@ T instant_of_largest_demand(const ModeSums<T>& s) {
     return instant_of_largest_demand(y);
 }
 
-RegimeBoundary<Bounded<double>> regime_boundary(const ModeSums<Bounded<double>>& s, const Bounded<double>& mu) {
+template <class T>
+RegimeBoundary<Bounded<T>> regime_boundary(const ModeSums<Bounded<T>>& s, const Bounded<T>& mu) {
     check_static_friction(mu);
-    const double instant = largest_at_start(s) ? 0 : instant_of_largest_demand(values_of(s));
-    const Bounded<double> S_exact = found_by_search(sliding_demand(s, Bounded<double>(instant)));
+    const T instant = largest_at_start(s) ? T(0) : instant_of_largest_demand(values_of(s));
+    const Bounded<T> S_exact = found_by_search(sliding_demand(s, Bounded<T>(instant)));
     return regime_boundary_at(s, mu, response_that_counts(s), larger(S_exact, static_demand(s, mu)));
 }
 
@@ -210,6 +211,7 @@ template Bounded<double> sliding_demand(const ModeSums<Bounded<double>>&, const 
 template double instant_of_largest_demand(const ModeSums<double>&);
 template bool largest_at_start(const ModeSums<double>&);
 template bool largest_at_start(const ModeSums<Bounded<double>>&);
+template RegimeBoundary<Bounded<double>> regime_boundary(const ModeSums<Bounded<double>>&, const Bounded<double>&);
 template std::vector<double> instants_of_demands(FrictionMotions<double>&);
 template Boundary<double> boundary_at(const ModeSums<double>&, const double&, const double&, std::vector<double>);
 template Boundary<Bounded<double>> boundary_at(const ModeSums<Bounded<double>>&, const Bounded<double>&, const Bounded<double>&,

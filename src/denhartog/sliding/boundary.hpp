@@ -53,7 +53,8 @@ template <class T>
 /// @param mu    static over kinetic friction, Eq. (3); at least 1
 /// @return      the same numbers as `boundary`, with bounds of their errors
 /// @throws      InputError where mu is below 1 or not finite; PrecisionError where the maximum is not settled
-[[nodiscard]] RegimeBoundary<Bounded<double>> regime_boundary(const ModeSums<Bounded<double>>& sums, const Bounded<double>& mu);
+template <class T>
+[[nodiscard]] RegimeBoundary<Bounded<T>> regime_boundary(const ModeSums<Bounded<T>>& sums, const Bounded<T>& mu);
 
 /// @brief Whether (57) of every mode is certain to be largest for tau -> 0, by `evaluation::excess_at_the_end`: so is the sum.
 /// @eq{57,71}

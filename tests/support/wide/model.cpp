@@ -14,10 +14,8 @@ namespace denhartog {
 
 template SingularValues<Real50> bidiagonal_singular_values(std::vector<Real50>, std::vector<Real50>);
 template SingularValues<Real100> bidiagonal_singular_values(std::vector<Real100>, std::vector<Real100>);
-template SingularValues<Real50> bidiagonal_singular_values(std::vector<Real50>, std::vector<Real50>,
-                                                           const std::vector<std::size_t>&);
-template SingularValues<Real100> bidiagonal_singular_values(std::vector<Real100>, std::vector<Real100>,
-                                                            const std::vector<std::size_t>&);
+template Matrix<Real50> mass_matrix(const System<Real50>&);
+template Matrix<Real100> mass_matrix(const System<Real100>&);
 template Matrix<Real50> stiffness_matrix(const System<Real50>&);
 template Matrix<Real100> stiffness_matrix(const System<Real100>&);
 template Scene<Real50> in_own_coordinates(const Scene<Real50>&);
@@ -64,8 +62,6 @@ template void set_modal_damping(const Matrix<Real100>&, const Matrix<Real100>&, 
                                 ModalBasis<Real100>&);
 template NaturalModes<Real50> chain_modes(const std::vector<Real50>&, const std::vector<Real50>&);
 template NaturalModes<Real100> chain_modes(const std::vector<Real100>&, const std::vector<Real100>&);
-template NaturalModes<Real50> chain_modes(const std::vector<Real50>&, const std::vector<Real50>&, const std::vector<Mass>&);
-template NaturalModes<Real100> chain_modes(const std::vector<Real100>&, const std::vector<Real100>&, const std::vector<Mass>&);
 template NaturalModes<Real50> general_modes(const Matrix<Real50>&, const Matrix<Real50>&);
 template NaturalModes<Real100> general_modes(const Matrix<Real100>&, const Matrix<Real100>&);
 template void fix_signs(Matrix<Real50>&);
