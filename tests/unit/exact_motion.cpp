@@ -254,16 +254,16 @@ TEST_CASE("over half a period a mirrored system grows as its motion does", "[mod
 }
 
 TEST_CASE("the products that coupled motions form are paid for, and end where nothing is left to pay", "[model][effort]") {
-    const MixedOscillators<Real50> mixed;
-    Effort allowed{100};
+    const Matrix<double> unit = Matrix<double>::Identity(40, 40), A = Matrix<double>::Constant(40, 40, 0.1) - 4 * unit;
+    Effort allowed{400};
     Effort* const paying = &allowed;
-    CoupledMotion<Real50> motion(mixed.A, Real50(4.5), CoupledMotion<Real50>::Asked::many_starts, &paying);
-    CHECK_THROWS_AS(motion.carried(Real50(40), Matrix<Real50>(Matrix<Real50>::Identity(4, 4))), PrecisionError);
-    CHECK(allowed.spent > 100);
-    CHECK(allowed.spent < 300);            // a product more than was allowed, and no further
-    const QuestionEffort question(2, 100); // which pays half where no search does
-    CoupledMotion<Real50> without(mixed.A, Real50(4.5), CoupledMotion<Real50>::Asked::many_starts, nullptr);
-    CHECK_THROWS_AS(without.carried(Real50(40), Matrix<Real50>(Matrix<Real50>::Identity(4, 4))), PrecisionError);
-    CHECK(question.spent() > 100);
-    CHECK(question.spent() < 300);
+    CoupledMotion<double> motion(A, 8, CoupledMotion<double>::Asked::many_starts, &paying);
+    CHECK_THROWS_AS(motion.carried(40, unit), PrecisionError);
+    CHECK(allowed.spent > 400);
+    CHECK(allowed.spent < 600);            // a product more than was allowed, and no further
+    const QuestionEffort question(2, 400); // which pays half where no search does
+    CoupledMotion<double> without(A, 8, CoupledMotion<double>::Asked::many_starts, nullptr);
+    CHECK_THROWS_AS(without.carried(40, unit), PrecisionError);
+    CHECK(question.spent() > 400);
+    CHECK(question.spent() < 600);
 }

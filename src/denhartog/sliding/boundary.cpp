@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <boost/container/small_vector.hpp>
 #include <cmath>
-#include <type_traits>
 #include <utility>
 
 #include "denhartog/evaluation/batch_forms.hpp"
@@ -12,7 +11,6 @@
 #include "denhartog/formulas/boundary.hpp"
 #include "denhartog/formulas/stuck.hpp"
 #include "denhartog/formulas/superposition.hpp"
-#include "denhartog/number/errors.hpp"
 #include "denhartog/scene/point_rules.hpp"
 #include "denhartog/sliding/coupled_maxima.hpp"
 #include "denhartog/sliding/demand_curve.hpp"
@@ -23,24 +21,9 @@
 namespace denhartog {
 namespace {
 
-// Whether N is so small a difference of its terms, next to a pole of (28), that a search in T would follow their rounding.
-template <class T>
-bool terms_hide_demand(const ModeSums<T>& s, std::size_t first, const std::vector<T>& weights) {
-    T terms(0), demanded(0);
-    for (std::size_t n = 0; n < weights.size(); ++n) {
-        const T& R = s.R[first + n];
-        const T& u = s.u[first + n];
-        terms += weights[n] * R * R * (u < 0 ? T(-u) : u);
-        demanded += weights[n] * (1 + s.g[first + n]);
-    }
-    return terms > 100000 * demanded;
-}
-
 template <class T>
 T instant_of_largest(FrictionMotions<T>& y, std::size_t first, const std::vector<T>& weights) {
     const ModeSums<T>& s = y.sums();
-    if (std::is_same_v<T, double> && terms_hide_demand(s, first, weights))
-        throw PrecisionError("next to a pole of (28) the demand is a small difference of large terms");
     ++work_counted.demand_searches;
     const Demand<T> demand{y, first, weights};
     Curve<T> curve;
