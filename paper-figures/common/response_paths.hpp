@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
-#include "denhartog/answer/sliding_solution.hpp"
 #include "denhartog/formulas/contact.hpp"
 #include "denhartog/formulas/response_limits.hpp"
 #include "denhartog/formulas/superposition.hpp"
 #include "denhartog/solve/solve.hpp"
+#include "denhartog/solve/solve_by_reference.hpp"
 #include "kept_digits.hpp"
 
 namespace denhartog::figures {
@@ -264,7 +264,7 @@ struct SolvedAmplitude {
 
 /// @brief What `sliding_solution` gives for (38), asked for 12 digits.
 [[nodiscard]] inline Real100 answered_amplitude(const Scene<double>& scene) {
-    const Solution s = sliding_solution(scene_source(scene), {Asked::motion, 12, {}});
+    const Solution s = sliding_answer(scene_source(scene), SlidingQuestion{Asked::motion, 12, {}});
     return s.masses.empty() ? Real100(NAN) : Real100(mass_of(s, s.contact).amplitude.value);
 }
 

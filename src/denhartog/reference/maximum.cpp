@@ -35,6 +35,22 @@ Series over_stretch(const FunctionOfTime& f, const Ball& X) {
     return r;
 }
 
+// The bits of a search: few, or all where a function is so small a difference of its terms that few show nothing of it.
+slong bits_that_show(const std::function<Ball(const Ball&)>& f) {
+    constexpr double shown = 0x1p-32; // of the largest value
+    for (const slong bits : {bits_of_search, ball_bits}) {
+        const Bits these(bits);
+        double largest = 0, hidden = 0;
+        for (const double tau : {0.0, 0.75, 1.5, 2.25, end}) {
+            const Ball value = f(Ball(tau));
+            largest = std::max({largest, -value.low(), value.high()});
+            hidden = std::max(hidden, value.radius());
+        }
+        if (hidden <= shown * largest) return bits;
+    }
+    throw Unproved("a sum is too small a difference of its terms");
+}
+
 // What has the sign of a function's rate, and its slope.
 using RateInTime = std::function<ValueAndSlope(const Ball& tau)>;
 
@@ -140,7 +156,7 @@ LargestInBalls largest_over_sine(const FunctionOfTime& numerator) {
         return SeenOverStretch<Ball>{quotient(n, t, at_end(a) || at_end(b)), trend()};
     };
     const LargestOnStretches found = [&] {
-        const Bits few(bits_of_search);
+        const Bits few(bits_that_show(searched.value));
         return stretches_of_largest(searched, 0, end, narrow, flat, most_looks);
     }();
     const auto value = [&](const Ball& at) {

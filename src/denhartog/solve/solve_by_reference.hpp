@@ -17,8 +17,9 @@ namespace denhartog {
 
 /// @brief An answer in double.
 struct AnswerInDouble {
-    Solution solution{}; ///< the answer
-    bool open = false;   ///< whether double does not tell what the contact does
+    Solution solution{};   ///< the answer
+    bool open = false;     ///< whether double does not tell what the contact does
+    bool is_answer = true; ///< whether the regime is certain nevertheless, so that it answers where the reference does not
 
     /// @brief Whether it needs nothing more. @return true where it has its digits, and the regime is certain
     [[nodiscard]] bool is_settled() const { return solution.digits_reached && !open && !solution.regime.on_boundary; }
