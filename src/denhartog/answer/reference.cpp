@@ -239,7 +239,7 @@ bool has_reference() { return true; }
 Solution solution_by_reference(const SceneSource& source, const ReferenceQuestion& q,
                                const std::function<std::vector<OrbitGuess>()>& made) {
     const auto first = static_cast<slong>(std::max(128.0, bits_of_digit * q.digits + 64));
-    const slong most = q.briefly ? 4 * first : std::max<slong>(4096, 4 * first);
+    const slong most = std::max<slong>(4096, 4 * first);
     OrbitGuesses guesses(made);
     Solution s;
     try {

@@ -30,7 +30,6 @@ struct ReferenceQuestion {
     int digits = digits_by_default; ///< significant digits, all certain in the answer
     std::optional<Mass> mass{};     ///< the one mass asked about, in the order of the masses; none for all
     std::optional<Regime> met{};    ///< the regime of the motion that is meant, where the friction ratio does not tell it
-    bool briefly = false;           ///< whether bits are doubled twice at most, as nobody asked for digits or a proof
     bool closed_form_alone = false; ///< whether only boundary and regime are wanted outside the sliding regime
 };
 

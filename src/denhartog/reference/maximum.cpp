@@ -35,19 +35,20 @@ Series over_stretch(const FunctionOfTime& f, const Ball& X) {
     return r;
 }
 
-// The bits of a search: few, or all where a function is so small a difference of its terms that few show nothing of it.
+// The bits of a search: few, or all where a function is so small a difference of its terms that few show little of it.
 slong bits_that_show(const std::function<Ball(const Ball&)>& f) {
-    constexpr double shown = 0x1p-32; // of the largest value
-    for (const slong bits : {bits_of_search, ball_bits}) {
+    const auto hidden = [&](slong bits) { // of the largest value
         const Bits these(bits);
-        double largest = 0, hidden = 0;
+        double largest = 0, radius = 0;
         for (const double tau : {0.0, 0.75, 1.5, 2.25, end}) {
             const Ball value = f(Ball(tau));
             largest = std::max({largest, -value.low(), value.high()});
-            hidden = std::max(hidden, value.radius());
+            radius = std::max(radius, value.radius());
         }
-        if (hidden <= shown * largest) return bits;
-    }
+        return radius / largest;
+    };
+    if (hidden(bits_of_search) <= 0x1p-32) return bits_of_search;
+    if (hidden(ball_bits) <= 0x1p-8) return ball_bits;
     throw Unproved("a sum is too small a difference of its terms");
 }
 

@@ -68,10 +68,11 @@ void require_digits(std::optional<int> digits, const Solution& s) {
 
 // The motion that is meant where the friction ratio does not tell: with mu above 1, or at a pole, the one from rest, as double finds
 // it. None where the boundaries tell.
-std::optional<AnswerInDouble> from_rest(const Scene<double>& scene, const InDouble& fast) {
-    Question of_regime;
-    of_regime.asked = Asked::regime;
-    AnswerInDouble rest = fast(of_regime);
+std::optional<AnswerInDouble> from_rest(const Scene<double>& scene, std::optional<Mass> mass, const InDouble& fast) {
+    Question of_amplitude;
+    of_amplitude.asked = scene.mu > 1 ? Asked::amplitude : Asked::regime;
+    of_amplitude.mass = mass;
+    AnswerInDouble rest = fast(of_amplitude);
     if (scene.mu == 1 && rest.solution.limits) return std::nullopt;
     return rest;
 }
@@ -82,17 +83,17 @@ Solution answer_by_reference(const PreparedSystem& p, const SolvePoint& at, cons
     const SceneSource source = source_at(p, at);
     const Scene<double>& scene = source->in_double();
     ReferenceQuestion asked{question.asked, question.digits.value_or(digits_by_default), question.mass};
-    asked.briefly = !question.digits && !question.proved;
     const auto guesses = [&] { return guesses_at(p, source); };
     std::optional<AnswerInDouble> rest;
     Solution s;
     try {
-        if (scene.mu > 1) rest = from_rest(scene, fast);
-        if (rest) asked.met = rest->open ? Regime::stick_slip : rest->solution.regime.regime;
+        if (scene.mu > 1) rest = from_rest(scene, question.mass, fast);
+        if (rest) asked.met = rest->solution.regime.regime;
+        if (rest && rest->open && asked.met == Regime::continuous) asked.met = Regime::stick_slip; // where that may hide a stop
         s = solution_by_reference(source, asked, guesses);
     } catch (const PrecisionError& e) {
         try {
-            if (scene.mu == 1) rest = from_rest(scene, fast);
+            if (scene.mu == 1) rest = from_rest(scene, question.mass, fast);
         } catch (const PrecisionError&) {
             throw PrecisionError(e.what()); // what the reference says
         }
@@ -154,7 +155,6 @@ Solution sliding_answer(const SceneSource& source, const SlidingQuestion& questi
     const auto by_reference = [&] {
         ReferenceQuestion asked{question.asked, question.digits.value_or(digits_by_default), question.only};
         asked.closed_form_alone = true;
-        asked.briefly = !question.digits && !proved;
         try {
             return solution_by_reference(source, asked, {});
         } catch (const PrecisionError&) {
@@ -167,8 +167,16 @@ Solution sliding_answer(const SceneSource& source, const SlidingQuestion& questi
     };
     (void)aim_of(question.digits);
     return in_turn(number_of_masses(source->in_double().system), question.digits, proved, by_reference, [&] {
-        AnswerInDouble found{sliding_solution(source, question)};
-        put_in_order_of_masses(source->in_double().system.coordinates, found.solution);
+        const System<double>& system = source->in_double().system;
+        SlidingQuestion of_displacement = question;
+        if (question.only) of_displacement.only = displacement_of(system, *question.only);
+        AnswerInDouble found{sliding_solution(source, of_displacement)};
+        Solution& s = found.solution;
+        put_in_order_of_masses(system.coordinates, s);
+        if (question.only && !s.masses.empty()) {
+            s.masses = {s.masses[question.only->index]};
+            s.only = question.only;
+        }
         return found;
     });
 }
