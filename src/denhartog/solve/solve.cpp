@@ -54,9 +54,9 @@ void answer_by_boundaries(SolveTask& task, const std::string& model, Solution& s
     s.masses.clear();
     s.method.model = model;
     s.sticking_by_88 = sticking_by_88(task.scene);
-    if (s.sticking_by_88 &&
-        !(relative_error(Bounded<double>(s.sticking_by_88->value, s.sticking_by_88->error)) <= task.aim.tolerance))
-        task.open = true;
+    if (!s.sticking_by_88) return;
+    const Bounded<double> by_88(s.sticking_by_88->value, s.sticking_by_88->error);
+    s.relative_error = std::max(s.relative_error, relative_error(by_88));
 }
 
 // What a fast mode costs the exact solver, which follows it; a sentence, or nothing.

@@ -1,6 +1,7 @@
 #include "denhartog/solve/solve_by_reference.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <exception>
 
 #include "denhartog/answer/reference.hpp"
@@ -68,11 +69,10 @@ void require_digits(std::optional<int> digits, const Solution& s) {
 
 // The motion that is meant where the friction ratio does not tell: with mu above 1, or at a pole, the one from rest, as double finds
 // it. None where the boundaries tell.
-std::optional<AnswerInDouble> from_rest(const Scene<double>& scene, std::optional<Mass> mass, const InDouble& fast) {
-    Question of_amplitude;
-    of_amplitude.asked = scene.mu > 1 ? Asked::amplitude : Asked::regime;
-    of_amplitude.mass = mass;
-    AnswerInDouble rest = fast(of_amplitude);
+std::optional<AnswerInDouble> from_rest(const Scene<double>& scene, const InDouble& fast) {
+    Question of_regime;
+    of_regime.asked = Asked::regime;
+    AnswerInDouble rest = fast(of_regime);
     if (scene.mu == 1 && rest.solution.limits) return std::nullopt;
     return rest;
 }
@@ -87,13 +87,13 @@ Solution answer_by_reference(const PreparedSystem& p, const SolvePoint& at, cons
     std::optional<AnswerInDouble> rest;
     Solution s;
     try {
-        if (scene.mu > 1) rest = from_rest(scene, question.mass, fast);
+        if (scene.mu > 1) rest = from_rest(scene, fast);
         if (rest) asked.met = rest->solution.regime.regime;
         if (rest && rest->open && asked.met == Regime::continuous) asked.met = Regime::stick_slip; // where that may hide a stop
         s = solution_by_reference(source, asked, guesses);
     } catch (const PrecisionError& e) {
         try {
-            if (scene.mu == 1) rest = from_rest(scene, question.mass, fast);
+            if (scene.mu == 1) rest = from_rest(scene, fast);
         } catch (const PrecisionError&) {
             throw PrecisionError(e.what()); // what the reference says
         }
@@ -133,7 +133,9 @@ std::vector<OrbitGuess> guesses_at(const PreparedSystem& p, const SceneSource& s
     const auto add = [&](const OrbitGuess& guess) {
         if (guess.directions.empty()) return;
         const auto same = [&](const OrbitGuess& other) {
-            return other.directions == guess.directions && other.mirrored == guess.mirrored && other.periods == guess.periods;
+            constexpr double near = 1e-3;
+            return other.directions == guess.directions && other.mirrored == guess.mirrored && other.periods == guess.periods &&
+                   std::ranges::equal(other.events, guess.events, [](double a, double b) { return std::abs(a - b) < near; });
         };
         if (std::ranges::none_of(all, same)) all.push_back(guess);
     };
