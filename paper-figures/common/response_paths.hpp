@@ -8,12 +8,12 @@
 #include <string>
 #include <vector>
 
-#include "denhartog/solve/solve_by_reference.hpp"
 #include "denhartog/formulas/contact.hpp"
 #include "denhartog/formulas/response_limits.hpp"
 #include "denhartog/formulas/superposition.hpp"
 #include "denhartog/number/ball_or_none.hpp"
 #include "denhartog/solve/solve.hpp"
+#include "denhartog/solve/solve_by_reference.hpp"
 #include "kept_digits.hpp"
 
 namespace denhartog::figures {

@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "denhartog/answer/scene_source.hpp"
-#include "denhartog/answer/sliding_solution.hpp"
 #include "denhartog/denhartog.hpp"
 #include "denhartog/solve/solve.hpp"
+#include "denhartog/solve/solve_by_reference.hpp"
 #include "tests/catch.hpp"
 #include "tests/speed_accuracy/answer_numbers.hpp"
 
@@ -109,7 +109,7 @@ TEST_CASE("beyond the range of a double no bound is zero, and none is no number"
     const Scene<double> far_above = scene(
         R"({"mass_ratios":[1.0,1.789610402734496],"stiffness_ratios":[1.0,0.4990863327169508],"damping_ratios":[2.87,2.87],)"
         R"("contact":1,"load":1,"mu":1.0000013577459057,"r":4.017894362728896e+232,"beta":0.028313215995704195})");
-    const Solution sliding = sliding_solution(scene_source(far_above), {Asked::motion, 30});
+    const Solution sliding = sliding_answer(scene_source(far_above), SlidingQuestion{Asked::motion, 30});
     CHECK(sliding.masses[0].amplitude.value == 0);
     CHECK(sliding.masses[0].amplitude.error > 0);
     CHECK(faults_of(sliding).empty());

@@ -101,7 +101,7 @@ TEST_CASE("the sliding motion is that of 100 digits", "[sliding][eq:38][eq:39][e
 }
 
 TEST_CASE("no displacement exceeds the amplitude, and that at its instant comes up to it", "[sliding][eq:46]") {
-    const Bits enough(128);
+    const Bits enough(bits);
     for (const SurveyedScene& s : surveyed_scenes()) {
         const Truth truth(s.source);
         if (!truth.slides) continue;

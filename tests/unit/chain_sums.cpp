@@ -1,8 +1,8 @@
 #include "denhartog/sums/chain_sums.hpp"
 
-#include "denhartog/answer/sliding_solution.hpp"
 #include "denhartog/solve/quantities.hpp"
 #include "denhartog/solve/solve.hpp"
+#include "denhartog/solve/solve_by_reference.hpp"
 #include "tests/catch.hpp"
 #include "tests/unit/response_fixtures.hpp"
 
@@ -81,7 +81,7 @@ TEST_CASE("both chains are answered to 14 digits, in double or in more with the 
         REQUIRE(truth.steady_state);
         const Real100 X_j = truth.steady_state->X_j;
         const long before = precision_steps();
-        const Solution measured = sliding_solution(scene_source(scene), {Asked::motion, 14, {}});
+        const Solution measured = sliding_answer(scene_source(scene), SlidingQuestion{Asked::motion, 14, {}});
         CHECK(precision_steps() > before);
         CHECK(measured.digits_reached);
         CHECK(measured.method.precision != "double");

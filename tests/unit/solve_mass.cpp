@@ -152,7 +152,6 @@ TEST_CASE("far masses are not asked for: at N = 50, r = 1.888 the contact's 8 di
 TEST_CASE("a system is prepared once for many points, and a scene is one point of it", "[solve]") {
     const Scene<double> scene = chain_of_three(1, 0.125);
     for (const int digits : {6, 12, 20}) {
-        const long in_50_digits = digits > 14 ? 1 : 0; // found with the first point that needs them
         const Question question = about(scene.system.contact, Asked::phase, digits);
         const long before = eigen_solves();
         const PreparedSystem prepared = prepare(scene_source(scene), question);
@@ -162,14 +161,14 @@ TEST_CASE("a system is prepared once for many points, and a scene is one point o
         for (const double r : {0.875, 1.0, 1.125, 1.25}) {
             const Solution s = solve(prepared, r, 0.0625, question);
             at_points += s.work.eigen_solves;
-            CHECK(s.work.mode_evaluations >= 3);
+            if (s.method.precision == "double") CHECK(s.work.mode_evaluations >= 3);
             const Solution alone = solve(scene_source(chain_of_three(r, 0.0625)), question);
-            CHECK(alone.work.eigen_solves == setup + in_50_digits);
+            CHECK(alone.work.eigen_solves == setup);
             CHECK(numbers_of(s).amplitudes == numbers_of(alone).amplitudes);
             CHECK(*numbers_of(s).phases[0] == *numbers_of(alone).phases[0]);
         }
-        CHECK(at_points == in_50_digits);
-        CHECK(eigen_solves() - before == 5 * (setup + in_50_digits));
+        CHECK(at_points == 0);
+        CHECK(eigen_solves() - before == 5 * setup);
     }
 }
 

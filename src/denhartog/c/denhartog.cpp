@@ -87,10 +87,9 @@ int sliding_motion(const dh_system* system, double r, double beta, double mu, si
     return guarded([&] {
         const Mass k = mass_from(mass, masses_of(system), "mass");
         need_struct(result, name);
-        const Mass row = displacement_of(system->prepared.scene().system, k);
-        const Solution found = closed_form_at(system, r, beta, mu, Asked::motion, row);
+        const Solution found = closed_form_at(system, r, beta, mu, Asked::motion, k);
         if (found.masses.empty()) throw_not_sliding(beta, found.limits->exact.value);
-        const SolvedMass& m = found.masses[row.index];
+        const SolvedMass& m = found.masses.front();
         const SlidingOfMass& of = *m.sliding;
         const dh_sliding_mass all{0,
                                   part_of(of.x0, part),

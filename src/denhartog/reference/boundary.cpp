@@ -11,8 +11,11 @@ namespace {
 // maximum is taken, summed over the modes as in (56).
 Series numerator(const Ball& U, const Series& F, const Ball& tau) { return Series(U) * cos(Series::time(tau)) + F.derivative(); }
 
+// Far above the resonances the search, in doubles, would see zeros: by how much demands are enlarged for it.
+Ball enlargement(const Ball& squares) { return larger(Ball(1), 1 / squares); }
+
 Ball largest_demand(const ResponsesInBalls& r, LargestInBalls& found) {
-    const Ball enlarged = larger(Ball(1), 1 / r.squares); // far above the resonances the search, in doubles, would see zeros
+    const Ball enlarged = enlargement(r.squares);
     found = largest_over_sine([&](const Ball& tau) {
         return enlarged * numerator(r.U[r.contact()], r.friction.of(r.contact(), (*r.friction.shared)(tau)), tau);
     });
@@ -38,7 +41,9 @@ Ball sum_of_largest(const ResponsesInBalls& r) {
         const FrictionMotionOfMode mode(R, m.zeta[i]);
         Remembered<Series> F([&](const Ball& tau) { return mode.at(tau); },
                              [&](const Series& in_the_middle, const Ball& tau) { return mode.over(in_the_middle, tau); });
-        largest.push_back(R * R * largest_over_sine([&](const Ball& tau) { return numerator(mode.u, F(tau), tau); }).value);
+        const Ball squares = 1 / (R * R), enlarged = enlargement(squares);
+        const auto of_mode = [&](const Ball& tau) { return enlarged * numerator(mode.u, F(tau), tau); };
+        largest.push_back(largest_over_sine(of_mode).value / (enlarged * squares));
     }
     return paper::sum_over_contact<Ball>(m.at_contact(), largest, m.left_open(m.at_contact(), m.at_contact(), largest));
 }

@@ -35,6 +35,23 @@ Series over_stretch(const FunctionOfTime& f, const Ball& X) {
     return r;
 }
 
+// The bits of a search: few, or all where a function is so small a difference of its terms that few show little of it.
+slong bits_that_show(const std::function<Ball(const Ball&)>& f) {
+    const auto hidden = [&](slong bits) { // of the largest value
+        const Bits these(bits);
+        double largest = 0, radius = 0;
+        for (const double tau : {0.0, 0.75, 1.5, 2.25, end}) {
+            const Ball value = f(Ball(tau));
+            largest = std::max({largest, -value.low(), value.high()});
+            radius = std::max(radius, value.radius());
+        }
+        return radius / largest;
+    };
+    if (hidden(bits_of_search) <= 0x1p-32) return bits_of_search;
+    if (hidden(ball_bits) <= 0x1p-8) return ball_bits;
+    throw Unproved("a sum is too small a difference of its terms");
+}
+
 // What has the sign of a function's rate, and its slope.
 using RateInTime = std::function<ValueAndSlope(const Ball& tau)>;
 
@@ -140,7 +157,7 @@ LargestInBalls largest_over_sine(const FunctionOfTime& numerator) {
         return SeenOverStretch<Ball>{quotient(n, t, at_end(a) || at_end(b)), trend()};
     };
     const LargestOnStretches found = [&] {
-        const Bits few(bits_of_search);
+        const Bits few(bits_that_show(searched.value));
         return stretches_of_largest(searched, 0, end, narrow, flat, most_looks);
     }();
     const auto value = [&](const Ball& at) {

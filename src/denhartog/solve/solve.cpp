@@ -39,6 +39,8 @@ void set_regime_by_stops(const SolveTask& task, const PeriodicOrbit<double>& orb
         set_regime(task, Regime::stick_slip, "the contact stops in every period", s);
     } else if (must) {
         s.regime.reason += "; the motion shows no stop, and the bound of its error is " + number_in_digits(orbit.error_bound, 2);
+    } else if (open) {
+        s.regime.reason += "; double does not tell whether the contact stops";
     } else {
         const bool sliding = !task.pole && every_motion_is_damped(*task.known.basis);
         set_regime(task, Regime::continuous,
@@ -46,16 +48,15 @@ void set_regime_by_stops(const SolveTask& task, const PeriodicOrbit<double>& orb
                            : "the contact does not stop, but the motion is not that of the closed form",
                    s);
     }
-    if (open && !must) s.regime.reason += "; double does not tell whether the contact stops";
 }
 
 void answer_by_boundaries(SolveTask& task, const std::string& model, Solution& s) {
     s.masses.clear();
     s.method.model = model;
     s.sticking_by_88 = sticking_by_88(task.scene);
-    if (s.sticking_by_88 &&
-        !(relative_error(Bounded<double>(s.sticking_by_88->value, s.sticking_by_88->error)) <= task.aim.tolerance))
-        task.open = true;
+    if (!s.sticking_by_88) return;
+    const Bounded<double> by_88(s.sticking_by_88->value, s.sticking_by_88->error);
+    s.relative_error = std::max(s.relative_error, relative_error(by_88));
 }
 
 // What a fast mode costs the exact solver, which follows it; a sentence, or nothing.
@@ -108,6 +109,7 @@ void answer_from_rest(SolveTask& task, Solution& s) {
     } else {
         const bool open = !task.pole && stops_are_open(orbit, s.regime.regime == Regime::stick_slip,
                                                        orbit.stops.empty() && must_stop(task, s), slides);
+        task.is_told = !open || must_stop(task, s);
         if (!regime_alone) answer_by_orbit(task, solver, orbit, open, s);
         set_regime_by_stops(task, orbit, open, s);
         task.open = task.open || open;
@@ -179,6 +181,7 @@ AnswerInDouble solve_in_double(const PreparedSystem& p, const SolvePoint& at, co
         s.asked = question.asked;
         s.digits_reached = s.relative_error <= task.aim.tolerance;
         found.open = task.open || task.pole;
+        found.is_answer = task.is_told;
         if (question.all) {
             if (!task.moving) task.moving = moving_in_double(source, task.known);
             s.motions = other_motions(task.scene, *task.moving, task.known.basis);

@@ -17,8 +17,9 @@ namespace denhartog {
 
 /// @brief An answer in double.
 struct AnswerInDouble {
-    Solution solution{}; ///< the answer
-    bool open = false;   ///< whether double does not tell what the contact does
+    Solution solution{};   ///< the answer
+    bool open = false;     ///< whether double does not tell what the contact does
+    bool is_answer = true; ///< whether the regime is certain nevertheless, so that it answers where the reference does not
 
     /// @brief Whether it needs nothing more. @return true where it has its digits, and the regime is certain
     [[nodiscard]] bool is_settled() const { return solution.digits_reached && !open && !solution.regime.on_boundary; }
@@ -39,9 +40,10 @@ using InDouble = std::function<AnswerInDouble(const Question&)>;
 
 /// @brief Boundary, regime and sliding motion of a scene, with its masses in their order.
 /// @param source    the scene, with r; without beta the boundary alone
-/// @param question  what is asked; its mass is a displacement of the scene in double
+/// @param question  what is asked
 /// @param proved    whether every number must be proved
-/// @return          the answer; no masses outside the sliding regime; `digits_reached` where its digits are there
+/// @return          the answer, of the one mass alone if that is asked about; no masses outside the sliding regime; `digits_reached`
+///                  where its digits are there
 /// @throws          as `sliding_solution`
 [[nodiscard]] Solution sliding_answer(const SceneSource& source, const SlidingQuestion& question, bool proved = false);
 

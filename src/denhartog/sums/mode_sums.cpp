@@ -24,9 +24,12 @@ void check_arguments(const ModalBasis<T>& basis, Mass contact, Mass load, const 
 }
 
 template <class T>
-void check_pole(const evaluation::ModeFunctions<T>& f, std::size_t i, const T& R) {
+void check_pole(const evaluation::ModeFunctions<T>& f, std::size_t i, const T& R, const T& zeta) {
     const bool v_finite = boost::math::isfinite(f.v.re) && boost::math::isfinite(f.v.im);
     if (v_finite && boost::math::isfinite(f.u) && boost::math::isfinite(f.g)) return;
+    if (zeta > 0)
+        throw PrecisionError("the functions (23), (28), (29) of mode " + std::to_string(i + 1) + " at R = " + number_to_text(R) +
+                             " are beyond the range of the number type");
     throw DomainError("mode " + std::to_string(i + 1) + " has no damping and R = " + number_to_text(R) + ": its " +
                       (v_finite
                            ? "first damping function (28) is infinite there, and the boundary (69) falls to zero in the limit"
@@ -52,7 +55,7 @@ template <class T>
 evaluation::ModeFunctions<T> mode_functions_at(const ModalBasis<T>& basis, std::size_t i, const T& r) {
     const T R = r / basis.r_n[i];
     const evaluation::ModeFunctions<T> f = evaluation::mode_functions(R, basis.zeta[i]);
-    check_pole(f, i, R);
+    check_pole(f, i, R, basis.zeta[i]);
     ++work_counted.mode_evaluations;
     return f;
 }
