@@ -18,8 +18,7 @@
 
 namespace denhartog {
 
-/// @brief The largest number of significant digits that you can ask for; above 95, and above 45 of a motion with stops, the
-/// reference answers.
+/// @brief The largest number of significant digits that you can ask for; from 15 on the reference answers.
 constexpr int most_digits = 100'000;
 /// @brief The number of significant digits that the library aims at if you ask for none.
 constexpr int digits_by_default = 6;

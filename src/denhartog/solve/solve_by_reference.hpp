@@ -1,5 +1,5 @@
 /// @file
-/// @brief Questions that the reference answers: those for a proof, and those whose digits double and more digits do not have.
+/// @brief Questions that the reference answers: those for a proof, and those of which double does not have the digits.
 #pragma once
 
 #include <functional>
