@@ -302,7 +302,7 @@ TEST_CASE("what the C interface solves is what the library solves, in every regi
         check_same(start, of_starts);
         check_same(end, of_ends);
         for (std::size_t k = 0; k < N; ++k) {
-            const SolvedMass& m = expected.masses.front();
+            const SolvedMass& m = expected.masses[k];
             dh_mass mass{};
             mass.size = sizeof mass;
             REQUIRE(dh_solution_mass(solution.get(), k + 1, &mass) == DH_OK);
