@@ -47,8 +47,8 @@ slong bits_that_show(const std::function<Ball(const Ball&)>& f) {
         }
         return radius / largest;
     };
-    if (hidden(bits_of_search) <= 0x1p-32) return bits_of_search;
-    if (hidden(ball_bits) <= 0x1p-8) return ball_bits;
+    for (const slong bits : {bits_of_search, ball_bits})
+        if (hidden(bits) <= 0x1p-8) return bits;
     throw Unproved("a sum is too small a difference of its terms");
 }
 
