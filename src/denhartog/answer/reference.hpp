@@ -24,6 +24,11 @@ struct MotionUnproved : PrecisionError {
     using PrecisionError::PrecisionError;
 };
 
+/// @brief A motion of the regime that is meant is proved not to exist.
+struct RegimeDisproved : PrecisionError {
+    using PrecisionError::PrecisionError;
+};
+
 /// @brief A question to the reference.
 struct ReferenceQuestion {
     Asked asked = Asked::motion;    ///< what is asked
@@ -39,7 +44,7 @@ struct ReferenceQuestion {
 /// @param guesses   motions with stops near the one that is meant, as double sees them, the likeliest first; called once at most
 /// @return          the answer; its numbers are proved
 /// @throws          PrecisionError where something cannot be proved, the budget of work is spent, or the library was built
-///                  without the reference; MotionUnproved
+///                  without the reference; MotionUnproved, RegimeDisproved
 [[nodiscard]] Solution solution_by_reference(const SceneSource& source, const ReferenceQuestion& question,
                                              const std::function<std::vector<OrbitGuess>()>& guesses);
 

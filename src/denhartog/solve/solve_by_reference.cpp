@@ -49,13 +49,19 @@ Solution in_turn(std::size_t N, std::optional<int> digits, bool proved, const By
         } catch (const MotionUnproved& e) { // the regime is told, and double has only one that may be next to it
             refused = e.what();
             found.is_answer = found.is_answer && !found.solution.regime.on_boundary;
+        } catch (const RegimeDisproved& e) {
+            refused = e.what();
+            found.is_answer = false;
         } catch (const PrecisionError& e) {
             refused = e.what();
         }
     }
     if (pole) std::rethrow_exception(pole);
-    if (found.open && !found.is_answer) refused += ". This much is certain: " + found.solution.regime.reason;
-    if (!found.is_answer) throw PrecisionError(why + "; " + refused);
+    const bool says_regime = refused.find("This much is certain") != std::string::npos;
+    if (found.open && !found.is_answer && !says_regime && !found.solution.regime.on_boundary)
+        refused += ". This much is certain: " + found.solution.regime.reason;
+    if (says_regime) why.resize(std::min(why.size(), why.find(". This much is certain")));
+    if (!found.is_answer) throw PrecisionError(why == refused ? why : why + "; " + refused);
     found.solution.method.why += "; " + refused;
     if (found.open) found.solution.digits_reached = false;
     return found.solution;
@@ -90,7 +96,17 @@ Solution answer_by_reference(const PreparedSystem& p, const SolvePoint& at, cons
         if (scene.mu > 1) rest = from_rest(scene, fast);
         if (rest) asked.met = rest->solution.regime.regime;
         if (rest && rest->open && asked.met == Regime::continuous) asked.met = Regime::stick_slip; // where that may hide a stop
-        s = solution_by_reference(source, asked, guesses);
+        try {
+            s = solution_by_reference(source, asked, guesses);
+        } catch (const RegimeDisproved& disproved) { // next to a boundary double may be on its wrong side
+            if (!rest || !rest->solution.regime.on_boundary) throw;
+            asked.met = Regime::stick_slip;
+            try {
+                s = solution_by_reference(source, asked, guesses);
+            } catch (const PrecisionError& e) {
+                throw RegimeDisproved(std::string(disproved.what()) + "; " + e.what());
+            }
+        }
     } catch (const PrecisionError& e) {
         try {
             if (scene.mu == 1) rest = from_rest(scene, fast);
