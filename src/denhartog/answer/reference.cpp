@@ -202,7 +202,8 @@ void attempt(const SceneSource& source, const ReferenceQuestion& q, slong bits, 
         if (p.boundary) write_regime(p, s);
         Regime regime = q.met.value_or(s.regime.regime);
         // A load on the contact alone never moves it from rest where static friction is not below its largest value.
-        if (is_loaded_contact(scene) && p.sticking && *p.scene.beta >= *p.sticking) regime = Regime::permanent_sticking;
+        if (!q.closed_form_alone && is_loaded_contact(scene) && p.sticking && *p.scene.beta >= *p.sticking)
+            regime = Regime::permanent_sticking;
         if (p.boundary && regime != Regime::stick_slip && regime != s.regime.regime &&
             std::ranges::find(s.regime.other, regime) == s.regime.other.end())
             throw RegimeDisproved("the reference disproves the regime: " + s.regime.reason);

@@ -58,8 +58,9 @@ Solution in_turn(std::size_t N, std::optional<int> digits, bool proved, const By
     }
     if (pole) std::rethrow_exception(pole);
     const bool says_regime = refused.find("This much is certain") != std::string::npos;
-    if (found.open && !found.is_answer && !says_regime && !found.solution.regime.on_boundary)
-        refused += ". This much is certain: " + found.solution.regime.reason;
+    const RegimeAtPoint& regime = found.solution.regime;
+    if (found.open && !found.is_answer && !says_regime)
+        refused += (regime.on_boundary ? ". As double sees it: " : ". This much is certain: ") + regime.reason;
     if (says_regime) why.resize(std::min(why.size(), why.find(". This much is certain")));
     if (!found.is_answer) throw PrecisionError(why == refused ? why : why + "; " + refused);
     found.solution.method.why += "; " + refused;
@@ -89,7 +90,14 @@ Solution answer_by_reference(const PreparedSystem& p, const SolvePoint& at, cons
     const SceneSource source = source_at(p, at);
     const Scene<double>& scene = source->in_double();
     ReferenceQuestion asked{question.asked, question.digits.value_or(digits_by_default), question.mass};
-    const auto guesses = [&] { return guesses_at(p, source); };
+    PreparedSystem prepared = p; // the modes in double are found once
+    const auto guesses = [&] {
+        if (!prepared.bounded) {
+            const ModesInDouble modes = modes_in_double(source);
+            if (modes.rounded_because.empty()) prepared.bounded = modes.basis;
+        }
+        return guesses_at(prepared, source);
+    };
     std::optional<AnswerInDouble> rest;
     Solution s;
     try {
@@ -122,7 +130,10 @@ Solution answer_by_reference(const PreparedSystem& p, const SolvePoint& at, cons
         s.method.why = "the start from rest was followed without a proof; " + s.method.why;
     }
     const double mu = s.mu.value == 1 && s.mu.error > 0 ? 2 : scene.mu; // a text may be above 1 by less than double tells
-    say_whether_unique(p.bounded ? *p.bounded : p.contact ? *p.contact->basis : *modes_in_double(source).basis, mu, s);
+    say_whether_unique(prepared.bounded ? *prepared.bounded
+                       : p.contact      ? *p.contact->basis
+                                        : *modes_in_double(source).basis,
+                       mu, s);
     if (question.all) {
         Question others = question;
         others.digits.reset();
