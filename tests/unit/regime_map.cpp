@@ -205,7 +205,7 @@ TEST_CASE("a question whose work is spent before the reference tells whether the
     two.beta = 0.7093822382863032;
     for (const Asked asked : {Asked::motion, Asked::amplitude, Asked::regime}) {
         int spent = 0;
-        for (const long allowed : {2'400L, 3'000L, 6'000L, 9'000L, 100'000L}) {
+        for (const long allowed : {3'000L, 4'000L, 6'000L, 9'000L, 100'000L}) {
             INFO("allowed: " << allowed);
             Question question;
             question.asked = asked;
