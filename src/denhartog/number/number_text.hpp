@@ -12,6 +12,7 @@ namespace denhartog {
 /// @return   decimal text: the shortest such text for `double`; `inf`, `-inf` or `nan` where it is no number
 template <class T>
 [[nodiscard]] std::string number_to_text(const T& x);
+/// @brief The same of a double. @param x the number @return its text
 template <>
 std::string number_to_text(const double& x);
 
