@@ -5,6 +5,7 @@
 #include "denhartog/number/parallel.hpp"
 #include "digits_map.hpp"
 #include "markers.hpp"
+#include "tests/support/multiprecision.hpp"
 
 namespace denhartog::figures::map_of_digits_lost {
 

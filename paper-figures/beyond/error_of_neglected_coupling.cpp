@@ -1,5 +1,5 @@
 // Error of leaving out what couples the modes, Section 2.1, over the size of the coefficients left out.
-#include "denhartog/answer/sliding_solution.hpp"
+#include "denhartog/solve/solve_by_reference.hpp"
 #include "denhartog/model/modal_damping.hpp"
 #include "denhartog/solve/solve.hpp"
 #include "error_curves.hpp"
@@ -63,7 +63,7 @@ double error_of_boundary(const System<double>& system, double r) {
     scene.system = system;
     scene.r = r;
     const auto limit = [](const Scene<double>& s) {
-        return sliding_solution(scene_source(s), {Asked::regime, {}}).limits->exact.value;
+        return sliding_answer(scene_source(s), SlidingQuestion{Asked::regime, {}}).limits->exact.value;
     };
     Scene<double> neglected = scene;
     neglected.system = nearest_classical(system);

@@ -5,6 +5,7 @@
 
 #include "figure.hpp"
 #include "kept_digits.hpp"
+#include "tests/support/multiprecision.hpp"
 
 namespace denhartog::figures::limits_in_precisions {
 

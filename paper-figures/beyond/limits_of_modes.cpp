@@ -7,6 +7,7 @@
 #include "figure.hpp"
 #include "limit_paths.hpp"
 #include "markers.hpp"
+#include "tests/support/multiprecision.hpp"
 
 namespace denhartog::figures::limits_of_modes {
 

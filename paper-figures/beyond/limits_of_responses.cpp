@@ -6,6 +6,7 @@
 
 #include "figure.hpp"
 #include "response_paths.hpp"
+#include "tests/support/multiprecision.hpp"
 
 namespace denhartog::figures::limits_of_responses {
 

@@ -3,8 +3,8 @@
 #include <functional>
 
 #include "denhartog/evaluation/mode.hpp"
-#include "denhartog/number/multiprecision.hpp"
 #include "figure.hpp"
+#include "tests/support/multiprecision.hpp"
 
 namespace denhartog::figures::order_of_limits {
 

@@ -9,7 +9,7 @@
 #include <string>
 
 #include "denhartog/evaluation/mode.hpp"
-#include "denhartog/number/multiprecision.hpp"
+#include "tests/support/multiprecision.hpp"
 
 namespace denhartog::figures {
 

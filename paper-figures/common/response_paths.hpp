@@ -8,11 +8,12 @@
 #include <string>
 #include <vector>
 
-#include "denhartog/answer/sliding_solution.hpp"
 #include "denhartog/formulas/contact.hpp"
 #include "denhartog/formulas/response_limits.hpp"
 #include "denhartog/formulas/superposition.hpp"
+#include "denhartog/number/ball_or_none.hpp"
 #include "denhartog/solve/solve.hpp"
+#include "denhartog/solve/solve_by_reference.hpp"
 #include "kept_digits.hpp"
 
 namespace denhartog::figures {
@@ -213,17 +214,14 @@ public:
     explicit SingleMassAt(const Real100& beta_)
         : beta(beta_), scene(response_paths::chain({1}, {1}, 1, 1, 0x1p-4, 0.75, static_cast<double>(beta_))) {}
     [[nodiscard]] const Scene<double>& in_double() const override { return scene; }
-    [[nodiscard]] Scene<Real50> in_50_digits() const override { return in<Real50>(); }
-    [[nodiscard]] Scene<Real100> in_100_digits() const override { return in<Real100>(); }
+#if DENHARTOG_REFERENCE
+    void in_balls(Scene<Ball>& in_balls) const override {
+        in_balls = converted<Ball>(scene);
+        in_balls.beta = Ball::of_text(beta.str(0, std::ios_base::scientific));
+    }
+#endif
 
 private:
-    template <class T>
-    [[nodiscard]] Scene<T> in() const {
-        Scene<T> s = converted<T>(scene);
-        s.beta = static_cast<T>(beta);
-        return s;
-    }
-
     Real100 beta;
     Scene<double> scene;
 };
@@ -241,7 +239,7 @@ struct AtBoundary {
 
 /// @brief The boundary of the single mass by the formulas of one mode. @return in 100 digits
 [[nodiscard]] inline AtBoundary boundary_of_single_mass() {
-    const Scene<Real100> scene = single_mass_at(Real100(0))->in_100_digits();
+    const Scene<Real100> scene = converted<Real100>(single_mass_at(Real100(0))->in_double());
     const ModeSums<Real100> s = mode_sums(modal_basis(scene.system), Mass{0}, Mass{0}, *scene.r);
     const Boundary<Real100> b = boundary(s, Real100(1));
     const Real100 S = s.H_j + s.sum_of_squares;
@@ -264,7 +262,7 @@ struct SolvedAmplitude {
 
 /// @brief What `sliding_solution` gives for (38), asked for 12 digits.
 [[nodiscard]] inline Real100 answered_amplitude(const Scene<double>& scene) {
-    const Solution s = sliding_solution(scene_source(scene), {Asked::motion, 12, {}});
+    const Solution s = sliding_answer(scene_source(scene), SlidingQuestion{Asked::motion, 12, {}});
     return s.masses.empty() ? Real100(NAN) : Real100(mass_of(s, s.contact).amplitude.value);
 }
 

@@ -1,12 +1,13 @@
 #include "conformance/grade.hpp"
 
 #include <algorithm>
+#include <boost/math/constants/constants.hpp>
+#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
 
 #include "conformance/curve.hpp"
 #include "conformance/mistakes/mistake_definition.hpp"
 #include "denhartog/number/legible.hpp"
-#include "denhartog/number/multiprecision.hpp"
 
 namespace denhartog::conformance {
 namespace {
@@ -25,11 +26,13 @@ bool round_the_circle(const Quantity& asked, double given) {
 // Error against the 40 digits of the vector: the rounding of the nearest double does not count as the answer's.
 Difference error_of(const Vector& v, const Quantity& asked, const std::vector<double>& given) {
     if (asked.shape == Shape::samples) return difference(asked, given, v.nearest);
+    using Digits = boost::multiprecision::cpp_bin_float_50;
+    const Digits turn = 2 * boost::math::constants::pi<Digits>();
     Difference worst;
     for (std::size_t n = 0; n < given.size(); ++n) {
-        const Real50 error = given[n] - Real50(v.value[n]);
-        const Real50 nearest = round_the_circle(asked, given[n]) ? Real50(remainder(error, Real50(2 * pi<Real50>()))) : error;
-        const double size = std::abs(static_cast<double>(nearest));
+        Digits error = given[n] - Digits(v.value[n]);
+        if (round_the_circle(asked, given[n])) error -= turn * round(error / turn);
+        const double size = std::abs(static_cast<double>(error));
         if (size > worst.size) worst = {size, n};
     }
     return worst;

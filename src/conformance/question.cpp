@@ -7,7 +7,6 @@
 #include <sstream>
 
 #include "denhartog/number/errors.hpp"
-#include "denhartog/number/multiprecision.hpp"
 #include "denhartog/number/number_text.hpp"
 #include "denhartog/scene/mass_rules.hpp"
 #include "denhartog/scene/scene_json.hpp"
@@ -45,11 +44,6 @@ constexpr std::array<Quantity, 25> table{{
 
 // As text whatever bytes its strings hold.
 std::string dumped(const nlohmann::json& x) { return x.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace); }
-
-template <class T>
-std::vector<T> exact(const std::vector<double>& numbers) {
-    return {numbers.begin(), numbers.end()};
-}
 
 // Of a contact between two masses, 0 stands for its own displacement.
 void check_mass(const ProtocolQuestion& q) {
@@ -208,23 +202,22 @@ bool is_overdamped(const ProtocolQuestion& q) {
     return std::any_of(q.damping_ratios.begin(), q.damping_ratios.end(), [](double zeta) { return zeta >= 1; });
 }
 
-template <class T>
-Scene<T> scene_of(const ProtocolQuestion& q) {
-    Scene<T> scene;
+Scene<double> scene_of(const ProtocolQuestion& q) {
     if (!is_of_the_paper(q)) {
-        scene = scene_from_json<T>(nlohmann::json(scene_json(q)));
+        const Scene<double> scene = scene_from_json<double>(nlohmann::json(scene_json(q)));
         check_mass(q);
         return scene;
     }
     const std::size_t N = q.mass_ratios.size();
-    scene.system.mass_ratios = exact<T>(q.mass_ratios);
-    scene.system.stiffness_ratios = exact<T>(q.stiffness_ratios);
-    scene.system.damping_ratios = exact<T>(q.damping_ratios);
+    Scene<double> scene;
+    scene.system.mass_ratios = q.mass_ratios;
+    scene.system.stiffness_ratios = q.stiffness_ratios;
+    scene.system.damping_ratios = q.damping_ratios;
     scene.system.contact = mass_from(q.contact, N, "contact");
     scene.system.load = mass_from(q.load, N, "load");
-    scene.mu = T(q.mu);
-    scene.r = T(q.r);
-    scene.beta = T(q.beta);
+    scene.mu = q.mu;
+    scene.r = q.r;
+    scene.beta = q.beta;
     check(scene);
     check_mass(q);
     return scene;
@@ -271,9 +264,5 @@ ProtocolQuestion question_from_json(const nlohmann::json& object) {
     if (object.contains("samples")) q.samples = whole(object, "samples");
     return q;
 }
-
-template Scene<double> scene_of(const ProtocolQuestion&);
-template Scene<Real50> scene_of(const ProtocolQuestion&);
-template Scene<Real100> scene_of(const ProtocolQuestion&);
 
 } // namespace denhartog::conformance

@@ -87,8 +87,7 @@ void check_of_the_paper(const ProtocolQuestion& q);
 /// @param q  the question
 /// @return   the scene, checked; a moving base as the load that it is
 /// @throws   InputError if a number breaks a rule of the scene, or the scene does not have the mass asked about
-template <class T>
-[[nodiscard]] Scene<T> scene_of(const ProtocolQuestion& q);
+[[nodiscard]] Scene<double> scene_of(const ProtocolQuestion& q);
 
 /// @brief A question as the object of the protocol's `json` dialect. @param q the question @return the object
 [[nodiscard]] nlohmann::ordered_json question_json(const ProtocolQuestion& q);

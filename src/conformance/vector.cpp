@@ -145,7 +145,7 @@ Vector vector_from_json(const nlohmann::json& object) {
             if (v.reject.empty()) throw InputError("reject", "must name the rule that is broken", "");
             return v;
         }
-        static_cast<void>(scene_of<double>(v.question));
+        static_cast<void>(scene_of(v.question));
         object.at("routes").get_to(v.routes);
         for (const nlohmann::json& number : object.at("digits"))
             if (!number.is_number_integer()) throw InputError("digits", "must be whole numbers", number.dump());

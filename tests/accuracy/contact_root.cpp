@@ -2,8 +2,8 @@
 #include <random>
 
 #include "denhartog/evaluation/contact.hpp"
-#include "denhartog/number/multiprecision.hpp"
 #include "tests/catch.hpp"
+#include "tests/support/multiprecision.hpp"
 
 using namespace denhartog;
 

@@ -6,8 +6,8 @@
 #include <cstdio>
 #include <limits>
 
-#include "denhartog/number/multiprecision.hpp"
 #include "tests/catch.hpp"
+#include "tests/support/multiprecision.hpp"
 
 using namespace denhartog;
 using namespace denhartog::tests;

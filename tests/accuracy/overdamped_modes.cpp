@@ -10,9 +10,9 @@
 #include "denhartog/evaluation/mode.hpp"
 #include "denhartog/formulas/mode.hpp"
 #include "denhartog/number/bounded.hpp"
-#include "denhartog/number/multiprecision.hpp"
 #include "tests/catch.hpp"
 #include "tests/speed_accuracy/mode_places.hpp"
+#include "tests/support/multiprecision.hpp"
 
 using namespace denhartog;
 

@@ -7,9 +7,9 @@
 // digits.
 #include "tests/accuracy/witness_survey.hpp"
 
-#include "denhartog/answer/sliding_solution.hpp"
 #include "denhartog/formulas/as_printed.hpp"
 #include "denhartog/formulas/motion.hpp"
+#include "denhartog/solve/solve_by_reference.hpp"
 
 using namespace denhartog;
 using namespace denhartog::tests;
@@ -165,7 +165,7 @@ TEST_CASE("an answer of twelve digits agrees with the second witness to 1e-12 in
     for (const NamedScene<double>& named : random_sliding_scenes<double>(3)) {
         INFO(named.name << ", beta = " << hexadecimal(*named.scene.beta));
         const HalfPeriodMotion<Real50> witness = half_period_motion(half_period_problem(named.scene), 64);
-        const Solution answered = sliding_solution(scene_source(named.scene), {Asked::motion, 12, {}});
+        const Solution answered = sliding_answer(scene_source(named.scene), SlidingQuestion{Asked::motion, 12, {}});
         CHECK(answered.digits_reached);
         (answered.method.precision == "double" ? in_double : stepped_up) += 1;
         REQUIRE_FALSE(answered.masses.empty());

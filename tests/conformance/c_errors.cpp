@@ -4,11 +4,11 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-#include "denhartog/number/multiprecision.hpp"
 #include "denhartog/sums/mode_sums.hpp"
 #include "tests/catch.hpp"
 #include "tests/conformance/c_fixtures.hpp"
 #include "tests/conformance/vector_folder.hpp"
+#include "tests/support/multiprecision.hpp"
 
 using namespace denhartog;
 using namespace denhartog::tests;

@@ -80,7 +80,7 @@ TEST_CASE("the closed form continued beyond its boundary is the answer of anothe
         Vector v = vector_of("slip-1", quantity, {0.125});
         v.question.r = 0.5;
         v.question.contact = v.question.load = 1;
-        const Scene<double> scene = scene_of<double>(v.question);
+        const Scene<double> scene = scene_of(v.question);
         const ModeSums<double> sums = mode_sums(modal_basis(scene.system), scene.system.contact, scene.system.load, v.question.r);
         v.question.beta = 1.01 * boundary(sums, v.question.mu).exact;
         v.question.tau = v.question.quantity == "displacement" ? 0.5 : 0;

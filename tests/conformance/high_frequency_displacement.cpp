@@ -13,11 +13,11 @@
 #include "denhartog/formulas/motion.hpp"
 #include "denhartog/model/modal_basis.hpp"
 #include "denhartog/number/errors.hpp"
-#include "denhartog/number/multiprecision.hpp"
 #include "denhartog/sliding/steady_state.hpp"
 #include "tests/catch.hpp"
 #include "tests/conformance/c_fixtures.hpp"
 #include "tests/conformance/shell.hpp"
+#include "tests/support/multiprecision.hpp"
 
 using namespace denhartog;
 using namespace denhartog::tests;

@@ -28,7 +28,7 @@ TEST_CASE("the plain closed form without a mistake agrees with the response on s
           "[eq:38][eq:46][eq:69][conformance]") {
     int sliding = 0;
     for (ProtocolQuestion q : tests::seeded_questions(7, 60)) {
-        const Response<double> truth = response(scene_of<double>(q));
+        const Response<double> truth = response(scene_of(q));
         agree(q, "beta_lim_exact", truth.boundary.exact, truth.boundary.exact, 1e-10);
         agree(q, "beta_lim_paper", truth.boundary.paper, truth.boundary.paper, 1e-10);
         agree(q, "beta_lim_approximate", truth.boundary.approximate, truth.boundary.approximate, 1e-10);

@@ -38,7 +38,7 @@ std::string sentence(const std::function<void(ProtocolQuestion&)>& breaks) {
     ProtocolQuestion q = two_masses();
     breaks(q);
     try {
-        static_cast<void>(scene_of<double>(q));
+        static_cast<void>(scene_of(q));
     } catch (const InputError& e) {
         return e.what();
     }

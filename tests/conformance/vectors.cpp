@@ -6,11 +6,11 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "denhartog/number/multiprecision.hpp"
 #include "tests/catch.hpp"
 #include "tests/conformance/generator/vector_files.hpp"
 #include "tests/conformance/shell.hpp"
 #include "tests/conformance/vector_folder.hpp"
+#include "tests/support/multiprecision.hpp"
 
 using namespace denhartog;
 using namespace denhartog::conformance;

@@ -110,7 +110,7 @@ bool is_of_modes(const std::string& name) {
 Numbers in_double(const Vector& v) {
     const Asks& q = v.question;
     if (!is_of_the_paper(q)) return conformance::answer_of_system(q).value().numbers;
-    const Scene<double> scene = conformance::scene_of<double>(q);
+    const Scene<double> scene = conformance::scene_of(q);
     if (is_of_modes(q.quantity)) return of_modes(q, scene);
     if (q.quantity == "beta_lim_high_frequency") return {paper::friction_ratio_limit_at_high_frequency(q.mu)};
     if (!v.margin || v.regime == "continuous") return of_sums(q, scene);
@@ -183,13 +183,13 @@ TEST_CASE("the library finds the regime of every vector that asks for it, and re
     for (const Vector& v : vectors()) {
         INFO(v.question.id);
         if (!v.reject.empty()) {
-            CHECK_THROWS_AS(conformance::scene_of<double>(v.question), InputError);
+            CHECK_THROWS_AS(conformance::scene_of(v.question), InputError);
             ++rejected;
         } else if (!v.word.empty() && !is_of_the_paper(v.question)) {
             CHECK(conformance::answer_of_system(v.question).value().word == v.word);
             ++regimes;
         } else if (!v.word.empty()) {
-            const Scene<double> scene = conformance::scene_of<double>(v.question);
+            const Scene<double> scene = conformance::scene_of(v.question);
             const ModeSums<double> s = mode_sums(modal_basis(scene.system), scene.system.contact, scene.system.load, *scene.r);
             CHECK(name(regime_of(boundary(s, scene.mu), *scene.beta)) == v.word);
             ++regimes;

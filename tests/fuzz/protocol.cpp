@@ -69,7 +69,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     ProtocolQuestion q;
     if (fuzz::answers([&] { q = question_from_json(object); })) {
         check_again(question_from_json, q);
-        fuzz::answers([&] { static_cast<void>(scene_of<double>(q)); });
+        fuzz::answers([&] { static_cast<void>(scene_of(q)); });
     }
     Vector v;
     const bool known = fuzz::answers([&] { v = vector_from_json(object); });

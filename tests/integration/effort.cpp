@@ -10,13 +10,13 @@
 #include "denhartog/map/regime_map.hpp"
 #include "denhartog/model/linear_algebra.hpp"
 #include "denhartog/model/modal_basis.hpp"
-#include "denhartog/number/multiprecision.hpp"
 #include "denhartog/number/number.hpp"
 #include "denhartog/orbit/periodic_orbit.hpp"
 #include "denhartog/scene/converted.hpp"
 #include "denhartog/sliding/invariant_points.hpp"
 #include "denhartog/solve/solve.hpp"
 #include "tests/catch.hpp"
+#include "tests/support/multiprecision.hpp"
 #include "tests/support/paper_systems.hpp"
 #include "tests/support/scene_builder.hpp"
 
@@ -139,14 +139,7 @@ TEST_CASE("finding modes is paid for, and ends where nothing is left to pay or s
         CHECK_THROWS_WITH(find(), Catch::Contains("cancelled"));
         CHECK(cancelled.spent() < most);
     };
-    need_end("a chain in 50 digits", 100'000, [&] { (void)modal_basis(in_type<Real50>(chain)); });
-    need_end("a stiffness matrix in 50 digits", 500'000, [&] { (void)modal_basis(in_type<Real50>(general)); });
     need_end("masses far apart in double", 100'000, [&] { (void)modal_basis(graded); });
-    Matrix<Real50> K = in_type<Real50>(general.stiffness_matrix);
-    need_end("factors and inverse of a matrix", 150'000, [&] {
-        const LinearSystem<Real50> system(K);
-        (void)system.inverse();
-    });
 }
 
 TEST_CASE("many masses with stops have their digits, or the answer says that the work is spent",

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "denhartog/number/errors.hpp"
-#include "denhartog/number/multiprecision.hpp"
 #include "denhartog/orbit/periodic_orbit.hpp"
 #include "tests/catch.hpp"
+#include "tests/support/multiprecision.hpp"
 #include "tests/support/plain_response.hpp"
 #include "tests/support/sample_scenes.hpp"
 

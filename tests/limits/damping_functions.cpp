@@ -3,9 +3,9 @@
 #include <cmath>
 
 #include "denhartog/evaluation/mode.hpp"
-#include "denhartog/number/multiprecision.hpp"
 #include "tests/catch.hpp"
 #include "tests/limits/digits_of.hpp"
+#include "tests/support/multiprecision.hpp"
 
 using namespace denhartog;
 using namespace denhartog::tests;

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "denhartog/number/multiprecision.hpp"
+#include "tests/support/multiprecision.hpp"
 
 namespace denhartog::tests {
 

@@ -2,9 +2,9 @@
 #include <cmath>
 
 #include "denhartog/formulas/high_frequency.hpp"
-#include "denhartog/number/multiprecision.hpp"
 #include "denhartog/sliding/boundary.hpp"
 #include "tests/catch.hpp"
+#include "tests/support/multiprecision.hpp"
 #include "tests/unit/response_fixtures.hpp"
 
 using namespace denhartog;

@@ -4,10 +4,10 @@
 
 #include <cmath>
 
-#include "denhartog/number/multiprecision.hpp"
 #include "denhartog/sliding/steady_state.hpp"
 #include "tests/catch.hpp"
 #include "tests/limits/digits_of.hpp"
+#include "tests/support/multiprecision.hpp"
 #include "tests/unit/response_fixtures.hpp"
 
 using namespace denhartog;

@@ -8,6 +8,7 @@
 #include "denhartog/number/ball_matrix.hpp"
 #include "tests/catch.hpp"
 #include "tests/reference/proofs.hpp"
+#include "tests/support/multiprecision.hpp"
 #include "tests/support/split_mix.hpp"
 
 using namespace denhartog;

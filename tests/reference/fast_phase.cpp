@@ -116,7 +116,7 @@ TEST_CASE("motions with stops whose modes are a thousand times as fast as the fo
         "damping_ratios": [0.00443, 0.00294], "contact": 1, "load": [-0.633, -0.818], "r": 0.0015124, "beta": 0.00414})"});
     Question question{Asked::motion, 12};
     question.proved = true;
-    const Solution few = solve(source, question), in_50_digits = solve(source, {Asked::motion, 30});
+    const Solution few = solve(source, question);
     question.digits = 40;
     const Solution more = solve(source, question);
     REQUIRE(few.stops.size() == 2);
@@ -124,7 +124,5 @@ TEST_CASE("motions with stops whose modes are a thousand times as fast as the fo
     for (std::size_t k = 0; k < 2; ++k) {
         CHECK(apart(ball_of(few.masses[k].amplitude), ball_of(more.masses[k].amplitude)) == 0);
         CHECK(apart(ball_of(*few.masses[k].phase), ball_of(*more.masses[k].phase)) == 0);
-        CHECK(apart(ball_of(in_50_digits.masses[k].amplitude), ball_of(more.masses[k].amplitude)) == 0);
     }
-    CHECK(in_50_digits.method.precision == "50 digits"); // a route that shares nothing with it
 }

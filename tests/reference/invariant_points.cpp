@@ -3,7 +3,8 @@
 
 #include <algorithm>
 
-#include "denhartog/answer/sliding_point.hpp"
+#include "denhartog/answer/modes_in_double.hpp"
+#include "denhartog/sums/bounded_modes.hpp"
 #include "denhartog/formulas/mode.hpp"
 #include "denhartog/formulas/stuck.hpp"
 #include "denhartog/formulas/superposition.hpp"
@@ -39,11 +40,11 @@ Points proved_points(const SceneSource& source, const char* from, const char* to
 
 // Those of double, with their bounds; masses in their order.
 std::vector<InvariantPointsOfMass<Bounded<double>>> points_of_double(const SceneSource& source, double from, double to) {
-    const SceneIn<double> in = scene_with_modes<double>(source);
-    const System<double>& s = in.scene.system;
+    const System<double>& s = source->in_double().system;
+    const ModesInDouble modes = modes_in_double(source);
     std::vector<InvariantPointsOfMass<Bounded<double>>> found;
-    for (const InvariantPointsOfMass<double>& each : invariant_points(values_of(*in.basis), s.contact, s.load, from, to))
-        found.push_back(with_bounds(*in.basis, s.contact, s.load, each));
+    for (const InvariantPointsOfMass<double>& each : invariant_points(values_of(*modes.basis), s.contact, s.load, from, to))
+        found.push_back(with_bounds(*modes.basis, s.contact, s.load, each));
     put_in_order_of_masses(s.coordinates, found);
     found.resize(number_of_masses(s));
     return found;

@@ -6,12 +6,12 @@
 #include <utility>
 
 #include "denhartog/model/coordinates.hpp"
-#include "denhartog/number/multiprecision.hpp"
 #include "denhartog/orbit/periodic_orbit.hpp"
 #include "denhartog/reference/modes.hpp"
 #include "denhartog/reference/orbit.hpp"
 #include "denhartog/scene/converted.hpp"
 #include "denhartog/solve/orbit_guess.hpp"
+#include "tests/support/multiprecision.hpp"
 #include "tests/support/scene_builder.hpp"
 
 namespace denhartog::tests {

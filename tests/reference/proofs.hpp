@@ -9,6 +9,7 @@
 #include "denhartog/number/ball.hpp"
 #include "denhartog/number/certified.hpp"
 #include "denhartog/reference/scene_in_balls.hpp"
+#include "tests/support/multiprecision.hpp"
 
 namespace denhartog::tests {
 

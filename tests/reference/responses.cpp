@@ -5,6 +5,7 @@
 #include "denhartog/sums/mode_sums.hpp"
 #include "tests/catch.hpp"
 #include "tests/reference/surveyed_scenes.hpp"
+#include "tests/support/wide_scene.hpp"
 
 using namespace denhartog;
 using namespace denhartog::reference;
@@ -92,7 +93,7 @@ TEST_CASE("the response functions are those of the formulas in 100 digits, and o
         INFO(s.text);
         const Truth truth(s.source);
         const ResponsesInBalls& r = *truth.point.responses;
-        const Scene<Real100> scene = scene_in<Real100>(s.source);
+        const Scene<Real100> scene = scene_in<Real100>(s.text);
         const ModeSums<Real100> sums = mode_sums(modal_basis(scene.system), scene.system.contact, scene.system.load, *scene.r);
         const std::size_t j = r.contact(), own = scene.system.contact.index;
         CHECK(holds(r.V[j].re, sums.V[own].re, size_of(r.V[j])));

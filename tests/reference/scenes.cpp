@@ -9,6 +9,7 @@
 #include "denhartog/solve/quantities.hpp"
 #include "denhartog/solve/solve.hpp"
 #include "tests/reference/surveyed_scenes.hpp"
+#include "tests/support/wide_scene.hpp"
 
 using namespace denhartog;
 using namespace denhartog::tests;
@@ -207,7 +208,7 @@ const std::vector<SurveyedScene>& denhartog::tests::surveyed_scenes() {
                 if (value.is_string() && value != json.value("comment", "") && value != json.value("base_motion", ""))
                     of_doubles = false;
             const SceneSource source = scene_source(SceneText{line});
-            const bool couples = json.contains("damping_matrix") && modal_basis(scene_in<Real100>(source).system).coupled();
+            const bool couples = json.contains("damping_matrix") && modal_basis(scene_in<Real100>(line).system).coupled();
             read.push_back({line, json, source, couples, of_doubles});
         }
         return read;

@@ -6,6 +6,7 @@
 #include "tests/catch.hpp"
 #include "tests/reference/surveyed_scenes.hpp"
 #include "tests/support/plain_response.hpp"
+#include "tests/support/wide_scene.hpp"
 
 using namespace denhartog;
 using namespace denhartog::reference;
@@ -35,7 +36,9 @@ TEST_CASE("the boundary is that of 100 digits", "[boundary][eq:54][eq:56][eq:57]
         if (s.couples_modes) continue; // 100 digits have no sums over modes for it
         INFO(s.text);
         const BoundaryInBalls b = *Truth(s.source).point.boundary;
-        const Boundary<Real100> truth = response(scene_in<Real100>(without_friction_ratio(s.source))).boundary;
+        Scene<Real100> scene = scene_in<Real100>(s.text);
+        scene.beta.reset();
+        const Boundary<Real100> truth = response(scene).boundary;
         // the search in 100 digits ends when its value no longer rises: to about 40 digits
         CHECK(apart(b.exact, ball_of(truth.exact)) <= 1e-35 * b.exact.high());
         CHECK(apart(b.approximate, ball_of(truth.approximate)) <= 1e-60 * b.exact.high());
@@ -76,7 +79,7 @@ TEST_CASE("the sliding motion is that of 100 digits", "[sliding][eq:38][eq:39][e
         const Truth truth(s.source);
         if (!truth.slides || s.couples_modes || !is_of_papers_form(s)) continue;
         INFO(s.text);
-        const Response<Real100> r = response(scene_in<Real100>(s.source));
+        const Response<Real100> r = response(scene_in<Real100>(s.text));
         REQUIRE(r.steady_state);
         CHECK(agree(truth.contact.X_j, r.steady_state->X_j));
         CHECK(agree_as_angles(truth.contact.phi_j, r.steady_state->phi_j));
@@ -98,7 +101,7 @@ TEST_CASE("the sliding motion is that of 100 digits", "[sliding][eq:38][eq:39][e
 }
 
 TEST_CASE("no displacement exceeds the amplitude, and that at its instant comes up to it", "[sliding][eq:46]") {
-    const Bits enough(128);
+    const Bits enough(bits);
     for (const SurveyedScene& s : surveyed_scenes()) {
         const Truth truth(s.source);
         if (!truth.slides) continue;
@@ -123,7 +126,7 @@ TEST_CASE("the stuck response is that of 100 digits, and so is (88)", "[stuck][e
         const Truth truth(s.source);
         if (!truth.point.stuck || !is_of_papers_form(s)) continue;
         INFO(s.text);
-        const Scene<Real100> scene = scene_in<Real100>(s.source);
+        const Scene<Real100> scene = scene_in<Real100>(s.text);
         const StuckResponse<Real100> held = stuck_response(stuck_configuration(scene.system, modal_basis(scene.system)),
                                                            scene.system.contact, scene.system.load, *scene.r);
         for (std::size_t k = 0; k < held.masses.size(); ++k) {
@@ -131,11 +134,11 @@ TEST_CASE("the stuck response is that of 100 digits, and so is (88)", "[stuck][e
             CHECK(apart(truth.point.stuck->X[k].im, ball_of(held.masses[k].X.im)) <= 1e-60);
         }
         CHECK(apart(-truth.point.stuck->load.re, ball_of(held.contact_load.re)) <= 1e-60); // friction holds against it
-        const std::optional<Certified> by_88 = sticking_by_88(scene, 50);
+        const std::optional<Certified> by_88 = sticking_by_88(s.source->in_double());
         if (!by_88) continue;
         const Ball in_balls = sticking_limit_by_88(truth.point.scene, scene.system.load.index);
         CHECK(apart(in_balls, ball_of(*by_88)) == 0);
-        CHECK_FALSE(apart(in_balls * (1 + Ball(1e-45)), ball_of(*by_88)) == 0);
+        CHECK(apart(in_balls * (1 + Ball(3 * by_88->error / by_88->value)), ball_of(*by_88)) > 0);
         ++chains;
     }
     CHECK(chains > 50);

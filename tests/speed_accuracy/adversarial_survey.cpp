@@ -15,13 +15,13 @@
 #include <typeinfo>
 
 #include "denhartog/answer/scene_source.hpp"
-#include "denhartog/answer/sliding_solution.hpp"
 #include "denhartog/denhartog.hpp"
 #include "denhartog/model/modal_basis.hpp"
 #include "denhartog/number/effort.hpp"
 #include "denhartog/sliding/invariant_points.hpp"
 #include "denhartog/solve/sampled_solution.hpp"
 #include "denhartog/solve/solve.hpp"
+#include "denhartog/solve/solve_by_reference.hpp"
 #include "denhartog/stick_slip/exact_motion.hpp"
 #include "denhartog/sums/mode_sums.hpp"
 #include "tests/speed_accuracy/answer_numbers.hpp"
@@ -158,12 +158,12 @@ Found compared_solutions(const Scene<double>& scene) {
 
 Found compared_boundaries(const Scene<double>& scene) {
     AnswerComparer comparer;
-    comparer.reference(numbers_of(sliding_solution(scene_source(scene), {Asked::motion, 30})));
+    comparer.reference(numbers_of(sliding_answer(scene_source(scene), SlidingQuestion{Asked::motion, 30})));
     for (const std::optional<int> digits : {std::optional<int>(), std::optional<int>(10), std::optional<int>(14)}) {
         const std::string words = digits ? ", " + std::to_string(*digits) + " digits" : "";
         comparer.compare("boundary" + words, [&] { return numbers_of(boundary(scene, digits)); });
         comparer.compare("sliding_solution" + words, [&] {
-            return numbers_of(sliding_solution(scene_source(scene), {Asked::motion, digits}));
+            return numbers_of(sliding_answer(scene_source(scene), SlidingQuestion{Asked::motion, digits}));
         });
     }
     return comparer.found;
@@ -248,7 +248,7 @@ std::vector<NamedQuestion> all_questions(const AdversarialRun& run) {
         all.push_back({std::string("boundary") + words,
                        [wanted](const Scene<double>& scene) { return faults_of(numbers_of(boundary(scene, wanted))); }});
         all.push_back({std::string("sliding_solution") + words, [wanted](const Scene<double>& scene) {
-                           return faults_of(sliding_solution(scene_source(scene), {Asked::motion, wanted}));
+                           return faults_of(sliding_answer(scene_source(scene), SlidingQuestion{Asked::motion, wanted}));
                        }});
     }
     for (const int wanted : {6, 12, 15})

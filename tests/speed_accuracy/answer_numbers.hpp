@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "denhartog/answer/solution.hpp"
-#include "denhartog/number/multiprecision.hpp"
 #include "denhartog/solve/quantities.hpp"
+#include "tests/support/multiprecision.hpp"
 
 namespace denhartog::tests {
 

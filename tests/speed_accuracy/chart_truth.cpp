@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "denhartog/number/multiprecision.hpp"
 #include "denhartog/solve/solve.hpp"
+#include "tests/support/multiprecision.hpp"
 
 namespace denhartog::tests {
 namespace {

@@ -4,8 +4,8 @@
 #include <optional>
 
 #include "denhartog/evaluation/mode_arrays.hpp"
-#include "denhartog/number/multiprecision.hpp"
 #include "tests/speed_accuracy/mode_places.hpp"
+#include "tests/support/multiprecision.hpp"
 
 namespace denhartog::tests {
 namespace {

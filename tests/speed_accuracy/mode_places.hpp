@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "denhartog/evaluation/demand.hpp"
-#include "denhartog/number/multiprecision.hpp"
 #include "denhartog/number/reduced_angle.hpp"
+#include "tests/support/multiprecision.hpp"
 
 namespace denhartog::tests {
 

@@ -7,9 +7,9 @@
 #include <functional>
 
 #include "denhartog/denhartog.hpp"
-#include "denhartog/number/multiprecision.hpp"
 #include "denhartog/orbit/periodic_orbit.hpp"
 #include "denhartog/paper_algorithm/paper_algorithm.hpp"
+#include "tests/support/multiprecision.hpp"
 #include "tests/support/paper_systems.hpp"
 
 namespace denhartog::tests {

@@ -4,7 +4,7 @@
 #include <sstream>
 
 #include "denhartog/number/errors.hpp"
-#include "denhartog/number/multiprecision.hpp"
+#include "tests/support/multiprecision.hpp"
 
 namespace denhartog {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include "denhartog/number/multiprecision.hpp"
+#include "tests/support/multiprecision.hpp"
 #include "tests/support/paper_systems.hpp"
 #include "tests/support/scene_builder.hpp"
 #include "tests/support/split_mix.hpp"

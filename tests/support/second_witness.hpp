@@ -5,8 +5,8 @@
 /// without `formulas/`, without `modal_basis` and without its eigen-solvers. The closed form is what `response` answers.
 #pragma once
 
-#include "denhartog/number/multiprecision.hpp"
 #include "tests/support/half_period.hpp"
+#include "tests/support/multiprecision.hpp"
 #include "tests/support/plain_response.hpp"
 
 namespace denhartog {

@@ -5,8 +5,8 @@
 #include <random>
 
 #include "denhartog/evaluation/mode.hpp"
-#include "denhartog/number/multiprecision.hpp"
 #include "tests/catch.hpp"
+#include "tests/support/multiprecision.hpp"
 
 using namespace denhartog;
 

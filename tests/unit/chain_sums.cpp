@@ -1,8 +1,8 @@
 #include "denhartog/sums/chain_sums.hpp"
 
-#include "denhartog/answer/sliding_solution.hpp"
 #include "denhartog/solve/quantities.hpp"
 #include "denhartog/solve/solve.hpp"
+#include "denhartog/solve/solve_by_reference.hpp"
 #include "tests/catch.hpp"
 #include "tests/unit/response_fixtures.hpp"
 
@@ -30,7 +30,7 @@ TEST_CASE("at high r the sum over modes in double has no digit of V and U of a f
     for (const Scene<double>& scene : lost_chains()) {
         const std::size_t N = scene.system.mass_ratios.size();
         const ModeSums<double> plain = sums_of(scene);
-        const ModeSums<Real100> truth = sums_of(scene_source(scene)->in_100_digits());
+        const ModeSums<Real100> truth = sums_of(scene_in<Real100>(scene));
         BoundedModes<double> modes = modes_of(scene);
         const ModeSums<Bounded<double>> sums = bounded_sums(scene.system, modes);
         const ModeSums<Bounded<double>> by_modes =
@@ -61,7 +61,7 @@ TEST_CASE("the response of a chain by elimination is that of its modes, grounded
                 kappa.push_back(0.25);
                 connect(scene.system.stiffness_matrix, 3, -1, 0.25);
             }
-            const ModeSums<Real100> truth = sums_of(scene_source(scene)->in_100_digits());
+            const ModeSums<Real100> truth = sums_of(scene_in<Real100>(scene));
             const std::vector<Bounded<double>> V = undamped_response_of_chain(
                 {gamma.begin(), gamma.end()}, {kappa.begin(), kappa.end()}, Mass{1}, Bounded<double>(r));
             for (std::size_t k = 0; k < 4; ++k) {
@@ -75,13 +75,13 @@ TEST_CASE("the response of a chain by elimination is that of its modes, grounded
 TEST_CASE("both chains are answered to 14 digits, in double or in more with the reason said, and right", "[eq:38][accuracy]") {
     for (Scene<double> scene : lost_chains()) {
         const std::size_t N = scene.system.mass_ratios.size();
-        const Boundary<Real100> limit = boundary(sums_of(scene_source(scene)->in_100_digits()), Real100(1));
+        const Boundary<Real100> limit = boundary(sums_of(scene_in<Real100>(scene)), Real100(1));
         scene.beta = static_cast<double>(limit.exact) / 2;
-        const Response<Real100> truth = response(scene_source(scene)->in_100_digits());
+        const Response<Real100> truth = response(scene_in<Real100>(scene));
         REQUIRE(truth.steady_state);
         const Real100 X_j = truth.steady_state->X_j;
         const long before = precision_steps();
-        const Solution measured = sliding_solution(scene_source(scene), {Asked::motion, 14, {}});
+        const Solution measured = sliding_answer(scene_source(scene), SlidingQuestion{Asked::motion, 14, {}});
         CHECK(precision_steps() > before);
         CHECK(measured.digits_reached);
         CHECK(measured.method.precision != "double");

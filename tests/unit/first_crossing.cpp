@@ -3,9 +3,9 @@
 #include <cmath>
 #include <random>
 
-#include "denhartog/number/multiprecision.hpp"
 #include "denhartog/number/number.hpp"
 #include "tests/catch.hpp"
+#include "tests/support/multiprecision.hpp"
 
 namespace {
 

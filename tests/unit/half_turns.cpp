@@ -6,8 +6,8 @@
 #include <limits>
 #include <random>
 
-#include "denhartog/number/multiprecision.hpp"
 #include "tests/catch.hpp"
+#include "tests/support/multiprecision.hpp"
 
 using namespace denhartog;
 

@@ -5,10 +5,10 @@
 #include <random>
 
 #include "denhartog/number/errors.hpp"
-#include "denhartog/number/multiprecision.hpp"
 #include "denhartog/scene/converted.hpp"
 #include "denhartog/sums/bounded_modes.hpp"
 #include "tests/catch.hpp"
+#include "tests/support/multiprecision.hpp"
 #include "tests/support/scene_builder.hpp"
 
 using namespace denhartog;
@@ -277,14 +277,12 @@ TEST_CASE("a stiffness matrix that is singular to working precision is refused",
     }
 }
 
-TEST_CASE("modes that double does not tell from those of a singular matrix are those of 50 digits", "[model]") {
+TEST_CASE("modes that double does not tell from those of a singular matrix are refused, but for those of light masses",
+          "[model]") {
     System<double> s = chain_of<double>({1, 1, 1}, {1, 1e15, 1});
-    const ModalBasis<Real50> chain = modal_basis(chain_of<Real50>({1, 1, 1}, {1, 1e15, 1}));
     s.stiffness_ratios.clear();
     s.stiffness_matrix = Matrix<double>{{1 + 1e15, -1e15, 0}, {-1e15, 1e15 + 1, -1}, {0, -1, 1}};
-    const ModalBasis<double> stiff = modal_basis(s);
-    REQUIRE_THAT(stiff.r_n[0], Catch::Matchers::WithinRel(static_cast<double>(chain.r_n[0]), 1e-15));
-    REQUIRE_THAT(stiff.r_n[2], Catch::Matchers::WithinRel(static_cast<double>(chain.r_n[2]), 1e-15));
+    REQUIRE_THROWS_AS(modal_basis(s), PrecisionError);
     System<double> light = chain_of<double>({1, 1e-18}, {1, 1});
     const ModalBasis<double> exact = modal_basis(light);
     light.stiffness_ratios.clear();

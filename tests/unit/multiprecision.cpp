@@ -1,4 +1,4 @@
-#include "denhartog/number/multiprecision.hpp"
+#include "tests/support/multiprecision.hpp"
 
 #include <Eigen/Cholesky>
 #include <cmath>

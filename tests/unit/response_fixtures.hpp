@@ -9,10 +9,10 @@
 #include "denhartog/answer/scene_source.hpp"
 #include "denhartog/model/stuck_configuration.hpp"
 #include "denhartog/number/certified.hpp"
-#include "denhartog/number/multiprecision.hpp"
 #include "denhartog/sums/bounded_modes.hpp"
 #include "tests/support/plain_response.hpp"
 #include "tests/support/scene_builder.hpp"
+#include "tests/support/wide_scene.hpp"
 
 namespace denhartog::tests {
 
@@ -57,7 +57,7 @@ ModeSums<T> sums_of(const Scene<T>& scene) {
 /// @brief A scene at a frequency ratio in 50 digits: the same binary fractions.
 inline Scene<Real50> in_50_digits(Scene<double> scene, double r) {
     scene.r = r;
-    return scene_in<Real50>(scene_source(scene));
+    return scene_in<Real50>(scene);
 }
 
 /// @brief Matrices of (6) of a scene.

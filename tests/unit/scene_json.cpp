@@ -9,8 +9,8 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "denhartog/number/multiprecision.hpp"
 #include "tests/catch.hpp"
+#include "tests/support/multiprecision.hpp"
 
 using namespace denhartog;
 using nlohmann::json;
@@ -125,29 +125,22 @@ TEST_CASE("matrices take the place of ratios", "[scene][json]") {
 }
 
 TEST_CASE("a scene that is written is read again to the last bit", "[scene][json]") {
-    const auto with = [](auto number) {
-        using T = decltype(number);
-        using std::sqrt;
-        Scene<T> scene;
-        scene.system.mass_ratios = {T(1), sqrt(T(2))};
-        scene.system.stiffness_ratios = {T(1), T(1) / 3};
-        scene.system.damping_ratios = {T(1) / 10, T(0)};
-        scene.system.contact.index = 1;
-        scene.mu = T(4) / 3;
-        scene.r = sqrt(T(3));
-        require_same(read_scene<T>(write_scene(scene).dump()), scene);
-        scene.beta = T(1) / 7;
-        scene.system.mass_ratios.clear();
-        scene.system.stiffness_ratios.clear();
-        scene.system.damping_ratios.clear();
-        scene.system.mass_matrix = Matrix<T>{{T(1), T(1) / 3}, {T(1) / 3, T(2)}};
-        scene.system.stiffness_matrix = Matrix<T>{{T(2), -sqrt(T(2))}, {-sqrt(T(2)), T(2)}};
-        scene.system.damping_matrix = scene.system.mass_matrix / T(10);
-        require_same(read_scene<T>(write_scene(scene).dump()), scene);
-    };
-    with(0.0);
-    with(Real50());
-    with(Real100());
+    Scene<double> scene;
+    scene.system.mass_ratios = {1, std::sqrt(2)};
+    scene.system.stiffness_ratios = {1, 1.0 / 3};
+    scene.system.damping_ratios = {0.1, 0};
+    scene.system.contact.index = 1;
+    scene.mu = 4.0 / 3;
+    scene.r = std::sqrt(3);
+    require_same(read_scene<double>(write_scene(scene).dump()), scene);
+    scene.beta = 1.0 / 7;
+    scene.system.mass_ratios.clear();
+    scene.system.stiffness_ratios.clear();
+    scene.system.damping_ratios.clear();
+    scene.system.mass_matrix = Matrix<double>{{1, 1.0 / 3}, {1.0 / 3, 2}};
+    scene.system.stiffness_matrix = Matrix<double>{{2, -std::sqrt(2)}, {-std::sqrt(2), 2}};
+    scene.system.damping_matrix = scene.system.mass_matrix / 10;
+    require_same(read_scene<double>(write_scene(scene).dump()), scene);
     REQUIRE(json::parse(write_scene(read_scene<double>(good().dump())).dump()) == good());
     REQUIRE_THROWS_AS(write_scene(Scene<double>{}), InputError);
 }
@@ -266,13 +259,6 @@ TEST_CASE("a dimensional scene breaks rules under its own names", "[scene][json]
                      s["masses"] = {1e-300, 1e300, 1};
                  }),
                  "masses", "of mass 2 must be finite", "inf", "/masses/1"));
-}
-
-TEST_CASE("a quotient beyond the numbers that are read is refused, so that what is written is read", "[scene][json][bad-input]") {
-    const std::string text = R"({"masses": ["1e4000"], "stiffnesses": ["1e-4000"], "damping_ratios": 0.1, "contact": 1, "load": 1,
-                                 "frequency": "1e4000"})";
-    REQUIRE_THROWS_WITH(read_scene<Real50>(text),
-                        Catch::Matchers::StartsWith("frequency must be from 1e-4997 to 1e4997 in size, but is"));
 }
 
 TEST_CASE("the schema has the keys that the reader accepts", "[scene][json][docs]") {

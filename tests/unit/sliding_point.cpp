@@ -12,9 +12,8 @@ using namespace denhartog::tests;
 
 namespace {
 
-SlidingPoint<double> bounded_point(const Scene<double>& scene) {
-    const SceneIn<double> in = scene_with_modes<double>(scene_source(scene));
-    BoundedModes<double> modes(in.basis, as_input(*scene.r));
+SlidingPoint bounded_point(const Scene<double>& scene) {
+    BoundedModes<double> modes(modes_with_errors(scene.system), as_input(*scene.r));
     return sliding_point(scene, modes, {});
 }
 
@@ -26,8 +25,8 @@ TEST_CASE("error bounds known beforehand hold on random systems", "[eq:38][eq:69
         Scene<double> scene = each.scene;
         if (scene.system.damping_ratios.empty() || ++number % 16 != 0) continue;
         scene.beta = each.fraction_of_limit * boundary(sums_of(scene), scene.mu).exact;
-        const SlidingPoint<double> low = bounded_point(scene);
-        const Response<Real50> high = response(scene_source(scene)->in_50_digits());
+        const SlidingPoint low = bounded_point(scene);
+        const Response<Real50> high = response(scene_in<Real50>(scene));
         REQUIRE(low.state);
         ++compared;
         INFO(each.name);
@@ -78,8 +77,8 @@ TEST_CASE("phases at frequencies far below all natural ones keep their bounds, a
         for (const double part : {0.0, 0.5}) {
             Scene<double> scene = chain({1, 1}, {1, 1}, {0.05, 0.05}, 2, 1, 1, r);
             scene.beta = part * boundary(sums_of(scene), 1.0).exact;
-            const SlidingPoint<double> low = bounded_point(scene);
-            const Response<Real100> high = response(scene_source(scene)->in_100_digits());
+            const SlidingPoint low = bounded_point(scene);
+            const Response<Real100> high = response(scene_in<Real100>(scene));
             REQUIRE(low.state);
             for (std::size_t k = 0; k < 2; ++k) {
                 const Bounded<double>& phase = low.state->masses[k].phase;

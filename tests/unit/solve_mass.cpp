@@ -98,12 +98,13 @@ TEST_CASE("amplitude and phase of the contact keep their bound in every precisio
         const Numbers a = numbers_of(s);
         INFO(digits << " digits, " << s.method.precision);
         if (digits < 13) CHECK(s.method.precision == "double");
-        if (digits >= 15) CHECK(s.method.precision == "50 digits");
+        if (digits >= 15) CHECK(s.method.precision == "reference");
         CHECK(as_double(abs(Real100(a.amplitudes[0] - exact.amplitudes[1]))) <= as_double(a.errors[0]));
         CHECK(as_double(abs(Real100(*a.phases[0] - *exact.phases[1]))) <= as_double(a.phase_errors[0]));
         CHECK(s.relative_error <= std::pow(10.0, -digits));
-        REQUIRE(a.at_least);
         REQUIRE(exact.exact);
+        if (s.method.precision != "double") continue; // of which the boundary itself is known
+        REQUIRE(a.at_least);
         CHECK(*a.at_least <= *exact.exact);
         CHECK(as_double(*exact.exact) < 1.6 * as_double(*a.at_least));
     }
@@ -118,8 +119,8 @@ TEST_CASE("bounds of the contact hold over seeded scenes against 50 digits, and 
         scene.mu = 1;
         const Boundary<double> limits = boundary(sums_of(scene), 1.0);
         scene.beta = limits.exact * each.fraction_of_limit;
-        const std::optional<ContactSolution<double>> found =
-            contact_solution(contact_modes_of<double>(scene_source(scene)), as_input(*scene.r), as_input(*scene.beta));
+        const std::optional<ContactSolution<double>> found = contact_solution(
+            *prepare(scene_source(scene), about(scene.system.contact)).contact, as_input(*scene.r), as_input(*scene.beta));
         if (!found) {
             ++without;
             continue;
@@ -152,7 +153,6 @@ TEST_CASE("far masses are not asked for: at N = 50, r = 1.888 the contact's 8 di
 TEST_CASE("a system is prepared once for many points, and a scene is one point of it", "[solve]") {
     const Scene<double> scene = chain_of_three(1, 0.125);
     for (const int digits : {6, 12, 20}) {
-        const long in_50_digits = digits > 14 ? 1 : 0; // found with the first point that needs them
         const Question question = about(scene.system.contact, Asked::phase, digits);
         const long before = eigen_solves();
         const PreparedSystem prepared = prepare(scene_source(scene), question);
@@ -162,14 +162,14 @@ TEST_CASE("a system is prepared once for many points, and a scene is one point o
         for (const double r : {0.875, 1.0, 1.125, 1.25}) {
             const Solution s = solve(prepared, r, 0.0625, question);
             at_points += s.work.eigen_solves;
-            CHECK(s.work.mode_evaluations >= 3);
+            if (s.method.precision == "double") CHECK(s.work.mode_evaluations >= 3);
             const Solution alone = solve(scene_source(chain_of_three(r, 0.0625)), question);
-            CHECK(alone.work.eigen_solves == setup + in_50_digits);
+            CHECK(alone.work.eigen_solves == setup);
             CHECK(numbers_of(s).amplitudes == numbers_of(alone).amplitudes);
             CHECK(*numbers_of(s).phases[0] == *numbers_of(alone).phases[0]);
         }
-        CHECK(at_points == in_50_digits);
-        CHECK(eigen_solves() - before == 5 * (setup + in_50_digits));
+        CHECK(at_points == 0);
+        CHECK(eigen_solves() - before == 5 * setup);
     }
 }
 

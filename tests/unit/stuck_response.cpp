@@ -6,9 +6,9 @@
 
 #include "denhartog/formulas/stuck.hpp"
 #include "denhartog/number/errors.hpp"
-#include "denhartog/number/multiprecision.hpp"
 #include "tests/catch.hpp"
 #include "tests/support/half_period.hpp"
+#include "tests/support/multiprecision.hpp"
 #include "tests/support/sample_scenes.hpp"
 #include "tests/unit/response_fixtures.hpp"
 

@@ -5,11 +5,11 @@
 #include "denhartog/answer/certify.hpp"
 #include "denhartog/answer/held_solution.hpp"
 #include "denhartog/answer/sliding_point.hpp"
-#include "denhartog/number/multiprecision.hpp"
 #include "denhartog/scene/scene_json.hpp"
 #include "denhartog/sliding/boundary.hpp"
 #include "denhartog/sums/mode_sums.hpp"
 #include "tests/catch.hpp"
+#include "tests/support/multiprecision.hpp"
 #include "tests/unit/program_runs.hpp"
 
 using namespace denhartog;
@@ -149,16 +149,4 @@ TEST_CASE("permanent sticking by (88) has the digits asked for", "[program][eq:8
         CHECK(all["beta_lim_error_bounds"]["sticking_by_88"].get<double>() <=
               std::pow(10, -digits) * all["beta_lim"]["sticking_by_88"].get<double>());
     }
-}
-
-TEST_CASE("the bound of a number with its decimals takes in how they are rounded", "[number]") {
-    std::mt19937_64 generator(36);
-    for (int n = 0; n < 2000; ++n) {
-        const Real50 x = Real50(static_cast<double>(generator() >> 11)) / 3 * pow(Real50(10), n % 61 - 30);
-        const int digits = 16 + n % 30;
-        const Certified number = certified(Bounded<Real50>(x), digits);
-        INFO(number.decimal);
-        CHECK(abs(Real100(Real100(number.decimal) - Real100(x))) <= Real100(number.error));
-    }
-    CHECK(exactly(Real50(0.375), 20).error == 0);
 }

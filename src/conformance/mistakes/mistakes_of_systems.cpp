@@ -78,7 +78,7 @@ std::vector<MistakeDefinition> of_loads() {
             "which load base_motion makes: \"with_wall\" loads every mass by its inertia, in displacements relative to the wall",
             [](ProtocolQuestion& q) {
                 if (q.base_motion != "with_wall") return false;
-                q.loads = row_sums(stiffness_matrix(scene_of<double>(q).system));
+                q.loads = row_sums(stiffness_matrix(scene_of(q).system));
                 q.base_motion.clear();
                 return true;
             }),
@@ -102,7 +102,7 @@ std::vector<MistakeDefinition> of_damping() {
             "whether psi^T C psi is taken to be diagonal: it is where K M^-1 C = C M^-1 K",
             [](ProtocolQuestion& q) {
                 if (q.damping_matrix.empty()) return false;
-                q.damping_ratios = modal_basis(scene_of<double>(q).system).zeta;
+                q.damping_ratios = modal_basis(scene_of(q).system).zeta;
                 q.damping_matrix.clear();
                 return true;
             }),

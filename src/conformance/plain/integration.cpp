@@ -81,7 +81,7 @@ std::optional<Value> answer_of_stuck_motion(const ProtocolQuestion& q, const Sce
 } // namespace
 
 std::optional<Value> answer_of_steady_motion(const ProtocolQuestion& q) {
-    const Scene<double> scene = scene_of<double>(q);
+    const Scene<double> scene = scene_of(q);
     const ContactSystem<double> system = contact_system(scene.system);
     ExactSolver<double> solver(system, {*scene.r, *scene.beta, scene.mu});
     OrbitSearch<double> how;
@@ -98,7 +98,7 @@ std::optional<Value> answer_of_steady_motion(const ProtocolQuestion& q) {
 
 std::vector<std::optional<Value>> answers_of_transient(const ProtocolQuestion& q, int first, int last) {
     if (!is_of_the_paper(q)) return std::vector<std::optional<Value>>(static_cast<std::size_t>(last - first + 1));
-    const Scene<double> scene = scene_of<double>(q);
+    const Scene<double> scene = scene_of(q);
     const ContactSystem<double> system = contact_system(scene.system);
     ExactSolver<double> solver(system, {*scene.r, *scene.beta, scene.mu});
     State<double> state = at_rest<double>(q.mass_ratios.size());
@@ -113,7 +113,7 @@ std::vector<std::optional<Value>> answers_of_transient(const ProtocolQuestion& q
 
 std::optional<Value> answer_of_creep(const ProtocolQuestion& q, double width) {
     if (q.mass != q.contact || !is_of_the_paper(q)) return std::nullopt;
-    const Scene<double> scene = scene_of<double>(q);
+    const Scene<double> scene = scene_of(q);
     const StuckConfiguration<double> stuck = stuck_configuration(scene.system, modal_basis(scene.system));
     const Complex<double> load = stuck_response(stuck, scene.system.contact, scene.system.load, *scene.r).contact_load;
     const double share = modulus(load) / *scene.beta;

@@ -19,8 +19,7 @@ constexpr int digits_asked = 11;
 class Sliding {
 public:
     explicit Sliding(const ProtocolQuestion& q)
-        : scene_(in_own_coordinates(scene_of<double>(q))), row_(row_of(q)), sums_(sums_of(scene_)),
-          limits_(boundary(sums_, scene_.mu)) {}
+        : scene_(in_own_coordinates(scene_of(q))), row_(row_of(q)), sums_(sums_of(scene_)), limits_(boundary(sums_, scene_.mu)) {}
 
     std::vector<double> numbers(const ProtocolQuestion& q) const {
         const std::string& name = q.quantity;
@@ -87,7 +86,7 @@ const Solution& motion_of(const ProtocolQuestion& q, const Scene<double>& scene)
 
 // The steady motion in any regime.
 std::optional<Value> of_motion(const ProtocolQuestion& q) {
-    const Scene<double> scene = scene_of<double>(q);
+    const Scene<double> scene = scene_of(q);
     const std::string& name = q.quantity;
     if (name == "regime") {
         const Regime regime = solve(scene_source(scene), {Asked::regime, digits_asked, false}).regime.regime;
@@ -113,7 +112,7 @@ std::optional<Value> of_motion(const ProtocolQuestion& q) {
 } // namespace
 
 std::optional<Value> answer_of_system(const ProtocolQuestion& q) {
-    if (q.quantity == "natural_frequency_ratios") return Value{modal_basis(scene_of<double>(q).system).r_n, ""};
+    if (q.quantity == "natural_frequency_ratios") return Value{modal_basis(scene_of(q).system).r_n, ""};
     if (asks_for(q,
                  {"amplitude", "phase", "regime", "rest_interval", "stops_per_period", "stop_durations", "motion_under_force"}))
         return of_motion(q);

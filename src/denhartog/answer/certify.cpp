@@ -45,33 +45,10 @@ std::string in_words(const Aim& aim) {
 }
 
 int digits_of(double error) {
+    constexpr int most = 17;
     int digits = 0;
-    while (digits < most_digits_in(Precision::in_100_digits) && error <= tolerance_of(digits + 1)) ++digits;
+    while (digits < most && error <= tolerance_of(digits + 1)) ++digits;
     return digits;
-}
-
-std::string name(Precision precision) {
-    switch (precision) {
-    case Precision::in_double: return "double";
-    case Precision::in_50_digits: return "50 digits";
-    case Precision::in_100_digits: return "100 digits";
-    }
-    return {};
-}
-
-int most_digits_in(Precision precision) {
-    switch (precision) {
-    case Precision::in_double: return 14;
-    case Precision::in_50_digits: return 45;
-    case Precision::in_100_digits: return 95;
-    }
-    return 0;
-}
-
-Precision highest_precision(const Aim& aim, std::size_t masses, Precision last) {
-    constexpr std::size_t most_masses_in_100_digits = 40, most_masses_in_50_digits = 200;
-    if (aim.asked_for || masses <= most_masses_in_100_digits) return last;
-    return masses <= most_masses_in_50_digits ? std::min(last, Precision::in_50_digits) : Precision::in_double;
 }
 
 std::string verdict(const Attempted& attempted, const Aim& aim) {

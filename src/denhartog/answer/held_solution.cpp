@@ -20,8 +20,8 @@ using std::abs;
 
 // A number that is written as a double has to be one.
 template <class T>
-void require_in_range(const T& number, int digits, const char* name) {
-    if (digits <= most_digits_of_a_double && !std::isfinite(static_cast<double>(number)))
+void require_in_range(const T& number, const char* name) {
+    if (!std::isfinite(static_cast<double>(number)))
         throw PrecisionError(std::string(name) + " is beyond the range of a double; 16 digits and more are written as text");
 }
 
@@ -96,13 +96,13 @@ Bounded<T> bounded_limit_by_88(const Scene<T>& scene, const StuckConfiguration<T
 
 template <class T>
 std::optional<Certified> limit_by_88(const Scene<T>& scene, const StuckConfiguration<T>& stuck, const Matrix<T>& of_damping,
-                                     const StuckResponse<T>& response, int digits) {
+                                     const StuckResponse<T>& response) {
     const std::optional<StuckChain<T>> chain = stuck_chain(scene.system, stuck);
     const std::optional<T> paper = sticking_boundary(response, chain, scene.mu).paper;
     if (!paper) return std::nullopt;
-    require_in_range(*paper, digits, "permanent sticking by (88)");
+    require_in_range(*paper, "permanent sticking by (88)");
     const Bounded<T> bounded = bounded_limit_by_88(scene, stuck, of_damping, *chain, response);
-    return certified(Bounded<T>(*paper, T(bounded.e + abs(T(bounded.x - *paper)))), digits);
+    return certified(Bounded<T>(*paper, T(bounded.e + abs(T(bounded.x - *paper)))));
 }
 
 template <class T>
@@ -185,7 +185,7 @@ Bounded<T> compliance_of(const StuckConfiguration<T>& stuck) {
 
 template <class T>
 HeldSolution held_solution(const Scene<T>& scene, const StuckConfiguration<T>& stuck, const ModalBasis<Bounded<T>>& basis,
-                           int digits, std::optional<Mass> only) {
+                           std::optional<Mass> only) {
     const System<T>& s = scene.system;
     const StuckResponse<T> response = stuck_response(stuck, s.contact, s.load, *scene.r);
     const Matrix<T> of_damping = errors_of_damping(scene, basis);
@@ -198,16 +198,16 @@ HeldSolution held_solution(const Scene<T>& scene, const StuckConfiguration<T>& s
     T largest(0);
     for (const StuckMass<T>& mass : masses) {
         largest = std::max(largest, mass.amplitude);
-        solution.masses.push_back({exactly(mass.amplitude, digits), std::nullopt, std::nullopt});
+        solution.masses.push_back({exactly(mass.amplitude), std::nullopt, std::nullopt});
     }
     for (std::size_t k = 0; k < masses.size(); ++k) {
         if (Mass{k} == s.contact) continue;
         const StuckMass<T>& mass = masses[k];
         const T& error = error_of[k];
-        solution.masses[k].amplitude = certified(Bounded<T>(mass.amplitude, error), digits);
+        solution.masses[k].amplitude = certified(Bounded<T>(mass.amplitude, error));
         if (does_not_move(mass.amplitude, error, largest)) continue;
         const T of_phase = error < mass.amplitude ? T(largest_turn(error, mass.amplitude) + 4 * unit_of<T>()) : pi<T>();
-        solution.masses[k].phase = certified(Bounded<T>(mass.phase.value_or(T(0)), of_phase), digits);
+        solution.masses[k].phase = certified(Bounded<T>(mass.phase.value_or(T(0)), of_phase));
         if (only && k != only->index) continue;
         const T relative = mass.amplitude > 0 ? T(error / mass.amplitude) : T(1);
         solution.relative = std::max({solution.relative, static_cast<double>(relative), static_cast<double>(of_phase)});
@@ -221,33 +221,26 @@ HeldSolution held_solution(const Scene<T>& scene, const StuckConfiguration<T>& s
         error = std::numeric_limits<T>::infinity();
         solution.relative = std::max(solution.relative, 1.0);
     }
-    solution.rest_interval = {certified(Bounded<T>(T(-to), error), digits), certified(Bounded<T>(to, error), digits),
-                              std::nullopt};
-    require_in_range(to, digits, "the interval of rest");
-    solution.sticking_by_88 = limit_by_88(scene, stuck, of_damping, response, digits);
+    solution.rest_interval = {certified(Bounded<T>(T(-to), error)), certified(Bounded<T>(to, error)), std::nullopt};
+    require_in_range(to, "the interval of rest");
+    solution.sticking_by_88 = limit_by_88(scene, stuck, of_damping, response);
     return solution;
 }
 
 template <class T>
-std::optional<Certified> sticking_by_88(const Scene<T>& scene, int digits) {
+std::optional<Certified> sticking_by_88(const Scene<T>& scene) {
     try {
         const ModalBasis<Bounded<T>> basis = with_errors(scene.system, modal_basis(scene.system));
         const StuckConfiguration<T> stuck = stuck_configuration(scene.system, values_of(basis));
         const StuckResponse<T> response = stuck_response(stuck, scene.system.contact, scene.system.load, *scene.r);
-        return limit_by_88(scene, stuck, errors_of_damping(scene, basis), response, digits);
+        return limit_by_88(scene, stuck, errors_of_damping(scene, basis), response);
     } catch (const DomainError&) {
         return std::nullopt;
     }
 }
 
 template HeldSolution held_solution(const Scene<double>&, const StuckConfiguration<double>&, const ModalBasis<Bounded<double>>&,
-                                    int, std::optional<Mass>);
-template HeldSolution held_solution(const Scene<Real50>&, const StuckConfiguration<Real50>&, const ModalBasis<Bounded<Real50>>&,
-                                    int, std::optional<Mass>);
-template HeldSolution held_solution(const Scene<Real100>&, const StuckConfiguration<Real100>&,
-                                    const ModalBasis<Bounded<Real100>>&, int, std::optional<Mass>);
-template std::optional<Certified> sticking_by_88(const Scene<double>&, int);
-template std::optional<Certified> sticking_by_88(const Scene<Real50>&, int);
-template std::optional<Certified> sticking_by_88(const Scene<Real100>&, int);
+                                    std::optional<Mass>);
+template std::optional<Certified> sticking_by_88(const Scene<double>&);
 
 } // namespace denhartog

@@ -25,21 +25,18 @@ struct HeldSolution {
 /// @param scene   the scene, with r and beta at or above the boundary of permanent sticking
 /// @param stuck   its stuck configuration
 /// @param basis   its modes with the bounds of their errors: damping ratios mean the damping matrix that these make
-/// @param digits  significant digits asked for
 /// @param only    the one mass whose errors count; none for all
 /// @return        the response for rest at zero
 /// @throws        DomainError where the load excites the resonance of an undamped stuck mode
 template <class T>
 [[nodiscard]] HeldSolution held_solution(const Scene<T>& scene, const StuckConfiguration<T>& stuck,
-                                         const ModalBasis<Bounded<T>>& basis, int digits,
-                                         std::optional<Mass> only = std::nullopt);
+                                         const ModalBasis<Bounded<T>>& basis, std::optional<Mass> only = std::nullopt);
 
 /// @brief The boundary of permanent sticking by (88) as printed, with a bound of its error.
 /// @eq{88}
 /// @param scene   the scene, with r
-/// @param digits  significant digits asked for
 /// @return        the boundary; none for a system that is no chain, or at a resonance
 template <class T>
-[[nodiscard]] std::optional<Certified> sticking_by_88(const Scene<T>& scene, int digits);
+[[nodiscard]] std::optional<Certified> sticking_by_88(const Scene<T>& scene);
 
 } // namespace denhartog

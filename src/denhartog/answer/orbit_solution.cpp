@@ -1,13 +1,11 @@
 #include "denhartog/answer/orbit_solution.hpp"
 
 #include <algorithm>
-#include <concepts>
 #include <limits>
 #include <utility>
 
 #include "denhartog/answer/certify.hpp"
 #include "denhartog/model/coordinates.hpp"
-#include "denhartog/number/effort.hpp"
 #include "denhartog/orbit/floquet.hpp"
 #include "denhartog/stick_slip/event_errors.hpp"
 
@@ -42,10 +40,7 @@ public:
         return found ? std::optional(solver.end_of(*found)) : std::nullopt;
     }
 
-    // In more digits than those of double a state is paid for: a mass takes hundreds of them where its extremum is not found.
     State<T> at(T tau) {
-        if constexpr (!std::floating_point<T>)
-            QuestionEffort::pay(static_cast<long>(solver.system().basis.r_n.size()) * cost_of_mode<T>());
         bool mirrored = false;
         for (; tau < 0; tau += stretch) mirrored = mirrors && !mirrored;
         for (; tau > stretch; tau -= stretch) mirrored = mirrors && !mirrored;
@@ -101,34 +96,33 @@ T error_of_extremum(OnOrbit<T>& orbit, std::size_t k, const MassMotion<T>& mass,
 
 // The stops of an orbit.
 template <class T>
-std::vector<SolvedStop> stops_of(OnOrbit<T>& on_orbit, const ExactSolver<T>& solver, const PeriodicOrbit<T>& orbit, int digits) {
+std::vector<SolvedStop> stops_of(OnOrbit<T>& on_orbit, const ExactSolver<T>& solver, const PeriodicOrbit<T>& orbit) {
     const ErrorsAtEnds<T> errors(solver, orbit.error_bound, orbit.velocity_errors);
     const auto instant = [&](const T& tau, bool slides) {
         const T anywhere = orbit.periods * pi<T>();
         const std::optional<EndOfPhase<T>> end = on_orbit.end_at(tau, slides);
         const T found = end ? T(errors.of_instant(*end, slides) + 8 * unit_of<T>() * (1 + tau)) : anywhere;
-        return certified(Bounded<T>(tau, std::min(found, anywhere)), digits);
+        return certified(Bounded<T>(tau, std::min(found, anywhere)));
     };
     std::vector<SolvedStop> stops;
     for (const Stop<T>& stop : orbit.stops)
-        stops.push_back(
-            {instant(stop.start, true), instant(stop.end, false), certified(Bounded<T>(stop.x, orbit.error_bound), digits)});
+        stops.push_back({instant(stop.start, true), instant(stop.end, false), certified(Bounded<T>(stop.x, orbit.error_bound))});
     return stops;
 }
 
 } // namespace
 
 template <class T>
-OrbitSolution orbit_solution(ExactSolver<T>& solver, const PeriodicOrbit<T>& orbit, int digits, std::optional<Mass> only) {
+OrbitSolution orbit_solution(ExactSolver<T>& solver, const PeriodicOrbit<T>& orbit, std::optional<Mass> only) {
     OnOrbit<T> on_orbit(solver, orbit);
     const std::size_t j = solver.system().contact.index,
                       count = orbit.start.x.size() + solver.system().coordinates.replaced.size();
     T largest = orbit.contact.amplitude; // of the other masses the state at the start, where their maxima were not sought
     for (const T& x : orbit.start.x) largest = std::max(largest, T(abs(x)));
     for (const MassMotion<T>& mass : orbit.masses) largest = std::max(largest, mass.amplitude);
-    const auto number = [digits](const T& x, const T& error) { return certified(Bounded<T>(x, error), digits); };
+    const auto number = [](const T& x, const T& error) { return certified(Bounded<T>(x, error)); };
     OrbitSolution solution;
-    solution.stops = stops_of(on_orbit, solver, orbit, digits);
+    solution.stops = stops_of(on_orbit, solver, orbit);
     for (std::size_t k = 0; k < count; ++k) {
         if (only && k != only->index) {
             solution.masses.push_back({});
@@ -152,10 +146,10 @@ OrbitSolution orbit_solution(ExactSolver<T>& solver, const PeriodicOrbit<T>& orb
 }
 
 template <class T>
-std::optional<Certified> place_of_rest(const PeriodicOrbit<T>& orbit, Mass contact, int digits) {
+std::optional<Certified> place_of_rest(const PeriodicOrbit<T>& orbit, Mass contact) {
     const bool is_bounded = orbit.error_bound - orbit.error_bound == 0;
     if (!is_bounded) return std::nullopt;
-    return certified(Bounded<T>(orbit.start.x[contact.index], orbit.error_bound), digits);
+    return certified(Bounded<T>(orbit.start.x[contact.index], orbit.error_bound));
 }
 
 template <class T>
@@ -165,11 +159,8 @@ Stability stability_of(const PeriodicOrbit<T>& orbit) {
     return stability;
 }
 
-template OrbitSolution orbit_solution(ExactSolver<double>&, const PeriodicOrbit<double>&, int, std::optional<Mass>);
-template OrbitSolution orbit_solution(ExactSolver<Real50>&, const PeriodicOrbit<Real50>&, int, std::optional<Mass>);
-template std::optional<Certified> place_of_rest(const PeriodicOrbit<double>&, Mass, int);
-template std::optional<Certified> place_of_rest(const PeriodicOrbit<Real50>&, Mass, int);
+template OrbitSolution orbit_solution(ExactSolver<double>&, const PeriodicOrbit<double>&, std::optional<Mass>);
+template std::optional<Certified> place_of_rest(const PeriodicOrbit<double>&, Mass);
 template Stability stability_of(const PeriodicOrbit<double>&);
-template Stability stability_of(const PeriodicOrbit<Real50>&);
 
 } // namespace denhartog

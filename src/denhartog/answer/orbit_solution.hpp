@@ -25,20 +25,18 @@ struct OrbitSolution {
 /// error, an instant may be anywhere.
 /// @param solver  the solver that found the orbit; moved along the orbit once more
 /// @param orbit   a periodic orbit with its masses
-/// @param digits  significant digits asked for
 /// @param only    the one mass that is asked about; for the contact the orbit needs no other. None for all
 /// @return        the masses and the stops with their errors
 template <class T>
-[[nodiscard]] OrbitSolution orbit_solution(ExactSolver<T>& solver, const PeriodicOrbit<T>& orbit, int digits,
+[[nodiscard]] OrbitSolution orbit_solution(ExactSolver<T>& solver, const PeriodicOrbit<T>& orbit,
                                            std::optional<Mass> only = std::nullopt);
 
 /// @brief Where the contact of an orbit rests.
 /// @param orbit    an orbit of permanent sticking
 /// @param contact  the mass in contact
-/// @param digits   significant digits asked for
 /// @return         its displacement; none without a finite bound of its error
 template <class T>
-[[nodiscard]] std::optional<Certified> place_of_rest(const PeriodicOrbit<T>& orbit, Mass contact, int digits);
+[[nodiscard]] std::optional<Certified> place_of_rest(const PeriodicOrbit<T>& orbit, Mass contact);
 
 /// @brief Whether an orbit is the sliding motion of the closed form as far as its number type can tell. Its stops are left aside:
 /// next to the boundary they may be rounding.
@@ -69,7 +67,7 @@ template <class T>
 /// @param stops   whether the motion has stops for certain: beyond the boundary where mu = 1 or every free motion is damped. Static
 ///                friction acts in stops alone, so that a motion without any is one with mu = 1, and that the closed form's
 /// @param slides  whether it is the sliding motion of the closed form
-/// @return        whether 50 digits have to tell
+/// @return        whether the reference has to tell
 [[nodiscard]] inline bool stops_are_open(const PeriodicOrbit<double>& orbit, bool beyond, bool stops, bool slides) {
     return orbit.stops.empty() ? stops || (beyond && orbit.symmetric && orbit.periods == 1) : slides;
 }

@@ -136,14 +136,14 @@ private:
                            orbit.start,
                            std::nullopt};
         if (rests) {
-            const HeldSolution held = held_solution(scene, system.stuck, basis, digits_by_default);
+            const HeldSolution held = held_solution(scene, system.stuck, basis);
             motion.masses = held.masses;
             if (std::isfinite(held.rest_interval.to.error)) { // where double gives one
                 motion.rest_interval = held.rest_interval;
-                motion.rest_interval->rests_at = place_of_rest(orbit, system.contact, digits_by_default);
+                motion.rest_interval->rests_at = place_of_rest(orbit, system.contact);
             }
         } else {
-            const OrbitSolution found_orbit = orbit_solution(solver, orbit, digits_by_default);
+            const OrbitSolution found_orbit = orbit_solution(solver, orbit);
             motion.masses = found_orbit.masses;
             motion.stops = found_orbit.stops;
         }

@@ -66,7 +66,8 @@ Certified WrittenNumbers::shown(const Ball& x) const {
 Certified WrittenNumbers::relative(const Ball& x) {
     count(x.is_zero() ? Ball(0) : radius_of(x) / abs(x));
     Certified number = shown(x);
-    if (number.decimal.empty() && !x.is_zero()) count(Ball(number.error) / abs(x) / 2); // doubles are few next to zero
+    // Doubles are few next to zero; what is below them all is told by its bound.
+    if (number.decimal.empty() && number.value != 0) count(Ball(number.error) / abs(x) / 2);
     return number;
 }
 

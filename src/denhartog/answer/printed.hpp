@@ -33,7 +33,8 @@ public:
     /// @brief A number that need not have the digits. @param x the number @return it as it is handed out
     /// @throws Unproved where it has no bound; PrecisionError where it is written as a double and is beyond the range of one
     [[nodiscard]] Certified shown(const Ball& x) const;
-    /// @brief A number that must have them, relative to its size. @param x the number @return it as it is handed out
+    /// @brief A number that must have them, relative to its size, unless that is below all doubles and a double is asked for.
+    /// @param x the number @return it as it is handed out
     [[nodiscard]] Certified relative(const Ball& x);
     /// @brief A number that must have them as it is, such as an angle. @param x the number @return it as it is handed out
     [[nodiscard]] Certified absolute(const Ball& x) {

@@ -96,7 +96,7 @@ void write_sliding(const PointInBalls& p, const Scene<double>& scene, const Refe
 
 void write_stuck(const PointInBalls& p, const Scene<double>& scene, const ReferenceQuestion& q, WrittenNumbers& w, Solution& s) {
     if (!p.stuck) throw Unproved("the system may resonate with the contact held");
-    if (*p.scene.beta < *p.sticking) throw Disproved("static friction does not hold the contact throughout");
+    if (*p.scene.beta < *p.sticking) throw RegimeDisproved("the reference disproves that static friction holds the contact");
     if (!(*p.scene.beta >= *p.sticking)) throw Unproved("beta may lie on the boundary of permanent sticking");
     const bool phases = q.asked != Asked::amplitude;
     Ball largest = p.stuck->compliance * size_of(p.stuck->load); // no mass moves where the load acts on the contact
@@ -124,9 +124,26 @@ bool has_88(const Scene<double>& scene) {
     return is_chain(scene.system) && scene.system.coordinates.load.empty() && scene.system.coordinates.replaced.empty();
 }
 
+// The regime of the motion that is meant; the one that the boundaries have instead exists besides.
+void set_regime(const PointInBalls& p, Regime met, const char* because, Solution& s) {
+    if (p.boundary && s.regime.regime != met) {
+        std::erase(s.regime.other, met);
+        if (s.regime.regime == Regime::continuous) s.regime.other.push_back(s.regime.regime);
+    }
+    s.regime.regime = met;
+    if (*because != 0) s.regime.reason += std::string("; ") + because;
+}
+
 // What double takes for a stop next to the boundary may be none.
-void set_regime_by_stops(const OrbitInBalls& o, Solution& s) {
-    if (o.stops.empty()) s.regime.regime = Regime::continuous;
+void set_regime_by_stops(const PointInBalls& p, const OrbitInBalls& o, Solution& s) {
+    if (!o.stops.empty())
+        return set_regime(p, Regime::stick_slip,
+                          p.boundary && *p.scene.beta < p.boundary->exact ? "the contact stops in every period" : "", s);
+    const bool slides = p.boundary && *p.scene.beta < p.boundary->exact;
+    set_regime(p, Regime::continuous,
+               slides ? "the motion from rest is the sliding motion"
+                      : "the contact does not stop, but the motion is not that of the closed form",
+               s);
 }
 
 void write_orbit(const OrbitInBalls& o, const Scene<double>& scene, const ReferenceQuestion& q, WrittenNumbers& w, Solution& s) {
@@ -164,10 +181,11 @@ OrbitInBalls orbit_in_balls(const SceneSource& source, const ReferenceQuestion& 
         [&](const OrbitGuess& guess) { return proved_orbit(scene, guess, bits, wanted, q.asked == Asked::motion); });
 }
 
-Solution attempt(const SceneSource& source, const ReferenceQuestion& q, slong bits, bool last, OrbitGuesses& guesses,
-                 bool& enough) {
+// `s` has the regime where nothing else can be proved.
+void attempt(const SceneSource& source, const ReferenceQuestion& q, slong bits, bool last, OrbitGuesses& guesses, Solution& s,
+             bool& enough) {
     const Scene<double>& scene = source->in_double();
-    Solution s;
+    s = {};
     WrittenNumbers w(q.digits, last);
     const PointInBalls p = point_in_balls(source, !q.met || *q.met == Regime::continuous || !scene.beta);
     s.asked = q.asked;
@@ -184,14 +202,16 @@ Solution attempt(const SceneSource& source, const ReferenceQuestion& q, slong bi
         if (p.boundary) write_regime(p, s);
         Regime regime = q.met.value_or(s.regime.regime);
         // A load on the contact alone never moves it from rest where static friction is not below its largest value.
-        if (is_loaded_contact(scene) && p.sticking && *p.scene.beta >= *p.sticking) regime = Regime::permanent_sticking;
-        if (q.met) s.regime.regime = regime;
-        if (regime == Regime::continuous && p.boundary && !(*p.scene.beta < p.boundary->exact))
-            throw Disproved("the contact does not slide throughout");
+        if (!q.closed_form_alone && is_loaded_contact(scene) && p.sticking && *p.scene.beta >= *p.sticking)
+            regime = Regime::permanent_sticking;
+        if (p.boundary && regime != Regime::stick_slip && regime != s.regime.regime &&
+            std::ranges::find(s.regime.other, regime) == s.regime.other.end())
+            throw RegimeDisproved("the reference disproves the regime: " + s.regime.reason);
+        if (q.met && regime != Regime::stick_slip) set_regime(p, regime, "", s);
         if (q.asked == Asked::regime || (q.closed_form_alone && regime != Regime::continuous)) {
             s.method.model = q.closed_form_alone ? "boundary of the sliding regime" : "boundaries";
             if (q.met == Regime::stick_slip && !q.closed_form_alone)
-                set_regime_by_stops(orbit_in_balls(source, q, bits, guesses), s);
+                set_regime_by_stops(p, orbit_in_balls(source, q, bits, guesses), s);
         } else if (regime == Regime::continuous) {
             write_sliding(p, scene, q, w, s);
         } else if (regime == Regime::permanent_sticking) {
@@ -199,7 +219,7 @@ Solution attempt(const SceneSource& source, const ReferenceQuestion& q, slong bi
         } else {
             const OrbitInBalls orbit = orbit_in_balls(source, q, bits, guesses);
             write_orbit(orbit, scene, q, w, s);
-            set_regime_by_stops(orbit, s);
+            set_regime_by_stops(p, orbit, s);
         }
         if (has_88(scene) && !q.closed_form_alone && (q.asked == Asked::regime || regime == Regime::permanent_sticking))
             s.sticking_by_88 = w.shown(sticking_limit_by_88(p.scene, scene.system.load.index));
@@ -211,7 +231,6 @@ Solution attempt(const SceneSource& source, const ReferenceQuestion& q, slong bi
     s.method.precision = "reference";
     s.method.why = "every number is proved, with balls of " + std::to_string(bits) + " bits";
     s.method.proved = true;
-    return s;
 }
 
 } // namespace
@@ -221,14 +240,19 @@ bool has_reference() { return true; }
 Solution solution_by_reference(const SceneSource& source, const ReferenceQuestion& q,
                                const std::function<std::vector<OrbitGuess>()>& made) {
     const auto first = static_cast<slong>(std::max(128.0, bits_of_digit * q.digits + 64));
-    const slong most = q.briefly ? 2 * first : std::max<slong>(1024, 4 * first);
+    const slong most = std::max<slong>(8192, 4 * first);
     OrbitGuesses guesses(made);
     Solution s;
-    with_enough_bits(number_of_masses(source->in_double().system), first, most, [&](slong bits, bool last) {
-        bool enough = false;
-        s = attempt(source, q, bits, last, guesses, enough);
-        return enough;
-    });
+    try {
+        with_enough_bits(number_of_masses(source->in_double().system), first, most, [&](slong bits, bool last) {
+            bool enough = false;
+            attempt(source, q, bits, last, guesses, s, enough);
+            return enough;
+        });
+    } catch (const PrecisionError& e) {
+        if (q.met || s.regime.regime != Regime::stick_slip || s.regime.reason.empty()) throw;
+        throw MotionUnproved(std::string(e.what()) + ". This much is certain: " + s.regime.reason);
+    }
     return s;
 }
 

@@ -7,6 +7,7 @@
 
 #include "denhartog/answer/scene_source.hpp"
 #include "denhartog/answer/solution.hpp"
+#include "denhartog/number/errors.hpp"
 #include "denhartog/reference/orbit_guess_data.hpp"
 
 namespace denhartog {
@@ -18,13 +19,22 @@ namespace denhartog {
 inline constexpr const char* built_without_reference =
     "this needs the reference, and the library was built without it (DENHARTOG_REFERENCE=OFF)";
 
+/// @brief The regime is proved, and the motion with stops is not.
+struct MotionUnproved : PrecisionError {
+    using PrecisionError::PrecisionError;
+};
+
+/// @brief A motion of the regime that is meant is proved not to exist.
+struct RegimeDisproved : PrecisionError {
+    using PrecisionError::PrecisionError;
+};
+
 /// @brief A question to the reference.
 struct ReferenceQuestion {
     Asked asked = Asked::motion;    ///< what is asked
     int digits = digits_by_default; ///< significant digits, all certain in the answer
     std::optional<Mass> mass{};     ///< the one mass asked about, in the order of the masses; none for all
     std::optional<Regime> met{};    ///< the regime of the motion that is meant, where the friction ratio does not tell it
-    bool briefly = false;           ///< whether bits are doubled once at most, as nobody asked for digits or a proof
     bool closed_form_alone = false; ///< whether only boundary and regime are wanted outside the sliding regime
 };
 
@@ -34,7 +44,7 @@ struct ReferenceQuestion {
 /// @param guesses   motions with stops near the one that is meant, as double sees them, the likeliest first; called once at most
 /// @return          the answer; its numbers are proved
 /// @throws          PrecisionError where something cannot be proved, the budget of work is spent, or the library was built
-///                  without the reference
+///                  without the reference; MotionUnproved, RegimeDisproved
 [[nodiscard]] Solution solution_by_reference(const SceneSource& source, const ReferenceQuestion& question,
                                              const std::function<std::vector<OrbitGuess>()>& guesses);
 

@@ -37,6 +37,25 @@ bool hardly_couples(const BallMatrix& D, const Ball& part) {
     return true;
 }
 
+// Whether a damping matrix is so near to one that leaves the modes by themselves: how far K M^-1 C is from C M^-1 K, over the sizes
+// of both, is no more than a tolerance.
+bool counts_as_modal(const ModesInBalls& m, const BallMatrix& D, double tolerance) {
+    Ball apart(0), of_K(0), of_C(0);
+    for (slong i = 0; i < D.rows(); ++i) {
+        const auto k_i = [&](slong k) { return 1 / (m.R[static_cast<std::size_t>(k)] * m.R[static_cast<std::size_t>(k)]); };
+        of_K += k_i(i) * k_i(i);
+        for (slong k = 0; k < D.rows(); ++k) {
+            of_C += D(i, k) * D(i, k);
+            const Ball commutator = (k_i(i) - k_i(k)) * D(i, k);
+            apart += commutator * commutator;
+        }
+    }
+    const Ball most = Ball(tolerance) * Ball(tolerance) * of_K * of_C;
+    if (!(apart <= most || apart > most))
+        throw Unproved("the coupling of modes by the damping matrix may equal damping_tolerance");
+    return apart <= most;
+}
+
 // (56) of the modes by themselves, where the coupling by a damping matrix makes no difference to (69) that anybody could measure.
 std::optional<Ball> paper_limit_of_modes(const SceneInBalls& s, const Ball& exact) {
     try {
@@ -80,11 +99,11 @@ SceneInBalls scene_in_balls(const SceneSource& source) {
     SceneInBalls s = scene_as_given(source);
     const double tolerance = source->in_double().system.damping_tolerance;
     if (s.zeta.empty() && tolerance > 0) {
-        if (tolerance < 2)
-            throw PrecisionError("the reference takes a damping matrix as it is: damping_tolerance must be 0, or 2");
         const ModesInBalls m = modes_in_balls(s);
         if (!m.clusters.empty()) throw Unproved("modes are not told apart, and neither is the damping of each by itself");
-        s = by_themselves(s, m, damping_of_modes(s, m));
+        const BallMatrix D = damping_of_modes(s, m);
+        if (!counts_as_modal(m, D, tolerance)) return s;
+        s = by_themselves(s, m, D);
         s.C = BallMatrix();
     }
     return s;

@@ -25,10 +25,11 @@ struct PointInBalls {
 /// @throws  InputError where it breaks a rule that double is too coarse to see broken
 [[nodiscard]] reference::SceneInBalls scene_as_given(const SceneSource& source);
 
-/// @brief A scene with the damping that counts: ratios, or a matrix; with a `damping_tolerance` of 2 the ratios nearest to that.
+/// @brief A scene with the damping that counts: ratios, or a matrix; the ratios nearest to that where it is within
+/// `damping_tolerance` of having them.
 /// @param source  the scene
 /// @return        the scene in the bits of the moment
-/// @throws        Unproved where the bits do not suffice; PrecisionError for a damping tolerance that the reference does not know
+/// @throws        Unproved where the bits do not suffice
 [[nodiscard]] reference::SceneInBalls scene_in_balls(const SceneSource& source);
 
 /// @brief The mode shapes of the masses, (17). @param modes the modes @return Psi, mass by mode
@@ -50,7 +51,7 @@ struct PointInBalls {
 /// @param source          the scene
 /// @param needs_boundary  whether it is of no use without its boundary
 /// @return                the point
-/// @throws                Unproved where the bits do not suffice; PrecisionError for a damping tolerance that the reference does not know
+/// @throws                Unproved where the bits do not suffice
 [[nodiscard]] PointInBalls point_in_balls(const SceneSource& source, bool needs_boundary);
 
 } // namespace denhartog

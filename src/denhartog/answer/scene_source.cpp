@@ -15,7 +15,7 @@ namespace {
     throw PrecisionError(has_reference() ? "this scene is not to be had by the reference" : built_without_reference);
 }
 
-// A scene in double, or what is wrong with it, and a function that gives it in more digits.
+// A scene in double, or what is wrong with it, and a function that gives it in balls.
 template <class Read>
 struct ReadBy final : SceneReader {
     SceneOrError<double> narrow;
@@ -25,11 +25,9 @@ struct ReadBy final : SceneReader {
         if (narrow.error) throw InputError(*narrow.error);
         return *narrow.scene;
     }
-    [[nodiscard]] Scene<Real50> in_50_digits() const override { return read(Real50()); }
-    [[nodiscard]] Scene<Real100> in_100_digits() const override { return read(Real100()); }
     void in_balls([[maybe_unused]] Scene<Ball>& scene) const override {
 #if DENHARTOG_REFERENCE
-        scene = read(Ball());
+        read(scene);
 #else
         fail_without_reference();
 #endif
@@ -47,8 +45,6 @@ struct OfDoubles final : SceneReader {
         scene = in_coordinates.get();
     }
     [[nodiscard]] const Scene<double>& in_double() const override { return *scene; }
-    [[nodiscard]] Scene<Real50> in_50_digits() const override { return in_own_coordinates(converted<Real50>(*given)); }
-    [[nodiscard]] Scene<Real100> in_100_digits() const override { return in_own_coordinates(converted<Real100>(*given)); }
     void in_balls([[maybe_unused]] Scene<Ball>& in_balls) const override {
 #if DENHARTOG_REFERENCE
         in_balls = converted<Ball>(*given);
@@ -72,14 +68,9 @@ template <class Change>
 SceneSource changed(const SceneSource& source, const Change& change) {
     SceneOrError<double> narrow;
     change(narrow.scene.emplace(source->in_double()));
-    return source_by(std::move(narrow), [source, change]<class T>(T) {
-        Scene<T> scene;
-        if constexpr (is_ball<T>)
-            source->in_balls(scene);
-        else
-            scene = scene_in<T>(source);
+    return source_by(std::move(narrow), [source, change](auto& scene) {
+        source->in_balls(scene);
         change(scene);
-        return scene;
     });
 }
 
@@ -90,14 +81,12 @@ void SceneReader::in_balls(Scene<Ball>&) const { fail_without_reference(); }
 SceneSource scene_source(const SceneText& part) {
     SceneOrError<double> narrow = read_scene<double>(part);
     if (narrow.scene) narrow.scene = in_own_coordinates(*narrow.scene);
-    return source_by(std::move(narrow), [text = std::string(part.text), line = part.line, alone = part.alone]<class T>(T) {
-        const SceneOrError<T> read = read_scene<T>(SceneText{text, line, alone});
-        if (read.error) throw InputError(*read.error);
-        if constexpr (is_ball<T>)
-            return *read.scene;
-        else
-            return in_own_coordinates(*read.scene);
-    });
+    return source_by(std::move(narrow),
+                     [text = std::string(part.text), line = part.line, alone = part.alone]<class T>(Scene<T>& scene) {
+                         SceneOrError<T> read = read_scene<T>(SceneText{text, line, alone});
+                         if (read.error) throw InputError(*read.error);
+                         scene = std::move(*read.scene);
+                     });
 }
 
 SceneSource scene_source(const Scene<double>& scene) { return std::make_shared<const OfDoubles>(scene, true); }

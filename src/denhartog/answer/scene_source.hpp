@@ -4,7 +4,6 @@
 
 #include <memory>
 
-#include "denhartog/number/multiprecision.hpp"
 #include "denhartog/scene/scene_json.hpp"
 
 namespace denhartog {
@@ -15,9 +14,7 @@ class Ball;
 struct SceneReader {
     virtual ~SceneReader() = default;
     [[nodiscard]] virtual const Scene<double>&
-    in_double() const = 0;                                          ///< @return the scene in double, which lives as long as this
-    [[nodiscard]] virtual Scene<Real50> in_50_digits() const = 0;   ///< @return the scene in 50 digits
-    [[nodiscard]] virtual Scene<Real100> in_100_digits() const = 0; ///< @return the scene in 100 digits
+    in_double() const = 0; ///< @return the scene in double, which lives as long as this
     /// @brief The scene for the reference, in the bits of the moment and as its author wrote it: not in coordinates of its own.
     /// @param scene  gets it @throws PrecisionError where there is none, as in a library built without the reference
     virtual void in_balls(Scene<Ball>& scene) const;
@@ -27,18 +24,6 @@ struct SceneReader {
 ///
 /// It is in the paper's form, see `in_own_coordinates`: what is computed from it comes in the order of `displacement_of`.
 using SceneSource = std::shared_ptr<const SceneReader>;
-
-/// @brief The scene in a number type. @param source the source @return the scene; of double it is the source's own
-template <class T>
-[[nodiscard]] decltype(auto) scene_in(const SceneSource& source) {
-    if constexpr (!std::same_as<T, double>) free_constants_at_end_of_thread();
-    if constexpr (std::same_as<T, double>)
-        return source->in_double();
-    else if constexpr (std::same_as<T, Real50>)
-        return source->in_50_digits();
-    else
-        return source->in_100_digits();
-}
 
 /// @brief A scene from its JSON text.
 /// @param part  the text of one scene; copied

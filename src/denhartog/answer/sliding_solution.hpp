@@ -19,24 +19,15 @@ struct SlidingQuestion {
     BoundedModes<double>* modes = nullptr; ///< modes in double at the point, where they are prepared; evaluated as needed
 };
 
-/// @brief Boundary, regime and sliding motion at the point of a scene, in the first precision whose bounds have the digits.
+/// @brief Boundary, regime and sliding motion at the point of a scene, in double.
 ///
 /// Digits are relative to the amplitude of the mass for displacements, to the value for friction ratios, absolute for phases; a
-/// mass that does not move has none. A system of more than 40 masses stays in double where no digits are asked for.
+/// mass that does not move has none.
 /// @eq{38,39,44,45,47,52,53,69}
 /// @param source    the scene, with r; without beta the boundary alone
 /// @param question  what is asked
 /// @return          the answer; no masses outside the sliding regime; `digits_reached` where its digits are there
 /// @throws          InputError for a bad scene or bad digits; DomainError at a pole of a mode without damping
 [[nodiscard]] Solution sliding_solution(const SceneSource& source, const SlidingQuestion& question);
-
-/// @brief Writes a point into an answer: regime, limits and masses.
-/// @param scene   the scene
-/// @param point   the point, whose words are moved there
-/// @param digits  significant digits asked for
-/// @param asked   what is asked
-/// @param s       gets them
-template <class T>
-void write_point(const Scene<T>& scene, SlidingPoint<T>& point, int digits, Asked asked, Solution& s);
 
 } // namespace denhartog

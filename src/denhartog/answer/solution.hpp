@@ -18,8 +18,7 @@
 
 namespace denhartog {
 
-/// @brief The largest number of significant digits that you can ask for; above 95, and above 45 of a motion with stops, the
-/// reference answers.
+/// @brief The largest number of significant digits that you can ask for; from 15 on the reference answers.
 constexpr int most_digits = 100'000;
 /// @brief The number of significant digits that the library aims at if you ask for none.
 constexpr int digits_by_default = 6;
@@ -44,7 +43,7 @@ struct Question {
 /// @brief How an answer was computed.
 struct Method {
     std::string model;     ///< the model that answers, e.g. `closed form`
-    std::string precision; ///< `double`, `50 digits`, `100 digits` or `reference`
+    std::string precision; ///< `double` or `reference`
     std::string why;       ///< why this model answers, and in this precision
     bool proved = false;   ///< whether every number of the answer is proved; else bounds are estimates, docs/promises.md
 };

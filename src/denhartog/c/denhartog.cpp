@@ -4,7 +4,6 @@
 #include <array>
 #include <memory>
 
-#include "denhartog/answer/sliding_solution.hpp"
 #include "denhartog/c/handles.hpp"
 #include "denhartog/formulas/high_frequency.hpp"
 #include "denhartog/model/coordinates.hpp"
@@ -30,11 +29,11 @@ void make_system(const SceneSource& source, dh_system** system) {
 // A boundary below it is zero: at an antiresonance of the contact.
 constexpr double boundary_of_antiresonance = 1e-25;
 
-// Boundary and closed form at a point, in the first precision that has the digits.
+// Boundary and closed form at a point.
 Solution closed_form_at(const dh_system* system, double r, double beta, double mu, Asked asked, std::optional<Mass> mass) {
     const SceneSource source = point_of(system, r, beta, mu);
     BoundedModes<double> modes(system->prepared.bounded, as_input(r));
-    return sliding_solution(source, {asked, digits_of_formulas, mass, &modes});
+    return sliding_answer(source, SlidingQuestion{asked, digits_of_formulas, mass, &modes});
 }
 
 void need_digits(const Solution& found) {
@@ -88,10 +87,9 @@ int sliding_motion(const dh_system* system, double r, double beta, double mu, si
     return guarded([&] {
         const Mass k = mass_from(mass, masses_of(system), "mass");
         need_struct(result, name);
-        const Mass row = displacement_of(system->prepared.scene().system, k);
-        const Solution found = closed_form_at(system, r, beta, mu, Asked::motion, row);
+        const Solution found = closed_form_at(system, r, beta, mu, Asked::motion, k);
         if (found.masses.empty()) throw_not_sliding(beta, found.limits->exact.value);
-        const SolvedMass& m = found.masses[row.index];
+        const SolvedMass& m = found.masses.front();
         const SlidingOfMass& of = *m.sliding;
         const dh_sliding_mass all{0,
                                   part_of(of.x0, part),

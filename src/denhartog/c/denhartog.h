@@ -34,7 +34,7 @@
 #define DH_ABI_VERSION 0
 
 /// @brief The largest number of masses in a system. The eigenproblem is dense: with that many masses a boundary takes about a
-/// second and 60 megabytes in double, and some minutes and 400 megabytes in 50 digits. A motion with stops takes far longer.
+/// second and 60 megabytes in double. A motion with stops takes far longer.
 #define DH_MOST_MASSES 1000
 
 /// @brief The largest number of instants in one call for a motion.

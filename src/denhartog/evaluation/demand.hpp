@@ -10,7 +10,7 @@
 /// roundings of its own, which add up to five units in the last place.
 /// From \f$ \zeta_i = 1 \f$ on there is no form from the end: both exponentials decay, and backwards in time the faster one has
 /// to cancel, so that next to \f$ \pi \f$ digits are lost. The number type carries its bound of the error, and where that does
-/// not suffice the forms are evaluated in 50 digits, which keep more than 30 of them there.
+/// not suffice the reference answers.
 #pragma once
 
 #include "denhartog/evaluation/friction_motion.hpp"

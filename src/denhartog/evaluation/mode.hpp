@@ -16,7 +16,6 @@
 
 #include "denhartog/evaluation/overdamped.hpp"
 #include "denhartog/evaluation/special.hpp"
-#include "denhartog/evaluation/wide_range.hpp"
 #include "denhartog/formulas/mode.hpp"
 #include "denhartog/number/wider.hpp"
 
@@ -228,8 +227,8 @@ template <class T>
     using Wide = typename WiderOf<T>::type;
     if (zeta == 0 && at_undamped_pole(R)) return {T(1 / zeta), T(zeta / zeta)};
     if (!std::is_same_v<T, float> && (2 * zeta < 1 || zeta >= 1)) return selected_damping_functions(R, zeta);
-    if constexpr (std::is_same_v<T, double>)
-        if (!within_range_of_two_doubles(R, zeta)) return damping_functions_in_50_digits(R, zeta);
+    if constexpr (std::is_same_v<T, double>) // sums of two doubles leave their range further out, where nothing adds up
+        if (!(R > 0x1p-100 && R < 0x1p100)) return selected_damping_functions(R, zeta);
     const DampingFunctions<Wide> f = selected_damping_functions(Wide(R), Wide(zeta));
     return {static_cast<T>(f.u), static_cast<T>(f.g)};
 }

@@ -42,7 +42,7 @@ public:
         try {
             return answer_by_solve(n);
         } catch (const PrecisionError&) {
-            if (is_told(n)) throw;
+            if (is_told(n) || !std::isfinite(column.boundary.exact.e)) throw;
         }
         is_near = true;
         const bool has_numbers = answer_in_double(n);
@@ -152,7 +152,7 @@ private:
             Scene<double> scene = map.prepared.scene();
             scene.r = r;
             scene.beta = map.beta[n];
-            held = held_solution(scene, map.system().stuck, *map.prepared.bounded, 6);
+            held = held_solution(scene, map.system().stuck, *map.prepared.bounded);
         }
         const auto number = [&](std::size_t k) {
             if (k == map.system().contact.index) return Bounded<double>(0);

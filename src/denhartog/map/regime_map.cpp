@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "denhartog/answer/sliding_solution.hpp"
 #include "denhartog/map/contact_limits.hpp"
 #include "denhartog/map/map_column.hpp"
 #include "denhartog/model/coordinates.hpp"
@@ -11,6 +10,7 @@
 #include "denhartog/number/parallel.hpp"
 #include "denhartog/scene/mass_rules.hpp"
 #include "denhartog/scene/point_rules.hpp"
+#include "denhartog/solve/solve_by_reference.hpp"
 
 namespace denhartog {
 namespace {
@@ -123,7 +123,7 @@ std::vector<BoundaryPoint> boundary_curves(const Scene<double>& scene, const std
         try {
             BoundedModes<double> modes(basis, as_input(r[n]));
             question.modes = &modes;
-            const Solution s = sliding_solution(at_frequency(source, r[n]), question);
+            const Solution s = sliding_answer(at_frequency(source, r[n]), question);
             const Limits& b = *s.limits;
             bool finite = s.digits_reached; // far off in frequency numbers leave the range of a double
             for (const Certified& limit : {b.exact, b.paper, b.approximate})

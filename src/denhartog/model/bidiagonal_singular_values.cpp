@@ -10,7 +10,6 @@
 
 #include "denhartog/number/effort.hpp"
 #include "denhartog/number/errors.hpp"
-#include "denhartog/number/multiprecision.hpp"
 
 namespace denhartog {
 namespace {
@@ -217,7 +216,7 @@ SingularValues<T> iterate(std::vector<T> d, std::vector<T> e, Matrix<T> V) {
         rotations += static_cast<double>(block.size());
         if (!(rotations <= rotations_allowed))
             throw PrecisionError("the natural frequencies of " + std::to_string(N) + " masses did not converge");
-        QuestionEffort::pay_for_products<T>(4 * static_cast<long>(block.size()) * V.rows());
+        QuestionEffort::pay_for_products(4 * static_cast<long>(block.size()) * V.rows());
         const T shift = shift_for(block, found, static_cast<int>(N));
         if (shift == 0)
             sweep_without_shift(block);
@@ -244,13 +243,7 @@ SingularValues<T> bidiagonal_singular_values(std::vector<T> d, std::vector<T> e,
 }
 
 template SingularValues<double> bidiagonal_singular_values(std::vector<double>, std::vector<double>);
-template SingularValues<Real50> bidiagonal_singular_values(std::vector<Real50>, std::vector<Real50>);
-template SingularValues<Real100> bidiagonal_singular_values(std::vector<Real100>, std::vector<Real100>);
 template SingularValues<double> bidiagonal_singular_values(std::vector<double>, std::vector<double>,
                                                            const std::vector<std::size_t>&);
-template SingularValues<Real50> bidiagonal_singular_values(std::vector<Real50>, std::vector<Real50>,
-                                                           const std::vector<std::size_t>&);
-template SingularValues<Real100> bidiagonal_singular_values(std::vector<Real100>, std::vector<Real100>,
-                                                            const std::vector<std::size_t>&);
 
 } // namespace denhartog

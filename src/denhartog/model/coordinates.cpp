@@ -4,14 +4,11 @@
 #include <span>
 
 #include "denhartog/formulas/system.hpp"
-#include "denhartog/number/multiprecision.hpp"
+#include "denhartog/number/wider.hpp"
 #include "denhartog/scene/converted.hpp"
 
 namespace denhartog {
 namespace {
-
-template <class T>
-using Wide = std::conditional_t<std::same_as<T, double>, Real50, Real100>;
 
 template <class T>
 using RowMajor = Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
@@ -77,7 +74,7 @@ template <class T>
 Scene<T> in_own_coordinates(const Scene<T>& scene) {
     if (is_of_papers_form(scene.system)) return scene;
     check(scene);
-    using W = Wide<T>;
+    using W = typename WiderOf<T>::type;
     const System<W> s = in_type<W>(scene.system);
     std::vector<W> p = s.load_vector.empty() ? load_on_coordinates(s) : s.load_vector;
     Scene<T> out = scene;
@@ -110,10 +107,6 @@ Scene<T> in_own_coordinates(const Scene<T>& scene) {
 
 template Matrix<double> mass_matrix(const System<double>&);
 template Matrix<double> stiffness_matrix(const System<double>&);
-template Matrix<Real50> stiffness_matrix(const System<Real50>&);
-template Matrix<Real100> stiffness_matrix(const System<Real100>&);
 template Scene<double> in_own_coordinates(const Scene<double>&);
-template Scene<Real50> in_own_coordinates(const Scene<Real50>&);
-template Scene<Real100> in_own_coordinates(const Scene<Real100>&);
 
 } // namespace denhartog

@@ -1,12 +1,10 @@
 #include "denhartog/model/coupled_motion.hpp"
 
 #include <cmath>
-#include <concepts>
 #include <limits>
 #include <utility>
 
 #include "denhartog/number/errors.hpp"
-#include "denhartog/number/multiprecision.hpp"
 
 namespace denhartog {
 namespace {
@@ -48,11 +46,6 @@ CoupledMotion<T>::CoupledMotion(const Matrix<T>& A, const T& rate, Asked asked, 
             }
         ends_.push_back(entries_.size());
     }
-    if constexpr (!std::floating_point<T>) {
-        Matrix<T> as_mirrored = A;
-        mirror(as_mirrored);
-        mirrored_ = as_mirrored == A;
-    }
 }
 
 template <class T>
@@ -93,8 +86,8 @@ Matrix<T> CoupledMotion<T>::carried(const T& t, Matrix<T> z) {
 // So many products of two numbers are to be formed.
 template <class T>
 void CoupledMotion<T>::spend_products(Eigen::Index count) const {
-    if (effort_ == nullptr) return QuestionEffort::pay_for_products<T>(static_cast<long>(count));
-    (*effort_)->spend(cost_of_products<T>(static_cast<long>(count)));
+    if (effort_ == nullptr) return QuestionEffort::pay_for_products(static_cast<long>(count));
+    (*effort_)->spend(cost_of_products(static_cast<long>(count)));
     if ((*effort_)->exhausted()) throw PrecisionError((*effort_)->ending());
 }
 
@@ -134,13 +127,7 @@ Matrix<T> CoupledMotion<T>::growth(const std::vector<T>& entries, Matrix<T> z) c
 // From exp(B) less the identity the same of 2 B.
 template <class T>
 Matrix<T> CoupledMotion<T>::doubled(const Matrix<T>& grown) const {
-    const Eigen::Index products = rows() * rows() * rows();
-    if constexpr (!std::floating_point<T>)
-        if (mirrored_) {
-            spend_products(products / 2);
-            return square_of_mirrored(grown) + T(2) * grown;
-        }
-    spend_products(products);
+    spend_products(rows() * rows() * rows());
     return product(grown, grown) + T(2) * grown;
 }
 
@@ -152,7 +139,6 @@ const Matrix<T>& CoupledMotion<T>::leap(std::size_t k) {
         std::vector<T> part = entries_;
         for (T& entry : part) entry /= T(rate_ * (1 << doublings));
         Matrix<T> grown = growth(part, Matrix<T>::Identity(rows(), rows()));
-        if (mirrored_) mirror(grown);
         for (int n = 0; n < doublings; ++n) grown = doubled(grown);
         leaps_.push_back(std::move(grown));
     }
@@ -213,7 +199,5 @@ const PowerSeries<T>& CoupledMotion<T>::series_after(std::uint64_t n) {
 }
 
 template class CoupledMotion<double>;
-template class CoupledMotion<Real50>;
-template class CoupledMotion<Real100>;
 
 } // namespace denhartog

@@ -54,7 +54,7 @@ public:
     /// @brief Operations that a state with three derivatives costs at another instant: a series, and two leaps or so.
     /// @return their number
     [[nodiscard]] long cost() const {
-        return cost_of_products<T>(64 * rows() + 3 * static_cast<Eigen::Index>(entries_.size()) + 2 * rows() * rows());
+        return cost_of_products(64 * rows() + 3 * static_cast<Eigen::Index>(entries_.size()) + 2 * rows() * rows());
     }
 
     /// @brief The exponential of the system over half a period, less the identity, where many instants of one start are asked.
@@ -87,7 +87,6 @@ private:
     std::size_t doublings_ = 0;         // of a step, which then is half a period
     T rate_ = T(1);                     // steps a unit of time
     std::uint64_t single_steps_ = 0;    // so many are made one by one
-    bool mirrored_ = false; // whether A is, as `mirror` has it: in double an order of additions that is fast counts more
     Effort* const* effort_ = nullptr;
     Column<T> state_;                                // at the start
     std::vector<Matrix<T>> leaps_;                   // as `leap` has them

@@ -1,7 +1,5 @@
 /// @file
-/// @brief Products, linear systems and symmetric eigenproblems: Eigen's, compiled once for the three number types.
-///
-/// In multiprecision nothing else takes the compiler as long. Eigenproblems and linear systems of 50 digits are solved in 100.
+/// @brief Products, linear systems and symmetric eigenproblems: Eigen's, compiled once.
 #pragma once
 
 #include <memory>
@@ -44,16 +42,6 @@ template <class T>
 /// @brief \f$ AB \f$. @param A a matrix @param B a matrix of as many rows as A has columns @return their product
 template <class T>
 [[nodiscard]] Matrix<T> product(const Matrix<T>& A, const Matrix<T>& B);
-
-/// @brief Makes a matrix mirrored, \f$ A^T=SAS \f$ with \f$ S=\mathrm{diag}(\mathbf{1},-\mathbf{1}) \f$, half of it each, from
-/// the entries on and above its diagonal. @param A the matrix
-template <class T>
-void mirror(Matrix<T>& A);
-
-/// @brief \f$ A^2 \f$ of a mirrored matrix, for the price of half a product. @param A a matrix that `mirror` leaves as it is
-/// @return its square, which is mirrored as well
-template <class T>
-[[nodiscard]] Matrix<T> square_of_mirrored(const Matrix<T>& A);
 
 /// @brief \f$ Ax \f$. @param A a matrix @param x a column of as many numbers as A has columns @return their product
 template <class T>

@@ -13,7 +13,7 @@
 #include "denhartog/model/natural_modes.hpp"
 #include "denhartog/number/bounded.hpp"
 #include "denhartog/number/errors.hpp"
-#include "denhartog/number/multiprecision.hpp"
+#include "denhartog/number/work_counted.hpp"
 #include "denhartog/scene/cholesky.hpp"
 #include "denhartog/scene/point_rules.hpp"
 
@@ -88,7 +88,7 @@ ModalBasis<T> modal_basis(const System<T>& s) {
     } else {
         NaturalModes<T> modes =
             lumped ? chain_modes(gamma, s.stiffness_ratios) : general_modes(mass_factor(s, gamma), stiffness_matrix(s));
-        count_eigen_solve();
+        ++work_counted.eigen_solves;
         basis = {std::move(modes.r_n), std::move(modes.phi), {}};
     }
     if (s.damping_matrix.size() > 0)
@@ -113,7 +113,7 @@ ModalBasis<T> modal_basis_at(const System<T>& s, const std::vector<Mass>& masses
     if (chain && s.mass_ratios.size() > 1) {
         check(s);
         NaturalModes<T> modes = chain_modes(s.mass_ratios, s.stiffness_ratios, masses);
-        count_eigen_solve();
+        ++work_counted.eigen_solves;
         basis = {std::move(modes.r_n), std::move(modes.phi), s.damping_ratios};
         require_finite(basis);
         return basis;
@@ -160,18 +160,9 @@ NonDimensionalMatrices<T> non_dimensional_matrices(const System<T>& s, const Mod
 
 template Matrix<double> mass_factor(const System<double>&);
 template ModalBasis<double> modal_basis(const System<double>&);
-template ModalBasis<Real50> modal_basis(const System<Real50>&);
-template ModalBasis<Real100> modal_basis(const System<Real100>&);
 template ModalBasis<double> modal_basis_at(const System<double>&, const std::vector<Mass>&);
-template ModalBasis<Real50> modal_basis_at(const System<Real50>&, const std::vector<Mass>&);
-template ModalBasis<Real100> modal_basis_at(const System<Real100>&, const std::vector<Mass>&);
 template bool every_motion_is_damped(const ModalBasis<double>&);
 template bool every_motion_is_damped(const ModalBasis<Bounded<double>>&);
-template bool every_motion_is_damped(const ModalBasis<Real50>&);
-template bool every_motion_is_damped(const ModalBasis<Real100>&);
 template NonDimensionalMatrices<double> non_dimensional_matrices(const System<double>&, const ModalBasis<double>&, const double&);
-template NonDimensionalMatrices<Real50> non_dimensional_matrices(const System<Real50>&, const ModalBasis<Real50>&, const Real50&);
-template NonDimensionalMatrices<Real100> non_dimensional_matrices(const System<Real100>&, const ModalBasis<Real100>&,
-                                                                  const Real100&);
 
 } // namespace denhartog

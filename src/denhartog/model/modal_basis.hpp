@@ -7,6 +7,7 @@
 
 #include <vector>
 
+#include "denhartog/number/work_counted.hpp"
 #include "denhartog/scene/scene.hpp"
 
 namespace denhartog {
@@ -85,7 +86,7 @@ template <class T>
 
 /// @brief Number of eigenproblems (15) solved since the program started; tests gate on it.
 /// @return the count, over all number types and threads
-[[nodiscard]] long eigen_solves();
+[[nodiscard]] inline long eigen_solves() { return work_counted.eigen_solves; }
 
 /// @brief Non-dimensional mass, damping and stiffness matrices (7), (8), (19) at a frequency ratio.
 template <class T>

@@ -11,7 +11,6 @@
 #include "denhartog/model/linear_algebra.hpp"
 #include "denhartog/model/natural_modes.hpp"
 #include "denhartog/number/errors.hpp"
-#include "denhartog/number/multiprecision.hpp"
 #include "denhartog/number/number_text.hpp"
 #include "denhartog/scene/cholesky.hpp"
 #include "denhartog/scene/scene_rules.hpp"
@@ -149,22 +148,8 @@ template Matrix<double> rounding_between_modes(const Matrix<double>&, const Matr
                                                FrequencyErrors);
 template bool couples_a_pair(const Matrix<double>&, const Matrix<double>&);
 template double largest_coupling(const Matrix<double>&, const double&);
-template Matrix<Real50> rounding_between_modes(const Matrix<Real50>&, const Matrix<Real50>&, const NaturalModes<Real50>&,
-                                               FrequencyErrors);
-template bool couples_a_pair(const Matrix<Real50>&, const Matrix<Real50>&);
-template Real50 largest_coupling(const Matrix<Real50>&, const Real50&);
-template Matrix<Real100> rounding_between_modes(const Matrix<Real100>&, const Matrix<Real100>&, const NaturalModes<Real100>&,
-                                                FrequencyErrors);
-template bool couples_a_pair(const Matrix<Real100>&, const Matrix<Real100>&);
-template Real100 largest_coupling(const Matrix<Real100>&, const Real100&);
 template void turn_coinciding_modes(const Matrix<double>&, const double&, const std::vector<double>&, Matrix<double>&);
-template void turn_coinciding_modes(const Matrix<Real50>&, const Real50&, const std::vector<Real50>&, Matrix<Real50>&);
-template void turn_coinciding_modes(const Matrix<Real100>&, const Real100&, const std::vector<Real100>&, Matrix<Real100>&);
 template void set_modal_damping(const Matrix<double>&, const Matrix<double>&, const Matrix<double>&, double, FrequencyErrors,
                                 ModalBasis<double>&);
-template void set_modal_damping(const Matrix<Real50>&, const Matrix<Real50>&, const Matrix<Real50>&, double, FrequencyErrors,
-                                ModalBasis<Real50>&);
-template void set_modal_damping(const Matrix<Real100>&, const Matrix<Real100>&, const Matrix<Real100>&, double, FrequencyErrors,
-                                ModalBasis<Real100>&);
 
 } // namespace denhartog

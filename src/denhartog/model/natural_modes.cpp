@@ -2,7 +2,6 @@
 /// @brief Modes of a chain through a bidiagonal matrix, of any other system through a symmetric one.
 #include "denhartog/model/natural_modes.hpp"
 
-#include <atomic>
 #include <cmath>
 #include <limits>
 
@@ -11,16 +10,12 @@
 #include "denhartog/model/linear_algebra.hpp"
 #include "denhartog/model/modal_basis.hpp"
 #include "denhartog/number/errors.hpp"
-#include "denhartog/number/multiprecision.hpp"
-#include "denhartog/scene/converted.hpp"
 
 namespace denhartog {
 namespace {
 
 using std::abs;
 using std::sqrt;
-
-std::atomic<long> eigen_solve_count{0};
 
 /// An upper bidiagonal matrix with the singular values of F; whether its columns are those of F in reverse.
 template <class T>
@@ -93,13 +88,8 @@ NaturalModes<T> general_modes(const Matrix<T>& L, const Matrix<T>& K) {
     if constexpr (std::same_as<T, double>)
         if (std::optional<NaturalModes<double>> modes = graded_modes(L, K)) return *std::move(modes);
     const SymmetricEigenproblem<T> solved = symmetric_eigenproblem(divide_out(L, K));
-    if (!(solved.values.front() > std::numeric_limits<T>::epsilon() * static_cast<int>(N) * solved.values.back())) {
-        if constexpr (std::same_as<T, double>) {
-            const NaturalModes<Real50> wide = general_modes(in_type<Real50>(L), in_type<Real50>(K));
-            return {in_type<double>(wide.r_n), in_type<double>(wide.phi)};
-        }
+    if (!(solved.values.front() > std::numeric_limits<T>::epsilon() * static_cast<int>(N) * solved.values.back()))
         throw PrecisionError("the lowest natural frequency is too low beside the highest for the number type");
-    }
     NaturalModes<T> modes{std::vector<T>(static_cast<std::size_t>(N)), Matrix<T>(N, N)};
     for (std::size_t i = 0; i < modes.r_n.size(); ++i) modes.r_n[i] = sqrt(solved.values[i]);
     modes.phi = divided_by_transpose(L, solved.vectors);
@@ -116,21 +106,9 @@ void fix_signs(Matrix<T>& phi) {
     }
 }
 
-void count_eigen_solve() { ++eigen_solve_count; }
-
-long eigen_solves() { return eigen_solve_count; }
-
 template NaturalModes<double> chain_modes(const std::vector<double>&, const std::vector<double>&);
-template NaturalModes<Real50> chain_modes(const std::vector<Real50>&, const std::vector<Real50>&);
-template NaturalModes<Real100> chain_modes(const std::vector<Real100>&, const std::vector<Real100>&);
 template NaturalModes<double> chain_modes(const std::vector<double>&, const std::vector<double>&, const std::vector<Mass>&);
-template NaturalModes<Real50> chain_modes(const std::vector<Real50>&, const std::vector<Real50>&, const std::vector<Mass>&);
-template NaturalModes<Real100> chain_modes(const std::vector<Real100>&, const std::vector<Real100>&, const std::vector<Mass>&);
 template NaturalModes<double> general_modes(const Matrix<double>&, const Matrix<double>&);
-template NaturalModes<Real50> general_modes(const Matrix<Real50>&, const Matrix<Real50>&);
-template NaturalModes<Real100> general_modes(const Matrix<Real100>&, const Matrix<Real100>&);
 template void fix_signs(Matrix<double>&);
-template void fix_signs(Matrix<Real50>&);
-template void fix_signs(Matrix<Real100>&);
 
 } // namespace denhartog

@@ -40,12 +40,12 @@ template <class T>
                                           const std::vector<Mass>& masses);
 
 /// @brief Modes of any system: errors of the squared frequencies are about N eps of the highest one, in double but of masses of
-/// very different size, see `graded_modes`. Double takes the modes of 50 digits where the lowest one is not above that.
+/// very different size, see `graded_modes`.
 /// @eq{14,15}
 /// @param L  lower triangular factor of the mass matrix, M = L L^T
 /// @param K  stiffness matrix
 /// @return   the modes
-/// @throws   PrecisionError where 50 digits do not tell the lowest from zero, or the iteration does not converge
+/// @throws   PrecisionError where the digits do not tell the lowest from zero, or the iteration does not converge
 template <class T>
 [[nodiscard]] NaturalModes<T> general_modes(const Matrix<T>& L, const Matrix<T>& K);
 
@@ -53,8 +53,5 @@ template <class T>
 /// @param phi  mode shapes, mass by mode
 template <class T>
 void fix_signs(Matrix<T>& phi);
-
-/// @brief Counts an eigenproblem (15) for `eigen_solves`.
-void count_eigen_solve();
 
 } // namespace denhartog

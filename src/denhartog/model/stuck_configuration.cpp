@@ -10,7 +10,7 @@
 #include "denhartog/model/modal_damping.hpp"
 #include "denhartog/model/natural_modes.hpp"
 #include "denhartog/number/errors.hpp"
-#include "denhartog/number/multiprecision.hpp"
+#include "denhartog/number/work_counted.hpp"
 #include "denhartog/scene/cholesky.hpp"
 
 namespace denhartog {
@@ -66,7 +66,7 @@ template <class T>
 NaturalModes<T> stuck_modes(const System<T>& s, const StuckConfiguration<T>& stuck) {
     if (stuck.masses.size() == 1)
         return {{sqrt(T(stuck.K(0, 0) / stuck.M(0, 0)))}, Matrix<T>::Constant(1, 1, T(1 / sqrt(stuck.M(0, 0))))};
-    count_eigen_solve();
+    ++work_counted.eigen_solves;
     if (is_chain(s)) return modes_of_two_chains(s);
     return general_modes(factor_of_masses(stuck.M), stuck.K);
 }
@@ -172,9 +172,5 @@ StuckConfiguration<T> stuck_configuration(const System<T>& s, const ModalBasis<T
 
 template StuckConfiguration<double> stuck_configuration(const System<double>&, const ModalBasis<double>&,
                                                         const RoundedModes<double>*);
-template StuckConfiguration<Real50> stuck_configuration(const System<Real50>&, const ModalBasis<Real50>&,
-                                                        const RoundedModes<Real50>*);
-template StuckConfiguration<Real100> stuck_configuration(const System<Real100>&, const ModalBasis<Real100>&,
-                                                         const RoundedModes<Real100>*);
 
 } // namespace denhartog

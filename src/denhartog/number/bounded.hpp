@@ -189,20 +189,6 @@ template <class T>
     return {x, T(unit_of<T>() * size_of_number(x))};
 }
 
-/// @brief A number in a narrower type, its rounding in the bound.
-/// @param a  a number
-/// @return   the number in double
-template <class T>
-[[nodiscard]] Bounded<double> in_double(const Bounded<T>& a) {
-    if constexpr (std::same_as<T, double>) {
-        return a;
-    } else {
-        const double value = static_cast<double>(a.x);
-        const double error = static_cast<double>(T(size_of_number(T(a.x - T(value))) + a.e));
-        return Bounded<double>::of(value, error * (1 + unit_of<double>()), 0);
-    }
-}
-
 } // namespace denhartog
 
 namespace std {

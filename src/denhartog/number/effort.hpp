@@ -37,23 +37,12 @@ struct Effort {
     }
 };
 
-/// @brief Operations that one mode at one instant costs in a number type: one in double, about a third of the bits in others.
+/// @brief Operations that products of matrices cost: many are done at a time. @param multiplications in them, all told
 /// @return the operations
-template <class T>
-[[nodiscard]] constexpr long cost_of_mode() {
-    return std::numeric_limits<T>::digits <= 64 ? 1 : std::numeric_limits<T>::digits / 3;
-}
-
-/// @brief Operations that products of matrices cost in a number type. @param multiplications in them, all told
-/// @return the operations: of doubles many are done at a time
-template <class T>
-[[nodiscard]] constexpr long cost_of_products(long multiplications) {
-    return std::numeric_limits<T>::digits <= 64 ? multiplications / 512 : cost_of_mode<T>() * multiplications / 128;
-}
+[[nodiscard]] constexpr long cost_of_products(long multiplications) { return multiplications / 512; }
 
 /// @brief The budget of a question where none is asked for: about two seconds for twelve modes and fewer, half a minute for a hundred.
-/// Up to there it grows as products of matrices do that a motion with stops takes in 50 digits; what it takes to find the modes
-/// twice in these comes on top.
+/// Up to there it grows as products of matrices do that a motion with stops takes.
 /// @param modes  number of modes
 /// @return       the operations
 [[nodiscard]] constexpr long default_effort(std::size_t modes) {
@@ -97,13 +86,10 @@ public:
         if (current()->effort_.exhausted()) throw PrecisionError(current()->effort_.ending());
     }
 
-    /// @brief Spends of that budget what products of matrices cost: half, so that 50 digits are within the budget of 100 masses.
+    /// @brief Spends half of what products of matrices cost of that budget.
     /// @param multiplications  in them, all told
     /// @throws PrecisionError where nothing is left of it
-    template <class T>
-    static void pay_for_products(long multiplications) {
-        pay(cost_of_products<T>(multiplications) / 2);
-    }
+    static void pay_for_products(long multiplications) { pay(cost_of_products(multiplications) / 2); }
 
 private:
     friend class SearchEffort;

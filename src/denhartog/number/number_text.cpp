@@ -6,13 +6,8 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <concepts>
-#include <limits>
-#include <sstream>
 
 #include "denhartog/number/ball_or_none.hpp"
-#include "denhartog/number/multiprecision.hpp"
-#include "denhartog/number/number_range.hpp"
 
 namespace denhartog {
 namespace {
@@ -65,45 +60,23 @@ NumberParts take_apart(std::string_view text) {
     return parts;
 }
 
-template <std::floating_point T>
-T convert(std::string_view text, long order) {
-    T x = 0;
+NumberFault finite_from_text(std::string_view text, long order, bool zero, double& value) {
+    double x = 0;
     const auto result = std::from_chars(text.data(), text.data() + text.size(), x);
-    if (result.ec != std::errc::result_out_of_range) return x;
-    return order < 0 ? T(0) : std::numeric_limits<T>::infinity();
-}
-
-template <class T>
-T convert(std::string_view text, long) {
-    return T(std::string(text));
-}
-
-template <class T>
-NumberFault finite_from_text(std::string_view text, long order, bool zero, T& value) {
-    const T x = convert<T>(text, order);
-    using std::abs;
-    using std::isfinite;
-    if (!isfinite(x)) return NumberFault::too_large;
+    if (result.ec == std::errc::result_out_of_range) return order < 0 ? NumberFault::too_small : NumberFault::too_large;
     if (x == 0 && !zero) return NumberFault::too_small;
-    if (!in_range_of_text(x)) return abs(x) < 1 ? NumberFault::too_small : NumberFault::too_large;
     value = x;
     return NumberFault::none;
 }
 
 } // namespace
 
-template <class T>
-std::string number_to_text(const T& x) {
-    using std::isfinite;
-    using std::isnan;
-    if (isnan(x)) return "nan";
-    if (!isfinite(x)) return x > 0 ? "inf" : "-inf";
-    if constexpr (std::floating_point<T>) {
-        char text[64];
-        return {text, std::to_chars(text, text + sizeof text, x).ptr};
-    } else {
-        return x.str(std::numeric_limits<T>::max_digits10);
-    }
+template <>
+std::string number_to_text(const double& x) {
+    if (std::isnan(x)) return "nan";
+    if (!std::isfinite(x)) return x > 0 ? "inf" : "-inf";
+    char text[64];
+    return {text, std::to_chars(text, text + sizeof text, x).ptr};
 }
 
 std::string number_rule(NumberFault fault) {
@@ -139,32 +112,16 @@ std::string number_in_digits(double x, int digits) {
     return {text.data(), std::to_chars(text.begin(), text.end(), x, std::chars_format::general, digits).ptr};
 }
 
-template <class T>
-std::string number_in_certain_digits(const T& x, const T& error) {
+std::string number_in_certain_digits(double x, double error) {
     constexpr int most = 12;
-    const auto in_digits = [](const T& number, int digits) {
-        if constexpr (std::same_as<T, double>) return number_in_digits(number, digits);
-        std::ostringstream out;
-        out.precision(digits);
-        out << number;
-        return out.str();
-    };
-    const T size = x < 0 ? T(-x) : x;
-    if (x != 0 && size <= error) return "0 to within " + in_digits(T(size + error), 2);
+    const double size = std::abs(x);
+    if (x != 0 && size <= error) return "0 to within " + number_in_digits(size + error, 2);
     int digits = most;
-    for (T smaller = error * T(1e12); digits > 1 && smaller > size; smaller /= 10) --digits;
-    return in_digits(x, digits);
+    for (double smaller = error * 1e12; digits > 1 && smaller > size; smaller /= 10) --digits;
+    return number_in_digits(x, digits);
 }
 
-template std::string number_to_text(const double&);
-template std::string number_to_text(const Real50&);
-template std::string number_to_text(const Real100&);
-template std::string number_in_certain_digits(const double&, const double&);
-template std::string number_in_certain_digits(const Real50&, const Real50&);
-template std::string number_in_certain_digits(const Real100&, const Real100&);
 template NumberFault number_from_text(std::string_view, double&);
-template NumberFault number_from_text(std::string_view, Real50&);
-template NumberFault number_from_text(std::string_view, Real100&);
 #if DENHARTOG_REFERENCE
 template NumberFault number_from_text(std::string_view, Ball&);
 #endif

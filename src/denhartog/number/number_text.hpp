@@ -1,5 +1,5 @@
 /// @file
-/// @brief Numbers as decimal text, in both directions and in every number type.
+/// @brief Numbers as decimal text, in both directions.
 #pragma once
 
 #include <string>
@@ -12,6 +12,9 @@ namespace denhartog {
 /// @return   decimal text: the shortest such text for `double`; `inf`, `-inf` or `nan` where it is no number
 template <class T>
 [[nodiscard]] std::string number_to_text(const T& x);
+/// @brief The same of a double. @param x the number @return its text
+template <>
+std::string number_to_text(const double& x);
 
 /// @brief A number rounded for people. @param x the number @param digits significant digits @return its text, e.g. `1.2e-05`
 [[nodiscard]] std::string number_in_digits(double x, int digits);
@@ -20,8 +23,7 @@ template <class T>
 /// @param x      the number
 /// @param error  its error; 0 for none
 /// @return       its text; `0 to within` the error where no digit is certain
-template <class T>
-[[nodiscard]] std::string number_in_certain_digits(const T& x, const T& error);
+[[nodiscard]] std::string number_in_certain_digits(double x, double error);
 
 template <class T>
 struct Bounded;

@@ -1,7 +1,5 @@
 /// @file
 /// @brief The number types in which callers' forms are evaluated where the roundings of their own type would add up.
-///
-/// What has to do with 50 digits stands in `multiprecision.hpp`, so that double alone does without it.
 #pragma once
 
 #include "denhartog/number/double_double.hpp"
@@ -26,6 +24,6 @@ struct WiderOf<double> {
     using type = DoubleDouble; ///< the wider type
 };
 template <>
-struct WiderOf<long double>; // 50 digits, in multiprecision.hpp: without it nothing compiles that needs them
+struct WiderOf<long double>; // who uses it defines it
 
 } // namespace denhartog

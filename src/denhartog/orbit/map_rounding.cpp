@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "denhartog/model/linear_algebra.hpp"
-#include "denhartog/number/multiprecision.hpp"
 #include "denhartog/sums/bounded_modes.hpp"
 
 namespace denhartog {
@@ -154,8 +153,6 @@ T rounding_of_jacobian(const ExactSolver<T>& solver, const ExactMotion<T>& motio
 }
 
 template MapRounding<double> rounding_of_map(const ExactSolver<double>&, const ExactMotion<double>&, const double&);
-template MapRounding<Real50> rounding_of_map(const ExactSolver<Real50>&, const ExactMotion<Real50>&, const Real50&);
 template double rounding_of_jacobian(const ExactSolver<double>&, const ExactMotion<double>&, const double&);
-template Real50 rounding_of_jacobian(const ExactSolver<Real50>&, const ExactMotion<Real50>&, const Real50&);
 
 } // namespace denhartog

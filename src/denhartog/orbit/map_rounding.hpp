@@ -2,6 +2,7 @@
 /// @brief What rounding and the errors of the modes make of the motion over a stretch.
 #pragma once
 
+#include "denhartog/model/linear_algebra.hpp"
 #include "denhartog/stick_slip/exact_motion.hpp"
 
 namespace denhartog {

@@ -6,7 +6,6 @@
 #include <limits>
 
 #include "denhartog/model/linear_algebra.hpp"
-#include "denhartog/number/multiprecision.hpp"
 #include "denhartog/number/number.hpp"
 #include "denhartog/orbit/map_rounding.hpp"
 #include "denhartog/stick_slip/exact_motion.hpp"
@@ -189,13 +188,6 @@ public:
     [[nodiscard]] const Column<T>& difference() const { return difference_; }
     /// @brief Half-periods of the last application. @return h
     [[nodiscard]] int half_periods() const { return h_; }
-    /// @brief What the last application would take in 50 digits. @return operations
-    [[nodiscard]] long effort_in_50_digits() const {
-        constexpr long products = 512L * 128; // so many take a whole number of operations
-        constexpr long dearer = cost_of_products<Real50>(products) / cost_of_products<double>(products);
-        const long of_jacobian = motion_->effort_for_jacobian;
-        return cost_of_mode<Real50>() * (effort_ - of_jacobian) + dearer * of_jacobian;
-    }
     /// @brief Half-periods of all applications. @return their sum
     [[nodiscard]] long half_periods_in_all() const { return half_periods_in_all_; }
 

@@ -6,7 +6,6 @@
 #include <limits>
 #include <utility>
 
-#include "denhartog/number/multiprecision.hpp"
 #include "denhartog/orbit/stability.hpp"
 #include "denhartog/sliding/steady_state.hpp"
 
@@ -172,7 +171,6 @@ std::optional<PeriodicOrbit<T>> orbit_of(const OrbitMap<T>& map, const State<T>&
     orbit.periods = orbit.symmetric ? h : h / 2;
     orbit.stops = stops_of(map);
     orbit.touching = map.motion().touching;
-    if constexpr (std::same_as<T, double>) orbit.effort_in_50_digits = map.effort_in_50_digits();
     orbit.residual = largest > 0 ? T(map.difference().cwiseAbs().maxCoeff() / largest) : T(0);
     if (search.with_stability) {
         orbit.multipliers = multipliers_of_orbit(map, *errors);
@@ -211,14 +209,9 @@ std::optional<PeriodicOrbit<T>> rest_of(OrbitMap<T>& map, const LastingRest<T>& 
 }
 
 template double displacement_of_energy(const OrbitMap<double>&);
-template Real50 displacement_of_energy(const OrbitMap<Real50>&);
 template std::optional<ErrorsOfOrbit<double>> errors_of(const OrbitMap<double>&);
-template std::optional<ErrorsOfOrbit<Real50>> errors_of(const OrbitMap<Real50>&);
 template std::optional<PeriodicOrbit<double>> orbit_of(const OrbitMap<double>&, const State<double>&, const OrbitSearch<double>&);
-template std::optional<PeriodicOrbit<Real50>> orbit_of(const OrbitMap<Real50>&, const State<Real50>&, const OrbitSearch<Real50>&);
 template std::optional<PeriodicOrbit<double>> rest_of(OrbitMap<double>&, const LastingRest<double>&, const double&,
                                                       const OrbitSearch<double>&);
-template std::optional<PeriodicOrbit<Real50>> rest_of(OrbitMap<Real50>&, const LastingRest<Real50>&, const Real50&,
-                                                      const OrbitSearch<Real50>&);
 
 } // namespace denhartog

@@ -1,22 +1,8 @@
 #include "denhartog/orbit/orbit_search.hpp"
 
-#include <algorithm>
-#include <boost/math/special_functions/fpclassify.hpp>
-#include <limits>
 #include <sstream>
-#include <utility>
-
-#include "denhartog/number/errors.hpp"
-#include "denhartog/number/multiprecision.hpp"
-#include "denhartog/number/number_text.hpp"
 
 namespace denhartog {
-namespace {
-
-constexpr int least_periods_followed = 500;
-constexpr int decay_times_followed = 30; // e-folds of the slowest mode
-
-} // namespace
 
 std::string in_words(const SearchWithoutOrbit& seen) {
     std::ostringstream s;
@@ -37,40 +23,5 @@ std::string in_words(const SearchWithoutOrbit& seen) {
           << " of its size away from it, and it is not known to lead there";
     return s.str();
 }
-
-template <class T>
-void check_search(const OrbitSearch<T>& search, const State<T>& start, std::size_t N) {
-    if (search.periods_before < 0)
-        throw InputError("periods_before", "must not be negative", std::to_string(search.periods_before));
-    for (const auto& [name, value] :
-         {std::pair("most_periods", search.most_periods), std::pair("most_subharmonic", search.most_subharmonic)})
-        if (value < 1) throw InputError(name, "must be at least 1", std::to_string(value));
-    if (!(search.tolerance >= 0)) throw InputError("tolerance", "must be zero or positive", number_to_text(search.tolerance));
-    if (start.x.size() != N || start.x_prime.size() != N)
-        throw InputError("start", "must have a displacement and a velocity for each mass", std::to_string(start.x.size()));
-    for (const std::vector<T>* part : {&start.x, &start.x_prime})
-        for (const T& each : *part)
-            if (!boost::math::isfinite(each)) throw InputError("start", "must be finite", "");
-}
-
-template <class T>
-int periods_to_follow(const ExactSolver<T>& solver, int most) {
-    const ModalBasis<T>& basis = solver.system().basis;
-    if (basis.coupled()) return most;               // a motion may decay more slowly than the diagonal of the damping tells
-    T slowest = std::numeric_limits<T>::infinity(); // decay rate, a period of the force
-    for (std::size_t i = 0; i < basis.r_n.size(); ++i) {
-        const T& zeta = basis.zeta[i];
-        const T rate = zeta < 1 ? zeta : T(1 / (zeta + sqrt(T((zeta - 1) * (zeta + 1)))));
-        slowest = std::min(slowest, T(2 * pi<T>() * rate * basis.r_n[i] / solver.excitation().r));
-    }
-    if (!(slowest > 0)) return most; // 30 over a damping ratio of -0 is no number of periods
-    const T periods = least_periods_followed + decay_times_followed / slowest;
-    return periods < most ? static_cast<int>(periods) : most;
-}
-
-template void check_search(const OrbitSearch<double>&, const State<double>&, std::size_t);
-template int periods_to_follow(const ExactSolver<double>&, int);
-template void check_search(const OrbitSearch<Real50>&, const State<Real50>&, std::size_t);
-template int periods_to_follow(const ExactSolver<Real50>&, int);
 
 } // namespace denhartog

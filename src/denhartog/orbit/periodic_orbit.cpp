@@ -5,7 +5,6 @@
 #include <optional>
 #include <utility>
 
-#include "denhartog/number/multiprecision.hpp"
 #include "denhartog/orbit/approach.hpp"
 #include "denhartog/orbit/orbit_record.hpp"
 #include "denhartog/orbit/orbit_search.hpp"
@@ -295,6 +294,5 @@ PeriodicOrbit<T> periodic_orbit(ExactSolver<T>& solver, const State<T>& start, c
 }
 
 template PeriodicOrbit<double> periodic_orbit(ExactSolver<double>&, const State<double>&, const OrbitSearch<double>&);
-template PeriodicOrbit<Real50> periodic_orbit(ExactSolver<Real50>&, const State<Real50>&, const OrbitSearch<Real50>&);
 
 } // namespace denhartog

@@ -59,7 +59,6 @@ struct PeriodicOrbit {
     int newton_steps = 0;                ///< steps of Newton's method taken
     int periods_propagated = 0;          ///< periods propagated in all
     long effort_spent = 0;               ///< operations that the search took
-    long effort_in_50_digits = 0; ///< operations that following it once, with its Jacobian, would take in 50 digits; of double
 };
 
 /// @brief The steady motion that a start leads to.

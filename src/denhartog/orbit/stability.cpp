@@ -4,7 +4,6 @@
 #include <limits>
 #include <utility>
 
-#include "denhartog/number/multiprecision.hpp"
 #include "denhartog/stick_slip/event_errors.hpp"
 
 namespace denhartog {
@@ -129,10 +128,7 @@ StabilityOfRest stability_of_rest(const OrbitMap<T>& map) {
 }
 
 template bool attracts(const OrbitMap<double>&);
-template bool attracts(const OrbitMap<Real50>&);
 template std::vector<Multiplier> multipliers_of_orbit(const OrbitMap<double>&, const ErrorsOfOrbit<double>&);
-template std::vector<Multiplier> multipliers_of_orbit(const OrbitMap<Real50>&, const ErrorsOfOrbit<Real50>&);
 template StabilityOfRest stability_of_rest(const OrbitMap<double>&);
-template StabilityOfRest stability_of_rest(const OrbitMap<Real50>&);
 
 } // namespace denhartog

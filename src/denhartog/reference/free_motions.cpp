@@ -34,7 +34,7 @@ void add_over_stretch(const ComplexBall& lambda, const Series& re, const Series&
 
 FreeMotions::FreeMotions(const BallMatrix& B) {
     const slong n = B.rows();
-    QuestionEffort::pay(n * n * n * 60);
+    QuestionEffort::pay(n * n * n * 15);
     acb_mat_t C, L, R, guess;
     acb_mat_init(C, n, n);
     acb_mat_init(L, n, n);
@@ -104,7 +104,7 @@ std::shared_ptr<Remembered<std::vector<Series>>> FreeMotions::in_time() const {
     using All = std::vector<Series>;
     return std::make_shared<Remembered<All>>(
         [lambda = lambda_](const Ball& tau) {
-            QuestionEffort::pay(static_cast<long>(20 * lambda.size()));
+            QuestionEffort::pay(static_cast<long>(20 * lambda.size()) * (1 + ball_bits / 256));
             All e;
             for (const ComplexBall& each : lambda) add_free_motion(each, tau, e);
             return e;

@@ -44,7 +44,11 @@ FrictionInTime friction_of_modes(const ModesInBalls& m) {
         for (std::size_t i = 0; i < m.R.size(); ++i) weight.push_back(m.psi[row][i] * m.at_contact()[i] * m.R[i] * m.R[i]);
     }
     std::vector<FrictionMotionOfMode> motions;
-    for (std::size_t i = 0; i < m.R.size(); ++i) motions.emplace_back(m.R[i], m.zeta[i]);
+    for (std::size_t i = 0; i < m.R.size(); ++i) {
+        motions.emplace_back(m.R[i], m.zeta[i]);
+        f.detuning.push_back(1 - motions.back().stiffness);
+        f.damping.push_back(motions.back().damping);
+    }
     using AllModes = std::vector<Series>;
     f.shared = std::make_shared<Remembered<AllModes>>(
         [motions](const Ball& tau) {
@@ -72,6 +76,16 @@ Series FrictionInTime::of(std::size_t row, const std::vector<Series>& e) const {
     return sum_of(weight[row], e, Series(constant[row]));
 }
 
+Series FrictionInTime::rate_and_third(std::size_t row, const std::vector<Series>& e) const {
+    Series sum;
+    for (std::size_t i = 0; i < e.size(); ++i) // F'' + 2 zeta / R F' + F / R^2 = 1 / R^2
+        for (int n = 0; n < 3; ++n) {
+            const Ball rate = (n + 1) * e[i].c[n + 1], second = (n + 1) * (n + 2) * e[i].c[n + 2];
+            sum.c[n] += weight[row][i] * (detuning[i] * rate - damping[i] * second);
+        }
+    return sum;
+}
+
 FrictionMotionOfMode::FrictionMotionOfMode(const Ball& R_i, const Ball& zeta_i)
     : R(R_i), zeta(zeta_i), u(paper::first_damping_function(R, zeta)), g(paper::second_damping_function(R, zeta)), speed(1 / R),
       stiffness(speed * speed), damping(2 * zeta * speed) {
@@ -81,7 +95,7 @@ FrictionMotionOfMode::FrictionMotionOfMode(const Ball& R_i, const Ball& zeta_i)
 
 Series FrictionMotionOfMode::at(const Ball& tau) const {
     constexpr long cost = 20; // as `Effort` counts: an exponential, a sine and a cosine of balls, and what goes with them
-    QuestionEffort::pay(cost);
+    QuestionEffort::pay(cost * (1 + ball_bits / 256));
     const Ball F = paper::friction_motion(tau, R, zeta, u, g), rate = paper::friction_motion_prime(tau, R, zeta, u, g);
     // The mode obeys F'' + 2 zeta / R F' + F / R^2 = 1 / R^2.
     const Ball second = (1 - F) * stiffness - damping * rate, third = -(rate * stiffness + damping * second),

@@ -20,9 +20,14 @@ struct FrictionInTime {
     std::vector<Ball> constant{};                              ///< c_k; N masses, then the contact
     std::vector<std::vector<Ball>> weight{};                   ///< a_ki, as many rows
     std::shared_ptr<Remembered<std::vector<Series>>> shared{}; ///< e_i at an instant or over a stretch
+    std::vector<Ball> detuning{};                              ///< 1 - 1 / R_i^2 where e_i is the motion of a mode, else none
+    std::vector<Ball> damping{};                               ///< 2 zeta_i / R_i likewise
 
     /// @brief One row from the shared functions. @param row a mass, or the contact at N @param e what `shared` gave @return F_k
     [[nodiscard]] Series of(std::size_t row, const std::vector<Series>& e) const;
+    /// @brief First and third derivative of F_k, added, by the equations of motion of the modes: next to a resonance their sum is a
+    /// small difference of large terms. @param row as above @param e as above @return value, slope and curvature of the sum
+    [[nodiscard]] Series rate_and_third(std::size_t row, const std::vector<Series>& e) const;
 };
 
 /// @brief The friction motion of a mode, damped below critical.

@@ -35,6 +35,23 @@ Series over_stretch(const FunctionOfTime& f, const Ball& X) {
     return r;
 }
 
+// The bits of a search: few, or all where a function is so small a difference of its terms that few show little of it.
+slong bits_that_show(const std::function<Ball(const Ball&)>& f) {
+    const auto hidden = [&](slong bits) { // of the largest value
+        const Bits these(bits);
+        double largest = 0, radius = 0;
+        for (const double tau : {0.0, 0.75, 1.5, 2.25, end}) {
+            const Ball value = f(Ball(tau));
+            largest = std::max({largest, -value.low(), value.high()});
+            radius = std::max(radius, value.radius());
+        }
+        return radius / largest;
+    };
+    if (hidden(bits_of_search) <= 0x1p-8) return bits_of_search;
+    if (hidden(ball_bits) <= 0x1p-32) return ball_bits;
+    throw Unproved("a sum is too small a difference of its terms");
+}
+
 // What has the sign of a function's rate, and its slope.
 using RateInTime = std::function<ValueAndSlope(const Ball& tau)>;
 
@@ -108,13 +125,22 @@ LargestBothWays largest_size_of(const FunctionOfTime& f) {
     return largest;
 }
 
-LargestInBalls largest_over_sine(const FunctionOfTime& numerator) {
+LargestInBalls largest_over_sine(const FunctionOfTime& numerator, const FunctionOfTime& Z_in_time) {
     const auto at_end = [](double t) { return t <= 0 || t >= end; };
     const auto W_of = [](const Series& n, const Ball& t) { return n.rate(1) * sin(t) - n.rate(0) * cos(t); };
     const auto W = [&](const Ball& t) { return W_of(numerator(t), t); };
     // Cauchy's mean value theorem: n / sin is n' / cos at some instant between here and the end, if the cosine keeps its sign.
     const auto quotient = [](const Series& n, const Ball& t, bool by_slope) {
         return by_slope ? n.rate(1) / cos(t) : n.rate(0) / sin(t);
+    };
+    // From the middle of a stretch n goes on as a sine and a cosine do, and is driven by Z. Gives Z.
+    const auto driven = [&](Series& n, const Ball& X) {
+        const Ball m = middle(X), d = X - m, s = sin(d), half = sin(d / 2);
+        const Series Z_m = Z_in_time(m), Z_X = Z_in_time(X), n_m = numerator(m);
+        const Ball Z = both_hold(Z_X.c[0], Z_m.c[0] + d * (Z_m.c[1] + d * Z_X.c[2]));
+        n.c[0] = both_hold(n.c[0], n_m.c[0] * cos(d) + n_m.c[1] * s + Z * (2 * half * half));
+        n.c[1] = both_hold(n.c[1], n_m.c[1] * cos(d) - n_m.c[0] * s + Z * s);
+        return Z;
     };
     SearchedFunction<Ball> searched;
     searched.value = [&](const Ball& t) {
@@ -124,8 +150,8 @@ LargestInBalls largest_over_sine(const FunctionOfTime& numerator) {
     };
     searched.stretch = [&](double a, double b) {
         const Ball t = stretch(a, b);
-        const Series n = over_stretch(numerator, t);
-        const Ball Z = n.rate(2) + n.rate(0);
+        Series n = over_stretch(numerator, t);
+        const Ball Z = Z_in_time ? driven(n, t) : n.rate(2) + n.rate(0);
         const auto trend = [&] {
             if (!(Z.high() < 0 || Z.low() > 0)) return TrendOnStretch::unknown;
             const Ball at_a = at_end(a) ? Ball(0) : W(Ball(a)), at_b = at_end(b) ? Ball(0) : W(Ball(b));
@@ -140,7 +166,7 @@ LargestInBalls largest_over_sine(const FunctionOfTime& numerator) {
         return SeenOverStretch<Ball>{quotient(n, t, at_end(a) || at_end(b)), trend()};
     };
     const LargestOnStretches found = [&] {
-        const Bits few(bits_of_search);
+        const Bits few(bits_that_show(searched.value));
         return stretches_of_largest(searched, 0, end, narrow, flat, most_looks);
     }();
     const auto value = [&](const Ball& at) {

@@ -38,8 +38,9 @@ struct LargestBothWays {
 /// is the rate of n over the cosine.
 /// @eq{54,56,57}
 /// @param n  the numerator
+/// @param Z  n'' + n with its slope and curvature, where that is a small difference of large terms; else none
 /// @return   the largest value of the quotient
 /// @throws   Unproved where the search does not come to its end
-[[nodiscard]] LargestInBalls largest_over_sine(const FunctionOfTime& n);
+[[nodiscard]] LargestInBalls largest_over_sine(const FunctionOfTime& n, const FunctionOfTime& Z = {});
 
 } // namespace denhartog::reference

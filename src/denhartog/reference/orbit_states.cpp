@@ -20,7 +20,8 @@ BallMatrix OrbitInPhases::at(const Ball& tau) const {
         for (slong i = 1; i <= o.m(); ++i) {
             const Ball start = o.instant(i - 1), end = o.instant(i);
             if (there < start || there > end) continue;
-            const BallMatrix Z = phases[static_cast<std::size_t>(i - 1)].state((there - start) / (end - start));
+            BallMatrix Z = phases[static_cast<std::size_t>(i - 1)].state((there - start) / (end - start));
+            if (orbit.s.on_a_wall && o.direction(i) == 0) Z(N + orbit.s.lead) = Ball(0); // it sticks
             for (slong k = 0; k < 2 * N; ++k) { // an event may be on either side
                 const Ball value = sign * (k < N ? Z(k) : Z(k) * orbit.s.sigma);
                 state(k) = found ? either(state(k), value) : value;

@@ -9,8 +9,8 @@
 #include "denhartog/formulas/system.hpp"
 #include "denhartog/number/ball_or_none.hpp"
 #include "denhartog/number/legible.hpp"
-#include "denhartog/number/multiprecision.hpp"
 #include "denhartog/number/number_text.hpp"
+#include "denhartog/number/wider.hpp"
 #include "denhartog/scene/json_document.hpp"
 #include "denhartog/scene/scene_keys.hpp"
 #include "denhartog/scene/scene_rules.hpp"
@@ -234,8 +234,7 @@ std::vector<T> load_of_base(const SceneItem& base, const System<T>& s) {
     std::vector<T> load(matrix.size() == 0 ? number_of_masses(s) : static_cast<std::size_t>(matrix.rows()), T(0));
     if (matrix.size() == 0) load.front() = s.stiffness_ratios.front(); // the base holds mass 1 alone
     if (matrix.size() == 0) return load;
-    using Wide = std::conditional_t<std::same_as<T, double>, Real50, Real100>;
-    using W = std::conditional_t<is_ball<T>, T, Wide>; // rows of K add up to next to nothing
+    using W = typename WiderOf<T>::type; // rows of K add up to next to nothing
     for (std::size_t k = 0; k < load.size(); ++k) {
         W sum(0);
         for (std::size_t n = 0; n < load.size(); ++n)
@@ -290,8 +289,6 @@ Scene<T> scene_from_json(const json& object) {
 }
 
 template Scene<double> scene_from_json(const json&);
-template Scene<Real50> scene_from_json(const json&);
-template Scene<Real100> scene_from_json(const json&);
 #if DENHARTOG_REFERENCE
 template Scene<Ball> scene_from_json(const json&);
 #endif

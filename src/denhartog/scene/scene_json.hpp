@@ -2,8 +2,8 @@
 /// @brief Reads and writes scenes as JSON. Masses are counted from 1 in JSON and from 0 in C++.
 ///
 /// docs/scene.schema.json lists the keys with their units and conventions. A number is either a JSON number, which stands for the
-/// nearest double, or a text written like a JSON number, which is rounded once to the number type: "0.1" in 50 digits is one
-/// tenth to 50 digits.
+/// nearest double, or a text written like a JSON number, which is rounded once to the number type: "0.1" in balls is one
+/// tenth to all their digits.
 #pragma once
 
 #include <cstddef>
@@ -68,9 +68,8 @@ template <class T>
 
 /// @brief Writes a scene as a JSON object from which the same scene can be read again, to the last bit.
 /// @param scene  the scene; it is checked
-/// @return       the object, with non-dimensional keys; a number that no double holds is written as text
+/// @return       the object, with non-dimensional keys
 /// @throws       InputError if the scene breaks a rule
-template <class T>
-[[nodiscard]] nlohmann::ordered_json write_scene(const Scene<T>& scene);
+[[nodiscard]] nlohmann::ordered_json write_scene(const Scene<double>& scene);
 
 } // namespace denhartog

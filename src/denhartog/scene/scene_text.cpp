@@ -4,7 +4,6 @@
 #include <nlohmann/json.hpp>
 
 #include "denhartog/number/ball_or_none.hpp"
-#include "denhartog/number/multiprecision.hpp"
 #include "denhartog/scene/json_document.hpp"
 #include "denhartog/scene/scene_json.hpp"
 
@@ -76,16 +75,10 @@ std::vector<SceneOrError<T>> read_scenes(std::string_view text) {
 }
 
 template Scene<double> read_scene(std::string_view);
-template Scene<Real50> read_scene(std::string_view);
-template Scene<Real100> read_scene(std::string_view);
 template SceneOrError<double> read_scene(const SceneText&);
-template SceneOrError<Real50> read_scene(const SceneText&);
-template SceneOrError<Real100> read_scene(const SceneText&);
 #if DENHARTOG_REFERENCE
 template SceneOrError<Ball> read_scene(const SceneText&);
 #endif
 template std::vector<SceneOrError<double>> read_scenes(std::string_view);
-template std::vector<SceneOrError<Real50>> read_scenes(std::string_view);
-template std::vector<SceneOrError<Real100>> read_scenes(std::string_view);
 
 } // namespace denhartog

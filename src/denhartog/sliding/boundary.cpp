@@ -1,10 +1,8 @@
 #include "denhartog/sliding/boundary.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <boost/container/small_vector.hpp>
 #include <cmath>
-#include <type_traits>
 #include <utility>
 
 #include "denhartog/evaluation/batch_forms.hpp"
@@ -13,8 +11,6 @@
 #include "denhartog/formulas/boundary.hpp"
 #include "denhartog/formulas/stuck.hpp"
 #include "denhartog/formulas/superposition.hpp"
-#include "denhartog/number/errors.hpp"
-#include "denhartog/number/multiprecision.hpp"
 #include "denhartog/scene/point_rules.hpp"
 #include "denhartog/sliding/coupled_maxima.hpp"
 #include "denhartog/sliding/demand_curve.hpp"
@@ -25,53 +21,16 @@
 namespace denhartog {
 namespace {
 
-std::atomic<long> searches{0};
-
-// Whether N is so small a difference of its terms, next to a pole of (28), that a search in T would follow their rounding.
-template <class T>
-bool terms_hide_demand(const ModeSums<T>& s, std::size_t first, const std::vector<T>& weights) {
-    T terms(0), demanded(0);
-    for (std::size_t n = 0; n < weights.size(); ++n) {
-        const T& R = s.R[first + n];
-        const T& u = s.u[first + n];
-        terms += weights[n] * R * R * (u < 0 ? T(-u) : u);
-        demanded += weights[n] * (1 + s.g[first + n]);
-    }
-    return terms > 100000 * demanded;
-}
-
-// The modes of a range in 50 digits, as far as the demand has to do with them.
-ModeSums<Real50> in_50_digits(const ModeSums<double>& s, std::size_t first, std::size_t count) {
-    ModeSums<Real50> out{};
-    for (std::size_t i = first; i < first + count; ++i) {
-        const Real50 R(s.R[i]), zeta(s.zeta[i]);
-        const evaluation::DampingFunctions<Real50> f = evaluation::damping_functions(R, zeta);
-        out.R.push_back(R);
-        out.zeta.push_back(zeta);
-        out.w.push_back(evaluation::w_if_oscillating(zeta));
-        out.u.push_back(f.u);
-        out.g.push_back(f.g);
-    }
-    return out;
-}
-
 template <class T>
 T instant_of_largest(FrictionMotions<T>& y, std::size_t first, const std::vector<T>& weights) {
     const ModeSums<T>& s = y.sums();
-    if constexpr (std::is_same_v<T, double>) {
-        if (terms_hide_demand(s, first, weights)) {
-            const ModeSums<Real50> wide = in_50_digits(s, first, weights.size());
-            FrictionMotions<Real50> wide_y(wide);
-            return static_cast<double>(instant_of_largest(wide_y, 0, std::vector<Real50>(weights.begin(), weights.end())));
-        }
-    }
-    ++searches;
+    ++work_counted.demand_searches;
     const Demand<T> demand{y, first, weights};
     Curve<T> curve;
     curve.sample = [&](const T& tau) { return demand(tau); };
     curve.rate = [&](const T& a, const T&) { return demand.rate(a); };
     curve.rise = [](const T& a, const T& b, const T& z_bound) { return rise_of_demand(a, b, z_bound); };
-    curve.cost = static_cast<long>(weights.size() + 2) * cost_of_mode<T>(); // two for the search itself
+    curve.cost = static_cast<long>(weights.size() + 2); // two for the search itself
     const T found = global_maximum(curve, T(0), pi<T>()).instant;
     // Next to the start the sampled quotient is of two small numbers, and its rounding can look like a maximum.
     const auto demanded = [&](const T& tau) {
@@ -183,7 +142,7 @@ template <class T>
 T instant_of_largest_demand(FrictionMotions<T>& y) {
     const ModeSums<T>& s = y.sums();
     if (s.coupled) {
-        ++searches;
+        ++work_counted.demand_searches;
         return instant_of_largest_demand_where_coupled(s);
     }
     if (largest_at_start(s)) return T(0);
@@ -199,14 +158,13 @@ T instant_of_largest_demand(const ModeSums<T>& s) {
     return instant_of_largest_demand(y);
 }
 
-RegimeBoundary<Bounded<double>> regime_boundary(const ModeSums<Bounded<double>>& s, const Bounded<double>& mu) {
+template <class T>
+RegimeBoundary<Bounded<T>> regime_boundary(const ModeSums<Bounded<T>>& s, const Bounded<T>& mu) {
     check_static_friction(mu);
-    const double instant = largest_at_start(s) ? 0 : instant_of_largest_demand(values_of(s));
-    const Bounded<double> S_exact = found_by_search(sliding_demand(s, Bounded<double>(instant)));
+    const T instant = largest_at_start(s) ? T(0) : instant_of_largest_demand(values_of(s));
+    const Bounded<T> S_exact = found_by_search(sliding_demand(s, Bounded<T>(instant)));
     return regime_boundary_at(s, mu, response_that_counts(s), larger(S_exact, static_demand(s, mu)));
 }
-
-long demand_searches() { return searches; }
 
 template <class T>
 std::vector<T> instants_of_demands(FrictionMotions<T>& y) {
@@ -232,30 +190,15 @@ Boundary<T> boundary(const ModeSums<T>& s, const T& mu) {
 }
 
 template double sliding_demand(const ModeSums<double>&, const double&);
-template Real50 sliding_demand(const ModeSums<Real50>&, const Real50&);
-template Real100 sliding_demand(const ModeSums<Real100>&, const Real100&);
 template Bounded<double> sliding_demand(const ModeSums<Bounded<double>>&, const Bounded<double>&);
-template Bounded<Real50> sliding_demand(const ModeSums<Bounded<Real50>>&, const Bounded<Real50>&);
-template Bounded<Real100> sliding_demand(const ModeSums<Bounded<Real100>>&, const Bounded<Real100>&);
 template double instant_of_largest_demand(const ModeSums<double>&);
-template Real50 instant_of_largest_demand(const ModeSums<Real50>&);
-template Real100 instant_of_largest_demand(const ModeSums<Real100>&);
 template bool largest_at_start(const ModeSums<double>&);
 template bool largest_at_start(const ModeSums<Bounded<double>>&);
-template bool largest_at_start(const ModeSums<Bounded<Real50>>&);
-template bool largest_at_start(const ModeSums<Bounded<Real100>>&);
+template RegimeBoundary<Bounded<double>> regime_boundary(const ModeSums<Bounded<double>>&, const Bounded<double>&);
 template std::vector<double> instants_of_demands(FrictionMotions<double>&);
-template std::vector<Real50> instants_of_demands(FrictionMotions<Real50>&);
-template std::vector<Real100> instants_of_demands(FrictionMotions<Real100>&);
 template Boundary<double> boundary_at(const ModeSums<double>&, const double&, const double&, std::vector<double>);
 template Boundary<Bounded<double>> boundary_at(const ModeSums<Bounded<double>>&, const Bounded<double>&, const Bounded<double>&,
                                                std::vector<Bounded<double>>);
-template Boundary<Bounded<Real50>> boundary_at(const ModeSums<Bounded<Real50>>&, const Bounded<Real50>&, const Bounded<Real50>&,
-                                               std::vector<Bounded<Real50>>);
-template Boundary<Bounded<Real100>> boundary_at(const ModeSums<Bounded<Real100>>&, const Bounded<Real100>&,
-                                                const Bounded<Real100>&, std::vector<Bounded<Real100>>);
 template Boundary<double> boundary(const ModeSums<double>&, const double&);
-template Boundary<Real50> boundary(const ModeSums<Real50>&, const Real50&);
-template Boundary<Real100> boundary(const ModeSums<Real100>&, const Real100&);
 
 } // namespace denhartog

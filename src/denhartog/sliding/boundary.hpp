@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "denhartog/number/bounded.hpp"
+#include "denhartog/number/work_counted.hpp"
 #include "denhartog/sliding/regime_at_point.hpp"
 #include "denhartog/sums/friction_motion.hpp"
 #include "denhartog/sums/mode_sums.hpp"
@@ -52,7 +53,8 @@ template <class T>
 /// @param mu    static over kinetic friction, Eq. (3); at least 1
 /// @return      the same numbers as `boundary`, with bounds of their errors
 /// @throws      InputError where mu is below 1 or not finite; PrecisionError where the maximum is not settled
-[[nodiscard]] RegimeBoundary<Bounded<double>> regime_boundary(const ModeSums<Bounded<double>>& sums, const Bounded<double>& mu);
+template <class T>
+[[nodiscard]] RegimeBoundary<Bounded<T>> regime_boundary(const ModeSums<Bounded<T>>& sums, const Bounded<T>& mu);
 
 /// @brief Whether (57) of every mode is certain to be largest for tau -> 0, by `evaluation::excess_at_the_end`: so is the sum.
 /// @eq{57,71}
@@ -71,7 +73,7 @@ template <class T>
 
 /// @brief Number of searches for the largest demand since the program started; tests gate on it.
 /// @return the count, over all number types
-[[nodiscard]] long demand_searches();
+[[nodiscard]] inline long demand_searches() { return work_counted.demand_searches; }
 
 /// @brief The same boundary in another number type, with the instants of the maxima known: what a check costs.
 /// @param sums      modes at the frequency ratio

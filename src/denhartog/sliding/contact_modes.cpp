@@ -6,7 +6,6 @@
 #include "denhartog/formulas/boundary.hpp"
 #include "denhartog/formulas/mode.hpp"
 #include "denhartog/number/errors.hpp"
-#include "denhartog/number/multiprecision.hpp"
 #include "denhartog/scene/point_rules.hpp"
 #include "denhartog/sliding/boundary.hpp"
 #include "denhartog/sliding/steady_state.hpp"
@@ -46,7 +45,7 @@ std::vector<evaluation::ModeFunctions<Bounded<T>>> functions_at(const ContactMod
     std::vector<evaluation::ModeFunctions<Bounded<T>>> functions;
     functions.reserve(all.modes.size());
     for (const ContactMode<T>& m : all.modes) functions.push_back(bounded_mode_functions(Bounded<T>(r / m.r_n), m.zeta));
-    count_mode_evaluations(static_cast<long>(all.modes.size()));
+    work_counted.mode_evaluations += static_cast<long>(all.modes.size());
     return functions;
 }
 
@@ -142,17 +141,11 @@ std::optional<ContactSolution<T>> contact_solution(const ContactModes<T>& modes,
 }
 
 template ContactModes<double> contact_modes(std::shared_ptr<const ModalBasis<Bounded<double>>>, Mass, Mass);
-template ContactModes<Real50> contact_modes(std::shared_ptr<const ModalBasis<Bounded<Real50>>>, Mass, Mass);
-template ContactModes<Real100> contact_modes(std::shared_ptr<const ModalBasis<Bounded<Real100>>>, Mass, Mass);
 template SumsAtContact<double> sums_at_contact(const ContactModes<double>&, const Bounded<double>&,
                                                const std::vector<evaluation::ModeFunctions<Bounded<double>>>&);
 template std::optional<ContactSolution<double>> contact_solution(const SumsAtContact<double>&, const Bounded<double>&);
 template std::optional<ContactSolution<double>> contact_solution(const ContactModes<double>&, const Bounded<double>&,
                                                                  const Bounded<double>&);
-template std::optional<ContactSolution<Real50>> contact_solution(const ContactModes<Real50>&, const Bounded<Real50>&,
-                                                                 const Bounded<Real50>&);
-template std::optional<ContactSolution<Real100>> contact_solution(const ContactModes<Real100>&, const Bounded<Real100>&,
-                                                                  const Bounded<Real100>&);
 template double largest_demand(const Bounded<double>&, const Bounded<double>&,
                                const evaluation::DampingFunctions<Bounded<double>>&);
 

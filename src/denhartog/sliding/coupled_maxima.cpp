@@ -1,6 +1,5 @@
 #include "denhartog/sliding/coupled_maxima.hpp"
 
-#include "denhartog/number/multiprecision.hpp"
 #include "denhartog/sliding/demand_curve.hpp"
 #include "denhartog/sliding/instants_of_maxima.hpp"
 #include "denhartog/sliding/mass_in_motion.hpp"
@@ -54,11 +53,5 @@ std::pair<T, T> instant_and_spread_where_coupled(const ModeSums<T>& s, const T& 
 template double instant_of_largest_demand_where_coupled(const ModeSums<double>&);
 template std::pair<double, double> instant_and_spread_where_coupled(const ModeSums<double>&, const double&, std::size_t,
                                                                     const double&);
-template Real50 instant_of_largest_demand_where_coupled(const ModeSums<Real50>&);
-template std::pair<Real50, Real50> instant_and_spread_where_coupled(const ModeSums<Real50>&, const Real50&, std::size_t,
-                                                                    const Real50&);
-template Real100 instant_of_largest_demand_where_coupled(const ModeSums<Real100>&);
-template std::pair<Real100, Real100> instant_and_spread_where_coupled(const ModeSums<Real100>&, const Real100&, std::size_t,
-                                                                      const Real100&);
 
 } // namespace denhartog

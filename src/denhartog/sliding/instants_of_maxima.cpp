@@ -6,7 +6,6 @@
 #include <tuple>
 #include <utility>
 
-#include "denhartog/number/multiprecision.hpp"
 #include "denhartog/sliding/coupled_maxima.hpp"
 #include "denhartog/sliding/mass_in_motion.hpp"
 #include "denhartog/sums/friction_motion.hpp"
@@ -82,7 +81,7 @@ std::pair<T, T> instant_and_spread(FrictionMotions<T>& y, const T& beta, std::si
     const FrictionMotionsAt<T>& start = y.at(T(0), true);
     T terms = harmonic_size;
     for (std::size_t i = 0; i < mass.weights.size(); ++i) terms += beta * size_of_number(mass.weights[i]) * (1 + start.size[i]);
-    curve.cost = static_cast<long>(s.R.size() + 2) * cost_of_mode<T>(); // two for the search itself
+    curve.cost = static_cast<long>(s.R.size() + 2); // two for the search itself
     const Maximum<T> found =
         global_maximum<T>(curve, T(0), pi<T>(), T(2 * unit_of<T>() * terms), nullptr, std::numeric_limits<T>::lowest(), error);
     const auto is_negative = [&](const T& tau) { return at_instant(tau).x < 0; };
@@ -107,9 +106,5 @@ InstantsOfMaxima<T> instants_of_maxima(FrictionMotions<T>& y, const T& beta, std
 
 template InstantsOfMaxima<double> instants_of_maxima(FrictionMotions<double>&, const double&, std::optional<Mass>,
                                                      const std::vector<double>&);
-template InstantsOfMaxima<Real50> instants_of_maxima(FrictionMotions<Real50>&, const Real50&, std::optional<Mass>,
-                                                     const std::vector<Real50>&);
-template InstantsOfMaxima<Real100> instants_of_maxima(FrictionMotions<Real100>&, const Real100&, std::optional<Mass>,
-                                                      const std::vector<Real100>&);
 
 } // namespace denhartog

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "denhartog/number/errors.hpp"
-#include "denhartog/number/multiprecision.hpp"
 
 namespace denhartog {
 namespace {
@@ -274,21 +273,9 @@ Maximum<T> global_maximum(const Curve<T>& curve, const T& a, const T& b, const T
 
 template Maximum<double> global_maximum(const Curve<double>&, const double&, const double&, const double&, Effort*, const double&,
                                         const double&);
-template Maximum<Real50> global_maximum(const Curve<Real50>&, const Real50&, const Real50&, const Real50&, Effort*, const Real50&,
-                                        const Real50&);
-template Maximum<Real100> global_maximum(const Curve<Real100>&, const Real100&, const Real100&, const Real100&, Effort*,
-                                         const Real100&, const Real100&);
 template std::vector<Place<double>> joined(std::vector<Place<double>>);
 template std::vector<Place<double>> rivals(const std::vector<Place<double>>&, const double&, const double&, const double&);
 template std::pair<double, double> root_bracket(const std::function<double(const double&)>&, const double&, const double&,
                                                 const double&, const double&);
-template std::vector<Place<Real50>> joined(std::vector<Place<Real50>>);
-template std::vector<Place<Real50>> rivals(const std::vector<Place<Real50>>&, const Real50&, const Real50&, const Real50&);
-template std::pair<Real50, Real50> root_bracket(const std::function<Real50(const Real50&)>&, const Real50&, const Real50&,
-                                                const Real50&, const Real50&);
-template std::vector<Place<Real100>> joined(std::vector<Place<Real100>>);
-template std::vector<Place<Real100>> rivals(const std::vector<Place<Real100>>&, const Real100&, const Real100&, const Real100&);
-template std::pair<Real100, Real100> root_bracket(const std::function<Real100(const Real100&)>&, const Real100&, const Real100&,
-                                                  const Real100&, const Real100&);
 
 } // namespace denhartog

@@ -30,7 +30,7 @@ struct Curve {
     std::function<T(const T& a, const T& b)> rate; ///< a bound of |z'| on [a, b]
     /// how far f may rise on [a, b] above the larger of its values at a and b, given a bound of |z| there
     std::function<T(const T& a, const T& b, const T& z_bound)> rise;
-    long cost = cost_of_mode<T>();      ///< operations that a sample takes
+    long cost = 1;                      ///< operations that a sample takes
     long share = default_effort(1) / 4; ///< of the question's that a search may spend, being one of several
 };
 

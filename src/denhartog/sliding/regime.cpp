@@ -1,7 +1,6 @@
 #include "denhartog/sliding/regime.hpp"
 
 #include "denhartog/number/errors.hpp"
-#include "denhartog/number/multiprecision.hpp"
 #include "denhartog/number/number_text.hpp"
 #include "denhartog/scene/point_rules.hpp"
 
@@ -10,7 +9,7 @@ namespace {
 
 template <class T>
 std::string text(const T& x, const T& error = T(0)) {
-    return number_in_certain_digits(x, error);
+    return number_in_certain_digits(static_cast<double>(x), static_cast<double>(error));
 }
 
 std::string explanation(BindingCondition binding) {
@@ -34,15 +33,6 @@ bool equal_within(const T& a, const T& b, const T& error) {
 }
 
 } // namespace
-
-std::string name(Regime regime) {
-    switch (regime) {
-    case Regime::continuous: return "continuous";
-    case Regime::stick_slip: return "stick_slip";
-    case Regime::permanent_sticking: return "permanent_sticking";
-    }
-    return {};
-}
 
 template <class T>
 Regime regime_of(const RegimeBoundary<T>& b, const T& beta) {
@@ -93,20 +83,10 @@ RegimeAtPoint regime_at(const Boundary<Bounded<T>>& bounded, const T& beta) {
 }
 
 template Regime regime_of(const RegimeBoundary<double>&, const double&);
-template Regime regime_of(const RegimeBoundary<Real50>&, const Real50&);
-template Regime regime_of(const RegimeBoundary<Real100>&, const Real100&);
 template Regime regime_of(const RegimeBoundary<Bounded<double>>&, const Bounded<double>&);
-template Regime regime_of(const RegimeBoundary<Bounded<Real50>>&, const Bounded<Real50>&);
-template Regime regime_of(const RegimeBoundary<Bounded<Real100>>&, const Bounded<Real100>&);
 template bool on_boundary(const RegimeBoundary<double>&, const double&, const BoundaryError<double>&);
-template bool on_boundary(const RegimeBoundary<Real50>&, const Real50&, const BoundaryError<Real50>&);
-template bool on_boundary(const RegimeBoundary<Real100>&, const Real100&, const BoundaryError<Real100>&);
 template RegimeAtPoint regime_at(const Boundary<double>&, const double&, const BoundaryError<double>&);
-template RegimeAtPoint regime_at(const Boundary<Real50>&, const Real50&, const BoundaryError<Real50>&);
-template RegimeAtPoint regime_at(const Boundary<Real100>&, const Real100&, const BoundaryError<Real100>&);
 
 template RegimeAtPoint regime_at(const Boundary<Bounded<double>>&, const double&);
-template RegimeAtPoint regime_at(const Boundary<Bounded<Real50>>&, const Real50&);
-template RegimeAtPoint regime_at(const Boundary<Bounded<Real100>>&, const Real100&);
 
 } // namespace denhartog

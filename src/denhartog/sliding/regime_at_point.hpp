@@ -16,7 +16,9 @@ enum class Regime {
 
 /// @brief Name of a regime, as answers write it. @param regime a regime @return `continuous`, `stick_slip` or
 /// `permanent_sticking`
-[[nodiscard]] std::string name(Regime regime);
+[[nodiscard]] inline std::string name(Regime regime) {
+    return regime == Regime::continuous ? "continuous" : regime == Regime::stick_slip ? "stick_slip" : "permanent_sticking";
+}
 
 /// @brief The regime at a point.
 struct RegimeAtPoint {

@@ -9,7 +9,6 @@
 #include "denhartog/formulas/motion.hpp"
 #include "denhartog/formulas/other_masses.hpp"
 #include "denhartog/number/errors.hpp"
-#include "denhartog/number/multiprecision.hpp"
 #include "denhartog/scene/point_rules.hpp"
 #include "denhartog/sliding/instants_of_maxima.hpp"
 #include "denhartog/sliding/mass_in_motion.hpp"
@@ -209,16 +208,6 @@ template double wrapped(const double&);
 template SteadyState<double> steady_state(const ModeSums<double>&, const RegimeBoundary<double>&, const double&,
                                           std::optional<Mass>);
 template Motion<double> motion(const ModeSums<double>&, const SteadyState<double>&, const double&);
-template Real50 wrapped(const Real50&);
-template SteadyState<Real50> steady_state(const ModeSums<Real50>&, const RegimeBoundary<Real50>&, const Real50&,
-                                          std::optional<Mass>);
-template std::vector<Motion<Real50>> motions(const ModeSums<Real50>&, const SteadyState<Real50>&, std::span<const Real50>);
-template Motion<Real50> motion(const ModeSums<Real50>&, const SteadyState<Real50>&, const Real50&);
-template Real100 wrapped(const Real100&);
-template SteadyState<Real100> steady_state(const ModeSums<Real100>&, const RegimeBoundary<Real100>&, const Real100&,
-                                           std::optional<Mass>);
-template std::vector<Motion<Real100>> motions(const ModeSums<Real100>&, const SteadyState<Real100>&, std::span<const Real100>);
-template Motion<Real100> motion(const ModeSums<Real100>&, const SteadyState<Real100>&, const Real100&);
 template SteadyState<Bounded<double>> with_maxima(const ModeSums<Bounded<double>>&, SteadyState<Bounded<double>>,
                                                   const std::vector<Bounded<double>>&, std::optional<Mass>);
 template SteadyState<Bounded<double>> steady_state_without_maxima(const ModeSums<Bounded<double>>&, const Bounded<double>&);
@@ -226,31 +215,9 @@ template std::vector<Motion<Bounded<double>>> motions(const ModeSums<Bounded<dou
                                                       std::span<const Bounded<double>>);
 template Motion<Bounded<double>> motion(const ModeSums<Bounded<double>>&, const SteadyState<Bounded<double>>&,
                                         const Bounded<double>&);
-template SteadyState<Bounded<Real50>> with_maxima(const ModeSums<Bounded<Real50>>&, SteadyState<Bounded<Real50>>,
-                                                  const std::vector<Bounded<Real50>>&, std::optional<Mass>);
-template SteadyState<Bounded<Real50>> steady_state_without_maxima(const ModeSums<Bounded<Real50>>&, const Bounded<Real50>&);
-template std::vector<Motion<Bounded<Real50>>> motions(const ModeSums<Bounded<Real50>>&, const SteadyState<Bounded<Real50>>&,
-                                                      std::span<const Bounded<Real50>>);
-template Motion<Bounded<Real50>> motion(const ModeSums<Bounded<Real50>>&, const SteadyState<Bounded<Real50>>&,
-                                        const Bounded<Real50>&);
-template SteadyState<Bounded<Real100>> with_maxima(const ModeSums<Bounded<Real100>>&, SteadyState<Bounded<Real100>>,
-                                                   const std::vector<Bounded<Real100>>&, std::optional<Mass>);
-template SteadyState<Bounded<Real100>> steady_state_without_maxima(const ModeSums<Bounded<Real100>>&, const Bounded<Real100>&);
-template std::vector<Motion<Bounded<Real100>>> motions(const ModeSums<Bounded<Real100>>&, const SteadyState<Bounded<Real100>>&,
-                                                       std::span<const Bounded<Real100>>);
-template Motion<Bounded<Real100>> motion(const ModeSums<Bounded<Real100>>&, const SteadyState<Bounded<Real100>>&,
-                                         const Bounded<Real100>&);
 
-template SteadyState<Real100> with_maxima(const ModeSums<Real100>&, SteadyState<Real100>, const std::vector<Real100>&,
-                                          std::optional<Mass>);
-template SteadyState<Real50> with_maxima(const ModeSums<Real50>&, SteadyState<Real50>, const std::vector<Real50>&,
-                                         std::optional<Mass>);
 template SteadyState<double> with_maxima(const ModeSums<double>&, SteadyState<double>, const std::vector<double>&,
                                          std::optional<Mass>);
-template SteadyState<Real50> steady_state_without_maxima(const ModeSums<Real50>&, const Real50&);
-template SteadyState<Real100> steady_state_without_maxima(const ModeSums<Real100>&, const Real100&);
 template Bounded<double> wrapped(const Bounded<double>&);
-template Bounded<Real50> wrapped(const Bounded<Real50>&);
-template Bounded<Real100> wrapped(const Bounded<Real100>&);
 
 } // namespace denhartog

@@ -69,7 +69,7 @@ public:
     [[nodiscard]] T rounding() const { return 16 * static_cast<int>(r_n_.size()) * std::numeric_limits<T>::epsilon(); }
 
     /// @return operations that bounds over an interval cost, with the signs at its ends
-    [[nodiscard]] long cost() const { return 32 * cost_of_mode<T>() * static_cast<long>(r_n_.size()); }
+    [[nodiscard]] long cost() const { return 32 * static_cast<long>(r_n_.size()); }
 
     /// @brief The value at x times the factor. @param x 1/r @param factor the factor @return the value
     [[nodiscard]] T at(const T& x, const Factor& factor) const { return series(x, x, factor).coefficient[0].low; }

@@ -43,10 +43,10 @@ PointsInDouble points_in_double(const SceneSource& source, const RangeInText& ra
             if (!(std::max(relative_error(p.r), relative_error(p.amplitude)) <= aim.tolerance) && all.short_of_digits.empty())
                 all.short_of_digits =
                     "the invariant point of mass " + std::to_string(all.masses.size()) + " at r = " + number_to_text(p.r.x);
-            mass.points.push_back({certified(p.r, aim.digits), certified(p.amplitude, aim.digits), p.kind});
+            mass.points.push_back({certified(p.r), certified(p.amplitude), p.kind});
         }
         for (const UndecidedStretch<Bounded<double>>& u : each.undecided)
-            mass.undecided.push_back({certified(u.from, aim.digits), certified(u.to, aim.digits)});
+            mass.undecided.push_back({certified(u.from), certified(u.to)});
         all.decided = all.decided && each.undecided.empty();
     }
     return all;
@@ -58,7 +58,7 @@ std::vector<InvariantPointsOfMass<Certified>> certain_invariant_points(const Sce
                                                                        std::optional<int> digits, bool proved) {
     const Aim aim = aim_of(digits);
     const auto by_reference = [&] { return invariant_points_by_reference(source, range, aim.digits, !digits && !proved); };
-    if (proved || aim.digits > most_digits_in(Precision::in_double)) return by_reference();
+    if (proved || aim.digits > most_digits_in_double) return by_reference();
     const bool may_help = has_reference() && (digits || number_of_masses(source->in_double().system) <= most_masses_of_reference);
     std::optional<PointsInDouble> found;
     try {

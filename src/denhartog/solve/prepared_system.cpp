@@ -21,21 +21,17 @@ bool asks_for_contact(const Question& question, Mass contact) {
     return question.mass == contact && !question.all && (question.asked == Asked::amplitude || question.asked == Asked::phase);
 }
 
-template <class T>
-ContactModes<T> contact_modes_of(const SceneSource& source) {
-    const Scene<T>& scene = scene_in<T>(source);
-    const System<T>& s = scene.system;
+namespace {
+
+// The modes of a system as its contact has them.
+ContactModes<double> modes_of_contact(const System<double>& s) {
     const bool same = s.contact == s.load;
     const std::vector<Mass> rows = same ? std::vector<Mass>{s.contact} : std::vector<Mass>{s.contact, s.load};
-    return contact_modes(std::make_shared<const ModalBasis<Bounded<T>>>(bounded_basis_at(s, rows)), Mass{0},
+    return contact_modes(std::make_shared<const ModalBasis<Bounded<double>>>(bounded_basis_at(s, rows)), Mass{0},
                          Mass{same ? 0U : 1U});
 }
 
-const ContactModes<Real50>& ContactModesIn50Digits::get() const {
-    const std::scoped_lock lock(one_at_a_time_);
-    if (!found_) found_ = contact_modes_of<Real50>(source_);
-    return *found_;
-}
+} // namespace
 
 PreparedSystem prepare(const SceneSource& source, const Question& question, Prepared points) {
     PreparedSystem p{source};
@@ -44,8 +40,7 @@ PreparedSystem prepare(const SceneSource& source, const Question& question, Prep
     check(question, number_of_masses(s));
     if (s.damping_matrix.size() == 0 && p.scene().mu == 1 && asks_for_contact(of_displacements(question, s), s.contact)) {
         try {
-            p.contact = contact_modes_of<double>(source);
-            p.contact_in_50 = std::make_shared<const ContactModesIn50Digits>(source);
+            p.contact = modes_of_contact(s);
         } catch (const PrecisionError&) {
             p.contact.reset(); // another model answers
         }
@@ -68,8 +63,5 @@ PreparedSystem with_static_friction(PreparedSystem system, double mu) {
     system.source = with_static_friction(system.source, mu);
     return system;
 }
-
-template ContactModes<Real50> contact_modes_of(const SceneSource&);
-template ContactModes<Real100> contact_modes_of(const SceneSource&);
 
 } // namespace denhartog

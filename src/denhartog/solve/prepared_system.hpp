@@ -3,9 +3,7 @@
 #pragma once
 
 #include <memory>
-#include <mutex>
 #include <optional>
-#include <utility>
 
 #include "denhartog/answer/certify.hpp"
 #include "denhartog/answer/scene_source.hpp"
@@ -21,27 +19,12 @@ enum class Prepared : std::uint8_t {
     every_regime     ///< all that the cheaper models of `solve` may need
 };
 
-/// @brief Modes in 50 digits as the contact has them, found when they are first asked for; threads may ask at once.
-class ContactModesIn50Digits {
-public:
-    /// @param source  the system
-    explicit ContactModesIn50Digits(SceneSource source) : source_(std::move(source)) {}
-    /// @brief The modes. @return what `contact_modes_of` finds @throws as that; the next call tries again
-    [[nodiscard]] const ContactModes<Real50>& get() const;
-
-private:
-    SceneSource source_;
-    mutable std::mutex one_at_a_time_;
-    mutable std::optional<ContactModes<Real50>> found_;
-};
-
 /// @brief A system prepared for a question. Nothing that can be seen of it changes when it is used.
 ///
-/// A point that needs more than is there, such as a wider number type than the digits let expect, solves for it by itself.
+/// A point that needs more than is there solves for it by itself.
 struct PreparedSystem {
-    SceneSource source;                                          ///< the system in every number type; its r and beta are not used
-    std::optional<ContactModes<double>> contact{};               ///< modes as the contact has them
-    std::shared_ptr<const ContactModesIn50Digits> contact_in_50{}; ///< the same in 50 digits
+    SceneSource source;                            ///< the system in every number type; its r and beta are not used
+    std::optional<ContactModes<double>> contact{}; ///< modes as the contact has them
     std::shared_ptr<const ModalBasis<Bounded<double>>> bounded{}; ///< the whole basis in double with its errors
     std::shared_ptr<const ContactSystem<double>> moving{};        ///< the system as the exact solver needs it
 
@@ -62,10 +45,6 @@ void check(const Question& question, std::size_t N);
 /// @param contact  the mass in contact
 /// @return         true where it is
 [[nodiscard]] bool asks_for_contact(const Question& question, Mass contact);
-
-/// @brief The modes of a system as its contact has them. @param source the system @return the modes @throws as `modal_basis`
-template <class T>
-[[nodiscard]] ContactModes<T> contact_modes_of(const SceneSource& source);
 
 /// @brief Prepares a system for a question.
 /// @param source    the scene; r and beta are not needed

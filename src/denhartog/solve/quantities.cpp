@@ -138,7 +138,7 @@ QuantitiesAnswer quantities_at(const SceneSource& asked_source, std::shared_ptr<
     std::string why;
     std::optional<DomainError> pole;
     const auto settled_in_double = [&] {
-        if (digits > most_digits_in(Precision::in_double)) return false;
+        if (digits > most_digits_in_double) return false;
         try {
             answer.numbers = quantities_in_double(scene, basis ? basis : modes_with_errors(scene.system), tau);
             const Largest largest = largest_bound(answer.numbers, asked);
@@ -162,7 +162,7 @@ QuantitiesAnswer quantities_at(const SceneSource& asked_source, std::shared_ptr<
     };
     if (settled_in_double()) {
         put_in_order_of_masses(scene.system.coordinates, answer.numbers);
-        answer.method = {"closed form", name(Precision::in_double), why};
+        answer.method = {"closed form", "double", why};
         return answer;
     }
     bool has_zeros = false;

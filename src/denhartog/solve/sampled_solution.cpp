@@ -77,7 +77,7 @@ std::vector<State<double>> by_reference(const SceneSource& source, const Solutio
 
 // The motion in double, or by the reference where the answer needed it or double does not repeat it.
 std::vector<State<double>> of_orbit(const SceneSource& source, const Solution& solution, const std::vector<double>& tau) {
-    if (solution.method.precision == name(Precision::in_double)) {
+    if (solution.method.precision == "double") {
         const Scene<double>& scene = source->in_double();
         const ContactSystem<double> system = contact_system(scene.system);
         ExactSolver<double> solver(system, {*scene.r, *scene.beta, scene.mu});

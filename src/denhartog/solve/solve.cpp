@@ -32,17 +32,15 @@ void set_regime(const SolveTask& task, Regime met, const std::string& reason, So
     if (task.scene.mu > 1 || task.pole || met == Regime::continuous) s.regime.reason += "; " + reason;
 }
 
-// What the stops of a motion that is not the closed form's say; those of the answer, which may be too short for double. None where
-// 50 digits would have to tell, and do not.
-template <class T>
-void set_regime_by_stops(const SolveTask& task, const PeriodicOrbit<T>& orbit, std::optional<std::size_t> stops, Solution& s) {
-    const bool must = stops.value_or(0) == 0 && must_stop(task, s);
-    if (stops.value_or(orbit.stops.size()) > 0) {
+// What the stops of a motion that is not the closed form's say. `open`: double does not tell whether it stops.
+void set_regime_by_stops(const SolveTask& task, const PeriodicOrbit<double>& orbit, bool open, Solution& s) {
+    const bool must = orbit.stops.empty() && must_stop(task, s);
+    if (!orbit.stops.empty()) {
         set_regime(task, Regime::stick_slip, "the contact stops in every period", s);
-        if (orbit.stops.empty()) s.regime.reason += "; double precision finds no stop, 50 digits find " + std::to_string(*stops);
     } else if (must) {
-        s.regime.reason += "; the motion shows no stop, and the bound of its error is " +
-                           number_in_digits(static_cast<double>(orbit.error_bound), 2);
+        s.regime.reason += "; the motion shows no stop, and the bound of its error is " + number_in_digits(orbit.error_bound, 2);
+    } else if (open) {
+        s.regime.reason += "; double does not tell whether the contact stops";
     } else {
         const bool sliding = !task.pole && every_motion_is_damped(*task.known.basis);
         set_regime(task, Regime::continuous,
@@ -50,64 +48,57 @@ void set_regime_by_stops(const SolveTask& task, const PeriodicOrbit<T>& orbit, s
                            : "the contact does not stop, but the motion is not that of the closed form",
                    s);
     }
-    if (!stops && !must) s.regime.reason += "; double does not tell whether the contact stops";
 }
 
-void answer_by_boundaries(const SolveTask& task, const std::string& model, Solution& s) {
+void answer_by_boundaries(SolveTask& task, const std::string& model, Solution& s) {
     s.masses.clear();
     s.method.model = model;
-    const auto attempt = [&]<class T>(std::type_identity<T>) {
-        s.sticking_by_88 = sticking_by_88(scene_in<T>(task.source), task.aim.digits);
-        const Certified by_88 = s.sticking_by_88.value_or(Certified{});
-        return Attempted{relative_error(Bounded<double>(by_88.value, by_88.error))};
-    };
-    certify(task.aim, attempt, highest_precision(task.aim, number_of_masses(task.scene.system)));
+    s.sticking_by_88 = sticking_by_88(task.scene);
+    if (!s.sticking_by_88) return;
+    const Bounded<double> by_88(s.sticking_by_88->value, s.sticking_by_88->error);
+    s.relative_error = std::max(s.relative_error, relative_error(by_88));
 }
 
-// Why there is no answer from rest in a number type.
-struct NoAnswer {
-    std::string why;                  // empty where there is one
-    bool more_digits_may_tell = true; // whether rounding may be why
-    State<double> last{};             // where the motion was last
-};
-
 // What a fast mode costs the exact solver, which follows it; a sentence, or nothing.
-template <class T>
-std::string cost_of_fast_mode(const ExactSolver<T>& solver, const PeriodicOrbit<T>& none) {
+std::string cost_of_fast_mode(const ExactSolver<double>& solver, const PeriodicOrbit<double>& none) {
     constexpr double fast = 1000;
-    const auto fastest = static_cast<double>(highest_over_force(solver));
+    const double fastest = highest_over_force(solver);
     if (!(fastest > fast) || !none.more_digits_may_tell) return {};
     return ". The fastest mode has " + number_in_digits(fastest, 2) +
            " times the frequency of the force and takes most of the work: leave out a mass that is as light if it does not "
            "matter";
 }
 
+[[noreturn]] void fail_from_rest(const SolveTask& task, const std::string& why, const Solution& s) {
+    if (task.pole) throw DomainError(*task.pole + "; " + why);
+    throw PrecisionError("no steady motion was found from the start from rest: " + why +
+                         ". This much is certain: " + s.regime.reason);
+}
+
 // The motion from rest by the exact solver; the closed form or the stuck response give the numbers where it leads there. With
 // mu = 1 and damping it leads where the motion in double was going; with mu above 1 mostly to the sliding motion if there is one.
-template <class T>
-NoAnswer answer_from_rest(SolveTask& task, const ContactSystem<T>& system, const State<double>& in_double, Solution& s) {
+void answer_from_rest(SolveTask& task, Solution& s) {
+    if (!task.moving) task.moving = moving_in_double(task.source, task.known);
+    const ContactSystem<double>& system = *task.moving;
+    if (!system.rounded_because.empty()) fail_from_rest(task, system.rounded_because, s);
     const bool regime_alone = task.question.asked == Asked::regime;
-    const Scene<T>& scene = scene_in<T>(task.source);
-    ExactSolver<T> solver(system, {*scene.r, *scene.beta, scene.mu});
-    OrbitSearch<T> how;
+    ExactSolver<double> solver(system, {*task.scene.r, *task.scene.beta, task.scene.mu});
+    OrbitSearch<double> how;
     how.contact_only = regime_alone || task.question.mass == system.contact;
     how.with_stability = task.question.asked == Asked::motion;
-    State<T> near{in_type<T>(in_double.x), in_type<T>(in_double.x_prime)};
-    if constexpr (std::same_as<T, double>)
-        if (!task.pole && s.regime.regime == Regime::continuous)
-            near = sliding_at_maximum_of_force(values_of(bounded_sums(scene.system, *task.modes)), *scene.beta);
-    if (!near.x.empty()) how.guess = &near;
-    const PeriodicOrbit<T> orbit = periodic_orbit(solver, at_rest<T>(system.basis.r_n.size()), how);
-    if (orbit.status == OrbitStatus::not_converged)
-        return {orbit.reason + cost_of_fast_mode(solver, orbit),
-                orbit.more_digits_may_tell,
-                {in_type<double>(orbit.start.x), in_type<double>(orbit.start.x_prime)}};
+    State<double> near;
+    if (!task.pole && s.regime.regime == Regime::continuous) {
+        near = sliding_at_maximum_of_force(values_of(bounded_sums(task.scene.system, *task.modes)), *task.scene.beta);
+        how.guess = &near;
+    }
+    const PeriodicOrbit<double> orbit = periodic_orbit(solver, at_rest<double>(system.basis.r_n.size()), how);
+    if (orbit.status == OrbitStatus::not_converged) fail_from_rest(task, orbit.reason + cost_of_fast_mode(solver, orbit), s);
     const bool rests = orbit.status == OrbitStatus::permanently_stuck;
     // With mu = 1 the boundaries tell that it never rests for ever: only rounding does not see it move.
     if (rests && task.scene.mu == 1 && !task.pole && s.regime.regime == Regime::stick_slip && !s.regime.on_boundary)
-        throw PrecisionError(std::string("the contact moves too little for ") +
-                             (std::same_as<T, double> ? "double precision" : "50 digits") +
-                             " to tell its motion from rest. This much is certain: " + s.regime.reason);
+        throw PrecisionError("the contact moves too little for double precision to tell its motion from rest. This much is "
+                             "certain: " +
+                             s.regime.reason);
     const bool slides = !task.pole && !rests && !s.masses.empty() &&
                         (must_be_sliding_motion(orbit, every_motion_is_damped(*task.known.basis)) ||
                          is_sliding_motion(orbit, s.masses[s.contact.index].amplitude.value));
@@ -115,54 +106,24 @@ NoAnswer answer_from_rest(SolveTask& task, const ContactSystem<T>& system, const
         set_regime(task, Regime::permanent_sticking, "from the start from rest " + orbit.reason, s);
     } else if (slides && orbit.stops.empty()) {
         set_regime(task, Regime::continuous, "the motion from rest is the sliding motion", s);
-    } else if constexpr (std::same_as<T, double>) {
+    } else {
         const bool open = !task.pole && stops_are_open(orbit, s.regime.regime == Regime::stick_slip,
                                                        orbit.stops.empty() && must_stop(task, s), slides);
-        if (regime_alone) {
-            set_regime_by_stops(task, orbit, open ? stops_in_50_digits(task, orbit, s) : std::optional(orbit.stops.size()), s);
-        } else {
-            answer_by_orbit(task, solver, orbit, open, s);
-            const bool known = !open || s.method.precision != name(Precision::in_double);
-            set_regime_by_stops(task, orbit, known ? std::optional(s.stops.size()) : std::nullopt, s);
-            if (!orbit.reason.empty()) s.regime.reason += "; " + orbit.reason;
-            return {};
-        }
-    } else {
-        set_regime_by_stops(task, orbit, orbit.stops.size(), s);
+        task.is_told = !open || must_stop(task, s);
+        if (!regime_alone) answer_by_orbit(task, solver, orbit, open, s);
+        set_regime_by_stops(task, orbit, open, s);
+        task.open = task.open || open;
         if (!regime_alone) {
-            answer_by_orbit_in_50_digits(task, solver, orbit, s);
             if (!orbit.reason.empty()) s.regime.reason += "; " + orbit.reason;
-            return {};
+            return;
         }
     }
     if (regime_alone) {
         answer_by_boundaries(task, "boundaries and exact solver", s);
-        return {};
+        return;
     }
-    if (rests) answer_by_stuck_response(task, place_of_rest(orbit, system.contact, task.aim.digits), s);
+    if (rests) answer_by_stuck_response(task, place_of_rest(orbit, system.contact), s);
     if (task.question.asked == Asked::motion) s.stability = stability_of(orbit);
-    return {};
-}
-
-// In double; where rounding keeps that from an answer, or from modes, in 50 digits.
-void answer_from_rest(SolveTask& task, Solution& s) {
-    if (!task.moving) task.moving = moving_in_double(task.source, task.known);
-    NoAnswer none{task.moving->rounded_because};
-    if (none.why.empty()) none = answer_from_rest(task, *task.moving, {}, s);
-    const bool allowed = highest_precision(task.aim, number_of_masses(task.scene.system)) != Precision::in_double;
-    if (!none.why.empty() && none.more_digits_may_tell && allowed && !QuestionEffort::exhausted()) {
-        const ContactSystem<Real50> system = contact_system(scene_in<Real50>(task.source).system);
-        const NoAnswer in_50_digits = answer_from_rest(task, system, none.last, s);
-        if (in_50_digits.why.empty()) {
-            s.method.why = "in double: " + none.why + "; " + s.method.why;
-            return;
-        }
-        none.why += "; in 50 digits: " + in_50_digits.why;
-    }
-    if (none.why.empty()) return;
-    if (task.pole) throw DomainError(*task.pole + "; " + none.why);
-    throw PrecisionError("no steady motion was found from the start from rest: " + none.why +
-                         ". This much is certain: " + s.regime.reason);
 }
 
 // `of_contact`: all modes of the contact alone did not tell that it slides, and fewer will not.
@@ -200,9 +161,10 @@ void keep_asked_mass(const Question& question, Solution& s) {
     for (OtherMotion& motion : s.motions) motion.masses = {motion.masses[question.mass->index]};
 }
 
-Solution solve_in_double_or_more(const PreparedSystem& p, const SolvePoint& at, const Question& of_masses) {
+AnswerInDouble solve_in_double(const PreparedSystem& p, const SolvePoint& at, const Question& of_masses) {
     const Question question = of_displacements(of_masses, p.scene().system);
-    Solution s;
+    AnswerInDouble found;
+    Solution& s = found.solution;
     s.asked = question.asked;
     if (answer_by_contact(p, at, question, s)) {
         say_whether_unique(*p.contact->basis, p.scene().mu, s);
@@ -212,15 +174,14 @@ Solution solve_in_double_or_more(const PreparedSystem& p, const SolvePoint& at, 
         if (!task.known.basis) task.known = modes_in_double(source);
         task.modes.emplace(task.known.basis, as_input(at.r));
         say_whether_unique(*task.known.basis, p.scene().mu, s);
-        s.r = exactly(at.r, 1);
-        s.beta = exactly(at.beta, 1);
+        s.r = exactly(at.r);
+        s.beta = exactly(at.beta);
         s.contact = p.scene().system.contact;
         answer(task, p.contact && asks_for_contact(question, s.contact), s);
         s.asked = question.asked;
         s.digits_reached = s.relative_error <= task.aim.tolerance;
-        if (question.digits && !s.digits_reached)
-            throw PrecisionError("the " + in_words(task.aim) + " are not reached: only " +
-                                 std::to_string(digits_of(s.relative_error)) + " are certain");
+        found.open = task.open || task.pole;
+        found.is_answer = task.is_told;
         if (question.all) {
             if (!task.moving) task.moving = moving_in_double(source, task.known);
             s.motions = other_motions(task.scene, *task.moving, task.known.basis);
@@ -229,13 +190,13 @@ Solution solve_in_double_or_more(const PreparedSystem& p, const SolvePoint& at, 
     }
     put_in_order_of_masses(p.scene().system.coordinates, s);
     if (s.only) s.only = of_masses.mass;
-    s.mu = exactly(p.scene().mu, 1);
-    return s;
+    s.mu = exactly(p.scene().mu);
+    return found;
 }
 
-// What double and more digits are certain of; else the reference, where digits were asked for.
+// What double is certain of; else the reference.
 Solution solve_at(const PreparedSystem& p, const SolvePoint& at, const Question& question, const Work& before) {
-    Solution s = answer_or_reference(p, at, question, [&](const Question& of) { return solve_in_double_or_more(p, at, of); });
+    Solution s = answer_or_reference(p, at, question, [&](const Question& of) { return solve_in_double(p, at, of); });
     const Work after = work_so_far();
     s.work = {after.eigen_solves - before.eigen_solves, after.mode_evaluations - before.mode_evaluations,
               after.phases_propagated - before.phases_propagated};

@@ -7,8 +7,9 @@
 ///  3. boundary, regime and closed form of all masses, or of the one that is asked about, see `sliding_solution`; V and U of a
 ///     chain without damping without a sum over modes where that is sharper;
 ///  4. for a contact that rests the stuck response, see `held_solution`;
-///  5. the exact solver's periodic orbit, in double, then in 50 digits.
-/// Models 1, 3 and 4 try the precisions of `certify`: double, 50 and 100 digits, each with the bounds of its own numbers.
+///  5. the exact solver's periodic orbit.
+/// Each is in double, with the bounds of its numbers. Where these do not leave the digits, or the regime is open, the reference
+/// answers, see `solve_by_reference.hpp`.
 /// The boundaries tell the regime where mu = 1. Where mu > 1 more than one motion may exist: the exact solver then follows the
 /// start from rest, and where that leads into the closed form or the stuck response these give the numbers.
 #pragma once

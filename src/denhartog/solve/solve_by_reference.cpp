@@ -1,6 +1,8 @@
 #include "denhartog/solve/solve_by_reference.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <exception>
 
 #include "denhartog/answer/reference.hpp"
 #include "denhartog/model/coordinates.hpp"
@@ -10,70 +12,133 @@
 namespace denhartog {
 namespace {
 
-constexpr int most_digits_of_fast_floor = 95;
-constexpr int reference_is_first = 46;          // digits from which on it is asked first
-constexpr std::size_t most_masses_unasked = 40; // of which it is asked where nobody asked for digits
+constexpr std::size_t most_masses_unasked = 100; // of which the reference is asked where nobody asked for digits
 
-// The fast floor for the digits of every day; the reference for more, for a proof, and for digits that the fast floor does not have.
+// Double for the digits of every day; the reference for more, for a proof, and for what double leaves open. Where that does not
+// tell either, what double has, or the errors of both.
 template <class ByReference, class Fast>
-Solution in_turn(std::size_t N, std::optional<int> digits, bool proved, bool fast_alone, const ByReference& by_reference,
-                 const Fast& fast) {
-    if (proved || digits > most_digits_of_fast_floor) return by_reference();
-    const bool may_help = !fast_alone && has_reference() && (digits || N <= most_masses_unasked);
-    if (may_help && digits && *digits >= reference_is_first) {
-        try {
-            return by_reference();
-        } catch (const PrecisionError&) {
-            if (QuestionEffort::exhausted()) throw;
-        }
-        return fast();
-    }
+Solution in_turn(std::size_t N, std::optional<int> digits, bool proved, const ByReference& by_reference, const Fast& fast) {
+    if (proved || digits > most_digits_in_double) return by_reference();
+    AnswerInDouble found;
+    std::string why;
+    std::exception_ptr pole;
     try {
-        return fast();
-    } catch (const PrecisionError&) {
-        if (!may_help || QuestionEffort::exhausted()) throw;
-        try {
-            return by_reference();
-        } catch (const PrecisionError&) { // what the fast floor says of it is said
-        }
-        throw;
+        found = fast();
+        if (found.is_settled()) return found.solution;
+        why = found.solution.method.why;
+    } catch (const DomainError& e) {
+        pole = std::current_exception();
+        why = e.what();
+    } catch (const PrecisionError& e) {
+        found.is_answer = false;
+        why = e.what();
     }
+    count_precision_step();
+    std::string refused = QuestionEffort::exhausted()
+                              ? "the work allowed is spent"
+                              : "the reference is asked about no more than " + std::to_string(most_masses_unasked) +
+                                    " masses unless digits are asked for";
+    if ((digits || N <= most_masses_unasked) && !QuestionEffort::exhausted()) {
+        try {
+            Solution s = by_reference();
+            s.method.why = "in double: " + why + "; " + s.method.why;
+            if (found.open && s.regime.regime == Regime::stick_slip)
+                s.regime.reason +=
+                    "; double precision does not tell whether the contact stops, and the reference proves that it does";
+            return s;
+        } catch (const MotionUnproved& e) { // the regime is told, and double has only one that may be next to it
+            refused = e.what();
+            found.is_answer = found.is_answer && !found.solution.regime.on_boundary;
+        } catch (const RegimeDisproved& e) {
+            refused = e.what();
+            found.is_answer = false;
+        } catch (const PrecisionError& e) {
+            refused = e.what();
+        }
+    }
+    if (pole) std::rethrow_exception(pole);
+    const bool says_regime = refused.find("This much is certain") != std::string::npos;
+    const RegimeAtPoint& regime = found.solution.regime;
+    if (found.open && !found.is_answer && !says_regime)
+        refused += (regime.on_boundary ? ". As double sees it: " : ". This much is certain: ") + regime.reason;
+    if (says_regime) why.resize(std::min(why.size(), why.find(". This much is certain")));
+    if (!found.is_answer) throw PrecisionError(why == refused ? why : why + "; " + refused);
+    found.solution.method.why += "; " + refused;
+    if (found.open) found.solution.digits_reached = false;
+    return found.solution;
 }
 
-// Which motion is meant, where the friction ratio does not tell: with mu above 1, or at a pole, the one from rest, as double finds it.
-std::optional<Solution> from_rest(const Scene<double>& scene, const Question& question,
-                                  const std::function<Solution(const Question&)>& fast) {
+void require_digits(std::optional<int> digits, const Solution& s) {
+    if (digits && !s.digits_reached)
+        throw PrecisionError("the " + in_words(aim_of(digits)) + " are not reached: only " +
+                             std::to_string(digits_of(s.relative_error)) + " are certain (" + s.method.why + ")");
+}
+
+// The motion that is meant where the friction ratio does not tell: with mu above 1, or at a pole, the one from rest, as double finds
+// it. None where the boundaries tell.
+std::optional<AnswerInDouble> from_rest(const Scene<double>& scene, const InDouble& fast) {
     Question of_regime;
-    of_regime.asked = Asked::amplitude;
-    of_regime.mass = question.mass;
-    if (scene.mu == 1) {
-        try {
-            Question of_limits;
-            of_limits.asked = Asked::regime;
-            if (fast(of_limits).limits) return std::nullopt;
-        } catch (const PrecisionError&) {
-            return std::nullopt;
-        }
-    }
-    return fast(of_regime);
+    of_regime.asked = Asked::regime;
+    AnswerInDouble rest = fast(of_regime);
+    if (scene.mu == 1 && rest.solution.limits) return std::nullopt;
+    return rest;
 }
 
-Solution answer_by_reference(const PreparedSystem& p, const SolvePoint& at, const Question& question,
-                             const std::function<Solution(const Question&)>& fast) {
-    if (question.all) throw InputError("all", "must not be asked for with a proof: other motions are estimates", "true");
+Solution answer_by_reference(const PreparedSystem& p, const SolvePoint& at, const Question& question, const InDouble& fast) {
+    if (question.all && question.proved)
+        throw InputError("all", "must not be asked for with a proof: other motions are estimates", "true");
     const SceneSource source = source_at(p, at);
     const Scene<double>& scene = source->in_double();
-    const std::optional<Solution> rest = from_rest(scene, question, fast);
     ReferenceQuestion asked{question.asked, question.digits.value_or(digits_by_default), question.mass};
-    asked.briefly = !question.digits && !question.proved;
-    if (rest) asked.met = rest->regime.regime;
-    Solution s = solution_by_reference(source, asked, [&] { return guesses_at(p, source); });
+    PreparedSystem prepared = p; // the modes in double are found once
+    const auto guesses = [&] {
+        if (!prepared.bounded) {
+            const ModesInDouble modes = modes_in_double(source);
+            if (modes.rounded_because.empty()) prepared.bounded = modes.basis;
+        }
+        return guesses_at(prepared, source);
+    };
+    std::optional<AnswerInDouble> rest;
+    Solution s;
+    try {
+        if (scene.mu > 1) rest = from_rest(scene, fast);
+        if (rest) asked.met = rest->solution.regime.regime;
+        if (rest && rest->open && asked.met == Regime::continuous) asked.met = Regime::stick_slip; // where that may hide a stop
+        try {
+            s = solution_by_reference(source, asked, guesses);
+        } catch (const RegimeDisproved& disproved) { // next to a boundary double may be on its wrong side
+            if (!rest || !rest->solution.regime.on_boundary) throw;
+            asked.met = Regime::stick_slip;
+            try {
+                s = solution_by_reference(source, asked, guesses);
+            } catch (const PrecisionError& e) {
+                throw RegimeDisproved(std::string(disproved.what()) + "; " + e.what());
+            }
+        }
+    } catch (const PrecisionError& e) {
+        try {
+            if (scene.mu == 1) rest = from_rest(scene, fast);
+        } catch (const PrecisionError&) {
+            throw PrecisionError(e.what()); // what the reference says
+        }
+        if (scene.mu > 1 || !rest) throw;
+        asked.met = rest->solution.regime.regime; // a pole
+        s = solution_by_reference(source, asked, guesses);
+    }
     if (rest) {
-        if (s.regime.regime == rest->regime.regime) s.regime = rest->regime;
+        if (s.regime.regime == rest->solution.regime.regime && !rest->open) s.regime = rest->solution.regime;
         s.method.why = "the start from rest was followed without a proof; " + s.method.why;
     }
     const double mu = s.mu.value == 1 && s.mu.error > 0 ? 2 : scene.mu; // a text may be above 1 by less than double tells
-    say_whether_unique(p.bounded ? *p.bounded : *modes_in_double(source).basis, mu, s);
+    say_whether_unique(prepared.bounded ? *prepared.bounded
+                       : p.contact      ? *p.contact->basis
+                                        : *modes_in_double(source).basis,
+                       mu, s);
+    if (question.all) {
+        Question others = question;
+        others.digits.reset();
+        s.motions = fast(others).solution.motions;
+    }
     return s;
 }
 
@@ -84,15 +149,20 @@ std::vector<OrbitGuess> guesses_at(const PreparedSystem& p, const SceneSource& s
     const ModesInDouble modes = p.bounded ? ModesInDouble{p.bounded} : modes_in_double(source);
     const std::shared_ptr<const ContactSystem<double>> moving = p.moving ? p.moving : moving_in_double(source, modes);
     std::vector<OrbitGuess> all;
+    if (!moving->rounded_because.empty()) return all; // rounding of its modes would keep it from any motion that repeats itself
     ExactSolver<double> solver(*moving, {*scene.r, *scene.beta, scene.mu});
     OrbitSearch<double> how;
     how.with_stability = false;
-    const PeriodicOrbit<double> orbit = periodic_orbit(solver, at_rest<double>(moving->basis.r_n.size()), how);
-    if (orbit.status != OrbitStatus::periodic) return all;
+    PeriodicOrbit<double> orbit = periodic_orbit(solver, at_rest<double>(moving->basis.r_n.size()), how);
+    if (orbit.status == OrbitStatus::permanently_stuck) return all;
+    if (orbit.status == OrbitStatus::not_converged)
+        orbit.symmetric = true; // rounding may be why; where the motion was last is near
     const auto add = [&](const OrbitGuess& guess) {
         if (guess.directions.empty()) return;
         const auto same = [&](const OrbitGuess& other) {
-            return other.directions == guess.directions && other.mirrored == guess.mirrored && other.periods == guess.periods;
+            constexpr double near = 1e-3;
+            return other.directions == guess.directions && other.mirrored == guess.mirrored && other.periods == guess.periods &&
+                   std::ranges::equal(other.events, guess.events, [](double a, double b) { return std::abs(a - b) < near; });
         };
         if (std::ranges::none_of(all, same)) all.push_back(guess);
     };
@@ -102,28 +172,48 @@ std::vector<OrbitGuess> guesses_at(const PreparedSystem& p, const SceneSource& s
     return all;
 }
 
-Solution answer_or_reference(const PreparedSystem& p, const SolvePoint& at, const Question& question,
-                             const std::function<Solution(const Question&)>& fast) {
+Solution answer_or_reference(const PreparedSystem& p, const SolvePoint& at, const Question& question, const InDouble& fast) {
     const auto by_reference = [&] { return answer_by_reference(p, at, question, fast); };
-    return in_turn(number_of_masses(p.scene().system), question.digits, question.proved, question.all, by_reference,
-                   [&] { return fast(question); });
+    Solution s = in_turn(number_of_masses(p.scene().system), question.digits, question.proved, by_reference,
+                         [&] { return fast(question); });
+    require_digits(question.digits, s);
+    return s;
+}
+
+Solution sliding_answer(const SceneSource& source, const SlidingQuestion& question, bool proved) {
+    const auto by_reference = [&] {
+        ReferenceQuestion asked{question.asked, question.digits.value_or(digits_by_default), question.only};
+        asked.closed_form_alone = true;
+        try {
+            return solution_by_reference(source, asked, {});
+        } catch (const PrecisionError&) {
+            try {
+                (void)sliding_solution(source, {Asked::regime}); // says where there is a pole
+            } catch (const PrecisionError&) {
+            }
+            throw;
+        }
+    };
+    (void)aim_of(question.digits);
+    return in_turn(number_of_masses(source->in_double().system), question.digits, proved, by_reference, [&] {
+        const System<double>& system = source->in_double().system;
+        SlidingQuestion of_displacement = question;
+        if (question.only) of_displacement.only = displacement_of(system, *question.only);
+        AnswerInDouble found{sliding_solution(source, of_displacement)};
+        Solution& s = found.solution;
+        put_in_order_of_masses(system.coordinates, s);
+        if (question.only && !s.masses.empty()) {
+            s.masses = {s.masses[question.only->index]};
+            s.only = question.only;
+        }
+        return found;
+    });
 }
 
 Solution sliding_answer(const SceneSource& source, std::optional<int> digits, bool proved) {
-    const auto by_reference = [&] {
-        ReferenceQuestion question{Asked::motion, digits.value_or(digits_by_default)};
-        question.closed_form_alone = true;
-        question.briefly = !digits && !proved;
-        return solution_by_reference(source, question, {});
-    };
-    (void)aim_of(digits);
-    return in_turn(number_of_masses(source->in_double().system), digits, proved, false, by_reference, [&] {
-        Solution found = sliding_solution(source, {Asked::motion, digits, {}});
-        put_in_order_of_masses(source->in_double().system.coordinates, found);
-        if (!digits || found.digits_reached) return found;
-        throw PrecisionError("the " + std::to_string(*digits) + " digits asked for are not reached: only " +
-                             std::to_string(digits_of(found.relative_error)) + " are certain");
-    });
+    Solution s = sliding_answer(source, SlidingQuestion{Asked::motion, digits}, proved);
+    require_digits(digits, s);
+    return s;
 }
 
 } // namespace denhartog

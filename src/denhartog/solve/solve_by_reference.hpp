@@ -1,5 +1,5 @@
 /// @file
-/// @brief Questions that the reference answers: those for a proof, and those whose digits double and more digits do not have.
+/// @brief Questions that the reference answers: those for a proof, and those of which double does not have the digits.
 #pragma once
 
 #include <functional>
@@ -15,17 +15,39 @@ namespace denhartog {
 /// @return        the motions, the likeliest first
 [[nodiscard]] std::vector<OrbitGuess> guesses_at(const PreparedSystem& p, const SceneSource& source);
 
-/// @brief An answer on the fast floor, or else by the reference.
+/// @brief An answer in double.
+struct AnswerInDouble {
+    Solution solution{};   ///< the answer
+    bool open = false;     ///< whether double does not tell what the contact does
+    bool is_answer = true; ///< whether the regime is certain nevertheless, so that it answers where the reference does not
+
+    /// @brief Whether it needs nothing more. @return true where it has its digits, and the regime is certain
+    [[nodiscard]] bool is_settled() const { return solution.digits_reached && !open && !solution.regime.on_boundary; }
+};
+
+/// @brief How double answers a question.
+using InDouble = std::function<AnswerInDouble(const Question&)>;
+
+/// @brief An answer in double, or else by the reference.
 /// @param p         the system, prepared
 /// @param at        the point
 /// @param question  the question, its mass in the order of the masses
-/// @param fast      answers a question on the fast floor
+/// @param fast      answers a question in double
 /// @return          the answer, masses in their order
-/// @throws          what the fast floor throws, where digits are not asked for, the reference cannot help, or has no proof
+/// @throws          what double throws, where the reference cannot help; PrecisionError where the digits asked for are not reached
 [[nodiscard]] Solution answer_or_reference(const PreparedSystem& p, const SolvePoint& at, const Question& question,
-                                           const std::function<Solution(const Question&)>& fast);
+                                           const InDouble& fast);
 
 /// @brief Boundary, regime and sliding motion of a scene, with its masses in their order.
+/// @param source    the scene, with r; without beta the boundary alone
+/// @param question  what is asked
+/// @param proved    whether every number must be proved
+/// @return          the answer, of the one mass alone if that is asked about; no masses outside the sliding regime; `digits_reached`
+///                  where its digits are there
+/// @throws          as `sliding_solution`
+[[nodiscard]] Solution sliding_answer(const SceneSource& source, const SlidingQuestion& question, bool proved = false);
+
+/// @brief The same for every mass.
 /// @param source  the scene, with r; without beta the boundary alone
 /// @param digits  significant digits; none for 6 that are aimed at
 /// @param proved  whether every number must be proved

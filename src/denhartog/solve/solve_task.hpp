@@ -21,21 +21,23 @@ inline constexpr const char* certainly_slides =
 struct SolvePoint {
     double r;                  ///< frequency ratio
     double beta;               ///< friction ratio
-    const SceneSource* source; ///< where both are to be had in every number type; null where the doubles are what is meant
+    const SceneSource* source; ///< where both are to be had to any digits; null where the doubles are what is meant
 };
 
-/// @brief A system at a point in every number type. @param p the system @param at the point @return the scene
+/// @brief A system at a point. @param p the system @param at the point @return the scene
 [[nodiscard]] SceneSource source_at(const PreparedSystem& p, const SolvePoint& at);
 
 /// @brief A question to a scene, prepared.
 struct SolveTask {
-    SceneSource source;                                  ///< the scene in every number type
+    SceneSource source;                                  ///< the scene
     Question question;                                   ///< what is asked
     const Scene<double>& scene;                          ///< the scene in double, which `source` holds
     Aim aim;                                             ///< the digits
     ModesInDouble known;                                 ///< its modal basis
     std::shared_ptr<const ContactSystem<double>> moving; ///< for the exact solver; none where it is still to be prepared
     std::optional<BoundedModes<double>> modes{};         ///< its modes at the point, evaluated as they are needed
+    bool open = false;                                   ///< whether double leaves something open
+    bool is_told = true;                                 ///< whether the regime is certain nevertheless
     std::optional<std::string> pole{};                   ///< why boundaries and closed form are not known
 };
 
@@ -53,7 +55,7 @@ struct SolveTask {
 /// @return      false where this has not the digits, or sliding is not certain
 [[nodiscard]] bool answer_by_truncated_modes(SolveTask& task, Solution& s);
 
-/// @brief The stuck response as the answer, in the first precision that has the digits.
+/// @brief The stuck response as the answer.
 /// @param task      the task, its boundary found
 /// @param rests_at  where the contact rests, where that was followed
 /// @param s         gets the answer
@@ -70,32 +72,13 @@ void say_whether_unique(const ModalBasis<Bounded<double>>& basis, double mu, Sol
 /// @return      whether a motion that is not at rest has stops, seen or not
 [[nodiscard]] bool must_stop(const SolveTask& task, const Solution& s);
 
-/// @brief A periodic orbit as the answer, in the first precision that has the digits.
+/// @brief A periodic orbit as the answer.
 /// @param task    the task
 /// @param solver  the solver that found the orbit
 /// @param orbit   the orbit, with its masses
-/// @param open    whether it is for 50 digits to say if the motion stops
+/// @param open    whether double does not tell if the motion stops
 /// @param s       gets the answer
-/// @throws        PrecisionError where the digits asked for are out of reach, or the effort is spent before it is known whether
-///                the motion stops
 void answer_by_orbit(const SolveTask& task, ExactSolver<double>& solver, const PeriodicOrbit<double>& orbit, bool open,
                      Solution& s);
-
-/// @brief A periodic orbit that 50 digits found, as the answer.
-/// @param task    the task
-/// @param solver  the solver that found the orbit
-/// @param orbit   the orbit, with its masses
-/// @param s       gets the answer
-void answer_by_orbit_in_50_digits(const SolveTask& task, ExactSolver<Real50>& solver, const PeriodicOrbit<Real50>& orbit,
-                                  Solution& s);
-
-/// @brief Number of stops of a motion of which double does not tell whether it stops.
-/// @param task   the task
-/// @param orbit  the orbit
-/// @param s      the regime by the boundaries
-/// @return       those that 50 digits find; none where these do not find the motion, or the masses are too many for them
-/// @throws       PrecisionError where the effort is spent before it is known whether the motion stops
-[[nodiscard]] std::optional<std::size_t> stops_in_50_digits(const SolveTask& task, const PeriodicOrbit<double>& orbit,
-                                                            const Solution& s);
 
 } // namespace denhartog

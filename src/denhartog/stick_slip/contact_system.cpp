@@ -2,7 +2,6 @@
 /// @brief A system with its modes, sliding and stuck, for the exact solver.
 #include "denhartog/model/coordinates.hpp"
 #include "denhartog/model/linear_algebra.hpp"
-#include "denhartog/number/multiprecision.hpp"
 #include "denhartog/stick_slip/exact_motion.hpp"
 #include "denhartog/sums/bounded_modes.hpp"
 
@@ -86,11 +85,7 @@ ContactSystem<T> contact_system(const System<T>& s, const ModalBasis<Bounded<T>>
 }
 
 template ContactSystem<double> contact_system(const System<double>&);
-template ContactSystem<Real50> contact_system(const System<Real50>&);
-template ContactSystem<Real100> contact_system(const System<Real100>&);
 template ContactSystem<double> contact_system(const System<double>&, const ModalBasis<Bounded<double>>&,
                                               const RoundedModes<double>*);
-template ContactSystem<Real50> contact_system(const System<Real50>&, const ModalBasis<Bounded<Real50>>&,
-                                              const RoundedModes<Real50>*);
 
 } // namespace denhartog

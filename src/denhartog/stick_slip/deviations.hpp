@@ -37,7 +37,7 @@ struct Deviations {
     /// @param event      how it ends
     void carry(ContactPhases<T>& phases, int direction, const Event<T>& event) {
         const std::size_t j = phases.system->contact.index, N = phases.N;
-        phases.effort->spend(cost_of_products<T>(static_cast<long>(8 * N * N * N)));
+        phases.effort->spend(cost_of_products(static_cast<long>(8 * N * N * N)));
         if (direction != 0) {
             dq = product(phases.system->momentum, dx);
             dp = product(phases.system->momentum, dv);

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "denhartog/model/coordinates.hpp"
-#include "denhartog/number/multiprecision.hpp"
 #include "denhartog/sliding/instants_of_maxima.hpp"
 #include "denhartog/stick_slip/deviations.hpp"
 #include "denhartog/stick_slip/largest_displacement.hpp"
@@ -16,7 +15,6 @@
 namespace denhartog {
 namespace {
 
-std::atomic<long> phases_so_far{0};
 
 constexpr int most_phases_without_length = 60;
 constexpr int most_phases_a_period = 20000;
@@ -54,7 +52,7 @@ struct ExactSolver<T>::Work : ContactPhases<T> {
         int without_length = 0;
         const double periods = static_cast<double>(T((tau_1 - tau_0) / (2 * pi<T>())));
         if (effort == &own) own = {static_cast<long>(static_cast<double>(default_effort(N)) * std::min(1e6, 1 + periods))};
-        const long cost_of_phase = cost_of_mode<T>() * static_cast<long>(1 + N * N / 50); // of states taken into modes and back
+        const long cost_of_phase = static_cast<long>(1 + N * N / 50); // of states taken into modes and back
         const double most = most_phases_a_period * (1 + periods);
         while (tau < tau_1) {
             this->start_phase(direction, tau);
@@ -71,7 +69,7 @@ struct ExactSolver<T>::Work : ContactPhases<T> {
             }
             const T end = event.found ? T(tau + event.t) : tau_1;
             motion.phases.push_back({direction, tau, end});
-            phases_so_far.fetch_add(1, std::memory_order_relaxed);
+            work_counted.phases_propagated.fetch_add(1, std::memory_order_relaxed);
             LinearMotion<T>& now = direction == 0 ? sticking : sliding;
             now.differentiate_at(event.t);
             if (with_jacobian) {
@@ -254,10 +252,7 @@ std::vector<Extremum<T>> ExactSolver<T>::largest_displacements(const T& error) {
     return largest;
 }
 
-long phases_propagated() { return phases_so_far.load(); }
 
 template class ExactSolver<double>;
-template class ExactSolver<Real50>;
-template class ExactSolver<Real100>;
 
 } // namespace denhartog

@@ -13,6 +13,7 @@
 #include "denhartog/model/stuck_configuration.hpp"
 #include "denhartog/number/bounded.hpp"
 #include "denhartog/number/effort.hpp"
+#include "denhartog/number/work_counted.hpp"
 #include "denhartog/stick_slip/motion_record.hpp"
 
 namespace denhartog {
@@ -147,6 +148,6 @@ private:
 
 /// @brief Number of phases propagated since the program started; tests gate on it.
 /// @return the count, over all number types and threads
-[[nodiscard]] long phases_propagated();
+[[nodiscard]] inline long phases_propagated() { return work_counted.phases_propagated; }
 
 } // namespace denhartog

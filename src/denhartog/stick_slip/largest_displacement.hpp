@@ -69,7 +69,7 @@ private:
     Known at(const T& t) {
         const auto place = known_.lower_bound(t);
         if (place != known_.end() && place->first == t) return {place->second.data(), phi_.rows(), columns};
-        effort_.spend(motion_.cost() + cost_of_mode<T>() * static_cast<long>(phi_.size() / 16));
+        effort_.spend(motion_.cost() + static_cast<long>(phi_.size() / 16));
         motion_.differentiate_at(t);
         std::pmr::vector<T> numbers(static_cast<std::size_t>(phi_.rows() * columns), &memory_);
         Eigen::Map<Matrix<T>> x(numbers.data(), phi_.rows(), columns);

@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "denhartog/number/errors.hpp"
-#include "denhartog/number/multiprecision.hpp"
 #include "denhartog/sliding/steady_state.hpp"
 
 namespace denhartog {
@@ -108,6 +107,5 @@ typename LastingRest<T>::Verdict LastingRest<T>::verdict(const State<T>& z) cons
 }
 
 template class LastingRest<double>;
-template class LastingRest<Real50>;
 
 } // namespace denhartog

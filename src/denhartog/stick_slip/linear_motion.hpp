@@ -64,7 +64,7 @@ struct LinearMotion {
     /// @brief Operations that an evaluation costs. @return their number
     [[nodiscard]] long cost() const {
         const auto n = static_cast<long>(size());
-        return cost_of_mode<T>() * (coupled() ? 10 + n * n : n);
+        return coupled() ? 10 + n * n : n;
     }
 
     /// @brief To be called when omega_0, gap, decay, D or F have changed.

@@ -12,7 +12,7 @@
 #include "denhartog/model/linear_algebra.hpp"
 #include "denhartog/model/natural_modes.hpp"
 #include "denhartog/number/errors.hpp"
-#include "denhartog/number/multiprecision.hpp"
+#include "denhartog/number/work_counted.hpp"
 #include "denhartog/scene/point_rules.hpp"
 
 namespace denhartog {
@@ -164,7 +164,7 @@ std::optional<StuckChain<T>> stuck_chain(const System<T>& s, const StuckConfigur
     const auto N = static_cast<std::ptrdiff_t>(s.mass_ratios.size());
     const std::ptrdiff_t first = before ? 0 : j + 1, last = before ? j : N; // masses; in the stuck configuration one less after j
     const auto gamma = s.mass_ratios.begin(), kappa = s.stiffness_ratios.begin();
-    if (last - first > 1) count_eigen_solve();
+    if (last - first > 1) ++work_counted.eigen_solves;
     NaturalModes<T> modes = chain_modes(std::vector<T>(gamma + first, gamma + last),
                                         std::vector<T>(kappa + first, before ? kappa + last + 1 : kappa + last));
     const Matrix<T> C = stuck.C.block(before ? 0 : j, before ? 0 : j, last - first, last - first);
@@ -208,31 +208,13 @@ std::optional<T> rest_interval(const StuckConfiguration<T>& stuck, const StuckRe
 }
 
 template StuckMass<double> motion_of(const Complex<double>&);
-template StuckMass<Real50> motion_of(const Complex<Real50>&);
-template StuckMass<Real100> motion_of(const Complex<Real100>&);
 template StuckResponse<double> stuck_response(const StuckConfiguration<double>&, Mass, Mass, const double&);
-template StuckResponse<Real50> stuck_response(const StuckConfiguration<Real50>&, Mass, Mass, const Real50&);
-template StuckResponse<Real100> stuck_response(const StuckConfiguration<Real100>&, Mass, Mass, const Real100&);
 template std::optional<StuckChain<double>> stuck_chain(const System<double>&, const StuckConfiguration<double>&);
-template std::optional<StuckChain<Real50>> stuck_chain(const System<Real50>&, const StuckConfiguration<Real50>&);
-template std::optional<StuckChain<Real100>> stuck_chain(const System<Real100>&, const StuckConfiguration<Real100>&);
 template StickingBoundary<double> sticking_boundary(const StuckResponse<double>&, const std::optional<StuckChain<double>>&,
                                                     const double&);
-template StickingBoundary<Real50> sticking_boundary(const StuckResponse<Real50>&, const std::optional<StuckChain<Real50>>&,
-                                                    const Real50&);
-template StickingBoundary<Real100> sticking_boundary(const StuckResponse<Real100>&, const std::optional<StuckChain<Real100>>&,
-                                                     const Real100&);
 template std::pair<Eigen::Index, Eigen::Index> rows_of_neighbour_and_load(const StuckChain<double>&,
                                                                           const StuckResponse<double>&);
 template std::optional<double> rest_interval(const StuckConfiguration<double>&, const StuckResponse<double>&, const double&,
                                              const double&);
-template std::pair<Eigen::Index, Eigen::Index> rows_of_neighbour_and_load(const StuckChain<Real50>&,
-                                                                          const StuckResponse<Real50>&);
-template std::optional<Real50> rest_interval(const StuckConfiguration<Real50>&, const StuckResponse<Real50>&, const Real50&,
-                                             const Real50&);
-template std::pair<Eigen::Index, Eigen::Index> rows_of_neighbour_and_load(const StuckChain<Real100>&,
-                                                                          const StuckResponse<Real100>&);
-template std::optional<Real100> rest_interval(const StuckConfiguration<Real100>&, const StuckResponse<Real100>&, const Real100&,
-                                              const Real100&);
 
 } // namespace denhartog

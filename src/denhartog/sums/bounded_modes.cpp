@@ -8,7 +8,6 @@
 #include "denhartog/model/coordinates.hpp"
 #include "denhartog/model/graded_modes.hpp"
 #include "denhartog/model/linear_algebra.hpp"
-#include "denhartog/number/multiprecision.hpp"
 #include "denhartog/sums/coupled_friction.hpp"
 
 namespace denhartog {
@@ -107,34 +106,23 @@ ModalBasis<Bounded<T>> bounded(const System<T>& system, const ModalBasis<T>& bas
     return bounded;
 }
 
-template <class To, class From, class Change>
-std::vector<To> changed(const std::vector<From>& numbers, const Change& change) {
-    std::vector<To> out;
+template <class T>
+std::vector<T> values(const std::vector<Bounded<T>>& numbers) {
+    std::vector<T> out;
     out.reserve(numbers.size());
-    for (const From& number : numbers) out.push_back(change(number));
+    for (const Bounded<T>& number : numbers) out.push_back(number.x);
     return out;
 }
-
-template <class To, class From, class Change>
-ModeSums<To> changed(const ModeSums<From>& s, const Change& change) {
-    const auto of_pair = [&](const Complex<From>& z) { return Complex<To>{change(z.re), change(z.im)}; };
-    return {change(s.r),
-            s.contact,
-            s.load,
-            changed<To>(s.R, change),
-            changed<To>(s.zeta, change),
-            changed<To>(s.w, change),
-            changed<To>(s.psi, change),
-            changed<Complex<To>>(s.v, of_pair),
-            changed<To>(s.u, change),
-            changed<To>(s.g, change),
-            changed<Complex<To>>(s.V, of_pair),
-            changed<To>(s.U, change),
-            changed<To>(s.G, change),
-            of_pair(s.Y_jj),
-            change(s.H_j),
-            change(s.sum_of_squares),
-            nullptr};
+template <class T>
+Complex<T> value(const Complex<Bounded<T>>& z) {
+    return {z.re.x, z.im.x};
+}
+template <class T>
+std::vector<Complex<T>> values(const std::vector<Complex<Bounded<T>>>& numbers) {
+    std::vector<Complex<T>> out;
+    out.reserve(numbers.size());
+    for (const Complex<Bounded<T>>& number : numbers) out.push_back(value(number));
+    return out;
 }
 
 } // namespace
@@ -157,39 +145,17 @@ ModalBasis<Bounded<T>> bounded_basis_at(const System<T>& system, const std::vect
 }
 
 template <class T>
-ModeSums<T> values_of(const ModeSums<Bounded<T>>& sums) {
-    ModeSums<T> values = changed<T>(sums, [](const Bounded<T>& a) { return a.x; });
-    values.coupled = sums.coupled;
-    return values;
+ModeSums<T> values_of(const ModeSums<Bounded<T>>& s) {
+    return {s.r.x,         s.contact,     s.load,      values(s.R),        values(s.zeta), values(s.w),
+            values(s.psi), values(s.v),   values(s.u), values(s.g),        values(s.V),    values(s.U),
+            values(s.G),   value(s.Y_jj), s.H_j.x,     s.sum_of_squares.x, s.coupled};
 }
 
 template <class T>
 ModalBasis<T> values_of(const ModalBasis<Bounded<T>>& basis) {
     const auto value = [](const Bounded<T>& a) { return a.x; };
-    return {changed<T>(basis.r_n, value), basis.phi.unaryExpr(value),      changed<T>(basis.zeta, value),
-            basis.D.unaryExpr(value),     basis.distance_from_classical.x, basis.left_out.unaryExpr(value)};
-}
-
-template <class T>
-ModeSums<Bounded<double>> in_double(const ModeSums<Bounded<T>>& sums) {
-    ModeSums<Bounded<double>> narrow = changed<Bounded<double>>(sums, [](const Bounded<T>& a) { return in_double(a); });
-    const auto up = [](const T& bound) { return in_double(Bounded<T>(T(0), bound)).e; };
-    for (const LeftOut<T>& each : sums.left_out)
-        narrow.left_out.push_back(
-            {up(each.V), up(each.Y), up(each.x), up(each.x_prime), up(each.x_double_prime), up(each.x_triple_prime)});
-    if constexpr (std::same_as<T, double>)
-        narrow.coupled = sums.coupled;
-    else if (sums.coupled)
-        narrow.coupled = std::make_shared<const CoupledFriction<double>>(*sums.coupled);
-    return narrow;
-}
-
-template <class T>
-ModalBasis<Bounded<double>> in_double(const ModalBasis<Bounded<T>>& basis) {
-    const auto narrow = [](const Bounded<T>& a) { return in_double(a); };
-    return {changed<Bounded<double>>(basis.r_n, narrow),  basis.phi.unaryExpr(narrow),
-            changed<Bounded<double>>(basis.zeta, narrow), basis.D.unaryExpr(narrow),
-            in_double(basis.distance_from_classical),     basis.left_out.unaryExpr(narrow)};
+    return {values(basis.r_n),        basis.phi.unaryExpr(value),      values(basis.zeta),
+            basis.D.unaryExpr(value), basis.distance_from_classical.x, basis.left_out.unaryExpr(value)};
 }
 
 template <class T>
@@ -216,24 +182,9 @@ evaluation::ModeFunctions<Bounded<T>> bounded_mode_functions(const Bounded<T>& R
 }
 
 template ModalBasis<Bounded<double>> with_errors(const System<double>&, const ModalBasis<double>&);
-template ModalBasis<Bounded<Real50>> with_errors(const System<Real50>&, const ModalBasis<Real50>&);
-template ModalBasis<Bounded<Real100>> with_errors(const System<Real100>&, const ModalBasis<Real100>&);
 template ModalBasis<Bounded<double>> bounded_basis_at(const System<double>&, const std::vector<Mass>&);
-template ModalBasis<Bounded<Real50>> bounded_basis_at(const System<Real50>&, const std::vector<Mass>&);
-template ModalBasis<Bounded<Real100>> bounded_basis_at(const System<Real100>&, const std::vector<Mass>&);
 template ModeSums<double> values_of(const ModeSums<Bounded<double>>&);
-template ModeSums<Real50> values_of(const ModeSums<Bounded<Real50>>&);
-template ModeSums<Real100> values_of(const ModeSums<Bounded<Real100>>&);
 template ModalBasis<double> values_of(const ModalBasis<Bounded<double>>&);
-template ModalBasis<Real50> values_of(const ModalBasis<Bounded<Real50>>&);
-template ModalBasis<Real100> values_of(const ModalBasis<Bounded<Real100>>&);
-template ModeSums<Bounded<double>> in_double(const ModeSums<Bounded<double>>&);
-template ModeSums<Bounded<double>> in_double(const ModeSums<Bounded<Real50>>&);
-template ModeSums<Bounded<double>> in_double(const ModeSums<Bounded<Real100>>&);
-template ModalBasis<Bounded<double>> in_double(const ModalBasis<Bounded<Real50>>&);
-template ModalBasis<Bounded<double>> in_double(const ModalBasis<Bounded<Real100>>&);
 template evaluation::ModeFunctions<Bounded<double>> bounded_mode_functions(const Bounded<double>&, const Bounded<double>&);
-template evaluation::ModeFunctions<Bounded<Real50>> bounded_mode_functions(const Bounded<Real50>&, const Bounded<Real50>&);
-template evaluation::ModeFunctions<Bounded<Real100>> bounded_mode_functions(const Bounded<Real100>&, const Bounded<Real100>&);
 
 } // namespace denhartog

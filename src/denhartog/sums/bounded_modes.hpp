@@ -53,14 +53,6 @@ template <class T>
 template <class T>
 [[nodiscard]] ModalBasis<T> values_of(const ModalBasis<Bounded<T>>& basis);
 
-/// @brief Modes and sums rounded to double, the rounding in their bounds. @param sums modes and sums @return the same in double
-template <class T>
-[[nodiscard]] ModeSums<Bounded<double>> in_double(const ModeSums<Bounded<T>>& sums);
-
-/// @brief Modes rounded to double, the rounding in their bounds. @param basis modes @return the same in double
-template <class T>
-[[nodiscard]] ModalBasis<Bounded<double>> in_double(const ModalBasis<Bounded<T>>& basis);
-
 /// @brief (23), (28), (29) of one mode with bounds of what the errors of \f$ R_i \f$ and \f$ \zeta_i \f$ make of them.
 ///
 /// The functions are evaluated on values alone, and all errors are bounded at once. With

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "denhartog/elementary/series_tables.hpp"
-#include "denhartog/number/multiprecision.hpp"
 #include "denhartog/sums/coupled_sums.hpp"
 
 namespace denhartog {
@@ -108,16 +107,11 @@ void sharpen(const System<double>& system, const BoundedModes<double>& modes, Mo
 
 } // namespace
 
-template <class T>
-ModeSums<Bounded<T>> bounded_sums(const System<T>& system, BoundedModes<T>& modes) {
+ModeSums<Bounded<double>> bounded_sums(const System<double>& system, BoundedModes<double>& modes) {
     if (modes.basis().coupled()) return coupled_sums(system, modes.r());
-    ModeSums<Bounded<T>> s = mode_sums(modes.basis(), system.contact, system.load, modes.r(), modes.all());
-    if constexpr (std::same_as<T, double>) sharpen(system, modes, s);
+    ModeSums<Bounded<double>> s = mode_sums(modes.basis(), system.contact, system.load, modes.r(), modes.all());
+    sharpen(system, modes, s);
     return s;
 }
-
-template ModeSums<Bounded<double>> bounded_sums(const System<double>&, BoundedModes<double>&);
-template ModeSums<Bounded<Real50>> bounded_sums(const System<Real50>&, BoundedModes<Real50>&);
-template ModeSums<Bounded<Real100>> bounded_sums(const System<Real100>&, BoundedModes<Real100>&);
 
 } // namespace denhartog

@@ -13,15 +13,14 @@
 
 namespace denhartog {
 
-/// @brief Sums over modes with bounds of their errors; in double, of a chain without damping, V and U the other way where that
+/// @brief Sums over modes with bounds of their errors; of a chain without damping, V and U the other way where that
 /// has the smaller bound.
 /// @eq{33,34}
 /// @param system  the system
 /// @param modes   its modes
 /// @return        modes and sums
 /// @throws        DomainError at a pole of a mode without damping
-template <class T>
-[[nodiscard]] ModeSums<Bounded<T>> bounded_sums(const System<T>& system, BoundedModes<T>& modes);
+[[nodiscard]] ModeSums<Bounded<double>> bounded_sums(const System<double>& system, BoundedModes<double>& modes);
 
 /// @brief A column of \f$ (K-r^2M)^{-1} \f$ of a chain: \f$ V_{dk} \f$ without damping.
 /// @eq{33}

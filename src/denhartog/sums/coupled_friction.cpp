@@ -7,7 +7,6 @@
 #include "denhartog/evaluation/coupled_damping.hpp"
 #include "denhartog/model/coordinates.hpp"
 #include "denhartog/number/errors.hpp"
-#include "denhartog/number/multiprecision.hpp"
 
 namespace denhartog {
 namespace {
@@ -189,30 +188,6 @@ void CoupledFriction<T>::set_start() {
 }
 
 template <class T>
-template <class From>
-CoupledFriction<T>::CoupledFriction(const CoupledFriction<From>& other) {
-    const auto rounded = [](const Matrix<From>& A) {
-        return Matrix<T>(A.unaryExpr([](const From& x) { return static_cast<T>(x); }));
-    };
-    const auto rows = [&](const typename CoupledFriction<From>::Rows& r) {
-        const Matrix<T> value = rounded(r.value);
-        return Rows{value, Matrix<T>(rounded(r.error) + unit_of<T>() * value.cwiseAbs())};
-    };
-    A_ = rounded(other.A_);
-    size_of_A_ = A_.norm();
-    error_of_A_ = static_cast<T>(other.error_of_A_) + unit_of<T>() * size_of_A_;
-    displacement_ = rows(other.displacement_);
-    velocity_ = rows(other.velocity_);
-    rest_ = rounded(other.rest_);
-    error_of_rest_ = static_cast<T>(other.error_of_rest_) + unit_of<T>() * rest_.norm();
-    c_ = rounded(other.c_);
-    error_of_c_ = static_cast<T>(other.error_of_c_) + unit_of<T>() * c_.norm();
-    inverse_inertia_ = in_double(other.inverse_inertia_);
-    set_motion();
-    motion_.start(c_);
-}
-
-template <class T>
 const CoupledState<T>& CoupledFriction<T>::at(const T& tau) const {
     constexpr std::size_t most_remembered = 4096;
     const auto found = known_.find(tau);
@@ -287,9 +262,5 @@ evaluation::FrictionMotion<Bounded<T>> CoupledFriction<T>::motion(std::size_t k,
 }
 
 template class CoupledFriction<double>;
-template class CoupledFriction<Real50>;
-template class CoupledFriction<Real100>;
-template CoupledFriction<double>::CoupledFriction(const CoupledFriction<Real50>&);
-template CoupledFriction<double>::CoupledFriction(const CoupledFriction<Real100>&);
 
 } // namespace denhartog

@@ -39,14 +39,11 @@ public:
     /// @throws        DomainError at a pole: a motion without damping that mirrors itself every half-period;
     ///                PrecisionError where the number type does not have the digits of its coordinates
     CoupledFriction(const System<T>& system, const T& r);
-    /// @param other  the same in another number type, rounded to this one, the rounding in its bounds
-    template <class From>
-    explicit CoupledFriction(const CoupledFriction<From>& other);
 
     /// @brief Number of coordinates. @return N
     [[nodiscard]] std::size_t size() const { return static_cast<std::size_t>(A_.rows() / 2); }
     /// @brief Operations that an instant costs. @return their number
-    [[nodiscard]] long cost() const { return motion_.cost() + 10 * cost_of_mode<T>(); }
+    [[nodiscard]] long cost() const { return motion_.cost() + 10; }
     /// @brief The static compliance between a displacement and the contact. @param k a displacement @return its movement under a
     /// unit force on the contact
     [[nodiscard]] Bounded<T> compliance(std::size_t k) const { return along(displacement_, k, rest_, error_of_rest_); }
@@ -74,9 +71,6 @@ public:
     [[nodiscard]] evaluation::FrictionMotion<Bounded<T>> motion(std::size_t k, const Bounded<T>& tau) const;
 
 private:
-    template <class>
-    friend class CoupledFriction;
-
     // What tells displacements or velocities from half of the energy coordinates, a column a displacement, with its errors.
     struct Rows {
         Matrix<T> value, error;

@@ -4,7 +4,6 @@
 
 #include "denhartog/model/coordinates.hpp"
 #include "denhartog/number/errors.hpp"
-#include "denhartog/number/multiprecision.hpp"
 
 namespace denhartog {
 namespace {
@@ -82,7 +81,5 @@ ModeSums<Bounded<T>> coupled_sums(const System<T>& system, const Bounded<T>& r) 
 }
 
 template ModeSums<Bounded<double>> coupled_sums(const System<double>&, const Bounded<double>&);
-template ModeSums<Bounded<Real50>> coupled_sums(const System<Real50>&, const Bounded<Real50>&);
-template ModeSums<Bounded<Real100>> coupled_sums(const System<Real100>&, const Bounded<Real100>&);
 
 } // namespace denhartog

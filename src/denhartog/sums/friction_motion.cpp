@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "denhartog/number/bounded.hpp"
-#include "denhartog/number/multiprecision.hpp"
 
 namespace denhartog {
 namespace {
@@ -86,16 +85,8 @@ const FrictionMotionsAt<T>& FrictionMotions<T>::at(const T& tau, bool sizes) {
 }
 
 template class FrictionMotions<double>;
-template class FrictionMotions<Real50>;
-template class FrictionMotions<Real100>;
 template std::vector<evaluation::FrictionMotion<double>> friction_motions(const ModeSums<double>&, const double&);
 template std::vector<evaluation::FrictionMotion<Bounded<double>>> friction_motions(const ModeSums<Bounded<double>>&,
                                                                                    const Bounded<double>&);
-template std::vector<evaluation::FrictionMotion<Bounded<Real50>>> friction_motions(const ModeSums<Bounded<Real50>>&,
-                                                                                   const Bounded<Real50>&);
-template std::vector<evaluation::FrictionMotion<Bounded<Real100>>> friction_motions(const ModeSums<Bounded<Real100>>&,
-                                                                                    const Bounded<Real100>&);
-template std::vector<evaluation::FrictionMotion<Real50>> friction_motions(const ModeSums<Real50>&, const Real50&);
-template std::vector<evaluation::FrictionMotion<Real100>> friction_motions(const ModeSums<Real100>&, const Real100&);
 
 } // namespace denhartog

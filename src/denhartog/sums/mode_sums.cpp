@@ -1,6 +1,5 @@
 #include "denhartog/sums/mode_sums.hpp"
 
-#include <atomic>
 #include <boost/container/small_vector.hpp>
 #include <boost/math/special_functions/fpclassify.hpp>
 #include <utility>
@@ -8,15 +7,12 @@
 #include "denhartog/formulas/superposition.hpp"
 #include "denhartog/number/bounded.hpp"
 #include "denhartog/number/errors.hpp"
-#include "denhartog/number/multiprecision.hpp"
 #include "denhartog/scene/mass_rules.hpp"
 #include "denhartog/scene/point_rules.hpp"
 #include "denhartog/sums/left_out_coupling.hpp"
 
 namespace denhartog {
 namespace {
-
-std::atomic<long> evaluations{0};
 
 template <class T>
 void check_arguments(const ModalBasis<T>& basis, Mass contact, Mass load, const T& r) {
@@ -28,9 +24,12 @@ void check_arguments(const ModalBasis<T>& basis, Mass contact, Mass load, const 
 }
 
 template <class T>
-void check_pole(const evaluation::ModeFunctions<T>& f, std::size_t i, const T& R) {
+void check_pole(const evaluation::ModeFunctions<T>& f, std::size_t i, const T& R, const T& zeta) {
     const bool v_finite = boost::math::isfinite(f.v.re) && boost::math::isfinite(f.v.im);
     if (v_finite && boost::math::isfinite(f.u) && boost::math::isfinite(f.g)) return;
+    if (zeta > 0)
+        throw PrecisionError("the functions (23), (28), (29) of mode " + std::to_string(i + 1) + " at R = " + number_to_text(R) +
+                             " are beyond the range of the number type");
     throw DomainError("mode " + std::to_string(i + 1) + " has no damping and R = " + number_to_text(R) + ": its " +
                       (v_finite
                            ? "first damping function (28) is infinite there, and the boundary (69) falls to zero in the limit"
@@ -56,8 +55,8 @@ template <class T>
 evaluation::ModeFunctions<T> mode_functions_at(const ModalBasis<T>& basis, std::size_t i, const T& r) {
     const T R = r / basis.r_n[i];
     const evaluation::ModeFunctions<T> f = evaluation::mode_functions(R, basis.zeta[i]);
-    check_pole(f, i, R);
-    ++evaluations;
+    check_pole(f, i, R, basis.zeta[i]);
+    ++work_counted.mode_evaluations;
     return f;
 }
 
@@ -126,36 +125,14 @@ bool stuck_system_resonates(const ModeSums<T>& sums) {
     return without_a_digit(sums, sums.Y_jj, sums.contact);
 }
 
-long mode_evaluations() { return evaluations; }
-
-void count_mode_evaluations(long modes) { evaluations += modes; }
-
 template ModeSums<double> mode_sums(const ModalBasis<double>&, Mass, Mass, const double&);
-template ModeSums<Real50> mode_sums(const ModalBasis<Real50>&, Mass, Mass, const Real50&);
-template ModeSums<Real100> mode_sums(const ModalBasis<Real100>&, Mass, Mass, const Real100&);
 template ModeSums<Bounded<double>> mode_sums(const ModalBasis<Bounded<double>>&, Mass, Mass, const Bounded<double>&,
                                              const std::vector<evaluation::ModeFunctions<Bounded<double>>>&);
-template ModeSums<Bounded<Real50>> mode_sums(const ModalBasis<Bounded<Real50>>&, Mass, Mass, const Bounded<Real50>&,
-                                             const std::vector<evaluation::ModeFunctions<Bounded<Real50>>>&);
-template ModeSums<Bounded<Real100>> mode_sums(const ModalBasis<Bounded<Real100>>&, Mass, Mass, const Bounded<Real100>&,
-                                              const std::vector<evaluation::ModeFunctions<Bounded<Real100>>>&);
 template evaluation::ModeFunctions<Bounded<double>> mode_functions_at(const ModalBasis<Bounded<double>>&, std::size_t,
                                                                       const Bounded<double>&);
-template evaluation::ModeFunctions<Bounded<Real50>> mode_functions_at(const ModalBasis<Bounded<Real50>>&, std::size_t,
-                                                                      const Bounded<Real50>&);
-template evaluation::ModeFunctions<Bounded<Real100>> mode_functions_at(const ModalBasis<Bounded<Real100>>&, std::size_t,
-                                                                       const Bounded<Real100>&);
 template bool contact_is_unmoved(const ModeSums<double>&);
-template bool contact_is_unmoved(const ModeSums<Real50>&);
-template bool contact_is_unmoved(const ModeSums<Real100>&);
 template bool contact_is_unmoved(const ModeSums<Bounded<double>>&);
-template bool contact_is_unmoved(const ModeSums<Bounded<Real50>>&);
-template bool contact_is_unmoved(const ModeSums<Bounded<Real100>>&);
 template bool stuck_system_resonates(const ModeSums<double>&);
-template bool stuck_system_resonates(const ModeSums<Real50>&);
-template bool stuck_system_resonates(const ModeSums<Real100>&);
 template bool stuck_system_resonates(const ModeSums<Bounded<double>>&);
-template bool stuck_system_resonates(const ModeSums<Bounded<Real50>>&);
-template bool stuck_system_resonates(const ModeSums<Bounded<Real100>>&);
 
 } // namespace denhartog

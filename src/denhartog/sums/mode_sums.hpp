@@ -13,6 +13,7 @@
 #include "denhartog/model/modal_basis.hpp"
 #include "denhartog/number/bounded.hpp"
 #include "denhartog/number/errors.hpp"
+#include "denhartog/number/work_counted.hpp"
 
 namespace denhartog {
 
@@ -135,9 +136,6 @@ template <class T>
 
 /// @brief Number of modes evaluated since the program started; tests gate on it.
 /// @return the count, over all number types
-[[nodiscard]] long mode_evaluations();
-
-/// @brief Counts modes that were evaluated elsewhere. @param modes how many
-void count_mode_evaluations(long modes);
+[[nodiscard]] inline long mode_evaluations() { return work_counted.mode_evaluations; }
 
 } // namespace denhartog

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "denhartog/number/multiprecision.hpp"
 #include "denhartog/scene/scene.hpp"
+#include "tests/support/multiprecision.hpp"
 
 namespace denhartog::benchmark {
 

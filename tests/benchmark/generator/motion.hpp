@@ -5,9 +5,9 @@
 #include <optional>
 #include <vector>
 
-#include "denhartog/number/multiprecision.hpp"
 #include "denhartog/scene/scene.hpp"
 #include "denhartog/stick_slip/motion_record.hpp"
+#include "tests/support/multiprecision.hpp"
 
 namespace denhartog::benchmark {
 

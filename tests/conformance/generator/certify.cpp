@@ -170,7 +170,7 @@ Vector plain_vector(const Case& c, std::size_t n) {
 bool comes_from_rest(const ProtocolQuestion& q, Regime regime) {
     if (q.mu == 1) return true;
     try {
-        return solve(scene_source(scene_of<double>(q)), {Asked::regime, 12, false}).regime.regime == regime;
+        return solve(scene_source(scene_of(q)), {Asked::regime, 12, false}).regime.regime == regime;
     } catch (const std::exception&) {
         return false;
     }
@@ -182,7 +182,7 @@ Vector rejected(const Case& c, std::size_t n) {
     v.reject = c.reject;
     if (is_of_the_paper(c.scene)) v.flags = c.flags;
     try {
-        static_cast<void>(scene_of<double>(v.question));
+        static_cast<void>(scene_of(v.question));
     } catch (const InputError&) {
         return v;
     }

@@ -15,7 +15,7 @@ template <class T>
 class ClosedForm : public Route<T> {
 public:
     ClosedForm(const ProtocolQuestion& q, Regime regime, ClosedForm* near)
-        : scene_(in_own_coordinates(scene_of<T>(q))), regime_(regime), near_(near), basis_(modal_basis(scene_.system)) {}
+        : scene_(in_own_coordinates(wide_scene_of<T>(q))), regime_(regime), near_(near), basis_(modal_basis(scene_.system)) {}
 
     std::vector<T> numbers(const ProtocolQuestion& q) override {
         const std::string& name = q.quantity;

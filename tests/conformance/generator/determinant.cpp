@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "denhartog/number/multiprecision.hpp"
+#include "tests/support/multiprecision.hpp"
 
 namespace denhartog::conformance::generator {
 namespace {

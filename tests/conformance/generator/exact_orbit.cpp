@@ -16,7 +16,7 @@ template <class T>
 class ExactOrbit : public Route<T> {
 public:
     ExactOrbit(const ProtocolQuestion& q, const OrbitSeen& seen)
-        : scene_(in_own_coordinates(scene_of<T>(q))), system_(contact_system(scene_.system)),
+        : scene_(in_own_coordinates(wide_scene_of<T>(q))), system_(contact_system(scene_.system)),
           solver_(system_, {T(q.r), T(q.beta), T(q.mu)}) {
         start_.x.assign(seen.at_zero.x.begin(), seen.at_zero.x.end());
         start_.x_prime.assign(seen.at_zero.x_prime.begin(), seen.at_zero.x_prime.end());

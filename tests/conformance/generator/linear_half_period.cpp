@@ -3,7 +3,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 
-#include "denhartog/number/multiprecision.hpp"
+#include "tests/support/multiprecision.hpp"
 
 namespace denhartog::conformance::generator {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "denhartog/number/multiprecision.hpp"
+#include "tests/support/multiprecision.hpp"
 
 namespace denhartog::conformance::generator {
 

@@ -23,7 +23,7 @@ State<double> cut(State<double> z) {
 } // namespace
 
 OrbitSeen orbit_seen(const ProtocolQuestion& q) {
-    const Scene<double> scene = in_own_coordinates(scene_of<double>(q));
+    const Scene<double> scene = in_own_coordinates(scene_of(q));
     const ContactSystem<double> system = contact_system(scene.system);
     ExactSolver<double> solver(system, {q.r, q.beta, q.mu});
     OrbitSearch<double> search;

@@ -204,12 +204,12 @@ private:
 
 template <>
 HalfPeriodProblem<Real50> problem_of(const ProtocolQuestion& q) {
-    return half_period_problem(scene_of<double>(q));
+    return half_period_problem(scene_of(q));
 }
 
 template <>
 HalfPeriodProblem<Real100> problem_of(const ProtocolQuestion& q) {
-    return half_period_problem(scene_of<Real50>(q));
+    return half_period_problem(wide_scene_of<Real50>(q));
 }
 
 template <class T>

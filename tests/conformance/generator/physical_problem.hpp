@@ -3,8 +3,8 @@
 #pragma once
 
 #include "conformance/question.hpp"
-#include "denhartog/number/multiprecision.hpp"
 #include "tests/support/half_period.hpp"
+#include "tests/support/multiprecision.hpp"
 
 namespace denhartog::conformance::generator {
 

@@ -3,13 +3,15 @@
 #pragma once
 
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <vector>
 
 #include "conformance/question.hpp"
 #include "denhartog/model/coordinates.hpp"
-#include "denhartog/number/multiprecision.hpp"
+#include "denhartog/scene/scene_json.hpp"
 #include "denhartog/sliding/regime.hpp"
 #include "denhartog/stick_slip/motion_record.hpp"
+#include "tests/support/multiprecision.hpp"
 
 namespace denhartog::conformance::generator {
 
@@ -26,6 +28,16 @@ public:
     /// @return   the numbers; none where the route does not serve the quantity
     virtual std::vector<T> numbers(const ProtocolQuestion& q) = 0;
 };
+
+/// @brief The scene of a question in 50 or 100 digits, its numbers taken as exact.
+/// @param q  the question
+/// @return   the scene; a moving base as the load that it is
+/// @throws   InputError as `scene_of`
+template <class T>
+[[nodiscard]] Scene<T> wide_scene_of(const ProtocolQuestion& q) {
+    static_cast<void>(scene_of(q));
+    return scene_from_json<T>(nlohmann::json(question_json(q).at("scene")));
+}
 
 /// @brief Which of the displacements of a system in its own coordinates a question asks about, see `in_own_coordinates`.
 /// @param q       the question

@@ -10,6 +10,7 @@
 #include "denhartog/solve/solve.hpp"
 #include "tests/speed_accuracy/peers/closed_form_peers.hpp"
 #include "tests/speed_accuracy/peers/exact_solver_peer.hpp"
+#include "tests/support/multiprecision.hpp"
 
 namespace denhartog::tests {
 namespace {

@@ -1,7 +1,7 @@
 #include "denhartog/answer/scene_source.hpp"
-#include "denhartog/number/multiprecision.hpp"
 #include "tests/speed_accuracy/peers/closed_form_peers.hpp"
 #include "tests/speed_accuracy/peers/exact_solver_peer.hpp"
+#include "tests/support/multiprecision.hpp"
 
 namespace denhartog::tests {
 namespace {

@@ -50,7 +50,7 @@ Json answer_to(const nlohmann::json& object, const std::function<Json(const Prot
         return skip("not a quantity of this version of the protocol");
     const ProtocolQuestion q = conformance::question_from_json(object);
     if (!conformance::is_of_the_paper(q)) return skip("not a scene of the paper");
-    const Scene<double> scene = conformance::scene_of<double>(q);
+    const Scene<double> scene = conformance::scene_of(q);
     if (std::ranges::find(answered, q.quantity) == answered.end()) return skip("not read off an integrated motion");
     if (q.quantity == "motion_under_force" && q.samples < 1)
         throw InputError("samples", "must be positive", std::to_string(q.samples));

@@ -1,0 +1,89 @@
+// Double, then the reference: what double leaves open is answered, or refused with the reasons of both.
+#include "denhartog/number/errors.hpp"
+#include "denhartog/solve/solve.hpp"
+#include "denhartog/solve/solve_by_reference.hpp"
+#include "tests/catch.hpp"
+
+#include <cmath>
+#include <limits>
+
+using namespace denhartog;
+
+namespace {
+
+SceneSource scene_of(const char* text) { return scene_source(SceneText{text}); }
+
+constexpr const char* grazing =
+    R"({"mass_ratios": [1], "stiffness_ratios": [1], "damping_ratios": "0.12241850185925754", "contact": 1, "load": 1,
+        "r": "0.71137953845462243", "beta": "0.552171582623112"})";
+
+// Sticking for ever begins a last digit above.
+constexpr const char* nearly_held = R"({"mass_ratios": [1, 0.75446287041036153, 0.90910697215540848, 0.56008440847893404],
+    "stiffness_ratios": [1, 0.73985774937320514, 0.98323358945340977, 0.50054355969969855],
+    "damping_ratios": [0.00020898467548437081, 0.010192329563089624, 0.39273080301693275, 6.4521664879332649e-05],
+    "contact": 1, "load": 2, "r": 0.46925342893654237, "beta": 14.109761636448946})";
+
+std::string coupled(const std::string& tolerance) {
+    return R"({"mass_ratios": [1, 1.5], "stiffness_ratios": [1, 0.8], "damping_matrix": [[0.3, -0.05], [-0.05, 0.1]],
+        "damping_tolerance": )" +
+           tolerance + R"(, "contact": 2, "load": 1, "r": 0.9, "beta": 0.05})";
+}
+
+} // namespace
+
+TEST_CASE("a last digit above the boundary the stops are proved, of some 1e-15 of a radian", "[reference][orbit][eq:69]") {
+    for (const int digits : {6, 12, 30}) {
+        const Solution s = solve(scene_of(grazing), {Asked::motion, digits});
+        CHECK(s.regime.regime == Regime::stick_slip);
+        CHECK(s.method.proved);
+        REQUIRE(s.stops.size() == 2);
+        const double lasts = s.stops[0].end.value - s.stops[0].start.value;
+        CHECK(lasts > 1e-15);
+        CHECK(lasts < 1e-14);
+    }
+    // A last digit below it the contact slides.
+    std::string below = grazing;
+    below.replace(below.find("3112"), 4, "3110");
+    CHECK(solve(scene_of(below.c_str()), {Asked::motion, 12}).regime.regime == Regime::continuous);
+}
+
+TEST_CASE("a motion that no proof reaches is refused with the regime that is certain", "[reference][driver]") {
+    CHECK(solve(scene_of(nearly_held), {Asked::regime, 12}).regime.regime == Regime::stick_slip);
+    CHECK_THROWS_AS(solve(scene_of(nearly_held), {Asked::motion, 20}), PrecisionError);
+    CHECK_THROWS_WITH(solve(scene_of(nearly_held), {Asked::motion, {}}),
+                      Catch::Contains("no motion with stops to start from. This much is certain: the closed form does not hold"));
+}
+
+TEST_CASE("a damping matrix counts as modal within its tolerance, to any digits", "[reference][eq:18]") {
+    const auto amplitude = [](const std::string& tolerance, int digits) {
+        return solve(scene_of(coupled(tolerance).c_str()), {Asked::motion, digits}).masses[1].amplitude.value;
+    };
+    // How far K M^-1 C is from C M^-1 K over the sizes of both is 0.218.
+    CHECK(amplitude("0.5", 6) == Approx(amplitude("0.5", 30)).epsilon(1e-12));
+    CHECK(amplitude("0.5", 30) == Approx(amplitude("2", 30)).epsilon(1e-15));
+    CHECK(amplitude("0.01", 6) == Approx(amplitude("0.01", 30)).epsilon(1e-12));
+    CHECK(amplitude("0.01", 30) == Approx(amplitude("0", 30)).epsilon(1e-15));
+    CHECK(std::abs(amplitude("0", 30) - amplitude("2", 30)) > 1e-6);
+}
+
+TEST_CASE("far above the resonances an overdamped mode takes the bits that show its demand", "[reference][eq:56][eq:69]") {
+    // (56) and (69) of one mode are one number.
+    for (const char* r : {"1e5", "1e20", "1e50", "1e150"}) {
+        const std::string scene =
+            std::string(
+                R"({"mass_ratios": [1], "stiffness_ratios": [1], "damping_ratios": 32879.2, "contact": 1, "load": 1, "r": )") +
+            r + "}";
+        const Limits limits = sliding_answer(scene_of(scene.c_str()), 20, true).limits.value();
+        CHECK(limits.exact.decimal == limits.paper.decimal);
+        CHECK(limits.exact.value > 0);
+    }
+}
+
+TEST_CASE("an amplitude below all doubles is zero to within the least of them, or text", "[reference][driver]") {
+    const SceneSource far = scene_of(R"({"mass_ratios": [1, 1], "stiffness_ratios": [1, 1], "damping_ratios": 0.1, "contact": 1,
+        "load": 2, "r": 1e120, "beta": 0})");
+    const Solution few = solve(far, {Asked::motion, {}}), more = solve(far, {Asked::motion, 20});
+    CHECK(few.masses[0].amplitude.value == 0);
+    CHECK(few.masses[0].amplitude.error == std::numeric_limits<double>::denorm_min());
+    CHECK(more.masses[0].amplitude.decimal.ends_with("e-362"));
+}
