@@ -1,5 +1,7 @@
 // Double, then the reference: what double leaves open is answered, or refused with the reasons of both.
 #include "denhartog/number/errors.hpp"
+#include "denhartog/reference/friction.hpp"
+#include "denhartog/reference/maximum.hpp"
 #include "denhartog/solve/solve.hpp"
 #include "denhartog/solve/solve_by_reference.hpp"
 #include "tests/catch.hpp"
@@ -86,4 +88,41 @@ TEST_CASE("an amplitude below all doubles is zero to within the least of them, o
     CHECK(few.masses[0].amplitude.value == 0);
     CHECK(few.masses[0].amplitude.error == std::numeric_limits<double>::denorm_min());
     CHECK(more.masses[0].amplitude.decimal.ends_with("e-362"));
+}
+
+TEST_CASE("first and third derivative of a friction motion add up to what the equation of motion says, and no other does",
+          "[reference][eq:41]") {
+    const Bits enough(256);
+    for (const auto& [R, zeta] : {std::pair(1.0, 0x1p-20), {1 + 0x1p-20, 0x1p-10}, {0.375, 0.25}, {5.0, 0.5}}) {
+        const reference::FrictionMotionOfMode mode{Ball(R), Ball(zeta)}, other{Ball(R), Ball(zeta * (1 + 0x1p-10))};
+        for (const double tau : {0.25, 1.5, 3.0}) {
+            const reference::Series F = mode.at(Ball(tau)), sum = mode.rate_and_third(F);
+            const Ball direct = F.c[1] + 6 * F.c[3];
+            INFO("R = " << R << ", zeta = " << zeta << ", tau = " << tau);
+            CHECK(arb_overlaps(sum.c[0].a, direct.a) != 0);
+            CHECK(arb_overlaps(sum.c[1].a, Ball(2 * F.c[2] + 24 * F.c[4]).a) != 0);
+            CHECK(arb_overlaps(other.rate_and_third(F).c[0].a, direct.a) == 0);
+        }
+    }
+}
+
+TEST_CASE("the largest value of a quotient is the same with n'' + n given, and a wrong one is found out", "[reference][eq:69]") {
+    const Bits enough(256);
+    const reference::FrictionMotionOfMode mode{Ball(0.75), Ball(0.0625)};
+    const auto F = [&](const Ball& tau) {
+        return arb_is_exact(tau.a) != 0 ? mode.at(tau) : mode.over(mode.at(middle(tau)), tau);
+    };
+    const auto n = [&](const Ball& tau) {
+        return reference::Series(mode.u) * cos(reference::Series::time(tau)) + F(tau).derivative();
+    };
+    const auto Z = [&](const Ball& tau) { return mode.rate_and_third(F(tau)); };
+    const Ball largest = reference::largest_over_sine(n).value;
+    CHECK(arb_overlaps(reference::largest_over_sine(n, Z).value.a, largest.a) != 0);
+    bool agrees = false;
+    try {
+        const auto wrong = [&](const Ball& tau) { return -Z(tau); };
+        agrees = arb_overlaps(reference::largest_over_sine(n, wrong).value.a, largest.a) != 0;
+    } catch (const reference::Unproved&) {
+    }
+    CHECK_FALSE(agrees);
 }

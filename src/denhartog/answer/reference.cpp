@@ -124,26 +124,22 @@ bool has_88(const Scene<double>& scene) {
     return is_chain(scene.system) && scene.system.coordinates.load.empty() && scene.system.coordinates.replaced.empty();
 }
 
-// The regime of the motion that is meant; the one that the boundaries have instead exists besides.
-void set_regime(const PointInBalls& p, Regime met, const char* because, Solution& s) {
-    if (p.boundary && s.regime.regime != met) {
-        std::erase(s.regime.other, met);
-        if (s.regime.regime == Regime::continuous) s.regime.other.push_back(s.regime.regime);
-    }
-    s.regime.regime = met;
-    if (*because != 0) s.regime.reason += std::string("; ") + because;
+void set_regime(const PointInBalls& p, Regime met, Solution& s) {
+    if (p.boundary)
+        take_regime(met, s.regime);
+    else
+        s.regime.regime = met;
 }
 
 // What double takes for a stop next to the boundary may be none.
 void set_regime_by_stops(const PointInBalls& p, const OrbitInBalls& o, Solution& s) {
-    if (!o.stops.empty())
-        return set_regime(p, Regime::stick_slip,
-                          p.boundary && *p.scene.beta < p.boundary->exact ? "the contact stops in every period" : "", s);
     const bool slides = p.boundary && *p.scene.beta < p.boundary->exact;
-    set_regime(p, Regime::continuous,
-               slides ? "the motion from rest is the sliding motion"
-                      : "the contact does not stop, but the motion is not that of the closed form",
-               s);
+    set_regime(p, o.stops.empty() ? Regime::continuous : Regime::stick_slip, s);
+    if (o.stops.empty())
+        s.regime.reason += slides ? "; the motion from rest is the sliding motion"
+                                  : "; the contact does not stop, but the motion is not that of the closed form";
+    else if (slides)
+        s.regime.reason += "; the contact stops in every period";
 }
 
 void write_orbit(const OrbitInBalls& o, const Scene<double>& scene, const ReferenceQuestion& q, WrittenNumbers& w, Solution& s) {
@@ -207,7 +203,7 @@ void attempt(const SceneSource& source, const ReferenceQuestion& q, slong bits, 
         if (p.boundary && regime != Regime::stick_slip && regime != s.regime.regime &&
             std::ranges::find(s.regime.other, regime) == s.regime.other.end())
             throw RegimeDisproved("the reference disproves the regime: " + s.regime.reason);
-        if (q.met && regime != Regime::stick_slip) set_regime(p, regime, "", s);
+        if (q.met && regime != Regime::stick_slip) set_regime(p, regime, s);
         if (q.asked == Asked::regime || (q.closed_form_alone && regime != Regime::continuous)) {
             s.method.model = q.closed_form_alone ? "boundary of the sliding regime" : "boundaries";
             if (q.met == Regime::stick_slip && !q.closed_form_alone)

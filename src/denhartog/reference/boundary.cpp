@@ -28,7 +28,7 @@ Ball largest_demand(const ResponsesInBalls& r, LargestInBalls& found) {
         return enlarged * numerator(U, r.friction.of(r.contact(), (*r.friction.shared)(tau)), tau);
     };
     const auto Z = [&](const Ball& tau) { return enlarged * r.friction.rate_and_third(r.contact(), (*r.friction.shared)(tau)); };
-    const bool hides = !r.friction.detuning.empty() && is_hidden(Z, n, enlarged * U);
+    const bool hides = !r.friction.modes.empty() && is_hidden(Z, n, enlarged * U);
     found = largest_over_sine(n, hides ? FunctionOfTime(Z) : FunctionOfTime());
     return found.value / enlarged;
 }
@@ -54,13 +54,7 @@ Ball sum_of_largest(const ResponsesInBalls& r) {
                              [&](const Series& in_the_middle, const Ball& tau) { return mode.over(in_the_middle, tau); });
         const Ball squares = 1 / (R * R), enlarged = enlargement(squares);
         const auto of_mode = [&](const Ball& tau) { return enlarged * numerator(mode.u, F(tau), tau); };
-        const auto Z = [&](const Ball& tau) {
-            FrictionInTime one;
-            one.weight = {{enlarged}};
-            one.detuning = {1 - mode.stiffness};
-            one.damping = {mode.damping};
-            return one.rate_and_third(0, {F(tau)});
-        };
+        const auto Z = [&](const Ball& tau) { return enlarged * mode.rate_and_third(F(tau)); };
         const bool hides = is_hidden(Z, of_mode, enlarged * mode.u);
         largest.push_back(largest_over_sine(of_mode, hides ? FunctionOfTime(Z) : FunctionOfTime()).value / (enlarged * squares));
     }

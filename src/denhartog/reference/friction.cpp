@@ -44,11 +44,8 @@ FrictionInTime friction_of_modes(const ModesInBalls& m) {
         for (std::size_t i = 0; i < m.R.size(); ++i) weight.push_back(m.psi[row][i] * m.at_contact()[i] * m.R[i] * m.R[i]);
     }
     std::vector<FrictionMotionOfMode> motions;
-    for (std::size_t i = 0; i < m.R.size(); ++i) {
-        motions.emplace_back(m.R[i], m.zeta[i]);
-        f.detuning.push_back(1 - motions.back().stiffness);
-        f.damping.push_back(motions.back().damping);
-    }
+    for (std::size_t i = 0; i < m.R.size(); ++i) motions.emplace_back(m.R[i], m.zeta[i]);
+    f.modes = motions;
     using AllModes = std::vector<Series>;
     f.shared = std::make_shared<Remembered<AllModes>>(
         [motions](const Ball& tau) {
@@ -77,12 +74,14 @@ Series FrictionInTime::of(std::size_t row, const std::vector<Series>& e) const {
 }
 
 Series FrictionInTime::rate_and_third(std::size_t row, const std::vector<Series>& e) const {
-    Series sum;
-    for (std::size_t i = 0; i < e.size(); ++i) // F'' + 2 zeta / R F' + F / R^2 = 1 / R^2
-        for (int n = 0; n < 3; ++n) {
-            const Ball rate = (n + 1) * e[i].c[n + 1], second = (n + 1) * (n + 2) * e[i].c[n + 2];
-            sum.c[n] += weight[row][i] * (detuning[i] * rate - damping[i] * second);
-        }
+    std::vector<Series> each;
+    for (std::size_t i = 0; i < e.size(); ++i) each.push_back(modes[i].rate_and_third(e[i]));
+    return sum_of(weight[row], each, Series());
+}
+
+Series FrictionMotionOfMode::rate_and_third(const Series& F) const {
+    Series sum; // as F''' = -(2 zeta / R F'' + F' / R^2)
+    for (int n = 0; n < 3; ++n) sum.c[n] = (1 - stiffness) * ((n + 1) * F.c[n + 1]) - damping * ((n + 1) * (n + 2) * F.c[n + 2]);
     return sum;
 }
 

@@ -12,24 +12,6 @@
 
 namespace denhartog::reference {
 
-/// @brief The motion F_k that a unit of friction adds over the half-period in which the contact moves down, as (41) has it.
-///
-/// It is a sum of functions of time that all masses share, \f$ F_k(\tau) = c_k + \sum_i a_{ki} e_i(\tau) \f$. Its values at both
-/// ends of the half-period are \f$ -G_k \f$ and \f$ G_k \f$, its rates \f$ -U_{dk} \f$ and \f$ U_{dk} \f$.
-struct FrictionInTime {
-    std::vector<Ball> constant{};                              ///< c_k; N masses, then the contact
-    std::vector<std::vector<Ball>> weight{};                   ///< a_ki, as many rows
-    std::shared_ptr<Remembered<std::vector<Series>>> shared{}; ///< e_i at an instant or over a stretch
-    std::vector<Ball> detuning{};                              ///< 1 - 1 / R_i^2 where e_i is the motion of a mode, else none
-    std::vector<Ball> damping{};                               ///< 2 zeta_i / R_i likewise
-
-    /// @brief One row from the shared functions. @param row a mass, or the contact at N @param e what `shared` gave @return F_k
-    [[nodiscard]] Series of(std::size_t row, const std::vector<Series>& e) const;
-    /// @brief First and third derivative of F_k, added, by the equations of motion of the modes: next to a resonance their sum is a
-    /// small difference of large terms. @param row as above @param e as above @return value, slope and curvature of the sum
-    [[nodiscard]] Series rate_and_third(std::size_t row, const std::vector<Series>& e) const;
-};
-
 /// @brief The friction motion of a mode, damped below critical.
 /// @eq{41}
 struct FrictionMotionOfMode {
@@ -48,6 +30,26 @@ struct FrictionMotionOfMode {
     [[nodiscard]] Series at(const Ball& tau) const;
     /// @brief The same over a stretch. @param in_the_middle its series there @param tau the stretch @return the series
     [[nodiscard]] Series over(const Series& in_the_middle, const Ball& tau) const;
+    /// @brief First and third derivative, added, by the equation of motion: next to a resonance the sum is a small difference of
+    /// large terms. @param F the motion @return value, slope and curvature of the sum; the rest is not known
+    [[nodiscard]] Series rate_and_third(const Series& F) const;
+};
+
+/// @brief The motion F_k that a unit of friction adds over the half-period in which the contact moves down, as (41) has it.
+///
+/// It is a sum of functions of time that all masses share, \f$ F_k(\tau) = c_k + \sum_i a_{ki} e_i(\tau) \f$. Its values at both
+/// ends of the half-period are \f$ -G_k \f$ and \f$ G_k \f$, its rates \f$ -U_{dk} \f$ and \f$ U_{dk} \f$.
+struct FrictionInTime {
+    std::vector<Ball> constant{};                              ///< c_k; N masses, then the contact
+    std::vector<std::vector<Ball>> weight{};                   ///< a_ki, as many rows
+    std::shared_ptr<Remembered<std::vector<Series>>> shared{}; ///< e_i at an instant or over a stretch
+    std::vector<FrictionMotionOfMode> modes{};                 ///< those whose motions the e_i are; none of free motions
+
+    /// @brief One row from the shared functions. @param row a mass, or the contact at N @param e what `shared` gave @return F_k
+    [[nodiscard]] Series of(std::size_t row, const std::vector<Series>& e) const;
+    /// @brief First and third derivative of F_k, added. @param row as above @param e as above, of modes
+    /// @return  see `FrictionMotionOfMode`
+    [[nodiscard]] Series rate_and_third(std::size_t row, const std::vector<Series>& e) const;
 };
 
 /// @brief Acceleration of the contact by a unit force on it: the sum of (w^T psi_i)^2 over the modes is w^T M^-1 w / r^2.

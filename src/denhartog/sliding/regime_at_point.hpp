@@ -28,6 +28,16 @@ struct RegimeAtPoint {
     std::string reason;        ///< why it is this regime, in words
 };
 
+/// @brief Takes the regime of a motion that was found. The sliding regime, where the boundaries have that instead, exists besides.
+/// @param met    the regime of the motion
+/// @param point  the regime by the boundaries; gets the other
+inline void take_regime(Regime met, RegimeAtPoint& point) {
+    if (point.regime == met) return;
+    std::erase(point.other, met);
+    if (point.regime == Regime::continuous) point.other.push_back(point.regime);
+    point.regime = met;
+}
+
 /// @brief The condition of (54) that ends the sliding regime as beta grows.
 enum class BindingCondition {
     velocity,        ///< (54)a: beyond it the contact would turn back within the half-period

@@ -22,13 +22,11 @@ namespace {
 
 Work work_so_far() { return {eigen_solves(), mode_evaluations(), phases_propagated()}; }
 
-// The regime that was met; the one that the boundaries have instead, which then exists besides at mu > 1.
 void set_regime(const SolveTask& task, Regime met, const std::string& reason, Solution& s) {
-    if (!task.pole && s.regime.regime != met) {
-        std::erase(s.regime.other, met);
-        if (s.regime.regime == Regime::continuous) s.regime.other.push_back(s.regime.regime);
-    }
-    s.regime.regime = met;
+    if (task.pole)
+        s.regime.regime = met;
+    else
+        take_regime(met, s.regime);
     if (task.scene.mu > 1 || task.pole || met == Regime::continuous) s.regime.reason += "; " + reason;
 }
 

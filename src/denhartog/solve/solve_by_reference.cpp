@@ -34,6 +34,7 @@ Solution in_turn(std::size_t N, std::optional<int> digits, bool proved, const By
         why = e.what();
     }
     count_precision_step();
+    bool tells_regime = false; // the reference, though not the motion
     std::string refused = QuestionEffort::exhausted()
                               ? "the work allowed is spent"
                               : "the reference is asked about no more than " + std::to_string(most_masses_unasked) +
@@ -48,6 +49,7 @@ Solution in_turn(std::size_t N, std::optional<int> digits, bool proved, const By
             return s;
         } catch (const MotionUnproved& e) { // the regime is told, and double has only one that may be next to it
             refused = e.what();
+            tells_regime = true;
             found.is_answer = found.is_answer && !found.solution.regime.on_boundary;
         } catch (const RegimeDisproved& e) {
             refused = e.what();
@@ -57,11 +59,10 @@ Solution in_turn(std::size_t N, std::optional<int> digits, bool proved, const By
         }
     }
     if (pole) std::rethrow_exception(pole);
-    const bool says_regime = refused.find("This much is certain") != std::string::npos;
     const RegimeAtPoint& regime = found.solution.regime;
-    if (found.open && !found.is_answer && !says_regime)
+    if (found.open && !found.is_answer && !tells_regime)
         refused += (regime.on_boundary ? ". As double sees it: " : ". This much is certain: ") + regime.reason;
-    if (says_regime) why.resize(std::min(why.size(), why.find(". This much is certain")));
+    if (tells_regime) why.resize(std::min(why.size(), why.find(". This much is certain")));
     if (!found.is_answer) throw PrecisionError(why == refused ? why : why + "; " + refused);
     found.solution.method.why += "; " + refused;
     if (found.open) found.solution.digits_reached = false;
@@ -115,13 +116,15 @@ Solution answer_by_reference(const PreparedSystem& p, const SolvePoint& at, cons
                 throw RegimeDisproved(std::string(disproved.what()) + "; " + e.what());
             }
         }
-    } catch (const PrecisionError& e) {
+    } catch (const MotionUnproved&) {
+        throw;
+    } catch (const PrecisionError&) {
+        if (scene.mu > 1) throw;
         try {
-            if (scene.mu == 1) rest = from_rest(scene, fast);
-        } catch (const PrecisionError&) {
-            throw PrecisionError(e.what()); // what the reference says
+            rest = from_rest(scene, fast);
+        } catch (const PrecisionError&) { // what the reference says is said
         }
-        if (scene.mu > 1 || !rest) throw;
+        if (!rest) throw;
         asked.met = rest->solution.regime.regime; // a pole
         s = solution_by_reference(source, asked, guesses);
     }
@@ -146,10 +149,12 @@ Solution answer_by_reference(const PreparedSystem& p, const SolvePoint& at, cons
 
 std::vector<OrbitGuess> guesses_at(const PreparedSystem& p, const SceneSource& source) {
     const Scene<double>& scene = source->in_double();
-    const ModesInDouble modes = p.bounded ? ModesInDouble{p.bounded} : modes_in_double(source);
-    const std::shared_ptr<const ContactSystem<double>> moving = p.moving ? p.moving : moving_in_double(source, modes);
     std::vector<OrbitGuess> all;
-    if (!moving->rounded_because.empty()) return all; // rounding of its modes would keep it from any motion that repeats itself
+    // Rounding of modes that double does not have itself would keep it from any motion that repeats itself.
+    const ModesInDouble modes = p.bounded ? ModesInDouble{p.bounded} : modes_in_double(source);
+    if (!modes.rounded_because.empty()) return all;
+    const std::shared_ptr<const ContactSystem<double>> moving = p.moving ? p.moving : moving_in_double(source, modes);
+    if (!moving->rounded_because.empty()) return all;
     ExactSolver<double> solver(*moving, {*scene.r, *scene.beta, scene.mu});
     OrbitSearch<double> how;
     how.with_stability = false;
