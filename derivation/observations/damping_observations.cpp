@@ -4,8 +4,8 @@
 
 #include "denhartog/formulas/boundary.hpp"
 #include "denhartog/number/errors.hpp"
-#include "denhartog/sliding/invariant_points.hpp"
 #include "observed_systems.hpp"
+#include "tests/support/invariant_points.hpp"
 #include "tests/support/paper_systems.hpp"
 
 namespace denhartog::derivation {
@@ -48,8 +48,7 @@ std::optional<double> crossing(const ObservedSystem& s, std::size_t k, double be
 Outcome inversions() {
     Outcome outcome;
     const ObservedSystem undamped = observed_system("2DOF j=2 l=1", 0, two_masses(0.0));
-    const std::vector<InvariantPoint<double>> points =
-        invariant_points(undamped.basis, undamped.system.contact, undamped.system.load, 0.1, 2.5)[0].points;
+    const std::vector<InvariantPoint<double>> points = tests::invariant_points_of(undamped.system, 0.1, 2.5)[0].points;
     Worst worst;
     long pairs = 0, without = 0;
     Witness lost;

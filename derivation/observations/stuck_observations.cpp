@@ -4,11 +4,11 @@
 
 #include "denhartog/formulas/other_masses.hpp"
 #include "denhartog/formulas/stuck.hpp"
-#include "denhartog/sliding/invariant_points.hpp"
 #include "denhartog/sliding/steady_state.hpp"
 #include "observation.hpp"
 #include "observed_systems.hpp"
 #include "stuck_systems.hpp"
+#include "tests/support/invariant_points.hpp"
 
 namespace denhartog::derivation {
 
@@ -174,8 +174,7 @@ Outcome damped_invariant_point() {
 
 /// The points of mass 1 of the paper's system of two masses, undamped, over the frequency ratios of its figures.
 std::vector<InvariantPoint<double>> points_of_first_mass() {
-    const StuckSystem s = equal_chain(2, 2, 1, 0);
-    return invariant_points(s.basis, s.system.contact, s.system.load, 0.1, 2.5)[0].points;
+    return tests::invariant_points_of(equal_chain(2, 2, 1, 0).system, 0.1, 2.5)[0].points;
 }
 
 Outcome all_by_87() {

@@ -4,8 +4,8 @@
 
 #include <boost/math/tools/roots.hpp>
 
-#include "denhartog/sliding/invariant_points.hpp"
 #include "response_statements.hpp"
+#include "tests/support/invariant_points.hpp"
 #include "tests/support/paper_systems.hpp"
 
 namespace denhartog::figures {
@@ -21,8 +21,7 @@ namespace denhartog::figures {
 /// @return      the points, ascending
 [[nodiscard]] inline std::vector<InvariantPoint<double>> sliding_invariant_points(const WithModes& s, Mass k, double beta,
                                                                                   double to) {
-    std::vector<InvariantPoint<double>> points =
-        invariant_points(s.basis, s.system.contact, s.system.load, 0.1, to)[k.index].points;
+    std::vector<InvariantPoint<double>> points = tests::invariant_points_of(s.system, 0.1, to)[k.index].points;
     std::erase_if(points, [&](const auto& p) { return boundary(s.at(p.r), 1.0).exact <= beta; });
     return points;
 }

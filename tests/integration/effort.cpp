@@ -7,13 +7,13 @@
 #include <limits>
 #include <random>
 
+#include "denhartog/answer/reference_invariant_points.hpp"
 #include "denhartog/map/regime_map.hpp"
 #include "denhartog/model/linear_algebra.hpp"
 #include "denhartog/model/modal_basis.hpp"
 #include "denhartog/number/number.hpp"
 #include "denhartog/orbit/periodic_orbit.hpp"
 #include "denhartog/scene/converted.hpp"
-#include "denhartog/sliding/invariant_points.hpp"
 #include "denhartog/solve/solve.hpp"
 #include "tests/catch.hpp"
 #include "tests/support/multiprecision.hpp"
@@ -95,25 +95,23 @@ TEST_CASE("an orbit whose effort is spent says how far it came", "[effort][exact
 
 TEST_CASE("far above resonance, where the functions of (87) cancel, the invariant points are found all the same",
           "[effort][invariant][eq:87]") {
-    const System<double> s = chain_of({1, 1, 1}, {1, 1, 1}, 0.05, 1, 1);
-    const ModalBasis<double> basis = modal_basis(s);
-    for (const double r : {20.0, 50.0, 200.0}) {
-        Effort effort{default_effort(3)};
-        const auto found = invariant_points(basis, s.contact, s.load, 1.0, r, &effort);
-        std::size_t points = 0, undecided = 0;
-        for (const InvariantPointsOfMass<double>& mass : found) {
+    Scene<double> scene;
+    scene.system = chain_of({1, 1, 1}, {1, 1, 1}, 0.05, 1, 1);
+    scene.r = 1;
+    const SceneSource source = scene_source(scene);
+    for (const char* const r : {"20", "50", "200"}) {
+        const QuestionEffort enough(3);
+        std::size_t points = 0;
+        for (const InvariantPointsOfMass<Certified>& mass : invariant_points(source, {"1", r})) {
             points += mass.points.size();
-            undecided += mass.undecided.size();
-            for (const UndecidedStretch<double>& each : mass.undecided) CHECK(each.from > 40);
+            CHECK(mass.undecided.empty());
         }
-        std::printf("invariant points 1:%g: %ld operations, %zu points, %zu undecided\n", r, effort.spent, points, undecided);
-        CHECK(effort.spent <= 200'000);
-        if (r <= 20) CHECK(undecided == 0);
+        std::printf("invariant points 1:%s: %ld operations, %zu points\n", r, enough.spent(), points);
+        CHECK(points == 4);
+        CHECK(enough.spent() <= 200'000);
     }
-    Effort little{1000};
-    const auto begun = invariant_points(basis, s.contact, s.load, 1.0, 50.0, &little);
-    CHECK(little.spent <= 1100);
-    CHECK_FALSE(begun.back().undecided.empty());
+    const QuestionEffort little(3, 1000);
+    CHECK_FALSE(invariant_points(source, {"1", "50"}).back().undecided.empty());
 }
 
 TEST_CASE("finding modes is paid for, and ends where nothing is left to pay or somebody cancels", "[effort][eq:15]") {

@@ -1,18 +1,19 @@
-// Invariant points, proved: against double, against the paper's own formulas, and known ones; and twins that are noticed.
+// Invariant points, proved: against the paper's own formulas, and known ones; and twins that are noticed.
 #include "denhartog/reference/invariant_points.hpp"
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 
-#include "denhartog/answer/modes_in_double.hpp"
-#include "denhartog/sums/bounded_modes.hpp"
+#include "denhartog/answer/reference_invariant_points.hpp"
 #include "denhartog/formulas/mode.hpp"
 #include "denhartog/formulas/stuck.hpp"
 #include "denhartog/formulas/superposition.hpp"
-#include "denhartog/model/coordinates.hpp"
+#include "denhartog/number/effort.hpp"
 #include "denhartog/number/errors.hpp"
+#include "denhartog/number/number_text.hpp"
 #include "denhartog/reference/modes.hpp"
 #include "denhartog/search/zeros.hpp"
-#include "denhartog/solve/certain_invariant_points.hpp"
 #include "tests/reference/surveyed_scenes.hpp"
 #include "tests/support/sample_scenes.hpp"
 
@@ -35,79 +36,96 @@ constexpr const char* further_systems[] = {
         "r": 1})"};
 
 Points proved_points(const SceneSource& source, const char* from, const char* to, int digits) {
-    return invariant_points_by_reference(source, {from, to}, digits, false);
+    return invariant_points(source, {from, to}, digits);
 }
 
-// Those of double, with their bounds; masses in their order.
-std::vector<InvariantPointsOfMass<Bounded<double>>> points_of_double(const SceneSource& source, double from, double to) {
-    const System<double>& s = source->in_double().system;
-    const ModesInDouble modes = modes_in_double(source);
-    std::vector<InvariantPointsOfMass<Bounded<double>>> found;
-    for (const InvariantPointsOfMass<double>& each : invariant_points(values_of(*modes.basis), s.contact, s.load, from, to))
-        found.push_back(with_bounds(*modes.basis, s.contact, s.load, each));
-    put_in_order_of_masses(s.coordinates, found);
-    found.resize(number_of_masses(s));
-    return found;
+// V and U of a mass and of the contact.
+struct PaperFunctions {
+    Ball V_k{}, V_j{}, U_k{}, U_j{};
+};
+
+// The modes at r = 1, damping left out.
+reference::ModesInBalls undamped_modes(const SceneSource& source) {
+    Scene<Ball> scene;
+    source->in_balls(scene);
+    scene.r = Ball(1);
+    reference::SceneInBalls s = reference::in_matrices(scene);
+    s.zeta.clear();
+    return reference::modes_in_balls(s);
 }
 
-// How often double and the proofs were compared, and what was amiss.
-struct PointsCompared {
-    int points = 0, close = 0;
+// By the paper's own formulas (23), (28), (33), (34) at zeta = 0.
+PaperFunctions paper_functions(const reference::ModesInBalls& m, const Ball& r, std::size_t k) {
+    std::vector<Ball> R, u;
+    std::vector<Complex<Ball>> v;
+    for (const Ball& at_one : m.R) {
+        R.push_back(r * at_one);
+        v.push_back(paper::complex_response(R.back(), Ball(0)));
+        u.push_back(paper::first_damping_function(R.back(), Ball(0)));
+    }
+    const auto V = [&](const std::vector<Ball>& phi) { return paper::complex_response_of_mass<Ball>(phi, m.at_load(), R, v).re; };
+    const auto U = [&](const std::vector<Ball>& phi) { return paper::damping_function_of_mass<Ball>(phi, m.at_contact(), R, u); };
+    const Ball scale = 1 / (r * r); // psi = phi / r
+    return {scale * V(m.psi[k]), scale * V(m.at_contact()), scale * U(m.psi[k]), scale * U(m.at_contact())};
+}
+
+// The signs of V_j U_k - 2 V_k U_j and of U_k on a grid, against the points that were found: between two places of the grid
+// without a pole the sign changes where the number of points is odd, and nowhere else.
+struct SignsCompared {
+    int stretches = 0, changes = 0;
     std::vector<std::string> amiss{};
 };
 
-void compare(const std::string& name, const SceneSource& source, PointsCompared& all) {
-    const auto few = points_of_double(source, 0.4, 2.5);
-    const Points many = proved_points(source, "0.4", "2.5", 25);
-    for (std::size_t k = 0; k < many.size(); ++k) {
-        if (!few[k].undecided.empty() || !many[k].undecided.empty()) continue;
-        if (few[k].points.size() != many[k].points.size()) {
-            all.amiss.push_back("another number of points, " + name);
-            continue;
-        }
-        for (std::size_t n = 0; n < few[k].points.size(); ++n) {
-            const InvariantPoint<Bounded<double>>& p = few[k].points[n];
-            const InvariantPoint<Certified>& q = many[k].points[n];
-            ++all.points;
-            if (p.kind != q.kind) all.amiss.push_back("another kind, " + name);
-            for (const auto& [x, y] : {std::pair(&p.r, &q.r), std::pair(&p.amplitude, &q.amplitude)}) {
-                const double off = apart(Ball(x->x), ball_of(*y));
-                all.close += off > x->e / 1024;
-                if (off > x->e || !y->proved) all.amiss.push_back("beyond its bound, " + name + ", " + in_words(ball_of(*y)));
+bool changes(const Ball& x, const Ball& y) { return (x > Ball(0)) != (y > Ball(0)); }
+
+void compare(const std::string& name, const SceneSource& source, double shift, SignsCompared& all) {
+    constexpr double from = 0.4, to = 2.5;
+    constexpr int steps = 250;
+    const Points found = proved_points(source, "0.4", "2.5", 15);
+    const Bits few(96);
+    const reference::ModesInBalls m = undamped_modes(source);
+    if (!m.clusters.empty()) return;
+    const auto has_pole = [&](double a, double b) {
+        return std::ranges::any_of(m.R, [&](const Ball& R) {
+            const double r_n = static_cast<double>(1 / R);
+            for (double n = 1; r_n / n > a * (1 - 1e-9); n += 2)
+                if (r_n / n < b * (1 + 1e-9)) return true;
+            return false;
+        });
+    };
+    for (const InvariantPointsOfMass<Certified>& mass : found) {
+        if (!mass.undecided.empty()) continue;
+        const std::size_t k = mass.mass.index;
+        const bool is_the_contact = std::ranges::equal(m.psi[k], m.at_contact(), [](const Ball& x, const Ball& y) { // no (87)
+            return arb_overlaps(x.a, y.a) != 0;
+        });
+        double a{};
+        std::optional<PaperFunctions> at_a;
+        for (int n = 1; n <= steps; ++n) {
+            const double b = from + (to - from) * (n + 0.25) / (steps + 1);
+            const PaperFunctions at_b = paper_functions(m, Ball(b), k);
+            const double before = std::exchange(a, b);
+            const std::optional<PaperFunctions> left = std::exchange(at_a, at_b);
+            if (!left || has_pole(before, b)) continue;
+            const bool by_common_factor = changes(left->V_j, at_b.V_j) && changes(left->V_k, at_b.V_k); // that is no root of (87)
+            for (const auto kind : {InvariantPointKind::two_effects_cancel, InvariantPointKind::friction_leaves_it_alone}) {
+                const auto value = [&](const PaperFunctions& f) {
+                    return kind == InvariantPointKind::friction_leaves_it_alone ? f.U_k : f.V_j * f.U_k - 2 * f.V_k * f.U_j;
+                };
+                const Ball x = value(*left), y = value(at_b);
+                if (kind == InvariantPointKind::two_effects_cancel && (is_the_contact || by_common_factor)) continue;
+                if (x.may_vanish() || y.may_vanish()) continue;
+                const auto points = std::ranges::count_if(mass.points, [&](const InvariantPoint<Certified>& p) {
+                    return p.kind == kind && p.r.value + shift > before && p.r.value + shift < b;
+                });
+                ++all.stretches;
+                all.changes += changes(x, y);
+                if (changes(x, y) != (points % 2 == 1))
+                    all.amiss.push_back(name + ", mass " + std::to_string(k + 1) + " next to r = " + number_to_text(b));
             }
         }
     }
 }
-
-// V and U of a mass and of the contact by the paper's own formulas (23), (28), (33), (34) at zeta = 0.
-struct PaperFunctions {
-    Ball V_k{}, V_j{}, U_k{}, U_j{};
-    PaperFunctions(const SceneSource& source, const Ball& r, std::size_t k) {
-        Scene<Ball> scene;
-        source->in_balls(scene);
-        scene.r = r;
-        reference::SceneInBalls s = reference::in_matrices(scene);
-        s.zeta.clear();
-        const reference::ModesInBalls m = reference::modes_in_balls(s);
-        REQUIRE(m.clusters.empty());
-        std::vector<Complex<Ball>> v;
-        std::vector<Ball> u;
-        for (const Ball& R : m.R) {
-            v.push_back(paper::complex_response(R, Ball(0)));
-            u.push_back(paper::first_damping_function(R, Ball(0)));
-        }
-        const auto V = [&](const std::vector<Ball>& psi) {
-            return paper::complex_response_of_mass<Ball>(psi, m.at_load(), m.R, v).re;
-        };
-        const auto U = [&](const std::vector<Ball>& psi) {
-            return paper::damping_function_of_mass<Ball>(psi, m.at_contact(), m.R, u);
-        };
-        V_k = V(m.psi[k]);
-        V_j = V(m.at_contact());
-        U_k = U(m.psi[k]);
-        U_j = U(m.at_contact());
-    }
-};
 
 // Of the points of 40 digits, those at which a function may vanish, and is known well.
 struct PointsChecked {
@@ -118,9 +136,11 @@ template <class Function>
 PointsChecked checked(const SceneSource& source, const Function& of_87) {
     PointsChecked c;
     const Bits enough(256);
+    const reference::ModesInBalls m = undamped_modes(source);
+    REQUIRE(m.clusters.empty());
     for (const InvariantPointsOfMass<Certified>& mass : proved_points(source, "0.4", "2.5", 40))
         for (const InvariantPoint<Certified>& p : mass.points) {
-            const PaperFunctions f(source, ball_of(p.r), mass.mass.index);
+            const PaperFunctions f = paper_functions(m, ball_of(p.r), mass.mass.index);
             const bool by_87 = p.kind == InvariantPointKind::two_effects_cancel;
             const Ball value = by_87 ? of_87(f) : f.U_k;
             ++c.all;
@@ -185,26 +205,31 @@ TEST_CASE("a search finds every zero of a function once, and says where it has n
     CHECK(zeros_of(wrong, 0.5, 8.5).single.size() < 8);
 }
 
-TEST_CASE("invariant points in double lie within their bounds of the proved ones", "[invariant][eq:87]") {
-    PointsCompared all;
+TEST_CASE("between two frequency ratios the paper's functions change their sign where there is a proved point, and nowhere else",
+          "[invariant][eq:87][eq:33][eq:34]") {
+    SignsCompared all, shifted;
     std::vector<std::string> systems;
+    const auto add = [&](const std::string& name, const SceneSource& source) {
+        compare(name, source, 0, all);
+        if (shifted.changes < 100) compare(name, source, 0.01, shifted);
+    };
     for (const SurveyedScene& each : surveyed_scenes()) {
         nlohmann::json system = each.json;
         for (const char* key : {"comment", "r", "beta", "mu"}) system.erase(key);
         const std::string text = system.dump();
         if (number_of_masses(each.source->in_double().system) > 5 || std::ranges::count(systems, text) > 0) continue;
         systems.push_back(text);
-        compare(each.text, each.source, all);
+        add(each.text, each.source);
     }
     const std::vector<RandomScene<double>> some = random_scenes<double>(87);
     for (std::size_t n = 0; n < some.size(); n += 3)
-        if (number_of_masses(some[n].scene.system) < 5) compare(some[n].name, scene_source(some[n].scene), all);
-    for (const char* text : further_systems) compare(text, source_of_text(text), all);
+        if (number_of_masses(some[n].scene.system) < 5) add(some[n].name, scene_source(some[n].scene));
+    for (const char* text : further_systems) add(text, source_of_text(text));
     for (const std::string& what : all.amiss) UNSCOPED_INFO(what);
     CHECK(all.amiss.empty());
-    CHECK(all.points > 2000);
-    INFO(all.close << " of " << 2 * all.points);
-    CHECK(all.close > all.points / 8); // bounds a thousand times smaller would not hold
+    CHECK(all.changes > 1000);
+    INFO(all.changes << " changes of sign in " << all.stretches << " stretches");
+    CHECK(shifted.amiss.size() > static_cast<std::size_t>(shifted.changes));
 }
 
 TEST_CASE("at a proved point the paper's own formulas vanish, and a twin with a wrong sign or factor does not",
@@ -304,20 +329,20 @@ TEST_CASE("a pole of a mode whose node may be the contact is an undecided stretc
         }
 }
 
-TEST_CASE("invariant points to more digits than double has are proved, and refused where the work is spent or a rule is broken",
-          "[invariant][eq:87]") {
+TEST_CASE(
+    "invariant points are proved, to more digits than double has too, and refused where the work is spent or a rule is broken",
+    "[invariant][eq:87]") {
     const SceneSource source = source_of_text(further_systems[1]);
-    for (const auto& [digits, proved] :
-         {std::pair(6, true), std::pair(15, false), std::pair(95, false), std::pair(1000, false)}) {
-        const Points found = certain_invariant_points(source, {"0.5", "2"}, digits, proved);
+    for (const int digits : {6, 15, 95, 1000}) {
+        const Points found = invariant_points(source, {"0.5", "2"}, digits);
         for (const InvariantPointsOfMass<Certified>& mass : found)
             for (const InvariantPoint<Certified>& p : mass.points) CHECK((p.r.proved && p.amplitude.proved));
         CHECK(found[0].points.size() > 1);
     }
     {
         const QuestionEffort little(3, 100);
-        CHECK_THROWS_AS(certain_invariant_points(source, {"0.5", "2"}, 30), PrecisionError);
+        CHECK_THROWS_AS(invariant_points(source, {"0.5", "2"}, 30), PrecisionError);
     }
     for (const auto& [from, to] : {std::pair("0", "1"), std::pair("2", "1"), std::pair("1e-9", "1"), std::pair("a", "1")})
-        CHECK_THROWS_AS(certain_invariant_points(source, {from, to}, 30), InputError);
+        CHECK_THROWS_AS(invariant_points(source, {from, to}, 30), InputError);
 }

@@ -18,13 +18,13 @@
 #include "denhartog/denhartog.hpp"
 #include "denhartog/model/modal_basis.hpp"
 #include "denhartog/number/effort.hpp"
-#include "denhartog/sliding/invariant_points.hpp"
 #include "denhartog/solve/sampled_solution.hpp"
 #include "denhartog/solve/solve.hpp"
 #include "denhartog/solve/solve_by_reference.hpp"
 #include "denhartog/stick_slip/exact_motion.hpp"
 #include "denhartog/sums/mode_sums.hpp"
 #include "tests/speed_accuracy/answer_numbers.hpp"
+#include "tests/support/invariant_points.hpp"
 
 namespace denhartog::tests {
 namespace {
@@ -82,8 +82,7 @@ Faults faults_of_curves(const Scene<double>& scene) {
 Faults faults_of_invariant_points(const Scene<double>& scene) {
     Faults faults;
     check(scene);
-    for (const InvariantPointsOfMass<double>& of :
-         invariant_points(modal_basis(scene.system), scene.system.contact, scene.system.load, 0.1, 10.0)) {
+    for (const InvariantPointsOfMass<double>& of : invariant_points_of(scene.system, 0.1, 10.0)) {
         for (const InvariantPoint<double>& point : of.points)
             if (!(point.r >= 0.1 && point.r <= 10) || !(point.amplitude >= 0) || !std::isfinite(point.amplitude))
                 faults.emplace_back("an invariant point is outside its range, or its amplitude is not finite");

@@ -1,5 +1,3 @@
-#include "denhartog/sliding/invariant_points.hpp"
-
 #include <algorithm>
 #include <cmath>
 
@@ -8,6 +6,7 @@
 #include "denhartog/formulas/stuck.hpp"
 #include "denhartog/number/errors.hpp"
 #include "tests/catch.hpp"
+#include "tests/support/invariant_points.hpp"
 #include "tests/support/sample_scenes.hpp"
 #include "tests/unit/program_runs.hpp"
 #include "tests/unit/response_fixtures.hpp"
@@ -24,9 +23,8 @@ Scene<double> undamped(Scene<double> scene) {
 
 Scene<double> two_masses(std::size_t j, std::size_t l) { return chain({1, 1}, {1, 1}, {0, 0}, j, l, 1, 1); }
 
-template <class T>
-std::vector<InvariantPointsOfMass<T>> points_of(const Scene<T>& scene, const T& r_a, const T& r_b) {
-    return invariant_points(modal_basis(scene.system), scene.system.contact, scene.system.load, r_a, r_b);
+std::vector<InvariantPointsOfMass<double>> points_of(const Scene<double>& scene, double r_a, double r_b) {
+    return invariant_points_of(scene.system, r_a, r_b);
 }
 
 ModeSums<double> sums_at(Scene<double> scene, double r) {

@@ -123,7 +123,7 @@ TEST_CASE("invariant points are within their bounds of those to 30 digits", "[pr
             json::parse(run_program("boundary --json --invariant-points 0.8:2 --digits 30", text).output).at("invariant_points");
         for (std::size_t k = 0; k < few.size(); ++k) {
             const json &a = few[k].at("points"), &b = many[k].at("points");
-            if (many[k].contains("undecided")) continue; // 50 digits spend the effort earlier
+            if (many[k].contains("undecided")) continue;
             REQUIRE(a.size() == b.size());
             for (std::size_t n = 0; n < a.size(); ++n) {
                 held.take("r", a[n]["r"].get<double>(), a[n]["r_error_bound"], Real50(b[n]["r"].get<std::string>()));

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "denhartog/answer/certify.hpp"
 #include "denhartog/answer/printed.hpp"
 #include "denhartog/answer/reference_attempts.hpp"
 #include "denhartog/answer/reference_point.hpp"
@@ -45,10 +46,11 @@ std::size_t stretches(const std::vector<InvariantPointsOfMass<Certified>>& masse
 
 } // namespace
 
-std::vector<InvariantPointsOfMass<Certified>> invariant_points_by_reference(const SceneSource& source, const RangeInText& range,
-                                                                            int digits, bool briefly) {
+std::vector<InvariantPointsOfMass<Certified>> invariant_points(const SceneSource& source, const RangeInText& range,
+                                                               std::optional<int> asked_for) {
+    const int digits = aim_of(asked_for).digits;
     const auto first = static_cast<slong>(std::max(128.0, bits_of_digit * digits + 64));
-    const slong most = briefly ? 2 * first : std::max<slong>(1024, 4 * first);
+    const slong most = asked_for ? std::max<slong>(1024, 4 * first) : 2 * first;
     std::size_t undecided_before = 0;
     std::vector<InvariantPointsOfMass<Certified>> masses;
     with_enough_bits(number_of_masses(source->in_double().system), first, most, [&](slong, bool last) {

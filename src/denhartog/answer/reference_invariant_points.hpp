@@ -2,6 +2,7 @@
 /// @brief Invariant points by the reference: to any number of digits, every number proved.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,12 +22,12 @@ struct RangeInText {
 /// @eq{87}
 /// @param source   the scene
 /// @param range    frequency ratios between which points are wanted
-/// @param digits   significant digits, all certain in the answer
-/// @param briefly  whether bits are doubled once at most, as nobody asked for digits
+/// @param digits   significant digits, all certain in the answer; where none are asked for the aim is 6, and bits are doubled once
+///                 at most
 /// @return         the points of each mass, in their order; every number is proved. Stretches that stay undecided are listed
-/// @throws         InputError where the range breaks a rule of `check_range`; PrecisionError where something cannot be proved,
-///                 the budget of work is spent, or the library was built without the reference
-[[nodiscard]] std::vector<InvariantPointsOfMass<Certified>>
-invariant_points_by_reference(const SceneSource& source, const RangeInText& range, int digits, bool briefly);
+/// @throws         InputError where the range breaks a rule, see `invariant_points_in_balls`; PrecisionError where something
+///                 cannot be proved, the budget of work is spent, or the library was built without the reference
+[[nodiscard]] std::vector<InvariantPointsOfMass<Certified>> invariant_points(const SceneSource& source, const RangeInText& range,
+                                                                             std::optional<int> digits = {});
 
 } // namespace denhartog

