@@ -1,4 +1,5 @@
 // Double, then the reference: what double leaves open is answered, or refused with the reasons of both.
+#include "denhartog/map/regime_map.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/reference/friction.hpp"
 #include "denhartog/reference/maximum.hpp"
@@ -6,6 +7,7 @@
 #include "denhartog/solve/solve_by_reference.hpp"
 #include "tests/catch.hpp"
 
+#include <atomic>
 #include <cmath>
 #include <limits>
 
@@ -54,6 +56,36 @@ TEST_CASE("a motion that no proof reaches is refused with the regime that is cer
     CHECK_THROWS_AS(solve(scene_of(nearly_held), {Asked::motion, 20}), PrecisionError);
     CHECK_THROWS_WITH(solve(scene_of(nearly_held), {Asked::motion, {}}),
                       Catch::Contains("no motion with stops to start from. This much is certain: the closed form does not hold"));
+}
+
+TEST_CASE("modes of one frequency have no boundary in double, and with mu above 1 the reference proves what follows from rest",
+          "[reference][driver][map]") {
+    const std::string system = R"({"mass_ratios": [1, 1, 1], "stiffness_matrix": [[3, -1, -1], [-1, 3, -1], [-1, -1, 3]],
+        "damping_ratios": 0.05, "contact": 1, "load": 2, "mu": 1.2)";
+    const auto answer = [&](const char* beta) {
+        return solve(scene_of((system + R"(, "r": 1.3, "beta": )" + beta + "}").c_str()), {Asked::motion, {}});
+    };
+    const Solution slides = answer("0.3"), stops = answer("1");
+    CHECK(slides.regime.regime == Regime::continuous);
+    CHECK(stops.regime.regime == Regime::stick_slip);
+    CHECK(stops.stops.size() == 2);
+    CHECK(answer("3").regime.regime == Regime::permanent_sticking);
+    for (const Solution* s : {&slides, &stops}) {
+        CHECK(s->method.proved);
+        CHECK(s->limits.value().exact.value == Approx(0.617707853387));
+    }
+    for (const MapStart start : {MapStart::rest, MapStart::sliding}) {
+        MapRequest request;
+        request.r = {1.3};
+        request.beta = {0.3, 1};
+        request.masses = {Mass{0}};
+        request.start = start;
+        const std::atomic<bool> stop{false};
+        const RegimeMap map = regime_map(scene_of((system + "}").c_str())->in_double(), request, stop);
+        CHECK(map.points[0].status == PointStatus::answered);
+        CHECK(map.amplitudes[0] == Approx(slides.masses[0].amplitude.value));
+        CHECK(map.points[1].status == (start == MapStart::rest ? PointStatus::answered : PointStatus::failed));
+    }
 }
 
 TEST_CASE("a damping matrix counts as modal within its tolerance, to any digits", "[reference][eq:18]") {

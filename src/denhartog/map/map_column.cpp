@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 #include "denhartog/answer/held_solution.hpp"
 #include "denhartog/answer/orbit_solution.hpp"
@@ -10,10 +9,10 @@
 #include "denhartog/map/contact_amplitudes.hpp"
 #include "denhartog/map/orbit_on_line.hpp"
 #include "denhartog/number/effort.hpp"
-#include "denhartog/number/errors.hpp"
 #include "denhartog/orbit/periodic_orbit.hpp"
 #include "denhartog/sliding/instants_of_maxima.hpp"
 #include "denhartog/solve/solve.hpp"
+#include "denhartog/solve/solve_by_reference.hpp"
 #include "denhartog/stick_slip/at_maximum_of_force.hpp"
 #include "denhartog/sums/chain_sums.hpp"
 
@@ -34,6 +33,7 @@ public:
     // The point in double; by `solve`, where the bounds do not tell the regime or leave an amplitude too few digits. Where
     // `solve` finds no more, the point is next to a boundary and has the numbers that double has.
     void answer(std::size_t n) {
+        is_near = false;
         try {
             if (answer_in_double(n)) return;
         } catch (const DomainError&) {
@@ -45,15 +45,14 @@ public:
             if (is_told(n) || !std::isfinite(column.boundary.exact.e)) throw;
         }
         is_near = true;
-        const bool has_numbers = answer_in_double(n);
-        is_near = false;
-        if (!has_numbers) throw PrecisionError("an amplitude is beyond the range of a double");
+        if (!answer_in_double(n)) throw PrecisionError("an amplitude is beyond the range of a double");
         if (points[n].status == PointStatus::answered) points[n].status = PointStatus::on_boundary;
     }
 
     // As many points from n on as the closed form or the rest answer without a motion to follow; the contact's amplitude alone.
     std::size_t answer_together(std::size_t n) {
         if (!answers_together(map)) return 0;
+        is_near = false;
         const std::size_t first = n;
         while (n < points.size() && slides(map.beta[n]) && is_told(n)) ++n;
         contact_amplitudes({column.V_dj.re.x, column.V_dj.im.x}, column.U_dj.x, column.G_j.x,
@@ -215,19 +214,20 @@ private:
         return true;
     }
 
-    // As users ask: it follows the start from rest where there is more than one motion, and no other.
+    // As users ask: where there is more than one motion, it follows the start from rest, and no other.
     void answer_by_solve(std::size_t n) {
-        if (map.mu > 1 && map.start == MapStart::sliding && map.beta[n] > 0)
-            throw PrecisionError("double precision does not decide the regime, or gives fewer than 6 digits of an amplitude");
         Question question;
         question.asked = Asked::amplitude;
         if (map.masses.size() == 1) question.mass = map.masses.front();
-        const Solution s = solve(map.prepared, r, map.beta[n], question);
+        const bool from_rest = map.mu == 1 || map.start == MapStart::rest || map.beta[n] == 0;
+        const Solution s = from_rest ? solve(map.prepared, r, map.beta[n], question)
+                                     : sliding_answer(at_point(map.prepared.source, r, map.beta[n]),
+                                                      SlidingQuestion{question.asked, {}, question.mass});
+        if (s.masses.empty()) throw PrecisionError("double does not follow the motion as beta rises");
         if (!s.digits_reached) throw PrecisionError("an amplitude has fewer than 6 certain digits");
         for (std::size_t m = 0; m < map.masses.size(); ++m) {
-            const Certified& amplitude =
-                s.amplitude(map.masses[m]); // of a mass that does not move it is within its error of zero
-            amplitudes[n * map.masses.size() + m] = amplitude.error < amplitude.value ? amplitude.value : 0;
+            const Certified& X = s.amplitude(map.masses[m]); // within its error of zero, if the mass does not move
+            amplitudes[n * map.masses.size() + m] = X.error < X.value ? X.value : 0;
         }
         points[n] = {s.regime.on_boundary ? PointStatus::on_boundary : PointStatus::answered, s.regime.regime,
                      static_cast<std::int32_t>(s.stops.size()), s.periods};
@@ -266,7 +266,7 @@ void compute_column(const MapSystem& map, double r, const std::optional<ContactC
         std::ranges::fill(amplitudes.subspan(n * masses, masses), std::nan(""));
     };
     const std::size_t modes = map.system().basis.r_n.size();
-    const std::function<bool()> stopped = [&stop] { return stop.load(std::memory_order_relaxed); };
+    const auto stopped = [&stop] { return stop.load(std::memory_order_relaxed); };
     std::optional<MapColumn> column;
     PointStatus fault = PointStatus::failed;
     try {

@@ -23,11 +23,11 @@ namespace {
 Work work_so_far() { return {eigen_solves(), mode_evaluations(), phases_propagated()}; }
 
 void set_regime(const SolveTask& task, Regime met, const std::string& reason, Solution& s) {
-    if (task.pole)
+    if (task.unknown)
         s.regime.regime = met;
     else
         take_regime(met, s.regime);
-    if (task.scene.mu > 1 || task.pole || met == Regime::continuous) s.regime.reason += "; " + reason;
+    if (task.scene.mu > 1 || task.unknown || met == Regime::continuous) s.regime.reason += "; " + reason;
 }
 
 // What the stops of a motion that is not the closed form's say. `open`: double does not tell whether it stops.
@@ -40,7 +40,7 @@ void set_regime_by_stops(const SolveTask& task, const PeriodicOrbit<double>& orb
     } else if (open) {
         s.regime.reason += "; double does not tell whether the contact stops";
     } else {
-        const bool sliding = !task.pole && every_motion_is_damped(*task.known.basis);
+        const bool sliding = !task.unknown && every_motion_is_damped(*task.known.basis);
         set_regime(task, Regime::continuous,
                    sliding ? "the motion from rest is the sliding motion"
                            : "the contact does not stop, but the motion is not that of the closed form",
@@ -85,7 +85,7 @@ void answer_from_rest(SolveTask& task, Solution& s) {
     how.contact_only = regime_alone || task.question.mass == system.contact;
     how.with_stability = task.question.asked == Asked::motion;
     State<double> near;
-    if (!task.pole && s.regime.regime == Regime::continuous) {
+    if (!task.unknown && s.regime.regime == Regime::continuous) {
         near = sliding_at_maximum_of_force(values_of(bounded_sums(task.scene.system, *task.modes)), *task.scene.beta);
         how.guess = &near;
     }
@@ -93,11 +93,11 @@ void answer_from_rest(SolveTask& task, Solution& s) {
     if (orbit.status == OrbitStatus::not_converged) fail_from_rest(task, orbit.reason + cost_of_fast_mode(solver, orbit), s);
     const bool rests = orbit.status == OrbitStatus::permanently_stuck;
     // With mu = 1 the boundaries tell that it never rests for ever: only rounding does not see it move.
-    if (rests && task.scene.mu == 1 && !task.pole && s.regime.regime == Regime::stick_slip && !s.regime.on_boundary)
+    if (rests && task.scene.mu == 1 && !task.unknown && s.regime.regime == Regime::stick_slip && !s.regime.on_boundary)
         throw PrecisionError("the contact moves too little for double precision to tell its motion from rest. This much is "
                              "certain: " +
                              s.regime.reason);
-    const bool slides = !task.pole && !rests && !s.masses.empty() &&
+    const bool slides = !task.unknown && !rests && !s.masses.empty() &&
                         (must_be_sliding_motion(orbit, every_motion_is_damped(*task.known.basis)) ||
                          is_sliding_motion(orbit, s.masses[s.contact.index].amplitude.value));
     if (rests) {
@@ -105,8 +105,8 @@ void answer_from_rest(SolveTask& task, Solution& s) {
     } else if (slides && orbit.stops.empty()) {
         set_regime(task, Regime::continuous, "the motion from rest is the sliding motion", s);
     } else {
-        const bool open = !task.pole && stops_are_open(orbit, s.regime.regime == Regime::stick_slip,
-                                                       orbit.stops.empty() && must_stop(task, s), slides);
+        const bool open = !task.unknown && stops_are_open(orbit, s.regime.regime == Regime::stick_slip,
+                                                          orbit.stops.empty() && must_stop(task, s), slides);
         task.is_told = !open || must_stop(task, s);
         if (!regime_alone) answer_by_orbit(task, solver, orbit, open, s);
         set_regime_by_stops(task, orbit, open, s);
@@ -135,10 +135,13 @@ void answer(SolveTask& task, bool of_contact, Solution& s) {
         sliding.unique_because = std::move(s.unique_because);
         s = std::move(sliding);
     } catch (const DomainError& e) {
-        task.pole = e.what();
-        s.regime.reason = std::string("the boundaries are not known: ") + e.what();
+        task.pole = task.unknown = e.what();
+    } catch (const PrecisionError& e) {
+        if (task.scene.mu == 1) throw;
+        task.unknown = e.what();
     }
-    const bool follows = task.pole || (task.scene.mu > 1 && *task.scene.beta > 0);
+    if (task.unknown) s.regime.reason = "the boundaries are not known: " + *task.unknown;
+    const bool follows = task.unknown || (task.scene.mu > 1 && *task.scene.beta > 0);
     const bool sticks = s.regime.regime == Regime::stick_slip;
     if (follows || (sticks && task.question.asked != Asked::regime)) {
         answer_from_rest(task, s);
@@ -178,7 +181,7 @@ AnswerInDouble solve_in_double(const PreparedSystem& p, const SolvePoint& at, co
         answer(task, p.contact && asks_for_contact(question, s.contact), s);
         s.asked = question.asked;
         s.digits_reached = s.relative_error <= task.aim.tolerance;
-        found.open = task.open || task.pole;
+        found.open = task.open || task.unknown;
         found.is_answer = task.is_told;
         if (question.all) {
             if (!task.moving) task.moving = moving_in_double(source, task.known);

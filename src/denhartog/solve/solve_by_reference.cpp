@@ -43,7 +43,7 @@ Solution in_turn(std::size_t N, std::optional<int> digits, bool proved, const By
         try {
             Solution s = by_reference();
             s.method.why = "in double: " + why + "; " + s.method.why;
-            if (found.open && s.regime.regime == Regime::stick_slip)
+            if (found.open && found.solution.limits && s.regime.regime == Regime::stick_slip)
                 s.regime.reason +=
                     "; double precision does not tell whether the contact stops, and the reference proves that it does";
             return s;
@@ -104,7 +104,8 @@ Solution answer_by_reference(const PreparedSystem& p, const SolvePoint& at, cons
     try {
         if (scene.mu > 1) rest = from_rest(scene, fast);
         if (rest) asked.met = rest->solution.regime.regime;
-        if (rest && rest->open && asked.met == Regime::continuous) asked.met = Regime::stick_slip; // where that may hide a stop
+        if (rest && rest->open && rest->solution.limits && asked.met == Regime::continuous)
+            asked.met = Regime::stick_slip; // where that may hide a stop
         try {
             s = solution_by_reference(source, asked, guesses);
         } catch (const RegimeDisproved& disproved) { // next to a boundary double may be on its wrong side
