@@ -31,7 +31,7 @@ bool has_modes(const SurveyedScene& s) {
     if (s.json.contains("damping_matrix")) return false;
     const SceneInBalls scene = matrices_of_text(s.text);
     ModesInBalls modes = modes_in_balls(scene);
-    return are_of_papers_form(modes);
+    return are_told_apart(modes);
 }
 
 double size_of(const Complex<Ball>& x) {
@@ -147,7 +147,7 @@ TEST_CASE("over a stretch the friction motion holds itself at every instant of i
          R"({"mass_ratios": [1, 2], "stiffness_ratios": [1, 2], "damping_ratios": [0.1, 1], "contact": 1, "load": 1, "r": 0.7})"}) {
         SceneInBalls s = matrices_of_text(text);
         if (!s.zeta.empty()) s.C = damping_matrix_in_balls(s, modes_in_balls(s));
-        const ResponsesInBalls r = s.zeta.empty() || !are_of_papers_form(modes_in_balls(s))
+        const ResponsesInBalls r = s.zeta.empty() || !are_told_apart(modes_in_balls(s))
                                        ? responses_of_state(s)
                                        : responses_of_modes(s, modes_in_balls(s));
         for (const double from : {0.0, 0.5, 2.75})

@@ -33,8 +33,8 @@ Ball largest_demand(const ResponsesInBalls& r, LargestInBalls& found) {
     return found.value / enlarged;
 }
 
-// The largest value of (57) of a mode that is damped critically or beyond: R^2 times the demand of one mass with r = R.
-Ball largest_beyond_critical(const Ball& R, const Ball& zeta) {
+// The largest value of (57) of a mode that may be damped critically: R^2 times the demand of one mass with r = R.
+Ball largest_about_critical(const Ball& R, const Ball& zeta) {
     LargestInBalls found;
     return R * R * largest_demand(responses_of_one_mass(R, zeta), found);
 }
@@ -44,8 +44,8 @@ Ball sum_of_largest(const ResponsesInBalls& r) {
     const ModesInBalls& m = r.modes;
     std::vector<Ball> largest;
     for (std::size_t i = 0; i < m.R.size(); ++i) {
-        if (!(m.zeta[i] < Ball(1))) {
-            largest.push_back(largest_beyond_critical(m.R[i], m.zeta[i]));
+        if (!is_told_from_critical(m.zeta[i])) {
+            largest.push_back(largest_about_critical(m.R[i], m.zeta[i]));
             continue;
         }
         const Ball R = m.R[i];

@@ -81,8 +81,8 @@ FunctionOfTime negative_of(const FunctionOfTime& f) {
     return [&f](const Ball& tau) { return -f(tau); };
 }
 
-// Where a smooth function may be largest, if it is at least so large.
-LargestOnStretches stretches_of(const FunctionOfTime& f, double at_least) {
+// Where a smooth function may be largest, if it is at least so large, searched for with some bits.
+LargestOnStretches stretches_of(const FunctionOfTime& f, slong bits, double at_least) {
     SearchedFunction<Ball> searched;
     searched.value = [&](const Ball& t) { return f(static_cast<double>(t) < end ? t : pi<Ball>()).rate(0); };
     searched.stretch = [&](double a, double b) {
@@ -100,7 +100,7 @@ LargestOnStretches stretches_of(const FunctionOfTime& f, double at_least) {
         };
         return SeenOverStretch<Ball>{x.rate(0), trend()};
     };
-    const Bits few(bits_of_search);
+    const Bits few(bits);
     return stretches_of_largest(searched, 0, end, narrow, flat, most_looks, at_least);
 }
 
@@ -116,8 +116,9 @@ LargestInBalls refined_of(const FunctionOfTime& f, const LargestOnStretches& fou
 } // namespace
 
 LargestBothWays largest_size_of(const FunctionOfTime& f) {
-    LargestOnStretches up = stretches_of(f, -std::numeric_limits<double>::infinity());
-    const LargestOnStretches down = stretches_of(negative_of(f), up.lower);
+    const slong bits = bits_that_show([&f](const Ball& tau) { return f(tau).rate(0); });
+    LargestOnStretches up = stretches_of(f, bits, -std::numeric_limits<double>::infinity());
+    const LargestOnStretches down = stretches_of(negative_of(f), bits, up.lower);
     std::erase_if(up.stretches, [&](const StretchOfLargest& s) { return s.upper < down.lower; });
     LargestBothWays largest;
     if (!up.settled || !up.stretches.empty()) largest.up = refined_of(f, up);
