@@ -35,20 +35,27 @@ Series over_stretch(const FunctionOfTime& f, const Ball& X) {
     return r;
 }
 
-// The bits of a search: few, or all where a function is so small a difference of its terms that few show little of it.
-slong bits_that_show(const std::function<Ball(const Ball&)>& f) {
-    const auto hidden = [&](slong bits) { // of the largest value
+// What a search sees of a function.
+struct SeenBySearch {
+    slong bits; // few, or all where the function is so small a difference of its terms that few show little of it
+    Ball size;  // about its largest value, exact
+};
+
+SeenBySearch seen_by_search(const std::function<Ball(const Ball&)>& f) {
+    Ball size;
+    const auto shows = [&](slong bits, double part) { // radii are no more than a part of the largest value
         const Bits these(bits);
-        double largest = 0, radius = 0;
+        Ball radius(0);
+        size = Ball(0);
         for (const double tau : {0.0, 0.75, 1.5, 2.25, end}) {
             const Ball value = f(Ball(tau));
-            largest = std::max({largest, -value.low(), value.high()});
-            radius = std::max(radius, value.radius());
+            size = larger(size, upper_bound_of(abs(value)));
+            radius = larger(radius, radius_of(value));
         }
-        return radius / largest;
+        return size.finite() && size > Ball(0) && radius <= Ball(part) * size;
     };
-    if (hidden(bits_of_search) <= 0x1p-8) return bits_of_search;
-    if (hidden(ball_bits) <= 0x1p-32) return ball_bits;
+    if (shows(bits_of_search, 0x1p-8)) return {bits_of_search, size};
+    if (shows(ball_bits, 0x1p-32)) return {ball_bits, size};
     throw Unproved("a sum is too small a difference of its terms");
 }
 
@@ -75,10 +82,6 @@ LargestInBalls refined(const LargestOnStretches& found, const std::function<Ball
         }
     }
     return best;
-}
-
-FunctionOfTime negative_of(const FunctionOfTime& f) {
-    return [&f](const Ball& tau) { return -f(tau); };
 }
 
 // Where a smooth function may be largest, if it is at least so large, searched for with some bits.
@@ -116,13 +119,21 @@ LargestInBalls refined_of(const FunctionOfTime& f, const LargestOnStretches& fou
 } // namespace
 
 LargestBothWays largest_size_of(const FunctionOfTime& f) {
-    const slong bits = bits_that_show([&f](const Ball& tau) { return f(tau).rate(0); });
-    LargestOnStretches up = stretches_of(f, bits, -std::numeric_limits<double>::infinity());
-    const LargestOnStretches down = stretches_of(negative_of(f), bits, up.lower);
+    // The search is in doubles, and the function may be beyond their range.
+    const SeenBySearch seen = seen_by_search([&f](const Ball& tau) { return f(tau).rate(0); });
+    const FunctionOfTime scaled = [&](const Ball& tau) { return f(tau) * Series(1 / seen.size); };
+    const FunctionOfTime negative = [&](const Ball& tau) { return -scaled(tau); };
+    LargestOnStretches up = stretches_of(scaled, seen.bits, -std::numeric_limits<double>::infinity());
+    const LargestOnStretches down = stretches_of(negative, seen.bits, up.lower);
     std::erase_if(up.stretches, [&](const StretchOfLargest& s) { return s.upper < down.lower; });
+    const auto found = [&](const FunctionOfTime& function, const LargestOnStretches& where) {
+        LargestInBalls largest = refined_of(function, where);
+        largest.value = largest.value * seen.size;
+        return largest;
+    };
     LargestBothWays largest;
-    if (!up.settled || !up.stretches.empty()) largest.up = refined_of(f, up);
-    if (!down.settled || !down.stretches.empty()) largest.down = refined_of(negative_of(f), down);
+    if (!up.settled || !up.stretches.empty()) largest.up = found(scaled, up);
+    if (!down.settled || !down.stretches.empty()) largest.down = found(negative, down);
     return largest;
 }
 
@@ -167,7 +178,7 @@ LargestInBalls largest_over_sine(const FunctionOfTime& numerator, const Function
         return SeenOverStretch<Ball>{quotient(n, t, at_end(a) || at_end(b)), trend()};
     };
     const LargestOnStretches found = [&] {
-        const Bits few(bits_that_show(searched.value));
+        const Bits few(seen_by_search(searched.value).bits);
         return stretches_of_largest(searched, 0, end, narrow, flat, most_looks);
     }();
     const auto value = [&](const Ball& at) {
