@@ -35,7 +35,8 @@ Series over_stretch(const FunctionOfTime& f, const Ball& X) {
     return r;
 }
 
-// What a search sees of a function.
+// What a search sees of a function. It is in doubles, and the function may be beyond their range: it searches the function over its
+// size.
 struct SeenBySearch {
     slong bits; // few, or all where the function is so small a difference of its terms that few show little of it
     Ball size;  // about its largest value, exact
@@ -119,7 +120,6 @@ LargestInBalls refined_of(const FunctionOfTime& f, const LargestOnStretches& fou
 } // namespace
 
 LargestBothWays largest_size_of(const FunctionOfTime& f) {
-    // The search is in doubles, and the function may be beyond their range.
     const SeenBySearch seen = seen_by_search([&f](const Ball& tau) { return f(tau).rate(0); });
     const FunctionOfTime scaled = [&](const Ball& tau) { return f(tau) * Series(1 / seen.size); };
     const FunctionOfTime negative = [&](const Ball& tau) { return -scaled(tau); };
@@ -140,29 +140,35 @@ LargestBothWays largest_size_of(const FunctionOfTime& f) {
 LargestInBalls largest_over_sine(const FunctionOfTime& numerator, const FunctionOfTime& Z_in_time) {
     const auto at_end = [](double t) { return t <= 0 || t >= end; };
     const auto W_of = [](const Series& n, const Ball& t) { return n.rate(1) * sin(t) - n.rate(0) * cos(t); };
-    const auto W = [&](const Ball& t) { return W_of(numerator(t), t); };
     // Cauchy's mean value theorem: n / sin is n' / cos at some instant between here and the end, if the cosine keeps its sign.
     const auto quotient = [](const Series& n, const Ball& t, bool by_slope) {
         return by_slope ? n.rate(1) / cos(t) : n.rate(0) / sin(t);
     };
+    const auto value_at = [&](const FunctionOfTime& n, const Ball& t) {
+        const auto at = static_cast<double>(t);
+        const Ball here = at < end ? t : pi<Ball>();
+        return quotient(n(here), here, at_end(at));
+    };
+    const SeenBySearch seen = seen_by_search([&](const Ball& t) { return value_at(numerator, t); });
+    const auto scaled = [&seen](const FunctionOfTime& f) {
+        return [&f, &seen](const Ball& t) { return f(t) * Series(1 / seen.size); };
+    };
+    const FunctionOfTime n_of = scaled(numerator), Z_of = scaled(Z_in_time);
+    const auto W = [&](const Ball& t) { return W_of(n_of(t), t); };
     // From the middle of a stretch n goes on as a sine and a cosine do, and is driven by Z. Gives Z.
     const auto driven = [&](Series& n, const Ball& X) {
         const Ball m = middle(X), d = X - m, s = sin(d), half = sin(d / 2);
-        const Series Z_m = Z_in_time(m), Z_X = Z_in_time(X), n_m = numerator(m);
+        const Series Z_m = Z_of(m), Z_X = Z_of(X), n_m = n_of(m);
         const Ball Z = both_hold(Z_X.c[0], Z_m.c[0] + d * (Z_m.c[1] + d * Z_X.c[2]));
         n.c[0] = both_hold(n.c[0], n_m.c[0] * cos(d) + n_m.c[1] * s + Z * (2 * half * half));
         n.c[1] = both_hold(n.c[1], n_m.c[1] * cos(d) - n_m.c[0] * s + Z * s);
         return Z;
     };
     SearchedFunction<Ball> searched;
-    searched.value = [&](const Ball& t) {
-        const auto at = static_cast<double>(t);
-        const Ball here = at < end ? t : pi<Ball>();
-        return quotient(numerator(here), here, at_end(at));
-    };
+    searched.value = [&](const Ball& t) { return value_at(n_of, t); };
     searched.stretch = [&](double a, double b) {
         const Ball t = stretch(a, b);
-        Series n = over_stretch(numerator, t);
+        Series n = over_stretch(n_of, t);
         const Ball Z = Z_in_time ? driven(n, t) : n.rate(2) + n.rate(0);
         const auto trend = [&] {
             if (!(Z.high() < 0 || Z.low() > 0)) return TrendOnStretch::unknown;
@@ -178,24 +184,26 @@ LargestInBalls largest_over_sine(const FunctionOfTime& numerator, const Function
         return SeenOverStretch<Ball>{quotient(n, t, at_end(a) || at_end(b)), trend()};
     };
     const LargestOnStretches found = [&] {
-        const Bits few(seen_by_search(searched.value).bits);
+        const Bits few(seen.bits);
         return stretches_of_largest(searched, 0, end, narrow, flat, most_looks);
     }();
     const auto value = [&](const Ball& at) {
         const Ball m = middle(at), d = at - m;
         const double from = at.low(), to = at.high();
-        if (from <= 0 || to >= end) return quotient(over_stretch(numerator, at), at, true);
-        const Ball here = quotient(numerator(m), m, false);
+        if (from <= 0 || to >= end) return quotient(over_stretch(n_of, at), at, true);
+        const Ball here = quotient(n_of(m), m, false);
         if (d.is_zero()) return here;
         // the rate of the quotient is W over the square of the sine
         const Ball s = sin(at);
         return here + d * (W(at) / (s * s));
     };
     const auto rate = [&](const Ball& t) {
-        const Series n = numerator(t);
+        const Series n = n_of(t);
         return ValueAndSlope{W_of(n, t), (n.rate(2) + n.rate(0)) * sin(t)};
     };
-    return refined(found, value, rate);
+    LargestInBalls largest = refined(found, value, rate);
+    largest.value = largest.value * seen.size;
+    return largest;
 }
 
 } // namespace denhartog::reference
