@@ -137,6 +137,32 @@ TEST_CASE("the friction motion obeys the equations of motion, mirrors itself and
     }
 }
 
+TEST_CASE("modes damped critically and beyond move by themselves as the state does", "[responses][eq:41]") {
+    const Bits enough(bits);
+    for (const char* zeta : {"[0.1, 1]", "[1, 1]", "[1, 0.25]", "[1.0000001, 0.9999999]", "[2, 40]", "[1, 1e6]"}) {
+        INFO("damping ratios " << zeta);
+        const BothWays both(R"({"mass_ratios": [1, 2], "stiffness_ratios": [1, 2], "contact": 1, "load": 2, "r": 0.7,
+                                "damping_ratios": )" +
+                            std::string(zeta) + "}");
+        const ResponsesInBalls &a = both.by_modes, &b = both.by_state;
+        CHECK(are_told_apart(a.modes));
+        for (std::size_t k = 0; k < a.V.size(); ++k) {
+            CHECK(apart(a.U[k], b.U[k]) == 0);
+            CHECK(apart(a.G[k], b.G[k]) == 0);
+            CHECK(a.U[k].radius() < 1e-60);
+            CHECK(b.U[k].radius() < 1e-30);
+            for (const double tau : {0.0, 0.25, 2.5})
+                for (const int n : {0, 1, 2})
+                    CHECK(apart(a.friction.of(k, (*a.friction.shared)(Ball(tau))).rate(n),
+                                b.friction.of(k, (*b.friction.shared)(Ball(tau))).rate(n)) == 0);
+        }
+        CHECK(apart(a.H, b.H) == 0);
+    }
+    const Bits few(128);
+    CHECK_FALSE(is_told_from_critical(sqrt(Ball(2)) * sqrt(Ball(2)) / 2));
+    CHECK_THROWS_AS(FrictionMotionOfMode(Ball(1), sqrt(Ball(2)) * sqrt(Ball(2)) / 2), Unproved);
+}
+
 TEST_CASE("over a stretch the friction motion holds itself at every instant of it", "[responses]") {
     const Bits enough(128);
     for (

@@ -35,8 +35,8 @@ Series over_stretch(const FunctionOfTime& f, const Ball& X) {
     return r;
 }
 
-// What a search sees of a function. It is in doubles, and the function may be beyond their range: it searches the function over its
-// size.
+// What a search sees of a function. It is in doubles, and the function may be beyond their range: it searches the function over
+// its size.
 struct SeenBySearch {
     slong bits; // few, or all where the function is so small a difference of its terms that few show little of it
     Ball size;  // about its largest value, exact
