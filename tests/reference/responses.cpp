@@ -31,7 +31,7 @@ bool has_modes(const SurveyedScene& s) {
     if (s.json.contains("damping_matrix")) return false;
     const SceneInBalls scene = matrices_of_text(s.text);
     ModesInBalls modes = modes_in_balls(scene);
-    return are_of_papers_form(modes);
+    return are_told_apart(modes);
 }
 
 double size_of(const Complex<Ball>& x) {
@@ -137,6 +137,32 @@ TEST_CASE("the friction motion obeys the equations of motion, mirrors itself and
     }
 }
 
+TEST_CASE("modes damped critically and beyond move by themselves as the state does", "[responses][eq:41]") {
+    const Bits enough(bits);
+    for (const char* zeta : {"[0.1, 1]", "[1, 1]", "[1, 0.25]", "[1.0000001, 0.9999999]", "[2, 40]", "[1, 1e6]"}) {
+        INFO("damping ratios " << zeta);
+        const BothWays both(R"({"mass_ratios": [1, 2], "stiffness_ratios": [1, 2], "contact": 1, "load": 2, "r": 0.7,
+                                "damping_ratios": )" +
+                            std::string(zeta) + "}");
+        const ResponsesInBalls &a = both.by_modes, &b = both.by_state;
+        CHECK(are_told_apart(a.modes));
+        for (std::size_t k = 0; k < a.V.size(); ++k) {
+            CHECK(apart(a.U[k], b.U[k]) == 0);
+            CHECK(apart(a.G[k], b.G[k]) == 0);
+            CHECK(a.U[k].radius() < 1e-60);
+            CHECK(b.U[k].radius() < 1e-30);
+            for (const double tau : {0.0, 0.25, 2.5})
+                for (const int n : {0, 1, 2})
+                    CHECK(apart(a.friction.of(k, (*a.friction.shared)(Ball(tau))).rate(n),
+                                b.friction.of(k, (*b.friction.shared)(Ball(tau))).rate(n)) == 0);
+        }
+        CHECK(apart(a.H, b.H) == 0);
+    }
+    const Bits few(128);
+    CHECK_FALSE(is_told_from_critical(sqrt(Ball(2)) * sqrt(Ball(2)) / 2));
+    CHECK_THROWS_AS(FrictionMotionOfMode(Ball(1), sqrt(Ball(2)) * sqrt(Ball(2)) / 2), Unproved);
+}
+
 TEST_CASE("over a stretch the friction motion holds itself at every instant of it", "[responses]") {
     const Bits enough(128);
     for (
@@ -147,7 +173,7 @@ TEST_CASE("over a stretch the friction motion holds itself at every instant of i
          R"({"mass_ratios": [1, 2], "stiffness_ratios": [1, 2], "damping_ratios": [0.1, 1], "contact": 1, "load": 1, "r": 0.7})"}) {
         SceneInBalls s = matrices_of_text(text);
         if (!s.zeta.empty()) s.C = damping_matrix_in_balls(s, modes_in_balls(s));
-        const ResponsesInBalls r = s.zeta.empty() || !are_of_papers_form(modes_in_balls(s))
+        const ResponsesInBalls r = s.zeta.empty() || !are_told_apart(modes_in_balls(s))
                                        ? responses_of_state(s)
                                        : responses_of_modes(s, modes_in_balls(s));
         for (const double from : {0.0, 0.5, 2.75})

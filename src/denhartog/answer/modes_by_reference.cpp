@@ -147,11 +147,12 @@ bool told_apart(const ModesInBalls& m, slong bits) {
 }
 
 evaluation::ModeFunctions<Ball> functions_of_mode(const Ball& R, const Ball& zeta) {
-    if (!(zeta < Ball(1))) {
+    if (!is_told_from_critical(zeta)) {
         const ResponsesInBalls r = responses_of_one_mass(R, zeta);
         return {r.V[0], r.U[0], r.G[0]};
     }
-    return {paper::complex_response(R, zeta), paper::first_damping_function(R, zeta), paper::second_damping_function(R, zeta)};
+    const FrictionMotionOfMode F(R, zeta);
+    return {paper::complex_response(R, zeta), F.u, F.g};
 }
 
 // The displacements of the masses are O times those of the system's own coordinates: the identity, but for the mass that is none.

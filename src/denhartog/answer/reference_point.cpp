@@ -1,6 +1,8 @@
 #if DENHARTOG_REFERENCE
 #include "denhartog/answer/reference_point.hpp"
 
+#include <algorithm>
+
 #include "denhartog/answer/printed.hpp"
 #include "denhartog/number/errors.hpp"
 
@@ -64,7 +66,8 @@ std::optional<Ball> paper_limit_of_modes(const SceneInBalls& s, const Ball& exac
         if (!hardly_couples(D, Ball(1e-6))) return std::nullopt;
         const SceneInBalls apart = by_themselves(s, m, D);
         m.zeta = apart.zeta;
-        if (!are_of_papers_form(m)) return std::nullopt;
+        if (!are_told_apart(m) || std::ranges::any_of(m.zeta, [](const Ball& zeta) { return !(zeta < Ball(1)); }))
+            return std::nullopt;
         const BoundaryInBalls b = boundary_in_balls(apart, responses_of_modes(apart, std::move(m)));
         if (abs(b.exact - exact) <= Ball(1e-9) * exact) return b.paper;
     } catch (const Unproved&) {
@@ -122,7 +125,7 @@ PointInBalls point_in_balls(const SceneSource& source, bool needs_boundary) {
         modes = modes_in_balls(p.scene);
         p.scene.C = damping_matrix_in_balls(p.scene, modes);
     }
-    const bool modal = !p.scene.zeta.empty() && are_of_papers_form(modes);
+    const bool modal = !p.scene.zeta.empty() && are_told_apart(modes);
     p.stuck = stuck_in_balls(p.scene);
     if (p.stuck) p.sticking = sticking_limit_in_balls(p.scene, *p.stuck);
     try {

@@ -13,28 +13,24 @@ namespace {
 // maximum is taken, summed over the modes as in (56).
 Series numerator(const Ball& U, const Series& F, const Ball& tau) { return Series(U) * cos(Series::time(tau)) + F.derivative(); }
 
-// Far above the resonances the search, in doubles, would see zeros: by how much demands are enlarged for it.
-Ball enlargement(const Ball& squares) { return larger(Ball(1), 1 / squares); }
-
 // Whether n'' + n is a small difference of large terms, as next to a resonance.
 bool is_hidden(const FunctionOfTime& Z, const FunctionOfTime& n, const Ball& U) {
     const Ball tau(1.5);
-    return 64 * abs(Z(tau).rate(0)).high() < std::max(abs(U).high(), abs(n(tau).rate(0)).high());
+    const auto size = [](const Ball& x) { return upper_bound_of(abs(x)); };
+    return 64 * size(Z(tau).rate(0)) < larger(size(U), size(n(tau).rate(0)));
 }
 
 Ball largest_demand(const ResponsesInBalls& r, LargestInBalls& found) {
-    const Ball enlarged = enlargement(r.squares), U = r.U[r.contact()];
-    const auto n = [&](const Ball& tau) {
-        return enlarged * numerator(U, r.friction.of(r.contact(), (*r.friction.shared)(tau)), tau);
-    };
-    const auto Z = [&](const Ball& tau) { return enlarged * r.friction.rate_and_third(r.contact(), (*r.friction.shared)(tau)); };
-    const bool hides = !r.friction.modes.empty() && is_hidden(Z, n, enlarged * U);
+    const Ball U = r.U[r.contact()];
+    const auto n = [&](const Ball& tau) { return numerator(U, r.friction.of(r.contact(), (*r.friction.shared)(tau)), tau); };
+    const auto Z = [&](const Ball& tau) { return r.friction.rate_and_third(r.contact(), (*r.friction.shared)(tau)); };
+    const bool hides = !r.friction.modes.empty() && is_hidden(Z, n, U);
     found = largest_over_sine(n, hides ? FunctionOfTime(Z) : FunctionOfTime());
-    return found.value / enlarged;
+    return found.value;
 }
 
-// The largest value of (57) of a mode that is damped critically or beyond: R^2 times the demand of one mass with r = R.
-Ball largest_beyond_critical(const Ball& R, const Ball& zeta) {
+// The largest value of (57) of a mode that may be damped critically: R^2 times the demand of one mass with r = R.
+Ball largest_about_critical(const Ball& R, const Ball& zeta) {
     LargestInBalls found;
     return R * R * largest_demand(responses_of_one_mass(R, zeta), found);
 }
@@ -44,19 +40,18 @@ Ball sum_of_largest(const ResponsesInBalls& r) {
     const ModesInBalls& m = r.modes;
     std::vector<Ball> largest;
     for (std::size_t i = 0; i < m.R.size(); ++i) {
-        if (!(m.zeta[i] < Ball(1))) {
-            largest.push_back(largest_beyond_critical(m.R[i], m.zeta[i]));
+        if (!is_told_from_critical(m.zeta[i])) {
+            largest.push_back(largest_about_critical(m.R[i], m.zeta[i]));
             continue;
         }
         const Ball R = m.R[i];
         const FrictionMotionOfMode mode(R, m.zeta[i]);
         Remembered<Series> F([&](const Ball& tau) { return mode.at(tau); },
                              [&](const Series& in_the_middle, const Ball& tau) { return mode.over(in_the_middle, tau); });
-        const Ball squares = 1 / (R * R), enlarged = enlargement(squares);
-        const auto of_mode = [&](const Ball& tau) { return enlarged * numerator(mode.u, F(tau), tau); };
-        const auto Z = [&](const Ball& tau) { return enlarged * mode.rate_and_third(F(tau)); };
-        const bool hides = is_hidden(Z, of_mode, enlarged * mode.u);
-        largest.push_back(largest_over_sine(of_mode, hides ? FunctionOfTime(Z) : FunctionOfTime()).value / (enlarged * squares));
+        const auto of_mode = [&](const Ball& tau) { return numerator(mode.u, F(tau), tau); };
+        const auto Z = [&](const Ball& tau) { return mode.rate_and_third(F(tau)); };
+        const bool hides = is_hidden(Z, of_mode, mode.u);
+        largest.push_back(R * R * largest_over_sine(of_mode, hides ? FunctionOfTime(Z) : FunctionOfTime()).value);
     }
     return paper::sum_over_contact<Ball>(m.at_contact(), largest, m.left_open(m.at_contact(), m.at_contact(), largest));
 }

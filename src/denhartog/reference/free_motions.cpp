@@ -3,6 +3,7 @@
 #include <acb_mat.h>
 
 #include "denhartog/number/effort.hpp"
+#include "denhartog/reference/orbit_equations.hpp"
 
 namespace denhartog::reference {
 namespace {
@@ -34,7 +35,7 @@ void add_over_stretch(const ComplexBall& lambda, const Series& re, const Series&
 
 FreeMotions::FreeMotions(const BallMatrix& B) {
     const slong n = B.rows();
-    QuestionEffort::pay(n * n * n * 15);
+    QuestionEffort::pay(cost_of_ball_products(40 * static_cast<double>(n * n * n)));
     acb_mat_t C, L, R, guess;
     acb_mat_init(C, n, n);
     acb_mat_init(L, n, n);

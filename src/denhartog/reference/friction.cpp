@@ -16,11 +16,11 @@ struct OneByOne {
     std::vector<Complex<Ball>> v{};
     std::vector<Ball> u{}, g{};
 
-    explicit OneByOne(const ModesInBalls& modes) : m(modes) {
+    OneByOne(const ModesInBalls& modes, const std::vector<FrictionMotionOfMode>& motions) : m(modes) {
         for (std::size_t i = 0; i < m.R.size(); ++i) {
-            v.push_back(paper::complex_response(m.R[i], m.zeta[i]));        // (23)
-            u.push_back(paper::first_damping_function(m.R[i], m.zeta[i]));  // (28)
-            g.push_back(paper::second_damping_function(m.R[i], m.zeta[i])); // (29)
+            v.push_back(paper::complex_response(m.R[i], m.zeta[i])); // (23)
+            u.push_back(motions[i].u);
+            g.push_back(motions[i].g);
         }
     }
     [[nodiscard]] Complex<Ball> V(const std::vector<Ball>& k, const std::vector<Ball>& load) const { // (33)
@@ -35,16 +35,26 @@ struct OneByOne {
     [[nodiscard]] Ball H() const { return paper::H<Ball>(m.at_contact(), m.R, m.zeta, u, g); } // (64)
 };
 
+// What is left of F - 1 of a mode that is damped critically or beyond.
+std::vector<MotionThatDiesOut> parts_that_die_out(const Ball& R, const Ball& zeta) {
+    const auto mirrored = [](const Ball& rate) { return 1 + exp(rate * pi<Ball>()); };
+    if ((zeta - 1).is_zero()) {
+        const Ball rate = -1 / R, once = mirrored(rate);
+        return {{rate, -2 * (1 + rate * pi<Ball>() * (once - 1) / once) / once, 2 * rate / once}};
+    }
+    if (!(zeta > Ball(1))) throw Unproved("a mode may be damped critically");
+    const Ball sum = zeta + sqrt((zeta - 1) * (zeta + 1)), fast = -sum / R, slow = -1 / (R * sum), both = 2 / (fast - slow);
+    return {{fast, both * slow / mirrored(fast), Ball(0)}, {slow, -both * fast / mirrored(slow), Ball(0)}};
+}
+
 // (41): each mode moves by itself.
-FrictionInTime friction_of_modes(const ModesInBalls& m) {
+FrictionInTime friction_of_modes(const ModesInBalls& m, const std::vector<FrictionMotionOfMode>& motions) {
     FrictionInTime f;
     for (std::size_t row = 0; row <= static_cast<std::size_t>(m.N); ++row) {
         f.constant.emplace_back(0);
         std::vector<Ball>& weight = f.weight.emplace_back();
         for (std::size_t i = 0; i < m.R.size(); ++i) weight.push_back(m.psi[row][i] * m.at_contact()[i] * m.R[i] * m.R[i]);
     }
-    std::vector<FrictionMotionOfMode> motions;
-    for (std::size_t i = 0; i < m.R.size(); ++i) motions.emplace_back(m.R[i], m.zeta[i]);
     f.modes = motions;
     using AllModes = std::vector<Series>;
     f.shared = std::make_shared<Remembered<AllModes>>(
@@ -86,8 +96,16 @@ Series FrictionMotionOfMode::rate_and_third(const Series& F) const {
 }
 
 FrictionMotionOfMode::FrictionMotionOfMode(const Ball& R_i, const Ball& zeta_i)
-    : R(R_i), zeta(zeta_i), u(paper::first_damping_function(R, zeta)), g(paper::second_damping_function(R, zeta)), speed(1 / R),
-      stiffness(speed * speed), damping(2 * zeta * speed) {
+    : R(R_i), zeta(zeta_i), speed(1 / R), stiffness(speed * speed), damping(2 * zeta * speed) {
+    if (!(zeta < Ball(1))) {
+        parts = parts_that_die_out(R, zeta);
+        const Series start = at(Ball(0));
+        u = -start.rate(1);
+        g = -start.rate(0);
+        return;
+    }
+    u = paper::first_damping_function(R, zeta);  // (28)
+    g = paper::second_damping_function(R, zeta); // (29)
     const Ball of_sine = ((1 + g) * zeta + u * R) / sqrt(1 - zeta * zeta);
     largest = root_of_positive((1 + g) * (1 + g) + of_sine * of_sine);
 }
@@ -95,6 +113,12 @@ FrictionMotionOfMode::FrictionMotionOfMode(const Ball& R_i, const Ball& zeta_i)
 Series FrictionMotionOfMode::at(const Ball& tau) const {
     constexpr long cost = 20; // as `Effort` counts: an exponential, a sine and a cosine of balls, and what goes with them
     QuestionEffort::pay(cost * (1 + ball_bits / 256));
+    if (!parts.empty()) {
+        const Series time = Series::time(tau);
+        Series F(1);
+        for (const MotionThatDiesOut& p : parts) F = F + (Series(p.factor) + p.slope * time) * exp(p.rate * time);
+        return F;
+    }
     const Ball F = paper::friction_motion(tau, R, zeta, u, g), rate = paper::friction_motion_prime(tau, R, zeta, u, g);
     // The mode obeys F'' + 2 zeta / R F' + F / R^2 = 1 / R^2.
     const Ball second = (1 - F) * stiffness - damping * rate, third = -(rate * stiffness + damping * second),
@@ -105,6 +129,21 @@ Series FrictionMotionOfMode::at(const Ball& tau) const {
 }
 
 Series FrictionMotionOfMode::over(const Series& in_the_middle, const Ball& tau) const {
+    if (!parts.empty()) {
+        const Bits few(64);
+        std::array<Ball, 6> most;
+        for (const MotionThatDiesOut& p : parts) {
+            const Ball left = upper_bound_of(exp(p.rate * Ball(tau.low()))),
+                       factor = abs(p.factor) + abs(p.slope) * Ball(tau.high());
+            Ball powers(1), before(0); // of the rate, over n!, and over (n - 1)!
+            for (int n = 0; n < 6; ++n) {
+                most[n] += left * (factor * powers + abs(p.slope) * before);
+                before = powers;
+                powers = powers * abs(p.rate) / (n + 1);
+            }
+        }
+        return over_stretch(in_the_middle, tau - middle(tau), Ball(1), most);
+    }
     // F - 1 is e^(-zeta tau / R) times a cosine, which is not larger later.
     const auto left = [&] {
         const Bits few(64);
@@ -113,12 +152,12 @@ Series FrictionMotionOfMode::over(const Series& in_the_middle, const Ball& tau) 
     return over_stretch(in_the_middle, tau - middle(tau), Ball(1), left(), speed);
 }
 
-bool are_of_papers_form(const ModesInBalls& m) {
-    return m.clusters.empty() && std::ranges::all_of(m.zeta, [](const Ball& zeta) { return zeta < Ball(1); });
-}
+bool are_told_apart(const ModesInBalls& m) { return m.clusters.empty() && std::ranges::all_of(m.zeta, is_told_from_critical); }
 
 ResponsesInBalls responses_of_modes(const SceneInBalls& s, ModesInBalls m) {
-    const OneByOne modes(m);
+    std::vector<FrictionMotionOfMode> motions;
+    for (std::size_t i = 0; i < m.R.size(); ++i) motions.emplace_back(m.R[i], m.zeta[i]);
+    const OneByOne modes(m, motions);
     ResponsesInBalls r;
     for (std::size_t row = 0; row <= static_cast<std::size_t>(m.N); ++row) {
         r.V.push_back(modes.V(m.psi[row], m.at_load()));
@@ -128,7 +167,7 @@ ResponsesInBalls responses_of_modes(const SceneInBalls& s, ModesInBalls m) {
     r.H = modes.H();
     r.Y = modes.V(m.at_contact(), m.at_contact());
     r.squares = acceleration_of_contact(s);
-    r.friction = friction_of_modes(m);
+    r.friction = friction_of_modes(m, motions);
     r.modes = std::move(m);
     return r;
 }

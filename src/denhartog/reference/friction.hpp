@@ -12,19 +12,31 @@
 
 namespace denhartog::reference {
 
-/// @brief The friction motion of a mode, damped below critical.
+/// @brief A motion that dies out without oscillations: \f$ (c + d\tau)e^{\lambda\tau} \f$.
+struct MotionThatDiesOut {
+    Ball rate{};   ///< lambda, below zero
+    Ball factor{}; ///< c
+    Ball slope{};  ///< d
+};
+
+/// @brief The friction motion of a mode.
+///
+/// Below critical damping it is that of (41). Beyond, with the rates \f$ \lambda_{1,2} \f$ of the free motion and
+/// \f$ E_n = e^{\lambda_n\tau}/(1 + e^{\lambda_n\pi}) \f$, the motion that mirrors itself is
+/// \f$ F = 1 - 2(\lambda_1 E_2 - \lambda_2 E_1)/(\lambda_1 - \lambda_2) \f$; with critical damping it is the limit of that.
 /// @eq{41}
 struct FrictionMotionOfMode {
-    Ball R{};         ///< modal frequency ratio, Eq. (22)
-    Ball zeta{};      ///< modal damping ratio
-    Ball u{};         ///< first damping function, Eq. (28)
-    Ball g{};         ///< second damping function, Eq. (29)
-    Ball speed{};     ///< 1 / R
-    Ball stiffness{}; ///< 1 / R^2
-    Ball damping{};   ///< 2 zeta / R
-    Ball largest{};   ///< a bound of |F - 1| throughout
+    Ball R{};                               ///< modal frequency ratio, Eq. (22)
+    Ball zeta{};                            ///< modal damping ratio
+    Ball u{};                               ///< first damping function, Eq. (28)
+    Ball g{};                               ///< second damping function, Eq. (29)
+    Ball speed{};                           ///< 1 / R
+    Ball stiffness{};                       ///< 1 / R^2
+    Ball damping{};                         ///< 2 zeta / R
+    Ball largest{};                         ///< a bound of |F - 1| throughout, below critical damping
+    std::vector<MotionThatDiesOut> parts{}; ///< of F - 1, from critical damping on
 
-    /// @param R     modal frequency ratio @param zeta  modal damping ratio, below 1
+    /// @param R     modal frequency ratio @param zeta  modal damping ratio, told from critical damping
     FrictionMotionOfMode(const Ball& R, const Ball& zeta);
     /// @brief The motion and its derivatives at an instant. @param tau the instant, exact @return the series
     [[nodiscard]] Series at(const Ball& tau) const;
@@ -68,27 +80,33 @@ struct ResponsesInBalls {
     Ball squares{};                 ///< acceleration of the contact by a unit force on it: the sum (65)
     Complex<Ball> Y{};              ///< displacement of the contact by a unit harmonic force on it
     FrictionInTime friction{};      ///< the friction motion
-    bool modal = true;    ///< whether the paper's formulas hold, see `are_of_papers_form`; false if the scene gives a matrix C
+    bool modal = true;    ///< whether each mode moves by itself, see `are_told_apart`; false if the scene gives a matrix C
     ModesInBalls modes{}; ///< the modes, where damping is given by their ratios; else none
 
     /// @brief Place of the contact among the rows. @return N
     [[nodiscard]] std::size_t contact() const { return V.size() - 1; }
 };
 
-/// @brief Whether the paper's formulas hold: every mode is damped below critical, and told apart from the others.
+/// @brief Whether damping is told from critical damping. @param zeta a damping ratio @return true where it is below, beyond, or
+/// critical to the last digit
+[[nodiscard]] inline bool is_told_from_critical(const Ball& zeta) {
+    return zeta < Ball(1) || zeta > Ball(1) || (zeta - 1).is_zero();
+}
+
+/// @brief Whether every mode moves by itself: it is told apart from the others, and its damping from critical damping.
 /// @param modes  the modes, with their damping ratios
 /// @return       true where it is certain
-[[nodiscard]] bool are_of_papers_form(const ModesInBalls& modes);
+[[nodiscard]] bool are_told_apart(const ModesInBalls& modes);
 
-/// @brief The response functions by the paper's formulas.
+/// @brief The response functions by the paper's formulas, and those of modes that are damped critically or beyond.
 /// @eq{23,28,29,33,34,35,41,64,65}
 /// @param scene  the scene
-/// @param modes  its modes, of the paper's form
+/// @param modes  its modes, told apart
 /// @return       the functions
 /// @throws       Unproved where the bits do not suffice
 [[nodiscard]] ResponsesInBalls responses_of_modes(const SceneInBalls& scene, ModesInBalls modes);
 
-/// @brief The same where the scene gives a damping matrix, modes are not told apart, or one is damped critically or beyond.
+/// @brief The same where the scene gives a damping matrix, or modes are not told apart.
 ///
 /// Between two turns of the contact the state \f$ \mathbf z = (\bar{\mathbf x}, \bar{\mathbf x}') \f$ obeys
 /// \f$ \mathbf z' = \mathbf A\mathbf z + \mathbf b \f$ under a unit force on the contact. The motion that mirrors itself is
@@ -99,7 +117,7 @@ struct ResponsesInBalls {
 /// @return       the functions
 [[nodiscard]] ResponsesInBalls responses_of_state(const SceneInBalls& scene);
 
-/// @brief The same of one mass at r = R, which is a mode by itself: for modes damped critically or beyond.
+/// @brief The same of one mass at r = R, which is a mode by itself: for modes whose damping is not told from critical damping.
 /// @param R     modal frequency ratio, Eq. (22)
 /// @param zeta  modal damping ratio
 /// @return      the functions

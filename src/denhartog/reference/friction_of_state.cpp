@@ -1,8 +1,11 @@
+#include <algorithm>
+#include <cmath>
 #include <memory>
 
 #include "denhartog/number/effort.hpp"
 #include "denhartog/reference/free_motions.hpp"
 #include "denhartog/reference/friction.hpp"
+#include "denhartog/reference/orbit_equations.hpp"
 
 namespace denhartog::reference {
 namespace {
@@ -59,6 +62,15 @@ Complex<Ball> at_contact(const SceneInBalls& s, const std::vector<Complex<Ball>>
     return sum;
 }
 
+// e^(A tau): a series for a small part of A, squared as often as that was halved. Each squaring takes a bit of what is right.
+BallMatrix state_after(const BallMatrix& A, const Ball& tau) {
+    const double halvings = binary_logarithm(std::max(1.0, norm(A) * tau.high()));
+    if (!(halvings < static_cast<double>(ball_bits))) throw Unproved("a mode is too fast for the state to be followed");
+    const double products = halvings + std::sqrt(static_cast<double>(ball_bits)), n = static_cast<double>(A.rows());
+    QuestionEffort::pay(cost_of_ball_products(n * n * n * products));
+    return exp(A * tau);
+}
+
 // e^(A tau) z, where z is the state `begin` at tau = 0, 2 N x 1: by Taylor's series about the middle of a stretch.
 class StateInTime {
 public:
@@ -66,11 +78,10 @@ public:
 
     std::vector<Series> operator()(const Ball& tau) const {
         const slong n = A_.rows();
-        QuestionEffort::pay(n * n * n / 8);
         const Ball center = middle(tau), off = tau - center;
         const Ball reach = upper_bound_of(size_ * radius_of(off));
         if (!(reach < Ball(600))) throw Unproved("a mode is too fast for the state to be followed");
-        BallMatrix term = exp(A_ * center) * begin_, sum = term;
+        BallMatrix term = state_after(A_, center) * begin_, sum = term;
         Ball left(norm(term)), enough = left; // left: (reach^k / k!) |z|, a bound of the last term taken
         arb_mul_2exp_si(enough.a, enough.a, -ball_bits);
         for (slong k = 1; !off.is_zero() && !(left < enough) && k < 10 * ball_bits; ++k) {
@@ -123,7 +134,7 @@ void add_free_motions(const SceneInBalls& s, const FreeMotions& free, const Ball
 void add_states(const SceneInBalls& s, const StateMatrix& m, FrictionInTime& f) {
     const slong N = s.N();
     BallMatrix begin;
-    const BallMatrix once = unit_matrix(2 * N) + exp(m.A * pi<Ball>());
+    const BallMatrix once = unit_matrix(2 * N) + state_after(m.A, pi<Ball>());
     if (!solved(once, m.rest, begin)) throw Unproved("a free motion may mirror itself after half a period");
     begin = begin * Ball(-2);
     f.constant.assign(static_cast<std::size_t>(N) + 1, Ball(0));

@@ -35,20 +35,28 @@ Series over_stretch(const FunctionOfTime& f, const Ball& X) {
     return r;
 }
 
-// The bits of a search: few, or all where a function is so small a difference of its terms that few show little of it.
-slong bits_that_show(const std::function<Ball(const Ball&)>& f) {
-    const auto hidden = [&](slong bits) { // of the largest value
+// What a search sees of a function. It is in doubles, and the function may be beyond their range: it searches the function over
+// its size.
+struct SeenBySearch {
+    slong bits; // few, or all where the function is so small a difference of its terms that few show little of it
+    Ball size;  // about its largest value, exact
+};
+
+SeenBySearch seen_by_search(const std::function<Ball(const Ball&)>& f) {
+    Ball size;
+    const auto shows = [&](slong bits, double part) { // radii are no more than a part of the largest value
         const Bits these(bits);
-        double largest = 0, radius = 0;
+        Ball radius(0);
+        size = Ball(0);
         for (const double tau : {0.0, 0.75, 1.5, 2.25, end}) {
             const Ball value = f(Ball(tau));
-            largest = std::max({largest, -value.low(), value.high()});
-            radius = std::max(radius, value.radius());
+            size = larger(size, upper_bound_of(abs(value)));
+            radius = larger(radius, radius_of(value));
         }
-        return radius / largest;
+        return size.finite() && size > Ball(0) && radius <= Ball(part) * size;
     };
-    if (hidden(bits_of_search) <= 0x1p-8) return bits_of_search;
-    if (hidden(ball_bits) <= 0x1p-32) return ball_bits;
+    if (shows(bits_of_search, 0x1p-8)) return {bits_of_search, size};
+    if (shows(ball_bits, 0x1p-32)) return {ball_bits, size};
     throw Unproved("a sum is too small a difference of its terms");
 }
 
@@ -77,12 +85,8 @@ LargestInBalls refined(const LargestOnStretches& found, const std::function<Ball
     return best;
 }
 
-FunctionOfTime negative_of(const FunctionOfTime& f) {
-    return [&f](const Ball& tau) { return -f(tau); };
-}
-
-// Where a smooth function may be largest, if it is at least so large.
-LargestOnStretches stretches_of(const FunctionOfTime& f, double at_least) {
+// Where a smooth function may be largest, if it is at least so large, searched for with some bits.
+LargestOnStretches stretches_of(const FunctionOfTime& f, slong bits, double at_least) {
     SearchedFunction<Ball> searched;
     searched.value = [&](const Ball& t) { return f(static_cast<double>(t) < end ? t : pi<Ball>()).rate(0); };
     searched.stretch = [&](double a, double b) {
@@ -100,7 +104,7 @@ LargestOnStretches stretches_of(const FunctionOfTime& f, double at_least) {
         };
         return SeenOverStretch<Ball>{x.rate(0), trend()};
     };
-    const Bits few(bits_of_search);
+    const Bits few(bits);
     return stretches_of_largest(searched, 0, end, narrow, flat, most_looks, at_least);
 }
 
@@ -116,41 +120,55 @@ LargestInBalls refined_of(const FunctionOfTime& f, const LargestOnStretches& fou
 } // namespace
 
 LargestBothWays largest_size_of(const FunctionOfTime& f) {
-    LargestOnStretches up = stretches_of(f, -std::numeric_limits<double>::infinity());
-    const LargestOnStretches down = stretches_of(negative_of(f), up.lower);
+    const SeenBySearch seen = seen_by_search([&f](const Ball& tau) { return f(tau).rate(0); });
+    const FunctionOfTime scaled = [&](const Ball& tau) { return f(tau) * Series(1 / seen.size); };
+    const FunctionOfTime negative = [&](const Ball& tau) { return -scaled(tau); };
+    LargestOnStretches up = stretches_of(scaled, seen.bits, -std::numeric_limits<double>::infinity());
+    const LargestOnStretches down = stretches_of(negative, seen.bits, up.lower);
     std::erase_if(up.stretches, [&](const StretchOfLargest& s) { return s.upper < down.lower; });
+    const auto found = [&](const FunctionOfTime& function, const LargestOnStretches& where) {
+        LargestInBalls largest = refined_of(function, where);
+        largest.value = largest.value * seen.size;
+        return largest;
+    };
     LargestBothWays largest;
-    if (!up.settled || !up.stretches.empty()) largest.up = refined_of(f, up);
-    if (!down.settled || !down.stretches.empty()) largest.down = refined_of(negative_of(f), down);
+    if (!up.settled || !up.stretches.empty()) largest.up = found(scaled, up);
+    if (!down.settled || !down.stretches.empty()) largest.down = found(negative, down);
     return largest;
 }
 
 LargestInBalls largest_over_sine(const FunctionOfTime& numerator, const FunctionOfTime& Z_in_time) {
     const auto at_end = [](double t) { return t <= 0 || t >= end; };
     const auto W_of = [](const Series& n, const Ball& t) { return n.rate(1) * sin(t) - n.rate(0) * cos(t); };
-    const auto W = [&](const Ball& t) { return W_of(numerator(t), t); };
     // Cauchy's mean value theorem: n / sin is n' / cos at some instant between here and the end, if the cosine keeps its sign.
     const auto quotient = [](const Series& n, const Ball& t, bool by_slope) {
         return by_slope ? n.rate(1) / cos(t) : n.rate(0) / sin(t);
     };
+    const auto value_at = [&](const FunctionOfTime& n, const Ball& t) {
+        const auto at = static_cast<double>(t);
+        const Ball here = at < end ? t : pi<Ball>();
+        return quotient(n(here), here, at_end(at));
+    };
+    const SeenBySearch seen = seen_by_search([&](const Ball& t) { return value_at(numerator, t); });
+    const auto scaled = [&seen](const FunctionOfTime& f) {
+        return [&f, &seen](const Ball& t) { return f(t) * Series(1 / seen.size); };
+    };
+    const FunctionOfTime n_of = scaled(numerator), Z_of = scaled(Z_in_time);
+    const auto W = [&](const Ball& t) { return W_of(n_of(t), t); };
     // From the middle of a stretch n goes on as a sine and a cosine do, and is driven by Z. Gives Z.
     const auto driven = [&](Series& n, const Ball& X) {
         const Ball m = middle(X), d = X - m, s = sin(d), half = sin(d / 2);
-        const Series Z_m = Z_in_time(m), Z_X = Z_in_time(X), n_m = numerator(m);
+        const Series Z_m = Z_of(m), Z_X = Z_of(X), n_m = n_of(m);
         const Ball Z = both_hold(Z_X.c[0], Z_m.c[0] + d * (Z_m.c[1] + d * Z_X.c[2]));
         n.c[0] = both_hold(n.c[0], n_m.c[0] * cos(d) + n_m.c[1] * s + Z * (2 * half * half));
         n.c[1] = both_hold(n.c[1], n_m.c[1] * cos(d) - n_m.c[0] * s + Z * s);
         return Z;
     };
     SearchedFunction<Ball> searched;
-    searched.value = [&](const Ball& t) {
-        const auto at = static_cast<double>(t);
-        const Ball here = at < end ? t : pi<Ball>();
-        return quotient(numerator(here), here, at_end(at));
-    };
+    searched.value = [&](const Ball& t) { return value_at(n_of, t); };
     searched.stretch = [&](double a, double b) {
         const Ball t = stretch(a, b);
-        Series n = over_stretch(numerator, t);
+        Series n = over_stretch(n_of, t);
         const Ball Z = Z_in_time ? driven(n, t) : n.rate(2) + n.rate(0);
         const auto trend = [&] {
             if (!(Z.high() < 0 || Z.low() > 0)) return TrendOnStretch::unknown;
@@ -166,24 +184,26 @@ LargestInBalls largest_over_sine(const FunctionOfTime& numerator, const Function
         return SeenOverStretch<Ball>{quotient(n, t, at_end(a) || at_end(b)), trend()};
     };
     const LargestOnStretches found = [&] {
-        const Bits few(bits_that_show(searched.value));
+        const Bits few(seen.bits);
         return stretches_of_largest(searched, 0, end, narrow, flat, most_looks);
     }();
     const auto value = [&](const Ball& at) {
         const Ball m = middle(at), d = at - m;
         const double from = at.low(), to = at.high();
-        if (from <= 0 || to >= end) return quotient(over_stretch(numerator, at), at, true);
-        const Ball here = quotient(numerator(m), m, false);
+        if (from <= 0 || to >= end) return quotient(over_stretch(n_of, at), at, true);
+        const Ball here = quotient(n_of(m), m, false);
         if (d.is_zero()) return here;
         // the rate of the quotient is W over the square of the sine
         const Ball s = sin(at);
         return here + d * (W(at) / (s * s));
     };
     const auto rate = [&](const Ball& t) {
-        const Series n = numerator(t);
+        const Series n = n_of(t);
         return ValueAndSlope{W_of(n, t), (n.rate(2) + n.rate(0)) * sin(t)};
     };
-    return refined(found, value, rate);
+    LargestInBalls largest = refined(found, value, rate);
+    largest.value = largest.value * seen.size;
+    return largest;
 }
 
 } // namespace denhartog::reference

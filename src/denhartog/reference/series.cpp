@@ -3,13 +3,15 @@
 namespace denhartog::reference {
 
 Series over_stretch(const Series& at_middle, const Ball& off, const Ball& constant, const Ball& size, const Ball& speed) {
+    std::array<Ball, 6> most{size};
+    for (int n = 1; n < 6; ++n) most[n] = most[n - 1] * speed / n;
+    return over_stretch(at_middle, off, constant, most);
+}
+
+Series over_stretch(const Series& at_middle, const Ball& off, const Ball& constant, const std::array<Ball, 6>& most) {
     Series r;
-    Ball most = size;
     std::array<Ball, 6> held;
-    for (int n = 0; n < 6; ++n) {
-        if (n > 0) most = most * speed / n;
-        held[n] = widened(n == 0 ? constant : Ball(0), most);
-    }
+    for (int n = 0; n < 6; ++n) held[n] = widened(n == 0 ? constant : Ball(0), most[n]);
     r.c[4] = both_hold(at_middle.c[4] + 5 * off * held[5], held[4]);
     r.c[3] = both_hold(at_middle.c[3] + 4 * off * r.c[4], held[3]);
     r.c[2] = both_hold(at_middle.c[2] + 3 * off * r.c[3], held[2]);

@@ -86,6 +86,14 @@ struct Series {
 /// @return           its series over the stretch
 [[nodiscard]] Series over_stretch(const Series& at_middle, const Ball& off, const Ball& constant, const Ball& size,
                                   const Ball& speed);
+/// @brief The same with a bound of each derivative.
+/// @param at_middle  its series in the middle of the stretch
+/// @param off        instants of the stretch less the middle
+/// @param constant   what it differs from
+/// @param most       bounds of its derivatives over n! in the stretch; of order 0 of the difference
+/// @return           its series over the stretch
+[[nodiscard]] Series over_stretch(const Series& at_middle, const Ball& off, const Ball& constant,
+                                  const std::array<Ball, 6>& most);
 
 /// @brief Sine and cosine of a function, each from the slope of the other.
 struct SineCosineSeries {

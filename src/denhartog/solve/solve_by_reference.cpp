@@ -163,6 +163,8 @@ std::vector<OrbitGuess> guesses_at(const PreparedSystem& p, const SceneSource& s
     if (orbit.status == OrbitStatus::permanently_stuck) return all;
     if (orbit.status == OrbitStatus::not_converged)
         orbit.symmetric = true; // rounding may be why; where the motion was last is near
+    SearchEffort of_guesses(default_effort(moving->basis.r_n.size()));
+    (void)solver.allow(&of_guesses);
     const auto add = [&](const OrbitGuess& guess) {
         if (guess.directions.empty()) return;
         const auto same = [&](const OrbitGuess& other) {
