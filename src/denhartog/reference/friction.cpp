@@ -87,15 +87,17 @@ Series FrictionMotionOfMode::rate_and_third(const Series& F) const {
 
 FrictionMotionOfMode::FrictionMotionOfMode(const Ball& R_i, const Ball& zeta_i)
     : R(R_i), zeta(zeta_i), u(paper::first_damping_function(R, zeta)), g(paper::second_damping_function(R, zeta)), speed(1 / R),
-      stiffness(speed * speed), damping(2 * zeta * speed) {
-    const Ball of_sine = ((1 + g) * zeta + u * R) / sqrt(1 - zeta * zeta);
+      stiffness(speed * speed), damping(2 * zeta * speed), turning(sqrt(1 - zeta * zeta) * speed),
+      of_sine(((1 + g) * zeta + u * R) / sqrt(1 - zeta * zeta)) {
     largest = root_of_positive((1 + g) * (1 + g) + of_sine * of_sine);
 }
 
 Series FrictionMotionOfMode::at(const Ball& tau) const {
     constexpr long cost = 20; // as `Effort` counts: an exponential, a sine and a cosine of balls, and what goes with them
     QuestionEffort::pay(cost * (1 + ball_bits / 256));
-    const Ball F = paper::friction_motion(tau, R, zeta, u, g), rate = paper::friction_motion_prime(tau, R, zeta, u, g);
+    // `paper::friction_motion` and its rate, (A.8) put in: one exponential, one sine and one cosine.
+    const Ball decay = damping / 2, e = exp(-(decay * tau)), angle = turning * tau, c = e * cos(angle), s = e * sin(angle),
+               F = 1 - (1 + g) * c - of_sine * s, rate = (decay * of_sine + turning * (1 + g)) * s - u * c;
     // The mode obeys F'' + 2 zeta / R F' + F / R^2 = 1 / R^2.
     const Ball second = (1 - F) * stiffness - damping * rate, third = -(rate * stiffness + damping * second),
                fourth = -(second * stiffness + damping * third);

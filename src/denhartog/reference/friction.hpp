@@ -22,6 +22,8 @@ struct FrictionMotionOfMode {
     Ball speed{};     ///< 1 / R
     Ball stiffness{}; ///< 1 / R^2
     Ball damping{};   ///< 2 zeta / R
+    Ball turning{};   ///< w / R: F - 1 is e^(-zeta tau / R) times sine and cosine of this times tau
+    Ball of_sine{};   ///< factor of the sine in 1 - F
     Ball largest{};   ///< a bound of |F - 1| throughout
 
     /// @param R     modal frequency ratio @param zeta  modal damping ratio, below 1

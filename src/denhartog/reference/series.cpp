@@ -4,12 +4,20 @@ namespace denhartog::reference {
 
 Series over_stretch(const Series& at_middle, const Ball& off, const Ball& constant, const Ball& size, const Ball& speed) {
     Series r;
-    Ball most = size;
     std::array<Ball, 6> held;
+    held[0] = constant;
+    mag_t most, rate; // bounds of a term, and of the speed
+    mag_init(most);
+    mag_init(rate);
+    arb_get_mag(most, size.a);
+    arb_get_mag(rate, speed.a);
     for (int n = 0; n < 6; ++n) {
-        if (n > 0) most = most * speed / n;
-        held[n] = widened(n == 0 ? constant : Ball(0), most);
+        if (n > 0) mag_mul(most, most, rate);
+        if (n > 1) mag_div_ui(most, most, static_cast<ulong>(n));
+        arb_add_error_mag(held[n].a, most);
     }
+    mag_clear(most);
+    mag_clear(rate);
     r.c[4] = both_hold(at_middle.c[4] + 5 * off * held[5], held[4]);
     r.c[3] = both_hold(at_middle.c[3] + 4 * off * r.c[4], held[3]);
     r.c[2] = both_hold(at_middle.c[2] + 3 * off * r.c[3], held[2]);
