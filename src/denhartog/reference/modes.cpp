@@ -143,10 +143,10 @@ NearlyDiagonal nearly_diagonal(const BallMatrix& A, long& work) {
     return improve(eigenvectors_in_bits(A, work));
 }
 
-NaturalModes natural_modes(const SceneInBalls& s) {
+NaturalModesInBalls natural_modes(const SceneInBalls& s) {
     const slong N = s.N();
     const auto count = static_cast<std::size_t>(N);
-    NaturalModes m;
+    NaturalModesInBalls m;
     const BallMatrix L = cholesky(s.M), A = between_factors(L, s.K);
     const NearlyDiagonal near = nearly_diagonal(A, m.work);
     std::vector<slong> order(count);
@@ -204,7 +204,7 @@ Ball ModesInBalls::left_open(const std::vector<Ball>& k, const std::vector<Ball>
     return open;
 }
 
-std::shared_ptr<const NaturalModes> KeptModes::of(const SceneInBalls& s) {
+std::shared_ptr<const NaturalModesInBalls> KeptModes::of(const SceneInBalls& s) {
     const std::scoped_lock one(one_at_a_time_); // who needs the same waits for it
     const auto same = [](const BallMatrix& x, const BallMatrix& y) {
         return x.rows() == y.rows() && arb_mat_equal(x.a, y.a) != 0;
@@ -216,12 +216,12 @@ std::shared_ptr<const NaturalModes> KeptModes::of(const SceneInBalls& s) {
         }
     if (kept_.size() == most_kept) kept_.erase(kept_.begin());
     ++solved_;
-    kept_.push_back({ball_bits, s.M, s.K, s.w, s.p, std::make_shared<const NaturalModes>(natural_modes(s))});
+    kept_.push_back({ball_bits, s.M, s.K, s.w, s.p, std::make_shared<const NaturalModesInBalls>(natural_modes(s))});
     return kept_.back().modes;
 }
 
 ModesInBalls modes_in_balls(const SceneInBalls& s) {
-    const auto natural = s.kept ? s.kept->of(s) : std::make_shared<const NaturalModes>(natural_modes(s));
+    const auto natural = s.kept ? s.kept->of(s) : std::make_shared<const NaturalModesInBalls>(natural_modes(s));
     for (const ModeCluster& c : natural->clusters)
         for (std::size_t i = c.first; i < c.last && !s.zeta.empty(); ++i)
             if (arb_equal(s.zeta[i].a, s.zeta[c.first].a) == 0) // one ball holds all that they may be, as it does for R

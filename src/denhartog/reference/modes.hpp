@@ -43,7 +43,7 @@ struct ModesInBalls {
 };
 
 /// @brief What of the modes depends neither on the frequency ratio nor on damping and friction.
-struct NaturalModes {
+struct NaturalModesInBalls {
     std::vector<Ball> lambda{};           ///< squares of the natural frequency ratios, ascending
     std::vector<std::vector<Ball>> phi{}; ///< mass-normalised shapes, with the rows of `ModesInBalls::psi`
     std::vector<ModeCluster> clusters{};  ///< the clusters of more than one mode; they have one lambda
@@ -59,7 +59,7 @@ public:
     /// @param scene  the scene, of whose matrices M, K, w and p alone count
     /// @return       the modes
     /// @throws       as `modes_in_balls`; nothing is kept then
-    [[nodiscard]] std::shared_ptr<const NaturalModes> of(const SceneInBalls& scene);
+    [[nodiscard]] std::shared_ptr<const NaturalModesInBalls> of(const SceneInBalls& scene);
     /// @brief Eigenproblems (15) solved so far. @return how many
     [[nodiscard]] long solved() const { return solved_; }
 
@@ -67,7 +67,7 @@ private:
     struct Kept {
         slong bits;
         BallMatrix M, K, w, p;
-        std::shared_ptr<const NaturalModes> modes;
+        std::shared_ptr<const NaturalModesInBalls> modes;
     };
     std::mutex one_at_a_time_{};
     std::vector<Kept> kept_{};
