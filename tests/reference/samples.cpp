@@ -130,8 +130,8 @@ TEST_CASE("samples of a proved motion at rest are those of double", "[reference]
 
 TEST_CASE("an instant of an event or a turn is on both sides of it", "[reference][samples]") {
     const Scene<double> scene = at_point(two_masses(), 0.3125, 0.25);
-    const Bits all(reference::bits_of_orbit(128));
-    const reference::OrbitInPhases motion = reference::orbit_in_phases(in_bits(scene), guess_for(scene), 128);
+    const Bits all(192);
+    const reference::OrbitInPhases motion = reference::orbit_in_phases(in_bits(scene), guess_for(scene), ball_bits);
     for (slong i = 0; i <= motion.orbit.at.m(); ++i)
         for (const int periods : {-2, 0, 3}) {
             const Ball event = motion.orbit.at.instant(i) + Ball(2 * periods) * PiOf<Ball>::value();

@@ -182,6 +182,7 @@ std::optional<RoundedModes<double>> held_modes(const SceneInBalls& s, const Mode
     SceneInBalls others{of_others(back * s.M * O, j), of_others(back * s.K * O, j), of_others(C, j)};
     others.w = others.p = BallMatrix(others.N(), 1);
     others.r = Ball(1);
+    others.kept = s.kept;
     const ModesInBalls m = modes_in_balls(others);
     const BallMatrix D = damping_of_modes(others, m);
     const double largest = norm(D);

@@ -94,6 +94,7 @@ SceneInBalls scene_as_given(const SceneSource& source) {
     source->in_balls(scene);
     if (!scene.r) scene.r = Ball(1);
     SceneInBalls s = in_matrices(scene);
+    s.kept = source->kept_modes;
     check_in_balls(s);
     return s;
 }

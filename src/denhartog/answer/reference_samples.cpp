@@ -47,7 +47,7 @@ MotionInBalls motion_with_stops(const SceneSource& source, const Solution& solut
         const auto orbit = std::make_shared<const OrbitInPhases>(orbit_in_phases(scene, guess, bits));
         if (orbit->orbit.at.periods != solution.periods) throw Disproved("the motion that is proved has another period");
         const auto motion = [orbit, bits](const Ball& tau) {
-            const Bits all(bits_of_orbit(bits));
+            const Bits all(bits);
             return orbit->at(tau);
         };
         require_start(motion(Ball(0)), solution, tolerance);

@@ -7,6 +7,9 @@
 #include "denhartog/model/coordinates.hpp"
 #include "denhartog/number/ball_or_none.hpp"
 #include "denhartog/scene/converted.hpp"
+#if DENHARTOG_REFERENCE
+#include "denhartog/reference/modes.hpp"
+#endif
 
 namespace denhartog {
 namespace {
@@ -15,12 +18,24 @@ namespace {
     throw PrecisionError(has_reference() ? "this scene is not to be had by the reference" : built_without_reference);
 }
 
+// What a new system has of its modes in balls: nothing yet.
+std::shared_ptr<reference::KeptModes> no_modes_yet() {
+#if DENHARTOG_REFERENCE
+    return std::make_shared<reference::KeptModes>();
+#else
+    return nullptr;
+#endif
+}
+
 // A scene in double, or what is wrong with it, and a function that gives it in balls.
 template <class Read>
 struct ReadBy final : SceneReader {
     SceneOrError<double> narrow;
     Read read;
-    ReadBy(SceneOrError<double> narrow_, Read read_) : narrow(std::move(narrow_)), read(std::move(read_)) {}
+    ReadBy(SceneOrError<double> narrow_, Read read_, std::shared_ptr<reference::KeptModes> kept)
+        : narrow(std::move(narrow_)), read(std::move(read_)) {
+        kept_modes = std::move(kept);
+    }
     [[nodiscard]] const Scene<double>& in_double() const override {
         if (narrow.error) throw InputError(*narrow.error);
         return *narrow.scene;
@@ -40,6 +55,7 @@ struct OfDoubles final : SceneReader {
     std::unique_ptr<const Scene<double>> in_coordinates; // in its own coordinates, where these are others
     const Scene<double>*given, *scene;
     OfDoubles(const Scene<double>& scene_, bool keeps) : given(keeps ? &copy.emplace(scene_) : &scene_), scene(given) {
+        kept_modes = no_modes_yet();
         if (is_of_papers_form(scene->system)) return;
         in_coordinates = std::make_unique<const Scene<double>>(in_own_coordinates(*given));
         scene = in_coordinates.get();
@@ -55,8 +71,8 @@ struct OfDoubles final : SceneReader {
 };
 
 template <class Read>
-SceneSource source_by(SceneOrError<double> narrow, Read read) {
-    return std::make_shared<const ReadBy<Read>>(std::move(narrow), std::move(read));
+SceneSource source_by(SceneOrError<double> narrow, Read read, std::shared_ptr<reference::KeptModes> kept) {
+    return std::make_shared<const ReadBy<Read>>(std::move(narrow), std::move(read), std::move(kept));
 }
 
 // The number type of a scene.
@@ -68,10 +84,11 @@ template <class Change>
 SceneSource changed(const SceneSource& source, const Change& change) {
     SceneOrError<double> narrow;
     change(narrow.scene.emplace(source->in_double()));
-    return source_by(std::move(narrow), [source, change](auto& scene) {
+    const auto read = [source, change](auto& scene) {
         source->in_balls(scene);
         change(scene);
-    });
+    };
+    return source_by(std::move(narrow), read, source->kept_modes);
 }
 
 } // namespace
@@ -81,12 +98,14 @@ void SceneReader::in_balls(Scene<Ball>&) const { fail_without_reference(); }
 SceneSource scene_source(const SceneText& part) {
     SceneOrError<double> narrow = read_scene<double>(part);
     if (narrow.scene) narrow.scene = in_own_coordinates(*narrow.scene);
-    return source_by(std::move(narrow),
-                     [text = std::string(part.text), line = part.line, alone = part.alone]<class T>(Scene<T>& scene) {
-                         SceneOrError<T> read = read_scene<T>(SceneText{text, line, alone});
-                         if (read.error) throw InputError(*read.error);
-                         scene = std::move(*read.scene);
-                     });
+    return source_by(
+        std::move(narrow),
+        [text = std::string(part.text), line = part.line, alone = part.alone]<class T>(Scene<T>& scene) {
+            SceneOrError<T> read = read_scene<T>(SceneText{text, line, alone});
+            if (read.error) throw InputError(*read.error);
+            scene = std::move(*read.scene);
+        },
+        no_modes_yet());
 }
 
 SceneSource scene_source(const Scene<double>& scene) { return std::make_shared<const OfDoubles>(scene, true); }

@@ -10,8 +10,13 @@ namespace denhartog {
 
 class Ball;
 
+namespace reference {
+class KeptModes;
+}
+
 /// @brief How a scene is had in every number type.
 struct SceneReader {
+    std::shared_ptr<reference::KeptModes> kept_modes{}; ///< of its system, shared by the scenes made from it; null: not kept
     virtual ~SceneReader() = default;
     [[nodiscard]] virtual const Scene<double>&
     in_double() const = 0; ///< @return the scene in double, which lives as long as this

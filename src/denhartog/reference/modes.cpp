@@ -14,6 +14,14 @@
 namespace denhartog::reference {
 namespace {
 
+constexpr std::size_t most_kept = 8; // natural modes of one system: a few precisions, with the contact free and held
+
+// Pays for a part of the work on natural modes.
+void pay(long operations, long& work) {
+    QuestionEffort::pay(operations);
+    work += operations;
+}
+
 BallMatrix cholesky(const BallMatrix& M) {
     BallMatrix L(M.rows(), M.rows());
     if (arb_mat_cho(L.a, M.a, ball_bits) == 0) throw Unproved("the mass matrix is not proved positive definite");
@@ -50,9 +58,9 @@ BallMatrix eigenvectors_in_double(const BallMatrix& A) {
 }
 
 // The same in the bits of the moment, where double has lost the small ones beside the large.
-BallMatrix eigenvectors_in_bits(const BallMatrix& A) {
+BallMatrix eigenvectors_in_bits(const BallMatrix& A, long& work) {
     const slong N = A.rows();
-    QuestionEffort::pay(N * N * N * 100);
+    pay(N * N * N * 100, work);
     acb_mat_t C, R;
     acb_mat_init(C, N, N);
     acb_mat_init(R, N, N);
@@ -115,14 +123,14 @@ NearlyDiagonal on_vectors(const BallMatrix& A, const BallMatrix& X) {
     return {X, std::move(factor), std::move(matrix), off};
 }
 
-NearlyDiagonal nearly_diagonal(const BallMatrix& A) {
+NearlyDiagonal nearly_diagonal(const BallMatrix& A, long& work) {
     Ball enough(norm(A));
     arb_mul_2exp_si(enough.a, enough.a, -ball_bits * 4 / 5);
     const auto improve = [&](BallMatrix X) {
         slong steps = 2;
         for (slong bits = 40; bits < ball_bits; bits *= 2) ++steps;
         for (slong n = 0; n < steps; ++n) {
-            QuestionEffort::pay(A.rows() * A.rows() * A.rows() / 2);
+            pay(A.rows() * A.rows() * A.rows() / 2, work);
             X = improved(A, X);
         }
         return on_vectors(A, X);
@@ -132,7 +140,51 @@ NearlyDiagonal nearly_diagonal(const BallMatrix& A) {
         if (found.off <= enough) return found;
     } catch (const Unproved&) { // the guess was too far off for the factor
     }
-    return improve(eigenvectors_in_bits(A));
+    return improve(eigenvectors_in_bits(A, work));
+}
+
+NaturalModesInBalls natural_modes(const SceneInBalls& s) {
+    const slong N = s.N();
+    const auto count = static_cast<std::size_t>(N);
+    NaturalModesInBalls m;
+    const BallMatrix L = cholesky(s.M), A = between_factors(L, s.K);
+    const NearlyDiagonal near = nearly_diagonal(A, m.work);
+    std::vector<slong> order(count);
+    std::iota(order.begin(), order.end(), 0L);
+    std::ranges::sort(
+        order, [&](slong a, slong b) { return arf_cmp(arb_midref(near.matrix(a, a).a), arb_midref(near.matrix(b, b).a)) < 0; });
+    const auto value = [&](std::size_t i) { return middle(near.matrix(order[i], order[i])); };
+    const Ball eps = upper_bound_of(near.off);
+    // Mass-normalised shapes. If the vectors turn by an angle, an entry changes by at most the angle times the length of its row.
+    const BallMatrix V = by_transposed_factor(L, near.X * by_transposed_factor(near.factor, unit_matrix(N)));
+    const BallMatrix rows[] = {V, transposed(s.w) * V, transposed(s.p) * V};
+    m.phi.assign(count + 2, std::vector<Ball>(count));
+    for (std::size_t first = 0, last = 0; first < count; first = last) {
+        for (last = first + 1; last < count && !(value(last) - value(last - 1) > 4 * eps); ++last) {
+        }
+        Ball rate(0); // the error over the gap, which bounds by how much a vector may be turned
+        if (first > 0) rate = eps / (value(first) - value(first - 1) - eps);
+        if (last < count) rate = larger(rate, eps / (value(last) - value(last - 1) - eps));
+        Ball lambda = value(first);
+        for (std::size_t i = first; i < last; ++i) lambda = either(lambda, value(i));
+        const bool alone = last == first + 1;
+        lambda = widened(lambda, alone && count > 1 ? eps * rate : eps);
+        if (alone) lambda = lambda + (near.matrix(order[first], order[first]) - value(first));
+        if (!(lambda.low() > 0)) throw Unproved("a natural frequency is not proved positive");
+        const Ball turn = sqrt(Ball(2)) * rate;
+        for (std::size_t i = first; i < last; ++i) {
+            m.lambda.push_back(lambda);
+            slong row = 0;
+            for (const BallMatrix& part : rows)
+                for (slong k = 0; k < part.rows(); ++k, ++row) {
+                    Ball length(0);
+                    for (slong n = 0; n < N; ++n) length += part(k, n) * part(k, n);
+                    m.phi[static_cast<std::size_t>(row)][i] = widened(part(k, order[i]), turn * root_of_positive(length));
+                }
+        }
+        if (!alone) m.clusters.push_back({first, last});
+    }
+    return m;
 }
 
 } // namespace
@@ -152,54 +204,33 @@ Ball ModesInBalls::left_open(const std::vector<Ball>& k, const std::vector<Ball>
     return open;
 }
 
+std::shared_ptr<const NaturalModesInBalls> KeptModes::of(const SceneInBalls& s) {
+    const std::scoped_lock one(one_at_a_time_); // who needs the same waits for it
+    const auto same = [](const BallMatrix& x, const BallMatrix& y) {
+        return x.rows() == y.rows() && arb_mat_equal(x.a, y.a) != 0;
+    };
+    for (const Kept& k : kept_)
+        if (k.bits == ball_bits && same(k.M, s.M) && same(k.K, s.K) && same(k.w, s.w) && same(k.p, s.p)) {
+            QuestionEffort::pay(k.modes->work);
+            return k.modes;
+        }
+    if (kept_.size() == most_kept) kept_.erase(kept_.begin());
+    ++solved_;
+    kept_.push_back({ball_bits, s.M, s.K, s.w, s.p, std::make_shared<const NaturalModesInBalls>(natural_modes(s))});
+    return kept_.back().modes;
+}
+
 ModesInBalls modes_in_balls(const SceneInBalls& s) {
-    const slong N = s.N();
-    const auto count = static_cast<std::size_t>(N);
-    const BallMatrix L = cholesky(s.M), A = between_factors(L, s.K);
-    const NearlyDiagonal near = nearly_diagonal(A);
-    std::vector<slong> order(count);
-    std::iota(order.begin(), order.end(), 0L);
-    std::ranges::sort(
-        order, [&](slong a, slong b) { return arf_cmp(arb_midref(near.matrix(a, a).a), arb_midref(near.matrix(b, b).a)) < 0; });
-    const auto value = [&](std::size_t i) { return middle(near.matrix(order[i], order[i])); };
-    const Ball eps = upper_bound_of(near.off);
-    // Mass-normalised shapes. If the vectors turn by an angle, an entry changes by at most the angle times the length of its row.
-    const BallMatrix V = by_transposed_factor(L, near.X * by_transposed_factor(near.factor, unit_matrix(N)));
-    const BallMatrix rows[] = {V, transposed(s.w) * V, transposed(s.p) * V};
-    ModesInBalls m;
-    m.N = N;
-    m.psi.assign(count + 2, std::vector<Ball>(count));
-    for (std::size_t first = 0, last = 0; first < count; first = last) {
-        for (last = first + 1; last < count && !(value(last) - value(last - 1) > 4 * eps); ++last) {
-        }
-        Ball rate(0); // the error over the gap, which bounds by how much a vector may be turned
-        if (first > 0) rate = eps / (value(first) - value(first - 1) - eps);
-        if (last < count) rate = larger(rate, eps / (value(last) - value(last - 1) - eps));
-        Ball lambda = value(first);
-        for (std::size_t i = first; i < last; ++i) lambda = either(lambda, value(i));
-        const bool alone = last == first + 1;
-        lambda = widened(lambda, alone && count > 1 ? eps * rate : eps);
-        if (alone) lambda = lambda + (near.matrix(order[first], order[first]) - value(first));
-        if (!(lambda.low() > 0)) throw Unproved("a natural frequency is not proved positive");
-        const Ball turn = sqrt(Ball(2)) * rate;
-        for (std::size_t i = first; i < last; ++i) {
-            m.R.push_back(s.r / sqrt(lambda));
-            slong row = 0;
-            for (const BallMatrix& part : rows)
-                for (slong k = 0; k < part.rows(); ++k, ++row) {
-                    Ball length(0);
-                    for (slong n = 0; n < N; ++n) length += part(k, n) * part(k, n);
-                    m.psi[static_cast<std::size_t>(row)][i] = widened(part(k, order[i]), turn * root_of_positive(length)) / s.r;
-                }
-        }
-        if (alone) continue;
-        m.clusters.push_back({first, last});
-        for (std::size_t i = first; i < last && !s.zeta.empty(); ++i)
-            if (arb_equal(s.zeta[i].a, s.zeta[first].a) == 0) // one ball holds all that they may be, as it does for R
-                throw Unproved("modes " + std::to_string(first + 1) + " and " + std::to_string(last) +
+    const auto natural = s.kept ? s.kept->of(s) : std::make_shared<const NaturalModesInBalls>(natural_modes(s));
+    for (const ModeCluster& c : natural->clusters)
+        for (std::size_t i = c.first; i < c.last && !s.zeta.empty(); ++i)
+            if (arb_equal(s.zeta[i].a, s.zeta[c.first].a) == 0) // one ball holds all that they may be, as it does for R
+                throw Unproved("modes " + std::to_string(c.first + 1) + " and " + std::to_string(c.last) +
                                " are not told apart, and have different damping ratios");
-    }
-    m.zeta = s.zeta;
+    ModesInBalls m{{}, s.zeta, natural->phi, natural->clusters, s.N()};
+    for (const Ball& lambda : natural->lambda) m.R.push_back(s.r / sqrt(lambda));
+    for (std::vector<Ball>& row : m.psi)
+        for (Ball& entry : row) entry /= s.r;
     return m;
 }
 

@@ -2,6 +2,9 @@
 /// @brief Natural frequencies and mode shapes, proved, (13) to (17), and the modal frequency ratios (22).
 #pragma once
 
+#include <atomic>
+#include <memory>
+#include <mutex>
 #include <vector>
 
 #include "denhartog/reference/scene_in_balls.hpp"
@@ -37,6 +40,38 @@ struct ModesInBalls {
     /// @param k  a row @param n a row @param f of each mode, equal within a cluster
     /// @return   a ball about zero
     [[nodiscard]] Ball left_open(const std::vector<Ball>& k, const std::vector<Ball>& n, const std::vector<Ball>& f) const;
+};
+
+/// @brief What of the modes depends neither on the frequency ratio nor on damping and friction.
+struct NaturalModesInBalls {
+    std::vector<Ball> lambda{};           ///< squares of the natural frequency ratios, ascending
+    std::vector<std::vector<Ball>> phi{}; ///< mass-normalised shapes, with the rows of `ModesInBalls::psi`
+    std::vector<ModeCluster> clusters{};  ///< the clusters of more than one mode; they have one lambda
+    long work = 0;                        ///< what they cost, as `Effort` counts
+};
+
+/// @brief The natural modes of one system that were found so far, in each precision. All questions about the system share them,
+/// from any thread.
+class KeptModes {
+public:
+    /// @brief The natural modes of a scene in the bits of the moment. A question pays for them as if it had solved for them: what
+    /// it may cost does not depend on what was asked before.
+    /// @param scene  the scene, of whose matrices M, K, w and p alone count
+    /// @return       the modes
+    /// @throws       as `modes_in_balls`; nothing is kept then
+    [[nodiscard]] std::shared_ptr<const NaturalModesInBalls> of(const SceneInBalls& scene);
+    /// @brief Eigenproblems (15) solved so far. @return how many
+    [[nodiscard]] long solved() const { return solved_; }
+
+private:
+    struct Kept {
+        slong bits;
+        BallMatrix M, K, w, p;
+        std::shared_ptr<const NaturalModesInBalls> modes;
+    };
+    std::mutex one_at_a_time_{};
+    std::vector<Kept> kept_{};
+    std::atomic<long> solved_ = 0;
 };
 
 /// @brief The modes of a scene.

@@ -9,7 +9,7 @@
 namespace denhartog::reference {
 namespace {
 
-constexpr slong bits_of_multipliers[] = {64, 192}; // the next where those before do not tell
+constexpr slong bits_of_multipliers[] = {64, 192}; // the next, with slopes of its own, where the slopes of the proof do not tell
 constexpr double narrow_multiplier = 1e-9;
 
 Ball displacement_of_contact(const ContactMechanics& s, const BallMatrix& Z) {
@@ -45,9 +45,10 @@ std::vector<StopInBalls> stops_of(const ProvedOrbit& orbit) {
 void set_stability(const ProvedOrbit& orbit, OrbitInBalls& r) {
     for (const slong bits : bits_of_multipliers) {
         const Bits enough(bits + 4 * orbit.at.m());
-        const MapOfDeviations map = map_of_deviations(orbit, ball_bits);
-        r.stable = dies_out(map.A);
+        const MapOfDeviations map =
+            map_of_deviations(orbit, bits == bits_of_multipliers[0] ? orbit.along : linearised(orbit.s, orbit.at));
         r.multipliers = multipliers_over_period(map, orbit.at.mirrored);
+        r.stable = r.multipliers.front() < Ball(1) || dies_out(map.A);
         r.unstable = !r.stable && r.multipliers.front() > Ball(1);
         const double widest = std::ranges::max(r.multipliers, {}, &Ball::radius).radius();
         if ((r.stable || r.unstable) && widest < narrow_multiplier * std::max(1.0, r.multipliers.front().high())) return;
@@ -61,7 +62,7 @@ OrbitInBalls proved_orbit(const std::function<SceneInBalls()>& scene, const Orbi
     const OrbitInPhases motion = orbit_in_phases(scene, guess, bits);
     const ProvedOrbit& orbit = motion.orbit;
     const ContactMechanics& s = orbit.s;
-    const Bits all(bits_of_orbit(bits));
+    const Bits all(bits);
     OrbitInBalls r;
     r.mirrored = orbit.at.mirrored;
     r.periods = orbit.at.periods;

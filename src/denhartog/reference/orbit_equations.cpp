@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "denhartog/number/effort.hpp"
+#include "denhartog/number/sparse_balls.hpp"
 
 namespace denhartog::reference {
 namespace {
@@ -38,18 +39,6 @@ BallMatrix powers_of(const Ball& theta, slong count) {
     powers(0, 0) = Ball(1);
     for (slong k = 1; k < count; ++k) powers(0, k) = powers(0, k - 1) * theta;
     return powers;
-}
-
-// exp(A (h + d)) from exp(A h), where |A d| is at most an exponent. Never exponentiate a wide ball: the difference is, column by
-// column, at most exp(|A d|) - 1 of the largest entry.
-BallMatrix with_width(BallMatrix E, double exponent) {
-    for (slong c = 0; c < E.columns(); ++c) {
-        Ball largest(0);
-        for (slong k = 0; k < E.rows(); ++k) largest = larger(largest, abs(E(k, c)));
-        const Ball width = upper_bound_of(largest * Ball(elementary::expm1(exponent) * (1 + 1e-9)));
-        for (slong k = 0; k < E.rows(); ++k) E(k, c) = widened(E(k, c), width);
-    }
-    return E;
 }
 
 // Whether w is a unit vector: then the row of the contact vanishes while it sticks, to the last bit.
@@ -114,6 +103,23 @@ BallMatrix rounded(const BallMatrix& A) {
     return r;
 }
 
+BallMatrix with_width(BallMatrix E, double part) {
+    mag_t grows, width, each;
+    for (mag_ptr m : {grows, width, each}) mag_init(m);
+    mag_set_d(grows, part * (1 + 1e-9));
+    for (slong c = 0; c < E.columns(); ++c) {
+        mag_zero(width);
+        for (slong k = 0; k < E.rows(); ++k) {
+            arb_get_mag(each, E(k, c).a);
+            mag_max(width, width, each);
+        }
+        mag_mul(width, width, grows);
+        for (slong k = 0; k < E.rows(); ++k) arb_add_error_mag(E(k, c).a, width);
+    }
+    for (mag_ptr m : {grows, width, each}) mag_clear(m);
+    return E;
+}
+
 int OrbitUnknowns::direction(slong i) const {
     return i <= m() ? directions[static_cast<std::size_t>(i)] : sign() * directions[1];
 }
@@ -155,30 +161,15 @@ ExponentialSeries::ExponentialSeries(const BallMatrix& B, const BallMatrix& y) {
     slong last = 0; // the terms beyond fall by half each, from below the last bit
     for (double left = static_cast<double>(ball_bits); left > 0 || static_cast<double>(last) < 2 * theta || last < 4;)
         left += binary_logarithm(std::max(theta, 1e-300) / static_cast<double>(++last));
-    std::vector<std::vector<slong>> columns(static_cast<std::size_t>(n)); // of the entries that are not zero
-    std::vector<std::vector<Ball>> entries(columns.size());
-    long count = 0;
-    for (slong i = 0; i < n; ++i)
-        for (slong k = 0; k < n; ++k) {
-            if (B(i, k).is_zero()) continue;
-            columns[static_cast<std::size_t>(i)].push_back(k);
-            entries[static_cast<std::size_t>(i)].push_back(B(i, k));
-            ++count;
-        }
-    QuestionEffort::pay(cost_of_ball_products(static_cast<double>((count + n) * last)));
+    const SparseBalls sparse(B);
+    QuestionEffort::pay(cost_of_ball_products(static_cast<double>((sparse.count() + n) * last)));
     terms_ = BallMatrix(n, last + 1);
     for (slong i = 0; i < n; ++i) terms_(i, 0) = y(i);
-    std::vector<arb_struct> picked(columns.size()); // copies of the numbers' handles, which own nothing
-    for (slong k = 1; k <= last; ++k)
-        for (slong i = 0; i < n; ++i) {
-            const std::vector<slong>& from = columns[static_cast<std::size_t>(i)];
-            if (from.empty()) continue;
-            for (std::size_t c = 0; c < from.size(); ++c) picked[c] = *terms_(from[c], k - 1).a;
-            Ball& term = terms_(i, k);
-            arb_dot(term.a, nullptr, 0, entries[static_cast<std::size_t>(i)].front().a, 1, picked.data(), 1,
-                    static_cast<slong>(from.size()), ball_bits);
-            arb_div_si(term.a, term.a, k, ball_bits);
-        }
+    for (slong k = 1; k <= last; ++k) {
+        sparse.times_column(terms_, k - 1, terms_, k);
+        const Ball of_k = 1 / Ball(k);
+        for (slong i = 0; i < n; ++i) terms_(i, k) *= of_k;
+    }
     // |y_(k+1)| <= |y_k| theta / (k + 1), and so on: the rest is at most twice that. Twice more holds its derivatives as well.
     Ball largest(0);
     for (slong i = 0; i < n; ++i) largest = larger(largest, abs(terms_(i, last)));
@@ -262,6 +253,8 @@ Linearised linearised(const ContactMechanics& s, const OrbitUnknowns& box) {
         for (slong c = 0; c < z + m; ++c) r.J(z + i, c) = slope(0, c);
         const Ball h = box.length(i + 1), middle_h = middle(h);
         const BallMatrix A = rounded(s.phase(kind));
+        // Never exponentiate a wide ball: exp(A (h + d)) is off exp(A h), column by column, by at most exp(|A d|) - 1 of the
+        // largest entry.
         const double apart = norm(A) * h.radius() * (1 + 1e-9);
         const auto leaps = static_cast<int>(r.leaps[static_cast<std::size_t>(i)]);
         QuestionEffort::pay(cost_of_ball_products(20 * static_cast<double>(n * n * n)));
@@ -269,13 +262,15 @@ Linearised linearised(const ContactMechanics& s, const OrbitUnknowns& box) {
         if (r.fast) {
             E = s.by_free_motions(kind)->propagator(middle_h);
         } else {
-            const BallMatrix leap = exp(A * (middle_h / Ball(leaps)));
+            const BallMatrix leap = exp_of_sparse(A * (middle_h / Ball(leaps)));
             arb_mat_pow_ui(E.a, leap.a, static_cast<ulong>(leaps), ball_bits);
-            r.leap.push_back(with_width(leap, apart / leaps));
+            r.leap.push_back(with_width(leap, elementary::expm1(apart / leaps)));
         }
-        r.E.push_back(with_width(E, apart));
-        Z = r.E.back() * Z;
-        D = r.E.back() * D;
+        r.E.push_back(E);
+        r.lengths.push_back(middle_h);
+        E = with_width(std::move(E), elementary::expm1(apart));
+        Z = E * Z;
+        D = E * D;
         const BallMatrix rate = A * Z;
         for (slong k = 0; k < n; ++k) {
             D(k, z + (i + 1) % m) += rate(k);

@@ -59,6 +59,11 @@ struct ContactMechanics {
 /// @brief A matrix in the bits of the moment. @param A a matrix @return it, rounded
 [[nodiscard]] BallMatrix rounded(const BallMatrix& A);
 
+/// @brief A matrix made uncertain. @param E the matrix @param part by which part of the largest entry of a column each of its
+/// entries may be off
+/// @return  the matrix
+[[nodiscard]] BallMatrix with_width(BallMatrix E, double part);
+
 /// @brief Where the unknowns are, and the order of the phases.
 struct OrbitUnknowns {
     std::vector<int> directions{}; ///< as in `OrbitGuess`
@@ -127,8 +132,9 @@ inline constexpr slong most_leaps = 24;
 
 /// @brief What the phases make of deviations, over all unknowns of a box.
 struct Linearised {
-    std::vector<BallMatrix> E{};    ///< exp(A length) of phases 1 to m, at [0 .. m-1]
-    std::vector<BallMatrix> leap{}; ///< exp(A length / leaps) of the same
+    std::vector<Ball> lengths{};    ///< lengths of phases 1 to m in the middle of the box, at [0 .. m-1]
+    std::vector<BallMatrix> E{};    ///< exp(A length) of these lengths
+    std::vector<BallMatrix> leap{}; ///< exp(A length / leaps) over the box
     std::vector<slong> leaps{};     ///< leaps in which each is followed
     bool fast = false;              ///< whether they are followed by their free motions instead
     std::vector<BallMatrix> D{};    ///< dZ/du at events 0 to m

@@ -22,10 +22,10 @@ struct MapOfDeviations {
 
 /// @brief The map of deviations of a motion.
 /// @param orbit  the motion
-/// @param bits   bits of the map
+/// @param along  what its phases make of deviations, in a box next to it
 /// @return       the map
 /// @throws       Unproved where an event may be tangential
-[[nodiscard]] MapOfDeviations map_of_deviations(const ProvedOrbit& orbit, slong bits);
+[[nodiscard]] MapOfDeviations map_of_deviations(const ProvedOrbit& orbit, const Linearised& along);
 
 /// @brief Whether all deviations certainly die out: a power of the map has a norm below 1. @param map the map @return true if so
 [[nodiscard]] bool dies_out(const BallMatrix& map);

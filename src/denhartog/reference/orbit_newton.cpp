@@ -183,7 +183,7 @@ private:
             const Ball apart = abs(o_.u(k) - about(k)) / Ball(scale_[static_cast<std::size_t>(k)]) + radius;
             if (!(apart < Ball(box_))) return std::nullopt;
         }
-        ProvedOrbit orbit{s_, o_, {}, along_.leaps, along_.leap, along_.fast};
+        ProvedOrbit orbit{s_, o_, {}, along_};
         BallMatrix off(count, 1); // of the solution from u
         for (slong k = 0; k < count; ++k) {
             const Ball left = keeps * radius * Ball(scale_[static_cast<std::size_t>(k)]);
@@ -212,7 +212,7 @@ ProvedOrbit proved_near(const std::function<SceneInBalls()>& scene, const OrbitG
     const auto phases = static_cast<slong>(guess.events.size());
     for (slong of_slopes = std::max({slong(64), bits / 6, bits_a_phase * phases});; of_slopes *= 2) {
         // What widens the slopes, the length of the motion or its events, widens the states as well.
-        const Bits all(bits_of_orbit(of_slopes > 128 ? std::max(bits, of_slopes) : bits));
+        const Bits all(std::max(bits, of_slopes + 64));
         const ContactMechanics s(scene());
         OrbitUnknowns o = unknowns_of(s, guess);
         try {

@@ -9,20 +9,12 @@
 
 namespace denhartog::reference {
 
-/// @brief Bits that a motion is computed with so that its numbers keep those asked for: a leap may widen a ball by
-/// exp(longest_leap), and the equations may be ill-conditioned.
-/// @param bits  bits asked for
-/// @return      bits to compute with
-[[nodiscard]] constexpr slong bits_of_orbit(slong bits) { return bits + 64; }
-
 /// @brief A motion that is proved to obey the equations; whether it obeys the inequalities of friction is another matter.
 struct ProvedOrbit {
-    ContactMechanics s;             ///< the mechanics
-    OrbitUnknowns at;               ///< the unknowns: the box holds one solution
-    std::vector<BallMatrix> Z{};    ///< states at events 0 to m
-    std::vector<slong> leaps{};     ///< leaps in which phases 1 to m are followed, at [0 .. m-1]
-    std::vector<BallMatrix> leap{}; ///< exp(A length / leaps) of the same
-    bool fast = false;              ///< whether they are followed by their free motions instead
+    ContactMechanics s;          ///< the mechanics
+    OrbitUnknowns at;            ///< the unknowns: the box holds one solution
+    std::vector<BallMatrix> Z{}; ///< states at events 0 to m
+    Linearised along{};          ///< what the phases make of deviations, in few bits, over a larger box
 };
 
 /// @brief Proves that the equations have one solution near a guess.
@@ -33,7 +25,7 @@ struct ProvedOrbit {
 /// until they bring it nearer. A product over many phases widens balls, so that J takes as many bits as it needs.
 /// @param scene  makes the scene in the bits of the moment
 /// @param guess  the guess
-/// @param bits   bits of the result
+/// @param bits   bits that it is computed with; fewer are certain, as a leap may widen a ball by exp(longest_leap)
 /// @return       the motion
 /// @throws       Disproved, Unproved
 [[nodiscard]] ProvedOrbit proved_near(const std::function<SceneInBalls()>& scene, const OrbitGuess& guess, slong bits);

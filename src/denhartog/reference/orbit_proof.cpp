@@ -68,18 +68,18 @@ void require_positive(const CurveInBalls& c, const EndsOfCurve& ends, const char
 
 PhaseInStretches::PhaseInStretches(const ProvedOrbit& orbit, slong i, slong few) {
     const auto n = static_cast<std::size_t>(i - 1);
-    const slong leaps = orbit.leaps[n];
+    const slong leaps = orbit.along.leaps[n];
     const int direction = orbit.at.direction(i);
     const BallMatrix& Z = orbit.Z[n];
     const Ball length = orbit.at.length(i);
-    if (orbit.fast) {
+    if (orbit.along.fast) {
         fast_ = orbit.s.by_free_motions(direction);
         Z_ = Z;
         length_ = length;
         return;
     }
     const BallMatrix A = orbit.s.phase(direction);
-    (void)followed(A, Z, length, leaps, orbit.leap[n], &leaps_);
+    (void)followed(A, Z, length, leaps, orbit.along.leap[n], &leaps_);
     each_ =
         std::max<slong>(1, static_cast<slong>(std::ceil(norm(A) * length.high() / static_cast<double>(leaps) / longest_stretch)));
     count_ = each_ * leaps;

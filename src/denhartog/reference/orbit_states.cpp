@@ -35,7 +35,7 @@ BallMatrix OrbitInPhases::at(const Ball& tau) const {
 
 OrbitInPhases orbit_in_phases(const std::function<SceneInBalls()>& scene, const OrbitGuess& guess, slong bits) {
     OrbitInPhases motion{proved_near(scene, guess, bits)};
-    const Bits all(bits_of_orbit(bits));
+    const Bits all(bits);
     for (slong few = 64;; few *= 2) try { // what friction demands, with as many bits as it takes
             motion.phases = in_stretches(motion.orbit, few);
             const Bits some(few);

@@ -25,7 +25,7 @@ struct OrbitInPhases {
 /// @brief Proves that there is a periodic motion near a guess, and that friction allows it.
 /// @param scene   makes the scene in the bits of the moment; C and beta must be filled
 /// @param guess   the motion as double precision sees it
-/// @param bits    bits of the result; it is computed with `bits_of_orbit`, and so should be what is taken from it
+/// @param bits    bits that it is computed with, and that what is taken from it should be computed with
 /// @return        the motion
 /// @throws        Disproved, Unproved as `proved_orbit`
 [[nodiscard]] OrbitInPhases orbit_in_phases(const std::function<SceneInBalls()>& scene, const OrbitGuess& guess, slong bits);

@@ -51,6 +51,7 @@ Ball sticking_limit_by_88(const SceneInBalls& s, std::size_t load) {
                count = before ? j : s.N() - j - 1;
     SceneInBalls moving{block(s.M, first, count), block(s.K, first, count)};
     moving.r = s.r;
+    moving.kept = s.kept;
     moving.w = moving.p = BallMatrix(count, 1);
     moving.w(before ? count - 1 : 0) = Ball(1); // the mass next to the contact
     moving.p(l - first) = Ball(1);
