@@ -124,10 +124,7 @@ void answer_from_rest(SolveTask& task, Solution& s) {
     if (task.question.asked == Asked::motion) s.stability = stability_of(orbit);
 }
 
-// `of_contact`: all modes of the contact alone did not tell that it slides, and fewer will not.
-void answer(SolveTask& task, bool of_contact, Solution& s) {
-    const bool few = (task.question.asked == Asked::amplitude || task.question.asked == Asked::phase) && !of_contact;
-    if (few && task.scene.mu == 1 && task.known.basis->certainly_uncoupled() && answer_by_truncated_modes(task, s)) return;
+void answer(SolveTask& task, Solution& s) {
     try {
         Solution sliding =
             sliding_solution(task.source, {task.question.asked, task.question.digits, task.question.mass, &*task.modes});
@@ -175,7 +172,7 @@ AnswerInDouble solve_in_double(const PreparedSystem& p, const SolvePoint& at, co
         s.r = exactly(at.r);
         s.beta = exactly(at.beta);
         s.contact = p.scene().system.contact;
-        answer(task, p.contact && asks_for_contact(question, s.contact), s);
+        answer(task, s);
         s.asked = question.asked;
         s.digits_reached = s.relative_error <= task.aim.tolerance;
         found.open = task.open || task.pole;

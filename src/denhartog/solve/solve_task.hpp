@@ -9,7 +9,6 @@
 #include "denhartog/answer/sliding_solution.hpp"
 #include "denhartog/orbit/periodic_orbit.hpp"
 #include "denhartog/solve/prepared_system.hpp"
-#include "denhartog/solve/truncated_modes.hpp"
 
 namespace denhartog {
 
@@ -48,12 +47,6 @@ struct SolveTask {
 /// @param s         gets the answer
 /// @return          false where something else is asked, this has not the digits, or sliding is not certain
 [[nodiscard]] bool answer_by_contact(const PreparedSystem& p, const SolvePoint& at, const Question& question, Solution& s);
-
-/// @brief Amplitudes or phases from the modes that matter, in the sliding regime at mu = 1.
-/// @param task  the task
-/// @param s     gets the answer
-/// @return      false where this has not the digits, or sliding is not certain
-[[nodiscard]] bool answer_by_truncated_modes(SolveTask& task, Solution& s);
 
 /// @brief The stuck response as the answer.
 /// @param task      the task, its boundary found
