@@ -7,7 +7,7 @@
 #include "denhartog/orbit/orbit_map.hpp"
 #include "denhartog/sliding/boundary.hpp"
 #include "denhartog/sums/bounded_modes.hpp"
-#include "denhartog/sums/chain_sums.hpp"
+#include "denhartog/sums/coupled_sums.hpp"
 #include "tests/integration/orbit_scenes.hpp"
 #include "tests/support/coupled_scenes.hpp"
 

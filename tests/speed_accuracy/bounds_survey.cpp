@@ -6,7 +6,7 @@
 
 #include "denhartog/number/errors.hpp"
 #include "denhartog/solve/quantities_of_sums.hpp"
-#include "denhartog/sums/chain_sums.hpp"
+#include "denhartog/sums/coupled_sums.hpp"
 #include "tests/speed_accuracy/bounds_scenes.hpp"
 #include "tests/support/multiprecision.hpp"
 

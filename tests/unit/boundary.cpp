@@ -6,7 +6,7 @@
 #include "denhartog/formulas/superposition.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/sliding/steady_state.hpp"
-#include "denhartog/sums/chain_sums.hpp"
+#include "denhartog/sums/coupled_sums.hpp"
 #include "tests/catch.hpp"
 #include "tests/unit/response_fixtures.hpp"
 

@@ -10,7 +10,6 @@
 #include "denhartog/solve/quantities.hpp"
 #include "denhartog/stick_slip/exact_motion.hpp"
 #include "denhartog/sums/bounded_modes.hpp"
-#include "denhartog/sums/chain_sums.hpp"
 #include "denhartog/sums/coupled_sums.hpp"
 #include "tests/catch.hpp"
 #include "tests/support/multiprecision.hpp"

@@ -9,7 +9,7 @@
 #include "denhartog/answer/orbit_solution.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/stick_slip/at_maximum_of_force.hpp"
-#include "denhartog/sums/chain_sums.hpp"
+#include "denhartog/sums/coupled_sums.hpp"
 
 namespace denhartog {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "denhartog/answer/certify.hpp"
 #include "denhartog/sliding/instants_of_maxima.hpp"
-#include "denhartog/sums/chain_sums.hpp"
+#include "denhartog/sums/coupled_sums.hpp"
 
 namespace denhartog {
 namespace {

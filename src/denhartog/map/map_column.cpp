@@ -15,7 +15,7 @@
 #include "denhartog/sliding/instants_of_maxima.hpp"
 #include "denhartog/solve/solve.hpp"
 #include "denhartog/stick_slip/at_maximum_of_force.hpp"
-#include "denhartog/sums/chain_sums.hpp"
+#include "denhartog/sums/coupled_sums.hpp"
 
 namespace denhartog {
 namespace {

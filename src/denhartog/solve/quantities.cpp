@@ -12,7 +12,7 @@
 #include "denhartog/scene/point_rules.hpp"
 #include "denhartog/solve/quantities_by_reference.hpp"
 #include "denhartog/solve/quantities_of_sums.hpp"
-#include "denhartog/sums/chain_sums.hpp"
+#include "denhartog/sums/coupled_sums.hpp"
 
 namespace denhartog {
 namespace {

@@ -3,8 +3,7 @@
 ///
 /// The models, cheapest first:
 ///  1. amplitude or phase of the mass in contact alone, mu = 1: (38), (39) below a lower bound of (69), see `contact_modes.hpp`;
-///  2. boundary, regime and closed form of all masses, or of the one that is asked about, see `sliding_solution`; V and U of a
-///     chain without damping without a sum over modes where that is sharper;
+///  2. boundary, regime and closed form of all masses, or of the one that is asked about, see `sliding_solution`;
 ///  3. for a contact that rests the stuck response, see `held_solution`;
 ///  4. the exact solver's periodic orbit.
 /// Each is in double, with the bounds of its numbers. Where these do not leave the digits, or the regime is open, the reference

@@ -2,6 +2,7 @@
 /// @brief What of a system whose damping couples the modes has the place of the sums over its modes.
 #pragma once
 
+#include "denhartog/sums/bounded_modes.hpp"
 #include "denhartog/sums/coupled_friction.hpp"
 
 namespace denhartog {
@@ -14,5 +15,13 @@ namespace denhartog {
 /// @throws        as `CoupledFriction`
 template <class T>
 [[nodiscard]] ModeSums<Bounded<T>> coupled_sums(const System<T>& system, const Bounded<T>& r);
+
+/// @brief The sums over modes with bounds of their errors, or what has their place where damping couples the modes.
+/// @eq{33,34,35,64,65}
+/// @param system  the system
+/// @param modes   its modes at a frequency ratio
+/// @return        modes and sums
+/// @throws        DomainError at a pole of a mode without damping; as `coupled_sums`
+[[nodiscard]] ModeSums<Bounded<double>> bounded_sums(const System<double>& system, BoundedModes<double>& modes);
 
 } // namespace denhartog
