@@ -77,10 +77,7 @@ private:
     static bool is_accurate(const Bounded<double>& amplitude) { return amplitude.e <= least_accuracy * amplitude.x; }
 
     const ModeSums<Bounded<double>>& sums() {
-        if (!sums_) {
-            BoundedModes<double> modes(map.prepared.bounded, as_input(r));
-            sums_ = bounded_sums(map.prepared.scene().system, modes);
-        }
+        if (!sums_) sums_ = bounded_sums(map.prepared.scene().system, *map.prepared.bounded, as_input(r));
         return *sums_;
     }
 

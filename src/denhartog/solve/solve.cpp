@@ -86,7 +86,8 @@ void answer_from_rest(SolveTask& task, Solution& s) {
     how.with_stability = task.question.asked == Asked::motion;
     State<double> near;
     if (!task.pole && s.regime.regime == Regime::continuous) {
-        near = sliding_at_maximum_of_force(values_of(bounded_sums(task.scene.system, *task.modes)), *task.scene.beta);
+        near = sliding_at_maximum_of_force(values_of(bounded_sums(task.scene.system, *task.known.basis, as_input(*task.scene.r))),
+                                           *task.scene.beta);
         how.guess = &near;
     }
     const PeriodicOrbit<double> orbit = periodic_orbit(solver, at_rest<double>(system.basis.r_n.size()), how);
@@ -127,7 +128,7 @@ void answer_from_rest(SolveTask& task, Solution& s) {
 void answer(SolveTask& task, Solution& s) {
     try {
         Solution sliding =
-            sliding_solution(task.source, {task.question.asked, task.question.digits, task.question.mass, &*task.modes});
+            sliding_solution(task.source, {task.question.asked, task.question.digits, task.question.mass, task.known.basis});
         sliding.unique = s.unique;
         sliding.unique_because = std::move(s.unique_because);
         s = std::move(sliding);
@@ -167,7 +168,6 @@ AnswerInDouble solve_in_double(const PreparedSystem& p, const SolvePoint& at, co
         const SceneSource source = source_at(p, at);
         SolveTask task{source, question, source->in_double(), aim_of(question.digits), {p.bounded}, p.moving};
         if (!task.known.basis) task.known = modes_in_double(source);
-        task.modes.emplace(task.known.basis, as_input(at.r));
         say_whether_unique(*task.known.basis, p.scene().mu, s);
         s.r = exactly(at.r);
         s.beta = exactly(at.beta);

@@ -34,7 +34,6 @@ struct SolveTask {
     Aim aim;                                             ///< the digits
     ModesInDouble known;                                 ///< its modal basis
     std::shared_ptr<const ContactSystem<double>> moving; ///< for the exact solver; none where it is still to be prepared
-    std::optional<BoundedModes<double>> modes{};         ///< its modes at the point, evaluated as they are needed
     bool open = false;                                   ///< whether double leaves something open
     bool is_told = true;                                 ///< whether the regime is certain nevertheless
     std::optional<std::string> pole{};                   ///< why boundaries and closed form are not known

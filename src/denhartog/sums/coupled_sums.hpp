@@ -19,9 +19,11 @@ template <class T>
 /// @brief The sums over modes with bounds of their errors, or what has their place where damping couples the modes.
 /// @eq{33,34,35,64,65}
 /// @param system  the system
-/// @param modes   its modes at a frequency ratio
+/// @param basis   its modes
+/// @param r       frequency ratio with its error
 /// @return        modes and sums
 /// @throws        DomainError at a pole of a mode without damping; as `coupled_sums`
-[[nodiscard]] ModeSums<Bounded<double>> bounded_sums(const System<double>& system, BoundedModes<double>& modes);
+[[nodiscard]] ModeSums<Bounded<double>> bounded_sums(const System<double>& system, const ModalBasis<Bounded<double>>& basis,
+                                                     const Bounded<double>& r);
 
 } // namespace denhartog
