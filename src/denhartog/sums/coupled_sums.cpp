@@ -80,11 +80,6 @@ ModeSums<Bounded<T>> coupled_sums(const System<T>& system, const Bounded<T>& r) 
     return s;
 }
 
-ModeSums<Bounded<double>> bounded_sums(const System<double>& system, const ModalBasis<Bounded<double>>& basis,
-                                       const Bounded<double>& r) {
-    return basis.coupled() ? coupled_sums(system, r) : mode_sums(basis, system.contact, system.load, r);
-}
-
 template ModeSums<Bounded<double>> coupled_sums(const System<double>&, const Bounded<double>&);
 
 } // namespace denhartog

@@ -23,7 +23,9 @@ template <class T>
 /// @param r       frequency ratio with its error
 /// @return        modes and sums
 /// @throws        DomainError at a pole of a mode without damping; as `coupled_sums`
-[[nodiscard]] ModeSums<Bounded<double>> bounded_sums(const System<double>& system, const ModalBasis<Bounded<double>>& basis,
-                                                     const Bounded<double>& r);
+[[nodiscard]] inline ModeSums<Bounded<double>> bounded_sums(const System<double>& system,
+                                                            const ModalBasis<Bounded<double>>& basis, const Bounded<double>& r) {
+    return basis.coupled() ? coupled_sums(system, r) : mode_sums(basis, system.contact, system.load, r);
+}
 
 } // namespace denhartog

@@ -127,6 +127,7 @@ bool stuck_system_resonates(const ModeSums<T>& sums) {
 }
 
 template ModeSums<double> mode_sums(const ModalBasis<double>&, Mass, Mass, const double&);
+template ModeSums<Bounded<double>> mode_sums(const ModalBasis<Bounded<double>>&, Mass, Mass, const Bounded<double>&);
 template ModeSums<Bounded<double>> mode_sums(const ModalBasis<Bounded<double>>&, Mass, Mass, const Bounded<double>&,
                                              const std::vector<evaluation::ModeFunctions<Bounded<double>>>&);
 template std::vector<evaluation::ModeFunctions<Bounded<double>>> mode_functions_at(const ModalBasis<Bounded<double>>&,
