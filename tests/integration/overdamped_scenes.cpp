@@ -5,7 +5,6 @@
 #include "denhartog/answer/exact_cycles.hpp"
 #include "denhartog/map/regime_map.hpp"
 #include "denhartog/solve/solve.hpp"
-#include "denhartog/solve/truncated_modes.hpp"
 #include "denhartog/sums/friction_motion.hpp"
 #include "tests/integration/orbit_scenes.hpp"
 #include "tests/support/second_witness.hpp"
@@ -161,32 +160,6 @@ TEST_CASE("solve gives the digits asked for at critical damping, and goes on acr
     }
     for (const double zeta : {1 - 0x1p-53, 1 + 0x1p-52}) CHECK(abs(Real100(wide(amplitude(zeta, 30)) - at)) < Real100("1e-15"));
     CHECK((abs(Real100(wide(amplitude(1.125, 30)) - at)) > Real100("1e-4")));
-}
-
-TEST_CASE("the few modes that a digit or two need bound what overdamped modes are left out", "[eq:38][eq:39][overdamped]") {
-    const std::vector<double> ones(24, 1);
-    struct Case {
-        double step, r;
-        int digits;
-    };
-    for (const auto& [step, r, digits] :
-         {Case{0.125, 0.02, 1}, Case{0.125, 0.04, 1}, Case{0.0625, 0.02, 2}, Case{0.0625, 0.04, 2}}) {
-        std::vector<double> zeta;
-        for (std::size_t i = 0; i < 24; ++i) zeta.push_back(0.125 + static_cast<double>(i) * step);
-        const Scene<double> scene = with_beta(chain(ones, ones, zeta, 5, 1, 1, r), 0x1p-15);
-        BoundedModes<double> modes = modes_of(scene);
-        const std::optional<TruncatedModesSolution> few = truncated_modes_solution(scene, modes, digits, true);
-        INFO("r = " << r << ", digits " << digits);
-        REQUIRE(few);
-        CHECK(few->modes < 24); // and the last eight or more are overdamped
-        const Response<double> all = response(scene);
-        CHECK(few->slides_below <= all.boundary.exact);
-        for (std::size_t k = 0; k < 24; ++k) {
-            const MassResponse<double>& m = all.steady_state->masses[k];
-            CHECK(std::abs(few->masses[k].amplitude.value - m.amplitude) <= few->masses[k].amplitude.error);
-            CHECK(std::abs(wrapped(few->masses[k].phase->value - m.phase)) <= few->masses[k].phase->error);
-        }
-    }
 }
 
 TEST_CASE("what bounds the derivatives of the braces from an instant on holds for overdamped modes", "[eq:40][overdamped]") {

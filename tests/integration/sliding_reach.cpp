@@ -6,8 +6,7 @@
 #include "denhartog/model/coordinates.hpp"
 #include "denhartog/orbit/orbit_map.hpp"
 #include "denhartog/sliding/boundary.hpp"
-#include "denhartog/sums/bounded_modes.hpp"
-#include "denhartog/sums/chain_sums.hpp"
+#include "denhartog/sums/coupled_sums.hpp"
 #include "tests/integration/orbit_scenes.hpp"
 #include "tests/support/coupled_scenes.hpp"
 
@@ -65,10 +64,9 @@ TEST_CASE("a motion within the reach of the sliding one never stops, and one som
         Scene<double> scene = in_own_coordinates(each.scene);
         scene.mu = tried++ % 2 == 0 ? 1 + std::exp(4 * (uniform() - 1)) : 1.5 + uniform() / 2; // near 1, and not
         try {
-            const auto basis =
-                std::make_shared<const ModalBasis<Bounded<double>>>(with_errors(scene.system, modal_basis(scene.system)));
-            BoundedModes<double> modes(basis, as_input(*scene.r));
-            const double limit = regime_boundary(bounded_sums(scene.system, modes), as_input(scene.mu)).exact.x;
+            const ModeSums<Bounded<double>> sums =
+                bounded_sums(scene.system, *modes_with_errors(scene.system), as_input(*scene.r));
+            const double limit = regime_boundary(sums, as_input(scene.mu)).exact.x;
             scene.beta = friction_ratio_at(63.0 / 64, limit * std::sqrt(each.fraction_of_limit));
         } catch (const DomainError&) {
             return false; // at a pole of a mode without damping

@@ -6,7 +6,7 @@
 
 #include "denhartog/number/errors.hpp"
 #include "denhartog/solve/quantities_of_sums.hpp"
-#include "denhartog/sums/chain_sums.hpp"
+#include "denhartog/sums/coupled_sums.hpp"
 #include "tests/speed_accuracy/bounds_scenes.hpp"
 #include "tests/support/multiprecision.hpp"
 
@@ -153,16 +153,14 @@ public:
         scene.system = random.system();
         const System<Real50> wide_system = converted<Real50>(scene).system;
         const ModalBasis<Real50> wide = modal_basis(wide_system);
-        const auto shared = std::make_shared<const ModalBasis<Bounded<double>>>(rounded(wide));
-        const ModalBasis<Bounded<double>>& basis = *shared;
+        const ModalBasis<Bounded<double>> basis = rounded(wide);
         std::optional<ModalBasis<Real100>> wider; // where a chain hands so little on that 50 digits are too few
         for (int n = 0; n < frequencies; ++n) {
             const SurveyedFrequency frequency = random.frequency(basis);
             scene.r = frequency.r;
             scene.beta.reset();
             try {
-                BoundedModes<double> modes(shared, Bounded<double>(frequency.r));
-                const ModeSums<Bounded<double>> sums = bounded_sums(scene.system, modes);
+                const ModeSums<Bounded<double>> sums = bounded_sums(scene.system, basis, Bounded<double>(frequency.r));
                 const System<double>& s = scene.system;
                 const ModeSums<Real50> wide_sums = mode_sums(wide, s.contact, s.load, Real50(frequency.r));
                 if (!loses_digits(wide_sums)) {

@@ -6,7 +6,6 @@
 #include "denhartog/formulas/superposition.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/sliding/steady_state.hpp"
-#include "denhartog/sums/chain_sums.hpp"
 #include "tests/catch.hpp"
 #include "tests/unit/response_fixtures.hpp"
 
@@ -297,8 +296,7 @@ TEST_CASE("next to a resonance without damping the largest demand is not lost in
     const std::vector<double> gamma{1, 0x1.91e6248cdd26cp-3, 0x1.9f3a8f19fc0dp-2, 0x1.050acd13e4ee7p+0};
     const std::vector<double> kappa{1, 0x1.6b48fb0b08e5p-3, 0x1.31f33ebb7d2e3p-1, 0x1.128c467fc439ap+0};
     const Scene<double> scene = chain(gamma, kappa, {0, 0, 0, 0}, 2, 1, 1, 0x1.0ec2cbb675dd2p+0);
-    BoundedModes<double> modes = modes_of(scene);
-    const ModeSums<Bounded<double>> s = bounded_sums(scene.system, modes);
+    const ModeSums<Bounded<double>> s = bounded_sums_of(scene);
     const ModeSums<double> values = values_of(s);
     const Bounded<double> found = found_by_search(sliding_demand(s, Bounded<double>(instant_of_largest_demand(values))));
     for (int n = 0; n <= 1000; ++n) {

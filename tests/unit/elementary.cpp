@@ -408,10 +408,6 @@ TEST_CASE("the tables of the elementary functions are MPFR's to the last bit", "
         mpfr_ui_div(x.x, 1, x.x, MPFR_RNDN);
         CHECK(elementary::inverse_factorials[n] == mpfr_get_d(x.x, MPFR_RNDN));
     }
-    for (int n = 1; n < elementary::zetas; ++n) {
-        mpfr_zeta_ui(x.x, static_cast<unsigned long>(2 * n), MPFR_RNDN);
-        CHECK(elementary::zeta_of_twice[n] == mpfr_get_d(x.x, MPFR_RNDN));
-    }
 }
 
 TEST_CASE("products are exact in two parts, by the instruction of the processor and without it", "[elementary]") {

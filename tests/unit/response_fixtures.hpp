@@ -9,7 +9,7 @@
 #include "denhartog/answer/scene_source.hpp"
 #include "denhartog/model/stuck_configuration.hpp"
 #include "denhartog/number/certified.hpp"
-#include "denhartog/sums/bounded_modes.hpp"
+#include "denhartog/sums/coupled_sums.hpp"
 #include "tests/support/plain_response.hpp"
 #include "tests/support/scene_builder.hpp"
 #include "tests/support/wide_scene.hpp"
@@ -91,10 +91,9 @@ inline double largest_sample(const ModeSums<double>& s, const SteadyState<double
     return largest;
 }
 
-/// @brief The modes of a scene at its frequency ratio, with bounds. @param scene the scene, with r @return the modes
-inline BoundedModes<double> modes_of(const Scene<double>& scene) {
-    return {std::make_shared<const ModalBasis<Bounded<double>>>(with_errors(scene.system, modal_basis(scene.system))),
-            as_input(*scene.r)};
+/// @brief The sums of a scene at its frequency ratio, with bounds. @param scene the scene, with r @return the sums
+inline ModeSums<Bounded<double>> bounded_sums_of(const Scene<double>& scene) {
+    return bounded_sums(scene.system, *modes_with_errors(scene.system), as_input(*scene.r));
 }
 
 /// @brief The decimals of a number, where it has some; else its value. @param x a number of an answer @return all of its digits

@@ -12,10 +12,7 @@ using namespace denhartog::tests;
 
 namespace {
 
-SlidingPoint bounded_point(const Scene<double>& scene) {
-    BoundedModes<double> modes(modes_with_errors(scene.system), as_input(*scene.r));
-    return sliding_point(scene, modes, {});
-}
+SlidingPoint bounded_point(const Scene<double>& scene) { return sliding_point(scene, *modes_with_errors(scene.system), {}); }
 
 } // namespace
 

@@ -119,7 +119,7 @@ TEST_CASE("bounds of the contact hold over seeded scenes against 50 digits, and 
         scene.mu = 1;
         const Boundary<double> limits = boundary(sums_of(scene), 1.0);
         scene.beta = limits.exact * each.fraction_of_limit;
-        const std::optional<ContactSolution<double>> found = contact_solution(
+        const std::optional<ContactSolution> found = contact_solution(
             *prepare(scene_source(scene), about(scene.system.contact)).contact, as_input(*scene.r), as_input(*scene.beta));
         if (!found) {
             ++without;

@@ -10,7 +10,6 @@
 #include "denhartog/solve/quantities.hpp"
 #include "denhartog/stick_slip/exact_motion.hpp"
 #include "denhartog/sums/bounded_modes.hpp"
-#include "denhartog/sums/chain_sums.hpp"
 #include "denhartog/sums/coupled_sums.hpp"
 #include "tests/catch.hpp"
 #include "tests/support/multiprecision.hpp"
@@ -82,8 +81,7 @@ TEST_CASE("a coupling of modes that is left out is within its bounds", "[modes][
         const double apart = 1 + (static_cast<double>(generator() >> 11) * 0x1p-53 - 0.5) * (n % 3 == 0 ? 1 : 1e-3);
         const double r =
             w.modes.r_n[generator() % static_cast<unsigned>(N)].x * apart / static_cast<int>(1 + 2 * (generator() % 3));
-        BoundedModes<double> modes(std::make_shared<const ModalBasis<Bounded<double>>>(w.modes), Bounded<double>(r));
-        const ModeSums<Bounded<double>> without = bounded_sums(w.system, modes),
+        const ModeSums<Bounded<double>> without = bounded_sums(w.system, w.modes, Bounded<double>(r)),
                                         with = coupled_sums(w.system, Bounded<double>(r));
         REQUIRE(without.left_out.size() == static_cast<std::size_t>(N));
         const auto compare = [&](const char* what, const Bounded<double>& a, const Bounded<double>& b) {
@@ -128,8 +126,7 @@ TEST_CASE("a coupling below rounding is in the bound of a second damping functio
         [0, 1.2648251221268454e-08, -1.2648251221268454e-08], [0, -1.2648251221268454e-08, 1.2648251221268454e-08]],
         "contact": 2, "load": 1, "r": 0.09090909094014846, "beta": 0.025})";
     const Scene<double> scene = read_scene<double>(text);
-    BoundedModes<double> modes(modes_with_errors(scene.system), as_input(*scene.r));
-    const ModeSums<Bounded<double>> narrow = bounded_sums(scene.system, modes);
+    const ModeSums<Bounded<double>> narrow = bounded_sums(scene.system, *modes_with_errors(scene.system), as_input(*scene.r));
     REQUIRE_FALSE(narrow.coupled);
     const Scene<Real50> wide_scene = read_scene<Real50>(text);
     const ModeSums<Real50> wide = values_of(coupled_sums(wide_scene.system, Bounded<Real50>(*wide_scene.r)));

@@ -28,15 +28,13 @@ struct HeldSolution {
 /// @param only    the one mass whose errors count; none for all
 /// @return        the response for rest at zero
 /// @throws        DomainError where the load excites the resonance of an undamped stuck mode
-template <class T>
-[[nodiscard]] HeldSolution held_solution(const Scene<T>& scene, const StuckConfiguration<T>& stuck,
-                                         const ModalBasis<Bounded<T>>& basis, std::optional<Mass> only = std::nullopt);
+[[nodiscard]] HeldSolution held_solution(const Scene<double>& scene, const StuckConfiguration<double>& stuck,
+                                         const ModalBasis<Bounded<double>>& basis, std::optional<Mass> only = std::nullopt);
 
 /// @brief The boundary of permanent sticking by (88) as printed, with a bound of its error.
 /// @eq{88}
 /// @param scene   the scene, with r
 /// @return        the boundary; none for a system that is no chain, or at a resonance
-template <class T>
-[[nodiscard]] std::optional<Certified> sticking_by_88(const Scene<T>& scene);
+[[nodiscard]] std::optional<Certified> sticking_by_88(const Scene<double>& scene);
 
 } // namespace denhartog

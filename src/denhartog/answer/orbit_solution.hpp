@@ -27,27 +27,23 @@ struct OrbitSolution {
 /// @param orbit   a periodic orbit with its masses
 /// @param only    the one mass that is asked about; for the contact the orbit needs no other. None for all
 /// @return        the masses and the stops with their errors
-template <class T>
-[[nodiscard]] OrbitSolution orbit_solution(ExactSolver<T>& solver, const PeriodicOrbit<T>& orbit,
+[[nodiscard]] OrbitSolution orbit_solution(ExactSolver<double>& solver, const PeriodicOrbit<double>& orbit,
                                            std::optional<Mass> only = std::nullopt);
 
 /// @brief Where the contact of an orbit rests.
 /// @param orbit    an orbit of permanent sticking
 /// @param contact  the mass in contact
 /// @return         its displacement; none without a finite bound of its error
-template <class T>
-[[nodiscard]] std::optional<Certified> place_of_rest(const PeriodicOrbit<T>& orbit, Mass contact);
+[[nodiscard]] std::optional<Certified> place_of_rest(const PeriodicOrbit<double>& orbit, Mass contact);
 
-/// @brief Whether an orbit is the sliding motion of the closed form as far as its number type can tell. Its stops are left aside:
+/// @brief Whether an orbit is the sliding motion of the closed form as far as double can tell. Its stops are left aside:
 /// next to the boundary they may be rounding.
 /// @param orbit  a periodic orbit
 /// @param X_j    amplitude of the contact by the closed form
 /// @return       whether it is
-template <class T>
-[[nodiscard]] bool is_sliding_motion(const PeriodicOrbit<T>& orbit, double X_j) {
+[[nodiscard]] inline bool is_sliding_motion(const PeriodicOrbit<double>& orbit, double X_j) {
     return orbit.symmetric && orbit.periods == 1 &&
-           std::abs(static_cast<double>(orbit.contact.amplitude) - X_j) <=
-               16 * static_cast<double>(orbit.error_bound) + 1e-9 * X_j;
+           std::abs(orbit.contact.amplitude - X_j) <= 16 * orbit.error_bound + 1e-9 * X_j;
 }
 
 /// @brief Whether an orbit below the boundary of sliding can be no other than the closed form's. Static friction acts in stops
@@ -55,8 +51,7 @@ template <class T>
 /// @param orbit   a periodic orbit
 /// @param damped  whether every free motion is damped
 /// @return        whether it has to be
-template <class T>
-[[nodiscard]] bool must_be_sliding_motion(const PeriodicOrbit<T>& orbit, bool damped) {
+[[nodiscard]] inline bool must_be_sliding_motion(const PeriodicOrbit<double>& orbit, bool damped) {
     return damped && orbit.stops.empty();
 }
 
@@ -75,7 +70,6 @@ template <class T>
 /// @brief Sizes of the multipliers and the verdict.
 /// @param orbit  an orbit whose stability was computed
 /// @return       its stability
-template <class T>
-[[nodiscard]] Stability stability_of(const PeriodicOrbit<T>& orbit);
+[[nodiscard]] Stability stability_of(const PeriodicOrbit<double>& orbit);
 
 } // namespace denhartog

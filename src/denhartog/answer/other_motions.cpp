@@ -9,7 +9,7 @@
 #include "denhartog/answer/orbit_solution.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/stick_slip/at_maximum_of_force.hpp"
-#include "denhartog/sums/chain_sums.hpp"
+#include "denhartog/sums/coupled_sums.hpp"
 
 namespace denhartog {
 namespace {
@@ -32,8 +32,7 @@ public:
         : scene(scene_), system(system_), basis(*basis_), solver(system, at(*scene.r, *scene.beta)), N(system.basis.r_n.size()),
           size(N, 1) {
         try {
-            BoundedModes<double> modes(basis_, as_input(*scene.r));
-            const ModeSums<double> sums = values_of(bounded_sums(scene.system, modes));
+            const ModeSums<double> sums = values_of(bounded_sums(scene.system, basis, as_input(*scene.r)));
             for (std::size_t k = 0; k < N; ++k) size[k] = std::max(modulus(sums.V[k]), 1e-3);
             const Boundary<double> limits = boundary(sums, scene.mu);
             if (*scene.beta < limits.exact) sliding = sliding_at_maximum_of_force(sums, *scene.beta);

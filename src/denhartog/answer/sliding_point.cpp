@@ -5,7 +5,7 @@
 
 #include "denhartog/answer/certify.hpp"
 #include "denhartog/sliding/instants_of_maxima.hpp"
-#include "denhartog/sums/chain_sums.hpp"
+#include "denhartog/sums/coupled_sums.hpp"
 
 namespace denhartog {
 namespace {
@@ -76,8 +76,8 @@ private:
 
 } // namespace
 
-SlidingPoint sliding_point(const Scene<double>& scene, BoundedModes<double>& modes, const PointWish& wish) {
-    const ModeSums<Number> sums = bounded_sums(scene.system, modes);
+SlidingPoint sliding_point(const Scene<double>& scene, const ModalBasis<Number>& basis, const PointWish& wish) {
+    const ModeSums<Number> sums = bounded_sums(scene.system, basis, as_input(*scene.r));
     Searches searches(sums);
     SlidingPoint point{boundary_with(sums, as_input(scene.mu), searches.demands()), std::nullopt, std::nullopt};
     const Boundary<Number>& b = point.boundary;

@@ -33,10 +33,11 @@ struct PointWish {
 /// does not reach, have none.
 /// @eq{38,39,44,45,47,52,53,69}
 /// @param scene  the scene, with r; without beta the boundary alone is computed
-/// @param modes  its modes at r
+/// @param basis  its modes
 /// @param wish   what is asked
 /// @return       the point
 /// @throws       DomainError at a pole of a mode without damping; PrecisionError where a maximum is not settled
-[[nodiscard]] SlidingPoint sliding_point(const Scene<double>& scene, BoundedModes<double>& modes, const PointWish& wish);
+[[nodiscard]] SlidingPoint sliding_point(const Scene<double>& scene, const ModalBasis<Bounded<double>>& basis,
+                                         const PointWish& wish);
 
 } // namespace denhartog

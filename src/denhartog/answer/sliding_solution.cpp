@@ -41,11 +41,9 @@ void write_point(const Scene<double>& scene, SlidingPoint& point, Asked asked, S
 Solution sliding_solution(const SceneSource& source, const SlidingQuestion& question) {
     const Aim aim = aim_of(question.digits);
     const Scene<double>& scene = source->in_double();
-    if (question.modes == nullptr) check(scene);
+    if (!question.modes) check(scene);
     (void)frequency_ratio_of(scene);
-    std::optional<BoundedModes<double>> own;
-    BoundedModes<double>* modes = question.modes;
-    if (modes == nullptr) modes = &own.emplace(modes_with_errors(scene.system), as_input(*scene.r));
+    const auto modes = question.modes ? question.modes : modes_with_errors(scene.system);
     // Where mu > 1 the motion from rest may be the sliding one.
     const bool motion = question.asked != Asked::regime || scene.mu > 1;
     const bool limits = question.asked == Asked::motion || question.asked == Asked::regime;

@@ -13,10 +13,10 @@ namespace denhartog {
 
 /// @brief What is asked of the closed form.
 struct SlidingQuestion {
-    Asked asked = Asked::motion;           ///< what is asked; `regime` needs no motion
-    std::optional<int> digits{};           ///< significant digits; without, 6 are aimed at
-    std::optional<Mass> only{};            ///< the one mass that must have them: no other has a maximum; none for all
-    BoundedModes<double>* modes = nullptr; ///< modes in double at the point, where they are prepared; evaluated as needed
+    Asked asked = Asked::motion; ///< what is asked; `regime` needs no motion
+    std::optional<int> digits{}; ///< significant digits; without, 6 are aimed at
+    std::optional<Mass> only{};  ///< the one mass that must have them: no other has a maximum; none for all
+    std::shared_ptr<const ModalBasis<Bounded<double>>> modes{}; ///< modes in double, where they are prepared
 };
 
 /// @brief Boundary, regime and sliding motion at the point of a scene, in double.

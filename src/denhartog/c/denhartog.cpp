@@ -32,8 +32,7 @@ constexpr double boundary_of_antiresonance = 1e-25;
 // Boundary and closed form at a point.
 Solution closed_form_at(const dh_system* system, double r, double beta, double mu, Asked asked, std::optional<Mass> mass) {
     const SceneSource source = point_of(system, r, beta, mu);
-    BoundedModes<double> modes(system->prepared.bounded, as_input(r));
-    return sliding_answer(source, SlidingQuestion{asked, digits_of_formulas, mass, &modes});
+    return sliding_answer(source, SlidingQuestion{asked, digits_of_formulas, mass, system->prepared.bounded});
 }
 
 void need_digits(const Solution& found) {

@@ -5,7 +5,7 @@ Whole numbers alone are used: a number x stands for x / 2^BITS.
 """
 import sys
 from fractions import Fraction
-from math import comb, factorial, isqrt
+from math import factorial, isqrt
 from pathlib import Path
 
 BITS = 1400
@@ -167,18 +167,6 @@ def words_of_two_over_pi():
         yield f"    0x{word:016x}U,"
 
 
-def zeta_of_twice():
-    """zeta(2n) from Bernoulli's numbers."""
-    bernoulli = [Fraction(1)]
-    for n in range(1, 54):
-        bernoulli.append(-sum(comb(n + 1, k) * bernoulli[k] for k in range(n)) / (n + 1))
-    power = ONE
-    yield "    0x0p+0,"
-    for n in range(1, 27):
-        power = times(power, times(2 * PI, 2 * PI))
-        yield f"    {text(rounded(int(power * abs(bernoulli[2 * n]) / (2 * factorial(2 * n)))))},"
-
-
 def inverse_factorials():
     for n in range(28):
         yield f"    {text(float(Fraction(1, factorial(n))))},"
@@ -285,9 +273,6 @@ def write_logarithms():
 
 def write_series():
     write("series_tables.hpp", "Coefficients of series", [
-        "/// @brief How many values of the zeta function follow.",
-        "inline constexpr int zetas = 27;",
-        *table("zeta(2n), from n = 1 on.", "double", "zeta_of_twice", 27, zeta_of_twice()),
         *table("1 / n!.", "double", "inverse_factorials", 28, inverse_factorials()),
     ])
 

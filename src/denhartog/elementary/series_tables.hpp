@@ -6,39 +6,6 @@
 
 namespace denhartog::elementary {
 
-/// @brief How many values of the zeta function follow.
-inline constexpr int zetas = 27;
-
-/// @brief zeta(2n), from n = 1 on.
-inline constexpr double zeta_of_twice[27] = {
-    0x0p+0,
-    0x1.a51a6625307d3p+0,
-    0x1.151322ac7d848p+0,
-    0x1.0470984c09245p+0,
-    0x1.010b36af86397p+0,
-    0x1.00412e33a5bb9p+0,
-    0x1.001020a5b2cd3p+0,
-    0x1.00040392bcad4p+0,
-    0x1.00010064cdeb2p+0,
-    0x1.0000400b2654ep+0,
-    0x1.000010013c594p+0,
-    0x1.000004002319bp+0,
-    0x1.0000010003e5ap+0,
-    0x1.00000040006edp+0,
-    0x1.00000010000c5p+0,
-    0x1.0000000400016p+0,
-    0x1.0000000100002p+0,
-    0x1.0000000040000p+0,
-    0x1.0000000010000p+0,
-    0x1.0000000004000p+0,
-    0x1.0000000001000p+0,
-    0x1.0000000000400p+0,
-    0x1.0000000000100p+0,
-    0x1.0000000000040p+0,
-    0x1.0000000000010p+0,
-    0x1.0000000000004p+0,
-    0x1.0000000000001p+0,
-};
 
 /// @brief 1 / n!.
 inline constexpr double inverse_factorials[28] = {

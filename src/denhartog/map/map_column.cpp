@@ -14,7 +14,7 @@
 #include "denhartog/solve/solve.hpp"
 #include "denhartog/solve/solve_by_reference.hpp"
 #include "denhartog/stick_slip/at_maximum_of_force.hpp"
-#include "denhartog/sums/chain_sums.hpp"
+#include "denhartog/sums/coupled_sums.hpp"
 
 namespace denhartog {
 namespace {
@@ -76,10 +76,7 @@ private:
     static bool is_accurate(const Bounded<double>& amplitude) { return amplitude.e <= least_accuracy * amplitude.x; }
 
     const ModeSums<Bounded<double>>& sums() {
-        if (!sums_) {
-            BoundedModes<double> modes(map.prepared.bounded, as_input(r));
-            sums_ = bounded_sums(map.prepared.scene().system, modes);
-        }
+        if (!sums_) sums_ = bounded_sums(map.prepared.scene().system, *map.prepared.bounded, as_input(r));
         return *sums_;
     }
 

@@ -117,12 +117,10 @@ std::vector<BoundaryPoint> boundary_curves(const Scene<double>& scene, const std
     const SceneSource source = scene_source(scene);
     SlidingQuestion question;
     question.asked = Asked::regime;
-    const auto basis = modes_with_errors(source->in_double().system);
+    question.modes = modes_with_errors(source->in_double().system);
     std::vector<BoundaryPoint> curves(r.size());
     for (std::size_t n = 0; n < r.size(); ++n) {
         try {
-            BoundedModes<double> modes(basis, as_input(r[n]));
-            question.modes = &modes;
             const Solution s = sliding_answer(at_frequency(source, r[n]), question);
             const Limits& b = *s.limits;
             bool finite = s.digits_reached; // far off in frequency numbers leave the range of a double

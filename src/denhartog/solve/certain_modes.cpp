@@ -60,7 +60,7 @@ ModeFunctionsInDouble certain_mode_functions(const SceneSource& source,
     ModeFunctionsInDouble functions;
     std::optional<DomainError> pole;
     try {
-        functions = BoundedModes<double>(basis, as_input(*source->in_double().r)).all();
+        functions = mode_functions_at(*basis, as_input(*source->in_double().r));
     } catch (const DomainError& e) {
         pole = e;
     }

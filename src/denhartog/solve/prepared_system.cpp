@@ -4,6 +4,7 @@
 #include "denhartog/model/coordinates.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/scene/mass_rules.hpp"
+#include "denhartog/sums/bounded_modes.hpp"
 
 namespace denhartog {
 
@@ -24,7 +25,7 @@ bool asks_for_contact(const Question& question, Mass contact) {
 namespace {
 
 // The modes of a system as its contact has them.
-ContactModes<double> modes_of_contact(const System<double>& s) {
+ContactModes modes_of_contact(const System<double>& s) {
     const bool same = s.contact == s.load;
     const std::vector<Mass> rows = same ? std::vector<Mass>{s.contact} : std::vector<Mass>{s.contact, s.load};
     return contact_modes(std::make_shared<const ModalBasis<Bounded<double>>>(bounded_basis_at(s, rows)), Mass{0},

@@ -23,8 +23,8 @@ enum class Prepared : std::uint8_t {
 ///
 /// A point that needs more than is there solves for it by itself.
 struct PreparedSystem {
-    SceneSource source;                            ///< the system in every number type; its r and beta are not used
-    std::optional<ContactModes<double>> contact{}; ///< modes as the contact has them
+    SceneSource source;                    ///< the system in every number type; its r and beta are not used
+    std::optional<ContactModes> contact{}; ///< modes as the contact has them
     std::shared_ptr<const ModalBasis<Bounded<double>>> bounded{}; ///< the whole basis in double with its errors
     std::shared_ptr<const ContactSystem<double>> moving{};        ///< the system as the exact solver needs it
 

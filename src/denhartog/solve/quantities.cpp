@@ -12,7 +12,7 @@
 #include "denhartog/scene/point_rules.hpp"
 #include "denhartog/solve/quantities_by_reference.hpp"
 #include "denhartog/solve/quantities_of_sums.hpp"
-#include "denhartog/sums/chain_sums.hpp"
+#include "denhartog/sums/coupled_sums.hpp"
 
 namespace denhartog {
 namespace {
@@ -82,11 +82,9 @@ std::size_t tell_zeros(Quantities<Bounded<double>>& q, double tolerance) {
     return zeros;
 }
 
-Quantities<Bounded<double>> quantities_in_double(const Scene<double>& scene,
-                                                 const std::shared_ptr<const ModalBasis<Bounded<double>>>& basis,
+Quantities<Bounded<double>> quantities_in_double(const Scene<double>& scene, const ModalBasis<Bounded<double>>& basis,
                                                  std::span<const double> tau) {
-    BoundedModes<double> modes(basis, as_input(*scene.r));
-    const ModeSums<Bounded<double>> sums = bounded_sums(scene.system, modes);
+    const ModeSums<Bounded<double>> sums = bounded_sums(scene.system, basis, as_input(*scene.r));
     const double instant = instant_of_largest_demand(values_of(sums));
     Quantities<Bounded<double>> q =
         quantities_without_motion(sums, as_input(scene.mu), Bounded<double>(std::min(instant, pi<double>())));
@@ -140,7 +138,7 @@ QuantitiesAnswer quantities_at(const SceneSource& asked_source, std::shared_ptr<
     const auto settled_in_double = [&] {
         if (digits > most_digits_in_double) return false;
         try {
-            answer.numbers = quantities_in_double(scene, basis ? basis : modes_with_errors(scene.system), tau);
+            answer.numbers = quantities_in_double(scene, basis ? *basis : *modes_with_errors(scene.system), tau);
             const Largest largest = largest_bound(answer.numbers, asked);
             const Bounded<double>& limit = answer.numbers.beta_lim;
             // A boundary that is no number in double is open as well.

@@ -15,7 +15,7 @@
 #include "denhartog/solve/solve_task.hpp"
 #include "denhartog/stick_slip/at_maximum_of_force.hpp"
 #include "denhartog/stick_slip/event_errors.hpp"
-#include "denhartog/sums/chain_sums.hpp"
+#include "denhartog/sums/coupled_sums.hpp"
 
 namespace denhartog {
 namespace {
@@ -86,7 +86,8 @@ void answer_from_rest(SolveTask& task, Solution& s) {
     how.with_stability = task.question.asked == Asked::motion;
     State<double> near;
     if (!task.unknown && s.regime.regime == Regime::continuous) {
-        near = sliding_at_maximum_of_force(values_of(bounded_sums(task.scene.system, *task.modes)), *task.scene.beta);
+        near = sliding_at_maximum_of_force(values_of(bounded_sums(task.scene.system, *task.known.basis, as_input(*task.scene.r))),
+                                           *task.scene.beta);
         how.guess = &near;
     }
     const PeriodicOrbit<double> orbit = periodic_orbit(solver, at_rest<double>(system.basis.r_n.size()), how);
@@ -124,13 +125,10 @@ void answer_from_rest(SolveTask& task, Solution& s) {
     if (task.question.asked == Asked::motion) s.stability = stability_of(orbit);
 }
 
-// `of_contact`: all modes of the contact alone did not tell that it slides, and fewer will not.
-void answer(SolveTask& task, bool of_contact, Solution& s) {
-    const bool few = (task.question.asked == Asked::amplitude || task.question.asked == Asked::phase) && !of_contact;
-    if (few && task.scene.mu == 1 && task.known.basis->certainly_uncoupled() && answer_by_truncated_modes(task, s)) return;
+void answer(SolveTask& task, Solution& s) {
     try {
         Solution sliding =
-            sliding_solution(task.source, {task.question.asked, task.question.digits, task.question.mass, &*task.modes});
+            sliding_solution(task.source, {task.question.asked, task.question.digits, task.question.mass, task.known.basis});
         sliding.unique = s.unique;
         sliding.unique_because = std::move(s.unique_because);
         s = std::move(sliding);
@@ -173,12 +171,11 @@ AnswerInDouble solve_in_double(const PreparedSystem& p, const SolvePoint& at, co
         const SceneSource source = source_at(p, at);
         SolveTask task{source, question, source->in_double(), aim_of(question.digits), {p.bounded}, p.moving};
         if (!task.known.basis) task.known = modes_in_double(source);
-        task.modes.emplace(task.known.basis, as_input(at.r));
         say_whether_unique(*task.known.basis, p.scene().mu, s);
         s.r = exactly(at.r);
         s.beta = exactly(at.beta);
         s.contact = p.scene().system.contact;
-        answer(task, p.contact && asks_for_contact(question, s.contact), s);
+        answer(task, s);
         s.asked = question.asked;
         s.digits_reached = s.relative_error <= task.aim.tolerance;
         found.open = task.open || task.unknown;

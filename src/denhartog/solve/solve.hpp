@@ -3,11 +3,9 @@
 ///
 /// The models, cheapest first:
 ///  1. amplitude or phase of the mass in contact alone, mu = 1: (38), (39) below a lower bound of (69), see `contact_modes.hpp`;
-///  2. amplitudes or phases at mu = 1 from the modes that matter, with bounds of what is left out, see `truncated_modes.hpp`;
-///  3. boundary, regime and closed form of all masses, or of the one that is asked about, see `sliding_solution`; V and U of a
-///     chain without damping without a sum over modes where that is sharper;
-///  4. for a contact that rests the stuck response, see `held_solution`;
-///  5. the exact solver's periodic orbit.
+///  2. boundary, regime and closed form of all masses, or of the one that is asked about, see `sliding_solution`;
+///  3. for a contact that rests the stuck response, see `held_solution`;
+///  4. the exact solver's periodic orbit.
 /// Each is in double, with the bounds of its numbers. Where these do not leave the digits, or the regime is open, the reference
 /// answers, see `solve_by_reference.hpp`.
 /// The boundaries tell the regime where mu = 1. Where mu > 1 more than one motion may exist: the exact solver then follows the

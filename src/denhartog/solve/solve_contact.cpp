@@ -14,7 +14,7 @@ bool answer_by_contact(const PreparedSystem& p, const SolvePoint& at, const Ques
     const Aim aim = aim_of(question.digits);
     if (aim.digits > most_digits_in_double) return false;
     try {
-        const std::optional<ContactSolution<double>> found = contact_solution(*p.contact, as_input(at.r), as_input(at.beta));
+        const std::optional<ContactSolution> found = contact_solution(*p.contact, as_input(at.r), as_input(at.beta));
         if (!found) return false;
         const double relative = found->amplitude.e / found->amplitude.x;
         const Attempted attempted{question.asked == Asked::phase ? std::max(relative, found->phase.e) : relative};

@@ -9,7 +9,6 @@
 #include "denhartog/answer/sliding_solution.hpp"
 #include "denhartog/orbit/periodic_orbit.hpp"
 #include "denhartog/solve/prepared_system.hpp"
-#include "denhartog/solve/truncated_modes.hpp"
 
 namespace denhartog {
 
@@ -35,7 +34,6 @@ struct SolveTask {
     Aim aim;                                             ///< the digits
     ModesInDouble known;                                 ///< its modal basis
     std::shared_ptr<const ContactSystem<double>> moving; ///< for the exact solver; none where it is still to be prepared
-    std::optional<BoundedModes<double>> modes{};         ///< its modes at the point, evaluated as they are needed
     bool open = false;                                   ///< whether double leaves something open
     bool is_told = true;                                 ///< whether the regime is certain nevertheless
     std::optional<std::string> unknown{};                ///< why boundaries and closed form are not known
@@ -49,12 +47,6 @@ struct SolveTask {
 /// @param s         gets the answer
 /// @return          false where something else is asked, this has not the digits, or sliding is not certain
 [[nodiscard]] bool answer_by_contact(const PreparedSystem& p, const SolvePoint& at, const Question& question, Solution& s);
-
-/// @brief Amplitudes or phases from the modes that matter, in the sliding regime at mu = 1.
-/// @param task  the task
-/// @param s     gets the answer
-/// @return      false where this has not the digits, or sliding is not certain
-[[nodiscard]] bool answer_by_truncated_modes(SolveTask& task, Solution& s);
 
 /// @brief The stuck response as the answer.
 /// @param task      the task, its boundary found

@@ -10,7 +10,6 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <vector>
 
 #include "denhartog/model/modal_basis.hpp"
@@ -103,38 +102,5 @@ template <class T>
     const T of_squares = std::min(T(r_k.x * r_i.e + r_i.x * r_k.e), T(r_i.x * r_i.e + r_k.x * r_k.e)); // the first of chains
     return of_squares / std::max(of_squares, T(size_of_number(T(r_i.x - r_k.x)) * (r_i.x + r_k.x)));
 }
-
-/// @brief The modes of a system at a frequency ratio, each evaluated with its error when it is first needed.
-template <class T>
-class BoundedModes {
-public:
-    /// @param basis  a modal basis with errors, shared with others
-    /// @param r      frequency ratio with its error
-    BoundedModes(std::shared_ptr<const ModalBasis<Bounded<T>>> basis, const Bounded<T>& r)
-        : basis_(std::move(basis)), r_(r), known_(basis_->r_n.size()) {}
-
-    /// @brief The modal basis. @return frequencies, shapes, damping ratios with their errors
-    [[nodiscard]] const ModalBasis<Bounded<T>>& basis() const { return *basis_; }
-    /// @brief The same, to be kept. @return the basis that was given
-    [[nodiscard]] const std::shared_ptr<const ModalBasis<Bounded<T>>>& shared_basis() const { return basis_; }
-    /// @brief The frequency ratio. @return r with its error
-    [[nodiscard]] const Bounded<T>& r() const { return r_; }
-    /// @brief A mode. @param i its index @return (23), (28), (29) @throws DomainError at a pole
-    const evaluation::ModeFunctions<Bounded<T>>& at(std::size_t i) {
-        if (!known_[i]) known_[i] = mode_functions_at(*basis_, i, r_);
-        return *known_[i];
-    }
-    /// @brief All modes. @return (23), (28), (29) of each @throws DomainError at a pole
-    std::vector<evaluation::ModeFunctions<Bounded<T>>> all() {
-        std::vector<evaluation::ModeFunctions<Bounded<T>>> functions;
-        for (std::size_t i = 0; i < known_.size(); ++i) functions.push_back(at(i));
-        return functions;
-    }
-
-private:
-    std::shared_ptr<const ModalBasis<Bounded<T>>> basis_;
-    Bounded<T> r_;
-    std::vector<std::optional<evaluation::ModeFunctions<Bounded<T>>>> known_;
-};
 
 } // namespace denhartog

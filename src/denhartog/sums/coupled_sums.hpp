@@ -2,6 +2,7 @@
 /// @brief What of a system whose damping couples the modes has the place of the sums over its modes.
 #pragma once
 
+#include "denhartog/sums/bounded_modes.hpp"
 #include "denhartog/sums/coupled_friction.hpp"
 
 namespace denhartog {
@@ -14,5 +15,17 @@ namespace denhartog {
 /// @throws        as `CoupledFriction`
 template <class T>
 [[nodiscard]] ModeSums<Bounded<T>> coupled_sums(const System<T>& system, const Bounded<T>& r);
+
+/// @brief The sums over modes with bounds of their errors, or what has their place where damping couples the modes.
+/// @eq{33,34,35,64,65}
+/// @param system  the system
+/// @param basis   its modes
+/// @param r       frequency ratio with its error
+/// @return        modes and sums
+/// @throws        DomainError at a pole of a mode without damping; as `coupled_sums`
+[[nodiscard]] inline ModeSums<Bounded<double>> bounded_sums(const System<double>& system,
+                                                            const ModalBasis<Bounded<double>>& basis, const Bounded<double>& r) {
+    return basis.coupled() ? coupled_sums(system, r) : mode_sums(basis, system.contact, system.load, r);
+}
 
 } // namespace denhartog

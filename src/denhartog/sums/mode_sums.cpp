@@ -18,8 +18,7 @@ template <class T>
 void check_arguments(const ModalBasis<T>& basis, Mass contact, Mass load, const T& r) {
     const auto N = static_cast<std::size_t>(basis.phi.rows());
     check_frequency_ratio(r);
-    for (const auto& [name, mass] : {std::pair("contact", contact), std::pair("load", load)})
-        check_mass(mass, N, name);
+    for (const auto& [name, mass] : {std::pair("contact", contact), std::pair("load", load)}) check_mass(mass, N, name);
     check_uncoupled(basis);
 }
 
@@ -52,20 +51,22 @@ bool without_a_digit(const ModeSums<T>& s, const Complex<T>& sum, Mass force) {
 } // namespace
 
 template <class T>
-evaluation::ModeFunctions<T> mode_functions_at(const ModalBasis<T>& basis, std::size_t i, const T& r) {
-    const T R = r / basis.r_n[i];
-    const evaluation::ModeFunctions<T> f = evaluation::mode_functions(R, basis.zeta[i]);
-    check_pole(f, i, R, basis.zeta[i]);
-    ++work_counted.mode_evaluations;
-    return f;
+std::vector<evaluation::ModeFunctions<T>> mode_functions_at(const ModalBasis<T>& basis, const T& r) {
+    std::vector<evaluation::ModeFunctions<T>> functions;
+    functions.reserve(basis.r_n.size());
+    for (std::size_t i = 0; i < basis.r_n.size(); ++i) {
+        const T R = r / basis.r_n[i];
+        functions.push_back(evaluation::mode_functions(R, basis.zeta[i]));
+        check_pole(functions.back(), i, R, basis.zeta[i]);
+        ++work_counted.mode_evaluations;
+    }
+    return functions;
 }
 
 template <class T>
 ModeSums<T> mode_sums(const ModalBasis<T>& basis, Mass contact, Mass load, const T& r) {
     check_arguments(basis, contact, load, r);
-    std::vector<evaluation::ModeFunctions<T>> functions;
-    for (std::size_t i = 0; i < basis.r_n.size(); ++i) functions.push_back(mode_functions_at(basis, i, r));
-    return mode_sums(basis, contact, load, r, functions);
+    return mode_sums(basis, contact, load, r, mode_functions_at(basis, r));
 }
 
 template <class T>
@@ -126,10 +127,11 @@ bool stuck_system_resonates(const ModeSums<T>& sums) {
 }
 
 template ModeSums<double> mode_sums(const ModalBasis<double>&, Mass, Mass, const double&);
+template ModeSums<Bounded<double>> mode_sums(const ModalBasis<Bounded<double>>&, Mass, Mass, const Bounded<double>&);
 template ModeSums<Bounded<double>> mode_sums(const ModalBasis<Bounded<double>>&, Mass, Mass, const Bounded<double>&,
                                              const std::vector<evaluation::ModeFunctions<Bounded<double>>>&);
-template evaluation::ModeFunctions<Bounded<double>> mode_functions_at(const ModalBasis<Bounded<double>>&, std::size_t,
-                                                                      const Bounded<double>&);
+template std::vector<evaluation::ModeFunctions<Bounded<double>>> mode_functions_at(const ModalBasis<Bounded<double>>&,
+                                                                                   const Bounded<double>&);
 template bool contact_is_unmoved(const ModeSums<double>&);
 template bool contact_is_unmoved(const ModeSums<Bounded<double>>&);
 template bool stuck_system_resonates(const ModeSums<double>&);

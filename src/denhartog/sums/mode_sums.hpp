@@ -104,14 +104,13 @@ template <class T>
 [[nodiscard]] ModeSums<T> mode_sums(const ModalBasis<T>& basis, Mass contact, Mass load, const T& r,
                                     const std::vector<evaluation::ModeFunctions<T>>& functions);
 
-/// @brief (23), (28), (29) of one mode; counted.
+/// @brief (23), (28), (29) of every mode; counted.
 /// @param basis  modal basis of the system
-/// @param i      the mode
 /// @param r      frequency ratio, Eq. (10); positive
-/// @return       the functions
+/// @return       the functions, N values
 /// @throws       DomainError where an undamped mode is at a pole of (23), (28)
 template <class T>
-[[nodiscard]] evaluation::ModeFunctions<T> mode_functions_at(const ModalBasis<T>& basis, std::size_t i, const T& r);
+[[nodiscard]] std::vector<evaluation::ModeFunctions<T>> mode_functions_at(const ModalBasis<T>& basis, const T& r);
 
 /// @brief A row of the modal matrix.
 /// @param sums  modes at a frequency ratio
