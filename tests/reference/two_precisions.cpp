@@ -88,6 +88,27 @@ TEST_CASE("modes of one frequency have no boundary in double, and with mu above 
     }
 }
 
+TEST_CASE("(56) of a damping matrix next to a modal one is that of the modes, in double and by the reference",
+          "[reference][eq:56]") {
+    const auto limits = [](const char* entry, bool proved) {
+        const std::string text = std::string(R"({"mass_ratios": [1, 0.8], "stiffness_ratios": [1, 0.9], "contact": 2, "load": 1,
+            "r": 0.6, "damping_matrix": [[)") +
+                                 entry + R"(, -0.027], [-0.027, 0.067]]})";
+        return sliding_answer(scene_of(text.c_str()), std::nullopt, proved).limits.value();
+    };
+    const double modal = limits("0.107", false).paper.value, exact = limits("0.107", false).exact.value;
+    CHECK(modal < 0.99 * exact);
+    for (const char* entry : {"0.10700000000000108", "0.107000000001", "0.10700001"}) {
+        INFO(entry);
+        const Limits few = limits(entry, false), many = limits(entry, true);
+        CHECK(std::abs(few.paper.value - many.paper.value) <= few.paper.error + many.paper.error);
+        CHECK(many.paper.value == Approx(modal).epsilon(1e-6));
+    }
+    const Limits couples = limits("0.1071", false); // no mode moves by itself
+    CHECK(couples.paper.value == couples.exact.value);
+    CHECK(limits("0.1071", true).paper.value == limits("0.1071", true).exact.value);
+}
+
 TEST_CASE("a damping matrix counts as modal within its tolerance, to any digits", "[reference][eq:18]") {
     const auto amplitude = [](const std::string& tolerance, int digits) {
         return solve(scene_of(coupled(tolerance).c_str()), {Asked::motion, digits}).masses[1].amplitude.value;

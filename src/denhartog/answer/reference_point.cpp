@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "denhartog/answer/printed.hpp"
+#include "denhartog/answer/sliding_point.hpp"
 #include "denhartog/number/errors.hpp"
 
 namespace denhartog {
@@ -63,13 +64,13 @@ std::optional<Ball> paper_limit_of_modes(const SceneInBalls& s, const Ball& exac
     try {
         ModesInBalls m = modes_in_balls(s);
         const BallMatrix D = damping_of_modes(s, m);
-        if (!hardly_couples(D, Ball(1e-6))) return std::nullopt;
+        if (!hardly_couples(D, Ball(hardly_coupled))) return std::nullopt;
         const SceneInBalls apart = by_themselves(s, m, D);
         m.zeta = apart.zeta;
         if (!are_told_apart(m) || std::ranges::any_of(m.zeta, [](const Ball& zeta) { return !(zeta < Ball(1)); }))
             return std::nullopt;
         const BoundaryInBalls b = boundary_in_balls(apart, responses_of_modes(apart, std::move(m)));
-        if (abs(b.exact - exact) <= Ball(1e-9) * exact) return b.paper;
+        if (abs(b.exact - exact) <= Ball(hardly_changed) * exact) return b.paper;
     } catch (const Unproved&) {
     }
     return std::nullopt;

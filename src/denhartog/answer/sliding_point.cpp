@@ -74,12 +74,29 @@ private:
     std::optional<FrictionMotions<double>> motions_;
 };
 
+bool hardly_couples(const Matrix<Number>& D) {
+    for (Eigen::Index i = 0; i < D.rows(); ++i)
+        for (Eigen::Index k = 0; k < i; ++k)
+            if (D(i, k).x * D(i, k).x > hardly_coupled * hardly_coupled * (D(i, i).x * D(k, k).x)) return false;
+    return true;
+}
+
+// (56) of the modes by themselves, where the coupling by a damping matrix makes no difference to (69) that anybody could measure.
+Number paper_limit(const Scene<double>& scene, ModalBasis<Number> basis, const Boundary<Number>& coupled) {
+    if (!hardly_couples(basis.D)) return coupled.paper;
+    basis.D.resize(0, 0);
+    const ModeSums<Number> sums = mode_sums(basis, scene.system.contact, scene.system.load, as_input(*scene.r));
+    const Boundary<Number> b = boundary_with(sums, as_input(scene.mu), Searches(sums).demands());
+    return std::abs(b.exact.x - coupled.exact.x) <= hardly_changed * coupled.exact.x ? b.paper : coupled.paper;
+}
+
 } // namespace
 
 SlidingPoint sliding_point(const Scene<double>& scene, const ModalBasis<Number>& basis, const PointWish& wish) {
     const ModeSums<Number> sums = bounded_sums(scene.system, basis, as_input(*scene.r));
     Searches searches(sums);
     SlidingPoint point{boundary_with(sums, as_input(scene.mu), searches.demands()), std::nullopt, std::nullopt};
+    if (sums.coupled && (wish.limits || !scene.beta)) point.boundary.paper = paper_limit(scene, basis, point.boundary);
     const Boundary<Number>& b = point.boundary;
     if (!is_finite(b)) throw PrecisionError("the boundary is beyond the range of the number type, or has no bound in it");
     if (wish.limits || !scene.beta) point.attempted = errors_of_boundary(b);

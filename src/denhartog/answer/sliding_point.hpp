@@ -11,6 +11,12 @@
 
 namespace denhartog {
 
+/// @brief A damping matrix hardly couples the modes where no entry of phi^T C phi between two modes is a larger part of the geometric
+/// mean of theirs. (56) is then that of the modes by themselves, if the coupling does not change (69) by more than `hardly_changed`.
+inline constexpr double hardly_coupled = 1e-6;
+/// @brief See `hardly_coupled`: a part of (69).
+inline constexpr double hardly_changed = 1e-9;
+
 /// @brief What is known of a point.
 struct SlidingPoint {
     Boundary<Bounded<double>> boundary;                ///< the boundary there
