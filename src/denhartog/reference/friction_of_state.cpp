@@ -62,9 +62,12 @@ Complex<Ball> at_contact(const SceneInBalls& s, const std::vector<Complex<Ball>>
     return sum;
 }
 
+// How often A tau is halved until it is small.
+double halvings_of(const BallMatrix& A, const Ball& tau) { return binary_logarithm(std::max(1.0, norm(A) * tau.high())); }
+
 // e^(A tau): a series for a small part of A, squared as often as that was halved. Each squaring takes a bit of what is right.
 BallMatrix state_after(const BallMatrix& A, const Ball& tau) {
-    const double halvings = binary_logarithm(std::max(1.0, norm(A) * tau.high()));
+    const double halvings = halvings_of(A, tau);
     if (!(halvings < static_cast<double>(ball_bits))) throw Unproved("a mode is too fast for the state to be followed");
     const double products = halvings + std::sqrt(static_cast<double>(ball_bits)), n = static_cast<double>(A.rows());
     QuestionEffort::pay(cost_of_ball_products(n * n * n * products));
@@ -133,6 +136,9 @@ void add_free_motions(const SceneInBalls& s, const FreeMotions& free, const Ball
 // The same by the exponential of the matrix, where eigenvalues may coincide.
 void add_states(const SceneInBalls& s, const StateMatrix& m, FrictionInTime& f) {
     const slong N = s.N();
+    // With more bits the eigenvalues of so fast a system may be told apart, which costs less.
+    if (!(4 * halvings_of(m.A, pi<Ball>()) < static_cast<double>(ball_bits)))
+        throw Unproved("a mode is too fast for the state to be followed");
     BallMatrix begin;
     const BallMatrix once = unit_matrix(2 * N) + state_after(m.A, pi<Ball>());
     if (!solved(once, m.rest, begin)) throw Unproved("a free motion may mirror itself after half a period");
