@@ -1,4 +1,4 @@
-#include "denhartog/stick_slip/first_crossing.hpp"
+#include "denhartog/search/first_zero.hpp"
 
 #include <cmath>
 #include <random>

@@ -12,7 +12,7 @@
 #include "denhartog/formulas/motion.hpp"
 #include "denhartog/formulas/other_masses.hpp"
 #include "denhartog/number/errors.hpp"
-#include "denhartog/sliding/maximum.hpp"
+#include "denhartog/search/largest_in_double.hpp"
 
 namespace denhartog::conformance {
 namespace {

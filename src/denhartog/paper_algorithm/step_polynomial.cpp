@@ -5,7 +5,7 @@
 #include <functional>
 
 #include "denhartog/elementary/elementary.hpp"
-#include "denhartog/sliding/maximum.hpp"
+#include "denhartog/search/largest_in_double.hpp"
 
 namespace denhartog {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "denhartog/evaluation/demand.hpp"
 #include "denhartog/number/number.hpp"
-#include "denhartog/sliding/maximum.hpp"
+#include "denhartog/search/largest_in_double.hpp"
 #include "denhartog/sums/friction_motion.hpp"
 
 namespace denhartog {

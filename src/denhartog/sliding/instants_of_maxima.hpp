@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "denhartog/scene/scene.hpp"
-#include "denhartog/sliding/maximum.hpp"
+#include "denhartog/search/largest_in_double.hpp"
 #include "denhartog/sliding/steady_state.hpp"
 #include "denhartog/sums/friction_motion.hpp"
 #include "denhartog/sums/mode_sums.hpp"

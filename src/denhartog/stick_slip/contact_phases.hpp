@@ -10,8 +10,8 @@
 #include <utility>
 
 #include "denhartog/scene/point_rules.hpp"
+#include "denhartog/search/first_zero.hpp"
 #include "denhartog/stick_slip/exact_motion.hpp"
-#include "denhartog/stick_slip/first_crossing.hpp"
 #include "denhartog/stick_slip/linear_motion.hpp"
 
 namespace denhartog {

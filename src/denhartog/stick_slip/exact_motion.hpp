@@ -18,6 +18,17 @@
 
 namespace denhartog {
 
+/// @brief How a phase ends.
+template <class T>
+struct Event {
+    T t;               ///< time from the start of the phase
+    int next;          ///< direction of the next phase
+    int order;         ///< order of the zero of its guard function
+    T load;            ///< load on the contact
+    bool found;        ///< false where the end of the stretch came first
+    bool open = false; ///< no end was found up to t, and what comes after is not known
+};
+
 /// @brief A system with all that does not depend on frequency or friction: prepared once for a whole map.
 template <class T>
 struct ContactSystem {

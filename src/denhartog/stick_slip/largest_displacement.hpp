@@ -6,7 +6,7 @@
 #include <memory_resource>
 #include <vector>
 
-#include "denhartog/sliding/maximum.hpp"
+#include "denhartog/search/largest_in_double.hpp"
 #include "denhartog/stick_slip/linear_motion.hpp"
 
 namespace denhartog {

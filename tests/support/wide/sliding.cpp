@@ -4,7 +4,7 @@
 #include "denhartog/sliding/boundary.cpp"
 #include "denhartog/sliding/coupled_maxima.cpp"
 #include "denhartog/sliding/instants_of_maxima.cpp"
-#include "denhartog/sliding/maximum.cpp"
+#include "denhartog/search/largest_in_double.cpp"
 #include "denhartog/sliding/regime.cpp"
 #include "denhartog/sliding/steady_state.cpp"
 

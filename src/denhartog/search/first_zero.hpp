@@ -21,17 +21,6 @@ namespace denhartog {
 /// @brief The longest step that a tangent is tried for.
 inline constexpr double tangent_up_to = 0x1p-10;
 
-/// @brief How a phase ends.
-template <class T>
-struct Event {
-    T t;               ///< time from the start of the phase
-    int next;          ///< direction of the next phase
-    int order;         ///< order of the zero of its guard function
-    T load;            ///< load on the contact
-    bool found;        ///< false where the end of the stretch came first
-    bool open = false; ///< no end was found up to t, and what comes after is not known
-};
-
 /// @brief A function at an instant with what bounds it ahead.
 template <class T>
 struct Jet {

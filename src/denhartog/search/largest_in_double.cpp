@@ -1,4 +1,4 @@
-#include "denhartog/sliding/maximum.hpp"
+#include "denhartog/search/largest_in_double.hpp"
 
 #include <algorithm>
 #include <boost/container/small_vector.hpp>
