@@ -8,9 +8,9 @@ namespace denhartog::reference {
 namespace {
 
 constexpr int most_looks_for_peak = 20000;
-constexpr double narrow = 1e-4;       // of a stretch, where Newton's method takes over if the velocity falls or rises
-constexpr double narrowest = 1e-12;   // where it takes over in any case
-constexpr int most_newton_steps = 20; // each doubles the digits
+constexpr double narrow_peak = 1e-4;     // of a stretch, where Newton's method takes over if the velocity falls or rises
+constexpr double narrowest_peak = 1e-12; // where it takes over in any case
+constexpr int most_newton_steps = 20;    // each doubles the digits
 
 // A displacement that may be the largest in size.
 struct PeakCandidate {
@@ -107,7 +107,7 @@ private:
             best_ = std::max(best_, abs(x).low());
             const double upper = abs(widened(x, abs(v) * Ball((p.b - p.a) / 2))).high();
             if (upper < best_ || v > Ball(0) || v < Ball(0)) continue;
-            if (p.b - p.a < narrowest || (p.b - p.a < narrow && !derivative(c, 2, X).may_vanish())) {
+            if (p.b - p.a < narrowest_peak || (p.b - p.a < narrow_peak && !derivative(c, 2, X).may_vanish())) {
                 kept.push_back({p.phase, p.curve, p.a, p.b, upper});
             } else {
                 open.push_back({p.phase, p.curve, p.a, half, upper});

@@ -8,9 +8,9 @@
 namespace denhartog::reference {
 namespace {
 
-constexpr double longest_stretch = 2; // norm of A times its length
-constexpr int most_looks = 20000;     // at one curve
-constexpr int deepest_look = 60;      // halvings of a stretch
+constexpr double longest_stretch = 2;      // norm of A times its length
+constexpr int most_looks_at_phase = 20000; // at one curve
+constexpr int deepest_look = 60;           // halvings of a stretch
 
 // One number over a stretch that is not known where it vanishes, from a to b.
 class PositiveCurve {
@@ -18,7 +18,7 @@ public:
     PositiveCurve(const CurveInBalls& c, const char* what) : c_(c), what_(what) {}
 
     void require(double a, double b, const EndsOfCurve& ends, int depth) {
-        if (++looks_ > most_looks || depth > deepest_look) throw Unproved(what_);
+        if (++looks_ > most_looks_at_phase || depth > deepest_look) throw Unproved(what_);
         if (!ends.vanishes && over(ends.order, a, b) > Ball(0)) return;
         if (ends.vanishes && ends.order == 0 && over(1, a, b) < Ball(0)) return;
         const double half = a + (b - a) / 2;
