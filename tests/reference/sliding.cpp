@@ -2,6 +2,7 @@
 #include "denhartog/reference/sliding.hpp"
 
 #include "denhartog/answer/held_solution.hpp"
+#include "denhartog/solve/solve.hpp"
 #include "denhartog/stick_slip/stuck_response.hpp"
 #include "tests/catch.hpp"
 #include "tests/reference/surveyed_scenes.hpp"
@@ -159,4 +160,54 @@ TEST_CASE("an angle is taken to (-pi, pi], that next to -pi to pi", "[sliding]")
     const Ball anything = widened(Ball(0), pi<Ball>());
     CHECK(apart(wrapped_in_balls(anything), anything) == 0);
     CHECK(wrapped_in_balls(anything).radius() < 3.2);
+}
+
+TEST_CASE("a mass that moves by a small difference of the motions of the modes is followed over a stretch as at its instants",
+          "[sliding][eq:41]") {
+    const Bits enough(256);
+    constexpr std::size_t N = 12;
+    for (const double of_stiffness : {0.0, 0.01}) { // damping in proportion to the springs: it joins neighbours alone
+        Scene<Ball> scene;
+        scene.system.mass_ratios.assign(N, Ball(1));
+        scene.system.stiffness_ratios.assign(N, Ball(1));
+        for (std::size_t i = 0; i < N; ++i)
+            scene.system.damping_ratios.emplace_back(of_stiffness * std::sin((2 * static_cast<double>(i) + 1) * 3.14159 / 50));
+        scene.r = Ball(20);
+        const reference::SceneInBalls s = reference::in_matrices(scene);
+        const reference::ResponsesInBalls r = reference::responses_of_modes(s, reference::modes_in_balls(s));
+        CHECK_FALSE(r.friction.cancels[0]);
+        reference::FrictionInTime wrong = r.friction;
+        for (reference::FrictionMotionOfMode& F : wrong.modes) F.stiffness = F.damping = Ball(0); // no derivative goes on
+        for (const std::size_t row : {N / 2, N - 1}) {
+            REQUIRE(r.friction.cancels[row]);
+            const Ball stretch = Ball::within(0.5, 0.75);
+            const auto holds = [&](const reference::FrictionInTime& f) {
+                const reference::Series over = f.at(row, stretch);
+                int held = 0;
+                for (const double tau : {0.5, 0.5625, 0.75})
+                    for (std::size_t n = 0; n < 5; ++n)
+                        held += arb_overlaps(over.c[n].a, r.friction.at(row, Ball(tau)).c[n].a) != 0;
+                return held == 15;
+            };
+            CHECK(holds(r.friction));
+            CHECK_FALSE(holds(wrong));
+            const Ball close = r.friction.at(row, stretch).c[0], terms = r.friction.of(row, (*r.friction.shared)(stretch)).c[0];
+            CHECK(close.radius() < 0.5 * std::abs(static_cast<double>(middle(close))));
+            CHECK(terms.radius() > std::abs(static_cast<double>(middle(close))));
+        }
+    }
+}
+
+TEST_CASE("twelve undamped masses far above resonance have six proved digits each with the effort by default",
+          "[sliding][driver]") {
+    const std::string ones = "1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1";
+    for (const auto& [r, last] : {std::pair("20", 6.314561150660643e-32), std::pair("300", 3.541611138832461e-60)}) {
+        const Solution found =
+            solve(scene_source(SceneText{R"({"mass_ratios": [)" + ones + R"(], "stiffness_ratios": [)" + ones +
+                                         R"(], "damping_ratios": 0, "contact": 1, "load": 1, "r": )" + r + R"(, "beta": )" +
+                                         (r == std::string("20") ? "0.00075" : "3.3333333333333333e-06") + "}"}),
+                  {});
+        CHECK(found.method.proved);
+        CHECK(found.masses[11].amplitude.value == Approx(last).epsilon(1e-12)); // by sums over modes in 100 digits
+    }
 }

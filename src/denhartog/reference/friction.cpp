@@ -1,6 +1,7 @@
 #include "denhartog/reference/friction.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 #include "denhartog/formulas/modal_coordinate.hpp"
 #include "denhartog/formulas/superposition.hpp"
@@ -19,8 +20,8 @@ struct OneByOne {
     OneByOne(const ModesInBalls& modes, const std::vector<FrictionMotionOfMode>& motions) : m(modes) {
         for (std::size_t i = 0; i < m.R.size(); ++i) {
             v.push_back(paper::complex_response(m.R[i], m.zeta[i])); // (23)
-            u.push_back(motions[i].u);
-            g.push_back(motions[i].g);
+            u.push_back(motions[i].u);                               // (28)
+            g.push_back(motions[i].g);                               // (29)
         }
     }
     [[nodiscard]] Complex<Ball> V(const std::vector<Ball>& k, const std::vector<Ball>& load) const { // (33)
@@ -83,6 +84,46 @@ Series FrictionInTime::of(std::size_t row, const std::vector<Series>& e) const {
     return sum_of(weight[row], e, Series(constant[row]));
 }
 
+Series FrictionInTime::at(std::size_t row, const Ball& tau) const {
+    const Ball m = middle(tau), off = tau - m;
+    if (off.is_zero() || cancels.empty() || !cancels[row]) return of(row, (*shared)(tau));
+    constexpr std::size_t most_terms = 48;
+    const std::vector<Ball>& weights = weight[row];
+    const std::vector<Series>& in_the_middle = (*shared)(m);
+    std::vector<Ball> left; // what each mode may bring to the first coefficient that is left out
+    for (std::size_t i = 0; i < modes.size(); ++i) left.push_back(abs(weights[i]) * modes[i].most_of(tau));
+    const auto sum = [&] { return std::accumulate(left.begin(), left.end(), Ball(0)); };
+    Ball shown = sum(), rest, power(1);
+    arb_mul_2exp_si(shown.a, shown.a, -ball_bits);
+    std::size_t terms = 0;
+    while (terms < in_the_middle[0].c.size() || (terms < most_terms && !(rest * power < shown))) {
+        ++terms;
+        power *= abs(off);
+        for (std::size_t i = 0; i < modes.size(); ++i) left[i] = left[i] * modes[i].speed / static_cast<int>(terms);
+        rest = sum();
+    }
+    QuestionEffort::pay(static_cast<long>(terms * modes.size()) * (1 + ball_bits / 256));
+    std::vector<Ball> sums(terms), c;
+    sums[0] = constant[row];
+    for (std::size_t i = 0; i < modes.size(); ++i) {
+        c.assign(in_the_middle[i].c.begin(), in_the_middle[i].c.end());
+        modes[i].go_on(c, terms);
+        for (std::size_t n = 0; n < terms; ++n) sums[n] += weights[i] * c[n];
+    }
+    sums.push_back(widened(Ball(0), rest));
+    Series series;
+    for (std::size_t k = 0; k < series.c.size(); ++k) { // the sum of binom(n, k) times coefficient n times off^(n - k)
+        Ball binomial(1);
+        for (std::size_t n = k + 1; n <= terms; ++n) binomial = binomial * static_cast<int>(n) / static_cast<int>(n - k);
+        for (std::size_t n = terms; n > k; --n) {
+            series.c[k] = (series.c[k] + binomial * sums[n]) * off;
+            binomial = binomial * static_cast<int>(n - k) / static_cast<int>(n);
+        }
+        series.c[k] += sums[k];
+    }
+    return series;
+}
+
 Series FrictionInTime::rate_and_third(std::size_t row, const std::vector<Series>& e) const {
     std::vector<Series> each;
     for (std::size_t i = 0; i < e.size(); ++i) each.push_back(modes[i].rate_and_third(e[i]));
@@ -93,6 +134,13 @@ Series FrictionMotionOfMode::rate_and_third(const Series& F) const {
     Series sum; // as F''' = -(2 zeta / R F'' + F' / R^2)
     for (int n = 0; n < 3; ++n) sum.c[n] = (1 - stiffness) * ((n + 1) * F.c[n + 1]) - damping * ((n + 1) * (n + 2) * F.c[n + 2]);
     return sum;
+}
+
+void FrictionMotionOfMode::go_on(std::vector<Ball>& c, std::size_t terms) const {
+    for (std::size_t n = c.size(); n < terms; ++n) { // F^(n) = -(2 zeta / R F^(n - 1) + F^(n - 2) / R^2)
+        const int order = static_cast<int>(n);
+        c.push_back(-(damping * c[n - 1] + stiffness * c[n - 2] / (order - 1)) / order);
+    }
 }
 
 FrictionMotionOfMode::FrictionMotionOfMode(const Ball& R_i, const Ball& zeta_i)
@@ -144,12 +192,12 @@ Series FrictionMotionOfMode::over(const Series& in_the_middle, const Ball& tau) 
         }
         return over_stretch(in_the_middle, tau - middle(tau), Ball(1), most);
     }
-    // F - 1 is e^(-zeta tau / R) times a cosine, which is not larger later.
-    const auto left = [&] {
-        const Bits few(64);
-        return upper_bound_of(largest * exp(-damping / 2 * Ball(tau.low())));
-    };
-    return over_stretch(in_the_middle, tau - middle(tau), Ball(1), left(), speed);
+    return over_stretch(in_the_middle, tau - middle(tau), Ball(1), most_of(tau), speed);
+}
+
+Ball FrictionMotionOfMode::most_of(const Ball& tau) const {
+    const Bits few(64);
+    return upper_bound_of(largest * exp(-damping / 2 * Ball(tau.low())));
 }
 
 bool are_told_apart(const ModesInBalls& m) { return m.clusters.empty() && std::ranges::all_of(m.zeta, is_told_from_critical); }
@@ -168,6 +216,12 @@ ResponsesInBalls responses_of_modes(const SceneInBalls& s, ModesInBalls m) {
     r.Y = modes.V(m.at_contact(), m.at_contact());
     r.squares = acceleration_of_contact(s);
     r.friction = friction_of_modes(m, motions);
+    const bool oscillate = std::ranges::all_of(motions, [](const FrictionMotionOfMode& F) { return F.parts.empty(); });
+    for (std::size_t row = 0; row < r.G.size(); ++row) { // a difference so small that its terms show little of it
+        Ball terms(0);
+        for (std::size_t i = 0; i < motions.size(); ++i) terms += abs(r.friction.weight[row][i]) * motions[i].largest;
+        r.friction.cancels.push_back(oscillate && abs(r.G[row]) + abs(r.U[row]) < Ball(0x1p-20) * terms);
+    }
     r.modes = std::move(m);
     return r;
 }

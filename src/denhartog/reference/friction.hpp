@@ -42,6 +42,12 @@ struct FrictionMotionOfMode {
     [[nodiscard]] Series at(const Ball& tau) const;
     /// @brief The same over a stretch. @param in_the_middle its series there @param tau the stretch @return the series
     [[nodiscard]] Series over(const Series& in_the_middle, const Ball& tau) const;
+    /// @brief How large F - 1 is over a stretch and later, below critical damping: it is e^(-zeta tau / R) times a cosine.
+    /// @param tau  the stretch @return a bound
+    [[nodiscard]] Ball most_of(const Ball& tau) const;
+    /// @brief The derivatives that follow from two of them. @param c Taylor's coefficients at an instant, of which the first three are
+    /// known @param terms  how many are wanted
+    void go_on(std::vector<Ball>& c, std::size_t terms) const;
     /// @brief First and third derivative, added, by the equation of motion: next to a resonance the sum is a small difference of
     /// large terms. @param F the motion @return value, slope and curvature of the sum; the rest is not known
     [[nodiscard]] Series rate_and_third(const Series& F) const;
@@ -56,9 +62,13 @@ struct FrictionInTime {
     std::vector<std::vector<Ball>> weight{};                   ///< a_ki, as many rows
     std::shared_ptr<Remembered<std::vector<Series>>> shared{}; ///< e_i at an instant or over a stretch
     std::vector<FrictionMotionOfMode> modes{};                 ///< those whose motions the e_i are; none of free motions
+    std::vector<bool> cancels{};                               ///< of each row, whether it is a small difference of them
 
     /// @brief One row from the shared functions. @param row a mass, or the contact at N @param e what `shared` gave @return F_k
     [[nodiscard]] Series of(std::size_t row, const std::vector<Series>& e) const;
+    /// @brief One row. @param row as above @param tau an instant or a stretch @return F_k; over a stretch of a row that is a small
+    /// difference of the motions of the modes from as many derivatives in its middle as the bits show
+    [[nodiscard]] Series at(std::size_t row, const Ball& tau) const;
     /// @brief First and third derivative of F_k, added. @param row as above @param e as above, of modes
     /// @return  see `FrictionMotionOfMode`
     [[nodiscard]] Series rate_and_third(std::size_t row, const std::vector<Series>& e) const;

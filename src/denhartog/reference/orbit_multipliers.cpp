@@ -2,10 +2,8 @@
 
 #include <acb_mat.h>
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
-#include <complex>
 
 #include "denhartog/number/effort.hpp"
 
@@ -35,37 +33,9 @@ private:
     slong n_;
 };
 
-// Eigenvalues and vectors, for Arb to make certain: those in double, and a step of Newton's method, which doubles their digits.
-bool approximate(const BallMatrix& map, const ComplexBalls& A, ComplexRow& values, ComplexBalls& vectors) {
-    const slong n = map.rows();
-    if (!(norm(map) < 1e100)) return false;
-    Eigen::MatrixXd D(n, n);
-    for (slong i = 0; i < n; ++i)
-        for (slong k = 0; k < n; ++k) D(i, k) = static_cast<double>(map(i, k));
-    const Eigen::EigenSolver<Eigen::MatrixXd> near(D);
-    if (near.info() != Eigen::Success) return false;
-    const Eigen::MatrixXcd guess = near.eigenvectors();
-    ComplexBalls R(n), W(n), T(n);
-    for (slong i = 0; i < n; ++i)
-        for (slong k = 0; k < n; ++k) acb_set_d_d(acb_mat_entry(R.a, i, k), guess(i, k).real(), guess(i, k).imag());
-    acb_mat_approx_mul(T.a, A.a, R.a, 128);
-    if (acb_mat_approx_solve(W.a, R.a, T.a, 128) == 0) return false;
-    const auto at = [&](slong i, slong k) {
-        const acb_struct* z = acb_mat_entry(W.a, i, k);
-        return std::complex(arf_get_d(arb_midref(acb_realref(z)), ARF_RND_NEAR),
-                            arf_get_d(arb_midref(acb_imagref(z)), ARF_RND_NEAR));
-    };
-    for (slong k = 0; k < n; ++k) {
-        acb_set(values.a + k, acb_mat_entry(W.a, k, k));
-        for (slong i = 0; i < n; ++i) {
-            const std::complex<double> apart = at(k, k) - at(i, i), off = at(i, k);
-            const bool is_small = 4 * std::norm(off) < std::norm(apart);
-            const std::complex<double> turn = i == k ? 1 : is_small ? off / apart : 0;
-            acb_set_d_d(acb_mat_entry(T.a, i, k), turn.real(), turn.imag());
-        }
-    }
-    acb_mat_approx_mul(vectors.a, R.a, T.a, 128);
-    return true;
+// Eigenvalues and vectors with few bits, for Arb to make certain.
+bool approximate(const ComplexBalls& A, ComplexRow& values, ComplexBalls& vectors) {
+    return acb_mat_approx_eig_qr(values.a, nullptr, vectors.a, A.a, nullptr, 0, 64) != 0;
 }
 
 // Balls that hold the sizes of all eigenvalues; false where they are not bounded.
@@ -105,7 +75,7 @@ std::vector<Ball> sizes_of_eigenvalues(const BallMatrix& map) {
     ComplexRow values(n);
     acb_mat_set_arb_mat(A.a, map.a);
     std::vector<Ball> sizes;
-    if (approximate(map, A, values, vectors) && enclosed(A, values, vectors, sizes)) return sizes;
+    if (approximate(A, values, vectors) && enclosed(A, values, vectors, sizes)) return sizes;
     QuestionEffort::pay(cost_of_ball_products(200 * static_cast<double>(n * n * n)));
     acb_mat_approx_eig_qr(values.a, nullptr, vectors.a, A.a, nullptr, 0, ball_bits);
     return enclosed(A, values, vectors, sizes) ? sizes : bounded_sizes(map);

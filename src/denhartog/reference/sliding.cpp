@@ -28,7 +28,7 @@ SlidingMassInBalls start_of_mass_in_balls(const ResponsesInBalls& r, const Slidi
 
 Series displacement_in_balls(const ResponsesInBalls& r, const SlidingMassInBalls& m, const Ball& beta, std::size_t row,
                              const Ball& tau) {
-    const Series F = r.friction.of(row, (*r.friction.shared)(tau));
+    const Series F = r.friction.at(row, tau);
     return paper::displacement<Series>(Series::time(tau), m.x0, m.v0, r.G[row], r.U[row], beta, F);
 }
 
@@ -49,7 +49,7 @@ SlidingMassInBalls mass_in_balls(const ResponsesInBalls& r, const SlidingContact
     const auto x = [&](const Ball& tau) { return displacement_in_balls(r, m, beta, row, tau); };
     // A mass that does not move, as far as the bits can tell, has no instant of a largest displacement. By (41) to (43) |x_k| is
     // at most |V_dk| + beta |F_k|.
-    const Ball F_throughout = r.friction.of(row, (*r.friction.shared)(either(Ball(0), pi<Ball>()))).rate(0);
+    const Ball F_throughout = r.friction.at(row, either(Ball(0), pi<Ball>())).rate(0);
     const Ball throughout = root_of_positive(squared_modulus(r.V[row])) + beta * abs(F_throughout);
     Ball nothing = abs(contact.X_j);
     arb_mul_2exp_si(nothing.a, nothing.a, -ball_bits / 2);
