@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "denhartog/number/errors.hpp"
+#include "denhartog/number/number.hpp"
 
 namespace denhartog {
 namespace {
