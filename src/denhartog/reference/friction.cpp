@@ -169,10 +169,10 @@ Series FrictionMotionOfMode::at(const Ball& tau) const {
     }
     const Ball F = paper::friction_motion(tau, R, zeta, u, g), rate = paper::friction_motion_prime(tau, R, zeta, u, g);
     // The mode obeys F'' + 2 zeta / R F' + F / R^2 = 1 / R^2.
-    const Ball second = (1 - F) * stiffness - damping * rate, third = -(rate * stiffness + damping * second),
-               fourth = -(second * stiffness + damping * third);
+    std::vector<Ball> c{F, rate, ((1 - F) * stiffness - damping * rate) / 2};
     Series series;
-    series.c = {F, rate, second / 2, third / 6, fourth / 24};
+    go_on(c, series.c.size());
+    std::ranges::copy(c, series.c.begin());
     return series;
 }
 
