@@ -104,6 +104,11 @@ TEST_CASE("(56) of a damping matrix next to a modal one is that of the modes, in
         CHECK(std::abs(few.paper.value - many.paper.value) <= few.paper.error + many.paper.error);
         CHECK(many.paper.value == Approx(modal).epsilon(1e-6));
     }
+    const SceneSource overdamped = scene_of(R"({"mass_ratios": [1, 1.75], "stiffness_matrix": [[2, -1], [-1, 1]], "contact": 1,
+        "load": 1, "r": 4.16, "mu": 1.3, "damping_matrix": [[1.6, -0.30000000022448803], [-0.30000000022448803, 2.05]]})");
+    const Limits few = sliding_answer(overdamped, std::nullopt, false).limits.value(),
+                 many = sliding_answer(overdamped, std::nullopt, true).limits.value();
+    CHECK(std::abs(few.paper.value - many.paper.value) <= few.paper.error + many.paper.error);
     const Limits couples = limits("0.1071", false); // no mode moves by itself
     CHECK(couples.paper.value == couples.exact.value);
     CHECK(limits("0.1071", true).paper.value == limits("0.1071", true).exact.value);

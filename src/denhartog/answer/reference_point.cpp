@@ -67,8 +67,7 @@ std::optional<Ball> paper_limit_of_modes(const SceneInBalls& s, const Ball& exac
         if (!hardly_couples(D, Ball(hardly_coupled))) return std::nullopt;
         const SceneInBalls apart = by_themselves(s, m, D);
         m.zeta = apart.zeta;
-        if (!are_told_apart(m) || std::ranges::any_of(m.zeta, [](const Ball& zeta) { return !(zeta < Ball(1)); }))
-            return std::nullopt;
+        if (!are_told_apart(m)) return std::nullopt;
         const BoundaryInBalls b = boundary_in_balls(apart, responses_of_modes(apart, std::move(m)));
         if (abs(b.exact - exact) <= Ball(hardly_changed) * exact) return b.paper;
     } catch (const Unproved&) {

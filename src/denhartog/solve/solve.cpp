@@ -42,8 +42,9 @@ void set_regime_by_stops(const SolveTask& task, const PeriodicOrbit<double>& orb
     } else {
         const bool sliding = !task.unknown && every_motion_is_damped(*task.known.basis);
         set_regime(task, Regime::continuous,
-                   sliding ? "the motion from rest is the sliding motion"
-                           : "the contact does not stop, but the motion is not that of the closed form",
+                   sliding                      ? "the motion from rest is the sliding motion"
+                   : task.unknown && !task.pole ? "the contact does not stop"
+                                                : "the contact does not stop, but the motion is not that of the closed form",
                    s);
     }
 }

@@ -70,9 +70,11 @@ Solution in_turn(std::size_t N, std::optional<int> digits, bool proved, const By
 }
 
 void require_digits(std::optional<int> digits, const Solution& s) {
-    if (digits && !s.digits_reached)
-        throw PrecisionError("the " + in_words(aim_of(digits)) + " are not reached: only " +
-                             std::to_string(digits_of(s.relative_error)) + " are certain (" + s.method.why + ")");
+    if (!digits || s.digits_reached) return;
+    const int certain = digits_of(s.relative_error);
+    throw PrecisionError("the " + in_words(aim_of(digits)) + " are not reached: " +
+                         (certain < *digits ? "only " + std::to_string(certain) + " are certain" : "the regime is not certain") +
+                         " (" + s.method.why + ")");
 }
 
 // The motion that is meant where the friction ratio does not tell: with mu above 1, or at a pole, the one from rest, as double finds
