@@ -32,9 +32,8 @@ std::optional<CoupledDamping> coupled_damping(const SceneSource& source) {
     if (system.damping_matrix.size() == 0) return std::nullopt;
     ModalBasis<double> basis = modes_as_given(source);
     if (!basis.coupled()) return std::nullopt;
-    const double rounding = rounding_of_modes<double>(basis.r_n.size()) * basis.D.cwiseAbs().maxCoeff();
     return CoupledDamping{basis.distance_from_classical > system.damping_tolerance, basis.distance_from_classical,
-                          largest_coupling(basis.D, rounding), std::move(basis.zeta)};
+                          largest_coupling(basis.D), std::move(basis.zeta)};
 }
 
 } // namespace denhartog

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "denhartog/answer/certify.hpp"
+#include "denhartog/model/modal_damping.hpp"
 #include "denhartog/sliding/instants_of_maxima.hpp"
 #include "denhartog/sums/coupled_sums.hpp"
 
@@ -74,16 +75,10 @@ private:
     std::optional<FrictionMotions<double>> motions_;
 };
 
-bool hardly_couples(const Matrix<Number>& D) {
-    for (Eigen::Index i = 0; i < D.rows(); ++i)
-        for (Eigen::Index k = 0; k < i; ++k)
-            if (D(i, k).x * D(i, k).x > hardly_coupled * hardly_coupled * (D(i, i).x * D(k, k).x)) return false;
-    return true;
-}
-
 // (56) of the modes by themselves, where the coupling by a damping matrix makes no difference to (69) that anybody could measure.
 Number paper_limit(const Scene<double>& scene, ModalBasis<Number> basis, const Boundary<Number>& coupled) {
-    if (!hardly_couples(basis.D)) return coupled.paper;
+    const Matrix<double> D = basis.D.unaryExpr([](const Number& entry) { return entry.x; });
+    if (largest_coupling(D) > hardly_coupled) return coupled.paper;
     basis.D.resize(0, 0);
     const ModeSums<Number> sums = mode_sums(basis, scene.system.contact, scene.system.load, as_input(*scene.r));
     const Boundary<Number> b = boundary_with(sums, as_input(scene.mu), Searches(sums).demands());

@@ -219,7 +219,7 @@ private:
         const bool from_rest = map.mu == 1 || map.start == MapStart::rest || map.beta[n] == 0;
         const Solution s = from_rest ? solve(map.prepared, r, map.beta[n], question)
                                      : sliding_answer(at_point(map.prepared.source, r, map.beta[n]),
-                                                      SlidingQuestion{question.asked, {}, question.mass});
+                                                      SlidingQuestion{question.asked, {}, question.mass, map.prepared.bounded});
         if (s.masses.empty()) throw PrecisionError("double does not follow the motion as beta rises");
         if (!s.digits_reached) throw PrecisionError("an amplitude has fewer than 6 certain digits");
         for (std::size_t m = 0; m < map.masses.size(); ++m) {

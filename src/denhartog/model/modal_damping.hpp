@@ -84,6 +84,12 @@ template <class T>
     return 8 * static_cast<int>(N) * std::numeric_limits<T>::epsilon();
 }
 
+/// @brief The same of entries that are as good as rounding lets them be. @param D modal damping matrix @return 0 to 1
+template <class T>
+[[nodiscard]] T largest_coupling(const Matrix<T>& D) {
+    return largest_coupling(D, T(rounding_of_modes<T>(static_cast<std::size_t>(D.rows())) * D.cwiseAbs().maxCoeff()));
+}
+
 /// @brief Whether the natural frequency of a mode coincides with the next one.
 /// @param r_n        natural frequency ratios, ascending
 /// @param i          the mode, not the last one

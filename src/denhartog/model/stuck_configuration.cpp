@@ -118,8 +118,7 @@ void set_modes(const RoundedModes<T>& held, StuckConfiguration<T>& stuck) {
     stuck.r_n = held.r_n;
     stuck.phi = held.phi;
     stuck.damping = held.damping;
-    stuck.coupling =
-        largest_coupling(held.damping, T(rounding_of_modes<T>(held.r_n.size()) * held.damping.cwiseAbs().maxCoeff()));
+    stuck.coupling = largest_coupling(held.damping);
     stuck.modes_diagonalise_damping = stuck.coupling == 0;
 }
 

@@ -121,7 +121,8 @@ LargestInBalls refined_of(const FunctionOfTime& f, const LargestOnStretches& fou
 
 LargestBothWays largest_size_of(const FunctionOfTime& f) {
     const SeenBySearch seen = seen_by_search([&f](const Ball& tau) { return f(tau).rate(0); });
-    const FunctionOfTime scaled = [&](const Ball& tau) { return f(tau) * Series(1 / seen.size); };
+    const Series per_size(1 / seen.size);
+    const FunctionOfTime scaled = [&](const Ball& tau) { return f(tau) * per_size; };
     const FunctionOfTime negative = [&](const Ball& tau) { return -scaled(tau); };
     LargestOnStretches up = stretches_of(scaled, seen.bits, -std::numeric_limits<double>::infinity());
     const LargestOnStretches down = stretches_of(negative, seen.bits, up.lower);
@@ -150,8 +151,9 @@ LargestInBalls largest_over_sine(const FunctionOfTime& numerator, const Function
         return quotient(n(here), here, at_end(at));
     };
     const SeenBySearch seen = seen_by_search([&](const Ball& t) { return value_at(numerator, t); });
-    const auto scaled = [&seen](const FunctionOfTime& f) {
-        return [&f, &seen](const Ball& t) { return f(t) * Series(1 / seen.size); };
+    const Series per_size(1 / seen.size);
+    const auto scaled = [&per_size](const FunctionOfTime& f) {
+        return [&f, &per_size](const Ball& t) { return f(t) * per_size; };
     };
     const FunctionOfTime n_of = scaled(numerator), Z_of = scaled(Z_in_time);
     const auto W = [&](const Ball& t) { return W_of(n_of(t), t); };

@@ -42,9 +42,9 @@ void set_regime_by_stops(const SolveTask& task, const PeriodicOrbit<double>& orb
     } else {
         const bool sliding = !task.unknown && every_motion_is_damped(*task.known.basis);
         set_regime(task, Regime::continuous,
-                   sliding                      ? "the motion from rest is the sliding motion"
-                   : task.unknown && !task.pole ? "the contact does not stop"
-                                                : "the contact does not stop, but the motion is not that of the closed form",
+                   sliding                         ? "the motion from rest is the sliding motion"
+                   : task.unknown && !task.at_pole ? "the contact does not stop"
+                                                   : "the contact does not stop, but the motion is not that of the closed form",
                    s);
     }
 }
@@ -69,7 +69,7 @@ std::string cost_of_fast_mode(const ExactSolver<double>& solver, const PeriodicO
 }
 
 [[noreturn]] void fail_from_rest(const SolveTask& task, const std::string& why, const Solution& s) {
-    if (task.pole) throw DomainError(*task.pole + "; " + why);
+    if (task.at_pole) throw DomainError(*task.unknown + "; " + why);
     throw PrecisionError("no steady motion was found from the start from rest: " + why +
                          ". This much is certain: " + s.regime.reason);
 }
@@ -134,7 +134,8 @@ void answer(SolveTask& task, Solution& s) {
         sliding.unique_because = std::move(s.unique_because);
         s = std::move(sliding);
     } catch (const DomainError& e) {
-        task.pole = task.unknown = e.what();
+        task.unknown = e.what();
+        task.at_pole = true;
     } catch (const PrecisionError& e) {
         if (task.scene.mu == 1) throw;
         task.unknown = e.what();

@@ -37,7 +37,7 @@ struct SolveTask {
     bool open = false;                                   ///< whether double leaves something open
     bool is_told = true;                                 ///< whether the regime is certain nevertheless
     std::optional<std::string> unknown{};                ///< why boundaries and closed form are not known
-    std::optional<std::string> pole{};                   ///< the same, where they do not exist
+    bool at_pole = false;                                ///< whether they do not exist
 };
 
 /// @brief Amplitude or phase of the contact alone, in the sliding regime at mu = 1: the cheapest model.
