@@ -110,6 +110,30 @@ TEST_CASE("free motions that coincide, and a resonance without damping, are not 
     CHECK_NOTHROW(FastPhases(mechanics_of(with(R"("damping_ratios": 0.5, "r": 0.01)").c_str()), 1));
 }
 
+TEST_CASE("long phases whose free motions coincide are followed by series", "[reference][fast_phase][orbit]") {
+    const char* scene = R"({"mass_ratios": 1, "stiffness_ratios": 1, "contact": 1, "load": 1, "damping_ratios": 1, "r": 0.01,
+                            "beta": 0.125})";
+    const Bits enough(128);
+    const ContactMechanics s = mechanics_of(scene);
+    CHECK(s.by_free_motions(1) == nullptr);
+    CHECK(s.by_free_motions(0) != nullptr); // nothing moves while the contact sticks
+    Question question{Asked::motion, 12};
+    question.proved = true;
+    const Solution proved = solve(scene_source(SceneText{scene}), question);
+    const Solution in_double = solve(scene_source(SceneText{scene}), {Asked::motion, 6});
+    REQUIRE(proved.stops.size() == 2);
+    CHECK(in_double.method.precision == "double");
+    for (std::size_t n = 0; n < 2; ++n) {
+        CHECK(std::abs(in_double.stops[n].start.value - proved.stops[n].start.value) <= in_double.stops[n].start.error);
+        CHECK(std::abs(in_double.stops[n].x.value - proved.stops[n].x.value) <= in_double.stops[n].x.error);
+    }
+    question.digits = 200; // so fast that series are too many
+    CHECK_THROWS_WITH(solve(scene_source(SceneText{R"({"mass_ratios": 1, "stiffness_ratios": 1, "contact": 1, "load": 1,
+                                "damping_ratios": 1, "r": 1e-5, "beta": 1e-6})"}),
+                            question),
+                      Catch::Contains("too fast to be followed otherwise"));
+}
+
 TEST_CASE("motions with stops whose modes are a thousand times as fast as the force are proved",
           "[reference][fast_phase][orbit]") {
     const SceneSource source = scene_source(SceneText{R"({"mass_ratios": [1, 0.8631], "stiffness_ratios": [1, 0.7844],

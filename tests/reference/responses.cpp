@@ -151,6 +151,7 @@ TEST_CASE("modes damped critically and beyond move by themselves as the state do
             CHECK(apart(a.G[k], b.G[k]) == 0);
             CHECK(a.U[k].radius() < 1e-60);
             CHECK(b.U[k].radius() < 1e-30);
+            CHECK(a.friction.of(k, (*a.friction.shared)(sqrt(Ball(2)))).rate(0).radius() < 1e-60);
             for (const double tau : {0.0, 0.25, 2.5})
                 for (const int n : {0, 1, 2})
                     CHECK(apart(a.friction.of(k, (*a.friction.shared)(Ball(tau))).rate(n),

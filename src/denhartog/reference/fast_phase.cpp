@@ -39,7 +39,7 @@ FastPhases::FastPhases(const ContactMechanics& s, int direction) : N_(s.N), lead
     forced_ = BallMatrix(K, inputs_count);
     free_ = std::make_unique<FreeMotions>(B);
     if (K == 0) return;
-    if (!free_->are_simple()) throw Unproved("free motions are not told apart, and too fast to be followed otherwise");
+    if (!free_->are_simple()) throw Unproved("free motions are not told apart");
     in_time_ = free_->in_time();
     const auto of_input = [&](slong c) {
         BallMatrix g(K, 1);
@@ -145,12 +145,14 @@ NumberInTime FastPhases::number(const BallMatrix& row, const BallMatrix& Z) cons
 }
 
 const std::shared_ptr<FastPhases>& ContactMechanics::by_free_motions(int direction) const {
-    std::shared_ptr<FastPhases>& kind = fast[direction + 1];
-    if (!kind) {
-        const Bits all(bits);
-        kind = std::make_shared<FastPhases>(*this, direction);
-    }
-    return kind;
+    std::optional<std::shared_ptr<FastPhases>>& kind = fast[direction + 1];
+    if (!kind) try {
+            const Bits all(bits);
+            kind = std::make_shared<FastPhases>(*this, direction);
+        } catch (const Unproved&) {
+            kind = nullptr;
+        }
+    return *kind;
 }
 
 slong leaps_for(double norm) {

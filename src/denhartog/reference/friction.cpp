@@ -72,6 +72,23 @@ FrictionInTime friction_of_modes(const ModesInBalls& m, const std::vector<Fricti
     return f;
 }
 
+// Bounds of a motion that dies out and of its derivatives over n!, over a stretch.
+std::array<Ball, 6> most_of_parts(const std::vector<MotionThatDiesOut>& parts, const Ball& tau) {
+    const Bits few(64);
+    std::array<Ball, 6> most;
+    for (const MotionThatDiesOut& p : parts) {
+        const Ball left = upper_bound_of(exp(p.rate * Ball(tau.low()))),
+                   factor = abs(p.factor) + abs(p.slope) * Ball(tau.high());
+        Ball powers(1), before(0); // of the rate, over n!, and over (n - 1)!
+        for (int n = 0; n < 6; ++n) {
+            most[n] += left * (factor * powers + abs(p.slope) * before);
+            before = powers;
+            powers = powers * abs(p.rate) / (n + 1);
+        }
+    }
+    return most;
+}
+
 } // namespace
 
 Ball acceleration_of_contact(const SceneInBalls& s) {
@@ -177,22 +194,9 @@ Series FrictionMotionOfMode::at(const Ball& tau) const {
 }
 
 Series FrictionMotionOfMode::over(const Series& in_the_middle, const Ball& tau) const {
-    if (!parts.empty()) {
-        const Bits few(64);
-        std::array<Ball, 6> most;
-        for (const MotionThatDiesOut& p : parts) {
-            const Ball left = upper_bound_of(exp(p.rate * Ball(tau.low()))),
-                       factor = abs(p.factor) + abs(p.slope) * Ball(tau.high());
-            Ball powers(1), before(0); // of the rate, over n!, and over (n - 1)!
-            for (int n = 0; n < 6; ++n) {
-                most[n] += left * (factor * powers + abs(p.slope) * before);
-                before = powers;
-                powers = powers * abs(p.rate) / (n + 1);
-            }
-        }
-        return over_stretch(in_the_middle, tau - middle(tau), Ball(1), most);
-    }
-    return over_stretch(in_the_middle, tau - middle(tau), Ball(1), most_of(tau), speed);
+    const Ball off = tau - middle(tau);
+    if (!parts.empty()) return over_stretch(in_the_middle, off, Ball(1), most_of_parts(parts, tau));
+    return over_stretch(in_the_middle, off, Ball(1), most_of(tau), speed);
 }
 
 Ball FrictionMotionOfMode::most_of(const Ball& tau) const {

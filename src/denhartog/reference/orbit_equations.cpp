@@ -240,7 +240,10 @@ Linearised linearised(const ContactMechanics& s, const OrbitUnknowns& box) {
         r.leaps.push_back(leaps_for(norm(s.phase(box.direction(i))) * std::max(std::abs(h.low()), std::abs(h.high()))));
         all_leaps += r.leaps.back();
     }
-    r.fast = all_leaps > most_leaps;
+    r.fast = all_leaps > many_leaps &&
+             std::ranges::all_of(box.directions, [&](int direction) { return s.by_free_motions(direction) != nullptr; });
+    if (!r.fast && all_leaps > most_leaps)
+        throw Unproved("free motions are not told apart, and too fast to be followed otherwise");
     BallMatrix Z = rounded(box.start()), D(n, z + m);
     for (slong i = 0; i < z; ++i) D(i, i) = Ball(1);
     D(z, z) = -Z(z + 1);

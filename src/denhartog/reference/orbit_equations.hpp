@@ -9,6 +9,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "denhartog/reference/fast_phase.hpp"
@@ -36,7 +37,7 @@ struct ContactMechanics {
     bool on_a_wall;         ///< whether w is a unit vector: the contact is of one mass, on a wall
     slong lead;             ///< the mass on which w is largest
     slong bits = ball_bits; ///< bits of the scene
-    mutable std::shared_ptr<FastPhases> fast[3] = {}; ///< phases by their free motions, found when they are first needed
+    mutable std::optional<std::shared_ptr<FastPhases>> fast[3] = {}; ///< phases by their free motions, sought when first needed
 
     /// @brief Length of a state. @return 2 N + 3
     [[nodiscard]] slong n() const { return 2 * N + 3; }
@@ -44,7 +45,8 @@ struct ContactMechanics {
     /// @param direction  1 or -1 while the contact slides: friction is a constant force against it; 0 while it sticks
     /// @return           A
     [[nodiscard]] BallMatrix phase(int direction) const;
-    /// @brief A phase by its free motions. @param direction as in `phase` @return all phases of the kind @throws as `FastPhases`
+    /// @brief A phase by its free motions. @param direction as in `phase`
+    /// @return  all phases of the kind; null where the free motions are not told apart, or the force may excite one without damping
     [[nodiscard]] const std::shared_ptr<FastPhases>& by_free_motions(int direction) const;
     /// @brief The velocity of the contact, \f$ \mathbf w^T\bar{\mathbf x}'/\sigma \f$. @return it as a row over Z
     [[nodiscard]] BallMatrix speed() const;
@@ -122,8 +124,10 @@ private:
 /// @brief The norm of A times a length up to which a series is summed at one go: it may widen a ball by the exponential of it.
 inline constexpr double longest_leap = 18;
 
-/// @brief Leaps of all phases beyond which these are not followed by series, but by their free motions.
-inline constexpr slong most_leaps = 24;
+/// @brief Leaps of all phases beyond which these are not followed by series, but by their free motions, if these are known.
+inline constexpr slong many_leaps = 24;
+/// @brief Leaps of all phases beyond which series are too many.
+inline constexpr slong most_leaps = 4096;
 
 /// @brief Number of leaps in which a phase is followed.
 /// @param norm  that of A times the length of the phase

@@ -89,7 +89,7 @@ std::optional<AnswerInDouble> from_rest(const Scene<double>& scene, const InDoub
 
 Solution answer_by_reference(const PreparedSystem& p, const SolvePoint& at, const Question& question, const InDouble& fast) {
     if (question.all && question.proved)
-        throw InputError("all", "must not be asked for with a proof: other motions are estimates", "true");
+        throw InputError("all", "must not be asked for with a proof: other motions are estimates", "");
     const SceneSource source = source_at(p, at);
     const Scene<double>& scene = source->in_double();
     ReferenceQuestion asked{question.asked, question.digits.value_or(digits_by_default), question.mass};

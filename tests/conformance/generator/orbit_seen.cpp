@@ -33,7 +33,6 @@ OrbitSeen orbit_seen(const ProtocolQuestion& q) {
     if (orbit.status != OrbitStatus::periodic || orbit.periods != 1 || !orbit.symmetric || !orbit.stable || orbit.touching > 0)
         throw DomainError("no stable symmetric motion of one period from rest: " + orbit.reason);
     OrbitSeen seen;
-    seen.at_zero = cut(orbit.start);
     const double half = std::acos(-1.0);
     const ExactMotion<double>& motion = solver.run(orbit.start, 0, 4 * half);
     std::size_t first = 1; // what is there at the start began before it

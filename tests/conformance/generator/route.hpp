@@ -39,23 +39,6 @@ template <class T>
     return scene_from_json<T>(nlohmann::json(question_json(q).at("scene")));
 }
 
-/// @brief Which of the displacements of a system in its own coordinates a question asks about, see `in_own_coordinates`.
-/// @param q       the question
-/// @param system  its system, in its own coordinates
-/// @return        the place of its mass, or of the contact where it asks about that
-template <class T>
-[[nodiscard]] std::size_t row_of(const ProtocolQuestion& q, const System<T>& system) {
-    return q.mass == 0 ? system.contact.index : displacement_of(system, Mass{static_cast<std::size_t>(q.mass - 1)}).index;
-}
-
-/// @brief The closed form, by `src/denhartog/sliding`: sums over modes, boundary, steady state; with the contact held by (88).
-/// @param scene   a question about the scene
-/// @param regime  the regime, where the quantity depends on it
-/// @param near    a route of a scene next to this one, whose instants of maxima are corrected in place of a search; may be none
-/// @return        the route; must not outlive `near`
-template <class T>
-[[nodiscard]] std::unique_ptr<Route<T>> closed_form(const ProtocolQuestion& scene, Regime regime, Route<T>* near = nullptr);
-
 /// @brief The physical coordinates: matrix exponentials over half a period, characteristic polynomial, dense linear systems.
 /// @param scene   a question about the scene
 /// @param regime  the regime, where the quantity depends on it
@@ -65,7 +48,6 @@ template <class T>
 
 /// @brief A stick-slip motion, seen in double: where the two routes to it start.
 struct OrbitSeen {
-    State<double> at_zero;             ///< the state at a maximum of the force, in the system's own coordinates
     std::vector<Phase<double>> phases; ///< phases over half a period, the first a rest
     State<double> at_rest;             ///< the state of the masses at the start of the first phase
 };
@@ -76,12 +58,14 @@ struct OrbitSeen {
 /// @throws       DomainError where it is not a stable symmetric motion of one period with stops
 [[nodiscard]] OrbitSeen orbit_seen(const ProtocolQuestion& scene);
 
-/// @brief Stick-slip by Newton's method on the exact solver.
-/// @param scene  a question about the scene
-/// @param seen   where to start
-/// @return       the route
+/// @brief The reference: the paper's own formulas on balls, every number proved.
+/// @param scene   a question about the scene
+/// @param regime  the regime, where the quantity depends on it
+/// @param seen    a motion with stops, near which the one is proved that is asked about; null: the scene is asked about without
+/// @return        the route
 template <class T>
-[[nodiscard]] std::unique_ptr<Route<T>> exact_orbit(const ProtocolQuestion& scene, const OrbitSeen& seen);
+[[nodiscard]] std::unique_ptr<Route<T>> by_reference(const ProtocolQuestion& scene, Regime regime,
+                                                     const OrbitSeen* seen = nullptr);
 
 /// @brief Stick-slip as one boundary-value problem: Newton's method on the state and all instants of the half-period.
 ///

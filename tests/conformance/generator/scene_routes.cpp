@@ -16,7 +16,7 @@ std::optional<Regimes> regimes_of(const ProtocolQuestion& scene) {
     ProtocolQuestion q = scene;
     q.beta = 0;
     try {
-        const auto route = closed_form<Real50>(q, Regime::continuous);
+        const auto route = by_reference<Real50>(q, Regime::continuous);
         Regimes regimes;
         q.quantity = "beta_lim_exact";
         regimes.sliding = route->numbers(q).front();
@@ -104,10 +104,10 @@ template <class T>
 std::vector<T> SceneRoutes::first(const ProtocolQuestion& q) {
     Pair<T>& p = pair<T>();
     if (is_orbit(q)) {
-        if (!p.orbit) p.orbit = exact_orbit<T>(scene_, seen());
+        if (!p.orbit) p.orbit = by_reference<T>(scene_, regime_, &seen());
         return p.orbit->numbers(q);
     }
-    if (!p.first) p.first = closed_form<T>(scene_, regime_);
+    if (!p.first) p.first = by_reference<T>(scene_, regime_);
     return p.first->numbers(q);
 }
 
@@ -124,19 +124,16 @@ std::vector<T> SceneRoutes::second(const ProtocolQuestion& q) {
 
 std::array<std::string, 2> SceneRoutes::names(const ProtocolQuestion& q) const {
     const std::string& name = q.quantity;
-    if (is_orbit(q)) return {"Newton on the exact solver", "phases as a boundary-value problem"};
-    if (name == "natural_frequency_ratios" || name == "modal_frequency_ratios" || name == "mode_shape_products")
-        return is_of_the_paper(scene_)
-                   ? std::array<std::string, 2>{"singular values of the chain", "characteristic polynomial and residues"}
-                   : std::array<std::string, 2>{"eigenvalues of a symmetric matrix", "characteristic polynomial"};
-    if (name == "beta_lim_high_frequency") return {"closed form", "half-periods at high frequency extrapolated"};
-    if (name == "beta_lim_sticking") return {"closed form", "dense system with the contact held"};
-    if (name == "regime") return {"closed form of both boundaries", "half-period and dense system with the contact held"};
-    if (regime_ == Regime::permanent_sticking && depends_on_friction(name))
-        return {"modes of the stuck system", "dense system with the contact held"};
-    if (!scene_.damping_matrix.empty())
-        return {"energy coordinates over a mirrored half-period", "half-period boundary-value problem"};
-    return {"closed form", "half-period boundary-value problem"};
+    const auto second = [&]() -> std::string {
+        if (is_orbit(q)) return "phases as a boundary-value problem";
+        if (name == "natural_frequency_ratios" || name == "modal_frequency_ratios" || name == "mode_shape_products")
+            return is_of_the_paper(scene_) ? "characteristic polynomial and residues" : "characteristic polynomial";
+        if (name == "beta_lim_high_frequency") return "half-periods at high frequency extrapolated";
+        if (name == "regime") return "half-period and dense system with the contact held";
+        const bool held = regime_ == Regime::permanent_sticking && depends_on_friction(name);
+        return held || name == "beta_lim_sticking" ? "dense system with the contact held" : "half-period boundary-value problem";
+    };
+    return {"reference", second()};
 }
 
 std::vector<Real50> SceneRoutes::at_neighbour(std::size_t n, const ProtocolQuestion& q) {
@@ -144,7 +141,7 @@ std::vector<Real50> SceneRoutes::at_neighbour(std::size_t n, const ProtocolQuest
         if (!near_orbits_[n]) near_orbits_[n] = phase_problem<Real50>(neighbours_[n].scene, seen());
         return near_orbits_[n]->numbers(q);
     }
-    if (!near_[n]) near_[n] = closed_form<Real50>(neighbours_[n].scene, regime_, in_50_.first.get());
+    if (!near_[n]) near_[n] = by_reference<Real50>(neighbours_[n].scene, regime_);
     return near_[n]->numbers(q);
 }
 

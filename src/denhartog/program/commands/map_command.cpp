@@ -83,7 +83,7 @@ void write(const MapOptions& options, const std::string& content) {
 bool asks_for_units(const MapOptions& options) {
     const bool ratios = !options.r.empty() || !options.beta.empty();
     const bool units = !options.frequency_hz.empty() || !options.friction.empty();
-    if (ratios && units) throw InputError("frequency_hz and friction", "must not be given together with r and beta", "both");
+    if (ratios && units) throw InputError("frequency_hz and friction", "must not be given together with r and beta", "");
     if (units && options.frequency_hz.empty()) throw InputError("frequency_hz", "must be given as FROM:TO:COUNT", "");
     if (!units && options.r.empty()) throw InputError("r", "must be given as FROM:TO:COUNT (or frequency_hz in its place)", "");
     return units;
