@@ -11,7 +11,7 @@
 #include <thread>
 
 #include "denhartog/evaluation/mode_arrays.hpp"
-#include "denhartog/map/contact_limits.hpp"
+#include "denhartog/map/contact_arrays.hpp"
 #include "denhartog/map/regime_map.hpp"
 #include "denhartog/number/number.hpp"
 #include "tests/support/paper_systems.hpp"

@@ -12,8 +12,7 @@
 
 #include "denhartog/evaluation/mode_arrays.hpp"
 #include "denhartog/evaluation/vector_functions.hpp"
-#include "denhartog/map/contact_amplitudes.hpp"
-#include "denhartog/map/contact_limits.hpp"
+#include "denhartog/map/contact_arrays.hpp"
 #include "denhartog/map/regime_map.hpp"
 #include "denhartog/number/number.hpp"
 #include "denhartog/sums/bounded_modes.hpp"

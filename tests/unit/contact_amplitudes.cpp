@@ -1,4 +1,4 @@
-#include "denhartog/map/contact_amplitudes.hpp"
+#include "denhartog/map/contact_arrays.hpp"
 
 #include <limits>
 

@@ -1,4 +1,4 @@
-#include "denhartog/map/contact_limits.hpp"
+#include "denhartog/map/contact_arrays.hpp"
 
 #include <random>
 

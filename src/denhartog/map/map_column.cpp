@@ -6,7 +6,7 @@
 #include "denhartog/answer/held_solution.hpp"
 #include "denhartog/answer/orbit_solution.hpp"
 #include "denhartog/evaluation/contact.hpp"
-#include "denhartog/map/contact_amplitudes.hpp"
+#include "denhartog/map/contact_arrays.hpp"
 #include "denhartog/map/orbit_on_line.hpp"
 #include "denhartog/number/effort.hpp"
 #include "denhartog/orbit/periodic_orbit.hpp"

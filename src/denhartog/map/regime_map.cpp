@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "denhartog/map/contact_limits.hpp"
+#include "denhartog/map/contact_arrays.hpp"
 #include "denhartog/map/map_column.hpp"
 #include "denhartog/model/coordinates.hpp"
 #include "denhartog/number/errors.hpp"

@@ -1,16 +1,22 @@
 /// @file
-/// @brief The sums over modes at the mass in contact over an array of frequency ratios: (33)-(35), (64), (65), as arrays.
+/// @brief The contact over arrays: the sums over modes (33)-(35), (64), (65) and the boundaries over frequency ratios, (38) over
+/// friction ratios.
 ///
 /// Each mode is evaluated once a frequency ratio. With \f$ \psi_i=\phi_i/r \f$ and \f$ R_i=r/r_{n,i} \f$ the weights
 /// \f$ \psi_{ki}\psi_{li}R_i^2 \f$ of (33)-(35) are \f$ \phi_{ki}\phi_{li}/r_{n,i}^2 \f$: nothing of them depends on r. Memory is
 /// that of the results and a few blocks. Each sum comes with the size of its terms: what rounding and the errors of the modes
 /// make of a term is below `error_of_size()` of that.
+///
+/// (69) is (67) wherever the sum (57) is largest for tau -> 0. `evaluation::certainty_of_start` tells where this is certain, and
+/// the arrays answer. Elsewhere `regime_boundary` has to: where the maximum is to be sought, where the sums cancel too far, where
+/// the load does not reach the contact, and at a resonance of the system with its contact held.
 #pragma once
 
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "denhartog/formulas/complex.hpp"
 #include "denhartog/model/modal_basis.hpp"
 #include "denhartog/number/bounded.hpp"
 
@@ -51,5 +57,41 @@ struct ContactSums {
 /// @throws         InputError where an r, j, l or the number of threads breaks its rule
 void contact_sums(const ModalBasis<Bounded<double>>& basis, Mass contact, Mass load, std::span<const double> r, unsigned threads,
                   ContactSums& sums);
+
+/// @brief Limits over an array of frequency ratios.
+struct ContactLimits {
+    std::vector<double> exact;         ///< beta_lim, Eq. (69)
+    std::vector<double> sticking;      ///< the contact rests from here on
+    std::vector<std::uint8_t> certain; ///< 1 where both are within `limit_margin()` of what `regime_boundary` has
+};
+
+/// @brief How far limits by arrays can be from those of `regime_boundary`, relative. @return a bound, far above both roundings
+[[nodiscard]] constexpr double limit_margin() { return 0x1p-30; }
+
+/// @brief The limits over an array of frequency ratios.
+/// @eq{54,67,69,72}
+/// @param sums     sums over modes there, from `contact_sums`
+/// @param mu       static over kinetic friction, Eq. (3); at least 1
+/// @param threads  threads, at least 1; the result does not depend on it
+/// @param limits   written over: their memory serves again
+/// @throws         InputError where mu or the number of threads breaks its rule
+void contact_limits(const ContactSums& sums, double mu, unsigned threads, ContactLimits& limits);
+
+/// @brief Whether the limits at a frequency ratio tell the regime at every friction ratio.
+/// @param limits     the limits
+/// @param m          index of the frequency ratio
+/// @param ascending  friction ratios, sorted
+/// @return           false where a limit is not certain, or a friction ratio is within `limit_margin()` of one
+[[nodiscard]] bool limits_tell(const ContactLimits& limits, std::size_t m, const std::vector<double>& ascending);
+
+/// @brief `evaluation::displacement_transmissibility_of_contact` over an array of friction ratios, with the same digits.
+/// @eq{38}
+/// @param V_dj  complex response function of the mass in contact, Eq. (33)
+/// @param U_dj  first damping function of the mass in contact, Eq. (34)
+/// @param G_j   second damping function of the mass in contact, Eq. (35)
+/// @param beta  friction ratios, Eq. (11)
+/// @param X_j   where the amplitudes go; as long as beta
+void contact_amplitudes(const Complex<double>& V_dj, double U_dj, double G_j, std::span<const double> beta,
+                        std::span<double> X_j);
 
 } // namespace denhartog

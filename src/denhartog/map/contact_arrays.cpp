@@ -1,4 +1,4 @@
-#include "denhartog/map/contact_sums.hpp"
+#include "denhartog/map/contact_arrays.hpp"
 
 #include <algorithm>
 #include <array>
@@ -6,7 +6,9 @@
 #include <limits>
 
 #include "denhartog/evaluation/batch_forms.hpp"
+#include "denhartog/evaluation/contact.hpp"
 #include "denhartog/evaluation/mode_arrays.hpp"
+#include "denhartog/formulas/boundary.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/parallel.hpp"
 #include "denhartog/scene/mass_rules.hpp"
@@ -156,6 +158,70 @@ void compute(const std::vector<WeightedMode>& modes, std::span<const double> r, 
     finish(r, sum_of_squares, s, start, n);
 }
 
+// The limits by arrays; how far the roundings of the sums carry, in units of what one of them may be off by, is to stay below
+// the margin, and twice as far for two routes.
+[[gnu::always_inline]] inline void set_limits_any(const ContactSums& s, double mu, ContactLimits& limits, std::size_t start,
+                                                  std::size_t n) {
+    const double *V_re = s.V_re.data() + start, *V_im = s.V_im.data() + start, *size_of_V = s.size_of_V.data() + start;
+    const double *Y_re = s.Y_re.data() + start, *Y_im = s.Y_im.data() + start, *size_of_Y = s.size_of_Y.data() + start;
+    const double *U = s.U.data() + start, *size_of_U = s.size_of_U.data() + start, *certainty = s.certainty.data() + start;
+    const double *H = s.H.data() + start, *size_of_H = s.size_of_H.data() + start, *squares = s.sum_of_squares.data() + start;
+    double *exact = limits.exact.data() + start, *sticking = limits.sticking.data() + start;
+    const double most = limit_margin() / (error_of_size() * static_cast<double>(s.modes));
+    const double largest = std::numeric_limits<double>::max();
+    double doubts[block];
+#pragma GCC ivdep
+    for (std::size_t i = 0; i < n; ++i) {
+        const Complex<double> V_dj{V_re[i], V_im[i]}, Y_jj{Y_re[i], Y_im[i]};
+        const double S = paper::static_friction_demand(H[i], mu, squares[i]), size_of_S = size_of_H[i] + mu * squares[i];
+        exact[i] = paper::friction_ratio_limit(V_dj, U[i], S);
+        sticking[i] = evaluation::sticking_limit_by_responses(V_dj, Y_jj, mu);
+        const double V = squared_modulus(V_dj), Y = squared_modulus(Y_jj), square = U[i] * U[i] + S * S;
+        const double from_U = __builtin_fabs(U[i]) * size_of_U[i] + __builtin_fabs(S) * size_of_S;
+        double count = certainty[i] > 0 ? 0.0 : 1.0; // of what is in doubt
+        count += size_of_V[i] * size_of_V[i] <= most * most * V ? 0.0 : 1.0;
+        count += size_of_Y[i] * size_of_Y[i] <= most * most * Y ? 0.0 : 1.0;
+        count += from_U <= most * square ? 0.0 : 1.0;
+        count += exact[i] <= largest ? 0.0 : 1.0;
+        count += sticking[i] <= largest ? 0.0 : 1.0;
+        doubts[i] = count;
+    }
+    for (std::size_t i = 0; i < n; ++i) limits.certain[start + i] = doubts[i] > 0 ? 0 : 1;
+}
+
+#if defined(__x86_64__)
+[[gnu::target("avx2")]] void set_limits_avx2(const ContactSums& s, double mu, ContactLimits& limits, std::size_t start,
+                                             std::size_t n) {
+    set_limits_any(s, mu, limits, start, n);
+}
+#endif
+
+void set_limits(const ContactSums& s, double mu, ContactLimits& limits, std::size_t start, std::size_t n) {
+#if defined(__x86_64__)
+    if (evaluation::supported_vectors().back() != evaluation::Vectors::baseline) return set_limits_avx2(s, mu, limits, start, n);
+#endif
+    set_limits_any(s, mu, limits, start, n);
+}
+
+bool is_near(const std::vector<double>& ascending, double limit) {
+    const auto next = std::ranges::lower_bound(ascending, limit * (1 - limit_margin()));
+    return next != ascending.end() && *next <= limit * (1 + limit_margin());
+}
+
+[[gnu::always_inline]] inline void set_amplitudes_any(const Complex<double>& V_dj, double U_dj, double G_j, const double* beta,
+                                                      double* X_j, std::size_t n) {
+#pragma GCC ivdep
+    for (std::size_t i = 0; i < n; ++i) X_j[i] = evaluation::displacement_transmissibility_of_contact(V_dj, U_dj, G_j, beta[i]);
+}
+
+#if defined(__x86_64__)
+// Every processor with these vectors has the fused multiply-add; it stands in the form itself, and in no other place.
+[[gnu::target("avx2,fma")]] void set_amplitudes_avx2(const Complex<double>& V_dj, double U_dj, double G_j, const double* beta,
+                                                     double* X_j, std::size_t n) {
+    set_amplitudes_any(V_dj, U_dj, G_j, beta, X_j, n);
+}
+#endif
+
 } // namespace
 
 void contact_sums(const ModalBasis<Bounded<double>>& basis, Mass contact, Mass load, std::span<const double> r, unsigned threads,
@@ -174,6 +240,34 @@ void contact_sums(const ModalBasis<Bounded<double>>& basis, Mass contact, Mass l
         compute(modes, r, s, b * block);
         return true;
     });
+}
+
+void contact_limits(const ContactSums& sums, double mu, unsigned threads, ContactLimits& limits) {
+    check_static_friction(mu);
+    if (threads < 1) throw InputError("threads", "must be at least 1", std::to_string(threads));
+    const std::size_t points = sums.U.size();
+    limits.exact.resize(points);
+    limits.sticking.resize(points);
+    limits.certain.resize(points);
+    parallel_for((points + block - 1) / block, threads, [&](std::size_t piece) {
+        const std::size_t start = piece * block;
+        set_limits(sums, mu, limits, start, std::min(block, points - start));
+        return true;
+    });
+}
+
+bool limits_tell(const ContactLimits& limits, std::size_t m, const std::vector<double>& ascending) {
+    return limits.certain[m] != 0 && !is_near(ascending, limits.exact[m]) && !is_near(ascending, limits.sticking[m]);
+}
+
+void contact_amplitudes(const Complex<double>& V_dj, double U_dj, double G_j, std::span<const double> beta,
+                        std::span<double> X_j) {
+    const std::size_t n = std::min(beta.size(), X_j.size());
+#if defined(__x86_64__)
+    if (evaluation::supported_vectors().back() != evaluation::Vectors::baseline)
+        return set_amplitudes_avx2(V_dj, U_dj, G_j, beta.data(), X_j.data(), n);
+#endif
+    set_amplitudes_any(V_dj, U_dj, G_j, beta.data(), X_j.data(), n);
 }
 
 } // namespace denhartog
