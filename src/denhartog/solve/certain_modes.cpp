@@ -47,9 +47,7 @@ std::shared_ptr<const ModalBasis<Bounded<double>>>
 certain_modes(const SceneSource& source, const std::shared_ptr<const ModalBasis<Bounded<double>>>& basis) {
     if (!is_for_reference(source, relative_error(*basis))) return basis;
     try {
-        auto modes = std::make_shared<ModalBasis<Bounded<double>>>(modes_by_reference(source, false));
-        if (!basis->coupled() && modes->coupled()) leave_out_coupling(*modes); // rounding of the damping matrix couples them
-        return modes;
+        return std::make_shared<const ModalBasis<Bounded<double>>>(modes_by_reference(source, false));
     } catch (const PrecisionError&) {
         return basis;
     }
