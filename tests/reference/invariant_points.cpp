@@ -162,7 +162,7 @@ std::size_t undecided_in(const Points& points) {
 SceneSource source_of_text(const std::string& text) { return scene_source(SceneText{text}); }
 
 // sin(pi x) as a search sees it, from its values and slopes at the ends of stretches.
-FunctionWithZeros<double> sine_of_turns() {
+FunctionWithZeros sine_of_turns() {
     const auto f = [](const Ball& x) { return sin(pi<Ball>() * x); };
     return {[f](double a, double b) {
                 const Ball X = Ball::within(a, b);
@@ -175,8 +175,8 @@ FunctionWithZeros<double> sine_of_turns() {
             [f](double x) { return !f(Ball(x)).may_vanish(); }};
 }
 
-ZerosOnStretches<double> zeros_of(const FunctionWithZeros<double>& f, double a, double b) {
-    ZerosOnStretches<double> found;
+ZerosOnStretches zeros_of(const FunctionWithZeros& f, double a, double b) {
+    ZerosOnStretches found;
     find_zeros(f, a, b, 1e-9, found);
     return found;
 }
@@ -184,23 +184,23 @@ ZerosOnStretches<double> zeros_of(const FunctionWithZeros<double>& f, double a, 
 } // namespace
 
 TEST_CASE("a search finds every zero of a function once, and says where it has no answer", "[zeros]") {
-    const FunctionWithZeros<double> f = sine_of_turns();
-    const ZerosOnStretches<double> found = zeros_of(f, 0.5, 8.5);
+    const FunctionWithZeros f = sine_of_turns();
+    const ZerosOnStretches found = zeros_of(f, 0.5, 8.5);
     CHECK(found.undecided.empty());
     REQUIRE(found.single.size() == 8);
     for (std::size_t n = 0; n < 8; ++n) {
         CHECK(found.single[n].from < static_cast<double>(n + 1));
         CHECK(found.single[n].to > static_cast<double>(n + 1));
     }
-    const ZerosOnStretches<double> at_end = zeros_of(f, 1, 2.5); // a zero at the end of the interval
+    const ZerosOnStretches at_end = zeros_of(f, 1, 2.5); // a zero at the end of the interval
     CHECK(at_end.single.size() == 1);
     REQUIRE(at_end.undecided.size() == 1);
     CHECK(at_end.undecided[0].from == 1);
     CHECK(at_end.undecided[0].to < 1 + 1e-8);
-    FunctionWithZeros<double> given_up = f;
+    FunctionWithZeros given_up = f;
     given_up.look = [](double, double) { return ZerosInStretch::hidden; };
     CHECK(zeros_of(given_up, 0.5, 8.5).undecided.size() == 1);
-    FunctionWithZeros<double> wrong = f; // a function that excludes zeros too soon
+    FunctionWithZeros wrong = f; // a function that excludes zeros too soon
     wrong.look = [look = f.look](double a, double b) { return b - a < 0.4 ? ZerosInStretch::none : look(a, b); };
     CHECK(zeros_of(wrong, 0.5, 8.5).single.size() < 8);
 }

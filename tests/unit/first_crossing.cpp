@@ -140,6 +140,29 @@ TEST_CASE("no crossing of a seeded sum of waves is missed that 100 000 instants 
     CHECK(found >= 15);
 }
 
+TEST_CASE("zeros of 2000 seeded sums of waves are found to rounding, in few evaluations", "[unit][exact-solver][events]") {
+    std::mt19937_64 random(3);
+    const auto draw = [&](double a, double b) { return a + (b - a) * static_cast<double>(random() >> 11) * 0x1p-53; };
+    double worst = 0;
+    long evaluations = 0, found = 0;
+    for (int n = 0; n < 2000; ++n) {
+        Waves<double> f{draw(0, 1), {}};
+        for (int m = 0; m < 4; ++m) f.waves.push_back({draw(-0.6, 0.6), draw(0.2, 5), draw(0, 6.28)});
+        if (f(0).f[0] <= 0) continue;
+        const auto zero = first(f, 0.0, 20.0);
+        evaluations += f.evaluations;
+        if (!zero || zero->touches) continue;
+        ++found;
+        const Jet<double> jet = f(zero->t);
+        const double rounding = std::numeric_limits<double>::epsilon() * zero->t + 4 * jet.noise / std::abs(jet.f[1]);
+        worst = std::max(worst, std::abs(jet.f[0] / jet.f[1]) / rounding);
+    }
+    INFO("worst error " << worst << ", " << evaluations << " evaluations for " << found << " zeros");
+    CHECK(found > 1000);
+    CHECK(worst <= 4);
+    CHECK(evaluations <= 30'000);
+}
+
 TEST_CASE("a function that changes faster than the number type can follow ends the search",
           "[unit][exact-solver][events][effort]") {
     const auto check = []<class T>(const T& w) {

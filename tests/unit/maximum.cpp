@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "denhartog/number/errors.hpp"
+#include "denhartog/search/bracketed_zero.hpp"
 #include "tests/catch.hpp"
 #include "tests/support/multiprecision.hpp"
 
@@ -16,11 +17,7 @@ namespace {
 /// f with w = f', z = f'' and a bound of |f'''|.
 template <class T>
 Curve<T> smooth(std::function<T(const T&)> f, std::function<T(const T&)> w, std::function<T(const T&)> z, T rate) {
-    return {[=](const T& tau) {
-                return Sample<T>{f(tau), w(tau), z(tau)};
-            },
-            [=](const T&, const T&) { return rate; },
-            [](const T& a, const T& b, const T& z_bound) { return T(z_bound * (b - a) * (b - a) / 8); }};
+    return {[=](const T& tau) { return Sample<T>{f(tau), w(tau), z(tau)}; }, [=](const T&, const T&) { return rate; }};
 }
 
 } // namespace
@@ -85,11 +82,43 @@ TEST_CASE("a search that does not settle ends in an error, not in an answer", "[
     CHECK_THROWS_AS(global_maximum(flat, 0.0, 1.0), PrecisionError);
 }
 
-TEMPLATE_TEST_CASE("a bracketed root has all digits", "[maximum]", double, Real50, Real100) {
+TEMPLATE_TEST_CASE("a bracketed zero has all digits, whichever end it is looked for from", "[maximum]", double, Real50, Real100) {
     using T = TestType;
-    const std::function<T(const T&)> f = [](const T& x) { return T(x * x - 2); };
-    const T root = bracketed_root<T>(f, T(1), T(2), f(T(1)), f(T(2)));
-    CHECK(abs(T(root - sqrt(T(2)))) <= 4 * std::numeric_limits<T>::epsilon());
+    for (const int sign : {1, -1}) {
+        const auto f = [&](const T& x) { return ValueAt<T>{x, sign * (x * x - 2), sign * 2 * x}; };
+        for (const T& zero : {bracketed_zero(f, f(T(1)), f(T(2))), bracketed_zero(f, f(T(2)), f(T(1)))})
+            CHECK(abs(T(zero - sqrt(T(2)))) <= 4 * std::numeric_limits<T>::epsilon());
+    }
+    const auto line = [](const T& x) { return ValueAt<T>{x, x - 1, T(1)}; };
+    CHECK(bracketed_zero(line, line(T(1)), line(T(2))) == 1); // at an end
+}
+
+TEST_CASE("a bracketed zero is found however the slopes mislead", "[maximum]") {
+    struct Misleading {
+        const char* name;
+        std::function<double(double)> f, slope;
+        double error;
+    };
+    const std::vector<Misleading> all = {
+        {"of no slope", [](double x) { return x; }, [](double) { return 0.0; }, 1e-15},
+        {"of third order", [](double x) { return x * x * x; }, [](double x) { return 3 * x * x; }, 1e-14},
+        {"steep in the middle", [](double x) { return std::atan(1e6 * x); }, [](double x) { return 1e6 / (1 + 1e12 * x * x); },
+         1e-15},
+        {"level before it", [](double x) { return x < 0 ? -1e-9 : x; }, [](double x) { return x < 0 ? 0.0 : 1.0; }, 1e-15},
+        {"flat, then steep", [](double x) { return std::expm1(20 * x); }, [](double x) { return 20 * std::exp(20 * x); }, 1e-15}};
+    for (const Misleading& each : all)
+        for (const double far : {2.0, 30.0})
+            for (const bool from_left : {true, false}) {
+                int evaluations = 0;
+                const auto f = [&](double x) {
+                    ++evaluations;
+                    return ValueAt<double>{x, each.f(x - 1. / 3), each.slope(x - 1. / 3)};
+                };
+                const double zero = from_left ? bracketed_zero(f, f(-1), f(far)) : bracketed_zero(f, f(far), f(-1));
+                INFO(each.name << " up to " << far << ": " << zero - 1. / 3 << ", " << evaluations << " evaluations");
+                CHECK(std::abs(zero - 1. / 3) <= each.error);
+                CHECK(evaluations <= 150);
+            }
 }
 
 TEST_CASE("a search works on what is above the error of its samples and no further", "[maximum][effort]") {

@@ -1,6 +1,7 @@
 #include "conformance/plain/closed_form.hpp"
 
 #include <algorithm>
+#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 
 #include "conformance/plain/integration.hpp"
@@ -12,7 +13,6 @@
 #include "denhartog/formulas/motion.hpp"
 #include "denhartog/formulas/other_masses.hpp"
 #include "denhartog/number/errors.hpp"
-#include "denhartog/search/largest_in_double.hpp"
 
 namespace denhartog::conformance {
 namespace {
@@ -32,14 +32,19 @@ PlainExtremum largest_displacement(const PlainModes& m, const Choices& c, std::s
         const double x = plain_motion(m, c, k, tau).x;
         if (std::isnan(x) || std::abs(x) > best.size) best = {tau, std::abs(x), x < 0};
     };
-    const std::function<double(const double&)> velocity = [&](const double& tau) { return plain_motion(m, c, k, tau).v; };
+    const auto velocity = [&](double tau) { return plain_motion(m, c, k, tau).v; };
     take(0);
     double before = velocity(0);
     for (int n = 1; n <= steps; ++n) {
         const double from = (n - 1) * pi<double>() / steps,
                      to = n == steps ? pi<double>() * (1 - 1e-15) : n * pi<double>() / steps;
         const double after = velocity(to);
-        if (before * after < 0) take(bracketed_root<double>(velocity, from, to, before, after));
+        if (before * after < 0) {
+            std::uintmax_t most = 200;
+            const boost::math::tools::eps_tolerance<double> all_digits(52);
+            const auto [a, b] = boost::math::tools::toms748_solve(velocity, from, to, before, after, all_digits, most);
+            take((a + b) / 2);
+        }
         before = after;
     }
     take(pi<double>() * (1 - 1e-15));

@@ -11,7 +11,7 @@
 
 #include "denhartog/elementary/elementary.hpp"
 #include "denhartog/paper_algorithm/contact_equations.hpp"
-#include "denhartog/paper_algorithm/step_polynomial.hpp"
+#include "denhartog/paper_algorithm/step_function.hpp"
 
 namespace denhartog {
 
@@ -54,7 +54,7 @@ public:
     /// @param f  from a state or its derivative to a number
     /// @return   its dense output
     template <class Linear>
-    [[nodiscard]] StepPolynomial over_step(const Linear& f) {
+    [[nodiscard]] StepFunction over_step(const Linear& f) {
         if (!inner_known_) {
             state(1.0 / 3, third_);
             state(2.0 / 3, two_thirds_);

@@ -30,14 +30,13 @@ double DisplacementOf::operator()(const DenseStep::Y& y, std::size_t part) const
 void take_extrema(DenseStep& step, const DisplacementOf& of, double tau, double from, double to, std::vector<double>& zeros,
                   DisplacementRange& range) {
     const std::size_t N = step.y_0.size() / 2;
-    const StepPolynomial x = step.over_step([&of](const DenseStep::Y& y) { return of(y, 0); });
-    range.take(value(x, from), tau + from * step.h);
-    range.take(value(x, to), tau + to * step.h);
-    const auto [low, high] = std::minmax_element(x.b.begin(), x.b.begin() + x.degree + 1);
-    if (*low >= range.smallest && *high <= range.largest) return; // the coefficients bound the displacement
+    const StepFunction x = step.over_step([&of](const DenseStep::Y& y) { return of(y, 0); });
+    const auto take = [&](double theta) { range.take(x(theta).f[0], tau + theta * step.h); };
+    take(from);
+    take(to);
     sign_changes(step.over_step([&of, N](const DenseStep::Y& y) { return of(y, N); }), zeros);
     for (const double theta : zeros)
-        if (theta > from && theta < to) range.take(value(x, theta), tau + theta * step.h);
+        if (theta > from && theta < to) take(theta);
 }
 
 LastPeriod::LastPeriod(std::size_t N, double start, int samples, const Coordinates<double>& others)

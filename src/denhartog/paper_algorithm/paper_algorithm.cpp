@@ -169,20 +169,13 @@ private:
 
     // The end of a sticking phase, Sigma_j > mu beta by more than rounding.
     std::optional<double> breakaway() {
-        const double limit = equations_.mu * equations_.beta + noise_, force = equations_.harmonic_load, h = step_.h;
-        const StepPolynomial linear = step_.over_step([this](const DenseStep::Y& y) { return equations_.linear_load(y); });
-        // Where the largest load that the coefficients allow is small there is nothing to look for.
-        const auto [low, high] = std::minmax_element(linear.b.begin(), linear.b.begin() + linear.degree + 1);
-        const double f_0 = force * elementary::cos(tau_), f_1 = force * elementary::cos(tau_ + h),
-                     bulge = std::abs(force) * h * h / 8;
-        if (*high + std::max(f_0, f_1) + bulge<limit&& * low + std::min(f_0, f_1) - bulge> - limit) return std::nullopt;
-        StepPolynomial upwards = force == 0 ? linear : with_cosine(linear, force, tau_, h);
-        StepPolynomial downwards = upwards;
-        for (double& b : upwards.b) b = limit - b;
-        for (double& b : downwards.b) b = limit + b;
-        const double noise = first_ ? noise_ : 0;
-        const std::optional<double> a = first_fall(upwards, noise), b = first_fall(downwards, noise);
-        return a && b ? std::min(*a, *b) : a ? a : b;
+        StepFunction load = step_.over_step([this](const DenseStep::Y& y) { return equations_.linear_load(y); });
+        load.cosine = equations_.harmonic_load * elementary::cos(tau_);
+        load.sine = -equations_.harmonic_load * elementary::sin(tau_);
+        load.h = step_.h;
+        const double limit = equations_.mu * equations_.beta + noise_, noise = first_ ? noise_ : 0;
+        const std::optional<double> upwards = first_fall(limit - load, noise), downwards = first_fall(limit - (0 - load), noise);
+        return upwards && downwards ? std::min(*upwards, *downwards) : upwards ? upwards : downwards;
     }
 
     void end_of_rest(double start) {

@@ -76,7 +76,7 @@ public:
     [[nodiscard]] Ball at(double x) const { return of(modes_.terms(Ball(x), 1, modes_.nothing())).c[0]; }
 
     // Its one zero in a stretch.
-    [[nodiscard]] Ball zero_in(const StretchOfZeros<double>& s) const {
+    [[nodiscard]] Ball zero_in(const StretchOfZeros& s) const {
         const SeenOverX seen = [&] {
             const Bits few(bits_of_search);
             return modes_.seen(s.from, s.to, effort_);
@@ -90,7 +90,7 @@ public:
 
     // Whether the one zero in a stretch is the pole of a mode in which mass k rests. V_j and U_j have this pole, and each term is
     // multiplied by both factors: that makes it a zero, although the function is not bounded there.
-    [[nodiscard]] bool is_pole(const StretchOfZeros<double>& s, const Ball& zero) const {
+    [[nodiscard]] bool is_pole(const StretchOfZeros& s, const Ball& zero) const {
         const Ball all = Ball::within(s.from, s.to);
         for (std::size_t i = 0; i < modes_.r_n().size(); ++i) {
             if (!w_.U_k.sum[i].is_zero() || w_.V_j.sum[i].is_zero() || !w_.U_j.open[i].is_zero()) continue;
@@ -189,21 +189,20 @@ void add_zeros(const SceneInBalls& s, UndampedModesInBalls& modes, InvariantPoin
                InvariantPointsOfMass<Ball>& found) {
     const auto N = static_cast<std::size_t>(s.N());
     const double from = (1 / range.b).low() * (1 - margin_of_range), to = (1 / range.a).high() * (1 + margin_of_range);
-    ZerosOnStretches<double> zeros;
+    ZerosOnStretches zeros;
     {
         const Bits few(bits_of_search);
         const TransmissibilityInBalls f(modes, found.mass.index, N, kind, effort);
-        const FunctionWithZeros<double> searched{[&](double a, double b) { return f.look(a, b); },
-                                                 [&](double x) { return !f.at(x).may_vanish(); }};
+        const FunctionWithZeros searched{[&](double a, double b) { return f.look(a, b); },
+                                         [&](double x) { return !f.at(x).may_vanish(); }};
         find_zeros(searched, from, to, narrowest, zeros);
     }
     const TransmissibilityInBalls f(modes, found.mass.index, N, kind, effort);
-    for (const StretchOfZeros<double>& each : zeros.single) {
+    for (const StretchOfZeros& each : zeros.single) {
         const Ball x = f.zero_in(each);
         if (kind == InvariantPointKind::friction_leaves_it_alone || !f.is_pole(each, x)) add_point(s, f, x, kind, range, found);
     }
-    for (const StretchOfZeros<double>& each : zeros.undecided)
-        add_undecided(1 / Ball(each.to), 1 / Ball(each.from), range, found);
+    for (const StretchOfZeros& each : zeros.undecided) add_undecided(1 / Ball(each.to), 1 / Ball(each.from), range, found);
 }
 
 } // namespace

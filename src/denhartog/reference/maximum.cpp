@@ -85,24 +85,29 @@ LargestInBalls refined(const LargestOnStretches& found, const std::function<Ball
     return best;
 }
 
+// Where a function is going from a to b, from what has the sign of its rate, and from the sign of the slope of that.
+template <class Rate>
+TrendOnStretch trend_by(const Ball& slope_of_rate, double a, double b, const Rate& rate) {
+    const bool up = slope_of_rate.low() > 0;
+    if (!up && !(slope_of_rate.high() < 0)) return TrendOnStretch::unknown;
+    const Ball at_a = rate(a), at_b = rate(b);
+    if ((up ? at_a : at_b).low() >= 0) return TrendOnStretch::rises;
+    if ((up ? at_b : at_a).high() <= 0) return TrendOnStretch::falls;
+    return !up && at_a.low() > 0 && at_b.high() < 0 ? TrendOnStretch::one_maximum : TrendOnStretch::unknown;
+}
+
 // Where a smooth function may be largest, if it is at least so large, searched for with some bits.
 LargestOnStretches stretches_of(const FunctionOfTime& f, slong bits, double at_least) {
     SearchedFunction<Ball> searched;
     searched.value = [&](const Ball& t) { return f(static_cast<double>(t) < end ? t : pi<Ball>()).rate(0); };
     searched.stretch = [&](double a, double b) {
         const Series x = over_stretch(f, stretch(a, b));
-        const auto trend = [&] {
-            const Ball slope = x.rate(1), curvature = x.rate(2);
-            if (slope.low() >= 0) return TrendOnStretch::rises;
-            if (slope.high() <= 0) return TrendOnStretch::falls;
-            if (!(curvature.low() > 0 || curvature.high() < 0)) return TrendOnStretch::unknown;
-            const Ball at_a = f(Ball(a)).rate(1), at_b = f(stretch(b, b)).rate(1);
-            const bool up = curvature.low() > 0; // the slope grows
-            if (up ? at_a.low() >= 0 : at_b.low() >= 0) return TrendOnStretch::rises;
-            if (up ? at_b.high() <= 0 : at_a.high() <= 0) return TrendOnStretch::falls;
-            return !up && at_a.low() > 0 && at_b.high() < 0 ? TrendOnStretch::one_maximum : TrendOnStretch::unknown;
-        };
-        return SeenOverStretch<Ball>{x.rate(0), trend()};
+        const Ball slope = x.rate(1);
+        const TrendOnStretch trend = slope.low() >= 0 ? TrendOnStretch::rises
+                                     : slope.high() <= 0
+                                         ? TrendOnStretch::falls
+                                         : trend_by(x.rate(2), a, b, [&](double t) { return f(stretch(t, t)).rate(1); });
+        return SeenOverStretch<Ball>{x.rate(0), trend};
     };
     const Bits few(bits);
     return stretches_of_largest(searched, 0, end, narrow, flat, most_looks, at_least);
@@ -172,18 +177,8 @@ LargestInBalls largest_over_sine(const FunctionOfTime& numerator, const Function
         const Ball t = stretch(a, b);
         Series n = over_stretch(n_of, t);
         const Ball Z = Z_in_time ? driven(n, t) : n.rate(2) + n.rate(0);
-        const auto trend = [&] {
-            if (!(Z.high() < 0 || Z.low() > 0)) return TrendOnStretch::unknown;
-            const Ball at_a = at_end(a) ? Ball(0) : W(Ball(a)), at_b = at_end(b) ? Ball(0) : W(Ball(b));
-            if (Z.high() < 0) { // W falls
-                if (at_a.high() <= 0) return TrendOnStretch::falls;
-                if (at_b.low() >= 0) return TrendOnStretch::rises;
-                return at_a.low() > 0 && at_b.high() < 0 ? TrendOnStretch::one_maximum : TrendOnStretch::unknown;
-            }
-            if (at_a.low() >= 0) return TrendOnStretch::rises;
-            return at_b.high() <= 0 ? TrendOnStretch::falls : TrendOnStretch::unknown;
-        };
-        return SeenOverStretch<Ball>{quotient(n, t, at_end(a) || at_end(b)), trend()};
+        const TrendOnStretch trend = trend_by(Z, a, b, [&](double t) { return at_end(t) ? Ball(0) : W(Ball(t)); });
+        return SeenOverStretch<Ball>{quotient(n, t, at_end(a) || at_end(b)), trend};
     };
     const LargestOnStretches found = [&] {
         const Bits few(seen.bits);

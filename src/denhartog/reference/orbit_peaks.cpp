@@ -3,6 +3,7 @@
 
 #include "denhartog/number/effort.hpp"
 #include "denhartog/reference/orbit_proof.hpp"
+#include "denhartog/search/largest.hpp"
 
 namespace denhartog::reference {
 namespace {
@@ -61,6 +62,8 @@ bool is_reached(const ContactMechanics& s, slong mass) {
 struct PlaceOfPeak {
     std::size_t phase, curve;
     double a, b, upper;
+
+    friend bool operator<(const PlaceOfPeak& x, const PlaceOfPeak& y) { return x.upper < y.upper; }
 };
 
 // The search for the largest size of one displacement.
@@ -94,11 +97,12 @@ private:
                 open.push_back({i, static_cast<std::size_t>(n), 0, 1, abs(derivative(c, 0, Ball::within(0, 1))).high()});
             }
         }
-        for (int looks = 0; !open.empty(); ++looks) {
-            if (looks > most_looks_for_peak) throw Unproved("a displacement hardly changes, so that its largest is not found");
-            const PlaceOfPeak p = open.back();
-            open.pop_back();
-            if (p.upper < best_) continue;
+        int looks = 0;
+        const auto ends = [&](const PlaceOfPeak& p) {
+            if (looks++ > most_looks_for_peak) throw Unproved("a displacement hardly changes, so that its largest is not found");
+            return p.upper < best_;
+        };
+        branch_and_bound(open, ends, [&](const PlaceOfPeak& p) {
             const CurveInBalls& c = curves_[p.phase][p.curve];
             QuestionEffort::pay(cost_of_ball_products(3 * static_cast<double>(c.powers.size())));
             const Ball X = Ball::within(p.a, p.b), v = derivative(c, 1, X);
@@ -106,14 +110,14 @@ private:
             const Ball x = derivative(c, 0, Ball(half));
             best_ = std::max(best_, abs(x).low());
             const double upper = abs(widened(x, abs(v) * Ball((p.b - p.a) / 2))).high();
-            if (upper < best_ || v > Ball(0) || v < Ball(0)) continue;
+            if (upper < best_ || v > Ball(0) || v < Ball(0)) return;
             if (p.b - p.a < narrowest_peak || (p.b - p.a < narrow_peak && !derivative(c, 2, X).may_vanish())) {
                 kept.push_back({p.phase, p.curve, p.a, p.b, upper});
             } else {
                 open.push_back({p.phase, p.curve, p.a, half, upper});
                 open.push_back({p.phase, p.curve, half, p.b, upper});
             }
-        }
+        });
         return kept;
     }
 

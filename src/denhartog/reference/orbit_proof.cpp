@@ -4,42 +4,22 @@
 #include <cmath>
 
 #include "denhartog/number/effort.hpp"
+#include "denhartog/search/zeros.hpp"
 
 namespace denhartog::reference {
 namespace {
 
 constexpr double longest_stretch = 2;      // norm of A times its length
 constexpr int most_looks_at_phase = 20000; // at one curve
-constexpr int deepest_look = 60;           // halvings of a stretch
+constexpr double narrowest_look = 0x1p-60; // at a part of a stretch
 
-// One number over a stretch that is not known where it vanishes, from a to b.
-class PositiveCurve {
-public:
-    PositiveCurve(const CurveInBalls& c, const char* what) : c_(c), what_(what) {}
-
-    void require(double a, double b, const EndsOfCurve& ends, int depth) {
-        if (++looks_ > most_looks_at_phase || depth > deepest_look) throw Unproved(what_);
-        if (!ends.vanishes && over(ends.order, a, b) > Ball(0)) return;
-        if (ends.vanishes && ends.order == 0 && over(1, a, b) < Ball(0)) return;
-        const double half = a + (b - a) / 2;
-        if (derivative(c_, 0, Ball(half)) < Ball(0)) throw Disproved(what_);
-        require(a, half, {ends.order, false}, depth + 1);
-        require(half, b, {0, ends.vanishes}, depth + 1);
-    }
-
-private:
-    // A derivative over an interval, by Taylor's formula about its middle: where the curve only just stays positive it is flat.
-    Ball over(int order, double a, double b) const {
-        const Ball X = Ball::within(a, b), m(a + (b - a) / 2), h = X - m;
-        if (order == 2) return derivative(c_, 2, X);
-        if (order == 1) return derivative(c_, 1, m) + derivative(c_, 2, X) * h;
-        return derivative(c_, 0, m) + derivative(c_, 1, m) * h + derivative(c_, 2, X) * h * h / Ball(2);
-    }
-
-    const CurveInBalls& c_;
-    const char* what_;
-    int looks_ = 0;
-};
+// A derivative over an interval, by Taylor's formula about its middle: where a curve only just stays positive it is flat.
+Ball over(const CurveInBalls& c, int order, double a, double b) {
+    const Ball X = Ball::within(a, b), m(a + (b - a) / 2), h = X - m;
+    if (order == 2) return derivative(c, 2, X);
+    if (order == 1) return derivative(c, 1, m) + derivative(c, 2, X) * h;
+    return derivative(c, 0, m) + derivative(c, 1, m) * h + derivative(c, 2, X) * h * h / Ball(2);
+}
 
 } // namespace
 
@@ -63,7 +43,20 @@ Ball derivative(const CurveInBalls& c, int order, const Ball& theta) {
 void require_positive(const CurveInBalls& c, const EndsOfCurve& ends, const char* what) {
     for (const double end : {0.0, 1.0})
         if (derivative(c, 0, Ball(end)) < Ball(0)) throw Disproved(what);
-    PositiveCurve(c, what).require(0, 1, ends, 0);
+    int looks = 0;
+    const auto look = [&](double a, double b) {
+        if (++looks > most_looks_at_phase || b - a < narrowest_look) throw Unproved(what);
+        const int order = a == 0 ? ends.order : 0;
+        if (!(ends.vanishes && b == 1)) {
+            if (over(c, order, a, b) > Ball(0)) return ZerosInStretch::none;
+        } else if (order == 0 && over(c, 1, a, b) < Ball(0)) {
+            return ZerosInStretch::none;
+        }
+        if (derivative(c, 0, Ball(a + (b - a) / 2)) < Ball(0)) throw Disproved(what);
+        return ZerosInStretch::unknown;
+    };
+    ZerosOnStretches found;
+    find_zeros({look, [](double) { return true; }}, 0, 1, 0, found);
 }
 
 PhaseInStretches::PhaseInStretches(const ProvedOrbit& orbit, slong i, slong few) {

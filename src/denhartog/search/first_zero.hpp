@@ -15,6 +15,7 @@
 #include <optional>
 
 #include "denhartog/number/effort.hpp"
+#include "denhartog/search/bracketed_zero.hpp"
 
 namespace denhartog {
 
@@ -80,38 +81,6 @@ template <class T>
     return std::max({f[1], b1, b2}) < -(jet.bound + jet.growth * h) * h * h * h / 6;
 }
 
-/// @brief The zero in [a, b] of a function that falls from f(a) >= 0 to f(b) <= 0, by Halley's steps kept in the bracket.
-/// @param at     jet at an instant
-/// @param a      left end
-/// @param b      right end
-/// @param jet_a  jet at the left end
-/// @param jet_b  jet at the right end
-/// @return       the zero, to rounding
-template <class T, class Function>
-[[nodiscard]] T falling_zero(Function& at, T a, T b, const Jet<T>& jet_a, const Jet<T>& jet_b) {
-    using std::abs;
-    const T tiny = 4 * std::numeric_limits<T>::epsilon();
-    const bool from_a = jet_a.f[0] < -jet_b.f[0];
-    T t = from_a ? a : b;
-    std::array<T, 4> f = from_a ? jet_a.f : jet_b.f;
-    T step_before = b - a;
-    for (int n = 0; n < 200; ++n) {
-        const T halley = 2 * f[1] * f[1] - f[0] * f[2];
-        const T newton_next = halley > 0 ? T(t - 2 * f[0] * f[1] / halley) : T(t - f[0] / f[1]);
-        const bool inside = f[1] < 0 && newton_next > a && newton_next < b && 2 * abs(newton_next - t) < step_before;
-        const T next = inside || newton_next == t ? newton_next : T(a + (b - a) / 2);
-        const T step = abs(next - t);
-        if (step <= tiny * std::max(b, step) || next == a || next == b) return std::clamp(next, a, b);
-        step_before = inside ? step : T(b - a);
-        // Halley's error is of the third order in the step: no evaluation is needed to see that nothing is left.
-        if (inside && n > 0 && step * step * step <= tiny * b * (b - a) * (b - a)) return next;
-        t = next;
-        f = at(t).f;
-        (f[0] > 0 ? a : b) = t;
-    }
-    return t;
-}
-
 /// @brief First zero of a function that is positive after the start.
 ///
 /// A step is halved until its bounds decide, and no further than the digits of t go. Between two steps the effort is looked at,
@@ -128,6 +97,10 @@ template <class T, class Function>
                                                         const Effort& effort) {
     const T shortest = 4 * std::numeric_limits<T>::epsilon() * std::max(T(1), t_end);
     const T least((std::numeric_limits<double>::min)()); // from 0 on a wide type has steps without end below it
+    const auto value_at = [&at](const T& instant) {
+        const Jet<T> there = at(instant);
+        return ValueAt<T>{instant, there.f[0], there.f[1]};
+    };
     Jet<T> jet = at(t);
     while (t < t_end) {
         if (order == 0 && jet.f[0] <= 0) return Crossing<T>{t, true};
@@ -145,7 +118,11 @@ template <class T, class Function>
             }
             if (order == 0 && falls(jet, h)) {
                 const Jet<T> ahead = at(next);
-                if (ahead.f[0] <= 0) return Crossing<T>{falling_zero(at, t, next, jet, ahead), false};
+                if (ahead.f[0] <= 0) {
+                    ValueAt<T> here{t, jet.f[0], jet.f[1]}, there{next, ahead.f[0], ahead.f[1]};
+                    if (here.f >= -there.f) std::swap(here, there);
+                    return Crossing<T>{bracketed_zero(value_at, here, there), false};
+                }
                 t = next;
                 jet = ahead;
                 break;

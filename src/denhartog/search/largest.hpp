@@ -7,13 +7,31 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <functional>
 #include <limits>
-#include <queue>
 #include <utility>
 #include <vector>
 
 namespace denhartog {
+
+/// @brief Branch and bound: of stretches of a function the one that may hold the largest value is looked into, again and again.
+/// @param open  stretches, of which one is less than another where that one is to be looked into first; gets those that are left,
+///              as a heap
+/// @param ends  whether to end, with the stretch that would be next
+/// @param look  looks into a stretch, which is taken out: behind the others it adds the parts that are left of it, if any
+template <class Stretches, class Ends, class Look>
+void branch_and_bound(Stretches& open, const Ends& ends, const Look& look) {
+    std::make_heap(open.begin(), open.end());
+    while (!open.empty() && !ends(open.front())) {
+        std::pop_heap(open.begin(), open.end());
+        const auto now = std::move(open.back());
+        open.pop_back();
+        auto count = static_cast<std::ptrdiff_t>(open.size());
+        look(now);
+        while (count < static_cast<std::ptrdiff_t>(open.size())) std::push_heap(open.begin(), open.begin() + ++count);
+    }
+}
 
 /// @brief Where a function is going over a stretch, where that is certain.
 enum class TrendOnStretch : unsigned char {
@@ -43,6 +61,9 @@ struct StretchOfLargest {
     double to;                                      ///< its upper end; one instant where the ends are equal
     double upper;                                   ///< no value in it is larger
     TrendOnStretch trend = TrendOnStretch::unknown; ///< where the function is going in it
+
+    /// @brief The higher one is looked into first. @param x a stretch @param y a stretch @return whether y comes before x
+    friend bool operator<(const StretchOfLargest& x, const StretchOfLargest& y) { return x.upper < y.upper; }
 };
 
 /// @brief What a search found.
@@ -66,8 +87,7 @@ template <class T>
                                                       double flat, int looks,
                                                       double at_least = -std::numeric_limits<double>::infinity()) {
     constexpr int parts = 8;
-    const auto is_lower = [](const StretchOfLargest& x, const StretchOfLargest& y) { return x.upper < y.upper; };
-    std::priority_queue<StretchOfLargest, std::vector<StretchOfLargest>, decltype(is_lower)> open(is_lower);
+    std::vector<StretchOfLargest> open;
     LargestOnStretches found{{}, at_least, false};
     const auto see = [&](double at) {
         const T value = f.value(T(at));
@@ -76,30 +96,30 @@ template <class T>
     };
     const auto add = [&](double from, double to, double upper) {
         const SeenOverStretch<T> seen = f.stretch(from, to);
-        open.push({from, to, std::min(upper, seen.range.high()), seen.trend});
+        open.push_back({from, to, std::min(upper, seen.range.high()), seen.trend});
     };
     for (int n = 0; n <= parts; ++n) (void)see(n == parts ? b : a + (b - a) * n / parts);
     for (int n = 0; n < parts; ++n)
         add(a + (b - a) * n / parts, n == parts - 1 ? b : a + (b - a) * (n + 1) / parts, std::numeric_limits<double>::infinity());
-    for (; !open.empty() && looks > 0; --looks) {
-        const StretchOfLargest s = open.top();
-        if (s.upper < found.lower) break;
-        open.pop();
-        const double middle = s.from + (s.to - s.from) / 2;
+    const auto is_below = [&](const StretchOfLargest& s) { return s.upper < found.lower; };
+    const auto ends = [&](const StretchOfLargest& s) { return is_below(s) || looks-- <= 0; };
+    branch_and_bound(open, ends, [&](const StretchOfLargest& s) {
         if (s.trend == TrendOnStretch::rises || s.trend == TrendOnStretch::falls) {
             const double at = s.trend == TrendOnStretch::rises ? s.to : s.from;
             found.stretches.push_back({at, at, see(at)});
-        } else if ((s.trend == TrendOnStretch::one_maximum && s.to - s.from < narrow) || s.to - s.from < flat) {
-            (void)see(middle);
+            return;
+        }
+        const double middle = s.from + (s.to - s.from) / 2;
+        (void)see(middle);
+        if ((s.trend == TrendOnStretch::one_maximum && s.to - s.from < narrow) || s.to - s.from < flat) {
             found.stretches.push_back(s);
         } else {
-            (void)see(middle);
             add(s.from, middle, s.upper);
             add(middle, s.to, s.upper);
         }
-    }
-    found.settled = open.empty() || open.top().upper < found.lower;
-    std::erase_if(found.stretches, [&](const StretchOfLargest& s) { return s.upper < found.lower; });
+    });
+    found.settled = open.empty() || is_below(open.front());
+    std::erase_if(found.stretches, is_below);
     return found;
 }
 

@@ -1,13 +1,13 @@
 /// @file
 /// @brief The global maximum of a function on an interval, guaranteed by bounds on its derivatives.
 ///
-/// Branch and bound. An interval is done with when no point in it can exceed the best value known by more than the error of the
-/// samples; or when the derivative is seen to be monotone over it, so that it holds one interior extremum at most, found as a
-/// bracketed root. Else it is halved. No maximum can hide between samples: what the function does there is bounded, not sampled.
+/// An interval is done with when no point in it can exceed the best value known by more than the error of the samples; or when
+/// the derivative is seen to be monotone over it, so that it holds one interior extremum at most, found as a bracketed zero. Else
+/// it is halved. No maximum can hide between samples: what the function does there is bounded, not sampled.
 #pragma once
 
 #include <functional>
-#include <utility>
+#include <limits>
 #include <vector>
 
 #include "denhartog/number/effort.hpp"
@@ -28,8 +28,10 @@ template <class T>
 struct Curve {
     std::function<Sample<T>(const T& tau)> sample; ///< f, w and z at an instant
     std::function<T(const T& a, const T& b)> rate; ///< a bound of |z'| on [a, b]
-    /// how far f may rise on [a, b] above the larger of its values at a and b, given a bound of |z| there
-    std::function<T(const T& a, const T& b, const T& z_bound)> rise;
+    /// how far f may rise on [a, b] above the larger of its values at a and b, given a bound of |z| there; here where z is f''
+    std::function<T(const T& a, const T& b, const T& z_bound)> rise = [](const T& a, const T& b, const T& z_bound) {
+        return T(z_bound * (b - a) * (b - a) / 8);
+    };
     long cost = 1;                      ///< operations that a sample takes
     long share = default_effort(1) / 4; ///< of the question's that a search may spend, being one of several
 };
@@ -87,29 +89,5 @@ template <class T>
 /// @return         where else the function may be largest, with the place of the instant where that has a reach
 template <class T>
 [[nodiscard]] std::vector<Place<T>> rivals(const std::vector<Place<T>>& places, const T& a, const T& b, const T& instant);
-
-/// @brief Two neighbouring numbers between which a continuous function changes its sign.
-/// @param f    the function
-/// @param a    left end
-/// @param b    right end
-/// @param f_a  value at a
-/// @param f_b  value at b, of the other sign
-/// @return     the bracket, to the last digits of the number type
-template <class T>
-[[nodiscard]] std::pair<T, T> root_bracket(const std::function<T(const T&)>& f, const T& a, const T& b, const T& f_a,
-                                           const T& f_b);
-
-/// @brief Root of a continuous function between two points where it has opposite signs: the middle of `root_bracket`.
-/// @param f    the function
-/// @param a    left end
-/// @param b    right end
-/// @param f_a  value at a
-/// @param f_b  value at b, of the other sign
-/// @return     the root, to the last digits of the number type
-template <class T>
-[[nodiscard]] T bracketed_root(const std::function<T(const T&)>& f, const T& a, const T& b, const T& f_a, const T& f_b) {
-    const auto [left, right] = root_bracket<T>(f, a, b, f_a, f_b);
-    return (left + right) / 2;
-}
 
 } // namespace denhartog

@@ -16,34 +16,30 @@ enum class ZerosInStretch : unsigned char {
 };
 
 /// @brief A function on an interval, as a search for its zeros sees it.
-template <class T>
 struct FunctionWithZeros {
-    std::function<ZerosInStretch(const T& from, const T& to)> look; ///< over a stretch
-    std::function<bool(const T& x)> has_sign;                       ///< whether it is certainly not zero at x, and no pole
+    std::function<ZerosInStretch(double from, double to)> look; ///< over a stretch
+    std::function<bool(double x)> has_sign;                     ///< whether it is certainly not zero at x, and no pole
 };
 
 /// @brief A stretch of an interval.
-template <class T>
 struct StretchOfZeros {
-    T from; ///< its lower end
-    T to;   ///< its upper end
+    double from; ///< its lower end
+    double to;   ///< its upper end
 };
 
 /// @brief What a search found, ascending.
-template <class T>
 struct ZerosOnStretches {
-    std::vector<StretchOfZeros<T>> single;    ///< stretches with one zero each
-    std::vector<StretchOfZeros<T>> undecided; ///< stretches of which nothing is known; outside of all of these there is no zero
+    std::vector<StretchOfZeros> single;    ///< stretches with one zero each
+    std::vector<StretchOfZeros> undecided; ///< stretches of which nothing is known; outside of all of these there is no zero
 };
 
 /// @brief The zeros of a function: an interval is divided until it is known of each part that it has none or one.
 /// @param f       the function
-/// @param a       lower end, positive
+/// @param a       lower end, not negative
 /// @param b       upper end
 /// @param narrow  a stretch is not divided further once it is as narrow, as a part of its upper end
 /// @param found   gets the stretches behind those that it has
-template <class T>
-void find_zeros(const FunctionWithZeros<T>& f, const T& a, const T& b, const T& narrow, ZerosOnStretches<T>& found) {
+inline void find_zeros(const FunctionWithZeros& f, double a, double b, double narrow, ZerosOnStretches& found) {
     const ZerosInStretch seen = f.look(a, b);
     if (seen == ZerosInStretch::none) return;
     if (seen == ZerosInStretch::one) {
@@ -54,9 +50,9 @@ void find_zeros(const FunctionWithZeros<T>& f, const T& a, const T& b, const T& 
         else
             found.undecided.push_back({a, b});
     } else {
-        T at = a + (b - a) / 2; // a zero at the end of a part would be seen by neither
+        double at = a + (b - a) / 2; // a zero at the end of a part would be seen by neither
         for (const int sixteenths : {8, 7, 9, 6, 10}) {
-            const T x = a + (b - a) * sixteenths / 16;
+            const double x = a + (b - a) * sixteenths / 16;
             if (!f.has_sign(x)) continue;
             at = x;
             break;

@@ -34,20 +34,14 @@ std::pair<T, T> instant_and_spread_where_coupled(const ModeSums<T>& s, const T& 
     const CoupledFriction<T>& friction = *s.coupled;
     const T harmonic_size = modulus(Complex<T>{mass.h.A, mass.h.B});
     Curve<T> curve;
-    curve.sample = [&](const T& tau) {
-        const evaluation::MotionOfMass<T> at = motion_at(s, mass, k, tau);
-        return Sample<T>{at.x < 0 ? T(-at.x) : at.x, at.x_prime, at.x_double_prime};
-    };
     curve.rate = [&](const T& a, const T&) {
         return T(harmonic_size + beta * friction.largest_derivative(k, 3, friction.at(a)));
     };
-    curve.rise = [](const T& a, const T& b, const T& z_bound) { return T(z_bound * (b - a) * (b - a) / 8); };
     curve.cost = friction.cost();
     curve.share = default_effort(friction.size()) / 4;
     const T noise = 2 * unit_of<T>() * (harmonic_size + beta * friction.compliance(k).most());
-    const Maximum<T> found = global_maximum<T>(curve, T(0), pi<T>(), noise, nullptr, std::numeric_limits<T>::lowest(), error);
-    const auto is_negative = [&](const T& tau) { return motion_at(s, mass, k, tau).x < 0; };
-    return {found.instant, spread_of_phases(found.places, T(0), pi<T>(), found.instant, is_negative)};
+    return instant_and_spread(
+        curve, [&](const T& tau) { return motion_at(s, mass, k, tau); }, noise, error);
 }
 
 template double instant_of_largest_demand_where_coupled(const ModeSums<double>&);

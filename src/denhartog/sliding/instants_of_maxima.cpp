@@ -64,28 +64,20 @@ std::pair<T, T> instant_and_spread(FrictionMotions<T>& y, const T& beta, std::si
     const ModeSums<T>& s = y.sums();
     const MassInMotion<T> mass(s, k, beta);
     const T harmonic_size = modulus(Complex<T>{mass.h.A, mass.h.B});
-    Curve<T> curve;
-    const auto at_instant = [&](const T& tau) {
+    const auto at = [&](const T& tau) {
         const FrictionMotionsAt<T>& now = y.at(tau);
         return mass.at(now.cosine, now.sine, now.y);
     };
-    curve.sample = [&](const T& tau) {
-        const evaluation::MotionOfMass<T> at = at_instant(tau);
-        return Sample<T>{at.x < 0 ? T(-at.x) : at.x, at.x_prime, at.x_double_prime};
-    };
+    Curve<T> curve;
     curve.rate = [&](const T& a, const T& b) {
         return T(harmonic_size + beta * rate_of_friction(s, mass.weights, y.at(a, true), T(b - a)));
     };
-    curve.rise = [](const T& a, const T& b, const T& z_bound) { return T(z_bound * (b - a) * (b - a) / 8); };
     // What rounding leaves of the displacement is no reason to look further.
     const FrictionMotionsAt<T>& start = y.at(T(0), true);
     T terms = harmonic_size;
     for (std::size_t i = 0; i < mass.weights.size(); ++i) terms += beta * size_of_number(mass.weights[i]) * (1 + start.size[i]);
     curve.cost = static_cast<long>(s.R.size() + 2); // two for the search itself
-    const Maximum<T> found =
-        global_maximum<T>(curve, T(0), pi<T>(), T(2 * unit_of<T>() * terms), nullptr, std::numeric_limits<T>::lowest(), error);
-    const auto is_negative = [&](const T& tau) { return at_instant(tau).x < 0; };
-    return {found.instant, spread_of_phases(found.places, T(0), pi<T>(), found.instant, is_negative)};
+    return instant_and_spread(curve, at, T(2 * unit_of<T>() * terms), error);
 }
 
 } // namespace

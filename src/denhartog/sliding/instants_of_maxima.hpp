@@ -3,9 +3,12 @@
 #pragma once
 
 #include <algorithm>
+#include <limits>
 #include <optional>
+#include <utility>
 #include <vector>
 
+#include "denhartog/evaluation/mass.hpp"
 #include "denhartog/scene/scene.hpp"
 #include "denhartog/search/largest_in_double.hpp"
 #include "denhartog/sliding/steady_state.hpp"
@@ -31,6 +34,23 @@ template <class T, class Sign>
         spread = std::max(spread, T(size_of_number(apart) + rival.reach));
     }
     return spread;
+}
+
+/// @brief Where a displacement is largest, and how far the phase of another such instant may be from that of this one.
+/// @param curve  the search; gets the size of the displacement
+/// @param at     motion (46) at an instant
+/// @param noise  rounding error of the displacement
+/// @param error  bound of the error that the sums make of it
+/// @return       instant in [0, pi], and radians
+template <class T, class Motion>
+[[nodiscard]] std::pair<T, T> instant_and_spread(Curve<T> curve, const Motion& at, const T& noise, const T& error) {
+    curve.sample = [&](const T& tau) {
+        const evaluation::MotionOfMass<T> now = at(tau);
+        return Sample<T>{now.x < 0 ? T(-now.x) : now.x, now.x_prime, now.x_double_prime};
+    };
+    const Maximum<T> found = global_maximum<T>(curve, T(0), pi<T>(), noise, nullptr, std::numeric_limits<T>::lowest(), error);
+    const auto is_negative = [&](const T& tau) { return at(tau).x < 0; };
+    return {found.instant, spread_of_phases(found.places, T(0), pi<T>(), found.instant, is_negative)};
 }
 
 /// @brief Where the displacements of the masses are largest.

@@ -57,7 +57,6 @@ public:
             const T h = b - a, growth = growth_(row) * h;
             return std::min(T(x(row, 5) + growth), T(abs(x(row, 3)) + h * (abs(x(row, 4)) + h * (x(row, 6) + growth) / 2)));
         };
-        curve.rise = [](const T& a, const T& b, const T& z_bound) { return T(z_bound * (b - a) * (b - a) / 8); };
         return curve;
     }
 

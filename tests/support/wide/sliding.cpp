@@ -34,12 +34,8 @@ template Maximum<Real100> global_maximum(const Curve<Real100>&, const Real100&, 
                                          const Real100&, const Real100&);
 template std::vector<Place<Real50>> joined(std::vector<Place<Real50>>);
 template std::vector<Place<Real50>> rivals(const std::vector<Place<Real50>>&, const Real50&, const Real50&, const Real50&);
-template std::pair<Real50, Real50> root_bracket(const std::function<Real50(const Real50&)>&, const Real50&, const Real50&,
-                                                const Real50&, const Real50&);
 template std::vector<Place<Real100>> joined(std::vector<Place<Real100>>);
 template std::vector<Place<Real100>> rivals(const std::vector<Place<Real100>>&, const Real100&, const Real100&, const Real100&);
-template std::pair<Real100, Real100> root_bracket(const std::function<Real100(const Real100&)>&, const Real100&, const Real100&,
-                                                  const Real100&, const Real100&);
 template Regime regime_of(const RegimeBoundary<Real50>&, const Real50&);
 template bool on_boundary(const RegimeBoundary<Real50>&, const Real50&, const BoundaryError<Real50>&);
 template bool on_boundary(const RegimeBoundary<Real100>&, const Real100&, const BoundaryError<Real100>&);
