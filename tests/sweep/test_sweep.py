@@ -116,9 +116,11 @@ class Sweep(unittest.TestCase):
         sweep.run(many, jobs=3)
         self.assertEqual(files_of(one / "chunks"), files_of(many / "chunks"))
         self.assertEqual(self.combined(one), self.combined(many))
-        for folder in (one, many):
-            sweep.combine(folder, folder / "result.zarr")
-        self.assertEqual(files_of(one / "result.zarr"), files_of(many / "result.zarr"))
+        sweep.combine(one, one / "result.zarr")
+        for seed in "123":  # of the order in which Python has the members of a set
+            result = many / f"{seed}.zarr"
+            subprocess.run(command("combine", many, result), check=True, env=os.environ | {"PYTHONHASHSEED": seed})
+            self.assertEqual(files_of(one / "result.zarr"), files_of(result))
 
     def test_division(self):
         """the results do not depend on how a study is divided"""
@@ -446,3 +448,76 @@ class Sweep(unittest.TestCase):
         data = sweep.dataset(STUDY | {"effort": 1}).compute()
         self.assertTrue((data.status.values[data.regime == -1] >= 2).all())
         self.assertGreater(int((data.regime == -1).sum()), 0)
+
+    def test_rules(self):
+        """every rule of a study refuses what breaks it by name, rule and value"""
+        axes, samples, band, edges = ["axes", 0], ["samples", "variables"], ["reduce", 6], ["reduce", 3, "bins"]
+        study = json.loads(json.dumps(REDUCED | {"comment": "a study"}))
+        study["axes"].append({"quantity": "mass", "entry": 2, "as": "factor", "values": [0.5, 1]})
+        _study.plan_of(study)
+        for path, value, told in (
+                (["scene"], None, "scene must be given, but is nothing"), (["axis"], 1, "did you mean axes?"),
+                (["axes"], [], "axes must have at least 1 entry, but is []"), ([*axes, "steps"], 1, 'given "steps" (at /axes/0)'),
+                ([*axes, "quantity"], "omega", 'quantity must be one of r, frequency_hz, beta'), ([*axes, "count"], 0, "count must be at least 1, but is 0"),
+                ([*axes, "count"], 1.5, "count must be of the type integer, but is 1.5"), ([*axes, "scale"], "cubic", "linear, logarithmic"),
+                ([*axes, "values"], [1], "axes must keep the rule: An axis has `values`, or"), (["axes", 1, "from"], -1, "beta must be zero or positive, and finite, but is -1"),
+                ([*axes, "from"], 0, "r must be positive and finite, but is 0"), ([*axes, "to"], 0, "`to` not below `from`"),
+                ([*axes, "count"], 1, "`to` equal to `from` where count is 1"), ([*axes, "entry"], 2, "an entry of zeta, mass or stiffness only"),
+                ([*axes, "as"], "factor", "r_factor must be drawn, as a factor of the axis r"),
+                (["axes", 1, "quantity"], "friction", "must not be given together with friction or frequency_hz"),
+                (["axes", 1, "quantity"], "r", "r must vary once"), (["axes", 2, "entry"], 3, "must be one of 2 entries, but is 3"),
+                (["axes", 2, "values"], [-1], "mass"), (["axes", 2, "as"], "sum", "value, factor"),
+                (["axes", 2], {"quantity": "contact", "values": [1.5]}, "whole numbers that count the masses"),
+                (["axes", 2], {"quantity": "load", "values": [3]}, "load"),
+                (["axes", 1], {"quantity": "mu", "values": [1]}, "beta must be an axis or a variable that is drawn"),
+                (["samples", "method"], "halton", "sobol, latin_hypercube"), (["samples", "count"], 0, "count"),
+                (["samples", "count"], 2**24 + 1, "count must be at most 16777216"), (["samples", "seed"], -1, "seed must be at least 0"),
+                (["samples", "seed"], None, "seed must be given"), ([*samples], [], "variables"),
+                ([*samples, 0, "uniform"], {"from": 0, "to": 1}, "variables"), ([*samples, 0, "lognormal"], None, "variables"),
+                ([*samples, 0, "lognormal", "mean"], 1, "lognormal"), ([*samples, 0, "lognormal", "median"], 0, "median must be above 0"),
+                ([*samples, 1, "uniform", "to"], 0.5, "beta_factor must have `to` above `from`"),
+                ([*samples, 0], {"quantity": "load", "uniform": {"from": 1, "to": 2}}, "load must be an axis, but is a variable"),
+                ([*samples, 0], {"quantity": "mu", "uniform": {"from": 0.1, "to": 0.5}}, "mu must be at least 1"),
+                (["answers"], ["velocity"], "answers"), (["masses"], [0], "masses"), (["masses"], [1, 3], "masses from 1 to 2, but is 3"),
+                (["masses"], [1, 1], "different masses"), (["start"], "fast", "rest, sliding"), (["effort"], 0, "effort must be at least 1"),
+                (["reduce", 0, "statistic"], "mean", "share, maximum"), (["reduce", 0, "of"], "amplitude_1", "A share has no `of`"),
+                (["reduce", 0, "over"], [], "over"), (["reduce", 0, "over"], ["time"], "regimes must be over different axes of"),
+                (["reduce", 1, "over"], ["r", "r"], "peak must be over different axes"), (["reduce", 0, "name"], "a-b", "name must match"),
+                (["reduce", 0, "name"], "peak", "a name of its own, but is peak"), (["reduce", 1, "of"], "amplitude_9", "peak must be of one of"),
+                ([*band, "probabilities"], None, "probabilities must be given"), ([*band, "probabilities"], [1.5], "must be at most 1"),
+                (edges, None, "bins must be given"), ([*edges, "from"], 0, "counts must have a positive `from`"),
+                ([*edges, "to"], 0.001, "`to` is above their `from`"), (["points_of_a_chunk"], 0, "points_of_a_chunk"),
+                (["scene", "mu"], 0.5, "mu must be at least 1")):
+            with self.subTest(path=path, value=value):
+                broken = copy.deepcopy(study)
+                inner = broken
+                for step in path[:-1]:
+                    inner = inner[step]
+                if value is None:
+                    del inner[path[-1]]
+                else:
+                    inner[path[-1]] = value
+                status, out, err = self.called("plan", "-", self.scratch / "broken", text=json.dumps(broken))
+                self.assertEqual((status, out), (2, ""))
+                self.assertIn(told, err)
+                self.assertNotIn("\n", err[:-1])
+        self.assertFalse((self.scratch / "broken").exists())
+        for text, told in (('{"scene": {}, "scene": {}}', "given twice"), ('{"scene": NaN}', "NaN"), ("[" * 100000, "nested"), ("[]", "object")):
+            self.assertIn(told, self.called("plan", "-", self.scratch / "broken", text=text)[2])
+        huge = {"axes": [STUDY["axes"][0], {"quantity": "beta", "from": 0, "to": 1, "count": 10**7}], "reduce": [
+            {"name": "band", "statistic": "quantiles", "of": "amplitude_2", "over": ["r"], "probabilities": [0.5]}]}
+        with self.assertRaisesRegex(InputError, "more than 16777216 points together"):
+            _study.plan_of(STUDY | huge)
+
+    def test_documented(self):
+        """the studies of the documentation keep the schema, and the schema is one"""
+        schema = _study._schema()
+        jsonschema.Draft202012Validator.check_schema(schema)
+        documented = sorted((SOURCE / "docs").glob("study_*.json"))
+        self.assertGreater(len(documented), 1)
+        for path in documented:
+            _study.plan_of(_study.read(path.read_text()))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -99,8 +99,8 @@ def _refusal(error: Any) -> InputError:
     if error.validator == "required":
         missing = next(key for key in error.validator_value if key not in error.instance)
         return InputError.of(missing, "must be given", f"nothing (at {place})")
-    rule = rule_of.get(error.validator, "must be as docs/study.schema.json says: " + error.schema.get("description", "one of its forms"))
-    limit = ", ".join(error.validator_value) if isinstance(error.validator_value, list) else error.validator_value
+    rule = rule_of.get(error.validator, "must keep the rule: " + error.schema.get("description", "see docs/study.schema.json"))
+    limit = ", ".join(error.validator_value) if error.validator == "enum" else error.validator_value
     return InputError.of(keys[-1], rule.format(limit), f"{json.dumps(error.instance)[:64]} (at {place})")
 
 
@@ -220,9 +220,9 @@ def plan_of(study: Mapping[str, Any], grid: Any = None) -> Plan:
     """
     import jsonschema
     study = _scene.plain("the study", study)
-    fault = jsonschema.exceptions.best_match(jsonschema.Draft202012Validator(_schema()).iter_errors(study))
-    if fault is not None:
-        raise _refusal(fault)
+    faults = list(jsonschema.Draft202012Validator(_schema()).iter_errors(study))
+    if faults:  # a word that is none tells more than what else the rules then ask for
+        raise _refusal(next((each for each in faults if each.validator == "enum"), None) or jsonschema.exceptions.best_match(faults))
     scene = {key: value for key, value in study["scene"].items() if key not in (*COLUMNS, "frequency")}
     system = System.from_scene(scene)
     study = {"masses": [int(np.atleast_1d(system.contact)[0])], "start": "rest", "reduce": [], "points_of_a_chunk": 10**6,
@@ -249,7 +249,7 @@ def _of_study(study: Mapping[str, Any]) -> tuple[Arrays, Arrays]:
         axes["sample"] = np.arange(study["samples"]["count"])
         for item in study["samples"]["variables"]:
             must(item["quantity"] not in ("contact", "load"), item["quantity"], "must be an axis", "a variable")
-            _scene_with(study["scene"], {_name_of(item): float(_quantile(item, 0.5))})
+            System.from_scene(_scene_with(study["scene"], {_name_of(item): float(_quantile(item, 0.5))}))
         drawn = drawn_of(study["samples"])
     return axes, drawn
 

@@ -98,6 +98,9 @@ def _assembled(plan: Plan, name_of_study: str, function: Callable[..., Arrays], 
             dtype = np.int64 if r["statistic"] == "histogram" else np.float64
             about = {"over": " ".join(r["over"])} | ({"of": r["of"]} if "of" in r else {}) if name == r["name"] else {}
             data[name] = xarray.Variable([*left, *further], _joined(pieces, boxes, extra, dtype), about)
+    for variable in data.values():
+        if "sample" in variable.dims and plan.drawn:  # xarray would write these in an order of its own
+            variable.encoding["coordinates"] = " ".join(plan.drawn)
     return xarray.Dataset(data, coordinates, {"program": f"denhartog {_library.library().dh_version().decode()}"})
 
 
@@ -380,7 +383,8 @@ def combine(folder: Path, to: Path) -> None:
     try:
         with dask.config.set(scheduler="synchronous"):
             if to.suffix == ".zarr":
-                results.to_zarr(part, consolidated=True)
+                plain = {name: {"compressor": None} for name in results.variables}  # Blosc's bytes depend on its threads
+                results.to_zarr(part, consolidated=True, encoding=plain)
             else:  # one array after the other: the bytes of the file depend on the order in which they are written
                 results.drop_vars(results.data_vars).to_netcdf(part, engine="netcdf4")
                 for name in results.data_vars:
