@@ -71,7 +71,7 @@ def _assembled(plan: Plan, name_of_study: str, function: Callable[..., Arrays], 
     shared = dask.delayed(source, name=f"source-{name_of_study}", traverse=False)
     blocks = [task("chunk", K, function, shared, K) for K in range(plan.chunks)]
     sizes = [[plan.slices(K)[name].stop - plan.slices(K)[name].start for name in plan.axes] for K in range(plan.chunks)]
-    data, coordinates = {}, _coordinates(plan)
+    data, coordinates = {name: xarray.Variable("sample", values) for name, values in plan.drawn.items()}, _coordinates(plan)
     for name in _study.answers_of(plan.study):
         dtype = {"status": np.int8, "regime": np.int8, "stops_per_period": np.int32, "periods": np.int32}.get(name, np.float64)
         pieces = [(block[name], size) for block, size in zip(blocks, sizes)]
@@ -98,9 +98,6 @@ def _assembled(plan: Plan, name_of_study: str, function: Callable[..., Arrays], 
             dtype = np.int64 if r["statistic"] == "histogram" else np.float64
             about = {"over": " ".join(r["over"])} | ({"of": r["of"]} if "of" in r else {}) if name == r["name"] else {}
             data[name] = xarray.Variable([*left, *further], _joined(pieces, boxes, extra, dtype), about)
-    for variable in data.values():
-        if "sample" in variable.dims and plan.drawn:  # xarray would write these in an order of its own
-            variable.encoding["coordinates"] = " ".join(plan.drawn)
     return xarray.Dataset(data, coordinates, {"program": f"denhartog {_library.library().dh_version().decode()}"})
 
 
@@ -119,7 +116,6 @@ def _joined(pieces: list[tuple[Any, list[int]]], boxes: tuple[int, ...], extra: 
 def _coordinates(plan: Plan) -> dict[str, Any]:
     import xarray
     out = {name: xarray.Variable(name, values) for name, values in plan.axes.items()}
-    out |= {name: xarray.Variable("sample", values) for name, values in plan.drawn.items() if name not in plan.axes}
     for r in plan.study["reduce"]:
         name = r["name"]
         if r["statistic"] == "share":
@@ -497,4 +493,5 @@ def main(arguments: Optional[list[str]] = None) -> int:
 
 
 if __name__ == "__main__":
-    os._exit(main())  # at once: at the regular end netCDF4 touches a file again that could not be written, and crashes
+    from denhartog import sweep  # under its name, by which workers elsewhere find its functions
+    os._exit(sweep.main())  # at once: at the regular end netCDF4 touches a file again that could not be written, and crashes

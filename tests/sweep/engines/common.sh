@@ -25,17 +25,17 @@ free_port() { $python -c 'import socket; s = socket.socket(); s.bind(("127.0.0.1
 
 sweep() { $python -m denhartog.sweep "$@"; }
 
-# Eight chunks of two seconds or so, each with a part in a reduction.
+# Eight chunks of a second or so, each with a part in a reduction.
 cat >"$scratch/study.json" <<'STUDY'
 {"scene": {"mass_ratios": [1, 2, 1.5], "stiffness_ratios": [1, 0.5, 0.75], "damping_ratios": 0.03, "contact": 2, "load": 1},
- "axes": [{"quantity": "r", "from": 0.3, "to": 1.7, "count": 4800}, {"quantity": "beta", "from": 0.2, "to": 2, "count": 40}],
+ "axes": [{"quantity": "r", "from": 0.3, "to": 1.7, "count": 2400}, {"quantity": "beta", "from": 0.2, "to": 2, "count": 40}],
  "samples": {"method": "sobol", "count": 8, "seed": 1,
              "variables": [{"quantity": "zeta", "uniform": {"from": 0.01, "to": 0.05}},
                            {"quantity": "beta", "as": "factor", "lognormal": {"median": 1, "log_standard_deviation": 0.2}}]},
  "answers": ["regime", "amplitudes"],
  "reduce": [{"name": "share", "statistic": "share", "over": ["sample"]},
             {"name": "peak", "statistic": "maximum", "of": "amplitude_2", "over": ["sample", "r"]}],
- "points_of_a_chunk": 192000}
+ "points_of_a_chunk": 96000}
 STUDY
 chunks=8
 sweep plan "$scratch/study.json" "$scratch/one" >/dev/null
@@ -45,12 +45,12 @@ sweep combine "$scratch/one" "$scratch/one.nc"
 sweep combine "$scratch/one" "$scratch/one.zarr"
 
 # What the engine runs before the command: the first to come (where there are nodes: on node two) is stopped in the middle of its
-# chunk, when it has computed for a second; Python needs half of one to start.
+# chunk, when it has used 0.7 seconds of its processor; Python needs half of that to start.
 cat >"$scratch/worker" <<WORKER
 #!/bin/bash
 "\$@" &
 if [ "\${SLURMD_NODENAME:-\${NODE:-two}}" = two ] && mkdir "$scratch/victim" 2>/dev/null; then
-    while kill -0 \$! && [ "\$(cut -d ' ' -f 14 /proc/\$!/stat)" -lt 100 ]; do sleep 0.05; done
+    while kill -0 \$! && [ "\$(cut -d ' ' -f 14 /proc/\$!/stat)" -lt 70 ]; do sleep 0.05; done
     kill -STOP \$!
     echo "\$! \$\$ \${!#}" >"$scratch/victim/new" && mv "$scratch/victim/new" "$scratch/victim/who"
 fi
