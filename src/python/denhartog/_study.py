@@ -129,7 +129,7 @@ def read(text: str) -> dict[str, Any]:
 
 def _name_of(item: Mapping[str, Any]) -> str:
     """The name of what varies: r, zeta_2, mass_factor."""
-    entry = f"_{item['entry']}" if "entry" in item else ""
+    entry = f"_{int(item['entry'])}" if "entry" in item else ""
     return item["quantity"] + entry + ("_factor" if item.get("as") == "factor" else "")
 
 
@@ -196,14 +196,14 @@ def drawn_of(samples: Mapping[str, Any]) -> Arrays:
     import warnings
 
     from scipy.stats import qmc
-    variables, count = samples["variables"], samples["count"]
+    variables, count, seed = samples["variables"], int(samples["count"]), int(samples["seed"])
     if samples["method"] == "sobol":
-        engine = qmc.Sobol(len(variables), seed=samples["seed"])
+        engine = qmc.Sobol(len(variables), seed=seed)
         with warnings.catch_warnings():
             warnings.simplefilter("ignore", UserWarning)  # any number of samples is allowed; the docs name the best ones
             u = engine.random(count) + 2.0 ** -(engine.bits + 1)  # the middle of its cell: never 0
     else:
-        u = np.clip(qmc.LatinHypercube(len(variables), seed=samples["seed"]).random(count), 2.0**-53, 1 - 2.0**-53)
+        u = np.clip(qmc.LatinHypercube(len(variables), seed=seed).random(count), 2.0**-53, 1 - 2.0**-53)
     return {_name_of(each): _quantile(each, u[:, n]) for n, each in enumerate(variables)}
 
 
@@ -225,8 +225,9 @@ def plan_of(study: Mapping[str, Any], grid: Any = None) -> Plan:
         raise _refusal(next((each for each in faults if each.validator == "enum"), None) or jsonschema.exceptions.best_match(faults))
     scene = {key: value for key, value in study["scene"].items() if key not in (*COLUMNS, "frequency")}
     system = System.from_scene(scene)
-    study = {"masses": [int(np.atleast_1d(system.contact)[0])], "start": "rest", "reduce": [], "points_of_a_chunk": 10**6,
+    study = {"masses": np.atleast_1d(system.contact)[:1], "start": "rest", "reduce": [], "points_of_a_chunk": 10**6,
              "answers": [] if "reduce" in study else ["regime", "amplitudes"], **study, "scene": scene}
+    study["masses"], study["points_of_a_chunk"] = [int(k) for k in study["masses"]], int(study["points_of_a_chunk"])
     axes, drawn = _of_study(study) if grid is None else _of_grid(grid)
     study = {key: value for key, value in study.items() if key not in ("axes", "samples", "comment")}
     order = [name for name in axes if name not in ("sample", *COLUMNS)] + [name for name in ("sample", *COLUMNS) if name in axes]
@@ -246,7 +247,7 @@ def _of_study(study: Mapping[str, Any]) -> tuple[Arrays, Arrays]:
         must(names.count(name) == 1, name, "must vary once", "given twice")
     axes, drawn = {_name_of(item): spaced(_name_of(item), item) for item in study.get("axes", [])}, {}
     if "samples" in study:
-        axes["sample"] = np.arange(study["samples"]["count"])
+        axes["sample"] = np.arange(int(study["samples"]["count"]))
         for item in study["samples"]["variables"]:
             must(item["quantity"] not in ("contact", "load"), item["quantity"], "must be an axis", "a variable")
             System.from_scene(_scene_with(study["scene"], {_name_of(item): float(_quantile(item, 0.5))}))
@@ -493,15 +494,15 @@ def finished(plan: Plan, r: Mapping[str, Any], part: Arrays) -> Arrays:
 
 def _quantiles_of_counts(edges: np.ndarray, counts: np.ndarray, probabilities: list[float]) -> np.ndarray:
     """Quantiles from a histogram, linear within a bin; NaN where they lie outside of the bins, or nothing was counted."""
-    flat = counts.reshape(-1, counts.shape[-1])
-    out = np.full((len(flat), len(probabilities)), np.nan)
-    for cell, row in enumerate(flat):
-        before = np.concatenate([[0], np.cumsum(row)])[1:-1]  # below each end of a bin
-        for n, wanted in enumerate(np.multiply(probabilities, row.sum())):
-            filled = np.flatnonzero((row[1:-1] > 0) & (wanted <= before[1:])) if wanted >= before[0] and row.sum() else []
-            if len(filled):
-                m = filled[0]
-                out[cell, n] = edges[m] + (wanted - before[m]) / row[1 + m] * (edges[m + 1] - edges[m])
+    rows = counts.reshape(-1, counts.shape[-1])
+    out = np.full((len(rows), len(probabilities)), np.nan)
+    for cell, row in enumerate(rows):
+        below, wanted = np.cumsum(row)[:-1], np.multiply(probabilities, row.sum())  # below: how many lie below each end of a bin
+        upper = np.maximum(np.searchsorted(below, wanted), np.searchsorted(below, below[0], "right"))  # the end of its bin
+        within = (wanted >= below[0]) & (upper < edges.size)
+        n = upper[within]
+        part = (wanted[within] - below[n - 1]) / (below[n] - below[n - 1])
+        out[cell, within] = edges[n - 1] + part * (edges[n] - edges[n - 1])
     return out.reshape(counts.shape[:-1] + (len(probabilities),))
 
 

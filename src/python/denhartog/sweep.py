@@ -46,7 +46,7 @@ def dataset(study: Mapping[str, Any], grid: Any = None) -> Any:
     Parameters
     ----------
     study : mapping
-        As docs/study.schema.json has it; `_study.read` makes one from text.
+        As docs/study.schema.json has it.
     grid : xarray.Dataset, optional
         In place of the study's `axes` and `samples`: a coordinate for each axis, and a variable over the dimension `sample` for
         each quantity that is drawn; their names are those in the results, such as `r`, `zeta_2`, `mass_factor`.
