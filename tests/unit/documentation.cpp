@@ -59,7 +59,7 @@ TEST_CASE("every promise names a test that is there", "[documentation]") {
     const std::filesystem::path root(std::getenv("DENHARTOG_SOURCE_DIR"));
     std::string tests;
     for (const auto& entry : std::filesystem::recursive_directory_iterator(root / "tests"))
-        if (entry.path().extension() == ".cpp") tests += text_of(entry.path());
+        if (entry.path().extension() == ".cpp" || entry.path().extension() == ".py") tests += text_of(entry.path());
     std::istringstream page(text_of(root / "docs/promises.md"));
     int found = 0;
     for (std::string line; std::getline(page, line);) {
@@ -67,7 +67,9 @@ TEST_CASE("every promise names a test that is there", "[documentation]") {
         if (from == std::string::npos || to == std::string::npos) continue;
         const std::string name = line.substr(from + 3, to - from - 3);
         INFO(name);
-        CHECK(tests.find("TEST_CASE(\"" + name + "\"") != std::string::npos);
+        const bool in_cpp = tests.find("TEST_CASE(\"" + name + "\"") != std::string::npos;
+        const bool in_python = tests.find("        \"\"\"" + name + "\"\"\"\n") != std::string::npos;
+        CHECK((in_cpp || in_python));
         ++found;
     }
     CHECK(found > 10);

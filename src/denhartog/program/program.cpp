@@ -5,7 +5,6 @@
 #include "denhartog/number/errors.hpp"
 #include "denhartog/program/commands/commands.hpp"
 #include "denhartog/program/output/files.hpp"
-#include "denhartog/program/sweep/command.hpp"
 #include "denhartog/version.hpp"
 
 namespace denhartog::program {
@@ -29,7 +28,6 @@ int run(int argc, char** argv, const Build& build, ExitStatus& status) {
     add_motion_command(app, status);
     add_boundary_command(app, status);
     add_map_command(app, status);
-    add_sweep_command(app, status, build.commit);
     add_integrate_command(app, status);
     add_functions_command(app, status);
     add_equations_command(app);

@@ -8,7 +8,6 @@
 
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/legible.hpp"
-#include "denhartog/scene/other_documents.hpp"
 
 namespace denhartog {
 namespace {
@@ -16,7 +15,7 @@ namespace {
 using nlohmann::json;
 
 /// A scene is an object of arrays of arrays of numbers.
-constexpr std::size_t deepest_of_a_scene = 3;
+constexpr std::size_t deepest = 3;
 
 /// What the parser found wrong, without its own positions.
 std::string complaint(std::string_view message) {
@@ -39,8 +38,7 @@ std::string place_of(std::string_view text, std::size_t position, std::size_t fi
 /// Builds the value from the parser's events and refuses what the parser lets pass.
 class Builder : public nlohmann::json_sax<json> {
 public:
-    Builder(std::string_view text, std::size_t line, const std::string& of, std::size_t deepest)
-        : text_(text), line_(line), of_(of), deepest_(deepest) {}
+    Builder(std::string_view text, std::size_t line) : text_(text), line_(line) {}
 
     json result;
 
@@ -66,7 +64,7 @@ public:
     bool end_array() override { return close(); }
     bool parse_error(std::size_t position, const std::string& token, const json::exception& fault) override {
         if (fault.id == 406) refuse_number(token);
-        throw InputError(of_, "must be JSON (" + complaint(fault.what()) + ")",
+        throw InputError("scene", "must be JSON (" + complaint(fault.what()) + ")",
                          token.empty() ? "nothing" : "'" + legible(token, most_of_a_value) + "'",
                          place_of(text_, position > 0 ? position - 1 : 0, line_));
     }
@@ -79,7 +77,7 @@ private:
                                          : pointer_step(std::to_string(open_[i]->size() - (i + 1 < open_.size() ? 1 : 0)));
         return out;
     }
-    std::string quantity() const { return open_.empty() || !open_.front()->is_object() ? of_ : keys_.front(); }
+    std::string quantity() const { return open_.empty() || !open_.front()->is_object() ? "scene" : keys_.front(); }
     [[noreturn]] void refuse_number(const std::string& raw) const {
         throw InputError(quantity(), "must be a number that a double holds (or be given as text in quotes)",
                          legible(raw, most_of_a_value), pointer());
@@ -96,11 +94,8 @@ private:
         return true;
     }
     bool open(json&& empty) {
-        if (open_.size() == deepest_)
-            throw InputError(quantity(),
-                             deepest_ == deepest_of_a_scene ? "must not be nested deeper than rows of numbers"
-                                                            : "must not be nested deeper than " + std::to_string(deepest_),
-                             "an array or object within " + std::string(deepest_ == deepest_of_a_scene ? "a row" : "these"),
+        if (open_.size() == deepest)
+            throw InputError(quantity(), "must not be nested deeper than rows of numbers", "an array or object within a row",
                              pointer());
         open_.push_back(place(std::move(empty)));
         keys_.emplace_back();
@@ -114,8 +109,6 @@ private:
 
     std::string_view text_;
     std::size_t line_;
-    std::string of_;
-    std::size_t deepest_;
     std::vector<json*> open_;
     std::vector<std::string> keys_;
 };
@@ -163,13 +156,11 @@ std::string pointer_step(std::string_view key) {
     return out;
 }
 
-json read_json(std::string_view text, std::size_t line, const std::string& of, std::size_t deepest) {
-    refuse_zero_byte(of, text, line);
-    Builder builder(text, line, of, deepest);
+json read_json(std::string_view text, std::size_t line) {
+    refuse_zero_byte("scene", text, line);
+    Builder builder(text, line);
     json::sax_parse(text, &builder);
     return std::move(builder.result);
 }
-
-json read_json(std::string_view text, std::size_t line) { return read_json(text, line, "scene", deepest_of_a_scene); }
 
 } // namespace denhartog

@@ -11,7 +11,6 @@
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/legible.hpp"
 #include "denhartog/scene/json_document.hpp"
-#include "denhartog/scene/other_documents.hpp"
 
 namespace denhartog {
 namespace {
@@ -72,24 +71,26 @@ std::size_t letters_apart(std::string_view a, std::string_view b) {
     return row.back();
 }
 
-} // namespace
-
-std::span<const std::string_view> scene_keys() { return keys; }
-
-std::string did_you_mean(std::string_view unknown, std::span<const std::string_view> known) {
+// The nearest key to a word that is none, as the end of a sentence; empty if none is near.
+std::string did_you_mean(std::string_view unknown) {
     constexpr std::size_t longest = 64; // of a word that may be a key misspelt
     if (unknown.size() > longest) return {};
     const auto apart = [unknown](std::string_view key) { return letters_apart(unknown, key); };
-    const std::string_view nearest = *std::ranges::min_element(known, {}, apart);
+    const std::string_view nearest = *std::ranges::min_element(keys, {}, apart);
     return apart(nearest) <= nearest.size() / 2 ? "; did you mean " + std::string(nearest) + "?" : "";
 }
 
-std::string rule_of_keys(std::string_view of, std::string_view unknown, std::span<const std::string_view> known) {
-    const std::string guess = did_you_mean(unknown, known);
-    std::string rule = "is no key of " + std::string(of) + (guess.empty() ? "." : guess) + " The keys are";
-    for (const std::string_view key : known) rule.append(key == known.front() ? " " : ", ").append(key);
+// The rule that an unknown key breaks, with the key that was meant, if there is one like it, and all keys.
+std::string rule_of_keys(std::string_view unknown) {
+    const std::string guess = did_you_mean(unknown);
+    std::string rule = "is no key of a scene" + (guess.empty() ? "." : guess) + " The keys are";
+    for (const std::string_view key : keys) rule.append(key == keys.front() ? " " : ", ").append(key);
     return rule;
 }
+
+} // namespace
+
+std::span<const std::string_view> scene_keys() { return keys; }
 
 void check_keys(const json& object) {
     if (!object.is_object())
@@ -99,7 +100,7 @@ void check_keys(const json& object) {
         if (std::ranges::find(keys, entry.key()) == keys.end())
             throw InputError(
                 entry.key(),
-                rule_of_keys("a scene", entry.key(), keys) +
+                rule_of_keys(entry.key()) +
                     ". A scene has one contact with Coulomb friction and one harmonic load: for several contacts, "
                     "several harmonics or another law of friction take an integrator over time, e.g. SUNDIALS or Siconos",
                 "", pointer_step(entry.key()));

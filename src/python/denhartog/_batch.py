@@ -13,7 +13,8 @@ from ._errors import Cancelled, InputError
 Report = Optional[Callable[[int, int], Any]]
 
 
-def run(name: str, handles: tuple[ctypes.c_void_p, ...], request: Any, result: Any, progress: Report, arrays: Any) -> None:
+def run(name: str, handles: tuple[ctypes.c_void_p, ...], request: Any, result: Any, progress: Report, arrays: Any,
+        effort: Optional[float] = None) -> None:
     """Calls dh_map(), dh_solve_points() or dh_solve_systems() in a thread of its own and waits for it.
 
     A thread in C does not see Ctrl-C. The thread that waits here does, and so does the function `progress`, which it calls.
@@ -26,6 +27,8 @@ def run(name: str, handles: tuple[ctypes.c_void_p, ...], request: Any, result: A
         Called as ``progress(done, all)`` in the calling thread; the call ends where it returns something true.
     arrays
         What `request` and `result` point to: kept until the library is done, even where a second Ctrl-C ends the waiting.
+    effort : float or None
+        Operations allowed for each point, default those of the library.
     """
     library = _library.library()
     news, ended = threading.Event(), threading.Event()
@@ -38,6 +41,8 @@ def run(name: str, handles: tuple[ctypes.c_void_p, ...], request: Any, result: A
 
     def work() -> None:
         try:
+            if effort is not None:
+                _library.call("dh_set_effort", effort, None, None)  # of this thread alone, which ends with the call
             status = getattr(library, name)(*handles, ctypes.byref(request), ctypes.byref(result))
             if status != 0:
                 state["fault"] = _library.fault(status)  # the message is kept for each thread by itself
@@ -128,7 +133,7 @@ def _of_points(shape: tuple[int, ...], wanted: int) -> dict[str, np.ndarray]:
 
 
 def solve_points(handle: ctypes.c_void_p, r: np.ndarray, beta: np.ndarray, mu: float, digits: int, masses: np.ndarray,
-                 threads: int, progress: Report) -> dict[str, np.ndarray]:
+                 threads: int, progress: Report, effort: Optional[float] = None) -> dict[str, np.ndarray]:
     """dh_solve_points() over `r` broadcast with `beta`; arrays of the broadcast shape, the masses last."""
     shape, wanted = shape_of(r=r, beta=beta), masses.size
     out = _of_points(shape, wanted)
@@ -140,7 +145,7 @@ def solve_points(handle: ctypes.c_void_p, r: np.ndarray, beta: np.ndarray, mu: f
         beta_step=beta_step, mu=mu, digits=digits, mass_count=wanted, masses=_library.pointer(masses, ctypes.c_size_t),
         threads=threads)
     result = _library.Points(step=1, masses_step=wanted, mass_step=1, **_addresses(out))
-    run("dh_solve_points", (handle,), request, result, progress, (flat_r, flat_beta, masses, out))
+    run("dh_solve_points", (handle,), request, result, progress, (flat_r, flat_beta, masses, out), effort)
     return out
 
 
@@ -165,7 +170,7 @@ def solve_systems(addresses: np.ndarray, r: np.ndarray, beta: np.ndarray, mu: np
 
 
 def solve_map(handle: ctypes.c_void_p, r: np.ndarray, beta: np.ndarray, mu: float, from_sliding: bool, masses: np.ndarray,
-              threads: int, progress: Report) -> dict[str, np.ndarray]:
+              threads: int, progress: Report, effort: Optional[float] = None) -> dict[str, np.ndarray]:
     """dh_map() over the grid of `r` and `beta`; arrays of the shape r by beta, the masses last."""
     shape, wanted = (r.size, beta.size), masses.size
     out = {name: np.empty(shape, dtype) for name, dtype in
@@ -176,7 +181,7 @@ def solve_map(handle: ctypes.c_void_p, r: np.ndarray, beta: np.ndarray, mu: floa
         from_sliding=int(from_sliding), mass_count=wanted, masses=_library.pointer(masses, ctypes.c_size_t), threads=threads)
     result = _library.MapResult(r_step=beta.size, beta_step=1, amplitude_r_step=beta.size * wanted,
                                 amplitude_beta_step=wanted, mass_step=1, **_addresses(out))
-    run("dh_map", (handle,), request, result, progress, (r, beta, masses, out))
+    run("dh_map", (handle,), request, result, progress, (r, beta, masses, out), effort)
     return out
 
 

@@ -97,6 +97,7 @@ _PROTOTYPES = {
     "dh_sums": [c_void_p, c_double, c_size_t, _numbers, _numbers, _numbers, _numbers, _numbers],
     "dh_boundaries": [c_void_p, c_double, c_double, POINTER(Boundary)],
     "dh_boundaries_proved": [c_void_p, c_double, c_double, POINTER(Boundary), POINTER(Boundary)],
+    "dh_set_effort": [c_double, c_void_p, c_void_p],
     "dh_solve": [c_void_p, c_double, c_double, c_double, c_int, POINTER(c_void_p)],
     "dh_solve_proved": [c_void_p, c_double, c_double, c_double, c_int, POINTER(c_void_p)],
     "dh_solution_is_proved": [c_void_p, _integers],

@@ -4,8 +4,8 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 
-#include "denhartog/sweep/sha256.hpp"
 #include "tests/conformance/generator/number_digits.hpp"
+#include "tests/support/sha256.hpp"
 
 namespace denhartog::benchmark {
 namespace {
@@ -142,7 +142,7 @@ std::string manifest(const std::vector<CertifiedScene>& scenes, const std::map<s
         for (const std::string& x : s.exposes) ++exposed[x];
     m["exposes"] = exposed;
     for (const auto& [name, bytes] : files)
-        m["files"].push_back({{"name", name}, {"bytes", bytes.size()}, {"sha256", sweep::sha256(bytes)}});
+        m["files"].push_back({{"name", name}, {"bytes", bytes.size()}, {"sha256", denhartog::tests::sha256(bytes)}});
     return m.dump(1) + "\n";
 }
 

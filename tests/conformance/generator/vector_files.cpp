@@ -10,7 +10,7 @@
 
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/parallel.hpp"
-#include "denhartog/sweep/sha256.hpp"
+#include "tests/support/sha256.hpp"
 
 namespace denhartog::conformance::generator {
 namespace {
@@ -37,7 +37,7 @@ std::string manifest_of(const std::vector<Vector>& vectors, const std::map<std::
         {"format", format_version}, {"content", content_version}, {"vectors", vectors.size()}, {"tiers", counts_of(tiers)}};
     for (const auto& [group, counts] : groups) manifest["groups"][group] = counts_of(counts);
     for (const auto& [name, bytes] : files)
-        manifest["files"].push_back({{"name", name}, {"bytes", bytes.size()}, {"sha256", sweep::sha256(bytes)}});
+        manifest["files"].push_back({{"name", name}, {"bytes", bytes.size()}, {"sha256", denhartog::tests::sha256(bytes)}});
     return manifest.dump(1) + "\n";
 }
 
@@ -71,7 +71,8 @@ std::vector<std::string> manifest_faults(const std::filesystem::path& folder) {
         }
         const std::string bytes = bytes_of(folder / name);
         if (bytes.size() != file.at("bytes").get<std::size_t>()) faults.push_back(name + " has another size");
-        if (sweep::sha256(bytes) != file.at("sha256").get<std::string>()) faults.push_back(name + " has another checksum");
+        if (denhartog::tests::sha256(bytes) != file.at("sha256").get<std::string>())
+            faults.push_back(name + " has another checksum");
     }
     for (const auto& entry : std::filesystem::directory_iterator(folder)) {
         const std::string name = entry.path().filename().string();

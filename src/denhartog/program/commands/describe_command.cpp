@@ -76,7 +76,7 @@ std::string completion_of_bash(const CLI::App& app) {
     return "# Completes subcommands and options; files where none of them begins so.\n"
            "_denhartog() {\n"
            "    local word=${COMP_WORDS[COMP_CWORD]} command=${COMP_WORDS[1]} words\n"
-           "    [ \"$COMP_CWORD\" -gt 2 ] && [[ $command = conform || $command = sweep ]] && command+=\" ${COMP_WORDS[2]}\"\n"
+           "    [ \"$COMP_CWORD\" -gt 2 ] && [ $command = conform ] && command+=\" ${COMP_WORDS[2]}\"\n"
            "    [ \"$COMP_CWORD\" = 1 ] && command=\n"
            "    case $command in\n"
            "        '') words='" +

@@ -18,7 +18,6 @@
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/legible.hpp"
 #include "denhartog/program/exit_status.hpp"
-#include "denhartog/program/output/new_file.hpp"
 
 namespace denhartog::program {
 namespace {
@@ -107,7 +106,24 @@ bool is_no_file(const std::string& path) {
     return fs::exists(status) && !fs::is_regular_file(status);
 }
 
-} // namespace
+// A new file beside the one whose place it takes when it is whole, under a name that nobody can guess; gone again unless it took
+// that place.
+class NewFile {
+public:
+    explicit NewFile(const std::string& name);
+    ~NewFile();
+    NewFile(const NewFile&) = delete;
+    NewFile& operator=(const NewFile&) = delete;
+
+    void write(std::string_view text) const;
+    void take_place(); // with the permissions of the file that was there
+
+private:
+    std::string name;
+    fs::path target;
+    int folder = -1, file = -1;
+    std::string own_name;
+};
 
 NewFile::NewFile(const std::string& name_) : name(name_), target(followed(name_)) {
     const fs::path parent = target.parent_path();
@@ -117,7 +133,7 @@ NewFile::NewFile(const std::string& name_) : name(name_), target(followed(name_)
     do {
         char text[40];
         std::snprintf(text, sizeof text, "%08x%08x", random(), random());
-        own_name = std::string(new_file_begins) + text + std::string(new_file_ends);
+        own_name = std::string(".denhartog-") + text + ".part";
         file = ::openat(folder, own_name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
     } while (file < 0 && errno == EEXIST);
     if (file >= 0) return;
@@ -140,10 +156,6 @@ void NewFile::write(std::string_view text) const {
     }
 }
 
-void NewFile::flush() const {
-    if (::fsync(file) != 0) cannot_be_written(name, last_fault());
-}
-
 void NewFile::take_place() {
     const std::string of_target = target.filename();
     struct stat earlier {};
@@ -156,12 +168,7 @@ void NewFile::take_place() {
     own_name.clear();
 }
 
-void NewFile::flush_folder() const {
-    const int readable = ::openat(folder, ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (readable < 0) return;
-    ::fsync(readable);
-    ::close(readable);
-}
+} // namespace
 
 void report(const std::string& fault) {
     std::string line = fault;
@@ -201,16 +208,6 @@ void write_file(const std::string& path, const std::string& text) {
     NewFile file(path);
     file.write(text);
     file.take_place();
-}
-
-void write_file_to_disk(const std::string& path, const std::string& text) {
-    errno = 0;
-    const InterruptionsHeld held;
-    NewFile file(path);
-    file.write(text);
-    file.flush();
-    file.take_place();
-    file.flush_folder();
 }
 
 } // namespace denhartog::program

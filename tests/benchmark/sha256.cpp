@@ -1,11 +1,11 @@
 // The checksum, against the examples of its standard.
-#include "denhartog/sweep/sha256.hpp"
+#include "tests/support/sha256.hpp"
 
 #include "tests/catch.hpp"
 
-using denhartog::sweep::sha256;
+using denhartog::tests::sha256;
 
-TEST_CASE("the checksum is the standard's, at every length of the last block", "[sweep]") {
+TEST_CASE("the checksum is the standard's, at every length of the last block", "[sha256]") {
     CHECK(sha256("") == "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
     CHECK(sha256("abc") == "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
     CHECK(sha256("abcdbcdecdefdefgefghfghighijhijkijkljklmklmnlmnomnopnopq") ==

@@ -1,11 +1,11 @@
-#include "denhartog/sweep/sha256.hpp"
+#include "tests/support/sha256.hpp"
 
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <cstdint>
 
-namespace denhartog::sweep {
+namespace denhartog::tests {
 namespace {
 
 // The fractional parts of the cube roots of the first 64 primes, and of the square roots of the first 8.
@@ -70,4 +70,4 @@ std::string sha256(std::string_view bytes) {
     return text;
 }
 
-} // namespace denhartog::sweep
+} // namespace denhartog::tests

@@ -1,0 +1,526 @@
+"""A study: the grid over which a scene varies, its division into chunks, and what is computed of each chunk.
+
+The axes of the grid are those of the study in its order, but `sample`, frequency and friction come last. A chunk is a box of the
+grid, and chunks count in the order of the grid, the last axis running fastest. No chunk divides a column of friction, nor an axis
+over which exact quantiles are taken.
+"""
+from __future__ import annotations
+
+import copy
+import difflib
+import json
+import math
+import pathlib
+import re
+from dataclasses import dataclass
+from typing import Any, Mapping, Optional
+
+import numpy as np
+
+from . import _batch, _scene
+from ._errors import InputError
+from ._results import REGIMES, STATUSES
+from ._system import System
+
+Arrays = dict[str, np.ndarray]
+NO_SCENE = len(STATUSES)  # the status of a point whose sample has numbers that make no scene
+MOST_POINTS_TOGETHER, MOST_CHUNKS = 2**24, 10_000_000
+COLUMNS = ("r", "frequency_hz", "beta", "friction")
+KEYS = {"mu": ["mu"], "zeta": ["damping_ratios"], "mass": ["masses", "mass_ratios"],
+        "stiffness": ["stiffnesses", "stiffness_ratios"], "contact": ["contact"], "load": ["load"]}
+
+
+@dataclass(frozen=True)
+class Plan:
+    """A study on its grid. `axes` has the values along each axis, `drawn` what was drawn for each sample, by their names."""
+
+    study: dict[str, Any]
+    axes: Arrays
+    drawn: Arrays
+    chunk: tuple[int, ...]
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """The number of points along each axis."""
+        return tuple(values.size for values in self.axes.values())
+
+    @property
+    def boxes(self) -> tuple[int, ...]:
+        """The number of chunks along each axis."""
+        return tuple(-(-size // of_chunk) for size, of_chunk in zip(self.shape, self.chunk))
+
+    @property
+    def chunks(self) -> int:
+        """The number of chunks."""
+        return math.prod(self.boxes)
+
+    def slices(self, K: int) -> dict[str, slice]:
+        """The part of each axis that chunk K has."""
+        place = np.unravel_index(K, self.boxes)
+        return {name: slice(int(n) * of_chunk, min(int(n + 1) * of_chunk, values.size))
+                for (name, values), n, of_chunk in zip(self.axes.items(), place, self.chunk)}
+
+    def names_of(self, field: str) -> list[str]:
+        """The axes that a field or a reduction has."""
+        for r in self.study["reduce"]:
+            if r["name"] == field:
+                return [name for name in self.names_of(r.get("of", "")) if name not in r["over"]]
+        return list(self.axes)
+
+
+def must(holds: bool, quantity: str, rule: str, value: object) -> None:
+    """Raises an InputError unless a rule holds."""
+    if not holds:
+        raise InputError.of(quantity, rule, value)
+
+
+# ---- the text of a study ----------------------------------------------------------------------------------------------------
+
+def _schema() -> dict[str, Any]:
+    """docs/study.schema.json, which a wheel has beside this file."""
+    here = pathlib.Path(__file__).resolve()
+    beside = here.with_name("study.schema.json")
+    return json.loads((beside if beside.exists() else here.parents[3] / "docs/study.schema.json").read_text(encoding="utf-8"))
+
+
+def _refusal(error: Any) -> InputError:
+    """What jsonschema found, in the words of this package."""
+    place = "".join(f"/{step}" for step in error.absolute_path)
+    keys = [step for step in error.absolute_path if isinstance(step, str)] or ["the study"]
+    rule_of = {"type": "must be of the type {}", "enum": "must be one of {}", "minimum": "must be at least {}",
+               "maximum": "must be at most {}", "exclusiveMinimum": "must be above {}", "minItems": "must have at least {} entry",
+               "pattern": "must match {}"}
+    if error.validator == "additionalProperties":
+        known = list(error.schema["properties"])
+        key = next(key for key in error.instance if key not in known)
+        near = difflib.get_close_matches(key, known, 1)
+        return InputError.of(keys[-1], f"must have no keys but {', '.join(known)}" + (f" (did you mean {near[0]}?)" if near else ""),
+                             f"given {json.dumps(key)[:64]} (at {place})")
+    if error.validator == "required":
+        missing = next(key for key in error.validator_value if key not in error.instance)
+        return InputError.of(missing, "must be given", f"nothing (at {place})")
+    rule = rule_of.get(error.validator, "must keep the rule: " + error.schema.get("description", "see docs/study.schema.json"))
+    limit = ", ".join(error.validator_value) if error.validator == "enum" else error.validator_value
+    return InputError.of(keys[-1], rule.format(limit), f"{json.dumps(error.instance)[:64]} (at {place})")
+
+
+def _unique(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+    """An object of JSON whose keys must differ."""
+    keys = [key for key, _ in pairs]
+    for key in keys:
+        must(keys.count(key) == 1, json.dumps(key), "must be given once", "given twice")
+    return dict(pairs)
+
+
+def read(text: str) -> dict[str, Any]:
+    """A study from its text in JSON; docs/study.schema.json has its form."""
+    def refused(number: str) -> None:
+        raise InputError.of("the study", "must have finite numbers", number)
+
+    try:
+        return json.loads(text, object_pairs_hook=_unique, parse_constant=refused)
+    except RecursionError as reason:
+        raise InputError.of("the study", "must be JSON that is not nested deeper than a study is", "deeper") from reason
+    except json.JSONDecodeError as reason:
+        raise InputError.of("the study", "must be JSON", f"not: {reason}") from reason
+
+
+# ---- from a study to its grid ------------------------------------------------------------------------------------------------
+
+def _name_of(item: Mapping[str, Any]) -> str:
+    """The name of what varies: r, zeta_2, mass_factor."""
+    entry = f"_{int(item['entry'])}" if "entry" in item else ""
+    return item["quantity"] + entry + ("_factor" if item.get("as") == "factor" else "")
+
+
+def _target(name: str) -> tuple[str, Optional[int], bool]:
+    """Quantity, entry and whether it is a factor, from such a name."""
+    found = re.fullmatch(f"({'|'.join([*COLUMNS, *KEYS])})(?:_([1-9][0-9]*))?(_factor)?", name)
+    must(found is not None, name[:64], f"must vary one of {', '.join([*COLUMNS, *KEYS])}, as in zeta_2 or mass_factor", "none of them")
+    quantity, entry, factor = found[1], found[2], bool(found[3])
+    must(entry is None or quantity in ("zeta", "mass", "stiffness"), name, "must name an entry of zeta, mass or stiffness only", entry)
+    must(not factor or quantity not in ("contact", "load"), name, "must be value for contact and load", "factor")
+    return quantity, None if entry is None else int(entry), factor
+
+
+def spaced(name: str, item: Mapping[str, Any]) -> np.ndarray:
+    """The values of an axis, or the ends of bins: both ends as they are given, and those between as `denhartog map` has them."""
+    if "values" in item:
+        return np.array(item["values"], dtype=float)
+    first, last, count = float(item["from"]), float(item["to"]), int(item["count"])
+    must(last >= first, name, "must have `to` not below `from`", last)
+    must(count > 1 or first == last, name, "must have `to` equal to `from` where count is 1", last)
+    if item.get("scale") == "logarithmic":
+        must(first > 0, name, "must have a positive `from` where the scale is logarithmic", first)
+        return np.geomspace(first, last, count)
+    values = first + (last - first) * (np.arange(count) / max(count - 1, 1))
+    values[-1] = last
+    return values
+
+
+def edges_of(r: Mapping[str, Any]) -> np.ndarray:
+    """The ends of the bins of a reduction."""
+    bins = r["bins"]
+    must(bins["to"] > bins["from"], r["name"], "must have bins whose `to` is above their `from`", bins["to"])
+    return spaced(r["name"], {**bins, "count": bins["count"] + 1})
+
+
+def _quantile(item: Mapping[str, Any], u: Any) -> np.ndarray:
+    """The values of a variable below which it lies with the probabilities u."""
+    from scipy import stats
+    name = _name_of(item)
+    kind = next(kind for kind in ("uniform", "loguniform", "normal", "lognormal") if kind in item)
+    x = item[kind]
+    low, high = x.get("from", -math.inf), x.get("to", math.inf)
+    must(high > low, name, "must have `to` above `from`", high)
+    if kind == "uniform":
+        return stats.uniform(low, high - low).ppf(u)
+    must(kind == "normal" or low > 0 or "from" not in x, name, "must have a positive `from`", low)
+    if kind == "loguniform":
+        return stats.loguniform(low, high).ppf(u)
+    if kind == "normal":
+        mean, deviation = x["mean"], x["standard_deviation"]
+        return stats.truncnorm((low - mean) / deviation, (high - mean) / deviation, mean, deviation).ppf(u)
+    if "median" in x:
+        mean, deviation = math.log(x["median"]), x["log_standard_deviation"]
+    else:
+        square = 1 + (x["standard_deviation"] / x["mean"]) ** 2
+        mean, deviation = math.log(x["mean"] / math.sqrt(square)), math.sqrt(math.log(square))
+    below, above = (math.log(bound) if bound > 0 else -math.inf for bound in (low, high))
+    drawn = np.exp(stats.truncnorm((below - mean) / deviation, (above - mean) / deviation, mean, deviation).ppf(u))
+    return np.clip(drawn, low, high)
+
+
+def drawn_of(samples: Mapping[str, Any]) -> Arrays:
+    """What is drawn for each sample. Of Sobol's sequence the first 2^m samples are those of any longer study with the same seed."""
+    import warnings
+
+    from scipy.stats import qmc
+    variables, count, seed = samples["variables"], int(samples["count"]), int(samples["seed"])
+    if samples["method"] == "sobol":
+        engine = qmc.Sobol(len(variables), seed=seed)
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", UserWarning)  # any number of samples is allowed; the docs name the best ones
+            u = engine.random(count) + 2.0 ** -(engine.bits + 1)  # the middle of its cell: never 0
+    else:
+        u = np.clip(qmc.LatinHypercube(len(variables), seed=seed).random(count), 2.0**-53, 1 - 2.0**-53)
+    return {_name_of(each): _quantile(each, u[:, n]) for n, each in enumerate(variables)}
+
+
+def plan_of(study: Mapping[str, Any], grid: Any = None) -> Plan:
+    """A study on its grid, after every rule of it is checked.
+
+    Parameters
+    ----------
+    study : mapping
+        As docs/study.schema.json has it.
+    grid : xarray.Dataset, optional
+        In place of the study's `axes` and `samples`: a coordinate for each axis, and a variable over the dimension `sample` for
+        each quantity that is drawn; their names are those in the results, such as `r`, `zeta_2`, `mass_factor`.
+    """
+    import jsonschema
+    study = _scene.plain("the study", study)
+    faults = list(jsonschema.Draft202012Validator(_schema()).iter_errors(study))
+    if faults:  # a word that is none tells more than what else the rules then ask for
+        raise _refusal(next((each for each in faults if each.validator == "enum"), None) or jsonschema.exceptions.best_match(faults))
+    scene = {key: value for key, value in study["scene"].items() if key not in (*COLUMNS, "frequency")}
+    system = System.from_scene(scene)
+    study = {"masses": np.atleast_1d(system.contact)[:1], "start": "rest", "reduce": [], "points_of_a_chunk": 10**6,
+             "answers": [] if "reduce" in study else ["regime", "amplitudes"], **study, "scene": scene}
+    study["masses"], study["points_of_a_chunk"] = [int(k) for k in study["masses"]], int(study["points_of_a_chunk"])
+    axes, drawn = _of_study(study) if grid is None else _of_grid(grid)
+    study = {key: value for key, value in study.items() if key not in ("axes", "samples", "comment")}
+    order = [name for name in axes if name not in ("sample", *COLUMNS)] + [name for name in ("sample", *COLUMNS) if name in axes]
+    plan = Plan(study, {name: axes[name] for name in order}, drawn, ())
+    for k in study["masses"]:
+        must(k <= system.N and study["masses"].count(k) == 1, "masses", f"must be different masses from 1 to {system.N}", k)
+    _check_columns(plan)
+    _check_reductions(plan)
+    plan = Plan(study, plan.axes, drawn, _chunk_of(plan))
+    _check_scenes(plan)
+    return plan
+
+
+def _of_study(study: Mapping[str, Any]) -> tuple[Arrays, Arrays]:
+    names = [_name_of(item) for item in [*study.get("axes", []), *study.get("samples", {}).get("variables", [])]]
+    for name in names:
+        must(names.count(name) == 1, name, "must vary once", "given twice")
+    axes, drawn = {_name_of(item): spaced(_name_of(item), item) for item in study.get("axes", [])}, {}
+    if "samples" in study:
+        axes["sample"] = np.arange(int(study["samples"]["count"]))
+        for item in study["samples"]["variables"]:
+            must(item["quantity"] not in ("contact", "load"), item["quantity"], "must be an axis", "a variable")
+            System.from_scene(_scene_with(study["scene"], {_name_of(item): float(_quantile(item, 0.5))}))
+        drawn = drawn_of(study["samples"])
+    return axes, drawn
+
+
+def _of_grid(grid: Any) -> tuple[Arrays, Arrays]:
+    drawn = {str(name): np.asarray(values, dtype=float) for name, values in grid.variables.items() if values.dims == ("sample",)
+             and name != "sample"}
+    axes = {str(name): np.arange(size) if name == "sample" else np.asarray(grid[name], dtype=float)
+            for name, size in grid.sizes.items()}
+    return axes, drawn
+
+
+def _check_columns(plan: Plan) -> None:
+    """Every point has one frequency and one friction, each an axis or drawn; a drawn factor may come on top of an axis."""
+    for name in [*plan.axes, *plan.drawn]:
+        if name != "sample":
+            _target(name)
+    units = any(_target(name)[0] in ("frequency_hz", "friction") for name in [*plan.axes, *plan.drawn] if name != "sample")
+    for wanted, other in (("r", "frequency_hz"), ("beta", "friction")) if not units else (("frequency_hz", "r"), ("friction", "beta")):
+        for name in (other, other + "_factor"):
+            must(name not in plan.axes and name not in plan.drawn, name,
+                 f"must not be given together with {'friction or frequency_hz' if units else 'r or beta'}", "given")
+        must(wanted + "_factor" not in plan.axes, wanted + "_factor", f"must be drawn, as a factor of the axis {wanted}", "an axis")
+        must((wanted in plan.axes) + (wanted in plan.drawn) == 1, wanted, "must be an axis or a variable that is drawn", "nothing")
+
+
+def _check_reductions(plan: Plan) -> None:
+    masses = plan.study["masses"]
+    fields = ["stops_per_period", "periods"] + [f"{kind}_{k}" for k in masses for kind in ("amplitude", "phase")]
+    taken = {"regime", "status", "regime_class", *plan.axes, *plan.drawn, *fields}
+    for r in plan.study["reduce"]:
+        name = r["name"]
+        must(name not in taken, "reduce", "must give every reduction a name of its own", name)
+        must(r["statistic"] == "share" or r["of"] in fields, name, f"must be of one of {', '.join(fields)}", r.get("of"))
+        there = plan.names_of(r.get("of", ""))
+        for axis in r["over"]:
+            must(axis in there and r["over"].count(axis) == 1, name, f"must be over different axes of {', '.join(there)}", axis)
+        if "bins" in r:
+            edges_of(r)
+        if r["statistic"] in ("maximum", "minimum"):
+            fields.append(name)
+            taken |= {f"{name}_{axis}" for axis in r["over"]}
+        taken |= {name, name + "_bin", name + "_probability"}
+
+
+def _chunk_of(plan: Plan) -> tuple[int, ...]:
+    """The shape of a chunk: of about points_of_a_chunk points, as far as the axes allow that must not be divided."""
+    whole = {"beta", "friction"} & set(plan.axes)
+    for r in plan.study["reduce"]:
+        if r["statistic"] == "quantiles" and "bins" not in r:
+            whole |= set(r["over"])
+        for before in plan.study["reduce"]:
+            if before["name"] == r.get("of"):
+                whole |= set(before["over"])
+    chunk = {name: plan.axes[name].size for name in whole}
+    points = math.prod(chunk.values())
+    must(points <= MOST_POINTS_TOGETHER, "reduce", f"must not keep more than {MOST_POINTS_TOGETHER} points together (columns of "
+         "friction and axes of exact quantiles are not divided; quantiles with bins are taken from a histogram)", points)
+    for name, values in reversed(plan.axes.items()):
+        if name not in whole:
+            boxes = -(-values.size // min(max(plan.study["points_of_a_chunk"] // points, 1), values.size))
+            chunk[name] = -(-values.size // boxes)
+            points *= chunk[name]
+    shape = tuple(chunk[name] for name in plan.axes)
+    chunks = Plan(plan.study, plan.axes, plan.drawn, shape).chunks
+    must(chunks <= MOST_CHUNKS, "points_of_a_chunk", f"must leave at most {MOST_CHUNKS} chunks", f"so small that there are {chunks}")
+    return shape
+
+
+def _check_scenes(plan: Plan) -> None:
+    """Every value of an axis makes a scene, with all else as the scene has it."""
+    for name, values in plan.axes.items():
+        if name in ("r", "frequency_hz"):
+            must(bool((np.isfinite(values) & (values > 0)).all()), name, "must be positive and finite", values.min())
+        elif name in ("beta", "friction"):
+            must(bool((np.isfinite(values) & (values >= 0)).all()), name, "must be zero or positive, and finite", values.min())
+        elif name != "sample":
+            for value in values:
+                System.from_scene(_scene_with(plan.study["scene"], {name: value}))
+    for values in plan.drawn.values():
+        must(values.shape == plan.axes["sample"].shape, "sample", "must have one value of every variable", values.shape)
+    if "friction" in plan.axes or "friction" in plan.drawn:
+        _forces(System.from_scene(plan.study["scene"]), np.ones(1))
+
+
+# ---- the points of a chunk ---------------------------------------------------------------------------------------------------
+
+def _scene_with(scene: Mapping[str, Any], values: Mapping[str, float]) -> dict[str, Any]:
+    """A scene in which some quantities have other values; frequency and friction are no part of it."""
+    changed = copy.deepcopy(dict(scene))
+    for name, value in values.items():
+        quantity, entry, factor = _target(name)
+        if quantity in COLUMNS:
+            continue
+        key = next((key for key in KEYS[quantity] if key in changed), KEYS[quantity][-1])
+        if quantity in ("contact", "load"):
+            must(value == int(value), name, "must have whole numbers that count the masses from 1", value)
+            changed[key] = int(value)
+        elif quantity == "mu":
+            changed[key] = value * float(changed.get(key, 1)) if factor else value
+        else:
+            must(key in changed, name, f"must be varied in scenes that have {key}", "a scene without")
+            old = changed[key]
+            if not isinstance(old, list):
+                old = [old] * (len(System.from_scene(scene).natural_frequency_ratios) if quantity == "zeta" else 1)
+            must(not isinstance(old[0], list), name, "must be varied where the scene has a list", "a matrix")
+            must(entry is None or entry <= len(old), name, f"must be one of {len(old)} entries", entry)
+            changed[key] = [x if entry not in (None, n) else value * float(x) if factor else value for n, x in enumerate(old, 1)]
+    return changed
+
+
+def _forces(system: System, hertz: np.ndarray) -> np.ndarray:
+    """The force P at each frequency, in the units of the scene."""
+    scene, omega = system.scene, 2 * np.pi * hertz
+    if "base_displacement" not in scene:
+        must("force" in scene, "force", "must be given (or base_displacement in its place)", "nothing")
+        return np.full(hertz.size, float(scene["force"]))
+    X = float(scene["base_displacement"])
+    return system.m_1 * omega * omega * X if scene["base_motion"] == "with_wall" else np.full(hertz.size, system.k_1 * X)
+
+
+def _points_of(system: System, plan: Plan, f: np.ndarray, F: np.ndarray, units: bool, progress: _batch.Report) -> Arrays:
+    """The points of one system: f by F points, amplitudes and phases with the masses last."""
+    study, masses = plan.study, np.array(plan.study["masses"], dtype=np.uintp)
+    effort = study.get("effort")
+
+    def column(r: np.ndarray, beta: np.ndarray) -> Arrays:
+        found = _batch.solve_map(system._handle.address, r, beta, system.mu, study["start"] == "sliding", masses, 1, progress, effort)
+        if needs_phases(study):
+            asked = _batch.solve_points(system._handle.address, r[:, None], beta[None, :], system.mu, 0, masses, 1, progress, effort)
+            found["phase"] = np.where((found["regime"] >= 0)[..., None], asked["phase"], np.nan)
+        return found
+
+    if not units:
+        return column(f, F)
+    force, r = _forces(system, f), np.asarray(system.frequency_ratio(hz=f))
+    if np.all(force == force[0]):
+        found = column(r, F / force[0])
+    else:
+        columns = [column(r[n:n + 1], F / force[n]) for n in range(f.size)]
+        found = {name: np.concatenate([each[name] for each in columns]) for name in columns[0]}
+    found["amplitude"] *= (force / system.k_1)[:, None, None]
+    return found
+
+
+def needs_phases(study: Mapping[str, Any]) -> bool:
+    """Whether anything needs phases."""
+    return "phases" in study["answers"] or any(r.get("of", "").startswith("phase_") for r in study["reduce"])
+
+
+def fields_of(plan: Plan, K: int, progress: _batch.Report = None) -> Arrays:
+    """What `map` finds at every point of chunk K, and the phases of `solve` where they are needed: a name for each field."""
+    part, masses = plan.slices(K), plan.study["masses"]
+    axes = {name: values[part[name]] for name, values in plan.axes.items()}
+    units = "friction" in {*plan.axes, *plan.drawn}
+    frequency, friction = ("frequency_hz", "friction") if units else ("r", "beta")
+    outer = [name for name in axes if name not in (frequency, friction)]
+    shape = tuple(axes[name].size for name in outer)
+    inner = tuple(axes[name].size if name in axes else 1 for name in (frequency, friction))
+    out = {"status": np.full(shape + inner, NO_SCENE, np.int8), "regime": np.full(shape + inner, -1, np.int8),
+           "stops": np.full(shape + inner, -1, np.int32), "periods": np.full(shape + inner, -1, np.int32),
+           "amplitude": np.full(shape + inner + (len(masses),), np.nan)}
+    if needs_phases(plan.study):
+        out["phase"] = out["amplitude"].copy()
+    for place in np.ndindex(*shape):
+        at = {name: float(axes[name][n]) for name, n in zip(outer, place)}
+        sample = int(at.pop("sample", 0))
+        at |= {name: float(values[sample]) for name, values in plan.drawn.items()}
+        f, F = (axes[name] * at.get(name + "_factor", 1.0) if name in axes else np.array([at[name]]) for name in (frequency, friction))
+        try:
+            found = _points_of(System.from_scene(_scene_with(plan.study["scene"], at)), plan, f, F, units, progress)
+        except InputError:  # the numbers of the sample make no scene: those of the axes were tried before
+            continue
+        for name, values in out.items():
+            values[place] = found[name]
+    grid = tuple(axes[name].size for name in axes)
+    fields = {"status": out["status"], "regime": out["regime"], "stops_per_period": out["stops"], "periods": out["periods"]}
+    for kind in ("amplitude", "phase"):
+        fields |= {f"{kind}_{k}": out[kind][..., n] for n, k in enumerate(masses) if kind in out}
+    return {name: np.ascontiguousarray(values).reshape(grid) for name, values in fields.items()}
+
+
+# ---- statistics --------------------------------------------------------------------------------------------------------------
+
+def reduced(plan: Plan, r: Mapping[str, Any], K: int, field: np.ndarray) -> Arrays:
+    """What chunk K has of a reduction: counts, quantiles, or an extreme value and its place over the reduced axes, -1 for none."""
+    names = plan.names_of(r.get("of", ""))
+    left, over = ([name for name in names if (name in r["over"]) == which] for which in (False, True))
+    x = field.transpose([names.index(name) for name in left + over]).reshape([field.shape[names.index(name)] for name in left] + [-1])
+    if r["statistic"] == "share":
+        return {"counts": np.stack([(x == regime).sum(-1) for regime in (0, 1, 2, -1)], -1)}
+    x = np.where(x < 0, np.nan, x) if r["of"] in ("stops_per_period", "periods") else x
+    if r["statistic"] in ("maximum", "minimum"):
+        local = np.where(np.isnan(x), -np.inf, x if r["statistic"] == "maximum" else -x).argmax(-1)
+        value = np.take_along_axis(x, local[..., None], -1)[..., 0]
+        part = plan.slices(K)
+        places = np.unravel_index(local, [part[name].stop - part[name].start for name in over])
+        place = np.ravel_multi_index([n + part[name].start for n, name in zip(places, over)], [plan.axes[name].size for name in over])
+        return {"value": value, "place": np.where(np.isnan(value), -1, place)}
+    if "bins" in r:
+        edges = edges_of(r)
+        bins = np.searchsorted(edges, x, "right")
+        bins[x == edges[-1]] = edges.size - 1  # the last bin has its upper end
+        cells = np.arange(bins[..., 0].size).reshape(x.shape[:-1] + (1,)) * (edges.size + 1)
+        counts = np.bincount((cells + bins)[~np.isnan(x)], minlength=bins[..., 0].size * (edges.size + 1))
+        return {"counts": counts.reshape(x.shape[:-1] + (edges.size + 1,))}
+    value = np.full(x.shape[:-1] + (len(r["probabilities"]),), np.nan)
+    some = ~np.isnan(x).all(-1)
+    value[some] = np.moveaxis(np.nanquantile(x[some], r["probabilities"], axis=-1), 0, -1)
+    return {"value": value}
+
+
+def put_together(r: Mapping[str, Any], parts: list[Arrays]) -> Arrays:
+    """The parts of several chunks as one: counts add up; of equal extreme values the one with the earliest place counts."""
+    if len(parts) == 1:
+        return parts[0]
+    if "counts" in parts[0]:
+        return {"counts": sum(part["counts"] for part in parts)}
+    value, place = (np.stack([part[name] for part in parts]) for name in ("value", "place"))
+    ordered = np.where(np.isnan(value), -np.inf, value if r["statistic"] == "maximum" else -value)
+    place = np.where((ordered == ordered.max(0)) & (place >= 0), place, np.iinfo(np.int64).max).min(0)
+    best = np.take_along_axis(value, ordered.argmax(0)[None], 0)[0]
+    return {"value": best, "place": np.where(np.isnan(best), -1, place)}
+
+
+def finished(plan: Plan, r: Mapping[str, Any], part: Arrays) -> Arrays:
+    """The results of a reduction that is complete, by their names."""
+    if r["statistic"] == "share":
+        return {r["name"]: part["counts"] / part["counts"].sum(-1, keepdims=True)}
+    if r["statistic"] == "histogram":
+        return {r["name"]: part["counts"]}
+    if "bins" in r:
+        return {r["name"]: _quantiles_of_counts(edges_of(r), part["counts"], r["probabilities"])}
+    out = {r["name"]: part["value"]}
+    if "place" in part:
+        over = [name for name in plan.names_of(r["of"]) if name in r["over"]]
+        places = np.unravel_index(np.maximum(part["place"], 0), [plan.axes[name].size for name in over])
+        out |= {f"{r['name']}_{name}": np.where(part["place"] < 0, np.nan, plan.axes[name][n]) for name, n in zip(over, places)}
+    return out
+
+
+def _quantiles_of_counts(edges: np.ndarray, counts: np.ndarray, probabilities: list[float]) -> np.ndarray:
+    """Quantiles from a histogram, linear within a bin; NaN where they lie outside of the bins, or nothing was counted."""
+    rows = counts.reshape(-1, counts.shape[-1])
+    out = np.full((len(rows), len(probabilities)), np.nan)
+    for cell, row in enumerate(rows):
+        below, wanted = np.cumsum(row)[:-1], np.multiply(probabilities, row.sum())  # below: how many lie below each end of a bin
+        upper = np.maximum(np.searchsorted(below, wanted), np.searchsorted(below, below[0], "right"))  # the end of its bin
+        within = (wanted >= below[0]) & (upper < edges.size)
+        n = upper[within]
+        part = (wanted[within] - below[n - 1]) / (below[n] - below[n - 1])
+        out[cell, within] = edges[n - 1] + part * (edges[n] - edges[n - 1])
+    return out.reshape(counts.shape[:-1] + (len(probabilities),))
+
+
+def answers_of(study: Mapping[str, Any]) -> list[str]:
+    """The fields that are stored for every point."""
+    masses = study["masses"]
+    fields = {"regime": ["regime"], "stops": ["stops_per_period", "periods"], "amplitudes": [f"amplitude_{k}" for k in masses],
+              "phases": [f"phase_{k}" for k in masses]}
+    asked = [field for answer, names in fields.items() if answer in study["answers"] for field in names]
+    return ["status", *asked] if asked else []
+
+
+def computed(plan: Plan, K: int, progress: _batch.Report = None) -> Arrays:
+    """Chunk K: the answers at its points, and its part of every reduction as `NAME:counts`, `NAME:value` and `NAME:place`."""
+    fields = fields_of(plan, K, progress)
+    out = {name: fields[name] for name in answers_of(plan.study)}
+    for r in plan.study["reduce"]:
+        part = reduced(plan, r, K, fields[r.get("of", "regime")])
+        fields[r["name"]] = part.get("value", np.empty(0))
+        out |= {f"{r['name']}:{kind}": values for kind, values in part.items()}
+    return out
