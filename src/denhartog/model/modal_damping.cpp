@@ -78,6 +78,7 @@ template <class T>
 T largest_coupling(const Matrix<T>& D) {
     using std::abs;
     using std::sqrt;
+    if (D.size() == 0) return T(0);
     const T rounding = rounding_of_modes<T>(static_cast<std::size_t>(D.rows())) * D.cwiseAbs().maxCoeff();
     T largest(0);
     for (Eigen::Index i = 0; i < D.rows(); ++i)
