@@ -65,15 +65,16 @@ TEST_CASE("a peak that is narrow between samples does not hide", "[maximum]") {
 }
 
 TEST_CASE("among many equal-looking peaks the highest is taken", "[maximum]") {
-    // Peaks of cos(200 t) under a parabola that is highest at 1.1.
+    // Peaks of cos(2000 t) under a parabola that is highest at 1.1.
     const auto top = [](double t) { return 1 - 1e-5 * (t - 1.1) * (t - 1.1); };
-    const Curve<double> curve = smooth<double>([=](double t) { return top(t) + std::cos(200 * t); },
-                                               [](double t) { return -2e-5 * (t - 1.1) - 200 * std::sin(200 * t); },
-                                               [](double t) { return -2e-5 - 40000 * std::cos(200 * t); }, 8e6);
+    const Curve<double> curve = smooth<double>([=](double t) { return top(t) + std::cos(2000 * t); },
+                                               [](double t) { return -2e-5 * (t - 1.1) - 2000 * std::sin(2000 * t); },
+                                               [](double t) { return -2e-5 - 4e6 * std::cos(2000 * t); }, 8e9);
     const Maximum<double> best = global_maximum(curve, 0.0, 3.0);
-    const double peak = 35 * 2 * pi<double>() / 200; // the peak nearest to 1.1
-    CHECK(std::abs(best.instant - peak) < 1e-6);
+    const double peak = 350 * pi<double>() / 1000; // the peak nearest to 1.1
+    CHECK(std::abs(best.instant - peak) < 1e-7);
     CHECK(std::abs(best.value - (top(peak) + 1)) < 1e-14);
+    CHECK(best.upper - best.value < 1e-14);
 }
 
 TEST_CASE("a search that does not settle ends in an error, not in an answer", "[maximum]") {
@@ -270,6 +271,26 @@ TEST_CASE("a peak that is lower by less than the error may be the largest", "[ma
     REQUIRE(others.size() == 1);
     CHECK(std::abs(others[0].instant - 3 * pi<double>() / 4) < 1e-7);
     CHECK(others[0].reach == 0);
+}
+
+TEST_CASE("each of many peaks that may be the largest is found, and nothing beside them", "[maximum]") {
+    // |sin 14t| - d [t > pi / 2]
+    const double d = 1e-9;
+    const auto sign = [](double t) { return std::sin(14 * t) < 0 ? -1 : 1; };
+    const Curve<double> curve =
+        smooth<double>([&](double t) { return std::abs(std::sin(14 * t)) - (t > pi<double>() / 2 ? d : 0); },
+                       [&](double t) { return 14 * sign(t) * std::cos(14 * t); },
+                       [&](double t) { return -196 * sign(t) * std::sin(14 * t); }, 2744);
+    for (const double error : {0.49e-9, 0.51e-9}) {
+        const Maximum<double> best =
+            global_maximum(curve, 0.0, pi<double>(), 1e-15, nullptr, std::numeric_limits<double>::lowest(), error);
+        const std::vector<Place<double>> others = rivals(best.places, 0.0, pi<double>(), best.instant);
+        CHECK(others.size() == (error < d / 2 ? 6 : 13));
+        for (const Place<double>& each : others) {
+            CHECK(std::abs(std::cos(14 * each.instant)) < 1e-6);
+            CHECK(each.reach == 0);
+        }
+    }
 }
 
 TEST_CASE("maxima in places that touch are told apart", "[maximum]") {

@@ -81,6 +81,10 @@ TEST_CASE("changes of sign are found in order, two close together included", "[u
     CHECK(found.size() <= 3);
     CHECK(std::abs(found.back() - 0.7) <= 1e-9);
     for (std::size_t n = 0; n + 1 < found.size(); ++n) CHECK(std::abs(found[n] - 0.3) <= 1e-6);
+    sign_changes({{-0.1875, 1, -1.75, 1, 0, 0}}, found); // (theta - 1/2)^2 (theta - 3/4), exactly
+    REQUIRE_FALSE(found.empty());
+    CHECK(found.size() <= 3);
+    CHECK(std::abs(found.back() - 0.75) <= 1e-12);
     sign_changes(with_zeros({0, 0.25, 0.5}, 1), found); // it starts from zero
     REQUIRE(found.size() == 2);
     CHECK(std::abs(found[0] - 0.25) <= 1e-12);

@@ -93,7 +93,7 @@ TrendOnStretch trend_by(const Ball& slope_of_rate, double a, double b, const Rat
     const Ball at_a = rate(a), at_b = rate(b);
     if ((up ? at_a : at_b).low() >= 0) return TrendOnStretch::rises;
     if ((up ? at_b : at_a).high() <= 0) return TrendOnStretch::falls;
-    return !up && at_a.low() > 0 && at_b.high() < 0 ? TrendOnStretch::one_maximum : TrendOnStretch::unknown;
+    return at_a.low() > 0 && at_b.high() < 0 ? TrendOnStretch::one_maximum : TrendOnStretch::unknown;
 }
 
 // Where a smooth function may be largest, if it is at least so large, searched for with some bits.

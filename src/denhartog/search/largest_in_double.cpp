@@ -64,12 +64,7 @@ public:
         // What is left holds no larger value, but perhaps one as large: where that is taken is narrowed down as the effort goes.
         int looks = 0;
         look([&](const Interval<T>& next) { return effort_.exhausted() || next.upper < level() || looks++ == second_looks; });
-        for (const Interval<T>& each : open_) {
-            if (best_.settled && each.monotone && !(each.upper < level()))
-                dismiss_monotone(each);
-            else
-                dismiss_unseen(each);
-        }
+        for (const Interval<T>& each : open_) dismiss_unseen(each);
         best_.upper = std::max(best_.upper, best_.value) + noise_;
         gather_places();
         return std::move(best_);
