@@ -23,7 +23,7 @@ try:
     import jsonschema
     import netCDF4
     import numpy as np
-    import scipy.stats
+    import scipy
     import xarray
     import zarr
 except ImportError as missing:
@@ -244,6 +244,9 @@ class Sweep(unittest.TestCase):
         """a file that no chunk wrote stands against combine"""
         folder = self.planned(STUDY)
         sweep.run(folder)
+        (folder / "chunks/.3.npz.00.part").write_bytes(b"a run was killed while it wrote")
+        self.combined(folder)
+        self.assertEqual(sorted(os.listdir(folder / "chunks")), [f"{K}.npz" for K in range(5)])
         (folder / "chunks/99.npz").write_bytes(b"")
         self.assertIn("chunks/99.npz is a file that no chunk of this plan wrote", self.called("combine", folder, folder / "x.nc")[2])
 

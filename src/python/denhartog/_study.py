@@ -19,7 +19,7 @@ import numpy as np
 
 from . import _batch, _scene
 from ._errors import InputError
-from ._results import REGIMES, STATUSES
+from ._results import STATUSES
 from ._system import System
 
 Arrays = dict[str, np.ndarray]

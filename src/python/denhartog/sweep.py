@@ -12,6 +12,7 @@ from __future__ import annotations
 
 import argparse
 import concurrent.futures
+import contextlib
 import functools
 import hashlib
 import io
@@ -314,10 +315,11 @@ def run(folder: Path, chunks: Optional[Iterable[int]] = None, jobs: int = 1, sch
     planned, _ = opened(folder)
     wanted = list(range(planned.chunks)) if chunks is None else list(dict.fromkeys(chunks))
     computed, start = [], time.monotonic()
-    for done, was_computed in enumerate(_results(os.path.abspath(folder), wanted, jobs, scheduler), 1):
-        computed.append(was_computed)
-        pace = (time.monotonic() - start) / max(sum(computed), 1)
-        told(done, len(wanted), pace * (len(wanted) - done))
+    with contextlib.closing(_results(os.path.abspath(folder), wanted, jobs, scheduler)) as results:
+        for done, was_computed in enumerate(results, 1):
+            computed.append(was_computed)
+            pace = (time.monotonic() - start) / max(sum(computed), 1)
+            told(done, len(wanted), pace * (len(wanted) - done))
     return sum(computed), len(wanted) - sum(computed)
 
 
@@ -373,6 +375,8 @@ def combine(folder: Path, to: Path) -> None:
               if file.name not in known and not file.name.endswith(".part")]
     if wrong:
         raise Incomplete("nothing is combined; chunks that are not as they must be: " + "; ".join(wrong))
+    for file in (folder / "chunks").glob(".*.part"):  # of a run that was killed while it wrote
+        file.unlink(missing_ok=True)
     results = _assembled(planned, fingerprint, _loaded, str(folder))
     part = to.with_name(f".{to.name}.{uuid.uuid4().hex}.part")
     try:
