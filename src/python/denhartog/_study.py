@@ -19,7 +19,7 @@ import numpy as np
 
 from . import _batch, _scene
 from ._errors import InputError
-from ._results import REGIMES, STATUSES
+from ._results import STATUSES
 from ._system import System
 
 Arrays = dict[str, np.ndarray]
@@ -93,8 +93,8 @@ def _refusal(error: Any) -> InputError:
     if error.validator == "additionalProperties":
         known = list(error.schema["properties"])
         key = next(key for key in error.instance if key not in known)
-        near = difflib.get_close_matches(key, known, 1)
-        return InputError.of(keys[-1], f"must have no keys but {', '.join(known)}" + (f" (did you mean {near[0]}?)" if near else ""),
+        near = "".join(f" (did you mean {each}?)" for each in difflib.get_close_matches(key, known, 1))
+        return InputError.of(keys[-1], f"must have no keys but {', '.join(known)}{near}",
                              f"given {json.dumps(key)[:64]} (at {place})")
     if error.validator == "required":
         missing = next(key for key in error.validator_value if key not in error.instance)
@@ -136,9 +136,9 @@ def _name_of(item: Mapping[str, Any]) -> str:
 def _target(name: str) -> tuple[str, Optional[int], bool]:
     """Quantity, entry and whether it is a factor, from such a name."""
     found = re.fullmatch(f"({'|'.join([*COLUMNS, *KEYS])})(?:_([1-9][0-9]*))?(_factor)?", name)
-    must(found is not None, name[:64], f"must vary one of {', '.join([*COLUMNS, *KEYS])}, as in zeta_2 or mass_factor", "none of them")
+    must(found is not None, name[:64], f"must vary one of {', '.join([*COLUMNS, *KEYS])}, as in zeta_2 or mass_factor", "another")
     quantity, entry, factor = found[1], found[2], bool(found[3])
-    must(entry is None or quantity in ("zeta", "mass", "stiffness"), name, "must name an entry of zeta, mass or stiffness only", entry)
+    must(not entry or quantity in ("zeta", "mass", "stiffness"), name, "must name an entry of zeta, mass, stiffness only", entry)
     must(not factor or quantity not in ("contact", "load"), name, "must be value for contact and load", "factor")
     return quantity, None if entry is None else int(entry), factor
 
@@ -192,7 +192,7 @@ def _quantile(item: Mapping[str, Any], u: Any) -> np.ndarray:
 
 
 def drawn_of(samples: Mapping[str, Any]) -> Arrays:
-    """What is drawn for each sample. Of Sobol's sequence the first 2^m samples are those of any longer study with the same seed."""
+    """What is drawn for each sample. The first samples of Sobol's sequence are those of any longer study with the same seed."""
     import warnings
 
     from scipy.stats import qmc
@@ -222,7 +222,8 @@ def plan_of(study: Mapping[str, Any], grid: Any = None) -> Plan:
     study = _scene.plain("the study", study)
     faults = list(jsonschema.Draft202012Validator(_schema()).iter_errors(study))
     if faults:  # a word that is none tells more than what else the rules then ask for
-        raise _refusal(next((each for each in faults if each.validator == "enum"), None) or jsonschema.exceptions.best_match(faults))
+        words = [each for each in faults if each.validator == "enum"]
+        raise _refusal(words[0] if words else jsonschema.exceptions.best_match(faults))
     scene = {key: value for key, value in study["scene"].items() if key not in (*COLUMNS, "frequency")}
     system = System.from_scene(scene)
     study = {"masses": np.atleast_1d(system.contact)[:1], "start": "rest", "reduce": [], "points_of_a_chunk": 10**6,
@@ -265,16 +266,15 @@ def _of_grid(grid: Any) -> tuple[Arrays, Arrays]:
 
 def _check_columns(plan: Plan) -> None:
     """Every point has one frequency and one friction, each an axis or drawn; a drawn factor may come on top of an axis."""
-    for name in [*plan.axes, *plan.drawn]:
-        if name != "sample":
-            _target(name)
-    units = any(_target(name)[0] in ("frequency_hz", "friction") for name in [*plan.axes, *plan.drawn] if name != "sample")
-    for wanted, other in (("r", "frequency_hz"), ("beta", "friction")) if not units else (("frequency_hz", "r"), ("friction", "beta")):
-        for name in (other, other + "_factor"):
-            must(name not in plan.axes and name not in plan.drawn, name,
-                 f"must not be given together with {'friction or frequency_hz' if units else 'r or beta'}", "given")
-        must(wanted + "_factor" not in plan.axes, wanted + "_factor", f"must be drawn, as a factor of the axis {wanted}", "an axis")
-        must((wanted in plan.axes) + (wanted in plan.drawn) == 1, wanted, "must be an axis or a variable that is drawn", "nothing")
+    varied = {_target(name)[0] for name in [*plan.axes, *plan.drawn] if name != "sample"}
+    wanted, others = ("frequency_hz", "friction"), ("r", "beta")
+    if not varied & {*wanted}:
+        wanted, others = others, wanted
+    for name, other in zip(wanted, others):
+        factor = name + "_factor"
+        must(other not in varied, other, f"must not be given together with {' or '.join(reversed(wanted))}", "given")
+        must(factor not in plan.axes, factor, f"must be drawn, as a factor of the axis {name}", "an axis")
+        must((name in plan.axes) + (name in plan.drawn) == 1, name, "must be an axis or a variable that is drawn", "nothing")
 
 
 def _check_reductions(plan: Plan) -> None:
@@ -316,7 +316,7 @@ def _chunk_of(plan: Plan) -> tuple[int, ...]:
             points *= chunk[name]
     shape = tuple(chunk[name] for name in plan.axes)
     chunks = Plan(plan.study, plan.axes, plan.drawn, shape).chunks
-    must(chunks <= MOST_CHUNKS, "points_of_a_chunk", f"must leave at most {MOST_CHUNKS} chunks", f"so small that there are {chunks}")
+    must(chunks <= MOST_CHUNKS, "points_of_a_chunk", f"must leave at most {MOST_CHUNKS} chunks", f"such that there are {chunks}")
     return shape
 
 
@@ -374,14 +374,14 @@ def _forces(system: System, hertz: np.ndarray) -> np.ndarray:
 
 def _points_of(system: System, plan: Plan, f: np.ndarray, F: np.ndarray, units: bool, progress: _batch.Report) -> Arrays:
     """The points of one system: f by F points, amplitudes and phases with the masses last."""
-    study, masses = plan.study, np.array(plan.study["masses"], dtype=np.uintp)
-    effort = study.get("effort")
+    handle, mu, study = system._handle.address, system.mu, plan.study
+    further = (np.array(study["masses"], dtype=np.uintp), 1, progress, study.get("effort"))
 
     def column(r: np.ndarray, beta: np.ndarray) -> Arrays:
-        found = _batch.solve_map(system._handle.address, r, beta, system.mu, study["start"] == "sliding", masses, 1, progress, effort)
+        found = _batch.solve_map(handle, r, beta, mu, study["start"] == "sliding", *further)
         if needs_phases(study):
-            asked = _batch.solve_points(system._handle.address, r[:, None], beta[None, :], system.mu, 0, masses, 1, progress, effort)
-            found["phase"] = np.where((found["regime"] >= 0)[..., None], asked["phase"], np.nan)
+            phase = _batch.solve_points(handle, r[:, None], beta[None, :], mu, 0, *further)["phase"]
+            found["phase"] = np.where((found["regime"] >= 0)[..., None], phase, np.nan)
         return found
 
     if not units:
@@ -419,7 +419,7 @@ def fields_of(plan: Plan, K: int, progress: _batch.Report = None) -> Arrays:
         at = {name: float(axes[name][n]) for name, n in zip(outer, place)}
         sample = int(at.pop("sample", 0))
         at |= {name: float(values[sample]) for name, values in plan.drawn.items()}
-        f, F = (axes[name] * at.get(name + "_factor", 1.0) if name in axes else np.array([at[name]]) for name in (frequency, friction))
+        f, F = (axes.get(name, np.array([at.get(name)])) * at.get(name + "_factor", 1.0) for name in (frequency, friction))
         try:
             found = _points_of(System.from_scene(_scene_with(plan.study["scene"], at)), plan, f, F, units, progress)
         except InputError:  # the numbers of the sample make no scene: those of the axes were tried before
@@ -436,10 +436,12 @@ def fields_of(plan: Plan, K: int, progress: _batch.Report = None) -> Arrays:
 # ---- statistics --------------------------------------------------------------------------------------------------------------
 
 def reduced(plan: Plan, r: Mapping[str, Any], K: int, field: np.ndarray) -> Arrays:
-    """What chunk K has of a reduction: counts, quantiles, or an extreme value and its place over the reduced axes, -1 for none."""
+    """What chunk K has of a reduction: counts, quantiles, or an extreme value and its place over the reduced axes, -1 if none."""
     names = plan.names_of(r.get("of", ""))
-    left, over = ([name for name in names if (name in r["over"]) == which] for which in (False, True))
-    x = field.transpose([names.index(name) for name in left + over]).reshape([field.shape[names.index(name)] for name in left] + [-1])
+    over = [name for name in names if name in r["over"]]
+    reduced_axes = [names.index(name) for name in over]
+    x = np.moveaxis(field, reduced_axes, range(-len(over), 0))
+    x = x.reshape(x.shape[:-len(over)] + (-1,))
     if r["statistic"] == "share":
         return {"counts": np.stack([(x == regime).sum(-1) for regime in (0, 1, 2, -1)], -1)}
     x = np.where(x < 0, np.nan, x) if r["of"] in ("stops_per_period", "periods") else x
@@ -447,8 +449,9 @@ def reduced(plan: Plan, r: Mapping[str, Any], K: int, field: np.ndarray) -> Arra
         local = np.where(np.isnan(x), -np.inf, x if r["statistic"] == "maximum" else -x).argmax(-1)
         value = np.take_along_axis(x, local[..., None], -1)[..., 0]
         part = plan.slices(K)
-        places = np.unravel_index(local, [part[name].stop - part[name].start for name in over])
-        place = np.ravel_multi_index([n + part[name].start for n, name in zip(places, over)], [plan.axes[name].size for name in over])
+        places = np.unravel_index(local, [field.shape[n] for n in reduced_axes])
+        of_grid = [n + part[name].start for n, name in zip(places, over)]
+        place = np.ravel_multi_index(of_grid, [plan.axes[name].size for name in over])
         return {"value": value, "place": np.where(np.isnan(value), -1, place)}
     if "bins" in r:
         edges = edges_of(r)

@@ -1,17 +1,18 @@
 """Studies beyond one machine: a scene over a grid and random samples, in chunks that any scheduler runs.
 
-    python3 -m denhartog.sweep plan STUDY FOLDER           # writes the folder: the grid, the samples, scripts for Slurm and GNU parallel
+    python3 -m denhartog.sweep plan STUDY FOLDER           # writes the folder: the grid, the samples, scripts
     python3 -m denhartog.sweep run FOLDER [--chunk K ...] [--jobs N | --scheduler ADDRESS]
     python3 -m denhartog.sweep status FOLDER
     python3 -m denhartog.sweep combine FOLDER RESULT       # RESULT.zarr or RESULT.nc
 
-A study is a JSON file, docs/study.schema.json. In Python `dataset(study)` is the same as a lazy xarray.Dataset, which Dask computes.
+A study is a JSON file, docs/study.schema.json. In Python `dataset(study)` is the same as a lazy xarray.Dataset.
 Exit status: 0 done; 1 chunks are missing or damaged; 2 a value breaks a rule, or a file cannot be written; 128 plus a signal.
 """
 from __future__ import annotations
 
 import argparse
 import concurrent.futures
+import contextlib
 import functools
 import hashlib
 import io
@@ -61,7 +62,7 @@ def dataset(study: Mapping[str, Any], grid: Any = None) -> Any:
 
 
 def _assembled(plan: Plan, name_of_study: str, function: Callable[..., Arrays], source: Any) -> Any:
-    """The dataset whose chunk K is function(source, K). The names of all tasks, and with them their order, follow from the study."""
+    """The dataset whose chunk K is function(source, K). The names of all tasks, and so their order, follow from the study."""
     import dask
     import xarray
 
@@ -83,14 +84,13 @@ def _assembled(plan: Plan, name_of_study: str, function: Callable[..., Arrays], 
         for K in range(plan.chunks):
             place = np.unravel_index(K, plan.boxes)
             chunks_of.setdefault(tuple(int(place[n]) for n in kept), []).append(K)
-        kinds = {"share": ["counts"], "histogram": ["counts"], "quantiles": ["counts" if "bins" in r else "value"]}.get(
-            r["statistic"], ["value", "place"])
+        kinds, further = {"share": (["counts"], ("regime_class",)), "histogram": (["counts"], (r["name"] + "_bin",)),
+                          "quantiles": (["counts" if "bins" in r else "value"], (r["name"] + "_probability",))}.get(
+                              r["statistic"], (["value", "place"], ()))
         parts = [[{kind: blocks[K][f"{r['name']}:{kind}"] for kind in kinds} for K in chunks] for chunks in chunks_of.values()]
         results = [task(r["name"], n, _study.finished, plan, r, task(r["name"] + "-parts", n, _study.put_together, r, each))
                    for n, each in enumerate(parts)]
         boxes, shapes = tuple(plan.boxes[n] for n in kept), [[sizes[chunks[0]][n] for n in kept] for chunks in chunks_of.values()]
-        further = {"share": ("regime_class",), "histogram": (r["name"] + "_bin",), "quantiles": (r["name"] + "_probability",)}.get(
-            r["statistic"], ())
         extra = tuple(coordinates[name].size for name in further)
         over = [name for name in plan.names_of(r.get("of", "")) if name in r["over"]]
         for name in [r["name"]] + ([f"{r['name']}_{axis}" for axis in over] if not further else []):
@@ -145,9 +145,9 @@ def plan(study: Mapping[str, Any], folder: Path, grid: Any = None) -> Plan:
     planned, folder = _study.plan_of(study, grid), pathlib.Path(folder)
     about = {"study": planned.study, "chunk": planned.chunk, "chunks": planned.chunks, "points": int(np.prod(planned.shape)),
              "fingerprint": _fingerprint(planned)}
-    if folder.exists():
-        must(folder.is_dir() and (not any(folder.iterdir()) or _about(folder).get("fingerprint") == about["fingerprint"]), "FOLDER",
-             "must be a new folder, or that of the same study planned by the same program", folder)
+    same = _about(folder).get("fingerprint") == about["fingerprint"]
+    must(not folder.exists() or same or (folder.is_dir() and not any(folder.iterdir())), "FOLDER",
+         "must be a new folder, or that of the same study planned by the same program", folder)
     for name in ("chunks", "log"):
         (folder / name).mkdir(parents=True, exist_ok=True)
     _write(folder / "grid.npz", _as_bytes(planned.axes))
@@ -199,8 +199,8 @@ def opened(folder: Path) -> tuple[Plan, str]:
     except (OSError, ValueError, KeyError, EOFError) as reason:
         raise InputError.of("FOLDER", "must have grid.npz and samples.npz as `plan` wrote them", reason) from reason
     planned = Plan(about["study"], axes, drawn, tuple(about["chunk"]))
-    must(_fingerprint(planned) == about["fingerprint"], "the plan", "must be of the same program and the same study: plan it anew",
-         f"another ({folder})")
+    must(_fingerprint(planned) == about["fingerprint"], "the plan",
+         "must be of the same program and the same study (plan it anew)", f"another: {folder}")
     return planned, about["fingerprint"]
 
 
@@ -315,10 +315,11 @@ def run(folder: Path, chunks: Optional[Iterable[int]] = None, jobs: int = 1, sch
     planned, _ = opened(folder)
     wanted = list(range(planned.chunks)) if chunks is None else list(dict.fromkeys(chunks))
     computed, start = [], time.monotonic()
-    for done, was_computed in enumerate(_results(os.path.abspath(folder), wanted, jobs, scheduler), 1):
-        computed.append(was_computed)
-        pace = (time.monotonic() - start) / max(sum(computed), 1)
-        told(done, len(wanted), pace * (len(wanted) - done))
+    with contextlib.closing(_results(os.path.abspath(folder), wanted, jobs, scheduler)) as results:
+        for done, was_computed in enumerate(results, 1):
+            computed.append(was_computed)
+            pace = (time.monotonic() - start) / max(sum(computed), 1)
+            told(done, len(wanted), pace * (len(wanted) - done))
     return sum(computed), len(wanted) - sum(computed)
 
 
@@ -374,6 +375,8 @@ def combine(folder: Path, to: Path) -> None:
               if file.name not in known and not file.name.endswith(".part")]
     if wrong:
         raise Incomplete("nothing is combined; chunks that are not as they must be: " + "; ".join(wrong))
+    for file in (folder / "chunks").glob(".*.part"):  # of a run that was killed while it wrote
+        file.unlink(missing_ok=True)
     results = _assembled(planned, fingerprint, _loaded, str(folder))
     part = to.with_name(f".{to.name}.{uuid.uuid4().hex}.part")
     try:
@@ -442,7 +445,8 @@ def _status_command(options: argparse.Namespace) -> None:
     wrong = faults(options.folder, whole=False)
     done = planned.chunks - sum(map(len, wrong.values()))
     ends = sorted(file.stat().st_mtime for file in (pathlib.Path(options.folder) / "chunks").glob("*.npz"))
-    left = f", {_duration((ends[-1] - ends[0]) / (len(ends) - 1) * (planned.chunks - done))} left" if 1 < len(ends) and wrong else ""
+    pace = (ends[-1] - ends[0]) / (len(ends) - 1) if len(ends) > 1 else 0
+    left = f", {_duration(pace * (planned.chunks - done))} left" if pace and wrong else ""
     print(_bar(done, planned.chunks) + left, *(f"{fault}: {_ranges(chunks)}" for fault, chunks in wrong.items()), sep="\n")
 
 

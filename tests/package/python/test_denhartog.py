@@ -37,6 +37,10 @@ def scene_file(name):
 
 
 class AgainstTheProgram(unittest.TestCase):
+    def test_the_schema_of_studies_is_in_the_package(self):
+        from denhartog import _study
+        self.assertIn("axes", _study._schema()["properties"])
+
     def test_a_solution_is_what_solve_tells(self):
         for name in NAMES:
             with self.subTest(name):
