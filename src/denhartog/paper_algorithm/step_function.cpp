@@ -76,9 +76,8 @@ void sign_changes(const StepFunction& f, std::vector<double>& zeros) {
         if (!zero) return;
         from = zero->t;
         zeros.push_back(from);
-        const bool turns_back = zero->touches && side(from).f[2] > 0;
-        if (!turns_back) side = 0 - side;
-        order = turns_back ? 2 : 1;
+        side = 0 - side;
+        order = 1;
     }
 }
 

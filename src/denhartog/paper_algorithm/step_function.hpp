@@ -37,7 +37,7 @@ struct StepValues {
 /// @brief The function taken from a number. @param limit the number @param f the function @return limit - f
 [[nodiscard]] StepFunction operator-(double limit, const StepFunction& f);
 
-/// @brief Where a function changes its sign within (0, 1), or where it only touches zero.
+/// @brief Where a function changes its sign within (0, 1); where it touches zero, one place or two next to each other.
 /// @param f      the function
 /// @param zeros  gets the places, ascending; emptied first
 void sign_changes(const StepFunction& f, std::vector<double>& zeros);
