@@ -21,7 +21,7 @@ struct ValueAt {
 /// slopes, shows where to look next, within what is known to hold the zero.
 ///
 /// What is left after a step is a multiple of the squares of the distances of both instants from the zero. That multiple is the
-/// one seen in the step before; or, if this is more, the one that leaves as much as the bracket is wide where both are as far away.
+/// one seen in the step before; or, if this is more, the one that leaves as much as the bracket is wide if both are that far.
 /// @param at      the function: `ValueAt` at an instant
 /// @param now     one instant, from where the search starts
 /// @param before  the other one; f has the opposite sign there, or is zero at `now`
