@@ -125,7 +125,7 @@ TEST_CASE("a little above the boundary, where no stop can be seen, solve, respon
 TEST_CASE("where static friction is hardly larger, stops too short for double are proved, or told as not seen",
           "[solve][eq:69]") {
     Scene<double> scene = chain({1, 2.0946804396078478}, {1, 0.7414127923646818}, {0.01, 0.02}, 1, 2, 1.0000001, 1.3);
-    scene.beta = 0.20606163917974474; // 1e-14 above the boundary
+    scene.beta = 0.20606163917974477; // 1e-14 above the boundary
     const Solution found = solve(scene_source(scene), {.digits = 10});
     CHECK(found.regime.regime == Regime::stick_slip);
     CHECK(found.stops.size() == 2);

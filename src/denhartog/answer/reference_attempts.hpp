@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "denhartog/number/ball.hpp"
+#include "denhartog/number/effort.hpp"
 #include "denhartog/reference/orbit_guess_data.hpp"
 #include "denhartog/reference/scene_in_balls.hpp"
 
@@ -50,6 +51,7 @@ public:
     [[nodiscard]] auto first_proved(const Prove& prove) {
         if (!known_) guesses_ = made_();
         known_ = true;
+        if (guesses_.empty()) QuestionEffort::pay(0); // none may be had for want of work
         bool first = true; // what is said of the likeliest one is said
         for (std::size_t n = 0; n < guesses_.size(); first = false) {
             try {

@@ -120,7 +120,7 @@ SlidingPoint sliding_point(const Scene<double>& scene, const ModalBasis<Number>&
     const ModeSums<Number> sums = bounded_sums(scene.system, basis, as_input(*scene.r));
     Searches searches(sums);
     SlidingPoint point{boundary_with(sums, as_input(scene.mu), searches.demands()), std::nullopt, std::nullopt};
-    if (sums.coupled && (wish.limits || !scene.beta)) point.boundary.paper = paper_limit(scene, basis, point.boundary);
+    if (sums.coupled) point.boundary.paper = paper_limit(scene, basis, point.boundary);
     const Boundary<Number>& b = point.boundary;
     if (!is_finite(b)) throw PrecisionError("the boundary is beyond the range of the number type, or has no bound in it");
     if (wish.limits || !scene.beta) point.attempted = errors_of_boundary(b);

@@ -3,8 +3,8 @@
 #include <Eigen/LU>
 #include <cmath>
 
+#include "denhartog/answer/reference.hpp"
 #include "denhartog/number/errors.hpp"
-#include "denhartog/sliding/boundary.hpp"
 #include "tests/conformance/generator/linear_half_period.hpp"
 #include "tests/support/scene_builder.hpp"
 #include "tests/support/second_witness.hpp"
@@ -108,11 +108,13 @@ Scene<double> scene_of(const Design& d, double F) {
 }
 
 Onsets onsets_of(const Design& d) {
-    const Scene<Real50> scene = converted<Real50>(scene_of(d, 0));
-    const System<Real50>& s = scene.system;
-    const Boundary<Real50> b = boundary(mode_sums(modal_basis(s), s.contact, s.load, *scene.r), scene.mu);
-    if (!b.sticking) throw DomainError("no friction holds the contact of " + d.id);
-    return {b.exact, *b.sticking};
+    ReferenceQuestion question;
+    question.asked = Asked::regime;
+    question.digits = 48;
+    const SceneSource scene = without_friction_ratio(scene_source(scene_of(d, 0)));
+    const Limits limits = *solution_by_reference(scene, question, [] { return std::vector<OrbitGuess>(); }).limits;
+    if (!limits.sticking) throw DomainError("no friction holds the contact of " + d.id);
+    return {Real50(limits.exact.decimal), Real50(limits.sticking->decimal)};
 }
 
 Onsets onsets_of_half_period(const Design& d) {
