@@ -4,7 +4,6 @@
 
 #include "denhartog/formulas/other_masses.hpp"
 #include "denhartog/formulas/stuck.hpp"
-#include "denhartog/model/modal_damping.hpp"
 #include "denhartog/sliding/steady_state.hpp"
 #include "observation.hpp"
 #include "observed_systems.hpp"
@@ -18,21 +17,19 @@ namespace {
 Witness place(const StuckSystem& s, double r) { return {{"system", s.name}, {"r", text(r)}}; }
 
 Outcome stuck_modes() {
-    constexpr double of_rounding = 1e-12;
     Outcome outcome;
-    double largest = of_rounding;
-    outcome.witness = {{"systems", std::to_string(stuck_systems().size())}};
+    const StuckSystem* worst = nullptr;
     for (const StuckSystem& s : stuck_systems()) {
-        const double coupling = largest_coupling(s.stuck.damping);
         outcome.steps.push_back({s.name + ": " + std::to_string(s.stuck.masses.size()) + " stuck modes, " +
-                                     (coupling > of_rounding ? "coupled" : "uncoupled") +
-                                     ", largest |D_ik| / sqrt(D_ii D_kk) = " + rounded(coupling),
+                                     (s.stuck.modes_diagonalise_damping ? "uncoupled" : "coupled") +
+                                     ", largest |D_ik| / sqrt(D_ii D_kk) = " + rounded(s.stuck.coupling),
                                  ""});
-        if (!(coupling > largest)) continue;
-        largest = coupling;
-        outcome.verdict = Verdict::refuted;
-        outcome.witness = {outcome.witness.front(), {"system", s.name}, {"largest coupling", text(coupling)}};
+        if (!s.stuck.modes_diagonalise_damping && (worst == nullptr || s.stuck.coupling > worst->stuck.coupling)) worst = &s;
     }
+    outcome.witness = {{"systems", std::to_string(stuck_systems().size())}};
+    if (worst == nullptr) return outcome;
+    outcome.verdict = Verdict::refuted;
+    outcome.witness = with(outcome.witness, {{"system", worst->name}, {"largest coupling", text(worst->stuck.coupling)}});
     return outcome;
 }
 

@@ -20,7 +20,7 @@ struct Dashpots {
         system.contact = Mass{1};
         system.load = Mass{0};
         basis = modal_basis(system);
-        largest = largest_coupling(basis.D);
+        largest = largest_coupling(basis.D, 0.0);
     }
 
     /// The same with the coefficients off the diagonal times a factor.

@@ -58,29 +58,6 @@ TEST_CASE("damping of proportions, one coefficient changed in its last place, is
     CHECK(coupled.limits->sticking->value == Approx(classical.limits->sticking->value).epsilon(1e-10));
 }
 
-TEST_CASE("damping in proportion to masses and springs is answered as the ratios are that it gives", "[eq:18][coupled-damping]") {
-    const auto same = [](const Certified& a, const Certified& b) { CHECK(std::abs(a.value - b.value) <= a.error + b.error); };
-    int compared = 0;
-    for (const RandomScene<double>& random : random_scenes<double>(seed_of_dashpots + 3)) {
-        Scene<double> modal = random.scene;
-        if (modal.system.damping_matrix.size() < 4 || compared == 60) continue;
-        INFO(random.name);
-        modal.mu = compared % 4 == 3 ? modal.mu : 1;
-        modal.beta = (compared % 3 == 2 ? 1.25 : random.fraction_of_limit) * boundary(modal).exact.value;
-        Scene<double> whole = modal;
-        whole.system.damping_tolerance = 0;
-        const Solution by_ratios = solve(modal), by_matrix = solve(whole);
-        CHECK(by_matrix.regime.regime == by_ratios.regime.regime);
-        CHECK(by_matrix.unique == by_ratios.unique);
-        for (const auto limit : {&Limits::exact, &Limits::paper, &Limits::approximate})
-            same((*by_matrix.limits).*limit, (*by_ratios.limits).*limit);
-        for (std::size_t k = 0; k < by_ratios.masses.size(); ++k)
-            same(by_matrix.masses[k].amplitude, by_ratios.masses[k].amplitude);
-        ++compared;
-    }
-    CHECK(compared == 60);
-}
-
 TEST_CASE("a tolerance of the damping matrix takes the ratios of its diagonal", "[eq:18][coupled-damping]") {
     const Solution left_out = solve(chain_with_dashpots(0.01, 2)), taken_in = solve(chain_with_dashpots(0.01));
     Scene<double> ratios = chain_with_dashpots(0.01);

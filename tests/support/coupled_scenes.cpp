@@ -37,7 +37,6 @@ std::vector<RandomScene<double>> random_coupled_scenes(std::uint64_t seed) {
         System<double>& s = scene.system;
         s.damping_ratios.clear();
         s.damping_matrix = random_dashpots(random, number_of_masses(s));
-        s.damping_tolerance = 0;
         if (n % 2 == 0) scene.mu = 1;
         if (n % 3 != 0) continue;
         s.contact_with.reset();

@@ -115,9 +115,6 @@ std::vector<T> random_damping_ratios(SplitMix64& random, std::size_t N) {
     return zeta;
 }
 
-/// More than rounding makes of C = a M + b K: the modes of the scenes move by themselves.
-constexpr double tolerance_of_proportions = 1e-9;
-
 template <class T>
 RandomScene<T> random_scene(SplitMix64& random, std::size_t N, std::size_t n) {
     RandomScene<T> result;
@@ -128,10 +125,9 @@ RandomScene<T> random_scene(SplitMix64& random, std::size_t N, std::size_t n) {
     s.stiffness_ratios = random_ratios<T>(random, N);
     const int topology = random.integer(0, 15);
     if (topology < 3) change_topology(random, s, topology == 0);
-    if (random.integer(0, 3) == 0) {
+    if (random.integer(0, 3) == 0)
         s.damping_matrix = proportional_damping(random, s);
-        s.damping_tolerance = tolerance_of_proportions;
-    } else
+    else
         s.damping_ratios = random_damping_ratios<T>(random, N);
     result.scene.mu = fraction<T>(random.integer(16, 48), 16);
     result.scene.r = random_frequency_ratio<T>(random);

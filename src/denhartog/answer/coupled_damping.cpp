@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "denhartog/answer/modes_by_reference.hpp"
+#include "denhartog/answer/modes_in_double.hpp"
 #include "denhartog/model/modal_damping.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/sums/bounded_modes.hpp"
@@ -18,7 +19,9 @@ ModalBasis<double> modes_as_given(const SceneSource& source) {
         system.damping_tolerance = 0;
         return modal_basis(system);
     } catch (const PrecisionError&) {
-        return values_of(modes_by_reference(with_damping_tolerance(source, 0), true));
+        ModalBasis<Bounded<double>> basis = modes_by_reference(with_damping_tolerance(source, 0), true);
+        if (!certainly_couples(basis)) leave_out_coupling(basis);
+        return values_of(basis);
     }
 }
 
@@ -29,8 +32,8 @@ std::optional<CoupledDamping> coupled_damping(const SceneSource& source) {
     if (system.damping_matrix.size() == 0) return std::nullopt;
     ModalBasis<double> basis = modes_as_given(source);
     if (!basis.coupled()) return std::nullopt;
-    return CoupledDamping{system.damping_tolerance == 0 || basis.distance_from_classical > system.damping_tolerance,
-                          basis.distance_from_classical, largest_coupling(basis.D), std::move(basis.zeta)};
+    return CoupledDamping{basis.distance_from_classical > system.damping_tolerance, basis.distance_from_classical,
+                          largest_coupling(basis.D), std::move(basis.zeta)};
 }
 
 } // namespace denhartog

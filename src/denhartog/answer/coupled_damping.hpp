@@ -1,5 +1,5 @@
 /// @file
-/// @brief What an answer says of a damping matrix: whether it counts, and how far it is from leaving the modes by themselves.
+/// @brief What an answer says of a damping matrix that couples the modes.
 #pragma once
 
 #include <optional>
@@ -9,7 +9,7 @@
 
 namespace denhartog {
 
-/// @brief A damping matrix of several modes.
+/// @brief A damping matrix that couples the modes.
 struct CoupledDamping {
     bool taken_in;                      ///< whether the coupling counts, or is left out as `damping_tolerance` allows
     double distance_from_classical;     ///< as that measures it
@@ -17,10 +17,10 @@ struct CoupledDamping {
     std::vector<double> damping_ratios; ///< those nearest to the matrix, mode by mode
 };
 
-/// @brief How much the damping matrix of a scene couples the modes, to rounding. Double tells; the reference where it fails.
+/// @brief Whether the damping matrix of a scene couples the modes, and how much. Double tells; the reference where it fails.
 /// @eq{18}
 /// @param source  the scene
-/// @return        none where damping was given by ratios, by a matrix of zeros, or of one mass
+/// @return        none where damping was given by ratios, or by a matrix that does not couple the modes
 /// @throws        as `modal_basis`
 [[nodiscard]] std::optional<CoupledDamping> coupled_damping(const SceneSource& source);
 

@@ -107,7 +107,7 @@ void set_damping(const SceneInBalls& s, const ModesInBalls& m, ModalBasis<Bounde
             D(i, k) = zero_or_itself(D(i, k), largest);
             if (i == k) basis.zeta.push_back(in_double(D(i, i) * m.R[static_cast<std::size_t>(i)] / 2));
         }
-    if (s.N() > 1 && largest > 0) basis.D = in_double(D);
+    if (s.N() > 1) basis.D = in_double(D);
 }
 
 ModalBasis<Bounded<double>> basis_of(const SceneInBalls& s, const ModesInBalls& m, const Coordinates<double>& coordinates) {
@@ -195,7 +195,8 @@ std::optional<RoundedModes<double>> held_modes(const SceneInBalls& s, const Mode
         held.r_n.push_back(r_n.x);
         for (slong k = 0; k < others.N(); ++k) {
             held.phi(k, i) = in_double(m.psi[static_cast<std::size_t>(k)][static_cast<std::size_t>(i)]).x;
-            held.damping(k, i) = in_double(zero_or_itself(D(std::max(i, k), std::min(i, k)), largest)).x;
+            const Bounded<double> between = in_double(zero_or_itself(D(std::max(i, k), std::min(i, k)), largest));
+            held.damping(k, i) = std::abs(between.x) > between.e ? between.x : 0;
         }
     }
     return held;

@@ -18,13 +18,13 @@ namespace denhartog {
 /// @eq{14,15,18}
 /// @param source      the system
 /// @param coinciding  whether modes that coincide may be taken
-/// @return            the basis; where a damping matrix counts with its `D`
+/// @return            the basis; where a damping matrix counts, `D` is filled whether it couples the modes or not
 /// @throws            PrecisionError where something cannot be proved, or the library was built without the reference
 [[nodiscard]] ModalBasis<Bounded<double>> modes_by_reference(const SceneSource& source, bool coinciding);
 
 /// @brief What each mode contributes at the frequency ratio of a scene.
 /// @eq{22,23,28,29}
-/// @param source  the scene, with r; of a damping matrix its diagonal counts
+/// @param source  the scene, with r, of which no damping matrix couples the modes
 /// @return        (23), (28), (29) of each mode, to 6 digits or as many as all bits give
 /// @throws        PrecisionError as `modes_by_reference`, and at a pole
 [[nodiscard]] std::vector<evaluation::ModeFunctions<Bounded<double>>> mode_functions_by_reference(const SceneSource& source);

@@ -1,5 +1,7 @@
 #include "denhartog/answer/modes_in_double.hpp"
 
+#include <cmath>
+
 #include "denhartog/answer/modes_by_reference.hpp"
 #include "denhartog/model/modal_damping.hpp"
 #include "denhartog/number/errors.hpp"
@@ -8,9 +10,12 @@
 namespace denhartog {
 namespace {
 
-// A damping matrix, if that counts, has to take energy out of every motion.
-ModalBasis<Bounded<double>> checked(const System<double>& system, ModalBasis<Bounded<double>> basis) {
-    if (basis.coupled()) check_passive(system.damping_matrix);
+// Decides whether the damping matrix, if that counts, couples the modes.
+ModalBasis<Bounded<double>> with_damping(const System<double>& system, ModalBasis<Bounded<double>> basis) {
+    if (certainly_couples(basis))
+        check_passive(system.damping_matrix);
+    else
+        leave_out_coupling(basis);
     return basis;
 }
 
@@ -20,12 +25,25 @@ std::shared_ptr<const ContactSystem<double>> rounded_system(const SceneSource& s
 
 } // namespace
 
+bool certainly_couples(const ModalBasis<Bounded<double>>& basis) {
+    for (Eigen::Index i = 0; i < basis.D.rows(); ++i)
+        for (Eigen::Index k = 0; k < i; ++k)
+            if (std::abs(basis.D(i, k).x) > basis.D(i, k).e) return true;
+    return false;
+}
+
+void leave_out_coupling(ModalBasis<Bounded<double>>& basis) {
+    basis.left_out = basis.D.unaryExpr([](const Bounded<double>& entry) { return Bounded<double>(entry.most()); });
+    basis.left_out.diagonal().setZero();
+    basis.D.resize(0, 0);
+}
+
 ModesInDouble modes_in_double(const SceneSource& source) {
     try {
         return {modes_with_errors(source->in_double().system)};
     } catch (const PrecisionError& e) {
         return {std::make_shared<const ModalBasis<Bounded<double>>>(
-                    checked(source->in_double().system, modes_by_reference(source, true))),
+                    with_damping(source->in_double().system, modes_by_reference(source, true))),
                 e.what()};
     }
 }
@@ -42,7 +60,7 @@ std::shared_ptr<const ContactSystem<double>> moving_in_double(const SceneSource&
 ContactSystem<double> moving_by_reference(const SceneSource& source, const std::string& because) {
     const System<double>& system = source->in_double().system;
     const SystemByReference found = system_by_reference(source);
-    ContactSystem<double> moving = contact_system(system, checked(system, found.basis), &found.held);
+    ContactSystem<double> moving = contact_system(system, with_damping(system, found.basis), &found.held);
     moving.rounded_because = because;
     return moving;
 }

@@ -16,6 +16,13 @@ struct ModesInDouble {
     std::string rounded_because{};                            ///< why double has none, where the reference found it; else empty
 };
 
+/// @brief Whether a damping matrix certainly couples two modes. @param basis modes with their `D` @return true if so
+[[nodiscard]] bool certainly_couples(const ModalBasis<Bounded<double>>& basis);
+
+/// @brief Takes modes that a damping matrix does not couple, or hardly, to move by themselves.
+/// @param basis  modes with their `D`, which is taken from them; gets bounds of what is left out
+void leave_out_coupling(ModalBasis<Bounded<double>>& basis);
+
 /// @brief Finds the modes. @param source the system @return the modes @throws as `modal_basis`
 [[nodiscard]] ModesInDouble modes_in_double(const SceneSource& source);
 

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "denhartog/answer/certify.hpp"
+#include "denhartog/model/modal_damping.hpp"
 #include "denhartog/sliding/instants_of_maxima.hpp"
 #include "denhartog/sums/coupled_sums.hpp"
 
@@ -75,46 +75,17 @@ private:
     std::optional<FrictionMotions<double>> motions_;
 };
 
-// Whether every entry of phi^T C phi between two modes is small beside theirs.
-bool all_between(const Matrix<Number>& D, const auto& is_small) {
-    for (Eigen::Index i = 0; i < D.rows(); ++i)
-        for (Eigen::Index k = 0; k < i; ++k)
-            if (!is_small(D(i, k), D(i, i), D(k, k))) return false;
-    return true;
-}
-
-bool hardly_couples(const Matrix<Number>& D) {
-    return all_between(D, [](const Number& D_ik, const Number& D_ii, const Number& D_kk) {
-        return D_ik.most() <= hardly_coupled * std::sqrt(D_ii.least() * D_kk.least());
-    });
-}
-
 // (56) of the modes by themselves, where the coupling by a damping matrix makes no difference to (69) that anybody could measure.
-// The two of (69) share no rounding: if they are the same to that, it makes none. Where the bounds leave it open, they hold both.
-Number paper_limit(const Scene<double>& scene, const ModalBasis<Number>& basis, const Boundary<Number>& coupled) {
-    if (certainly_couples(basis)) return coupled.paper;
-    const ModeSums<Number> sums = mode_sums(by_themselves(basis), scene.system.contact, scene.system.load, as_input(*scene.r));
+Number paper_limit(const Scene<double>& scene, ModalBasis<Number> basis, const Boundary<Number>& coupled) {
+    const Matrix<double> D = basis.D.unaryExpr([](const Number& entry) { return entry.x; });
+    if (largest_coupling(D) > hardly_coupled) return coupled.paper;
+    basis.D.resize(0, 0);
+    const ModeSums<Number> sums = mode_sums(basis, scene.system.contact, scene.system.load, as_input(*scene.r));
     const Boundary<Number> b = boundary_with(sums, as_input(scene.mu), Searches(sums).demands());
-    if (!is_finite(b)) return {coupled.paper.x, std::numeric_limits<double>::infinity()};
-    const Number change = b.exact - coupled.exact;
-    const double most = hardly_changed * coupled.exact.x;
-    if (change.least() > most) return coupled.paper;
-    if (hardly_couples(basis.D) && std::abs(change.x) <= most) return b.paper;
-    return {b.paper.x, b.paper.e + std::abs(b.paper.x - coupled.paper.x) + coupled.paper.e};
+    return std::abs(b.exact.x - coupled.exact.x) <= hardly_changed * coupled.exact.x ? b.paper : coupled.paper;
 }
 
 } // namespace
-
-bool certainly_couples(const ModalBasis<Number>& basis) {
-    return !all_between(basis.D, [](const Number& D_ik, const Number& D_ii, const Number& D_kk) {
-        return D_ik.least() <= hardly_coupled * std::sqrt(D_ii.most() * D_kk.most());
-    });
-}
-
-ModalBasis<Number> by_themselves(ModalBasis<Number> basis) {
-    basis.D.resize(0, 0);
-    return basis;
-}
 
 SlidingPoint sliding_point(const Scene<double>& scene, const ModalBasis<Number>& basis, const PointWish& wish) {
     const ModeSums<Number> sums = bounded_sums(scene.system, basis, as_input(*scene.r));

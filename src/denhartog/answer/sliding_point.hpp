@@ -17,12 +17,6 @@ inline constexpr double hardly_coupled = 1e-6;
 /// @brief See `hardly_coupled`: a part of (69).
 inline constexpr double hardly_changed = 1e-9;
 
-/// @brief Whether a damping matrix couples two modes by more than `hardly_coupled`, whatever the errors. @param basis the modes
-/// @return true where it is certain: the modes have no functions (23), (28), (29) of their own then
-[[nodiscard]] bool certainly_couples(const ModalBasis<Bounded<double>>& basis);
-/// @brief Modes with the damping ratios that the diagonal of a damping matrix gives them. @param basis modes @return without D
-[[nodiscard]] ModalBasis<Bounded<double>> by_themselves(ModalBasis<Bounded<double>> basis);
-
 /// @brief What is known of a point.
 struct SlidingPoint {
     Boundary<Bounded<double>> boundary;                ///< the boundary there

@@ -50,8 +50,8 @@ struct Method {
 
 /// @brief The friction ratios that separate the regimes at one frequency ratio.
 ///
-/// Below `exact` the contact slides throughout. Always `paper` <= `exact` <= `approximate`; where the damping matrix hardly
-/// couples the modes, `paper` is that of the modes, and the order holds to 1e-9 of them.
+/// Below `exact` the contact slides throughout. Always `paper` <= `exact` <= `approximate`; where rounding of the damping matrix
+/// alone couples the modes, `paper` is that of the modes, and the order holds to 1e-9 of them.
 struct Limits {
     Certified exact;                   ///< (69) with the maximum over tau of the sum over modes; the true boundary
     Certified paper;                   ///< (69) with (56), the sum of the maxima of the modes

@@ -1,7 +1,6 @@
 #include <array>
 #include <initializer_list>
 
-#include "denhartog/answer/sliding_point.hpp"
 #include "denhartog/c/denhartog.h"
 #include "denhartog/c/handles.hpp"
 #include "denhartog/model/coordinates.hpp"
@@ -60,7 +59,7 @@ int modal_functions(const dh_system* system, double r, size_t count, ValueOrErro
         for (const Bounded<double>& r_n : system->modes->r_n) ratios.push_back(part_of(Bounded<double>(r) / r_n, part));
         need_finite(ratios);
         if (v == nullptr && u == nullptr && g == nullptr) return hand_out(ratios, R.numbers); // there is no pole
-        if (certainly_couples(*system->modes)) check_uncoupled(*system->modes);
+        check_uncoupled(*system->modes);
         std::vector<double> of_v, of_u, of_g;
         for (const auto& f : certain_mode_functions(at_frequency(system->prepared.source, r), system->modes)) {
             append(of_v, f.v, part);

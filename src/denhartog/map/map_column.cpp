@@ -251,7 +251,7 @@ private:
 } // namespace
 
 bool answers_together(const MapSystem& map) {
-    return !map.system().basis.coupled() && map.rows.size() == 1 && map.rows.front() == map.system().contact &&
+    return map.system().basis.certainly_uncoupled() && map.rows.size() == 1 && map.rows.front() == map.system().contact &&
            (map.mu == 1 || map.start == MapStart::sliding);
 }
 

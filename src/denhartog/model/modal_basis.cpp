@@ -92,7 +92,8 @@ ModalBasis<T> modal_basis(const System<T>& s) {
         basis = {std::move(modes.r_n), std::move(modes.phi), {}};
     }
     if (s.damping_matrix.size() > 0)
-        set_modal_damping(mass_factor(s, gamma), stiffness_matrix(s), s.damping_matrix, s.damping_tolerance, basis);
+        set_modal_damping(mass_factor(s, gamma), stiffness_matrix(s), s.damping_matrix, s.damping_tolerance,
+                          lumped ? FrequencyErrors::of_each : FrequencyErrors::of_highest, basis);
     else
         basis.zeta = s.damping_ratios;
     fix_signs(basis.phi);

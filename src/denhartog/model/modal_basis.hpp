@@ -19,12 +19,15 @@ template <class T>
 struct ModalBasis {
     std::vector<T> r_n; ///< natural frequency ratios omega_i sqrt(m_1 / k_1), ascending, N values
     Matrix<T> phi; ///< mode shapes, mass by mode, phi^T M phi = 1, N x N; `further_displacements` of the system in further rows
-    std::vector<T> zeta;         ///< modal damping ratios, N values; of a damping matrix those that its diagonal has
-    Matrix<T> D{};               ///< phi^T C phi where a damping matrix counts, N x N; else each mode moves by itself
+    std::vector<T> zeta;         ///< modal damping ratios, N values; where damping couples the modes those that its diagonal has
+    Matrix<T> D{};               ///< phi^T C phi where damping couples the modes, N x N; else empty
     T distance_from_classical{}; ///< of a damping matrix, as `set_modal_damping` measures it; 0 without one
+    Matrix<T> left_out{};        ///< bounds of the entries of phi^T C phi between modes that rounding explains, N x N; else empty
 
-    /// @brief Whether modes are taken together. @return true where a damping matrix counts, which may couple them
+    /// @brief Whether damping couples the modes. @return true where K M^-1 C differs from C M^-1 K
     [[nodiscard]] bool coupled() const { return D.size() > 0; }
+    /// @brief Whether each mode is certain to move by itself. @return false also where rounding may hide that they are coupled
+    [[nodiscard]] bool certainly_uncoupled() const { return !coupled() && left_out.size() == 0; }
 };
 
 /// @brief How many rows of the shapes are displacements of masses or of the contact.
@@ -67,7 +70,8 @@ template <class T>
 /// @param s  the system
 /// @return   the basis
 /// @throws   InputError where `check` throws, or C feeds energy into the motion; PrecisionError where the iteration does not
-///           converge, the lowest natural frequency is too low beside the highest, or a mode is beyond the range of the number type
+///           converge, the lowest natural frequency is too low beside the highest, a mode is beyond the range of the number type,
+///           or two natural frequencies are too near to tell whether C couples their modes
 template <class T>
 [[nodiscard]] ModalBasis<T> modal_basis(const System<T>& s);
 

@@ -1,5 +1,5 @@
 /// @file
-/// @brief Modal damping ratios from a damping matrix, and the matrix in the modes.
+/// @brief Modal damping ratios from a damping matrix, and whether it couples the modes.
 #include "denhartog/model/modal_damping.hpp"
 
 #include <algorithm>
@@ -51,35 +51,53 @@ void check_passive(const Matrix<T>& C) {
 }
 
 template <class T>
-Matrix<T> damping_in_modes(const Matrix<T>& C, const std::vector<T>& r_n, Matrix<T>& phi) {
-    std::vector<Eigen::Index> starts{0}; // of the groups of modes that coincide, and the end of the last
-    for (std::size_t i = 1; i < r_n.size(); ++i)
-        if (r_n[i] - r_n[i - 1] > rounding_of_modes<T>(r_n.size()) * r_n[i]) starts.push_back(static_cast<Eigen::Index>(i));
-    starts.push_back(phi.cols());
-    for (std::size_t n = 1; n < starts.size(); ++n) {
-        const Eigen::Index at = starts[n - 1], count = starts[n] - at;
-        if (count == 1) continue;
+Matrix<T> rounding_between_modes(const Matrix<T>& C, const Matrix<T>& D, const NaturalModes<T>& modes, FrequencyErrors errors) {
+    using std::abs;
+    const T tolerance = rounding_of_modes<T>(modes.r_n.size()), highest = modes.r_n.back();
+    // An entry of a mode is good to the rounding of the root of the entry of the inverse mass matrix, the sum over all modes.
+    const Matrix<T> forces = product(Matrix<T>(C.cwiseAbs()), Matrix<T>(modes.phi.cwiseAbs()));
+    const Matrix<T> of_entries = transpose_times(Matrix<T>(modes.phi.rowwise().norm()), forces);
+    Matrix<T> rounding = Matrix<T>::Zero(D.rows(), D.cols());
+    for (Eigen::Index i = 0; i < D.rows(); ++i)
+        for (Eigen::Index k = 0; k < i; ++k) {
+            const T &r_i = modes.r_n[static_cast<std::size_t>(i)], &r_k = modes.r_n[static_cast<std::size_t>(k)];
+            const T of_squares = tolerance * (errors == FrequencyErrors::of_each ? T(r_i * r_k) : T(highest * highest));
+            const T apart = (r_i - r_k) * (r_i + r_k), angle = of_squares < apart ? T(of_squares / apart) : T(1);
+            rounding(i, k) = rounding(k, i) =
+                tolerance * (of_entries(0, i) + of_entries(0, k)) + angle * abs(T(D(i, i) - D(k, k)));
+        }
+    return rounding;
+}
+
+template <class T>
+bool couples_a_pair(const Matrix<T>& D, const Matrix<T>& rounding) {
+    using std::abs;
+    for (Eigen::Index i = 0; i < D.rows(); ++i)
+        for (Eigen::Index k = 0; k < i; ++k)
+            if (abs(D(i, k)) > rounding(i, k)) return true;
+    return false;
+}
+
+template <class T>
+void turn_coinciding_modes(const Matrix<T>& C, const T& tolerance, const std::vector<T>& r_n, Matrix<T>& phi) {
+    const std::size_t N = r_n.size();
+    for (std::size_t first = 0, last = 0; first < N; first = last + 1) {
+        last = first;
+        while (last + 1 < N && coincides_with_next(r_n, last, tolerance)) ++last;
+        if (last == first) continue;
+        const auto at = static_cast<Eigen::Index>(first);
+        const auto count = static_cast<Eigen::Index>(last - first + 1);
         const Matrix<T> columns = phi.middleCols(at, count);
         const Matrix<T> within = in_coordinates(columns, C);
         const SymmetricEigenproblem<T> solved = symmetric_eigenproblem(Matrix<T>((within + within.transpose()) / T(2)));
         phi.middleCols(at, count) = product(columns, solved.vectors);
     }
-    fix_signs(phi);
-    const Matrix<T> both = in_coordinates(phi, C);
-    Matrix<T> D = (both + both.transpose()) / T(2);
-    for (std::size_t n = 1; n < starts.size(); ++n) {
-        auto within = D.block(starts[n - 1], starts[n - 1], starts[n] - starts[n - 1], starts[n] - starts[n - 1]);
-        within = Matrix<T>(within.diagonal().asDiagonal());
-    }
-    return D;
 }
 
 template <class T>
-T largest_coupling(const Matrix<T>& D) {
+T largest_coupling(const Matrix<T>& D, const T& rounding) {
     using std::abs;
     using std::sqrt;
-    if (D.size() == 0) return T(0);
-    const T rounding = rounding_of_modes<T>(static_cast<std::size_t>(D.rows())) * D.cwiseAbs().maxCoeff();
     T largest(0);
     for (Eigen::Index i = 0; i < D.rows(); ++i)
         for (Eigen::Index k = 0; k < i; ++k) {
@@ -91,27 +109,47 @@ T largest_coupling(const Matrix<T>& D) {
 }
 
 template <class T>
-void set_modal_damping(const Matrix<T>& L, const Matrix<T>& K, const Matrix<T>& C, double neglected, ModalBasis<T>& basis) {
+void set_modal_damping(const Matrix<T>& L, const Matrix<T>& K, const Matrix<T>& C, double neglected, FrequencyErrors errors,
+                       ModalBasis<T>& basis) {
     using std::abs;
+    using std::sqrt;
     const std::size_t N = basis.r_n.size();
+    const T tolerance = rounding_of_modes<T>(N);
     basis.distance_from_classical = N > 1 ? distance_from_commuting(divide_out(L, K), divide_out(L, C)) : T(0);
-    if (N > 1) check_passive(C);
-    const bool neglects = neglected > 0 && basis.distance_from_classical <= T(neglected);
-    Matrix<T> D = damping_in_modes(C, basis.r_n, basis.phi);
+    const bool commutes = basis.distance_from_classical <= tolerance, neglects = basis.distance_from_classical <= T(neglected);
+    if (N > 1 && (commutes || neglects)) turn_coinciding_modes(C, tolerance, basis.r_n, basis.phi);
+    fix_signs(basis.phi); // D goes with them
+    const Matrix<T> D = in_coordinates(basis.phi, C);
     const T size = D.cwiseAbs().maxCoeff();
+    const Matrix<T> rounding = commutes ? rounding_between_modes(C, D, {basis.r_n, basis.phi}, errors) : Matrix<T>();
+    const bool couples = !commutes || couples_a_pair(D, rounding);
+    for (std::size_t i = 0; i < N; ++i)
+        for (std::size_t k = 0; k < i && !couples; ++k)
+            if (abs(D(i, k)) > sqrt(std::numeric_limits<T>::epsilon()) * size)
+                throw PrecisionError(
+                    "damping_matrix: natural frequencies " + std::to_string(k + 1) + " and " + std::to_string(i + 1) +
+                    " are too near to each other to tell whether it couples their modes; more digits are needed");
+    if (couples) check_passive(C);
+    if (couples && !neglects) basis.D = (D + D.transpose()) / T(2);
+    if (!couples && N > 1) {
+        basis.left_out = rounding + D.cwiseAbs();
+        basis.left_out.diagonal().setZero();
+    }
     basis.zeta.assign(N, T(0));
     for (std::size_t i = 0; i < N; ++i) {
-        const T& D_ii = D(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(i));
-        const bool nothing = abs(D_ii) <= rounding_of_modes<T>(N) * size;
-        basis.zeta[i] = nothing && D_ii < 0 ? T(0) : T(D_ii / (2 * basis.r_n[i]));
+        const bool nothing = abs(D(i, i)) <= tolerance * size;
+        basis.zeta[i] = nothing && D(i, i) < 0 ? T(0) : T(D(i, i) / (2 * basis.r_n[i]));
         check_ratio(basis.zeta[i], i, C, basis);
     }
-    if (N > 1 && size > 0 && !neglects) basis.D = std::move(D);
 }
 
 template void check_passive(const Matrix<double>&);
-template double largest_coupling(const Matrix<double>&);
-template Matrix<double> damping_in_modes(const Matrix<double>&, const std::vector<double>&, Matrix<double>&);
-template void set_modal_damping(const Matrix<double>&, const Matrix<double>&, const Matrix<double>&, double, ModalBasis<double>&);
+template Matrix<double> rounding_between_modes(const Matrix<double>&, const Matrix<double>&, const NaturalModes<double>&,
+                                               FrequencyErrors);
+template bool couples_a_pair(const Matrix<double>&, const Matrix<double>&);
+template double largest_coupling(const Matrix<double>&, const double&);
+template void turn_coinciding_modes(const Matrix<double>&, const double&, const std::vector<double>&, Matrix<double>&);
+template void set_modal_damping(const Matrix<double>&, const Matrix<double>&, const Matrix<double>&, double, FrequencyErrors,
+                                ModalBasis<double>&);
 
 } // namespace denhartog

@@ -16,6 +16,7 @@
 namespace denhartog {
 namespace {
 
+using std::abs;
 using std::sqrt;
 
 std::vector<Eigen::Index> indices_of(const std::vector<Mass>& masses) {
@@ -81,13 +82,34 @@ T compliance(const ModalBasis<T>& basis, Eigen::Index j) {
     return sum;
 }
 
+/// Whether the modes couple, and how much; an entry below the rounding of the largest is compared with that rounding.
+template <class T>
+void set_coupling(StuckConfiguration<T>& stuck, FrequencyErrors errors, const T& tolerance) {
+    const Matrix<T>& D = stuck.damping;
+    const T rounding = tolerance * D.cwiseAbs().maxCoeff();
+    stuck.coupling = largest_coupling(D, rounding);
+    const Matrix<T> between = rounding_between_modes(stuck.C, D, {stuck.r_n, stuck.phi}, errors);
+    stuck.modes_diagonalise_damping = !couples_a_pair(D, between);
+    for (Eigen::Index i = 0; i < D.rows(); ++i)
+        for (Eigen::Index k = 0; k < i; ++k)
+            stuck.modes_diagonalise_damping = stuck.modes_diagonalise_damping && abs(D(i, k)) <= rounding;
+    if (!stuck.modes_diagonalise_damping) return;
+    stuck.left_out = between + D.cwiseAbs();
+    stuck.left_out.diagonal().setZero();
+}
+
 /// Modes of the system with the contact held, and what damping makes of them.
 template <class T>
 void set_modes(const System<T>& s, StuckConfiguration<T>& stuck) {
     NaturalModes<T> modes = stuck_modes(s, stuck);
-    stuck.damping = damping_in_modes(stuck.C, modes.r_n, modes.phi);
+    const T tolerance = rounding_of_modes<T>(stuck.masses.size() + 1);
+    turn_coinciding_modes(stuck.C, tolerance, modes.r_n, modes.phi);
+    fix_signs(modes.phi);
     stuck.r_n = std::move(modes.r_n);
     stuck.phi = std::move(modes.phi);
+    const Matrix<T> D = in_coordinates(stuck.phi, stuck.C);
+    stuck.damping = (D + D.transpose()) / T(2);
+    set_coupling(stuck, is_chain(s) ? FrequencyErrors::of_each : FrequencyErrors::of_highest, tolerance);
 }
 
 /// The same from elsewhere.
@@ -96,6 +118,8 @@ void set_modes(const RoundedModes<T>& held, StuckConfiguration<T>& stuck) {
     stuck.r_n = held.r_n;
     stuck.phi = held.phi;
     stuck.damping = held.damping;
+    stuck.coupling = largest_coupling(held.damping);
+    stuck.modes_diagonalise_damping = stuck.coupling == 0;
 }
 
 template <class T>
@@ -130,6 +154,8 @@ StuckConfiguration<T> stuck_configuration(const System<T>& s, const ModalBasis<T
     stuck.k_jj = all.K(j, j);
     stuck.k_contact = N == 1 ? stuck.k_jj : T(1 / compliance(basis, j));
     stuck.load = s.coordinates.load;
+    stuck.coupling = T(0);
+    stuck.modes_diagonalise_damping = true;
     if (N == 1) return stuck;
     if (held)
         set_modes(*held, stuck);

@@ -16,24 +16,24 @@ namespace denhartog {
 /// Units: masses m_1, stiffnesses k_1, damping sqrt(k_1 m_1). The arrays over masses are in the order of `masses`.
 template <class T>
 struct StuckConfiguration {
-    std::vector<Mass> masses; ///< all masses but the one in contact, ascending, N - 1
-    Matrix<T> M;              ///< their block of the mass matrix, (N - 1) x (N - 1)
-    Matrix<T> C;              ///< their block of the full damping matrix (19)
-    Matrix<T> K;              ///< their block of the stiffness matrix
-    std::vector<T> m_j;       ///< row j of the mass matrix over these masses; zero where masses are lumped
-    std::vector<T> c_j;       ///< row j of the damping matrix over these masses
-    std::vector<T> k_j;       ///< row j of the stiffness matrix over these masses
-    T k_jj;                   ///< diagonal entry of the stiffness matrix at the contact
-    T k_contact;              ///< static stiffness of the contact with the others free to follow: 1 / (K^-1)_jj
-    std::vector<T> r_n;       ///< natural frequency ratios of the stuck configuration, ascending, N - 1
-    Matrix<T> phi;            ///< mode shapes, mass by mode, phi^T M phi = 1
-    Matrix<T> further;        ///< the same of the masses that are no coordinate of the system, a row each
-    std::vector<T> carried;   ///< how far each of these goes with the contact
-    std::vector<T> load;      ///< force on each coordinate where it acts on several, N values; else none
-    Matrix<T> damping;        ///< phi^T C phi; its diagonal is 2 zeta*_i r_n,i
-
-    /// @brief Whether damping couples the modes. @return false where `damping` is diagonal: zeta*_i then describe the motion
-    [[nodiscard]] bool coupled() const { return !damping.isDiagonal(T(0)); }
+    std::vector<Mass> masses;         ///< all masses but the one in contact, ascending, N - 1
+    Matrix<T> M;                      ///< their block of the mass matrix, (N - 1) x (N - 1)
+    Matrix<T> C;                      ///< their block of the full damping matrix (19)
+    Matrix<T> K;                      ///< their block of the stiffness matrix
+    std::vector<T> m_j;               ///< row j of the mass matrix over these masses; zero where masses are lumped
+    std::vector<T> c_j;               ///< row j of the damping matrix over these masses
+    std::vector<T> k_j;               ///< row j of the stiffness matrix over these masses
+    T k_jj;                           ///< diagonal entry of the stiffness matrix at the contact
+    T k_contact;                      ///< static stiffness of the contact with the others free to follow: 1 / (K^-1)_jj
+    std::vector<T> r_n;               ///< natural frequency ratios of the stuck configuration, ascending, N - 1
+    Matrix<T> phi;                    ///< mode shapes, mass by mode, phi^T M phi = 1
+    Matrix<T> further;                ///< the same of the masses that are no coordinate of the system, a row each
+    std::vector<T> carried;           ///< how far each of these goes with the contact
+    std::vector<T> load;              ///< force on each coordinate where it acts on several, N values; else none
+    Matrix<T> damping;                ///< phi^T C phi; its diagonal is 2 zeta*_i r_n,i
+    T coupling;                       ///< largest off-diagonal |D_ik| / sqrt(D_ii D_kk) of `damping`; zero for fewer than two
+    bool modes_diagonalise_damping{}; ///< whether `coupling` is explained by rounding: zeta*_i then describe the motion
+    Matrix<T> left_out{};             ///< bounds of the entries of `damping` between modes where they do; else empty
 };
 
 /// @brief What more digits have found of a system, rounded once, beside the modes while the contact slides.
@@ -43,7 +43,7 @@ struct RoundedModes {
     Matrix<T> C;        ///< damping matrix of the whole system in units of sqrt(k_1 m_1), N x N
     std::vector<T> r_n; ///< natural frequency ratios with the contact held, ascending, N - 1
     Matrix<T> phi;      ///< mode shapes of these, mass by mode, phi^T M phi = 1
-    Matrix<T> damping;  ///< phi^T C phi of these; zero between two modes that it does not couple as far as all bits tell
+    Matrix<T> damping;  ///< phi^T C phi of these; zero where it does not couple two modes
 };
 
 /// @brief What a load brings to each stuck mode.

@@ -175,6 +175,12 @@ template <class T>
     return {value.x, bound >= 0 ? bound : std::numeric_limits<T>::infinity()};
 }
 
+/// @brief Zero with something neglected in it. @param neglected its size @return zero, of bounds with that bound
+template <class T>
+[[nodiscard]] T zero_within(const typename ValueOf<T>::type& neglected) {
+    return with_neglected(T(0), T(neglected));
+}
+
 /// @brief A number of the input, one unit in the last place uncertain, as a decimal fraction or a quotient is.
 /// @param x  the number
 /// @return   the number with that error

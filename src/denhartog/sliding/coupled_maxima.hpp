@@ -1,5 +1,5 @@
 /// @file
-/// @brief Searches for largest values with a damping matrix: their bounds come from the free motion, which never grows.
+/// @brief Searches for largest values where damping couples the modes: their bounds come from the free motion, which never grows.
 #pragma once
 
 #include <utility>
@@ -10,7 +10,7 @@ namespace denhartog {
 
 /// @brief Where (57)'s expression summed over the contact is largest, guaranteed by `global_maximum`.
 /// @eq{56,57}
-/// @param s  sums of a system with a damping matrix
+/// @param s  sums of a system whose damping couples the modes
 /// @return   non-dimensional time in [0, pi]; 0 stands for the limit
 /// @throws   PrecisionError where the maximum is not settled
 template <class T>
@@ -18,7 +18,7 @@ template <class T>
 
 /// @brief Where a displacement is largest, and how far the phase of another such instant may be from that of this one.
 /// @eq{46}
-/// @param s      sums of a system with a damping matrix
+/// @param s      sums of a system whose damping couples the modes
 /// @param beta   friction ratio, Eq. (11), in the sliding regime
 /// @param k      the displacement
 /// @param error  bound of the error that the sums make of it

@@ -57,21 +57,30 @@ struct MassInMotion {
     }
 };
 
-/// @brief Friction's share of the motion at an instant: of every mode, or of a mass where a damping matrix counts.
+/// @brief Friction's share of the motion at an instant: of every mode, or of a mass where damping couples them.
 template <class T>
 struct FrictionShare {
     T cosine;                                            ///< of the instant
     T sine;                                              ///< of the instant
-    std::vector<evaluation::FrictionMotion<T>> of_modes; ///< N; none where a damping matrix counts
-    evaluation::FrictionMotion<T> of_mass;               ///< then that of the mass, else zero
+    std::vector<evaluation::FrictionMotion<T>> of_modes; ///< N; none where damping couples the modes
+    evaluation::FrictionMotion<T> of_mass;               ///< then that of the mass, else zero within what is left out
 };
+
+/// @brief Friction's share of the motion of a mass that is no mode's. @param s the modes @param k its place @param tau instant in
+/// [0, pi] @return all of it where damping couples the modes, else zero within what is left out
+template <class T>
+[[nodiscard]] evaluation::FrictionMotion<T> share_of_no_mode(const ModeSums<T>& s, std::size_t k, const T& tau) {
+    if (s.coupled) return s.coupled->motion(k, tau);
+    const auto left_out = left_out_of(s, Mass{k});
+    return {zero_within<T>(left_out.x), zero_within<T>(left_out.x_prime), zero_within<T>(left_out.x_double_prime)};
+}
 
 /// @brief The same of a mass. @param s modes @param k its place @param tau instant in [0, pi] @return friction's share
 template <class T>
 [[nodiscard]] FrictionShare<T> friction_share(const ModeSums<T>& s, std::size_t k, const T& tau) {
     const SineCosine<T> at = sine_cosine(tau);
-    if (s.coupled) return {at.c, at.s, {}, s.coupled->motion(k, tau)};
-    return {at.c, at.s, friction_motions(s, tau), {T(0), T(0), T(0)}};
+    return {at.c, at.s, s.coupled ? std::vector<evaluation::FrictionMotion<T>>{} : friction_motions(s, tau),
+            share_of_no_mode(s, k, tau)};
 }
 
 /// @brief Motion (46) of a mass with friction's share at an instant. @eq{46} @param mass the mass @param y that share

@@ -53,7 +53,7 @@ Value size_of_jerk(const ModeSums<T>& s, const MassInMotion<T>& mass, std::size_
                    const FrictionShare<T>& share) {
     constexpr double slack = 1 + 1.0 / 1024; // more than the roundings here
     const std::vector<evaluation::FrictionMotion<T>>& y = share.of_modes;
-    Value sum(0);
+    Value sum = left_out_of(s, Mass{k}).x_triple_prime;
     if (s.coupled)
         sum = ValueOf<T>::most(T(
             s.coupled->largest_derivative(k, 3, s.coupled->at(ValueOf<T>::of(in_half_period(step < 0 ? T(tau + step) : tau))))));
@@ -190,7 +190,7 @@ std::vector<Motion<T>> motions(const ModeSums<T>& s, const SteadyState<T>& state
         const bool mirrored = halves - 2 * floor(T(halves / 2)) != 0;
         FrictionShare<T> share = friction_share(s, 0, instant);
         for (std::size_t k = 0; k < masses.size(); ++k) {
-            if (k > 0 && s.coupled) share.of_mass = s.coupled->motion(k, instant);
+            if (k > 0) share.of_mass = share_of_no_mode(s, k, instant);
             const evaluation::MotionOfMass<T> at = motion_with(masses[k], share);
             all[n].x.push_back(mirrored ? T(-at.x) : at.x);
             all[n].x_prime.push_back(mirrored ? T(-at.x_prime) : at.x_prime);

@@ -47,7 +47,9 @@ std::shared_ptr<const ModalBasis<Bounded<double>>>
 certain_modes(const SceneSource& source, const std::shared_ptr<const ModalBasis<Bounded<double>>>& basis) {
     if (!is_for_reference(source, relative_error(*basis))) return basis;
     try {
-        return std::make_shared<const ModalBasis<Bounded<double>>>(modes_by_reference(source, false));
+        auto modes = std::make_shared<ModalBasis<Bounded<double>>>(modes_by_reference(source, false));
+        if (!basis->coupled() && modes->coupled()) leave_out_coupling(*modes); // rounding of the damping matrix couples them
+        return modes;
     } catch (const PrecisionError&) {
         return basis;
     }

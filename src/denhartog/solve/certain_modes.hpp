@@ -27,7 +27,7 @@ certain_modes(const SceneSource& source, const std::shared_ptr<const ModalBasis<
 /// @brief What each mode contributes at the frequency ratio of a scene, in double if that has the digits, else by the reference.
 /// @eq{22,23,28,29}
 /// @param source  the scene, with r
-/// @param basis   its modes, hardly coupled
+/// @param basis   its modes, none coupled
 /// @return        (23), (28), (29) of each mode
 /// @throws        DomainError where an undamped mode is at a pole of (23), (28)
 [[nodiscard]] std::vector<evaluation::ModeFunctions<Bounded<double>>>

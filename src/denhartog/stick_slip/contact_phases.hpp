@@ -94,7 +94,7 @@ struct ContactPhases {
         for (std::size_t i = 0; i + 1 < N; ++i) {
             set_mode(sticking, i, s.r_n[i], T(s.damping(i, i) / 2));
         }
-        if (s.coupled()) sticking.D = s.damping / e.r;
+        if (!s.modes_diagonalise_damping) sticking.D = s.damping / e.r;
         sticking.prepare();
         T stiffness(0), fastest(0); // for the bound of a derivative of the load by the energy of the stuck modes
         for (std::size_t i = 0; i + 1 < N; ++i) {

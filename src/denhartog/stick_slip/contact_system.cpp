@@ -9,11 +9,24 @@ namespace denhartog {
 
 namespace {
 
+// What is left out of the damping of the stuck modes, in the modes of sliding.
+template <class T>
+void add_left_out_of_stuck_modes(ContactSystem<T>& c) {
+    const StuckConfiguration<T>& stuck = c.stuck;
+    if (stuck.left_out.size() == 0 || !(stuck.left_out.maxCoeff() > 0)) return;
+    Matrix<T> others(stuck.masses.size(), c.basis.phi.cols());
+    for (std::size_t n = 0; n < stuck.masses.size(); ++n)
+        others.row(static_cast<Eigen::Index>(n)) = c.basis.phi.row(static_cast<Eigen::Index>(stuck.masses[n].index));
+    const Matrix<T> shares = transpose_times(stuck.phi, product(stuck.M, others)).cwiseAbs();
+    const Matrix<T> left_out = in_coordinates(shares, stuck.left_out);
+    c.damping_error = c.damping_error.size() > 0 ? Matrix<T>(c.damping_error + left_out) : left_out;
+}
+
 // What rounding makes of the damping of modes that are known to more digits: of each entry.
 template <class T>
 Matrix<T> rounding_of_damping(const ModalBasis<T>& basis) {
     const auto N = static_cast<Eigen::Index>(basis.r_n.size());
-    Matrix<T> D = Matrix<T>::Zero(N, N);
+    Matrix<T> D = basis.left_out.size() > 0 ? basis.left_out : Matrix<T>(Matrix<T>::Zero(N, N));
     for (Eigen::Index i = 0; i < N; ++i) {
         const auto n = static_cast<std::size_t>(i);
         D(i, i) += 4 * unit_of<T>() * basis.zeta[n] * basis.r_n[n];
@@ -27,7 +40,8 @@ template <class T>
 Matrix<T> error_of_damping(const System<T>& s, const ModalBasis<T>& basis) {
     if (s.damping_matrix.size() == 0) return {};
     const Matrix<T> sizes = basis.phi.cwiseAbs(), of_C = s.damping_matrix.cwiseAbs();
-    return in_coordinates(sizes, of_C) * T((static_cast<int>(sizes.cols()) + 2) * unit_of<T>());
+    const Matrix<T> error = in_coordinates(sizes, of_C) * T((static_cast<int>(sizes.cols()) + 2) * unit_of<T>());
+    return basis.left_out.size() > 0 ? Matrix<T>(error + basis.left_out) : error;
 }
 
 } // namespace
@@ -54,6 +68,7 @@ ContactSystem<T> contact_system(const System<T>& s, const ModalBasis<Bounded<T>>
     out.stuck_load = load_on_stuck_modes(out.stuck, s.load);
     for (const Bounded<T>& r_n : modes.r_n) out.detuned.push_back(r_n.e / r_n.x);
     out.damping_error = held ? rounding_of_damping(out.basis) : error_of_damping(s, out.basis);
+    add_left_out_of_stuck_modes(out);
     out.damping_fixes_modes = damping_matrix_counts(s, out.basis);
     // phi^T M phi = 1, so that phi^T M is the inverse of phi; the mass matrix keeps it free of an inversion.
     const std::size_t N = out.basis.r_n.size();

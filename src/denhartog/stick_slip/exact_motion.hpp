@@ -40,7 +40,7 @@ struct ContactSystem {
     std::vector<T> modal_load{};   ///< phi^T p, what the load brings to each mode
     std::vector<T> stuck_load{};   ///< the same of the stuck modes
     std::vector<T> detuned{};      ///< by what part of itself each natural frequency may be off
-    Matrix<T> damping_error{};     ///< bounds of what rounding makes of phi^T C phi, N x N, or none
+    Matrix<T> damping_error{};     ///< bounds of what rounding makes of phi^T C phi and what is left out of it, N x N, or none
     Coordinates<T> coordinates{};  ///< the masses that are none; none for a scene of the paper
     Matrix<T> further{};           ///< mode shapes of these masses while the contact slides, a row each
     bool damping_fixes_modes{};    ///< a damping matrix was given: modes of one frequency are those that it does not couple

@@ -3,7 +3,7 @@
 /// \f$ q_i'' + \sum_m D_{im} q_m' + \omega_i^2 q_i = F_i\cos\tau + G_i \f$.
 ///
 /// Where D is diagonal each coordinate has its closed form, that of `evaluation/driven_motion.hpp`. Where it is not, as it may be
-/// while the contact sticks and with a damping matrix, they are carried together, as `coupled_motion.hpp`
+/// while the contact sticks and with a damping matrix that couples the modes, they are carried together, as `coupled_motion.hpp`
 /// has it.
 #pragma once
 

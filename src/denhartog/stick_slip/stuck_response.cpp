@@ -88,7 +88,7 @@ std::vector<Complex<T>> coupled_amplitudes(const StuckConfiguration<T>& stuck, c
 
 template <class T>
 std::vector<Complex<T>> mode_amplitudes(const StuckConfiguration<T>& stuck, const std::vector<T>& p, const T& r) {
-    if (stuck.coupled()) return coupled_amplitudes(stuck, p, r);
+    if (!stuck.modes_diagonalise_damping) return coupled_amplitudes(stuck, p, r);
     std::vector<Complex<T>> q;
     for (std::size_t i = 0; i < p.size(); ++i) {
         const auto n = static_cast<Eigen::Index>(i);

@@ -101,13 +101,8 @@ ModalBasis<Bounded<T>> bounded(const System<T>& system, const ModalBasis<T>& bas
         }
         bounded.zeta.push_back({basis.zeta[i], of_zeta});
     }
-    if (!basis.coupled()) return bounded;
-    const auto n = static_cast<Eigen::Index>(N);
-    const Matrix<T> C = system.damping_matrix.cwiseAbs(), phi = basis.phi.topRows(n).cwiseAbs();
-    const Matrix<T> of_phi = bounded.phi.topRows(n).unaryExpr([](const Bounded<T>& entry) { return entry.e; });
-    const Matrix<T> once = transpose_times(of_phi, product(C, phi));
-    const Matrix<T> of_D = once + once.transpose() + in_coordinates(of_phi, C) + unit * in_coordinates(phi, C);
-    bounded.D = basis.D.binaryExpr(of_D, [](const T& entry, const T& error) { return Bounded<T>(entry, error); });
+    bounded.D = basis.D.unaryExpr([](const T& entry) { return Bounded<T>(entry); });
+    bounded.left_out = basis.left_out.unaryExpr([](const T& entry) { return Bounded<T>(entry); });
     return bounded;
 }
 
@@ -159,8 +154,8 @@ ModeSums<T> values_of(const ModeSums<Bounded<T>>& s) {
 template <class T>
 ModalBasis<T> values_of(const ModalBasis<Bounded<T>>& basis) {
     const auto value = [](const Bounded<T>& a) { return a.x; };
-    return {values(basis.r_n), basis.phi.unaryExpr(value), values(basis.zeta), basis.D.unaryExpr(value),
-            basis.distance_from_classical.x};
+    return {values(basis.r_n),        basis.phi.unaryExpr(value),      values(basis.zeta),
+            basis.D.unaryExpr(value), basis.distance_from_classical.x, basis.left_out.unaryExpr(value)};
 }
 
 template <class T>

@@ -1,5 +1,5 @@
 /// @file
-/// @brief Friction's share of the sliding motion of a system with a damping matrix, whether it couples the modes or not.
+/// @brief Friction's share of the sliding motion of a system whose damping couples the modes, for any symmetric damping matrix.
 ///
 /// Between two stops (12) is linear whatever its damping matrix is, and the friction force is constant. With
 /// \f$ \mathbf{M} = \mathbf{L}\mathbf{L}^T \f$, \f$ \mathbf{K} = \mathbf{G}\mathbf{G}^T \f$ and the energy coordinates
@@ -30,7 +30,7 @@ namespace denhartog {
 template <class T>
 using CoupledState = std::array<Column<T>, 4>;
 
-/// @brief Friction's share of the motion at one frequency ratio, by the exponential of the state. Not for two threads at once.
+/// @brief Friction's share of the motion at one frequency ratio, where damping couples the modes. Not for two threads at once.
 template <class T>
 class CoupledFriction {
 public:
@@ -96,7 +96,7 @@ private:
     mutable std::map<T, CoupledState<T>> known_;
 };
 
-/// @brief (57)'s expression summed over the contact, with a damping matrix: what of X_j + beta G_j friction demands.
+/// @brief (57)'s expression summed over the contact, where damping couples the modes: what of X_j + beta G_j friction demands.
 /// @eq{56,57,71}
 /// @param friction  friction's share of the motion
 /// @param contact   the mass in contact

@@ -1,5 +1,5 @@
 /// @file
-/// @brief What of a system with a damping matrix has the place of the sums over its modes.
+/// @brief What of a system whose damping couples the modes has the place of the sums over its modes.
 #pragma once
 
 #include "denhartog/sums/bounded_modes.hpp"
@@ -7,7 +7,7 @@
 
 namespace denhartog {
 
-/// @brief V, U, G, Y_jj, H_j of a system with a damping matrix; no mode stands by itself, and their lists are empty.
+/// @brief V, U, G, Y_jj, H_j of a system whose damping couples the modes; it has no modes, and their lists are empty.
 /// @eq{33,34,35,64,65}
 /// @param system  the system, in the paper's form
 /// @param r       frequency ratio with its error
@@ -16,7 +16,7 @@ namespace denhartog {
 template <class T>
 [[nodiscard]] ModeSums<Bounded<T>> coupled_sums(const System<T>& system, const Bounded<T>& r);
 
-/// @brief The sums over modes with bounds of their errors, or what has their place where a damping matrix counts.
+/// @brief The sums over modes with bounds of their errors, or what has their place where damping couples the modes.
 /// @eq{33,34,35,64,65}
 /// @param system  the system
 /// @param basis   its modes

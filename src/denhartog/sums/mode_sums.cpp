@@ -9,6 +9,7 @@
 #include "denhartog/number/errors.hpp"
 #include "denhartog/scene/mass_rules.hpp"
 #include "denhartog/scene/point_rules.hpp"
+#include "denhartog/sums/left_out_coupling.hpp"
 
 namespace denhartog {
 namespace {
@@ -94,18 +95,22 @@ ModeSums<T> mode_sums(const ModalBasis<T>& basis, Mass contact, Mass load, const
         s.u.push_back(functions[i].u);
         s.g.push_back(functions[i].g);
     }
+    s.left_out = left_out_coupling(basis, s);
+    const auto zero_pair = [](const auto& bound) { return Complex<T>{zero_within<T>(bound), zero_within<T>(bound)}; };
     const auto psi_j = mode_shapes_at(s, contact);
     const auto psi_l = mode_shapes_at(s, load);
     const std::span<const T> R(s.R), zeta(s.zeta), u(s.u), g(s.g);
     const std::span<const Complex<T>> v(s.v);
     for (std::size_t k = 0; k < masses; ++k) {
         const auto psi_k = mode_shapes_at(s, Mass{k});
-        s.V.push_back(paper::complex_response_of_mass(psi_k, psi_l, R, v));
-        s.U.push_back(paper::damping_function_of_mass(psi_k, psi_j, R, u));
-        s.G.push_back(paper::damping_function_of_mass(psi_k, psi_j, R, g));
+        const auto left_out = left_out_of(s, Mass{k});
+        s.V.push_back(paper::complex_response_of_mass(psi_k, psi_l, R, v, zero_pair(left_out.V)));
+        s.U.push_back(paper::damping_function_of_mass(psi_k, psi_j, R, u, zero_within<T>(left_out.x_prime)));
+        s.G.push_back(paper::damping_function_of_mass(psi_k, psi_j, R, g, zero_within<T>(left_out.x)));
     }
-    s.Y_jj = paper::complex_response_of_mass(psi_j, psi_j, R, v);
-    s.H_j = paper::H(psi_j, R, zeta, u, g);
+    const auto left_out = left_out_of(s, contact);
+    s.Y_jj = paper::complex_response_of_mass(psi_j, psi_j, R, v, zero_pair(left_out.Y));
+    s.H_j = paper::H(psi_j, R, zeta, u, g, zero_within<T>(left_out.x_double_prime));
     const boost::container::small_vector<T, 8> ones(N, T(1));
     s.sum_of_squares = paper::sum_over_contact(psi_j, std::span<const T>(ones.data(), N));
     return s;

@@ -46,12 +46,19 @@ template bool every_motion_is_damped(const ModalBasis<Real50>&);
 template NonDimensionalMatrices<Real50> non_dimensional_matrices(const System<Real50>&, const ModalBasis<Real50>&, const Real50&);
 template NonDimensionalMatrices<Real100> non_dimensional_matrices(const System<Real100>&, const ModalBasis<Real100>&,
                                                                   const Real100&);
-template Real50 largest_coupling(const Matrix<Real50>&);
-template Real100 largest_coupling(const Matrix<Real100>&);
-template Matrix<Real50> damping_in_modes(const Matrix<Real50>&, const std::vector<Real50>&, Matrix<Real50>&);
-template Matrix<Real100> damping_in_modes(const Matrix<Real100>&, const std::vector<Real100>&, Matrix<Real100>&);
-template void set_modal_damping(const Matrix<Real50>&, const Matrix<Real50>&, const Matrix<Real50>&, double, ModalBasis<Real50>&);
-template void set_modal_damping(const Matrix<Real100>&, const Matrix<Real100>&, const Matrix<Real100>&, double,
+template Matrix<Real50> rounding_between_modes(const Matrix<Real50>&, const Matrix<Real50>&, const NaturalModes<Real50>&,
+                                               FrequencyErrors);
+template bool couples_a_pair(const Matrix<Real50>&, const Matrix<Real50>&);
+template Real50 largest_coupling(const Matrix<Real50>&, const Real50&);
+template Matrix<Real100> rounding_between_modes(const Matrix<Real100>&, const Matrix<Real100>&, const NaturalModes<Real100>&,
+                                                FrequencyErrors);
+template bool couples_a_pair(const Matrix<Real100>&, const Matrix<Real100>&);
+template Real100 largest_coupling(const Matrix<Real100>&, const Real100&);
+template void turn_coinciding_modes(const Matrix<Real50>&, const Real50&, const std::vector<Real50>&, Matrix<Real50>&);
+template void turn_coinciding_modes(const Matrix<Real100>&, const Real100&, const std::vector<Real100>&, Matrix<Real100>&);
+template void set_modal_damping(const Matrix<Real50>&, const Matrix<Real50>&, const Matrix<Real50>&, double, FrequencyErrors,
+                                ModalBasis<Real50>&);
+template void set_modal_damping(const Matrix<Real100>&, const Matrix<Real100>&, const Matrix<Real100>&, double, FrequencyErrors,
                                 ModalBasis<Real100>&);
 template NaturalModes<Real50> chain_modes(const std::vector<Real50>&, const std::vector<Real50>&);
 template NaturalModes<Real100> chain_modes(const std::vector<Real100>&, const std::vector<Real100>&);

@@ -5,7 +5,6 @@
 #include <memory>
 
 #include "denhartog/answer/modes_in_double.hpp"
-#include "denhartog/answer/sliding_point.hpp"
 #include "denhartog/program/commands/scene_command.hpp"
 #include "denhartog/program/json/damping_json.hpp"
 #include "denhartog/program/json/number_json.hpp"
@@ -43,9 +42,8 @@ Json functions_json(const SceneSource& source) {
     const NumberWriter write;
     const auto basis = certain_modes(source, modes_in_double(source).basis);
     std::optional<ModeSums<Bounded<double>>> s; // none where damping couples the modes
-    if (!certainly_couples(*basis))
-        s = mode_sums(by_themselves(*basis), scene.system.contact, scene.system.load, as_input(*scene.r),
-                      certain_mode_functions(source, basis));
+    if (!basis->coupled())
+        s = mode_sums(*basis, scene.system.contact, scene.system.load, as_input(*scene.r), certain_mode_functions(source, basis));
     const Quantities<Bounded<double>> q = quantities(source, {}, digits_of_sums, PointNumbers::sums).numbers;
     Json all{{"modes", Json::array()}, {"masses", Json::array()}};
     for (std::size_t i = 0; i < basis->r_n.size(); ++i) {
@@ -112,9 +110,8 @@ void add_functions_command(CLI::App& app, ExitStatus& status) {
     command->footer(
         "Complex numbers are pairs [real part, imaginary part]. Numbers of modes have at least 6 digits, sums over them 10;\n"
         "they are computed by the reference if double does not have these. error_bounds: bounds of the errors, of a complex\n"
-        "number that of the part that is off by more. beta is not needed. With a damping matrix zeta is what its diagonal "
-        "gives;\n"
-        "if it couples the modes by more than 1e-6 of two diagonal coefficients, they have no v, u and g of their own.");
+        "number that of the part that is off by more. beta is not needed. If the damping matrix couples the modes, they have\n"
+        "no v, u and g of their own, and zeta is what the diagonal of the matrix gives.");
     command->callback([options, &status] {
         answer_scenes(
             *options, [&](const SceneText& part) { return evaluate(part, *options); }, status);

@@ -100,7 +100,7 @@ void add_solve_command(CLI::App& app, ExitStatus& status) {
         "error_bound is absolute, in units of P / k_1; phase_error_bound in radians. counters: what the answer cost.\n"
         "dimensional: the same in the units of a scene that was given by masses and stiffnesses; times from the maximum of the\n"
         "force.\n"
-        "damping: for a damping matrix, whether what couples the modes was included, and how large it is.\n"
+        "damping: for a damping matrix that couples the modes, whether the coupling was included, and how large it is.\n"
         "--all: motions lists each motion found, with its stability, from, a state at the maximum of the force that leads to\n"
         "it, and found, where that start comes from. A motion that is not listed may still exist.\n"
         "If no steady motion is found, or not to the digits asked for, the answer has a reason and the exit status is 3.");

@@ -1,5 +1,5 @@
 /// @file
-/// @brief What an answer makes of a damping matrix.
+/// @brief What an answer makes of a damping matrix that couples the modes.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@ namespace denhartog::program {
 
 /// @brief Whether the coupling of the modes was taken in or left out, how large it is, and the damping ratios without it.
 /// @param source  a scene
-/// @return        the object; none where damping was given by ratios, by a matrix of zeros, or of one mass
+/// @return        the object; none where damping was given by ratios, or by a matrix that does not couple the modes
 [[nodiscard]] std::optional<Json> damping_json(const SceneSource& source);
 
 /// @brief The same for reading. @param damping the object @return a line of text
