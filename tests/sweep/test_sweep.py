@@ -482,6 +482,7 @@ class Sweep(unittest.TestCase):
                 ([*axes, "count"], 1.5, "count must be of the type integer, but is 1.5"), ([*axes, "scale"], "cubic", "linear, logarithmic"),
                 ([*axes, "values"], [1], "axes must keep the rule: An axis has `values`, or"), (["axes", 1, "from"], -1, "beta must be zero or positive, and finite, but is -1"),
                 ([*axes, "from"], 0, "r must be positive and finite, but is 0"), ([*axes, "to"], 0, "`to` not below `from`"),
+                ([*axes, "to"], 10**400, "r must have numbers that a double holds"),
                 ([*axes, "count"], 1, "`to` equal to `from` where count is 1"), ([*axes, "entry"], 2, "an entry of zeta, mass, stiffness only"),
                 ([*axes, "as"], "factor", "r_factor must be drawn, as a factor of the axis r"),
                 (["axes", 1, "quantity"], "friction", "must not be given together with friction or frequency_hz"),

@@ -145,6 +145,8 @@ def _target(name: str) -> tuple[str, Optional[int], bool]:
 
 def spaced(name: str, item: Mapping[str, Any]) -> np.ndarray:
     """The values of an axis, or the ends of bins: both ends as they are given, and those between as `denhartog map` has them."""
+    numbers = [*item.get("values", ()), *(item[end] for end in ("from", "to") if end in item)]
+    must(all(abs(x) <= np.finfo(float).max for x in numbers), name, "must have numbers that a double holds", "a larger one")
     if "values" in item:
         return np.array(item["values"], dtype=float)
     first, last, count = float(item["from"]), float(item["to"]), int(item["count"])
