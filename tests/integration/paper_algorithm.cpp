@@ -185,3 +185,14 @@ TEST_CASE("the paper's algorithm names the setting, the rule and the value of ba
     without.r = -1;
     CHECK_THROWS_AS(paper_algorithm(without), InputError);
 }
+
+TEST_CASE("masses that nothing moves are followed over any number of periods", "[exact-solver][paper-algorithm]") {
+    Scene<double> scene = chain({1, 1, 1}, {1, 1, 1}, {0.1, 0.1, 0.1}, 2, 2, 1, 0.5);
+    scene.beta = 1.5;
+    PaperSettings settings;
+    settings.cycles = 10;
+    const PaperMotion exact = exact_cycles(scene_source(scene), settings);
+    CHECK(exact.status == IntegrationStatus::complete);
+    CHECK(exact.phases == 1);
+    for (const auto& mass : exact.masses) CHECK(mass.amplitude == 0);
+}

@@ -193,7 +193,8 @@ std::vector<Extremum<T>> ExactSolver<T>::largest_displacements(const T& error) {
     if (work.effort == &work.own) work.own = {default_effort(work.N)};
     const ContactSystem<T>& system = *work.system;
     const std::size_t j = system.contact.index, count = work.N + system.coordinates.replaced.size();
-    std::vector<Extremum<T>> largest(count, Extremum<T>{T(0), T(0)});
+    const T start = work.motion.phases.empty() ? T(0) : work.motion.phases.front().start; // a mass at rest is there as ever
+    std::vector<Extremum<T>> largest(count, Extremum<T>{T(0), start});
     std::vector<std::vector<Place<T>>> places(count);
     const auto take = [&](std::size_t k, const T& x, const T& tau) {
         const T size = abs(x);
