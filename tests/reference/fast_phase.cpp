@@ -127,7 +127,7 @@ TEST_CASE("long phases whose free motions coincide are followed by series", "[re
         CHECK(std::abs(in_double.stops[n].start.value - proved.stops[n].start.value) <= in_double.stops[n].start.error);
         CHECK(std::abs(in_double.stops[n].x.value - proved.stops[n].x.value) <= in_double.stops[n].x.error);
     }
-    question.digits = 200; // so fast that series are too many
+    // so fast that series are too many
     CHECK_THROWS_WITH(solve(scene_source(SceneText{R"({"mass_ratios": 1, "stiffness_ratios": 1, "contact": 1, "load": 1,
                                 "damping_ratios": 1, "r": 1e-5, "beta": 1e-6})"}),
                             question),

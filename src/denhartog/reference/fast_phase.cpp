@@ -146,12 +146,13 @@ NumberInTime FastPhases::number(const BallMatrix& row, const BallMatrix& Z) cons
 
 const std::shared_ptr<FastPhases>& ContactMechanics::by_free_motions(int direction) const {
     std::optional<std::shared_ptr<FastPhases>>& kind = fast[direction + 1];
-    if (!kind) try {
-            const Bits all(bits);
-            kind = std::make_shared<FastPhases>(*this, direction);
-        } catch (const Unproved&) {
-            kind = nullptr;
-        }
+    if (kind) return *kind;
+    try {
+        const Bits all(bits);
+        kind = std::make_shared<FastPhases>(*this, direction);
+    } catch (const Unproved&) {
+        kind = nullptr;
+    }
     return *kind;
 }
 

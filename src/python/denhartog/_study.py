@@ -210,16 +210,7 @@ def drawn_of(samples: Mapping[str, Any]) -> Arrays:
 
 
 def plan_of(study: Mapping[str, Any], grid: Any = None) -> Plan:
-    """A study on its grid, after every rule of it is checked.
-
-    Parameters
-    ----------
-    study : mapping
-        As docs/study.schema.json has it.
-    grid : xarray.Dataset, optional
-        In place of the study's `axes` and `samples`: a coordinate for each axis, and a variable over the dimension `sample` for
-        each quantity that is drawn; their names are those in the results, such as `r`, `zeta_2`, `mass_factor`.
-    """
+    """A study on its grid, after every rule of it is checked; the arguments are those of `sweep.dataset`."""
     import jsonschema
     study = _scene.plain("the study", study)
     faults = list(jsonschema.Draft202012Validator(_schema()).iter_errors(study))

@@ -46,19 +46,15 @@ OrbitGuess guess_of(const OrbitSeen& seen) {
 class InBits {
 public:
     InBits(const SceneSource& source, Regime regime, const OrbitSeen* seen, slong bits)
-        : source_(source), regime_(regime), point_(point_in_balls(source, false)) {
-        if (seen == nullptr) return;
-        const auto scene = [&] { return damped_scene_in_balls(source); };
-        const OrbitGuess guess = guess_of(*seen);
-        orbit_ = proved_orbit(scene, guess, bits, {}, false);
-        phases_ = orbit_in_phases(scene, guess, bits);
+        : source_(source), regime_(regime), bits_(bits), point_(point_in_balls(source, false)) {
+        if (seen != nullptr) guess_ = guess_of(*seen);
     }
 
     // The numbers of a question; none of a quantity that is not served.
     std::vector<Ball> numbers(const ProtocolQuestion& q) {
         const std::string& name = q.quantity;
         const std::size_t k = q.mass == 0 ? static_cast<std::size_t>(point_.scene.N()) : static_cast<std::size_t>(q.mass - 1);
-        if (orbit_) return of_orbit(q, k);
+        if (guess_) return of_orbit(q, k);
         if (name == "natural_frequency_ratios" || name == "modal_frequency_ratios" || name == "mode_shape_products")
             return of_modes(name, k);
         if (name == "beta_lim_high_frequency") return {paper::friction_ratio_limit_at_high_frequency(point_.scene.mu)};
@@ -82,8 +78,10 @@ public:
 private:
     SceneSource source_;
     Regime regime_;
+    slong bits_;
     PointInBalls point_;
-    std::optional<OrbitInBalls> orbit_{};
+    std::optional<OrbitGuess> guess_{};
+    std::optional<OrbitInBalls> orbit_{}; // both when they are first needed
     std::optional<OrbitInPhases> phases_{};
 
     [[nodiscard]] const ResponsesInBalls& responses() const { return *point_.responses; }
@@ -150,11 +148,16 @@ private:
         return {};
     }
 
-    [[nodiscard]] std::vector<Ball> of_orbit(const ProtocolQuestion& q, std::size_t k) const {
+    [[nodiscard]] std::vector<Ball> of_orbit(const ProtocolQuestion& q, std::size_t k) {
+        const auto scene = [&] { return damped_scene_in_balls(source_); };
+        if (q.quantity == "motion_under_force") {
+            if (!phases_) phases_ = orbit_in_phases(scene, *guess_, bits_);
+            return samples(q, k, [&](const Ball& tau) { return phases_->at(tau); });
+        }
+        if (!orbit_) orbit_ = proved_orbit(scene, *guess_, bits_, {}, false);
         if (q.quantity == "amplitude") return {orbit_->amplitude[k]};
         if (q.quantity == "phase") return orbit_->phase[k] ? std::vector<Ball>{*orbit_->phase[k]} : std::vector<Ball>{};
         if (q.quantity == "stops_per_period") return {Ball(orbit_->stops.size())};
-        if (q.quantity == "motion_under_force") return samples(q, k, [&](const Ball& tau) { return phases_->at(tau); });
         if (q.quantity != "stop_durations") return {};
         std::vector<Ball> lengths;
         for (const StopInBalls& stop : orbit_->stops) lengths.push_back(stop.end - stop.start);
