@@ -19,6 +19,7 @@ SOURCES = [ROOT / "tests/digits/functions.cpp",
            *(ROOT / f"src/denhartog/{name}.cpp"
              for name in ("elementary/angle", "elementary/exponential", "number/double_double", "model/product_of_doubles"))]
 COMMON = ["-std=c++20", f"-I{ROOT / 'src'}", f"-I{ROOT}"]
+TABLES = ROOT / "src/denhartog/elementary/make_tables.py"
 SYSTEM_EXP = [ROOT / "tests/digits/system_exp.cpp", "-Wl,--wrap=_ZN9denhartog10elementary3expEd"]
 OLDER = {"GLIBC_TUNABLES": "glibc.cpu.hwcaps=-AVX2,-FMA,-AVX512F"}
 
@@ -42,11 +43,12 @@ class Programs:
     def __init__(self, folder):
         self.folder = folder
         self.made = 0
+        subprocess.run([sys.executable, TABLES, folder / "include/denhartog/elementary"], check=True)
 
     def make(self, compiler, options):
         self.made += 1
         program = self.folder / f"functions-{self.made}"
-        subprocess.run([compiler, *COMMON, *options, *SOURCES, "-o", program], check=True)
+        subprocess.run([compiler, *COMMON, f"-I{self.folder / 'include'}", *options, *SOURCES, "-o", program], check=True)
         return [program]
 
 

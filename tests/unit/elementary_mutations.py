@@ -55,6 +55,7 @@ def main():
     shutil.rmtree(temporary, ignore_errors=True)
     mutated, library = temporary / "denhartog" / "elementary", sources / "src" / "denhartog"
     shutil.copytree(library / "elementary", mutated)
+    subprocess.run([sys.executable, mutated / "make_tables.py", mutated], check=True)
     options = [compiler, "-std=c++20", "-O1", "-ffp-contract=off", f"-I{temporary}", f"-I{sources / 'src'}", f"-I{sources}"]
     program = temporary / "tests"
 

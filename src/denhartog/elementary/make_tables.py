@@ -1,6 +1,7 @@
 """Writes the tables of the elementary functions, each entry rounded from 1400 bits.
 
-Usage: make_tables.py FOLDER, which gets angle_tables.hpp, circle_tables.hpp, logarithm_tables.hpp, power_tables.hpp and series_tables.hpp.
+The build runs it. Usage: make_tables.py FOLDER, which gets angle_tables.hpp, circle_tables.hpp, logarithm_tables.hpp,
+power_tables.hpp and series_tables.hpp.
 Whole numbers alone are used: a number x stands for x / 2^BITS.
 """
 import sys
@@ -183,8 +184,9 @@ def table(comment, type_, name, count, rows):
 def write(name, brief, lines):
     text_of_file = ["/// @file", f"/// @brief {brief}, written by make_tables.py.", "#pragma once", "", "#include <cstdint>", "",
                     "namespace denhartog::elementary {", "", *lines, "", "} // namespace denhartog::elementary", ""]
-    with open(Path(sys.argv[1]) / name, "w") as file:
-        file.write("\n".join(text_of_file))
+    folder = Path(sys.argv[1])
+    folder.mkdir(parents=True, exist_ok=True)
+    (folder / name).write_text("\n".join(text_of_file))
 
 
 def write_circle():
