@@ -1,6 +1,7 @@
 vcpkg_download_distfile(archive URLS "ADDRESS_OF_THE_ARCHIVE" FILENAME "denhartog-${VERSION}.tar.gz" SHA512 0)
 vcpkg_extract_source_archive(source ARCHIVE "${archive}")
-vcpkg_cmake_configure(SOURCE_PATH "${source}" OPTIONS -DDENHARTOG_INSTALL=ON -DDENHARTOG_REFERENCE=OFF)
+vcpkg_find_acquire_program(PYTHON3)
+vcpkg_cmake_configure(SOURCE_PATH "${source}" OPTIONS -DDENHARTOG_INSTALL=ON -DDENHARTOG_REFERENCE=OFF "-DPython3_EXECUTABLE=${PYTHON3}")
 vcpkg_cmake_install()
 vcpkg_cmake_config_fixup(CONFIG_PATH lib/cmake/denhartog)
 vcpkg_copy_tools(TOOL_NAMES denhartog AUTO_CLEAN)
