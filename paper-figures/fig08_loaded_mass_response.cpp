@@ -24,8 +24,7 @@ void add_stuck(Figure& figure, const Damped& d) {
     const double r_n = curve.stuck.r_n[0];
     Table table{"stuck zeta=" + plain(d.zeta), {"r", "X", "phase"}, {}};
     for (const double r : frequencies(0.05, last_r, 0.01, {{r_n, d.zeta / r_n}})) {
-        const StuckMass<double> m =
-            stuck_response(curve.stuck, d.modes.system.contact, d.modes.system.load, r).masses[mass.index];
+        const StuckMass m = stuck_response(curve.stuck, d.modes.system.contact, d.modes.system.load, r).masses[mass.index];
         table.rows.push_back({r, m.amplitude, turned(*m.phase, least_phase(r))});
     }
     figure.add(table);

@@ -66,10 +66,10 @@ std::string sticking_as_printed(const std::vector<RegimePlane>& planes) {
     double worst = 0;
     for (const RegimePlane& p : planes) {
         const StuckConfiguration<double> stuck = stuck_configuration(p.modes.system, p.modes.basis);
-        const std::optional<StuckChain<double>> chain = stuck_chain(p.modes.system, stuck);
+        const std::optional<StuckChain> chain = stuck_chain(p.modes.system, stuck);
         for (const double r : spaced(0.02, 3, 150)) {
-            const StuckResponse<double> response = stuck_response(stuck, p.modes.system.contact, p.modes.system.load, r);
-            const StickingBoundary<double> limits = sticking_boundary(response, chain, 1.0);
+            const StuckResponse response = stuck_response(stuck, p.modes.system.contact, p.modes.system.load, r);
+            const StickingBoundary limits = sticking_boundary(response, chain, 1.0);
             worst = std::max(worst, std::abs(limits.paper.value() / limits.exact - 1));
         }
     }

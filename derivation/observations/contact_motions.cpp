@@ -18,12 +18,12 @@ const std::vector<double>& friction_ratios() {
 
 } // namespace
 
-ContactMotion motion_of_contact(ExactSolver<double>& solver, double r, double beta) {
+ContactMotion motion_of_contact(ExactSolver& solver, double r, double beta) {
     solver.set({r, beta, 1});
-    OrbitSearch<double> search;
+    OrbitSearch search;
     search.contact_only = true;
     search.with_stability = false;
-    const PeriodicOrbit<double> orbit = periodic_orbit(solver, at_rest<double>(solver.system().basis.r_n.size()), search);
+    const PeriodicOrbit orbit = periodic_orbit(solver, at_rest(solver.system().basis.r_n.size()), search);
     if (orbit.status == OrbitStatus::not_converged) throw std::logic_error("no steady motion: " + orbit.reason);
     if (orbit.status == OrbitStatus::permanently_stuck) return {0, 0, true};
     return {orbit.contact.amplitude, orbit.stops.size(), false};
@@ -35,8 +35,8 @@ std::vector<GridPoint> contact_over_grid(const std::vector<double>& frequencies)
         for (const double r : frequencies)
             for (const double beta : friction_ratios()) grid.push_back({system, r, beta, {}});
     for (const double zeta : damping_ratios_of_figures()) {
-        const ContactSystem<double> one = contact_system(single_mass(zeta)), two = contact_system(two_masses(zeta));
-        ExactSolver<double> solver_of_one(one, {1, 1, 1}), solver_of_two(two, {1, 1, 1});
+        const ContactSystem one = contact_system(single_mass(zeta)), two = contact_system(two_masses(zeta));
+        ExactSolver solver_of_one(one, {1, 1, 1}), solver_of_two(two, {1, 1, 1});
         for (GridPoint& point : grid)
             point.motions.push_back(
                 motion_of_contact(point.system == "SDOF" ? solver_of_one : solver_of_two, point.r, point.beta));

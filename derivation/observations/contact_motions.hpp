@@ -21,7 +21,7 @@ struct ContactMotion {
 /// @brief The steady motion from rest. @param solver a system, set anew @param r frequency ratio @param beta friction ratio
 /// @return  the motion
 /// @throws  std::logic_error where none is found
-[[nodiscard]] ContactMotion motion_of_contact(ExactSolver<double>& solver, double r, double beta);
+[[nodiscard]] ContactMotion motion_of_contact(ExactSolver& solver, double r, double beta);
 
 /// @brief The motions of the contact at a point, one for each damping ratio of the figures, ascending.
 struct GridPoint {

@@ -63,8 +63,8 @@ Outcome another_mass_slides() {
     Outcome outcome;
     const ObservedSystem s = observed_system("2DOF j=2 l=1", 0.001, two_masses(0.001));
     const double r = 10, beta = 0.001, limit = boundary(sums_at(s, r), 1.0).exact;
-    const ContactSystem<double> system = contact_system(s.system);
-    ExactSolver<double> solver(system, {r, beta, 1});
+    const ContactSystem system = contact_system(s.system);
+    ExactSolver solver(system, {r, beta, 1});
     const ContactMotion motion = motion_of_contact(solver, r, beta);
     if (beta < limit && motion.stops == 0 && !motion.rests) outcome.verdict = Verdict::refuted;
     outcome.witness = {{"system", s.name},
@@ -134,10 +134,10 @@ Outcome all_masses_rest() {
     for (const std::size_t N : {1, 2, 3, 5})
         for (std::size_t j = 1; j <= N; ++j) {
             const System<double> system = equal_chain<double>(N, j, j, std::vector<double>(N, 0.01));
-            const ContactSystem<double> s = contact_system(system);
+            const ContactSystem s = contact_system(system);
             for (int n = 1; n <= 60; ++n) {
-                const StuckResponse<double> held = stuck_response(s.stuck, s.contact, s.load, n / 20.0);
-                for (const StuckMass<double>& mass : held.masses)
+                const StuckResponse held = stuck_response(s.stuck, s.contact, s.load, n / 20.0);
+                for (const StuckMass& mass : held.masses)
                     worst.take(mass.amplitude, [&] {
                         return Witness{{"masses", std::to_string(N)}, {"j = l", std::to_string(j)}, {"r", text(n / 20.0)}};
                     });

@@ -54,8 +54,8 @@ Outcome amplitude_at_high_frequency() {
     for (const double zeta_of_mass : damping_ratios_of_figures()) {
         std::string line =
             "Stick-slip, SDOF, zeta = " + rounded(zeta_of_mass) + ", beta = 0.8: amplitude times r^2 at r = 5, 10, 20:";
-        const ContactSystem<double> system = contact_system(single_mass(zeta_of_mass));
-        ExactSolver<double> solver(system, {1, 1, 1});
+        const ContactSystem system = contact_system(single_mass(zeta_of_mass));
+        ExactSolver solver(system, {1, 1, 1});
         for (const double r : {5.0, 10.0, 20.0}) line += " " + rounded(motion_of_contact(solver, r, 0.8).X * r * r);
         outcome.steps.push_back({line, ""});
     }
@@ -121,8 +121,8 @@ Outcome rests_at_high_frequency() {
         outcome.steps.push_back({line, ""});
     }
     const double r = 4, beta = 0.1;
-    const ContactSystem<double> system = contact_system(systems.front().system);
-    ExactSolver<double> solver(system, {r, beta, 1});
+    const ContactSystem system = contact_system(systems.front().system);
+    ExactSolver solver(system, {r, beta, 1});
     const ContactMotion motion = motion_of_contact(solver, r, beta);
     if (motion.rests) outcome.verdict = Verdict::refuted;
     outcome.witness = {{"system", systems.front().name},

@@ -75,14 +75,14 @@ Outcome number_of_stops(bool in_all) {
 
 /// The largest velocity of the contact over the steady motion from rest of a single mass at the point of Fig. 13.
 double largest_velocity(double zeta) {
-    const ContactSystem<double> system = contact_system(single_mass(zeta));
-    ExactSolver<double> solver(system, {0.1, 0.2, 1});
-    OrbitSearch<double> search;
+    const ContactSystem system = contact_system(single_mass(zeta));
+    ExactSolver solver(system, {0.1, 0.2, 1});
+    OrbitSearch search;
     search.contact_only = true;
     search.with_stability = false;
-    const PeriodicOrbit<double> orbit = periodic_orbit(solver, at_rest<double>(1), search);
+    const PeriodicOrbit orbit = periodic_orbit(solver, at_rest(1), search);
     if (orbit.status != OrbitStatus::periodic) throw std::logic_error("no steady motion: " + orbit.reason);
-    const std::vector<Phase<double>> phases = solver.run(orbit.start, 0, 2 * pi<double>()).phases;
+    const std::vector<Phase> phases = solver.run(orbit.start, 0, 2 * pi<double>()).phases;
     double largest = 0;
     for (std::size_t n = 0; n < phases.size(); ++n)
         for (int part = 0; part <= 64; ++part) {

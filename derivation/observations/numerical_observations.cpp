@@ -148,9 +148,9 @@ Outcome most_converge_early() {
 std::string steady_regime(const ComparedPoint& p) {
     for (const ObservedSystem& s : systems_of_the_paper()) {
         if (s.name != p.system) continue;
-        const ContactSystem<double> system = contact_system(s.system);
-        ExactSolver<double> solver(system, {p.r, p.beta, 1});
-        const PeriodicOrbit<double> orbit = periodic_orbit(solver, at_rest<double>(s.basis.r_n.size()));
+        const ContactSystem system = contact_system(s.system);
+        ExactSolver solver(system, {p.r, p.beta, 1});
+        const PeriodicOrbit orbit = periodic_orbit(solver, at_rest(s.basis.r_n.size()));
         if (orbit.status == OrbitStatus::not_converged) return "not found";
         if (orbit.status == OrbitStatus::permanently_stuck) return name(Regime::permanent_sticking);
         return name(orbit.stops.empty() ? Regime::continuous : Regime::stick_slip);

@@ -36,17 +36,17 @@ Outcome without_static_friction() {
 }
 
 /// A steady motion that the exact solver finds from rest.
-PeriodicOrbit<double> orbit_from_rest(const ContactSystem<double>& system, double r, double beta, double mu) {
-    ExactSolver<double> solver(system, {r, beta, mu});
-    OrbitSearch<double> search;
+PeriodicOrbit orbit_from_rest(const ContactSystem& system, double r, double beta, double mu) {
+    ExactSolver solver(system, {r, beta, mu});
+    OrbitSearch search;
     search.contact_only = true;
-    return periodic_orbit(solver, at_rest<double>(system.basis.r_n.size()), search);
+    return periodic_orbit(solver, at_rest(system.basis.r_n.size()), search);
 }
 
 /// A stable motion of a single mass that does not mirror itself.
 Outcome asymmetric_motion() {
     const double zeta = 0.03125, r = 0.5, beta = 0.1875, mu = 2;
-    const PeriodicOrbit<double> orbit = orbit_from_rest(contact_system(single_mass(zeta)), r, beta, mu);
+    const PeriodicOrbit orbit = orbit_from_rest(contact_system(single_mass(zeta)), r, beta, mu);
     Outcome outcome;
     outcome.witness = {{"system", "SDOF"},   {"zeta", text(zeta)}, {"r", text(r)},
                        {"beta", text(beta)}, {"mu", text(mu)},     {"stops a period", std::to_string(orbit.stops.size())}};
@@ -61,7 +61,7 @@ Outcome two_steady_motions() {
     const double zeta = 0.01, r = 1, beta = 0.6, mu = 2;
     const ObservedSystem s = observed_system("SDOF", zeta, single_mass(zeta));
     const Boundary<double> limits = boundary(sums_at(s, r), mu);
-    const PeriodicOrbit<double> orbit = orbit_from_rest(contact_system(s.system), r, beta, mu);
+    const PeriodicOrbit orbit = orbit_from_rest(contact_system(s.system), r, beta, mu);
     Outcome outcome;
     outcome.witness = {{"system", s.name},
                        {"r", text(r)},
@@ -85,16 +85,15 @@ Outcome largest_at_a_stop() {
     Witness other;
     for (const ObservedSystem& s : systems_of_the_paper()) {
         if (s.basis.r_n.size() > 2) continue;
-        const ContactSystem<double> system = contact_system(s.system);
+        const ContactSystem system = contact_system(s.system);
         for (int n = 1; n <= 25; ++n)
             for (const double beta : {0.05, 0.1, 0.2, 0.4, 0.6, 0.8}) {
                 const double r = n / 10.0;
-                const PeriodicOrbit<double> orbit = orbit_from_rest(system, r, beta, 1);
+                const PeriodicOrbit orbit = orbit_from_rest(system, r, beta, 1);
                 if (orbit.status != OrbitStatus::periodic || orbit.stops.empty()) continue;
                 ++motions;
-                const bool rests = std::ranges::any_of(orbit.stops, [&](const Stop<double>& stop) {
-                    return std::abs(stop.x) > orbit.contact.amplitude * (1 - 1e-9);
-                });
+                const bool rests = std::ranges::any_of(
+                    orbit.stops, [&](const Stop& stop) { return std::abs(stop.x) > orbit.contact.amplitude * (1 - 1e-9); });
                 at_stop += rests;
                 if (!rests) other = {{"not in", s.name}, {"r", text(r)}, {"beta", text(beta)}};
             }

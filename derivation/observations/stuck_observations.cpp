@@ -43,7 +43,7 @@ Outcome far_side_at_rest() {
         if (s.system.load == s.system.contact) continue;
         for (int n = 1; n <= 600; ++n) {
             const double r = n / 200.0;
-            const StuckResponse<double> response = stuck_response(s.stuck, s.system.contact, s.system.load, r);
+            const StuckResponse response = stuck_response(s.stuck, s.system.contact, s.system.load, r);
             double near = 0, far = 0;
             for (std::size_t k = 0; k < response.masses.size(); ++k) {
                 double& largest_there = (k < j) == (s.system.load.index < j) ? near : far;
@@ -72,8 +72,8 @@ Outcome measured_88() {
     Outcome outcome;
     double worst_error = 0;
     for (const StuckSystem& s : stuck_systems()) {
-        const WorstOfSweep all = worst_over_r(s, [](const StickingBoundary<double>& b) { return *b.paper; });
-        const WorstOfSweep force = worst_over_r(s, [](const StickingBoundary<double>& b) { return b.without_damping_load; });
+        const WorstOfSweep all = worst_over_r(s, [](const StickingBoundary& b) { return *b.paper; });
+        const WorstOfSweep force = worst_over_r(s, [](const StickingBoundary& b) { return b.without_damping_load; });
         outcome.steps.push_back({s.name + ": (88) over exact " + rounded(all.ratio) + " at r = " + rounded(all.r) +
                                      "; the damping forces on the contact alone left out: " + rounded(force.ratio) +
                                      " at r = " + rounded(force.r),
@@ -94,7 +94,7 @@ Outcome small_damping() {
     for (const double zeta : {1e-2, 1e-3, 1e-4, 1e-5, 1e-6}) {
         const StuckSystem s = equal_chain(5, 3, 5, zeta);
         const double r = s.stuck.r_n[1]; // a mode of the first two masses, the load on the last
-        const StickingBoundary<double> b = *sticking_at(s, r);
+        const StickingBoundary b = *sticking_at(s, r);
         outcome.steps.push_back({s.name + ", r = " + rounded(r) + ": (88) over exact " + rounded(*b.paper / b.exact), ""});
         if (std::abs(*b.paper / b.exact - 1) < least) {
             least = std::abs(*b.paper / b.exact - 1);

@@ -11,7 +11,7 @@ namespace {
 StuckSystem prepared(const std::string& name, bool of_the_paper, const System<double>& system) {
     ModalBasis<double> basis = modal_basis(system);
     StuckConfiguration<double> stuck = stuck_configuration(system, basis);
-    std::optional<StuckChain<double>> chain = stuck_chain(system, stuck);
+    std::optional<StuckChain> chain = stuck_chain(system, stuck);
     return {name, of_the_paper, system, std::move(basis), std::move(stuck), std::move(chain)};
 }
 
@@ -41,7 +41,7 @@ const std::vector<StuckSystem>& stuck_systems() {
     return all;
 }
 
-std::optional<StickingBoundary<double>> sticking_at(const StuckSystem& s, double r) {
+std::optional<StickingBoundary> sticking_at(const StuckSystem& s, double r) {
     try {
         return sticking_boundary(stuck_response(s.stuck, s.system.contact, s.system.load, r), s.chain, 1.0);
     } catch (const DomainError&) {
@@ -49,12 +49,12 @@ std::optional<StickingBoundary<double>> sticking_at(const StuckSystem& s, double
     }
 }
 
-WorstOfSweep worst_over_r(const StuckSystem& s, const std::function<double(const StickingBoundary<double>&)>& wrong) {
+WorstOfSweep worst_over_r(const StuckSystem& s, const std::function<double(const StickingBoundary&)>& wrong) {
     WorstOfSweep worst;
     std::vector<double> sweep = s.stuck.r_n;
     for (int n = 1; n <= 600; ++n) sweep.push_back(n / 200.0);
     for (const double r : sweep) {
-        const std::optional<StickingBoundary<double>> b = sticking_at(s, r);
+        const std::optional<StickingBoundary> b = sticking_at(s, r);
         if (!b) continue;
         const double ratio = wrong(*b) / b->exact;
         if (std::abs(ratio - 1) > worst.error) worst = {std::abs(ratio - 1), r, ratio};

@@ -14,12 +14,12 @@ namespace denhartog::derivation {
 
 /// @brief A system with its modes, sliding and stuck.
 struct StuckSystem {
-    std::string name;                        ///< its name
-    bool of_the_paper;                       ///< whether it is one of the paper's own
-    System<double> system;                   ///< the system
-    ModalBasis<double> basis;                ///< modes while the contact slides
-    StuckConfiguration<double> stuck;        ///< modes while it sticks
-    std::optional<StuckChain<double>> chain; ///< the masses that move by (88)
+    std::string name;                 ///< its name
+    bool of_the_paper;                ///< whether it is one of the paper's own
+    System<double> system;            ///< the system
+    ModalBasis<double> basis;         ///< modes while the contact slides
+    StuckConfiguration<double> stuck; ///< modes while it sticks
+    std::optional<StuckChain> chain;  ///< the masses that move by (88)
 };
 
 /// @brief The systems, made once.
@@ -38,7 +38,7 @@ struct StuckSystem {
 /// @param s  a system
 /// @param r  frequency ratio
 /// @return   the boundary; none where an undamped stuck mode resonates
-[[nodiscard]] std::optional<StickingBoundary<double>> sticking_at(const StuckSystem& s, double r);
+[[nodiscard]] std::optional<StickingBoundary> sticking_at(const StuckSystem& s, double r);
 
 /// @brief Where a relative error of the boundary is largest over a sweep of frequency ratios.
 struct WorstOfSweep {
@@ -51,7 +51,6 @@ struct WorstOfSweep {
 /// @param s      a system
 /// @param wrong  the boundary to be judged
 /// @return       the largest relative error
-[[nodiscard]] WorstOfSweep worst_over_r(const StuckSystem& s,
-                                        const std::function<double(const StickingBoundary<double>&)>& wrong);
+[[nodiscard]] WorstOfSweep worst_over_r(const StuckSystem& s, const std::function<double(const StickingBoundary&)>& wrong);
 
 } // namespace denhartog::derivation

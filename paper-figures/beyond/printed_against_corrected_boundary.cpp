@@ -95,7 +95,7 @@ Record make(Figure& figure) {
         fourth(equal_chain<double>(5, 4, 1, std::vector<double>(5, 0.02))), paper_5(five_masses(1, 0.1)),
         last(equal_chain<double>(5, 5, 1, std::vector<double>(5, 0.1)));
     const StuckConfiguration<double> stuck = stuck_configuration(last.system, last.basis);
-    const std::optional<StuckChain<double>> chain = stuck_chain(last.system, stuck);
+    const std::optional<StuckChain> chain = stuck_chain(last.system, stuck);
     const std::vector<double> r = spaced(0.05, 2.5, 491), few = spaced(0.2, 2.4, 12);
     Record record;
     record.title = "Boundaries of the regimes as printed and as corrected: (56), (57), (59), (68), (70), (88)";
@@ -147,7 +147,7 @@ Record make(Figure& figure) {
         {"f",
          {"(88) as corrected", "(88) as printed"},
          [&](double x) {
-             const StickingBoundary<double> b =
+             const StickingBoundary b =
                  sticking_boundary(stuck_response(stuck, last.system.contact, last.system.load, x), chain, 1.0);
              return std::vector<double>{b.exact, b.paper.value()};
          },

@@ -60,7 +60,7 @@ struct Panel {
     std::string name;                                       ///< of its tables
     std::string what;                                       ///< which quantity
     std::function<double(const Motion<double>&)> of_motion; ///< as corrected
-    std::function<double(const State<double>&)> of_state;   ///< by the algorithm
+    std::function<double(const State&)> of_state;           ///< by the algorithm
     std::vector<std::string> equations;                     ///< printed, in the order of `printed`
     std::vector<std::function<double(double tau)>> printed; ///< over the half-period
 };

@@ -99,7 +99,7 @@ inline void add(Figure& figure, const std::string& name, const RegimeCurves& cur
 [[nodiscard]] inline bool creeps(const PaperMotion& motion, Mass contact) {
     const double first = motion.samples.at(0).x[contact.index];
     double least = first, largest = first;
-    for (const State<double>& state : motion.samples) {
+    for (const State& state : motion.samples) {
         least = std::min(least, state.x[contact.index]);
         largest = std::max(largest, state.x[contact.index]);
     }
@@ -118,7 +118,7 @@ using SettingsAt = std::function<PaperSettings(double r, double beta)>;
 
 /// @brief The closed form at a friction ratio, or next to the boundary where there is none.
 /// @param sums modes at the frequency ratio @param mu static over kinetic friction @param beta friction ratio @return the state
-[[nodiscard]] inline State<double> on_closed_form(const ModeSums<double>& sums, double mu, double beta) {
+[[nodiscard]] inline State on_closed_form(const ModeSums<double>& sums, double mu, double beta) {
     const Boundary<double> limits = boundary(sums, mu);
     return at_maximum_of_force(sums, steady_state(sums, limits, std::min(beta, 0.9999 * limits.exact)));
 }
@@ -203,9 +203,9 @@ struct RegimeCheck {
 /// @param beta    friction ratio
 /// @return        the regime; none where no orbit is found
 [[nodiscard]] inline std::optional<Regime> regime_of_orbit(const System<double>& system, double mu, double r, double beta) {
-    const ContactSystem<double> contact = contact_system(system);
-    ExactSolver<double> solver(contact, {r, beta, mu});
-    const PeriodicOrbit<double> orbit = periodic_orbit(solver, at_rest<double>(number_of_masses(system)));
+    const ContactSystem contact = contact_system(system);
+    ExactSolver solver(contact, {r, beta, mu});
+    const PeriodicOrbit orbit = periodic_orbit(solver, at_rest(number_of_masses(system)));
     if (orbit.status == OrbitStatus::not_converged) return std::nullopt;
     if (orbit.status == OrbitStatus::permanently_stuck) return Regime::permanent_sticking;
     return orbit.stops.empty() ? Regime::continuous : Regime::stick_slip;

@@ -23,7 +23,7 @@ struct SweepPoint {
     double X;                                 ///< its amplitude, the largest displacement over the motion
     int stops;                                ///< stops in a period of the force
     std::optional<MassResponse<double>> mass; ///< the closed form, where the contact slides throughout
-    std::optional<State<double>> start;       ///< the state at a maximum of the force; none in stick-slip
+    std::optional<State> start;               ///< the state at a maximum of the force; none in stick-slip
 };
 
 /// @brief A mass over the frequency ratio at a friction ratio.

@@ -1,4 +1,4 @@
-// The exact solver against the paper's algorithm at tolerance 1e-12 in stick-slip, and against itself in 50 digits.
+// The exact solver against the paper's algorithm at tolerance 1e-12 in stick-slip, and against the proved motion.
 //
 // Two comparisons, neither of which needs a motion to be steady. From rest both follow the same motion over ten periods. On the
 // periodic orbit that the exact solver found, the paper's algorithm must stay. An amplitude can be tiny where the contact
@@ -58,9 +58,9 @@ TEST_CASE("in stick-slip the paper's algorithm at 1e-12 stays on the orbits of t
     CHECK(tight.event.error <= loose.event.error / 30);
 }
 
-TEST_CASE("in stick-slip the exact solver in double agrees with itself in 50 digits, within its error bound",
+TEST_CASE("in stick-slip the exact solver in double agrees with the proved motion, within its error bound",
           "[exact-solver][error_bound]") {
-    const StickSlipSurvey survey = against_50_digits(stick_slip_scenes(60, 23));
+    const StickSlipSurvey survey = against_proved(stick_slip_scenes(60, 23));
     print("against 50 digits", survey);
     std::printf("  error over error bound: %.2g\n", survey.over_bound.error);
     INFO(list(survey.differently) << survey.amplitude.where << "\n" << survey.over_bound.where);

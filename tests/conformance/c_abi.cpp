@@ -313,7 +313,7 @@ TEST_CASE("what the C interface solves is what the library solves, in every regi
         constexpr std::size_t samples = 16;
         std::vector<double> x(samples * N), v(samples * N), xs, vs;
         REQUIRE(dh_solution_motion(solution.get(), samples, samples * N, x.data(), v.data()) == DH_OK);
-        for (const State<double>& state : sampled_solution(scene_source(scene), expected, samples).states) {
+        for (const State& state : sampled_solution(scene_source(scene), expected, samples).states) {
             xs.insert(xs.end(), state.x.begin(), state.x.end());
             vs.insert(vs.end(), state.x_prime.begin(), state.x_prime.end());
         }

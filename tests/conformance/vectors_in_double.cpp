@@ -68,9 +68,9 @@ Numbers of_sums(const Asks& q, const Scene<double>& scene) {
 
 Numbers of_stuck_motion(const Asks& q, const Scene<double>& scene) {
     const StuckConfiguration<double> stuck = stuck_configuration(scene.system, modal_basis(scene.system));
-    const StuckResponse<double> held = stuck_response(stuck, scene.system.contact, scene.system.load, q.r);
+    const StuckResponse held = stuck_response(stuck, scene.system.contact, scene.system.load, q.r);
     if (q.quantity == "rest_interval") return {rest_interval(stuck, held, q.mu, q.beta).value()};
-    const StuckMass<double>& m = held.masses[mass_of(q)];
+    const StuckMass& m = held.masses[mass_of(q)];
     if (q.quantity == "amplitude") return {m.amplitude};
     if (q.quantity == "phase") return {m.phase.value()};
     Numbers x;
@@ -91,11 +91,11 @@ Numbers of_stick_slip(const Asks& q, const Scene<double>& scene) {
     std::sort(all.begin(), all.end());
     if (q.quantity == "stops_per_period") return Numbers{static_cast<double>(all.size())};
     if (q.quantity == "stop_durations") return all;
-    State<double> start;
+    State start;
     for (const Certified& x : solution.start.value().x) start.x.push_back(x.value);
     for (const Certified& v : solution.start.value().x_prime) start.x_prime.push_back(v.value);
-    const ContactSystem<double> system = contact_system(scene.system);
-    ExactSolver<double> solver(system, {q.r, q.beta, q.mu});
+    const ContactSystem system = contact_system(scene.system);
+    ExactSolver solver(system, {q.r, q.beta, q.mu});
     Numbers samples;
     for (int n = 0; n < q.samples; ++n)
         samples.push_back(n == 0 ? start.x[mass_of(q)]

@@ -47,8 +47,8 @@ TEST_CASE("the steady motion of the contact is the one that the paper's algorith
         double zeta, r, beta;
     };
     for (const Point& p : {Point{0.01, 0.1, 0.2}, Point{0.1, 0.1, 0.2}, Point{0.1, 0.3, 0.4}, Point{0.1, 5, 0.8}}) {
-        const ContactSystem<double> system = contact_system(single_mass(p.zeta));
-        ExactSolver<double> solver(system, {1, 1, 1});
+        const ContactSystem system = contact_system(single_mass(p.zeta));
+        ExactSolver solver(system, {1, 1, 1});
         const ContactMotion motion = motion_of_contact(solver, p.r, p.beta);
         Scene<double> scene;
         scene.system = single_mass(p.zeta);

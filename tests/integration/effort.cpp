@@ -25,15 +25,15 @@ using namespace denhartog::tests;
 
 namespace {
 
-PeriodicOrbit<double> orbit_from_rest(const System<double>& s, const Excitation<double>& e, Effort* effort = nullptr) {
-    const ContactSystem<double> system = contact_system(s);
-    ExactSolver<double> solver(system, e);
-    OrbitSearch<double> search;
+PeriodicOrbit orbit_from_rest(const System<double>& s, const Excitation& e, Effort* effort = nullptr) {
+    const ContactSystem system = contact_system(s);
+    ExactSolver solver(system, e);
+    OrbitSearch search;
     search.effort = effort;
-    return periodic_orbit(solver, at_rest<double>(system.basis.r_n.size()), search);
+    return periodic_orbit(solver, at_rest(system.basis.r_n.size()), search);
 }
 
-void say(const char* scene, const PeriodicOrbit<double>& orbit) {
+void say(const char* scene, const PeriodicOrbit& orbit) {
     std::printf("%s: %ld operations, %d periods; %s\n", scene, orbit.effort_spent, orbit.periods_propagated,
                 orbit.reason.c_str());
 }
@@ -42,7 +42,7 @@ void say(const char* scene, const PeriodicOrbit<double>& orbit) {
 
 TEST_CASE("a force slower than any number of periods has no orbit, and the search says so", "[effort][exact-solver]") {
     for (const double r : {5e-324, 1e-300, 1e-30, 1e-12}) {
-        const PeriodicOrbit<double> orbit = orbit_from_rest(chain_of({1, 1}, {1, 1}, 0.05, 2, 1), {r, 0.25, 1});
+        const PeriodicOrbit orbit = orbit_from_rest(chain_of({1, 1}, {1, 1}, 0.05, 2, 1), {r, 0.25, 1});
         say("two masses far below resonance", orbit);
         CHECK(orbit.status == OrbitStatus::not_converged);
         CHECK_FALSE(orbit.reason.empty());
@@ -52,13 +52,13 @@ TEST_CASE("a force slower than any number of periods has no orbit, and the searc
 }
 
 TEST_CASE("friction beyond all measure stops any motion at once", "[effort][exact-solver]") {
-    const ContactSystem<double> system = contact_system(chain_of({1}, {1}, 0.138, 1, 1));
+    const ContactSystem system = contact_system(chain_of({1}, {1}, 0.138, 1, 1));
     std::mt19937_64 random(5);
     for (const double beta : {1e17, 1e100, 1e200, 1e300}) {
-        ExactSolver<double> solver(system, {1.0 / 3, beta, 1.1});
+        ExactSolver solver(system, {1.0 / 3, beta, 1.1});
         for (int n = 0; n < 20; ++n) {
             const auto draw = [&] { return std::ldexp(static_cast<double>(random() >> 11), -52) - 1; };
-            const PeriodicOrbit<double> orbit = periodic_orbit(solver, State<double>{{draw()}, {draw()}});
+            const PeriodicOrbit orbit = periodic_orbit(solver, State{{draw()}, {draw()}});
             INFO("beta " << beta << ": " << orbit.reason);
             CHECK(orbit.status == OrbitStatus::permanently_stuck);
             CHECK(orbit.effort_spent <= 1000);
@@ -68,16 +68,16 @@ TEST_CASE("friction beyond all measure stops any motion at once", "[effort][exac
 
 TEST_CASE("stuck modes that are heavily damped and coupled cost no more than others", "[effort][exact-solver]") {
     const System<double> s = chain_of({1, 1, 1, 1}, {1, 1.8e-13, 1, 1}, 1e6, 3, 1);
-    const PeriodicOrbit<double> orbit = orbit_from_rest(s, {3.99, 0.48, 1.1});
+    const PeriodicOrbit orbit = orbit_from_rest(s, {3.99, 0.48, 1.1});
     say("four masses, zeta = 1e6", orbit);
     CHECK(orbit.effort_spent <= default_effort(4) + 1000);
     // The motion itself, over one period: few phases, few evaluations.
-    const ContactSystem<double> system = contact_system(s);
+    const ContactSystem system = contact_system(s);
     CHECK_FALSE(system.stuck.modes_diagonalise_damping);
-    ExactSolver<double> solver(system, {3.99, 0.48, 1.1});
+    ExactSolver solver(system, {3.99, 0.48, 1.1});
     Effort effort;
     (void)solver.allow(&effort);
-    const ExactMotion<double>& motion = solver.run(at_rest<double>(4), 0, 2 * pi<double>());
+    const ExactMotion& motion = solver.run(at_rest(4), 0, 2 * pi<double>());
     std::printf("one period of it: %zu phases, %ld operations\n", motion.phases.size(), effort.spent);
     CHECK(motion.status == MotionStatus::complete);
     CHECK(effort.spent <= 200'000);
@@ -85,7 +85,7 @@ TEST_CASE("stuck modes that are heavily damped and coupled cost no more than oth
 
 TEST_CASE("an orbit whose effort is spent says how far it came", "[effort][exact-solver]") {
     Effort effort{2000};
-    const PeriodicOrbit<double> orbit = orbit_from_rest(two_masses(0.001), {0.3, 0.4, 2.5}, &effort);
+    const PeriodicOrbit orbit = orbit_from_rest(two_masses(0.001), {0.3, 0.4, 2.5}, &effort);
     CHECK(orbit.status == OrbitStatus::not_converged);
     CHECK_THAT(orbit.reason,
                Catch::Contains("the work allowed is spent") && Catch::Contains("comes to no periodic motion within"));

@@ -27,21 +27,21 @@ Scene<double> scene_of(const System<double>& system, double r, double beta, doub
     return scene;
 }
 
-PeriodicOrbit<double> orbit_of(const Scene<double>& scene, int most_periods = 2000) {
-    const ContactSystem<double> system = contact_system(scene.system);
-    ExactSolver<double> solver(system, {*scene.r, *scene.beta, scene.mu});
-    OrbitSearch<double> search;
+PeriodicOrbit orbit_of(const Scene<double>& scene, int most_periods = 2000) {
+    const ContactSystem system = contact_system(scene.system);
+    ExactSolver solver(system, {*scene.r, *scene.beta, scene.mu});
+    OrbitSearch search;
     search.most_periods = most_periods;
-    return periodic_orbit(solver, at_rest<double>(system.basis.r_n.size()), search);
+    return periodic_orbit(solver, at_rest(system.basis.r_n.size()), search);
 }
 
-std::string text(const Scene<double>& scene, const PeriodicOrbit<double>& orbit) {
+std::string text(const Scene<double>& scene, const PeriodicOrbit& orbit) {
     return "N = " + std::to_string(number_of_masses(scene.system)) + ", r = " + hexadecimal(*scene.r) +
            ", beta = " + hexadecimal(*scene.beta) + ", mu = " + hexadecimal(scene.mu) + "; " + orbit.reason;
 }
 
-void check_finite(const PeriodicOrbit<double>& orbit) {
-    for (const MassMotion<double>& mass : orbit.masses) {
+void check_finite(const PeriodicOrbit& orbit) {
+    for (const MassMotion& mass : orbit.masses) {
         CHECK(std::isfinite(mass.amplitude));
         CHECK(mass.amplitude >= 0);
         CHECK(std::abs(mass.phase) <= 3.1415926535897936);
@@ -50,8 +50,8 @@ void check_finite(const PeriodicOrbit<double>& orbit) {
 }
 
 /// The orbit from rest; the paper's algorithm stays on it.
-PeriodicOrbit<double> witnessed_orbit(const Scene<double>& scene) {
-    const PeriodicOrbit<double> orbit = orbit_of(scene);
+PeriodicOrbit witnessed_orbit(const Scene<double>& scene) {
+    const PeriodicOrbit orbit = orbit_of(scene);
     INFO(text(scene, orbit));
     REQUIRE(orbit.status == OrbitStatus::periodic);
     check_finite(orbit);
@@ -77,7 +77,7 @@ PeriodicOrbit<double> witnessed_orbit(const Scene<double>& scene) {
 /// The orbit from rest is the closed form.
 void check_closed_form(const Scene<double>& scene) {
     const Response<double> closed = response(scene);
-    const PeriodicOrbit<double> orbit = orbit_of(scene);
+    const PeriodicOrbit orbit = orbit_of(scene);
     INFO(text(scene, orbit));
     REQUIRE(closed.steady_state);
     REQUIRE(orbit.status == OrbitStatus::periodic);
@@ -101,7 +101,7 @@ std::pair<double, double> bisect(double low, double high, const std::function<in
 }
 
 int stops_of(const Scene<double>& scene) {
-    const PeriodicOrbit<double> orbit = orbit_of(scene);
+    const PeriodicOrbit orbit = orbit_of(scene);
     return orbit.status == OrbitStatus::periodic ? static_cast<int>(orbit.stops.size()) : -1;
 }
 
@@ -133,7 +133,7 @@ TEST_CASE("just below the boundary (69) the contact slides as the closed form ha
             check_closed_form(scene);
             const double below = orbit_of(scene).contact.amplitude;
             scene.beta = limit * (1 + 1e-9);
-            const PeriodicOrbit<double> above = witnessed_orbit(scene);
+            const PeriodicOrbit above = witnessed_orbit(scene);
             CHECK_FALSE(above.stops.empty());
             CHECK(above.contact.amplitude == Approx(below).epsilon(1e-6));
             ++points;
@@ -149,7 +149,7 @@ TEST_CASE("just above the boundary of permanent sticking the contact rests, just
             const double limit = *response(scene).boundary.sticking;
             for (const double side : {-1e-9, 1e-9}) {
                 scene.beta = limit * (1 + side);
-                const PeriodicOrbit<double> orbit = orbit_of(scene, 300);
+                const PeriodicOrbit orbit = orbit_of(scene, 300);
                 INFO(named.name << ": " << text(scene, orbit));
                 if (side > 0) CHECK(orbit.status == OrbitStatus::permanently_stuck);
                 if (side < 0) CHECK(orbit.status != OrbitStatus::permanently_stuck);
@@ -169,14 +169,14 @@ TEST_CASE("a contact that slips by less and less for ever is said to rest, and h
     Scene<double> scene = random_scenes<double>(12420666948315711836U)[108].scene;
     scene.mu = 1;
     scene.beta = 0x1.c498ap-3;
-    const ContactSystem<double> system = contact_system(scene.system);
+    const ContactSystem system = contact_system(scene.system);
     const std::size_t N = system.basis.r_n.size(), j = system.contact.index;
-    ExactSolver<double> solver(system, {*scene.r, *scene.beta, 1});
-    const PeriodicOrbit<double> orbit = orbit_of(scene);
+    ExactSolver solver(system, {*scene.r, *scene.beta, 1});
+    const PeriodicOrbit orbit = orbit_of(scene);
     INFO(text(scene, orbit));
     REQUIRE(orbit.status == OrbitStatus::permanently_stuck);
     check_finite(orbit);
-    State<double> z = at_rest<double>(N);
+    State z = at_rest(N);
     const auto follow = [&](int periods) {
         for (int n = 0; n < periods; ++n) z = solver.run(z, 0, 2 * pi<double>()).end;
         return z.x[j];
@@ -226,13 +226,13 @@ TEST_CASE("where the velocity of the contact touches zero within the half-period
     std::printf("grazing at beta = %.17g, by (69) %.17g\n", slides, limits.exact);
     CHECK(std::abs(slides - limits.exact) <= 1e-12 * limits.exact);
     scene.beta = slides;
-    const PeriodicOrbit<double> below = orbit_of(scene);
+    const PeriodicOrbit below = orbit_of(scene);
     scene.beta = stops;
-    const PeriodicOrbit<double> above = orbit_of(scene);
+    const PeriodicOrbit above = orbit_of(scene);
     CHECK(below.stops.empty());
     CHECK(above.stops.size() == 2);
     CHECK(std::abs(above.contact.amplitude - below.contact.amplitude) <= 1e-6);
-    for (const Stop<double>& stop : above.stops) CHECK(stop.end - stop.start <= 1e-4);
+    for (const Stop& stop : above.stops) CHECK(stop.end - stop.start <= 1e-4);
 }
 
 TEST_CASE("where a stop appears or goes as friction rises, the motion on both sides is found and is the same",
@@ -249,9 +249,9 @@ TEST_CASE("where a stop appears or goes as friction rises, the motion on both si
         const int at_start = stops(from);
         const auto [a, b] = bisect(from, to, [&](double beta) { return stops(beta) == at_start ? 1 : 0; });
         scene.beta = a;
-        const PeriodicOrbit<double> before = orbit_of(scene);
+        const PeriodicOrbit before = orbit_of(scene);
         scene.beta = b;
-        const PeriodicOrbit<double> after = orbit_of(scene);
+        const PeriodicOrbit after = orbit_of(scene);
         std::printf("r = %g: %zu stops at beta = %.17g, %zu at the next number\n", r, before.stops.size(), a, after.stops.size());
         INFO(text(scene, after));
         REQUIRE(before.status == OrbitStatus::periodic);
@@ -268,7 +268,7 @@ TEST_CASE("fifty masses, sliding and in stick-slip", "[hard][exact-solver][paper
 
 TEST_CASE("a motion that grows without end has a status and a reason, and no numbers", "[hard][non-convergence]") {
     const Scene<double> grows = scene_of(single_mass(0.0), 1, 0.5); // resonance, friction below pi/4
-    const PeriodicOrbit<double> orbit = orbit_of(grows, 500);
+    const PeriodicOrbit orbit = orbit_of(grows, 500);
     CHECK(orbit.status == OrbitStatus::not_converged);
     CHECK_THAT(orbit.reason, Catch::Contains("grows"));
     CHECK(orbit.masses.empty());
@@ -279,7 +279,7 @@ TEST_CASE("a motion that grows without end has a status and a reason, and no num
 TEST_CASE("a motion that does not settle in the time allowed has a status and a reason, and no numbers",
           "[hard][non-convergence]") {
     const System<double> chain = equal_chain<double>(4, 4, 3, {0.01, 0.005, 0.01, 0.1});
-    const PeriodicOrbit<double> orbit = orbit_of(scene_of(chain, 0.671875, 0.57, 3), 40);
+    const PeriodicOrbit orbit = orbit_of(scene_of(chain, 0.671875, 0.57, 3), 40);
     INFO(orbit.reason);
     CHECK(orbit.status == OrbitStatus::not_converged);
     CHECK_THAT(orbit.reason, Catch::Contains("no periodic motion within"));

@@ -47,7 +47,7 @@ double amplitude_of_contact(const Solution& s, const Scene<double>& scene) {
 
 /// Stops longer than rounding: at a breakaway the velocity rises from zero without a slope.
 long stops_that_last(const PaperMotion& motion) {
-    return std::count_if(motion.stops.begin(), motion.stops.end(), [](const Stop<double>& s) { return s.end - s.start > 1e-9; });
+    return std::count_if(motion.stops.begin(), motion.stops.end(), [](const Stop& s) { return s.end - s.start > 1e-9; });
 }
 
 } // namespace
@@ -85,10 +85,10 @@ TEST_CASE("with overdamped modes sliding ends where the exact solver sees the fi
     for (Scene<double> scene : scenes()) {
         const double limit = response(scene).boundary.exact;
         if (!(limit > 0.001)) continue; // the closed form does not hold at any friction worth the name
-        const ContactSystem<double> system = contact_system(scene.system);
+        const ContactSystem system = contact_system(scene.system);
         INFO(text(scene) << ", limit " << hexadecimal(limit));
-        const PeriodicOrbit<double> below = orbit_of<double>({"", system, {*scene.r, limit * 0.999, 1}});
-        const PeriodicOrbit<double> above = orbit_of<double>({"", system, {*scene.r, limit * 1.001, 1}});
+        const PeriodicOrbit below = orbit_of({"", system, {*scene.r, limit * 0.999, 1}});
+        const PeriodicOrbit above = orbit_of({"", system, {*scene.r, limit * 1.001, 1}});
         REQUIRE(below.status == OrbitStatus::periodic);
         CHECK(below.stops.empty());
         CHECK((above.status != OrbitStatus::periodic || !above.stops.empty()));

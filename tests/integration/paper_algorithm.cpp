@@ -38,7 +38,7 @@ Scene<double> five_masses(std::size_t j, double zeta) {
 }
 
 // The steady motion at a maximum of the force.
-State<double> steady_start(const Scene<double>& scene, const SteadyState<double>& state) {
+State steady_start(const Scene<double>& scene, const SteadyState<double>& state) {
     const Motion<double> at = motion(sums_of(scene), state, -state.phi_j);
     return {at.x, at.x_prime};
 }
@@ -172,9 +172,9 @@ TEST_CASE("the paper's algorithm names the setting, the rule and the value of ba
     CHECK_THROWS_WITH(with([](PaperSettings& s) { s.relative_tolerance = -1e-3; }), Catch::Contains("but is -0.001"));
     CHECK_THROWS_WITH(with([](PaperSettings& s) { s.tau_0 = INFINITY; }), Catch::Contains("tau_0"));
     CHECK_THROWS_WITH(with([](PaperSettings& s) { s.samples = -1; }), Catch::Contains("samples must be from 0"));
-    CHECK_THROWS_WITH(with([](PaperSettings& s) { s.start = at_rest<double>(4); }), Catch::Contains("start must have 5"));
+    CHECK_THROWS_WITH(with([](PaperSettings& s) { s.start = at_rest(4); }), Catch::Contains("start must have 5"));
     CHECK_THROWS_WITH(with([](PaperSettings& s) {
-                          s.start = at_rest<double>(5);
+                          s.start = at_rest(5);
                           s.start->x[2] = NAN;
                       }),
                       Catch::Contains("start must be finite"));

@@ -52,13 +52,12 @@ TEST_CASE("a stop across the start of the last period is one stop, wherever the 
         const PaperMotion later = paper_algorithm(scene, settings);
         REQUIRE(later.stops.size() == 4);
         for (std::size_t n = 0; n < 4; ++n) {
-            const Stop<double>& stop = later.stops[n];
+            const Stop& stop = later.stops[n];
             CHECK(stop.start >= 0);
             CHECK(stop.start < 2 * pi<double>());
             if (n > 0) CHECK(stop.start > later.stops[n - 1].end);
-            const auto same = std::ranges::find_if(motion.stops, [&](const Stop<double>& other) {
-                return std::abs(wrapped(stop.start + tau_0 - other.start)) <= 1e-8;
-            });
+            const auto same = std::ranges::find_if(
+                motion.stops, [&](const Stop& other) { return std::abs(wrapped(stop.start + tau_0 - other.start)) <= 1e-8; });
             INFO("tau_0 " << tau_0 << ", stop " << n << " from " << stop.start << " to " << stop.end);
             REQUIRE(same != motion.stops.end());
             CHECK(std::abs(stop.end - stop.start - (same->end - same->start)) <= 1e-8);
@@ -76,7 +75,7 @@ TEST_CASE("what cannot be finished has a status, a reason and no numbers", "[pap
     few_steps.most_steps = 1000;
     few_steps.history = true;
     PaperSettings too_large;
-    too_large.start = State<double>{{1e308}, {1e308}};
+    too_large.start = State{{1e308}, {1e308}};
     PaperSettings too_small;
     too_small.absolute_tolerance = 1e-300;
     too_small.most_steps = 100'000;
@@ -106,7 +105,7 @@ TEST_CASE("the history of the contact ends with the last period", "[paper-algori
         CHECK(motion.history.back().stops == static_cast<int>(motion.stops.size()));
         CHECK(motion.history.front().amplitude != motion.history.back().amplitude);
         double sampled = 0;
-        for (const State<double>& s : motion.samples) sampled = std::max(sampled, std::abs(s.x[0]));
+        for (const State& s : motion.samples) sampled = std::max(sampled, std::abs(s.x[0]));
         CHECK(sampled <= motion.masses[0].amplitude);
         CHECK(sampled >= motion.masses[0].amplitude * (1 - 1e-2));
     }

@@ -106,8 +106,8 @@ TEST_CASE("stops of one mass agree with the exponential of its matrix from one t
     REQUIRE(motion.stops.size() == 4);
     const NonDimensionalMatrices<double> m = matrices_of(scene);
     for (std::size_t n = 0; n < 4; ++n) {
-        const Stop<double>& from = motion.stops[n];
-        Stop<double> to = motion.stops[(n + 1) % 4];
+        const Stop& from = motion.stops[n];
+        Stop to = motion.stops[(n + 1) % 4];
         if (n == 3) to.start += 2 * pi<double>();
         const double load = std::cos(from.end) - from.x;
         CHECK(std::abs(std::abs(load) - 0.2) <= 1e-12); // it leaves where the load is static friction
@@ -163,7 +163,7 @@ TEST_CASE("over the last period the work of the force is what dampers and fricti
     const NonDimensionalMatrices<double> m = matrices_of(scene);
     double force = 0, dampers = 0, friction = 0;
     for (std::size_t n = 0; n < 20000; ++n) {
-        const State<double>& s = motion.samples[n];
+        const State& s = motion.samples[n];
         const Eigen::Map<const Eigen::VectorXd> v(s.x_prime.data(), 3);
         force += std::cos(motion.sample_times[n]) * v(0);
         dampers += v.dot(m.C * v);
@@ -197,7 +197,7 @@ TEST_CASE("a contact that never moves stays to the last bit, and the others move
     CHECK(std::abs(motion.masses[2].amplitude - std::abs(X(1))) <= 1e-9);
     // held away from zero it stays as well
     PaperSettings settings = settings_with(1e-6, 20);
-    settings.start = State<double>{{0, 0.1, 0}, {0, 0, 0}};
+    settings.start = State{{0, 0.1, 0}, {0, 0, 0}};
     CHECK(paper_algorithm(three, settings).end.x[1] == 0.1);
 }
 
@@ -207,7 +207,7 @@ TEST_CASE("with mu = 2 the start decides between rest and sliding", "[eq:74][pap
     CHECK(rest.rests);
     CHECK(rest.end.x[0] == 0);
     PaperSettings settings;
-    settings.start = State<double>{{5}, {0}};
+    settings.start = State{{5}, {0}};
     const PaperMotion slides = paper_algorithm(scene, settings);
     CHECK(slides.status == IntegrationStatus::complete);
     CHECK(slides.stops.empty());

@@ -17,15 +17,15 @@ namespace {
 
 /// A sliding motion at its turning point.
 struct Turning {
-    State<double> z;
+    State z;
     double tau;
     double reach;
 };
 
-std::optional<Turning> turning_of(const Prepared<double>& p, ExactSolver<double>& solver) {
-    const PeriodicOrbit<double> orbit = orbit_of(p);
+std::optional<Turning> turning_of(const Prepared& p, ExactSolver& solver) {
+    const PeriodicOrbit orbit = orbit_of(p);
     if (orbit.status != OrbitStatus::periodic || !orbit.stops.empty() || orbit.periods != 1) return std::nullopt;
-    const ExactMotion<double>& motion = solver.run(orbit.start, 0, pi<double>());
+    const ExactMotion& motion = solver.run(orbit.start, 0, pi<double>());
     if (motion.phases.size() != 2) return std::nullopt;
     const std::size_t N = orbit.start.x.size();
     const auto at = motion.states.begin() + static_cast<std::ptrdiff_t>(2 * N);
@@ -37,7 +37,7 @@ std::optional<Turning> turning_of(const Prepared<double>& p, ExactSolver<double>
 }
 
 /// The state that is a distance away in modal displacements times frequencies and modal velocities.
-State<double> moved(const Prepared<double>& p, State<double> z, const std::vector<double>& direction, double distance) {
+State moved(const Prepared& p, State z, const std::vector<double>& direction, double distance) {
     const std::size_t N = z.x.size();
     double size = 0;
     for (const double each : direction) size = std::hypot(size, each);
@@ -50,8 +50,8 @@ State<double> moved(const Prepared<double>& p, State<double> z, const std::vecto
     return z;
 }
 
-bool sticks(const ExactMotion<double>& motion) {
-    return std::ranges::any_of(motion.phases, [](const Phase<double>& phase) { return phase.direction == 0; });
+bool sticks(const ExactMotion& motion) {
+    return std::ranges::any_of(motion.phases, [](const Phase& phase) { return phase.direction == 0; });
 }
 
 } // namespace
@@ -71,21 +71,21 @@ TEST_CASE("a motion within the reach of the sliding one never stops, and one som
         } catch (const DomainError&) {
             return false; // at a pole of a mode without damping
         }
-        const Prepared<double> p{each.name, contact_system(scene.system), {*scene.r, *scene.beta, scene.mu}};
+        const Prepared p{each.name, contact_system(scene.system), {*scene.r, *scene.beta, scene.mu}};
         if (!(*scene.beta > 0) || !every_motion_is_damped(p.system.basis)) return false;
-        ExactSolver<double> solver(p.system, p.excitation);
+        ExactSolver solver(p.system, p.excitation);
         const std::optional<Turning> turning = turning_of(p, solver);
         if (!turning || !(turning->reach > 0)) return false;
         INFO(p.name << ", reach " << turning->reach);
-        const OrbitMap<double> map(solver);
+        const OrbitMap map(solver);
         const std::size_t N = p.system.basis.r_n.size();
         double nearest = 1e9; // in reaches, of those that stop
-        const auto try_state = [&](const State<double>& z, double tau, double factor) {
-            const ExactMotion<double>& motion = solver.run(z, tau, tau + 40 * pi<double>());
+        const auto try_state = [&](const State& z, double tau, double factor) {
+            const ExactMotion& motion = solver.run(z, tau, tau + 40 * pi<double>());
             if (sticks(motion)) nearest = std::min(nearest, factor);
             if (factor > 1) return;
             CHECK_FALSE(sticks(motion));
-            const State<double> end = motion.end;
+            const State end = motion.end;
             CHECK(map.norm(difference(end, solver.run(turning->z, turning->tau, tau + 40 * pi<double>()).end)) <= turning->reach);
         };
         const std::vector<double> factors{0.999, 2.0, 4.0, 8.0};
@@ -119,7 +119,7 @@ TEST_CASE("a motion within the reach of the sliding one never stops, and one som
                             const double middle = from + (to - from) / 2;
                             (std::abs(state(middle).x_prime[j]) < speed ? from : to) = middle;
                         }
-                        State<double> z = state(from);
+                        State z = state(from);
                         const double v = z.x_prime[j];
                         z = moved(p, z, velocity, -v / of_velocity);
                         z.x_prime[j] = 0;
@@ -143,28 +143,28 @@ TEST_CASE("a motion within the reach of the sliding one never stops, and one som
 
 TEST_CASE("with mu above 1 a guess spares work and decides nothing", "[eq:3][eq:74][exact-solver][shooting][counter]") {
     // From rest the contact stays at rest; the guess is the sliding motion, which attracts as well.
-    const Prepared<double> two_motions = prepared_oscillator(0.05, 1, 0.55, 2);
-    OrbitSearch<double> search;
-    const State<double> slides = orbit_from(two_motions, {{5}, {0}}).start;
+    const Prepared two_motions = prepared_oscillator(0.05, 1, 0.55, 2);
+    OrbitSearch search;
+    const State slides = orbit_from(two_motions, {{5}, {0}}).start;
     search.guess = &slides;
     CHECK(orbit_of(two_motions, search).status == OrbitStatus::permanently_stuck);
     // From rest the motion comes to one that needs two periods to repeat itself; the symmetric one is there and does not attract.
-    const Prepared<double> asymmetric = prepared_oscillator(0.03125, 0.5, 0.1875, 2);
-    OrbitSearch<double> any;
+    const Prepared asymmetric = prepared_oscillator(0.03125, 0.5, 0.1875, 2);
+    OrbitSearch any;
     any.follow_start = false;
-    const State<double> symmetric = orbit_of(asymmetric, any).start;
-    const PeriodicOrbit<double> from_rest = orbit_of(asymmetric);
+    const State symmetric = orbit_of(asymmetric, any).start;
+    const PeriodicOrbit from_rest = orbit_of(asymmetric);
     search.guess = &symmetric;
-    const PeriodicOrbit<double> guided = orbit_of(asymmetric, search);
+    const PeriodicOrbit guided = orbit_of(asymmetric, search);
     REQUIRE(guided.status == OrbitStatus::periodic);
     CHECK(guided.symmetric == from_rest.symmetric);
     CHECK(guided.periods == from_rest.periods);
     CHECK(std::abs(guided.contact.amplitude - from_rest.contact.amplitude) <= guided.error_bound + from_rest.error_bound);
     // Where the motion from rest slides in the end, the closed form as a guess ends the search once the motion is near.
-    const Prepared<double> sliding = prepared_chain({1, 1}, {1, 1}, {0.02, 0.05}, 2, 1, 0.5, 0.2, 1.2);
-    const PeriodicOrbit<double> slowly = orbit_of(sliding);
+    const Prepared sliding = prepared_chain({1, 1}, {1, 1}, {0.02, 0.05}, 2, 1, 0.5, 0.2, 1.2);
+    const PeriodicOrbit slowly = orbit_of(sliding);
     search.guess = &slowly.start;
-    const PeriodicOrbit<double> quickly = orbit_of(sliding, search);
+    const PeriodicOrbit quickly = orbit_of(sliding, search);
     REQUIRE(quickly.status == OrbitStatus::periodic);
     CHECK(quickly.periods_propagated < slowly.periods_propagated);
     CHECK(quickly.newton_steps < slowly.newton_steps);
@@ -173,8 +173,8 @@ TEST_CASE("with mu above 1 a guess spares work and decides nothing", "[eq:3][eq:
 
 TEST_CASE("a motion that comes to a subharmonic one slowly is seen to do so, where the contact rests for whole half-periods",
           "[eq:3][exact-solver][shooting]") {
-    const Prepared<double> p = prepared_chain({1, 1}, {1, 1}, {0.02, 0.05}, 2, 1, 0.47085427135678387, 0.46937875751503005, 1.2);
-    const PeriodicOrbit<double> orbit = orbit_of(p);
+    const Prepared p = prepared_chain({1, 1}, {1, 1}, {0.02, 0.05}, 2, 1, 0.47085427135678387, 0.46937875751503005, 1.2);
+    const PeriodicOrbit orbit = orbit_of(p);
     INFO(orbit.reason);
     REQUIRE(orbit.status == OrbitStatus::periodic);
     CHECK(orbit.periods == 3);

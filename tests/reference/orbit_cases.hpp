@@ -1,5 +1,5 @@
 /// @file
-/// @brief Motions with stops for the tests of the reference: the scene in balls, and the motion in double and in 50 digits.
+/// @brief Motions with stops for the tests of the reference: the scene in balls, and the motion in double.
 #pragma once
 
 #include <functional>
@@ -41,21 +41,20 @@ inline std::function<reference::SceneInBalls()> in_bits(const Scene<double>& sce
 }
 
 /// @brief The exact solver's motion from rest.
-template <class T>
 struct FollowedMotion {
-    Scene<T> own;
-    ContactSystem<T> system;
-    ExactSolver<T> solver;
-    PeriodicOrbit<T> orbit;
+    Scene<double> own;
+    ContactSystem system;
+    ExactSolver solver;
+    PeriodicOrbit orbit;
 
     explicit FollowedMotion(const Scene<double>& scene)
-        : own(in_own_coordinates(converted<T>(scene))), system(contact_system(own.system)),
-          solver(system, {*own.r, *own.beta, own.mu}), orbit(periodic_orbit(solver, at_rest<T>(system.basis.r_n.size()))) {}
+        : own(in_own_coordinates(scene)), system(contact_system(own.system)), solver(system, {*own.r, *own.beta, own.mu}),
+          orbit(periodic_orbit(solver, at_rest(system.basis.r_n.size()))) {}
 };
 
 /// @brief The guess of double precision. @param scene the scene @return it; without directions where there is none
 inline OrbitGuess guess_for(const Scene<double>& scene) {
-    FollowedMotion<double> motion(scene);
+    FollowedMotion motion(scene);
     if (motion.orbit.status != OrbitStatus::periodic) return {};
     return guess_of(motion.solver, motion.orbit);
 }

@@ -80,7 +80,7 @@ TEST_CASE("a contact that has to slip to the other side is refused", "[reference
 
 TEST_CASE("a turn where the contact has to stop is refused", "[reference][proof]") {
     const Scene<double> scene = at_point(chain_of({1}, {1}, 0.125), 0.75, 0.125);
-    FollowedMotion<double> motion(scene);
+    FollowedMotion motion(scene);
     REQUIRE(motion.orbit.stops.empty());
     ProvedOrbit orbit = proved_near(in_bits(scene), guess_of(motion.solver, motion.orbit), bits);
     const std::vector<PhaseInStretches> phases = in_stretches(orbit, 64);

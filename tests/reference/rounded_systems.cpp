@@ -35,8 +35,7 @@ TEST_CASE("a system prepared by the reference is that of double, where double ha
           R"({"mass_ratios":[1],"stiffness_ratios":[1],"damping_ratios":[0.1],"contact":1,"load":1})"}) {
         INFO(json);
         const SceneSource source = source_of(json);
-        const ContactSystem<double> one = contact_system(source->in_double().system),
-                                    other = moving_by_reference(source, "a test");
+        const ContactSystem one = contact_system(source->in_double().system), other = moving_by_reference(source, "a test");
         CHECK(other.rounded_because == "a test");
         same("r_n", column(one.basis.r_n), column(other.basis.r_n));
         same("phi", one.basis.phi, other.basis.phi);

@@ -50,7 +50,7 @@ double apart(const SampledSolution& a, const SampledSolution& b, const Solution&
     for (std::size_t k = 0; k < of.masses.size() && most == 0; ++k) {
         const double size = of.masses[k].amplitude.value;
         double fastest = size;
-        for (const State<double>& state : a.states) fastest = std::max(fastest, std::abs(state.x_prime[k]));
+        for (const State& state : a.states) fastest = std::max(fastest, std::abs(state.x_prime[k]));
         for (std::size_t n = 0; n < a.states.size(); ++n) {
             const double x = std::abs(a.states[n].x[k] - b.states[n].x[k]),
                          v = std::abs(a.states[n].x_prime[k] - b.states[n].x_prime[k]);
@@ -69,7 +69,7 @@ SampledSolution checked_samples(const SceneSource& source, const Solution& s) {
         INFO("mass " << k + 1);
         const Certified& amplitude = s.masses[k].amplitude;
         double largest = 0;
-        for (const State<double>& state : motion.states) largest = std::max(largest, std::abs(state.x[k]));
+        for (const State& state : motion.states) largest = std::max(largest, std::abs(state.x[k]));
         CHECK(largest <= amplitude.value + amplitude.error);
         CHECK(largest >= amplitude.value * (1 - 1e-3));
         if (!s.start) continue;
@@ -205,7 +205,7 @@ TEST_CASE("the program prints the samples of a proved motion", "[reference][samp
         CHECK(lines[0] == "tau,x_1,x_2,v_1,v_2");
         for (std::size_t n = 0; n < 64; ++n) {
             const std::vector<double> row = numbers_of(lines[n + 1]);
-            const State<double>& state = expected.states[n];
+            const State& state = expected.states[n];
             CHECK(row == std::vector<double>{expected.tau[n], state.x[0], state.x[1], state.x_prime[0], state.x_prime[1]});
         }
         CHECK(nlohmann::json::parse(run_program("solve --proved --json", scene).output)["method"]["proved"] == true);

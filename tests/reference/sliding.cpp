@@ -3,9 +3,9 @@
 
 #include "denhartog/answer/held_solution.hpp"
 #include "denhartog/solve/solve.hpp"
-#include "denhartog/stick_slip/stuck_response.hpp"
 #include "tests/catch.hpp"
 #include "tests/reference/surveyed_scenes.hpp"
+#include "tests/support/held_contact.hpp"
 #include "tests/support/plain_response.hpp"
 #include "tests/support/wide_scene.hpp"
 
@@ -128,13 +128,13 @@ TEST_CASE("the stuck response is that of 100 digits, and so is (88)", "[stuck][e
         if (!truth.point.stuck || !is_of_papers_form(s)) continue;
         INFO(s.text);
         const Scene<Real100> scene = scene_in<Real100>(s.text);
-        const StuckResponse<Real100> held = stuck_response(stuck_configuration(scene.system, modal_basis(scene.system)),
-                                                           scene.system.contact, scene.system.load, *scene.r);
-        for (std::size_t k = 0; k < held.masses.size(); ++k) {
-            CHECK(apart(truth.point.stuck->X[k].re, ball_of(held.masses[k].X.re)) <= 1e-60);
-            CHECK(apart(truth.point.stuck->X[k].im, ball_of(held.masses[k].X.im)) <= 1e-60);
+        const HeldContact<Real100> held = held_contact(
+            non_dimensional_matrices(scene.system, modal_basis(scene.system), *scene.r), scene.system.contact, scene.system.load);
+        for (std::size_t k = 0; k < held.X.size(); ++k) {
+            CHECK(apart(truth.point.stuck->X[k].re, ball_of(held.X[k].re)) <= 1e-60);
+            CHECK(apart(truth.point.stuck->X[k].im, ball_of(held.X[k].im)) <= 1e-60);
         }
-        CHECK(apart(-truth.point.stuck->load.re, ball_of(held.contact_load.re)) <= 1e-60); // friction holds against it
+        CHECK(apart(-truth.point.stuck->load.re, ball_of(held.load.re)) <= 1e-60); // friction holds against it
         const std::optional<Certified> by_88 = sticking_by_88(s.source->in_double());
         if (!by_88) continue;
         const Ball in_balls = sticking_limit_by_88(truth.point.scene, scene.system.load.index);

@@ -437,7 +437,7 @@ int run_child(Place* place, const AdversarialRun& run, AdversarialSurvey& survey
 
 } // namespace
 
-Faults faults_of_samples(const Solution& solution, const std::vector<State<double>>& states) {
+Faults faults_of_samples(const Solution& solution, const std::vector<State>& states) {
     Faults faults;
     const std::size_t instants = states.size();
     for (std::size_t n = 0; n < instants; ++n) {

@@ -22,7 +22,7 @@ namespace denhartog::tests {
 using Faults = std::vector<std::string>;
 
 /// What is wrong with the samples of a motion: equally spaced over its period, an even number of them.
-[[nodiscard]] Faults faults_of_samples(const Solution& solution, const std::vector<State<double>>& states);
+[[nodiscard]] Faults faults_of_samples(const Solution& solution, const std::vector<State>& states);
 
 /// @brief A number of two answers to the same question.
 struct Contradiction {

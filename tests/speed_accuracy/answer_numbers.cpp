@@ -142,7 +142,8 @@ std::vector<std::string> contradictions_within(const Solution& s) {
         const SolvedMass& mass = s.masses[k];
         if (mass.sliding) need(!larger(mass.sliding->x0, mass.amplitude), "x0 is larger than the amplitude");
         if (s.start && !s.only)
-            need(!larger(s.start->x[k], mass.amplitude), "a displacement at the maximum of the force is larger than the amplitude");
+            need(!larger(s.start->x[k], mass.amplitude),
+                 "a displacement at the maximum of the force is larger than the amplitude");
     }
     return found;
 }

@@ -9,13 +9,13 @@
 namespace denhartog::tests {
 namespace {
 
-std::vector<double> amplitudes_in_last_cycle(ExactSolver<double>& solver, std::size_t N, int cycles) {
+std::vector<double> amplitudes_in_last_cycle(ExactSolver& solver, std::size_t N, int cycles) {
     const double period = 2 * pi<double>();
-    State<double> z = at_rest<double>(N);
+    State z = at_rest(N);
     for (int n = 1; n < cycles; ++n) z = solver.run(z, 0, period).end;
     (void)solver.run(z, 0, period);
     std::vector<double> amplitudes;
-    for (const Extremum<double>& e : solver.largest_displacements()) amplitudes.push_back(std::abs(e.x));
+    for (const Extremum& e : solver.largest_displacements()) amplitudes.push_back(std::abs(e.x));
     return amplitudes;
 }
 
@@ -24,13 +24,13 @@ std::vector<double> amplitudes_in_last_cycle(ExactSolver<double>& solver, std::s
 CyclesSurvey survey_cycles(const std::string& name, const System<double>& system, double zeta, double beta,
                            const std::vector<double>& r, int cycles) {
     CyclesSurvey survey{name, zeta, beta, {}, 0, 0};
-    const ContactSystem<double> contact = contact_system(system);
+    const ContactSystem contact = contact_system(system);
     const std::size_t N = contact.basis.r_n.size(), j = contact.contact.index;
-    ExactSolver<double> solver(contact, {1, beta, 1});
-    State<double> start = at_rest<double>(N);
+    ExactSolver solver(contact, {1, beta, 1});
+    State start = at_rest(N);
     for (const double each : r) {
         solver.set({each, beta, 1});
-        const PeriodicOrbit<double> orbit = periodic_orbit(solver, start);
+        const PeriodicOrbit orbit = periodic_orbit(solver, start);
         survey.stuck += orbit.status == OrbitStatus::permanently_stuck;
         survey.unanswered += orbit.status == OrbitStatus::not_converged;
         if (orbit.status != OrbitStatus::periodic) continue;

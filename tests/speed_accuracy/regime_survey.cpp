@@ -31,10 +31,10 @@ public:
 
     Comparison compare() {
         const Regime formula = by_formula();
-        OrbitSearch<double> search;
+        OrbitSearch search;
         search.most_periods = unique() ? 10 * most_periods_ : most_periods_;
         search.contact_only = true;
-        const PeriodicOrbit<double> orbit = periodic_orbit(solver_, at_rest<double>(sums_.R.size()), search);
+        const PeriodicOrbit orbit = periodic_orbit(solver_, at_rest(sums_.R.size()), search);
         if (orbit.status == OrbitStatus::permanently_stuck && formula == Regime::permanent_sticking) return Comparison::agree;
         if (orbit.status == OrbitStatus::periodic) {
             const bool twice = turns_and_way(orbit.start, 0, orbit.periods).turns <= 2 * orbit.periods;
@@ -56,18 +56,18 @@ private:
 
     [[nodiscard]] bool near(double limit) const { return std::abs(beta_ - limit) <= 1e-9 * limit; }
 
-    Counts turns_and_way(const State<double>& start, int from, int periods) {
-        State<double> z = start;
+    Counts turns_and_way(const State& start, int from, int periods) {
+        State z = start;
         const double period = 2 * pi<double>();
         for (int n = 0; n < from; ++n) z = solver_.run(z, 0, period).end;
         Counts counts;
         int before = 0;
         const std::size_t N = z.x.size(), j = system_.contact.index;
         for (int n = 0; n < periods; ++n) {
-            const ExactMotion<double>& motion = solver_.run(z, 0, period);
+            const ExactMotion& motion = solver_.run(z, 0, period);
             double way = 0;
             for (std::size_t i = 0; i < motion.phases.size(); ++i) {
-                const Phase<double>& p = motion.phases[i];
+                const Phase& p = motion.phases[i];
                 const double x_j = i + 1 < motion.phases.size() ? motion.states[2 * N * (i + 1) + j] : motion.end.x[j];
                 way += std::abs(x_j - motion.states[2 * N * i + j]);
                 if (p.direction == 0 || !(p.end > p.start)) continue;
@@ -82,19 +82,19 @@ private:
 
     // The motion that the formula stands for, started in it: it must go on. Of stick-slip the formula says what it is not.
     bool formula_motion_exists(Regime formula) {
-        OrbitSearch<double> search;
+        OrbitSearch search;
         search.most_periods = 10;
         search.contact_only = true;
         search.follow_start = false;
         if (formula == Regime::continuous) {
             const SteadyState<double> closed = steady_state(sums_, limits_, beta_);
-            const PeriodicOrbit<double> orbit = periodic_orbit(solver_, at_maximum_of_force(sums_, closed), search);
+            const PeriodicOrbit orbit = periodic_orbit(solver_, at_maximum_of_force(sums_, closed), search);
             return orbit.status == OrbitStatus::periodic && orbit.symmetric && orbit.stops.empty() &&
                    std::abs(orbit.contact.amplitude - closed.X_j) <= 1e-9 * closed.X_j;
         }
         if (formula == Regime::permanent_sticking) {
-            const LastingRest<double> rest(system_, solver_.excitation());
-            const PeriodicOrbit<double> orbit = periodic_orbit(solver_, rest.steady_state(0), search);
+            const LastingRest rest(system_, solver_.excitation());
+            const PeriodicOrbit orbit = periodic_orbit(solver_, rest.steady_state(0), search);
             return orbit.status == OrbitStatus::permanently_stuck;
         }
         return false;
@@ -105,17 +105,17 @@ private:
         if (formula != Regime::stick_slip)
             return formula_motion_exists(formula) ? Comparison::never_settles : Comparison::unexplained;
         // Stick-slip by formula means neither sliding steadily nor resting for ever: the contact has to be moving still.
-        return turns_and_way(at_rest<double>(sums_.R.size()), most_periods_, 20).slipped > 0 ? Comparison::never_settles
-                                                                                             : Comparison::unexplained;
+        return turns_and_way(at_rest(sums_.R.size()), most_periods_, 20).slipped > 0 ? Comparison::never_settles
+                                                                                     : Comparison::unexplained;
     }
 
     Scene<double> scene_;
     double beta_;
     int most_periods_;
-    ContactSystem<double> system_;
+    ContactSystem system_;
     ModeSums<double> sums_;
     Boundary<double> limits_;
-    ExactSolver<double> solver_;
+    ExactSolver solver_;
 };
 
 } // namespace

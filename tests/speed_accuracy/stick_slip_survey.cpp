@@ -4,11 +4,12 @@
 #include <cmath>
 #include <random>
 
-#include "denhartog/answer/scene_source.hpp"
+#include "denhartog/answer/reference_point.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/orbit/periodic_orbit.hpp"
 #include "denhartog/paper_algorithm/paper_algorithm.hpp"
-#include "tests/support/multiprecision.hpp"
+#include "denhartog/reference/orbit.hpp"
+#include "denhartog/solve/orbit_guess.hpp"
 #include "tests/support/plain_response.hpp"
 #include "tests/support/sample_scenes.hpp"
 
@@ -18,25 +19,25 @@ namespace {
 const double period = 2 * pi<double>();
 constexpr int periods_to_settle = 500;
 
-PeriodicOrbit<double> orbit_of(ExactSolver<double>& solver) {
-    OrbitSearch<double> search;
+PeriodicOrbit orbit_of(ExactSolver& solver) {
+    OrbitSearch search;
     search.most_periods = periods_to_settle;
     search.with_stability = false;
-    return periodic_orbit(solver, at_rest<double>(solver.system().basis.r_n.size()), search);
+    return periodic_orbit(solver, at_rest(solver.system().basis.r_n.size()), search);
 }
 
 bool sticks_and_slips(const Scene<double>& scene) {
-    const ContactSystem<double> system = contact_system(scene.system);
-    ExactSolver<double> solver(system, {*scene.r, *scene.beta, scene.mu});
-    const PeriodicOrbit<double> orbit = orbit_of(solver);
+    const ContactSystem system = contact_system(scene.system);
+    ExactSolver solver(system, {*scene.r, *scene.beta, scene.mu});
+    const PeriodicOrbit orbit = orbit_of(solver);
     return orbit.status == OrbitStatus::periodic && !orbit.stops.empty() && orbit.touching == 0;
 }
 
 /// The stops that end in the last period of a motion, as the paper's algorithm lists them.
-std::vector<Stop<double>> stops_in_last_period(const ExactMotion<double>& motion, double start, double end) {
-    std::vector<Stop<double>> stops;
+std::vector<Stop> stops_in_last_period(const ExactMotion& motion, double start, double end) {
+    std::vector<Stop> stops;
     double since = -1;
-    for (const Phase<double>& p : motion.phases) {
+    for (const Phase& p : motion.phases) {
         if (p.direction != 0 || !(p.end > p.start)) continue;
         if (!(since >= 0)) since = p.start;
         const bool goes_on = &p != &motion.phases.back() && (&p)[1].direction == 0;
@@ -45,20 +46,19 @@ std::vector<Stop<double>> stops_in_last_period(const ExactMotion<double>& motion
         if (p.end > start && p.end < end) stops.push_back({since - start + shift, p.end - start + shift, 0});
         since = -1;
     }
-    std::ranges::sort(stops, {}, &Stop<double>::start);
+    std::ranges::sort(stops, {}, &Stop::start);
     return stops;
 }
 
 /// Whether the contact rests from an instant to the end of a motion.
-bool rests_from(const ExactMotion<double>& motion, double start) {
+bool rests_from(const ExactMotion& motion, double start) {
     return std::ranges::all_of(motion.phases,
-                               [&](const Phase<double>& p) { return p.direction == 0 || p.end <= std::max(start, p.start); });
+                               [&](const Phase& p) { return p.direction == 0 || p.end <= std::max(start, p.start); });
 }
 
 double apart(double a, double b) { return std::abs(std::remainder(a - b, period)); }
 
-void compare_stops(const std::vector<Stop<double>>& a, const std::vector<Stop<double>>& b, const std::string& name,
-                   StickSlipSurvey& survey) {
+void compare_stops(const std::vector<Stop>& a, const std::vector<Stop>& b, const std::string& name, StickSlipSurvey& survey) {
     if (a.size() != b.size()) {
         survey.differently.push_back(name + ": " + std::to_string(a.size()) + " stops against " + std::to_string(b.size()));
         return;
@@ -69,7 +69,7 @@ void compare_stops(const std::vector<Stop<double>>& a, const std::vector<Stop<do
         survey.event.note(std::max(apart(a[n].start, b[n].start), apart(a[n].end, b[n].end)), name);
 }
 
-void compare_states(const State<double>& a, const State<double>& b, const std::string& name, StickSlipSurvey& survey) {
+void compare_states(const State& a, const State& b, const std::string& name, StickSlipSurvey& survey) {
     double size = 0, difference = 0;
     for (std::size_t k = 0; k < a.x.size(); ++k) {
         size = std::max({size, std::abs(b.x[k]), std::abs(b.x_prime[k])});
@@ -87,8 +87,8 @@ template <class F>
 void each_with_solver(const std::vector<StickSlipScene>& scenes, const F& f) {
     for (const StickSlipScene& named : scenes) {
         const Scene<double>& scene = named.scene;
-        const ContactSystem<double> system = contact_system(scene.system);
-        ExactSolver<double> solver(system, {*scene.r, *scene.beta, scene.mu});
+        const ContactSystem system = contact_system(scene.system);
+        ExactSolver solver(system, {*scene.r, *scene.beta, scene.mu});
         f(named, solver);
     }
 }
@@ -131,22 +131,22 @@ StickSlipSurvey from_rest(const std::vector<StickSlipScene>& scenes, int periods
     PaperSettings settings;
     settings.cycles = periods;
     settings.absolute_tolerance = tolerance;
-    each_with_solver(scenes, [&](const StickSlipScene& named, ExactSolver<double>& solver) {
+    each_with_solver(scenes, [&](const StickSlipScene& named, ExactSolver& solver) {
         const PaperMotion paper = paper_algorithm(named.scene, settings);
         if (paper.status != IntegrationStatus::complete) {
             survey.differently.push_back(named.name + ": " + paper.reason);
             return;
         }
         const double end = periods * period, start = end - period;
-        const ExactMotion<double>& motion = solver.run(at_rest<double>(paper.masses.size()), 0, end);
+        const ExactMotion& motion = solver.run(at_rest(paper.masses.size()), 0, end);
         if (rests_from(motion, start) != paper.rests)
             survey.differently.push_back(named.name + ": one rests all through the last period");
         else if (!paper.rests)
             compare_stops(stops_in_last_period(motion, start, end), paper.stops, named.name, survey);
         compare_states(paper.end, motion.end, named.name, survey);
-        const State<double> before = solver.run(at_rest<double>(paper.masses.size()), 0, start).end;
+        const State before = solver.run(at_rest(paper.masses.size()), 0, start).end;
         (void)solver.run(before, 0, period);
-        const std::vector<Extremum<double>> largest = solver.largest_displacements();
+        const std::vector<Extremum> largest = solver.largest_displacements();
         for (std::size_t k = 0; k < largest.size(); ++k)
             compare_amplitudes(paper.masses[k].amplitude, std::abs(largest[k].x), named.name, survey);
     });
@@ -157,8 +157,8 @@ StickSlipSurvey on_orbits(const std::vector<StickSlipScene>& scenes, double tole
     StickSlipSurvey survey;
     PaperSettings settings;
     settings.absolute_tolerance = tolerance;
-    each_with_solver(scenes, [&](const StickSlipScene& named, ExactSolver<double>& solver) {
-        const PeriodicOrbit<double> orbit = orbit_of(solver);
+    each_with_solver(scenes, [&](const StickSlipScene& named, ExactSolver& solver) {
+        const PeriodicOrbit orbit = orbit_of(solver);
         settings.start = orbit.start;
         settings.cycles = 2 * orbit.periods;
         const PaperMotion paper = paper_algorithm(named.scene, settings);
@@ -175,37 +175,31 @@ StickSlipSurvey on_orbits(const std::vector<StickSlipScene>& scenes, double tole
     return survey;
 }
 
-StickSlipSurvey against_50_digits(const std::vector<StickSlipScene>& scenes) {
+StickSlipSurvey against_proved(const std::vector<StickSlipScene>& scenes) {
     StickSlipSurvey survey;
-    each_with_solver(scenes, [&](const StickSlipScene& named, ExactSolver<double>& solver) {
-        const PeriodicOrbit<double> orbit = orbit_of(solver);
-        const Scene<Real50> wide = converted<Real50>(named.scene);
-        const ContactSystem<Real50> system = contact_system(wide.system);
-        ExactSolver<Real50> wide_solver(system, {*wide.r, *wide.beta, wide.mu});
-        State<Real50> start;
-        for (const double x : orbit.start.x) start.x.emplace_back(x);
-        for (const double x : orbit.start.x_prime) start.x_prime.emplace_back(x);
-        OrbitSearch<Real50> search;
-        search.periods_before = orbit.periods; // it stays on the orbit, whatever its period
-        search.with_stability = false;
-        const PeriodicOrbit<Real50> exact = periodic_orbit(wide_solver, start, search);
-        if (orbit.status != OrbitStatus::periodic || exact.status != OrbitStatus::periodic) {
-            survey.differently.push_back(named.name + ": " + orbit.reason + exact.reason);
+    each_with_solver(scenes, [&](const StickSlipScene& named, ExactSolver& solver) {
+        const PeriodicOrbit orbit = orbit_of(solver);
+        if (orbit.status != OrbitStatus::periodic) {
+            survey.differently.push_back(named.name + ": " + orbit.reason);
             return;
         }
-        std::vector<Stop<double>> stops;
-        for (const Stop<Real50>& s : exact.stops) stops.push_back({static_cast<double>(s.start), static_cast<double>(s.end), 0});
+        const SceneSource source = scene_source(named.scene);
+        const reference::OrbitInBalls exact =
+            reference::proved_orbit([&] { return damped_scene_in_balls(source); }, guess_of(solver, orbit), 192, {}, false);
+        const auto number = [](const Ball& x) { return static_cast<double>(x); };
+        std::vector<Stop> stops;
+        for (const reference::StopInBalls& s : exact.stops) stops.push_back({number(s.start), number(s.end), 0});
         compare_stops(orbit.stops, stops, named.name, survey);
-        State<double> rounded;
-        for (const Real50& x : exact.start.x) rounded.x.push_back(static_cast<double>(x));
-        for (const Real50& x : exact.start.x_prime) rounded.x_prime.push_back(static_cast<double>(x));
+        State rounded;
+        for (const Ball& x : exact.x) rounded.x.push_back(number(x));
+        for (const Ball& x : exact.x_prime) rounded.x_prime.push_back(number(x));
         compare_states(orbit.start, rounded, named.name, survey);
         for (std::size_t k = 0; k < orbit.masses.size(); ++k) {
-            const Real50& X = exact.masses[k].amplitude;
-            const Real50 error = abs(Real50(Real50(orbit.masses[k].amplitude) - X));
-            survey.amplitude.note(static_cast<double>(Real50(error / X)), named.name);
-            survey.mixed.note(static_cast<double>(Real50(error / (1 + X))), named.name);
-            survey.over_bound.note(static_cast<double>(Real50(error / Real50(orbit.error_bound))), named.name);
+            const Ball& X = exact.amplitude[k];
+            const Ball error = abs(Ball(orbit.masses[k].amplitude) - X);
+            survey.amplitude.note(number(error / X), named.name);
+            survey.mixed.note(number(error / (1 + X)), named.name);
+            survey.over_bound.note(number(error / Ball(orbit.error_bound)), named.name);
         }
     });
     return survey;

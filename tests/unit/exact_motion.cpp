@@ -26,20 +26,20 @@ struct Energy {
     double size;
 };
 
-Energy energy_of(ExactSolver<double>& solver, const ExactMotion<double>& run, const NonDimensionalMatrices<double>& m,
-                 Mass contact, Mass load, double beta) {
-    const ExactMotion<double> motion = run;
+Energy energy_of(ExactSolver& solver, const ExactMotion& run, const NonDimensionalMatrices<double>& m, Mass contact, Mass load,
+                 double beta) {
+    const ExactMotion motion = run;
     const auto column = [](const std::vector<double>& a) {
         return Vector<double>(Eigen::Map<const Vector<double>>(a.data(), static_cast<Eigen::Index>(a.size())));
     };
-    const auto state = [&](const State<double>& s) { return std::pair{column(s.x), column(s.x_prime)}; };
-    const auto stored = [&](const State<double>& s) {
+    const auto state = [&](const State& s) { return std::pair{column(s.x), column(s.x_prime)}; };
+    const auto stored = [&](const State& s) {
         const auto [x, v] = state(s);
         return 0.5 * v.dot(m.M * v) + 0.5 * x.dot(m.K * x);
     };
     Energy e{0, 0, 0};
     for (std::size_t n = 0; n < motion.phases.size(); ++n) {
-        const Phase<double>& p = motion.phases[n];
+        const Phase& p = motion.phases[n];
         const int steps = 2000;
         for (int i = 0; i <= steps; ++i) {
             const double tau = p.start + (p.end - p.start) * i / steps;
@@ -115,9 +115,9 @@ void check_coupled_motion(const T& unit) {
 } // namespace
 
 TEST_CASE("a mass pulled from rest by more than static friction slides, sticks and slides on", "[unit][exact-solver]") {
-    const ContactSystem<double> system = contact_system(one_mass(0.01));
-    ExactSolver<double> solver(system, {0.1, 0.2, 1.0});
-    const ExactMotion<double>& motion = solver.run(at_rest<double>(1), 0.0, 2 * pi<double>());
+    const ContactSystem system = contact_system(one_mass(0.01));
+    ExactSolver solver(system, {0.1, 0.2, 1.0});
+    const ExactMotion& motion = solver.run(at_rest(1), 0.0, 2 * pi<double>());
     REQUIRE(motion.status == MotionStatus::complete);
     CHECK(motion.phases.front().direction == 1);
     CHECK(motion.phases.front().start == 0);
@@ -132,9 +132,9 @@ TEST_CASE("a mass pulled from rest by more than static friction slides, sticks a
 }
 
 TEST_CASE("a mass that static friction holds stays where it is", "[unit][exact-solver][eq:74]") {
-    const ContactSystem<double> system = contact_system(one_mass(0.05));
-    ExactSolver<double> solver(system, {1.0, 0.55, 2.0});
-    const ExactMotion<double>& motion = solver.run(at_rest<double>(1), 0.0, 20 * pi<double>());
+    const ContactSystem system = contact_system(one_mass(0.05));
+    ExactSolver solver(system, {1.0, 0.55, 2.0});
+    const ExactMotion& motion = solver.run(at_rest(1), 0.0, 20 * pi<double>());
     REQUIRE(motion.phases.size() == 1);
     CHECK(motion.phases[0].direction == 0);
     CHECK(motion.end.x[0] == 0);
@@ -143,7 +143,7 @@ TEST_CASE("a mass that static friction holds stays where it is", "[unit][exact-s
 TEST_CASE("over any motion the gain of energy is the work of load, damping and friction", "[unit][exact-solver][eq:6]") {
     struct Point {
         System<double> system;
-        Excitation<double> e;
+        Excitation e;
     };
     std::vector<Point> points = {{one_mass(0.01), {0.1, 0.2, 1.0}},
                                  {one_mass(0.0), {1.0, 0.9, 1.0}}, // resonance without damping
@@ -160,9 +160,9 @@ TEST_CASE("over any motion the gain of energy is the work of load, damping and f
     inertially_coupled.stiffness_matrix = Matrix<double>{{2, -1, 0}, {-1, 3, -1}, {0, -1, 2}};
     points.push_back({inertially_coupled, {0.3, 0.25, 1.25}});
     for (const Point& p : points) {
-        const ContactSystem<double> system = contact_system(p.system);
-        ExactSolver<double> solver(system, p.e);
-        const ExactMotion<double>& motion = solver.run(at_rest<double>(system.basis.r_n.size()), 0.0, 4 * pi<double>());
+        const ContactSystem system = contact_system(p.system);
+        ExactSolver solver(system, p.e);
+        const ExactMotion& motion = solver.run(at_rest(system.basis.r_n.size()), 0.0, 4 * pi<double>());
         const NonDimensionalMatrices<double> m = non_dimensional_matrices(p.system, system.basis, p.e.r);
         const Energy e = energy_of(solver, motion, m, p.system.contact, p.system.load, p.e.beta);
         INFO("N = " << system.basis.r_n.size() << ", r = " << p.e.r << ", phases " << motion.phases.size() << ", coupling "
@@ -175,17 +175,17 @@ TEST_CASE("over any motion the gain of energy is the work of load, damping and f
 TEST_CASE("while it sticks the contact carries no more than static friction, and just that when it leaves",
           "[unit][exact-solver][eq:74][eq:75]") {
     const System<double> s = three_masses();
-    const ContactSystem<double> system = contact_system(s);
+    const ContactSystem system = contact_system(s);
     const double beta = 0.2, mu = 1.25, r = 0.15;
-    ExactSolver<double> solver(system, {r, beta, mu});
-    const ExactMotion<double> motion = solver.run(at_rest<double>(3), 0.0, 12 * pi<double>());
+    ExactSolver solver(system, {r, beta, mu});
+    const ExactMotion motion = solver.run(at_rest(3), 0.0, 12 * pi<double>());
     const NonDimensionalMatrices<double> m = non_dimensional_matrices(s, system.basis, r);
     int departures = 0;
     for (std::size_t n = 0; n + 1 < motion.phases.size(); ++n) {
-        const Phase<double>& p = motion.phases[n];
+        const Phase& p = motion.phases[n];
         if (p.direction != 0) continue;
         const auto load = [&](double tau) {
-            const State<double> z = solver.state_at(n, tau);
+            const State z = solver.state_at(n, tau);
             double sum = s.load == s.contact ? std::cos(tau) : 0;
             for (Eigen::Index k = 0; k < 3; ++k)
                 sum -= m.C(1, k) * z.x_prime[static_cast<std::size_t>(k)] + m.K(1, k) * z.x[static_cast<std::size_t>(k)];
@@ -200,15 +200,15 @@ TEST_CASE("while it sticks the contact carries no more than static friction, and
 }
 
 TEST_CASE("the largest displacements are those of a dense sample", "[unit][exact-solver]") {
-    const ContactSystem<double> system = contact_system(three_masses());
-    ExactSolver<double> solver(system, {0.3, 0.4, 1.25});
-    const ExactMotion<double> motion = solver.run(at_rest<double>(3), 0.0, 4 * pi<double>());
-    const std::vector<Extremum<double>> largest = solver.largest_displacements();
+    const ContactSystem system = contact_system(three_masses());
+    ExactSolver solver(system, {0.3, 0.4, 1.25});
+    const ExactMotion motion = solver.run(at_rest(3), 0.0, 4 * pi<double>());
+    const std::vector<Extremum> largest = solver.largest_displacements();
     std::vector<double> sampled(3, 0);
     for (std::size_t n = 0; n < motion.phases.size(); ++n) {
-        const Phase<double>& p = motion.phases[n];
+        const Phase& p = motion.phases[n];
         for (int i = 0; i <= 4000; ++i) {
-            const State<double> z = solver.state_at(n, p.start + (p.end - p.start) * i / 4000);
+            const State z = solver.state_at(n, p.start + (p.end - p.start) * i / 4000);
             for (std::size_t k = 0; k < 3; ++k) sampled[k] = std::max(sampled[k], std::abs(z.x[k]));
         }
     }
@@ -219,14 +219,14 @@ TEST_CASE("the largest displacements are those of a dense sample", "[unit][exact
 }
 
 TEST_CASE("the exact solver names the quantity, the rule and the value of bad input", "[unit][exact-solver][bad-input]") {
-    const ContactSystem<double> system = contact_system(one_mass(0.01));
-    using Solver = ExactSolver<double>;
+    const ContactSystem system = contact_system(one_mass(0.01));
+    using Solver = ExactSolver;
     CHECK_THROWS_WITH(Solver(system, {0.0, 0.2, 1.0}), Catch::Contains("r must be positive"));
     CHECK_THROWS_WITH(Solver(system, {1.0, -0.2, 1.0}), Catch::Contains("beta must be zero or positive"));
     CHECK_THROWS_WITH(Solver(system, {1.0, 0.2, 0.5}), Catch::Contains("mu must be at least 1"));
     CHECK_THROWS_AS(Solver(system, {std::nan(""), 0.2, 1.0}), InputError);
     Solver solver(system, {1.0, 0.2, 1.0});
-    CHECK_THROWS_AS(solver.run(at_rest<double>(2), 0.0, 1.0), InputError);
+    CHECK_THROWS_AS(solver.run(at_rest(2), 0.0, 1.0), InputError);
 }
 
 TEST_CASE("coupled coordinates move as the oscillators do that they mix, with short steps and with long ones",

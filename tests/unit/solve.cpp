@@ -145,9 +145,9 @@ TEST_CASE("where the contact only just stops, the bound says that the instant is
           "[solve][accuracy][grazing]") {
     Scene<double> scene = chain({1}, {1}, {0.01}, 1, 1, 1, 0.2);
     scene.beta = 0.4337367682256968; // some last digits higher two of the four stops are gone
-    const ContactSystem<double> system = contact_system(scene.system);
-    ExactSolver<double> solver(system, {*scene.r, *scene.beta, scene.mu});
-    const std::vector<SolvedStop> in_double = orbit_solution(solver, periodic_orbit(solver, at_rest<double>(1), {})).stops;
+    const ContactSystem system = contact_system(scene.system);
+    ExactSolver solver(system, {*scene.r, *scene.beta, scene.mu});
+    const std::vector<SolvedStop> in_double = orbit_solution(solver, periodic_orbit(solver, at_rest(1), {})).stops;
     REQUIRE(in_double.size() == 4);
     CHECK(in_double[0].start.error == Approx(pi<double>()));
     CHECK(in_double[1].end.error == Approx(pi<double>()));
@@ -294,10 +294,10 @@ TEST_CASE("all motions: rest from rest and sliding from a displacement of five",
     CHECK(slides->from.x_prime[0] == 0);
     CHECK(slides->masses[0].amplitude.value == Approx(response(scene).steady_state->X_j).epsilon(1e-12));
     // Every start that is named leads where it is said to lead.
-    const ContactSystem<double> system = contact_system(scene.system);
-    ExactSolver<double> solver(system, {*scene.r, *scene.beta, scene.mu});
+    const ContactSystem system = contact_system(scene.system);
+    ExactSolver solver(system, {*scene.r, *scene.beta, scene.mu});
     for (const OtherMotion& motion : s.motions) {
-        const PeriodicOrbit<double> orbit = periodic_orbit(solver, motion.from);
+        const PeriodicOrbit orbit = periodic_orbit(solver, motion.from);
         CHECK((orbit.status == OrbitStatus::permanently_stuck) == (motion.regime == Regime::permanent_sticking));
     }
 }

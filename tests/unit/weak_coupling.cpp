@@ -149,15 +149,17 @@ TEST_CASE("what is left out of the damping of stuck modes is in the error of the
         s.load = Mass{0};
         const std::vector<double> r_n = modal_basis(s).r_n;
         for (std::size_t i = 0; i < r_n.size(); ++i) s.damping_ratios[i] = 0.3 / r_n[i];
-        const ContactSystem<double> c = contact_system(s);
+        const ContactSystem c = contact_system(s);
         REQUIRE(c.stuck.modes_diagonalise_damping);
-        const ContactSystem<Real50> exact = contact_system(in_type<Real50>(s));
-        Matrix<Real50> left_out = exact.stuck.damping;
+        const System<Real50> wide = in_type<Real50>(s);
+        const ModalBasis<Real50> exact = modal_basis(wide);
+        const StuckConfiguration<Real50> stuck = stuck_configuration(wide, exact);
+        Matrix<Real50> left_out = stuck.damping;
         left_out.diagonal().setZero();
         Matrix<Real50> others(3, 4);
         for (Eigen::Index n = 0; n < 3; ++n)
-            others.row(n) = exact.basis.phi.row(static_cast<Eigen::Index>(exact.stuck.masses[static_cast<std::size_t>(n)].index));
-        const Matrix<Real50> shares = transpose_times(exact.stuck.phi, product(exact.stuck.M, others)),
+            others.row(n) = exact.phi.row(static_cast<Eigen::Index>(stuck.masses[static_cast<std::size_t>(n)].index));
+        const Matrix<Real50> shares = transpose_times(stuck.phi, product(stuck.M, others)),
                              in_modes = in_coordinates(shares, left_out);
         INFO("contact " << contact << ", " << static_cast<double>(in_modes.cwiseAbs().maxCoeff()));
         REQUIRE(in_modes.cwiseAbs().maxCoeff() > 1e-20);

@@ -15,7 +15,7 @@ namespace {
 constexpr double period = 2 * std::numbers::pi;
 
 // Displacement of a mass on a stretch of motion of one period from the maximum of the force on.
-double displacement_at(ExactSolver<double>& solver, const std::vector<Phase<double>>& phases, double tau, std::size_t k) {
+double displacement_at(ExactSolver& solver, const std::vector<Phase>& phases, double tau, std::size_t k) {
     std::size_t n = 0;
     while (n + 1 < phases.size() && phases[n].end < tau) ++n;
     return solver.state_at(n, tau).x[k];
@@ -23,7 +23,7 @@ double displacement_at(ExactSolver<double>& solver, const std::vector<Phase<doub
 
 // Where the contact turns or comes to rest as far from zero as it gets, but for rounding: it may rest there at both ends of the
 // stretch as well, where it does not arrive.
-Extremum<double> largest_of_contact(const ExactMotion<double>& motion, std::size_t contact, Extremum<double> largest) {
+Extremum largest_of_contact(const ExactMotion& motion, std::size_t contact, Extremum largest) {
     const std::size_t N = motion.end.x.size();
     const double least = std::abs(largest.x) * (1 - 1e-12);
     bool arrives = false;
@@ -38,7 +38,7 @@ Extremum<double> largest_of_contact(const ExactMotion<double>& motion, std::size
 }
 
 // The answer that a period of a solver shows.
-std::optional<Value> read_off(ExactSolver<double>& solver, const ExactMotion<double>& motion, const ProtocolQuestion& q) {
+std::optional<Value> read_off(ExactSolver& solver, const ExactMotion& motion, const ProtocolQuestion& q) {
     const std::size_t contact = solver.system().contact.index;
     const std::size_t k = q.mass > 0 ? static_cast<std::size_t>(q.mass - 1) : contact;
     if (q.quantity == "motion_under_force") {
@@ -47,30 +47,30 @@ std::optional<Value> read_off(ExactSolver<double>& solver, const ExactMotion<dou
             value.numbers.push_back(displacement_at(solver, motion.phases, period * n / q.samples, k));
         return value;
     }
-    Extremum<double> largest = solver.largest_displacements()[k];
+    Extremum largest = solver.largest_displacements()[k];
     if (k == contact) largest = largest_of_contact(motion, k, largest);
     if (q.quantity == "amplitude") return Value{{std::abs(largest.x)}, ""};
     if (q.quantity == "phase") return Value{{std::remainder(largest.instant + (largest.x < 0 ? pi<double>() : 0), period)}, ""};
     return std::nullopt;
 }
 
-std::vector<double> durations(const std::vector<Stop<double>>& stops) {
+std::vector<double> durations(const std::vector<Stop>& stops) {
     std::vector<double> lengths;
-    for (const Stop<double>& stop : stops) lengths.push_back(stop.end - stop.start);
+    for (const Stop& stop : stops) lengths.push_back(stop.end - stop.start);
     std::sort(lengths.begin(), lengths.end());
     return lengths;
 }
 
 std::optional<Value> answer_of_stuck_motion(const ProtocolQuestion& q, const Scene<double>& scene) {
     const StuckConfiguration<double> stuck = stuck_configuration(scene.system, modal_basis(scene.system));
-    const StuckResponse<double> response = stuck_response(stuck, scene.system.contact, scene.system.load, *scene.r);
+    const StuckResponse response = stuck_response(stuck, scene.system.contact, scene.system.load, *scene.r);
     if (q.quantity == "rest_interval") {
         const std::optional<double> half = rest_interval(stuck, response, scene.mu, *scene.beta);
         return half ? std::optional(Value{{*half}, ""}) : std::nullopt;
     }
     if (q.quantity == "stops_per_period") return Value{{0}, ""};
     if (q.quantity == "stop_durations") return Value{};
-    const StuckMass<double>& mass = response.masses[static_cast<std::size_t>(q.mass - 1)];
+    const StuckMass& mass = response.masses[static_cast<std::size_t>(q.mass - 1)];
     if (q.quantity == "amplitude") return Value{{mass.amplitude}, ""};
     if (q.quantity == "phase") return mass.phase ? std::optional(Value{{*mass.phase}, ""}) : std::nullopt;
     Value value;
@@ -82,13 +82,13 @@ std::optional<Value> answer_of_stuck_motion(const ProtocolQuestion& q, const Sce
 
 std::optional<Value> answer_of_steady_motion(const ProtocolQuestion& q) {
     const Scene<double> scene = scene_of(q);
-    const ContactSystem<double> system = contact_system(scene.system);
-    ExactSolver<double> solver(system, {*scene.r, *scene.beta, scene.mu});
-    OrbitSearch<double> how;
+    const ContactSystem system = contact_system(scene.system);
+    ExactSolver solver(system, {*scene.r, *scene.beta, scene.mu});
+    OrbitSearch how;
     how.contact_only = true;
     how.with_stability = false;
     how.most_periods = 4000;
-    const PeriodicOrbit<double> orbit = periodic_orbit(solver, at_rest<double>(q.mass_ratios.size()), how);
+    const PeriodicOrbit orbit = periodic_orbit(solver, at_rest(q.mass_ratios.size()), how);
     if (orbit.status == OrbitStatus::permanently_stuck) return answer_of_stuck_motion(q, scene);
     if (orbit.status == OrbitStatus::not_converged || orbit.periods != 1) return std::nullopt;
     if (q.quantity == "stops_per_period") return Value{{static_cast<double>(orbit.stops.size())}, ""};
@@ -99,12 +99,12 @@ std::optional<Value> answer_of_steady_motion(const ProtocolQuestion& q) {
 std::vector<std::optional<Value>> answers_of_transient(const ProtocolQuestion& q, int first, int last) {
     if (!is_of_the_paper(q)) return std::vector<std::optional<Value>>(static_cast<std::size_t>(last - first + 1));
     const Scene<double> scene = scene_of(q);
-    const ContactSystem<double> system = contact_system(scene.system);
-    ExactSolver<double> solver(system, {*scene.r, *scene.beta, scene.mu});
-    State<double> state = at_rest<double>(q.mass_ratios.size());
+    const ContactSystem system = contact_system(scene.system);
+    ExactSolver solver(system, {*scene.r, *scene.beta, scene.mu});
+    State state = at_rest(q.mass_ratios.size());
     std::vector<std::optional<Value>> answers;
     for (int n = 1; n <= last; ++n) {
-        const ExactMotion<double>& motion = solver.run(state, 0.0, period);
+        const ExactMotion& motion = solver.run(state, 0.0, period);
         state = motion.end;
         if (n >= first) answers.push_back(read_off(solver, motion, q));
     }

@@ -13,7 +13,7 @@
 namespace denhartog {
 namespace {
 
-bool failed(const ExactMotion<double>& run, PaperMotion& motion) {
+bool failed(const ExactMotion& run, PaperMotion& motion) {
     motion.phases += static_cast<long>(run.phases.size());
     if (run.status == MotionStatus::complete) return false;
     motion.status = IntegrationStatus::chattering;
@@ -24,10 +24,10 @@ bool failed(const ExactMotion<double>& run, PaperMotion& motion) {
 
 // Nothing bounds the errors of the motion: its modes are those of the reference where double does not have nine digits of their
 // frequencies.
-ContactSystem<double> system_of(const SceneSource& source) {
+ContactSystem system_of(const SceneSource& source) {
     constexpr double most = 1e-9;
     try {
-        ContactSystem<double> system = contact_system(source->in_double().system);
+        ContactSystem system = contact_system(source->in_double().system);
         if (std::ranges::all_of(system.detuned, [](double part) { return part <= most; })) return system;
     } catch (const PrecisionError&) { // it has none
     }
@@ -43,32 +43,32 @@ PaperMotion exact_cycles(const SceneSource& source, const PaperSettings& setting
     (void)frequency_ratio_of(scene);
     (void)friction_ratio_of(scene);
     const std::size_t N = number_of_masses(scene.system), j = scene.system.contact.index;
-    const ContactSystem<double> system = system_of(source);
-    ExactSolver<double> solver(system, {*scene.r, *scene.beta, scene.mu});
+    const ContactSystem system = system_of(source);
+    ExactSolver solver(system, {*scene.r, *scene.beta, scene.mu});
     const double period = 2 * pi<double>(), last = settings.tau_0 + period * (settings.cycles - 1);
-    State<double> state = settings.start.value_or(at_rest<double>(N));
+    State state = settings.start.value_or(at_rest(N));
     PaperMotion motion;
     int direction = 2;       // of the phase across the start of the last period, 2 where there is none
     double rest_from = last; // where a rest across the start of the last period began
     if (last > settings.tau_0) {
-        const ExactMotion<double>& before = solver.run(state, settings.tau_0, last);
+        const ExactMotion& before = solver.run(state, settings.tau_0, last);
         if (failed(before, motion)) return motion;
         state = before.end;
         direction = before.phases.back().direction;
         if (direction == 0) rest_from = before.phases.back().start;
     }
     const double end = settings.tau_0 + period * settings.cycles;
-    const ExactMotion<double> run = solver.run(state, last, end);
+    const ExactMotion run = solver.run(state, last, end);
     if (failed(run, motion)) return motion;
     if (run.phases.front().direction == direction) --motion.phases;
 
     LastPeriod period_seen(N, last, 0, scene.system.coordinates);
     for (std::size_t n = 0; n < run.phases.size(); ++n) {
-        const Phase<double>& p = run.phases[n];
+        const Phase& p = run.phases[n];
         if (p.direction == 0) period_seen.take_rest(n == 0 ? rest_from : p.start, p.end, run.states[2 * N * n + j], p.end == end);
     }
     period_seen.write(motion);
-    const std::vector<Extremum<double>> largest = solver.largest_displacements();
+    const std::vector<Extremum> largest = solver.largest_displacements();
     for (std::size_t k = 0; k < largest.size(); ++k) {
         motion.masses[k].amplitude = std::abs(largest[k].x);
         if (motion.slides && largest[k].x != 0)

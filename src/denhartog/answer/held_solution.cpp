@@ -64,8 +64,7 @@ Matrix<double> errors_of_damping(const Scene<double>& scene, const ModalBasis<Bo
 // (88) as printed on numbers that carry their bounds: modes of the masses on the load's side of the contact, damping read from the
 // diagonal.
 Bounded<double> bounded_limit_by_88(const Scene<double>& scene, const StuckConfiguration<double>& stuck,
-                                    const Matrix<double>& of_damping, const StuckChain<double>& chain,
-                                    const StuckResponse<double>& response) {
+                                    const Matrix<double>& of_damping, const StuckChain& chain, const StuckResponse& response) {
     const Bounded<double> mu = as_input(scene.mu), r = as_input(*scene.r);
     if (!chain.kappa) return paper::sticking_limit_under_load(mu);
     const auto n = static_cast<Eigen::Index>(chain.masses.size());
@@ -92,8 +91,8 @@ Bounded<double> bounded_limit_by_88(const Scene<double>& scene, const StuckConfi
 }
 
 std::optional<Certified> limit_by_88(const Scene<double>& scene, const StuckConfiguration<double>& stuck,
-                                     const Matrix<double>& of_damping, const StuckResponse<double>& response) {
-    const std::optional<StuckChain<double>> chain = stuck_chain(scene.system, stuck);
+                                     const Matrix<double>& of_damping, const StuckResponse& response) {
+    const std::optional<StuckChain> chain = stuck_chain(scene.system, stuck);
     const std::optional<double> paper = sticking_boundary(response, chain, scene.mu).paper;
     if (!paper) return std::nullopt;
     require_in_range(*paper, "permanent sticking by (88)");
@@ -102,7 +101,7 @@ std::optional<Certified> limit_by_88(const Scene<double>& scene, const StuckConf
 }
 
 HeldErrors errors_of(const Scene<double>& scene, const StuckConfiguration<double>& stuck, const Matrix<double>& damping_errors,
-                     const StuckResponse<double>& response) {
+                     const StuckResponse& response) {
     const auto n = static_cast<Eigen::Index>(stuck.masses.size());
     const double r = *scene.r, eps = unit_of<double>(), rounding = 8 * static_cast<int>(n + 1) * eps;
     const std::vector<double> p = load_on_coordinates(scene.system);
@@ -145,7 +144,7 @@ HeldErrors errors_of(const Scene<double>& scene, const StuckConfiguration<double
 }
 
 // The masses that are no coordinates, with bounds of their errors.
-void add_displacements(const Coordinates<double>& c, std::vector<StuckMass<double>>& masses, std::vector<double>& error_of) {
+void add_displacements(const Coordinates<double>& c, std::vector<StuckMass>& masses, std::vector<double>& error_of) {
     const std::size_t N = masses.size();
     for (Eigen::Index n = 0; n < c.displacements.rows(); ++n) {
         Complex<double> X{0.0, 0.0};
@@ -179,22 +178,22 @@ Bounded<double> compliance_of(const StuckConfiguration<double>& stuck) {
 HeldSolution held_solution(const Scene<double>& scene, const StuckConfiguration<double>& stuck,
                            const ModalBasis<Bounded<double>>& basis, std::optional<Mass> only) {
     const System<double>& s = scene.system;
-    const StuckResponse<double> response = stuck_response(stuck, s.contact, s.load, *scene.r);
+    const StuckResponse response = stuck_response(stuck, s.contact, s.load, *scene.r);
     const Matrix<double> of_damping = errors_of_damping(scene, basis);
     const HeldErrors errors = errors_of(scene, stuck, of_damping, response);
-    std::vector<StuckMass<double>> masses = response.masses;
+    std::vector<StuckMass> masses = response.masses;
     std::vector<double> error_of(masses.size(), 0.0);
     for (std::size_t n = 0; n < stuck.masses.size(); ++n) error_of[stuck.masses[n].index] = errors.masses[n];
     add_displacements(s.coordinates, masses, error_of);
     HeldSolution solution;
     double largest(0);
-    for (const StuckMass<double>& mass : masses) {
+    for (const StuckMass& mass : masses) {
         largest = std::max(largest, mass.amplitude);
         solution.masses.push_back({exactly(mass.amplitude), std::nullopt, std::nullopt});
     }
     for (std::size_t k = 0; k < masses.size(); ++k) {
         if (Mass{k} == s.contact) continue;
-        const StuckMass<double>& mass = masses[k];
+        const StuckMass& mass = masses[k];
         const double error = error_of[k];
         solution.masses[k].amplitude = certified(Bounded<double>(mass.amplitude, error));
         if (does_not_move(mass.amplitude, error, largest)) continue;
@@ -224,7 +223,7 @@ std::optional<Certified> sticking_by_88(const Scene<double>& scene) {
     try {
         const ModalBasis<Bounded<double>> basis = with_errors(scene.system, modal_basis(scene.system));
         const StuckConfiguration<double> stuck = stuck_configuration(scene.system, values_of(basis));
-        const StuckResponse<double> response = stuck_response(stuck, scene.system.contact, scene.system.load, *scene.r);
+        const StuckResponse response = stuck_response(stuck, scene.system.contact, scene.system.load, *scene.r);
         return limit_by_88(scene, stuck, errors_of_damping(scene, basis), response);
     } catch (const DomainError&) {
         return std::nullopt;

@@ -19,8 +19,8 @@ ModalBasis<Bounded<double>> with_damping(const System<double>& system, ModalBasi
     return basis;
 }
 
-std::shared_ptr<const ContactSystem<double>> rounded_system(const SceneSource& source, const std::string& because) {
-    return std::make_shared<const ContactSystem<double>>(moving_by_reference(source, because));
+std::shared_ptr<const ContactSystem> rounded_system(const SceneSource& source, const std::string& because) {
+    return std::make_shared<const ContactSystem>(moving_by_reference(source, because));
 }
 
 } // namespace
@@ -48,19 +48,19 @@ ModesInDouble modes_in_double(const SceneSource& source) {
     }
 }
 
-std::shared_ptr<const ContactSystem<double>> moving_in_double(const SceneSource& source, const ModesInDouble& modes) {
+std::shared_ptr<const ContactSystem> moving_in_double(const SceneSource& source, const ModesInDouble& modes) {
     if (!modes.rounded_because.empty()) return rounded_system(source, modes.rounded_because);
     try {
-        return std::make_shared<const ContactSystem<double>>(contact_system(source->in_double().system, *modes.basis));
+        return std::make_shared<const ContactSystem>(contact_system(source->in_double().system, *modes.basis));
     } catch (const PrecisionError& e) { // of the system with the contact held
         return rounded_system(source, e.what());
     }
 }
 
-ContactSystem<double> moving_by_reference(const SceneSource& source, const std::string& because) {
+ContactSystem moving_by_reference(const SceneSource& source, const std::string& because) {
     const System<double>& system = source->in_double().system;
     const SystemByReference found = system_by_reference(source);
-    ContactSystem<double> moving = contact_system(system, with_damping(system, found.basis), &found.held);
+    ContactSystem moving = contact_system(system, with_damping(system, found.basis), &found.held);
     moving.rounded_because = because;
     return moving;
 }

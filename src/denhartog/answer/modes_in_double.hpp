@@ -31,14 +31,13 @@ void leave_out_coupling(ModalBasis<Bounded<double>>& basis);
 /// @param modes   its modes
 /// @return        the system, sliding and stuck
 /// @throws        as `contact_system`
-[[nodiscard]] std::shared_ptr<const ContactSystem<double>> moving_in_double(const SceneSource& source,
-                                                                            const ModesInDouble& modes);
+[[nodiscard]] std::shared_ptr<const ContactSystem> moving_in_double(const SceneSource& source, const ModesInDouble& modes);
 
 /// @brief The same with the modes of the reference.
 /// @param source   the system
 /// @param because  why double has none, or not their digits
 /// @return         the system, sliding and stuck
 /// @throws         as `contact_system`
-[[nodiscard]] ContactSystem<double> moving_by_reference(const SceneSource& source, const std::string& because);
+[[nodiscard]] ContactSystem moving_by_reference(const SceneSource& source, const std::string& because);
 
 } // namespace denhartog

@@ -17,19 +17,19 @@ using std::abs;
 // The states of an orbit. One that mirrors itself after half its period is moved along that half alone.
 class OnOrbit {
 public:
-    OnOrbit(ExactSolver<double>& solver_, const PeriodicOrbit<double>& orbit)
+    OnOrbit(ExactSolver& solver_, const PeriodicOrbit& orbit)
         : solver(solver_), mirrors(orbit.symmetric), stretch((mirrors ? 1 : 2) * orbit.periods * pi<double>()) {
         phases = solver.run(orbit.start, 0.0, stretch).phases;
     }
 
     // How that vanishes which ends the phase before an instant, one of sliding or of sticking; the search for the end may have come
     // to other last digits before. None where no such phase ends there.
-    std::optional<EndOfPhase<double>> end_at(double tau, bool slides) {
+    std::optional<EndOfPhase> end_at(double tau, bool slides) {
         while (tau >= stretch) tau -= stretch;
         double nearest = sqrt(unit_of<double>()) * stretch;
         std::optional<std::size_t> found;
         for (std::size_t n = 0; n < phases.size(); ++n) {
-            const Phase<double>& p = phases[n];
+            const Phase& p = phases[n];
             if ((p.direction != 0) != slides || !(p.end > p.start)) continue;
             const double apart = abs(p.end - tau), either_way = std::min(apart, abs(apart - stretch));
             if (either_way > nearest) continue;
@@ -39,13 +39,13 @@ public:
         return found ? std::optional(solver.end_of(*found)) : std::nullopt;
     }
 
-    State<double> at(double tau) {
+    State at(double tau) {
         bool mirrored = false;
         for (; tau < 0; tau += stretch) mirrored = mirrors && !mirrored;
         for (; tau > stretch; tau -= stretch) mirrored = mirrors && !mirrored;
-        const auto found = std::ranges::lower_bound(phases, tau, {}, &Phase<double>::end);
+        const auto found = std::ranges::lower_bound(phases, tau, {}, &Phase::end);
         const auto last = static_cast<std::ptrdiff_t>(phases.size()) - 1;
-        State<double> state = solver.state_at(static_cast<std::size_t>(std::min(found - phases.begin(), last)), tau);
+        State state = solver.state_at(static_cast<std::size_t>(std::min(found - phases.begin(), last)), tau);
         for (std::vector<double>* part : {&state.x, &state.x_prime}) {
             add_displacements(solver.system().coordinates, *part);
             for (double& each : *part)
@@ -55,17 +55,17 @@ public:
     }
 
 private:
-    ExactSolver<double>& solver;
+    ExactSolver& solver;
     bool mirrors;
     double stretch;
-    std::vector<Phase<double>> phases;
+    std::vector<Phase> phases;
 };
 
 // How far the extremum of a mass may be from where it was found: as far as it takes until its size surely grows on one side and
 // falls on the other, by more than the error of the velocity. A value alone does not tell the place: next to the extremum others
 // are as large to all digits. A contact that comes to rest moves on one side only, and there by twice the error: what is left of
 // the true velocity then ends within as much again.
-double error_of_extremum(OnOrbit& orbit, std::size_t k, const MassMotion<double>& mass, int periods, double velocity_error) {
+double error_of_extremum(OnOrbit& orbit, std::size_t k, const MassMotion& mass, int periods, double velocity_error) {
     double nearest(-1), instant(0);
     for (int n = 0; n < 2 * periods; ++n) {
         const double tau = mass.phase + n * pi<double>();
@@ -76,7 +76,7 @@ double error_of_extremum(OnOrbit& orbit, std::size_t k, const MassMotion<double>
     }
     // How fast the size grows before the instant, and how fast it falls after it.
     const auto rates = [&](double apart) {
-        const auto growth = [&](const State<double>& state) { return state.x[k] < 0 ? -state.x_prime[k] : state.x_prime[k]; };
+        const auto growth = [&](const State& state) { return state.x[k] < 0 ? -state.x_prime[k] : state.x_prime[k]; };
         return std::pair{growth(orbit.at(instant - apart)), -growth(orbit.at(instant + apart))};
     };
     const double step = 1.0 / 1024;
@@ -93,16 +93,16 @@ double error_of_extremum(OnOrbit& orbit, std::size_t k, const MassMotion<double>
 }
 
 // The stops of an orbit.
-std::vector<SolvedStop> stops_of(OnOrbit& on_orbit, const ExactSolver<double>& solver, const PeriodicOrbit<double>& orbit) {
-    const ErrorsAtEnds<double> errors(solver, orbit.error_bound, orbit.velocity_errors);
+std::vector<SolvedStop> stops_of(OnOrbit& on_orbit, const ExactSolver& solver, const PeriodicOrbit& orbit) {
+    const ErrorsAtEnds errors(solver, orbit.error_bound, orbit.velocity_errors);
     const auto instant = [&](double tau, bool slides) {
         const double anywhere = orbit.periods * pi<double>();
-        const std::optional<EndOfPhase<double>> end = on_orbit.end_at(tau, slides);
+        const std::optional<EndOfPhase> end = on_orbit.end_at(tau, slides);
         const double found = end ? errors.of_instant(*end, slides) + 8 * unit_of<double>() * (1 + tau) : anywhere;
         return certified(Bounded<double>(tau, std::min(found, anywhere)));
     };
     std::vector<SolvedStop> stops;
-    for (const Stop<double>& stop : orbit.stops)
+    for (const Stop& stop : orbit.stops)
         stops.push_back(
             {instant(stop.start, true), instant(stop.end, false), certified(Bounded<double>(stop.x, orbit.error_bound))});
     return stops;
@@ -110,13 +110,13 @@ std::vector<SolvedStop> stops_of(OnOrbit& on_orbit, const ExactSolver<double>& s
 
 } // namespace
 
-OrbitSolution orbit_solution(ExactSolver<double>& solver, const PeriodicOrbit<double>& orbit, std::optional<Mass> only) {
+OrbitSolution orbit_solution(ExactSolver& solver, const PeriodicOrbit& orbit, std::optional<Mass> only) {
     OnOrbit on_orbit(solver, orbit);
     const std::size_t j = solver.system().contact.index,
                       count = orbit.start.x.size() + solver.system().coordinates.replaced.size();
     double largest = orbit.contact.amplitude; // of the other masses the state at the start, where their maxima were not sought
     for (double x : orbit.start.x) largest = std::max(largest, abs(x));
-    for (const MassMotion<double>& mass : orbit.masses) largest = std::max(largest, mass.amplitude);
+    for (const MassMotion& mass : orbit.masses) largest = std::max(largest, mass.amplitude);
     const auto number = [](double x, double error) { return certified(Bounded<double>(x, error)); };
     OrbitSolution solution;
     solution.stops = stops_of(on_orbit, solver, orbit);
@@ -125,7 +125,7 @@ OrbitSolution orbit_solution(ExactSolver<double>& solver, const PeriodicOrbit<do
             solution.masses.push_back({});
             continue;
         }
-        const MassMotion<double>& mass = k == j ? orbit.contact : orbit.masses[k];
+        const MassMotion& mass = k == j ? orbit.contact : orbit.masses[k];
         const double rounding = std::numeric_limits<double>::epsilon() * (16 * largest);
         if (does_not_move(mass.amplitude, orbit.error_bound + rounding, largest)) {
             solution.masses.push_back({number(mass.amplitude, orbit.error_bound), std::nullopt, std::nullopt});
@@ -142,13 +142,13 @@ OrbitSolution orbit_solution(ExactSolver<double>& solver, const PeriodicOrbit<do
     return solution;
 }
 
-std::optional<Certified> place_of_rest(const PeriodicOrbit<double>& orbit, Mass contact) {
+std::optional<Certified> place_of_rest(const PeriodicOrbit& orbit, Mass contact) {
     const bool is_bounded = orbit.error_bound - orbit.error_bound == 0;
     if (!is_bounded) return std::nullopt;
     return certified(Bounded<double>(orbit.start.x[contact.index], orbit.error_bound));
 }
 
-Stability stability_of(const PeriodicOrbit<double>& orbit) {
+Stability stability_of(const PeriodicOrbit& orbit) {
     Stability stability{orbit.stable, {}};
     for (const Multiplier& each : orbit.multipliers) stability.multipliers.push_back({size_of(each.value), each.error, {}});
     return stability;

@@ -27,21 +27,21 @@ struct OrbitSolution {
 /// @param orbit   a periodic orbit with its masses
 /// @param only    the one mass that is asked about; for the contact the orbit needs no other. None for all
 /// @return        the masses and the stops with their errors
-[[nodiscard]] OrbitSolution orbit_solution(ExactSolver<double>& solver, const PeriodicOrbit<double>& orbit,
+[[nodiscard]] OrbitSolution orbit_solution(ExactSolver& solver, const PeriodicOrbit& orbit,
                                            std::optional<Mass> only = std::nullopt);
 
 /// @brief Where the contact of an orbit rests.
 /// @param orbit    an orbit of permanent sticking
 /// @param contact  the mass in contact
 /// @return         its displacement; none without a finite bound of its error
-[[nodiscard]] std::optional<Certified> place_of_rest(const PeriodicOrbit<double>& orbit, Mass contact);
+[[nodiscard]] std::optional<Certified> place_of_rest(const PeriodicOrbit& orbit, Mass contact);
 
 /// @brief Whether an orbit is the sliding motion of the closed form as far as double can tell. Its stops are left aside:
 /// next to the boundary they may be rounding.
 /// @param orbit  a periodic orbit
 /// @param X_j    amplitude of the contact by the closed form
 /// @return       whether it is
-[[nodiscard]] inline bool is_sliding_motion(const PeriodicOrbit<double>& orbit, double X_j) {
+[[nodiscard]] inline bool is_sliding_motion(const PeriodicOrbit& orbit, double X_j) {
     return orbit.symmetric && orbit.periods == 1 &&
            std::abs(orbit.contact.amplitude - X_j) <= 16 * orbit.error_bound + 1e-9 * X_j;
 }
@@ -51,7 +51,7 @@ struct OrbitSolution {
 /// @param orbit   a periodic orbit
 /// @param damped  whether every free motion is damped
 /// @return        whether it has to be
-[[nodiscard]] inline bool must_be_sliding_motion(const PeriodicOrbit<double>& orbit, bool damped) {
+[[nodiscard]] inline bool must_be_sliding_motion(const PeriodicOrbit& orbit, bool damped) {
     return damped && orbit.stops.empty();
 }
 
@@ -63,13 +63,13 @@ struct OrbitSolution {
 ///                friction acts in stops alone, so that a motion without any is one with mu = 1, and that the closed form's
 /// @param slides  whether it is the sliding motion of the closed form
 /// @return        whether the reference has to tell
-[[nodiscard]] inline bool stops_are_open(const PeriodicOrbit<double>& orbit, bool beyond, bool stops, bool slides) {
+[[nodiscard]] inline bool stops_are_open(const PeriodicOrbit& orbit, bool beyond, bool stops, bool slides) {
     return orbit.stops.empty() ? stops || (beyond && orbit.symmetric && orbit.periods == 1) : slides;
 }
 
 /// @brief Sizes of the multipliers and the verdict.
 /// @param orbit  an orbit whose stability was computed
 /// @return       its stability
-[[nodiscard]] Stability stability_of(const PeriodicOrbit<double>& orbit);
+[[nodiscard]] Stability stability_of(const PeriodicOrbit& orbit);
 
 } // namespace denhartog

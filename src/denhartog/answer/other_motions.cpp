@@ -19,7 +19,7 @@ constexpr int sweep_steps = 6;
 constexpr double sweep_reach = 0.15; // of r and of beta, to either side
 constexpr int most_periods_followed = 3000;
 
-State<double> scaled(State<double> z, double factor) {
+State scaled(State z, double factor) {
     for (std::vector<double>* part : {&z.x, &z.x_prime})
         for (double& each : *part) each *= factor;
     return z;
@@ -27,7 +27,7 @@ State<double> scaled(State<double> z, double factor) {
 
 class Explorer {
 public:
-    Explorer(const Scene<double>& scene_, const ContactSystem<double>& system_,
+    Explorer(const Scene<double>& scene_, const ContactSystem& system_,
              const std::shared_ptr<const ModalBasis<Bounded<double>>>& basis_)
         : scene(scene_), system(system_), basis(*basis_), solver(system, at(*scene.r, *scene.beta)), N(system.basis.r_n.size()),
           size(N, 1) {
@@ -42,7 +42,7 @@ public:
     }
 
     std::vector<OtherMotion> all() {
-        follow(at_rest<double>(N), "start from rest");
+        follow(at_rest(N), "start from rest");
         if (scene.mu == 1 && every_motion_is_damped(system.basis)) return motions;
         from_displaced_contact();
         from_sliding();
@@ -55,7 +55,7 @@ public:
     }
 
 private:
-    [[nodiscard]] Excitation<double> at(double r, double beta) const { return {r, beta, scene.mu}; }
+    [[nodiscard]] Excitation at(double r, double beta) const { return {r, beta, scene.mu}; }
 
     void from_sliding() {
         if (!sliding) return;
@@ -66,7 +66,7 @@ private:
     void from_displaced_contact() {
         const std::size_t j = system.contact.index;
         for (const double x : {0.5, 1.0, -1.0, 3.0}) {
-            State<double> z = at_rest<double>(N);
+            State z = at_rest(N);
             z.x[j] = x * size[j];
             try_start(z, "contact displaced, all at rest");
         }
@@ -76,7 +76,7 @@ private:
         std::mt19937_64 generator(20220535); // NOLINT(cert-msc32-c,cert-msc51-cpp): the same motions are found every time
         const auto uniform = [&] { return static_cast<double>(generator() >> 11) * 0x1p-52 - 1; };
         for (int n = 0; n < seeded_starts; ++n) {
-            State<double> z = at_rest<double>(N);
+            State z = at_rest(N);
             const double scale = std::ldexp(1.0, n % 4 - 2);
             for (std::size_t k = 0; k < N; ++k) {
                 z.x[k] = scale * size[k] * uniform();
@@ -88,11 +88,11 @@ private:
 
     // Orbits of points on the way to the scene's, each started from the one before.
     void sweep(double r_away, double beta_away, const std::string& found) {
-        std::optional<State<double>> z = sliding && beta_away < 0 ? *sliding : at_rest<double>(N);
+        std::optional<State> z = sliding && beta_away < 0 ? *sliding : at_rest(N);
         for (int n = 0; n < sweep_steps; ++n) {
             const double left = 1 - static_cast<double>(n) / sweep_steps;
             solver.set(at(*scene.r * (1 + r_away * left), *scene.beta * (1 + beta_away * left)));
-            const PeriodicOrbit<double> orbit = periodic_orbit(solver, *z, search(true));
+            const PeriodicOrbit orbit = periodic_orbit(solver, *z, search(true));
             if (orbit.status == OrbitStatus::not_converged) break;
             z = orbit.start;
         }
@@ -100,25 +100,25 @@ private:
         try_start(*z, found);
     }
 
-    [[nodiscard]] static OrbitSearch<double> search(bool follow_start) {
-        OrbitSearch<double> how;
+    [[nodiscard]] static OrbitSearch search(bool follow_start) {
+        OrbitSearch how;
         how.most_periods = follow_start ? most_periods_followed : 8;
         how.follow_start = follow_start;
         return how;
     }
 
-    void try_start(const State<double>& start, const std::string& found) {
+    void try_start(const State& start, const std::string& found) {
         follow(start, found);
-        const PeriodicOrbit<double> orbit = periodic_orbit(solver, start, search(false));
+        const PeriodicOrbit orbit = periodic_orbit(solver, start, search(false));
         if (orbit.status == OrbitStatus::periodic) add(orbit, orbit.start, "Newton's method from: " + found);
     }
 
-    void follow(const State<double>& start, const std::string& found) {
-        const PeriodicOrbit<double> orbit = periodic_orbit(solver, start, search(true));
+    void follow(const State& start, const std::string& found) {
+        const PeriodicOrbit orbit = periodic_orbit(solver, start, search(true));
         if (orbit.status != OrbitStatus::not_converged) add(orbit, start, found);
     }
 
-    void add(const PeriodicOrbit<double>& orbit, const State<double>& from, const std::string& found) {
+    void add(const PeriodicOrbit& orbit, const State& from, const std::string& found) {
         const bool rests = orbit.status == OrbitStatus::permanently_stuck;
         for (const OtherMotion& known : motions)
             if (rests ? known.regime == Regime::permanent_sticking : same(known, orbit)) return;
@@ -150,36 +150,36 @@ private:
     }
 
     // The same motion, or one that is some periods of the force behind.
-    bool same(const OtherMotion& known, const PeriodicOrbit<double>& orbit) {
+    bool same(const OtherMotion& known, const PeriodicOrbit& orbit) {
         if (known.regime == Regime::permanent_sticking || known.periods != orbit.periods) return false;
         double scale = 0;
         for (const std::vector<double>* part : {&orbit.start.x, &orbit.start.x_prime})
             for (const double each : *part) scale = std::max(scale, std::abs(each));
         const double near = 1e-6 * scale + 4 * orbit.error_bound;
-        State<double> z = orbit.start;
+        State z = orbit.start;
         for (int n = 0; n < orbit.periods; ++n) {
             double apart = 0;
             for (std::size_t k = 0; k < N; ++k)
                 apart = std::max({apart, std::abs(z.x[k] - known.start.x[k]), std::abs(z.x_prime[k] - known.start.x_prime[k])});
             if (apart <= near) return true;
-            z = State<double>(solver.run(z, 0, 2 * pi<double>()).end);
+            z = State(solver.run(z, 0, 2 * pi<double>()).end);
         }
         return false;
     }
 
     const Scene<double>& scene;
-    const ContactSystem<double>& system;
+    const ContactSystem& system;
     const ModalBasis<Bounded<double>>& basis;
-    ExactSolver<double> solver;
+    ExactSolver solver;
     std::size_t N;
     std::vector<double> size; // of the motion without friction
-    std::optional<State<double>> sliding;
+    std::optional<State> sliding;
     std::vector<OtherMotion> motions;
 };
 
 } // namespace
 
-std::vector<OtherMotion> other_motions(const Scene<double>& scene, const ContactSystem<double>& system,
+std::vector<OtherMotion> other_motions(const Scene<double>& scene, const ContactSystem& system,
                                        const std::shared_ptr<const ModalBasis<Bounded<double>>>& basis) {
     return Explorer(scene, system, basis).all();
 }

@@ -23,7 +23,7 @@ namespace denhartog {
 /// @param system  the system of the scene, as the exact solver needs it
 /// @param basis   its modal basis with bounds of its errors
 /// @return        the motions; none where no start leads to one
-[[nodiscard]] std::vector<OtherMotion> other_motions(const Scene<double>& scene, const ContactSystem<double>& system,
+[[nodiscard]] std::vector<OtherMotion> other_motions(const Scene<double>& scene, const ContactSystem& system,
                                                      const std::shared_ptr<const ModalBasis<Bounded<double>>>& basis);
 
 } // namespace denhartog

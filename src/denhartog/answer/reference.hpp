@@ -57,8 +57,8 @@ struct ReferenceQuestion {
 /// @param guesses    motions with stops near that of the answer, as double sees them; called once at most
 /// @return           displacements and velocities of all masses
 /// @throws           PrecisionError as `solution_by_reference`, and where the motion that is proved is not that of the answer
-[[nodiscard]] std::vector<State<double>> samples_by_reference(const SceneSource& source, const Solution& solution,
-                                                              const std::vector<double>& tau, double tolerance,
-                                                              const std::function<std::vector<OrbitGuess>()>& guesses);
+[[nodiscard]] std::vector<State> samples_by_reference(const SceneSource& source, const Solution& solution,
+                                                      const std::vector<double>& tau, double tolerance,
+                                                      const std::function<std::vector<OrbitGuess>()>& guesses);
 
 } // namespace denhartog

@@ -69,14 +69,14 @@ MotionInBalls sliding_motion(const PointInBalls& p) {
 }
 
 // The samples; none where a number is not certain enough. A mass without a phase does not move.
-std::optional<std::vector<State<double>>> samples_of(const MotionInBalls& motion, const Solution& solution,
-                                                     const std::vector<double>& tau, double tolerance) {
+std::optional<std::vector<State>> samples_of(const MotionInBalls& motion, const Solution& solution,
+                                             const std::vector<double>& tau, double tolerance) {
     const std::size_t N = solution.masses.size();
-    std::vector<State<double>> states;
+    std::vector<State> states;
     std::vector<double> unsure(N, 0), fastest(N, 0);
     for (const double instant : tau) {
         const BallMatrix Z = motion(Ball(instant));
-        State<double>& state = states.emplace_back(at_rest<double>(N));
+        State& state = states.emplace_back(at_rest(N));
         for (std::size_t k = 0; k < N; ++k) {
             const SolvedMass& mass = solution.masses[k];
             if (!mass.phase) continue;
@@ -98,11 +98,10 @@ std::optional<std::vector<State<double>>> samples_of(const MotionInBalls& motion
 
 } // namespace
 
-std::vector<State<double>> samples_by_reference(const SceneSource& source, const Solution& solution,
-                                                const std::vector<double>& tau, double tolerance,
-                                                const std::function<std::vector<OrbitGuess>()>& made) {
+std::vector<State> samples_by_reference(const SceneSource& source, const Solution& solution, const std::vector<double>& tau,
+                                        double tolerance, const std::function<std::vector<OrbitGuess>()>& made) {
     OrbitGuesses guesses(made);
-    std::optional<std::vector<State<double>>> states;
+    std::optional<std::vector<State>> states;
     with_enough_bits(number_of_masses(source->in_double().system), 128, 1024, [&](slong bits, bool) {
         const auto motion = [&] {
             if (solution.start) return motion_with_stops(source, solution, tolerance, bits, guesses);

@@ -34,7 +34,7 @@ void put_in_order_of_masses(const Coordinates<double>& c, Solution& s) {
         }
     for (OtherMotion& motion : s.motions) {
         if (!s.only) order(motion.masses);
-        for (State<double>* state : {&motion.from, &motion.start}) {
+        for (State* state : {&motion.from, &motion.start}) {
             take_to_masses(c, state->x);
             take_to_masses(c, state->x_prime);
         }

@@ -119,14 +119,14 @@ struct Work {
 /// @brief A steady motion of the same scene from another start.
 struct OtherMotion {
     Regime regime;                             ///< how the contact moves
-    State<double> from;                        ///< a state at the maximum of the force that leads to it
+    State from;                                ///< a state at the maximum of the force that leads to it
     std::string found;                         ///< how it was found, in words
     int periods = 1;                           ///< its period in periods of the force
     bool symmetric = false;                    ///< whether it mirrors itself after half its period
     Stability stability;                       ///< its stability
     std::vector<SolvedMass> masses;            ///< amplitudes and phases; in permanent sticking for a contact at zero
     std::vector<SolvedStop> stops;             ///< stops of the contact within its period
-    State<double> start;                       ///< its own state at the maximum of the force
+    State start;                               ///< its own state at the maximum of the force
     std::optional<RestInterval> rest_interval; ///< where the contact may rest; in permanent sticking only
 };
 

@@ -17,8 +17,8 @@ Solution solution_by_reference(const SceneSource&, const ReferenceQuestion&, con
     refuse();
 }
 
-std::vector<State<double>> samples_by_reference(const SceneSource&, const Solution&, const std::vector<double>&, double,
-                                                const std::function<std::vector<OrbitGuess>()>&) {
+std::vector<State> samples_by_reference(const SceneSource&, const Solution&, const std::vector<double>&, double,
+                                        const std::function<std::vector<OrbitGuess>()>&) {
     refuse();
 }
 

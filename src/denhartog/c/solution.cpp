@@ -153,7 +153,7 @@ int dh_solution_motion(const dh_solution* solution, size_t samples, size_t count
         need_length(samples, most_samples_of(N), "samples");
         need_count(count, samples * N);
         const SampledSolution motion = sampled_solution(solution->source, solution->solution, samples);
-        for (const State<double>& state : motion.states) {
+        for (const State& state : motion.states) {
             need_finite(state.x);
             need_finite(state.x_prime);
         }

@@ -166,32 +166,32 @@ private:
             last = {sliding_at_maximum_of_force(values(), map.beta[*sliding]), map.beta[*sliding]};
             before_last.reset();
         }
-        const std::optional<State<double>> near = on_line_through(before_last, last, map.beta[n]);
+        const std::optional<State> near = on_line_through(before_last, last, map.beta[n]);
         if (last && follow(n, last->start, near) && points[n].status == PointStatus::answered) return true;
         return follow_rest(n);
     }
 
     // The motion from rest, which mostly leads to the sliding motion, or to the neighbour of the orbits before.
     bool follow_rest(std::size_t n) {
-        std::optional<State<double>> near;
+        std::optional<State> near;
         if (map.mu > 1)
             near = slides(map.beta[n]) ? sliding_at_maximum_of_force(values(), map.beta[n])
                                        : on_line_through(before_last, last, map.beta[n]);
-        return follow(n, at_rest<double>(map.system().basis.r_n.size()), near);
+        return follow(n, at_rest(map.system().basis.r_n.size()), near);
     }
 
-    bool follow(std::size_t n, const State<double>& start, const std::optional<State<double>>& guess) {
+    bool follow(std::size_t n, const State& start, const std::optional<State>& guess) {
         const bool as_solve_does = !is_near && (map.mu == 1 || map.start == MapStart::rest);
         if (as_solve_does && !map.system().rounded_because.empty()) return false;
-        const Excitation<double> excitation{r, map.beta[n], map.mu};
+        const Excitation excitation{r, map.beta[n], map.mu};
         if (!solver) solver.emplace(map.system(), excitation);
         solver->set(excitation);
-        OrbitSearch<double> search;
+        OrbitSearch search;
         search.follow_start = map.mu > 1 && map.start == MapStart::rest;
         search.contact_only = contact_alone;
         search.with_stability = false;
         search.guess = guess ? &*guess : nullptr;
-        const PeriodicOrbit<double> orbit = periodic_orbit(*solver, start, search);
+        const PeriodicOrbit orbit = periodic_orbit(*solver, start, search);
         if (orbit.status == OrbitStatus::permanently_stuck && map.mu > 1) return is_told(n) && stick(n);
         points[n].status = PointStatus::not_converged;
         if (orbit.status != OrbitStatus::periodic) return true;
@@ -240,12 +240,12 @@ private:
     std::span<MapPoint> points;
     std::span<double> amplitudes;
     bool contact_alone;
-    bool damped;                               // every motion
-    bool is_near = false;                      // whether the point is taken as double has it
-    std::optional<std::size_t> sliding;        // the last point where the closed form answered
-    std::optional<OrbitAt> last, before_last;  // the last periodic orbits, that of sliding among them
-    std::optional<HeldSolution> held;          // found when it is first needed
-    std::optional<ExactSolver<double>> solver; // set up when it is first needed
+    bool damped;                              // every motion
+    bool is_near = false;                     // whether the point is taken as double has it
+    std::optional<std::size_t> sliding;       // the last point where the closed form answered
+    std::optional<OrbitAt> last, before_last; // the last periodic orbits, that of sliding among them
+    std::optional<HeldSolution> held;         // found when it is first needed
+    std::optional<ExactSolver> solver;        // set up when it is first needed
 };
 
 } // namespace

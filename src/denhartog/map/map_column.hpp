@@ -23,7 +23,7 @@ struct MapSystem {
     std::optional<long> effort{};    ///< operations allowed a point
 
     /// @brief The system as the exact solver needs it. @return modes, sliding and stuck
-    [[nodiscard]] const ContactSystem<double>& system() const { return *prepared.moving; }
+    [[nodiscard]] const ContactSystem& system() const { return *prepared.moving; }
 };
 
 /// @brief Whether the contact alone is asked for, and no point but one of stick-slip needs a motion to be followed.

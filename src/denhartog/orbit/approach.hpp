@@ -3,26 +3,25 @@
 #pragma once
 
 #include <algorithm>
+#include <utility>
 
 #include "denhartog/orbit/orbit_map.hpp"
 
 namespace denhartog {
 
 /// @brief A fixed point of h half-periods, with what is known of its neighbourhood.
-template <class T>
 struct OrbitCandidate {
-    State<T> z;                    ///< its state at tau = 0
+    State z;                       ///< its state at tau = 0
     int h = 0;                     ///< half-periods; 0 where there is none
-    Matrix<T> jacobian;            ///< of the map over them
-    T rounding = T(0);             ///< norm of the map's rounding
-    T error = T(0);                ///< of the state, in the norm
-    T reach = T(0);                ///< nearer than this every motion is proved to tend to it; 0 where that is not known
+    Matrix<double> jacobian;       ///< of the map over them
+    double rounding = 0;           ///< norm of the map's rounding
+    double error = 0;              ///< of the state, in the norm
+    double reach = 0;              ///< nearer than this every motion is proved to tend to it; 0 where that is not known
     bool stable = false;           ///< whether it attracts its neighbours
     double largest_multiplier = 0; ///< over h half-periods
 };
 
 /// @brief How a motion comes nearer to a candidate. A motion of another orbit that passes by does so for some periods too.
-template <class T>
 class Approach {
 public:
     /// @brief Forgets what was seen.
@@ -33,14 +32,14 @@ public:
     /// @param to    the candidate
     /// @param z     the state
     /// @param held  whether the contact rested over the half-period
-    void take(const OrbitMap<T>& map, const OrbitCandidate<T>& to, const State<T>& z, bool held) {
+    void take(const OrbitMap& map, const OrbitCandidate& to, const State& z, bool held) {
         moved_ = moved_ || !held;
         if (maps_ >= 0 && ++half_periods_ % to.h != 0) return;
-        Column<T> apart = difference(z, to.z);
-        const T distance = map.norm(apart), rounding = 64 * to.rounding;
-        const T gain = std::max(T(0), T(1 - T(to.largest_multiplier))) / 4;
+        Column<double> apart = difference(z, to.z);
+        const double distance = map.norm(apart), rounding = 64 * to.rounding;
+        const double gain = std::max(0.0, 1 - to.largest_multiplier) / 4;
         const bool as_told =
-            maps_ >= 0 && moved_ && map.norm(Column<T>(apart - to.jacobian * apart_)) <= gain * distance_ + rounding;
+            maps_ >= 0 && moved_ && map.norm(Column<double>(apart - to.jacobian * apart_)) <= gain * distance_ + rounding;
         maps_ = as_told ? maps_ + 1 : 0;
         if (maps_ == 0) {
             first_ = distance;
@@ -50,7 +49,7 @@ public:
         distance_ = distance;
         moved_ = false;
         // The reach is proved but for the rounding of its proof.
-        has_arrived_ = distance <= rounding || distance + to.error < to.reach * (1 - T(1) / (1 << 20));
+        has_arrived_ = distance <= rounding || distance + to.error < to.reach * (1 - 1.0 / (1 << 20));
     }
 
     /// @brief Whether the motion comes nearer for some time already. @return whether
@@ -69,8 +68,8 @@ private:
     int half_periods_ = 0;
     bool moved_ = false; // since the last map
     bool has_arrived_ = false;
-    Column<T> apart_;
-    T first_ = T(0), distance_ = T(0); // from the candidate
+    Column<double> apart_;
+    double first_ = 0, distance_ = 0; // from the candidate
 };
 
 } // namespace denhartog

@@ -8,12 +8,11 @@
 namespace denhartog {
 
 /// @brief Bounds of what rounding makes of the end of a stretch.
-template <class T>
 struct MapRounding {
-    Column<T> modal;  ///< of the modal displacements
-    Column<T> turned; ///< what turned modes make of them
+    Column<double> modal;  ///< of the modal displacements
+    Column<double> turned; ///< what turned modes make of them
     /// @brief Of a modal displacement. @param i the mode @param of_modes whether with what turned modes make of it @return the bound
-    [[nodiscard]] T of(Eigen::Index i, bool of_modes) const { return of_modes ? T(modal(i) + turned(i)) : modal(i); }
+    [[nodiscard]] double of(Eigen::Index i, bool of_modes) const { return of_modes ? modal(i) + turned(i) : modal(i); }
 };
 
 /// @brief Of the end of a motion.
@@ -21,15 +20,13 @@ struct MapRounding {
 /// @param motion  the motion
 /// @param length  the time that it takes
 /// @return        bounds
-template <class T>
-[[nodiscard]] MapRounding<T> rounding_of_map(const ExactSolver<T>& solver, const ExactMotion<T>& motion, const T& length);
+[[nodiscard]] MapRounding rounding_of_map(const ExactSolver& solver, const ExactMotion& motion, double length);
 
 /// @brief Of the Jacobian of the end with respect to the start, the events apart.
 /// @param solver  the system, frequency and friction
 /// @param motion  the motion
 /// @param length  the time that it takes
 /// @return        a bound of the error, in the norm of the energy
-template <class T>
-[[nodiscard]] T rounding_of_jacobian(const ExactSolver<T>& solver, const ExactMotion<T>& motion, const T& length);
+[[nodiscard]] double rounding_of_jacobian(const ExactSolver& solver, const ExactMotion& motion, double length);
 
 } // namespace denhartog

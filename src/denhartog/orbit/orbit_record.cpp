@@ -1,11 +1,11 @@
 #include "denhartog/orbit/orbit_record.hpp"
 
 #include <algorithm>
-#include <boost/math/special_functions/fpclassify.hpp>
-#include <concepts>
+#include <cmath>
 #include <limits>
 #include <utility>
 
+#include "denhartog/model/linear_algebra.hpp"
 #include "denhartog/orbit/stability.hpp"
 #include "denhartog/sliding/steady_state.hpp"
 
@@ -13,39 +13,37 @@ namespace denhartog {
 namespace {
 
 /// A displacement of its largest size as amplitude and phase.
-template <class T>
-MassMotion<T> motion_with(const T& x, const T& tau, const T& spread = T(0)) {
-    if (x < 0) return {T(-x), wrapped(T(tau + pi<T>())), spread};
+MassMotion motion_with(double x, double tau, double spread = 0.0) {
+    if (x < 0) return {-x, wrapped(tau + pi<double>()), spread};
     return {x, wrapped(tau), spread};
 }
 
 /// Stops within the period, those across the section and the mirror point in one piece; starts ascending in [0, period).
-template <class T>
-std::vector<Stop<T>> stops_of(const OrbitMap<T>& map) {
-    const ExactMotion<T>& motion = map.motion();
+std::vector<Stop> stops_of(const OrbitMap& map) {
+    const ExactMotion& motion = map.motion();
     const auto N = static_cast<std::size_t>(map.N);
     const std::size_t j = map.solver().system().contact.index;
     const bool mirrored = map.half_periods() % 2 != 0;
-    const T stretch = map.half_periods() * pi<T>(), period = mirrored ? T(2 * stretch) : stretch;
-    std::vector<Stop<T>> stops;
+    const double stretch = map.half_periods() * pi<double>(), period = mirrored ? 2 * stretch : stretch;
+    std::vector<Stop> stops;
     bool resting = false; // at the end of what was looked at
     bool resting_at_0 = false;
     for (int part = 0; part < (mirrored ? 2 : 1); ++part) {
         for (std::size_t n = 0; n < motion.phases.size(); ++n) {
-            const Phase<T>& p = motion.phases[n];
+            const Phase& p = motion.phases[n];
             if (!(p.end > p.start)) continue;
             if (p.direction != 0) {
                 resting = false;
                 continue;
             }
-            const T shift = part == 0 ? T(0) : stretch;
+            const double shift = part == 0 ? 0.0 : stretch;
             if (resting) {
                 stops.back().end = p.end + shift;
                 continue;
             }
-            const T& x_j = motion.states[2 * N * n + j];
+            const double x_j = motion.states[2 * N * n + j];
             if (part == 0 && p.start == 0) resting_at_0 = true;
-            stops.push_back({p.start + shift, p.end + shift, part == 0 ? x_j : T(-x_j)});
+            stops.push_back({p.start + shift, p.end + shift, part == 0 ? x_j : -x_j});
             resting = true;
         }
     }
@@ -58,54 +56,50 @@ std::vector<Stop<T>> stops_of(const OrbitMap<T>& map) {
 
 /// Amplitude and phase of the mass in contact, which is farthest out where it turns back or comes to rest. A place where it is
 /// out by no less than the error of the displacements can tell may be the farthest as well.
-template <class T>
-MassMotion<T> contact_motion(const OrbitMap<T>& map, const T& error) {
-    using std::abs;
-    const ExactMotion<T>& motion = map.motion();
+MassMotion contact_motion(const OrbitMap& map, double error) {
+    const ExactMotion& motion = map.motion();
     const auto N = static_cast<std::size_t>(map.N);
     const std::size_t j = map.solver().system().contact.index;
     // A rest counts from its start: neither where it ends, nor, of one across the start of the stretch, what the stretch has of
     // it first. Elsewhere the start of the stretch comes last and has to be larger by more than rounding.
     const bool rests_across =
         motion.phases.size() > 1 && motion.phases.front().direction == 0 && motion.phases.back().direction == 0;
-    T x = rests_across ? T(0) : T(motion.states[j] * (1 - 16 * std::numeric_limits<T>::epsilon())), tau(0);
+    double x = rests_across ? 0.0 : motion.states[j] * (1 - 16 * std::numeric_limits<double>::epsilon()), tau = 0;
     for (std::size_t n = 1; n < motion.phases.size(); ++n) {
         if (motion.phases[n - 1].direction == 0) continue;
-        const T& x_j = motion.states[2 * N * n + j];
-        if (abs(x_j) > abs(x)) {
+        const double x_j = motion.states[2 * N * n + j];
+        if (std::abs(x_j) > std::abs(x)) {
             x = x_j;
             tau = motion.phases[n].start;
         }
     }
-    MassMotion<T> contact = motion_with(x, tau);
+    MassMotion contact = motion_with(x, tau);
     for (std::size_t n = 1; n < motion.phases.size(); ++n) {
-        const T& x_j = motion.states[2 * N * n + j];
-        if (motion.phases[n - 1].direction == 0 || abs(x_j) < contact.amplitude - 2 * error) continue;
-        const T apart = wrapped(T(motion_with(x_j, motion.phases[n].start).phase - contact.phase));
-        contact.spread = std::max(contact.spread, T(abs(apart)));
+        const double x_j = motion.states[2 * N * n + j];
+        if (motion.phases[n - 1].direction == 0 || std::abs(x_j) < contact.amplitude - 2 * error) continue;
+        const double apart = wrapped(motion_with(x_j, motion.phases[n].start).phase - contact.phase);
+        contact.spread = std::max(contact.spread, std::abs(apart));
     }
     return contact;
 }
 
 /// How much farther than the coordinates a mass may be out that is none of them; 1 where all are.
-template <class T>
-T reach_of_displacements(const OrbitMap<T>& map) {
-    T reach(1);
-    const Matrix<T>& displacements = map.solver().system().coordinates.displacements;
-    for (Eigen::Index n = 0; n < displacements.rows(); ++n) reach = std::max(reach, T(displacements.row(n).cwiseAbs().sum()));
+double reach_of_displacements(const OrbitMap& map) {
+    double reach = 1;
+    const Matrix<double>& displacements = map.solver().system().coordinates.displacements;
+    for (Eigen::Index n = 0; n < displacements.rows(); ++n) reach = std::max(reach, displacements.row(n).cwiseAbs().sum());
     return reach;
 }
 
 } // namespace
 
-template <class T>
-T displacement_of_energy(const OrbitMap<T>& map) {
-    const ContactSystem<T>& s = map.solver().system();
-    T largest(0); // squared
+double displacement_of_energy(const OrbitMap& map) {
+    const ContactSystem& s = map.solver().system();
+    double largest = 0; // squared
     for (Eigen::Index k = 0; k < map.N; ++k) {
-        T reach(0);
+        double reach = 0;
         for (Eigen::Index i = 0; i < map.N; ++i) {
-            const T each = s.basis.phi(k, i) * map.solver().excitation().r / s.basis.r_n[static_cast<std::size_t>(i)];
+            const double each = s.basis.phi(k, i) * map.solver().excitation().r / s.basis.r_n[static_cast<std::size_t>(i)];
             reach += each * each;
         }
         largest = std::max(largest, reach);
@@ -113,55 +107,52 @@ T displacement_of_energy(const OrbitMap<T>& map) {
     return sqrt(largest);
 }
 
-template <class T>
-std::optional<ErrorsOfOrbit<T>> errors_of(const OrbitMap<T>& map) {
-    const Matrix<T>& jacobian = map.energy_jacobian();
-    const LinearSystem<T> system(Matrix<T>(Matrix<T>::Identity(2 * map.N, 2 * map.N) - jacobian));
+std::optional<ErrorsOfOrbit> errors_of(const OrbitMap& map) {
+    const Matrix<double>& jacobian = map.energy_jacobian();
+    const LinearSystem<double> system(Matrix<double>(Matrix<double>::Identity(2 * map.N, 2 * map.N) - jacobian));
     if (!system.is_regular()) return std::nullopt;
-    const Matrix<T> inverse = system.inverse();
-    const Column<T> apart = map.in_energy(map.difference()).cwiseAbs();
-    const T growth = map.solver().excitation().mu > 1 ? std::max(T(1), T(jacobian.norm())) : T(1);
+    const Matrix<double> inverse = system.inverse();
+    const Column<double> apart = map.in_energy(map.difference()).cwiseAbs();
+    const double growth = map.solver().excitation().mu > 1 ? std::max(1.0, jacobian.norm()) : 1.0;
     const auto energy = [&](bool of_modes) {
-        return T(growth * product_of_sizes(inverse, Column<T>(apart + map.rounding_in_energy(of_modes))).norm());
+        return growth * product_of_sizes(inverse, Column<double>(apart + map.rounding_in_energy(of_modes))).norm();
     };
-    const auto displacement = [&](const T& by_energy, const Column<T>& rounding) {
-        return T(reach_of_displacements(map) * (displacement_of_energy(map) * by_energy + rounding.head(map.N).maxCoeff()));
+    const auto displacement = [&](double by_energy, const Column<double>& rounding) {
+        return reach_of_displacements(map) * (displacement_of_energy(map) * by_energy + rounding.head(map.N).maxCoeff());
     };
-    const T with_modes = energy(true);
-    const Column<T> rounding = map.rounding(true);
-    ErrorsOfOrbit<T> errors{displacement(energy(false), map.rounding(false)), displacement(with_modes, rounding), {}};
-    const ContactSystem<T>& s = map.solver().system();
+    const double with_modes = energy(true);
+    const Column<double> rounding = map.rounding(true);
+    ErrorsOfOrbit errors{displacement(energy(false), map.rounding(false)), displacement(with_modes, rounding), {}};
+    const ContactSystem& s = map.solver().system();
     for (Eigen::Index k = 0; k < map.N; ++k)
         errors.velocity.push_back(s.basis.phi.row(k).norm() * with_modes + rounding(map.N + k));
     for (const auto& of_mass : s.coordinates.displacements.rowwise()) {
-        T sum(0);
+        double sum = 0;
         for (Eigen::Index k = 0; k < map.N; ++k) sum += errors.velocity[static_cast<std::size_t>(k)] * size_of_number(of_mass(k));
         errors.velocity.push_back(sum);
     }
     return errors;
 }
 
-template <class T>
-std::optional<PeriodicOrbit<T>> orbit_of(const OrbitMap<T>& map, const State<T>& z, const OrbitSearch<T>& search) {
-    using boost::math::isfinite;
-    const std::optional<ErrorsOfOrbit<T>> errors = errors_of(map);
+std::optional<PeriodicOrbit> orbit_of(const OrbitMap& map, const State& z, const OrbitSearch& search) {
+    const std::optional<ErrorsOfOrbit> errors = errors_of(map);
     if (!errors) return std::nullopt;
-    PeriodicOrbit<T> orbit;
-    const T& bound = errors->settled;
+    PeriodicOrbit orbit;
+    const double bound = errors->settled;
     orbit.contact = contact_motion(map, bound);
     if (!map.slides_throughout() && !(bound < orbit.contact.amplitude)) return std::nullopt; // no sure slip
-    T largest = orbit.contact.amplitude, unsure(0);
-    for (const T& x : z.x) largest = std::max(largest, T(x < 0 ? -x : x));
+    double largest = orbit.contact.amplitude, unsure = 0;
+    for (const double x : z.x) largest = std::max(largest, x < 0 ? -x : x);
     if (!search.contact_only) {
-        for (const Extremum<T>& extremum : map.solver().largest_displacements(bound)) {
+        for (const Extremum& extremum : map.solver().largest_displacements(bound)) {
             orbit.masses.push_back(motion_with(extremum.x, extremum.instant, extremum.spread));
             unsure = std::max(unsure, extremum.unsure);
         }
         orbit.masses[map.solver().system().contact.index] = orbit.contact;
     }
-    for (const MassMotion<T>& mass : orbit.masses) largest = std::max(largest, mass.amplitude);
+    for (const MassMotion& mass : orbit.masses) largest = std::max(largest, mass.amplitude);
     orbit.error_bound = bound + unsure;
-    if (!isfinite(largest) || !(100 * orbit.error_bound < largest)) return std::nullopt; // as at a resonance without damping
+    if (!std::isfinite(largest) || !(100 * orbit.error_bound < largest)) return std::nullopt; // as at a resonance without damping
     orbit.error_bound = errors->displacement + unsure;
     orbit.velocity_errors = errors->velocity;
     const int h = map.half_periods();
@@ -171,7 +162,7 @@ std::optional<PeriodicOrbit<T>> orbit_of(const OrbitMap<T>& map, const State<T>&
     orbit.periods = orbit.symmetric ? h : h / 2;
     orbit.stops = stops_of(map);
     orbit.touching = map.motion().touching;
-    orbit.residual = largest > 0 ? T(map.difference().cwiseAbs().maxCoeff() / largest) : T(0);
+    orbit.residual = largest > 0 ? map.difference().cwiseAbs().maxCoeff() / largest : 0;
     if (search.with_stability) {
         orbit.multipliers = multipliers_of_orbit(map, *errors);
         // With mu = 1 no deviation grows, wherever the events are.
@@ -183,22 +174,20 @@ std::optional<PeriodicOrbit<T>> orbit_of(const OrbitMap<T>& map, const State<T>&
     return orbit;
 }
 
-template <class T>
-std::optional<PeriodicOrbit<T>> rest_of(OrbitMap<T>& map, const LastingRest<T>& rest, const T& x_j,
-                                        const OrbitSearch<T>& search) {
-    PeriodicOrbit<T> orbit;
+std::optional<PeriodicOrbit> rest_of(OrbitMap& map, const LastingRest& rest, double x_j, const OrbitSearch& search) {
+    PeriodicOrbit orbit;
     orbit.start = rest.steady_state(x_j);
     if (!map.apply(orbit.start, 2, true) || !map.held()) return std::nullopt;
     orbit.status = OrbitStatus::permanently_stuck;
     orbit.symmetric = x_j == 0;
-    orbit.stops = {{T(0), T(2 * pi<T>()), x_j}};
+    orbit.stops = {{0, 2 * pi<double>(), x_j}};
     for (std::size_t k = 0; k < orbit.start.x.size(); ++k) orbit.masses.push_back(rest.motion(k, x_j));
     orbit.contact = orbit.masses[map.solver().system().contact.index];
-    T largest(0);
-    for (const MassMotion<T>& mass : orbit.masses) largest = std::max(largest, mass.amplitude);
+    double largest = 0;
+    for (const MassMotion& mass : orbit.masses) largest = std::max(largest, mass.amplitude);
     if (search.contact_only) orbit.masses.clear();
-    const T left_over = map.difference().cwiseAbs().maxCoeff();
-    orbit.residual = largest > 0 ? T(left_over / largest) : T(0);
+    const double left_over = map.difference().cwiseAbs().maxCoeff();
+    orbit.residual = largest > 0 ? left_over / largest : 0;
     orbit.error_bound = map.rounding(true).maxCoeff() + left_over;
     if (search.with_stability) {
         StabilityOfRest of_others = stability_of_rest(map);
@@ -207,11 +196,5 @@ std::optional<PeriodicOrbit<T>> rest_of(OrbitMap<T>& map, const LastingRest<T>& 
     }
     return orbit;
 }
-
-template double displacement_of_energy(const OrbitMap<double>&);
-template std::optional<ErrorsOfOrbit<double>> errors_of(const OrbitMap<double>&);
-template std::optional<PeriodicOrbit<double>> orbit_of(const OrbitMap<double>&, const State<double>&, const OrbitSearch<double>&);
-template std::optional<PeriodicOrbit<double>> rest_of(OrbitMap<double>&, const LastingRest<double>&, const double&,
-                                                      const OrbitSearch<double>&);
 
 } // namespace denhartog

@@ -19,16 +19,15 @@ constexpr int half_periods_to_rest = 400;    // after which a rest whose place i
 constexpr int half_periods_to_arrive = 4000; // at rest, or at an orbit that attracts nothing
 
 /// The search from one start.
-template <class T>
 class SearchFromStart {
 public:
-    SearchFromStart(ExactSolver<T>& solver, const OrbitSearch<T>& search)
+    SearchFromStart(ExactSolver& solver, const OrbitSearch& search)
         : search_(search), map_(solver), shooting_(map_, search.tolerance), j_(solver.system().contact.index),
           no_expansion_(solver.excitation().mu == 1),
           most_periods_(no_expansion_ ? search.most_periods : periods_to_follow(solver, search.most_periods)),
           damped_(every_motion_is_damped(solver.system().basis)) {}
 
-    PeriodicOrbit<T> from(const State<T>& start) {
+    PeriodicOrbit from(const State& start) {
         const long before = map_.solver().effort().spent;
         follow(start);
         orbit_.periods_propagated = static_cast<int>((map_.half_periods_in_all() + 1) / 2);
@@ -38,7 +37,7 @@ public:
     }
 
 private:
-    void follow(State<T> z) {
+    void follow(State z) {
         const int most = 2 * most_periods_;
         recent_.assign(1, z);
         if (search_.guess != nullptr && is_found_near(*search_.guess)) return;
@@ -46,7 +45,7 @@ private:
         for (;;) {
             for (; done < next && !is_restless(); ++done) {
                 if (!map_.apply(z, 1, false)) return give_up(done, true);
-                const State<T> before = std::exchange(z, map_.image());
+                const State before = std::exchange(z, map_.image());
                 if (no_expansion_) settling_.take(map_.norm(map_.difference()));
                 held_ = map_.held();
                 if (held_ && rests_for_ever(before, done)) return;
@@ -61,13 +60,13 @@ private:
     }
 
     // An orbit of one half-period near a state, where it does not matter whether the motion from the start tends to it.
-    bool is_found_near(State<T> z) {
+    bool is_found_near(State z) {
         if (search_.follow_start && !(no_expansion_ && damped_)) return false;
         return shooting_.fixed_point(z, 1, AfterBadStep::end) && answer(orbit_of(map_, z, search_));
     }
 
     // No two motions move apart, so that an orbit that attracts its neighbours attracts all: any way to it will do.
-    bool settle(const State<T>& z, int done) {
+    bool settle(const State& z, int done) {
         if (neutral_) {
             const bool arrived = candidate_.h > 0 && map_.norm(difference(z, candidate_.z)) <= 64 * candidate_.rounding;
             return arrived && map_.apply(candidate_.z, candidate_.h, true) && answer(orbit_of(map_, candidate_.z, search_));
@@ -86,7 +85,7 @@ private:
     }
 
     // Whether the motion from the start, after one more half-period or where a candidate was found, comes to it: the answer.
-    bool is_approached(const State<T>& z) {
+    bool is_approached(const State& z) {
         if (no_expansion_ || !search_.follow_start || !candidate_.stable) return false;
         approach_.take(map_, candidate_, z, held_);
         if (!approach_.is_seen()) return false;
@@ -96,7 +95,7 @@ private:
     }
 
     // Any orbit near the motion.
-    bool find_orbit(const State<T>& z) {
+    bool find_orbit(const State& z) {
         for (const int h : lengths()) {
             if (!find_candidate(z, h)) continue;
             if (answer(orbit_of(map_, candidate_.z, search_))) return true;
@@ -107,9 +106,9 @@ private:
 
     // An orbit that attracts, which the motion from the start may come to. While one is known, another is looked for only where
     // the motion had time to come to that one and does not.
-    bool find_attractor(const State<T>& z, int done) {
+    bool find_attractor(const State& z, int done) {
         if (search_.guess != nullptr) {
-            State<T> w = *std::exchange(search_.guess, nullptr);
+            State w = *std::exchange(search_.guess, nullptr);
             if (shooting_.fixed_point(w, 1, AfterBadStep::end)) (void)take(w, 1);
         }
         const int next = candidate_.stable ? 2 * std::max(half_periods_to_approach, looked_for_at_) : half_periods_to_approach;
@@ -124,15 +123,15 @@ private:
         return false;
     }
 
-    bool find_candidate(State<T> z, int h) { return shooting_.fixed_point(z, h, AfterBadStep::shorten) && take(z, h); }
+    bool find_candidate(State z, int h) { return shooting_.fixed_point(z, h, AfterBadStep::shorten) && take(z, h); }
 
     // Numbers of half-periods after which the motion nearly repeats itself, each better than those before.
     std::vector<int> lengths() {
         std::vector<int> found{1};
-        T least = recurrence(1);
+        double least = recurrence(1);
         for (int h = 2; h < static_cast<int>(recent_.size()); ++h) {
             if (h % 2 != 0 && h > search_.most_subharmonic) continue;
-            const T now = recurrence(h);
+            const double now = recurrence(h);
             if (2 * now < least) {
                 found.push_back(h);
                 least = now;
@@ -141,21 +140,21 @@ private:
         return found;
     }
 
-    T recurrence(int h) const {
+    double recurrence(int h) const {
         const auto back = static_cast<std::size_t>(h) + 1;
-        return back > recent_.size() ? T(0) : map_.norm(difference(recent_.back(), recent_[recent_.size() - back]));
+        return back > recent_.size() ? 0.0 : map_.norm(difference(recent_.back(), recent_[recent_.size() - back]));
     }
 
     // A fixed point that was just found, of no more half-periods than it needs. The map was applied to it last.
-    bool take(State<T>& z, int h) {
+    bool take(State& z, int h) {
         bool applied = true;
         for (int part = 1; part < h; ++part) {
             if (h % part != 0) continue;
             applied = false;
             if (!map_.apply(z, part, false)) continue;
-            const T apart = map_.norm(map_.difference());
-            State<T> w = z;
-            if (apart * apart < std::numeric_limits<T>::epsilon() * map_.norm(z) * map_.norm(z) &&
+            const double apart = map_.norm(map_.difference());
+            State w = z;
+            if (apart * apart < std::numeric_limits<double>::epsilon() * map_.norm(z) * map_.norm(z) &&
                 shooting_.fixed_point(w, part, AfterBadStep::shorten)) {
                 z = w;
                 h = part;
@@ -163,9 +162,9 @@ private:
             }
         }
         if (!applied && !map_.apply(z, h, true)) return false;
-        const std::optional<ErrorsOfOrbit<T>> errors = errors_of(map_);
+        const std::optional<ErrorsOfOrbit> errors = errors_of(map_);
         if (!errors || !(100 * errors->settled < map_.norm(z))) return false;
-        const T error = errors->settled / displacement_of_energy(map_);
+        const double error = errors->settled / displacement_of_energy(map_);
         candidate_ = {.z = z, .h = h, .jacobian = map_.jacobian(), .rounding = map_.rounding_in_energy().norm(), .error = error};
         approach_.start_over();
         if (search_.follow_start) judge_candidate();
@@ -174,20 +173,20 @@ private:
 
     // Whether motions next to the candidate tend to it. The map was applied to it last.
     void judge_candidate() {
-        const std::vector<std::complex<double>> multipliers = eigenvalues(in_double(candidate_.jacobian));
+        const std::vector<std::complex<double>> multipliers = eigenvalues(candidate_.jacobian);
         candidate_.largest_multiplier = multipliers.empty() ? 1 : size_of(multipliers.front());
         candidate_.stable = attracts(map_);
-        const std::vector<Phase<T>>& phases = map_.motion().phases;
+        const std::vector<Phase>& phases = map_.motion().phases;
         if (damped_ && candidate_.h == 1 && phases.size() == 2 && phases[0].direction * phases[1].direction < 0)
             candidate_.reach = map_.solver().sliding_reach(1);
     }
 
     // The contact rested over the half-period from z, the one after `done` of them, and will for ever.
-    bool rests_for_ever(const State<T>& z, int done) {
-        using Verdict = typename LastingRest<T>::Verdict;
+    bool rests_for_ever(const State& z, int done) {
+        using Verdict = LastingRest::Verdict;
         const Verdict verdict = steady_rest().verdict(z);
         if (verdict == Verdict::open) return false;
-        return rest_at(done % 2 != 0 ? T(-z.x[j_]) : z.x[j_], done, T(0),
+        return rest_at(done % 2 != 0 ? -z.x[j_] : z.x[j_], done, 0.0,
                        verdict == Verdict::lasts
                            ? "the contact came to rest and stays there: the load on it never reaches mu beta again"
                            : "the contact came to rest and the load on it equals mu beta to rounding: beta is "
@@ -201,22 +200,22 @@ private:
     }
 
     // No two motions move apart, so that the motion stays as near to any steady rest as it is.
-    bool tends_to_rest(const State<T>& z, int done) {
-        const T reach = steady_rest().reach();
-        const T x_j = std::clamp(z.x[j_], T(-reach), reach);
-        const State<T> rest = steady_rest().steady_state(x_j);
-        const T apart = displacement_of_energy(map_) * map_.norm(difference(z, rest));
-        T largest(0);
+    bool tends_to_rest(const State& z, int done) {
+        const double reach = steady_rest().reach();
+        const double x_j = std::clamp(z.x[j_], -reach, reach);
+        const State rest = steady_rest().steady_state(x_j);
+        const double apart = displacement_of_energy(map_) * map_.norm(difference(z, rest));
+        double largest = 0;
         for (std::size_t k = 0; k < rest.x.size(); ++k) largest = std::max(largest, steady_rest().motion(k, x_j).amplitude);
         const bool near = apart <= largest / (done < half_periods_to_rest ? 1'000'000'000 : 1000);
         if (!near && done < 2 * search_.most_periods) return false;
-        return rest_at(done % 2 != 0 ? T(-x_j) : x_j, done, apart,
+        return rest_at(done % 2 != 0 ? -x_j : x_j, done, apart,
                        "rest is steady, and with mu = 1 and damping the steady velocities are unique: the contact comes to rest, "
                        "or slips by less and less; the error bound covers where it rests");
     }
 
     // The answer that the contact rests at x_j, no mass more than `apart` from where it is then.
-    bool rest_at(const T& x_j, int done, const T& apart, const char* reason) {
+    bool rest_at(double x_j, int done, double apart, const char* reason) {
         if (!answer(rest_of(map_, steady_rest(), x_j, search_))) return false;
         orbit_.reason = reason;
         orbit_.error_bound += apart + done * map_.rounding().maxCoeff();
@@ -225,12 +224,12 @@ private:
 
     bool is_restless() { return no_expansion_ && damped_ && settling_.is_restless() && !only_rest_is_steady(); }
 
-    bool answer(std::optional<PeriodicOrbit<T>> found) {
+    bool answer(std::optional<PeriodicOrbit> found) {
         if (found) orbit_ = std::move(*found);
         return found.has_value();
     }
 
-    LastingRest<T>& steady_rest() {
+    LastingRest& steady_rest() {
         if (!rest_) rest_.emplace(map_.solver().system(), map_.solver().excitation());
         return *rest_;
     }
@@ -243,56 +242,53 @@ private:
             seen.ended = effort.exhausted() ? effort.ending() : "the motion changes faster than the number type can follow";
         orbit_.more_digits_may_tell = seen.restless || status != MotionStatus::complete;
         orbit_.start = recent_.back();
-        const double size = std::max(static_cast<double>(map_.norm(recent_.back())), 1e-300);
-        const auto norm = [&](const State<T>& z) { return map_.norm(z); };
+        const double size = std::max(map_.norm(recent_.back()), 1e-300);
+        const auto norm = [&](const State& z) { return map_.norm(z); };
         if (recent_.size() > 1 && std::ranges::is_sorted(recent_, std::ranges::less_equal{}, norm)) {
             seen.grows_to = size;
         } else if (recent_.size() > 1) {
             seen.repeats_after = lengths().back();
-            seen.repeats_to = static_cast<double>(recurrence(seen.repeats_after)) / size;
+            seen.repeats_to = recurrence(seen.repeats_after) / size;
         }
         if (candidate_.h > 0) {
             seen.orbit = candidate_.h;
             seen.orbit_is_stable = candidate_.stable;
             seen.largest_multiplier = candidate_.largest_multiplier;
-            seen.away = static_cast<double>(map_.norm(difference(recent_.back(), candidate_.z))) / size;
+            seen.away = map_.norm(difference(recent_.back(), candidate_.z)) / size;
         }
         orbit_.reason = in_words(seen);
     }
 
-    OrbitSearch<T> search_;
-    OrbitMap<T> map_;
-    Shooting<T> shooting_;
+    OrbitSearch search_;
+    OrbitMap map_;
+    Shooting shooting_;
     std::size_t j_;
     bool no_expansion_;    // mu = 1: no two motions move apart
     int most_periods_;     // of propagation
     bool damped_;          // every motion
     bool held_ = false;    // over the last half-period
     bool neutral_ = false; // an orbit was found that nothing tends to
-    PeriodicOrbit<T> orbit_;
-    std::optional<LastingRest<T>> rest_;
-    std::vector<State<T>> recent_; // after the last half-periods, mirrored after each
-    Settling<T> settling_;
-    State<T> best_; // nearest to a fixed point so far, where there is one only
-    T best_step_ = T(-1);
-    OrbitCandidate<T> candidate_;
-    Approach<T> approach_;  // of the motion from the start to the candidate
+    PeriodicOrbit orbit_;
+    std::optional<LastingRest> rest_;
+    std::vector<State> recent_; // after the last half-periods, mirrored after each
+    Settling settling_;
+    State best_; // nearest to a fixed point so far, where there is one only
+    double best_step_ = -1;
+    OrbitCandidate candidate_;
+    Approach approach_;     // of the motion from the start to the candidate
     int looked_for_at_ = 0; // half-periods before Newton's method looked for an orbit last
 };
 
 } // namespace
 
-template <class T>
-PeriodicOrbit<T> periodic_orbit(ExactSolver<T>& solver, const State<T>& start, const OrbitSearch<T>& search) {
+PeriodicOrbit periodic_orbit(ExactSolver& solver, const State& start, const OrbitSearch& search) {
     const std::size_t N = solver.system().basis.r_n.size();
     check_search(search, start, N);
     SearchEffort own(default_effort(N));
     Effort* const before = solver.allow(search.effort != nullptr ? search.effort : &own);
-    PeriodicOrbit<T> orbit = SearchFromStart<T>(solver, search).from(start);
+    PeriodicOrbit orbit = SearchFromStart(solver, search).from(start);
     (void)solver.allow(before);
     return orbit;
 }
-
-template PeriodicOrbit<double> periodic_orbit(ExactSolver<double>&, const State<double>&, const OrbitSearch<double>&);
 
 } // namespace denhartog

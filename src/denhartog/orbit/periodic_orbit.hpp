@@ -25,13 +25,12 @@ enum class OrbitStatus : std::uint8_t {
 };
 
 /// @brief How far to search, and what is asked of the orbit.
-template <class T>
 struct OrbitSearch {
-    const State<T>* guess = nullptr; ///< a state near which an orbit of half a period is looked for first; null: none
-    int periods_before = 1;          ///< periods of propagation before the first Newton step from the start
+    const State* guess = nullptr; ///< a state near which an orbit of half a period is looked for first; null: none
+    int periods_before = 1;       ///< periods of propagation before the first Newton step from the start
     int most_periods = 20000; ///< periods of propagation after which the search gives up; with mu > 1 no more than 30 decay times
     int most_subharmonic = 8; ///< longest period looked for, in periods of the force
-    T tolerance = T(0);       ///< Newton's method may end where the residual is that small, relative to the state; 0: at rounding
+    double tolerance = 0;     ///< Newton's method may end where the residual is that small, relative to the state; 0: at rounding
     bool follow_start = true; ///< make sure that the motion from the start tends to the orbit, not another
     bool contact_only = false;  ///< leave `masses` empty: the maxima of the masses that are not in contact cost most
     bool with_stability = true; ///< compute Floquet multipliers and the verdict on stability
@@ -39,21 +38,20 @@ struct OrbitSearch {
 };
 
 /// @brief A steady motion.
-template <class T>
 struct PeriodicOrbit {
     OrbitStatus status = OrbitStatus::not_converged; ///< what was found
     std::string reason;                              ///< why, where the status is no periodic orbit; else what to know of it
     int periods = 1;                                 ///< its period in periods of the force
     bool symmetric = false;                          ///< whether it mirrors itself after half its period, Eq. (25)
-    State<T> start;                      ///< the state at tau = 0, a maximum of the force; the last one where none was found
-    std::vector<Stop<T>> stops;          ///< within its period, starts ascending in [0, 2 pi periods)
-    MassMotion<T> contact{};             ///< amplitude and phase of the mass in contact
-    std::vector<MassMotion<T>> masses;   ///< amplitude and phase of every mass; empty where the contact's alone are asked
+    State start;                         ///< the state at tau = 0, a maximum of the force; the last one where none was found
+    std::vector<Stop> stops;             ///< within its period, starts ascending in [0, 2 pi periods)
+    MassMotion contact{};                ///< amplitude and phase of the mass in contact
+    std::vector<MassMotion> masses;      ///< amplitude and phase of every mass; empty where the contact's alone are asked
     std::vector<Multiplier> multipliers; ///< Floquet multipliers over its period, by descending size
     bool stable = false;                 ///< all multipliers inside the unit circle, by more than their error
-    T residual = T(0);                   ///< largest difference of the two ends, over the largest displacement
-    T error_bound = T(0);                ///< bound of the error of the displacements, units of P / k_1
-    std::vector<T> velocity_errors;      ///< of the velocity of each coordinate, then of each mass that is none; units of P / k_1
+    double residual = 0;                 ///< largest difference of the two ends, over the largest displacement
+    double error_bound = 0;              ///< bound of the error of the displacements, units of P / k_1
+    std::vector<double> velocity_errors; ///< of the velocity of each coordinate, then of each mass that is none; units of P / k_1
     bool more_digits_may_tell = false;   ///< none was found, and rounding may be why
     int touching = 0;                    ///< events so tangential that rounding decided them; multipliers are one-sided
     int newton_steps = 0;                ///< steps of Newton's method taken
@@ -74,7 +72,6 @@ struct PeriodicOrbit {
 /// @param search  how far to search
 /// @return        the orbit, or why there is none
 /// @throws        InputError where start or search breaks a rule
-template <class T>
-[[nodiscard]] PeriodicOrbit<T> periodic_orbit(ExactSolver<T>& solver, const State<T>& start, const OrbitSearch<T>& search = {});
+[[nodiscard]] PeriodicOrbit periodic_orbit(ExactSolver& solver, const State& start, const OrbitSearch& search = {});
 
 } // namespace denhartog

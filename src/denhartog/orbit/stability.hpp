@@ -13,8 +13,7 @@ namespace denhartog {
 /// @brief Whether the map certainly contracts next to the orbit.
 /// @param map  the map, applied last to the orbit with its Jacobian
 /// @return     true where all its eigenvalues are inside the unit circle by more than their error
-template <class T>
-[[nodiscard]] bool attracts(const OrbitMap<T>& map);
+[[nodiscard]] bool attracts(const OrbitMap& map);
 
 /// @brief Floquet multipliers of an orbit.
 ///
@@ -25,8 +24,7 @@ template <class T>
 /// @param map     the map, applied last to the orbit with its Jacobian
 /// @param errors  bounds of the errors over the orbit
 /// @return        the multipliers over the stretch of the map, by descending size
-template <class T>
-[[nodiscard]] std::vector<Multiplier> multipliers_of_orbit(const OrbitMap<T>& map, const ErrorsOfOrbit<T>& errors);
+[[nodiscard]] std::vector<Multiplier> multipliers_of_orbit(const OrbitMap& map, const ErrorsOfOrbit& errors);
 
 /// @brief Stability of a motion at rest of the contact.
 struct StabilityOfRest {
@@ -37,7 +35,6 @@ struct StabilityOfRest {
 /// @brief Stability of the others while the contact is held.
 /// @param map  the map, applied last to a motion whose contact rested throughout, with its Jacobian
 /// @return     the stability
-template <class T>
-[[nodiscard]] StabilityOfRest stability_of_rest(const OrbitMap<T>& map);
+[[nodiscard]] StabilityOfRest stability_of_rest(const OrbitMap& map);
 
 } // namespace denhartog

@@ -74,7 +74,7 @@ void LastPeriod::take_rest(double from, double to, double x, bool last) {
 
 void LastPeriod::write(PaperMotion& motion) const {
     motion.stops = stops_;
-    std::ranges::sort(motion.stops, {}, &Stop<double>::start);
+    std::ranges::sort(motion.stops, {}, &Stop::start);
     motion.rests = rests_;
     motion.slides = slides_throughout_;
     for (const DisplacementRange& range : ranges_) {
@@ -92,7 +92,7 @@ void put_in_order_of_masses(const System<double>& system, PaperMotion& motion) {
         take_to_masses(c, motion.end.x);
         take_to_masses(c, motion.end.x_prime);
     }
-    for (State<double>& state : motion.samples) {
+    for (State& state : motion.samples) {
         take_to_masses(c, state.x);
         take_to_masses(c, state.x_prime);
     }

@@ -72,11 +72,11 @@ private:
     double start_;
     const Coordinates<double>* others_;
     std::vector<DisplacementRange> ranges_; // of all displacements
-    std::vector<Stop<double>> stops_;
+    std::vector<Stop> stops_;
     bool rests_ = false;
     bool slides_throughout_ = true;
     std::vector<double> sample_times_;
-    std::vector<State<double>> samples_;
+    std::vector<State> samples_;
     std::vector<double> zeros_, y_;
 };
 

@@ -28,7 +28,7 @@ struct PaperSettings {
     double absolute_tolerance = 1e-6; ///< of every displacement and velocity; positive
     std::optional<double>
         relative_tolerance;              ///< zero or positive. Not in the paper; none is the absolute one. Matlab's own: 1e-3
-    std::optional<State<double>> start;  ///< initial state; none is rest at zero
+    std::optional<State> start;          ///< initial state; none is rest at zero
     double tau_0 = 0;                    ///< instant of the start; the force is cos tau
     int samples = 0;                     ///< instants of the last period at which the state is wanted, equally spaced
     bool history = false;                ///< whether amplitude and stops of the contact are wanted for every period
@@ -64,13 +64,13 @@ struct PaperMotion {
     std::optional<PaperMassMotion> between; ///< of two masses that rub against each other, the one relative to the other
     /// Stops that end within the last period. Times from its start, a maximum of the force where tau_0 is one; a stop that began
     /// before it is given one period later, so that starts are not negative where a stop is shorter than a period.
-    std::vector<Stop<double>> stops;
+    std::vector<Stop> stops;
     bool rests = false;                 ///< the contact rests all through the last period; `stops` then has that rest alone
     bool slides = false;                ///< it rests at no time of the last period, nor in a stop that has not ended by its end
-    State<double> end;                  ///< the state at the final time
+    State end;                          ///< the state at the final time
     std::vector<ContactPeriod> history; ///< of every period, where asked for
     std::vector<double> sample_times;   ///< instants asked for, from the start of the last period
-    std::vector<State<double>> samples; ///< states at these
+    std::vector<State> samples;         ///< states at these
     long steps = 0;                     ///< steps taken
     long rejected_steps = 0;            ///< steps tried and not taken
     long right_hand_sides = 0;          ///< evaluations of (6)

@@ -37,21 +37,20 @@ std::vector<PhaseSeen> joined_phases(const std::vector<PhaseSeen>& phases, doubl
 }
 
 // Three stretches, put together of one: to follow more of them would gather rounding.
-std::vector<PhaseSeen> phases_seen(const ExactMotion<double>& motion, double T, int sign, double shortest) {
+std::vector<PhaseSeen> phases_seen(const ExactMotion& motion, double T, int sign, double shortest) {
     std::vector<PhaseSeen> seen;
     for (int stretch = 0, direction = 1; stretch < 3; ++stretch, direction *= sign)
         for (std::size_t k = 0; k < motion.phases.size(); ++k) {
-            const Phase<double>& p = motion.phases[k];
+            const Phase& p = motion.phases[k];
             seen.push_back({k, stretch, direction * p.direction, p.start + stretch * T, p.end + stretch * T});
         }
     return joined_phases(joined_phases(seen, 0), shortest);
 }
 
 // Where the contact is slowest within a phase of sliding, if it nearly comes to rest there.
-void add_slow_instants(ExactSolver<double>& solver, const State<double>& start, const PhaseSeen& phase,
-                       std::vector<double>& slow) {
+void add_slow_instants(ExactSolver& solver, const State& start, const PhaseSeen& phase, std::vector<double>& slow) {
     const std::size_t j = solver.system().contact.index;
-    const ExactMotion<double>& motion = solver.run(start, phase.start, phase.end);
+    const ExactMotion& motion = solver.run(start, phase.start, phase.end);
     const auto speed = [&](double tau) {
         std::size_t k = 0;
         while (k + 1 < motion.phases.size() && motion.phases[k].end < tau) ++k;
@@ -116,10 +115,10 @@ std::size_t shortest_phase(const OrbitGuess& g, bool stop) {
     return found;
 }
 
-OrbitGuess guess_with_phases(ExactSolver<double>& solver, const PeriodicOrbit<double>& orbit, double shortest) {
+OrbitGuess guess_with_phases(ExactSolver& solver, const PeriodicOrbit& orbit, double shortest) {
     const std::size_t N = solver.system().basis.r_n.size();
     const double T = stretch_of(orbit.symmetric, orbit.periods);
-    const ExactMotion<double>& motion = solver.run(orbit.start, 0.0, T);
+    const ExactMotion& motion = solver.run(orbit.start, 0.0, T);
     if (motion.status != MotionStatus::complete) return {};
     const int sign = orbit.symmetric ? -1 : 1;
     const std::vector<PhaseSeen> seen = phases_seen(motion, T, sign, shortest);
@@ -141,7 +140,7 @@ OrbitGuess guess_with_phases(ExactSolver<double>& solver, const PeriodicOrbit<do
     guess.directions.push_back(sign * seen[first + m - 1].direction); // the phase before event 0
     for (std::size_t k = 0; k < m; ++k) guess.directions.push_back(seen[first + k].direction);
     for (std::size_t k = 0; k < m; ++k) guess.events.push_back(seen[first + k].start);
-    std::vector<State<double>> starts; // of the phases
+    std::vector<State> starts; // of the phases
     for (std::size_t k = first; k < first + m; ++k) {
         const auto state = motion.states.begin() + static_cast<std::ptrdiff_t>(2 * N * seen[k].index);
         const auto half = static_cast<std::ptrdiff_t>(N);
@@ -159,7 +158,7 @@ OrbitGuess guess_with_phases(ExactSolver<double>& solver, const PeriodicOrbit<do
 
 } // namespace
 
-OrbitGuess guess_of(ExactSolver<double>& solver, const PeriodicOrbit<double>& orbit, double shortest) {
+OrbitGuess guess_of(ExactSolver& solver, const PeriodicOrbit& orbit, double shortest) {
     OrbitGuess guess = guess_with_phases(solver, orbit, shortest);
     // Phases that rounding lets appear at one end of the stretch and not at the other are left out.
     const auto fits = [&] {

@@ -15,7 +15,7 @@ namespace denhartog {
 /// @param orbit     the motion, with status `periodic`
 /// @param shortest  stops and slips that are shorter, in tau, are left out; zero leaves out those of no length only
 /// @return          the guess, in the masses of the scene; without directions where the motion has no phases that repeat
-[[nodiscard]] OrbitGuess guess_of(ExactSolver<double>& solver, const PeriodicOrbit<double>& orbit, double shortest = 0);
+[[nodiscard]] OrbitGuess guess_of(ExactSolver& solver, const PeriodicOrbit& orbit, double shortest = 0);
 
 /// @brief Motions that differ from a guess by one stop of nearly no length, which rounding may have invented or hidden.
 ///

@@ -26,7 +26,7 @@ struct PreparedSystem {
     SceneSource source;                    ///< the system in every number type; its r and beta are not used
     std::optional<ContactModes> contact{}; ///< modes as the contact has them
     std::shared_ptr<const ModalBasis<Bounded<double>>> bounded{}; ///< the whole basis in double with its errors
-    std::shared_ptr<const ContactSystem<double>> moving{};        ///< the system as the exact solver needs it
+    std::shared_ptr<const ContactSystem> moving{};                ///< the system as the exact solver needs it
 
     [[nodiscard]] const Scene<double>& scene() const { return source->in_double(); } ///< @return the same in double, checked
 };

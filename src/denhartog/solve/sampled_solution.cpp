@@ -18,30 +18,30 @@ namespace denhartog {
 namespace {
 
 // Stops over a period; one that lasts beyond its end is the first.
-std::size_t stops_in(const std::vector<Phase<double>>& phases) {
-    const auto rests = [](const Phase<double>& p) { return p.direction == 0 && p.end > p.start; };
+std::size_t stops_in(const std::vector<Phase>& phases) {
+    const auto rests = [](const Phase& p) { return p.direction == 0 && p.end > p.start; };
     const auto stops = static_cast<std::size_t>(std::ranges::count_if(phases, rests));
     return stops > 1 && rests(phases.front()) && rests(phases.back()) ? stops - 1 : stops;
 }
 
 // The motion of an answer over its period, in double. None where it does not come back to its start, by
 // `error_of_samples` of what each mass does, or has other stops than the answer: where double does not have the digits.
-std::optional<std::vector<State<double>>> along_orbit(ExactSolver<double>& solver, State<double> start, const Solution& solution,
-                                                      const std::vector<double>& tau) {
-    const auto to_masses = [&solver](State<double>& state) {
+std::optional<std::vector<State>> along_orbit(ExactSolver& solver, State start, const Solution& solution,
+                                              const std::vector<double>& tau) {
+    const auto to_masses = [&solver](State& state) {
         for (std::vector<double>* part : {&state.x, &state.x_prime}) take_to_masses(solver.system().coordinates, *part);
     };
-    const ExactMotion<double>& motion = solver.run(start, 0.0, 2 * pi<double>() * solution.periods);
+    const ExactMotion& motion = solver.run(start, 0.0, 2 * pi<double>() * solution.periods);
     if (motion.status != MotionStatus::complete || stops_in(motion.phases) != solution.stops.size()) return std::nullopt;
-    State<double> end = motion.end;
+    State end = motion.end;
     to_masses(start);
     to_masses(end);
-    std::vector<State<double>> states;
+    std::vector<State> states;
     std::vector<double> speed(start.x.size(), 0);
     std::size_t n = 0;
     for (const double instant : tau) {
         while (n + 1 < motion.phases.size() && motion.phases[n].end < instant) ++n;
-        State<double>& state = states.emplace_back(solver.state_at(n, instant));
+        State& state = states.emplace_back(solver.state_at(n, instant));
         to_masses(state);
         for (std::size_t k = 0; k < speed.size(); ++k) speed[k] = std::max(speed[k], std::abs(state.x_prime[k]));
     }
@@ -58,15 +58,15 @@ std::optional<std::vector<State<double>>> along_orbit(ExactSolver<double>& solve
 }
 
 // The state of an answer at the maximum of the force.
-State<double> start_of(const Solution& solution, const Coordinates<double>& coordinates) {
-    State<double> start;
+State start_of(const Solution& solution, const Coordinates<double>& coordinates) {
+    State start;
     for (const Certified& x : solution.start->x) start.x.push_back(x.value);
     for (const Certified& v : solution.start->x_prime) start.x_prime.push_back(v.value);
     for (std::vector<double>* part : {&start.x, &start.x_prime}) take_to_coordinates(coordinates, *part);
     return start;
 }
 
-std::vector<State<double>> by_reference(const SceneSource& source, const Solution& solution, const std::vector<double>& tau) {
+std::vector<State> by_reference(const SceneSource& source, const Solution& solution, const std::vector<double>& tau) {
     try {
         return samples_by_reference(source, solution, tau, error_of_samples,
                                     [&] { return guesses_at(PreparedSystem{source}, source); });
@@ -76,22 +76,22 @@ std::vector<State<double>> by_reference(const SceneSource& source, const Solutio
 }
 
 // The motion in double, or by the reference where the answer needed it or double does not repeat it.
-std::vector<State<double>> of_orbit(const SceneSource& source, const Solution& solution, const std::vector<double>& tau) {
+std::vector<State> of_orbit(const SceneSource& source, const Solution& solution, const std::vector<double>& tau) {
     if (solution.method.precision == "double") {
         const Scene<double>& scene = source->in_double();
-        const ContactSystem<double> system = contact_system(scene.system);
-        ExactSolver<double> solver(system, {*scene.r, *scene.beta, scene.mu});
-        std::optional<std::vector<State<double>>> states =
+        const ContactSystem system = contact_system(scene.system);
+        ExactSolver solver(system, {*scene.r, *scene.beta, scene.mu});
+        std::optional<std::vector<State>> states =
             along_orbit(solver, start_of(solution, scene.system.coordinates), solution, tau);
         if (states) return *std::move(states);
     }
     return by_reference(source, solution, tau);
 }
 
-std::vector<State<double>> of_stuck_masses(const std::vector<SolvedMass>& masses, const std::vector<double>& tau) {
-    std::vector<State<double>> states;
+std::vector<State> of_stuck_masses(const std::vector<SolvedMass>& masses, const std::vector<double>& tau) {
+    std::vector<State> states;
     for (const double instant : tau) {
-        State<double> state;
+        State state;
         for (const SolvedMass& m : masses) {
             const double angle = instant - (m.phase ? m.phase->value : 0), amplitude = m.phase ? m.amplitude.value : 0;
             state.x.push_back(amplitude * elementary::cos(angle));
@@ -102,16 +102,16 @@ std::vector<State<double>> of_stuck_masses(const std::vector<SolvedMass>& masses
     return states;
 }
 
-std::vector<State<double>> of_closed_form(const SceneSource& source, double phi_j, std::vector<double> tau) {
+std::vector<State> of_closed_form(const SceneSource& source, double phi_j, std::vector<double> tau) {
     constexpr int digits = 10;
     for (double& instant : tau) instant -= phi_j;
     const Quantities<Bounded<double>> q = quantities(source, tau, digits, PointNumbers::motion).numbers;
     if (!q.X_j)
         throw PrecisionError("beta = " + number_to_text(*source->in_double().beta) +
                              " equals beta_lim to the digits of the answer, so that its motion is not known");
-    std::vector<State<double>> states(tau.size());
+    std::vector<State> states(tau.size());
     for (std::size_t n = 0; n < q.x.size(); ++n) {
-        State<double>& state = states[n / q.x_size.size()];
+        State& state = states[n / q.x_size.size()];
         state.x.push_back(q.x[n].x);
         state.x_prime.push_back(q.x_prime[n].x);
     }
@@ -119,21 +119,21 @@ std::vector<State<double>> of_closed_form(const SceneSource& source, double phi_
 }
 
 // Whether a phase is certain enough for the samples that were taken with it.
-bool is_certain_enough(const Certified& phase, const Solution& solution, const std::vector<State<double>>& states) {
+bool is_certain_enough(const Certified& phase, const Solution& solution, const std::vector<State>& states) {
     for (std::size_t k = 0; k < solution.masses.size(); ++k) {
         const Certified& amplitude = solution.masses[k].amplitude;
-        for (const State<double>& at : states)
+        for (const State& at : states)
             if (phase.error * std::abs(at.x_prime[k]) > amplitude.error + error_of_samples * amplitude.value) return false;
     }
     return true;
 }
 
 // By the closed form with the phase of the answer, or by the reference where a mass moves too fast for the digits of that phase.
-std::vector<State<double>> of_sliding(const SceneSource& source, const Solution& solution, const std::vector<double>& tau) {
+std::vector<State> of_sliding(const SceneSource& source, const Solution& solution, const std::vector<double>& tau) {
     const std::optional<Certified>& phase =
         solution.between ? solution.between->phase : mass_of(solution, solution.contact).phase;
     if (phase) {
-        std::vector<State<double>> states = of_closed_form(source, phase->value, tau);
+        std::vector<State> states = of_closed_form(source, phase->value, tau);
         if (is_certain_enough(*phase, solution, states)) return states;
     }
     return by_reference(source, solution, tau);

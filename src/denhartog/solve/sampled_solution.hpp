@@ -15,8 +15,8 @@ constexpr double error_of_samples = 1e-6;
 
 /// @brief A motion at equally spaced instants.
 struct SampledSolution {
-    std::vector<double> tau;           ///< instants, from 0 at the maximum of the force to below the period of the motion
-    std::vector<State<double>> states; ///< displacements and velocities of all masses at these instants
+    std::vector<double> tau;   ///< instants, from 0 at the maximum of the force to below the period of the motion
+    std::vector<State> states; ///< displacements and velocities of all masses at these instants
 };
 
 /// @brief Samples the motion of an answer over its period.

@@ -31,7 +31,7 @@ void set_regime(const SolveTask& task, Regime met, const std::string& reason, So
 }
 
 // What the stops of a motion that is not the closed form's say. `open`: double does not tell whether it stops.
-void set_regime_by_stops(const SolveTask& task, const PeriodicOrbit<double>& orbit, bool open, Solution& s) {
+void set_regime_by_stops(const SolveTask& task, const PeriodicOrbit& orbit, bool open, Solution& s) {
     const bool must = orbit.stops.empty() && must_stop(task, s);
     if (!orbit.stops.empty()) {
         set_regime(task, Regime::stick_slip, "the contact stops in every period", s);
@@ -59,7 +59,7 @@ void answer_by_boundaries(SolveTask& task, const std::string& model, Solution& s
 }
 
 // What a fast mode costs the exact solver, which follows it; a sentence, or nothing.
-std::string cost_of_fast_mode(const ExactSolver<double>& solver, const PeriodicOrbit<double>& none) {
+std::string cost_of_fast_mode(const ExactSolver& solver, const PeriodicOrbit& none) {
     constexpr double fast = 1000;
     const double fastest = highest_over_force(solver);
     if (!(fastest > fast) || !none.more_digits_may_tell) return {};
@@ -78,20 +78,20 @@ std::string cost_of_fast_mode(const ExactSolver<double>& solver, const PeriodicO
 // mu = 1 and damping it leads where the motion in double was going; with mu above 1 mostly to the sliding motion if there is one.
 void answer_from_rest(SolveTask& task, Solution& s) {
     if (!task.moving) task.moving = moving_in_double(task.source, task.known);
-    const ContactSystem<double>& system = *task.moving;
+    const ContactSystem& system = *task.moving;
     if (!system.rounded_because.empty()) fail_from_rest(task, system.rounded_because, s);
     const bool regime_alone = task.question.asked == Asked::regime;
-    ExactSolver<double> solver(system, {*task.scene.r, *task.scene.beta, task.scene.mu});
-    OrbitSearch<double> how;
+    ExactSolver solver(system, {*task.scene.r, *task.scene.beta, task.scene.mu});
+    OrbitSearch how;
     how.contact_only = regime_alone || task.question.mass == system.contact;
     how.with_stability = task.question.asked == Asked::motion;
-    State<double> near;
+    State near;
     if (!task.unknown && s.regime.regime == Regime::continuous) {
         near = sliding_at_maximum_of_force(values_of(bounded_sums(task.scene.system, *task.known.basis, as_input(*task.scene.r))),
                                            *task.scene.beta);
         how.guess = &near;
     }
-    const PeriodicOrbit<double> orbit = periodic_orbit(solver, at_rest<double>(system.basis.r_n.size()), how);
+    const PeriodicOrbit orbit = periodic_orbit(solver, at_rest(system.basis.r_n.size()), how);
     if (orbit.status == OrbitStatus::not_converged) fail_from_rest(task, orbit.reason + cost_of_fast_mode(solver, orbit), s);
     const bool rests = orbit.status == OrbitStatus::permanently_stuck;
     // With mu = 1 the boundaries tell that it never rests for ever: only rounding does not see it move.

@@ -156,12 +156,12 @@ std::vector<OrbitGuess> guesses_at(const PreparedSystem& p, const SceneSource& s
     // Rounding of modes that double does not have itself would keep it from any motion that repeats itself.
     const ModesInDouble modes = p.bounded ? ModesInDouble{p.bounded} : modes_in_double(source);
     if (!modes.rounded_because.empty()) return all;
-    const std::shared_ptr<const ContactSystem<double>> moving = p.moving ? p.moving : moving_in_double(source, modes);
+    const std::shared_ptr<const ContactSystem> moving = p.moving ? p.moving : moving_in_double(source, modes);
     if (!moving->rounded_because.empty()) return all;
-    ExactSolver<double> solver(*moving, {*scene.r, *scene.beta, scene.mu});
-    OrbitSearch<double> how;
+    ExactSolver solver(*moving, {*scene.r, *scene.beta, scene.mu});
+    OrbitSearch how;
     how.with_stability = false;
-    PeriodicOrbit<double> orbit = periodic_orbit(solver, at_rest<double>(moving->basis.r_n.size()), how);
+    PeriodicOrbit orbit = periodic_orbit(solver, at_rest(moving->basis.r_n.size()), how);
     if (orbit.status == OrbitStatus::permanently_stuck) return all;
     if (orbit.status == OrbitStatus::not_converged)
         orbit.symmetric = true; // rounding may be why; where the motion was last is near

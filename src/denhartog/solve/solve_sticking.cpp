@@ -13,8 +13,7 @@ double relative_error(const SolveTask& task, const OrbitSolution& solution) {
     return std::max(solution.relative_amplitude, solution.phase_error);
 }
 
-void write_orbit(const SolveTask& task, ExactSolver<double>& solver, const PeriodicOrbit<double>& orbit, OrbitSolution solution,
-                 Solution& s) {
+void write_orbit(const SolveTask& task, ExactSolver& solver, const PeriodicOrbit& orbit, OrbitSolution solution, Solution& s) {
     const auto all = [&](std::vector<double> numbers, const auto& error) {
         std::vector<Certified> out;
         add_displacements(solver.system().coordinates, numbers);
@@ -37,8 +36,7 @@ bool must_stop(const SolveTask& task, const Solution& s) {
 }
 
 void answer_by_stuck_response(const SolveTask& task, const std::optional<Certified>& rests_at, Solution& s) {
-    const std::shared_ptr<const ContactSystem<double>> moving =
-        task.moving ? task.moving : moving_in_double(task.source, task.known);
+    const std::shared_ptr<const ContactSystem> moving = task.moving ? task.moving : moving_in_double(task.source, task.known);
     const HeldSolution held = held_solution(task.scene, moving->stuck, *task.known.basis, task.question.mass);
     s.masses = held.masses;
     s.rest_interval = held.rest_interval;
@@ -49,8 +47,7 @@ void answer_by_stuck_response(const SolveTask& task, const std::optional<Certifi
     s.relative_error = held.relative;
 }
 
-void answer_by_orbit(const SolveTask& task, ExactSolver<double>& solver, const PeriodicOrbit<double>& orbit, bool open,
-                     Solution& s) {
+void answer_by_orbit(const SolveTask& task, ExactSolver& solver, const PeriodicOrbit& orbit, bool open, Solution& s) {
     const OrbitSolution found = orbit_solution(solver, orbit, task.question.mass);
     write_orbit(task, solver, orbit, found, s);
     s.relative_error = relative_error(task, found);

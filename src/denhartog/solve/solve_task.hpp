@@ -28,16 +28,16 @@ struct SolvePoint {
 
 /// @brief A question to a scene, prepared.
 struct SolveTask {
-    SceneSource source;                                  ///< the scene
-    Question question;                                   ///< what is asked
-    const Scene<double>& scene;                          ///< the scene in double, which `source` holds
-    Aim aim;                                             ///< the digits
-    ModesInDouble known;                                 ///< its modal basis
-    std::shared_ptr<const ContactSystem<double>> moving; ///< for the exact solver; none where it is still to be prepared
-    bool open = false;                                   ///< whether double leaves something open
-    bool is_told = true;                                 ///< whether the regime is certain nevertheless
-    std::optional<std::string> unknown{};                ///< why boundaries and closed form are not known
-    bool at_pole = false;                                ///< whether they do not exist
+    SceneSource source;                          ///< the scene
+    Question question;                           ///< what is asked
+    const Scene<double>& scene;                  ///< the scene in double, which `source` holds
+    Aim aim;                                     ///< the digits
+    ModesInDouble known;                         ///< its modal basis
+    std::shared_ptr<const ContactSystem> moving; ///< for the exact solver; none where it is still to be prepared
+    bool open = false;                           ///< whether double leaves something open
+    bool is_told = true;                         ///< whether the regime is certain nevertheless
+    std::optional<std::string> unknown{};        ///< why boundaries and closed form are not known
+    bool at_pole = false;                        ///< whether they do not exist
 };
 
 /// @brief Amplitude or phase of the contact alone, in the sliding regime at mu = 1: the cheapest model.
@@ -71,7 +71,6 @@ void say_whether_unique(const ModalBasis<Bounded<double>>& basis, double mu, Sol
 /// @param orbit   the orbit, with its masses
 /// @param open    whether double does not tell if the motion stops
 /// @param s       gets the answer
-void answer_by_orbit(const SolveTask& task, ExactSolver<double>& solver, const PeriodicOrbit<double>& orbit, bool open,
-                     Solution& s);
+void answer_by_orbit(const SolveTask& task, ExactSolver& solver, const PeriodicOrbit& orbit, bool open, Solution& s);
 
 } // namespace denhartog

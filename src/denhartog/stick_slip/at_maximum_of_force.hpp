@@ -15,9 +15,8 @@ namespace denhartog {
 /// @param sums   modes at the frequency ratio
 /// @param state  the sliding motion
 /// @return       displacements and velocities where the force is largest
-template <class T>
-[[nodiscard]] State<T> at_maximum_of_force(const ModeSums<T>& sums, const SteadyState<T>& state) {
-    Motion<T> at = motion(sums, state, T(-state.phi_j));
+[[nodiscard]] inline State at_maximum_of_force(const ModeSums<double>& sums, const SteadyState<double>& state) {
+    Motion<double> at = motion(sums, state, -state.phi_j);
     const std::size_t N = sums.coupled ? sums.coupled->size() : sums.R.size();
     at.x.resize(N); // the coordinates of the system, and no displacements besides
     at.x_prime.resize(N);
@@ -28,18 +27,16 @@ template <class T>
 /// @param sums  modes at the frequency ratio
 /// @param beta  friction ratio
 /// @return      displacements and velocities where the force is largest
-template <class T>
-[[nodiscard]] State<T> sliding_at_maximum_of_force(const ModeSums<T>& sums, const T& beta) {
+[[nodiscard]] inline State sliding_at_maximum_of_force(const ModeSums<double>& sums, double beta) {
     return at_maximum_of_force(sums, steady_state_without_maxima(sums, beta));
 }
 
 /// @brief The state while the contact rests at zero.
 /// @param stuck  the motion
 /// @return       displacements and velocities where the force is largest
-template <class T>
-[[nodiscard]] State<T> at_maximum_of_force(const StuckResponse<T>& stuck) {
-    State<T> state;
-    for (const StuckMass<T>& mass : stuck.masses) {
+[[nodiscard]] inline State at_maximum_of_force(const StuckResponse& stuck) {
+    State state;
+    for (const StuckMass& mass : stuck.masses) {
         state.x.push_back(mass.X.re);
         state.x_prime.push_back(-mass.X.im);
     }

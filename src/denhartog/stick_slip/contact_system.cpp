@@ -10,63 +10,57 @@ namespace denhartog {
 namespace {
 
 // What is left out of the damping of the stuck modes, in the modes of sliding.
-template <class T>
-void add_left_out_of_stuck_modes(ContactSystem<T>& c) {
-    const StuckConfiguration<T>& stuck = c.stuck;
+void add_left_out_of_stuck_modes(ContactSystem& c) {
+    const StuckConfiguration<double>& stuck = c.stuck;
     if (stuck.left_out.size() == 0 || !(stuck.left_out.maxCoeff() > 0)) return;
-    Matrix<T> others(stuck.masses.size(), c.basis.phi.cols());
+    Matrix<double> others(stuck.masses.size(), c.basis.phi.cols());
     for (std::size_t n = 0; n < stuck.masses.size(); ++n)
         others.row(static_cast<Eigen::Index>(n)) = c.basis.phi.row(static_cast<Eigen::Index>(stuck.masses[n].index));
-    const Matrix<T> shares = transpose_times(stuck.phi, product(stuck.M, others)).cwiseAbs();
-    const Matrix<T> left_out = in_coordinates(shares, stuck.left_out);
-    c.damping_error = c.damping_error.size() > 0 ? Matrix<T>(c.damping_error + left_out) : left_out;
+    const Matrix<double> shares = transpose_times(stuck.phi, product(stuck.M, others)).cwiseAbs();
+    const Matrix<double> left_out = in_coordinates(shares, stuck.left_out);
+    c.damping_error = c.damping_error.size() > 0 ? Matrix<double>(c.damping_error + left_out) : left_out;
 }
 
 // What rounding makes of the damping of modes that are known to more digits: of each entry.
-template <class T>
-Matrix<T> rounding_of_damping(const ModalBasis<T>& basis) {
+Matrix<double> rounding_of_damping(const ModalBasis<double>& basis) {
     const auto N = static_cast<Eigen::Index>(basis.r_n.size());
-    Matrix<T> D = basis.left_out.size() > 0 ? basis.left_out : Matrix<T>(Matrix<T>::Zero(N, N));
+    Matrix<double> D = basis.left_out.size() > 0 ? basis.left_out : Matrix<double>(Matrix<double>::Zero(N, N));
     for (Eigen::Index i = 0; i < N; ++i) {
         const auto n = static_cast<std::size_t>(i);
-        D(i, i) += 4 * unit_of<T>() * basis.zeta[n] * basis.r_n[n];
+        D(i, i) += 4 * unit_of<double>() * basis.zeta[n] * basis.r_n[n];
     }
-    if (basis.coupled()) D += unit_of<T>() * basis.D.cwiseAbs();
+    if (basis.coupled()) D += unit_of<double>() * basis.D.cwiseAbs();
     return D;
 }
 
-// The same of modes that were found in this number type.
-template <class T>
-Matrix<T> error_of_damping(const System<T>& s, const ModalBasis<T>& basis) {
+// The same of modes that were found in double.
+Matrix<double> error_of_damping(const System<double>& s, const ModalBasis<double>& basis) {
     if (s.damping_matrix.size() == 0) return {};
-    const Matrix<T> sizes = basis.phi.cwiseAbs(), of_C = s.damping_matrix.cwiseAbs();
-    const Matrix<T> error = in_coordinates(sizes, of_C) * T((static_cast<int>(sizes.cols()) + 2) * unit_of<T>());
-    return basis.left_out.size() > 0 ? Matrix<T>(error + basis.left_out) : error;
+    const Matrix<double> sizes = basis.phi.cwiseAbs(), of_C = s.damping_matrix.cwiseAbs();
+    const Matrix<double> error = in_coordinates(sizes, of_C) * ((static_cast<int>(sizes.cols()) + 2) * unit_of<double>());
+    return basis.left_out.size() > 0 ? Matrix<double>(error + basis.left_out) : error;
 }
 
 } // namespace
 
-template <class T>
-ContactSystem<T> contact_system(const System<T>& s) {
-    return contact_system(s, with_errors(s, modal_basis(s)));
-}
+ContactSystem contact_system(const System<double>& s) { return contact_system(s, with_errors(s, modal_basis(s))); }
 
-template <class T>
-ContactSystem<T> contact_system(const System<T>& s, const ModalBasis<Bounded<T>>& modes, const RoundedModes<T>* held) {
-    ContactSystem<T> out;
+ContactSystem contact_system(const System<double>& s, const ModalBasis<Bounded<double>>& modes,
+                             const RoundedModes<double>* held) {
+    ContactSystem out;
     out.contact = s.contact;
     out.load = s.load;
     out.coordinates = s.coordinates;
     out.basis = values_of(modes);
-    Matrix<T>& phi = out.basis.phi;
-    for (const T& each : phi.row(static_cast<Eigen::Index>(s.load.index))) out.modal_load.push_back(each);
+    Matrix<double>& phi = out.basis.phi;
+    for (const double each : phi.row(static_cast<Eigen::Index>(s.load.index))) out.modal_load.push_back(each);
     if (const auto modes = phi.cols(); phi.rows() > modes) {
         out.further = phi.middleRows(modes, s.coordinates.displacements.rows());
         phi.conservativeResize(modes, Eigen::NoChange);
     }
     out.stuck = stuck_configuration(s, out.basis, held);
     out.stuck_load = load_on_stuck_modes(out.stuck, s.load);
-    for (const Bounded<T>& r_n : modes.r_n) out.detuned.push_back(r_n.e / r_n.x);
+    for (const Bounded<double>& r_n : modes.r_n) out.detuned.push_back(r_n.e / r_n.x);
     out.damping_error = held ? rounding_of_damping(out.basis) : error_of_damping(s, out.basis);
     add_left_out_of_stuck_modes(out);
     out.damping_fixes_modes = damping_matrix_counts(s, out.basis);
@@ -83,9 +77,5 @@ ContactSystem<T> contact_system(const System<T>& s, const ModalBasis<Bounded<T>>
     }
     return out;
 }
-
-template ContactSystem<double> contact_system(const System<double>&);
-template ContactSystem<double> contact_system(const System<double>&, const ModalBasis<Bounded<double>>&,
-                                              const RoundedModes<double>*);
 
 } // namespace denhartog

@@ -9,12 +9,9 @@
 
 namespace denhartog {
 
-using std::abs;
-
-template <class T>
-LastingRest<T>::LastingRest(const ContactSystem<T>& system, const Excitation<T>& excitation)
-    : system_(&system), e_(excitation), weight_(0), terms_(abs(direct_load(system.stuck, system.contact, system.load))) {
-    const StuckConfiguration<T>& s = system.stuck;
+LastingRest::LastingRest(const ContactSystem& system, const Excitation& excitation)
+    : system_(&system), e_(excitation), weight_(0), terms_(std::abs(direct_load(system.stuck, system.contact, system.load))) {
+    const StuckConfiguration<double>& s = system.stuck;
     try {
         response_ = stuck_response(s, system.contact, system.load, e_.r);
     } catch (const DomainError&) {
@@ -22,31 +19,30 @@ LastingRest<T>::LastingRest(const ContactSystem<T>& system, const Excitation<T>&
     }
     const std::size_t n = s.masses.size();
     for (std::size_t a = 0; a < n && response_; ++a)
-        terms_ +=
-            (abs(s.k_j[a]) + e_.r * abs(s.c_j[a]) + e_.r * e_.r * abs(s.m_j[a])) * response_->masses[s.masses[a].index].amplitude;
-    follows_.assign(n, T(0));
-    T stiffness(0), damping(0), inertia(0), fastest(0);
+        terms_ += (std::abs(s.k_j[a]) + e_.r * std::abs(s.c_j[a]) + e_.r * e_.r * std::abs(s.m_j[a])) *
+                  response_->masses[s.masses[a].index].amplitude;
+    follows_.assign(n, 0);
+    double stiffness = 0, damping = 0, inertia = 0, fastest = 0;
     for (std::size_t i = 0; i < n; ++i) {
-        T k(0), c(0), m(0), rate(0);
+        double k = 0, c = 0, m = 0, rate = 0;
         for (std::size_t a = 0; a < n; ++a) {
             k += s.phi(a, i) * s.k_j[a];
             c += s.phi(a, i) * s.c_j[a];
             m += s.phi(a, i) * s.m_j[a];
-            rate += abs(s.damping(i, a));
+            rate += std::abs(s.damping(i, a));
         }
         for (std::size_t a = 0; a < n; ++a) follows_[a] -= s.phi(a, i) * k / (s.r_n[i] * s.r_n[i]);
         stiffness += k * k / (s.r_n[i] * s.r_n[i]);
         damping += c * c;
         inertia += m * m;
-        fastest = std::max(fastest, T(s.r_n[i] + rate));
+        fastest = std::max(fastest, s.r_n[i] + rate);
     }
     // In units of r times the energy norm, that is, of displacements times natural frequency ratios.
     weight_ = sqrt(stiffness) + sqrt(damping) + fastest * sqrt(inertia);
 }
 
-template <class T>
-State<T> LastingRest<T>::steady_state(const T& x_j) const {
-    State<T> z = at_rest<T>(follows_.size() + 1);
+State LastingRest::steady_state(double x_j) const {
+    State z = at_rest(follows_.size() + 1);
     z.x[system_->contact.index] = x_j;
     for (std::size_t n = 0; n < follows_.size(); ++n) {
         const std::size_t k = system_->stuck.masses[n].index;
@@ -56,44 +52,41 @@ State<T> LastingRest<T>::steady_state(const T& x_j) const {
     return z;
 }
 
-template <class T>
-T LastingRest<T>::reach() const {
-    if (!response_) return T(-1);
-    const StuckConfiguration<T>& s = system_->stuck;
-    const T holds = e_.mu * e_.beta, amplitude = modulus(response_->contact_load);
-    const T rounding = 64 * static_cast<int>(s.masses.size() + 1) * std::numeric_limits<T>::epsilon() * (holds + terms_) *
-                       std::max(T(1), T(s.k_jj / s.k_contact));
+double LastingRest::reach() const {
+    if (!response_) return -1;
+    const StuckConfiguration<double>& s = system_->stuck;
+    const double holds = e_.mu * e_.beta, amplitude = modulus(response_->contact_load);
+    const double rounding = 64 * static_cast<int>(s.masses.size() + 1) * std::numeric_limits<double>::epsilon() *
+                            (holds + terms_) * std::max(1.0, s.k_jj / s.k_contact);
     return (holds - amplitude - rounding) / s.k_contact;
 }
 
-template <class T>
-MassMotion<T> LastingRest<T>::motion(std::size_t k, const T& x_j) const {
-    if (k == system_->contact.index) return {abs(x_j), x_j < 0 ? pi<T>() : T(0)};
-    T offset(0);
+MassMotion LastingRest::motion(std::size_t k, double x_j) const {
+    if (k == system_->contact.index) return {std::abs(x_j), x_j < 0 ? pi<double>() : 0.0};
+    double offset = 0;
     for (std::size_t n = 0; n < follows_.size(); ++n)
         if (system_->stuck.masses[n].index == k) offset = follows_[n] * x_j;
-    const StuckMass<T>& mass = response_->masses[k];
+    const StuckMass& mass = response_->masses[k];
     // Below zero the extremum comes half a period later, and half a period more is what a negative one adds to its phase.
-    return {abs(offset) + mass.amplitude, mass.phase.value_or(offset < 0 ? pi<T>() : T(0))};
+    return {std::abs(offset) + mass.amplitude, mass.phase.value_or(offset < 0 ? pi<double>() : 0.0)};
 }
 
-template <class T>
-typename LastingRest<T>::Verdict LastingRest<T>::verdict(const State<T>& z) const {
+LastingRest::Verdict LastingRest::verdict(const State& z) const {
     if (!response_) return Verdict::open;
-    const StuckConfiguration<T>& s = system_->stuck;
-    const T& x_j = z.x[system_->contact.index];
-    const T holds = e_.mu * e_.beta;
-    const T amplitude = modulus(response_->contact_load), constant = abs(s.k_contact * x_j);
-    const T margin = holds - amplitude - constant;
-    const T rounding = 16 * static_cast<int>(s.masses.size() + 1) * std::numeric_limits<T>::epsilon() *
-                       (holds + terms_ + constant + abs(s.k_jj * x_j));
+    const StuckConfiguration<double>& s = system_->stuck;
+    const double x_j = z.x[system_->contact.index];
+    const double holds = e_.mu * e_.beta;
+    const double amplitude = modulus(response_->contact_load), constant = std::abs(s.k_contact * x_j);
+    const double margin = holds - amplitude - constant;
+    const double rounding = 16 * static_cast<int>(s.masses.size() + 1) * std::numeric_limits<double>::epsilon() *
+                            (holds + terms_ + constant + std::abs(s.k_jj * x_j));
     if (margin < -rounding) return Verdict::open;
-    const State<T> steady = steady_state(x_j);
-    T energy(0);
+    const State steady = steady_state(x_j);
+    double energy = 0;
     for (std::size_t i = 0; i < s.masses.size(); ++i) {
-        T q(0), p(0);
+        double q = 0, p = 0;
         for (std::size_t a = 0; a < s.masses.size(); ++a) {
-            T momentum(0);
+            double momentum = 0;
             for (std::size_t b = 0; b < s.masses.size(); ++b) momentum += s.phi(b, i) * s.M(b, a);
             const std::size_t k = s.masses[a].index;
             q += momentum * (z.x[k] - steady.x[k]);
@@ -101,11 +94,9 @@ typename LastingRest<T>::Verdict LastingRest<T>::verdict(const State<T>& z) cons
         }
         energy += s.r_n[i] * s.r_n[i] * q * q + e_.r * e_.r * p * p;
     }
-    const T free = weight_ * sqrt(energy);
+    const double free = weight_ * sqrt(energy);
     if (free < margin) return Verdict::lasts;
     return margin <= rounding && free <= rounding ? Verdict::on_boundary : Verdict::open;
 }
-
-template class LastingRest<double>;
 
 } // namespace denhartog

@@ -13,12 +13,11 @@ namespace denhartog {
 ///
 /// While the contact is held the load on it is that of the steady stuck motion, (88) with all forces, a constant
 /// \f$ -k\bar{x}_j \f$, and what the free motion of the others adds: at most its energy norm, which never grows, times a weight.
-template <class T>
 class LastingRest {
 public:
     /// @param system      the system; must outlive this
     /// @param excitation  frequency and friction
-    LastingRest(const ContactSystem<T>& system, const Excitation<T>& excitation);
+    LastingRest(const ContactSystem& system, const Excitation& excitation);
 
     /// @brief What is known of a rest.
     enum class Verdict : std::uint8_t {
@@ -30,28 +29,28 @@ public:
     /// @brief Whether the contact, at rest in a state, rests for ever.
     /// @param z  the state at tau = 0, the contact sticking
     /// @return   the verdict
-    [[nodiscard]] Verdict verdict(const State<T>& z) const;
+    [[nodiscard]] Verdict verdict(const State& z) const;
 
     /// @brief Whether there is a steady motion with the contact held. @return false where the load excites an undamped resonance
     [[nodiscard]] bool exists() const { return response_.has_value(); }
 
     /// @brief How far from zero the contact can rest for ever. @return the distance; negative where it cannot, not even at zero
-    [[nodiscard]] T reach() const;
+    [[nodiscard]] double reach() const;
 
     /// @brief The steady motion with the contact held. @param x_j where it is held @return the state at tau = 0
-    [[nodiscard]] State<T> steady_state(const T& x_j) const;
+    [[nodiscard]] State steady_state(double x_j) const;
 
     /// @brief Amplitude and phase of a mass in the steady motion. @param k the mass @param x_j where the contact is held
     /// @return the motion of the mass
-    [[nodiscard]] MassMotion<T> motion(std::size_t k, const T& x_j) const;
+    [[nodiscard]] MassMotion motion(std::size_t k, double x_j) const;
 
 private:
-    const ContactSystem<T>* system_;
-    Excitation<T> e_;
-    std::optional<StuckResponse<T>> response_; // none at an undamped resonance: no steady motion
-    std::vector<T> follows_;                   // static displacement of the others for a unit displacement of the contact
-    T weight_;                                 // largest load on the contact of a free motion of unit energy norm
-    T terms_;                                  // of the load on the held contact, in size: what rounding is of
+    const ContactSystem* system_;
+    Excitation e_;
+    std::optional<StuckResponse> response_; // none at an undamped resonance: no steady motion
+    std::vector<double> follows_;           // static displacement of the others for a unit displacement of the contact
+    double weight_;                         // largest load on the contact of a free motion of unit energy norm
+    double terms_;                          // of the load on the held contact, in size: what rounding is of
 };
 
 } // namespace denhartog

@@ -8,52 +8,44 @@
 namespace denhartog {
 
 /// @brief Displacements and velocities of all masses at an instant.
-template <class T>
 struct State {
-    std::vector<T> x;       ///< displacements in units of P / k_1, N values
-    std::vector<T> x_prime; ///< velocities with respect to tau, N values
+    std::vector<double> x;       ///< displacements in units of P / k_1, N values
+    std::vector<double> x_prime; ///< velocities with respect to tau, N values
 };
 
 /// @brief The state of all masses at rest at zero.
 /// @param N  number of masses
 /// @return   the state
-template <class T>
-[[nodiscard]] State<T> at_rest(std::size_t N) {
-    return {std::vector<T>(N, T(0)), std::vector<T>(N, T(0))};
-}
+[[nodiscard]] inline State at_rest(std::size_t N) { return {std::vector<double>(N), std::vector<double>(N)}; }
 
 /// @brief An interval of time in which the contact slides in one direction, or sticks.
-template <class T>
 struct Phase {
     int direction; ///< sign of the contact's velocity: 1 or -1 while it slides, 0 while it sticks
-    T start;       ///< tau at its start
-    T end;         ///< tau at its end
+    double start;  ///< tau at its start
+    double end;    ///< tau at its end
 };
 
 /// @brief A stop of the contact: a sticking phase of positive length.
-template <class T>
 struct Stop {
-    T start; ///< tau where the contact comes to rest, measured from the maximum of the force
-    T end;   ///< tau where it breaks away again
-    T x;     ///< the displacement at which it rests, in units of P / k_1
+    double start; ///< tau where the contact comes to rest, measured from the maximum of the force
+    double end;   ///< tau where it breaks away again
+    double x;     ///< the displacement at which it rests, in units of P / k_1
 };
 
 /// @brief The displacement of a mass at the instant at which |x_k| is largest.
-template <class T>
 struct Extremum {
-    T x;             ///< the displacement, with its sign
-    T instant;       ///< tau there; where the mass rests, the start of the rest
-    T unsure = T(0); ///< how much larger a displacement may be, if the effort did not suffice to exclude it; otherwise 0
-    T spread = T(0); ///< distance in phase to another instant at which |x_k| may be as large; 0 if there is none
+    double x;          ///< the displacement, with its sign
+    double instant;    ///< tau there; where the mass rests, the start of the rest
+    double unsure = 0; ///< how much larger a displacement may be, if the effort did not suffice to exclude it; otherwise 0
+    double spread = 0; ///< distance in phase to another instant at which |x_k| may be as large; 0 if there is none
 };
 
 /// @brief What a mass does over the steady motion.
-template <class T>
 struct MassMotion {
-    T amplitude; ///< largest |x_k| over the motion, in units of P / k_1
+    double amplitude; ///< largest |x_k| over the motion, in units of P / k_1
     /// tau of the extremum as a lag behind the force in (-pi, pi]; if x_k is negative there, half a period is added
-    T phase;
-    T spread = T(0); ///< distance in phase to another instant at which |x_k| may be as large; 0 if there is none
+    double phase;
+    double spread = 0; ///< distance in phase to another instant at which |x_k| may be as large; 0 if there is none
 };
 
 } // namespace denhartog

@@ -1,7 +1,6 @@
 #include "denhartog/stick_slip/stuck_response.hpp"
 
 #include <algorithm>
-#include <boost/math/special_functions/fpclassify.hpp>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -18,23 +17,13 @@
 namespace denhartog {
 namespace {
 
-using std::abs;
-
 // The modulus, also where its square is at an end of the range of a double.
 double amplitude_of(const Complex<double>& X) {
     const double square = squared_modulus(X);
     return square > 0x1p-900 && square < 0x1p900 ? std::sqrt(square) : elementary::hypot(X.re, X.im);
 }
 
-template <class T>
-T amplitude_of(const Complex<T>& X) {
-    return modulus(X);
-}
-
-template <class T>
-T rounding(std::size_t modes) {
-    return 4 * static_cast<int>(modes) * std::numeric_limits<T>::epsilon();
-}
+double rounding(std::size_t modes) { return 4 * static_cast<int>(modes) * std::numeric_limits<double>::epsilon(); }
 
 [[noreturn]] void resonates() {
     throw DomainError(
@@ -42,8 +31,7 @@ T rounding(std::size_t modes) {
         "lasts");
 }
 
-template <class T>
-void check_arguments(const StuckConfiguration<T>& stuck, Mass contact, Mass load, const T& r) {
+void check_arguments(const StuckConfiguration<double>& stuck, Mass contact, Mass load, double r) {
     const std::size_t N = stuck.masses.size() + 1;
     check_frequency_ratio(r);
     if (load.index >= N && stuck.load.empty())
@@ -55,109 +43,101 @@ void check_arguments(const StuckConfiguration<T>& stuck, Mass contact, Mass load
 }
 
 /// Amplitude of an uncoupled mode under the force p; D is the diagonal entry of the damping, 2 zeta r_n.
-template <class T>
-Complex<T> mode_amplitude(const T& p, const T& r_n, const T& D, const T& r, const T& tolerance) {
-    if (p == 0) return {T(0), T(0)};
-    const T a = (r_n - r) * (r_n + r), b = r * D;
-    if (abs(a) <= tolerance * r_n * r_n && abs(b) <= tolerance * r_n * r_n) resonates();
+Complex<double> mode_amplitude(double p, double r_n, double D, double r, double tolerance) {
+    if (p == 0) return {0, 0};
+    const double a = (r_n - r) * (r_n + r), b = r * D;
+    if (std::abs(a) <= tolerance * r_n * r_n && std::abs(b) <= tolerance * r_n * r_n) resonates();
     return amplitude_of_mode(p, a, b);
 }
 
 /// Amplitudes of coupled modes: the complex system as a real one of twice the size, its rows and columns scaled.
-template <class T>
-std::vector<Complex<T>> coupled_amplitudes(const StuckConfiguration<T>& stuck, const std::vector<T>& p, const T& r) {
+std::vector<Complex<double>> coupled_amplitudes(const StuckConfiguration<double>& stuck, const std::vector<double>& p, double r) {
     const auto n = static_cast<Eigen::Index>(p.size());
-    Matrix<T> A = Matrix<T>::Zero(2 * n, 2 * n);
-    Eigen::Matrix<T, Eigen::Dynamic, 1> scale(2 * n), force = Eigen::Matrix<T, Eigen::Dynamic, 1>::Zero(2 * n);
+    Matrix<double> A = Matrix<double>::Zero(2 * n, 2 * n);
+    Eigen::Matrix<double, Eigen::Dynamic, 1> scale(2 * n), force = Eigen::Matrix<double, Eigen::Dynamic, 1>::Zero(2 * n);
     for (Eigen::Index i = 0; i < n; ++i) {
-        const T& r_n = stuck.r_n[static_cast<std::size_t>(i)];
+        const double r_n = stuck.r_n[static_cast<std::size_t>(i)];
         A(i, i) = A(n + i, n + i) = (r_n - r) * (r_n + r);
-        scale(i) = scale(n + i) = 1 / sqrt(T(r_n * r_n + r * r));
+        scale(i) = scale(n + i) = 1 / sqrt(r_n * r_n + r * r);
         force(i) = p[static_cast<std::size_t>(i)];
     }
     A.topRightCorner(n, n) = -r * stuck.damping;
     A.bottomLeftCorner(n, n) = r * stuck.damping;
     A = scale.asDiagonal() * A * scale.asDiagonal();
-    const LinearSystem<T> system(A);
-    if (!(system.reciprocal_condition() > rounding<T>(p.size()))) resonates();
+    const LinearSystem<double> system(A);
+    if (!(system.reciprocal_condition() > rounding(p.size()))) resonates();
     force = scale.cwiseProduct(system.solve(scale.cwiseProduct(force)));
-    std::vector<Complex<T>> q;
+    std::vector<Complex<double>> q;
     for (Eigen::Index i = 0; i < n; ++i) q.push_back({force(i), force(n + i)});
     return q;
 }
 
-template <class T>
-std::vector<Complex<T>> mode_amplitudes(const StuckConfiguration<T>& stuck, const std::vector<T>& p, const T& r) {
+std::vector<Complex<double>> mode_amplitudes(const StuckConfiguration<double>& stuck, const std::vector<double>& p, double r) {
     if (!stuck.modes_diagonalise_damping) return coupled_amplitudes(stuck, p, r);
-    std::vector<Complex<T>> q;
+    std::vector<Complex<double>> q;
     for (std::size_t i = 0; i < p.size(); ++i) {
         const auto n = static_cast<Eigen::Index>(i);
-        q.push_back(mode_amplitude(p[i], stuck.r_n[i], T(stuck.damping(n, n)), r, rounding<T>(p.size())));
+        q.push_back(mode_amplitude(p[i], stuck.r_n[i], stuck.damping(n, n), r, rounding(p.size())));
     }
     return q;
 }
 
 /// Amplitude by (88)'s modal superposition of the mass of the chain next to the contact.
-template <class T>
-T neighbour_amplitude(const StuckChain<T>& chain, const StuckResponse<T>& response) {
+double neighbour_amplitude(const StuckChain& chain, const StuckResponse& response) {
     const auto [neighbour, load] = rows_of_neighbour_and_load(chain, response);
-    Complex<T> X{T(0), T(0)};
+    Complex<double> X{0, 0};
     for (std::size_t i = 0; i < chain.r_n.size(); ++i) {
         const auto n = static_cast<Eigen::Index>(i);
-        X = X + chain.phi(neighbour, n) * mode_amplitude(T(chain.phi(load, n)), chain.r_n[i], T(2 * chain.zeta[i] * chain.r_n[i]),
-                                                         response.r, rounding<T>(chain.r_n.size()));
+        X = X + chain.phi(neighbour, n) * mode_amplitude(chain.phi(load, n), chain.r_n[i], 2 * chain.zeta[i] * chain.r_n[i],
+                                                         response.r, rounding(chain.r_n.size()));
     }
     return amplitude_of(X);
 }
 
 } // namespace
 
-template <class T>
-StuckMass<T> motion_of(const Complex<T>& X) {
-    StuckMass<T> mass{X, amplitude_of(X), std::nullopt};
+StuckMass motion_of(const Complex<double>& X) {
+    StuckMass mass{X, amplitude_of(X), std::nullopt};
     if (mass.amplitude == 0) return mass;
-    mass.phase = X.im == 0 ? (X.re < 0 ? pi<T>() : T(0)) : T(-argument(X));
+    mass.phase = X.im == 0 ? (X.re < 0 ? pi<double>() : 0.0) : -argument(X);
     return mass;
 }
 
-template <class T>
-StuckResponse<T> stuck_response(const StuckConfiguration<T>& stuck, Mass contact, Mass load, const T& r) {
+StuckResponse stuck_response(const StuckConfiguration<double>& stuck, Mass contact, Mass load, double r) {
     check_arguments(stuck, contact, load, r);
     const std::size_t n = stuck.masses.size();
-    StuckResponse<T> response{r, contact, load, {}, {}, {}};
-    std::vector<Complex<T>> X(n, Complex<T>{T(0), T(0)});
-    const std::vector<T> p = load_on_stuck_modes(stuck, load);
-    if (std::ranges::any_of(p, [](const T& of_mode) { return of_mode != 0; })) {
-        const std::vector<Complex<T>> q = mode_amplitudes(stuck, p, r);
+    StuckResponse response{r, contact, load, {}, {}, {}};
+    std::vector<Complex<double>> X(n, Complex<double>{0, 0});
+    const std::vector<double> p = load_on_stuck_modes(stuck, load);
+    if (std::ranges::any_of(p, [](double of_mode) { return of_mode != 0; })) {
+        const std::vector<Complex<double>> q = mode_amplitudes(stuck, p, r);
         for (std::size_t k = 0; k < n; ++k)
             for (std::size_t i = 0; i < n; ++i)
-                X[k] = X[k] + T(stuck.phi(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(i))) * q[i];
+                X[k] = X[k] + stuck.phi(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(i)) * q[i];
     }
-    std::vector<T> C_j, K_j;
+    std::vector<double> C_j, K_j;
     for (std::size_t k = 0; k < n; ++k) {
         C_j.push_back(r * stuck.c_j[k]);
         K_j.push_back(stuck.k_j[k] - r * r * stuck.m_j[k]);
     }
-    const std::vector<T> none(n, T(0));
-    const auto load_with = [&](const std::vector<T>& C) {
-        return paper::load_on_held_contact(std::span<const T>(C), std::span<const T>(K_j), std::span<const Complex<T>>(X),
-                                           direct_load(stuck, contact, load));
+    const std::vector<double> none(n, 0);
+    const auto load_with = [&](const std::vector<double>& C) {
+        return paper::load_on_held_contact(std::span<const double>(C), std::span<const double>(K_j),
+                                           std::span<const Complex<double>>(X), direct_load(stuck, contact, load));
     };
     response.contact_load = load_with(C_j);
     response.elastic_load = load_with(none);
-    for (const Complex<T>& X_k : X) response.masses.push_back(motion_of(X_k));
-    const StuckMass<T> held{{T(0), T(0)}, T(0), std::nullopt};
+    for (const Complex<double>& X_k : X) response.masses.push_back(motion_of(X_k));
+    const StuckMass held{{0, 0}, 0, std::nullopt};
     response.masses.insert(response.masses.begin() + static_cast<std::ptrdiff_t>(contact.index), held);
-    for (const StuckMass<T>& mass : response.masses)
-        if (!boost::math::isfinite(mass.amplitude))
-            throw PrecisionError("the stuck response is beyond the range of the number type");
+    for (const StuckMass& mass : response.masses)
+        if (!std::isfinite(mass.amplitude)) throw PrecisionError("the stuck response is beyond the range of the number type");
     return response;
 }
 
-template <class T>
-std::optional<StuckChain<T>> stuck_chain(const System<T>& s, const StuckConfiguration<T>& stuck) {
+std::optional<StuckChain> stuck_chain(const System<double>& s, const StuckConfiguration<double>& stuck) {
     if (!is_chain(s) || !s.coordinates.load.empty()) return std::nullopt;
-    StuckChain<T> chain;
+    StuckChain chain;
     if (s.load == s.contact) return chain;
     const auto j = static_cast<std::ptrdiff_t>(s.contact.index);
     const bool before = s.load.index < s.contact.index;
@@ -165,13 +145,13 @@ std::optional<StuckChain<T>> stuck_chain(const System<T>& s, const StuckConfigur
     const std::ptrdiff_t first = before ? 0 : j + 1, last = before ? j : N; // masses; in the stuck configuration one less after j
     const auto gamma = s.mass_ratios.begin(), kappa = s.stiffness_ratios.begin();
     if (last - first > 1) ++work_counted.eigen_solves;
-    NaturalModes<T> modes = chain_modes(std::vector<T>(gamma + first, gamma + last),
-                                        std::vector<T>(kappa + first, before ? kappa + last + 1 : kappa + last));
-    const Matrix<T> C = stuck.C.block(before ? 0 : j, before ? 0 : j, last - first, last - first);
+    NaturalModes<double> modes = chain_modes(std::vector<double>(gamma + first, gamma + last),
+                                             std::vector<double>(kappa + first, before ? kappa + last + 1 : kappa + last));
+    const Matrix<double> C = stuck.C.block(before ? 0 : j, before ? 0 : j, last - first, last - first);
     for (std::ptrdiff_t k = first; k < last; ++k) chain.masses.push_back(Mass{static_cast<std::size_t>(k)});
     for (std::size_t i = 0; i < modes.r_n.size(); ++i) {
         const auto phi_i = modes.phi.col(static_cast<Eigen::Index>(i));
-        chain.zeta.push_back(T(phi_i.dot(C * phi_i)) / (2 * modes.r_n[i]));
+        chain.zeta.push_back(phi_i.dot(C * phi_i) / (2 * modes.r_n[i]));
     }
     chain.r_n = std::move(modes.r_n);
     chain.phi = std::move(modes.phi);
@@ -179,11 +159,10 @@ std::optional<StuckChain<T>> stuck_chain(const System<T>& s, const StuckConfigur
     return chain;
 }
 
-template <class T>
-StickingBoundary<T> sticking_boundary(const StuckResponse<T>& response, const std::optional<StuckChain<T>>& chain, const T& mu) {
+StickingBoundary sticking_boundary(const StuckResponse& response, const std::optional<StuckChain>& chain, double mu) {
     check_static_friction(mu);
-    StickingBoundary<T> b{paper::sticking_limit(response.contact_load, mu), paper::sticking_limit(response.elastic_load, mu),
-                          std::nullopt};
+    StickingBoundary b{paper::sticking_limit(response.contact_load, mu), paper::sticking_limit(response.elastic_load, mu),
+                       std::nullopt};
     if (!chain) return b;
     if (chain->kappa)
         b.paper = paper::sticking_limit_by_spring(*chain->kappa, neighbour_amplitude(*chain, response), mu);
@@ -192,29 +171,18 @@ StickingBoundary<T> sticking_boundary(const StuckResponse<T>& response, const st
     return b;
 }
 
-template <class T>
-std::pair<Eigen::Index, Eigen::Index> rows_of_neighbour_and_load(const StuckChain<T>& chain, const StuckResponse<T>& response) {
+std::pair<Eigen::Index, Eigen::Index> rows_of_neighbour_and_load(const StuckChain& chain, const StuckResponse& response) {
     const bool before = response.load.index < response.contact.index;
     return {before ? chain.phi.rows() - 1 : 0, static_cast<Eigen::Index>(response.load.index - chain.masses.front().index)};
 }
 
-template <class T>
-std::optional<T> rest_interval(const StuckConfiguration<T>& stuck, const StuckResponse<T>& response, const T& mu, const T& beta) {
+std::optional<double> rest_interval(const StuckConfiguration<double>& stuck, const StuckResponse& response, double mu,
+                                    double beta) {
     check_static_friction(mu);
     check_friction_ratio(beta);
-    const T margin = paper::sticking_margin(T(modulus(response.contact_load)), mu, beta);
+    const double margin = paper::sticking_margin(modulus(response.contact_load), mu, beta);
     if (margin < 0) return std::nullopt;
     return margin / stuck.k_contact;
 }
-
-template StuckMass<double> motion_of(const Complex<double>&);
-template StuckResponse<double> stuck_response(const StuckConfiguration<double>&, Mass, Mass, const double&);
-template std::optional<StuckChain<double>> stuck_chain(const System<double>&, const StuckConfiguration<double>&);
-template StickingBoundary<double> sticking_boundary(const StuckResponse<double>&, const std::optional<StuckChain<double>>&,
-                                                    const double&);
-template std::pair<Eigen::Index, Eigen::Index> rows_of_neighbour_and_load(const StuckChain<double>&,
-                                                                          const StuckResponse<double>&);
-template std::optional<double> rest_interval(const StuckConfiguration<double>&, const StuckResponse<double>&, const double&,
-                                             const double&);
 
 } // namespace denhartog

@@ -11,26 +11,23 @@
 namespace denhartog {
 
 /// @brief Harmonic motion of a mass while the contact is held at zero.
-template <class T>
 struct StuckMass {
-    Complex<T> X;           ///< complex amplitude, x_k = Re{X exp(i tau)} with the force cos tau, in units of P / k_1
-    T amplitude;            ///< its modulus
-    std::optional<T> phase; ///< lag behind the force, radians, in (-pi, pi]; none where the mass does not move
+    Complex<double> X;           ///< complex amplitude, x_k = Re{X exp(i tau)} with the force cos tau, in units of P / k_1
+    double amplitude;            ///< its modulus
+    std::optional<double> phase; ///< lag behind the force, radians, in (-pi, pi]; none where the mass does not move
 };
 
 /// @brief Amplitude and phase of a harmonic motion. @param X its complex amplitude @return the motion
-template <class T>
-[[nodiscard]] StuckMass<T> motion_of(const Complex<T>& X);
+[[nodiscard]] StuckMass motion_of(const Complex<double>& X);
 
 /// @brief The response while the contact is held at zero.
-template <class T>
 struct StuckResponse {
-    T r;                              ///< frequency ratio, Eq. (10)
-    Mass contact;                     ///< the mass in contact, j
-    Mass load;                        ///< the loaded mass, l
-    std::vector<StuckMass<T>> masses; ///< every mass, N; the contact's amplitude is zero
-    Complex<T> contact_load;          ///< complex amplitude of all that acts on the contact but friction, in units of P
-    Complex<T> elastic_load;          ///< the same without the damping forces of the moving masses
+    double r;                      ///< frequency ratio, Eq. (10)
+    Mass contact;                  ///< the mass in contact, j
+    Mass load;                     ///< the loaded mass, l
+    std::vector<StuckMass> masses; ///< every mass, N; the contact's amplitude is zero
+    Complex<double> contact_load;  ///< complex amplitude of all that acts on the contact but friction, in units of P
+    Complex<double> elastic_load;  ///< the same without the damping forces of the moving masses
 };
 
 /// @brief The response while the contact is held at zero; the contact at x_j moves every mass and its load by a constant.
@@ -44,17 +41,15 @@ struct StuckResponse {
 /// @return         the response
 /// @throws         InputError where r, j or l breaks its rule; DomainError where the load excites the resonance of an undamped
 ///                 stuck mode
-template <class T>
-[[nodiscard]] StuckResponse<T> stuck_response(const StuckConfiguration<T>& stuck, Mass contact, Mass load, const T& r);
+[[nodiscard]] StuckResponse stuck_response(const StuckConfiguration<double>& stuck, Mass contact, Mass load, double r);
 
 /// @brief The masses of a chain that move by (88) while the contact is held: those on the load's side of it.
-template <class T>
 struct StuckChain {
-    std::vector<Mass> masses; ///< ascending, without the contact; none where the load acts on it
-    std::vector<T> r_n;       ///< natural frequency ratios, ascending
-    std::vector<T> zeta;      ///< damping ratios read from the diagonal by (18), whether or not the modes are uncoupled
-    Matrix<T> phi;            ///< mode shapes, mass by mode, phi^T M phi = 1
-    std::optional<T> kappa;   ///< stiffness ratio of the spring to the contact; none where the load acts on the contact
+    std::vector<Mass> masses;    ///< ascending, without the contact; none where the load acts on it
+    std::vector<double> r_n;     ///< natural frequency ratios, ascending
+    std::vector<double> zeta;    ///< damping ratios read from the diagonal by (18), whether or not the modes are uncoupled
+    Matrix<double> phi;          ///< mode shapes, mass by mode, phi^T M phi = 1
+    std::optional<double> kappa; ///< stiffness ratio of the spring to the contact; none where the load acts on the contact
 };
 
 /// @brief Modes of the masses that move by (88); one more eigenproblem (15) for two masses or more.
@@ -62,14 +57,12 @@ struct StuckChain {
 /// @param s      the system
 /// @param stuck  its stuck configuration
 /// @return       the modes; none where the system is not given as a chain
-template <class T>
-[[nodiscard]] std::optional<StuckChain<T>> stuck_chain(const System<T>& s, const StuckConfiguration<T>& stuck);
+[[nodiscard]] std::optional<StuckChain> stuck_chain(const System<double>& s, const StuckConfiguration<double>& stuck);
 
 /// @brief The rows of the mode shapes of a chain that (88) needs. @param chain the masses that move @param response the response
 /// @return  the row of the mass next to the contact, and that of the loaded mass
-template <class T>
-[[nodiscard]] std::pair<Eigen::Index, Eigen::Index> rows_of_neighbour_and_load(const StuckChain<T>& chain,
-                                                                               const StuckResponse<T>& response);
+[[nodiscard]] std::pair<Eigen::Index, Eigen::Index> rows_of_neighbour_and_load(const StuckChain& chain,
+                                                                               const StuckResponse& response);
 
 /// @brief Complex amplitude of a mode under a force p cos tau.
 /// @eq{88}
@@ -84,11 +77,10 @@ template <class Number>
 }
 
 /// @brief The friction ratio from which the contact can stay at rest for ever, as it is and as (88) has it.
-template <class T>
 struct StickingBoundary {
-    T exact;                ///< with all forces on the contact; equal to `Boundary::sticking`
-    T without_damping_load; ///< the damping forces of the moving masses on the contact left out, all else exact
-    std::optional<T> paper; ///< by (88); none for a system that is no chain
+    double exact;                ///< with all forces on the contact; equal to `Boundary::sticking`
+    double without_damping_load; ///< the damping forces of the moving masses on the contact left out, all else exact
+    std::optional<double> paper; ///< by (88); none for a system that is no chain
 };
 
 /// @brief The boundary of permanent sticking.
@@ -99,9 +91,8 @@ struct StickingBoundary {
 /// @return          the boundary
 /// @throws          InputError where mu is below 1 or not finite; DomainError where the load excites the resonance of an undamped
 ///                  stuck mode
-template <class T>
-[[nodiscard]] StickingBoundary<T> sticking_boundary(const StuckResponse<T>& response, const std::optional<StuckChain<T>>& chain,
-                                                    const T& mu);
+[[nodiscard]] StickingBoundary sticking_boundary(const StuckResponse& response, const std::optional<StuckChain>& chain,
+                                                 double mu);
 
 /// @brief How far from zero the contact may rest for ever: \f$ |\bar{x}_j| \le (\mu\beta - |\text{load}|)/k \f$.
 ///
@@ -113,8 +104,7 @@ template <class T>
 /// @param beta      friction ratio, Eq. (11); not negative
 /// @return          half the length of the interval of rest, in units of P / k_1; none where no rest lasts
 /// @throws          InputError where mu or beta breaks its rule
-template <class T>
-[[nodiscard]] std::optional<T> rest_interval(const StuckConfiguration<T>& stuck, const StuckResponse<T>& response, const T& mu,
-                                             const T& beta);
+[[nodiscard]] std::optional<double> rest_interval(const StuckConfiguration<double>& stuck, const StuckResponse& response,
+                                                  double mu, double beta);
 
 } // namespace denhartog

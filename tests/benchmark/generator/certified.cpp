@@ -52,7 +52,7 @@ CertifiedScene certified(const Design& d) {
     twin.motion = by_the_other_route;
     twin.onsets = onsets_of_half_period(d);
     if (json_of(twin) != json_of(s)) throw DomainError("the routes to " + d.id + " do not give the same 17 digits");
-    s.settles = periods_to_settle(converted<Real50>(scene), s.motion, settling_tolerances());
+    s.settles = periods_to_settle(scene, s.motion, settling_tolerances());
     s.regime = s.motion.rests ? "permanent_sticking" : stops(s.motion) ? "stick_slip" : "continuous";
     const bool slides = Real50(s.F) < s.onsets.sliding, sticks = !(Real50(s.F) < s.onsets.sticking);
     if (s.regime != (sticks ? "permanent_sticking" : slides ? "continuous" : "stick_slip"))

@@ -1,12 +1,11 @@
 /// @file
-/// @brief The settled motion of a scene by two routes in 50 digits: the library's periodic orbit, and the physical coordinates.
+/// @brief The settled motion of a scene by two routes in 50 digits: the reference of the library, and the physical coordinates.
 #pragma once
 
 #include <optional>
 #include <vector>
 
 #include "denhartog/scene/scene.hpp"
-#include "denhartog/stick_slip/motion_record.hpp"
 #include "tests/support/multiprecision.hpp"
 
 namespace denhartog::benchmark {
@@ -24,17 +23,23 @@ struct Event {
     Real50 x;   ///< displacement of the contact there
 };
 
+/// @brief Displacements and velocities of all masses at an instant.
+struct Sample {
+    std::vector<Real50> x;       ///< displacements, N values
+    std::vector<Real50> x_prime; ///< velocities with respect to tau, N values
+};
+
 /// @brief A settled motion.
 struct Motion {
     int at_start = 0;                         ///< sign of the contact's velocity at the maximum of the force, 0 where it rests
     std::vector<Event> events;                ///< within a period, ascending
-    std::vector<State<Real50>> samples;       ///< at tau = 2 pi n / instants
+    std::vector<Sample> samples;              ///< at tau = 2 pi n / instants
     std::vector<Real50> amplitude;            ///< of each mass: largest |x_k|
     std::vector<std::optional<Real50>> phase; ///< lag behind the force in (-pi, pi]; none where the mass does not move
     bool rests = false;                       ///< the contact rests for ever
 };
 
-/// @brief The motion from rest at zero by the library: Newton shooting on the exact solver.
+/// @brief The motion from rest at zero by the library: found by the exact solver in double, and proved by the reference.
 /// @param scene  the scene
 /// @return       the motion
 /// @throws       DomainError where it is not one period of the force long, or an event is decided by rounding
@@ -56,12 +61,12 @@ struct Motion {
 [[nodiscard]] int agreement(const Motion& a, const Motion& b);
 
 /// @brief Periods from rest at zero until all displacements and velocities at the maximum of the force are those of the settled
-/// motion to a tolerance times the largest of them.
+/// motion to a tolerance times the largest of them. The motion is followed on the physical coordinates.
 /// @param scene       the scene
 /// @param settled     its settled motion
 /// @param tolerances  tolerances, descending
 /// @return            periods; 0 for one that was not reached
-[[nodiscard]] std::vector<int> periods_to_settle(const Scene<Real50>& scene, const Motion& settled,
+[[nodiscard]] std::vector<int> periods_to_settle(const Scene<double>& scene, const Motion& settled,
                                                  const std::vector<double>& tolerances);
 
 } // namespace denhartog::benchmark

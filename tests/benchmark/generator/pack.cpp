@@ -47,7 +47,7 @@ Real50 seconds(const CertifiedScene& s, const Real50& tau) { return tau / s.desi
 
 std::string of_mass(const CertifiedScene& s, std::size_t k, bool velocity) {
     std::string line;
-    for (const State<Real50>& state : s.motion.samples)
+    for (const Sample& state : s.motion.samples)
         line += (line.empty() ? "" : ",") + digits_17(velocity ? Real50(state.x_prime[k] * s.design.omega) : state.x[k]);
     return list(line);
 }

@@ -55,7 +55,7 @@ public:
                 const T next = 2 * pi<T>() * sample / instants;
                 z = follow(n, z, tau, next);
                 tau = next;
-                State<T> state;
+                Sample state;
                 for (Index k = 0; k < N_; ++k) {
                     state.x.push_back(z(k));
                     state.x_prime.push_back(directions_[n] == 0 && k == j_ ? T(0) : z(N_ + k));
@@ -70,7 +70,7 @@ public:
             found.events.push_back({tau, directions_[n], directions_[n + 1], z(j_)});
         }
         if (rests_) furthest_[static_cast<std::size_t>(j_)] = {z(j_), T(0)};
-        for (const Extremum<T>& e : furthest_) {
+        for (const Furthest& e : furthest_) {
             found.amplitude.push_back(abs(e.x));
             const T turned = e.instant + (e.x < 0 ? pi<T>() : T(0));
             found.phase.emplace_back(atan2(T(sin(turned)), T(cos(turned))));
@@ -80,6 +80,10 @@ public:
     }
 
 private:
+    struct Furthest {
+        T x, instant;
+    };
+
     HalfPeriodProblem<T> p_;
     Index N_, j_;
     T mu_beta_;
@@ -88,7 +92,7 @@ private:
     std::vector<T> ends_;         ///< of the phases
     std::array<Matrix<T>, 3> A_;  ///< of z' = A z, z = (x, x', cos tau, sin tau, 1): sliding down, at rest, sliding up
     Vector<T> z_0_;
-    std::vector<Extremum<T>> furthest_;
+    std::vector<Furthest> furthest_;
 
     const Matrix<T>& of(std::size_t n) const { return A_[static_cast<std::size_t>(directions_[n] + 1)]; }
     Vector<T> moved(std::size_t n, const Vector<T>& z, const T& dt) const {
@@ -141,7 +145,7 @@ private:
     }
 
     void note(Index k, const T& x, const T& tau) {
-        Extremum<T>& e = furthest_[static_cast<std::size_t>(k)];
+        Furthest& e = furthest_[static_cast<std::size_t>(k)];
         if (abs(x) > abs(e.x) * (1 + T(1) / 1000000000)) e = {x, tau};
     }
 

@@ -79,7 +79,7 @@ PackSolver settled(const std::string& method, const std::string& setting, TimeIn
                 for (std::size_t k = 0; k < number_of_masses(scene.system); ++k)
                     ran.x.push_back(samples(motion, k, pack_instants));
                 ran.stops.emplace();
-                for (const Stop<double>& stop : motion.stops) ran.stops->push_back({stop.start, stop.end});
+                for (const Stop& stop : motion.stops) ran.stops->push_back({stop.start, stop.end});
                 return ran;
             }};
 }

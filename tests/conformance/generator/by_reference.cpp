@@ -35,7 +35,7 @@ struct OfQuestion final : SceneReader {
 
 OrbitGuess guess_of(const OrbitSeen& seen) {
     OrbitGuess guess{{-seen.phases.back().direction}, true, 1, seen.at_rest.x, seen.at_rest.x_prime, {}, {}};
-    for (const Phase<double>& p : seen.phases) {
+    for (const Phase& p : seen.phases) {
         guess.directions.push_back(p.direction);
         guess.events.push_back(p.start);
     }

@@ -14,7 +14,7 @@ double cut(double x) {
     return std::ldexp(std::nearbyint(std::ldexp(mantissa, 24)), exponent - 24);
 }
 
-State<double> cut(State<double> z) {
+State cut(State z) {
     for (double& x : z.x) x = cut(x);
     for (double& v : z.x_prime) v = cut(v);
     return z;
@@ -24,23 +24,23 @@ State<double> cut(State<double> z) {
 
 OrbitSeen orbit_seen(const ProtocolQuestion& q) {
     const Scene<double> scene = in_own_coordinates(scene_of(q));
-    const ContactSystem<double> system = contact_system(scene.system);
-    ExactSolver<double> solver(system, {q.r, q.beta, q.mu});
-    OrbitSearch<double> search;
+    const ContactSystem system = contact_system(scene.system);
+    ExactSolver solver(system, {q.r, q.beta, q.mu});
+    OrbitSearch search;
     search.most_periods = 2000;
     const std::size_t N = masses_of(q);
-    const PeriodicOrbit<double> orbit = periodic_orbit(solver, at_rest<double>(N), search);
+    const PeriodicOrbit orbit = periodic_orbit(solver, at_rest(N), search);
     if (orbit.status != OrbitStatus::periodic || orbit.periods != 1 || !orbit.symmetric || !orbit.stable || orbit.touching > 0)
         throw DomainError("no stable symmetric motion of one period from rest: " + orbit.reason);
     OrbitSeen seen;
     const double half = std::acos(-1.0);
-    const ExactMotion<double>& motion = solver.run(orbit.start, 0, 4 * half);
+    const ExactMotion& motion = solver.run(orbit.start, 0, 4 * half);
     std::size_t first = 1; // what is there at the start began before it
     while (first < motion.phases.size() && motion.phases[first].direction != 0) ++first;
     if (first >= motion.phases.size()) throw DomainError("the contact does not stop");
     const double end = motion.phases[first].start + half;
     for (std::size_t n = first; n < motion.phases.size() && motion.phases[n].start < end - 1e-6; ++n) {
-        const Phase<double>& p = motion.phases[n];
+        const Phase& p = motion.phases[n];
         if (p.end - p.start < 1e-3) throw DomainError("a phase is so short that it may be none");
         seen.phases.push_back({p.direction, cut(p.start), cut(p.end)});
     }

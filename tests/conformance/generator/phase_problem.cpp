@@ -22,7 +22,7 @@ public:
     PhaseProblem(const ProtocolQuestion& q, const OrbitSeen& seen)
         : p_(problem_of<T>(q)), w_(contact_vector(p_)), N_(p_.M.rows()), j_(static_cast<Index>(p_.contact.index)),
           mu_beta_(T(q.mu) * p_.beta), A_{system_of_phase(p_, -1), system_of_phase(p_, 0), system_of_phase(p_, 1)} {
-        for (const Phase<double>& phase : seen.phases) {
+        for (const Phase& phase : seen.phases) {
             directions_.push_back(phase.direction);
             starts_.push_back(T(phase.start));
         }
@@ -40,7 +40,7 @@ public:
         const Vector<T> d = q.mass > 0 ? Vector<T>(Vector<T>::Unit(N_, q.mass - 1)) : w_; // the displacement asked about
         if (q.quantity == "amplitude") return {T(abs(extremum(d).x))};
         if (q.quantity == "phase") {
-            const Extremum<T> e = extremum(d);
+            const Furthest e = extremum(d);
             const T instant = e.instant + (e.x < T(0) ? pi<T>() : T(0));
             return {T(atan2(T(sin(instant)), T(cos(instant))))};
         }
@@ -57,6 +57,10 @@ public:
     }
 
 private:
+    struct Furthest {
+        T x, instant;
+    };
+
     HalfPeriodProblem<T> p_;
     Vector<T> w_; ///< displacement of the contact over the masses
     Index N_, j_; ///< a mass that it moves is j
@@ -149,9 +153,9 @@ private:
     }
 
     // The contact is furthest where a phase starts; another mass where its velocity, which is continuous, changes its sign.
-    Extremum<T> extremum(const Vector<T>& d) const {
+    Furthest extremum(const Vector<T>& d) const {
         const auto velocity = [&](const Vector<T>& z) { return T(d.dot(z.segment(N_, N_))); };
-        Extremum<T> best{T(0), T(0)};
+        Furthest best{T(0), T(0)};
         const auto note = [&](const T& x, const T& instant) {
             if (abs(x) > abs(best.x)) best = {x, instant};
         };

@@ -48,8 +48,8 @@ template <class T>
 
 /// @brief A stick-slip motion, seen in double: where the two routes to it start.
 struct OrbitSeen {
-    std::vector<Phase<double>> phases; ///< phases over half a period, the first a rest
-    State<double> at_rest;             ///< the state of the masses at the start of the first phase
+    std::vector<Phase> phases; ///< phases over half a period, the first a rest
+    State at_rest;             ///< the state of the masses at the start of the first phase
 };
 
 /// @brief The steady motion from rest, cut off after 24 bits: the routes do not depend on the last digits of double.

@@ -92,7 +92,4 @@ template <class T, class Basis>
 /// @brief Peers in 50 digits, as printed and as shipped. @return two peers
 [[nodiscard]] std::vector<Peer> closed_form_peers_in_50_digits();
 
-/// @brief The exact solver in 50 digits. @return the peer
-[[nodiscard]] Peer exact_solver_peer_in_50_digits();
-
 } // namespace denhartog::tests

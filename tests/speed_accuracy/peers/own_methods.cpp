@@ -5,11 +5,11 @@
 #include <variant>
 
 #include "denhartog/number/errors.hpp"
+#include "denhartog/orbit/periodic_orbit.hpp"
 #include "denhartog/paper_algorithm/paper_algorithm.hpp"
 #include "denhartog/paper_algorithm/regime_seen.hpp"
 #include "denhartog/solve/solve.hpp"
 #include "tests/speed_accuracy/peers/closed_form_peers.hpp"
-#include "tests/speed_accuracy/peers/exact_solver_peer.hpp"
 #include "tests/support/multiprecision.hpp"
 
 namespace denhartog::tests {
@@ -120,9 +120,29 @@ std::vector<Peer> shipped_form_peers() {
             shipped_forms_of_modes<long double>("long double", basis_in_long_double), closed_form_peers_in_50_digits()[1]};
 }
 
-std::vector<Peer> exact_solver_peers() {
-    return {exact_solver_peer<double>("double", [](const System<double>& system) { return system; }),
-            exact_solver_peer_in_50_digits()};
+Peer exact_solver_peer() {
+    return {"exact solver", "double", 0, [](const System<double>& system) {
+                const auto prepared = std::make_shared<const ContactSystem>(contact_system(system));
+                const auto solver = std::make_shared<ExactSolver>(*prepared, Excitation{1, 0, 1});
+                return [prepared, solver](const ChartPoint& point) {
+                    solver->set({point.r, point.beta, 1});
+                    OrbitSearch search;
+                    search.contact_only = true;
+                    search.with_stability = false;
+                    const long before = phases_propagated();
+                    const PeriodicOrbit orbit = periodic_orbit(*solver, at_rest(prepared->basis.r_n.size()), search);
+                    PeerAnswer answer;
+                    answer.evaluations = phases_propagated() - before;
+                    answer.sticks = orbit.status == OrbitStatus::permanently_stuck || !orbit.stops.empty();
+                    if (orbit.status == OrbitStatus::not_converged)
+                        answer.ending = Ending::did_not_finish;
+                    else if (orbit.status == OrbitStatus::periodic)
+                        set_amplitude(answer, orbit.contact.amplitude);
+                    else
+                        set_amplitude(answer, std::abs(orbit.start.x[prepared->contact.index]));
+                    return answer;
+                };
+            }};
 }
 
 std::vector<Peer> paper_algorithm_peers() {
@@ -141,7 +161,7 @@ std::vector<Peer> solve_peers() {
 std::vector<Peer> own_peers() {
     std::vector<Peer> peers;
     for (const auto& some :
-         {printed_form_peers(), shipped_form_peers(), exact_solver_peers(), paper_algorithm_peers(), solve_peers()})
+         {printed_form_peers(), shipped_form_peers(), std::vector{exact_solver_peer()}, paper_algorithm_peers(), solve_peers()})
         peers.insert(peers.end(), some.begin(), some.end());
     return peers;
 }

@@ -16,9 +16,9 @@ namespace denhartog::tests {
 /// @return  a peer a number type
 [[nodiscard]] std::vector<Peer> shipped_form_peers();
 
-/// @brief The exact solver's periodic orbit from rest, amplitude of the contact alone, in double and in 50 digits.
+/// @brief The exact solver's periodic orbit from rest, amplitude of the contact alone.
 /// @return  two peers
-[[nodiscard]] std::vector<Peer> exact_solver_peers();
+[[nodiscard]] Peer exact_solver_peer();
 
 /// @brief The paper's Runge-Kutta at tolerances from 1e-3 to 1e-12, absolute and relative alike: over its 200 cycles, and over as
 /// many as damping needs to bring transients down to the tolerance.

@@ -68,7 +68,7 @@ Json motion_json(const PaperMotion& m, const Scene<double>& scene, const Integra
         if (!m.rests) {
             all["stops_per_period"] = m.stops.size();
             all["stops"] = Json::array();
-            for (const Stop<double>& stop : m.stops)
+            for (const Stop& stop : m.stops)
                 all["stops"].push_back({{"start", write(stop.start)}, {"end", write(stop.end)}, {"x", write(stop.x)}});
         }
     }
@@ -118,7 +118,7 @@ std::string as_csv(const PaperMotion& m) {
     return csv;
 }
 
-State<double> start_from(const std::string& text, std::size_t N) {
+State start_from(const std::string& text, std::size_t N) {
     std::vector<double> numbers;
     for (std::size_t from = 0, to = 0; to != std::string::npos; from = to + 1) {
         to = text.find(',', from);

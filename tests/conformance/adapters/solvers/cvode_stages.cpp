@@ -16,7 +16,7 @@ PeriodRecord cvode_period(CvodeIntegrator& integrator, std::size_t contact, cons
         if (resting) record.rests.back().end = tau;
         resting = direction == 0;
     });
-    std::erase_if(record.rests, [](const Stop<double>& rest) { return !(rest.end > rest.start); });
+    std::erase_if(record.rests, [](const Stop& rest) { return !(rest.end > rest.start); });
     switch (ending) {
     case Ending::stalled: record.failure = "the contact chatters"; break;
     case Ending::not_a_number: record.failure = "the state is no longer finite"; break;

@@ -7,7 +7,7 @@
 namespace denhartog::tests {
 namespace {
 
-std::vector<double> joined(const State<double>& state) {
+std::vector<double> joined(const State& state) {
     std::vector<double> y = state.x;
     y.insert(y.end(), state.x_prime.begin(), state.x_prime.end());
     return y;
@@ -22,7 +22,7 @@ PeriodRecord paper_period(const ContactProblem& problem, double tolerance, const
     settings.most_phases_per_cycle = 1000;
     settings.cycles = nodes > 0 ? 2 : 1;
     settings.samples = nodes;
-    settings.start = State<double>{{y.begin(), middle}, {middle, y.end()}};
+    settings.start = State{{y.begin(), middle}, {middle, y.end()}};
     const PaperMotion motion = paper_algorithm(problem, settings);
     PeriodRecord record;
     if (motion.status != IntegrationStatus::complete) {

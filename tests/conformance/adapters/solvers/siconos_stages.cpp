@@ -30,8 +30,8 @@ class Rests {
 public:
     Rests(double step, std::size_t steps) : step_(step), steps_(steps) {}
 
-    [[nodiscard]] std::vector<Stop<double>> of(const std::vector<double>& v, const std::vector<double>& x) const {
-        std::vector<Stop<double>> rests;
+    [[nodiscard]] std::vector<Stop> of(const std::vector<double>& v, const std::vector<double>& x) const {
+        std::vector<Stop> rests;
         for (std::size_t n = 0; n <= steps_; ++n) {
             if (std::abs(v[n]) > still) continue;
             const std::size_t first = n;

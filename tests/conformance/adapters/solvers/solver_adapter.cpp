@@ -37,7 +37,7 @@ Json read_off(const SteadyMotion& motion, const Scene<double>& scene, const Prot
     if (motion.regime == Regime::permanent_sticking) return skip("the contact rests for ever");
     if (q.quantity == "stops_per_period") return {{"value", motion.stops.size()}};
     std::vector<double> durations;
-    for (const Stop<double>& stop : motion.stops) durations.push_back(stop.end - stop.start);
+    for (const Stop& stop : motion.stops) durations.push_back(stop.end - stop.start);
     std::ranges::sort(durations);
     return {{"value", durations}};
 }

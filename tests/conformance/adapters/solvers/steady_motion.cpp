@@ -109,7 +109,7 @@ Settled settle(const Stage& stage, std::vector<double> y, double loss, double ne
 }
 
 // A rest over the end of the period comes in two parts.
-std::vector<Stop<double>> whole_rests(std::vector<Stop<double>> rests) {
+std::vector<Stop> whole_rests(std::vector<Stop> rests) {
     if (rests.size() > 1 && rests.front().start == 0 && rests.back().end == period) {
         rests.back().end += rests.front().end;
         rests.erase(rests.begin());
@@ -261,7 +261,7 @@ std::optional<double> phase(const SteadyMotion& motion, std::size_t k, std::size
     if (!(range.highest - range.lowest > no_motion)) return std::nullopt;
     if (k == contact) {
         const double near = (range.highest - range.lowest) * 1e-6;
-        for (const Stop<double>& stop : motion.stops)
+        for (const Stop& stop : motion.stops)
             if (std::abs(stop.x - range.highest) <= near) return wrapped(stop.start);
         if (motion.record.contact && motion.record.contact->phase) return wrapped(*motion.record.contact->phase);
     }

@@ -14,7 +14,7 @@ struct SteadyMotion {
     std::vector<double> start; ///< the state at the maximum of the force
     PeriodRecord record;       ///< the period from there, with its nodes
     Regime regime = Regime::continuous;
-    std::vector<Stop<double>> stops; ///< of the contact; one over the end of the period is whole, its start within the period
+    std::vector<Stop> stops; ///< of the contact; one over the end of the period is whole, its start within the period
 };
 
 /// @brief Integrates period after period until the state repeats itself.

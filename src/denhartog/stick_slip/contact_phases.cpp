@@ -1,0 +1,230 @@
+#include "denhartog/stick_slip/contact_phases.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "denhartog/model/linear_algebra.hpp"
+#include "denhartog/scene/point_rules.hpp"
+
+namespace denhartog {
+
+constexpr int most_tangencies = 64; // in one phase; more are a load that lies on the limit to rounding
+
+ContactPhases::ContactPhases(const ContactSystem& s, const Excitation& excitation, Effort& allowed)
+    : system(&s), N(s.basis.r_n.size()), effort(&allowed) {
+    sliding.resize(N);
+    sticking.resize(N - 1);
+    sliding.effort = sticking.effort = &effort;
+    stuck_momentum = transpose_times(s.stuck.phi, s.stuck.M);
+    set(excitation);
+}
+
+void ContactPhases::set(const Excitation& excitation) {
+    check_frequency_ratio(excitation.r);
+    check_friction_ratio(excitation.beta);
+    check_static_friction(excitation.mu);
+    step = 1;
+    const bool same_frequency = excitation.r == e.r;
+    e = excitation;
+    if (same_frequency) return;
+    const ModalBasis<double>& basis = system->basis;
+    const double r2 = e.r * e.r;
+    for (std::size_t i = 0; i < N; ++i) {
+        set_mode(sliding, i, basis.r_n[i], basis.zeta[i] * basis.r_n[i]);
+        sliding.F[i] = system->modal_load[i] / r2;
+    }
+    if (basis.coupled()) sliding.D = basis.D / e.r;
+    sliding.prepare();
+    w = basis.phi * basis.phi.row(system->contact.index).transpose() / r2;
+    inertia = 1 / w[system->contact.index];
+    direct = direct_load(system->stuck, system->contact, system->load);
+    set_sticking(r2);
+}
+
+void ContactPhases::set_mode(LinearMotion& m, std::size_t i, double r_n, double half_damping) const {
+    m.omega_0[i] = r_n / e.r;
+    m.gap[i] = (e.r - r_n) / e.r * (1 + m.omega_0[i]);
+    m.decay[i] = half_damping / e.r;
+}
+
+void ContactPhases::set_sticking(double r2) {
+    const StuckConfiguration<double>& s = system->stuck;
+    k_j = s.phi.transpose() * column(s.k_j);
+    c_j = s.phi.transpose() * column(s.c_j) * e.r;
+    m_j = s.phi.transpose() * column(s.m_j) * r2;
+    column(sticking.F) = column(system->stuck_load) / r2;
+    for (std::size_t i = 0; i + 1 < N; ++i) set_mode(sticking, i, s.r_n[i], s.damping(i, i) / 2);
+    if (!s.modes_diagonalise_damping) sticking.D = s.damping / e.r;
+    sticking.prepare();
+    double stiffness = 0, fastest = 0; // for the bound of a derivative of the load by the energy of the stuck modes
+    for (std::size_t i = 0; i + 1 < N; ++i) {
+        const double k = k_j[i] / sticking.omega_0[i];
+        stiffness += k * k;
+        fastest = std::max(fastest, sticking.omega_0[i] + 2 * sticking.decay[i]);
+    }
+    if (sticking.coupled()) fastest += largest_row_sum(sticking.D);
+    const double force = column(sticking.F).norm(), inertial = m_j.norm();
+    load_per_energy = sqrt(stiffness) + c_j.norm() + fastest * inertial;
+    load_rest = inertial * force;
+    load_growth = load_per_energy * force;
+}
+
+void ContactPhases::start_phase(int direction, double tau) {
+    LinearMotion& motion = direction == 0 ? sticking : sliding;
+    const std::size_t j = system->contact.index;
+    const double r2 = e.r * e.r;
+    if (direction != 0) {
+        column(sliding.q[0]).noalias() = system->momentum * column(x);
+        column(sliding.q[1]).noalias() = system->momentum * column(v);
+        column(sliding.G) = -direction * e.beta / r2 * system->basis.phi.row(j).transpose();
+    } else if (N > 1) {
+        Column<double> others_x(N - 1), others_v(N - 1);
+        for (std::size_t n = 0; n + 1 < N; ++n) {
+            others_x(n) = x[system->stuck.masses[n].index];
+            others_v(n) = v[system->stuck.masses[n].index];
+        }
+        column(sticking.q[0]).noalias() = stuck_momentum * others_x;
+        column(sticking.q[1]).noalias() = stuck_momentum * others_v;
+        column(sticking.G) = -x[j] / r2 * k_j;
+    }
+    motion.start(tau);
+}
+
+void ContactPhases::masses_of(int direction, int order, std::vector<double>& out) const {
+    out.resize(N);
+    if (direction != 0) {
+        column(out).noalias() = system->basis.phi * column(sliding.q[order]);
+        return;
+    }
+    out[system->contact.index] = order == 0 ? x[system->contact.index] : 0;
+    if (N == 1) return;
+    const Column<double> others = system->stuck.phi * column(sticking.q[order]);
+    for (std::size_t n = 0; n + 1 < N; ++n) out[system->stuck.masses[n].index] = others(n);
+}
+
+Jet<double> ContactPhases::velocity(int direction, double t) {
+    effort->spend(sliding.cost());
+    sliding.differentiate_at(t);
+    Jet<double> jet{{}, 0, 0, 0, 0};
+    for (std::size_t i = 0; i < N; ++i) {
+        const double phi = direction * system->basis.phi(system->contact.index, i);
+        for (int m = 0; m < 4; ++m) jet.f[m] += phi * sliding.q[m + 1][i];
+        if (!sliding.coupled()) {
+            jet.bound += std::abs(phi) * sliding.energy_norm(4, i);
+            jet.second += std::abs(phi) * sliding.energy_norm(2, i);
+        }
+        jet.growth += std::abs(phi * sliding.F[i]);
+        jet.noise += std::abs(phi * sliding.q[1][i]);
+    }
+    if (sliding.coupled()) { // energy goes from mode to mode
+        const double size = system->basis.phi.row(system->contact.index).norm();
+        jet.bound = size * sliding.energy_norm(4);
+        jet.second = size * sliding.energy_norm(2);
+        jet.growth = size * column(sliding.F).norm();
+    }
+    jet.noise *= std::numeric_limits<double>::epsilon();
+    return jet;
+}
+
+Jet<double> ContactPhases::load(double t) {
+    effort->spend(sticking.cost());
+    sticking.differentiate_at(t);
+    const double c = sticking.cos_tau(), s = sticking.sin_tau();
+    const double pull = system->stuck.k_jj * x[system->contact.index];
+    Jet<double> jet{{direct * c - pull, -direct * s, -direct * c, direct * s},
+                    std::abs(direct),
+                    0.0,
+                    std::abs(pull) + std::abs(direct),
+                    std::abs(direct)};
+    for (std::size_t i = 0; i + 1 < N; ++i) {
+        for (int m = 0; m < 4; ++m)
+            jet.f[m] -= k_j[i] * sticking.q[m][i] + c_j[i] * sticking.q[m + 1][i] + m_j[i] * sticking.q[m + 2][i];
+        jet.noise +=
+            std::abs(k_j[i] * sticking.q[0][i]) + std::abs(c_j[i] * sticking.q[1][i]) + std::abs(m_j[i] * sticking.q[2][i]);
+    }
+    if (N > 1) {
+        jet.bound += load_per_energy * sticking.energy_norm(4) + load_rest;
+        jet.second += load_per_energy * sticking.energy_norm(2) + load_rest;
+        jet.growth = load_growth;
+    }
+    jet.noise *= std::numeric_limits<double>::epsilon();
+    return jet;
+}
+
+Event ContactPhases::end_of_sliding(int direction, double length, int order) {
+    auto at = [&](double t) { return velocity(direction, t); };
+    const std::optional<Crossing<double>> zero = first_crossing(at, 0., length, order, step, *effort);
+    if (!zero) return {length, direction, 0, 0, false};
+    if (zero->open) return {zero->t, direction, 0, 0, false, true};
+    const Jet<double> jet = velocity(direction, zero->t);
+    touching += zero->touches;
+    const double along = e.beta + inertia * jet.f[1]; // load on the contact along the motion
+    if (zero->touches && e.mu == 1 && jet.f[2] > 0 && order == 0)
+        return {zero->t, direction, 2, direction * e.beta, true}; // it touches zero and goes on
+    if (along < -e.mu * e.beta) return {zero->t, -direction, 1, direction * along, true};
+    if (along > e.mu * e.beta) return {zero->t, direction, 1, direction * along, true};
+    return {zero->t, 0, 0, direction * along, true};
+}
+
+Event ContactPhases::end_of_sticking_alone(double tau, double length) {
+    const double holds = e.mu * e.beta;
+    const double force = system->stuck.k_jj * x[0];
+    Event event{length, 0, 0, 0, false};
+    for (const int side : {1, -1}) {
+        const double y = (force + side * holds) / direct;
+        if (!(y > -1 && y < 1)) continue;
+        const double angle = atan2(sqrt((1 - y) * (1 + y)), y), passage = direct < 0 ? side * angle : -side * angle;
+        const double t = std::max(0.0, passage + 2 * pi<double>() * std::ceil((tau - passage) / (2 * pi<double>())) - tau);
+        if (t < event.t) event = {t, side, e.mu == 1 ? 2 : 1, side * holds, true};
+    }
+    return event;
+}
+
+Event ContactPhases::end_of_sticking(double length) {
+    const double holds = e.mu * e.beta;
+    Event event{length, 0, 0, 0, false};
+    const Jet<double> at_start = load(0);
+    for (const int side : {1, -1}) {
+        auto at = [&](double t) {
+            Jet<double> jet = t == 0 ? at_start : load(t);
+            for (double& f : jet.f) f = -side * f;
+            jet.f[0] += holds;
+            return jet;
+        };
+        double from = 0;
+        int order = 0;
+        for (int tangencies = 0; from < event.t;) {
+            const std::optional<Crossing<double>> zero = first_crossing(at, from, event.t, order, step, *effort);
+            if (!zero) break;
+            if (!zero->open && zero->touches) {
+                ++touching;
+                const Jet<double> jet = at(zero->t);
+                const bool turns_back = jet.f[2] > 0 && zero->t > from, recedes = jet.f[1] > 0;
+                if ((turns_back || recedes) && ++tangencies < most_tangencies) {
+                    from = zero->t; // the load reaches what friction holds and draws back: the contact stays
+                    order = turns_back ? 2 : 1;
+                    continue;
+                }
+            }
+            event = {zero->t, side, e.mu == 1 ? 2 : 1, side * holds, true};
+            if (zero->open) event = {zero->t, 0, 0, 0, false, true};
+            break;
+        }
+    }
+    return event;
+}
+
+std::pair<int, int> ContactPhases::first_direction(double tau) {
+    const double v_j = v[system->contact.index];
+    if (v_j != 0) return {v_j > 0 ? 1 : -1, 0};
+    start_phase(0, tau);
+    const Jet<double> Q = load(0);
+    const double holds = e.mu * e.beta;
+    for (const int side : {1, -1})
+        if (side * Q.f[0] > holds) return {side, 1};
+    return {0, 0};
+}
+
+} // namespace denhartog

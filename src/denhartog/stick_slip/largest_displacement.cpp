@@ -1,0 +1,172 @@
+/// @file
+/// @brief Largest displacements of the masses over a motion, with the bounds that `global_maximum` asks for.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <memory_resource>
+#include <utility>
+#include <vector>
+
+#include "denhartog/model/coordinates.hpp"
+#include "denhartog/search/largest_in_double.hpp"
+#include "denhartog/sliding/instants_of_maxima.hpp"
+#include "denhartog/stick_slip/working_space.hpp"
+
+namespace denhartog {
+namespace {
+
+// Displacements over a stretch, remembered: the masses share their instants.
+class Displacements {
+public:
+    Displacements(LinearMotion& motion, const Matrix<double>& phi, Effort& effort)
+        : motion_(motion), phi_(phi), effort_(effort), sizes_(phi.cwiseAbs()), norms_(phi.cols()) {
+        const Column<double> F = column(motion_.F);
+        growth_ = motion_.coupled() ? Column<double>(phi_.rowwise().norm() * F.norm()) : Column<double>(sizes_ * F.cwiseAbs());
+    }
+
+    // Adds what masses that are no coordinates have of a contact that rests at x_j: a part for each, the last rows.
+    void carry(const std::vector<double>& carried, double x_j) {
+        if (carried.empty()) return;
+        carried_ = Column<double>::Zero(phi_.rows());
+        for (std::size_t n = 0; n < carried.size(); ++n)
+            carried_(phi_.rows() - static_cast<Eigen::Index>(carried.size() - n)) = carried[n] * x_j;
+    }
+
+    // The displacement of a mass at a time from the start of the stretch.
+    [[nodiscard]] double of(Eigen::Index row, double t) { return at(t)(row, 0); }
+
+    // What rounding makes of it: some units of its terms.
+    [[nodiscard]] double noise(Eigen::Index row, double t) {
+        motion_.differentiate_at(t);
+        return 4 * std::numeric_limits<double>::epsilon() * sizes_.row(row).dot(column(motion_.q[0]).cwiseAbs());
+    }
+
+    // The size of the displacement as a curve, which refers to this object.
+    [[nodiscard]] Curve<double> size_of(Eigen::Index row) {
+        Curve<double> curve;
+        curve.cost = 0; // the effort is spent where an instant is new
+        curve.sample = [this, row](double t) {
+            const Known x = at(t);
+            return Sample<double>{std::abs(x(row, 0)), x(row, 1), x(row, 2)};
+        };
+        // The third derivative by its energy norm, or by a Taylor polynomial and the energy norm of the fifth.
+        curve.rate = [this, row](double a, double b) {
+            const Known x = at(a);
+            const double h = b - a, growth = growth_(row) * h;
+            return std::min(x(row, 5) + growth, std::abs(x(row, 3)) + h * (std::abs(x(row, 4)) + h * (x(row, 6) + growth) / 2));
+        };
+        return curve;
+    }
+
+private:
+    static constexpr Eigen::Index columns = 7;
+    using Known = Eigen::Map<const Matrix<double>>;
+
+    // Derivatives 0 to 4 of every mass, then what bounds the third and the fifth ahead, but for the growth.
+    Known at(double t) {
+        const auto place = known_.lower_bound(t);
+        if (place != known_.end() && place->first == t) return {place->second.data(), phi_.rows(), columns};
+        effort_.spend(motion_.cost() + static_cast<long>(phi_.size() / 16));
+        motion_.differentiate_at(t);
+        std::pmr::vector<double> numbers(static_cast<std::size_t>(phi_.rows() * columns), &memory_);
+        Eigen::Map<Matrix<double>> x(numbers.data(), phi_.rows(), columns);
+        for (int m = 0; m < 5; ++m) x.col(m).noalias() = phi_.lazyProduct(column(motion_.q[m]));
+        if (carried_.size() > 0) x.col(0) += carried_;
+        for (const int m : {2, 4}) {
+            if (motion_.coupled()) {
+                x.col(4 + m / 2) = phi_.rowwise().norm() * motion_.energy_norm(m);
+                continue;
+            }
+            for (Eigen::Index i = 0; i < norms_.size(); ++i) norms_(i) = motion_.energy_norm(m, static_cast<std::size_t>(i));
+            x.col(4 + m / 2).noalias() = sizes_.lazyProduct(norms_);
+        }
+        return {known_.emplace_hint(place, t, std::move(numbers))->second.data(), phi_.rows(), columns};
+    }
+
+    LinearMotion& motion_;
+    const Matrix<double>& phi_;
+    Effort& effort_;
+    Matrix<double> sizes_;
+    Column<double> growth_;
+    Column<double> carried_; // empty where no displacement has a part of the contact's
+    Column<double> norms_;
+    std::pmr::monotonic_buffer_resource memory_; // of what is known: an instant costs no allocation of its own
+    std::pmr::map<double, std::pmr::vector<double>> known_{&memory_};
+};
+
+Matrix<double> with_rows(const Matrix<double>& shapes, const Matrix<double>& further) {
+    Matrix<double> all(shapes.rows() + further.rows(), shapes.cols());
+    all.topRows(shapes.rows()) = shapes;
+    if (further.rows() > 0) all.bottomRows(further.rows()) = further;
+    return all;
+}
+
+} // namespace
+
+std::vector<Extremum> ExactSolver::largest_displacements(double error) {
+    Work& work = *work_;
+    if (work.effort == &work.own) work.own = {default_effort(work.N)};
+    const ContactSystem& system = *work.system;
+    const std::size_t j = system.contact.index, count = work.N + system.coordinates.replaced.size();
+    const double start = work.motion.phases.empty() ? 0 : work.motion.phases.front().start; // a mass at rest is there as ever
+    std::vector<Extremum> largest(count, Extremum{0, start});
+    std::vector<std::vector<Place<double>>> places(count);
+    const auto take = [&](std::size_t k, double x, double tau) {
+        const double size = std::abs(x);
+        if (size >= std::abs(largest[k].x) - 2 * error) places[k].push_back({tau, tau, tau, size, size, 0});
+        if (size > std::abs(largest[k].x)) {
+            largest[k].x = x;
+            largest[k].instant = tau;
+        }
+    };
+    const auto take_all = [&](std::vector<double> x, double tau) {
+        add_displacements(system.coordinates, x);
+        for (std::size_t k = 0; k < count; ++k) take(k, x[k], tau);
+    };
+    for (std::size_t n = 0; n < work.motion.phases.size(); ++n) {
+        const auto state = work.motion.states.begin() + static_cast<std::ptrdiff_t>(2 * work.N * n);
+        take_all({state, state + static_cast<std::ptrdiff_t>(work.N)}, work.motion.phases[n].start);
+    }
+    if (!work.motion.phases.empty()) take_all(work.motion.end.x, work.motion.phases.back().end);
+    const Matrix<double> sliding_shapes = with_rows(system.basis.phi, system.further);
+    const Matrix<double> sticking_shapes = with_rows(system.stuck.phi, system.stuck.further);
+    for (std::size_t n = 0; n < work.motion.phases.size() && work.N > 1; ++n) {
+        const Phase& p = work.motion.phases[n];
+        work.stand_at(n);
+        const double length = p.end - p.start;
+        const bool sticks = p.direction == 0;
+        Displacements displacements(sticks ? work.sticking : work.sliding, sticks ? sticking_shapes : sliding_shapes,
+                                    *work.effort);
+        if (sticks) displacements.carry(system.stuck.carried, work.x[j]);
+        for (std::size_t k = 0; k < count; ++k) {
+            if (k == j || !(length > 0)) continue;
+            const auto row = static_cast<Eigen::Index>(p.direction == 0 && k > j ? k - 1 : k);
+            const Maximum<double> found = global_maximum(displacements.size_of(row), 0., length, displacements.noise(row, 0),
+                                                         work.effort, std::abs(largest[k].x) - 2 * error, error);
+            const auto in_orbit = [&](double tau) { return tau < length ? p.start + tau : p.end; };
+            for (const Place<double>& place : found.places)
+                places[k].push_back(
+                    {in_orbit(place.from), in_orbit(place.to), in_orbit(place.instant), place.value, place.upper, place.reach});
+            if (found.value > std::abs(largest[k].x)) take(k, displacements.of(row, found.instant), p.start + found.instant);
+            if (!found.settled) largest[k].unsure = std::max(largest[k].unsure, found.upper - std::abs(largest[k].x));
+        }
+    }
+    const auto is_negative = [&](std::size_t k, double tau) {
+        std::size_t n = 0;
+        while (n + 1 < work.motion.phases.size() && work.motion.phases[n].end < tau) ++n;
+        State state = state_at(n, tau);
+        add_displacements(system.coordinates, state.x);
+        return state.x[k] < 0;
+    };
+    for (std::size_t k = 0; k < count; ++k) {
+        if (k == j || places[k].empty()) continue;
+        std::erase_if(places[k], [&](const Place<double>& place) { return place.upper < std::abs(largest[k].x) - 2 * error; });
+        largest[k].spread =
+            spread_of_phases(joined(std::move(places[k])), work.motion.phases.front().start, work.motion.phases.back().end,
+                             largest[k].instant, [&](double tau) { return is_negative(k, tau); });
+    }
+    return largest;
+}
+
+} // namespace denhartog

@@ -1,0 +1,78 @@
+/// @file
+/// @brief How near a motion has to be to one that slides without a stop so that it slides for ever too, whatever mu is.
+///
+/// While neither of two motions sticks, friction opposes the difference of their velocities, whether or not their contacts move to
+/// the same side, and damping does too: their distance in the norm of the energy, d, never grows. Then the contact of the one is
+/// slower than \f$ |e_j|\,d \f$ only where the other's is near its turning point too, and the load on it there differs by
+/// \f$ c\,d \f$ at most. Where that load is beyond \f$ \mu\beta \f$ for all of these instants, the contact cannot stick.
+#include <algorithm>
+
+#include "denhartog/stick_slip/working_space.hpp"
+
+namespace denhartog {
+namespace {
+
+// Largest change of the load on the contact at a turning point, for a unit of distance, in units of P.
+double load_of_distance(const ContactPhases& c) {
+    const auto n = static_cast<Eigen::Index>(c.N);
+    const Column<double> phi_j = c.system->basis.phi.row(static_cast<Eigen::Index>(c.system->contact.index)).transpose();
+    Column<double> weights(2 * n);
+    weights.head(n) = phi_j.cwiseProduct(column(c.sliding.omega_0));
+    if (c.sliding.coupled())
+        weights.tail(n) = c.sliding.D.transpose() * phi_j;
+    else
+        weights.tail(n) = 2 * phi_j.cwiseProduct(column(c.sliding.decay));
+    return c.inertia * weights.norm();
+}
+
+// Whether bounds prove that no motion within a distance of the sliding motion ever sticks, over the half-period from a turning point,
+// where its velocity is `start`; with a load beyond `needed` the contact cannot stick, within the distance.
+bool slides_within(ContactPhases& c, int direction, const Jet<double>& start, double needed, double distance) {
+    const double speed = c.system->basis.phi.row(static_cast<Eigen::Index>(c.system->contact.index)).norm() * distance;
+    const double half = pi<double>();
+    // The load that drives the contact on, after the turning point, and before that at the end, which is its mirror image.
+    const auto load = [&](const Jet<double>& jet, int end) { return end * (c.e.beta + c.inertia * jet.f[1]); };
+    const auto rate = [&](const Jet<double>& jet, double length) { return c.inertia * (jet.second + jet.growth * length); };
+    const double margin = load(start, 1) - needed;
+    if (!(margin > 0)) return false;
+    const double room = margin / c.inertia;
+    double t = std::min(half / 8, room / (start.second + sqrt(start.second * start.second + 4 * start.growth * room)));
+    Jet<double> before = c.velocity(direction, half - t);
+    if (!(rate(before, t) * t < margin)) return false;
+    Jet<double> after = c.velocity(direction, t);
+    while (!(after.f[0] > speed && before.f[0] > speed)) { // the contact may be at rest there: the load has to last longer
+        if (t > half / 8) return false;
+        const Jet<double> later = c.velocity(direction, 2 * t), earlier = c.velocity(direction, half - 2 * t);
+        if (!(load(after, 1) + load(later, 1) - rate(after, t) * t > 2 * needed)) return false;
+        if (!(load(before, -1) + load(earlier, -1) - rate(earlier, t) * t > 2 * needed)) return false;
+        after = later;
+        before = earlier;
+        t = 2 * t;
+    }
+    auto above = [&](double at) {
+        Jet<double> jet = c.velocity(direction, at);
+        jet.f[0] -= speed;
+        return jet;
+    };
+    double step = half / 4;
+    return !first_crossing(above, t, half - t, 0, step, *c.effort);
+}
+
+} // namespace
+
+double ExactSolver::sliding_reach(std::size_t phase) {
+    constexpr int most_halvings = 10;
+    work_->stand_at(phase);
+    ContactPhases& c = *work_;
+    const int direction = work_->motion.phases[phase].direction;
+    const Jet<double> start = c.velocity(direction, 0);
+    const double holds = c.e.mu * c.e.beta, unit = load_of_distance(c);
+    double distance = (c.e.beta + c.inertia * start.f[1] - holds) / unit;
+    for (int n = 0; n < most_halvings; ++n) {
+        distance = distance / 2;
+        if (slides_within(c, direction, start, holds + unit * distance, distance)) return distance;
+    }
+    return 0;
+}
+
+} // namespace denhartog
