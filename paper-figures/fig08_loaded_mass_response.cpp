@@ -13,7 +13,7 @@ struct StuckCurve {
     const StuckConfiguration<double> stuck; // the configuration
     const System<double>& system;           // the system
 
-    double X(double r) const { return stuck_response(stuck, system.contact, system.load, r).masses[mass.index].amplitude; }
+    double X(double r) const { return stuck_response(stuck, system.load, r).masses[mass.index].amplitude; }
 };
 
 StuckCurve stuck_curve(const Damped& d) { return {stuck_configuration(d.modes.system, d.modes.basis), d.modes.system}; }
@@ -24,7 +24,7 @@ void add_stuck(Figure& figure, const Damped& d) {
     const double r_n = curve.stuck.r_n[0];
     Table table{"stuck zeta=" + plain(d.zeta), {"r", "X", "phase"}, {}};
     for (const double r : frequencies(0.05, last_r, 0.01, {{r_n, d.zeta / r_n}})) {
-        const StuckMass m = stuck_response(curve.stuck, d.modes.system.contact, d.modes.system.load, r).masses[mass.index];
+        const StuckMass m = stuck_response(curve.stuck, d.modes.system.load, r).masses[mass.index];
         table.rows.push_back({r, m.amplitude, turned(*m.phase, least_phase(r))});
     }
     figure.add(table);

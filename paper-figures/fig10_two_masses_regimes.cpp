@@ -68,7 +68,7 @@ std::string sticking_as_printed(const std::vector<RegimePlane>& planes) {
         const StuckConfiguration<double> stuck = stuck_configuration(p.modes.system, p.modes.basis);
         const std::optional<StuckChain> chain = stuck_chain(p.modes.system, stuck);
         for (const double r : spaced(0.02, 3, 150)) {
-            const StuckResponse response = stuck_response(stuck, p.modes.system.contact, p.modes.system.load, r);
+            const StuckResponse response = stuck_response(stuck, p.modes.system.load, r);
             const StickingBoundary limits = sticking_boundary(response, chain, 1.0);
             worst = std::max(worst, std::abs(limits.paper.value() / limits.exact - 1));
         }

@@ -136,7 +136,7 @@ Outcome all_masses_rest() {
             const System<double> system = equal_chain<double>(N, j, j, std::vector<double>(N, 0.01));
             const ContactSystem s = contact_system(system);
             for (int n = 1; n <= 60; ++n) {
-                const StuckResponse held = stuck_response(s.stuck, s.contact, s.load, n / 20.0);
+                const StuckResponse held = stuck_response(s.stuck, s.load, n / 20.0);
                 for (const StuckMass& mass : held.masses)
                     worst.take(mass.amplitude, [&] {
                         return Witness{{"masses", std::to_string(N)}, {"j = l", std::to_string(j)}, {"r", text(n / 20.0)}};

@@ -63,8 +63,8 @@ Worst change_of_boundary(const std::string& name, const System<double>& system) 
     for (int n = 10; n <= 600; ++n) {
         const double r = n / 200.0;
         if (std::abs(r / stuck.r_n[0] - 1) < 0.2) continue;
-        const double load = modulus(stuck_response(stuck, system.contact, system.load, r).contact_load),
-                     load_0 = modulus(stuck_response(stuck_0, system.contact, system.load, r).contact_load);
+        const double load = modulus(stuck_response(stuck, system.load, r).contact_load),
+                     load_0 = modulus(stuck_response(stuck_0, system.load, r).contact_load);
         worst.take(std::abs(load / load_0 - 1), [&] {
             return Witness{{"system", name}, {"r", text(r)}, {"beta*_lim", text(load)}, {"without damping", text(load_0)}};
         });
@@ -96,7 +96,7 @@ Outcome boundary_of_figure() {
 }
 
 double limit_of(const System<double>& system, double r) {
-    return modulus(stuck_response(stuck_configuration(system, modal_basis(system)), system.contact, system.load, r).contact_load);
+    return modulus(stuck_response(stuck_configuration(system, modal_basis(system)), system.load, r).contact_load);
 }
 
 /// Other damping ratios couple the contact to the mass that moves: its damping force on the contact outgrows the spring's.

@@ -43,7 +43,7 @@ Outcome far_side_at_rest() {
         if (s.system.load == s.system.contact) continue;
         for (int n = 1; n <= 600; ++n) {
             const double r = n / 200.0;
-            const StuckResponse response = stuck_response(s.stuck, s.system.contact, s.system.load, r);
+            const StuckResponse response = stuck_response(s.stuck, s.system.load, r);
             double near = 0, far = 0;
             for (std::size_t k = 0; k < response.masses.size(); ++k) {
                 double& largest_there = (k < j) == (s.system.load.index < j) ? near : far;
@@ -115,7 +115,7 @@ Outcome high_frequency() {
         std::fill(undamped.damping_ratios.begin(), undamped.damping_ratios.end(), 0.0);
         const StuckConfiguration<double> stuck = stuck_configuration(undamped, modal_basis(undamped));
         const double r = 20, with_damping = sticking_at(s, r)->exact;
-        const double without = modulus(stuck_response(stuck, undamped.contact, undamped.load, r).contact_load);
+        const double without = modulus(stuck_response(stuck, undamped.load, r).contact_load);
         outcome.steps.push_back({s.name + ", r = 20: beta*_lim " + rounded(with_damping) + ", undamped " + rounded(without), ""});
         if (with_damping / without <= worst) continue;
         worst = with_damping / without;

@@ -43,7 +43,7 @@ const std::vector<StuckSystem>& stuck_systems() {
 
 std::optional<StickingBoundary> sticking_at(const StuckSystem& s, double r) {
     try {
-        return sticking_boundary(stuck_response(s.stuck, s.system.contact, s.system.load, r), s.chain, 1.0);
+        return sticking_boundary(stuck_response(s.stuck, s.system.load, r), s.chain, 1.0);
     } catch (const DomainError&) {
         return std::nullopt;
     }

@@ -148,7 +148,7 @@ Record make(Figure& figure) {
          {"(88) as corrected", "(88) as printed"},
          [&](double x) {
              const StickingBoundary b =
-                 sticking_boundary(stuck_response(stuck, last.system.contact, last.system.load, x), chain, 1.0);
+                 sticking_boundary(stuck_response(stuck, last.system.load, x), chain, 1.0);
              return std::vector<double>{b.exact, b.paper.value()};
          },
          seen(figure, last, 1, few, true)}};

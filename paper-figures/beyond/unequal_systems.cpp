@@ -170,7 +170,7 @@ Statement sticking_as_printed(Figure& figure, const std::vector<Chain>& chains) 
         Table table{"printed " + c.name, {"r", "(88)"}, {}};
         double most = 0, at = 0;
         for (const double r : spaced(0.02, 3, 299)) {
-            const StickingBoundary limits = sticking_boundary(stuck_response(stuck, s.contact, s.load, r), moving, 1.0);
+            const StickingBoundary limits = sticking_boundary(stuck_response(stuck, s.load, r), moving, 1.0);
             table.rows.push_back({r, limits.paper.value()});
             const double difference = std::abs(limits.paper.value() / limits.exact - 1);
             if (difference <= most) continue;

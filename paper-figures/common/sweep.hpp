@@ -85,7 +85,7 @@ struct Sweep {
             if (std::isnan(X)) throw std::runtime_error("r = " + text(frequencies[m]) + ": " + name(point.status));
             SweepPoint& here = all[b].points[m] = {frequencies[m], point.regime, X, point.stops / point.periods, {}, {}};
             if (point.regime == Regime::permanent_sticking)
-                here.start = at_maximum_of_force(stuck_response(stuck, system.contact, system.load, frequencies[m]));
+                here.start = at_maximum_of_force(stuck_response(stuck, system.load, frequencies[m]));
             if (point.regime != Regime::continuous) continue;
             const SteadyState<double> state = steady_state(sums, limits, betas[b]);
             here.mass = state.masses[k.index];

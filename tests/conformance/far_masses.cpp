@@ -8,7 +8,7 @@
 #include <cstdio>
 #include <vector>
 
-#include "denhartog/model/coordinates.hpp"
+#include "denhartog/model/contact_and_load.hpp"
 #include "denhartog/number/number_text.hpp"
 #include "denhartog/sliding/steady_state.hpp"
 #include "tests/catch.hpp"

@@ -119,7 +119,7 @@ TEST_CASE("where the stuck modes are coupled by damping, shooting ends where lon
 TEST_CASE("a contact that comes to rest for ever stays within the interval of rest", "[eq:74][eq:88][exact-solver][shooting]") {
     const double r = 0.75, beta = 4;
     const Prepared p = prepared_three_masses(r, beta);
-    const StuckResponse stuck = stuck_response(p.system.stuck, Mass{1}, Mass{0}, r);
+    const StuckResponse stuck = stuck_response(p.system.stuck, Mass{0}, r);
     const double reach = rest_interval(p.system.stuck, stuck, 1.0, beta).value();
     const PeriodicOrbit from_rest = orbit_of(p);
     REQUIRE(from_rest.status == OrbitStatus::permanently_stuck);

@@ -5,7 +5,7 @@
 #include <limits>
 #include <random>
 
-#include "denhartog/model/coordinates.hpp"
+#include "denhartog/model/contact_and_load.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/orbit/floquet.hpp"
 #include "denhartog/orbit/orbit_map.hpp"
@@ -164,7 +164,7 @@ TEST_CASE("with mu = 1 no deviation grows in energy over half a period, whether 
                 const Scene<double> scene = read_scene<double>(R"({"mass_ratios": [1, 30], "stiffness_ratios": [1, 20],
                     "damping_ratios": [0.02, 0.05], "load": 1, "contact": )" +
                                                                std::string(contact) + ", \"r\": " + numbers + "}");
-                const ContactSystem system = contact_system(in_own_coordinates(scene).system);
+                const ContactSystem system = contact_system(scene.system);
                 ExactSolver solver(system, {*scene.r, *scene.beta, 1});
                 const PeriodicOrbit orbit = periodic_orbit(solver, at_rest(2));
                 if (orbit.status != OrbitStatus::periodic) continue;

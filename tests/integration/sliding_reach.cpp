@@ -3,7 +3,7 @@
 #include <memory>
 #include <random>
 
-#include "denhartog/model/coordinates.hpp"
+#include "denhartog/model/contact_and_load.hpp"
 #include "denhartog/orbit/orbit_map.hpp"
 #include "denhartog/sliding/boundary.hpp"
 #include "denhartog/sums/coupled_sums.hpp"
@@ -61,7 +61,7 @@ TEST_CASE("a motion within the reach of the sliding one never stops, and one som
     const auto uniform = [&] { return static_cast<double>(generator() >> 11) * 0x1p-52 - 1; };
     int tight = 0, tried = 0;
     const auto check = [&](const RandomScene<double>& each) {
-        Scene<double> scene = in_own_coordinates(each.scene);
+        Scene<double> scene = each.scene;
         scene.mu = tried++ % 2 == 0 ? 1 + std::exp(4 * (uniform() - 1)) : 1.5 + uniform() / 2; // near 1, and not
         try {
             const ModeSums<Bounded<double>> sums =

@@ -5,7 +5,7 @@
 #include <functional>
 #include <utility>
 
-#include "denhartog/model/coordinates.hpp"
+#include "denhartog/model/contact_and_load.hpp"
 #include "denhartog/orbit/periodic_orbit.hpp"
 #include "denhartog/reference/modes.hpp"
 #include "denhartog/reference/orbit.hpp"
@@ -48,7 +48,7 @@ struct FollowedMotion {
     PeriodicOrbit orbit;
 
     explicit FollowedMotion(const Scene<double>& scene)
-        : own(in_own_coordinates(scene)), system(contact_system(own.system)), solver(system, {*own.r, *own.beta, own.mu}),
+        : own(scene), system(contact_system(own.system)), solver(system, {*own.r, *own.beta, own.mu}),
           orbit(periodic_orbit(solver, at_rest(system.basis.r_n.size()))) {}
 };
 

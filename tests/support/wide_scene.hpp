@@ -4,7 +4,7 @@
 
 #include <string_view>
 
-#include "denhartog/model/coordinates.hpp"
+#include "denhartog/model/contact_and_load.hpp"
 #include "denhartog/scene/scene_json.hpp"
 #include "tests/support/multiprecision.hpp"
 
@@ -13,13 +13,13 @@ namespace denhartog::tests {
 /// @brief A scene from its JSON text: one tenth written as text is one tenth to all digits.
 template <class T>
 [[nodiscard]] Scene<T> scene_in(std::string_view text) {
-    return in_own_coordinates(read_scene<T>(text));
+    return read_scene<T>(text);
 }
 
 /// @brief A scene of the same binary fractions.
 template <class T>
 [[nodiscard]] Scene<T> scene_in(const Scene<double>& scene) {
-    return in_own_coordinates(converted<T>(scene));
+    return converted<T>(scene);
 }
 
 } // namespace denhartog::tests

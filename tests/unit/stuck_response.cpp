@@ -19,7 +19,7 @@ using namespace denhartog::tests;
 namespace {
 
 StuckResponse response_of(const Scene<double>& scene) {
-    return stuck_response(stuck_of(scene.system), scene.system.contact, scene.system.load, *scene.r);
+    return stuck_response(stuck_of(scene.system), scene.system.load, *scene.r);
 }
 
 StickingBoundary boundary_of(const Scene<double>& scene) {
@@ -225,9 +225,9 @@ TEST_CASE("arguments of the stuck response that break a rule are named", "[stuck
     const Scene<double> scene = three_masses<double>();
     const StuckConfiguration<double> stuck = stuck_of(scene.system);
     const StuckResponse response = response_of(scene);
-    CHECK_THROWS_AS(stuck_response(stuck, Mass{1}, Mass{0}, 0.0), InputError);
-    CHECK_THROWS_AS(stuck_response(stuck, Mass{1}, Mass{3}, 1.0), InputError);
-    CHECK_THROWS_AS(stuck_response(stuck, Mass{0}, Mass{0}, 1.0), InputError); // it holds mass 2
+    CHECK_THROWS_AS(stuck_response(stuck, Mass{0}, 0.0), InputError);
+    CHECK_THROWS_AS(stuck_response(stuck, Mass{3}, 1.0), InputError);
+    CHECK_THROWS_AS(stuck_response(stuck, Mass{0}, 1.0), InputError); // it holds mass 2
     CHECK_THROWS_AS(sticking_boundary(response, {}, 0.5), InputError);
     CHECK_THROWS_AS(rest_interval(stuck, response, 1.0, -0.25), InputError);
     CHECK_THROWS_AS(rest_interval(stuck, response, std::nan(""), 0.25), InputError);

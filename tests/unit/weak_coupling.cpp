@@ -1,7 +1,7 @@
 // A coupling of modes that is left out stays within the bounds of what it makes of the sums, of the motion and of the demand.
 #include <random>
 
-#include "denhartog/model/coordinates.hpp"
+#include "denhartog/model/contact_and_load.hpp"
 #include "denhartog/model/linear_algebra.hpp"
 #include "denhartog/scene/converted.hpp"
 #include "denhartog/scene/scene_json.hpp"

@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "conformance/mistakes/mistake_definition.hpp"
-#include "denhartog/model/coordinates.hpp"
+#include "denhartog/model/contact_and_load.hpp"
 #include "denhartog/model/modal_basis.hpp"
 
 namespace denhartog::conformance {

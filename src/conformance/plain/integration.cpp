@@ -63,7 +63,7 @@ std::vector<double> durations(const std::vector<Stop>& stops) {
 
 std::optional<Value> answer_of_stuck_motion(const ProtocolQuestion& q, const Scene<double>& scene) {
     const StuckConfiguration<double> stuck = stuck_configuration(scene.system, modal_basis(scene.system));
-    const StuckResponse response = stuck_response(stuck, scene.system.contact, scene.system.load, *scene.r);
+    const StuckResponse response = stuck_response(stuck, scene.system.load, *scene.r);
     if (q.quantity == "rest_interval") {
         const std::optional<double> half = rest_interval(stuck, response, scene.mu, *scene.beta);
         return half ? std::optional(Value{{*half}, ""}) : std::nullopt;
@@ -115,7 +115,7 @@ std::optional<Value> answer_of_creep(const ProtocolQuestion& q, double width) {
     if (q.mass != q.contact || !is_of_the_paper(q)) return std::nullopt;
     const Scene<double> scene = scene_of(q);
     const StuckConfiguration<double> stuck = stuck_configuration(scene.system, modal_basis(scene.system));
-    const Complex<double> load = stuck_response(stuck, scene.system.contact, scene.system.load, *scene.r).contact_load;
+    const Complex<double> load = stuck_response(stuck, scene.system.load, *scene.r).contact_load;
     const double share = modulus(load) / *scene.beta;
     if (!(share < 1)) return std::nullopt;
     // The integral of the velocity from 0 to s, by the midpoint rule: the integrand is smooth and of period 2 pi.

@@ -114,7 +114,7 @@ double sticking_limit(const ProtocolQuestion& q, const PlainModes& m, const Choi
     system.contact = Mass{m.j};
     system.load = Mass{m.l};
     const StuckConfiguration<double> stuck = stuck_configuration(system, modal_basis(system));
-    const StuckResponse response = stuck_response(stuck, system.contact, system.load, q.r);
+    const StuckResponse response = stuck_response(stuck, system.load, q.r);
     const StickingBoundary boundary = sticking_boundary(response, stuck_chain(system, stuck), m.mu);
     return c.sticking == StickingForm::as_printed ? boundary.paper.value_or(std::nan("")) : boundary.without_damping_load;
 }

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "conformance/mistakes/mistake_definition.hpp"
-#include "denhartog/model/coordinates.hpp"
+#include "denhartog/model/contact_and_load.hpp"
 #include "denhartog/sliding/steady_state.hpp"
 #include "denhartog/solve/sampled_solution.hpp"
 #include "denhartog/solve/solve.hpp"
@@ -19,7 +19,7 @@ constexpr int digits_asked = 11;
 class Sliding {
 public:
     explicit Sliding(const ProtocolQuestion& q)
-        : scene_(in_own_coordinates(scene_of(q))), row_(row_of(q)), sums_(sums_of(scene_)), limits_(boundary(sums_, scene_.mu)) {}
+        : scene_(scene_of(q)), row_(row_of(q)), sums_(sums_of(scene_)), limits_(boundary(sums_, scene_.mu)) {}
 
     std::vector<double> numbers(const ProtocolQuestion& q) const {
         const std::string& name = q.quantity;
@@ -46,14 +46,14 @@ private:
     Boundary<double> limits_;
 
     std::size_t row_of(const ProtocolQuestion& q) const {
-        if (q.mass == 0) return scene_.system.contact.index;
-        return displacement_of(scene_.system, Mass{static_cast<std::size_t>(q.mass - 1)}).index;
+        return q.mass == 0 ? contact_row(scene_.system).index : static_cast<std::size_t>(q.mass - 1);
     }
 
     static ModeSums<double> sums_of(const Scene<double>& scene) {
-        const ModalBasis<double> basis = modal_basis(scene.system);
-        if (basis.coupled()) return values_of(coupled_sums(scene.system, as_input(*scene.r)));
-        return mode_sums(basis, scene.system.contact, scene.system.load, *scene.r);
+        const System<double>& s = scene.system;
+        const ModalBasis<double> basis = modal_basis(s);
+        if (basis.coupled()) return values_of(coupled_sums(s, as_input(*scene.r)));
+        return mode_sums(basis, contact_row(s), load_row(s), *scene.r);
     }
 };
 

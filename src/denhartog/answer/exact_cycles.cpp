@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "denhartog/answer/modes_in_double.hpp"
-#include "denhartog/model/coordinates.hpp"
+#include "denhartog/model/contact_and_load.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/paper_algorithm/last_period.hpp"
 #include "denhartog/scene/point_rules.hpp"
@@ -36,13 +36,13 @@ ContactSystem system_of(const SceneSource& source) {
 
 } // namespace
 
-PaperMotion exact_cycles(const SceneSource& source, const PaperSettings& settings_of_masses) {
+PaperMotion exact_cycles(const SceneSource& source, const PaperSettings& settings) {
     const Scene<double>& scene = source->in_double();
     check(scene);
-    const PaperSettings settings = in_own_coordinates(settings_of_masses, scene.system);
+    check(settings, number_of_masses(scene.system));
     (void)frequency_ratio_of(scene);
     (void)friction_ratio_of(scene);
-    const std::size_t N = number_of_masses(scene.system), j = scene.system.contact.index;
+    const std::size_t N = number_of_masses(scene.system);
     const ContactSystem system = system_of(source);
     ExactSolver solver(system, {*scene.r, *scene.beta, scene.mu});
     const double period = 2 * pi<double>(), last = settings.tau_0 + period * (settings.cycles - 1);
@@ -62,17 +62,19 @@ PaperMotion exact_cycles(const SceneSource& source, const PaperSettings& setting
     if (failed(run, motion)) return motion;
     if (run.phases.front().direction == direction) --motion.phases;
 
-    LastPeriod period_seen(N, last, 0, scene.system.coordinates);
+    const Contact& contact = system.stuck.contact;
+    LastPeriod period_seen(N, last, 0, contact);
     for (std::size_t n = 0; n < run.phases.size(); ++n) {
         const Phase& p = run.phases[n];
-        if (p.direction == 0) period_seen.take_rest(n == 0 ? rest_from : p.start, p.end, run.states[2 * N * n + j], p.end == end);
+        if (p.direction == 0)
+            period_seen.take_rest(n == 0 ? rest_from : p.start, p.end, contact.of(&run.states[2 * N * n]), p.end == end);
     }
     period_seen.write(motion);
     const std::vector<Extremum> largest = solver.largest_displacements();
     for (std::size_t k = 0; k < largest.size(); ++k) {
-        motion.masses[k].amplitude = std::abs(largest[k].x);
-        if (motion.slides && largest[k].x != 0)
-            motion.masses[k].phase = wrapped(largest[k].instant + (largest[k].x < 0 ? pi<double>() : 0));
+        PaperMassMotion& mass = k < N ? motion.masses[k] : *motion.between;
+        mass.amplitude = std::abs(largest[k].x);
+        if (motion.slides && largest[k].x != 0) mass.phase = wrapped(largest[k].instant + (largest[k].x < 0 ? pi<double>() : 0));
     }
     motion.end = run.end;
     std::size_t phase = 0;
@@ -82,7 +84,6 @@ PaperMotion exact_cycles(const SceneSource& source, const PaperSettings& setting
         while (phase + 1 < run.phases.size() && run.phases[phase].end < tau) ++phase;
         motion.samples.push_back(solver.state_at(phase, tau));
     }
-    put_in_order_of_masses(scene.system, motion);
     return motion;
 }
 

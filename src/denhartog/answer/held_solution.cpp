@@ -7,7 +7,7 @@
 
 #include "denhartog/answer/certify.hpp"
 #include "denhartog/formulas/stuck.hpp"
-#include "denhartog/model/coordinates.hpp"
+#include "denhartog/model/contact_and_load.hpp"
 #include "denhartog/model/linear_algebra.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/stick_slip/stuck_response.hpp"
@@ -104,8 +104,8 @@ HeldErrors errors_of(const Scene<double>& scene, const StuckConfiguration<double
                      const StuckResponse& response) {
     const auto n = static_cast<Eigen::Index>(stuck.masses.size());
     const double r = *scene.r, eps = unit_of<double>(), rounding = 8 * static_cast<int>(n + 1) * eps;
-    const std::vector<double> p = load_on_coordinates(scene.system);
-    HeldErrors errors{{}, eps * std::max(1.0, abs(p[scene.system.contact.index])) + rounding * scene.mu * *scene.beta};
+    const std::vector<double> p = load_vector(scene.system);
+    HeldErrors errors{{}, eps * std::max(1.0, abs(direct_load(stuck, scene.system.load))) + rounding * scene.mu * *scene.beta};
     if (n == 0) return errors;
     const Matrix<double> stiffness = stuck.K - r * r * stuck.M, damping = r * stuck.C;
     Matrix<double> A(2 * n, 2 * n);
@@ -115,7 +115,7 @@ HeldErrors errors_of(const Scene<double>& scene, const StuckConfiguration<double
         const Mass k = stuck.masses[static_cast<std::size_t>(i)];
         X(i) = response.masses[k.index].X.re;
         X(n + i) = response.masses[k.index].X.im;
-        b(i) = p[k.index];
+        b(i) = p[k.index] + (k.index == stuck.contact.b ? p[stuck.contact.a] : 0);
     }
     const Column<double> size = X.cwiseAbs();
     const Matrix<double> entries = stuck.K.cwiseAbs() + r * r * stuck.M.cwiseAbs();
@@ -123,13 +123,16 @@ HeldErrors errors_of(const Scene<double>& scene, const StuckConfiguration<double
     terms << product(entries, Column<double>(size.head(n))), product(entries, Column<double>(size.tail(n)));
     terms += Column<double>::Constant(2 * n, damping.cwiseAbs().maxCoeff() * size.sum());
     const Matrix<double> of_damping = r * damping_errors;
-    Column<double> moving = Column<double>::Zero(n + 1), of_C(2 * n); // sizes of all masses, the contact's among them
+    Column<double> moving = Column<double>::Zero(n + 1), of_C(2 * n); // sizes of all masses
     for (Eigen::Index i = 0; i < n; ++i)
         moving(static_cast<Eigen::Index>(stuck.masses[static_cast<std::size_t>(i)].index)) = size(i) + size(n + i);
-    const Column<double> forces = product(of_damping, moving);
+    const auto a = static_cast<Eigen::Index>(stuck.contact.a);
+    if (stuck.contact.b) moving(a) = moving(static_cast<Eigen::Index>(*stuck.contact.b));
+    Column<double> forces = product(of_damping, moving);
+    errors.load += forces(a);
+    if (stuck.contact.b) forces(static_cast<Eigen::Index>(*stuck.contact.b)) += forces(a);
     for (Eigen::Index i = 0; i < n; ++i)
         of_C(i) = of_C(n + i) = forces(static_cast<Eigen::Index>(stuck.masses[static_cast<std::size_t>(i)].index));
-    errors.load += forces(static_cast<Eigen::Index>(scene.system.contact.index));
     const Column<double> left_over = (b - product(A, X)).cwiseAbs() + rounding * (terms + b.cwiseAbs()) + of_C;
     const Column<double> error = 2.0 * (product_of_sizes(LinearSystem<double>(A).inverse(), left_over) + eps * size);
     for (Eigen::Index i = 0; i < n; ++i) {
@@ -141,22 +144,6 @@ HeldErrors errors_of(const Scene<double>& scene, const StuckConfiguration<double
                        (of_mass + rounding * (size(i) + size(n + i)));
     }
     return errors;
-}
-
-// The masses that are no coordinates, with bounds of their errors.
-void add_displacements(const Coordinates<double>& c, std::vector<StuckMass>& masses, std::vector<double>& error_of) {
-    const std::size_t N = masses.size();
-    for (Eigen::Index n = 0; n < c.displacements.rows(); ++n) {
-        Complex<double> X{0.0, 0.0};
-        double error(0);
-        for (std::size_t k = 0; k < N; ++k) {
-            const double part = c.displacements(n, static_cast<Eigen::Index>(k));
-            X = X + part * masses[k].X;
-            error += abs(part) * (error_of[k] + 4 * static_cast<int>(N) * unit_of<double>() * masses[k].amplitude);
-        }
-        masses.push_back(motion_of(X));
-        error_of.push_back(error);
-    }
 }
 
 // The static compliance of the contact, (K^-1)_jj, with its bound: by what a solution of the equations of rest leaves over.
@@ -178,13 +165,13 @@ Bounded<double> compliance_of(const StuckConfiguration<double>& stuck) {
 HeldSolution held_solution(const Scene<double>& scene, const StuckConfiguration<double>& stuck,
                            const ModalBasis<Bounded<double>>& basis, std::optional<Mass> only) {
     const System<double>& s = scene.system;
-    const StuckResponse response = stuck_response(stuck, s.contact, s.load, *scene.r);
+    const StuckResponse response = stuck_response(stuck, load_row(s), *scene.r);
     const Matrix<double> of_damping = errors_of_damping(scene, basis);
     const HeldErrors errors = errors_of(scene, stuck, of_damping, response);
-    std::vector<StuckMass> masses = response.masses;
+    const std::vector<StuckMass>& masses = response.masses;
     std::vector<double> error_of(masses.size(), 0.0);
     for (std::size_t n = 0; n < stuck.masses.size(); ++n) error_of[stuck.masses[n].index] = errors.masses[n];
-    add_displacements(s.coordinates, masses, error_of);
+    if (stuck.contact.b) error_of[stuck.contact.a] = error_of[*stuck.contact.b];
     HeldSolution solution;
     double largest(0);
     for (const StuckMass& mass : masses) {
@@ -192,7 +179,7 @@ HeldSolution held_solution(const Scene<double>& scene, const StuckConfiguration<
         solution.masses.push_back({exactly(mass.amplitude), std::nullopt, std::nullopt});
     }
     for (std::size_t k = 0; k < masses.size(); ++k) {
-        if (Mass{k} == s.contact) continue;
+        if (k == contact_row(s).index) continue;
         const StuckMass& mass = masses[k];
         const double error = error_of[k];
         solution.masses[k].amplitude = certified(Bounded<double>(mass.amplitude, error));
@@ -204,6 +191,7 @@ HeldSolution held_solution(const Scene<double>& scene, const StuckConfiguration<
         const double relative = mass.amplitude > 0 ? error / mass.amplitude : 1.0;
         solution.relative = std::max({solution.relative, relative, of_phase});
     }
+    if (s.contact_with) solution.masses.push_back({exactly(0), std::nullopt, std::nullopt});
     // On the boundary rounding may leave less than nothing of the interval.
     const double to = rest_interval(stuck, response, scene.mu, *scene.beta).value_or(0.0);
     const Bounded<double> compliance = compliance_of(stuck);
@@ -223,7 +211,7 @@ std::optional<Certified> sticking_by_88(const Scene<double>& scene) {
     try {
         const ModalBasis<Bounded<double>> basis = with_errors(scene.system, modal_basis(scene.system));
         const StuckConfiguration<double> stuck = stuck_configuration(scene.system, values_of(basis));
-        const StuckResponse response = stuck_response(stuck, scene.system.contact, scene.system.load, *scene.r);
+        const StuckResponse response = stuck_response(stuck, load_row(scene.system), *scene.r);
         return limit_by_88(scene, stuck, errors_of_damping(scene, basis), response);
     } catch (const DomainError&) {
         return std::nullopt;

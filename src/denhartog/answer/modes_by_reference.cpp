@@ -38,26 +38,23 @@ Ball zero_or_itself(const Ball& x, double largest) {
     return nothing ? widened(Ball(0), upper_bound_of(abs(x))) : x;
 }
 
-// Rows of the mode shapes as double has them: of the coordinates, the mass that is none, and the load on several.
-std::vector<std::size_t> rows_in_balls(const Coordinates<double>& c, std::size_t N) {
+// Rows of the mode shapes as double has them: of the masses, and those of contact and load that are no rows of masses.
+std::vector<std::size_t> rows_in_balls(const System<double>& s) {
+    const std::size_t N = number_of_masses(s);
     std::vector<std::size_t> rows(N);
     for (std::size_t k = 0; k < N; ++k) rows[k] = k;
-    for (const Mass& mass : c.replaced) {
-        rows[mass.index] = N;
-        rows.push_back(mass.index);
-    }
-    if (!c.load.empty()) rows.push_back(N + 1);
+    if (s.contact_with) rows.push_back(N);
+    if (load_row(s).index == rows.size()) rows.push_back(N + 1);
     return rows;
 }
 
-// The modes, with the signs that `fix_signs` gives the shapes of the coordinates.
-ModesInBalls signed_modes(const SceneInBalls& s, const Coordinates<double>& c) {
+// The modes, with the signs that `fix_signs` gives the shapes.
+ModesInBalls signed_modes(const SceneInBalls& s) {
     ModesInBalls m = modes_in_balls(s);
-    const std::vector<std::size_t> rows = rows_in_balls(c, m.R.size());
     Matrix<double> phi(s.N(), s.N());
     for (slong k = 0; k < s.N(); ++k)
         for (slong i = 0; i < s.N(); ++i)
-            phi(k, i) = static_cast<double>(m.psi[rows[static_cast<std::size_t>(k)]][static_cast<std::size_t>(i)]);
+            phi(k, i) = static_cast<double>(m.psi[static_cast<std::size_t>(k)][static_cast<std::size_t>(i)]);
     const Matrix<double> before = phi;
     fix_signs(phi);
     for (slong i = 0; i < s.N(); ++i)
@@ -110,11 +107,11 @@ void set_damping(const SceneInBalls& s, const ModesInBalls& m, ModalBasis<Bounde
     if (s.N() > 1) basis.D = in_double(D);
 }
 
-ModalBasis<Bounded<double>> basis_of(const SceneInBalls& s, const ModesInBalls& m, const Coordinates<double>& coordinates) {
+ModalBasis<Bounded<double>> basis_of(const SceneInBalls& s, const ModesInBalls& m, const System<double>& system) {
     const std::size_t N = m.R.size();
     ModalBasis<Bounded<double>> basis;
     for (const Ball& R : m.R) basis.r_n.push_back(in_double(1 / R));
-    const std::vector<std::size_t> rows = rows_in_balls(coordinates, N);
+    const std::vector<std::size_t> rows = rows_in_balls(system);
     basis.phi.resize(static_cast<Eigen::Index>(rows.size()), static_cast<Eigen::Index>(N));
     for (std::size_t k = 0; k < rows.size(); ++k)
         for (std::size_t i = 0; i < N; ++i)
@@ -155,12 +152,13 @@ evaluation::ModeFunctions<Ball> functions_of_mode(const Ball& R, const Ball& zet
     return {paper::complex_response(R, zeta), F.u, F.g};
 }
 
-// The displacements of the masses are O times those of the system's own coordinates: the identity, but for the mass that is none.
-BallMatrix from_own_coordinates(const Coordinates<double>& c, slong N) {
+// The displacements of the masses are O times those with that of the contact in the place of that of mass a, see `Contact`.
+BallMatrix with_contact(const Contact& contact, slong N) {
     BallMatrix O = unit_matrix(N);
-    if (c.replaced.empty()) return O;
-    const auto a = static_cast<slong>(c.replaced.front().index);
-    for (slong k = 0; k < N; ++k) O(a, k) = Ball(c.displacements(0, k));
+    if (!contact.b) return O;
+    const auto a = static_cast<slong>(contact.a);
+    O(a, a) = Ball(contact.sign);
+    O(a, static_cast<slong>(*contact.b)) = Ball(1);
     return O;
 }
 
@@ -174,11 +172,11 @@ BallMatrix of_others(const BallMatrix& A, slong j) {
 
 // Gives nothing where the frequencies do not have their digits.
 std::optional<RoundedModes<double>> held_modes(const SceneInBalls& s, const ModesInBalls& sliding, const System<double>& system) {
-    const BallMatrix O = from_own_coordinates(system.coordinates, s.N()), back = transposed(O), C = back * s.C * O;
-    RoundedModes<double> held{
-        values_of(in_double(transposed(shapes_of(sliding)) * s.M * O)), values_of(in_double(C)), {}, {}, {}};
+    const Contact contact = contact_of(system.contact, system.contact_with, mass_matrix(system));
+    const BallMatrix O = with_contact(contact, s.N()), back = transposed(O), C = back * s.C * O;
+    RoundedModes<double> held{values_of(in_double(transposed(shapes_of(sliding)) * s.M)), values_of(in_double(C)), {}, {}, {}};
     if (s.N() == 1) return held;
-    const auto j = static_cast<slong>(system.contact.index);
+    const auto j = static_cast<slong>(contact.a);
     SceneInBalls others{of_others(back * s.M * O, j), of_others(back * s.K * O, j), of_others(C, j)};
     others.w = others.p = BallMatrix(others.N(), 1);
     others.r = Ball(1);
@@ -206,14 +204,13 @@ std::optional<RoundedModes<double>> held_modes(const SceneInBalls& s, const Mode
 
 ModalBasis<Bounded<double>> modes_by_reference(const SceneSource& source, bool coinciding) {
     const SceneSource at_one = at_frequency(source, 1); // where psi of (17) is phi
-    const Coordinates<double>& coordinates = source->in_double().system.coordinates;
-    const std::size_t N = number_of_masses(source->in_double().system);
-    return with_more_bits(N, first_bits, most_bits, [&](slong bits, bool) {
+    const System<double>& system = source->in_double().system;
+    return with_more_bits(number_of_masses(system), first_bits, most_bits, [&](slong bits, bool) {
         std::optional<ModalBasis<Bounded<double>>> basis;
         const SceneInBalls s = scene_in_balls(at_one);
-        const ModesInBalls m = signed_modes(s, coordinates);
+        const ModesInBalls m = signed_modes(s);
         if (!coinciding && !told_apart(m, bits)) return basis;
-        basis = basis_of(s, m, coordinates);
+        basis = basis_of(s, m, system);
         if (!is_nearly_rounded(*basis)) basis.reset();
         if (basis) widen_shapes(m, *basis);
         return basis;
@@ -253,8 +250,8 @@ SystemByReference system_by_reference(const SceneSource& source) {
     return with_more_bits(number_of_masses(system), first_bits, most_bits, [&](slong, bool) {
         std::optional<SystemByReference> found;
         SceneInBalls s = scene_in_balls(at_one);
-        const ModesInBalls m = signed_modes(s, system.coordinates);
-        ModalBasis<Bounded<double>> basis = basis_of(s, m, system.coordinates);
+        const ModesInBalls m = signed_modes(s);
+        ModalBasis<Bounded<double>> basis = basis_of(s, m, system);
         if (!is_nearly_rounded(basis)) return found;
         if (!s.zeta.empty()) s.C = damping_matrix_in_balls(s, m);
         if (std::optional<RoundedModes<double>> held = held_modes(s, m, system)) {

@@ -11,7 +11,7 @@
 
 namespace denhartog {
 
-/// @brief The modal basis. Its coordinates and signs are those of the basis in double.
+/// @brief The modal basis. Its rows and signs are those of the basis in double.
 ///
 /// Modes that more and more bits do not tell apart are refused, unless damping is given by ratios and they may be taken: their
 /// shapes are then some orthonormal ones, with bounds that hold any.
@@ -32,7 +32,7 @@ namespace denhartog {
 /// @brief The modes of a system while the contact slides, and what goes with them.
 struct SystemByReference {
     ModalBasis<Bounded<double>> basis; ///< as `modes_by_reference` gives it, modes that coincide too
-    RoundedModes<double> held;         ///< the modes with the contact held, and more, in the system's own coordinates
+    RoundedModes<double> held;         ///< the modes with the contact held, and more
 };
 
 /// @brief All modes of a system. @param source the system @return the modes @throws PrecisionError as `modes_by_reference`

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "denhartog/answer/certify.hpp"
-#include "denhartog/model/coordinates.hpp"
 #include "denhartog/orbit/floquet.hpp"
 #include "denhartog/stick_slip/event_errors.hpp"
 
@@ -47,7 +46,7 @@ public:
         const auto last = static_cast<std::ptrdiff_t>(phases.size()) - 1;
         State state = solver.state_at(static_cast<std::size_t>(std::min(found - phases.begin(), last)), tau);
         for (std::vector<double>* part : {&state.x, &state.x_prime}) {
-            add_displacements(solver.system().coordinates, *part);
+            solver.system().stuck.contact.append(*part);
             for (double& each : *part)
                 if (mirrored) each = -each;
         }
@@ -112,8 +111,7 @@ std::vector<SolvedStop> stops_of(OnOrbit& on_orbit, const ExactSolver& solver, c
 
 OrbitSolution orbit_solution(ExactSolver& solver, const PeriodicOrbit& orbit, std::optional<Mass> only) {
     OnOrbit on_orbit(solver, orbit);
-    const std::size_t j = solver.system().contact.index,
-                      count = orbit.start.x.size() + solver.system().coordinates.replaced.size();
+    const std::size_t j = solver.system().contact.index, count = std::max(orbit.start.x.size(), j + 1);
     double largest = orbit.contact.amplitude; // of the other masses the state at the start, where their maxima were not sought
     for (double x : orbit.start.x) largest = std::max(largest, abs(x));
     for (const MassMotion& mass : orbit.masses) largest = std::max(largest, mass.amplitude);
@@ -142,10 +140,10 @@ OrbitSolution orbit_solution(ExactSolver& solver, const PeriodicOrbit& orbit, st
     return solution;
 }
 
-std::optional<Certified> place_of_rest(const PeriodicOrbit& orbit, Mass contact) {
+std::optional<Certified> place_of_rest(const PeriodicOrbit& orbit) {
     const bool is_bounded = orbit.error_bound - orbit.error_bound == 0;
     if (!is_bounded) return std::nullopt;
-    return certified(Bounded<double>(orbit.start.x[contact.index], orbit.error_bound));
+    return certified(Bounded<double>(orbit.stops.front().x, orbit.error_bound));
 }
 
 Stability stability_of(const PeriodicOrbit& orbit) {

@@ -12,7 +12,7 @@ namespace denhartog {
 
 /// @brief A periodic orbit as an answer.
 struct OrbitSolution {
-    std::vector<SolvedMass> masses; ///< N; zero where not asked about
+    std::vector<SolvedMass> masses; ///< N, and that of a contact between two; zero where not asked about
     std::vector<SolvedStop> stops;  ///< stops of the contact
     double relative_amplitude = 0;  ///< largest error of an amplitude, relative
     double phase_error = 0;         ///< largest error of a phase
@@ -31,10 +31,9 @@ struct OrbitSolution {
                                            std::optional<Mass> only = std::nullopt);
 
 /// @brief Where the contact of an orbit rests.
-/// @param orbit    an orbit of permanent sticking
-/// @param contact  the mass in contact
-/// @return         its displacement; none without a finite bound of its error
-[[nodiscard]] std::optional<Certified> place_of_rest(const PeriodicOrbit& orbit, Mass contact);
+/// @param orbit  an orbit of permanent sticking
+/// @return       its displacement; none without a finite bound of its error
+[[nodiscard]] std::optional<Certified> place_of_rest(const PeriodicOrbit& orbit);
 
 /// @brief Whether an orbit is the sliding motion of the closed form as far as double can tell. Its stops are left aside:
 /// next to the boundary they may be rounding.

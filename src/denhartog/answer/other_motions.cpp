@@ -30,10 +30,10 @@ public:
     Explorer(const Scene<double>& scene_, const ContactSystem& system_,
              const std::shared_ptr<const ModalBasis<Bounded<double>>>& basis_)
         : scene(scene_), system(system_), basis(*basis_), solver(system, at(*scene.r, *scene.beta)), N(system.basis.r_n.size()),
-          size(N, 1) {
+          size(std::max(N, system.contact.index + 1), 1) {
         try {
             const ModeSums<double> sums = values_of(bounded_sums(scene.system, basis, as_input(*scene.r)));
-            for (std::size_t k = 0; k < N; ++k) size[k] = std::max(modulus(sums.V[k]), 1e-3);
+            for (std::size_t k = 0; k < size.size(); ++k) size[k] = std::max(modulus(sums.V[k]), 1e-3);
             const Boundary<double> limits = boundary(sums, scene.mu);
             if (*scene.beta < limits.exact) sliding = sliding_at_maximum_of_force(sums, *scene.beta);
         } catch (const DomainError&) {
@@ -64,10 +64,10 @@ private:
     }
 
     void from_displaced_contact() {
-        const std::size_t j = system.contact.index;
+        const Contact& contact = system.stuck.contact;
         for (const double x : {0.5, 1.0, -1.0, 3.0}) {
             State z = at_rest(N);
-            z.x[j] = x * size[j];
+            z.x[contact.a] = contact.sign * x * size[system.contact.index];
             try_start(z, "contact displaced, all at rest");
         }
     }
@@ -139,7 +139,7 @@ private:
             motion.masses = held.masses;
             if (std::isfinite(held.rest_interval.to.error)) { // where double gives one
                 motion.rest_interval = held.rest_interval;
-                motion.rest_interval->rests_at = place_of_rest(orbit, system.contact);
+                motion.rest_interval->rests_at = place_of_rest(orbit);
             }
         } else {
             const OrbitSolution found_orbit = orbit_solution(solver, orbit);

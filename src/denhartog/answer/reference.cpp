@@ -9,6 +9,7 @@
 #include "denhartog/answer/printed.hpp"
 #include "denhartog/answer/reference_attempts.hpp"
 #include "denhartog/answer/reference_point.hpp"
+#include "denhartog/model/contact_and_load.hpp"
 #include "denhartog/reference/orbit.hpp"
 #include "denhartog/reference/sliding.hpp"
 #include "denhartog/sliding/regime.hpp"
@@ -117,11 +118,12 @@ void write_stuck(const PointInBalls& p, const Scene<double>& scene, const Refere
 
 bool is_loaded_contact(const Scene<double>& scene) {
     const System<double>& s = scene.system;
-    return s.coordinates.load.empty() && s.coordinates.replaced.empty() && s.load == s.contact;
+    return !s.contact_with && load_row(s) == s.contact;
 }
 
 bool has_88(const Scene<double>& scene) {
-    return is_chain(scene.system) && scene.system.coordinates.load.empty() && scene.system.coordinates.replaced.empty();
+    const System<double>& s = scene.system;
+    return is_chain(s) && !s.contact_with && load_row(s).index < number_of_masses(s);
 }
 
 void set_regime(const PointInBalls& p, Regime met, Solution& s) {
@@ -189,10 +191,7 @@ void attempt(const SceneSource& source, const ReferenceQuestion& q, slong bits, 
     s.mu = w.shown(p.scene.mu);
     if (p.scene.beta) s.beta = w.shown(*p.scene.beta);
     s.contact = scene.system.contact;
-    if (!scene.system.coordinates.between.empty()) {
-        s.contact = scene.system.coordinates.between[0];
-        s.contact_with = scene.system.coordinates.between[1];
-    }
+    s.contact_with = scene.system.contact_with;
     if (p.boundary) write_limits(p, q.asked == Asked::motion || q.asked == Asked::regime || !p.scene.beta, w, s);
     if (p.scene.beta) {
         if (p.boundary) write_regime(p, s);
@@ -218,7 +217,7 @@ void attempt(const SceneSource& source, const ReferenceQuestion& q, slong bits, 
             set_regime_by_stops(p, orbit, s);
         }
         if (has_88(scene) && !q.closed_form_alone && (q.asked == Asked::regime || regime == Regime::permanent_sticking))
-            s.sticking_by_88 = w.shown(sticking_limit_by_88(p.scene, scene.system.load.index));
+            s.sticking_by_88 = w.shown(sticking_limit_by_88(p.scene, load_row(scene.system).index));
     } else {
         s.method.model = "boundary of the sliding regime";
     }

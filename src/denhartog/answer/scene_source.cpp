@@ -2,7 +2,6 @@
 
 #include <utility>
 
-#include "denhartog/model/coordinates.hpp"
 #include "denhartog/number/ball_or_none.hpp"
 #include "denhartog/scene/converted.hpp"
 #if DENHARTOG_REFERENCE
@@ -31,11 +30,9 @@ std::function<void(Scene<Ball>&)> for_balls([[maybe_unused]] Read read) {
 #endif
 }
 
-SceneSource source_of_doubles(std::shared_ptr<const Scene<double>> given) {
-    std::shared_ptr<const Scene<double>> scene = given;
-    if (!is_of_papers_form(given->system)) scene = std::make_shared<const Scene<double>>(in_own_coordinates(*given));
-    return std::make_shared<const SceneReader>(SceneReader{
-        std::move(scene), {}, for_balls([given]<class T>(Scene<T>& out) { out = converted<T>(*given); }), no_modes_yet()});
+SceneSource source_of_doubles(const std::shared_ptr<const Scene<double>>& given) {
+    const auto read = [given]<class T>(Scene<T>& scene) { scene = converted<T>(*given); };
+    return std::make_shared<const SceneReader>(SceneReader{given, {}, for_balls(read), no_modes_yet()});
 }
 
 // The number type of a scene.
@@ -63,7 +60,7 @@ const Scene<double>& SceneReader::in_double() const {
 SceneSource scene_source(const SceneText& part) {
     const SceneOrError<double> narrow = read_scene<double>(part);
     std::shared_ptr<const Scene<double>> scene;
-    if (narrow.scene) scene = std::make_shared<const Scene<double>>(in_own_coordinates(*narrow.scene));
+    if (narrow.scene) scene = std::make_shared<const Scene<double>>(*narrow.scene);
     const auto read = [text = std::string(part.text), line = part.line, alone = part.alone]<class T>(Scene<T>& out) {
         SceneOrError<T> found = read_scene<T>(SceneText{text, line, alone});
         if (found.error) throw InputError(*found.error);

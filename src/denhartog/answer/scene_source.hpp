@@ -17,7 +17,7 @@ class KeptModes;
 
 /// @brief A scene in double, and how the reference reads it.
 struct SceneReader {
-    std::shared_ptr<const Scene<double>> scene; ///< in the paper's form, see `in_own_coordinates`; null where the text is no scene
+    std::shared_ptr<const Scene<double>> scene; ///< null where the text is no scene
     std::optional<InputError> error;            ///< why it is none
     std::function<void(Scene<Ball>&)> in_balls; ///< gives the scene as its author wrote it, in the bits of the moment; throws
                                                 ///< InputError where the text is no scene; empty without the reference
@@ -27,7 +27,7 @@ struct SceneReader {
     [[nodiscard]] const Scene<double>& in_double() const;
 };
 
-/// @brief A scene for both floors. What is computed from it in double comes in the order of `displacement_of`.
+/// @brief A scene for both floors.
 using SceneSource = std::shared_ptr<const SceneReader>;
 
 /// @brief A scene from its JSON text. @param part the text of one scene; copied @return the source

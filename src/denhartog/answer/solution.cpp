@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "denhartog/model/coordinates.hpp"
 #include "denhartog/number/errors.hpp"
 
 namespace denhartog {
@@ -12,33 +11,17 @@ double error_of_displacements(const SolvedMass& m) {
     return std::max({m.sliding->x0.error, m.sliding->v0.error, m.amplitude.error, m.sliding->amplitude_monoharmonic.error});
 }
 
-void put_in_order_of_masses(const Coordinates<double>& c, Solution& s) {
-    if (c.replaced.empty()) return;
-    const Mass coordinate = s.contact;
-    if (!c.between.empty()) {
-        s.contact = c.between[0];
-        s.contact_with = c.between[1];
-    }
-    const auto order = [&](std::vector<SolvedMass>& masses) {
-        put_in_order_of_masses<double>(c, masses);
-        for (std::size_t n = 0; n < c.replaced.size(); ++n) masses.pop_back();
-    };
+void take_contact_between(const System<double>& system, Solution& s) {
+    if (!system.contact_with) return;
+    s.contact_with = system.contact_with;
     if (!s.only && !s.masses.empty()) {
-        if (s.contact_with) s.between = s.masses[coordinate.index];
-        order(s.masses);
+        s.between = s.masses.back();
+        s.masses.pop_back();
     }
     if (s.start)
-        for (std::vector<Certified>* part : {&s.start->x, &s.start->x_prime}) {
-            put_in_order_of_masses<double>(c, *part);
-            part->resize(part->size() - c.replaced.size());
-        }
-    for (OtherMotion& motion : s.motions) {
-        if (!s.only) order(motion.masses);
-        for (State* state : {&motion.from, &motion.start}) {
-            take_to_masses(c, state->x);
-            take_to_masses(c, state->x_prime);
-        }
-    }
+        for (std::vector<Certified>* part : {&s.start->x, &s.start->x_prime}) part->pop_back();
+    if (!s.only)
+        for (OtherMotion& motion : s.motions) motion.masses.pop_back();
 }
 
 const SolvedMass& mass_of(const Solution& s, Mass k) {

@@ -168,10 +168,10 @@ struct Solution {
     [[nodiscard]] const std::optional<Certified>& phase(Mass k) const;
 };
 
-/// @brief Rewrites an answer that was found in other coordinates, in the order of the masses. For the library's own use.
-/// @param c  the coordinates; without any, nothing changes
-/// @param s  the answer; it is changed in place
-void put_in_order_of_masses(const Coordinates<double>& c, Solution& s);
+/// @brief Takes what a contact between two masses does out of the lists over masses, where it comes last. For the library's own use.
+/// @param system  the system; nothing is done where the contact is with the wall
+/// @param s       the answer; it is changed in place
+void take_contact_between(const System<double>& system, Solution& s);
 
 /// @brief What an answer says of a mass. @param s an answer @param k a mass that it lists @return the mass
 /// @throws DomainError if the answer has no amplitude of the mass

@@ -6,7 +6,7 @@
 
 #include "denhartog/c/handles.hpp"
 #include "denhartog/formulas/high_frequency.hpp"
-#include "denhartog/model/coordinates.hpp"
+#include "denhartog/model/contact_and_load.hpp"
 #include "denhartog/scene/limits.hpp"
 #include "denhartog/scene/point_rules.hpp"
 #include "denhartog/solve/certain_modes.hpp"
@@ -75,7 +75,7 @@ int high_frequency_limit(const dh_system* system, double mu, ValueOrError part, 
         need(result, name);
         check_static_friction(mu);
         const System<double>& s = system->prepared.scene().system;
-        if (s.contact != s.load) throw DomainError("(86) is for a contact that bears the load, j = l");
+        if (contact_row(s) != load_row(s)) throw DomainError("(86) is for a contact that bears the load, j = l");
         *result = part_of(paper::friction_ratio_limit_at_high_frequency(Bounded<double>(mu)), part);
     });
 }
@@ -182,14 +182,10 @@ int dh_system_masses(const dh_system* system, size_t* N, size_t* contact, size_t
         need(N, "N");
         *N = count;
         const System<double>& s = system->prepared.scene().system;
-        if (contact != nullptr) *contact = (s.coordinates.between.empty() ? s.contact : s.coordinates.between[0]).index + 1;
-        const std::vector<double> p = load_on_coordinates(s);
-        const std::vector<Mass>& replaced = s.coordinates.replaced; // its force counts for the other mass of the contact as well
-        const auto is_loaded = [](double force) { return force != 0; };
-        if (load != nullptr)
-            *load = !replaced.empty() && is_loaded(p[replaced.front().index])
-                        ? replaced.front().index + 1
-                        : static_cast<std::size_t>(std::ranges::find_if(p, is_loaded) - p.begin()) + 1;
+        if (contact != nullptr) *contact = s.contact.index + 1;
+        const std::vector<double> p = load_vector(s);
+        const auto first = std::ranges::find_if(p, [](double force) { return force != 0; });
+        if (load != nullptr) *load = static_cast<std::size_t>(first - p.begin()) + 1;
     });
 }
 

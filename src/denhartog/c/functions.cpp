@@ -3,7 +3,6 @@
 
 #include "denhartog/c/denhartog.h"
 #include "denhartog/c/handles.hpp"
-#include "denhartog/model/coordinates.hpp"
 #include "denhartog/solve/certain_modes.hpp"
 #include "denhartog/solve/quantities.hpp"
 
@@ -39,8 +38,7 @@ int mode_shapes(const dh_system* system, double r, size_t count, ValueOrError pa
         check_frequency_ratio(r);
         std::vector<double> at_r;
         for (std::size_t k = 0; k < N; ++k) {
-            const auto row = system->modes->phi.row(
-                static_cast<Eigen::Index>(displacement_of(system->prepared.scene().system, Mass{k}).index));
+            const auto row = system->modes->phi.row(static_cast<Eigen::Index>(k));
             for (Eigen::Index i = 0; i < row.size(); ++i) at_r.push_back(part_of(row(i) / Bounded<double>(r), part));
         }
         need_finite(at_r);

@@ -49,10 +49,10 @@ Numbers shape_products(const AtPoint& a) {
     done(dh_mode_shapes(a.system, a.r, psi.size(), psi.data()));
     done(dh_mode_shape_errors(a.system, a.r, errors.size(), errors.data()));
     const auto shape = [&](size_t k, size_t i) { return Bounded<double>(psi[k * a.N + i], errors[k * a.N + i]); };
-    const std::vector<Mass>& between = a.system->prepared.scene().system.coordinates.between;
+    const std::optional<Mass>& with = a.system->prepared.scene().system.contact_with;
     for (size_t i = 0; i < a.N; ++i) {
         const Bounded<double> of_contact = shape(a.contact - 1, i);
-        const Bounded<double> psi_ji = between.empty() ? of_contact : of_contact - shape(between[1].index, i);
+        const Bounded<double> psi_ji = with ? of_contact - shape(with->index, i) : of_contact;
         products.push_back(part_of(shape(a.mass - 1, i) * psi_ji, a.part));
     }
     return products;

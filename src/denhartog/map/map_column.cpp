@@ -27,7 +27,7 @@ public:
               std::span<double> amplitudes_)
         : map(map_), r(r_), by_arrays(arrays.has_value()), column(arrays ? *arrays : evaluated()), points(points_),
           amplitudes(amplitudes_),
-          contact_alone(std::ranges::all_of(map.rows, [&](Mass k) { return k == map.system().contact; })),
+          contact_alone(std::ranges::all_of(map.masses, [&](Mass k) { return k == map.system().contact; })),
           damped(every_motion_is_damped(map.system().basis)) {}
 
     // The point in double; by `solve`, where the bounds do not tell the regime or leave an amplitude too few digits. Where
@@ -121,17 +121,17 @@ private:
 
     // Writes the amplitudes, of which `number` gives each; false where one has too few digits.
     bool write(std::size_t n, const std::function<Bounded<double>(std::size_t k)>& number) {
-        for (std::size_t m = 0; m < map.rows.size(); ++m) {
-            const Bounded<double> amplitude = number(map.rows[m].index);
+        for (std::size_t m = 0; m < map.masses.size(); ++m) {
+            const Bounded<double> amplitude = number(map.masses[m].index);
             if (!std::isfinite(amplitude.x) || !(is_near || is_accurate(amplitude))) return false;
-            amplitudes[n * map.rows.size() + m] = amplitude.x;
+            amplitudes[n * map.masses.size() + m] = amplitude.x;
         }
         return true;
     }
 
     bool slide(std::size_t n) {
         const Bounded<double> beta = as_input(map.beta[n]);
-        const std::optional<Mass> only = map.rows.size() == 1 ? std::optional(map.rows.front()) : std::nullopt;
+        const std::optional<Mass> only = map.masses.size() == 1 ? std::optional(map.masses.front()) : std::nullopt;
         const std::vector<double> instants = instants_of_maxima(remembered_motions(), beta.x, only).instants;
         const SteadyState<Bounded<double>> state =
             with_maxima(sums(), steady_state_without_maxima(sums(), beta),
@@ -251,13 +251,13 @@ private:
 } // namespace
 
 bool answers_together(const MapSystem& map) {
-    return map.system().basis.certainly_uncoupled() && map.rows.size() == 1 && map.rows.front() == map.system().contact &&
+    return map.system().basis.certainly_uncoupled() && map.masses.size() == 1 && map.masses.front() == map.system().contact &&
            (map.mu == 1 || map.start == MapStart::sliding);
 }
 
 void compute_column(const MapSystem& map, double r, const std::optional<ContactColumn>& arrays, const std::atomic<bool>& stop,
                     std::span<MapPoint> points, std::span<double> amplitudes) {
-    const std::size_t masses = map.rows.size();
+    const std::size_t masses = map.masses.size();
     const auto without_numbers = [&](std::size_t n, PointStatus status) {
         points[n] = {status, Regime::continuous, 0, 1};
         std::ranges::fill(amplitudes.subspan(n * masses, masses), std::nan(""));

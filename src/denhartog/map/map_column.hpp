@@ -19,7 +19,6 @@ struct MapSystem {
     MapStart start;                  ///< which motion, where there are several
     const std::vector<double>& beta; ///< friction ratios
     const std::vector<Mass>& masses; ///< masses whose amplitudes are wanted
-    const std::vector<Mass>& rows;   ///< the same in the order of the displacements, see `displacement_of`
     std::optional<long> effort{};    ///< operations allowed a point
 
     /// @brief The system as the exact solver needs it. @return modes, sliding and stuck

@@ -5,7 +5,6 @@
 
 #include "denhartog/map/contact_arrays.hpp"
 #include "denhartog/map/map_column.hpp"
-#include "denhartog/model/coordinates.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/parallel.hpp"
 #include "denhartog/scene/mass_rules.hpp"
@@ -84,10 +83,7 @@ RegimeMap regime_map(const Scene<double>& scene, const MapRequest& request, cons
     check(scene);
     check_request(request, number_of_masses(scene.system));
     PreparedSystem prepared = prepare(scene_source(scene), {}, Prepared::every_regime);
-    std::vector<Mass> rows_of_masses;
-    for (const Mass k : request.masses) rows_of_masses.push_back(displacement_of(prepared.scene().system, k));
-    const MapSystem shared{std::move(prepared), scene.mu,       request.start, request.beta,
-                           request.masses,      rows_of_masses, request.effort};
+    const MapSystem shared{std::move(prepared), scene.mu, request.start, request.beta, request.masses, request.effort};
     Arrays arrays(shared);
     const std::size_t columns = request.r.size(), rows = request.beta.size(), masses = request.masses.size();
     RegimeMap map;

@@ -7,7 +7,7 @@
 #include <span>
 
 #include "denhartog/formulas/system.hpp"
-#include "denhartog/model/coordinates.hpp"
+#include "denhartog/model/contact_and_load.hpp"
 #include "denhartog/model/linear_algebra.hpp"
 #include "denhartog/model/modal_damping.hpp"
 #include "denhartog/model/natural_modes.hpp"
@@ -97,7 +97,7 @@ ModalBasis<T> modal_basis(const System<T>& s) {
     else
         basis.zeta = s.damping_ratios;
     fix_signs(basis.phi);
-    if (const Matrix<T> others = further_displacements(s.coordinates); others.size() > 0) {
+    if (const Matrix<T> others = further_rows(s); others.size() > 0) {
         const Matrix<T> further = product(others, basis.phi);
         basis.phi.conservativeResize(basis.phi.rows() + further.rows(), Eigen::NoChange);
         basis.phi.bottomRows(further.rows()) = further;

@@ -18,7 +18,7 @@ namespace denhartog {
 template <class T>
 struct ModalBasis {
     std::vector<T> r_n; ///< natural frequency ratios omega_i sqrt(m_1 / k_1), ascending, N values
-    Matrix<T> phi; ///< mode shapes, mass by mode, phi^T M phi = 1, N x N; `further_displacements` of the system in further rows
+    Matrix<T> phi; ///< mode shapes, mass by mode, phi^T M phi = 1, N x N; `further_rows` of the system behind them
     std::vector<T> zeta;         ///< modal damping ratios, N values; where damping couples the modes those that its diagonal has
     Matrix<T> D{};               ///< phi^T C phi where damping couples the modes, N x N; else empty
     T distance_from_classical{}; ///< of a damping matrix, as `set_modal_damping` measures it; 0 without one
@@ -32,7 +32,7 @@ struct ModalBasis {
 
 /// @brief How many rows of the shapes are displacements of masses or of the contact.
 /// @param basis  a modal basis
-/// @param load   the loaded mass; of a load on several, which is none of them, the row behind all others
+/// @param load   the loaded mass; of a load on several its row, behind all others
 /// @return       their number
 template <class T>
 [[nodiscard]] std::size_t number_of_displacements(const ModalBasis<T>& basis, Mass load) {

@@ -7,7 +7,7 @@
 #include <limits>
 #include <string>
 
-#include "denhartog/model/coordinates.hpp"
+#include "denhartog/model/contact_and_load.hpp"
 #include "denhartog/model/linear_algebra.hpp"
 #include "denhartog/model/natural_modes.hpp"
 #include "denhartog/number/errors.hpp"

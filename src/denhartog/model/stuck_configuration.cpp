@@ -67,7 +67,7 @@ NaturalModes<T> stuck_modes(const System<T>& s, const StuckConfiguration<T>& stu
     if (stuck.masses.size() == 1)
         return {{sqrt(T(stuck.K(0, 0) / stuck.M(0, 0)))}, Matrix<T>::Constant(1, 1, T(1 / sqrt(stuck.M(0, 0))))};
     ++work_counted.eigen_solves;
-    if (is_chain(s)) return modes_of_two_chains(s);
+    if (is_chain(s) && !s.contact_with) return modes_of_two_chains(s);
     return general_modes(factor_of_masses(stuck.M), stuck.K);
 }
 
@@ -109,7 +109,7 @@ void set_modes(const System<T>& s, StuckConfiguration<T>& stuck) {
     stuck.phi = std::move(modes.phi);
     const Matrix<T> D = in_coordinates(stuck.phi, stuck.C);
     stuck.damping = (D + D.transpose()) / T(2);
-    set_coupling(stuck, is_chain(s) ? FrequencyErrors::of_each : FrequencyErrors::of_highest, tolerance);
+    set_coupling(stuck, is_chain(s) && !s.contact_with ? FrequencyErrors::of_each : FrequencyErrors::of_highest, tolerance);
 }
 
 /// The same from elsewhere.
@@ -138,12 +138,13 @@ template <class T>
 StuckConfiguration<T> stuck_configuration(const System<T>& s, const ModalBasis<T>& basis, const RoundedModes<T>* held) {
     check(s);
     const std::size_t N = number_of_masses(s);
-    NonDimensionalMatrices<T> all = non_dimensional_matrices(s, basis, T(1));
-    if (held) all.C = held->C;
-    const auto j = static_cast<Eigen::Index>(s.contact.index);
     StuckConfiguration<T> stuck{};
+    stuck.contact = contact_of(s.contact, s.contact_with, mass_matrix(s));
+    HeldMatrices<T> all = held_matrices(s, stuck.contact, non_dimensional_matrices(s, basis, T(1)).C);
+    if (held) all.C = held->C;
+    const auto j = static_cast<Eigen::Index>(stuck.contact.a);
     for (std::size_t k = 0; k < N; ++k)
-        if (Mass{k} != s.contact) stuck.masses.push_back(Mass{k});
+        if (k != stuck.contact.a) stuck.masses.push_back(Mass{k});
     const std::vector<Eigen::Index> others = indices_of(stuck.masses);
     stuck.M = all.M(others, others);
     stuck.C = all.C(others, others);
@@ -152,20 +153,24 @@ StuckConfiguration<T> stuck_configuration(const System<T>& s, const ModalBasis<T
     stuck.c_j = entries(all.C, j, others);
     stuck.k_j = entries(all.K, j, others);
     stuck.k_jj = all.K(j, j);
-    stuck.k_contact = N == 1 ? stuck.k_jj : T(1 / compliance(basis, j));
-    stuck.load = s.coordinates.load;
+    stuck.k_contact = N == 1 ? stuck.k_jj : T(1 / compliance(basis, static_cast<Eigen::Index>(contact_row(s).index)));
+    stuck.load = s.load_vector;
+    stuck.carried.assign(N, T(0));
+    stuck.carried[stuck.contact.a] = T(stuck.contact.sign);
     stuck.coupling = T(0);
     stuck.modes_diagonalise_damping = true;
+    const auto n = static_cast<Eigen::Index>(N);
+    stuck.shapes = Matrix<T>::Zero(n, n - 1);
+    stuck.momentum = Matrix<T>::Zero(n - 1, n);
     if (N == 1) return stuck;
     if (held)
         set_modes(*held, stuck);
     else
         set_modes(s, stuck);
     require_finite(stuck);
-    if (const Matrix<T>& rows = s.coordinates.displacements; rows.size() > 0) {
-        stuck.further = product(Matrix<T>(rows(Eigen::all, others)), stuck.phi);
-        for (const T& part : rows.col(j)) stuck.carried.push_back(part);
-    }
+    stuck.shapes(others, Eigen::all) = stuck.phi;
+    if (stuck.contact.b) stuck.shapes.row(j) = stuck.shapes.row(static_cast<Eigen::Index>(*stuck.contact.b));
+    stuck.momentum(Eigen::all, others) = transpose_times(stuck.phi, stuck.M);
     return stuck;
 }
 

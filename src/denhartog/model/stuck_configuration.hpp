@@ -2,11 +2,13 @@
 /// @brief The stuck configuration: the masses that keep oscillating while the contact is held, Section 4.3.
 ///
 /// Nothing of it depends on r. The blocks are those of the full matrices with row and column j taken out: on a chain the masses
-/// on both sides of the contact, which the damping (19) couples across it.
+/// on both sides of the contact, which the damping (19) couples across it. Between two masses the displacement of the contact has
+/// the place of that of mass a, see `Contact`: row and column a of the matrices with it are taken out.
 #pragma once
 
 #include <vector>
 
+#include "denhartog/model/contact_and_load.hpp"
 #include "denhartog/model/modal_basis.hpp"
 
 namespace denhartog {
@@ -16,7 +18,8 @@ namespace denhartog {
 /// Units: masses m_1, stiffnesses k_1, damping sqrt(k_1 m_1). The arrays over masses are in the order of `masses`.
 template <class T>
 struct StuckConfiguration {
-    std::vector<Mass> masses;         ///< all masses but the one in contact, ascending, N - 1
+    Contact contact;              ///< the contact; j below is its mass a
+    std::vector<Mass> masses;         ///< all masses but a, ascending, N - 1
     Matrix<T> M;                      ///< their block of the mass matrix, (N - 1) x (N - 1)
     Matrix<T> C;                      ///< their block of the full damping matrix (19)
     Matrix<T> K;                      ///< their block of the stiffness matrix
@@ -27,9 +30,10 @@ struct StuckConfiguration {
     T k_contact;                      ///< static stiffness of the contact with the others free to follow: 1 / (K^-1)_jj
     std::vector<T> r_n;               ///< natural frequency ratios of the stuck configuration, ascending, N - 1
     Matrix<T> phi;                    ///< mode shapes, mass by mode, phi^T M phi = 1
-    Matrix<T> further;                ///< the same of the masses that are no coordinate of the system, a row each
-    std::vector<T> carried;           ///< how far each of these goes with the contact
-    std::vector<T> load;              ///< force on each coordinate where it acts on several, N values; else none
+    Matrix<T> shapes;                 ///< the same of all N masses
+    Matrix<T> momentum;               ///< phi^T M: modal coordinates of the displacements of all N masses
+    std::vector<T> carried;           ///< how far each of the N masses goes with the contact while the modes are at rest
+    std::vector<T> load;              ///< force on each mass where it acts on several, N values; else none
     Matrix<T> damping;                ///< phi^T C phi; its diagonal is 2 zeta*_i r_n,i
     T coupling;                       ///< largest off-diagonal |D_ik| / sqrt(D_ii D_kk) of `damping`; zero for fewer than two
     bool modes_diagonalise_damping{}; ///< whether `coupling` is explained by rounding: zeta*_i then describe the motion
@@ -46,31 +50,31 @@ struct RoundedModes {
     Matrix<T> damping;  ///< phi^T C phi of these; zero where it does not couple two modes
 };
 
+/// @brief The force on a mass in units of P, where the load is on l or, if the configuration has it, on several.
+template <class T>
+[[nodiscard]] T force_on(const StuckConfiguration<T>& stuck, Mass k, Mass load) {
+    return stuck.load.empty() ? T(k == load ? 1 : 0) : stuck.load[k.index];
+}
+
 /// @brief What a load brings to each stuck mode.
 /// @param stuck  the stuck configuration
-/// @param load   the loaded mass, l; none of them where the load acts on several
+/// @param load   the loaded mass, l, where the load acts on one
 /// @return       phi^T p, N - 1 values
 template <class T>
 [[nodiscard]] std::vector<T> load_on_stuck_modes(const StuckConfiguration<T>& stuck, Mass load) {
     std::vector<T> of_modes(stuck.masses.size(), T(0));
-    for (std::size_t n = 0; n < of_modes.size(); ++n) {
-        const Mass k = stuck.masses[n];
-        const T force = stuck.load.empty() ? T(k == load ? 1 : 0) : stuck.load[k.index];
+    for (Eigen::Index k = 0; k < stuck.shapes.rows(); ++k) {
+        const T force = force_on(stuck, Mass{static_cast<std::size_t>(k)}, load);
         if (force == 0) continue;
-        for (std::size_t i = 0; i < of_modes.size(); ++i)
-            of_modes[i] += force * stuck.phi(static_cast<Eigen::Index>(n), static_cast<Eigen::Index>(i));
+        for (std::size_t i = 0; i < of_modes.size(); ++i) of_modes[i] += force * stuck.shapes(k, static_cast<Eigen::Index>(i));
     }
     return of_modes;
 }
 
-/// @brief The part of a load that acts on the contact itself.
-/// @param stuck    the stuck configuration
-/// @param contact  the mass in contact
-/// @param load     the loaded mass, l; none of them where the load acts on several
-/// @return         delta_lj, or p_j
+/// @brief The part of a load that acts on the contact itself, delta_lj, or p_j of a load on several.
 template <class T>
-[[nodiscard]] T direct_load(const StuckConfiguration<T>& stuck, Mass contact, Mass load) {
-    return stuck.load.empty() ? T(load == contact ? 1 : 0) : stuck.load[contact.index];
+[[nodiscard]] T direct_load(const StuckConfiguration<T>& stuck, Mass load) {
+    return stuck.contact.sign * force_on(stuck, Mass{stuck.contact.a}, load);
 }
 
 /// @brief The stuck configuration of a system; one more eigenproblem (15), none where N is 1 or 2.

@@ -63,7 +63,6 @@ struct RoundingOfPhases {
     // large dashpots nearly cancel, is a force on each mode over the whole stretch.
     MapRounding of_image() const {
         const auto n = static_cast<std::size_t>(N);
-        const auto j = static_cast<Eigen::Index>(s.contact.index);
         const double eps = std::numeric_limits<double>::epsilon();
         std::vector<double> amplitudes;
         Column<double> modal(N), turned = Column<double>::Zero(N);
@@ -84,7 +83,7 @@ struct RoundingOfPhases {
                 largest = std::max(largest, q * q + slow * slow * p * p);
                 largest_sum = std::max(largest_sum, std::max(q_sum, slow * p_sum));
             }
-            const double friction = e.beta * std::abs(s.basis.phi(j, i)) / (r_n * r_n);
+            const double friction = e.beta * std::abs(s.contact_shape(i)) / (r_n * r_n);
             amplitudes.push_back(sqrt(largest) + friction);
             const double of_frequency = length * r_n / e.r * amplitudes.back();
             modal(i) =

@@ -22,7 +22,7 @@ MassMotion motion_with(double x, double tau, double spread = 0.0) {
 std::vector<Stop> stops_of(const OrbitMap& map) {
     const ExactMotion& motion = map.motion();
     const auto N = static_cast<std::size_t>(map.N);
-    const std::size_t j = map.solver().system().contact.index;
+    const Contact& contact = map.solver().system().stuck.contact;
     const bool mirrored = map.half_periods() % 2 != 0;
     const double stretch = map.half_periods() * pi<double>(), period = mirrored ? 2 * stretch : stretch;
     std::vector<Stop> stops;
@@ -41,7 +41,7 @@ std::vector<Stop> stops_of(const OrbitMap& map) {
                 stops.back().end = p.end + shift;
                 continue;
             }
-            const double x_j = motion.states[2 * N * n + j];
+            const double x_j = contact.of(&motion.states[2 * N * n]);
             if (part == 0 && p.start == 0) resting_at_0 = true;
             stops.push_back({p.start + shift, p.end + shift, part == 0 ? x_j : -x_j});
             resting = true;
@@ -59,15 +59,15 @@ std::vector<Stop> stops_of(const OrbitMap& map) {
 MassMotion contact_motion(const OrbitMap& map, double error) {
     const ExactMotion& motion = map.motion();
     const auto N = static_cast<std::size_t>(map.N);
-    const std::size_t j = map.solver().system().contact.index;
+    const auto x_at = [&](std::size_t n) { return map.solver().system().stuck.contact.of(&motion.states[2 * N * n]); };
     // A rest counts from its start: neither where it ends, nor, of one across the start of the stretch, what the stretch has of
     // it first. Elsewhere the start of the stretch comes last and has to be larger by more than rounding.
     const bool rests_across =
         motion.phases.size() > 1 && motion.phases.front().direction == 0 && motion.phases.back().direction == 0;
-    double x = rests_across ? 0.0 : motion.states[j] * (1 - 16 * std::numeric_limits<double>::epsilon()), tau = 0;
+    double x = rests_across ? 0.0 : x_at(0) * (1 - 16 * std::numeric_limits<double>::epsilon()), tau = 0;
     for (std::size_t n = 1; n < motion.phases.size(); ++n) {
         if (motion.phases[n - 1].direction == 0) continue;
-        const double x_j = motion.states[2 * N * n + j];
+        const double x_j = x_at(n);
         if (std::abs(x_j) > std::abs(x)) {
             x = x_j;
             tau = motion.phases[n].start;
@@ -75,7 +75,7 @@ MassMotion contact_motion(const OrbitMap& map, double error) {
     }
     MassMotion contact = motion_with(x, tau);
     for (std::size_t n = 1; n < motion.phases.size(); ++n) {
-        const double x_j = motion.states[2 * N * n + j];
+        const double x_j = x_at(n);
         if (motion.phases[n - 1].direction == 0 || std::abs(x_j) < contact.amplitude - 2 * error) continue;
         const double apart = wrapped(motion_with(x_j, motion.phases[n].start).phase - contact.phase);
         contact.spread = std::max(contact.spread, std::abs(apart));
@@ -83,27 +83,20 @@ MassMotion contact_motion(const OrbitMap& map, double error) {
     return contact;
 }
 
-/// How much farther than the coordinates a mass may be out that is none of them; 1 where all are.
-double reach_of_displacements(const OrbitMap& map) {
-    double reach = 1;
-    const Matrix<double>& displacements = map.solver().system().coordinates.displacements;
-    for (Eigen::Index n = 0; n < displacements.rows(); ++n) reach = std::max(reach, displacements.row(n).cwiseAbs().sum());
-    return reach;
-}
-
 } // namespace
 
 double displacement_of_energy(const OrbitMap& map) {
     const ContactSystem& s = map.solver().system();
-    double largest = 0; // squared
-    for (Eigen::Index k = 0; k < map.N; ++k) {
-        double reach = 0;
+    const auto reach = [&](const auto& row) { // of a displacement, squared
+        double sum = 0;
         for (Eigen::Index i = 0; i < map.N; ++i) {
-            const double each = s.basis.phi(k, i) * map.solver().excitation().r / s.basis.r_n[static_cast<std::size_t>(i)];
-            reach += each * each;
+            const double each = row(i) * map.solver().excitation().r / s.basis.r_n[static_cast<std::size_t>(i)];
+            sum += each * each;
         }
-        largest = std::max(largest, reach);
-    }
+        return sum;
+    };
+    double largest = reach(s.contact_shape);
+    for (Eigen::Index k = 0; k < map.N; ++k) largest = std::max(largest, reach(s.basis.phi.row(k)));
     return sqrt(largest);
 }
 
@@ -117,19 +110,19 @@ std::optional<ErrorsOfOrbit> errors_of(const OrbitMap& map) {
     const auto energy = [&](bool of_modes) {
         return growth * product_of_sizes(inverse, Column<double>(apart + map.rounding_in_energy(of_modes))).norm();
     };
+    const ContactSystem& s = map.solver().system();
+    const int terms = s.stuck.contact.b ? 2 : 1; // of the displacement of the contact
     const auto displacement = [&](double by_energy, const Column<double>& rounding) {
-        return reach_of_displacements(map) * (displacement_of_energy(map) * by_energy + rounding.head(map.N).maxCoeff());
+        return displacement_of_energy(map) * by_energy + terms * rounding.head(map.N).maxCoeff();
     };
     const double with_modes = energy(true);
     const Column<double> rounding = map.rounding(true);
     ErrorsOfOrbit errors{displacement(energy(false), map.rounding(false)), displacement(with_modes, rounding), {}};
-    const ContactSystem& s = map.solver().system();
     for (Eigen::Index k = 0; k < map.N; ++k)
         errors.velocity.push_back(s.basis.phi.row(k).norm() * with_modes + rounding(map.N + k));
-    for (const auto& of_mass : s.coordinates.displacements.rowwise()) {
-        double sum = 0;
-        for (Eigen::Index k = 0; k < map.N; ++k) sum += errors.velocity[static_cast<std::size_t>(k)] * size_of_number(of_mass(k));
-        errors.velocity.push_back(sum);
+    if (const Contact& contact = s.stuck.contact; contact.b) {
+        const auto of = [&](std::size_t k) { return rounding(map.N + static_cast<Eigen::Index>(k)); };
+        errors.velocity.push_back(s.contact_shape.norm() * with_modes + of(contact.a) + of(*contact.b));
     }
     return errors;
 }
@@ -182,7 +175,8 @@ std::optional<PeriodicOrbit> rest_of(OrbitMap& map, const LastingRest& rest, dou
     orbit.symmetric = x_j == 0;
     orbit.stops = {{0, 2 * pi<double>(), x_j}};
     for (std::size_t k = 0; k < orbit.start.x.size(); ++k) orbit.masses.push_back(rest.motion(k, x_j));
-    orbit.contact = orbit.masses[map.solver().system().contact.index];
+    orbit.contact = motion_with(x_j, 0);
+    if (map.solver().system().stuck.contact.b) orbit.masses.push_back(orbit.contact);
     double largest = 0;
     for (const MassMotion& mass : orbit.masses) largest = std::max(largest, mass.amplitude);
     if (search.contact_only) orbit.masses.clear();

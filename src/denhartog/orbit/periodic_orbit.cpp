@@ -22,7 +22,7 @@ constexpr int half_periods_to_arrive = 4000; // at rest, or at an orbit that att
 class SearchFromStart {
 public:
     SearchFromStart(ExactSolver& solver, const OrbitSearch& search)
-        : search_(search), map_(solver), shooting_(map_, search.tolerance), j_(solver.system().contact.index),
+        : search_(search), map_(solver), shooting_(map_, search.tolerance), contact_(solver.system().stuck.contact),
           no_expansion_(solver.excitation().mu == 1),
           most_periods_(no_expansion_ ? search.most_periods : periods_to_follow(solver, search.most_periods)),
           damped_(every_motion_is_damped(solver.system().basis)) {}
@@ -74,7 +74,7 @@ private:
         if (done > 0 && only_rest_is_steady()) return tends_to_rest(z, done);
         if (best_step_ < 0 || (settling_.change >= 0 && settling_.change < best_step_)) best_ = z;
         if (held_ && steady_rest().exists())
-            best_ = steady_rest().steady_state(z.x[j_]); // ahead of the motion: what the others tend to
+            best_ = steady_rest().steady_state(contact_.of(z.x)); // ahead of the motion: what the others tend to
         const bool found = shooting_.fixed_point(best_, 1, AfterBadStep::go_on_from_image_at_last);
         best_step_ = shooting_.residual();
         if (!found) return false;
@@ -186,7 +186,7 @@ private:
         using Verdict = LastingRest::Verdict;
         const Verdict verdict = steady_rest().verdict(z);
         if (verdict == Verdict::open) return false;
-        return rest_at(done % 2 != 0 ? -z.x[j_] : z.x[j_], done, 0.0,
+        return rest_at(done % 2 != 0 ? -contact_.of(z.x) : contact_.of(z.x), done, 0.0,
                        verdict == Verdict::lasts
                            ? "the contact came to rest and stays there: the load on it never reaches mu beta again"
                            : "the contact came to rest and the load on it equals mu beta to rounding: beta is "
@@ -202,7 +202,7 @@ private:
     // No two motions move apart, so that the motion stays as near to any steady rest as it is.
     bool tends_to_rest(const State& z, int done) {
         const double reach = steady_rest().reach();
-        const double x_j = std::clamp(z.x[j_], -reach, reach);
+        const double x_j = std::clamp(contact_.of(z.x), -reach, reach);
         const State rest = steady_rest().steady_state(x_j);
         const double apart = displacement_of_energy(map_) * map_.norm(difference(z, rest));
         double largest = 0;
@@ -262,7 +262,7 @@ private:
     OrbitSearch search_;
     OrbitMap map_;
     Shooting shooting_;
-    std::size_t j_;
+    const Contact& contact_;
     bool no_expansion_;    // mu = 1: no two motions move apart
     int most_periods_;     // of propagation
     bool damped_;          // every motion

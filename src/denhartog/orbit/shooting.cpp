@@ -44,7 +44,7 @@ double Shooting::enough(const State& z, double rounding) const {
 double Shooting::prepare_step(const State& z) {
     from_ = z;
     image_ = map_->image();
-    rests_at_0_ = image_.x_prime[j_] == 0 && map_->motion().phases.back().direction == 0;
+    rests_at_0_ = contact_->of(image_.x_prime) == 0 && map_->motion().phases.back().direction == 0;
     const LinearSystem<double> system(map_->newton_matrix());
     if (!system.is_regular()) return 0;
     step_ = system.solve(map_->difference());
@@ -58,7 +58,7 @@ void Shooting::take_step(double part, State& z) const {
         z.x[n] = from_.x[n] + part * step_(k);
         z.x_prime[n] = from_.x_prime[n] + part * step_(map_->N + k);
     }
-    if (rests_at_0_ && part == 1) z.x_prime[j_] = 0;
+    if (rests_at_0_ && part == 1) contact_->hold(z.x_prime.data());
 }
 
 } // namespace denhartog

@@ -20,7 +20,8 @@ class Shooting {
 public:
     /// @param map        the map; must outlive this
     /// @param tolerance  residual relative to the state at which to end; 0 for rounding
-    Shooting(OrbitMap& map, double tolerance) : map_(&map), tolerance_(tolerance), j_(map.solver().system().contact.index) {}
+    Shooting(OrbitMap& map, double tolerance)
+        : map_(&map), tolerance_(tolerance), contact_(&map.solver().system().stuck.contact) {}
 
     /// @brief Looks for a fixed point in which the contact moves.
     ///
@@ -53,7 +54,7 @@ private:
 
     OrbitMap* map_;
     double tolerance_;
-    std::size_t j_;
+    const Contact* contact_;
     State from_, image_; // where the step starts, and the image of that
     Column<double> step_;
     bool rests_at_0_ = false; // the contact sticks at the end of the stretch: its velocity is zero there, without rounding

@@ -33,8 +33,7 @@ class Events {
 public:
     Events(const OrbitMap& map, const ErrorsOfOrbit& errors)
         : solver_(map.solver()), e_(solver_.excitation()), basis_(solver_.system().basis),
-          at_ends_(solver_, errors.displacement, errors.velocity),
-          inertia_(basis_.phi.row(static_cast<Eigen::Index>(solver_.system().contact.index)).squaredNorm()) {
+          at_ends_(solver_, errors.displacement, errors.velocity), inertia_(solver_.system().contact_shape.squaredNorm()) {
         double damping = 0;
         if (basis_.coupled())
             damping = largest_row_sum(basis_.D);
@@ -42,8 +41,9 @@ public:
             for (std::size_t i = 0; i < basis_.r_n.size(); ++i)
                 damping = std::max(damping, 2 * std::abs(basis_.zeta[i]) * basis_.r_n[i]);
         rate_ = highest_over_force(solver_) + damping / e_.r;
-        std::vector<double> velocities; // of the coordinates, for a unit of energy
+        std::vector<double> velocities; // for a unit of energy
         for (Eigen::Index k = 0; k < map.N; ++k) velocities.push_back(basis_.phi.row(k).norm());
+        velocities.push_back(solver_.system().contact_shape.norm()); // where the contact has a row of its own
         load_ = ErrorsAtEnds(solver_, displacement_of_energy(map), velocities).of_load;
     }
 
@@ -80,7 +80,7 @@ private:
     const Excitation& e_;
     const ModalBasis<double>& basis_;
     ErrorsAtEnds at_ends_;
-    double inertia_; // e_j M^-1 e_j
+    double inertia_; // w^T M^-1 w
     double rate_;    // how fast phases turn deviations
     double load_;    // of the contact that sticks, for a unit of energy
 };
@@ -104,12 +104,16 @@ std::vector<Multiplier> multipliers_of_orbit(const OrbitMap& map, const ErrorsOf
 
 StabilityOfRest stability_of_rest(const OrbitMap& map) {
     const ContactSystem& s = map.solver().system();
-    const auto j = static_cast<Eigen::Index>(s.contact.index), others = map.N - 1;
-    if (others == 0) return {true, {}};
+    if (map.N == 1) return {true, {}};
+    const Contact& contact = s.stuck.contact;
+    Matrix<double> all = map.jacobian();
     std::vector<Eigen::Index> kept;
-    for (Eigen::Index k = 0; k < 2 * map.N; ++k)
-        if (k != j && k != map.N + j) kept.push_back(k);
-    const Matrix<double> jacobian = map.jacobian()(kept, kept);
+    for (const Eigen::Index of_part : {Eigen::Index(0), map.N}) {
+        if (contact.b) // which moves a
+            all.col(of_part + static_cast<Eigen::Index>(*contact.b)) += all.col(of_part + static_cast<Eigen::Index>(contact.a));
+        for (const Mass& k : s.stuck.masses) kept.push_back(of_part + static_cast<Eigen::Index>(k.index));
+    }
+    const Matrix<double> jacobian = all(kept, kept);
     const double r = map.solver().excitation().r, slowest = s.stuck.r_n.front(), fastest = s.stuck.r_n.back();
     // A stiffness that is off by some units of the largest, over the stretch, and products with mode shapes.
     const double phases = static_cast<int>(map.motion().phases.size()), eps = std::numeric_limits<double>::epsilon();

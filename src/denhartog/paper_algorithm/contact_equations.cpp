@@ -7,7 +7,6 @@
 #include <string>
 
 #include "denhartog/formulas/stuck.hpp"
-#include "denhartog/model/coordinates.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/number_text.hpp"
 #include "denhartog/scene/point_rules.hpp"
@@ -33,7 +32,8 @@ void check(const ContactProblem& p) {
             throw InputError(name, "must be from 1 to " + std::to_string(N), std::to_string(m.index + 1));
     };
     index("contact", p.contact);
-    if (p.coordinates.load.empty()) index("load", p.load);
+    if (p.load_vector.empty()) index("load", p.load);
+    if (p.contact_with) index("contact", *p.contact_with);
     if (!(p.mu >= 1) || !std::isfinite(p.mu)) throw InputError("mu", "must be finite and at least 1", number_to_text(p.mu));
     if (!(p.beta >= 0) || !std::isfinite(p.beta))
         throw InputError("beta", "must be finite and not negative", number_to_text(p.beta));
@@ -46,33 +46,46 @@ ContactProblem contact_problem(const Scene<double>& scene) {
     (void)frequency_ratio_of(scene);
     (void)friction_ratio_of(scene);
     const System<double>& s = scene.system;
-    return {non_dimensional_matrices(s, modal_basis(s), *scene.r), s.contact, s.load, scene.mu, *scene.beta, s.coordinates};
+    return {non_dimensional_matrices(s, modal_basis(s), *scene.r),
+            s.contact,
+            s.load,
+            scene.mu,
+            *scene.beta,
+            s.contact_with,
+            s.load_vector};
 }
 
 ContactEquations::ContactEquations(const ContactProblem& p) : beta(p.beta), mu(p.mu) {
     check(p);
     const auto& [M, C, K] = p.matrices;
     const Eigen::Index rows = M.rows();
-    const auto contact = static_cast<Eigen::Index>(p.contact.index);
-    const std::vector<double> forces_of_load = load_on_coordinates(p.coordinates, p.load, static_cast<std::size_t>(rows));
-    const Eigen::Map<const Eigen::VectorXd> load(forces_of_load.data(), rows);
+    contact = contact_of(p.contact, p.contact_with, M);
+    Eigen::VectorXd w = Eigen::VectorXd::Unit(rows, static_cast<Eigen::Index>(p.contact.index));
+    if (p.contact_with) w(static_cast<Eigen::Index>(p.contact_with->index)) = -1;
+    Eigen::VectorXd load = Eigen::VectorXd::Zero(rows);
+    if (p.load_vector.empty())
+        load(static_cast<Eigen::Index>(p.load.index)) = 1;
+    else
+        load = Eigen::Map<const Eigen::VectorXd>(p.load_vector.data(), rows);
     const Eigen::LLT<Matrix<double>> factor(M);
     if (factor.info() != Eigen::Success) throw InputError("M", "must be positive definite", "");
     const Matrix<double> inverse = factor.solve(Matrix<double>::Identity(rows, rows));
     N = static_cast<std::size_t>(rows);
-    j = p.contact.index;
-    compliance = inverse(contact, contact);
+    const Eigen::VectorXd of_contact = inverse * w;
+    compliance = contact.of(of_contact);
 
     Matrix<double> forces(rows, 2 * rows); // by springs and dampers, per unit of y
     forces << -K, -C;
     const Matrix<double> accelerations = inverse * forces;
     // With the contact held, the reaction takes its acceleration away.
-    const Matrix<double> held = inverse.col(contact) / compliance;
-    const Matrix<double> held_accelerations = accelerations - held * accelerations.row(contact);
+    const Matrix<double> held = of_contact / compliance;
+    Matrix<double> held_accelerations = accelerations - held * contact.row_of(accelerations);
     const Matrix<double> of_load = inverse * load;
-    const Matrix<double> held_load = of_load - held * of_load(contact, 0);
+    Matrix<double> held_load = of_load - held * contact.row_of(of_load);
+    contact.hold(held_accelerations);
+    contact.hold(held_load);
     // The contact's row with the accelerations of the others eliminated; for a diagonal M it is row j itself.
-    const Matrix<double> row = inverse.row(contact) / compliance * forces;
+    const Matrix<double> row = of_contact.transpose() / compliance * forces;
     sliding_.resize(N * 2 * N);
     sticking_.resize(N * 2 * N);
     for (auto* each : {&friction_, &sliding_load_, &sticking_load_, &contact_column_}) each->resize(N);
@@ -82,15 +95,15 @@ ContactEquations::ContactEquations(const ContactProblem& p) : beta(p.beta), mu(p
         for (std::size_t n = 0; n < 2 * N; ++n) {
             const auto b = static_cast<Eigen::Index>(n);
             sliding_[k * 2 * N + n] = accelerations(a, b);
-            sticking_[k * 2 * N + n] = k == j ? 0 : held_accelerations(a, b);
+            sticking_[k * 2 * N + n] = held_accelerations(a, b);
         }
         sliding_load_[k] = of_load(a, 0);
-        sticking_load_[k] = k == j ? 0 : held_load(a, 0);
-        contact_column_[k] = inverse(a, contact);
+        sticking_load_[k] = held_load(a, 0);
+        contact_column_[k] = of_contact(a);
     }
     for (std::size_t n = 0; n < 2 * N; ++n) contact_row_[n] = -row(0, static_cast<Eigen::Index>(n));
-    harmonic_load = of_load(contact, 0) / compliance;
-    direct_load_ = load(contact);
+    harmonic_load = of_contact.dot(load) / compliance;
+    direct_load_ = contact.sign * load(static_cast<Eigen::Index>(contact.a));
     inertial_load_ = harmonic_load - direct_load_;
     for (const std::vector<double>& each : {sliding_, sticking_, sliding_load_, contact_row_})
         for (const double x : each)

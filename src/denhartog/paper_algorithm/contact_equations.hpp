@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "denhartog/elementary/elementary.hpp"
+#include "denhartog/model/contact_and_load.hpp"
 #include "denhartog/model/modal_basis.hpp"
 
 namespace denhartog {
@@ -17,10 +18,11 @@ namespace denhartog {
 struct ContactProblem {
     NonDimensionalMatrices<double> matrices; ///< M, C, K of (6); symmetric, M positive definite
     Mass contact;                            ///< the mass in contact, j
-    Mass load;                               ///< the loaded mass, l; none of them where `coordinates` has a load on several
+    Mass load;                               ///< the loaded mass, l
     double mu = 1;                           ///< static over kinetic friction, Eq. (3); at least 1
     double beta = 0;                         ///< friction ratio, Eq. (11); not negative
-    Coordinates<double> coordinates{};       ///< the masses that are no coordinates, and a load on several
+    std::optional<Mass> contact_with{};      ///< the mass that the contact rubs against, instead of a wall
+    std::vector<double> load_vector{};       ///< force on each mass in units of P, instead of `load`
 };
 
 /// @brief The problem at the point of a scene.
@@ -83,7 +85,7 @@ public:
     }
 
     std::size_t N;        ///< number of masses
-    std::size_t j;        ///< the mass in contact
+    Contact contact;  ///< the contact
     double beta;          ///< friction ratio
     double mu;            ///< static over kinetic friction
     double harmonic_load; ///< amplitude of the force's part of the load on the contact

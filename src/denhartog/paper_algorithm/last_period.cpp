@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "denhartog/model/coordinates.hpp"
 #include "denhartog/sliding/steady_state.hpp"
 
 namespace denhartog {
@@ -18,29 +17,20 @@ void DisplacementRange::take(double x, double tau) {
     empty = false;
 }
 
-double DisplacementOf::operator()(const DenseStep::Y& y, std::size_t part) const {
-    const std::size_t N = y.size() / 2;
-    if (k < N) return y[part + k];
-    double sum = 0;
-    for (std::size_t n = 0; n < N; ++n)
-        sum += others->displacements(static_cast<Eigen::Index>(k - N), static_cast<Eigen::Index>(n)) * y[part + n];
-    return sum;
-}
-
 void take_extrema(DenseStep& step, const DisplacementOf& of, double tau, double from, double to, std::vector<double>& zeros,
                   DisplacementRange& range) {
     const std::size_t N = step.y_0.size() / 2;
-    const StepFunction x = step.over_step([&of](const DenseStep::Y& y) { return of(y, 0); });
+    const StepFunction x = step.over_step([&of](const DenseStep::Y& y) { return of(y.data()); });
     const auto take = [&](double theta) { range.take(x(theta).f[0], tau + theta * step.h); };
     take(from);
     take(to);
-    sign_changes(step.over_step([&of, N](const DenseStep::Y& y) { return of(y, N); }), zeros);
+    sign_changes(step.over_step([&of, N](const DenseStep::Y& y) { return of(y.data() + N); }), zeros);
     for (const double theta : zeros)
         if (theta > from && theta < to) take(theta);
 }
 
-LastPeriod::LastPeriod(std::size_t N, double start, int samples, const Coordinates<double>& others)
-    : start_(start), others_(&others), ranges_(N + others.replaced.size()), y_(2 * N) {
+LastPeriod::LastPeriod(std::size_t N, double start, int samples, const Contact& contact)
+    : start_(start), contact_(&contact), ranges_(contact.b ? N + 1 : N), y_(2 * N) {
     for (int n = 0; n < samples; ++n) sample_times_.push_back(2 * pi<double>() * n / samples);
 }
 
@@ -48,7 +38,10 @@ void LastPeriod::take(DenseStep& step, double tau, double to) {
     if (!(tau + to * step.h > start_)) return;
     const std::size_t N = y_.size() / 2;
     const double from = std::clamp((start_ - tau) / step.h, 0.0, to);
-    for (std::size_t k = 0; k < ranges_.size(); ++k) take_extrema(step, {k, others_}, tau, from, to, zeros_, ranges_[k]);
+    for (std::size_t k = 0; k < ranges_.size(); ++k) {
+        const auto of = [this, k, N](const double* x) { return k < N ? x[k] : contact_->of(x); };
+        take_extrema(step, of, tau, from, to, zeros_, ranges_[k]);
+    }
     while (samples_.size() < sample_times_.size()) {
         const double theta = (start_ + sample_times_[samples_.size()] - tau) / step.h;
         if (theta > to) break;
@@ -81,25 +74,12 @@ void LastPeriod::write(PaperMotion& motion) const {
         motion.masses.push_back({range.amplitude, std::nullopt});
         if (slides_throughout_ && range.largest > range.smallest) motion.masses.back().phase = wrapped(range.instant);
     }
+    if (contact_->b) {
+        motion.between = motion.masses.back();
+        motion.masses.pop_back();
+    }
     motion.sample_times = sample_times_;
     motion.samples = samples_;
-}
-
-void put_in_order_of_masses(const System<double>& system, PaperMotion& motion) {
-    const Coordinates<double>& c = system.coordinates;
-    if (c.replaced.empty()) return;
-    if (!motion.end.x.empty()) {
-        take_to_masses(c, motion.end.x);
-        take_to_masses(c, motion.end.x_prime);
-    }
-    for (State& state : motion.samples) {
-        take_to_masses(c, state.x);
-        take_to_masses(c, state.x_prime);
-    }
-    if (motion.masses.empty()) return;
-    if (!c.between.empty()) motion.between = motion.masses[system.contact.index];
-    put_in_order_of_masses<double>(c, motion.masses);
-    motion.masses.resize(motion.masses.size() - c.replaced.size());
 }
 
 } // namespace denhartog

@@ -2,6 +2,7 @@
 /// @brief What the paper reads off the last period of an integration, step by step: amplitudes, phases, samples.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "denhartog/paper_algorithm/dense_step.hpp"
@@ -21,14 +22,8 @@ struct DisplacementRange {
     void take(double x, double tau);
 };
 
-/// @brief A displacement of a state, or its velocity: that of a coordinate, or of a mass that is none.
-struct DisplacementOf {
-    std::size_t k;                     ///< its place, see `displacement_of`
-    const Coordinates<double>* others; ///< the masses that are no coordinates
-
-    /// @brief The number. @param y a state @param part 0 for the displacement, N for its velocity @return its value
-    double operator()(const DenseStep::Y& y, std::size_t part) const;
-};
+/// @brief A displacement of those of the masses, or a velocity of theirs.
+using DisplacementOf = std::function<double(const double*)>;
 
 /// @brief Takes the extrema of a displacement over a part of a step into account.
 ///
@@ -49,8 +44,8 @@ public:
     /// @param N        number of masses
     /// @param start    its start
     /// @param samples  number of instants to sample
-    /// @param others   the masses that are no coordinates; must outlive this
-    LastPeriod(std::size_t N, double start, int samples, const Coordinates<double>& others);
+    /// @param contact  the contact; between two masses it has a place behind the masses. It must outlive this
+    LastPeriod(std::size_t N, double start, int samples, const Contact& contact);
 
     /// @brief Takes a step, or the part of one before an event, into account.
     /// @param step  the step
@@ -70,7 +65,7 @@ public:
 
 private:
     double start_;
-    const Coordinates<double>* others_;
+    const Contact* contact_;
     std::vector<DisplacementRange> ranges_; // of all displacements
     std::vector<Stop> stops_;
     bool rests_ = false;
@@ -79,10 +74,5 @@ private:
     std::vector<State> samples_;
     std::vector<double> zeros_, y_;
 };
-
-/// @brief Puts a motion that was found in coordinates of its own in the order of the masses.
-/// @param system  the system in its coordinates; nothing is done where it has none
-/// @param motion  the motion
-void put_in_order_of_masses(const System<double>& system, PaperMotion& motion);
 
 } // namespace denhartog

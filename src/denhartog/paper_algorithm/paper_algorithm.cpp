@@ -6,7 +6,6 @@
 #include <limits>
 
 #include "denhartog/formulas/stuck.hpp"
-#include "denhartog/model/coordinates.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/number.hpp"
 #include "denhartog/number/number_text.hpp"
@@ -30,10 +29,9 @@ bool finite(const std::vector<double>& y) {
 class Integration {
 public:
     Integration(const ContactProblem& problem, const PaperSettings& settings)
-        : s_(settings), equations_(problem), N_(equations_.N), j_(equations_.j),
+        : s_(settings), equations_(problem), N_(equations_.N), contact_(equations_.contact),
           step_(N_, s_.absolute_tolerance, s_.relative_tolerance.value_or(s_.absolute_tolerance), longest_step), tau_(s_.tau_0),
-          end_(s_.tau_0 + period * s_.cycles),
-          last_period_(N_, s_.tau_0 + period * (s_.cycles - 1), s_.samples, problem.coordinates) {
+          end_(s_.tau_0 + period * s_.cycles), last_period_(N_, s_.tau_0 + period * (s_.cycles - 1), s_.samples, contact_) {
         if (s_.start) {
             std::ranges::copy(s_.start->x, step_.y_0.begin());
             std::ranges::copy(s_.start->x_prime, step_.y_0.begin() + static_cast<std::ptrdiff_t>(N_));
@@ -67,7 +65,7 @@ private:
     static constexpr double epsilon = std::numeric_limits<double>::epsilon();
     static constexpr double first_step = longest_step / 16;
 
-    double& contact_velocity() { return step_.y_0[N_ + j_]; }
+    [[nodiscard]] double contact_velocity() const { return contact_.of(&step_.y_0[N_]); }
 
     void fail(IntegrationStatus status, const std::string& reason) {
         motion_.status = status;
@@ -151,7 +149,7 @@ private:
             step_.state((at - tau_) / step_.h, last_);
             step_.y_0.swap(last_);
             tau_ = at;
-            contact_velocity() = 0;
+            contact_.hold(&step_.y_0[N_]);
             return true;
         }
         step_.advance();
@@ -163,7 +161,7 @@ private:
     // The end of a sliding phase, x_j' = 0; without friction nothing happens there.
     std::optional<double> standstill() {
         if (equations_.beta == 0) return std::nullopt;
-        const auto speed = [this](const DenseStep::Y& y) { return direction_ * y[N_ + j_]; };
+        const auto speed = [this](const DenseStep::Y& y) { return direction_ * contact_.of(&y[N_]); };
         return first_fall(step_.over_step(speed), first_ && from_rest_ ? noise_ * step_.h : 0);
     }
 
@@ -180,7 +178,7 @@ private:
 
     void end_of_rest(double start) {
         if (!(tau_ > start)) return;
-        last_period_.take_rest(start, tau_, step_.y_0[j_], tau_ == end_);
+        last_period_.take_rest(start, tau_, contact_.of(step_.y_0), tau_ == end_);
         const auto cycle = static_cast<std::size_t>((tau_ - s_.tau_0) / period);
         if (cycle < motion_.history.size()) ++motion_.history[cycle].stops;
     }
@@ -191,8 +189,9 @@ private:
         const auto last = static_cast<std::size_t>((start + to * step_.h) / period);
         for (auto cycle = static_cast<std::size_t>(start / period); cycle <= last && cycle < history_.size(); ++cycle) {
             const double from = (static_cast<double>(cycle) * period - start) / step_.h;
-            take_extrema(step_, {j_, nullptr}, tau_, std::clamp(from, 0.0, to), std::clamp(from + period / step_.h, 0.0, to),
-                         zeros_, history_[cycle]);
+            take_extrema(
+                step_, [this](const double* x) { return contact_.of(x); }, tau_, std::clamp(from, 0.0, to),
+                std::clamp(from + period / step_.h, 0.0, to), zeros_, history_[cycle]);
         }
     }
 
@@ -205,7 +204,8 @@ private:
 
     const PaperSettings& s_;
     ContactEquations equations_;
-    std::size_t N_, j_;
+    std::size_t N_;
+    const Contact& contact_;
     DenseStep step_;
     double tau_, end_;
     LastPeriod last_period_;
@@ -253,24 +253,13 @@ void check(const PaperSettings& s, std::size_t N) {
     }
 }
 
-PaperSettings in_own_coordinates(PaperSettings settings, const System<double>& system) {
-    check(settings, number_of_masses(system));
-    if (!settings.start) return settings;
-    take_to_coordinates(system.coordinates, settings.start->x);
-    take_to_coordinates(system.coordinates, settings.start->x_prime);
-    return settings;
-}
-
 PaperMotion paper_algorithm(const ContactProblem& problem, const PaperSettings& settings) {
     check(settings, static_cast<std::size_t>(problem.matrices.M.rows()));
     return Integration(problem, settings).run();
 }
 
-PaperMotion paper_algorithm(const Scene<double>& of_masses, const PaperSettings& settings) {
-    const Scene<double> scene = in_own_coordinates(of_masses);
-    PaperMotion motion = paper_algorithm(contact_problem(scene), in_own_coordinates(settings, scene.system));
-    put_in_order_of_masses(scene.system, motion);
-    return motion;
+PaperMotion paper_algorithm(const Scene<double>& scene, const PaperSettings& settings) {
+    return paper_algorithm(contact_problem(scene), settings);
 }
 
 } // namespace denhartog

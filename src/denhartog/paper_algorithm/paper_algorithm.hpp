@@ -80,10 +80,6 @@ struct PaperMotion {
 /// @brief Checks settings. @param settings the settings @param N number of masses @throws InputError for the first rule broken
 void check(const PaperSettings& settings, std::size_t N);
 
-/// @brief Settings with their start in a system's coordinates. @param settings of its masses @param system in its coordinates
-/// @return the settings @throws InputError as `check`
-[[nodiscard]] PaperSettings in_own_coordinates(PaperSettings settings, const System<double>& system);
-
 /// @brief Integrates (6) from a start over a number of periods as the paper does.
 ///
 /// A step is at most pi / 4 long: while the contact of a single mass sticks no error bounds it, and over such a step the dense

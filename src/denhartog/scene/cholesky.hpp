@@ -47,7 +47,7 @@ template <class T>
     return result;
 }
 
-/// @brief The factor of a mass matrix that was positive definite as it was given. @param M the matrix, in any coordinates
+/// @brief The factor of a mass matrix that was positive definite as it was given. @param M the matrix
 /// @return its factor @throws PrecisionError where rounding leaves it indefinite
 template <class T>
 [[nodiscard]] Matrix<T> factor_of_masses(const Matrix<T>& M) {

@@ -21,12 +21,6 @@ template <class To, class From>
     return A.unaryExpr([](const From& x) { return static_cast<To>(x); });
 }
 
-/// @brief Coordinates in another type. @param c the coordinates @return the same, rounded where the type is narrower
-template <class To, class From>
-[[nodiscard]] Coordinates<To> in_type(const Coordinates<From>& c) {
-    return {c.replaced, in_type<To>(c.displacements), in_type<To>(c.of_masses), c.between, in_type<To>(c.load)};
-}
-
 /// @brief A system in another type. @param s the system @return the same, rounded where the type is narrower
 template <class To, class From>
 [[nodiscard]] System<To> in_type(const System<From>& s) {
@@ -40,8 +34,7 @@ template <class To, class From>
             s.contact,
             s.load,
             s.contact_with,
-            in_type<To>(s.load_vector),
-            in_type<To>(s.coordinates)};
+            in_type<To>(s.load_vector)};
 }
 
 } // namespace denhartog

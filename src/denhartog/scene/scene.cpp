@@ -138,16 +138,15 @@ void check_system(const System<T>& s, const SceneNames& names) {
         const bool matrix = s.mass_matrix.size() > 0;
         fail(names, matrix ? names.mass_matrix : names.masses, most_masses_rule(matrix ? "rows" : "values"), std::to_string(N));
     }
-    const bool as_given = s.coordinates.replaced.empty(); // rounding may leave the matrices of other coordinates indefinite
     if (s.mass_matrix.size() > 0) {
         check_symmetric(s.mass_matrix, N, names, names.mass_matrix);
-        if (as_given) check_positive_definite(s.mass_matrix, names, names.mass_matrix);
+        check_positive_definite(s.mass_matrix, names, names.mass_matrix);
     } else {
         check_ratios(s.mass_ratios, N, names, names.masses, "mass");
     }
     if (s.stiffness_matrix.size() > 0) {
         check_symmetric(s.stiffness_matrix, N, names, names.stiffness_matrix);
-        if (as_given) check_positive_definite(s.stiffness_matrix, names, names.stiffness_matrix);
+        check_positive_definite(s.stiffness_matrix, names, names.stiffness_matrix);
     } else {
         check_ratios(s.stiffness_ratios, N, names, names.stiffnesses, "spring");
     }
@@ -158,8 +157,7 @@ void check_system(const System<T>& s, const SceneNames& names) {
     else
         check_damping_ratios(s.damping_ratios, N, names);
     if (s.contact.index >= N) fail(names, "contact", mass_rule(N), number(s.contact.index));
-    if (s.load_vector.empty() && s.coordinates.load.empty() && s.load.index >= N)
-        fail(names, "load", mass_rule(N), number(s.load.index));
+    if (s.load_vector.empty() && s.load.index >= N) fail(names, "load", mass_rule(N), number(s.load.index));
     if (s.contact_with) check_between(s, names);
     if (!s.load_vector.empty()) check_load(s, names);
 }

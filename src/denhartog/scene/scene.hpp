@@ -29,18 +29,6 @@ struct Mode {
     bool operator==(const Mode&) const = default;
 };
 
-/// @brief Coordinates in which the contact acts on one coordinate, and the load on them where it acts on several. A contact
-/// between two masses or a load on several needs them; a scene of the paper leaves them empty. For the library's own use.
-template <class T>
-struct Coordinates {
-    std::vector<Mass> replaced; ///< the mass whose displacement that of the contact replaces, where it is between two; else none
-    Matrix<T> displacements;    ///< its displacement in terms of the coordinates: a row of N columns
-    Matrix<T> of_masses;        ///< the displacement of the contact in terms of the masses: a row of N columns
-    std::vector<Mass> between;  ///< the two masses that rub against each other; empty if the contact is with a wall
-    std::vector<T> load{};      ///< force on each coordinate in units of P, where it acts on several; else none. The load is then
-                                ///< said to act on the displacement p^T x, whose place is behind all others
-};
-
 /// @brief The system: a chain by ratios, or symmetric matrices of any topology.
 ///
 /// Fill exactly one of `stiffness_ratios` and `stiffness_matrix`, exactly one of `mass_ratios` and `mass_matrix`, and exactly one
@@ -58,7 +46,6 @@ struct System {
     Mass load;                          ///< the loaded mass, l
     std::optional<Mass> contact_with{}; ///< the mass that the contact rubs against, instead of a wall: x_j - x_k slides
     std::vector<T> load_vector{};       ///< force on each mass in units of P, instead of `load`; N values or none
-    Coordinates<T> coordinates{};       ///< leave it empty; the library fills it
 };
 
 /// @brief What a scene in physical units was divided by, in its own units.

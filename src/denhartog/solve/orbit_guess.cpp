@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "denhartog/model/coordinates.hpp"
 #include "denhartog/number/number.hpp"
 
 namespace denhartog {
@@ -49,12 +48,11 @@ std::vector<PhaseSeen> phases_seen(const ExactMotion& motion, double T, int sign
 
 // Where the contact is slowest within a phase of sliding, if it nearly comes to rest there.
 void add_slow_instants(ExactSolver& solver, const State& start, const PhaseSeen& phase, std::vector<double>& slow) {
-    const std::size_t j = solver.system().contact.index;
     const ExactMotion& motion = solver.run(start, phase.start, phase.end);
     const auto speed = [&](double tau) {
         std::size_t k = 0;
         while (k + 1 < motion.phases.size() && motion.phases[k].end < tau) ++k;
-        return phase.direction * solver.state_at(k, tau).x_prime[j];
+        return phase.direction * solver.system().stuck.contact.of(solver.state_at(k, tau).x_prime);
     };
     std::vector<double> speeds;
     double fastest = 0;
@@ -150,7 +148,6 @@ OrbitGuess guess_with_phases(ExactSolver& solver, const PeriodicOrbit& orbit, do
     }
     guess.x = starts.front().x;
     guess.x_prime = starts.front().x_prime;
-    for (std::vector<double>* part : {&guess.x, &guess.x_prime}) take_to_masses(solver.system().coordinates, *part);
     for (std::size_t k = 0; k < m; ++k)
         if (seen[first + k].direction != 0) add_slow_instants(solver, starts[k], seen[first + k], guess.slow);
     return guess;

@@ -1,7 +1,7 @@
 #include "denhartog/solve/prepared_system.hpp"
 
 #include "denhartog/answer/modes_in_double.hpp"
-#include "denhartog/model/coordinates.hpp"
+#include "denhartog/model/contact_and_load.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/scene/mass_rules.hpp"
 #include "denhartog/sums/bounded_modes.hpp"
@@ -13,21 +13,17 @@ void check(const Question& question, std::size_t N) {
     if (question.mass) check_mass(*question.mass, N, "mass");
 }
 
-Question of_displacements(Question question, const System<double>& s) {
-    if (question.mass) question.mass = displacement_of(s, *question.mass);
-    return question;
-}
-
-bool asks_for_contact(const Question& question, Mass contact) {
-    return question.mass == contact && !question.all && (question.asked == Asked::amplitude || question.asked == Asked::phase);
+bool asks_for_contact(const Question& question, const System<double>& s) {
+    return question.mass == contact_row(s) && !question.all &&
+           (question.asked == Asked::amplitude || question.asked == Asked::phase);
 }
 
 namespace {
 
 // The modes of a system as its contact has them.
 ContactModes modes_of_contact(const System<double>& s) {
-    const bool same = s.contact == s.load;
-    const std::vector<Mass> rows = same ? std::vector<Mass>{s.contact} : std::vector<Mass>{s.contact, s.load};
+    const bool same = contact_row(s) == load_row(s);
+    const std::vector<Mass> rows = same ? std::vector<Mass>{s.contact} : std::vector<Mass>{s.contact, load_row(s)};
     return contact_modes(std::make_shared<const ModalBasis<Bounded<double>>>(bounded_basis_at(s, rows)), Mass{0},
                          Mass{same ? 0U : 1U});
 }
@@ -39,7 +35,7 @@ PreparedSystem prepare(const SceneSource& source, const Question& question, Prep
     check(p.scene());
     const System<double>& s = p.scene().system;
     check(question, number_of_masses(s));
-    if (s.damping_matrix.size() == 0 && p.scene().mu == 1 && asks_for_contact(of_displacements(question, s), s.contact)) {
+    if (s.damping_matrix.size() == 0 && p.scene().mu == 1 && asks_for_contact(question, s)) {
         try {
             p.contact = modes_of_contact(s);
         } catch (const PrecisionError&) {

@@ -35,16 +35,10 @@ struct PreparedSystem {
 /// @throws InputError naming quantity, rule and value
 void check(const Question& question, std::size_t N);
 
-/// @brief A question with its mass in the order of the displacements, see `displacement_of`.
-/// @param question  a question
-/// @param s         the system
-/// @return          the same question
-[[nodiscard]] Question of_displacements(Question question, const System<double>& s);
-
-/// @brief Whether amplitude or phase of the mass in contact is all that is asked for. @param question the question
-/// @param contact  the mass in contact
-/// @return         true where it is
-[[nodiscard]] bool asks_for_contact(const Question& question, Mass contact);
+/// @brief Whether amplitude or phase of a mass in contact with the wall is all that is asked for. @param question the question
+/// @param s  the system
+/// @return   true where it is
+[[nodiscard]] bool asks_for_contact(const Question& question, const System<double>& s);
 
 /// @brief Prepares a system for a question.
 /// @param source    the scene; r and beta are not needed

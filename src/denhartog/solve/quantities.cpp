@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "denhartog/answer/certify.hpp"
-#include "denhartog/model/coordinates.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/number_text.hpp"
 #include "denhartog/scene/limits.hpp"
@@ -95,27 +94,17 @@ Quantities<Bounded<double>> quantities_in_double(const Scene<double>& scene, con
     return q;
 }
 
-void put_in_order_of_masses(const Coordinates<double>& c, Quantities<Bounded<double>>& q) {
-    if (c.replaced.empty()) return;
-    const auto order = [&c](auto& of_displacements) {
-        put_in_order_of_masses(c, of_displacements);
-        of_displacements.resize(of_displacements.size() - c.replaced.size());
-    };
-    const std::size_t count = q.V.size(), instants = q.x.size() / count;
-    for (std::vector<Bounded<double>>* motion : {&q.x, &q.x_prime}) {
-        std::vector<Bounded<double>> all;
-        for (std::size_t n = 0; n < instants; ++n) {
-            const auto from = motion->begin() + static_cast<std::ptrdiff_t>(n * count);
-            std::vector<Bounded<double>> at(from, from + static_cast<std::ptrdiff_t>(count));
-            order(at);
-            all.insert(all.end(), at.begin(), at.end());
-        }
-        *motion = std::move(all);
-    }
-    order(q.V);
-    order(q.U);
-    order(q.G);
-    if (!q.x_size.empty()) order(q.x_size);
+// Takes a contact between two masses, which comes last, out of the lists over masses.
+void take_contact_between(const System<double>& s, Quantities<Bounded<double>>& q) {
+    if (!s.contact_with) return;
+    const std::size_t count = q.V.size();
+    for (std::vector<Bounded<double>>* motion : {&q.x, &q.x_prime})
+        for (std::size_t n = motion->size(); n > 0; n -= count)
+            motion->erase(motion->begin() + static_cast<std::ptrdiff_t>(n - 1));
+    q.V.pop_back();
+    q.U.pop_back();
+    q.G.pop_back();
+    if (!q.x_size.empty()) q.x_size.pop_back();
 }
 
 QuantitiesAnswer quantities_at(const SceneSource& asked_source, std::shared_ptr<const ModalBasis<Bounded<double>>> basis,
@@ -159,7 +148,7 @@ QuantitiesAnswer quantities_at(const SceneSource& asked_source, std::shared_ptr<
         return false;
     };
     if (settled_in_double()) {
-        put_in_order_of_masses(scene.system.coordinates, answer.numbers);
+        take_contact_between(scene.system, answer.numbers);
         answer.method = {"closed form", "double", why};
         return answer;
     }

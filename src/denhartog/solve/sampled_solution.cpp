@@ -6,7 +6,6 @@
 #include "denhartog/answer/certify.hpp"
 #include "denhartog/answer/reference.hpp"
 #include "denhartog/elementary/elementary.hpp"
-#include "denhartog/model/coordinates.hpp"
 #include "denhartog/number/errors.hpp"
 #include "denhartog/number/number_text.hpp"
 #include "denhartog/scene/limits.hpp"
@@ -26,23 +25,17 @@ std::size_t stops_in(const std::vector<Phase>& phases) {
 
 // The motion of an answer over its period, in double. None where it does not come back to its start, by
 // `error_of_samples` of what each mass does, or has other stops than the answer: where double does not have the digits.
-std::optional<std::vector<State>> along_orbit(ExactSolver& solver, State start, const Solution& solution,
+std::optional<std::vector<State>> along_orbit(ExactSolver& solver, const State& start, const Solution& solution,
                                               const std::vector<double>& tau) {
-    const auto to_masses = [&solver](State& state) {
-        for (std::vector<double>* part : {&state.x, &state.x_prime}) take_to_masses(solver.system().coordinates, *part);
-    };
     const ExactMotion& motion = solver.run(start, 0.0, 2 * pi<double>() * solution.periods);
     if (motion.status != MotionStatus::complete || stops_in(motion.phases) != solution.stops.size()) return std::nullopt;
-    State end = motion.end;
-    to_masses(start);
-    to_masses(end);
+    const State end = motion.end;
     std::vector<State> states;
     std::vector<double> speed(start.x.size(), 0);
     std::size_t n = 0;
     for (const double instant : tau) {
         while (n + 1 < motion.phases.size() && motion.phases[n].end < instant) ++n;
         State& state = states.emplace_back(solver.state_at(n, instant));
-        to_masses(state);
         for (std::size_t k = 0; k < speed.size(); ++k) speed[k] = std::max(speed[k], std::abs(state.x_prime[k]));
     }
     for (std::size_t k = 0; k < speed.size(); ++k) {
@@ -58,11 +51,10 @@ std::optional<std::vector<State>> along_orbit(ExactSolver& solver, State start, 
 }
 
 // The state of an answer at the maximum of the force.
-State start_of(const Solution& solution, const Coordinates<double>& coordinates) {
+State start_of(const Solution& solution) {
     State start;
     for (const Certified& x : solution.start->x) start.x.push_back(x.value);
     for (const Certified& v : solution.start->x_prime) start.x_prime.push_back(v.value);
-    for (std::vector<double>* part : {&start.x, &start.x_prime}) take_to_coordinates(coordinates, *part);
     return start;
 }
 
@@ -81,8 +73,7 @@ std::vector<State> of_orbit(const SceneSource& source, const Solution& solution,
         const Scene<double>& scene = source->in_double();
         const ContactSystem system = contact_system(scene.system);
         ExactSolver solver(system, {*scene.r, *scene.beta, scene.mu});
-        std::optional<std::vector<State>> states =
-            along_orbit(solver, start_of(solution, scene.system.coordinates), solution, tau);
+        std::optional<std::vector<State>> states = along_orbit(solver, start_of(solution), solution, tau);
         if (states) return *std::move(states);
     }
     return by_reference(source, solution, tau);

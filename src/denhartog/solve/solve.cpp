@@ -101,7 +101,7 @@ void answer_from_rest(SolveTask& task, Solution& s) {
                              s.regime.reason);
     const bool slides = !task.unknown && !rests && !s.masses.empty() &&
                         (must_be_sliding_motion(orbit, every_motion_is_damped(*task.known.basis)) ||
-                         is_sliding_motion(orbit, s.masses[s.contact.index].amplitude.value));
+                         is_sliding_motion(orbit, s.masses[system.contact.index].amplitude.value));
     if (rests) {
         set_regime(task, Regime::permanent_sticking, "from the start from rest " + orbit.reason, s);
     } else if (slides && orbit.stops.empty()) {
@@ -122,7 +122,7 @@ void answer_from_rest(SolveTask& task, Solution& s) {
         answer_by_boundaries(task, "boundaries and exact solver", s);
         return;
     }
-    if (rests) answer_by_stuck_response(task, place_of_rest(orbit, system.contact), s);
+    if (rests) answer_by_stuck_response(task, place_of_rest(orbit), s);
     if (task.question.asked == Asked::motion) s.stability = stability_of(orbit);
 }
 
@@ -162,8 +162,7 @@ void keep_asked_mass(const Question& question, Solution& s) {
     for (OtherMotion& motion : s.motions) motion.masses = {motion.masses[question.mass->index]};
 }
 
-AnswerInDouble solve_in_double(const PreparedSystem& p, const SolvePoint& at, const Question& of_masses) {
-    const Question question = of_displacements(of_masses, p.scene().system);
+AnswerInDouble solve_in_double(const PreparedSystem& p, const SolvePoint& at, const Question& question) {
     AnswerInDouble found;
     Solution& s = found.solution;
     s.asked = question.asked;
@@ -188,8 +187,7 @@ AnswerInDouble solve_in_double(const PreparedSystem& p, const SolvePoint& at, co
         }
         keep_asked_mass(question, s);
     }
-    put_in_order_of_masses(p.scene().system.coordinates, s);
-    if (s.only) s.only = of_masses.mass;
+    take_contact_between(p.scene().system, s);
     s.mu = exactly(p.scene().mu);
     return found;
 }

@@ -5,7 +5,6 @@
 #include <exception>
 
 #include "denhartog/answer/reference.hpp"
-#include "denhartog/model/coordinates.hpp"
 #include "denhartog/number/effort.hpp"
 #include "denhartog/solve/orbit_guess.hpp"
 
@@ -206,12 +205,9 @@ Solution sliding_answer(const SceneSource& source, const SlidingQuestion& questi
     };
     (void)aim_of(question.digits);
     return in_turn(number_of_masses(source->in_double().system), question.digits, proved, by_reference, [&] {
-        const System<double>& system = source->in_double().system;
-        SlidingQuestion of_displacement = question;
-        if (question.only) of_displacement.only = displacement_of(system, *question.only);
-        AnswerInDouble found{sliding_solution(source, of_displacement)};
+        AnswerInDouble found{sliding_solution(source, question)};
         Solution& s = found.solution;
-        put_in_order_of_masses(system.coordinates, s);
+        take_contact_between(source->in_double().system, s);
         if (question.only && !s.masses.empty()) {
             s.masses = {s.masses[question.only->index]};
             s.only = question.only;

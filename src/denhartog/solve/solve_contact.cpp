@@ -10,7 +10,7 @@ SceneSource source_at(const PreparedSystem& p, const SolvePoint& at) {
 }
 
 bool answer_by_contact(const PreparedSystem& p, const SolvePoint& at, const Question& question, Solution& s) {
-    if (!p.contact || !asks_for_contact(question, p.scene().system.contact)) return false;
+    if (!p.contact || !asks_for_contact(question, p.scene().system)) return false;
     const Aim aim = aim_of(question.digits);
     if (aim.digits > most_digits_in_double) return false;
     try {

@@ -2,7 +2,6 @@
 
 #include "denhartog/answer/held_solution.hpp"
 #include "denhartog/answer/orbit_solution.hpp"
-#include "denhartog/model/coordinates.hpp"
 #include "denhartog/solve/solve_task.hpp"
 
 namespace denhartog {
@@ -16,7 +15,7 @@ double relative_error(const SolveTask& task, const OrbitSolution& solution) {
 void write_orbit(const SolveTask& task, ExactSolver& solver, const PeriodicOrbit& orbit, OrbitSolution solution, Solution& s) {
     const auto all = [&](std::vector<double> numbers, const auto& error) {
         std::vector<Certified> out;
-        add_displacements(solver.system().coordinates, numbers);
+        solver.system().stuck.contact.append(numbers);
         for (std::size_t k = 0; k < numbers.size(); ++k) out.push_back({numbers[k], error(k), {}});
         return out;
     };

@@ -17,7 +17,6 @@ ContactPhases::ContactPhases(const ContactSystem& s, const Excitation& excitatio
     sliding.resize(N);
     sticking.resize(N - 1);
     sliding.effort = sticking.effort = &effort;
-    stuck_momentum = transpose_times(s.stuck.phi, s.stuck.M);
     set(excitation);
 }
 
@@ -37,9 +36,9 @@ void ContactPhases::set(const Excitation& excitation) {
     }
     if (basis.coupled()) sliding.D = basis.D / e.r;
     sliding.prepare();
-    w = basis.phi * basis.phi.row(system->contact.index).transpose() / r2;
-    inertia = 1 / w[system->contact.index];
-    direct = direct_load(system->stuck, system->contact, system->load);
+    w = basis.phi * system->contact_shape / r2;
+    inertia = r2 / system->contact_shape.squaredNorm();
+    direct = direct_load(system->stuck, system->load);
     set_sticking(r2);
 }
 
@@ -73,21 +72,15 @@ void ContactPhases::set_sticking(double r2) {
 
 void ContactPhases::start_phase(int direction, double tau) {
     LinearMotion& motion = direction == 0 ? sticking : sliding;
-    const std::size_t j = system->contact.index;
     const double r2 = e.r * e.r;
+    const Matrix<double>& momentum = direction == 0 ? system->stuck.momentum : system->momentum;
+    column(motion.q[0]).noalias() = momentum * column(x);
+    column(motion.q[1]).noalias() = momentum * column(v);
     if (direction != 0) {
-        column(sliding.q[0]).noalias() = system->momentum * column(x);
-        column(sliding.q[1]).noalias() = system->momentum * column(v);
-        column(sliding.G) = -direction * e.beta / r2 * system->basis.phi.row(j).transpose();
-    } else if (N > 1) {
-        Column<double> others_x(N - 1), others_v(N - 1);
-        for (std::size_t n = 0; n + 1 < N; ++n) {
-            others_x(n) = x[system->stuck.masses[n].index];
-            others_v(n) = v[system->stuck.masses[n].index];
-        }
-        column(sticking.q[0]).noalias() = stuck_momentum * others_x;
-        column(sticking.q[1]).noalias() = stuck_momentum * others_v;
-        column(sticking.G) = -x[j] / r2 * k_j;
+        column(sliding.G) = -direction * e.beta / r2 * system->contact_shape;
+    } else {
+        rest = system->stuck.contact.of(x);
+        column(sticking.G) = -rest / r2 * k_j;
     }
     motion.start(tau);
 }
@@ -98,10 +91,9 @@ void ContactPhases::masses_of(int direction, int order, std::vector<double>& out
         column(out).noalias() = system->basis.phi * column(sliding.q[order]);
         return;
     }
-    out[system->contact.index] = order == 0 ? x[system->contact.index] : 0;
-    if (N == 1) return;
-    const Column<double> others = system->stuck.phi * column(sticking.q[order]);
-    for (std::size_t n = 0; n + 1 < N; ++n) out[system->stuck.masses[n].index] = others(n);
+    column(out).noalias() = system->stuck.shapes * column(sticking.q[order]);
+    if (order == 0)
+        for (std::size_t k = 0; k < N; ++k) out[k] += rest * system->stuck.carried[k];
 }
 
 Jet<double> ContactPhases::velocity(int direction, double t) {
@@ -109,7 +101,7 @@ Jet<double> ContactPhases::velocity(int direction, double t) {
     sliding.differentiate_at(t);
     Jet<double> jet{{}, 0, 0, 0, 0};
     for (std::size_t i = 0; i < N; ++i) {
-        const double phi = direction * system->basis.phi(system->contact.index, i);
+        const double phi = direction * system->contact_shape(i);
         for (int m = 0; m < 4; ++m) jet.f[m] += phi * sliding.q[m + 1][i];
         if (!sliding.coupled()) {
             jet.bound += std::abs(phi) * sliding.energy_norm(4, i);
@@ -119,7 +111,7 @@ Jet<double> ContactPhases::velocity(int direction, double t) {
         jet.noise += std::abs(phi * sliding.q[1][i]);
     }
     if (sliding.coupled()) { // energy goes from mode to mode
-        const double size = system->basis.phi.row(system->contact.index).norm();
+        const double size = system->contact_shape.norm();
         jet.bound = size * sliding.energy_norm(4);
         jet.second = size * sliding.energy_norm(2);
         jet.growth = size * column(sliding.F).norm();
@@ -132,7 +124,7 @@ Jet<double> ContactPhases::load(double t) {
     effort->spend(sticking.cost());
     sticking.differentiate_at(t);
     const double c = sticking.cos_tau(), s = sticking.sin_tau();
-    const double pull = system->stuck.k_jj * x[system->contact.index];
+    const double pull = system->stuck.k_jj * rest;
     Jet<double> jet{{direct * c - pull, -direct * s, -direct * c, direct * s},
                     std::abs(direct),
                     0.0,
@@ -170,7 +162,7 @@ Event ContactPhases::end_of_sliding(int direction, double length, int order) {
 
 Event ContactPhases::end_of_sticking_alone(double tau, double length) {
     const double holds = e.mu * e.beta;
-    const double force = system->stuck.k_jj * x[0];
+    const double force = system->stuck.k_jj * rest;
     Event event{length, 0, 0, 0, false};
     for (const int side : {1, -1}) {
         const double y = (force + side * holds) / direct;
@@ -217,7 +209,7 @@ Event ContactPhases::end_of_sticking(double length) {
 }
 
 std::pair<int, int> ContactPhases::first_direction(double tau) {
-    const double v_j = v[system->contact.index];
+    const double v_j = system->stuck.contact.of(v);
     if (v_j != 0) return {v_j > 0 ? 1 : -1, 0};
     start_phase(0, tau);
     const Jet<double> Q = load(0);

@@ -22,9 +22,9 @@ struct ContactPhases {
     std::size_t N;                 ///< number of masses
     LinearMotion sliding;          ///< the motion while the contact slides
     LinearMotion sticking;         ///< the motion while it sticks
-    Column<double> w;              ///< M^-1 e_j / r^2: accelerations that a unit force on the contact makes
-    double inertia;                ///< 1 / w_j
-    Matrix<double> stuck_momentum; ///< phi^T M of the stuck configuration: its modal coordinates of a state
+    Column<double> w;              ///< M^-1 w / r^2: accelerations that a unit force on the contact makes
+    double inertia;                ///< of the contact, r^2 / (w^T M^-1 w)
+    double rest = 0;               ///< where the contact rests in a phase of sticking
     Column<double> k_j;            ///< stiffness that the stuck modes bring to the contact
     Column<double> c_j;            ///< damping that they bring
     Column<double> m_j;            ///< inertia that they bring

@@ -1,6 +1,5 @@
 /// @file
 /// @brief A system with its modes, sliding and stuck, for the exact solver.
-#include "denhartog/model/coordinates.hpp"
 #include "denhartog/model/linear_algebra.hpp"
 #include "denhartog/stick_slip/exact_motion.hpp"
 #include "denhartog/sums/bounded_modes.hpp"
@@ -13,10 +12,7 @@ namespace {
 void add_left_out_of_stuck_modes(ContactSystem& c) {
     const StuckConfiguration<double>& stuck = c.stuck;
     if (stuck.left_out.size() == 0 || !(stuck.left_out.maxCoeff() > 0)) return;
-    Matrix<double> others(stuck.masses.size(), c.basis.phi.cols());
-    for (std::size_t n = 0; n < stuck.masses.size(); ++n)
-        others.row(static_cast<Eigen::Index>(n)) = c.basis.phi.row(static_cast<Eigen::Index>(stuck.masses[n].index));
-    const Matrix<double> shares = transpose_times(stuck.phi, product(stuck.M, others)).cwiseAbs();
+    const Matrix<double> shares = product(stuck.momentum, c.basis.phi).cwiseAbs();
     const Matrix<double> left_out = in_coordinates(shares, stuck.left_out);
     c.damping_error = c.damping_error.size() > 0 ? Matrix<double>(c.damping_error + left_out) : left_out;
 }
@@ -48,17 +44,14 @@ ContactSystem contact_system(const System<double>& s) { return contact_system(s,
 ContactSystem contact_system(const System<double>& s, const ModalBasis<Bounded<double>>& modes,
                              const RoundedModes<double>* held) {
     ContactSystem out;
-    out.contact = s.contact;
-    out.load = s.load;
-    out.coordinates = s.coordinates;
+    out.contact = contact_row(s);
+    out.load = load_row(s);
     out.basis = values_of(modes);
     Matrix<double>& phi = out.basis.phi;
-    for (const double each : phi.row(static_cast<Eigen::Index>(s.load.index))) out.modal_load.push_back(each);
-    if (const auto modes = phi.cols(); phi.rows() > modes) {
-        out.further = phi.middleRows(modes, s.coordinates.displacements.rows());
-        phi.conservativeResize(modes, Eigen::NoChange);
-    }
+    for (const double each : phi.row(static_cast<Eigen::Index>(out.load.index))) out.modal_load.push_back(each);
+    out.contact_shape = phi.row(static_cast<Eigen::Index>(out.contact.index)).transpose();
     out.stuck = stuck_configuration(s, out.basis, held);
+    phi.conservativeResize(phi.cols(), Eigen::NoChange);
     out.stuck_load = load_on_stuck_modes(out.stuck, s.load);
     for (const Bounded<double>& r_n : modes.r_n) out.detuned.push_back(r_n.e / r_n.x);
     out.damping_error = held ? rounding_of_damping(out.basis) : error_of_damping(s, out.basis);

@@ -56,7 +56,7 @@ void ExactSolver::Work::run(double tau_0, double tau_1, bool with_jacobian) {
         }
         masses_of(direction, 0, x);
         masses_of(direction, 1, v);
-        if (event.found) v[system->contact.index] = 0;
+        if (event.found) system->stuck.contact.hold(v.data());
         without_length = end > tau ? 0 : without_length + 1;
         if (without_length > most_phases_without_length || static_cast<double>(motion.phases.size()) > most) {
             motion.status = MotionStatus::chattering;

@@ -10,6 +10,7 @@
 #include <memory>
 #include <vector>
 
+#include "denhartog/model/linear_algebra.hpp"
 #include "denhartog/model/stuck_configuration.hpp"
 #include "denhartog/number/bounded.hpp"
 #include "denhartog/number/effort.hpp"
@@ -30,8 +31,8 @@ struct Event {
 
 /// @brief A system with all that does not depend on frequency or friction: prepared once for a whole map.
 struct ContactSystem {
-    Mass contact;                     ///< the mass in contact, j
-    Mass load;                        ///< the loaded mass, l, or the place of the load's displacement where it acts on several
+    Mass contact;                     ///< the row of the contact, see `contact_row`
+    Mass load;                        ///< the row of the load
     ModalBasis<double> basis;         ///< modes while the contact slides
     Matrix<double> momentum;          ///< phi^T M in units of m_1: modal coordinates of a state, mode by mass
     StuckConfiguration<double> stuck; ///< modes while the contact sticks
@@ -39,8 +40,7 @@ struct ContactSystem {
     std::vector<double> stuck_load{}; ///< the same of the stuck modes
     std::vector<double> detuned{};    ///< by what part of itself each natural frequency may be off
     Matrix<double> damping_error{};   ///< bounds of what rounding makes of phi^T C phi and what is left out of it, N x N, or none
-    Coordinates<double> coordinates{}; ///< the masses that are none; none for a scene of the paper
-    Matrix<double> further{};          ///< mode shapes of these masses while the contact slides, a row each
+    Column<double> contact_shape{};    ///< w^T phi: what each mode of sliding moves the contact by
     bool damping_fixes_modes{};        ///< a damping matrix was given: modes of one frequency are those that it does not couple
     std::string rounded_because{};     ///< why double has no modes of its own, where these are those of the reference; else empty
 };
@@ -141,7 +141,7 @@ public:
 
     /// @brief Largest size of every displacement over the last motion, guaranteed between samples.
     /// @param error  bound of the errors of the displacements: one that is smaller by less than twice this may be the largest
-    /// @return       the extremum of every coordinate, then of the masses that are none; of the contact without what else may be
+    /// @return       the extremum of every mass, then of a contact between two; of the contact without what else may be
     [[nodiscard]] std::vector<Extremum> largest_displacements(double error = 0);
 
 private:

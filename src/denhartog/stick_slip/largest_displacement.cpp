@@ -8,7 +8,6 @@
 #include <utility>
 #include <vector>
 
-#include "denhartog/model/coordinates.hpp"
 #include "denhartog/search/largest_in_double.hpp"
 #include "denhartog/sliding/instants_of_maxima.hpp"
 #include "denhartog/stick_slip/working_space.hpp"
@@ -25,13 +24,8 @@ public:
         growth_ = motion_.coupled() ? Column<double>(phi_.rowwise().norm() * F.norm()) : Column<double>(sizes_ * F.cwiseAbs());
     }
 
-    // Adds what masses that are no coordinates have of a contact that rests at x_j: a part for each, the last rows.
-    void carry(const std::vector<double>& carried, double x_j) {
-        if (carried.empty()) return;
-        carried_ = Column<double>::Zero(phi_.rows());
-        for (std::size_t n = 0; n < carried.size(); ++n)
-            carried_(phi_.rows() - static_cast<Eigen::Index>(carried.size() - n)) = carried[n] * x_j;
-    }
+    // Adds what masses have of a contact that rests, a part each.
+    void carry(const std::vector<double>& carried, double rest) { carried_ = rest * column(carried); }
 
     // The displacement of a mass at a time from the start of the stretch.
     [[nodiscard]] double of(Eigen::Index row, double t) { return at(t)(row, 0); }
@@ -89,18 +83,11 @@ private:
     Effort& effort_;
     Matrix<double> sizes_;
     Column<double> growth_;
-    Column<double> carried_; // empty where no displacement has a part of the contact's
+    Column<double> carried_; // empty while the contact slides
     Column<double> norms_;
     std::pmr::monotonic_buffer_resource memory_; // of what is known: an instant costs no allocation of its own
     std::pmr::map<double, std::pmr::vector<double>> known_{&memory_};
 };
-
-Matrix<double> with_rows(const Matrix<double>& shapes, const Matrix<double>& further) {
-    Matrix<double> all(shapes.rows() + further.rows(), shapes.cols());
-    all.topRows(shapes.rows()) = shapes;
-    if (further.rows() > 0) all.bottomRows(further.rows()) = further;
-    return all;
-}
 
 } // namespace
 
@@ -108,7 +95,8 @@ std::vector<Extremum> ExactSolver::largest_displacements(double error) {
     Work& work = *work_;
     if (work.effort == &work.own) work.own = {default_effort(work.N)};
     const ContactSystem& system = *work.system;
-    const std::size_t j = system.contact.index, count = work.N + system.coordinates.replaced.size();
+    const Contact& contact = system.stuck.contact;
+    const std::size_t j = system.contact.index, count = std::max(work.N, j + 1);
     const double start = work.motion.phases.empty() ? 0 : work.motion.phases.front().start; // a mass at rest is there as ever
     std::vector<Extremum> largest(count, Extremum{0, start});
     std::vector<std::vector<Place<double>>> places(count);
@@ -121,7 +109,7 @@ std::vector<Extremum> ExactSolver::largest_displacements(double error) {
         }
     };
     const auto take_all = [&](std::vector<double> x, double tau) {
-        add_displacements(system.coordinates, x);
+        contact.append(x);
         for (std::size_t k = 0; k < count; ++k) take(k, x[k], tau);
     };
     for (std::size_t n = 0; n < work.motion.phases.size(); ++n) {
@@ -129,19 +117,17 @@ std::vector<Extremum> ExactSolver::largest_displacements(double error) {
         take_all({state, state + static_cast<std::ptrdiff_t>(work.N)}, work.motion.phases[n].start);
     }
     if (!work.motion.phases.empty()) take_all(work.motion.end.x, work.motion.phases.back().end);
-    const Matrix<double> sliding_shapes = with_rows(system.basis.phi, system.further);
-    const Matrix<double> sticking_shapes = with_rows(system.stuck.phi, system.stuck.further);
     for (std::size_t n = 0; n < work.motion.phases.size() && work.N > 1; ++n) {
         const Phase& p = work.motion.phases[n];
         work.stand_at(n);
         const double length = p.end - p.start;
         const bool sticks = p.direction == 0;
-        Displacements displacements(sticks ? work.sticking : work.sliding, sticks ? sticking_shapes : sliding_shapes,
+        Displacements displacements(sticks ? work.sticking : work.sliding, sticks ? system.stuck.shapes : system.basis.phi,
                                     *work.effort);
-        if (sticks) displacements.carry(system.stuck.carried, work.x[j]);
+        if (sticks) displacements.carry(system.stuck.carried, work.rest);
         for (std::size_t k = 0; k < count; ++k) {
             if (k == j || !(length > 0)) continue;
-            const auto row = static_cast<Eigen::Index>(p.direction == 0 && k > j ? k - 1 : k);
+            const auto row = static_cast<Eigen::Index>(k);
             const Maximum<double> found = global_maximum(displacements.size_of(row), 0., length, displacements.noise(row, 0),
                                                          work.effort, std::abs(largest[k].x) - 2 * error, error);
             const auto in_orbit = [&](double tau) { return tau < length ? p.start + tau : p.end; };
@@ -156,7 +142,7 @@ std::vector<Extremum> ExactSolver::largest_displacements(double error) {
         std::size_t n = 0;
         while (n + 1 < work.motion.phases.size() && work.motion.phases[n].end < tau) ++n;
         State state = state_at(n, tau);
-        add_displacements(system.coordinates, state.x);
+        contact.append(state.x);
         return state.x[k] < 0;
     };
     for (std::size_t k = 0; k < count; ++k) {

@@ -10,10 +10,10 @@
 namespace denhartog {
 
 LastingRest::LastingRest(const ContactSystem& system, const Excitation& excitation)
-    : system_(&system), e_(excitation), weight_(0), terms_(std::abs(direct_load(system.stuck, system.contact, system.load))) {
+    : system_(&system), e_(excitation), weight_(0), terms_(std::abs(direct_load(system.stuck, system.load))) {
     const StuckConfiguration<double>& s = system.stuck;
     try {
-        response_ = stuck_response(s, system.contact, system.load, e_.r);
+        response_ = stuck_response(s, system.load, e_.r);
     } catch (const DomainError&) {
         response_.reset();
     }
@@ -21,7 +21,7 @@ LastingRest::LastingRest(const ContactSystem& system, const Excitation& excitati
     for (std::size_t a = 0; a < n && response_; ++a)
         terms_ += (std::abs(s.k_j[a]) + e_.r * std::abs(s.c_j[a]) + e_.r * e_.r * std::abs(s.m_j[a])) *
                   response_->masses[s.masses[a].index].amplitude;
-    follows_.assign(n, 0);
+    follows_ = s.carried;
     double stiffness = 0, damping = 0, inertia = 0, fastest = 0;
     for (std::size_t i = 0; i < n; ++i) {
         double k = 0, c = 0, m = 0, rate = 0;
@@ -31,7 +31,7 @@ LastingRest::LastingRest(const ContactSystem& system, const Excitation& excitati
             m += s.phi(a, i) * s.m_j[a];
             rate += std::abs(s.damping(i, a));
         }
-        for (std::size_t a = 0; a < n; ++a) follows_[a] -= s.phi(a, i) * k / (s.r_n[i] * s.r_n[i]);
+        for (std::size_t a = 0; a <= n; ++a) follows_[a] -= s.shapes(a, i) * k / (s.r_n[i] * s.r_n[i]);
         stiffness += k * k / (s.r_n[i] * s.r_n[i]);
         damping += c * c;
         inertia += m * m;
@@ -42,11 +42,9 @@ LastingRest::LastingRest(const ContactSystem& system, const Excitation& excitati
 }
 
 State LastingRest::steady_state(double x_j) const {
-    State z = at_rest(follows_.size() + 1);
-    z.x[system_->contact.index] = x_j;
-    for (std::size_t n = 0; n < follows_.size(); ++n) {
-        const std::size_t k = system_->stuck.masses[n].index;
-        z.x[k] = follows_[n] * x_j + response_->masses[k].X.re;
+    State z = at_rest(follows_.size());
+    for (std::size_t k = 0; k < follows_.size(); ++k) {
+        z.x[k] = follows_[k] * x_j + response_->masses[k].X.re;
         z.x_prime[k] = -response_->masses[k].X.im;
     }
     return z;
@@ -63,9 +61,7 @@ double LastingRest::reach() const {
 
 MassMotion LastingRest::motion(std::size_t k, double x_j) const {
     if (k == system_->contact.index) return {std::abs(x_j), x_j < 0 ? pi<double>() : 0.0};
-    double offset = 0;
-    for (std::size_t n = 0; n < follows_.size(); ++n)
-        if (system_->stuck.masses[n].index == k) offset = follows_[n] * x_j;
+    const double offset = follows_[k] * x_j;
     const StuckMass& mass = response_->masses[k];
     // Below zero the extremum comes half a period later, and half a period more is what a negative one adds to its phase.
     return {std::abs(offset) + mass.amplitude, mass.phase.value_or(offset < 0 ? pi<double>() : 0.0)};
@@ -74,7 +70,7 @@ MassMotion LastingRest::motion(std::size_t k, double x_j) const {
 LastingRest::Verdict LastingRest::verdict(const State& z) const {
     if (!response_) return Verdict::open;
     const StuckConfiguration<double>& s = system_->stuck;
-    const double x_j = z.x[system_->contact.index];
+    const double x_j = s.contact.of(z.x);
     const double holds = e_.mu * e_.beta;
     const double amplitude = modulus(response_->contact_load), constant = std::abs(s.k_contact * x_j);
     const double margin = holds - amplitude - constant;
@@ -85,12 +81,9 @@ LastingRest::Verdict LastingRest::verdict(const State& z) const {
     double energy = 0;
     for (std::size_t i = 0; i < s.masses.size(); ++i) {
         double q = 0, p = 0;
-        for (std::size_t a = 0; a < s.masses.size(); ++a) {
-            double momentum = 0;
-            for (std::size_t b = 0; b < s.masses.size(); ++b) momentum += s.phi(b, i) * s.M(b, a);
-            const std::size_t k = s.masses[a].index;
-            q += momentum * (z.x[k] - steady.x[k]);
-            p += momentum * (z.x_prime[k] - steady.x_prime[k]);
+        for (std::size_t k = 0; k < z.x.size(); ++k) {
+            q += s.momentum(i, k) * (z.x[k] - steady.x[k]);
+            p += s.momentum(i, k) * (z.x_prime[k] - steady.x_prime[k]);
         }
         energy += s.r_n[i] * s.r_n[i] * q * q + e_.r * e_.r * p * p;
     }

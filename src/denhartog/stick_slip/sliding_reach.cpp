@@ -15,7 +15,7 @@ namespace {
 // Largest change of the load on the contact at a turning point, for a unit of distance, in units of P.
 double load_of_distance(const ContactPhases& c) {
     const auto n = static_cast<Eigen::Index>(c.N);
-    const Column<double> phi_j = c.system->basis.phi.row(static_cast<Eigen::Index>(c.system->contact.index)).transpose();
+    const Column<double>& phi_j = c.system->contact_shape;
     Column<double> weights(2 * n);
     weights.head(n) = phi_j.cwiseProduct(column(c.sliding.omega_0));
     if (c.sliding.coupled())
@@ -28,7 +28,7 @@ double load_of_distance(const ContactPhases& c) {
 // Whether bounds prove that no motion within a distance of the sliding motion ever sticks, over the half-period from a turning point,
 // where its velocity is `start`; with a load beyond `needed` the contact cannot stick, within the distance.
 bool slides_within(ContactPhases& c, int direction, const Jet<double>& start, double needed, double distance) {
-    const double speed = c.system->basis.phi.row(static_cast<Eigen::Index>(c.system->contact.index)).norm() * distance;
+    const double speed = c.system->contact_shape.norm() * distance;
     const double half = pi<double>();
     // The load that drives the contact on, after the turning point, and before that at the end, which is its mirror image.
     const auto load = [&](const Jet<double>& jet, int end) { return end * (c.e.beta + c.inertia * jet.f[1]); };

@@ -31,15 +31,11 @@ double rounding(std::size_t modes) { return 4 * static_cast<int>(modes) * std::n
         "lasts");
 }
 
-void check_arguments(const StuckConfiguration<double>& stuck, Mass contact, Mass load, double r) {
+void check_arguments(const StuckConfiguration<double>& stuck, Mass load, double r) {
     const std::size_t N = stuck.masses.size() + 1;
     check_frequency_ratio(r);
     if (load.index >= N && stuck.load.empty())
         throw InputError("load", "must be one of the masses", std::to_string(load.index + 1));
-    if (contact.index >= N) throw InputError("contact", "must be one of the masses", std::to_string(contact.index + 1));
-    for (const Mass& k : stuck.masses)
-        if (k == contact)
-            throw InputError("contact", "must be the mass that the stuck configuration holds", std::to_string(contact.index + 1));
 }
 
 /// Amplitude of an uncoupled mode under the force p; D is the diagonal entry of the damping, 2 zeta r_n.
@@ -103,44 +99,45 @@ StuckMass motion_of(const Complex<double>& X) {
     return mass;
 }
 
-StuckResponse stuck_response(const StuckConfiguration<double>& stuck, Mass contact, Mass load, double r) {
-    check_arguments(stuck, contact, load, r);
+StuckResponse stuck_response(const StuckConfiguration<double>& stuck, Mass load, double r) {
+    check_arguments(stuck, load, r);
     const std::size_t n = stuck.masses.size();
-    StuckResponse response{r, contact, load, {}, {}, {}};
-    std::vector<Complex<double>> X(n, Complex<double>{0, 0});
+    StuckResponse response{r, Mass{stuck.contact.a}, load, {}, {}, {}};
+    std::vector<Complex<double>> X(n + 1, Complex<double>{0, 0}); // of all masses
     const std::vector<double> p = load_on_stuck_modes(stuck, load);
     if (std::ranges::any_of(p, [](double of_mode) { return of_mode != 0; })) {
         const std::vector<Complex<double>> q = mode_amplitudes(stuck, p, r);
-        for (std::size_t k = 0; k < n; ++k)
+        for (std::size_t k = 0; k <= n; ++k)
             for (std::size_t i = 0; i < n; ++i)
-                X[k] = X[k] + stuck.phi(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(i)) * q[i];
+                X[k] = X[k] + stuck.shapes(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(i)) * q[i];
     }
     std::vector<double> C_j, K_j;
+    std::vector<Complex<double>> others;
     for (std::size_t k = 0; k < n; ++k) {
+        others.push_back(X[stuck.masses[k].index]);
         C_j.push_back(r * stuck.c_j[k]);
         K_j.push_back(stuck.k_j[k] - r * r * stuck.m_j[k]);
     }
     const std::vector<double> none(n, 0);
     const auto load_with = [&](const std::vector<double>& C) {
         return paper::load_on_held_contact(std::span<const double>(C), std::span<const double>(K_j),
-                                           std::span<const Complex<double>>(X), direct_load(stuck, contact, load));
+                                           std::span<const Complex<double>>(others), direct_load(stuck, load));
     };
     response.contact_load = load_with(C_j);
     response.elastic_load = load_with(none);
     for (const Complex<double>& X_k : X) response.masses.push_back(motion_of(X_k));
-    const StuckMass held{{0, 0}, 0, std::nullopt};
-    response.masses.insert(response.masses.begin() + static_cast<std::ptrdiff_t>(contact.index), held);
     for (const StuckMass& mass : response.masses)
         if (!std::isfinite(mass.amplitude)) throw PrecisionError("the stuck response is beyond the range of the number type");
     return response;
 }
 
 std::optional<StuckChain> stuck_chain(const System<double>& s, const StuckConfiguration<double>& stuck) {
-    if (!is_chain(s) || !s.coordinates.load.empty()) return std::nullopt;
+    const Mass load = load_row(s);
+    if (!is_chain(s) || s.contact_with || load.index >= number_of_masses(s)) return std::nullopt;
     StuckChain chain;
-    if (s.load == s.contact) return chain;
+    if (load == s.contact) return chain;
     const auto j = static_cast<std::ptrdiff_t>(s.contact.index);
-    const bool before = s.load.index < s.contact.index;
+    const bool before = load.index < s.contact.index;
     const auto N = static_cast<std::ptrdiff_t>(s.mass_ratios.size());
     const std::ptrdiff_t first = before ? 0 : j + 1, last = before ? j : N; // masses; in the stuck configuration one less after j
     const auto gamma = s.mass_ratios.begin(), kappa = s.stiffness_ratios.begin();

@@ -25,7 +25,7 @@ struct StuckResponse {
     double r;                      ///< frequency ratio, Eq. (10)
     Mass contact;                  ///< the mass in contact, j
     Mass load;                     ///< the loaded mass, l
-    std::vector<StuckMass> masses; ///< every mass, N; the contact's amplitude is zero
+    std::vector<StuckMass> masses; ///< every mass, N; that of a contact with the wall has amplitude zero
     Complex<double> contact_load;  ///< complex amplitude of all that acts on the contact but friction, in units of P
     Complex<double> elastic_load;  ///< the same without the damping forces of the moving masses
 };
@@ -35,13 +35,12 @@ struct StuckResponse {
 /// Where the stuck modes diagonalise their damping, (88)'s modal superposition; else a linear system over all of them.
 /// @eq{88}
 /// @param stuck    the stuck configuration of the system
-/// @param contact  the mass in contact, j
 /// @param load     the loaded mass, l; none of them where the load acts on several, which the stuck configuration then has
 /// @param r        frequency ratio, Eq. (10); positive
 /// @return         the response
 /// @throws         InputError where r, j or l breaks its rule; DomainError where the load excites the resonance of an undamped
 ///                 stuck mode
-[[nodiscard]] StuckResponse stuck_response(const StuckConfiguration<double>& stuck, Mass contact, Mass load, double r);
+[[nodiscard]] StuckResponse stuck_response(const StuckConfiguration<double>& stuck, Mass load, double r);
 
 /// @brief The masses of a chain that move by (88) while the contact is held: those on the load's side of it.
 struct StuckChain {

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "denhartog/evaluation/mode.hpp"
-#include "denhartog/model/coordinates.hpp"
+#include "denhartog/model/contact_and_load.hpp"
 #include "denhartog/model/graded_modes.hpp"
 #include "denhartog/model/linear_algebra.hpp"
 #include "denhartog/sums/coupled_friction.hpp"
@@ -64,7 +64,7 @@ ModalBasis<Bounded<T>> bounded(const System<T>& system, const ModalBasis<T>& bas
     const T of_springs = factor_of_springs(system); // of errors of each frequency; of the highest where it is none
     const bool chain = of_springs > 0;
     const T highest = basis.r_n.back();
-    const Matrix<T> further = further_displacements(system.coordinates).cwiseAbs();
+    const Matrix<T> further = further_rows(system).cwiseAbs();
     ModalBasis<Bounded<T>> bounded;
     bounded.phi.resize(basis.phi.rows(), static_cast<Eigen::Index>(N));
     bounded.r_n.reserve(N);
@@ -92,8 +92,8 @@ ModalBasis<Bounded<T>> bounded(const System<T>& system, const ModalBasis<T>& bas
             bounded.phi(row, column) = {basis.phi(row, column), errors(row)};
         }
         T of_zeta = of_input * basis.zeta[i];
-        if (system.damping_matrix.size() > 0) {          // the ratios are computed from it, whether it counts itself or not
-            const auto n = static_cast<Eigen::Index>(N); // masses that are no coordinates come after them
+        if (system.damping_matrix.size() > 0) { // the ratios are computed from it, whether it counts itself or not
+            const auto n = static_cast<Eigen::Index>(N);
             const Eigen::Matrix<T, Eigen::Dynamic, 1> damping =
                 product_of_sizes(system.damping_matrix, Column<T>((sizes + errors).head(n)));
             of_zeta = (errors.head(n).dot(damping) + unit * sizes.head(n).dot(damping)) / r_n +
@@ -134,7 +134,8 @@ ModalBasis<Bounded<T>> with_errors(const System<T>& system, const ModalBasis<T>&
 
 template <class T>
 ModalBasis<Bounded<T>> bounded_basis_at(const System<T>& system, const std::vector<Mass>& masses) {
-    if (is_chain(system) && system.damping_matrix.size() == 0 && system.coordinates.load.empty())
+    const auto is_mass = [N = number_of_masses(system)](Mass k) { return k.index < N; };
+    if (is_chain(system) && system.damping_matrix.size() == 0 && std::ranges::all_of(masses, is_mass))
         return bounded(system, modal_basis_at(system, masses), &masses);
     ModalBasis<Bounded<T>> all = with_errors(system, modal_basis(system));
     Matrix<Bounded<T>> rows(static_cast<Eigen::Index>(masses.size()), all.phi.cols());

@@ -5,7 +5,7 @@
 #include <span>
 
 #include "denhartog/evaluation/coupled_damping.hpp"
-#include "denhartog/model/coordinates.hpp"
+#include "denhartog/model/contact_and_load.hpp"
 #include "denhartog/number/errors.hpp"
 
 namespace denhartog {
@@ -76,16 +76,14 @@ Matrix<T> errors(const BoundedMatrix<T>& A) {
     return A.unaryExpr([](const Bounded<T>& entry) { return entry.e; });
 }
 
-// Columns of the coordinates, and those of the displacements that are no coordinates behind them.
+// A column a mass, and where the contact has a row of its own the difference of those of its masses.
 template <class T>
-BoundedMatrix<T> of_displacements(const BoundedMatrix<T>& columns, const Coordinates<T>& c) {
-    const Eigen::Index N = columns.rows(), others = c.displacements.rows();
-    BoundedMatrix<T> all = BoundedMatrix<T>::Constant(N, N + others, Bounded<T>(0));
-    all.leftCols(N) = columns;
-    for (Eigen::Index n = 0; n < others; ++n)
-        for (Eigen::Index k = 0; k < N; ++k)
-            for (Eigen::Index i = 0; i < N; ++i) all(i, N + n) += as_input(c.displacements(n, k)) * columns(i, k);
-    return all;
+BoundedMatrix<T> with_contact(BoundedMatrix<T> columns, const System<T>& s) {
+    if (!s.contact_with) return columns;
+    const auto j = static_cast<Eigen::Index>(s.contact.index), k = static_cast<Eigen::Index>(s.contact_with->index);
+    columns.conservativeResize(Eigen::NoChange, columns.cols() + 1);
+    for (Eigen::Index i = 0; i < columns.rows(); ++i) columns(i, columns.cols() - 1) = columns(i, j) - columns(i, k);
+    return columns;
 }
 
 // Rows are kept as columns, so that each is one piece.
@@ -119,7 +117,7 @@ CoupledFriction<T>::CoupledFriction(const System<T>& system, const T& r) {
 template <class T>
 void CoupledFriction<T>::set_coordinates(const System<T>& system, const T& r) {
     const auto N = static_cast<Eigen::Index>(number_of_masses(system));
-    const auto j = static_cast<Eigen::Index>(system.contact.index);
+    const auto j = static_cast<Eigen::Index>(contact_row(system).index);
     const BoundedMatrix<T> L = factor(as_inputs(mass_matrix(system))), G = factor(as_inputs(stiffness_matrix(system)));
     const BoundedMatrix<T> P = solved(L, G);
     const BoundedMatrix<T> half = solved(L, as_inputs(system.damping_matrix));
@@ -141,10 +139,10 @@ void CoupledFriction<T>::set_coordinates(const System<T>& system, const T& r) {
     error_of_A_ = size_of_errors(A);
     if (!boost::math::isfinite(size_of_A_) || !boost::math::isfinite(error_of_A_))
         throw PrecisionError("a rate of the damped system is beyond the range of the number type");
-    const BoundedMatrix<T> inverse_of_G = solved(G, identity<T>(N)), inverse_of_L = solved(L, identity<T>(N));
-    BoundedMatrix<T> displacement = of_displacements(inverse_of_G, system.coordinates);
+    const BoundedMatrix<T> inverse_of_G = with_contact(solved(G, identity<T>(N)), system);
+    const BoundedMatrix<T> velocity = with_contact(solved(L, identity<T>(N)), system);
+    BoundedMatrix<T> displacement = inverse_of_G;
     for (Bounded<T>& entry : displacement.reshaped()) entry *= bounded_r;
-    const BoundedMatrix<T> velocity = of_displacements(inverse_of_L, system.coordinates);
     displacement_ = {values(displacement), errors(displacement)};
     velocity_ = {values(velocity), errors(velocity)};
     rest_.resize(N);
@@ -154,7 +152,7 @@ void CoupledFriction<T>::set_coordinates(const System<T>& system, const T& r) {
         const Bounded<T> entry = inverse_of_G(i, j) / bounded_r;
         rest_(i) = entry.x;
         error_of_rest_ += entry.e;
-        inverse_inertia_ += inverse_of_L(i, j) * inverse_of_L(i, j);
+        inverse_inertia_ += velocity(i, j) * velocity(i, j);
     }
     inverse_inertia_ = inverse_inertia_ / bounded_r / bounded_r;
 }

@@ -34,7 +34,7 @@ using CoupledState = std::array<Column<T>, 4>;
 template <class T>
 class CoupledFriction {
 public:
-    /// @param system  the system, in the paper's form, its damping given as a matrix
+    /// @param system  the system, its damping given as a matrix
     /// @param r       frequency ratio, Eq. (10); positive
     /// @throws        DomainError at a pole: a motion without damping that mirrors itself every half-period;
     ///                PrecisionError where the number type does not have the digits of its coordinates

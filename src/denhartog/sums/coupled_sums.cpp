@@ -2,20 +2,19 @@
 
 #include <algorithm>
 
-#include "denhartog/model/coordinates.hpp"
+#include "denhartog/model/contact_and_load.hpp"
 #include "denhartog/number/errors.hpp"
 
 namespace denhartog {
 namespace {
 
-// Complex responses of all displacements to forces on the coordinates, by the equations of motion taken as real ones of
-// twice the size; errors by what the solution leaves over.
+// Complex responses of masses and contact to forces on the masses, by the equations of motion taken as real ones of twice the
+// size; errors by what the solution leaves over.
 template <class T>
 class Responses {
 public:
     Responses(const System<T>& s, const Bounded<T>& r)
-        : N_(static_cast<Eigen::Index>(number_of_masses(s))), coordinates_(s.coordinates), A_(2 * N_, 2 * N_),
-          size_(2 * N_, 2 * N_) {
+        : N_(static_cast<Eigen::Index>(number_of_masses(s))), system_(s), A_(2 * N_, 2 * N_), size_(2 * N_, 2 * N_) {
         const Matrix<T> M = r.x * r.x * mass_matrix(s), C = r.x * s.damping_matrix, K = stiffness_matrix(s), KM = K - M;
         A_ << KM, -C, C, KM;
         const Matrix<T> both = K.cwiseAbs() + M.cwiseAbs(), damping = C.cwiseAbs();
@@ -40,18 +39,16 @@ public:
         const Column<T> error = T(2) * (product_of_sizes(inverse_, left_over) + unit_of<T>() * X.cwiseAbs());
         std::vector<Complex<Bounded<T>>> V;
         for (Eigen::Index k = 0; k < N_; ++k) V.push_back({{X(k), error(k)}, {X(N_ + k), error(N_ + k)}});
-        for (Eigen::Index n = 0; n < coordinates_.displacements.rows(); ++n) {
-            Complex<Bounded<T>> sum{Bounded<T>(0), Bounded<T>(0)};
-            for (Eigen::Index k = 0; k < N_; ++k)
-                sum = sum + as_input(coordinates_.displacements(n, k)) * V[static_cast<std::size_t>(k)];
-            V.push_back(sum);
+        if (system_.contact_with) {
+            const auto &of_j = V[system_.contact.index], &of_k = V[system_.contact_with->index];
+            V.push_back({of_j.re - of_k.re, of_j.im - of_k.im});
         }
         return V;
     }
 
 private:
     Eigen::Index N_;
-    const Coordinates<T>& coordinates_;
+    const System<T>& system_;
     Matrix<T> A_, size_, error_, inverse_;
 };
 
@@ -63,17 +60,15 @@ ModeSums<Bounded<T>> coupled_sums(const System<T>& system, const Bounded<T>& r) 
     const Responses<T> responses(system, r);
     ModeSums<Bounded<T>> s;
     s.r = r;
-    s.contact = system.contact;
-    s.load = system.load;
-    s.V = responses.to(load_on_coordinates(system));
-    std::vector<T> on_contact(number_of_masses(system), T(0));
-    on_contact[system.contact.index] = T(1);
-    s.Y_jj = (system.load == system.contact ? s.V : responses.to(on_contact))[system.contact.index];
+    s.contact = contact_row(system);
+    s.load = load_row(system);
+    s.V = responses.to(load_vector(system));
+    s.Y_jj = (s.load == s.contact ? s.V : responses.to(contact_vector(system)))[s.contact.index];
     for (std::size_t k = 0; k < s.V.size(); ++k) {
         const evaluation::FrictionMotion<Bounded<T>> start = friction->motion(k, Bounded<T>(0));
         s.U.push_back(-start.prime);
         s.G.push_back(-start.value);
-        if (k == system.contact.index) s.H_j = start.double_prime - friction->inverse_inertia();
+        if (k == s.contact.index) s.H_j = start.double_prime - friction->inverse_inertia();
     }
     s.sum_of_squares = friction->inverse_inertia();
     s.coupled = friction;

@@ -2,6 +2,7 @@
 /// @brief What of a system whose damping couples the modes has the place of the sums over its modes.
 #pragma once
 
+#include "denhartog/model/contact_and_load.hpp"
 #include "denhartog/sums/bounded_modes.hpp"
 #include "denhartog/sums/coupled_friction.hpp"
 
@@ -9,7 +10,7 @@ namespace denhartog {
 
 /// @brief V, U, G, Y_jj, H_j of a system whose damping couples the modes; it has no modes, and their lists are empty.
 /// @eq{33,34,35,64,65}
-/// @param system  the system, in the paper's form
+/// @param system  the system
 /// @param r       frequency ratio with its error
 /// @return        the sums, with bounds
 /// @throws        as `CoupledFriction`
@@ -25,7 +26,7 @@ template <class T>
 /// @throws        DomainError at a pole of a mode without damping; as `coupled_sums`
 [[nodiscard]] inline ModeSums<Bounded<double>> bounded_sums(const System<double>& system,
                                                             const ModalBasis<Bounded<double>>& basis, const Bounded<double>& r) {
-    return basis.coupled() ? coupled_sums(system, r) : mode_sums(basis, system.contact, system.load, r);
+    return basis.coupled() ? coupled_sums(system, r) : mode_sums(basis, contact_row(system), load_row(system), r);
 }
 
 } // namespace denhartog

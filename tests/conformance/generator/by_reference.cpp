@@ -22,16 +22,11 @@ namespace {
 constexpr long most_operations = 1'000'000'000'000;
 
 // A scene whose numbers are exact; a moving base is the load that it is, to all bits.
-struct OfQuestion final : SceneReader {
-    Scene<double> narrow;
-    nlohmann::json scene;
-    explicit OfQuestion(const ProtocolQuestion& q)
-        : narrow(in_own_coordinates(scene_of(q))), scene(question_json(q).at("scene")) {
-        kept_modes = std::make_shared<KeptModes>();
-    }
-    [[nodiscard]] const Scene<double>& in_double() const override { return narrow; }
-    void in_balls(Scene<Ball>& out) const override { out = scene_from_json<Ball>(scene); }
-};
+SceneSource source_of(const ProtocolQuestion& q) {
+    const auto in_balls = [scene = question_json(q).at("scene")](Scene<Ball>& out) { out = scene_from_json<Ball>(scene); };
+    return std::make_shared<const SceneReader>(
+        SceneReader{std::make_shared<const Scene<double>>(scene_of(q)), {}, in_balls, std::make_shared<KeptModes>()});
+}
 
 OrbitGuess guess_of(const OrbitSeen& seen) {
     OrbitGuess guess{{-seen.phases.back().direction}, true, 1, seen.at_rest.x, seen.at_rest.x_prime, {}, {}};
@@ -191,7 +186,7 @@ template <class T>
 class ByReference : public Route<T> {
 public:
     ByReference(const ProtocolQuestion& q, Regime regime, const OrbitSeen* seen)
-        : source_(std::make_shared<const OfQuestion>(q)), regime_(regime) {
+        : source_(source_of(q)), regime_(regime) {
         if (seen != nullptr) seen_ = *seen;
     }
 

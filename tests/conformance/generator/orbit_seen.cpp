@@ -23,7 +23,7 @@ State cut(State z) {
 } // namespace
 
 OrbitSeen orbit_seen(const ProtocolQuestion& q) {
-    const Scene<double> scene = in_own_coordinates(scene_of(q));
+    const Scene<double> scene = scene_of(q);
     const ContactSystem system = contact_system(scene.system);
     ExactSolver solver(system, {q.r, q.beta, q.mu});
     OrbitSearch search;
@@ -47,9 +47,7 @@ OrbitSeen orbit_seen(const ProtocolQuestion& q) {
     if (std::abs(seen.phases.back().end - end) > 1e-6) throw DomainError("the phases do not repeat after half a period");
     const double* z = &motion.states[2 * N * first];
     seen.at_rest = cut({{z, z + N}, {z + N, z + 2 * N}});
-    seen.at_rest.x_prime[scene.system.contact.index] = 0;
-    take_to_masses(scene.system.coordinates, seen.at_rest.x);
-    take_to_masses(scene.system.coordinates, seen.at_rest.x_prime);
+    system.stuck.contact.hold(seen.at_rest.x_prime.data());
     return seen;
 }
 

@@ -2,7 +2,7 @@
 #include "tests/support/multiprecision.hpp" // first: what follows takes its functions
 
 #include "denhartog/model/bidiagonal_singular_values.cpp"
-#include "denhartog/model/coordinates.cpp"
+#include "denhartog/model/contact_and_load.cpp"
 #include "denhartog/model/coupled_motion.cpp"
 #include "denhartog/model/linear_algebra.cpp"
 #include "denhartog/model/modal_basis.cpp"
@@ -18,8 +18,8 @@ template Matrix<Real50> mass_matrix(const System<Real50>&);
 template Matrix<Real100> mass_matrix(const System<Real100>&);
 template Matrix<Real50> stiffness_matrix(const System<Real50>&);
 template Matrix<Real100> stiffness_matrix(const System<Real100>&);
-template Scene<Real50> in_own_coordinates(const Scene<Real50>&);
-template Scene<Real100> in_own_coordinates(const Scene<Real100>&);
+template HeldMatrices<Real50> held_matrices(const System<Real50>&, const Contact&, const Matrix<Real50>&);
+template HeldMatrices<Real100> held_matrices(const System<Real100>&, const Contact&, const Matrix<Real100>&);
 template class CoupledMotion<Real50>;
 template class CoupledMotion<Real100>;
 template SymmetricEigenproblem<Real50> symmetric_eigenproblem(const Matrix<Real50>&);

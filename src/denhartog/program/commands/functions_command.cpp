@@ -43,7 +43,8 @@ Json functions_json(const SceneSource& source) {
     const auto basis = certain_modes(source, modes_in_double(source).basis);
     std::optional<ModeSums<Bounded<double>>> s; // none where damping couples the modes
     if (!basis->coupled())
-        s = mode_sums(*basis, scene.system.contact, scene.system.load, as_input(*scene.r), certain_mode_functions(source, basis));
+        s = mode_sums(*basis, contact_row(scene.system), load_row(scene.system), as_input(*scene.r),
+                      certain_mode_functions(source, basis));
     const Quantities<Bounded<double>> q = quantities(source, {}, digits_of_sums, PointNumbers::sums).numbers;
     Json all{{"modes", Json::array()}, {"masses", Json::array()}};
     for (std::size_t i = 0; i < basis->r_n.size(); ++i) {
